@@ -1,4 +1,4 @@
-"""PNG files of 8-bit RGB or RGBA in, of at most 256 colours out; the standard library only."""
+"""PNG files of 8-bit RGB or RGBA in, of a palette or of RGB out; the standard library only."""
 import struct
 import zlib
 
@@ -76,8 +76,26 @@ def write(rows, colors=256):
     index, table = palette(counts, colors)
     flat = b"".join(b"\0" + bytes(index[color] for color in row) for row in rows)
 
-    def chunk(kind, body):
-        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-    header = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 3, 0, 0, 0)
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"PLTE", bytes(v for color in table for v in color)) +
-            chunk(b"IDAT", zlib.compress(flat, 9)) + chunk(b"IEND", b""))
+    return file_of(rows, 3, flat, chunk(b"PLTE", bytes(v for color in table for v in color)))
+
+
+def write_exact(rows):
+    """The bytes of a PNG file of RGB, which keeps every colour; each line is filtered as its differences are smallest."""
+    flat, above = bytearray(), bytes(3 * len(rows[0]))
+    for row in rows:
+        line = bytes(value for color in row for value in color)
+        left = bytes((a - b) & 255 for a, b in zip(line, b"\0\0\0" + line))
+        up = bytes((a - b) & 255 for a, b in zip(line, above))
+        best = min((line, left, up), key=lambda kind: sum(min(value, 256 - value) for value in kind))
+        flat += bytes([(line, left, up).index(best)]) + best
+        above = line
+    return file_of(rows, 2, bytes(flat), b"")
+
+
+def chunk(kind, body):
+    return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+
+
+def file_of(rows, color_type, flat, table):
+    header = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, color_type, 0, 0, 0)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + table + chunk(b"IDAT", zlib.compress(flat, 9)) + chunk(b"IEND", b""))

@@ -1,0 +1,212 @@
+#!/usr/bin/env python3
+"""Runs screen savers and programs of toolkits (programs_list.py) with the drop-in pair, and compares them with Mesa.
+
+usage: gallery.py [--build BUILD] [--only EXPRESSION]
+       gallery.py [--build BUILD] --sheet
+
+Each program runs under Xvfb for some frames, must end by itself and show more than one colour. Its calls are recorded by apitrace
+and replayed by Spangle and by Mesa's softpipe and llvmpipe. No error of GL may be Spangle's alone, and the pictures must agree.
+gallery.csv gets a line for each program that was run and keeps those of the others. --only runs the programs whose names the regular
+expression finds. --sheet draws docs/pictures/programs.png: some of the programs on the glass of a panel. Savers begin with a random
+number, so that each run draws other pictures. BUILD is a build folder, build/host unless it is given.
+"""
+import argparse
+import collections
+import csv
+import os
+import pathlib
+import re
+import sys
+import tempfile
+
+from harness import (HERE, ORACLES, SPREAD, TRACE_STEPS, Picture, bad_percent, check, failures, folder, mesa_environment, need, png,
+                     replay, run, spangle_environment, xvfb)
+from programs_list import KNOWN, SHEET, every
+
+ROOT = HERE.parents[1]
+TABLE, PICTURE = HERE / "gallery.csv", ROOT / "docs/pictures/programs.png"
+COLUMNS = ("program", "suite", "verdict", "reason")
+# A program that shows one colour after the first number of frames gets the second one.
+FRAMES, SIZE, SECONDS = (20, 200), "320x240", 120
+LEAST_DRAWN = 0.1  # This many of a hundred pixels must not have the commonest colour.
+BOARD, SHEET_FRAMES, ACROSS, GAP, PAPER, MOST_BYTES = "ili9341", 60, 4, 8, (255, 255, 255), 400_000
+
+
+def build_imgui():
+    """The program with Dear ImGui, or nothing where its headers are missing."""
+    built = ROOT / "build/gallery/imgui_demo"
+    flags = run(["pkg-config", "--cflags", "--libs", "imgui", "glfw3", "sdl2", "gl"], dict(os.environ))
+    if flags.status != 0:
+        return None
+    built.parent.mkdir(parents=True, exist_ok=True)
+    made = run(["c++", "-std=c++20", "-O1", HERE / "imgui_demo.cpp", "-o", built, *flags.words.split()], dict(os.environ))
+    check(made.status == 0, f"imgui_demo is not built: {made.words[-1000:]}")
+    return built if made.status == 0 else None
+
+
+def environment_of(base, display, home):
+    """A home of its own without sound, where SDL draws by OpenGL."""
+    (home / ".asoundrc").write_text("pcm.!default { type null }\nctl.!default { type null }\n")
+    return base | {"DISPLAY": display, "HOME": str(home), "PATH": "/usr/local/bin:/usr/bin:/bin:/usr/games",
+                   "SDL_RENDER_DRIVER": "opengl", "SDL_AUDIODRIVER": "dummy"}
+
+
+def drawn(picture):
+    """How many colours there are, and how many of a hundred pixels do not have the commonest one."""
+    count = collections.Counter(pixel for row in picture.rows for pixel in row)
+    return len(count), 100 - 100 * max(count.values()) / sum(count.values())
+
+
+def errors(words):
+    """How many errors of GL the retracer saw."""
+    return len(re.findall(r"GL_INVALID_\w+|GL_STACK_\w+|GL_OUT_OF_MEMORY", words))
+
+
+def last_line(words):
+    return (words.strip().splitlines() or [""])[-1][:200]
+
+
+def compare_frames(place, pair, trace):
+    """Replays a trace by all and compares two frames; gives the verdict and its reason."""
+    ours, ended = replay(trace, spangle_environment(pair), place / "spangle", SECONDS)
+    theirs = {o: replay(trace, mesa_environment(o) | {"MESA_GL_VERSION_OVERRIDE": "1.5COMPAT"}, place / o, SECONDS) for o in ORACLES}
+    for name, (pictures, by) in {"Spangle": (ours, ended), **theirs}.items():
+        if by.status != 0 or not pictures:
+            return "replay fails", f"eglretrace with {name} ends with {by.status}: {last_line(by.words)}"
+    if any(len(pictures) != len(ours) for pictures, _ in theirs.values()):
+        return "replay fails", "the numbers of frames differ"
+    seen, least = errors(ended.words), min(errors(e.words) for _, e in theirs.values())
+    if seen > least:
+        return "errors", f"{seen} errors of GL; Mesa has {least}"
+    for at in sorted({len(ours) // 2, len(ours) - 1}):
+        mine, pictures = Picture(ours[at]), [Picture(p[at]) for p, _ in theirs.values()]
+        if any((p.width, p.height) != (mine.width, mine.height) for p in pictures):
+            return "pictures differ", "their sizes differ"
+        off = bad_percent(mine, pictures, TRACE_STEPS)
+        allowed = max(SPREAD, 3 * bad_percent(pictures[0], pictures[1:], TRACE_STEPS))
+        if off > allowed:
+            return "pictures differ", f"{off:.3f} % of the pixels differ; {allowed:.3f} % may"
+    if max(drawn(p)[1] for p in (mine, *pictures)) < LEAST_DRAWN:
+        return "draws nothing", f"Mesa's replays have one colour, too, after {len(ours)} frames"
+    return "passes", ""
+
+
+def shown(program, environment, place):
+    """Runs a program until it shows something; gives the number of frames and, where that fails, a verdict and its reason."""
+    for frames in FRAMES:
+        picture = place / "live.png"
+        ended = run(program.command, environment | {"SPANGLE_FRAMES": str(frames), "SPANGLE_SHOT": str(picture)}, SECONDS,
+                    program.folder or environment["HOME"])
+        if ended.status is None:
+            break
+        if ended.status != 0:
+            return frames, "does not run", f"ends with {ended.status}: {last_line(ended.words)}"
+        if not picture.exists():
+            return frames, "does not run", "ends before it draws"
+        if drawn(Picture(picture))[1] >= LEAST_DRAWN:
+            return frames, "", ""
+    return FRAMES[0], "", ""
+
+
+def judge(program, pair, display, place):
+    """Runs a program, records it and replays it; gives the verdict and its reason."""
+    with tempfile.TemporaryDirectory() as home:
+        environment = environment_of(spangle_environment(pair, SPANGLE_SIZE=SIZE), display, pathlib.Path(home))
+        frames, verdict, reason = shown(program, environment, place)
+        if verdict:
+            return verdict, reason
+        trace = place / "calls.trace"
+        ended = run(["apitrace", "trace", "-a", program.api, "-o", trace, *program.command],
+                    environment | {"SPANGLE_FRAMES": str(frames), "SPANGLE_SIGNAL": "1"}, SECONDS, program.folder or home)
+        if ended.status is None or not trace.exists():
+            return "is not recorded", f"apitrace ends with {ended.status}: {last_line(ended.words)}"
+    return compare_frames(place, pair, trace)
+
+
+def read_table():
+    if not TABLE.exists():
+        return {}
+    with TABLE.open(newline="") as lines:
+        return {row["program"]: row for row in csv.DictReader(lines)}
+
+
+def write_table(rows):
+    """The lines of the table by suite and name."""
+    with TABLE.open("w", newline="") as out:
+        table = csv.DictWriter(out, COLUMNS, lineterminator="\n")
+        table.writeheader()
+        table.writerows(sorted(rows.values(), key=lambda row: (row["suite"], row["program"])))
+
+
+def row_of(program, verdict, reason):
+    """A line of the table: what does not pass has what was measured, and what is known about it."""
+    known = "" if verdict == "passes" else "; " + KNOWN.get(program.name, "unexplained")
+    return {"program": program.name, "suite": program.suite, "verdict": verdict, "reason": reason + known}
+
+
+def run_programs(pair, programs):
+    """Runs programs one by one; the table is written after each, so that a run may be stopped."""
+    rows = read_table()
+    with xvfb() as display:
+        for program in programs:
+            with folder("gallery-" + program.name) as place:
+                rows[program.name] = row_of(program, *judge(program, pair, display, place))
+            write_table(rows)
+            print(*rows[program.name].values(), sep=", ", flush=True)
+    print(dict(collections.Counter(row["verdict"] for row in rows.values())))
+
+
+def glass(spangle, program, display):
+    """What a panel shows of a program: rows of pixels."""
+    with tempfile.TemporaryDirectory() as home:
+        picture = pathlib.Path(home) / "glass.png"
+        environment = environment_of(spangle_environment(""), display, pathlib.Path(home))
+        del environment["LD_LIBRARY_PATH"]
+        ended = run([spangle, "exec", "--board", BOARD, "--frames", SHEET_FRAMES, "--shot", picture, "--", *program.command],
+                    environment, SECONDS, program.folder or home)
+        if ended.status != 0 or not picture.exists():
+            sys.exit(f"{program.name}: ends with {ended.status}: {ended.words[-500:]}")
+        print(program.name, flush=True)
+        return Picture(picture).rows
+
+
+def draw_sheet(spangle, programs):
+    """Draws the contact sheet: glasses side by side, as they are."""
+    known = {program.name: program for program in programs}
+    missing = [name for name in SHEET if name not in known]
+    if missing:
+        sys.exit(f"{', '.join(missing)}: not installed; ./dev setup --gallery installs them")
+    with xvfb() as display:
+        pictures = [glass(spangle, known[name], display) for name in SHEET]
+    rows = []
+    for begin in range(0, len(pictures), ACROSS):
+        if rows:
+            rows += [[PAPER] * len(rows[0])] * GAP
+        for lines in zip(*pictures[begin:begin + ACROSS]):
+            rows.append([pixel for line in lines for pixel in line + [PAPER] * GAP][:-GAP])
+    data = png.write_exact(rows)
+    check(len(data) <= MOST_BYTES, f"the sheet has {len(data)} bytes; {MOST_BYTES} are allowed")
+    if not failures:
+        PICTURE.write_bytes(data)
+        print(f"{PICTURE.relative_to(ROOT)}: {len(data)} bytes")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/host")
+    parser.add_argument("--only", metavar="EXPRESSION", default="")
+    parser.add_argument("--sheet", action="store_true")
+    options = parser.parse_args()
+    build = options.build.resolve()
+    if not (build / "dropin").exists():
+        sys.exit(f"there is no drop-in pair in {options.build}; ./dev build makes it in build/host")
+    need("Xvfb", "apitrace", "eglretrace")
+    programs = every(build_imgui())
+    if options.sheet:
+        draw_sheet(build / "spangle", programs)
+    else:
+        run_programs(build / "dropin", [p for p in programs if re.search(options.only, p.name)])
+    sys.exit(1 if failures else 0)
+
+
+main()
