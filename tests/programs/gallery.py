@@ -39,7 +39,7 @@ def build_imgui():
     if flags.status != 0:
         return None
     built.parent.mkdir(parents=True, exist_ok=True)
-    made = run(["c++", "-std=c++20", "-O1", HERE / "imgui_demo.cpp", "-o", built, *flags.words.split()], dict(os.environ))
+    made = run(["c++", "-O1", HERE / "imgui_demo.cpp", "-o", built, *flags.words.split()], dict(os.environ))
     check(made.status == 0, f"imgui_demo is not built: {made.words[-1000:]}")
     return built if made.status == 0 else None
 
