@@ -25,7 +25,7 @@ EXAMPLES = {  # program, arguments, and what it says where there is no such devi
     "raspberry_pi": ("cube", ["0"], "cube: /dev/spidev0.0: open: No such file"),
     "oled_i2c": ("gem", ["0"], "gem: /dev/i2c-1 address 3Ch: open: No such file"),
     "ftdi_adapter": ("clock", ["0", "/dev/bus/usb/999/999"], "clock: /dev/bus/usb/999/999: open: No such file"),
-    "gud_display": ("triangle", ["0", "/dev/bus/usb/999/999"], "triangle: /dev/bus/usb/999/999: open: No such file"),
+    "gud_display": ("triangle", ["0", "/dev/bus/usb/999/999"], "triangle: eglInitialize: /dev/bus/usb/999/999: open: No such file"),
 }
 
 
