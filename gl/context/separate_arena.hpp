@@ -61,7 +61,7 @@ class SeparateArena {
     bool consistent() const { return used_ <= capacity_; }
 
   private:
-    /// Of the largest alignment there is, so that a block has it, too.
+    /// A header has the largest alignment there is, so that the block behind it has that alignment, too.
     struct alignas(std::max_align_t) Header {
         std::size_t bytes;
     };

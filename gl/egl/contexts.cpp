@@ -203,18 +203,14 @@ EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLC
     Surface *draw_surface = nullptr, *read_surface = nullptr;
     {
         const Registry registry;
-        enter(ctx != EGL_NO_CONTEXT ? SPANGLE_TEXT("eglMakeCurrent")
-                                    : nullptr); // what follows may be no error
-        display = find_display(dpy);
         enter(SPANGLE_TEXT("eglMakeCurrent"));
         if (ctx == EGL_NO_CONTEXT) { // allowed on a display that is not initialised (EGL 1.4, 3.7.3)
-            if (display == nullptr && thread().error == EGL_BAD_DISPLAY) {
-                tell(EGL_BAD_DISPLAY, SPANGLE_TEXT("dpy is not a display of eglGetDisplay"));
+            if (find_entry(dpy) == nullptr)
                 return EGL_FALSE;
-            }
             if (draw != EGL_NO_SURFACE || read != EGL_NO_SURFACE)
                 return fail(EGL_BAD_MATCH, SPANGLE_TEXT("surfaces are given, but no context"));
         } else {
+            display = find_display(dpy);
             if (display == nullptr)
                 return EGL_FALSE;
             context = find_context(*display, ctx);

@@ -63,7 +63,17 @@ void sweep(Display& display) {
     sweep_list(&display.contexts);
 }
 
+#if SPANGLE_MESSAGES
+constinit SPANGLE_THREAD_LOCAL const char* entered = nullptr; // the command that this thread is in
+#endif
+
 } // namespace
+
+#if SPANGLE_MESSAGES
+void enter(const char* command) {
+    entered = command;
+}
+#endif
 
 #if SPANGLE_THREADS
 constinit gl::Lock registry_lock;
@@ -75,29 +85,15 @@ Thread& thread() {
 
 EGLBoolean fail(EGLint error, const char* rule) {
     this_thread.error = error;
-    tell(error, rule);
+#if SPANGLE_MESSAGES
+    if (rule != nullptr && entered != nullptr) {
+        gl::Sentence out;
+        out << entered << ": " << rule;
+        message(static_cast<unsigned>(error), out.text());
+    }
+#endif
     return EGL_FALSE;
 }
-
-#if SPANGLE_MESSAGES
-
-namespace {
-constinit SPANGLE_THREAD_LOCAL const char* entered = nullptr;
-} // namespace
-
-void enter(const char* command) {
-    entered = command;
-}
-
-void tell(EGLint error, const char* rule) {
-    if (rule == nullptr || entered == nullptr)
-        return;
-    gl::Sentence out;
-    out << entered << ": " << rule;
-    message(static_cast<unsigned>(error), out.text());
-}
-
-#endif
 
 EGLBoolean succeed() {
     this_thread.error = EGL_SUCCESS;
@@ -114,16 +110,19 @@ EGLBoolean fail_in_primitive() {
                                              "is shown; call glEnd first"));
 }
 
-Display* find_display(EGLDisplay handle) {
-    for (Display& display : displays) {
-        if (!display.used || &display != handle)
-            continue;
-        if (display.initialized)
+Display* find_entry(EGLDisplay handle) {
+    for (Display& display : displays)
+        if (display.used && &display == handle)
             return &display;
-        fail(EGL_NOT_INITIALIZED, SPANGLE_TEXT("dpy has not been initialized, eglInitialize comes first"));
-        return nullptr;
-    }
     fail(EGL_BAD_DISPLAY, SPANGLE_TEXT("dpy is not a display of eglGetDisplay"));
+    return nullptr;
+}
+
+Display* find_display(EGLDisplay handle) {
+    Display* const display = find_entry(handle);
+    if (display == nullptr || display->initialized)
+        return display;
+    fail(EGL_NOT_INITIALIZED, SPANGLE_TEXT("dpy has not been initialized, eglInitialize comes first"));
     return nullptr;
 }
 
@@ -154,14 +153,6 @@ void free_destroyed(Display& display) {
 }
 
 namespace {
-
-/// The entry behind a handle, or null.
-Display* find_entry(EGLDisplay handle) {
-    for (Display& display : displays)
-        if (display.used && &display == handle)
-            return &display;
-    return nullptr;
-}
 
 /// An entry for another display: one that never had any, else one that was terminated and holds nothing. What
 /// is still current keeps its entry.
@@ -260,7 +251,7 @@ EGLBoolean eglInitialize(EGLDisplay dpy, EGLint* major, EGLint* minor) {
     const Registry registry;
     Display* const display = find_entry(dpy);
     if (display == nullptr)
-        return fail(EGL_BAD_DISPLAY, SPANGLE_TEXT("dpy is not a display of eglGetDisplay"));
+        return EGL_FALSE;
     if (!display->initialized && display->native != nullptr) {
         if (is_drawn_elsewhere(*display))
             return fail(EGL_NOT_INITIALIZED, SPANGLE_TEXT("a window from before eglTerminate is "
@@ -293,7 +284,7 @@ EGLBoolean eglTerminate(EGLDisplay dpy) {
     const Registry registry;
     Display* const display = find_entry(dpy);
     if (display == nullptr)
-        return fail(EGL_BAD_DISPLAY, SPANGLE_TEXT("dpy is not a display of eglGetDisplay"));
+        return EGL_FALSE;
     if (thread().display == display && in_primitive())
         return fail_in_primitive();
     // What is current stays alive until it is released (EGL 1.4, 3.2).

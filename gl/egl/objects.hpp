@@ -143,11 +143,8 @@ EGLBoolean fail(EGLint error, const char* rule);
 #if SPANGLE_MESSAGES
 /// Names the command that this thread is in, for its messages.
 void enter(const char* command);
-/// The message of an error that is recorded already.
-void tell(EGLint error, const char* rule);
 #else
 inline void enter(const char*) {}
-inline void tell(EGLint, const char*) {}
 #endif
 
 EGLBoolean succeed();
@@ -162,7 +159,9 @@ EGLDisplay platform_display(EGLenum platform, void* native);
 bool in_primitive();
 EGLBoolean fail_in_primitive();
 
-/// The display behind a handle, or null with BAD_DISPLAY or NOT_INITIALIZED recorded.
+/// The display behind a handle, initialized or not; null with BAD_DISPLAY recorded.
+Display* find_entry(EGLDisplay handle);
+/// The initialized display behind a handle, or null with BAD_DISPLAY or NOT_INITIALIZED recorded.
 Display* find_display(EGLDisplay handle);
 Surface* find_surface(Display& display, EGLSurface handle);
 Context* find_context(Display& display, EGLContext handle);

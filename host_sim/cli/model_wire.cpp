@@ -15,6 +15,7 @@ namespace spangle::cli {
 namespace {
 
 constexpr std::size_t most_listed = std::size_t{1} << 20; // notes, parts, pictures
+constexpr std::size_t longest_text = std::size_t{1} << 20;
 
 class Packer {
   public:
@@ -24,13 +25,21 @@ class Packer {
         static_assert(std::is_trivially_copyable_v<T>);
         bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
     }
-    template <class T> void list(const T& values) {
+    template <class T> void list(const T& values, std::size_t) {
         static_assert(std::is_trivially_copyable_v<typename T::value_type>);
-        number(std::uint64_t{values.size()});
+        size(values.size());
         if (!values.empty())
             bytes.append(reinterpret_cast<const char*>(values.data()),
                          values.size() * sizeof(typename T::value_type));
     }
+    template <class T, class Fields> void each(const T& values, Fields fields) {
+        size(values.size());
+        for (const auto& value : values)
+            fields(value);
+    }
+    void size(std::size_t value) { number(std::uint64_t{value}); }
+    void flag(bool value) { number(static_cast<std::uint8_t>(value ? 1 : 0)); }
+    void kind(ModelPart::Kind value) { number(static_cast<std::uint8_t>(value)); }
 };
 
 /// Nothing is allocated before the bytes that fill it are seen to be there.
@@ -56,12 +65,22 @@ class Unpacker {
         if (count != 0)
             std::memcpy(values.data(), taken_, values.size() * sizeof(Value));
     }
-    /// How many of something follow.
-    std::size_t count(std::size_t most) {
+    template <class T, class Fields> void each(T& values, Fields fields) {
+        std::uint64_t left = 0;
+        number(left);
+        good_ = good_ && left <= most_listed;
+        for (; left > 0 && good_; --left)
+            fields(values.emplace_back());
+    }
+    void size(std::size_t& value) {
         std::uint64_t n = 0;
         number(n);
-        good_ = good_ && n <= most;
-        return good_ ? static_cast<std::size_t>(n) : 0;
+        value = static_cast<std::size_t>(n);
+    }
+    void kind(ModelPart::Kind& value) {
+        std::uint8_t n = 0;
+        number(n);
+        value = static_cast<ModelPart::Kind>(std::min<std::uint8_t>(n, 2));
     }
     /// A bool of any other value than 0 and 1 would be undefined.
     void flag(bool& value) {
@@ -116,75 +135,48 @@ bool drawable(const ModelImage& image) {
                std::size_t{4} * static_cast<unsigned>(image.width) * static_cast<unsigned>(image.height);
 }
 
-void unpack_part(Unpacker& from, ModelPart& part) {
-    std::uint8_t kind = 0;
-    from.number(kind);
-    part.kind = static_cast<ModelPart::Kind>(std::min<std::uint8_t>(kind, 2));
-    from.list(part.vertices, most_vertices);
-    from.list(part.indices, most_indices);
-    from.number(part.diffuse);
-    from.number(part.specular);
-    from.number(part.emission);
-    from.number(part.shininess);
-    from.number(part.image);
-    from.flag(part.colored);
+/// The fields of an image on the wire, in their order, for both directions.
+template <class Wire, class Image> void image_fields(Wire& wire, Image& image) {
+    wire.number(image.width);
+    wire.number(image.height);
+    wire.list(image.rgba, 4 * most_texels);
+    wire.flag(image.translucent);
 }
 
-void unpack_image(Unpacker& from, ModelImage& image) {
-    from.number(image.width);
-    from.number(image.height);
-    from.list(image.rgba, 4 * most_texels);
-    from.flag(image.translucent);
+template <class Wire, class Part> void part_fields(Wire& wire, Part& part) {
+    wire.kind(part.kind);
+    wire.list(part.vertices, most_vertices);
+    wire.list(part.indices, most_indices);
+    wire.number(part.diffuse);
+    wire.number(part.specular);
+    wire.number(part.emission);
+    wire.number(part.shininess);
+    wire.number(part.image);
+    wire.flag(part.colored);
+}
+
+template <class Wire, class Result> void result_fields(Wire& wire, Result& result) {
+    auto& model = result.model;
+    wire.list(result.error, longest_text);
+    wire.list(model.name, longest_text);
+    wire.size(model.triangles);
+    wire.each(model.notes, [&wire](auto& note) { wire.list(note, longest_text); });
+    wire.each(model.images, [&wire](auto& image) { image_fields(wire, image); });
+    wire.each(model.parts, [&wire](auto& part) { part_fields(wire, part); });
 }
 
 } // namespace
 
 std::string pack(const ModelResult& result) {
     Packer to;
-    const Model& model = result.model;
-    to.list(result.error);
-    to.list(model.name);
-    to.number(std::uint64_t{model.triangles});
-    to.number(std::uint64_t{model.notes.size()});
-    for (const std::string& note : model.notes)
-        to.list(note);
-    to.number(std::uint64_t{model.images.size()});
-    for (const ModelImage& image : model.images) {
-        to.number(image.width);
-        to.number(image.height);
-        to.list(image.rgba);
-        to.number(static_cast<std::uint8_t>(image.translucent ? 1 : 0));
-    }
-    to.number(std::uint64_t{model.parts.size()});
-    for (const ModelPart& part : model.parts) {
-        to.number(static_cast<std::uint8_t>(part.kind));
-        to.list(part.vertices);
-        to.list(part.indices);
-        to.number(part.diffuse);
-        to.number(part.specular);
-        to.number(part.emission);
-        to.number(part.shininess);
-        to.number(part.image);
-        to.number(static_cast<std::uint8_t>(part.colored ? 1 : 0));
-    }
+    result_fields(to, result);
     return std::move(to.bytes);
 }
 
 std::string unpack(std::string_view bytes, ModelResult& result) {
-    constexpr std::size_t longest_text = 1 << 20;
     Unpacker from(bytes);
-    Model& model = result.model;
-    from.list(result.error, longest_text);
-    from.list(model.name, longest_text);
-    std::uint64_t triangles = 0;
-    from.number(triangles);
-    model.triangles = static_cast<std::size_t>(triangles);
-    for (std::size_t left = from.count(most_listed); left > 0 && from.good(); --left)
-        from.list(model.notes.emplace_back(), longest_text);
-    for (std::size_t left = from.count(most_listed); left > 0 && from.good(); --left)
-        unpack_image(from, model.images.emplace_back());
-    for (std::size_t left = from.count(most_listed); left > 0 && from.good(); --left)
-        unpack_part(from, model.parts.emplace_back());
+    result_fields(from, result);
+    const Model& model = result.model;
     const bool sound = from.finished() && model.triangles <= most_triangles &&
                        std::all_of(model.images.begin(), model.images.end(),
                                    [](const ModelImage& i) { return drawable(i); }) &&
@@ -192,7 +184,7 @@ std::string unpack(std::string_view bytes, ModelResult& result) {
                            return drawable(part, model.images.size());
                        });
     result.error = one_line(result.error);
-    for (std::string& note : model.notes)
+    for (std::string& note : result.model.notes)
         note = one_line(note);
     if (sound)
         return "";

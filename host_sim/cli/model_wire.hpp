@@ -14,8 +14,9 @@ inline constexpr std::size_t most_triangles = 2'000'000, most_vertices = 3 * mos
 
 std::string pack(const ModelResult& result);
 
-/// Whoever packed the bytes is not trusted: a model that comes out is one that can be drawn. Indices are of
-/// vertices that are there, numbers are finite, sides of pictures are powers of two. Empty, or what is wrong.
+/// Reads a model from bytes that nobody trusts. A model that comes out can be drawn: its indices name
+/// vertices that are there, its numbers are finite, the sides of its pictures are powers of two. Returns
+/// nothing, or what is wrong.
 std::string unpack(std::string_view bytes, ModelResult& result);
 
 } // namespace spangle::cli

@@ -88,7 +88,8 @@ struct Window {
     }
 };
 
-/// Of what is in memory; at other times of nothing.
+/// Reads pixels of the frame, or of the band, that is in memory. Where the display has taken all memory back,
+/// GL has to read none of it: any access would end the program.
 void draw_and_read() {
     GLubyte pixels[width * height * 4];
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

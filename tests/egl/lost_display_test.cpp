@@ -308,7 +308,8 @@ TEST_F(LostDisplays, TheEntryOfACurrentSurfaceIsNotGivenAway) {
             EXPECT_EQ(eglInitialize(other, nullptr, nullptr), yes);
             EXPECT_EQ(eglTerminate(other), yes);
         }
-        // Those that stay take every other entry.
+        // Other displays take the entries that are left, so that a new one can only get the entry that was
+        // given back.
         std::vector<EGLDisplay> open;
         for (const auto& one : others)
             if (const EGLDisplay other = eglGetDisplay(native(*one)); other != EGL_NO_DISPLAY) {

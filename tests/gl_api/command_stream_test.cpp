@@ -4,16 +4,12 @@
 #include "tests/gl_api/command_stream.hpp"
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "tests/source_dir.hpp"
+#include "tests/fuzz/replay.hpp"
 
 namespace {
 
@@ -36,15 +32,7 @@ TEST(CommandStream, Seeds) {
 }
 
 TEST(CommandStream, Corpus) {
-    int files = 0;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(SPANGLE_SOURCE_DIR "/tests/fuzz/corpus/gl_commands")) {
-        std::ifstream file(entry.path(), std::ios::binary);
-        const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-        spangle::test::run_command_stream(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-        ++files;
-    }
-    EXPECT_GT(files, 0);
+    EXPECT_GT(spangle::test::replay_corpus("gl_commands", spangle::test::run_command_stream), 0);
 }
 
 } // namespace

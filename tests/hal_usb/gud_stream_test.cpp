@@ -1,14 +1,9 @@
 // Devices that answer what they like: nothing breaks (run it under ASan and UBSan for the whole meaning).
 #include "tests/hal_usb/gud_stream.hpp"
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
-
 #include <gtest/gtest.h>
 
-#include "tests/source_dir.hpp"
+#include "tests/fuzz/replay.hpp"
 
 namespace {
 
@@ -18,15 +13,7 @@ TEST(GudStream, Seeds) {
 }
 
 TEST(GudStream, Corpus) {
-    int files = 0;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(SPANGLE_SOURCE_DIR "/tests/fuzz/corpus/gud")) {
-        std::ifstream file(entry.path(), std::ios::binary);
-        const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-        gud_test::run_gud_stream(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-        ++files;
-    }
-    EXPECT_GT(files, 0);
+    EXPECT_GT(spangle::test::replay_corpus("gud", gud_test::run_gud_stream), 0);
 }
 
 } // namespace

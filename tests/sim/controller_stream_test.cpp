@@ -1,15 +1,11 @@
 // Random and recorded streams at the controller models: nothing breaks, and pins and bytes agree.
 #include "tests/sim/controller_stream.hpp"
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
-#include <string>
 
 #include <gtest/gtest.h>
 
-#include "tests/source_dir.hpp"
+#include "tests/fuzz/replay.hpp"
 
 namespace {
 
@@ -28,16 +24,7 @@ TEST(ControllerStream, SeedsAndTheirMutations) {
 }
 
 TEST(ControllerStream, Corpus) {
-    int files = 0;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(SPANGLE_SOURCE_DIR "/tests/fuzz/corpus/controller")) {
-        std::ifstream file(entry.path(), std::ios::binary);
-        const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-        SCOPED_TRACE(entry.path().filename());
-        sim_test::run_controller_stream(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-        ++files;
-    }
-    EXPECT_GT(files, 100);
+    EXPECT_GT(spangle::test::replay_corpus("controller", sim_test::run_controller_stream), 100);
 }
 
 } // namespace

@@ -107,7 +107,7 @@ class World {
         }
     }
 
-    /// Of the surface that is drawn to: a program knows how large its window is.
+    /// Returns the size of the current draw surface: a program knows how large its window is.
     static Size drawn_size() {
         EGLint width = 64, height = 48;
         const EGLDisplay display = eglGetCurrentDisplay();

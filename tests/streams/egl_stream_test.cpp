@@ -1,14 +1,9 @@
 // Streams of EGL and GL calls: nothing breaks (run it under ASan and UBSan for the whole meaning).
 #include "tests/streams/egl_stream.hpp"
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
-
 #include <gtest/gtest.h>
 
-#include "tests/source_dir.hpp"
+#include "tests/fuzz/replay.hpp"
 
 namespace {
 
@@ -18,15 +13,7 @@ TEST(EglStream, Seeds) {
 }
 
 TEST(EglStream, Corpus) {
-    int files = 0;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(SPANGLE_SOURCE_DIR "/tests/fuzz/corpus/egl")) {
-        std::ifstream file(entry.path(), std::ios::binary);
-        const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-        spangle::test::run_egl_stream(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-        ++files;
-    }
-    EXPECT_GT(files, 0);
+    EXPECT_GT(spangle::test::replay_corpus("egl", spangle::test::run_egl_stream), 0);
 }
 
 } // namespace

@@ -31,7 +31,7 @@ class Memory {
     std::vector<std::unique_ptr<std::uint8_t[]>> blocks_;
 };
 
-/// Of `count` things the one that the stream says.
+/// The stream chooses one of `count` things; returns its number.
 inline unsigned pick(Bytes& in, unsigned count) {
     return count <= 1 ? 0 : count <= 256 ? in.byte() % count : (in.byte() | in.byte() * 256u) % count;
 }
@@ -69,7 +69,7 @@ inline float coordinate(Bytes& in, std::int32_t side) {
     return odd_number(in);
 }
 
-/// The same for commands that take integers.
+/// A coordinate for commands that take integers.
 inline std::int32_t whole_coordinate(Bytes& in, std::int32_t side) {
     const float at = coordinate(in, side);
     return at > -5000 && at < 5000 ? static_cast<std::int32_t>(at)

@@ -14,7 +14,7 @@ class Scenes {
   public:
     Scenes(Bytes& in, Memory& memory) : in_(in), memory_(memory) {}
 
-    /// Of the surface that is drawn to.
+    /// Takes the size of the surface that is drawn to.
     void resize(std::int32_t width, std::int32_t height) {
         width_ = width;
         height_ = height;
