@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Holds the picture hashes of every scene and tier against those of other builds of the same sources.
 
-usage: hashes.py gcc|clang|cortex_m|s390x|aarch64|riscv64|i686 PICTURE_HASHES
+usage: hashes.py BUILD PICTURE_HASHES
 
-PICTURE_HASHES is the host's own build. `gcc` and `clang` build the core again at -O0, -O2 and -O3, clang once more with
-every instruction this processor has. `cortex_m` builds it for Cortex-M4, M3 and M0+ and runs it in QEMU. The other words
-build it for that processor's Linux and run it in QEMU's user mode: s390x has its bytes in the other order, i686 has words
-of 32 bits and runs here. Prints a table; any hash that differs fails. Exit status 77 (skipped) when a compiler or the
-emulator is missing.
+PICTURE_HASHES is the host's own build. BUILD is another one, which is made and run. gcc_O0 and so on are this host's with
+that compiler and optimization; clang_native has every instruction of this processor. cortex_m4,
+cortex_m3 and cortex_m0plus run in QEMU.
+The other words are builds for that processor's Linux, which run in QEMU's user mode: s390x has its bytes in the other
+order, i686 has words of 32 bits and runs here. Prints a table; any hash that differs fails. Exit status 77 (skipped) when
+a compiler or the emulator is missing.
 """
 import concurrent.futures
 import os
@@ -22,11 +23,13 @@ ROOT = HERE.parents[1]
 sys.path.insert(0, str(ROOT / "tests/bench"))
 import mcu  # noqa: E402
 
-HOST_BUILDS = {"gcc": ("g++", ["-O0", "-O2", "-O3"]), "clang": ("clang++-14", ["-O0", "-O2", "-O3", "-O3 -march=native"])}
+HOST_BUILDS = {f"{name}_{level}": (compiler, f"-{level}") for name, compiler in (("gcc", "g++"), ("clang", "clang++-14"))
+               for level in ("O0", "O2", "O3")} | {"clang_native": ("clang++-14", "-O3 -march=native")}
 HOST_FLAGS = ["-std=c++20", "-Wno-psabi", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", *mcu.INCLUDES]
 # {processor: (compiler, what runs its programs here)}
 MACHINES = {"s390x": ("s390x-linux-gnu-g++", ["qemu-s390x"]), "aarch64": ("aarch64-linux-gnu-g++", ["qemu-aarch64"]),
             "riscv64": ("riscv64-linux-gnu-g++", ["qemu-riscv64"]), "i686": ("i686-linux-gnu-g++", [])}
+BOARDS = {cpu.replace("-", "_"): board for board, (_, cpu) in mcu.BOARDS.items()}
 MAIN = HERE / "picture_hashes.cpp"
 
 
@@ -76,7 +79,7 @@ def table(builds):
 
 
 def main():
-    if len(sys.argv) != 3 or sys.argv[1] not in (*HOST_BUILDS, "cortex_m", *MACHINES):
+    if len(sys.argv) != 3 or sys.argv[1] not in (*HOST_BUILDS, *BOARDS, *MACHINES):
         print(__doc__.strip())
         return 2
     host = read(subprocess.run([sys.argv[2]], capture_output=True, text=True, check=True).stdout)
@@ -85,12 +88,11 @@ def main():
         return 1
     builds = {"this build": host}
     if sys.argv[1] in HOST_BUILDS:
-        compiler, every = HOST_BUILDS[sys.argv[1]]
+        compiler, flags = HOST_BUILDS[sys.argv[1]]
         if shutil.which(compiler) is None:
             print(f"skipped: {compiler} is not installed (./dev setup --all installs it)")
             return 77
-        for flags in every:
-            builds[f"{compiler} {flags}"] = hashes_of_host(compiler, flags)
+        builds[f"{compiler} {flags}"] = hashes_of_host(compiler, flags)
     elif sys.argv[1] in MACHINES:
         compiler, runner = MACHINES[sys.argv[1]]
         missing = [program for program in (compiler, *runner) if shutil.which(program) is None]
@@ -102,8 +104,8 @@ def main():
         if not mcu.available():
             print("skipped: arm-none-eabi-g++ or qemu-system-arm is not installed (./dev setup --all installs them)")
             return 77
-        for board in mcu.BOARDS:
-            builds[f"{mcu.BOARDS[board][1]} in QEMU"] = hashes_of_board(board)
+        board = BOARDS[sys.argv[1]]
+        builds[f"{mcu.BOARDS[board][1]} in QEMU"] = hashes_of_board(board)
     return 0 if table(builds) else 1
 
 

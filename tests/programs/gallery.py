@@ -19,8 +19,8 @@ import re
 import sys
 import tempfile
 
-from harness import (HERE, ORACLES, SPREAD, TRACE_STEPS, Picture, bad_percent, check, failures, folder, mesa_environment, need, png,
-                     replay, run, spangle_environment, xvfb)
+from harness import (HERE, ORACLES, Picture, check, difference, failures, folder, mesa_environment, need, png, replay, run,
+                     spangle_environment, xvfb)
 from programs_list import KNOWN, SHEET, every
 
 ROOT = HERE.parents[1]
@@ -69,7 +69,7 @@ def last_line(words):
 def compare_frames(place, pair, trace):
     """Replays a trace by all and compares two frames; gives the verdict and its reason."""
     ours, ended = replay(trace, spangle_environment(pair), place / "spangle", SECONDS)
-    theirs = {o: replay(trace, mesa_environment(o) | {"MESA_GL_VERSION_OVERRIDE": "1.5COMPAT"}, place / o, SECONDS) for o in ORACLES}
+    theirs = {o: replay(trace, mesa_environment(o, "1.5"), place / o, SECONDS) for o in ORACLES}
     for name, (pictures, by) in {"Spangle": (ours, ended), **theirs}.items():
         if by.status != 0 or not pictures:
             return "replay fails", f"eglretrace with {name} ends with {by.status}: {last_line(by.words)}"
@@ -82,8 +82,7 @@ def compare_frames(place, pair, trace):
         mine, pictures = Picture(ours[at]), [Picture(p[at]) for p, _ in theirs.values()]
         if any((p.width, p.height) != (mine.width, mine.height) for p in pictures):
             return "pictures differ", "their sizes differ"
-        off = bad_percent(mine, pictures, TRACE_STEPS)
-        allowed = max(SPREAD, 3 * bad_percent(pictures[0], pictures[1:], TRACE_STEPS))
+        off, allowed = difference(mine, pictures)
         if off > allowed:
             return "pictures differ", f"{off:.3f} % of the pixels differ; {allowed:.3f} % may"
     if max(drawn(p)[1] for p in (mine, *pictures)) < LEAST_DRAWN:

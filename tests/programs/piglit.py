@@ -87,7 +87,7 @@ def result(words, status):
 def environment_of(driver, pair):
     if driver == "spangle":
         return spangle_environment(pair)
-    return mesa_environment(driver) | {"MESA_GL_VERSION_OVERRIDE": "1.5COMPAT"}
+    return mesa_environment(driver, "1.5")
 
 
 def execute(program, driver, pair, display):
