@@ -200,7 +200,11 @@ void Scenes::fragments() {
             break;
         case 12:
             turn(GL_POLYGON_STIPPLE);
-            glPolygonStipple(memory_.make(128));
+            // Rows of 32 bits lie as the pixel store says (GL 1.3, 3.6.4), which an image drawn before may
+            // have set.
+            reset_pixel_store();
+            glPixelStorei(GL_UNPACK_ALIGNMENT, 8);
+            glPolygonStipple(memory_.make(31 * 8 + 4));
             break;
         case 13:
             turn(GL_CULL_FACE);
