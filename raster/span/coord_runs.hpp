@@ -36,8 +36,8 @@ struct HomogeneousRow {
     }
 };
 
-/// s / q in repeats with 32 fraction bits, from the 61-bit product: mod 2^64 where the shift is to the left
-/// (then |s| is beyond 2^10 repeats and its fraction means nothing).
+/// s / q in repeats with 32 fraction bits, from the 61-bit product. The result is taken mod 2^64 where the
+/// shift is to the left: |s| is beyond 2^10 repeats then, and the low bits of its fraction are 0.
 SPANGLE_RUN_INLINE std::int64_t to_repeats(std::int32_t s, const Inverse& inverse, int exponent) {
     const std::int64_t product = numeric::mul_s32_u32(s, inverse.mantissa);
     const int down = 30 - inverse.zeros - exponent;

@@ -15,7 +15,7 @@
 namespace spangle::test {
 namespace {
 
-constexpr int size = 256, texels = 2048;
+constexpr int size = 256;
 
 struct Corner {
     float x, y, w, s;
@@ -28,9 +28,11 @@ struct Exact {
 
 class TexelNumbers {
   public:
-    explicit TexelNumbers(EGLint precision) : gl_(size, size, {EGL_PRECISION_SPANGLE, precision}) {
-        std::vector<GLubyte> image(texels * 4);
-        for (std::size_t i = 0; i < texels; ++i) {
+    explicit TexelNumbers(EGLint precision, int texels = 2048)
+        : gl_(size, size, {EGL_PRECISION_SPANGLE, precision}), texels_(texels) {
+        const auto count = static_cast<std::size_t>(texels);
+        std::vector<GLubyte> image(count * 4);
+        for (std::size_t i = 0; i < count; ++i) {
             image[4 * i] = static_cast<GLubyte>(i);
             image[4 * i + 1] = static_cast<GLubyte>(i >> 8);
             image[4 * i + 3] = 255;
@@ -70,7 +72,7 @@ class TexelNumbers {
                 const double a = cross(e[1], e[2], x, y) / area, b = cross(e[2], e[0], x, y) / area,
                              c = 1 - a - b;
                 const double u =
-                    texels * (a * e[0].s + b * e[1].s + c * e[2].s) / (a * e[0].q + b * e[1].q + c * e[2].q);
+                    texels_ * (a * e[0].s + b * e[1].s + c * e[2].s) / (a * e[0].q + b * e[1].q + c * e[2].q);
                 judge(u + 1.0 / 8192, at[0] + 256 * at[1]); // NEAREST's own bias
             }
         EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
@@ -84,14 +86,15 @@ class TexelNumbers {
         ++fragments;
         const double inside = u - std::floor(u);
         const long whole = static_cast<long>(std::floor(u));
-        const int more = static_cast<int>(((texel - whole) % texels + texels) % texels);
+        const int more = static_cast<int>(((texel - whole) % texels_ + texels_) % texels_);
         if (more == 0)
             return;
         ++wrong;
-        worst = std::max(worst, more == 1 ? 1 - inside : more == texels - 1 ? inside : 1);
+        worst = std::max(worst, more == 1 ? 1 - inside : more == texels_ - 1 ? inside : 1);
     }
 
     HeadlessGl gl_;
+    int texels_;
 };
 
 /// Triangles of 30 to 250 pixels, `span` repeats of the texture over each.
@@ -120,6 +123,31 @@ TEST(Unsnapped, TexelsAreThoseOfTheVerticesAsGiven) {
             EXPECT_GT(drawn.fragments, 200'000);
             EXPECT_LE(drawn.wrong, drawn.fragments / 5000);
             EXPECT_LE(drawn.worst, 0.002) << "span " << span << (perspective ? ", perspective" : "");
+        }
+}
+
+/// A coordinate keeps 24 bits of the largest in its primitive, as many as a float has. NEAREST leaves 2^-13
+/// texel open beside that (architecture.md).
+double texels_off(double largest) {
+    return std::ldexp(1.0, -13) + std::ldexp(largest, -24);
+}
+
+TEST(Unsnapped, AMillionRepeatsAreAsExactAsFloatsAre) {
+    struct Case {
+        float repeats;
+        int texels;
+    };
+    for (const bool perspective : {false, true})
+        for (const Case c : {Case{64, 2048}, Case{1024, 2048}, Case{1024, 16}, Case{16384, 256},
+                             Case{65536, 64}, Case{1e6f, 4}}) {
+            TexelNumbers drawn(EGL_PRECISION_EXACT_SPANGLE, c.texels);
+            draw_triangles(drawn, c.repeats, perspective);
+            const double most = texels_off(double{c.repeats} * c.texels);
+            std::printf("%g repeats of %d texels%s: %.6f texel off, %.6f may be\n", double{c.repeats},
+                        c.texels, perspective ? " in perspective" : "", drawn.worst, most);
+            EXPECT_GT(drawn.fragments, 200'000);
+            EXPECT_LE(drawn.worst, most);
+            EXPECT_GE(drawn.worst, most / 64) << "the bound says nothing";
         }
 }
 

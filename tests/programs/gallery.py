@@ -20,7 +20,7 @@ import sys
 import tempfile
 
 from harness import (HERE, ORACLES, Picture, check, difference, failures, folder, mesa_environment, need, png, replay, run,
-                     spangle_environment, xvfb)
+                     spangle_environment, without_refused_contexts, xvfb)
 from programs_list import KNOWN, SHEET, every
 
 ROOT = HERE.parents[1]
@@ -119,7 +119,7 @@ def judge(program, pair, display, place):
                     environment | {"SPANGLE_FRAMES": str(frames), "SPANGLE_SIGNAL": "1"}, SECONDS, program.folder or home)
         if ended.status is None or not trace.exists():
             return "is not recorded", f"apitrace ends with {ended.status}: {last_line(ended.words)}"
-    return compare_frames(place, pair, trace)
+    return compare_frames(place, pair, without_refused_contexts(trace, place / "played.trace"))
 
 
 def read_table():

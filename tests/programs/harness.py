@@ -6,6 +6,7 @@ correct GLs are the same. Standard library only. The environment variable SPANGL
 import contextlib
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -115,6 +116,20 @@ def trim(trace, frames, to):
     done = run(["apitrace", "trim", f"--frames=0-{frames - 1}", "-o", to, trace], dict(os.environ))
     if done.status != 0:
         raise RuntimeError(done.words)
+
+
+def without_refused_contexts(trace, to):
+    """A trace without the contexts that EGL refused when it was recorded: eglretrace ends at the first that it does not get."""
+    said = run(["apitrace", "dump", "--color=never", trace], dict(os.environ), 300).words
+    calls = [int(line.split()[0]) for line in said.splitlines() if re.match(r"\d+ ", line)]
+    refused = [int(n) for n in re.findall(r"^(\d+) eglCreateContext\(.*\) = NULL$", said, re.M)]
+    if not refused:
+        return trace
+    begins, ends = [0, *(n + 1 for n in refused)], [*(n - 1 for n in refused), calls[-1]]
+    done = run(["apitrace", "trim", "--calls=" + ",".join(f"{a}-{b}" for a, b in zip(begins, ends)), "-o", to, trace], dict(os.environ))
+    if done.status != 0:
+        raise RuntimeError(done.words)
+    return to
 
 
 def replay(trace, environment, to, seconds=300):
