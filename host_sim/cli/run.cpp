@@ -9,10 +9,10 @@
 
 #include <spangle/GL/gl.h>
 #include <spangle/native.hpp>
+#include <spangle/reference.hpp>
 #include <spangle/sim/board.hpp>
 
 #include "boards/scenes/scene.hpp"
-#include "gl/egl/reference.hpp"
 #include "host_sim/cli/coverage.hpp"
 #include "host_sim/cli/model.hpp"
 #include "host_sim/cli/process_memory.hpp"
@@ -72,7 +72,7 @@ void start(const Program& program, const Session& session, bool dither) {
 class Comparison {
   public:
     std::string open(const Session& ours, const Program& program, bool dither) {
-        egl::use_reference_engines();
+        use_reference_engines();
         const std::string problem =
             reference_.open_picture(ours.width(), ours.height(), Precision::reference);
         if (!problem.empty())
@@ -197,7 +197,7 @@ RunResult run(const RunOptions& options) {
         result.notes += note + "\n";
 
     if (options.precision == Precision::reference || is_shadow(options.precision))
-        egl::use_reference_engines();
+        use_reference_engines();
     Screen screen;
     Session session;
     result.error = screen.open(options, session);
