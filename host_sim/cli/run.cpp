@@ -13,16 +13,20 @@
 #include <spangle/sim/board.hpp>
 
 #include "boards/scenes/scene.hpp"
-#include "host_sim/cli/coverage.hpp"
 #include "host_sim/cli/model.hpp"
 #include "host_sim/cli/process_memory.hpp"
 #include "host_sim/cli/say.hpp"
 #include "host_sim/cli/screen.hpp"
 #include "host_sim/cli/session.hpp"
 #include "host_sim/cli/window.hpp"
+#include "host_sim/trade/coverage.hpp"
 #include "raster/span/shadow.hpp"
 
 namespace spangle::cli {
+
+using trade::Coverage;
+using trade::differences;
+using trade::FrameCoverage;
 
 namespace {
 
