@@ -8,6 +8,8 @@
 #include <spangle/EGL/egl.h>
 #include <spangle/GL/gl.h>
 
+#include "gl/context/features.hpp"
+
 namespace spangle {
 
 namespace {
@@ -25,15 +27,18 @@ class PlainReading {
             glGetIntegerv(store_[i].name, &old_store_[i]);
             glPixelStorei(store_[i].name, store_[i].initial);
         }
-        glGetIntegerv(GL_MAP_COLOR, &map_);
-        glPixelTransferi(GL_MAP_COLOR, GL_FALSE);
+        if (has_transfer) {
+            glGetIntegerv(GL_MAP_COLOR, &map_);
+            glPixelTransferi(GL_MAP_COLOR, GL_FALSE);
+        }
     }
     ~PlainReading() {
         for (int i = 0; i < transfers; ++i)
             glPixelTransferf(transfer_[i].name, old_transfer_[i]);
         for (int i = 0; i < stores; ++i)
             glPixelStorei(store_[i].name, old_store_[i]);
-        glPixelTransferi(GL_MAP_COLOR, map_);
+        if (has_transfer)
+            glPixelTransferi(GL_MAP_COLOR, map_);
     }
     PlainReading(const PlainReading&) = delete;
     PlainReading& operator=(const PlainReading&) = delete;
@@ -43,8 +48,9 @@ class PlainReading {
         GLenum name;
         Value initial;
     };
-    static constexpr int transfers = 10, stores = 5;
-    static constexpr Named<GLfloat> transfer_[transfers] = {
+    static constexpr bool has_transfer = SPANGLE_FEATURE_PIXEL_TRANSFER; ///< else all of it is initial
+    static constexpr int transfers = has_transfer ? 10 : 0, known_transfers = 10, stores = 5;
+    static constexpr Named<GLfloat> transfer_[known_transfers] = {
         {GL_RED_SCALE, 1}, {GL_GREEN_SCALE, 1}, {GL_BLUE_SCALE, 1}, {GL_ALPHA_SCALE, 1}, {GL_DEPTH_SCALE, 1},
         {GL_RED_BIAS, 0},  {GL_GREEN_BIAS, 0},  {GL_BLUE_BIAS, 0},  {GL_ALPHA_BIAS, 0},  {GL_DEPTH_BIAS, 0}};
     static constexpr Named<GLint> store_[stores] = {{GL_PACK_ALIGNMENT, 1},
@@ -52,7 +58,7 @@ class PlainReading {
                                                     {GL_PACK_SKIP_ROWS, 0},
                                                     {GL_PACK_SKIP_PIXELS, 0},
                                                     {GL_PACK_SWAP_BYTES, 0}};
-    GLfloat old_transfer_[transfers] = {};
+    GLfloat old_transfer_[known_transfers] = {};
     GLint old_store_[stores] = {}, map_ = 0;
 };
 

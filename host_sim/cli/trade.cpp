@@ -12,6 +12,7 @@
 #include "host_sim/cli/say.hpp"
 #include "host_sim/trade/advice.hpp"
 #include "host_sim/trade/boxes.hpp"
+#include "host_sim/trade/corpus.hpp"
 #include "host_sim/trade/page.hpp"
 #include "host_sim/trade/sweep.hpp"
 
@@ -32,9 +33,11 @@ struct Corpus {
     std::vector<trade::Program> programs;
 
     std::string add_scene(const std::string& id) {
-        const scenes::Scene* const scene = scenes::find(id.c_str());
+        const scenes::Scene* scene = scenes::find(id.c_str());
+        for (const scenes::Scene& other : trade::corpus())
+            scene = id == other.id ? &other : scene;
         if (scene == nullptr)
-            return "no scene '" + id + "'; `spangle scenes` lists them";
+            return "no scene '" + id + "'; `spangle scenes` lists them, and `spangle trade --help` more";
         programs.push_back({scene->id, scene->setup, scene->draw});
         return "";
     }
@@ -56,8 +59,9 @@ struct Corpus {
         for (const std::string& file : options.models)
             problem = problem.empty() ? add_model(file) : problem;
         if (programs.empty())
-            for (const scenes::Scene& scene : scenes::all())
-                problem = problem.empty() ? add_scene(scene.id) : problem;
+            for (const scenes::SceneList& list : {scenes::all(), trade::corpus()})
+                for (const scenes::Scene& scene : list)
+                    problem = problem.empty() ? add_scene(scene.id) : problem;
         return problem;
     }
 };
@@ -139,14 +143,21 @@ CLI::App* add_trade(CLI::App& app, TradeOptions& o) {
         "trade",
         "speed against accuracy: every tier and format against the same frames in double, as CSV and "
         "as a page with plots, pictures and advice");
-    command->footer("Writes accuracy.csv (the same bytes on every machine), cost.csv (times of this one) and "
-                    "index.html, which needs no other file. docs/trade.md explains the figures.\n"
-                    "  spangle trade --out all                      every scene, 565, three tiers\n"
-                    "  spangle trade S4r S9 --formats 565,888       two scenes in two formats\n"
-                    "  spangle trade --model duck.dae --instructions\n"
-                    "  spangle trade --shard 1/4 --out part1        and 2/4 ... elsewhere, then\n"
-                    "  spangle trade merge part1 part2 part3 part4 --out all");
-    o.tiers = names_of(trade::tiers);
+    std::string more;
+    for (const scenes::Scene& scene : trade::corpus())
+        more += fmt::format("  {:<11}{}\n", scene.id, scene.title);
+    command->footer(
+        "Beside the scenes:\n" + more +
+        "\nWrites accuracy.csv (the same bytes on every machine), cost.csv (times of this one) and "
+        "index.html, which needs no other file. docs/trade.md explains the figures.\n"
+        "  spangle trade --out all                      every scene, 565, three tiers\n"
+        "  spangle trade S4r S9 --formats 565,888       two scenes in two formats\n"
+        "  spangle trade --model duck.dae --instructions\n"
+        "  spangle trade --shard 1/4 --out part1        and 2/4 ... elsewhere, then\n"
+        "  spangle trade merge part1 part2 part3 part4 --out all");
+    for (const trade::Tier& tier : trade::tiers)
+        if ((SPANGLE_TIER_SET >> (&tier - trade::tiers) & 1) != 0) // of this build
+            o.tiers.emplace_back(tier.name);
     o.formats = {"565"};
     command->add_option("scenes", o.scenes, "ids of scenes (see `spangle scenes`); none and no model: all");
     command->add_option("--model", o.models, "a model file: any format libassimp reads; may be repeated")

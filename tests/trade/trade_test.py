@@ -33,7 +33,7 @@ def trade(folder, *words, status=0):
 
 
 def golden(folder):
-    said = trade(folder, "--no-times", "--frames", "3", "--out", "all").stdout
+    said = trade(folder, "--no-times", "--frames", "2", "--out", "all").stdout
     figures = (folder / "all/accuracy.csv").read_text()
     missed = "".join(line + "\n" for line in said.splitlines() if re.match(r"\S+ in \w+, \w+: ", line))
     if os.environ.get("SPANGLE_UPDATE_GOLDEN") == "1":
@@ -50,7 +50,7 @@ def golden(folder):
     for row in csv.DictReader(figures.splitlines()):
         check(row["off_own"] == "0", f"{row['scene']}, {row['tier']}: coverage is off brute force")
         check(row["off_unsnapped"] == row["off_ideal"], f"{row['scene']}, {row['tier']}: more than n.8 costs is off")
-    trade(folder, "S6", "--no-times", "--frames", "3", "--strict", "--out", "strict", status=1 if "S6 in" in missed else 0)
+    trade(folder, "S6", "--no-times", "--frames", "2", "--strict", "--out", "strict", status=1 if "S6 in" in missed else 0)
     trade(folder, "S3", "--no-times", "--frames", "1", "--strict", "--out", "strict")
 
 
