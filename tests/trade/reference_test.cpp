@@ -99,6 +99,24 @@ TEST_F(Reference, FlipsOfTexelsAreThePixelsThatDiffer) {
     }
 }
 
+/// What docs/trade.md says of the hint.
+TEST_F(Reference, HintsChooseTheTierWithinAFrame) {
+    const auto hinted = [](EGLint precision, GLenum hint) {
+        const HeadlessGl gl(size, size, {EGL_PRECISION_SPANGLE, precision});
+        glHint(GL_PERSPECTIVE_CORRECTION_HINT, hint);
+        draw_texels(GL_REPEAT);
+        return read_picture().rgba;
+    };
+    const auto plain = [](EGLint precision) { return picture_of(precision, GL_REPEAT).rgba; };
+    const auto exact = plain(EGL_PRECISION_EXACT_SPANGLE), balanced = plain(EGL_PRECISION_BALANCED_SPANGLE),
+               fast = plain(EGL_PRECISION_FAST_SPANGLE);
+    EXPECT_NE(exact, balanced);
+    EXPECT_NE(balanced, fast);
+    EXPECT_EQ(hinted(EGL_PRECISION_FAST_SPANGLE, GL_NICEST), exact);
+    EXPECT_EQ(hinted(EGL_PRECISION_EXACT_SPANGLE, GL_FASTEST), fast);
+    EXPECT_EQ(hinted(EGL_PRECISION_BALANCED_SPANGLE, GL_DONT_CARE), balanced);
+}
+
 TEST_F(Reference, ReportsOfStagesBeginAndEnd) {
     const StageReport outer;
     {
