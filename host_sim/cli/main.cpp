@@ -19,6 +19,7 @@
 #include "host_sim/cli/run.hpp"
 #include "host_sim/cli/samples.hpp"
 #include "host_sim/cli/say.hpp"
+#include "host_sim/cli/trade.hpp"
 #include <spangle/boards/boards.hpp>
 
 namespace {
@@ -337,6 +338,9 @@ int spangle_main(int argc, char** argv) {
     cli::BakeOptions to_bake;
     CLI::App* const bake = cli::add_bake(app, to_bake);
 
+    cli::TradeOptions to_trade;
+    CLI::App* const trade = cli::add_trade(app, to_trade);
+
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -364,6 +368,8 @@ int spangle_main(int argc, char** argv) {
         return cli::replay(to_replay);
     if (app.got_subcommand(bake))
         return cli::bake(to_bake);
+    if (app.got_subcommand(trade))
+        return cli::trade(to_trade, trade->got_subcommand("merge"));
     if (app.got_subcommand(probe))
         return cli::probe(bringup);
     if (app.got_subcommand(card))

@@ -9,20 +9,24 @@
 
 #include <spangle/GL/gl.h>
 #include <spangle/native.hpp>
+#include <spangle/reference.hpp>
 #include <spangle/sim/board.hpp>
 
 #include "boards/scenes/scene.hpp"
-#include "gl/egl/reference.hpp"
-#include "host_sim/cli/coverage.hpp"
 #include "host_sim/cli/model.hpp"
 #include "host_sim/cli/process_memory.hpp"
 #include "host_sim/cli/say.hpp"
 #include "host_sim/cli/screen.hpp"
 #include "host_sim/cli/session.hpp"
 #include "host_sim/cli/window.hpp"
+#include "host_sim/trade/coverage.hpp"
 #include "raster/span/shadow.hpp"
 
 namespace spangle::cli {
+
+using trade::Coverage;
+using trade::differences;
+using trade::FrameCoverage;
 
 namespace {
 
@@ -72,7 +76,7 @@ void start(const Program& program, const Session& session, bool dither) {
 class Comparison {
   public:
     std::string open(const Session& ours, const Program& program, bool dither) {
-        egl::use_reference_engines();
+        use_reference_engines();
         const std::string problem =
             reference_.open_picture(ours.width(), ours.height(), Precision::reference);
         if (!problem.empty())
@@ -197,7 +201,7 @@ RunResult run(const RunOptions& options) {
         result.notes += note + "\n";
 
     if (options.precision == Precision::reference || is_shadow(options.precision))
-        egl::use_reference_engines();
+        use_reference_engines();
     Screen screen;
     Session session;
     result.error = screen.open(options, session);

@@ -7,9 +7,9 @@
 
 #include <spangle/message.hpp>
 #include <spangle/native.hpp>
+#include <spangle/reference.hpp>
 
 #include "gl/egl/platforms.hpp"
-#include "gl/egl/reference.hpp"
 #include "gl/pixel/fragment_setup.hpp"
 #include "host_sim/dropin/options.hpp"
 #include "host_sim/dropin/stage.hpp"
@@ -62,7 +62,7 @@ void say(unsigned code, const char* text) {
     if (options().messages)
         on_message(say);
     if (options().precision == EGL_PRECISION_DOUBLE_SPANGLE)
-        egl::use_reference_engines();
+        use_reference_engines();
     egl::Platforms platforms;
     platforms.extensions = " EGL_EXT_platform_x11 EGL_KHR_platform_x11";
     platforms.find = find;

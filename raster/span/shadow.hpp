@@ -48,6 +48,7 @@ struct ShadowRecord {
     double worst = 0;               ///< largest |fixed - double|
     double squares = 0;             ///< sum of (fixed - double)^2
     double least = 0, greatest = 0; ///< range of the double values
+    std::uint64_t flips = 0;        ///< of coordinates: fragments whose NEAREST texel is another one
 
     void add(double fixed, double exact) { add_difference(fixed - exact, exact); }
     /// The same where the fixed value cannot lie beyond +-limit.

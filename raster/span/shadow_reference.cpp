@@ -108,12 +108,17 @@ template <class N> class Fragment {
     }
 
     template <int Unit> void coord(const DrawState& state, ShadowStage stage) {
-        if (divides(fixed_.kind, state.needs.fog))
-            run<CoordAlong<N, Unit, DividedCoords>, Coord<Reference, Unit, true>>();
-        else if (fixed_.kind >= Kind::textured)
-            run<CoordAlong<N, Unit, CubicRuns>, Coord<Reference, Unit, true>>();
-        else
+        // As the chain chooses: only the exact tier divides at every pixel, or follows cubics.
+        const bool exact_tier = std::is_same_v<N, Exact> || drawn(state.tier) == Tier::exact;
+        if (fixed_.kind < Kind::textured)
             run<Coord<N, Unit, false>, Coord<Reference, Unit, false>>();
+        else if (!exact_tier)
+            run<Coord<N, Unit, true>, Coord<Reference, Unit, true>>();
+        else if (divides(fixed_.kind, state.needs.fog))
+            run<CoordAlong<N, Unit, DividedCoords>, Coord<Reference, Unit, true>>();
+        else
+            run<CoordAlong<N, Unit, CubicRuns>, Coord<Reference, Unit, true>>();
+        /// Whether both lie in one texel.
         const auto axis = [&](std::uint32_t fixed, double coordinate, bool wraps, int log2_size,
                               bool halved) {
             const double exact = halved ? coordinate / 2 : coordinate;
@@ -124,11 +129,14 @@ template <class N> class Fragment {
             if (wraps)
                 difference -= std::floor(difference + 0.5);
             report_[stage].add_difference(difference * size, exact * size);
+            const double place = exact * size + 0x1p-13; // the bias of NEAREST, in every policy
+            return std::floor(place) == std::floor(place + difference * size);
         };
-        axis(f_.coord[Unit].s[0], d_.coord[Unit].s[0], state.wraps[Unit].s, state.log2_width[Unit],
-             state.halves[Unit].s != 0);
-        axis(f_.coord[Unit].t[0], d_.coord[Unit].t[0], state.wraps[Unit].t, state.log2_height[Unit],
-             state.halves[Unit].t != 0);
+        const bool same_s = axis(f_.coord[Unit].s[0], d_.coord[Unit].s[0], state.wraps[Unit].s,
+                                 state.log2_width[Unit], state.halves[Unit].s != 0);
+        const bool same_t = axis(f_.coord[Unit].t[0], d_.coord[Unit].t[0], state.wraps[Unit].t,
+                                 state.log2_height[Unit], state.halves[Unit].t != 0);
+        report_[stage].flips += same_s && same_t ? 0 : 1;
     }
 
     template <int Unit> void place(const DrawState& state, ShadowStage coord_stage, ShadowStage lod) {

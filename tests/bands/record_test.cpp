@@ -3,9 +3,9 @@
 #include <climits>
 
 #include <spangle/message.hpp>
+#include <spangle/reference.hpp>
 
 #include "gl/egl/objects.hpp"
-#include "gl/egl/reference.hpp"
 #include "tests/bands/banded.hpp"
 #include "tests/bands/programs.hpp"
 
@@ -392,7 +392,7 @@ TEST(Records, MemoryIsGivenBack) {
 }
 
 TEST(Records, WishesThatCannotBe) {
-    egl::use_reference_engines();
+    use_reference_engines();
     hal::Board board = boards::st7735_80x160;
     board.display.band = 16;
     sim::SimBoard sim(board), whole(boards::st7735_80x160);

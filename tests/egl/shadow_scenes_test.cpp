@@ -9,8 +9,8 @@
 
 #include <spangle/EGL/egl.h>
 #include <spangle/GL/gl.h>
+#include <spangle/reference.hpp>
 
-#include "gl/egl/reference.hpp"
 #include "raster/span/shadow.hpp"
 
 namespace spangle::test {
@@ -219,7 +219,7 @@ constexpr Bound bounds[] = {
 };
 
 TEST(ShadowScenes, RandomOnesStayWithinTheirBounds) {
-    egl::use_reference_engines();
+    use_reference_engines();
     std::uint64_t values[raster::shadow_stages] = {};
     for (unsigned seed = 0; seed < 200; ++seed) {
         raster::ShadowReport report = draw_scene(seed);

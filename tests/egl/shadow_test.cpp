@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <spangle/GL/gl.h>
+#include <spangle/reference.hpp>
 
-#include "gl/egl/reference.hpp"
 #include "raster/span/shadow.hpp"
 #include "tests/headless_gl.hpp"
 
@@ -80,7 +80,7 @@ std::vector<GLuint> picture_of(EGLint precision) {
 }
 
 struct ShadowContexts : testing::Test {
-    void SetUp() override { egl::use_reference_engines(); }
+    void SetUp() override { use_reference_engines(); }
 };
 
 TEST_F(ShadowContexts, DrawThePictureOfTheirTier) {

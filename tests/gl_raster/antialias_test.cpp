@@ -4,7 +4,8 @@
 #include <limits>
 #include <numbers>
 
-#include "gl/egl/reference.hpp"
+#include <spangle/reference.hpp>
+
 #include "tests/gl_raster/window.hpp"
 #include "tests/primitive/clipped_area.hpp"
 

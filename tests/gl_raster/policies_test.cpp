@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <spangle/GL/gl.h>
+#include <spangle/reference.hpp>
 
-#include "gl/egl/reference.hpp"
 #include "tests/headless_gl.hpp"
 
 namespace spangle::test {
@@ -72,7 +72,7 @@ Picture picture_of(EGLint precision) {
 }
 
 struct Policies : testing::Test {
-    void SetUp() override { egl::use_reference_engines(); }
+    void SetUp() override { use_reference_engines(); }
 };
 
 TEST_F(Policies, ShadowDrawsThePicture) {

@@ -51,7 +51,7 @@ def hello(way, build, outside):
     project = shutil.copytree(HELLO, outside / "hello")
     option = installed(build, outside) if way == "find_package" else f"-DHELLO_SPANGLE_SOURCE={ROOT}"
     build_project(project, outside, option)
-    print(run(outside / "build/hello") + run(outside / "build/raster"), end="")
+    print(run(outside / "build/hello") + run(outside / "build/raster") + run(outside / "build/accuracy"), end="")
     return 0
 
 

@@ -56,6 +56,7 @@ def through_pkg_config(build, outside):
     prefix = install(build, outside)
     print(compiled(prefix, HELLO / "hello.cpp", outside / "hello", "spangle-gl", "spangle-sim"), end="")
     print(compiled(prefix, HELLO / "raster.cpp", outside / "raster", "spangle-raster"), end="")
+    print(compiled(prefix, HELLO / "accuracy.cpp", outside / "accuracy", "spangle-gl_reference"), end="")
     cache = (build / "CMakeCache.txt").read_text()
     gcc = "gcc" in run(re.search(r"CMAKE_CXX_COMPILER:\w+=(.*)", cache).group(1), "--version").lower()
     flags = pkg_config(prefix, "--cflags", "spangle-gl")

@@ -7,7 +7,7 @@
 
 #include "raster/span/draw_state.hpp"
 
-namespace spangle::cli {
+namespace spangle::trade {
 
 /// What the triangles of one frame cover: one flag per pixel, rows from the bottom.
 struct FrameCoverage {
@@ -51,4 +51,4 @@ class Coverage : public raster::Observer {
     bool inside_exact(double px, double py) const;
 };
 
-} // namespace spangle::cli
+} // namespace spangle::trade

@@ -1,9 +1,9 @@
-#include "host_sim/cli/coverage.hpp"
+#include "host_sim/trade/coverage.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace spangle::cli {
+namespace spangle::trade {
 
 namespace {
 
@@ -127,4 +127,4 @@ std::vector<bool> Coverage::take_mask() {
     return out;
 }
 
-} // namespace spangle::cli
+} // namespace spangle::trade

@@ -1,0 +1,29 @@
+// `spangle trade`: speed against accuracy, of scenes and models, as CSV and as a page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace spangle::cli {
+
+struct TradeOptions {
+    std::vector<std::string> scenes; ///< none, and no model: all
+    std::vector<std::string> models;
+    std::vector<std::string> tiers, formats;
+    std::string size = "320x240", dither = "off", shard, out = "trade";
+    int frames = 10;
+    bool no_times = false, instructions = false, strict = false;
+    std::vector<std::string> parts; ///< of merge
+};
+
+/// The command with its options and its own subcommand, merge.
+CLI::App* add_trade(CLI::App& app, TradeOptions& options);
+
+/// The exit status; `merging`: the subcommand was called.
+int trade(const TradeOptions& options, bool merging);
+
+} // namespace spangle::cli

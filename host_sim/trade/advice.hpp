@@ -1,0 +1,24 @@
+// What to choose, in words, from the numbers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host_sim/trade/table.hpp"
+
+namespace spangle::trade {
+
+/// The figures of one program in one format.
+struct Advice {
+    std::string scene, format;
+    std::string take; ///< a tier
+    std::string why;  ///< a sentence or two
+};
+
+/// One for each job of accuracy.csv; cost.csv may lack rows, or all of them.
+std::vector<Advice> advise(const Table& accuracy, const Table& cost);
+
+/// The row of `table` with that job and tier, or null.
+const Table::Row* find_row(const Table& table, const std::string& job, const std::string& tier);
+
+} // namespace spangle::trade

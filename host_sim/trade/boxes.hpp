@@ -1,0 +1,15 @@
+// What a tier promises, and which promises a measured row breaks.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host_sim/trade/table.hpp"
+
+namespace spangle::trade {
+
+/// A sentence for each promise that this row of accuracy.csv breaks. Promises are those of undithered
+/// pictures; the fast tier promises its coverage and depth only.
+std::vector<std::string> missed_boxes(const Table& table, const Table::Row& row);
+
+} // namespace spangle::trade

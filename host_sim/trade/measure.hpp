@@ -1,0 +1,37 @@
+// How far from the double reference is a program in one tier and format, and what does it send?
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <spangle/reference.hpp>
+#include <spangle/sim/image.hpp>
+
+#include "host_sim/trade/choice.hpp"
+#include "host_sim/trade/program.hpp"
+
+namespace spangle::trade {
+
+struct Setting {
+    int width = 320, height = 240, frames = 10;
+    bool dither = false;
+};
+
+struct Measured {
+    PictureError error;              ///< covered pixels of all frames, against double in the same format
+    double psnr_to_888 = 0;          ///< last frame, against double in eight bits: tier and format together
+    double perceived = 0;            ///< last frame, likewise
+    std::uint64_t off_own = 0;       ///< pixels whose coverage is not brute force's on the snapped vertices
+    std::uint64_t off_unsnapped = 0; ///< pixels whose coverage is not that of vertices in double
+    std::uint64_t off_ideal = 0;     ///< the same of ideally snapped doubles: what n.8 costs by itself
+    std::vector<StageError> stages;  ///< of the shadow
+    std::uint64_t frame_bytes = 0;   ///< of a whole frame in this format
+    std::uint64_t bus_bytes = 0;     ///< a frame after the first, on an ILI9341; 565 of its size only, else 0
+    sim::Image picture, reference, plain; ///< last frame: the tier, double, double in eight bits
+    std::string problem;                  ///< why it cannot be drawn; empty: it was
+};
+
+Measured measure(const Program& program, const Tier& tier, const Format& format, const Setting& setting);
+
+} // namespace spangle::trade

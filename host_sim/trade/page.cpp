@@ -1,0 +1,224 @@
+#include "host_sim/trade/page.hpp"
+
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "host_sim/output/output.hpp"
+#include "host_sim/trade/advice.hpp"
+#include "host_sim/trade/boxes.hpp"
+#include "host_sim/trade/plot.hpp"
+
+namespace spangle::trade {
+
+namespace {
+
+constexpr const char* head = R"(<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><title>Spangle: the trade</title>
+<meta name="viewport" content="width=device-width">
+<link rel="icon" href="data:,">
+<style>
+body{font:15px/1.45 system-ui,sans-serif;margin:2em auto;max-width:1080px;padding:0 1em;color:#222}
+h1{font-size:1.6em}h2{margin-top:2em}table{border-collapse:collapse;margin:1em 0}
+th,td{padding:.25em .6em;border-bottom:1px solid #ddd;text-align:right;white-space:nowrap}
+th:first-child,td:first-child,.words{text-align:left}td.words{white-space:normal}
+th{background:#f4f4f4}.missed{background:#fde9e7}.take{font-weight:bold}
+.scene{border-top:1px solid #ddd;padding-top:1em;margin-top:1.5em}.pair{display:flex;gap:1em;flex-wrap:wrap}
+figure{margin:0}figcaption{font-size:.85em;color:#555}img{image-rendering:pixelated;width:320px;max-width:100%;background:#000}
+input[type=range]{width:320px}.wide{overflow-x:auto}svg{max-width:100%;height:auto}
+</style></head><body>
+)";
+
+/// The slider of a program shows the pictures of one tier.
+constexpr const char* foot = R"(<script>
+for (const scene of document.querySelectorAll('.scene')) {
+  const slider = scene.querySelector('input');
+  const show = () => {
+    for (const part of scene.querySelectorAll('[data-tier]'))
+      part.hidden = part.dataset.tier !== slider.value;
+  };
+  slider.addEventListener('input', show);
+  show();
+}
+</script></body></html>
+)";
+
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text)
+        out += c == '<'   ? std::string("&lt;")
+               : c == '>' ? std::string("&gt;")
+               : c == '&' ? std::string("&amp;")
+               : c == '"' ? std::string("&quot;")
+                          : std::string(1, c);
+    return out;
+}
+
+std::string base64(const std::string& bytes) {
+    constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string out;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        std::uint32_t word = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            word = word << 8 | (i + k < bytes.size() ? static_cast<std::uint8_t>(bytes[i + k]) : 0u);
+        for (std::size_t k = 0; k < 4; ++k)
+            out += i + k > bytes.size() ? '=' : digits[word >> (18 - 6 * k) & 63];
+    }
+    return out;
+}
+
+/// The page under construction, and what could not be read for it.
+class Page {
+  public:
+    Page(const std::string& folder, const Table& accuracy, const Table& cost)
+        : folder_(folder), accuracy_(accuracy), cost_(cost) {}
+
+    std::string html() {
+        std::set<std::string> formats;
+        for (const Table::Row& row : accuracy_.rows)
+            formats.insert(accuracy_.text(row, "format"));
+        html_ = head;
+        html_ += "<h1>Speed against accuracy</h1>\n<p>Every program, in every tier, against the same frames "
+                 "drawn in "
+                 "double. docs/trade.md says how to read the figures.</p>\n";
+        advice();
+        plot(plot_tiers(accuracy_, cost_), "Up is right, left is quick.");
+        if (formats.size() > 1)
+            plot(plot_formats(accuracy_), "Down looks right, left sends little.");
+        figures();
+        pictures();
+        return html_ + foot;
+    }
+    const std::string& problem() const { return problem_; }
+    const std::string& note() const { return note_; }
+
+  private:
+    const std::string& folder_;
+    const Table &accuracy_, &cost_;
+    std::string html_, problem_, note_;
+
+    void plot(const Plot& plot, const char* caption) {
+        if (plot.problem.empty()) {
+            html_ += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", plot.svg, caption);
+            return;
+        }
+        html_ += fmt::format("<p>No plot here: {}.</p>\n", escaped(plot.problem));
+        note_ += plot.problem + "\n";
+    }
+
+    void advice() {
+        html_ +=
+            "<h2>What to choose</h2>\n<table><tr><th>program<th>format<th>take<th class=words>why</tr>\n";
+        for (const Advice& a : advise(accuracy_, cost_))
+            html_ += fmt::format("<tr><td>{}<td>{}<td class=take>{}<td class=words>{}</tr>\n",
+                                 escaped(a.scene), a.format, a.take, escaped(a.why));
+        html_ += "</table>\n";
+    }
+
+    void figures() {
+        struct Column {
+            const char *name, *title;
+        };
+        constexpr Column columns[] = {{"scene", "program"},
+                                      {"format", "format"},
+                                      {"tier", "tier"},
+                                      {"identical", "identical %"},
+                                      {"max_lsb", "565 steps"},
+                                      {"psnr_565", "dB in 565"},
+                                      {"psnr_to_888", "dB to 888"},
+                                      {"perceived", "FLIP-like"},
+                                      {"off_own", "coverage off"},
+                                      {"off_unsnapped", "off unsnapped"},
+                                      {"depth_steps", "depth steps"},
+                                      {"order_flips", "order flips"},
+                                      {"texel_worst", "texel error"},
+                                      {"wrong_texels", "wrong texels %"},
+                                      {"frame_bytes", "frame bytes"},
+                                      {"bus_bytes", "bus bytes"}};
+        html_ += "<h2>Figures</h2>\n<div class=wide><table><tr>";
+        for (const Column& column : columns)
+            html_ += fmt::format("<th>{}", column.title);
+        html_ += "<th>time<th>instructions</tr>\n";
+        for (const Table::Row& row : accuracy_.rows) {
+            const std::vector<std::string> missed = missed_boxes(accuracy_, row);
+            std::string all;
+            for (const std::string& one : missed)
+                all += (all.empty() ? "" : "; ") + one;
+            html_ += missed.empty() ? "<tr>" : fmt::format("<tr class=missed title=\"{}\">", escaped(all));
+            for (const Column& column : columns)
+                html_ += "<td>" + escaped(accuracy_.text(row, column.name));
+            const Table::Row* const cost =
+                find_row(cost_, accuracy_.text(row, "job"), accuracy_.text(row, "tier"));
+            for (const char* column : {"relative", "instructions"})
+                html_ += "<td>" + (cost != nullptr ? cost_.text(*cost, column) : "");
+            html_ += "</tr>\n";
+        }
+        html_ +=
+            "</table></div>\n<p>A row in red breaks what its tier promises; point at it to see which.</p>\n";
+    }
+
+    std::string image(const std::string& job, const std::string& what) {
+        const std::string path = folder_ + picture_name(job, what);
+        std::ifstream file(path, std::ios::binary);
+        std::ostringstream bytes;
+        bytes << file.rdbuf();
+        if (!file && problem_.empty())
+            problem_ = "cannot read '" + path + "'";
+        return fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", escaped(what),
+                           base64(bytes.str()));
+    }
+
+    /// The rows of one program in one format: its tiers.
+    void scene(const std::vector<const Table::Row*>& rows) {
+        const std::string &job = accuracy_.text(*rows.front(), "job"),
+                          &name = accuracy_.text(*rows.front(), "scene"),
+                          &format = accuracy_.text(*rows.front(), "format");
+        html_ +=
+            fmt::format("<div class=scene id=\"job{}\"><h3>{}, {}</h3>\n<label>tier <input type=range min=0 "
+                        "max={} value={} step=1 aria-label=\"tier\"></label>\n<div class=pair>\n",
+                        job, escaped(name), format, rows.size() - 1, rows.size() - 1);
+        for (const char* what : {"picture", "off"})
+            for (std::size_t i = 0; i < rows.size(); ++i) {
+                const std::string& tier = accuracy_.text(*rows[i], "tier");
+                const bool picture = what[0] == 'p';
+                html_ += fmt::format("<figure data-tier={}>{}<figcaption>{}</figcaption></figure>\n", i,
+                                     image(job, picture ? tier : tier + "-off"),
+                                     picture ? tier : "where " + tier + " differs from double");
+            }
+        html_ += fmt::format("<figure>{}<figcaption>double</figcaption></figure>\n</div></div>\n",
+                             image(job, "double"));
+    }
+
+    void pictures() {
+        html_ += "<h2>Pictures</h2>\n<p>The last frame. Move a slider from one tier to the next.</p>\n";
+        std::vector<const Table::Row*> rows;
+        for (const Table::Row& row : accuracy_.rows) {
+            if (!rows.empty() && accuracy_.text(*rows.front(), "job") != accuracy_.text(row, "job")) {
+                scene(rows);
+                rows.clear();
+            }
+            rows.push_back(&row);
+        }
+        if (!rows.empty())
+            scene(rows);
+    }
+};
+
+} // namespace
+
+std::string picture_name(const std::string& job, const std::string& what) {
+    return std::string(picture_folder) + "/" + job + "-" + what + ".png";
+}
+
+std::string write_page(const std::string& folder, const Table& accuracy, const Table& cost,
+                       std::string& note) {
+    Page page(folder, accuracy, cost);
+    const std::string html = page.html();
+    note = page.note();
+    return page.problem().empty() ? sim::write_file(folder + page_file, html) : page.problem();
+}
+
+} // namespace spangle::trade
