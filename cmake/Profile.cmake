@@ -1,13 +1,13 @@
 # Scene profiles: what a build holds (design 5). SPANGLE_PROFILE names a file of cmake/profiles, or one of your own by its path,
 # which sets some of
 #   SPANGLE_PROFILE_FEATURES  the optional systems that are on, or all (cmake/Features.cmake); -DSPANGLE_FEATURE_... goes before it
-#   SPANGLE_FUSED             the list of fused spans: a file of cmake/profiles/spans, or a path
+#   SPANGLE_FUSED             the list of fused spans: a file of cmake/profiles/spans, one beside the profile, or a path
 #   any limit                 tiers, formats, stacks, the chain, ... (cmake/Limits.cmake)
 # What it does not say is everything. Builds without CMake take the same as definitions, which boards/tools/profile.py prints.
 set(SPANGLE_PROFILE "" CACHE STRING "What the build holds: a file of cmake/profiles without its ending, or a path; empty: everything")
 
 function(spangle_find_profile name folder ending out)
-    foreach(file ${PROJECT_SOURCE_DIR}/cmake/profiles/${folder}${name}.${ending} ${name})
+    foreach(file ${PROJECT_SOURCE_DIR}/cmake/profiles/${folder}${name}.${ending} ${ARGN}/${name} ${name})
         if(EXISTS ${file} AND NOT IS_DIRECTORY ${file})
             set(${out} ${file} PARENT_SCOPE)
             return()
@@ -18,13 +18,15 @@ endfunction()
 
 if(SPANGLE_PROFILE)
     spangle_find_profile(${SPANGLE_PROFILE} "" cmake profile_file)
+    get_filename_component(profile_file ${profile_file} ABSOLUTE BASE_DIR ${CMAKE_SOURCE_DIR})
+    get_filename_component(SPANGLE_PROFILE_FOLDER ${profile_file} DIRECTORY)
     include(${profile_file})
 endif()
 
 # The profile's own list of fused spans.
 function(spangle_fused target)
     if(DEFINED SPANGLE_FUSED)
-        spangle_find_profile(${SPANGLE_FUSED} spans/ inc spans)
+        spangle_find_profile(${SPANGLE_FUSED} spans/ inc spans ${SPANGLE_PROFILE_FOLDER})
         target_compile_definitions(${target} PRIVATE SPANGLE_FUSED="${spans}")
     endif()
 endfunction()

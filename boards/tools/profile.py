@@ -22,8 +22,8 @@ def limits():
     return dict(re.findall(r"^spangle_limit\((\w+) (\w+) ", (ROOT / "cmake/Limits.cmake").read_text(), re.M))
 
 
-def find(name, folder, ending):
-    for path in (folder / f"{name}.{ending}", pathlib.Path(name)):
+def find(name, folder, ending, beside=pathlib.Path()):
+    for path in (folder / f"{name}.{ending}", beside / name, pathlib.Path(name)):
         if path.is_file():
             return path.resolve()
     raise SystemExit(f"profile.py: no profile '{name}': neither {(folder / name).relative_to(ROOT)}.{ending} nor a path")
@@ -38,7 +38,8 @@ def known(names, what, among):
 
 def definitions(name):
     """[NAME=VALUE]"""
-    text = find(name, PROFILES, "cmake").read_text()
+    file = find(name, PROFILES, "cmake")
+    text = file.read_text()
     says = dict(re.findall(r"^set\(SPANGLE_(\w+) ([^)]*)\)", text, re.M))
     out = []
     on = says.pop("PROFILE_FEATURES", "all")
@@ -46,7 +47,7 @@ def definitions(name):
         wanted = known(on.split(), "feature", features())
         out += [f"SPANGLE_FEATURE_{feature}=0" for feature in features() if feature not in wanted]
     if "FUSED" in says:
-        out.append(f'SPANGLE_FUSED="{find(says.pop("FUSED"), PROFILES / "spans", "inc")}"')
+        out.append(f'SPANGLE_FUSED="{find(says.pop("FUSED"), PROFILES / "spans", "inc", file.parent)}"')
     return out + [f"SPANGLE_{limit}={says[limit]}" for limit in known(list(says), "limit", limits())]
 
 

@@ -97,6 +97,28 @@ template <class F, class R, class... A>
 #endif
 }
 
+/// Tells who watches, on hosts.
+inline void tell_watcher([[maybe_unused]] Context& context, [[maybe_unused]] const CommandText* text,
+                         [[maybe_unused]] const Arg* args, [[maybe_unused]] unsigned count) {
+#if SPANGLE_WATCHED
+    if ((context.gate & gate_watched) != 0 && text != nullptr) [[unlikely]]
+        context.watcher->command(context, *text, args, count);
+#endif
+}
+
+/// The same for a command that runs at once, whose arguments are not words yet.
+template <class F, class R, class... A>
+[[gnu::always_inline]] inline void tell_run([[maybe_unused]] R (*)(Context&, A...),
+                                            [[maybe_unused]] const std::type_identity_t<A>&... args) {
+#if SPANGLE_WATCHED
+    Context* const context = current_context();
+    if (context == nullptr || (context->gate & gate_watched) == 0 || F::text == nullptr) [[likely]]
+        return;
+    const Arg given[] = {Passed<A>::arg(args)..., 0};
+    context->watcher->command(*context, *F::text, given, sizeof...(A));
+#endif
+}
+
 struct Command : list::Player {
     Run run;
 
@@ -122,7 +144,7 @@ struct EncodedCommand : Command {
 
 template <class F>
 constexpr std::uint8_t stops =
-    static_cast<std::uint8_t>((F::inside ? 0 : gate_inside) |
+    static_cast<std::uint8_t>((F::inside ? 0 : gate_inside) | gate_watched |
                               (SPANGLE_FEATURE_LISTS && F::listing != Listing::never ? gate_compiling : 0));
 
 /// False, and INVALID_OPERATION, for a command that Begin and End do not allow between them (GL 1.3, 2.6.3).

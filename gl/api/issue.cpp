@@ -39,7 +39,17 @@ void call(Context& context, const Run& run, std::size_t count, const Arg (&args)
         Many::call(run.many, context, args);
 }
 
+#if SPANGLE_WATCHED
+void watch(Context& context, Watcher* watcher) {
+    context.watcher = watcher;
+    const int others = context.gate & ~gate_watched;
+    context.gate = static_cast<std::uint8_t>(watcher != nullptr ? others | gate_watched : others);
+    context.changed(dirty_fragment);
+}
+#endif
+
 bool admit(Context& context, const Command& command, [[maybe_unused]] const Arg (&args)[most_args]) {
+    tell_watcher(context, command.text, args, command.args);
 #if SPANGLE_FEATURE_LISTS
     if ((context.gate & gate_compiling) != 0) { // what comes here is what lists take
 #if SPANGLE_MESSAGES

@@ -100,6 +100,7 @@ inline void issue_as(void (*)(Context&, A...), const std::type_identity_t<A>&...
 template <class F, class... A> [[gnu::always_inline]] inline void issue(const A&... args) {
     if constexpr (F::listing == Listing::never) {
         static_assert(!F::inside);
+        tell_run<F>(F::run, args...);
         if (Context* context = outside_begin_end(F::text); context != nullptr) {
             F::run(*context, args...);
             explain_run<F>(*context, F::run, args...);
@@ -115,6 +116,7 @@ template <class F, class... A> [[gnu::always_inline]] inline void issue(const A&
 template <class F, class... A>
 [[gnu::always_inline]] inline auto ask(A... args) -> decltype(F::run(*current_context(), args...)) {
     static_assert(F::listing == Listing::never && !F::inside);
+    tell_run<F>(F::run, args...);
     Context* context = outside_begin_end(F::text);
     if (context == nullptr)
         return {};
@@ -126,9 +128,11 @@ template <class F, class... A>
 /// The same for queries of parameters; `out` stays empty when they may not run.
 template <class F, class... A> [[gnu::always_inline]] inline void fetch(Params& out, A... args) {
     static_assert(F::listing == Listing::never && !F::inside);
+    const Arg given[] = {Passed<A>::arg(args)...};
+    if (SPANGLE_WATCHED && current_context() != nullptr)
+        tell_watcher(*current_context(), F::text, given, sizeof...(A));
     if (Context* context = outside_begin_end(F::text); context != nullptr) {
         F::run(*context, args..., out);
-        const Arg given[] = {Passed<A>::arg(args)...};
         explain_error(*context, F::text, given, sizeof...(A));
     }
 }

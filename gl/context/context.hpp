@@ -8,6 +8,7 @@
 #include "gl/context/recording.hpp"
 #include "gl/context/threads.hpp"
 #include "gl/context/types.hpp"
+#include "gl/context/watch.hpp"
 #include "gl/list/list_state.hpp"
 #include "gl/pixel/fog_state.hpp"
 #include "gl/pixel/fragment_cache.hpp"
@@ -37,6 +38,11 @@ struct Engine; // gl/vertex/engine.hpp: the vertex pipeline of one numeric polic
 enum Gate : std::uint8_t {
     gate_inside = 1,    ///< between Begin and End: set by cmd::Begin, cleared by cmd::End
     gate_compiling = 2, ///< between NewList and EndList
+#if SPANGLE_WATCHED
+    gate_watched = 4, ///< a Watcher is told first
+#else
+    gate_watched = 0,
+#endif
 };
 
 /// Which derived state must be computed again before the next primitive. Whoever changes state says
@@ -78,6 +84,9 @@ struct Context {
 #if SPANGLE_MESSAGES
     Unexplained unexplained; ///< an error that waits for its sentence
     Compiled compiled;       ///< the command that is being compiled into a list
+#endif
+#if SPANGLE_WATCHED
+    Watcher* watcher = nullptr; ///< not null where the gate says so
 #endif
     GLenum primitive = GL_POINTS; ///< mode of the last Begin
 

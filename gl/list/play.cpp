@@ -79,6 +79,7 @@ const Word* play(Context& context, const Player& player, const Word* words) {
 } // namespace
 
 const Word* play_command(Context& context, const Command& command, const Word* words) {
+    tell_watcher(context, command.text, nullptr, 0);
     if (converts_in_line && command.args <= few_args && command.form <= Form::encoded) { // most others
         Arg a = 0, b = 0, c = 0;
         switch (command.args) {

@@ -299,6 +299,10 @@ const raster::DrawState& draw_state(Context& context, Drawn drawn, raster::Color
         context.engine->compile(fragment, context.drawable.surface, cache.state);
         cache.state.counters = counters_of(context);
         cache.state.primitive = &cache.primitive;
+#if SPANGLE_WATCHED
+        if ((context.gate & gate_watched) != 0)
+            context.watcher->compiled(context, fragment, cache.state);
+#endif
 #if !SPANGLE_CHAIN
         if (cache.state.lacks_span)
             drawing_error(
@@ -311,6 +315,10 @@ const raster::DrawState& draw_state(Context& context, Drawn drawn, raster::Color
             fragment.stencil = stencil_of(context.fragment_ops.stencil[1]);
             context.engine->compile(fragment, context.drawable.surface, cache.back);
             cache.back.counters = cache.state.counters;
+#if SPANGLE_WATCHED
+            if ((context.gate & gate_watched) != 0)
+                context.watcher->compiled(context, fragment, cache.back);
+#endif
             cache.back.primitive = &cache.primitive;
         }
 #endif

@@ -16,6 +16,7 @@
 #include "host_sim/cli/bringup.hpp"
 #include "host_sim/cli/exec.hpp"
 #include "host_sim/cli/formats.hpp"
+#include "host_sim/cli/profile.hpp"
 #include "host_sim/cli/run.hpp"
 #include "host_sim/cli/samples.hpp"
 #include "host_sim/cli/say.hpp"
@@ -335,6 +336,9 @@ int spangle_main(int argc, char** argv) {
     CLI::App* const exec_command = cli::add_exec(app, to_exec);
     CLI::App* const replay_command = cli::add_replay(app, to_replay);
 
+    cli::ProfileOptions to_profile;
+    CLI::App* const profile_command = cli::add_profile(app, to_profile);
+
     cli::BakeOptions to_bake;
     CLI::App* const bake = cli::add_bake(app, to_bake);
 
@@ -366,6 +370,8 @@ int spangle_main(int argc, char** argv) {
         return cli::exec(to_exec);
     if (app.got_subcommand(replay_command))
         return cli::replay(to_replay);
+    if (app.got_subcommand(profile_command))
+        return cli::profile(to_profile);
     if (app.got_subcommand(bake))
         return cli::bake(to_bake);
     if (app.got_subcommand(trade))

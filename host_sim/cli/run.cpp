@@ -13,8 +13,8 @@
 #include <spangle/sim/board.hpp>
 
 #include "boards/scenes/scene.hpp"
-#include "host_sim/cli/model.hpp"
 #include "host_sim/cli/process_memory.hpp"
+#include "host_sim/cli/program.hpp"
 #include "host_sim/cli/say.hpp"
 #include "host_sim/cli/screen.hpp"
 #include "host_sim/cli/session.hpp"
@@ -27,25 +27,6 @@ namespace spangle::cli {
 using trade::Coverage;
 using trade::differences;
 using trade::FrameCoverage;
-
-namespace {
-
-/// What is drawn, scene or model.
-struct Program {
-    std::string name;
-    std::function<void(int, int)> setup;
-    std::function<void(int)> draw;
-};
-
-const char* name_of(Precision p) {
-    constexpr const char* names[] = {"exact",  "balanced",        "fast",       "double",
-                                     "shadow", "shadow-balanced", "shadow-fast"};
-    return names[static_cast<unsigned>(p)];
-}
-
-bool is_shadow(Precision p) {
-    return p >= Precision::shadow;
-}
 
 std::string make_program(const RunOptions& options, Model& model, Program& out) {
     if (options.model.empty()) {
@@ -70,6 +51,18 @@ void start(const Program& program, const Session& session, bool dither) {
         glEnable(GL_DITHER);
     else
         glDisable(GL_DITHER);
+}
+
+namespace {
+
+const char* name_of(Precision p) {
+    constexpr const char* names[] = {"exact",  "balanced",        "fast",       "double",
+                                     "shadow", "shadow-balanced", "shadow-fast"};
+    return names[static_cast<unsigned>(p)];
+}
+
+bool is_shadow(Precision p) {
+    return p >= Precision::shadow;
 }
 
 /// The same frames in double, held against ours.

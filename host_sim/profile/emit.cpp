@@ -1,0 +1,209 @@
+#include "host_sim/profile/emit.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace spangle::profile {
+
+using namespace raster;
+
+namespace {
+
+constexpr const char *numbers[] = {"raw565", "balanced", "exact", "reference"},
+                     *kinds[] = {"flat", "affine", "textured", "full"},
+                     *compares[] = {"never",   "less",     "equal",  "lequal",
+                                    "greater", "notequal", "gequal", "always"},
+                     *texels[] = {"a8",     "l8",       "i8",       "la88",     "rgb565",
+                                  "rgb888", "rgba8888", "rgba4444", "rgba5551", "rgb332",
+                                  "z16",    "z24",      "p4",       "p8",       "etc1"},
+                     *bases[] = {"alpha", "luminance", "luminance_alpha", "intensity", "rgb", "rgba"},
+                     *filters[] = {"nearest", "linear"},
+                     *environments[] = {"replace", "modulate", "decal", "blend", "add", "combine"},
+                     *fogs[] = {"exp", "exp2", "linear"};
+template <class E> const char* name(const char* const* of, E value) {
+    return of[static_cast<unsigned>(value)];
+}
+
+/// What lists of fused spans can say of a key; all else is as it is by default.
+Key sayable(const Key& key) {
+    Key k;
+    k.number = key.number;
+    k.kind = key.kind;
+    k.depth = key.depth;
+    k.depth_write = key.depth_write;
+    k.depth_format = key.depth != Compare::always || key.depth_write ? DepthFormat::z16 : DepthFormat::none;
+    if (key.unit[0].on && !key.unit[0].general)
+        k.unit[0] = key.unit[0];
+    k.color = key.color;
+    k.color_alpha = key.color_alpha;
+    if (key.fog && key.fog_mode == FogMode::linear) {
+        k.fog = true;
+        k.fog_mode = FogMode::linear;
+    }
+    if (key.blend && !key.blend_general && key.blending == blend_over) {
+        k.blend = true;
+        k.blending = blend_over;
+    }
+    k.cubic = key.cubic;
+    k.coarse = key.coarse;
+    k.dither = key.dither;
+    return k;
+}
+
+} // namespace
+
+bool is_fusible(const Key& key) {
+    return key.number != Number::reference && key == sayable(key);
+}
+
+std::string words(const Key& key) {
+    std::string out = fmt::format("{} {}", name(numbers, key.number), name(kinds, key.kind));
+    const auto say = [&](bool is, const std::string& word) { out += is ? " " + word : ""; };
+    say(needs_depth(key),
+        fmt::format("depth({}{})", name(compares, key.depth), key.depth_write ? "" : ", not written"));
+    say(key.depth_format == DepthFormat::z24s8, "24 bits");
+    for (const UnitKey& unit : key.unit)
+        say(unit.on, unit.general ? "texture(any)"
+                                  : fmt::format("texture({} {} {} {})", name(texels, unit.texels),
+                                                name(bases, unit.base), name(filters, unit.filter),
+                                                name(environments, unit.env)));
+    say(key.combine, "combine");
+    say(key.pixels, "pixels");
+    say(key.color_alpha, "alpha");
+    say(key.color_sum, "sum");
+    say(key.fog, fmt::format("fog({})", name(fogs, key.fog_mode)));
+    say(key.alpha != Compare::always, fmt::format("alpha_test({})", name(compares, key.alpha)));
+    say(key.stencil, "stencil");
+    say(key.blend, key.blend_general ? "blend(any)"
+                   : key.blending == blend_over
+                       ? "blend(over)"
+                       : fmt::format("blend({}, {})", static_cast<int>(key.blending.src),
+                                     static_cast<int>(key.blending.dst)));
+    say(key.dither, "dither");
+    say(key.masked, "masked");
+    say(key.logic, "logic");
+    say(key.count, "count");
+    say(key.coverage, "coverage");
+    say(key.polygon_stipple, "stipple");
+    say(key.depth_offset, "offset");
+    say(key.samples, "samples");
+    return out;
+}
+
+Profile make(const Record& record, const Choice& choice) {
+    Profile out;
+    const auto has = [&](const char* feature) { return record.features.count(feature) != 0; };
+    // Entry points of fixed-point numbers that nobody calls are not linked; which a program calls is not
+    // recorded.
+    out.features.assign(record.features.begin(), record.features.end());
+    if (!has("FIXED_POINT"))
+        out.features.emplace_back("FIXED_POINT");
+    if ((record.color_formats & narrow_formats) != 0)
+        out.features.emplace_back("NARROW_SURFACES");
+    if ((record.color_formats & index_formats) != 0 && !has("COLOR_INDEX"))
+        out.features.emplace_back("COLOR_INDEX");
+
+    // The chain goes where every key that a draw may need has a loop of its own; else those stay that many
+    // pixels have.
+    out.chain =
+        record.keys.empty() || std::any_of(record.keys.begin(), record.keys.end(), [](const KeyUse& use) {
+            return (use.needed || use.pixels != 0) && !is_fusible(use.key);
+        });
+    const double all = static_cast<double>(record.pixels());
+    for (const KeyUse& use : record.keys)
+        if (is_fusible(use.key) && (out.chain ? use.pixels != 0 && static_cast<double>(use.pixels) * 100.0 >=
+                                                                       choice.least_share * all
+                                              : use.needed || use.pixels != 0))
+            out.fused.push_back(use.key);
+
+    const auto set = [&](const char* limit, auto value) {
+        out.limits.emplace_back(limit, fmt::format("{}", value));
+    };
+    set("TEXTURE_UNITS", std::min(record.texture_units, 2));
+    set("TEXTURE_LEVELS", record.texture_levels);
+    set("LIGHTS", record.lights);
+    set("LIGHT_KINDS", has("LIGHTING") ? record.light_kinds : 0u);
+    set("FULL_LIGHTING", record.full_lighting ? 1 : 0);
+    set("MODELVIEW_STACK", record.modelview_stack);
+    set("PROJECTION_STACK", record.projection_stack);
+    set("TEXTURE_STACK", record.texture_stack);
+    if (!has("SELECTION"))
+        set("NAME_STACK", 1);
+    set("LIST_NESTING", record.list_nesting);
+    constexpr unsigned floats = 1u << 6;
+    set("ARRAY_TYPES", record.array_types != 0 ? record.array_types : floats);
+    set("PRIMITIVES", record.primitives);
+    set("TIER_SET", record.tiers);
+    set("COLOR_FORMATS", record.color_formats);
+    set("DEPTH_FORMATS", record.depth_formats);
+    constexpr unsigned rgb565 = 1u << static_cast<unsigned>(TexelFormat::rgb565);
+    set("TEXTURE_FORMATS", record.texture_formats != 0 ? record.texture_formats : rgb565);
+    set("DISPLAYS", 1);
+    if (!out.chain)
+        set("CHAIN", 0);
+    if (out.fused.empty())
+        set("FUSED_SPANS", 0);
+    if (choice.small) {
+        set("SHORTCUTS", 0);
+        set("KERNELS_INLINE", 0);
+        set("SEED_TABLES", 0);
+        set("ARGUMENTS_INLINE", 0);
+        set("LINE_BATCH", 2);
+        set("VERTEX_CACHE", 1);
+    }
+    return out;
+}
+
+std::string settings(const Profile& profile, const Record& record, const Choice& choice) {
+    std::string out = fmt::format(
+        "# What {} asks for, written by `spangle profile`. Use: cmake -DSPANGLE_PROFILE=THIS_FILE\n",
+        choice.title);
+    out += fmt::format(
+        "# Of the arena it took at most {} bytes on the host that recorded it, where pointers have 8.\n",
+        record.arena_peak);
+    out += "set(SPANGLE_PROFILE_FEATURES";
+    for (const std::string& feature : profile.features)
+        out += " " + feature;
+    out += ")\n";
+    if (!profile.fused.empty())
+        out += fmt::format("set(SPANGLE_FUSED {})\n", choice.list);
+    for (const auto& [limit, value] : profile.limits)
+        out += fmt::format("set(SPANGLE_{} {})\n", limit, value);
+    return out;
+}
+
+std::string fused_lines(const Profile& profile) {
+    std::string out;
+    for (const Key& key : profile.fused) {
+        const Key usual;
+        out += fmt::format("// {}\n[] {{\n    Key k;\n    k.number = Number::{};\n    k.kind = Kind::{};\n",
+                           words(key), name(numbers, key.number), name(kinds, key.kind));
+        if (key.depth_format != DepthFormat::none)
+            out += fmt::format("    k.depth_format = DepthFormat::z16;\n    k.depth = Compare::{};\n    "
+                               "k.depth_write = {};\n",
+                               name(compares, key.depth), key.depth_write);
+        if (key.unit[0].on)
+            out += fmt::format(
+                "    k.unit[0] = {{true, false, TexelFormat::{}, BaseFormat::{}, Filter::{}, TexEnv::{}}};\n",
+                name(texels, key.unit[0].texels), name(bases, key.unit[0].base),
+                name(filters, key.unit[0].filter), name(environments, key.unit[0].env));
+        if (key.fog)
+            out += "    k.fog = true;\n    k.fog_mode = FogMode::linear;\n";
+        if (key.blend)
+            out += "    k.blend = true;\n    k.blending = blend_over;\n";
+        const auto flag = [&](const char* member, bool value, bool before) {
+            if (value != before)
+                out += fmt::format("    k.{} = {};\n", member, value);
+        };
+        flag("color", key.color, usual.color);
+        flag("color_alpha", key.color_alpha, usual.color_alpha);
+        flag("cubic", key.cubic, usual.cubic);
+        flag("coarse", key.coarse, usual.coarse);
+        flag("dither", key.dither, usual.dither);
+        out += "    return k;\n}(),\n";
+    }
+    return out;
+}
+
+} // namespace spangle::profile

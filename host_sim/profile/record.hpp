@@ -1,0 +1,44 @@
+// What a program asked for while it was recorded.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "raster/span/key.hpp"
+
+namespace spangle::profile {
+
+/// A state key that was drawn with, or may be: the states of a draw have one for each kind of primitive.
+struct KeyUse {
+    raster::Key key;
+    std::uint64_t pixels = 0; ///< of the spans that were drawn with it
+    bool fused = false;       ///< this build has a loop of its own for it
+    bool needed = false;      ///< a build without the chain draws nothing unless it has one
+};
+
+struct Record {
+    std::map<std::string, std::uint64_t> commands; ///< by family: glVertex, glColor, ...
+    std::set<std::string> features;                ///< those of cmake/Features.cmake that were asked for
+    std::vector<KeyUse> keys;
+
+    // Limits reached, in the units of cmake/Limits.cmake.
+    int modelview_stack = 1, projection_stack = 1, texture_stack = 1, list_nesting = 2;
+    int lights = 1, texture_units = 0, texture_levels = 1;
+    unsigned light_kinds = 0, array_types = 0, primitives = 0, tiers = 0;
+    unsigned color_formats = 0, depth_formats = 1, texture_formats = 0;
+    bool full_lighting = false;
+    std::size_t arena_peak = 0; ///< bytes on this host, of all that the library took
+
+    std::uint64_t pixels() const {
+        std::uint64_t sum = 0;
+        for (const KeyUse& use : keys)
+            sum += use.pixels;
+        return sum;
+    }
+};
+
+} // namespace spangle::profile

@@ -1,0 +1,169 @@
+// What is recorded of programs that ask for few systems, and the profile that it makes.
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "gl/context/context.hpp"
+#include "gl/pixel/fragment_setup.hpp"
+#include "host_sim/profile/emit.hpp"
+#include "host_sim/profile/recorder.hpp"
+#include "tests/bench/headless.hpp"
+#include "tests/bench/picture_hash.hpp"
+#include "tests/profile/programs/program.hpp"
+
+#if SPANGLE_WATCHED
+
+namespace spangle::profile {
+
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr int width = 160, height = 120;
+
+Record record(const programs::Program& program, EGLint precision = EGL_PRECISION_BALANCED_SPANGLE) {
+    bench::Headless gl;
+    EXPECT_TRUE(gl.open(width, height, precision));
+    Record out;
+    {
+        Recorder recorder(*gl::current_context());
+        program.setup(width, height);
+        program.draw(1);
+        out = recorder.finish();
+    }
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    gl.close();
+    return out;
+}
+
+std::uint32_t hash_of(const programs::Program& program, bool watched) {
+    bench::Headless gl;
+    EXPECT_TRUE(gl.open(width, height, EGL_PRECISION_BALANCED_SPANGLE));
+    std::uint32_t hash = 0;
+    const auto draw = [&] {
+        program.setup(width, height);
+        program.draw(1);
+        hash = bench::picture_hash(width, height);
+    };
+    if (watched) {
+        Recorder recorder(*gl::current_context());
+        draw();
+    } else {
+        draw();
+    }
+    gl.close();
+    return hash;
+}
+
+std::string limit(const Profile& profile, const char* name) {
+    for (const auto& [limit, value] : profile.limits)
+        if (limit == name)
+            return value;
+    return "as usual";
+}
+
+TEST(Recorder, ChangesNoPixel) {
+    for (const programs::Program* program : programs::all)
+        EXPECT_EQ(hash_of(*program, true), hash_of(*program, false)) << program->name;
+}
+
+TEST(Recorder, CountsCommandsAndPixels) {
+    const Record cube = record(programs::gouraud_cube);
+    EXPECT_EQ(cube.commands.at("glVertex"), 24u);
+    EXPECT_EQ(cube.commands.at("glClear"), 1u);
+    EXPECT_EQ(cube.commands.count("glFog"), 0u);
+    for (const programs::Program* program : {&programs::sprites_only, &programs::cutaway, &programs::wires}) {
+        bench::Headless gl;
+        ASSERT_TRUE(gl.open(width, height, EGL_PRECISION_BALANCED_SPANGLE));
+        raster::Counters counters;
+        gl::observe(*gl::current_context(), &counters, false);
+        {
+            Recorder recorder(*gl::current_context());
+            program->setup(width, height);
+            program->draw(1);
+            EXPECT_EQ(recorder.finish().pixels(), counters.fragments) << program->name;
+            EXPECT_NE(counters.fragments, 0u);
+        }
+        gl::observe(*gl::current_context(), nullptr, false);
+        gl.close();
+    }
+}
+
+TEST(Recorder, NamesTheSystems) {
+    EXPECT_TRUE(record(programs::gouraud_cube).features.empty());
+    EXPECT_THAT(record(programs::terrain_fog).features, ElementsAre("FOG"));
+    EXPECT_THAT(record(programs::cutaway).features, ElementsAre("CLIP_PLANES", "LIGHTING", "LISTS"));
+    EXPECT_THAT(record(programs::wires).features, ElementsAre("BITMAPS", "RASTER_POS", "STIPPLE"));
+    EXPECT_THAT(record(programs::foliage).features, ElementsAre("ATTRIB_STACKS"));
+    EXPECT_THAT(record(programs::chrome).features, ElementsAre("LIGHTING", "TEXGEN"));
+}
+
+TEST(Recorder, ReachesLimits) {
+    const Record chrome = record(programs::chrome);
+    EXPECT_EQ(chrome.lights, 3) << "LIGHT2";
+    EXPECT_EQ(chrome.light_kinds, 3u) << "a position and a specular material";
+    EXPECT_TRUE(chrome.full_lighting) << "NORMALIZE";
+    EXPECT_EQ(chrome.texture_levels, 7) << "64 texels";
+    EXPECT_EQ(chrome.texture_formats, 1u << static_cast<unsigned>(raster::TexelFormat::l8));
+    const Record cutaway = record(programs::cutaway);
+    EXPECT_EQ(cutaway.modelview_stack, 3);
+    EXPECT_EQ(cutaway.light_kinds, 4u) << "two sides";
+    const Record two = record(programs::two_textures);
+    EXPECT_EQ(two.texture_units, 2);
+    EXPECT_EQ(two.texture_levels, 7);
+    const Record lit = record(programs::lit_parallel);
+    EXPECT_EQ(lit.light_kinds, 0u);
+    EXPECT_FALSE(lit.full_lighting);
+    EXPECT_EQ(lit.texture_units, 0);
+    EXPECT_EQ(record(programs::wires).primitives, 2u) << "lines";
+    EXPECT_EQ(record(programs::particles).primitives, 1u) << "points";
+    EXPECT_EQ(record(programs::foliage).primitives, 4u) << "quads";
+    EXPECT_EQ(lit.tiers, 2u);
+}
+
+TEST(Profile, LeavesTheChainOutWhereEveryKeyHasALoop) {
+    const Record lit = record(programs::lit_perspective);
+    const Profile profile = make(lit, {"lit", "lit.inc"});
+    EXPECT_FALSE(profile.chain);
+    EXPECT_EQ(limit(profile, "CHAIN"), "0");
+    EXPECT_THAT(fused_lines(profile), AllOf(HasSubstr("Kind::affine"), HasSubstr("Kind::full")));
+    EXPECT_THAT(settings(profile, lit, {"lit", "lit.inc"}), HasSubstr("set(SPANGLE_FUSED lit.inc)\n"));
+    // Of the fast tier no colours are divided.
+    const Profile fast =
+        make(record(programs::lit_perspective, EGL_PRECISION_FAST_SPANGLE), {"lit", "lit.inc"});
+    EXPECT_THAT(fused_lines(fast), Not(HasSubstr("Kind::full")));
+}
+
+TEST(Profile, KeepsTheChainWhereSomeKeyHasNone) {
+    for (const programs::Program* program :
+         {&programs::terrain_fog, &programs::particles, &programs::two_textures, &programs::foliage}) {
+        const Profile profile = make(record(*program), {program->name, "list.inc"});
+        EXPECT_TRUE(profile.chain) << program->name;
+        EXPECT_TRUE(profile.fused.empty()) << program->name;
+        EXPECT_EQ(limit(profile, "FUSED_SPANS"), "0") << program->name;
+        EXPECT_EQ(limit(profile, "CHAIN"), "as usual") << program->name;
+    }
+}
+
+TEST(Profile, HoldsWhatTheBuildHasAndTheProgramAskedFor) {
+    const Profile profile = make(record(programs::sprites_only), {"sprites", "sprites.inc"});
+    EXPECT_THAT(profile.features, ElementsAre("FIXED_POINT")) << "free where nobody calls it";
+    EXPECT_EQ(limit(profile, "TEXTURE_UNITS"), "1");
+    EXPECT_EQ(limit(profile, "TEXTURE_LEVELS"), "5");
+    EXPECT_EQ(limit(profile, "TEXTURE_FORMATS"), "64");
+    EXPECT_EQ(limit(profile, "SHORTCUTS"), "as usual");
+    Choice small{"sprites", "sprites.inc"};
+    small.small = true;
+    EXPECT_EQ(limit(make(record(programs::sprites_only), small), "SHORTCUTS"), "0");
+}
+
+} // namespace
+
+} // namespace spangle::profile
+
+#endif
