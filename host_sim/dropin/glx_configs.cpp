@@ -172,6 +172,11 @@ void remember_choice(const SpangleFbConfig& config) {
                 screen->chosen[config.visual_id] = config.id;
 }
 
+void forget_configs(Display* display) {
+    const std::lock_guard<std::recursive_mutex> lock(mutex);
+    std::erase_if(screens(), [display](const auto& known) { return known.first.first == display; });
+}
+
 GLXFBConfig checked(Display* display, GLXFBConfig config) {
     const std::lock_guard<std::recursive_mutex> lock(mutex);
     for (int s = 0; s < ScreenCount(display); ++s)

@@ -35,6 +35,9 @@ bool attribute(const SpangleFbConfig& config, int name, int& value);
 GLXFBConfig of_visual(Display* display, int screen, VisualID visual);
 void remember_choice(const SpangleFbConfig& config);
 
+/// Drops the configurations of a connection that is closed.
+void forget_configs(Display* display);
+
 /// A handle that a program gave; null where it is none of ours.
 GLXFBConfig checked(Display* display, GLXFBConfig config);
 

@@ -11,6 +11,7 @@ using namespace spangle::dropin::glx;
 struct SpangleGlxContext {
     Display* display = nullptr;
     GLXFBConfig config = nullptr;
+    EGLDisplay egl_display = EGL_NO_DISPLAY; ///< stays when the connection is closed
     EGLContext egl = EGL_NO_CONTEXT;
     GLXContextID id = 0;
     bool destroyed = false; ///< freed when it is current no more
@@ -41,7 +42,7 @@ bool exists(GLXContext context) {
 void free_if_unused(GLXContext context) {
     if (!context->destroyed || context->users != 0)
         return;
-    eglDestroyContext(egl_display(context->display), context->egl);
+    eglDestroyContext(context->egl_display, context->egl);
     contexts().erase(context);
     delete context;
 }
@@ -127,8 +128,9 @@ GLXContext create(Display* display, GLXFBConfig config, GLXContext share, const 
         return nullptr;
     }
     const std::lock_guard<std::recursive_mutex> guard(lock());
-    const EGLContext egl = eglCreateContext(egl_display(display), config->egl,
-                                            share == nullptr ? EGL_NO_CONTEXT : share->egl, attributes);
+    const EGLDisplay on = egl_display(display);
+    const EGLContext egl =
+        eglCreateContext(on, config->egl, share == nullptr ? EGL_NO_CONTEXT : share->egl, attributes);
     if (egl == EGL_NO_CONTEXT) {
         if (eglGetError() == EGL_BAD_ALLOC)
             report_core(display, BadAlloc, request, 0);
@@ -140,6 +142,7 @@ GLXContext create(Display* display, GLXFBConfig config, GLXContext share, const 
     auto* const context = new SpangleGlxContext;
     context->display = display;
     context->config = config;
+    context->egl_display = on;
     context->egl = egl;
     context->id = ++last;
     contexts().insert(context);
@@ -150,8 +153,7 @@ Bool release() {
     const std::lock_guard<std::recursive_mutex> guard(lock());
     if (current.context == nullptr)
         return True;
-    if (eglMakeCurrent(egl_display(current.display), EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT) ==
-        EGL_FALSE) {
+    if (eglReleaseThread() == EGL_FALSE) { // names no display: the connection may be closed
         report_refusal(current.display, Request::make_current, 0);
         return False;
     }
@@ -203,6 +205,32 @@ Bool make_current(Display* display, GLXDrawable draw, GLXDrawable read, GLXConte
 }
 
 } // namespace
+
+/// Programs may close a connection with a primitive begun and a context current, which GL and EGL refuse to
+/// let go in between (EGL 1.4, 3.7.3).
+void spangle::dropin::glx::forget_connection(Display* display) {
+    const EGLDisplay egl = eglGetPlatformDisplayEXT(EGL_PLATFORM_X11_KHR, display, nullptr);
+    if (egl == EGL_NO_DISPLAY)
+        return;
+    if (eglGetCurrentDisplay() == egl) {
+        const spangle::gl::Context* const context = spangle::gl::current_context();
+        if (context != nullptr && context->inside_begin_end())
+            glEnd();
+        release();
+        eglReleaseThread(); // a context that EGL itself made current
+    }
+    eglTerminate(egl); // what is current to another thread stays until that lets it go
+    const std::lock_guard<std::recursive_mutex> guard(lock());
+    for (auto at = contexts().begin(); at != contexts().end();) {
+        const GLXContext context = *at++;
+        if (context->display != display)
+            continue;
+        context->destroyed = true;
+        free_if_unused(context);
+    }
+    forget_drawables(display);
+    forget_configs(display);
+}
 
 extern "C" {
 
@@ -361,7 +389,7 @@ void glXSwapIntervalEXT(Display* display, GLXDrawable, int interval) {
         return;
     if (interval < 0)
         return report_core(display, BadValue, Request::swap_buffers, 0);
-    eglSwapInterval(egl_display(current.display), interval);
+    eglSwapInterval(current.context->egl_display, interval);
 }
 
 int glXSwapIntervalSGI(int interval) {
@@ -369,7 +397,7 @@ int glXSwapIntervalSGI(int interval) {
         return BAD_VALUE;
     if (current.context == nullptr)
         return BAD_CONTEXT;
-    eglSwapInterval(egl_display(current.display), interval);
+    eglSwapInterval(current.context->egl_display, interval);
     return 0;
 }
 }
@@ -384,7 +412,7 @@ int glXSwapIntervalMESA(unsigned int interval) {
     if (current.context == nullptr)
         return BAD_CONTEXT;
     mesa_interval = interval;
-    eglSwapInterval(egl_display(current.display), static_cast<EGLint>(interval != 0));
+    eglSwapInterval(current.context->egl_display, static_cast<EGLint>(interval != 0));
     return 0;
 }
 

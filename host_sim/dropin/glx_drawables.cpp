@@ -126,6 +126,11 @@ EGLSurface surface_of(Display* display, Target& drawable, GLXFBConfig config) {
     return drawable.surface;
 }
 
+void forget_drawables(Display* display) {
+    const std::lock_guard<std::recursive_mutex> guard(lock());
+    std::erase_if(drawables(), [display](const auto& known) { return known.first.first == display; });
+}
+
 } // namespace spangle::dropin::glx
 
 extern "C" {

@@ -33,4 +33,10 @@ std::shared_ptr<Target> made_drawable(Display* display, GLXDrawable id);
 /// A surface for a context of this configuration. EGL_NO_SURFACE, and EGL's error, where there is none.
 EGLSurface surface_of(Display* display, Target& drawable, GLXFBConfig config);
 
+/// Drops the targets of a connection that is closed, whose surfaces went with their display of EGL.
+void forget_drawables(Display* display);
+
+/// Ends the EGL display of a connection that is about to be closed, and all that GLX made over it.
+void forget_connection(Display* display);
+
 } // namespace spangle::dropin::glx

@@ -11,6 +11,7 @@
 
 #include "gl/egl/platforms.hpp"
 #include "gl/pixel/fragment_setup.hpp"
+#include "host_sim/dropin/glx_drawables.hpp"
 #include "host_sim/dropin/options.hpp"
 #include "host_sim/dropin/stage.hpp"
 #include "host_sim/dropin/x_windows.hpp"
@@ -72,6 +73,7 @@ void say(unsigned code, const char* text) {
     if (!options().report.empty())
         platforms.created = count;
     egl::use_platforms(platforms);
+    XWindows::on_close(glx::forget_connection);
 }
 
 [[gnu::destructor]] void end() {

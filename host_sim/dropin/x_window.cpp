@@ -45,7 +45,7 @@ void store(std::uint32_t value, const XPixels& pixels, std::uint8_t* to) {
 
 } // namespace
 
-XImage::XImage(xcb_connection_t* connection, bool shared) : connection_(connection), shared_(shared) {}
+XImage::XImage(const XWindows& windows) : windows_(windows), shared_(windows.has_shared_memory()) {}
 
 XImage::~XImage() {
     free_shared();
@@ -54,8 +54,8 @@ XImage::~XImage() {
 void XImage::free_shared() {
     if (mapped_ == nullptr)
         return;
-    forget(connection_, xcb_shm_detach_checked(connection_, segment_));
-    xcb_flush(connection_);
+    forget(connection(), xcb_shm_detach_checked(connection(), segment_));
+    xcb_flush(connection());
     shmdt(mapped_);
     mapped_ = nullptr;
     mapped_bytes_ = 0;
@@ -63,16 +63,16 @@ void XImage::free_shared() {
 
 std::uint8_t* XImage::resize(std::size_t bytes) {
     if (shared_ && mapped_ != nullptr)
-        wait_for_server(connection_);
+        wait_for_server(connection());
     if (shared_ && bytes > mapped_bytes_) {
         free_shared();
         const int id = shmget(IPC_PRIVATE, bytes, IPC_CREAT | 0600);
         void* const memory = id < 0 ? nullptr : shmat(id, nullptr, 0);
         if (memory != nullptr && memory != reinterpret_cast<void*>(-1)) {
-            segment_ = xcb_generate_id(connection_);
+            segment_ = xcb_generate_id(connection());
             xcb_generic_error_t* const problem =
-                xcb_request_check(connection_, xcb_shm_attach_checked(connection_, segment_,
-                                                                      static_cast<std::uint32_t>(id), 0));
+                xcb_request_check(connection(), xcb_shm_attach_checked(connection(), segment_,
+                                                                       static_cast<std::uint32_t>(id), 0));
             shared_ = problem == nullptr; // a server elsewhere shares nothing
             std::free(problem);
             if (shared_) {
@@ -97,25 +97,24 @@ void XImage::put(xcb_drawable_t to, xcb_gcontext_t gc, int width, int height, in
     const auto w = static_cast<std::uint16_t>(width), h = static_cast<std::uint16_t>(height);
     const auto d = static_cast<std::uint8_t>(depth);
     if (shared_) {
-        forget(connection_, xcb_shm_put_image_checked(connection_, to, gc, w, h, 0, 0, w, h, 0, 0, d,
-                                                      XCB_IMAGE_FORMAT_Z_PIXMAP, 0, segment_, 0));
+        forget(connection(), xcb_shm_put_image_checked(connection(), to, gc, w, h, 0, 0, w, h, 0, 0, d,
+                                                       XCB_IMAGE_FORMAT_Z_PIXMAP, 0, segment_, 0));
     } else {
         const int rows = std::max(1, static_cast<int>(longest_request) / row_bytes);
         for (int y = 0; y < height; y += rows) {
             const int n = std::min(rows, height - y);
-            forget(connection_,
-                   xcb_put_image_checked(connection_, XCB_IMAGE_FORMAT_Z_PIXMAP, to, gc, w,
+            forget(connection(),
+                   xcb_put_image_checked(connection(), XCB_IMAGE_FORMAT_Z_PIXMAP, to, gc, w,
                                          static_cast<std::uint16_t>(n), 0, static_cast<std::int16_t>(y), 0, d,
                                          static_cast<std::uint32_t>(n * row_bytes),
                                          own_.data() + static_cast<std::ptrdiff_t>(y) * row_bytes));
         }
     }
-    xcb_flush(connection_);
+    xcb_flush(connection());
 }
 
 XWindow::XWindow(XWindows& windows, xcb_drawable_t drawable, bool pixmap, PixelFormat format)
-    : windows_(windows), drawable_(drawable), pixmap_(pixmap), format_(format),
-      image_(windows.connection(), windows.has_shared_memory()) {
+    : windows_(windows), drawable_(drawable), pixmap_(pixmap), format_(format), image_(windows) {
     xcb_connection_t* const c = windows_.connection();
     xcb_generic_error_t* problem = nullptr;
     xcb_get_geometry_reply_t* const reply =

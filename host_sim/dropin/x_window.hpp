@@ -17,7 +17,7 @@ namespace spangle::dropin {
 /// An image in memory that the server sees too, where it can; else it is sent.
 class XImage {
   public:
-    XImage(xcb_connection_t* connection, bool shared);
+    explicit XImage(const XWindows& windows);
     ~XImage();
     XImage(const XImage&) = delete;
     XImage& operator=(const XImage&) = delete;
@@ -28,8 +28,9 @@ class XImage {
 
   private:
     void free_shared();
+    xcb_connection_t* connection() const { return windows_.connection(); }
 
-    xcb_connection_t* connection_;
+    const XWindows& windows_;
     bool shared_;
     xcb_shm_seg_t segment_ = 0;
     std::uint8_t* mapped_ = nullptr;

@@ -14,6 +14,9 @@
 
 #include "host_sim/dropin/x_window.hpp"
 
+// Xlib's function for extensions (Xlib, appendix C), whose header, Xlibint.h, defines min and max as macros.
+extern "C" int (*XESetCloseDisplay(Display*, int, int (*)(Display*, XExtCodes*)))(Display*, XExtCodes*);
+
 namespace spangle::dropin {
 
 namespace {
@@ -48,23 +51,59 @@ bool shares_memory(xcb_connection_t* connection) {
     return version != nullptr;
 }
 
+/// Windows by the address of their connection, which one that is opened later may have again.
+std::map<_XDisplay*, XWindows*>& known_windows() {
+    static auto* const all = new std::map<_XDisplay*, XWindows*>;
+    return *all;
+}
+
+std::mutex known_mutex;
+void (*closing_listener)(_XDisplay*) = nullptr;
+
+/// A connection on which XCB does nothing and answers nothing: no server has this name.
+xcb_connection_t* closed_connection() {
+    static xcb_connection_t* const none = xcb_connect("none", nullptr);
+    return none;
+}
+
 } // namespace
 
+void XWindows::on_close(void (*closing)(_XDisplay* display)) {
+    closing_listener = closing;
+}
+
+/// Xlib calls an extension before it closes the connection (Xlib, appendix C).
+void XWindows::watch_connection() {
+    XExtCodes* const codes = XAddExtension(display_);
+    if (codes == nullptr)
+        return;
+    is_watched_ = true;
+    XESetCloseDisplay(display_, codes->extension, [](_XDisplay* closed, XExtCodes*) {
+        if (closing_listener != nullptr)
+            closing_listener(closed);
+        const std::lock_guard<std::mutex> lock(known_mutex);
+        XWindows& windows = *known_windows()[closed];
+        windows.is_watched_ = false;
+        windows.connection_ = closed_connection(); // windows that are current to other threads ask it in vain
+        return 0;
+    });
+}
+
 XWindows* XWindows::of(_XDisplay* display) {
-    static std::mutex mutex;
-    static std::map<_XDisplay*, XWindows*>* const known = new std::map<_XDisplay*, XWindows*>;
     static _XDisplay* usual = nullptr;
-    const std::lock_guard<std::mutex> lock(mutex);
+    const std::lock_guard<std::mutex> lock(known_mutex);
     if (display == nullptr && usual == nullptr)
         usual = XOpenDisplay(nullptr);
     if (display == nullptr)
         display = usual;
     if (display == nullptr)
         return nullptr;
-    XWindows*& windows = (*known)[display];
+    XWindows*& windows = known_windows()[display];
     if (windows == nullptr)
         windows = new XWindows(display);
     windows->connection_ = XGetXCBConnection(display); // a connection may be opened where a closed one lay
+    if (!windows->is_watched_)
+        windows->watch_connection();
     return windows;
 }
 

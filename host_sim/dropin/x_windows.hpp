@@ -31,6 +31,9 @@ class XWindows final : public hal::WindowSystem {
     /// none.
     static XWindows* of(_XDisplay* display);
 
+    /// The function is told of each connection that is closed, while requests can still be sent over it.
+    static void on_close(void (*closing)(_XDisplay* display));
+
     hal::Result<void> init() override;
     bool shows(PixelFormat format) const override;
     std::int32_t visual_id(PixelFormat format) const override;
@@ -46,8 +49,10 @@ class XWindows final : public hal::WindowSystem {
 
   private:
     explicit XWindows(_XDisplay* display);
+    void watch_connection();
 
     _XDisplay* display_;
+    bool is_watched_ = false; ///< Xlib tells when this connection is closed
     xcb_connection_t* connection_;
     bool shared_memory_ = false;
     std::uint32_t visual_ = 0;

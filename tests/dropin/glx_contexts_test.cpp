@@ -1,7 +1,10 @@
 // Contexts of GLX: what lists of attributes are refused with, and what goes with a window of X.
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <semaphore>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <spawn.h>
@@ -200,6 +203,53 @@ TEST_F(GlxContexts, ManyConnectionsAreOpenAtOnce) {
     }
     for (Display* connection : connections)
         XCloseDisplay(connection);
+}
+
+TEST_F(GlxContexts, AProgramOpensAndClosesMoreConnectionsThanItHasDisplays) {
+    std::vector<void*> places; // so that connections lie at different addresses
+    for (int i = 0; i < 200; ++i) {
+        Display* const connection = XOpenDisplay(server->name().c_str());
+        ASSERT_TRUE(draws(connection)) << i;
+        if (i % 3 == 0)
+            glBegin(GL_TRIANGLES);
+        XCloseDisplay(connection); // its context is current
+        EXPECT_EQ(glXGetCurrentContext(), nullptr);
+        EXPECT_EQ(glXGetCurrentDisplay(), nullptr);
+        places.push_back(std::malloc(std::size_t{64} << (i % 12)));
+    }
+    for (void* const place : places)
+        std::free(place);
+}
+
+TEST_F(GlxContexts, AConnectionAtTheAddressOfAClosedOneIsANewOne) {
+    for (int i = 0; i < 200; ++i) {
+        Display* const connection = XOpenDisplay(server->name().c_str());
+        ASSERT_TRUE(draws(connection)) << i;
+        const GLXContext context = glXGetCurrentContext();
+        XCloseDisplay(connection);
+        EXPECT_FALSE(glXIsDirect(display, context)); // no context any more
+        EXPECT_EQ(last_error, of_glx(Problem::context));
+    }
+}
+
+TEST_F(GlxContexts, AnotherThreadKeepsWhatIsCurrentWhenTheConnectionIsClosed) {
+    Display* const connection = XOpenDisplay(server->name().c_str());
+    std::binary_semaphore drawn(0), closed(0);
+    std::thread other([&] {
+        const bool drew = draws(connection);
+        drawn.release();
+        closed.acquire();
+        EXPECT_TRUE(drew);
+        glViewport(0, 0, 4, 4);
+        glClear(GL_COLOR_BUFFER_BIT);
+        glFinish();
+        EXPECT_TRUE(glXMakeCurrent(display, 0, nullptr));
+        EXPECT_EQ(glXGetCurrentContext(), nullptr);
+    });
+    drawn.acquire();
+    XCloseDisplay(connection);
+    closed.release();
+    other.join();
 }
 
 } // namespace
