@@ -33,7 +33,12 @@ Key sayable(const Key& key) {
     k.depth = key.depth;
     k.depth_write = key.depth_write;
     k.depth_format = key.depth != Compare::always || key.depth_write ? DepthFormat::z16 : DepthFormat::none;
-    if (key.unit[0].on && !key.unit[0].general)
+    // Loops load texels as words of 16 and 32 bits; those of other formats are the chain's.
+    const TexelFormat format = key.unit[0].texels;
+    const bool loads =
+        format == TexelFormat::rgb565 || format == TexelFormat::rgb888 || format == TexelFormat::rgba8888;
+    const bool plain = key.unit[0].env == TexEnv::replace || key.unit[0].env == TexEnv::modulate;
+    if (key.unit[0].on && !key.unit[0].general && loads && plain)
         k.unit[0] = key.unit[0];
     k.color = key.color;
     k.color_alpha = key.color_alpha;

@@ -150,6 +150,17 @@ TEST(Profile, KeepsTheChainWhereSomeKeyHasNone) {
     }
 }
 
+TEST(Profile, TexelsOfOneByteAreTheChains) {
+    raster::Key key;
+    key.number = raster::Number::balanced;
+    key.unit[0] = {
+        true, false, raster::TexelFormat::rgb565, raster::BaseFormat::rgb, {}, raster::TexEnv::modulate};
+    EXPECT_TRUE(is_fusible(key));
+    key.unit[0].texels = raster::TexelFormat::a8;
+    key.unit[0].base = raster::BaseFormat::alpha;
+    EXPECT_FALSE(is_fusible(key));
+}
+
 TEST(Profile, HoldsWhatTheBuildHasAndTheProgramAskedFor) {
     const Profile profile = make(record(programs::sprites_only), {"sprites", "sprites.inc"});
     EXPECT_THAT(profile.features, ElementsAre("FIXED_POINT")) << "free where nobody calls it";
