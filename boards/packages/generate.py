@@ -15,6 +15,8 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
+sys.path.insert(0, str(ROOT / "host_sim/tools"))
+import outfile  # noqa: E402
 ABOUT = json.loads((HERE / "package.json").read_text())
 VERSION = re.search(r"project\(Spangle VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
 WRITTEN = "Written by boards/packages/generate.py: change package.json or that, not this."
@@ -146,12 +148,12 @@ def export(folder):
                 before = pragma() if path.suffix == ".cpp" else ""
                 if path.name.startswith("fused_part_"):
                     before = before.replace(', "no-ipa-modref"', "")
-                (source / room / path.name).write_text(before + path.read_text())
+                outfile.write(source / room / path.name, before + path.read_text())
     for public in ABOUT["includes"]:
         shutil.copytree(ROOT / public, source, dirs_exist_ok=True)
-    (folder / "library.properties").write_text(arduino())
-    (folder / "library.json").write_text(platformio())
-    shutil.copyfile(ROOT / "LICENSE", folder / "LICENSE")
+    outfile.write(folder / "library.properties", arduino())
+    outfile.write(folder / "library.json", platformio())
+    outfile.write(folder / "LICENSE", (ROOT / "LICENSE").read_bytes())
 
 
 def main():
@@ -167,7 +169,7 @@ def main():
                 stale.append(name)
         else:
             path.parent.mkdir(exist_ok=True)
-            path.write_text(write())
+            outfile.write(path, write())
     if arguments.export:
         export(arguments.export)
     if stale:
@@ -176,4 +178,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(outfile.checked(main))

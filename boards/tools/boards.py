@@ -25,6 +25,7 @@ import golden  # noqa: E402
 import look  # noqa: E402
 import profile  # noqa: E402
 import twin  # noqa: E402
+from firmware import outfile  # noqa: E402
 
 ROOT = firmware.ROOT
 HANDLER_STACK = 512  # beside the program's, hal/mcu/sections.ld
@@ -245,4 +246,4 @@ def report(boards, images, arguments, pictures):
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(outfile.checked(main))

@@ -1,7 +1,6 @@
 """Writes what was measured and seen into docs/boards.md: the table, the footnotes, a picture of each screen."""
-import shutil
-
 import firmware
+from firmware import outfile
 
 PAGE = firmware.ROOT / "docs/boards.md"
 PICTURES = firmware.ROOT / "docs/pictures/boards"
@@ -28,7 +27,7 @@ def keep_pictures(boards, drawn):
             content = source.read_bytes()
             if content not in known:
                 known[content] = source.name
-                shutil.copyfile(source, PICTURES / source.name)
+                outfile.write(PICTURES / source.name, source.read_bytes())
             files.append(known[content])
         groups.setdefault(tuple(files), []).append(board.name)
     return [(", ".join(names), " ".join(f"![{names[0]}](pictures/boards/{file})" for file in files)) for files, names in groups.items()]
@@ -38,4 +37,4 @@ def write(header, rows, notes, pictures):
     before, _, rest = PAGE.read_text().partition(BEGIN)
     _, _, after = rest.partition(END)
     shown = "".join(f"\n{names}:\n\n{images}\n" for names, images in pictures)
-    PAGE.write_text(before + BEGIN + "\n" + markdown(header, rows, notes) + "\n## What they show\n" + shown + "\n" + END + after)
+    outfile.write(PAGE, before + BEGIN + "\n" + markdown(header, rows, notes) + "\n## What they show\n" + shown + "\n" + END + after)

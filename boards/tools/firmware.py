@@ -8,8 +8,11 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "host_sim/tools"))
+import outfile  # noqa: E402
 INCLUDES = [f"-I{ROOT}"] + [f"-I{ROOT}/{room}/include" for room in ("raster/format", "raster", "gl", "hal", "hal/mcu", "boards")]
 # With these flags GCC keeps every call that has effects; SPANGLE_SOUND_CALLS in cmake/SpangleTargets.cmake says why.
 SOUND_CALLS = ["-fno-delete-null-pointer-checks", "-fno-ipa-modref"]
@@ -124,7 +127,7 @@ class Build:
 
     def run(self):
         self.folder.mkdir(parents=True, exist_ok=True)
-        (self.folder / "build.ninja").write_text("\n".join(self.lines) + "\n")
+        outfile.write(self.folder / "build.ninja", "\n".join(self.lines) + "\n")
         done = subprocess.run(["ninja", "--quiet", "-C", str(self.folder), *(["-j", os.environ["JOBS"]] if "JOBS" in os.environ else [])],
                               capture_output=True, text=True)
         if done.returncode != 0:

@@ -2,6 +2,7 @@
 import json
 
 import firmware
+from firmware import outfile
 
 FILE = firmware.ROOT / "boards/golden.json"
 SLACK = 1.03
@@ -24,7 +25,7 @@ def read():
 def update(rows):
     """Writes these boards' costs; those of others stay."""
     known = {**read(), **costs(rows)}
-    FILE.write_text("{\n" + ",\n".join(f"  {json.dumps(name)}: {json.dumps(known[name])}" for name in sorted(known)) + "\n}\n")
+    outfile.write(FILE, "{\n" + ",\n".join(f"  {json.dumps(name)}: {json.dumps(known[name])}" for name in sorted(known)) + "\n}\n")
 
 
 def grown(rows):

@@ -12,6 +12,9 @@ from emit_texts import texts
 from extensions import aliases_list, extensions_header, load_extensions
 from feature_matrix import features, matrix, readme
 
+sys.path.insert(0, str(ROOT / "host_sim/tools"))
+import outfile  # noqa: E402
+
 
 def outputs():
     chapters, tokens = load()
@@ -44,10 +47,10 @@ def main():
         stale.append(name)
         if not check:
             path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
+            outfile.write(path, text)
     if check and stale:
         sys.exit("stale, run gl/api/generate.py: " + ", ".join(stale))
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(outfile.checked(main))

@@ -10,6 +10,9 @@ import pathlib
 import re
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "tools"))
+import outfile  # noqa: E402
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 OUT = pathlib.Path(__file__).resolve().parent / "needs.inc"
 COMMANDS = ROOT / "gl/api/commands"
@@ -51,4 +54,4 @@ if __name__ == "__main__":
         fresh = OUT.read_text() == text()
         print("needs.inc is fresh" if fresh else "needs.inc is stale: run host_sim/profile/generate.py")
         sys.exit(0 if fresh else 1)
-    OUT.write_text(text())
+    outfile.write(OUT, text())

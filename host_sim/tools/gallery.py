@@ -11,6 +11,8 @@ import subprocess
 import sys
 import tempfile
 
+import outfile
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE, FOLDER = ROOT / "docs/gallery.md", ROOT / "docs/gallery"
 BOARD = "st7789-240x280"
@@ -65,11 +67,11 @@ def main():
                 stale.append(kept.name)
                 if not check:
                     FOLDER.mkdir(exist_ok=True)
-                    kept.write_bytes(made.read_bytes())
+                    outfile.write(kept, made.read_bytes())
     if not PAGE.is_file() or PAGE.read_text() != page:
         stale.append(PAGE.name)
         if not check:
-            PAGE.write_text(page)
+            outfile.write(PAGE, page)
     if check and stale:
         print(f"not what this build gives, run ./dev gallery: {', '.join(stale)}")
         return 1
@@ -77,4 +79,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(outfile.checked(main))

@@ -16,6 +16,7 @@ import subprocess
 import sys
 import tempfile
 
+import outfile
 import png
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -147,12 +148,12 @@ def main():
             print("docs/models.png is not what this build draws; run ./dev models")
             return 1
     else:
-        LIST.write_text(text)
-        SHEET.write_bytes(png.write(sheet(shown)))
+        outfile.write(LIST, text)
+        outfile.write(SHEET, png.write(sheet(shown)))
         print(f"{SHEET.relative_to(ROOT)} ({SHEET.stat().st_size // 1024} KiB), {LIST.relative_to(ROOT)}")
     print(f"{len(outcomes)} files: {len(shown)} drawn, {len(outcomes) - len(shown)} listed with their reason")
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(outfile.checked(main))

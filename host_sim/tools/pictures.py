@@ -12,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 
+import outfile
 import png
 
 PICTURES = pathlib.Path(__file__).resolve().parents[2] / "docs/pictures"
@@ -41,7 +42,7 @@ def main():
             shot, kept = pathlib.Path(folder) / f"{name}.png", PICTURES / f"{name}.png"
             subprocess.run([options.spangle, *words, "--shot", str(shot)], check=True, stdout=subprocess.DEVNULL)
             if not options.check:
-                kept.write_bytes(shot.read_bytes())
+                outfile.write(kept, shot.read_bytes())
             elif not kept.exists() or png.read(kept.read_bytes()) != png.read(shot.read_bytes()):
                 stale.append(str(kept.relative_to(PICTURES.parents[1])))
     if stale:
@@ -50,4 +51,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(outfile.checked(main))

@@ -25,6 +25,7 @@ import mcu  # noqa: E402
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "readme"))
 import tables  # noqa: E402
+from tables import outfile  # noqa: E402
 
 HERE = pathlib.Path(__file__).parent
 TIERS = ("exact", "balanced", "fast")
@@ -136,7 +137,7 @@ def record(build, walls, memory, scenes):
                      | {tier: round(walls.speed(scene, size, tier), 2) for tier in TIERS} | memory[scene, size]
                      for size in SIZES} for scene in scenes}
     text = {"host": f"On {model.group(1) if model else 'this machine'}, {compiler_of(build)}:", "scenes": found}
-    (HERE / "measured.json").write_text(json.dumps(text, indent=1) + "\n")
+    outfile.write(HERE / "measured.json", json.dumps(text, indent=1) + "\n")
     tables.write(tables.recorded())
     print("\nwrote tests/bench/measured.json and the tables of README.md")
 
@@ -276,4 +277,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(outfile.checked(main))

@@ -18,6 +18,7 @@ import subprocess
 import tempfile
 
 import mcu
+from firmware import outfile
 
 ROOT = mcu.ROOT
 RECORD = pathlib.Path(__file__).with_name("features.json")
@@ -79,9 +80,9 @@ def main():
                 column[feature] = {key: whole[key] - without[key] for key in whole}
                 print(f"{target} {feature}: {column[feature]['text']} bytes of code, {column[feature]['context']} of a context", flush=True)
                 record[target] = column
-                RECORD.write_text(json.dumps(record, indent=1) + "\n")
+                outfile.write(RECORD, json.dumps(record, indent=1) + "\n")
     return 0
 
 
 if __name__ == "__main__":
-    raise SystemExit(main())
+    raise SystemExit(outfile.checked(main))

@@ -16,6 +16,8 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parents[1] / "host_sim/tools"))
+import outfile  # noqa: E402
 
 ROUNDS = 5
 
@@ -39,7 +41,7 @@ def main():
     rows = list(best.values())
     golden = {(row["transport"], row["scene"]): row["bytes"] for row in json.loads((HERE / "hal.json").read_text())}
     if arguments.record:
-        (HERE / "hal.json").write_text(json.dumps(rows, indent=1) + "\n")
+        outfile.write(HERE / "hal.json", json.dumps(rows, indent=1) + "\n")
         golden = {}
     worse = [row for row in rows if row["bytes"] > 1.02 * golden.get((row["transport"], row["scene"]), row["bytes"])]
     print(f"{'transport':<20}{'scene':<6}{'bytes/frame':>12}{'frames/s':>10}{'CPU':>12}{'share':>8}")
@@ -51,4 +53,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(outfile.checked(main))

@@ -18,6 +18,7 @@ import mcu  # noqa: E402
 
 sys.path.insert(0, str(HERE.parent / "readme"))
 import tables  # noqa: E402
+from tables import outfile  # noqa: E402
 
 GOLDEN = HERE / "golden.json"
 TIERS = ("exact", "balanced", "fast")
@@ -40,7 +41,7 @@ def measure():
 
 def write(counts):
     lines = [f"  {json.dumps(name)}: {json.dumps(counts[name])}" for name in counts]
-    GOLDEN.write_text("{\n" + ",\n".join(lines) + "\n}\n")
+    outfile.write(GOLDEN, "{\n" + ",\n".join(lines) + "\n}\n")
     tables.write({"instructions": tables.instructions(), "goals": tables.goals_met(), "dithering": tables.dithering()})
     print(f"wrote {GOLDEN.relative_to(mcu.ROOT)} and its tables")
 
@@ -86,4 +87,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(outfile.checked(main))

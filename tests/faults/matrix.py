@@ -11,7 +11,9 @@ import pathlib
 import subprocess
 import sys
 
-HERE = pathlib.Path(__file__).parent
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parents[1] / "host_sim/tools"))
+import outfile  # noqa: E402
 PAGE = HERE.parents[1] / "docs/faults.md"
 HEAD = """# Every transport under every fault
 
@@ -73,7 +75,7 @@ def main():
     matrix = json.loads((HERE / "matrix.json").read_text())
     found = list(problems(matrix, {program.name: tests_of(program) for program in programs}))
     if "--write" in sys.argv:
-        PAGE.write_text(page(matrix))
+        outfile.write(PAGE, page(matrix))
     elif not PAGE.exists() or PAGE.read_text() != page(matrix):
         found.append("docs/faults.md is not what tests/faults/matrix.json says: matrix.py --write")
     print("\n".join(found))
@@ -81,4 +83,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(outfile.checked(main))

@@ -22,6 +22,8 @@ import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "host_sim/tools"))
+import outfile  # noqa: E402
 CORPUS = ROOT / "tests/fuzz/corpus"
 # The rooms each fuzzer is meant to reach.
 ROOMS = {"gl_commands": ("gl/", "raster/"), "egl": ("gl/", "raster/"), "gud": ("hal/usb/",),
@@ -123,7 +125,7 @@ def keep(name, folder):
     shutil.rmtree(target, ignore_errors=True)
     target.mkdir(parents=True)
     for digest, data in kept.items():
-        (target / digest).write_bytes(data)
+        outfile.write(target / digest, data)
     print(f"{name}: {len(kept)} inputs in {target.relative_to(ROOT)}")
 
 
@@ -184,4 +186,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(outfile.checked(main))

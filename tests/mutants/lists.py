@@ -11,8 +11,11 @@ import json
 import pathlib
 import re
 import shlex
+import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "host_sim/tools"))
+import outfile  # noqa: E402
 HERE = ROOT / "tests/mutants"
 RECORD = HERE / "caught.txt"
 ROWS = {row["id"] for row in json.loads((ROOT / "gl/api/commands/rows.json").read_text())} | {"-"}
@@ -126,7 +129,7 @@ def record(outcome):
     known = recorded()
     known.update(outcome)
     lines = [" ".join((m.id, m.row, *known[m.id])) for m in read_lists() if known.get(m.id) is not None]
-    RECORD.write_text(HEAD + "\n".join(lines) + "\n")
+    outfile.write(RECORD, HEAD + "\n".join(lines) + "\n")
 
 
 def stale(mutants, known):

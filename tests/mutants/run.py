@@ -23,7 +23,7 @@ import sys
 import threading
 import time
 
-from lists import HERE, ROOT, Hashes, read_lists, record, recorded, stale
+from lists import HERE, ROOT, Hashes, outfile, read_lists, record, recorded, stale
 
 TIMEOUT = 240  # seconds one test program may run; a mutant that loops for ever is caught
 
@@ -115,7 +115,7 @@ class Worker:
             self.baselines[words] = self.baseline(mutant.test)
         path = self.tree / mutant.file
         original = path.read_text()
-        path.write_text(mutant.seeded(self.tree))
+        outfile.write(path, mutant.seeded(self.tree))
         try:
             if self.make(mutant.test[0])[0] != 0:
                 return "does not compile"
@@ -123,7 +123,7 @@ class Worker:
                 return "caught"
             return UNTRIED if self.baselines[words] else "SURVIVED"
         finally:
-            path.write_text(original)
+            outfile.write(path, original)
 
 
 def by_turn(mutants, known, turn):
@@ -216,4 +216,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(outfile.checked(main))

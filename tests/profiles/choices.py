@@ -12,7 +12,7 @@ import sys
 import tempfile
 
 import profiles
-from profiles import DOCUMENT, ROOT, TARGET, firmware, profile
+from profiles import DOCUMENT, ROOT, TARGET, firmware, outfile, profile
 
 RECORD = profiles.HERE / "choices.json"
 
@@ -98,12 +98,12 @@ def main():
                         continue
                     known[choice] = measure(name, changes, arguments.build or folder, f"{name}{number}")
                     print(f"{known[choice] - known['']:>+8} {name} {choice}", flush=True)
-                    RECORD.write_text(json.dumps(record, indent=1) + "\n")
+                    outfile.write(RECORD, json.dumps(record, indent=1) + "\n")
     record = {name: {choice: record[name][choice] for choice in of if choice in record[name]} for name, of in wanted.items()}
-    RECORD.write_text(json.dumps(record, indent=1) + "\n")
-    DOCUMENT.write_text(profiles.with_table(DOCUMENT.read_text(), "choices", table(record)))
+    outfile.write(RECORD, json.dumps(record, indent=1) + "\n")
+    outfile.write(DOCUMENT, profiles.with_table(DOCUMENT.read_text(), "choices", table(record)))
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(outfile.checked(main))

@@ -24,6 +24,7 @@ sys.path.insert(0, str(ROOT / "gl/api"))
 import command_table  # noqa: E402
 import firmware  # noqa: E402
 import profile  # noqa: E402
+from firmware import outfile  # noqa: E402
 
 GOLDEN = HERE / "golden.json"
 TARGET, BOARD, FRAMES = "cortex-m4", "mps2_an386", 3
@@ -211,8 +212,8 @@ def main():
             bad += [f"{name}: {sizes[kind]} bytes of {kind}, {kept[kind]} are the golden ones" for kind in sizes if sizes[kind] > kept[kind] * 1.03]
         golden[name] = sizes
     if arguments.update:
-        GOLDEN.write_text(json.dumps(golden, indent=1) + "\n")
-        DOCUMENT.write_text(with_table(DOCUMENT.read_text(), "sizes", sizes_table(golden)))
+        outfile.write(GOLDEN, json.dumps(golden, indent=1) + "\n")
+        outfile.write(DOCUMENT, with_table(DOCUMENT.read_text(), "sizes", sizes_table(golden)))
     elif with_table(DOCUMENT.read_text(), "sizes", sizes_table(json.loads(GOLDEN.read_text()))) != DOCUMENT.read_text():
         bad.append("docs/profiles.md does not show the golden sizes; --update writes it")
     print("\n".join(bad))
@@ -220,4 +221,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(outfile.checked(main))

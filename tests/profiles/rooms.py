@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 import profiles
-from profiles import DOCUMENT, ROOT, SUBJECTS, TARGET, firmware, profile
+from profiles import DOCUMENT, ROOT, SUBJECTS, TARGET, firmware, outfile, profile
 
 ROOMS = {  # folder: what is there
     "gl/api": "entry points, arguments",
@@ -93,9 +93,9 @@ def main():
         measured = {name: measure(image) for name, image in made.items()}
     text = table(measured)
     print(text, end="")
-    DOCUMENT.write_text(profiles.with_table(DOCUMENT.read_text(), "rooms", text))
+    outfile.write(DOCUMENT, profiles.with_table(DOCUMENT.read_text(), "rooms", text))
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(outfile.checked(main))

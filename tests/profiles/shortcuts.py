@@ -13,7 +13,7 @@ import sys
 import tempfile
 
 import profiles
-from profiles import DOCUMENT, ROOT, SUBJECTS, TARGET, firmware, profile
+from profiles import DOCUMENT, ROOT, SUBJECTS, TARGET, firmware, outfile, profile
 
 sys.path.insert(0, str(ROOT / "tests/bench"))
 import mcu  # noqa: E402
@@ -72,11 +72,11 @@ def main():
                     record.append((name, scene, other.instructions, result.instructions, result.text - other.text))
                     if other.picture != result.picture:
                         bad.append(f"{name}: {scene} is another picture without shortcuts")
-        RECORD.write_text(json.dumps(record, indent=1) + "\n")
-    DOCUMENT.write_text(profiles.with_table(DOCUMENT.read_text(), "shortcuts", table(json.loads(RECORD.read_text()))))
+        outfile.write(RECORD, json.dumps(record, indent=1) + "\n")
+    outfile.write(DOCUMENT, profiles.with_table(DOCUMENT.read_text(), "shortcuts", table(json.loads(RECORD.read_text()))))
     print("\n".join(bad))
     return 1 if bad else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(outfile.checked(main))

@@ -19,7 +19,7 @@ import re
 import sys
 import tempfile
 
-from harness import (HERE, ORACLES, Picture, check, difference, failures, folder, mesa_environment, need, png, replay, run,
+from harness import (HERE, ORACLES, Picture, check, difference, failures, folder, mesa_environment, need, outfile, png, replay, run,
                      spangle_environment, without_refused_contexts, xvfb)
 from programs_list import KNOWN, SHEET, every
 
@@ -131,10 +131,8 @@ def read_table():
 
 def write_table(rows):
     """The lines of the table by suite and name."""
-    with TABLE.open("w", newline="") as out:
-        table = csv.DictWriter(out, COLUMNS, lineterminator="\n")
-        table.writeheader()
-        table.writerows(sorted(rows.values(), key=lambda row: (row["suite"], row["program"])))
+    ordered = sorted(rows.values(), key=lambda row: (row["suite"], row["program"]))
+    outfile.write_table(TABLE, [COLUMNS, *([row[column] for column in COLUMNS] for row in ordered)])
 
 
 def row_of(program, verdict, reason):
@@ -186,7 +184,7 @@ def draw_sheet(spangle, programs):
     data = png.write_exact(rows)
     check(len(data) <= MOST_BYTES, f"the sheet has {len(data)} bytes; {MOST_BYTES} are allowed")
     if not failures:
-        PICTURE.write_bytes(data)
+        outfile.write(PICTURE, data)
         print(f"{PICTURE.relative_to(ROOT)}: {len(data)} bytes")
 
 
@@ -205,7 +203,8 @@ def main():
         draw_sheet(build / "spangle", programs)
     else:
         run_programs(build / "dropin", [p for p in programs if re.search(options.only, p.name)])
-    sys.exit(1 if failures else 0)
+    return 1 if failures else 0
 
 
-main()
+if __name__ == "__main__":
+    sys.exit(outfile.checked(main))

@@ -14,6 +14,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE.parents[1] / "host_sim" / "tools")]
+import outfile  # noqa: E402, F401
 import png  # noqa: E402
 from checks import check, failures  # noqa: E402, F401
 

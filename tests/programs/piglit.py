@@ -25,7 +25,7 @@ import threading
 import time
 import xml.etree.ElementTree
 
-from harness import HERE, ORACLES, PIGLIT, check, failures, mesa_environment, need, run, spangle_environment, xvfb
+from harness import HERE, ORACLES, PIGLIT, check, failures, mesa_environment, need, outfile, run, spangle_environment, xvfb
 
 LISTS = PIGLIT.parent / "tests" / "opengl.xml.gz"
 TABLE, REASONS = HERE / "piglit_table.csv", HERE / "piglit_reasons.csv"
@@ -162,14 +162,13 @@ def write_table(wanted, state):
     """Makes the table; a difference without a reason is a failure."""
     with REASONS.open(newline="") as lines:
         reasons = [(row["test"], row["reason"]) for row in csv.DictReader(lines)]
-    with TABLE.open("w", newline="") as out:
-        rows = csv.writer(out, lineterminator="\n")
-        rows.writerow(["test", *DRIVERS, "reason"])
-        for name in sorted({p.name for p in wanted}):
-            entries = {d: state[d, name] for d in DRIVERS}
-            reason = reason_of(name, entries, reasons)
-            check(reason or not differs(entries), f"{name}: {entries['spangle']['result']}, and no reason is known")
-            rows.writerow([name, *(entries[d]["result"] for d in DRIVERS), reason])
+    rows = [["test", *DRIVERS, "reason"]]
+    for name in sorted({p.name for p in wanted}):
+        entries = {d: state[d, name] for d in DRIVERS}
+        reason = reason_of(name, entries, reasons)
+        check(reason or not differs(entries), f"{name}: {entries['spangle']['result']}, and no reason is known")
+        rows.append([name, *(entries[d]["result"] for d in DRIVERS), reason])
+    outfile.write_table(TABLE, rows)
 
 
 def read_table():
@@ -234,8 +233,8 @@ def main():
             print_counts()
     if options.sample:
         sample(pair, options.sample, options.turn)
-    sys.exit(1 if failures else 0)
+    return 1 if failures else 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(outfile.checked(main))

@@ -21,6 +21,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests/bench"))
 import goals  # noqa: E402
 
+sys.path.insert(0, str(ROOT / "host_sim/tools"))
+import outfile  # noqa: E402
+
 README = ROOT / "README.md"
 PAGES = {"transports": ROOT / "docs/linux.md", "bands": ROOT / "docs/bands.md", "goals": ROOT / "docs/boards.md",
          "dithering": ROOT / "docs/boards.md"}  # of tables that do not stand in README.md
@@ -284,7 +287,7 @@ def recorded():
 
 def write(contents):
     for name, content in contents.items():
-        page_of(name).write_text(refreshed(page_of(name).read_text(), name, content))
+        outfile.write(page_of(name), refreshed(page_of(name).read_text(), name, content))
 
 
 def main():
@@ -311,4 +314,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(outfile.checked(main))

@@ -12,6 +12,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[2] / "host_sim/tools"))
+import outfile
 import png
 
 AROUND = 12
@@ -99,8 +100,8 @@ def write_model(mesh):
     lines = ["# made by rocket.py", "mtllib rocket.mtl", "usemtl skin"]
     lines += ["v %.5f %.5f %.5f" % p for p in v] + ["vn %.5f %.5f %.5f" % n for n in vn] + ["vt %.5f %.5f" % t for t in vt]
     lines += ["f " + " ".join(f"{i + 1}/{i + 1}/{i + 1}" for i in face) for face in faces]
-    (HERE / "rocket.obj").write_text("\n".join(lines) + "\n")
-    (HERE / "rocket.mtl").write_text("newmtl skin\nKd 1 1 1\nKs 0 0 0\nmap_Kd rocket.png\n")
+    outfile.write(HERE / "rocket.obj", "\n".join(lines) + "\n")
+    outfile.write(HERE / "rocket.mtl", "newmtl skin\nKd 1 1 1\nKs 0 0 0\nmap_Kd rocket.png\n")
 
 
 def main():
@@ -110,9 +111,9 @@ def main():
         fin(mesh, 2 * math.pi * (n / 3 + 0.25))
     write_model(mesh)
     rows = [[pixel((x + 0.5) / WIDTH, 1 - (y + 0.5) / HEIGHT) for x in range(WIDTH)] for y in range(HEIGHT)]
-    (HERE / "rocket.png").write_bytes(png.write(rows))
+    outfile.write(HERE / "rocket.png", png.write(rows))
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(outfile.checked(main))
