@@ -40,8 +40,9 @@ template <class M, class L> typename Pipeline<M, L>::Cut& Pipeline<M, L>::to_be_
 /// All but the place of a vertex at t of the edge from a to b.
 template <class M, class L>
 void Pipeline<M, L>::mix(const Cut& a, const Cut& b, const typename M::Parameter& t, Cut& out) {
-    [[maybe_unused]] const auto mix_part = [&](auto Cut::*part)
-                                               SPANGLE_RUN_LAMBDA { out.*part = M::mix(a.*part, b.*part, t); };
+    [[maybe_unused]] const auto mix_part = [&](auto Cut::*part) SPANGLE_RUN_LAMBDA {
+        out.*part = M::mix(a.*part, b.*part, t);
+    };
     M::mix(a.window, b.window, t, units_, out.window);
 #if SPANGLE_FEATURE_FOG
     if (fog_) {
