@@ -1,5 +1,6 @@
-// Who is told what a program asks for, on hosts: `spangle profile` records with it. One bit of the gate keeps commands of a
-// context that is watched from simply running, so that others pay nothing; firmware has none of this.
+// Who is told what a program asks for, on hosts: `spangle profile` records with it. One bit of the gate keeps
+// commands of a context that is watched from simply running, so that others pay nothing; firmware has none of
+// this.
 #pragma once
 
 #include "gl/context/command_text.hpp"
@@ -24,11 +25,12 @@ struct FragmentState;
 namespace spangle::gl {
 
 struct Watcher {
-    /// A command that is about to run or to be recorded in a list, and each record of a list that is about to run. `args` are
-    /// `count` words, as the command takes them; records come without.
+    /// A command that is about to run or to be recorded in a list, and each record of a list that is about to
+    /// run. `args` are `count` words, as the command takes them; records come without.
     virtual void command(Context& context, const CommandText& text, const Arg* args, unsigned count) = 0;
     /// A state of fragments was compiled: something is drawn with it.
-    virtual void compiled(Context& context, const raster::FragmentState& fragment, raster::DrawState& state) = 0;
+    virtual void compiled(Context& context, const raster::FragmentState& fragment,
+                          raster::DrawState& state) = 0;
 
   protected:
     ~Watcher() = default;
