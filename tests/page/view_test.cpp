@@ -130,18 +130,19 @@ TEST(PageBusLog, TellsCommandsAndTheirFirstBytes) {
     EXPECT_EQ(log.bytes(), 1 + 320u * 240 * 2);
     show(view);
     const std::vector<page::BusLog::Entry>& entries = log.entries();
-    ASSERT_GE(entries.size(), 3u);
+    ASSERT_EQ(entries.size(), page::BusLog::most_commands); // others are counted only
+    EXPECT_GT(log.commands(), page::BusLog::most_commands);
     const int commands[] = {0x2A, 0x2B, 0x2C}; // CASET, PASET, RAMWR
-    for (std::size_t i = 0; i < 3; ++i)
-        EXPECT_EQ(entries[i].command, commands[i]);
     const auto wide = [](const page::BusLog::Entry& e) {
         return 1u + (e.first[2] << 8 | e.first[3]) - (e.first[0] << 8 | e.first[1]);
     };
-    EXPECT_EQ(entries[0].bytes, 4u);
-    EXPECT_EQ(entries[1].bytes, 4u);
-    EXPECT_EQ(entries[2].bytes, 2 * wide(entries[0]) * wide(entries[1]));
-    EXPECT_EQ(entries.size(), page::BusLog::most_commands); // and the others are counted
-    EXPECT_GT(log.commands(), page::BusLog::most_commands);
+    for (std::size_t i = 0; i + 2 < entries.size(); i += 3) {
+        for (std::size_t j = 0; j < 3; ++j)
+            EXPECT_EQ(entries[i + j].command, commands[j]);
+        EXPECT_EQ(entries[i].bytes, 4u);
+        EXPECT_EQ(entries[i + 1].bytes, 4u);
+        EXPECT_EQ(entries[i + 2].bytes, 2 * wide(entries[i]) * wide(entries[i + 1])) << i;
+    }
 }
 
 TEST(PageBusLog, IsOfTheLastFrameOnly) {
