@@ -25,6 +25,7 @@ spangle_limit(LINE_BATCH 0 "Lines of elements under way at once, even; 0: what s
 spangle_limit(DISPLAYS 4 "EGL displays at once")
 spangle_limit(ARENA_REUSE 1 "Memory that was freed is given out again; 0: it is not, for programs that make what they need once")
 spangle_limit(ARENA_LOG2 0 "Blocks of the arena are smaller than 2^this bytes; 0: what suits the processor")
+spangle_limit(HOST_MEMORY_MB 64 "Megabytes that programs on a host have for contexts, textures and lists if they hand over no memory: 1 to 1024; firmware has none")
 spangle_limit(EXTENTS 1 "Surfaces tell which columns of each row were drawn; 0: for displays that are sent whole frames, others are EGL_BAD_MATCH")
 spangle_limit(TIER_SET 7 "Sum of 2^Tier over the tiers of accuracy: exact 1, balanced 2, fast 4")
 spangle_limit(PACKET 16 "Fragments and rows that are handed on at once: 16, or 8, 4, 2 to save stack")

@@ -1,6 +1,7 @@
 // Implementation limits (GL 1.3, tables 6.26 to 6.29), as low as a build asks for (cmake/Limits.cmake).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include <spangle/raster/limits.hpp>
@@ -52,6 +53,9 @@
 #endif
 #ifndef SPANGLE_ARENA_LOG2
 #define SPANGLE_ARENA_LOG2 0
+#endif
+#ifndef SPANGLE_HOST_MEMORY_MB
+#define SPANGLE_HOST_MEMORY_MB 64
 #endif
 
 #ifndef SPANGLE_VERTEX_CACHE
@@ -126,6 +130,10 @@ inline constexpr bool reuses_memory = SPANGLE_ARENA_REUSE != 0;
 inline constexpr unsigned arena_log2 = SPANGLE_ARENA_LOG2 != 0 ? SPANGLE_ARENA_LOG2
                                        : sizeof(void*) == 4    ? 25
                                                                : 37;
+
+/// The memory of programs on a host that hand over none.
+static_assert(SPANGLE_HOST_MEMORY_MB >= 1 && SPANGLE_HOST_MEMORY_MB <= 1024);
+inline constexpr std::size_t host_memory_bytes = std::size_t{SPANGLE_HOST_MEMORY_MB} << 20;
 
 static_assert(modelview_stack_entries >= 1 && projection_stack_entries >= 1 && texture_stack_entries >= 1 &&
               name_stack_entries >= 1 && max_list_nesting >= 2);

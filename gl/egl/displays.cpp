@@ -20,7 +20,7 @@ constinit SPANGLE_THREAD_LOCAL Thread this_thread = {};
 
 #ifndef SPANGLE_FIRMWARE
 /// What a PC program gets that hands over nothing: never touched unless it is used.
-alignas(16) unsigned char host_memory[64u << 20];
+alignas(16) unsigned char host_memory[gl::host_memory_bytes];
 #endif
 
 template <class T> T* on_list(T* first, const void* handle) {

@@ -68,7 +68,7 @@ class Paths {
   private:
     /// Without vectors the words of a path lie together, and are loaded by two.
     static constexpr std::ptrdiff_t place_of(Word word, std::ptrdiff_t i) {
-        return numeric::cheap_branches ? i * words + word : std::ptrdiff_t{word} * size + i;
+        return numeric::cheap_branches ? i * words + word : static_cast<std::ptrdiff_t>(word) * size + i;
     }
     alignas(16) std::int32_t words_[words * size];
 };

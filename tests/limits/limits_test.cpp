@@ -110,6 +110,12 @@ TEST_F(Limits, DisplaysAsManyAsItSays) {
         EXPECT_EQ(eglGetDisplay(native(more[i])) != EGL_NO_DISPLAY, i + 1 < gl::most_displays) << i;
 }
 
+/// Nobody hands over memory here. What the arena keeps for itself at the ends is less than a page.
+TEST_F(Limits, AHostHasAsMuchMemoryOfItsOwn) {
+    EXPECT_LE(memory_use().capacity, gl::host_memory_bytes);
+    EXPECT_GT(memory_use().capacity + 4096, gl::host_memory_bytes);
+}
+
 TEST_F(Limits, StacksHoldAsMany) {
     EXPECT_EQ(pushes(GL_MODELVIEW), gl::modelview_stack_entries);
     EXPECT_EQ(pushes(GL_PROJECTION), gl::projection_stack_entries);
