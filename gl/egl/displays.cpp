@@ -83,7 +83,7 @@ Thread& thread() {
     return this_thread;
 }
 
-EGLBoolean fail(EGLint error, const char* rule) {
+EGLBoolean fail(EGLint error, [[maybe_unused]] const char* rule) {
     this_thread.error = error;
 #if SPANGLE_MESSAGES
     if (rule != nullptr && entered != nullptr) {
