@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Measures every scene against Mesa's llvmpipe and the goals.
 
-usage: ./dev bench [--quick] [--scenes S2,S5] [--no-wall] [--no-mcu] [--no-callgrind] [--no-chain]
+usage: ./dev bench [--quick] [--scenes S2,S5] [--no-wall] [--no-mcu] [--no-callgrind] [--no-chain] [--json FILE]
        ./dev bench --record            also keeps speed and memory in tests/bench/measured.json and in README.md
        ./dev bench --update-golden     writes tests/bench/golden.json, which ./dev test --all holds the counts against
 
-Wall time as a ratio in one run: the two programs take turns scene by scene, the median of the ratios counts. x86 instructions by callgrind, Cortex-M
+Wall time as a ratio in one run: the two programs take turns scene by scene, eleven times (--quick: five), the median of the ratios counts, and
+the quartiles stand beside it. --json keeps all figures, and - is standard output. x86 instructions by callgrind, Cortex-M
 instructions by QEMU's -icount: both repeatable. Goals: tests/bench/goals.json. Every timed picture is held against that
 of a program of its own, and against the emulated board's; one that differs fails.
 """
@@ -13,7 +14,6 @@ import argparse
 import json
 import pathlib
 import re
-import statistics
 import subprocess
 import sys
 import tempfile
@@ -21,7 +21,9 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import goals  # noqa: E402
 import icount  # noqa: E402
+import json_option  # noqa: E402
 import mcu  # noqa: E402
+from spread import RUNS, scatter, spread, text  # noqa: E402
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "readme"))
 import tables  # noqa: E402
@@ -63,27 +65,24 @@ class Walls:
                 self.hashes.setdefault(found, set()).add(f"{int(entry['hash']):08x}")
 
     def microseconds(self, name):
-        return statistics.median(self.times[name])
+        return spread(self.times[name])
 
     def ratios(self, name, other):
         """How many times as long this one took, in every round."""
-        return [a / b for a, b in zip(self.times[name], self.times[other])]
+        return spread([a / b for a, b in zip(self.times[name], self.times[other])])
 
     def speed(self, scene, size, tier):
         """Times as fast as llvmpipe."""
-        return statistics.median(self.ratios(f"mesa/{scene}/{size}", f"{scene}/{size}/{tier}"))
+        return self.ratios(f"mesa/{scene}/{size}", f"{scene}/{size}/{tier}")
 
     def dithering(self, scene, size):
         """How many times as long a dithered frame takes."""
-        return statistics.median(self.ratios(f"{scene}/{size}/balanced/dither", f"{scene}/{size}/balanced"))
+        return self.ratios(f"{scene}/{size}/balanced/dither", f"{scene}/{size}/balanced")
 
-    def scatter(self, scene, size, tier):
-        """How far the middle half of the rounds reaches to either side, as a share."""
-        ratios = self.ratios(f"mesa/{scene}/{size}", f"{scene}/{size}/{tier}")
-        if len(ratios) < 4:
-            return None
-        low, middle, high = statistics.quantiles(ratios, n=4)
-        return (high - low) / 2 / middle
+    def figures(self, scene, size):
+        """Of one scene, for --json: each a spread over the rounds."""
+        return {"llvmpipe_us": self.microseconds(f"mesa/{scene}/{size}"), "dithered": self.dithering(scene, size),
+                **{tier: {"us": self.microseconds(f"{scene}/{size}/{tier}"), "times_llvmpipe": self.speed(scene, size, tier)} for tier in TIERS}}
 
 
 def frames_program(build, scene, size, tier, dither, frames):
@@ -132,28 +131,26 @@ def memory_table(build, scenes):
 def record(build, walls, memory, scenes):
     """What README.md shows, and of which machine it is."""
     model = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
-    found = {scene: {size: {"llvmpipe_us": round(walls.microseconds(f"mesa/{scene}/{size}"), 1), "scatter": round(walls.scatter(scene, size, "balanced"), 3),
-                      "dither": round(walls.dithering(scene, size), 2)}
-                     | {tier: round(walls.speed(scene, size, tier), 2) for tier in TIERS} | memory[scene, size]
+    found = {scene: {size: {"llvmpipe_us": round(walls.microseconds(f"mesa/{scene}/{size}")["median"], 1),
+                      "scatter": round(scatter(walls.speed(scene, size, "balanced")), 3), "dither": round(walls.dithering(scene, size)["median"], 2)}
+                     | {tier: round(walls.speed(scene, size, tier)["median"], 2) for tier in TIERS} | memory[scene, size]
                      for size in SIZES} for scene in scenes}
-    text = {"host": f"On {model.group(1) if model else 'this machine'}, {compiler_of(build)}:", "scenes": found}
-    outfile.write(HERE / "measured.json", json.dumps(text, indent=1) + "\n")
+    kept = {"host": f"On {model.group(1) if model else 'this machine'}, {compiler_of(build)}:", "scenes": found}
+    outfile.write(HERE / "measured.json", json.dumps(kept, indent=1) + "\n")
     tables.write(tables.recorded())
     print("\nwrote tests/bench/measured.json and the tables of README.md")
 
 
 def wall_table(walls, scenes):
-    print("\nTimes as fast as llvmpipe, dithering off, beside the goal; how far the middle half of the rounds scatters, and what dithering costs, in"
-          " the balanced tier.")
-    print(f"{'scene':<6}{'size':<9}{'llvmpipe us':>12}" + "".join(f"{t:>10} x  goal" for t in TIERS) + f"{'scatter':>10}{'dither':>10}")
+    print("\nTimes as fast as llvmpipe, dithering off, beside the goal, and what dithering costs in the balanced tier: the median of the rounds and its quartiles.")
+    print(f"{'scene':<6}{'size':<9}{'llvmpipe us':>26}" + "".join(f"{t:>24} x  goal" for t in TIERS) + f"{'dithered':>24} x")
     for scene in scenes:
         for size in SIZES:
-            row = f"{scene:<6}{size:<9}{walls.microseconds(f'mesa/{scene}/{size}'):>12.1f}"
+            row = f"{scene:<6}{size:<9}{text(walls.microseconds(f'mesa/{scene}/{size}'), 1):>26}"
             for tier in TIERS:
                 goal = goals.speed(scene, tier) if size == SIZES[0] else None
-                row += f"{walls.speed(scene, size, tier):>10.2f} {'-' if goal is None else goal:>6}"
-            scatter = walls.scatter(scene, size, "balanced")
-            print(row + ("-".rjust(10) if scatter is None else f"{'+-':>4}{scatter:>6.1%}") + f"{walls.dithering(scene, size):>9.2f}x")
+                row += f"{text(walls.speed(scene, size, tier)):>24} {'-' if goal is None else goal:>7}"
+            print(row + f"{text(walls.dithering(scene, size)):>24}")
 
 
 def verdict(walls, scenes):
@@ -161,7 +158,7 @@ def verdict(walls, scenes):
     shares = {}
     slower = []
     for scene in scenes:
-        ratio = walls.speed(scene, SIZES[0], "balanced")
+        ratio = walls.speed(scene, SIZES[0], "balanced")["median"]
         goal = goals.speed(scene, "balanced")
         if goal is not None:
             shares[scene] = ratio / goal
@@ -179,14 +176,18 @@ def instruction_table(build, scenes, boards, with_callgrind, hashes):
           " Cortex-M4 image. Goals: tests/bench/goals.json.")
     print(f"{'scene':<6}{'tier':<10}" + ("x86" if with_callgrind else "").rjust(12) + "".join(f"{board:>13}{'of goal':>9}{'dither':>8}" for board in boards)
           + ("".join(f"{kind:>10}" for kind in ("text", "context", "surface", "peak", "static", "stack")) + "  picture" if boards else ""))
-    bad = []
+    bad, found = [], {}
     for scene in scenes:
         for tier in TIERS:
-            row = f"{scene:<6}{tier:<10}" + (f"{callgrind(build, scene, tier):>12,}" if with_callgrind else " " * 12)
+            figures = found.setdefault(scene, {}).setdefault(tier, {})
+            if with_callgrind:
+                figures["x86"] = callgrind(build, scene, tier)
+            row = f"{scene:<6}{tier:<10}" + (f"{figures['x86']:>12,}" if with_callgrind else " " * 12)
             for board in boards:
                 limit = goals.instructions(board, scene, tier)
                 n, dithered = counts[board][scene, tier, False].instructions, counts[board][scene, tier, True]
-                more = goals.dithering({"instructions": n, "dithered": dithered.instructions, "fragments": dithered.fragments})
+                figures[board] = {"instructions": n, "dithered": dithered.instructions, "fragments": dithered.fragments}
+                more = goals.dithering(figures[board])
                 row += f"{n:>13,}" + (f"{n / limit:>8.2f}x" if limit else f"{'-':>9}") + f"{more:>+8.1f}"
             if boards:
                 result = counts[boards[0]][scene, tier, False]
@@ -197,6 +198,7 @@ def instruction_table(build, scenes, boards, with_callgrind, hashes):
             print(row, flush=True)
     if bad:
         raise SystemExit("\n".join(bad))
+    return found
 
 
 def chain_table(build):
@@ -208,14 +210,16 @@ def chain_table(build):
                  for i in range(8 * len(names))]
     print("\nx86 instructions of the fragments of the same triangles: fused, one lane of it, and in the chain, which takes at most three times as many.")
     print(f"{'state':<62}{'fused':>12}{'one lane':>12}{'chain':>12}{'chain/fused':>13}")
-    ratios = {}
+    ratios, found = {}, {}
     for i, name in enumerate(names):
         setup, *rest = dumps[8 * i + 1:8 * i + 8:2]
         fused, narrow, chain = (n - setup for n in rest)
         ratios[name] = chain / fused
+        found[name] = {"fused": fused, "one_lane": narrow, "chain": chain}
         print(f"{name:<62}{fused:>12,}{narrow:>12,}{chain:>12,}{ratios[name]:>12.2f}x")
     slow = [name for name, ratio in ratios.items() if ratio > 3]
     print(f"within three times: {len(ratios) - len(slow)} of {len(ratios)}; most: {max(ratios.values()):.1f}x")
+    return found
 
 
 def compiler_of(build):
@@ -235,44 +239,56 @@ def print_flags(build):
         print(f"boards: {arm}, -Os, {', '.join(mcu.HOT)} -O2; QEMU -icount shift=0, three frames, no FPU instructions")
 
 
+def measure(arguments, scenes):
+    """Prints the tables and returns their figures."""
+    build, hashes, figures = arguments.build / "tests/bench", {}, {"host": compiler_of(arguments.build)}
+    print_flags(arguments.build)
+    if not arguments.no_wall:
+        walls = Walls(build, scenes, RUNS if arguments.quick else 11, 0.01 if arguments.quick else 0.1)
+        hashes = walls.hashes
+        wall_table(walls, scenes)
+        verdict(walls, scenes)
+        check_pictures(build, hashes)
+        memory = memory_table(build, scenes)
+        figures["scenes"] = {scene: {size: walls.figures(scene, size) | {"memory": memory[scene, size]} for size in SIZES} for scene in scenes}
+        if arguments.record:
+            record(arguments.build, walls, memory, scenes)
+    boards = [] if arguments.no_mcu or not mcu.available() else list(mcu.BOARDS)
+    if boards or not arguments.no_callgrind:
+        figures["instructions"] = instruction_table(build, scenes, boards, not arguments.no_callgrind, hashes)
+    if not (arguments.no_chain or arguments.no_callgrind):
+        figures["fused_spans"] = chain_table(build)
+    return figures
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, required=True)
     parser.add_argument("--scenes", default=",".join(mcu.SCENES))
-    parser.add_argument("--quick", action="store_true", help="one short round")
+    parser.add_argument("--quick", action="store_true", help="five short rounds")
     parser.add_argument("--no-wall", action="store_true")
     parser.add_argument("--no-mcu", action="store_true")
     parser.add_argument("--no-callgrind", action="store_true")
     parser.add_argument("--no-chain", action="store_true", help="without the table of fused spans and their chains")
     parser.add_argument("--record", action="store_true", help="keep speed and memory for README.md")
     parser.add_argument("--update-golden", action="store_true", help="measure the counts that ./dev test --all guards, write them, and stop")
+    json_option.add(parser)
     arguments = parser.parse_args()
+    if arguments.record and (arguments.quick or arguments.no_wall or arguments.scenes != ",".join(mcu.SCENES)):
+        parser.error("--record keeps whole measurements: without --quick, --no-wall and --scenes")
+    if arguments.update_golden and arguments.json is not None:
+        parser.error("--update-golden writes its counts to tests/bench/golden.json, and no others: without --json")
     if arguments.update_golden:
         icount.write(icount.measure()[0])
         return 0
-    if arguments.record and (arguments.quick or arguments.no_wall or arguments.scenes != ",".join(mcu.SCENES)):
-        parser.error("--record keeps whole measurements: without --quick, --no-wall and --scenes")
     scenes = arguments.scenes.split(",")
     unknown = [scene for scene in scenes if scene not in mcu.SCENES]
     if unknown:
         parser.error(f"no scene {', '.join(unknown)}; there are {', '.join(mcu.SCENES)}")
-    build = arguments.build / "tests/bench"
-    print_flags(arguments.build)
-    hashes = {}
-    if not arguments.no_wall:
-        walls = Walls(build, scenes, 1 if arguments.quick else 11, 0.05 if arguments.quick else 0.1)
-        hashes = walls.hashes
-        wall_table(walls, scenes)
-        verdict(walls, scenes)
-        check_pictures(build, hashes)
-        memory = memory_table(build, scenes)
-        if arguments.record:
-            record(arguments.build, walls, memory, scenes)
-    boards = [] if arguments.no_mcu or not mcu.available() else list(mcu.BOARDS)
-    if boards or not arguments.no_callgrind:
-        instruction_table(build, scenes, boards, not arguments.no_callgrind, hashes)
-    if not (arguments.no_chain or arguments.no_callgrind):
-        chain_table(build)
+    json_option.check(parser, arguments.json)
+    with json_option.tables(arguments.json):
+        figures = measure(arguments, scenes)
+    json_option.write(arguments.json, figures)
     return 0
 
 
