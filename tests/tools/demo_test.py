@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+"""`./dev demo` shows how far its build is while it builds: the words of the build tool come through a pipe when they are said, and
+standard output holds what the demo itself says.
+
+dev runs in a folder of its own, with programs on PATH that stand for cmake and the package manager: the build says two lines, and
+waits after each until this test has read it. A build whose words are kept until its end never gets on.
+"""
+import os
+import pathlib
+import select
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests"))
+from checks import check, failures  # noqa: E402
+
+PATIENCE = 20  # seconds, on a machine that has much else to do
+PROGRAMS = {
+    "dpkg-query": "echo installed",
+    "cmake": """case $1 in
+--build)
+    for line in '[1/2] first.cpp' '[2/2] second.cpp'; do
+        echo "$line"
+        read -r go < {pipe} && [ "$go" = on ] || exit 7
+    done
+    printf '#!/bin/sh\\necho "the demo: $*"\\n' > "$2/spangle"
+    chmod +x "$2/spangle" ;;
+*) echo configured; mkdir -p build/host ;;
+esac""",
+}
+
+
+def line_of(stream, seconds):
+    """The next bytes that come within the time: what was said is one line."""
+    ready, _, _ = select.select([stream], [], [], seconds)
+    return os.read(stream.fileno(), 4096).decode() if ready else "nothing"
+
+
+def start(folder):
+    """dev as in a clone, with a build that waits for words through the pipe."""
+    shutil.copy(ROOT / "dev", folder / "dev")
+    (folder / "bin").mkdir()
+    pipe = folder / "go"
+    os.mkfifo(pipe)
+    for name, script in PROGRAMS.items():
+        (folder / "bin" / name).write_text("#!/bin/sh\n" + script.replace("{pipe}", str(pipe)) + "\n")
+        (folder / "bin" / name).chmod(0o755)
+    environment = os.environ | {"PATH": f"{folder / 'bin'}:{os.environ['PATH']}", "JOBS": "1"}
+    words = os.open(pipe, os.O_RDWR)  # opened both ways: nobody waits for the other to come
+    return subprocess.Popen([str(folder / "dev"), "demo", "--out", "pictures"], env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                            stderr=subprocess.PIPE, start_new_session=True), words
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        demo, words = start(pathlib.Path(name))
+        try:
+            for expected in ("[1/2] first.cpp\n", "[2/2] second.cpp\n"):
+                said = line_of(demo.stderr, PATIENCE)
+                check(said == expected and demo.poll() is None, f"while it builds: {said!r}, not {expected!r}")
+                if failures:
+                    return 1
+                os.write(words, b"on\n")
+            said, rest = demo.communicate(timeout=PATIENCE)
+            check(demo.returncode == 0 and said == b"the demo: demo --out pictures\n" and rest == b"", f"at the end: {demo.returncode} {said!r} {rest!r}")
+        finally:
+            if demo.returncode is None:
+                os.killpg(demo.pid, signal.SIGKILL)  # a build that still waits, too
+                demo.wait()
+            os.close(words)
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
