@@ -10,9 +10,12 @@ import base64
 import os
 import pathlib
 import subprocess
+import sys
 import zlib
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "tools"))
+import outfile  # noqa: E402
 
 
 def build(folder, jobs):
@@ -51,9 +54,9 @@ def main():
     words.folder.mkdir(parents=True, exist_ok=True)
     build(words.folder / "wasm", words.jobs)
     page = words.folder / "index.html"
-    page.write_text(pack(native, words.folder / "wasm"))
+    outfile.write(page, pack(native, words.folder / "wasm"))
     print(f"{page}: {page.stat().st_size:,} bytes, compared with {native.count('[') - 1} native hashes")
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(outfile.checked(main))

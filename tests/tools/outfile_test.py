@@ -117,7 +117,8 @@ def standard_output():
 OWN = re.compile(r"tests/[^/]+/\w+_test\.py|tests/(packaging|calls|boards|readme/(new_board|first_triangle))\b.*|host_sim/tools/outfile\.py")
 LINES = {("tests/bench/features.py", "sizes.write_text(SIZES)"), ("tests/profiles/profiles.py", "script.write_text("),
          ("tests/programs/gallery.py", '(home / ".asoundrc").write_text('), ("tests/programs/piglit.py", 'options.state.open("a")'),
-         ("tests/fuzz/run.py", 'open(log, "w")'), ("tests/fuzz/run.py", '-replay.log", "w")'), ("tests/mutants/run.py", 'lock", "w")')}
+         ("tests/fuzz/run.py", 'open(log, "w")'), ("tests/fuzz/run.py", '-replay.log", "w")'), ("tests/mutants/run.py", 'lock", "w")'),
+         ("tests/page/chromium.py", 'path.write_bytes(base64.b64decode(self.call("Page.captureScreenshot"')}
 PLAIN = re.compile(r"""\.write_(text|bytes)\(|open\([^)]*["'][wax]b?\+?["']|shutil\.copy(file|2)?\(|os\.(rename|replace)\(""")
 
 
