@@ -354,12 +354,14 @@ Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const V
         in_plane(area.word << zeros, 32 - area.exponent + zeros, area.sign < 0);
     } else {
         along_longer_axis(a, b, c);
+        if (has_24_bits())
+            add_depth_24(a, b, c);
     }
     if (has_shortcuts && state_.smooth_rgb)
         attributes_of<true>(provoking);
     else
         attributes(provoking);
-    if (has_24_bits())
+    if (has_24_bits() && &v(0) != &v(2))
         add_depth_24(a, b, c);
 }
 
@@ -367,9 +369,9 @@ Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const V
                     bool along_x, std::int32_t begin, std::int32_t end, bool of_x)
     : span_(span), state_(*span.state) {
     along_axis(a, b, {begin, end, along_x, of_x});
-    attributes(provoking);
-    if (has_24_bits())
+    if (has_24_bits()) // before attributes() unsnaps the axis: depth does not depend on what else is drawn
         add_depth_24_along();
+    attributes(provoking);
 }
 
 Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& v) : Setup(span, v, v, v, true, v.x, v.x) {}
