@@ -22,6 +22,7 @@ std::uint64_t collected(std::vector<std::string> words, int frames, std::string&
         words[3] = self; // of this program, not of valgrind
     words.insert(words.end(), {"--frames", std::to_string(frames)});
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words)
         arguments.push_back(word.data());
     arguments.push_back(nullptr);
