@@ -240,10 +240,13 @@ template <> void compile<FixedVertex>(const FragmentState& state, const Surface&
         if (!is_possible(kind) || (kind == Kind::full && !has_chain && drawn(state.tier) == Tier::fast))
             continue;
         draw.guesses = choose_span(draw.variant[i], key, state);
-        // One colour is drawn as affine ones are where it has no span of its own. FLAT shading has no others.
-        const bool optional =
-            first == 0 && (i == 0 || (plain && state.flat && !draw.pixels && draw.variant[0].run != nullptr));
-        lacks_span = lacks_span || (!has_chain && draw.variant[i].run == nullptr && !optional);
+        if constexpr (!has_chain) {
+            // One colour is drawn as affine ones are where it has no span of its own.
+            const bool optional =
+                first == 0 &&
+                (i == 0 || (plain && state.flat && !draw.pixels && draw.variant[0].run != nullptr));
+            lacks_span = lacks_span || (draw.variant[i].run == nullptr && !optional);
+        }
         const Shapes* const shapes = draw.variant[i].shapes;
         draw.shapes = draw.shapes || shapes != nullptr;
         draw.tiles = draw.tiles || (shapes != nullptr && shapes->tile != nullptr);

@@ -15,8 +15,8 @@ inline EGLNativeDisplayType native(hal::Display& display) {
 }
 
 /// Hands memory to Spangle for good: contexts, depth buffers, pbuffers, textures and display lists lie in it.
-/// Call it before eglInitialize. Without it a host uses SPANGLE_HOST_MEMORY_MB of its own (64 unless the build
-/// says otherwise), and a board has none: EGL_BAD_ALLOC.
+/// Call it before eglInitialize. Without it a host uses SPANGLE_HOST_MEMORY_MB of its own (64 unless the
+/// build says otherwise), and a board has none: EGL_BAD_ALLOC.
 void memory(void* begin, std::size_t bytes);
 
 /// Bytes of that memory in use, and the most that ever were.
