@@ -94,9 +94,6 @@ CLI::App* add_profile(CLI::App& app, ProfileOptions& o) {
         ->check(CLI::IsMember({"rgb565", "rgb565_le", "rgb888", "rgba8888", "rgb666", "rgb444", "rgb332",
                                "grey4", "mono", "program"}))
         ->capture_default_str();
-    command->add_option("--api", o.api, "of a program: what its windows come from: gl (GLX), egl")
-        ->check(CLI::IsMember({"gl", "egl"}))
-        ->capture_default_str();
     command->add_option("--tiers", o.tiers, "the tiers of accuracy to choose from: exact, balanced, fast")
         ->delimiter(',')
         ->check(CLI::IsMember({"exact", "balanced", "fast"}));

@@ -17,7 +17,7 @@ struct ProfileOptions {
     std::vector<std::string> words; ///< a scene, or a program and its arguments
     bool program = false;           ///< the words came after --
     std::string trace;              ///< a file of apitrace
-    std::string size = "320x240", dither = "program", format = "rgb565", api = "gl", out;
+    std::string size = "320x240", dither = "program", format = "rgb565", out;
     std::vector<std::string> tiers = {"exact", "balanced", "fast"};
     double max_error = -1.0; ///< percent of pixels; negative: not asked
     bool small = false, json = false;

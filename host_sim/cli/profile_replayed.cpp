@@ -95,10 +95,11 @@ std::string record(const std::string& trace, const std::string& format, const fs
 }
 
 /// Makes the trace of a program. It ends by a signal after its frames, so that the tracer writes all it has.
-std::string make_trace(const ProfileOptions& options, const std::string& trace, const fs::path& folder) {
+std::string make_trace(const ProfileOptions& options, const std::string& api, const std::string& trace,
+                       const fs::path& folder) {
     pair::set("SPANGLE_FRAMES", std::to_string(options.run.frames));
     pair::set("SPANGLE_SIGNAL", "1");
-    std::vector<std::string> command = {"apitrace", "trace", "-a", options.api, "-o", trace};
+    std::vector<std::string> command = {"apitrace", "trace", "-a", api, "-o", trace};
     command.insert(command.end(), options.words.begin(), options.words.end());
     std::string problem = run_tool(command, folder / "words", true);
     pair::set("SPANGLE_FRAMES", "");
@@ -106,11 +107,17 @@ std::string make_trace(const ProfileOptions& options, const std::string& trace, 
     if (problem.empty() && !fs::exists(trace)) {
         std::string said = text_of(folder / "words");
         said.erase(said.find_last_not_of('\n') + 1);
-        problem =
-            fmt::format("{} made no call of OpenGL that apitrace saw (--api egl is for programs of EGL): {}",
-                        options.words[0], said.substr(said.rfind('\n') + 1));
+        problem = fmt::format("apitrace recorded nothing of {}: {}", options.words[0],
+                              said.substr(said.rfind('\n') + 1));
     }
     return problem;
+}
+
+/// Whether some frame of a trace ends; one that holds other calls only has none.
+bool shows_frames(const std::string& trace, const fs::path& folder) {
+    const fs::path calls = folder / "calls";
+    pair::run({"apitrace", "dump", "--color=never", "--grep=SwapBuffers", trace}, calls);
+    return text_of(calls).find("SwapBuffers") != std::string::npos;
 }
 
 } // namespace
@@ -129,8 +136,13 @@ std::string record_replayed(const ProfileOptions& options, std::vector<Recorded>
 
     std::string trace = options.trace;
     if (options.program) {
-        trace = (folder.path() / "program.trace").string();
-        problem = make_trace(options, trace, folder.path());
+        // The window of a program comes from GLX or from EGL, and tracers see one of them.
+        for (const char* const api : {"gl", "egl"}) {
+            trace = (folder.path() / (api + std::string(".trace"))).string();
+            problem = make_trace(options, api, trace, folder.path());
+            if (!problem.empty() || shows_frames(trace, folder.path()))
+                break;
+        }
     } else if (!fs::exists(trace)) {
         problem = "there is no trace '" + trace + "'";
     } else if (options.run.frames != 0) {
