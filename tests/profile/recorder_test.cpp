@@ -174,16 +174,38 @@ TEST(Profile, HoldsWhatTheBuildHasAndTheProgramAskedFor) {
     EXPECT_EQ(limit(make(record(programs::sprites_only), small), "SHORTCUTS"), "0");
 }
 
-/// What a program draws, recorded for surfaces that are not its own.
-Record record_for(PixelFormat format, const programs::Program& program, bool stencil) {
+/// A context on a picture whose depths have stencils.
+void open_with_stencils(bench::Headless& gl) {
+    gl.display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
+    eglInitialize(gl.display, nullptr, nullptr);
+    constexpr EGLint wish[] = {EGL_RENDERABLE_TYPE,
+                               EGL_OPENGL_BIT,
+                               EGL_SURFACE_TYPE,
+                               EGL_PBUFFER_BIT,
+                               EGL_STENCIL_SIZE,
+                               8,
+                               EGL_PRECISION_SPANGLE,
+                               EGL_PRECISION_BALANCED_SPANGLE,
+                               EGL_NONE};
+    constexpr EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    ASSERT_TRUE(eglChooseConfig(gl.display, wish, &config, 1, &count) != EGL_FALSE && count != 0);
+    gl.surface = eglCreatePbufferSurface(gl.display, config, size);
+    gl.context = eglCreateContext(gl.display, config, nullptr, nullptr);
+    ASSERT_TRUE(eglMakeCurrent(gl.display, gl.surface, gl.surface, gl.context));
+}
+
+/// What a program draws to depths with stencils, recorded for a surface that is not its own.
+Record record_for(PixelFormat format, const programs::Program& program, bool tests_stencils) {
     bench::Headless gl;
-    EXPECT_TRUE(gl.open(width, height, EGL_PRECISION_BALANCED_SPANGLE));
+    open_with_stencils(gl);
     Record out;
     {
         Recorder recorder(format);
         recorder.add(*gl::current_context());
         program.setup(width, height);
-        if (stencil)
+        if (tests_stencils)
             glEnable(GL_STENCIL_TEST);
         program.draw(1);
         out = recorder.finish();
