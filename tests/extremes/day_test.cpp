@@ -87,7 +87,9 @@ TEST(Extreme, 35_ADayOfTurns) {
             far = std::fmax(far, off(is, exact, 9, 12));
         }
     }
-    EXPECT_LE(share, 1);
+    // What is rounded goes either way, so that little of the bound is used; an error that is the same in each
+    // turn takes nearly all of it.
+    EXPECT_LE(share, 0.1);
     EXPECT_LE(far, 100 * n * turn_bound + 1e-5); // circles of this step have a radius of 17 at most
     row("n turns about an axis, each with a step, are n 2^-31 off at most", "products in long double",
         "%.2g off after %g h, %.2g of the bound; the place %.2g off", worst, hours(), share, far);
