@@ -1,8 +1,10 @@
 // spangle: draws scenes and models on simulated boards and says what it cost.
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -338,6 +340,7 @@ int spangle_main(int argc, char** argv) {
 
     cli::ProfileOptions to_profile;
     CLI::App* const profile_command = cli::add_profile(app, to_profile);
+    to_profile.program = std::find(argv, argv + argc, std::string_view("--")) != argv + argc;
 
     cli::BakeOptions to_bake;
     CLI::App* const bake = cli::add_bake(app, to_bake);

@@ -1,9 +1,11 @@
 // What the environment asks of the drop-in pair: docs/programs.md lists the variables.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <spangle/EGL/egl.h>
+#include <spangle/format.hpp>
 #include <spangle/hal/board.hpp>
 
 namespace spangle::dropin {
@@ -11,10 +13,13 @@ namespace spangle::dropin {
 struct Options {
     const hal::Board* board = nullptr; ///< SPANGLE_BOARD; null: none
     EGLint precision = EGL_PRECISION_EXACT_SPANGLE;
-    int width = 0, height = 0;  ///< SPANGLE_SIZE, or the board's; 0: windows keep their size
-    bool panel_format = false;  ///< SPANGLE_FORMAT=panel: windows have the panel's own pixels
-    std::string shot;           ///< SPANGLE_SHOT: PNG of the last picture
-    std::string report;         ///< SPANGLE_REPORT: figures of the run, for `spangle exec`
+    int width = 0, height = 0; ///< SPANGLE_SIZE, or the board's; 0: windows keep their size
+    bool panel_format = false; ///< SPANGLE_FORMAT=panel: windows have the panel's own pixels
+    std::string shot;          ///< SPANGLE_SHOT: PNG of the last picture
+    std::string report;        ///< SPANGLE_REPORT: figures of the run, for `spangle exec`
+    std::string record;        ///< SPANGLE_RECORD: what was asked of GL, for `spangle profile`
+    /// SPANGLE_RECORD_FORMAT: the surfaces that it is recorded for; none: the program's own.
+    std::optional<PixelFormat> record_format;
     long frames = 0;            ///< SPANGLE_FRAMES: the program ends after so many; 0: by itself
     std::size_t memory = 0;     ///< bytes
     bool end_by_signal = false; ///< SPANGLE_SIGNAL: it ends by SIGTERM, so that a tracer writes what it has

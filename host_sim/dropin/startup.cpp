@@ -13,6 +13,7 @@
 #include "gl/pixel/fragment_setup.hpp"
 #include "host_sim/dropin/glx_drawables.hpp"
 #include "host_sim/dropin/options.hpp"
+#include "host_sim/dropin/recording.hpp"
 #include "host_sim/dropin/stage.hpp"
 #include "host_sim/dropin/x_windows.hpp"
 
@@ -50,8 +51,10 @@ void swapped(const hal::Frame& picture, const hal::DisplayInfo& info) {
     Stage::get().show(picture, info);
 }
 
-void count(gl::Context& context) {
-    gl::observe(context, Stage::get().counters(), false);
+void created(gl::Context& context) {
+    if (!options().report.empty())
+        gl::observe(context, Stage::get().counters(), false);
+    record(context);
 }
 
 void say(unsigned code, const char* text) {
@@ -70,8 +73,8 @@ void say(unsigned code, const char* text) {
     platforms.renderable = EGL_OPENGL_ES_BIT;
     platforms.precision = options().precision;
     platforms.swapped = swapped;
-    if (!options().report.empty())
-        platforms.created = count;
+    if (!options().report.empty() || !options().record.empty())
+        platforms.created = created;
     egl::use_platforms(platforms);
     XWindows::on_close(glx::forget_connection);
 }
