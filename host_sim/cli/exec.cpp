@@ -1,17 +1,12 @@
 #include "host_sim/cli/exec.hpp"
 
-#include <cerrno>
-#include <csignal>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include "host_sim/bringup/attach.hpp"
+#include "host_sim/cli/pair.hpp"
 #include "host_sim/cli/report.hpp"
 #include "host_sim/cli/say.hpp"
 
@@ -21,104 +16,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int no_program = 127, could_not_run = 126, of_signals = 128; ///< as shells have them
-constexpr const char* core_library = "libspangle-dropin.so.0";
-
-/// The folder of the pair: beside this program where it was built, below lib where it was installed. Empty:
-/// neither.
-fs::path pair_folder() {
-    if (const char* const named = std::getenv("SPANGLE_DROPIN"); named != nullptr && *named != '\0')
-        return fs::path(named);
-    std::error_code ignored;
-    const fs::path here = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-    for (const fs::path& folder : {here / "dropin", here / ".." / SPANGLE_LIBDIR / "spangle" / "dropin"})
-        if (fs::exists(folder / core_library, ignored))
-            return fs::weakly_canonical(folder, ignored);
-    return {};
-}
-
-/// A file that is gone when this is.
-class ReportFile {
-  public:
-    ReportFile() {
-        std::string name = (fs::temp_directory_path() / "spangle-XXXXXX").string();
-        const int file = mkstemp(name.data());
-        if (file < 0)
-            return;
-        close(file);
-        path_ = name;
-    }
-    ~ReportFile() {
-        std::error_code ignored;
-        if (!path_.empty())
-            fs::remove(path_, ignored);
-    }
-    ReportFile(const ReportFile&) = delete;
-    ReportFile& operator=(const ReportFile&) = delete;
-    const std::string& path() const { return path_; }
-
-    /// Names and values, a line each, as the pair writes them (host_sim/dropin/stage.cpp); the rest is text.
-    std::map<std::string, std::string> read(std::string& violations) const {
-        std::map<std::string, std::string> out;
-        std::ifstream file(path_);
-        for (std::string line; std::getline(file, line);) {
-            const std::size_t blank = line.find(' ');
-            if (line == "violations") {
-                violations.assign(std::istreambuf_iterator<char>(file), {});
-                break;
-            }
-            if (blank != std::string::npos)
-                out[line.substr(0, blank)] = line.substr(blank + 1);
+/// Names and values, a line each, as the pair writes them (host_sim/dropin/stage.cpp); the rest is text.
+std::map<std::string, std::string> read_figures(const fs::path& path, std::string& violations) {
+    std::map<std::string, std::string> out;
+    std::ifstream file(path);
+    for (std::string line; std::getline(file, line);) {
+        const std::size_t blank = line.find(' ');
+        if (line == "violations") {
+            violations.assign(std::istreambuf_iterator<char>(file), {});
+            break;
         }
-        return out;
+        if (blank != std::string::npos)
+            out[line.substr(0, blank)] = line.substr(blank + 1);
     }
-
-  private:
-    std::string path_;
-};
-
-void set(const char* variable, const std::string& value) {
-    if (value.empty())
-        unsetenv(variable);
-    else
-        setenv(variable, value.c_str(), 1);
+    return out;
 }
 
 /// What the pair reads; docs/programs.md lists the variables.
-void set_environment(const ExecOptions& options, const fs::path& pair, const std::string& report) {
-    const char* const old = std::getenv("LD_LIBRARY_PATH");
-    set("LD_LIBRARY_PATH", pair.string() + (old != nullptr && *old != '\0' ? ":" + std::string(old) : ""));
-    set("SPANGLE_BOARD", options.board == "none" ? "" : options.board);
-    set("SPANGLE_PRECISION", options.precision);
-    set("SPANGLE_SIZE", options.size);
-    set("SPANGLE_FORMAT", options.format);
-    set("SPANGLE_SHOT", options.shot.empty() ? "" : fs::absolute(options.shot).string());
-    set("SPANGLE_FRAMES", options.frames != 0 ? std::to_string(options.frames) : "");
-    set("SPANGLE_REPORT", report);
-}
-
-/// The program in a process of its own, to its end; 127 and 126 as of a shell.
-int run_program(const std::vector<std::string>& program) {
-    std::vector<char*> arguments;
-    arguments.reserve(program.size() + 1);
-    for (const std::string& word : program)
-        arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    const pid_t child = fork();
-    if (child < 0)
-        return could_not_run;
-    if (child == 0) {
-        std::signal(SIGPIPE, SIG_DFL);
-        std::signal(SIGXFSZ, SIG_DFL);
-        execvp(arguments[0], arguments.data());
-        const int status = errno == ENOENT ? no_program : could_not_run;
-        tell("spangle: cannot run '" + program[0] + "': " + std::strerror(errno) + "\n");
-        _exit(status);
-    }
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
-        continue;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : of_signals + WTERMSIG(status);
+void set_environment(const ExecOptions& options, const std::string& report) {
+    pair::set("SPANGLE_BOARD", options.board == "none" ? "" : options.board);
+    pair::set("SPANGLE_PRECISION", options.precision);
+    pair::set("SPANGLE_SIZE", options.size);
+    pair::set("SPANGLE_FORMAT", options.format);
+    pair::set("SPANGLE_SHOT", options.shot.empty() ? "" : fs::absolute(options.shot).string());
+    pair::set("SPANGLE_FRAMES", options.frames != 0 ? std::to_string(options.frames) : "");
+    pair::set("SPANGLE_REPORT", report);
 }
 
 std::uint64_t number(const std::map<std::string, std::string>& figures, const char* name) {
@@ -153,16 +75,16 @@ Report report_of(const ExecOptions& options, const std::map<std::string, std::st
 int exec(const ExecOptions& options) {
     if (options.board != "none" && bringup::find_board(options.board) == nullptr)
         return refuse("no board '" + options.board + "'; `spangle boards` lists them, none is none");
-    const fs::path pair = pair_folder();
-    if (pair.empty())
-        return refuse("there is no drop-in pair beside this program; SPANGLE_DROPIN names its folder");
-    const ReportFile report;
-    if (report.path().empty())
-        return refuse("no file can be made in " + fs::temp_directory_path().string(), not_done);
-    set_environment(options, pair, report.path());
-    const int status = run_program(options.program);
+    if (const std::string problem = pair::use(); !problem.empty())
+        return refuse(problem);
+    const pair::Folder folder;
+    if (folder.path().empty())
+        return refuse(pair::Folder::problem(), not_done);
+    const fs::path report = folder.path() / "report";
+    set_environment(options, report.string());
+    const int status = pair::run(options.program);
     std::string violations;
-    const auto figures = report.read(violations);
+    const auto figures = read_figures(report, violations);
     tell(violations);
     if (figures.empty()) {
         if (status == 0)
@@ -183,10 +105,7 @@ int replay(ExecOptions options) {
     const std::string trace = options.program[0];
     if (!fs::exists(trace))
         return refuse("there is no trace '" + trace + "'");
-    // A retracer that finds no X draws to pbuffers; each that it swaps is shown on the board.
-    unsetenv("DISPLAY");
-    set("WAFFLE_PLATFORM", "surfaceless_egl");
-    options.program = {"eglretrace", "--headless", trace};
+    options.program = pair::retrace(trace);
     return exec(options);
 }
 

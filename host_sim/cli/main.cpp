@@ -1,8 +1,10 @@
 // spangle: draws scenes and models on simulated boards and says what it cost.
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -344,6 +346,8 @@ int spangle_main(int argc, char** argv) {
 
     cli::TradeOptions to_trade;
     CLI::App* const trade = cli::add_trade(app, to_trade);
+    if (char** const dashes = std::find(argv, argv + argc, std::string_view("--")); dashes != argv + argc)
+        to_trade.program_words = static_cast<std::size_t>(argv + argc - dashes - 1);
 
     try {
         app.parse(argc, argv);
