@@ -57,6 +57,13 @@ bool get_text(std::istream& in, std::string& text) {
 
 } // namespace
 
+void coarsen(DrawnPicture& picture) {
+    constexpr int coarse = 16;
+    for (std::uint32_t& code : picture.depth)
+        code >>= picture.depth_bits > coarse ? picture.depth_bits - coarse : 0;
+    picture.depth_bits = std::min(picture.depth_bits, coarse);
+}
+
 std::vector<bool> upside_down(const std::vector<bool>& mask, int width) {
     std::vector<bool> out;
     out.reserve(mask.size());

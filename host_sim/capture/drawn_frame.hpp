@@ -15,6 +15,9 @@ struct DrawnFrame {
     std::vector<bool> mask; ///< pixels that anything was drawn to, bottom row first
 };
 
+/// Depths of 24 bits become those of 16: finer codes than the tiers promise say nothing about them.
+void coarsen(DrawnPicture& picture);
+
 /// A mask of rows in the other order.
 std::vector<bool> upside_down(const std::vector<bool>& mask, int width);
 

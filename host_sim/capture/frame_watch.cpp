@@ -7,13 +7,11 @@ namespace spangle::trade {
 
 namespace {
 
-constexpr int depth_bits = 16;
-
 DrawnPicture picture_of(const raster::Surface& s) {
     DrawnPicture out;
     out.width = s.width;
     out.height = s.height;
-    out.depth_bits = s.depth_format != DepthFormat::none ? depth_bits : 0;
+    out.depth_bits = s.depth_format == DepthFormat::none ? 0 : s.depth_format == DepthFormat::z16 ? 16 : 24;
     const auto pixels = static_cast<std::size_t>(s.width) * static_cast<std::size_t>(s.height);
     out.rgba.reserve(4 * pixels);
     std::vector<raster::StoredColor> row(static_cast<std::size_t>(s.width));
@@ -24,10 +22,9 @@ DrawnPicture picture_of(const raster::Surface& s) {
                 out.rgba.push_back(component.to_8());
     }
     for (std::int32_t y = 0; out.depth_bits != 0 && y < s.height; ++y)
-        for (std::int32_t x = 0; x < s.width; ++x) {
-            const raster::StoredDepth depth = raster::read_depth(s, x, y);
-            out.depth.push_back(depth.max > 0xFFFF ? depth.k >> 8 : depth.k);
-        }
+        for (std::int32_t x = 0; x < s.width; ++x)
+            out.depth.push_back(raster::read_depth(s, x, y).k);
+    coarsen(out);
     return out;
 }
 

@@ -16,8 +16,7 @@ class FrameWatch : public raster::Observer {
   public:
     FrameWatch();
 
-    /// The picture, and what was drawn to it since the last call for this surface. Depths have 16 bits: finer
-    /// codes than the tiers promise say nothing about them.
+    /// The picture, and what was drawn to it since the last call for this surface. Depths have 16 bits.
     DrawnFrame take(const raster::Surface& surface);
     /// Pixels whose coverage was not brute force's.
     std::uint64_t mismatches() const;

@@ -42,7 +42,7 @@ struct Corpus {
             scene = id == other.id ? &other : scene;
         if (scene == nullptr)
             return "no scene '" + id + "'; `spangle scenes` lists them, and `spangle trade --help` more";
-        programs.push_back({scene->id, scene->setup, scene->draw});
+        programs.push_back({scene->id, scene->setup, scene->draw, trade::needs_stencil(*scene)});
         return "";
     }
     std::string add_model(const std::string& file) {
@@ -59,14 +59,14 @@ struct Corpus {
     std::string add_trace(const std::string& file) {
         std::shared_ptr<trade::Recording> recording;
         std::string problem = open_trace(file, recording);
-        programs.push_back({one_line(std::filesystem::path(file).stem().string()), {}, {}, recording});
+        programs.push_back({one_line(std::filesystem::path(file).stem().string()), {}, {}, false, recording});
         return problem;
     }
     std::string add_program(const std::vector<std::string>& words) {
         std::shared_ptr<trade::Recording> recording;
         std::string problem = open_program(words, recording);
         programs.push_back(
-            {one_line(std::filesystem::path(words[0]).filename().string()), {}, {}, recording});
+            {one_line(std::filesystem::path(words[0]).filename().string()), {}, {}, false, recording});
         return problem;
     }
     std::string add(const TradeOptions& options) {

@@ -47,14 +47,13 @@ void Capture::finish_if_any() {
 
 Capture::Capture() {
     check(file_.open(options().capture));
-    counters_.observer = &frames_;
+    if (!options().times_only)
+        counters_.observer = &frames_;
     begun_ = worked();
 }
 
 void Capture::watch(gl::Context& context) {
     context.fragment_ops.dither = options().dither;
-    if (options().times_only)
-        return;
     if (stages_ == nullptr && options().precision > EGL_PRECISION_DOUBLE_SPANGLE)
         stages_ = std::make_unique<StageReport>();
     gl::observe(context, &counters_, false);
@@ -62,8 +61,9 @@ void Capture::watch(gl::Context& context) {
 
 void Capture::take(const raster::Surface& picture) {
     const double time = worked() - begun_;
-    if (finished_)
+    if (finished_ || counters_.fragments == 0)
         return;
+    counters_.fragments = 0;
     file_.add(options().times_only ? trade::DrawnFrame{} : frames_.take(picture), time);
     if (++taken_ == static_cast<std::uint64_t>(options().frames)) {
         finish();

@@ -26,7 +26,8 @@ class Capture {
 
     /// A context that was made now: what it draws is watched. Stages are those of the thread that makes it.
     void watch(gl::Context& context);
-    /// A frame is finished. The program ends after the last that was asked for.
+    /// A picture is finished. It is a frame where anything was drawn to it since the last; the program ends
+    /// after the last frame that was asked for.
     void take(const raster::Surface& picture);
     /// A function was called that Spangle does not have.
     void miss() { missed_ = true; }

@@ -184,4 +184,8 @@ scenes::SceneList corpus() {
     return {programs, static_cast<int>(sizeof programs / sizeof *programs)};
 }
 
+bool needs_stencil(const scenes::Scene& program) {
+    return program.draw == shadow_scene.draw || program.draw == outline_scene.draw;
+}
+
 } // namespace spangle::trade

@@ -219,6 +219,7 @@ void cutout_setup(int w, int h) {
 }
 void cutout_draw(int f) {
     clear();
+    glRotatef(2.3f, 0, 0, 1);
     for (int i = 0; i < 20; ++i) {
         glAlphaFunc(i % 3 == 0   ? GL_GREATER
                     : i % 3 == 1 ? GL_GEQUAL

@@ -202,7 +202,7 @@ void decals_setup(int w, int h) {
 void decals_draw(int f) {
     constexpr GLint modes[] = {GL_DECAL, GL_ADD, GL_MODULATE, GL_REPLACE};
     clear();
-    glRotatef(5 * static_cast<float>(f), 0, 0, 1);
+    glRotatef(3 + 5 * static_cast<float>(f), 0, 0, 1);
     for (int i = 0; i < 16; ++i) {
         glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, modes[i % 4]);
         const float x = static_cast<float>(i % 4) * 0.9f - 1.8f, y = static_cast<float>(i / 4) * 0.6f - 1.2f;

@@ -42,6 +42,7 @@ struct Watched {
         program.draw(frame);
         const FrameCoverage covered = coverage->end_frame();
         DrawnPicture picture = read_picture();
+        coarsen(picture);
         return {std::move(picture), covered, upside_down(coverage->take_mask(), coverage_width)};
     }
 };
@@ -108,6 +109,8 @@ void measure_bus(const Program& program, const Tier& tier, const Setting& s, Mea
                            EGL_WINDOW_BIT,
                            EGL_DEPTH_SIZE,
                            16,
+                           EGL_STENCIL_SIZE,
+                           program.stencil ? 8 : 0,
                            EGL_SAMPLES,
                            0,
                            EGL_PRECISION_SPANGLE,
