@@ -1,6 +1,7 @@
 #include "host_sim/cli/replays.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -44,14 +45,41 @@ const char* name_of(PixelFormat format) {
 constexpr const char* other_variables[] = {"SPANGLE_BOARD", "SPANGLE_SIZE",   "SPANGLE_FORMAT",
                                            "SPANGLE_SHOT",  "SPANGLE_REPORT", "SPANGLE_SIGNAL"};
 
-std::string last_line(const fs::path& file) {
+/// Functions that the pair has by name alone.
+constexpr std::string_view later_functions[] = {
+#define LATER(name) #name,
+#include "host_sim/dropin/later_functions.inc"
+#undef LATER
+};
+
+/// Why a retracer failed: its first line about an error, or its last line.
+std::string reason_in(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::string last = "it says nothing";
-    for (std::string line; std::getline(in, line);)
+    for (std::string line; std::getline(in, line);) {
+        if (line.find("error: ") != std::string::npos)
+            return one_line(line);
         if (!line.empty())
             last = line;
+    }
     return one_line(last);
 }
+
+/// A variable that is what it was when this ends.
+class Kept {
+  public:
+    explicit Kept(const char* variable) : variable_(variable) {
+        const char* const value = std::getenv(variable);
+        value_ = value != nullptr ? value : "";
+    }
+    ~Kept() { pair::set(variable_, value_); }
+    Kept(const Kept&) = delete;
+    Kept& operator=(const Kept&) = delete;
+
+  private:
+    const char* variable_;
+    std::string value_;
+};
 
 /// Lines of a retracer that name calls which it could not make or which raised errors.
 struct Complaints {
@@ -67,8 +95,16 @@ Complaints complaints_of(const fs::path& words) {
     for (std::string line; std::getline(in, line);) {
         if (const std::size_t at = line.find(lacks); at != std::string::npos && out.unavailable.empty())
             out.unavailable = one_line(line.substr(at + lacks.size()));
-        if (const std::size_t at = line.find(error); at != std::string::npos && out.errors++ == 0)
-            out.first_error = one_line(line.substr(at + error.size()));
+        if (const std::size_t at = line.find(error); at != std::string::npos) {
+            const std::size_t name = at + error.size(), end = line.find(')', name);
+            const std::string function = line.substr(name, end - name);
+            if (std::find(std::begin(later_functions), std::end(later_functions), function) !=
+                    std::end(later_functions) &&
+                out.unavailable.empty())
+                out.unavailable = function;
+            if (out.errors++ == 0)
+                out.first_error = one_line(function);
+        }
     }
     return out;
 }
@@ -106,6 +142,7 @@ std::string Replays::replay(PixelFormat format, EGLint precision, const trade::S
     std::string problem = folder_.path().empty() ? pair::Folder::problem() : pair::use();
     if (!problem.empty())
         return problem;
+    const Kept display("DISPLAY"); // a retracer does without, a program that is recorded next needs it
     for (const char* const variable : other_variables)
         pair::set(variable, "");
     pair::set("SPANGLE_CAPTURE", file.string());
@@ -126,7 +163,7 @@ std::string Replays::replay(PixelFormat format, EGLint precision, const trade::S
     if (!found.unavailable.empty())
         return fmt::format("the replay misses the function {}; Spangle is OpenGL 1.5", found.unavailable);
     if (ended.status != 0 || !fs::exists(file))
-        return fmt::format("{} cannot replay it: {}", command[0], last_line(words));
+        return fmt::format("{} cannot replay it: {}", command[0], reason_in(words));
     tell_errors(found);
     return "";
 }
@@ -135,7 +172,7 @@ std::string Replays::replay(PixelFormat format, EGLint precision, const trade::S
 void Replays::tell_errors(const Complaints& found) {
     if (found.errors == 0 || !told_.empty())
         return;
-    told_ = fmt::format("spangle: {} calls raise errors of OpenGL, the first of them {}\n", found.errors,
+    told_ = fmt::format("spangle: {} calls raise errors of OpenGL, {} the first\n", found.errors,
                         found.first_error);
     tell(told_);
 }
