@@ -71,11 +71,12 @@ struct Corpus {
     }
     std::string add(const TradeOptions& options) {
         std::string problem;
-        const auto program = options.scenes.end() - static_cast<std::ptrdiff_t>(options.program_words);
-        for (const std::string& id : std::vector(options.scenes.begin(), program))
+        if (options.runs_program && options.program.empty())
+            return "name a program after --";
+        for (const std::string& id : options.scenes)
             problem = problem.empty() ? add_scene(id) : problem;
-        if (program != options.scenes.end() && problem.empty())
-            problem = add_program({program, options.scenes.end()});
+        if (options.runs_program && problem.empty())
+            problem = add_program(options.program);
         for (const std::string& file : options.traces)
             problem = problem.empty() ? add_trace(file) : problem;
         for (const std::string& file : options.models)
@@ -208,7 +209,7 @@ CLI::App* add_trade(CLI::App& app, TradeOptions& o) {
     o.formats = {"565"};
     command->add_option(
         "scenes", o.scenes,
-        "ids of scenes (see `spangle scenes`), and after -- a program with its arguments; none "
+        "ids of scenes (see `spangle scenes`); after -- comes a program with its arguments; none "
         "and no model or trace: all scenes");
     command->add_option("--model", o.models, "a model file: any format libassimp reads; may be repeated")
         ->allow_extra_args(false);

@@ -13,7 +13,8 @@ namespace spangle::cli {
 struct TradeOptions {
     std::vector<std::string> scenes; ///< none, and nothing else: all
     std::vector<std::string> models, traces;
-    std::size_t program_words = 0; ///< of `scenes`, the last: what came after --
+    std::vector<std::string> program; ///< and its arguments
+    bool runs_program = false;        ///< -- was there
     std::vector<std::string> tiers, formats;
     std::string size = "320x240", dither = "off", shard, out = "trade";
     int frames = 10;
