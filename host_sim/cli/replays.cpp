@@ -45,6 +45,8 @@ const char* name_of(PixelFormat format) {
 constexpr const char* other_variables[] = {"SPANGLE_BOARD", "SPANGLE_SIZE",   "SPANGLE_FORMAT",
                                            "SPANGLE_SHOT",  "SPANGLE_REPORT", "SPANGLE_SIGNAL"};
 
+constexpr const char* no_frame = "it shows no frame";
+
 /// Functions that the pair has by name alone.
 constexpr std::string_view later_functions[] = {
 #define LATER(name) #name,
@@ -162,8 +164,10 @@ std::string Replays::replay(PixelFormat format, EGLint precision, const trade::S
     const Complaints found = complaints_of(words);
     if (!found.unavailable.empty())
         return fmt::format("the replay misses the function {}; Spangle is OpenGL 1.5", found.unavailable);
-    if (ended.status != 0 || !fs::exists(file))
+    if (ended.status != 0)
         return fmt::format("{} cannot replay it: {}", command[0], reason_in(words));
+    if (!fs::exists(file)) // no context was made
+        return no_frame;
     tell_errors(found);
     return "";
 }
@@ -239,17 +243,16 @@ std::string Replays::settle(trade::Setting& setting) {
         trade::Setting own = setting;
         kept_.clear();
         problem = record_trace(program_, api, own.width, own.height, own.frames, folder_.path(), file);
-        if (problem.empty()) {
-            trace_ = file.string();
-            problem = draws(own);
-        }
-        if (problem.empty()) {
+        if (!problem.empty())
+            break;
+        trace_ = file.string();
+        problem = draws(own);
+        if (problem.empty())
             setting = own;
-            return "";
-        }
-        trace_.clear();
-        if (!fs::exists(file))
-            break; // it does not run, in no way
+        else
+            trace_.clear();
+        if (problem != no_frame)
+            break;
     }
     return problem;
 }

@@ -59,27 +59,34 @@ def programs(folder):
         if SAVER.exists():  # by EGL, which the first tracer does not see
             trade(folder, "--no-times", "--frames", "2", "--size", "160x120", "--out", "saver", "--", str(SAVER))
             check(all(int(row["covered"]) > 100 for row in rows_of(folder, "saver")), "a program of EGL draws nothing")
-        later = "import ctypes; gl = ctypes.CDLL('libGL.so.1')\n" + LATER
-        (folder / "later.py").write_text(later)
-        said = trade(folder, "--frames", "2", "--out", "x", "--", sys.executable, "later.py", status=2).stderr
+        (folder / "later.c").write_text(LATER)
+        pair = SPANGLE.parent / "dropin"
+        built = subprocess.run(["cc", "later.c", "-o", "later", f"-L{pair}", "-lGL", "-l:libglut.so.3.12"], cwd=folder, capture_output=True,
+                               text=True)
+        check(built.returncode == 0, f"the program is not built: {built.stderr}")
+        said = trade(folder, "--frames", "2", "--out", "x", "--", "./later", status=2).stderr
         check("the replay misses the function glCreateShader" in said, f"a missing function is not named: {said}")
     del os.environ["DISPLAY"]
 
 
-# A window of freeglut whose program calls a function that Spangle has by name alone.
-LATER = """glut = ctypes.CDLL('libglut.so.3.12')
-count = ctypes.c_int(1)
-glut.glutInit(ctypes.byref(count), (ctypes.c_char_p * 2)(b'later', None))
-glut.glutInitDisplayMode(2)
-glut.glutCreateWindow(b'later')
-def draw():
-    gl.glCreateShader(0x8B31)
-    gl.glRectf(*(ctypes.c_float(v) for v in (-1, -1, 0, 1)))
-    glut.glutSwapBuffers()
-    glut.glutPostRedisplay()
-call = ctypes.CFUNCTYPE(None)(draw)
-glut.glutDisplayFunc(call)
-glut.glutMainLoop()
+# A window of freeglut, whose program calls a function that Spangle has by name alone.
+LATER = """void glutInit(int*, char**); void glutInitDisplayMode(unsigned); int glutCreateWindow(const char*);
+void glutDisplayFunc(void (*)(void)); void glutMainLoop(void); void glutSwapBuffers(void); void glutPostRedisplay(void);
+unsigned glCreateShader(unsigned); void glRectf(float, float, float, float);
+static void draw(void) {
+    glCreateShader(0x8B31);
+    glRectf(-1, -1, 0, 1);
+    glutSwapBuffers();
+    glutPostRedisplay();
+}
+int main(int count, char** words) {
+    glutInit(&count, words);
+    glutInitDisplayMode(2);
+    glutCreateWindow("later");
+    glutDisplayFunc(draw);
+    glutMainLoop();
+    return 0;
+}
 """
 
 
