@@ -89,6 +89,15 @@ Ended run_bounded(const std::vector<std::string>& command, const fs::path& words
     return {status, ""};
 }
 
+std::string unavailable_function(const fs::path& words) {
+    constexpr std::string_view lacks = "unavailable function ";
+    std::ifstream in(words, std::ios::binary);
+    for (std::string line; std::getline(in, line);)
+        if (const std::size_t at = line.find(lacks); at != std::string::npos)
+            return one_line(line.substr(at + lacks.size()));
+    return "";
+}
+
 std::string record_trace(const std::vector<std::string>& program, const std::string& api, int width,
                          int height, int frames, const fs::path& folder, const fs::path& to) {
     std::string problem = folder.empty() ? pair::Folder::problem() : pair::use();
@@ -112,6 +121,8 @@ std::string record_trace(const std::vector<std::string>& program, const std::str
     pair::set("SPANGLE_SIGNAL", "");
     if (!ended.problem.empty())
         return ended.problem;
+    if (const std::string function = unavailable_function(words); !function.empty())
+        return fmt::format("it calls {}, which Spangle does not have; it is OpenGL 1.5", function);
     if (!fs::exists(to))
         return fmt::format("it ended with {} before it drew: {}", ended.status, last_words(words));
     return api == "egl" ? without_refused_contexts(to, folder) : "";

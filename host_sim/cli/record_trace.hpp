@@ -16,6 +16,9 @@ struct Ended {
 /// Runs one to its end; `words` takes what it prints.
 Ended run_bounded(const std::vector<std::string>& command, const std::filesystem::path& words);
 
+/// The first function that a tracer or retracer found nowhere, of what it printed; empty: it found all.
+std::string unavailable_function(const std::filesystem::path& words);
+
 /// Runs a program on the drop-in pair with windows of that size, for so many frames, and records its calls of
 /// "gl" (with GLX) or "egl" into a file. Empty, or why there is none.
 std::string record_trace(const std::vector<std::string>& program, const std::string& api, int width,

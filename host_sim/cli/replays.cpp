@@ -91,12 +91,11 @@ struct Complaints {
 };
 
 Complaints complaints_of(const fs::path& words) {
-    constexpr std::string_view lacks = "unavailable function ", error = "glGetError(";
+    constexpr std::string_view error = "glGetError(";
     Complaints out;
+    out.unavailable = unavailable_function(words);
     std::ifstream in(words, std::ios::binary);
     for (std::string line; std::getline(in, line);) {
-        if (const std::size_t at = line.find(lacks); at != std::string::npos && out.unavailable.empty())
-            out.unavailable = one_line(line.substr(at + lacks.size()));
         if (const std::size_t at = line.find(error); at != std::string::npos) {
             const std::size_t name = at + error.size(), end = line.find(')', name);
             const std::string function = line.substr(name, end - name);
