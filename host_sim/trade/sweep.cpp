@@ -37,8 +37,7 @@ std::string write_pictures(const std::string& folder, const Job& job, const Tier
                     {name + "-off", sim::difference_picture(m.picture, m.reference)},
                     {"double", m.reference}};
     for (const auto& picture : pictures)
-        if (const std::string problem =
-                sim::write_png(picture.image, folder + picture_name(number, picture.what));
+        if (std::string problem = sim::write_png(picture.image, folder + picture_name(number, picture.what));
             !problem.empty())
             return problem;
     return "";
