@@ -347,6 +347,13 @@ int spangle_main(int argc, char** argv) {
 
     cli::TradeOptions to_trade;
     CLI::App* const trade = cli::add_trade(app, to_trade);
+    if (argc > 1 && argv[1] == std::string_view("trade")) { // what follows -- are no words of ours
+        char** const dashes = std::find(argv, argv + argc, std::string_view("--"));
+        if (dashes != argv + argc)
+            to_trade.program.assign(dashes + 1, argv + argc);
+        to_trade.runs_program = dashes != argv + argc;
+        argc = static_cast<int>(dashes - argv);
+    }
 
     try {
         app.parse(argc, argv);

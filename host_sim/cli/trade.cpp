@@ -1,6 +1,8 @@
 #include "host_sim/cli/trade.hpp"
 
+#include <algorithm>
 #include <deque>
+#include <filesystem>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -9,9 +11,11 @@
 #include "boards/scenes/scene.hpp"
 #include "host_sim/cli/callgrind.hpp"
 #include "host_sim/cli/model.hpp"
+#include "host_sim/cli/replays.hpp"
 #include "host_sim/cli/say.hpp"
 #include "host_sim/trade/advice.hpp"
 #include "host_sim/trade/boxes.hpp"
+#include "host_sim/trade/bytes.hpp"
 #include "host_sim/trade/corpus.hpp"
 #include "host_sim/trade/page.hpp"
 #include "host_sim/trade/sweep.hpp"
@@ -38,7 +42,7 @@ struct Corpus {
             scene = id == other.id ? &other : scene;
         if (scene == nullptr)
             return "no scene '" + id + "'; `spangle scenes` lists them, and `spangle trade --help` more";
-        programs.push_back({scene->id, scene->setup, scene->draw});
+        programs.push_back({scene->id, scene->setup, scene->draw, trade::needs_stencil(*scene)});
         return "";
     }
     std::string add_model(const std::string& file) {
@@ -52,10 +56,29 @@ struct Corpus {
                             [&model](int f) { draw_model(model, f); }});
         return "";
     }
+    std::string add_trace(const std::string& file) {
+        std::shared_ptr<trade::Recording> recording;
+        std::string problem = open_trace(file, recording);
+        programs.push_back({one_line(std::filesystem::path(file).stem().string()), {}, {}, false, recording});
+        return problem;
+    }
+    std::string add_program(const std::vector<std::string>& words) {
+        std::shared_ptr<trade::Recording> recording;
+        std::string problem = open_program(words, recording);
+        programs.push_back(
+            {one_line(std::filesystem::path(words[0]).filename().string()), {}, {}, false, recording});
+        return problem;
+    }
     std::string add(const TradeOptions& options) {
         std::string problem;
+        if (options.runs_program && options.program.empty())
+            return "name a program after --";
         for (const std::string& id : options.scenes)
             problem = problem.empty() ? add_scene(id) : problem;
+        if (options.runs_program && problem.empty())
+            problem = add_program(options.program);
+        for (const std::string& file : options.traces)
+            problem = problem.empty() ? add_trace(file) : problem;
         for (const std::string& file : options.models)
             problem = problem.empty() ? add_model(file) : problem;
         if (programs.empty())
@@ -92,7 +115,7 @@ std::string read_setting(const TradeOptions& options, trade::Sweep& out) {
 auto counter(const TradeOptions& options) {
     return [&options, told = false](const trade::Program& program, const trade::Tier& tier,
                                     const trade::Format& format) mutable -> std::uint64_t {
-        if (told || format.format != PixelFormat::rgb565_be)
+        if (told || format.format != PixelFormat::rgb565_be || program.recording != nullptr)
             return 0;
         std::vector<std::string> words = {"run",        "--precision", tier.name,     "--size",
                                           options.size, "--dither",    options.dither};
@@ -110,6 +133,29 @@ auto counter(const TradeOptions& options) {
         }
         return count;
     };
+}
+
+/// The bytes of each job and tier as a line, in the order of the alphabet.
+int print_bytes(const trade::Sweep& what) {
+    std::vector<std::string> lines;
+    int number = 0;
+    for (const trade::Program& program : what.programs)
+        for (const trade::Format& format : what.formats) {
+            if (number++ % what.shards != what.shard - 1)
+                continue;
+            for (const trade::Tier& tier : what.tiers) {
+                std::uint64_t hash = 0;
+                if (const std::string problem = trade::hash_frames(program, tier, format, what.setting, hash);
+                    !problem.empty())
+                    return refuse(problem);
+                lines.push_back(
+                    fmt::format("{} {} {} {:016x}\n", program.name, format.name, tier.name, hash));
+            }
+        }
+    std::sort(lines.begin(), lines.end());
+    for (const std::string& line : lines)
+        print_text(line);
+    return 0;
 }
 
 /// What was found out, and the page of it unless it is a part of more.
@@ -153,14 +199,23 @@ CLI::App* add_trade(CLI::App& app, TradeOptions& o) {
         "  spangle trade --out all                      every scene, 565, three tiers\n"
         "  spangle trade S4r S9 --formats 565,888       two scenes in two formats\n"
         "  spangle trade --model duck.dae --instructions\n"
+        "  spangle trade --trace game.trace             the first frames of a trace of apitrace\n"
+        "  spangle trade --frames 60 -- glxgears        a program: it is recorded once, then replayed\n"
         "  spangle trade --shard 1/4 --out part1        and 2/4 ... elsewhere, then\n"
         "  spangle trade merge part1 part2 part3 part4 --out all");
     for (const trade::Tier& tier : trade::tiers)
         if ((SPANGLE_TIER_SET >> (&tier - trade::tiers) & 1) != 0) // of this build
             o.tiers.emplace_back(tier.name);
     o.formats = {"565"};
-    command->add_option("scenes", o.scenes, "ids of scenes (see `spangle scenes`); none and no model: all");
+    command->add_option(
+        "scenes", o.scenes,
+        "ids of scenes (see `spangle scenes`); after -- comes a program with its arguments; none "
+        "and no model or trace: all scenes");
     command->add_option("--model", o.models, "a model file: any format libassimp reads; may be repeated")
+        ->allow_extra_args(false);
+    command
+        ->add_option("--trace", o.traces,
+                     "a trace of apitrace: its first frames, in its own size; may be repeated")
         ->allow_extra_args(false);
     command
         ->add_option("--tiers", o.tiers,
@@ -172,8 +227,9 @@ CLI::App* add_trade(CLI::App& app, TradeOptions& o) {
         ->check(CLI::IsMember(names_of(trade::formats)))
         ->delimiter(',')
         ->allow_extra_args(false);
-    command->add_option("--size", o.size, "WIDTHxHEIGHT of the pictures")->capture_default_str();
-    command->add_option("--frames", o.frames, "how many frames of each program")
+    command->add_option("--size", o.size, "WIDTHxHEIGHT of the pictures, and of a program's windows")
+        ->capture_default_str();
+    command->add_option("--frames", o.frames, "how many frames of each program are judged: the first")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
     command->add_option("--dither", o.dither, "GL_DITHER")
@@ -184,6 +240,9 @@ CLI::App* add_trade(CLI::App& app, TradeOptions& o) {
     command->add_flag("--instructions", o.instructions,
                       "count the instructions of a frame on this machine, in 565 (valgrind; takes minutes)");
     command->add_flag("--strict", o.strict, "exit with 1 where a tier breaks one of its promises");
+    command->add_flag(
+        "--bytes", o.bytes,
+        "only print a hash of what each program draws in each format and tier, and measure nothing");
     command->add_option("--out", o.out, "the folder for all files")->capture_default_str();
     CLI::App* const merge = command->add_subcommand("merge", "put the folders of shards together");
     merge->add_option("parts", o.parts, "the folders")->required();
@@ -205,6 +264,8 @@ int trade(const TradeOptions& options, bool merging) {
     if (!problem.empty())
         return refuse(problem);
     sweep.programs = corpus.programs;
+    if (options.bytes)
+        return print_bytes(sweep);
     if (options.instructions)
         sweep.count = counter(options);
     if (isatty(STDERR_FILENO) != 0)

@@ -1,4 +1,4 @@
-// `spangle trade`: speed against accuracy, of scenes and models, as CSV and as a page.
+// `spangle trade`: speed against accuracy, of scenes, models and programs, as CSV and as a page.
 #pragma once
 
 #include <string>
@@ -11,12 +11,14 @@ class App;
 namespace spangle::cli {
 
 struct TradeOptions {
-    std::vector<std::string> scenes; ///< none, and no model: all
-    std::vector<std::string> models;
+    std::vector<std::string> scenes; ///< none, and nothing else: all
+    std::vector<std::string> models, traces;
+    std::vector<std::string> program; ///< and its arguments
+    bool runs_program = false;        ///< -- was there
     std::vector<std::string> tiers, formats;
     std::string size = "320x240", dither = "off", shard, out = "trade";
     int frames = 10;
-    bool no_times = false, instructions = false, strict = false;
+    bool no_times = false, instructions = false, strict = false, bytes = false;
     std::vector<std::string> parts; ///< of merge
 };
 

@@ -9,6 +9,7 @@
 #include <spangle/GL/gl.h>
 
 #include "host_sim/trade/offscreen.hpp"
+#include "host_sim/trade/recording.hpp"
 
 namespace spangle::trade {
 
@@ -38,6 +39,8 @@ double microseconds_of_frame(const Program& program, int frames) {
 
 std::vector<double> frame_times(const Program& program, const std::vector<Tier>& chosen, const Format& format,
                                 const Setting& s) {
+    if (program.recording != nullptr)
+        return program.recording->times(chosen, format, s);
     std::deque<Offscreen> screens;
     std::vector<std::vector<double>> times(chosen.size());
     std::vector<bool> drawn;

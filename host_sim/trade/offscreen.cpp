@@ -10,13 +10,15 @@ namespace {
 
 /// The least config of that kind with a depth buffer, or null. Pbuffers say in the low byte of the visual how
 /// their pixels lie.
-EGLConfig choose(EGLDisplay display, PixelFormat format, EGLint precision) {
+EGLConfig choose(EGLDisplay display, PixelFormat format, EGLint precision, bool stencil) {
     const EGLint wish[] = {EGL_RENDERABLE_TYPE,
                            EGL_OPENGL_BIT,
                            EGL_SURFACE_TYPE,
                            EGL_PBUFFER_BIT,
                            EGL_DEPTH_SIZE,
                            16,
+                           EGL_STENCIL_SIZE,
+                           stencil ? 8 : 0,
                            EGL_SAMPLES,
                            0,
                            EGL_PRECISION_SPANGLE,
@@ -53,7 +55,7 @@ std::string Offscreen::open(const Program& program, int width, int height, Pixel
     display_ = eglGetDisplay(EGL_DEFAULT_DISPLAY);
     if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr))
         return "this build has no display of its own";
-    const EGLConfig config = choose(display_, format, precision);
+    const EGLConfig config = choose(display_, format, precision, program.stencil);
     if (config == nullptr)
         return "this build has no such format, or no such precision";
     const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""`spangle trade`: figures of all scenes, shards, formats, the page, and what is refused.
+"""`spangle trade`: figures of all scenes, the bytes they draw, shards, formats, the page, and what is refused.
 
-usage: trade_test.py SPANGLE golden|shards|page|errors
+usage: trade_test.py SPANGLE golden|models|bytes|shards|page|errors
 
 golden: accuracy.csv of all scenes is tests/trade/golden.csv, and the promises that are broken are those of tests/trade/missed.txt,
-no more and no fewer. SPANGLE_UPDATE_GOLDEN=1 writes both anew. shards: parts that are merged are the bytes of one sweep.
+no more and no fewer. models: the same of models, golden_models.csv and missed_models.txt. bytes: what each scene draws in each tier
+and format has the hash of tests/trade/bytes.txt; so any byte that changes is seen. SPANGLE_UPDATE_GOLDEN=1 writes all these anew.
+shards: parts that are merged are the bytes of one sweep.
 page: the page in a headless Chromium: sliders move, nothing complains. Skipped where there is none.
 """
 import csv
@@ -18,6 +20,8 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 SPANGLE = pathlib.Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else None
+MODELS = pathlib.Path("/usr/share/assimp/models")
+FORMATS = "565,888,8888,666,444,332,grey4,mono"
 FOR_THE_PAGE = ["S4r", "S7", "CUBE", "--formats", "565,grey4", "--frames", "2", "--size", "96x64"]
 
 
@@ -32,24 +36,59 @@ def trade(folder, *words, status=0):
     return done
 
 
-def golden(folder):
-    said = trade(folder, "--no-times", "--frames", "2", "--out", "all").stdout
+def held(folder, name, *words):
+    """Figures and broken promises of what `words` name are those of the golden files; gives the broken promises."""
+    said = trade(folder, *words, "--no-times", "--frames", "2", "--out", "all").stdout
     figures = (folder / "all/accuracy.csv").read_text()
     missed = "".join(line + "\n" for line in said.splitlines() if re.match(r"\S+ in \w+, \w+: ", line))
+    golden_file, missed_file = HERE / f"golden{name}.csv", HERE / f"missed{name}.txt"
     if os.environ.get("SPANGLE_UPDATE_GOLDEN") == "1":
-        (HERE / "golden.csv").write_text(figures)
-        (HERE / "missed.txt").write_text(missed)
-    want = (HERE / "golden.csv").read_text()
+        golden_file.write_text(figures)
+        missed_file.write_text(missed)
+    want = golden_file.read_text()
     if figures != want:
         for new, old in zip(csv.DictReader(figures.splitlines()), csv.DictReader(want.splitlines())):
             for column, cell in new.items():
                 if cell != old.get(column):
                     print(f"{new['scene']}, {new['tier']}: {column} is {cell}, was {old.get(column)}")
-        sys.exit("trade: figures are others than in golden.csv; if that is meant, SPANGLE_UPDATE_GOLDEN=1 writes it anew")
-    check(missed == (HERE / "missed.txt").read_text(), f"other promises are broken than those of missed.txt:\n{missed}")
+        sys.exit(f"trade: figures are others than in {golden_file.name}; if that is meant, SPANGLE_UPDATE_GOLDEN=1 writes it anew")
+    check(missed == missed_file.read_text(), f"other promises are broken than those of {missed_file.name}:\n{missed}")
     for row in csv.DictReader(figures.splitlines()):
         check(row["off_own"] == "0", f"{row['scene']}, {row['tier']}: coverage is off brute force")
         check(row["off_unsnapped"] == row["off_ideal"], f"{row['scene']}, {row['tier']}: more than n.8 costs is off")
+    return missed
+
+
+def same_hashes(folder, file, *words):
+    """What `--bytes` prints of these words is the golden file: a line for each program, format and tier."""
+    said = trade(folder, "--bytes", *words).stdout
+    if os.environ.get("SPANGLE_UPDATE_GOLDEN") == "1":
+        file.write_text(said)
+    want, found = ({line.rpartition(" ")[0]: line.rpartition(" ")[2] for line in text.splitlines()} for text in (file.read_text(), said))
+    for job in sorted(want.keys() | found.keys()):
+        check(want.get(job) == found.get(job), f"{job} draws other bytes: {found.get(job)}, in {file.name} {want.get(job)}; "
+              "if that is meant, SPANGLE_UPDATE_GOLDEN=1 writes the file anew")
+    check(said.splitlines() == sorted(said.splitlines()) and len(found) == len(said.splitlines()), "lines are not sorted, or twice there")
+    return found
+
+
+def bytes_drawn(folder):
+    found = same_hashes(folder, HERE / "bytes.txt", "--formats", FORMATS, "--size", "160x120", "--frames", "2")
+    programs = {job.split()[0] for job in found}
+    check(len(found) == len(programs) * 8 * 3 and {"SHADOW", "S9", "WRAPS"} <= programs, f"not all jobs are there: {len(found)}")
+    half = [trade(folder, "--bytes", "S4r", "S5", "--size", "80x60", "--frames", "1", "--shard", part).stdout for part in ("1/2", "2/2")]
+    whole = trade(folder, "--bytes", "S4r", "S5", "--size", "80x60", "--frames", "1").stdout
+    check("".join(half) == whole and half[0], "shards print other bytes")
+    check(len({line.split()[-1] for line in whole.splitlines()}) > 3, "tiers and scenes draw the same bytes")
+
+
+def models(folder):
+    files = [MODELS / name for name in ("Collada/duck.dae", "OBJ/spider.obj", "STL/Spider_ascii.stl")]
+    held(folder, "_models", *(word for file in files for word in ("--model", str(file))))
+
+
+def golden(folder):
+    missed = held(folder, "")
     trade(folder, "S6", "--no-times", "--frames", "2", "--strict", "--out", "strict", status=1 if "S6 in" in missed else 0)
     trade(folder, "S3", "--no-times", "--frames", "1", "--strict", "--out", "strict")
 
@@ -140,7 +179,7 @@ def errors(folder):
 
 
 def main():
-    parts = {"golden": golden, "shards": shards, "page": page, "errors": errors}
+    parts = {"golden": golden, "models": models, "bytes": bytes_drawn, "shards": shards, "page": page, "errors": errors}
     if len(sys.argv) != 3 or sys.argv[2] not in parts:
         sys.exit(__doc__.strip())
     with tempfile.TemporaryDirectory() as folder:
