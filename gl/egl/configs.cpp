@@ -314,6 +314,17 @@ Config find_config(const Display&, EGLConfig handle) {
     return config;
 }
 
+#if SPANGLE_HAS_PLATFORMS
+Config made_of(Config config) {
+    if (const Drawn* const drawn = platforms().drawn; drawn != nullptr && config.id != 0) {
+        config.format = drawn->format;
+        config.precision = drawn->precision;
+        config.multisampled = false;
+    }
+    return config;
+}
+#endif
+
 Precision precision_of(EGLint precision) {
     // Exact, balanced, fast; double; the three again, as shadows.
     const EGLint policy = precision - EGL_PRECISION_EXACT_SPANGLE, shadow = policy - 4;

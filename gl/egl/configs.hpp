@@ -12,6 +12,15 @@ namespace spangle::egl {
 /// The configuration behind a handle; id 0 when there is none.
 Config find_config(const Display& display, EGLConfig handle);
 
+/// What a pbuffer or a context of a configuration has: the same, unless Platforms::drawn says otherwise.
+#if SPANGLE_HAS_PLATFORMS
+Config made_of(Config config);
+#else
+inline const Config& made_of(const Config& config) {
+    return config;
+}
+#endif
+
 /// A window waits for the last frame to be taken, or it does not (EGL 1.4, 3.9.3).
 inline constexpr EGLint least_swap_interval = 0, most_swap_interval = 1;
 

@@ -144,7 +144,7 @@ EGLContext eglCreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_c
     Display* const display = find_display(dpy);
     if (display == nullptr)
         return EGL_NO_CONTEXT;
-    const Config found = find_config(*display, config);
+    const Config found = made_of(find_config(*display, config));
     if (found.id == 0) {
         fail(EGL_BAD_CONFIG, SPANGLE_TEXT("config is not one of this display"));
         return EGL_NO_CONTEXT;

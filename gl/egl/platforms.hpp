@@ -9,6 +9,9 @@
 namespace spangle::gl {
 struct Context;
 }
+namespace spangle::raster {
+struct Surface;
+}
 
 namespace spangle::egl {
 
@@ -17,6 +20,12 @@ struct NativeDisplay {
     bool known = false;
     hal::Display* panel = nullptr;
     hal::WindowSystem* windows = nullptr;
+};
+
+/// What pixels are and in which numbers they are made.
+struct Drawn {
+    PixelFormat format;
+    EGLint precision;
 };
 
 /// What a host that is more than a board's display tells EGL.
@@ -33,6 +42,11 @@ struct Platforms {
     /// eglSwapBuffers of a pbuffer, which shows nothing (EGL 1.4, 3.9.1), hands its picture here; so do Flush
     /// and Finish of one that is never swapped: programs for single buffers end frames like that.
     void (*swapped)(const hal::Frame& picture, const hal::DisplayInfo& info) = nullptr;
+    /// Sees a picture before `swapped` does, with its depth buffer.
+    void (*planes)(const raster::Surface& picture) = nullptr;
+    /// Not null: pbuffers and contexts have this format and precision and no samples, whatever their config
+    /// says. So a program is drawn in formats that it would not choose.
+    const Drawn* drawn = nullptr;
     /// Sees each new context.
     void (*created)(gl::Context& context) = nullptr;
 };

@@ -73,6 +73,8 @@ void show_pbuffer(Surface& surface) {
     const Registry registry;
     const raster::Surface picture = pixels_of(surface);
     raster::resolve(picture);
+    if (platforms().planes != nullptr)
+        platforms().planes(picture);
     hal::DisplayInfo info;
     info.width = surface.width;
     info.height = surface.height;

@@ -358,7 +358,7 @@ EGLSurface eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig config, const EGLin
     Display* const display = find_display(dpy);
     if (display == nullptr)
         return EGL_NO_SURFACE;
-    const Config found = find_config(*display, config);
+    const Config found = made_of(find_config(*display, config));
     PbufferWish wish;
     EGLint problem = found.id == 0 ? EGL_BAD_CONFIG : read_pbuffer(attrib_list, wish);
     if (problem == 0 && (wish.width > largest_pbuffer || wish.height > largest_pbuffer) && !wish.largest)

@@ -23,6 +23,7 @@
 #include "host_sim/cli/samples.hpp"
 #include "host_sim/cli/say.hpp"
 #include "host_sim/cli/trade.hpp"
+#include "host_sim/trade/knobs.hpp"
 #include <spangle/boards/boards.hpp>
 
 namespace {
@@ -239,7 +240,7 @@ int spangle_main(int argc, char** argv) {
     demo_command->add_option("--out", folder, "folder for the pictures")->capture_default_str();
 
     cli::RunOptions options;
-    std::string size, dither = "on", precision = first_tier();
+    std::string size, dither = "on", precision = first_tier(), knobs;
     CLI::App* const run = app.add_subcommand("run", "draw a scene or a model");
     run->add_option("scene", options.scene, "id of a scene, see `spangle scenes`");
     run->add_option("--model", options.model, "a model file instead: any format libassimp reads");
@@ -259,6 +260,9 @@ int spangle_main(int argc, char** argv) {
                     "every stage held against a double beside it, and an error report")
         ->check(CLI::IsMember(precision_names()))
         ->capture_default_str();
+    run->add_option("--knobs", knobs,
+                    "a tier of your own, BASE,KNOB=VALUE,...; `spangle trade --knobs` lists the knobs")
+        ->excludes("--precision");
     run->add_option("--dither", dither, "GL_DITHER")
         ->check(CLI::IsMember({"on", "off"}))
         ->capture_default_str();
@@ -347,6 +351,13 @@ int spangle_main(int argc, char** argv) {
 
     cli::TradeOptions to_trade;
     CLI::App* const trade = cli::add_trade(app, to_trade);
+    if (argc > 1 && argv[1] == std::string_view("trade")) { // what follows -- are no words of ours
+        char** const dashes = std::find(argv, argv + argc, std::string_view("--"));
+        if (dashes != argv + argc)
+            to_trade.program.assign(dashes + 1, argv + argc);
+        to_trade.runs_program = dashes != argv + argc;
+        argc = static_cast<int>(dashes - argv);
+    }
 
     try {
         app.parse(argc, argv);
@@ -386,6 +397,13 @@ int spangle_main(int argc, char** argv) {
     if (app.got_subcommand(wizard))
         return cli::wizard(bringup);
     options.precision = precision_of(precision);
+    if (!knobs.empty()) {
+        trade::Tier tier;
+        if (const std::string problem = trade::read_knobs(knobs, tier); !problem.empty())
+            return refuse("--knobs: " + problem);
+        options.precision = precision_of(tier.name);
+        options.knobs = tier.knobs;
+    }
     options.bands.record = bands == "record";
     return run_command(options, size, dither);
 }

@@ -1,6 +1,9 @@
 #include "host_sim/cli/trade.hpp"
 
+#include <algorithm>
 #include <deque>
+#include <filesystem>
+#include <set>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -9,10 +12,13 @@
 #include "boards/scenes/scene.hpp"
 #include "host_sim/cli/callgrind.hpp"
 #include "host_sim/cli/model.hpp"
+#include "host_sim/cli/replays.hpp"
 #include "host_sim/cli/say.hpp"
 #include "host_sim/trade/advice.hpp"
 #include "host_sim/trade/boxes.hpp"
+#include "host_sim/trade/bytes.hpp"
 #include "host_sim/trade/corpus.hpp"
+#include "host_sim/trade/knobs.hpp"
 #include "host_sim/trade/page.hpp"
 #include "host_sim/trade/sweep.hpp"
 
@@ -38,7 +44,7 @@ struct Corpus {
             scene = id == other.id ? &other : scene;
         if (scene == nullptr)
             return "no scene '" + id + "'; `spangle scenes` lists them, and `spangle trade --help` more";
-        programs.push_back({scene->id, scene->setup, scene->draw});
+        programs.push_back({scene->id, scene->setup, scene->draw, trade::needs_stencil(*scene)});
         return "";
     }
     std::string add_model(const std::string& file) {
@@ -52,10 +58,29 @@ struct Corpus {
                             [&model](int f) { draw_model(model, f); }});
         return "";
     }
+    std::string add_trace(const std::string& file) {
+        std::shared_ptr<trade::Recording> recording;
+        std::string problem = open_trace(file, recording);
+        programs.push_back({one_line(std::filesystem::path(file).stem().string()), {}, {}, false, recording});
+        return problem;
+    }
+    std::string add_program(const std::vector<std::string>& words) {
+        std::shared_ptr<trade::Recording> recording;
+        std::string problem = open_program(words, recording);
+        programs.push_back(
+            {one_line(std::filesystem::path(words[0]).filename().string()), {}, {}, false, recording});
+        return problem;
+    }
     std::string add(const TradeOptions& options) {
         std::string problem;
+        if (options.runs_program && options.program.empty())
+            return "name a program after --";
         for (const std::string& id : options.scenes)
             problem = problem.empty() ? add_scene(id) : problem;
+        if (options.runs_program && problem.empty())
+            problem = add_program(options.program);
+        for (const std::string& file : options.traces)
+            problem = problem.empty() ? add_trace(file) : problem;
         for (const std::string& file : options.models)
             problem = problem.empty() ? add_model(file) : problem;
         if (programs.empty())
@@ -83,6 +108,12 @@ std::string read_setting(const TradeOptions& options, trade::Sweep& out) {
         for (const std::string& name : options.tiers)
             if (name == tier.name)
                 out.tiers.push_back(tier);
+    for (const std::string& words : options.own_tiers) {
+        trade::Tier own;
+        if (std::string problem = trade::read_tier(words, out.tiers, own); !problem.empty())
+            return problem;
+        out.tiers.push_back(own);
+    }
     for (const std::string& name : options.formats)
         out.formats.push_back(*trade::find(trade::formats, name));
     return "";
@@ -92,10 +123,15 @@ std::string read_setting(const TradeOptions& options, trade::Sweep& out) {
 auto counter(const TradeOptions& options) {
     return [&options, told = false](const trade::Program& program, const trade::Tier& tier,
                                     const trade::Format& format) mutable -> std::uint64_t {
-        if (told || format.format != PixelFormat::rgb565_be)
+        if (told || format.format != PixelFormat::rgb565_be || program.recording != nullptr)
             return 0;
-        std::vector<std::string> words = {"run",        "--precision", tier.name,     "--size",
-                                          options.size, "--dither",    options.dither};
+        std::vector<std::string> words = {"run",
+                                          tier.knobs ? "--knobs" : "--precision",
+                                          tier.knobs ? tier.words : tier.name,
+                                          "--size",
+                                          options.size,
+                                          "--dither",
+                                          options.dither};
         if (scenes::find(program.name.c_str()) != nullptr)
             words.insert(words.begin() + 1, program.name);
         else if (options.models.size() == 1)
@@ -110,6 +146,71 @@ auto counter(const TradeOptions& options) {
         }
         return count;
     };
+}
+
+/// The bytes of each job and tier as a line, in the order of the alphabet.
+int print_bytes(const trade::Sweep& what) {
+    std::vector<std::string> lines;
+    int number = 0;
+    for (const trade::Program& program : what.programs)
+        for (const trade::Format& format : what.formats) {
+            if (number++ % what.shards != what.shard - 1)
+                continue;
+            for (const trade::Tier& tier : what.tiers) {
+                std::uint64_t hash = 0;
+                if (const std::string problem = trade::hash_frames(program, tier, format, what.setting, hash);
+                    !problem.empty())
+                    return refuse(problem);
+                lines.push_back(
+                    fmt::format("{} {} {} {:016x}\n", program.name, format.name, tier.name, hash));
+            }
+        }
+    std::sort(lines.begin(), lines.end());
+    for (const std::string& line : lines)
+        print_text(line);
+    return 0;
+}
+
+bool is_asked(const TradeOptions& options, const std::string& target) {
+    return std::find(options.targets.begin(), options.targets.end(), target) != options.targets.end();
+}
+
+constexpr const char* how_to_build = "`./dev firmware --out DIR` builds images; then --firmware DIR";
+
+/// Every target that is asked for has its folder of images.
+std::string read_targets(const TradeOptions& options, trade::Sweep& out) {
+    for (const trade::Target& target : trade::targets())
+        if (is_asked(options, target.name))
+            out.targets.push_back(target);
+    if (out.targets.empty())
+        return options.firmware.empty() ? "" : "--firmware is for --targets m0plus, m3, m4 or rv32";
+    if (options.firmware.empty())
+        return fmt::format("--targets {} needs firmware: {}", out.targets.front().name, how_to_build);
+    for (const trade::Target& target : out.targets)
+        if (!std::filesystem::is_directory(options.firmware + "/" + target.name))
+            return fmt::format("'{}' has no images for {}: {}", options.firmware, target.name, how_to_build);
+    return "";
+}
+
+/// Counts on boards; what goes wrong is told once for each target, and a program without images is told once.
+auto board_counter(const TradeOptions& options, const trade::Setting& setting) {
+    return
+        [&options, setting, told = std::set<std::string>()](
+            const trade::Target& target, const trade::Program& program, const trade::Tier& tier,
+            const trade::Format& format, const trade::Work& work) mutable -> std::optional<trade::BoardCost> {
+            if (format.format != PixelFormat::rgb565_be || tier.knobs)
+                return {};
+            const std::string image = trade::image_path(options.firmware, target, program.name, tier);
+            trade::BoardCost cost;
+            const bool there = std::filesystem::exists(image);
+            const std::string problem = there ? trade::count_on(target, image, setting, work.hash, cost)
+                                              : fmt::format("there is no {}; {}", image, how_to_build);
+            if (problem.empty())
+                return cost;
+            if (told.insert(there ? target.name : program.name).second)
+                tell(fmt::format("{} is not counted: {}\n", target.name, problem));
+            return {};
+        };
 }
 
 /// What was found out, and the page of it unless it is a part of more.
@@ -150,17 +251,31 @@ CLI::App* add_trade(CLI::App& app, TradeOptions& o) {
         "Beside the scenes:\n" + more +
         "\nWrites accuracy.csv (the same bytes on every machine), cost.csv (times of this one) and "
         "index.html, which needs no other file. docs/trade.md explains the figures.\n"
+        "Coverage is held against brute force on the tier's own snapped vertices (off_own), against vertices "
+        "in double snapped to the same 1/256 pixel (off_snapped), and against unsnapped ones "
+        "(off_unsnapped).\n"
         "  spangle trade --out all                      every scene, 565, three tiers\n"
         "  spangle trade S4r S9 --formats 565,888       two scenes in two formats\n"
-        "  spangle trade --model duck.dae --instructions\n"
+        "  spangle trade --model duck.dae --targets host\n"
+        "  spangle trade S9 --targets m0plus,m4 --firmware build/trade-firmware\n"
+        "  spangle trade S9 --tier fine=balanced,texel_bits=4    a tier of your own\n"
+        "  spangle trade --trace game.trace             the first frames of a trace of apitrace\n"
+        "  spangle trade --frames 60 -- glxgears        a program: it is recorded once, then replayed\n"
         "  spangle trade --shard 1/4 --out part1        and 2/4 ... elsewhere, then\n"
         "  spangle trade merge part1 part2 part3 part4 --out all");
     for (const trade::Tier& tier : trade::tiers)
         if ((SPANGLE_TIER_SET >> (&tier - trade::tiers) & 1) != 0) // of this build
             o.tiers.emplace_back(tier.name);
     o.formats = {"565"};
-    command->add_option("scenes", o.scenes, "ids of scenes (see `spangle scenes`); none and no model: all");
+    command->add_option(
+        "scenes", o.scenes,
+        "ids of scenes (see `spangle scenes`); after -- comes a program with its arguments; none "
+        "and no model or trace: all scenes");
     command->add_option("--model", o.models, "a model file: any format libassimp reads; may be repeated")
+        ->allow_extra_args(false);
+    command
+        ->add_option("--trace", o.traces,
+                     "a trace of apitrace: its first frames, in its own size; may be repeated")
         ->allow_extra_args(false);
     command
         ->add_option("--tiers", o.tiers,
@@ -172,8 +287,9 @@ CLI::App* add_trade(CLI::App& app, TradeOptions& o) {
         ->check(CLI::IsMember(names_of(trade::formats)))
         ->delimiter(',')
         ->allow_extra_args(false);
-    command->add_option("--size", o.size, "WIDTHxHEIGHT of the pictures")->capture_default_str();
-    command->add_option("--frames", o.frames, "how many frames of each program")
+    command->add_option("--size", o.size, "WIDTHxHEIGHT of the pictures, and of a program's windows")
+        ->capture_default_str();
+    command->add_option("--frames", o.frames, "how many frames of each program are judged: the first")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
     command->add_option("--dither", o.dither, "GL_DITHER")
@@ -181,9 +297,27 @@ CLI::App* add_trade(CLI::App& app, TradeOptions& o) {
         ->capture_default_str();
     command->add_option("--shard", o.shard, "I/N: only the Ith of N parts of the jobs, and no page");
     command->add_flag("--no-times", o.no_times, "measure no times: cost.csv has none");
-    command->add_flag("--instructions", o.instructions,
-                      "count the instructions of a frame on this machine, in 565 (valgrind; takes minutes)");
+    command
+        ->add_option("--targets", o.targets,
+                     "count the instructions of a frame in 565 there, as host,m4: host is this machine "
+                     "(valgrind; takes minutes), m0plus, m3, m4 and rv32 run images of --firmware in QEMU")
+        ->check(CLI::IsMember(trade::target_names()))
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command->add_flag("--instructions", o.instructions, "the same as --targets host");
+    command->add_option(
+        "--firmware", o.firmware,
+        "the folder of images that `./dev firmware --out DIR` has built from Spangle's source");
+    command
+        ->add_option(
+            "--tier", o.own_tiers,
+            "one more tier, NAME=BASE,KNOB=VALUE,...: BASE is exact, balanced or fast; may be repeated")
+        ->allow_extra_args(false);
+    command->add_flag("--knobs", o.knobs, "list the knobs of a tier, and do nothing else");
     command->add_flag("--strict", o.strict, "exit with 1 where a tier breaks one of its promises");
+    command->add_flag(
+        "--bytes", o.bytes,
+        "only print a hash of what each program draws in each format and tier, and measure nothing");
     command->add_option("--out", o.out, "the folder for all files")->capture_default_str();
     CLI::App* const merge = command->add_subcommand("merge", "put the folders of shards together");
     merge->add_option("parts", o.parts, "the folders")->required();
@@ -193,6 +327,10 @@ CLI::App* add_trade(CLI::App& app, TradeOptions& o) {
 }
 
 int trade(const TradeOptions& options, bool merging) {
+    if (options.knobs) {
+        print("{}", trade::knob_table());
+        return 0;
+    }
     if (merging) {
         const trade::Swept swept = trade::merge_folders(options.parts, options.out);
         return swept.problem.empty() ? report(options, swept, true) : refuse(swept.problem);
@@ -201,12 +339,20 @@ int trade(const TradeOptions& options, bool merging) {
     trade::Sweep sweep;
     std::string problem = read_setting(options, sweep);
     if (problem.empty())
+        problem = read_targets(options, sweep);
+    if (problem.empty())
         problem = corpus.add(options);
     if (!problem.empty())
         return refuse(problem);
     sweep.programs = corpus.programs;
-    if (options.instructions)
+    if (!options.own_tiers.empty() && std::any_of(sweep.programs.begin(), sweep.programs.end(),
+                                                  [](const auto& p) { return p.recording != nullptr; }))
+        return refuse("--tier is for scenes and models: a trace or a program takes exact, balanced or fast");
+    if (options.bytes)
+        return print_bytes(sweep);
+    if (options.instructions || is_asked(options, trade::host_target))
         sweep.count = counter(options);
+    sweep.count_board = board_counter(options, sweep.setting);
     if (isatty(STDERR_FILENO) != 0)
         sweep.progress = [](const trade::Job& job) {
             tell(fmt::format("\r\033[K{} of {}: {} in {}{}", job.number + 1, job.of, job.scene,

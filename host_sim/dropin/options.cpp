@@ -56,14 +56,17 @@ EGLint precision_of(const char* variable) {
     constexpr Name names[] = {{"exact", EGL_PRECISION_EXACT_SPANGLE},
                               {"balanced", EGL_PRECISION_BALANCED_SPANGLE},
                               {"fast", EGL_PRECISION_FAST_SPANGLE},
-                              {"double", EGL_PRECISION_DOUBLE_SPANGLE}};
+                              {"double", EGL_PRECISION_DOUBLE_SPANGLE},
+                              {"shadow", EGL_PRECISION_SHADOW_SPANGLE},
+                              {"shadow-balanced", EGL_PRECISION_SHADOW_BALANCED_SPANGLE},
+                              {"shadow-fast", EGL_PRECISION_SHADOW_FAST_SPANGLE}};
     const char* const value = value_of(variable);
     if (value == nullptr)
         return EGL_PRECISION_EXACT_SPANGLE;
     for (const Name& name : names)
         if (std::strcmp(value, name.text) == 0)
             return name.token;
-    refuse(variable, value, "exact, balanced, fast or double");
+    refuse(variable, value, "exact, balanced, fast, double, shadow, shadow-balanced or shadow-fast");
 }
 
 const hal::Board* board_of(const char* variable) {
@@ -129,6 +132,10 @@ Options read() {
     out.report = text_of("SPANGLE_REPORT");
     out.record = text_of("SPANGLE_RECORD");
     out.record_format = format_of("SPANGLE_RECORD_FORMAT");
+    out.capture = text_of("SPANGLE_CAPTURE");
+    out.capture_format = format_of("SPANGLE_CAPTURE_FORMAT");
+    out.times_only = flag_of("SPANGLE_CAPTURE_TIMES");
+    out.dither = number_of("SPANGLE_CAPTURE_DITHER", 0, 1, 1) == 1;
     out.frames = number_of("SPANGLE_FRAMES", 1, 1000000000, 0);
     out.memory =
         static_cast<std::size_t>(number_of("SPANGLE_MEMORY", 1, most_memory, usual_memory)) * megabyte;

@@ -11,6 +11,7 @@
 
 #include "gl/egl/platforms.hpp"
 #include "gl/pixel/fragment_setup.hpp"
+#include "host_sim/dropin/capture.hpp"
 #include "host_sim/dropin/glx_drawables.hpp"
 #include "host_sim/dropin/options.hpp"
 #include "host_sim/dropin/recording.hpp"
@@ -48,13 +49,21 @@ egl::NativeDisplay find(EGLenum platform, void* native) {
 }
 
 void swapped(const hal::Frame& picture, const hal::DisplayInfo& info) {
-    Stage::get().show(picture, info);
+    if (Capture::get() == nullptr) // which counts frames otherwise
+        Stage::get().show(picture, info);
 }
 
 void created(gl::Context& context) {
     if (!options().report.empty())
         gl::observe(context, Stage::get().counters(), false);
     record(context);
+    if (Capture* const capture = Capture::get())
+        capture->watch(context);
+}
+
+void planes(const raster::Surface& picture) {
+    if (Capture* const capture = Capture::get())
+        capture->take(picture);
 }
 
 void say(unsigned code, const char* text) {
@@ -65,7 +74,7 @@ void say(unsigned code, const char* text) {
     give_memory();
     if (options().messages)
         on_message(say);
-    if (options().precision == EGL_PRECISION_DOUBLE_SPANGLE)
+    if (options().precision >= EGL_PRECISION_DOUBLE_SPANGLE)
         use_reference_engines();
     egl::Platforms platforms;
     platforms.extensions = " EGL_EXT_platform_x11 EGL_KHR_platform_x11";
@@ -73,14 +82,21 @@ void say(unsigned code, const char* text) {
     platforms.renderable = EGL_OPENGL_ES_BIT;
     platforms.precision = options().precision;
     platforms.swapped = swapped;
-    if (!options().report.empty() || !options().record.empty())
-        platforms.created = created;
+    platforms.created = created;
+    if (!options().capture.empty())
+        platforms.planes = planes;
+    static egl::Drawn drawn;
+    if (options().capture_format) {
+        drawn = {*options().capture_format, options().precision};
+        platforms.drawn = &drawn;
+    }
     egl::use_platforms(platforms);
     XWindows::on_close(glx::forget_connection);
 }
 
 [[gnu::destructor]] void end() {
     Stage::finish_if_any();
+    Capture::finish_if_any();
 }
 
 } // namespace

@@ -6,49 +6,11 @@
 #include <spangle/GL/gl.h>
 
 #include "boards/scenes/textures.hpp"
+#include "host_sim/trade/corpus_parts.hpp"
 
 namespace spangle::trade {
 
 namespace {
-
-float height_of(int width, int height) {
-    return static_cast<float>(height) / static_cast<float>(width);
-}
-
-void look(int width, int height, float nearest, float farthest) {
-    const float h = height_of(width, height);
-    glMatrixMode(GL_PROJECTION);
-    glFrustum(-1, 1, double{-h}, double{h}, double{nearest}, double{farthest});
-    glMatrixMode(GL_MODELVIEW);
-    glClearColor(0.125f, 0.25f, 0.375f, 1);
-    glEnable(GL_DEPTH_TEST);
-}
-
-void clear() {
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    glLoadIdentity();
-}
-
-/// A rectangle across the view at depth z, one colour a corner.
-void sheet(float left, float bottom, float right, float top, float z, float alpha) {
-    glBegin(GL_QUADS);
-    glColor4f(0.9f, 0.2f, 0.1f, alpha), glVertex3f(left, bottom, z);
-    glColor4f(0.1f, 0.8f, 0.2f, alpha), glVertex3f(right, bottom, z);
-    glColor4f(0.2f, 0.3f, 0.9f, alpha), glVertex3f(right, top, z);
-    glColor4f(0.9f, 0.9f, 0.2f, alpha), glVertex3f(left, top, z);
-    glEnd();
-}
-
-/// A plane from under the eye to the horizon, a texture a metre.
-void ground() {
-    constexpr float far = 1000, side = 1000;
-    glBegin(GL_QUADS);
-    glTexCoord2f(-side, 0), glVertex3f(-side, -1, 0);
-    glTexCoord2f(side, 0), glVertex3f(side, -1, 0);
-    glTexCoord2f(side, far), glVertex3f(side, -1, -far);
-    glTexCoord2f(-side, far), glVertex3f(-side, -1, -far);
-    glEnd();
-}
 
 /// Every level of an image has a colour of its own.
 void make_levels(GLenum filter) {
@@ -96,22 +58,6 @@ const scenes::Scene levels_scene = {"LEVELS", "mipmaps of a plane, a colour a le
 const scenes::Scene trilinear_scene = {"TRILINEAR", "the same, between levels", smooth_levels_setup,
                                        ground_draw};
 
-/// A sphere of that many rings of quads, lit.
-void sphere(int rings) {
-    constexpr float pi = 3.14159265f;
-    for (int i = 0; i < rings; ++i) {
-        glBegin(GL_QUAD_STRIP);
-        for (int k = 0; k <= 2 * rings; ++k)
-            for (int ring = 0; ring < 2; ++ring) {
-                const float a = pi * static_cast<float>(i + ring) / static_cast<float>(rings),
-                            b = pi * static_cast<float>(k) / static_cast<float>(rings);
-                const float x = std::sin(a) * std::cos(b), y = std::cos(a), z = std::sin(a) * std::sin(b);
-                glNormal3f(x, y, z);
-                glVertex3f(x, y, z);
-            }
-        glEnd();
-    }
-}
 void sphere_setup(int w, int h) {
     look(w, h, 2, 10);
     const GLfloat position[] = {1, 2, 3, 0}, shine[] = {0.6f, 0.6f, 0.6f, 1}, body[] = {0.7f, 0.3f, 0.2f, 1};
@@ -227,13 +173,19 @@ void lines_draw(int f) {
 const scenes::Scene lines_scene = {"LINES", "a star of lines of four widths, into depth", lines_setup,
                                    lines_draw};
 
-const scenes::Scene programs[] = {blend_scene, clip_scene,   fog_scene,    ground_scene,   levels_scene,
-                                  lines_scene, offset_scene, sphere_scene, trilinear_scene};
-
 } // namespace
 
 scenes::SceneList corpus() {
+    static const scenes::Scene programs[] = {
+        blend_scene,     clip_scene,     combine_scene, cutout_scene, decals_scene, equations_scene,
+        fog_scene,       ground_scene,   levels_scene,  lines_scene,  mirror_scene, offset_scene,
+        outline_scene,   patterns_scene, shadow_scene,  smooth_scene, sphere_scene, spots_scene,
+        trilinear_scene, volume_scene,   wraps_scene};
     return {programs, static_cast<int>(sizeof programs / sizeof *programs)};
+}
+
+bool needs_stencil(const scenes::Scene& program) {
+    return program.draw == shadow_scene.draw || program.draw == outline_scene.draw;
 }
 
 } // namespace spangle::trade

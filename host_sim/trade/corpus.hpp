@@ -8,5 +8,7 @@ namespace spangle::trade {
 
 /// All of them, in the order of their ids.
 scenes::SceneList corpus();
+/// Whether a program of it needs a stencil buffer.
+bool needs_stencil(const scenes::Scene& program);
 
 } // namespace spangle::trade

@@ -1,8 +1,7 @@
 #include "host_sim/trade/measure.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -10,56 +9,43 @@
 #include <spangle/boards/boards.hpp>
 #include <spangle/native.hpp>
 #include <spangle/sim/board.hpp>
+#include <spangle/tier.hpp>
 
 #include "gl/pixel/fragment_setup.hpp"
 #include "host_sim/trade/coverage.hpp"
+#include "host_sim/trade/judge.hpp"
 #include "host_sim/trade/offscreen.hpp"
-#include "host_sim/trade/perceived.hpp"
+#include "host_sim/trade/recording.hpp"
 
 namespace spangle::trade {
 
 namespace {
-
-sim::Image image_of(const DrawnPicture& drawn) {
-    sim::Image out(drawn.width, drawn.height);
-    const std::size_t row = 4 * static_cast<std::size_t>(drawn.width);
-    for (int y = 0; y < drawn.height; ++y)
-        std::copy_n(drawn.rgba.begin() + static_cast<std::ptrdiff_t>(row) * (drawn.height - 1 - y), row,
-                    out.rgba.begin() + static_cast<std::ptrdiff_t>(row) * y);
-    for (std::size_t i = 3; i < out.rgba.size(); i += 4)
-        out.rgba[i] = 255; // alpha is no part of what is seen
-    return out;
-}
-
-/// A mask from the bottom row on.
-std::vector<bool> upside_down(const std::vector<bool>& mask, int width) {
-    std::vector<bool> out;
-    out.reserve(mask.size());
-    for (std::size_t row = mask.size(); row != 0; row -= static_cast<std::size_t>(width))
-        for (std::size_t x = row - static_cast<std::size_t>(width); x < row; ++x)
-            out.push_back(mask[x]);
-    return out;
-}
 
 /// A context that is drawn with and watched.
 struct Watched {
     Offscreen screen;
     std::optional<Coverage> coverage;
     raster::Counters counters;
+    int coverage_width = 0;
 
-    std::string open(const Program& program, const Setting& s, PixelFormat format, EGLint precision) {
-        std::string problem = screen.open(program, s.width, s.height, format, precision, s.dither);
+    std::string open(const Program& program, const Setting& s, PixelFormat format, EGLint precision,
+                     const raster::Knobs* knobs = nullptr) {
+        std::string problem = screen.open(program, s.width, s.height, format, precision, s.dither, knobs);
         if (!problem.empty())
             return problem;
         coverage.emplace(s.width, s.height);
+        coverage_width = s.width;
         counters.observer = &*coverage;
         gl::observe(*gl::current_context(), &counters, false);
         return "";
     }
-    DrawnPicture draw(const Program& program, int frame) const {
+    DrawnFrame draw(const Program& program, int frame) {
         screen.make_current();
         program.draw(frame);
-        return read_picture();
+        const FrameCoverage covered = coverage->end_frame();
+        DrawnPicture picture = read_picture();
+        coarsen(picture);
+        return {std::move(picture), covered, upside_down(coverage->take_mask(), coverage_width)};
     }
 };
 
@@ -71,28 +57,23 @@ std::string gl_problem(const Program& program) {
 void measure_pictures(const Program& program, const Tier& tier, const Format& format, const Setting& s,
                       Measured& out) {
     Watched ours, twin;
-    out.problem = ours.open(program, s, format.format, tier.precision);
+    out.problem = ours.open(program, s, format.format, tier.precision, own_knobs(tier));
     if (out.problem.empty())
         out.problem = twin.open(program, s, format.format, EGL_PRECISION_DOUBLE_SPANGLE);
     for (int f = 0; f < s.frames && out.problem.empty(); ++f) {
-        const DrawnPicture picture = ours.draw(program, f);
-        const FrameCoverage covered = ours.coverage->end_frame();
+        const DrawnFrame picture = ours.draw(program, f);
         out.problem = gl_problem(program);
-        const DrawnPicture reference = twin.draw(program, f);
-        const FrameCoverage ideal = twin.coverage->end_frame();
-        out.off_unsnapped += differences(covered.snapped, ideal.exact);
-        out.off_ideal += differences(ideal.snapped, ideal.exact);
-        const std::vector<bool> mask = upside_down(twin.coverage->take_mask(), s.width);
-        out.error.add(compare(picture, reference, &mask));
+        const DrawnFrame reference = twin.draw(program, f);
+        judge(picture, reference, out);
         if (f + 1 == s.frames) {
-            out.picture = image_of(picture);
-            out.reference = image_of(reference);
+            out.picture = image_of(picture.picture);
+            out.reference = image_of(reference.picture);
         }
     }
     out.off_own = ours.coverage ? ours.coverage->mismatches() : 0;
 }
 
-/// What the format costs, too: against double in eight bits, which nothing rounds further.
+/// What the format costs, too.
 void measure_against_plain(const Program& program, const Setting& s, Measured& out) {
     Offscreen plain;
     Setting undithered = s;
@@ -103,20 +84,14 @@ void measure_against_plain(const Program& program, const Setting& s, Measured& o
         return;
     program.draw(s.frames - 1);
     out.plain = image_of(read_picture());
-    double squares = 0;
-    for (std::size_t i = 0; i < out.plain.rgba.size(); ++i) {
-        const double d = out.plain.rgba[i] - out.picture.rgba[i];
-        squares += d * d;
-    }
-    const double values = 3.0 * static_cast<double>(out.plain.rgba.size()) / 4;
-    out.psnr_to_888 = squares > 0 ? 10 * std::log10(255.0 * 255.0 * values / squares) : PictureError::alike;
-    out.perceived = perceived_difference(out.picture, out.plain);
+    judge_plain(out);
 }
 
 void measure_stages(const Program& program, const Tier& tier, const Format& format, const Setting& s,
                     Measured& out) {
     Offscreen shadow;
-    out.problem = shadow.open(program, s.width, s.height, format.format, tier.shadow, s.dither);
+    out.problem =
+        shadow.open(program, s.width, s.height, format.format, tier.shadow, s.dither, own_knobs(tier));
     if (!out.problem.empty())
         return;
     const StageReport report;
@@ -137,6 +112,8 @@ void measure_bus(const Program& program, const Tier& tier, const Setting& s, Mea
                            EGL_WINDOW_BIT,
                            EGL_DEPTH_SIZE,
                            16,
+                           EGL_STENCIL_SIZE,
+                           program.stencil ? 8 : 0,
                            EGL_SAMPLES,
                            0,
                            EGL_PRECISION_SPANGLE,
@@ -150,6 +127,8 @@ void measure_bus(const Program& program, const Tier& tier, const Setting& s, Mea
     const EGLSurface window = eglCreateWindowSurface(display, config, 0, nullptr);
     const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
     if (eglMakeCurrent(display, window, window, context)) {
+        if (tier.knobs)
+            use_tier(*tier.knobs);
         program.setup(s.width, s.height);
         (s.dither ? glEnable : glDisable)(GL_DITHER);
         std::uint64_t first = 0;
@@ -169,6 +148,8 @@ void measure_bus(const Program& program, const Tier& tier, const Setting& s, Mea
 } // namespace
 
 Measured measure(const Program& program, const Tier& tier, const Format& format, const Setting& setting) {
+    if (program.recording != nullptr)
+        return measure_recording(program, tier, format, setting);
     use_reference_engines();
     Measured out;
     measure_pictures(program, tier, format, setting, out);

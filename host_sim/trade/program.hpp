@@ -2,14 +2,20 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace spangle::trade {
+
+class Recording;
 
 struct Program {
     std::string name;
     std::function<void(int width, int height)> setup; ///< in a fresh context
     std::function<void(int frame)> draw;              ///< frames do not depend on each other
+    bool stencil = false;                             ///< it needs a stencil buffer
+    /// Not null: a process of its own draws it, and the functions are empty (recording.hpp).
+    std::shared_ptr<Recording> recording{};
 };
 
 } // namespace spangle::trade

@@ -9,6 +9,7 @@
 #include "host_sim/output/output.hpp"
 #include "host_sim/trade/cost.hpp"
 #include "host_sim/trade/page.hpp"
+#include "host_sim/trade/recording.hpp"
 
 namespace spangle::trade {
 
@@ -36,8 +37,7 @@ std::string write_pictures(const std::string& folder, const Job& job, const Tier
                     {name + "-off", sim::difference_picture(m.picture, m.reference)},
                     {"double", m.reference}};
     for (const auto& picture : pictures)
-        if (const std::string problem =
-                sim::write_png(picture.image, folder + picture_name(number, picture.what));
+        if (std::string problem = sim::write_png(picture.image, folder + picture_name(number, picture.what));
             !problem.empty())
             return problem;
     return "";
@@ -46,20 +46,33 @@ std::string write_pictures(const std::string& folder, const Job& job, const Tier
 std::string run_job(const Sweep& what, const Program& program, const Job& job, const std::string& folder,
                     Swept& out) {
     what.progress(job);
+    Setting setting = what.setting;
+    if (program.recording != nullptr)
+        if (std::string problem = program.recording->settle(setting); !problem.empty())
+            return fmt::format("{}: {}", program.name, problem);
     for (const Tier& tier : what.tiers) {
-        const Measured m = measure(program, tier, job.format, what.setting);
+        const Measured m = measure(program, tier, job.format, setting);
         if (!m.problem.empty())
             return fmt::format("{} in {}, {}: {}", program.name, job.format.name, tier.name, m.problem);
-        out.accuracy.rows.push_back(accuracy_row(job, tier, what.setting, m));
+        out.accuracy.rows.push_back(accuracy_row(job, tier, setting, m));
         if (std::string problem = write_pictures(folder, job, tier, m); !problem.empty())
             return problem;
     }
     std::vector<double> times(what.tiers.size(), -1);
     if (what.times)
-        times = frame_times(program, what.tiers, job.format, what.setting);
-    for (std::size_t i = 0; i < what.tiers.size(); ++i)
-        out.cost.rows.push_back(cost_row(job, what.tiers[i], times[i], times[0],
-                                         what.count ? what.count(program, what.tiers[i], job.format) : 0));
+        times = frame_times(program, what.tiers, job.format, setting);
+    for (std::size_t i = 0; i < what.tiers.size(); ++i) {
+        const Tier& tier = what.tiers[i];
+        Cost cost{times[i],
+                  times[0],
+                  work_of_frames(program, tier, job.format, setting),
+                  what.count ? what.count(program, tier, job.format) : 0,
+                  {}};
+        for (const Target& target : what.targets)
+            if (const auto counted = what.count_board(target, program, tier, job.format, cost.work))
+                cost.boards[target.name] = *counted;
+        out.cost.rows.push_back(cost_row(job, tier, cost));
+    }
     return "";
 }
 

@@ -17,9 +17,9 @@ namespace detail {
 template <class V>
 inline void observe([[maybe_unused]] const DrawState& state, [[maybe_unused]] const V* const (&v)[3]) {
 #ifndef SPANGLE_FIRMWARE
-    if (state.counters == nullptr || state.counters->observer == nullptr ||
+    if (state.nothing || state.counters == nullptr || state.counters->observer == nullptr ||
         state.counters->observer->triangle == nullptr)
-        return;
+        return; // spans follow only where something is drawn
     std::int32_t x[3], y[3];
     for (int i = 0; i < 3; ++i)
         x[i] = position(*v[i]).x, y[i] = position(*v[i]).y;

@@ -390,6 +390,53 @@ TEST_F(Platform, PbuffersAreShownToWhoAsked) {
     EXPECT_EQ(swapped, 2) << "it swaps: Flush is no frame";
 }
 
+std::int32_t planes_width = 0;
+PixelFormat planes_format{};
+
+/// A program is drawn in a format that it did not choose.
+TEST_F(Platform, PbuffersHaveWhatTheHostDraws) {
+    static const egl::Drawn drawn = {PixelFormat::rgb565_be, EGL_PRECISION_FAST_SPANGLE};
+    egl::Platforms platforms = egl::platforms();
+    platforms.drawn = &drawn;
+    platforms.planes = [](const raster::Surface& picture) {
+        planes_width = picture.width;
+        planes_format = picture.format;
+    };
+    egl::use_platforms(platforms);
+    const EGLint wish[] = {EGL_RENDERABLE_TYPE,
+                           EGL_OPENGL_BIT,
+                           EGL_SURFACE_TYPE,
+                           EGL_PBUFFER_BIT,
+                           EGL_ALPHA_SIZE,
+                           8,
+                           EGL_SAMPLES,
+                           4,
+                           EGL_NONE};
+    EGLConfig sampled = nullptr;
+    EGLint count = 0;
+    ASSERT_TRUE(eglChooseConfig(display, wish, &sampled, 1, &count) && count == 1);
+    const EGLint area[] = {EGL_WIDTH, 4, EGL_HEIGHT, 9, EGL_NONE};
+    const EGLSurface pbuffer = eglCreatePbufferSurface(display, sampled, area);
+    const EGLContext context = eglCreateContext(display, sampled, EGL_NO_CONTEXT, nullptr);
+    ASSERT_EQ(eglMakeCurrent(display, pbuffer, pbuffer, context), yes);
+    GLint red = 0, alpha = 0, samples = 0;
+    glGetIntegerv(GL_RED_BITS, &red);
+    glGetIntegerv(GL_ALPHA_BITS, &alpha);
+    glGetIntegerv(GL_SAMPLES, &samples);
+    EXPECT_EQ(red, 5);
+    EXPECT_EQ(alpha, 0);
+    EXPECT_EQ(samples, 0);
+    EXPECT_EQ(gl::current_context()->tier, raster::Tier::fast);
+    EGLint given = 0, wanted = 0;
+    EXPECT_EQ(eglQueryContext(display, context, EGL_CONFIG_ID, &given), yes);
+    eglGetConfigAttrib(display, sampled, EGL_CONFIG_ID, &wanted);
+    EXPECT_EQ(given, wanted) << "the program sees its own config";
+    EXPECT_EQ(eglSwapBuffers(display, pbuffer), yes);
+    EXPECT_EQ(planes_width, 4);
+    EXPECT_EQ(planes_format, PixelFormat::rgb565_be);
+    EXPECT_EQ(swapped, 1);
+}
+
 TEST_F(Platform, TheHostsPrecisionComesFirst) {
     EGLint precision = 0, visual = 0, type = 0;
     EXPECT_EQ(eglGetConfigAttrib(display, config, EGL_PRECISION_SPANGLE, &precision), yes);

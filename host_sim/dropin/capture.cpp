@@ -1,0 +1,88 @@
+#include "host_sim/dropin/capture.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+
+#include "gl/context/context.hpp"
+#include "gl/pixel/fragment_setup.hpp"
+#include "host_sim/dropin/options.hpp"
+
+namespace spangle::dropin {
+
+namespace {
+
+constexpr int bad_end = 1;
+
+/// Of this thread on a processor, in microseconds.
+double worked() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
+}
+
+void check(const std::string& problem) {
+    if (problem.empty())
+        return;
+    std::fprintf(stderr, "spangle: %s\n", problem.c_str());
+    std::_Exit(bad_end);
+}
+
+bool asked = false;
+Capture* the_capture = nullptr; // lives as long as the program may draw
+
+} // namespace
+
+Capture* Capture::get() {
+    if (!asked && !options().capture.empty())
+        the_capture = new Capture;
+    asked = true;
+    return the_capture;
+}
+
+void Capture::finish_if_any() {
+    if (the_capture != nullptr)
+        the_capture->finish();
+}
+
+Capture::Capture() {
+    check(file_.open(options().capture));
+    if (!options().times_only)
+        counters_.observer = &frames_;
+    begun_ = worked();
+}
+
+void Capture::watch(gl::Context& context) {
+    context.fragment_ops.dither = options().dither;
+    if (stages_ == nullptr && options().precision > EGL_PRECISION_DOUBLE_SPANGLE)
+        stages_ = std::make_unique<StageReport>();
+    gl::observe(context, &counters_, false);
+}
+
+void Capture::take(const raster::Surface& picture) {
+    const double time = worked() - begun_;
+    if (finished_ || counters_.fragments == 0)
+        return;
+    counters_.fragments = 0;
+    file_.add(options().times_only ? trade::DrawnFrame{} : frames_.take(picture), time);
+    if (++taken_ == static_cast<std::uint64_t>(options().frames)) {
+        finish();
+        std::_Exit(0);
+    }
+    begun_ = worked();
+}
+
+void Capture::finish() {
+    if (finished_)
+        return;
+    finished_ = true;
+    trade::CaptureEnd end;
+    end.frames = taken_;
+    end.mismatches = frames_.mismatches();
+    end.missed = missed_ ? "a function of OpenGL 2.0 or later" : "";
+    if (stages_ != nullptr)
+        end.stages = stages_->stages();
+    check(file_.finish(end));
+}
+
+} // namespace spangle::dropin

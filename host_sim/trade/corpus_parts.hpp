@@ -1,0 +1,28 @@
+// What several programs of the corpus draw: a view, a sheet, a plane to the horizon, a sphere.
+#pragma once
+
+#include "boards/scenes/scene.hpp"
+
+namespace spangle::trade {
+
+/// Looks along -z from the origin, 90 degrees wide, and turns the depth test on.
+void look(int width, int height, float nearest, float farthest);
+
+/// Clears all planes and loads the identity.
+void clear();
+
+/// A rectangle across the view at depth z, one colour a corner.
+void sheet(float left, float bottom, float right, float top, float z, float alpha);
+
+/// A plane from under the eye to the horizon, a texture a metre.
+void ground();
+
+/// A sphere of radius 1, that many rings of quads, with normals and texture coordinates.
+void sphere(int rings);
+
+/// The programs of corpus_fragments.cpp and corpus_textures.cpp.
+extern const scenes::Scene shadow_scene, outline_scene, equations_scene, patterns_scene, smooth_scene,
+    cutout_scene;
+extern const scenes::Scene combine_scene, mirror_scene, wraps_scene, volume_scene, spots_scene, decals_scene;
+
+} // namespace spangle::trade
