@@ -20,6 +20,9 @@ template <class K, class F> void each_field(K& key, F f) {
     f(key.blending.src), f(key.blending.dst), f(key.blending.equation);
     f(key.dither), f(key.masked), f(key.logic), f(key.count), f(key.coverage);
     f(key.polygon_stipple), f(key.depth_offset), f(key.samples);
+#if SPANGLE_OWN_TIERS
+    f(key.other_runs);
+#endif
 }
 
 /// Calls f with the name and the value of every limit and range.
