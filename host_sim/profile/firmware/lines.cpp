@@ -1,6 +1,7 @@
 #include "host_sim/profile/firmware/lines.hpp"
 
 #include <cstdint>
+#include <initializer_list>
 
 #include <spangle/mcu/semihosting.hpp>
 #include <spangle/mcu/systick.hpp>
