@@ -16,8 +16,8 @@ struct ProfileReport {
     const std::vector<Recorded>* all;
     const Recorded* chosen; ///< of them, the profile's
     const profile::Profile* made;
-    nlohmann::json
-        firmware; ///< of the two builds on the emulated board (host_sim/profile/firmware.py); null: none
+    nlohmann::json firmware; ///< of the two builds on the emulated board
+                             ///< (host_sim/profile/firmware/measure.py); null: none
 };
 
 nlohmann::json to_json(const ProfileReport& report);

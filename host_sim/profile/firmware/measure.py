@@ -13,6 +13,7 @@ Exit status 3: a compiler or the emulator is not installed. 1: an image does not
 import argparse
 import collections
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -151,6 +152,13 @@ def measured(images):
                   "ram": memory["static"] + peak + memory["stack"], "ram_of": {"variables": memory["static"], "arena": peak, "stack": memory["stack"]}}
 
 
+def source_of(path):
+    """The source as the reader knows it: from ROOT on. A cache of objects may have compiled it in a folder that lies elsewhere."""
+    parts = pathlib.PurePath(os.path.normpath(path)).parts
+    inside = (pathlib.PurePath(*parts[i:]) for i in range(1, len(parts)))
+    return str(next((tail for tail in inside if len(tail.parts) > 1 and (ROOT / tail).is_file()), os.path.normpath(path)))
+
+
 def lines_of(image, commands, frames):
     """[{"line", "command", "calls", "instructions"}] of a frame, the dearest first."""
     _, _, counted = run(image)
@@ -162,8 +170,7 @@ def lines_of(image, commands, frames):
     sums = collections.defaultdict(lambda: [0, 0.0])
     for (_, command, calls, ticks), place in zip(counted, said):
         path, _, number = re.sub(r" \(discriminator.*", "", place).rpartition(":")
-        path = pathlib.PurePath(path)
-        place = f"{path.relative_to(ROOT) if path.is_relative_to(ROOT) else path}:{number}"
+        place = f"{source_of(path)}:{number}"
         sums[place, commands[command]][0] += calls
         sums[place, commands[command]][1] += max(ticks * NS_PER_TICK - calls * overhead, 0)
     rows = [{"line": place, "command": command, "calls": round(calls / frames, 2), "instructions": round(instructions / frames)}
