@@ -13,6 +13,15 @@ bool is_fused(const profile::Profile& made, const profile::KeyUse& use) {
     return std::find(made.fused.begin(), made.fused.end(), use.key) != made.fused.end();
 }
 
+/// Percent of the pixels that no loop serves.
+double chain_percent(const ProfileReport& report) {
+    std::uint64_t chain = 0;
+    for (const profile::KeyUse& use : report.chosen->record.keys)
+        chain += is_fused(*report.made, use) ? 0 : use.pixels;
+    const std::uint64_t all = report.chosen->record.pixels();
+    return all == 0 ? 0.0 : 100.0 * static_cast<double>(chain) / static_cast<double>(all);
+}
+
 /// Whole against profiled, and the lines that cost most.
 std::string firmware_text(const nlohmann::json& firmware) {
     constexpr std::size_t most_lines = 20;
@@ -57,6 +66,7 @@ nlohmann::json to_json(const ProfileReport& report) {
     for (const auto& [limit, value] : report.made->limits)
         out["limits"][limit] = std::stol(value);
     out["chain"] = report.made->chain;
+    out["chain_percent"] = chain_percent(report);
     out["keys"] = nlohmann::json::array();
     for (const profile::KeyUse& use : report.chosen->record.keys)
         out["keys"].push_back({{"key", profile::words(use.key)},
@@ -79,8 +89,13 @@ std::string to_text(const ProfileReport& report) {
     out += "\n  systems     ";
     for (const std::string& feature : report.made->features)
         out += " " + feature;
-    out += fmt::format("\n  the chain    {}\n\n  pixels     drawn by  state key\n",
-                       report.made->chain ? "is needed" : "is left out");
+    out += report.made->chain ? fmt::format("\n  the chain    is needed, and draws {:.1f} % of the pixels",
+                                            chain_percent(report))
+                              : "\n  the chain    is left out";
+    if (report.made->chain && report.firmware.is_object())
+        out += fmt::format(", in {} bytes of flash",
+                           report.firmware["profiled"]["flash_of"].value("raster/span", std::int64_t{0}));
+    out += "\n\n  pixels     drawn by  state key\n";
     std::vector<profile::KeyUse> keys = report.chosen->record.keys;
     std::stable_sort(keys.begin(), keys.end(),
                      [](const auto& a, const auto& b) { return a.pixels > b.pixels; });

@@ -4,6 +4,7 @@
 usage: command.py SPANGLE
 """
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -42,6 +43,16 @@ def main():
         defined = profile.definitions(str(out))
         check("SPANGLE_FEATURE_FOG=0" in defined and "SPANGLE_FEATURE_LISTS=0" not in defined, "profile.py reads it")
         check(f'SPANGLE_FUSED="{out.with_suffix(".inc").resolve()}"' in defined, f"the list of spans lies beside it: {defined}")
+
+        check(told["chain"] is False and told["chain_percent"] == 0, f"S5 has loops: {told['chain_percent']} %")
+        wires = json.loads(run("HUD", "--tiers", "balanced", "--size", "160x120", "--out", str(out), "--json").stdout)
+        chain = sum(key["pixels"] for key in wires["keys"] if not key["fused"]) / sum(key["pixels"] for key in wires["keys"])
+        check(wires["chain"] is True and chain > 0 and abs(chain - wires["chain_percent"] / 100) < 1e-6, f"HUD: {wires['chain_percent']} %")
+        # Without the sources there is no firmware: one sentence says so, and no page is written.
+        page = folder / "page.html"
+        bare = subprocess.run([sys.argv[1], "profile", "S5", "--tiers", "balanced", "--size", "80x60", "--out", str(out), "--report", str(page)],
+                              capture_output=True, text=True, env=os.environ | {"SPANGLE_SOURCES": str(folder)})
+        check(bare.returncode == 1 and "SPANGLE_SOURCES" in bare.stderr and not page.exists(), f"--report without sources: {bare.returncode} {bare.stderr!r}")
 
         cheap = json.loads(run("S5", "--max-error", "50", "--size", "160x120", "--out", str(out), "--json").stdout)
         check(cheap["tier"] == "fast" and cheap["limits"]["TIER_SET"] == 4, "the cheapest tier within the bound")
