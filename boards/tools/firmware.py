@@ -116,13 +116,13 @@ class Build:
         objects += [self.compile(target, "-O2", path, defines, variant, lto) for path in sorted((ROOT / "boards/scenes").glob("*.cpp"))]
         return objects
 
-    def image(self, target, objects, script, name, lto=False):
-        """An ELF file from these objects, laid out by a linker script."""
+    def image(self, target, objects, script, name, lto=False, options=()):
+        """An ELF file from these objects, laid out by a linker script; `options`: more of the linker's."""
         out = self.folder / name
         chosen = TARGETS[target]
         inputs = " ".join(str(o) for o in objects)
         self.lines += [f"build {out}: link {inputs} | {script}", f"  compiler = {chosen.prefix}g++",
-                       f"  flags = {' '.join([*chosen.machine, *(LTO if lto else ())])} -L {ROOT} -T {script} -Wl,-Map={out}.map -Wl,--cref -Wl,--no-warn-rwx-segments"]
+                       f"  flags = {' '.join([*chosen.machine, *(LTO if lto else ()), *options])} -L {ROOT} -T {script} -Wl,-Map={out}.map -Wl,--cref -Wl,--no-warn-rwx-segments"]
         return out
 
     def run(self):

@@ -44,7 +44,15 @@ class Arg:
         self.pointer, self.array = "*" in self.type, self.type.startswith("array")
         self.group = accepted[1:].partition(":")[0] if accepted.startswith("@") and " " not in accepted else None
         self.accepted, self.features, self.good, self.low, self.high = [], {}, "0", None, None
+        self.count = 1 if self.array else 0  # numbers that lie at a pointer, as far as the table knows
         self.parse(accepted, groups)
+
+    @classmethod
+    def vector(cls, text, count):
+        """An argument that points at so many numbers."""
+        arg = cls(text, {})
+        arg.count = count
+        return arg
 
     def parse(self, text, groups):
         bounds = re.fullmatch(r"(-?\d+)\.\.(-?\d*)", text)
@@ -168,7 +176,7 @@ class Family:
                 body = f"    issue_array<family::{self.name}>({', '.join(n for _, n in params)}, {ARRAY_TYPES[code]});\n"
             yield self.entry("gl" + self.name + suffix, params, call, tries, body=body)
             if self.data.get("vector"):
-                vector, value = suffix.replace("x", "xv", 1) if code == "x" else suffix + "v", Arg("real value", {})
+                vector, value = suffix.replace("x", "xv", 1) if code == "x" else suffix + "v", Arg.vector("real value", len(self.args))
                 yield self.entry("gl" + self.name + vector, [(f"const {C_TYPES[code]}*", "v")],
                                  [cast(code, f"v[{i}]") for i in range(len(self.args))], [("values", value)], "v",
                                  body=self.reals_at(code, len(params), self.null_text("gl" + self.name + vector)) if reals else None)
@@ -205,7 +213,7 @@ class Family:
                 yield self.entry(stem + suffix, leading + [(c, n) for n in names[:size]], one, first_tries + [("real", value)] * size,
                                  body=forms[0] and self.array(C_TYPES[wide], names[:size]) +
                                       self.components_at(forms[0], first, element(wide, convert), size, "nullptr"))
-                yield self.entry(stem + vector, leading + [(f"const {c}*", "v")], many, first_tries + [("values", value)], "v",
+                yield self.entry(stem + vector, leading + [(f"const {c}*", "v")], many, first_tries + [("values", Arg.vector("real v", size))], "v",
                                  body=forms[1] and self.components_at(forms[1], first, kind, size, self.null_text(stem + vector)))
 
     def components_at(self, form, first, kind, size, null):
@@ -231,9 +239,8 @@ class Family:
         return self.components_at("reals", [], element(code), count, null)
 
     def entries_flag(self):
-        value = Arg("boolean flag", {})
-        yield self.entry("gl" + self.name, [("GLboolean", "flag")], ["flag != 0"], [("boolean", value)])
-        yield self.entry(f"gl{self.name}v", [("const GLboolean*", "flag")], ["*flag != 0"], [("values", value)], "flag")
+        yield self.entry("gl" + self.name, [("GLboolean", "flag")], ["flag != 0"], [("boolean", Arg("boolean flag", {}))])
+        yield self.entry(f"gl{self.name}v", [("const GLboolean*", "flag")], ["*flag != 0"], [("values", Arg.vector("boolean flag", 1))], "flag")
 
     def entries_rect(self):
         for code, suffix in self.types:
@@ -243,13 +250,13 @@ class Family:
             yield self.entry("glRect" + suffix, [(c, n) for n in names], [], [("real", value)] * 4,
                              body=self.array(C_TYPES[widened(code)], names) + self.reals_at(widened(code), 4, "nullptr"))
             corners = f"v1, v2, convert::components({element(code)}, 2), {self.null_text('glRect' + vector, 'v1 or v2')}"
-            yield self.entry("glRect" + vector, [(f"const {c}*", "v1"), (f"const {c}*", "v2")], [], [("values", value)] * 2,
+            yield self.entry("glRect" + vector, [(f"const {c}*", "v1"), (f"const {c}*", "v2")], [], [("values", Arg.vector("real v", 2))] * 2,
                              body=f"    issue_corners<family::{self.name}>({corners});\n")
 
     def entries_matrix(self):
         for code, suffix in self.types:
             name = f"gl{self.name}{suffix}"
-            yield self.entry(name, [(f"const {C_TYPES[code]}*", "m")], [], [("values", Arg("real m", {}))],
+            yield self.entry(name, [(f"const {C_TYPES[code]}*", "m")], [], [("values", Arg.vector("real m", 16))],
                              body=f"    issue_matrix<family::{self.name}, {element(code)}>(m, {self.null_text(name, 'm')});\n")
 
     def entries_plane(self):
@@ -258,7 +265,7 @@ class Family:
         for code, suffix in self.types:
             name = f"gl{self.name}{suffix}"
             yield self.entry(name, leading + [(f"const {C_TYPES[code]}*", "equation")], [],
-                             [(a.type, a) for a in self.args] + [("values", Arg("real equation", {}))],
+                             [(a.type, a) for a in self.args] + [("values", Arg.vector("real equation", 4))],
                              body=f"    issue_components<family::{self.name}>({', '.join(call)}, equation, "
                                   f"convert::components({element(code)}, 4), {self.null_text(name, 'equation')});\n")
 

@@ -6,6 +6,11 @@ FETCH = {"real": "{c}(a[{i}].number)", "enum": "GLenum(a[{i}].integer)", "uint":
          "int": "GLint(a[{i}].integer)", "intptr": "GLintptr(a[{i}].integer)", "sizeiptr": "GLsizeiptr(a[{i}].integer)", "sizei": "GLsizei(a[{i}].integer)", "bitfield": "GLbitfield(a[{i}].integer)",
          "boolean": "GLboolean(a[{i}].integer)", "pname": "GLenum(a[{i}].integer)", "pvalue": "{c}(a[{i}].number)"}
 
+# The letter of a number's type, as Arg::type has it; other types have none.
+LETTERS = {"GLbyte": "b", "GLshort": "s", "GLint": "i", "GLsizei": "i", "GLubyte": "B", "GLushort": "S", "GLuint": "I", "GLbitfield": "I",
+           "GLboolean": "B", "GLfloat": "f", "GLclampf": "f", "GLdouble": "d", "GLclampd": "d", "GLfixed": "x", "GLclampx": "x",
+           "GLintptr": "l", "GLsizeiptr": "l"}
+
 
 def accepted_token(arg, token):
     """A token of a system that is not in the build is none that is accepted: another stands for it."""
@@ -42,8 +47,10 @@ def test_table(chapters, tokens):
                     low = arg.low if arg and arg.low is not None else "INT32_MIN"
                     high = arg.high if arg and arg.high is not None else "INT32_MAX"
                     label = {"enum": "enum_", "int": "int_", "intptr": "int_", "sizeiptr": "sizei", "ushort": "uint"}.get(label, label)
+                    element = c_type.replace("const ", "").replace("*", "").replace("void", "char").strip() or "char"
+                    letter = f"'{LETTERS[element]}'" if element in LETTERS else "0"
                     args.append(f"{{Kind::{label}, {accepted}, {low}, {high}, {arg.good if arg else '0'}, "
-                                f"sizeof({c_type.replace('const ', '').replace('*', '').replace('void', 'char').strip() or 'char'})}}")
+                                f"sizeof({element}), {letter}, {arg.count if arg else 0}}}")
                 arg_list = array("Arg", args) if args else "{}"
                 rows.append(f"    {{\"{e.name}\", \"{f.name}\", \"{f.row}\", {str(f.inside).lower()}, "
                             f"Listing::{f.listing}, {f'({both(e.needs)}) != 0' if e.needs else 'true'}, "

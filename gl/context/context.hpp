@@ -92,6 +92,10 @@ struct Context {
 
     // Small chapters first: instructions of microcontrollers reach 4 KB.
     raster::Tier tier = raster::Tier::exact; ///< of the EGL config: what DONT_CARE hints mean
+#if SPANGLE_OWN_TIERS
+    bool own_tier = false; ///< they mean `knobs` instead
+    raster::Knobs knobs{};
+#endif
     const Engine* engine = nullptr;
     void* pipeline = nullptr; ///< the engine's own state, engine->pipeline_bytes of it
     Arena* arena = nullptr;

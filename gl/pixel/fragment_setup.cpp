@@ -201,6 +201,10 @@ void fill(const Context& context, raster::FragmentState& out) {
     out.color_mask = written_channels(context);
     out.scissor = drawing_rect(context);
     out.tier = tier_of(context, context.hint.mode[hint_perspective_correction]);
+#if SPANGLE_OWN_TIERS
+    out.own_tier = context.own_tier && context.hint.mode[hint_perspective_correction] == GL_DONT_CARE;
+    out.knobs = context.knobs;
+#endif
     out.count = counts_passed(context);
 }
 

@@ -131,6 +131,11 @@ void grid_vertex(Context& context, GLint i) {
         .run();
 }
 
+/// Without a map of vertices a mesh has none, however many points are asked for.
+bool has_vertices(const Context& context, unsigned dimension) {
+    return largest(context.eval.enabled[dimension], eval_vertex_3, eval_vertex_4) != eval_targets;
+}
+
 /// The points first to last of row j, each with the one of the row behind it where quads are made; or of
 /// column j. A primitive each, but all rows of points are one.
 [[gnu::noinline]] void strip(Context& context, GLenum mode, GLint first, GLint last, GLint j, bool column) {
@@ -191,7 +196,7 @@ void EvalMesh1(Context& context, GLenum mode, GLint i1, GLint i2) {
     if (mode != GL_POINT && mode != GL_LINE)
         return error(context, GL_INVALID_ENUM);
     Begin(context, mode == GL_POINT ? GL_POINTS : GL_LINE_STRIP);
-    for (std::int64_t i = i1; i <= i2; ++i)
+    for (std::int64_t i = i1; has_vertices(context, 0) && i <= i2; ++i)
         grid_vertex(context, static_cast<GLint>(i));
     End(context);
 }
@@ -199,6 +204,8 @@ void EvalMesh1(Context& context, GLenum mode, GLint i1, GLint i2) {
 void EvalMesh2(Context& context, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_POINT && mode != GL_LINE && mode != GL_FILL)
         return error(context, GL_INVALID_ENUM);
+    if (!has_vertices(context, 1))
+        return;
     const GLenum rows = mode == GL_POINT ? GL_POINTS : mode == GL_LINE ? GL_LINE_STRIP : GL_QUAD_STRIP;
     if (mode == GL_POINT)
         Begin(context, rows);

@@ -23,6 +23,7 @@
 #include "host_sim/cli/samples.hpp"
 #include "host_sim/cli/say.hpp"
 #include "host_sim/cli/trade.hpp"
+#include "host_sim/trade/knobs.hpp"
 #include <spangle/boards/boards.hpp>
 
 namespace {
@@ -239,7 +240,7 @@ int spangle_main(int argc, char** argv) {
     demo_command->add_option("--out", folder, "folder for the pictures")->capture_default_str();
 
     cli::RunOptions options;
-    std::string size, dither = "on", precision = first_tier();
+    std::string size, dither = "on", precision = first_tier(), knobs;
     CLI::App* const run = app.add_subcommand("run", "draw a scene or a model");
     run->add_option("scene", options.scene, "id of a scene, see `spangle scenes`");
     run->add_option("--model", options.model, "a model file instead: any format libassimp reads");
@@ -259,6 +260,9 @@ int spangle_main(int argc, char** argv) {
                     "every stage held against a double beside it, and an error report")
         ->check(CLI::IsMember(precision_names()))
         ->capture_default_str();
+    run->add_option("--knobs", knobs,
+                    "a tier of your own, BASE,KNOB=VALUE,...; `spangle trade --knobs` lists the knobs")
+        ->excludes("--precision");
     run->add_option("--dither", dither, "GL_DITHER")
         ->check(CLI::IsMember({"on", "off"}))
         ->capture_default_str();
@@ -340,6 +344,7 @@ int spangle_main(int argc, char** argv) {
 
     cli::ProfileOptions to_profile;
     CLI::App* const profile_command = cli::add_profile(app, to_profile);
+    to_profile.program = std::find(argv, argv + argc, std::string_view("--")) != argv + argc;
 
     cli::BakeOptions to_bake;
     CLI::App* const bake = cli::add_bake(app, to_bake);
@@ -392,6 +397,13 @@ int spangle_main(int argc, char** argv) {
     if (app.got_subcommand(wizard))
         return cli::wizard(bringup);
     options.precision = precision_of(precision);
+    if (!knobs.empty()) {
+        trade::Tier tier;
+        if (const std::string problem = trade::read_knobs(knobs, tier); !problem.empty())
+            return refuse("--knobs: " + problem);
+        options.precision = precision_of(tier.name);
+        options.knobs = tier.knobs;
+    }
     options.bands.record = bands == "record";
     return run_command(options, size, dither);
 }

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+
+#include <spangle/raster/tier.hpp>
 
 #include "host_sim/bringup/attach.hpp"
 
@@ -44,6 +47,7 @@ struct RunOptions {
     int frames = 1;
     int width = 0, height = 0; ///< 0: the board's glass; else an off-screen picture of this size
     Precision precision = Precision::exact;
+    std::optional<raster::Knobs> knobs; ///< of a tier that the user composed
     bool dither = true;
     PresentOptions present;
     BandOptions bands;

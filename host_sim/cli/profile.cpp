@@ -2,21 +2,18 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <tuple>
 #include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include <spangle/GL/gl.h>
-
-#include "gl/context/context.hpp"
-#include "host_sim/cli/program.hpp"
-#include "host_sim/cli/report.hpp"
-#include "host_sim/cli/run.hpp"
+#include "host_sim/cli/profile_firmware.hpp"
+#include "host_sim/cli/profile_page.hpp"
+#include "host_sim/cli/profile_record.hpp"
+#include "host_sim/cli/profile_report.hpp"
 #include "host_sim/cli/say.hpp"
 #include "host_sim/profile/emit.hpp"
-#include "host_sim/profile/recorder.hpp"
 
 namespace spangle::cli {
 
@@ -25,117 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* tier_names[] = {"exact", "balanced", "fast"}; ///< the cheapest last
-
-Precision precision_of(const std::string& tier) {
-    return tier == "exact" ? Precision::exact : tier == "balanced" ? Precision::balanced : Precision::fast;
-}
-
-/// One tier: what the program asked for, and how far its pictures are from the reference.
-struct Recorded {
-    std::string tier, picture_hash;
-    profile::Record record;
-    Report report;
-    double error = 0.0; ///< percent of pixels
-};
-
-#if SPANGLE_WATCHED
-
-/// Empty, or why nothing was recorded.
-std::string record(ProfileOptions& options, const std::string& tier, Recorded& out) {
-    Model model;
-    Program program;
-    std::string problem = make_program(options.run, model, program);
-    Session session;
-    if (problem.empty())
-        problem = session.open_picture(options.run.width, options.run.height, precision_of(tier));
-    if (!problem.empty())
-        return problem;
-    {
-        profile::Recorder recorder(*gl::current_context());
-        program.setup(session.width(), session.height());
-        if (options.dither != "program")
-            (options.dither == "on" ? glEnable : glDisable)(GL_DITHER);
-        for (int f = 0; f < options.run.frames; ++f)
-            program.draw(f);
-        out.record = recorder.finish();
-    }
-    if (const GLenum error = glGetError(); error != GL_NO_ERROR)
-        return fmt::format("{} raised GL error 0x{:04X}{}{}", program.name, error,
-                           Session::complaint().empty() ? "" : ": ", Session::complaint());
-    options.run.dither = glIsEnabled(GL_DITHER) != GL_FALSE; // the reference does as the program did
-    out.tier = tier;
-    out.picture_hash = sim::hash(session.read());
-    return "";
-}
-
-#endif
-
-/// The same frames against the double reference.
-std::string compare(const ProfileOptions& options, Recorded& out) {
-    RunOptions run = options.run;
-    run.precision = precision_of(out.tier);
-    run.compare = true;
-    RunResult result = cli::run(run);
-    out.report = std::move(result.report);
-    out.error = 100.0 - out.report.identical_565_percent;
-    return result.error;
-}
-
-nlohmann::json to_json(const std::vector<Recorded>& all, const Recorded& chosen,
-                       const profile::Profile& made) {
-    nlohmann::json out;
-    for (const Recorded& r : all)
-        out["tiers"][r.tier] = {{"different_percent", r.error},
-                                {"max_lsb", r.report.max_lsb},
-                                {"psnr_565_db", r.report.psnr_565_db},
-                                {"picture_hash", r.picture_hash}};
-    out["scene"] = chosen.report.scene;
-    out["tier"] = chosen.tier;
-    out["features"] = made.features;
-    for (const auto& [limit, value] : made.limits)
-        out["limits"][limit] = std::stol(value);
-    out["chain"] = made.chain;
-    out["keys"] = nlohmann::json::array();
-    for (const profile::KeyUse& use : chosen.record.keys)
-        out["keys"].push_back(
-            {{"key", profile::words(use.key)},
-             {"pixels", use.pixels},
-             {"fused", std::find(made.fused.begin(), made.fused.end(), use.key) != made.fused.end()},
-             {"needed", use.needed}});
-    out["commands"] = chosen.record.commands;
-    out["arena_bytes_of_host"] = chosen.record.arena_peak;
-    return out;
-}
-
-std::string to_text(const std::vector<Recorded>& all, const Recorded& chosen, const profile::Profile& made) {
-    std::string out;
-    for (const Recorded& r : all)
-        out += fmt::format("  {:<10}{:9.4f} % of pixels differ, at most {} steps of RGB565, {:.1f} dB{}\n",
-                           r.tier, r.error, r.report.max_lsb, r.report.psnr_565_db,
-                           &r == &chosen ? "   <- the profile's" : "");
-    out += "\n  systems     ";
-    for (const std::string& feature : made.features)
-        out += " " + feature;
-    out += fmt::format("\n  the chain    {}\n\n  pixels     drawn by  state key\n",
-                       made.chain ? "is needed" : "is left out");
-    std::vector<profile::KeyUse> keys = chosen.record.keys;
-    std::stable_sort(keys.begin(), keys.end(),
-                     [](const auto& a, const auto& b) { return a.pixels > b.pixels; });
-    for (const profile::KeyUse& use : keys) {
-        const bool fused = std::find(made.fused.begin(), made.fused.end(), use.key) != made.fused.end();
-        if (fused || use.pixels != 0)
-            out += fmt::format("  {:>9}  {:<8}  {}\n", use.pixels, fused ? "a loop" : "the chain",
-                               profile::words(use.key));
-    }
-    out += "\n  calls      command\n";
-    std::vector<std::pair<std::string, std::uint64_t>> commands(chosen.record.commands.begin(),
-                                                                chosen.record.commands.end());
-    std::stable_sort(commands.begin(), commands.end(),
-                     [](const auto& a, const auto& b) { return a.second > b.second; });
-    for (const auto& [name, count] : commands)
-        out += fmt::format("  {:>9}  {}\n", count, name);
-    return out;
-}
+constexpr int usual_frames = 60; ///< of a program, which needs some to show what it does
 
 /// The cheapest within the bound, or the most accurate where there is none; null: none is within it.
 const Recorded* choose(const std::vector<Recorded>& all, double max_error) {
@@ -146,23 +33,66 @@ const Recorded* choose(const std::vector<Recorded>& all, double max_error) {
     return at == all.rend() ? nullptr : &*at;
 }
 
+/// Sorts out what is recorded. Empty, or the rule that is broken.
+std::string take_words(ProfileOptions& options) {
+    RunOptions& run = options.run;
+    if (!options.program && options.words.size() > 1)
+        return "profile takes one scene; a program and its arguments come after --";
+    if (!options.program && !options.words.empty())
+        run.scene = options.words[0];
+    const int named = (run.scene.empty() ? 0 : 1) + (run.model.empty() ? 0 : 1) +
+                      (options.trace.empty() ? 0 : 1) + (options.program && !options.words.empty() ? 1 : 0);
+    if (named != 1)
+        return "profile takes a scene or --model FILE, or --trace FILE, or -- PROGRAM; `spangle scenes` "
+               "lists the "
+               "scenes";
+    char rest = 0;
+    if (std::sscanf(options.size.c_str(), "%dx%d%c", &run.width, &run.height, &rest) != 2 || run.width < 1 ||
+        run.height < 1 || run.width > 2048 || run.height > 2048)
+        return "--size takes WIDTHxHEIGHT, each 1 to 2048, not '" + options.size + "'";
+    if (run.frames == 0 && options.trace.empty())
+        run.frames = options.program ? usual_frames : 1;
+    // From the most accurate to the cheapest, each once.
+    std::vector<std::string> tiers;
+    for (const char* const tier : tier_names)
+        if (std::find(options.tiers.begin(), options.tiers.end(), tier) != options.tiers.end())
+            tiers.emplace_back(tier);
+    options.tiers = std::move(tiers);
+    return "";
+}
+
 } // namespace
 
 CLI::App* add_profile(CLI::App& app, ProfileOptions& o) {
-    CLI::App* const command = app.add_subcommand(
-        "profile", "write the profile of a build that holds what a scene or a model asks for");
-    command->add_option("scene", o.run.scene, "id of a scene, see `spangle scenes`");
+    CLI::App* const command =
+        app.add_subcommand("profile", "write the profile of a build that holds what a program asks for");
+    command->add_option(
+        "scene", o.words,
+        "id of a scene, see `spangle scenes`; after --: a program of OpenGL and its arguments, "
+        "which apitrace records");
     command->add_option("--model", o.run.model, "a model file instead: any format libassimp reads");
+    command->add_option("--trace", o.trace, "a trace of apitrace instead");
     command
         ->add_option("--out", o.out,
                      "the profile to write, as scene.cmake; its fused spans go beside it, as scene.inc")
         ->required();
-    command->add_option("--frames", o.run.frames, "how many frames are recorded")
-        ->check(CLI::Range(1, 1000000))
+    o.run.frames = 0;
+    command
+        ->add_option("--frames", o.run.frames,
+                     "how many frames are recorded (1; of a program 60; all of a trace)")
+        ->check(CLI::Range(1, 1000000));
+    command->add_option("--size", o.size, "WIDTHxHEIGHT of the picture, or of the program's windows")
         ->capture_default_str();
-    command->add_option("--size", o.size, "WIDTHxHEIGHT of the picture")->capture_default_str();
     command->add_option("--dither", o.dither, "GL_DITHER; program: as the program sets it")
         ->check(CLI::IsMember({"program", "on", "off"}))
+        ->capture_default_str();
+    command
+        ->add_option(
+            "--format", o.format,
+            "of a trace or a program: pixels of the surfaces that the build draws on; program: as the "
+            "program chose them")
+        ->check(CLI::IsMember({"rgb565", "rgb565_le", "rgb888", "rgba8888", "rgb666", "rgb444", "rgb332",
+                               "grey4", "mono", "program"}))
         ->capture_default_str();
     command->add_option("--tiers", o.tiers, "the tiers of accuracy to choose from: exact, balanced, fast")
         ->delimiter(',')
@@ -174,56 +104,58 @@ CLI::App* add_profile(CLI::App& app, ProfileOptions& o) {
                      "else the most accurate one is")
         ->check(CLI::Range(0.0, 100.0));
     command->add_flag("--small", o.small, "leave out what is only faster, too");
-    command->add_flag("--json", o.json, "print what was recorded as one JSON object");
+    command->add_option(
+        "--report", o.report,
+        "build the program as firmware, whole and in the profile, measure both on an emulated "
+        "Cortex-M4, and write a page about it");
+    command->add_flag("--json", o.json, "print what was recorded, and measured, as one JSON object");
     return command;
 }
 
-int profile([[maybe_unused]] ProfileOptions options) {
-#if SPANGLE_WATCHED
-    RunOptions& run = options.run;
-    if (run.scene.empty() == run.model.empty())
-        return refuse("profile takes a scene or --model FILE; `spangle scenes` lists the scenes");
-    char rest = 0;
-    if (std::sscanf(options.size.c_str(), "%dx%d%c", &run.width, &run.height, &rest) != 2 || run.width < 1 ||
-        run.height < 1 || run.width > 2048 || run.height > 2048)
-        return refuse("--size takes WIDTHxHEIGHT, each 1 to 2048, not '" + options.size + "'");
+int profile(ProfileOptions options) {
+    if (const std::string problem = take_words(options); !problem.empty())
+        return refuse(problem);
     const fs::path path = options.out, list = fs::path(path).replace_extension(".inc");
     if (path.extension() != ".cmake")
         return refuse("--out takes a file that ends with .cmake, not '" + options.out + "'");
-    sim::Output file, spans;
-    for (auto [to, name] : {std::pair{&file, path}, std::pair{&spans, list}})
-        if (const std::string problem = open(*to, "--out", name.string()); !problem.empty())
+    sim::Output file, spans, page;
+    for (auto [to, option, name] :
+         {std::tuple{&file, "--out", path.string()}, std::tuple{&spans, "--out", list.string()},
+          std::tuple{&page, "--report", options.report}})
+        if (const std::string problem = open(*to, option, name); !problem.empty())
             return refuse(problem);
 
     std::vector<Recorded> all;
-    for (const char* const tier : tier_names)
-        if (std::find(options.tiers.begin(), options.tiers.end(), tier) != options.tiers.end()) {
-            std::string problem = record(options, tier, all.emplace_back());
-            if (problem.empty())
-                problem = compare(options, all.back());
-            if (!problem.empty())
-                return refuse(problem);
-        }
+    const bool drawn = options.trace.empty() && !options.program;
+    if (const std::string problem = drawn ? record_drawn(options, all) : record_replayed(options, all);
+        !problem.empty())
+        return refuse(problem);
     const Recorded* const chosen = choose(all, options.max_error);
     if (chosen == nullptr)
         return refuse(fmt::format("no tier is within {} %: {} differs in {:.4f} % of its pixels",
                                   options.max_error, all.front().tier, all.front().error));
-    const profile::Choice choice{chosen->report.scene, list.filename().string(), options.small};
+    const profile::Choice choice{title_of(options), list.filename().string(), options.small};
     const profile::Profile made = profile::make(chosen->record, choice);
     file.write(profile::settings(made, chosen->record, choice));
     spans.write("// Fused spans of " + options.out + ".\n" + profile::fused_lines(made));
     for (sim::Output* const to : {&file, &spans})
         if (const std::string problem = to->commit(); !problem.empty())
             return refuse(problem, not_done);
+    ProfileReport report{choice.title, &all, chosen, &made, {}};
+    if (!options.report.empty()) {
+        std::string problem = measure_firmware(options, *chosen, report.firmware);
+        if (problem.empty()) {
+            page.write(to_page(report));
+            problem = page.commit();
+        }
+        if (!problem.empty())
+            return refuse(problem, not_done);
+    }
     if (options.json)
-        print("{}\n", to_json(all, *chosen, made).dump());
+        print("{}\n", to_json(report).dump());
     else
-        print("{}: {} in the tier {}\n{}", options.out, chosen->report.scene, chosen->tier,
-              to_text(all, *chosen, made));
+        print("{}: {} in the tier {}\n{}", options.out, report.title, chosen->tier, to_text(report));
     return 0;
-#else
-    return refuse("this build does not record: it leaves out messages or display lists");
-#endif
 }
 
 } // namespace spangle::cli

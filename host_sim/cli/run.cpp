@@ -11,6 +11,7 @@
 #include <spangle/native.hpp>
 #include <spangle/reference.hpp>
 #include <spangle/sim/board.hpp>
+#include <spangle/tier.hpp>
 
 #include "boards/scenes/scene.hpp"
 #include "host_sim/cli/process_memory.hpp"
@@ -198,6 +199,10 @@ RunResult run(const RunOptions& options) {
     Screen screen;
     Session session;
     result.error = screen.open(options, session);
+    if (!result.error.empty())
+        return result;
+    if (options.knobs && !use_tier(*options.knobs))
+        result.error = "this build has no tiers of your own: it lacks one of the three";
     if (!result.error.empty())
         return result;
     sim::SimBoard* const board = screen.simulated();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <deque>
 #include <filesystem>
+#include <set>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -17,6 +18,7 @@
 #include "host_sim/trade/boxes.hpp"
 #include "host_sim/trade/bytes.hpp"
 #include "host_sim/trade/corpus.hpp"
+#include "host_sim/trade/knobs.hpp"
 #include "host_sim/trade/page.hpp"
 #include "host_sim/trade/sweep.hpp"
 
@@ -106,6 +108,12 @@ std::string read_setting(const TradeOptions& options, trade::Sweep& out) {
         for (const std::string& name : options.tiers)
             if (name == tier.name)
                 out.tiers.push_back(tier);
+    for (const std::string& words : options.own_tiers) {
+        trade::Tier own;
+        if (std::string problem = trade::read_tier(words, out.tiers, own); !problem.empty())
+            return problem;
+        out.tiers.push_back(own);
+    }
     for (const std::string& name : options.formats)
         out.formats.push_back(*trade::find(trade::formats, name));
     return "";
@@ -117,8 +125,13 @@ auto counter(const TradeOptions& options) {
                                     const trade::Format& format) mutable -> std::uint64_t {
         if (told || format.format != PixelFormat::rgb565_be || program.recording != nullptr)
             return 0;
-        std::vector<std::string> words = {"run",        "--precision", tier.name,     "--size",
-                                          options.size, "--dither",    options.dither};
+        std::vector<std::string> words = {"run",
+                                          tier.knobs ? "--knobs" : "--precision",
+                                          tier.knobs ? tier.words : tier.name,
+                                          "--size",
+                                          options.size,
+                                          "--dither",
+                                          options.dither};
         if (scenes::find(program.name.c_str()) != nullptr)
             words.insert(words.begin() + 1, program.name);
         else if (options.models.size() == 1)
@@ -156,6 +169,48 @@ int print_bytes(const trade::Sweep& what) {
     for (const std::string& line : lines)
         print_text(line);
     return 0;
+}
+
+bool is_asked(const TradeOptions& options, const std::string& target) {
+    return std::find(options.targets.begin(), options.targets.end(), target) != options.targets.end();
+}
+
+constexpr const char* how_to_build = "`./dev firmware --out DIR` builds images; then --firmware DIR";
+
+/// Every target that is asked for has its folder of images.
+std::string read_targets(const TradeOptions& options, trade::Sweep& out) {
+    for (const trade::Target& target : trade::targets())
+        if (is_asked(options, target.name))
+            out.targets.push_back(target);
+    if (out.targets.empty())
+        return options.firmware.empty() ? "" : "--firmware is for --targets m0plus, m3, m4 or rv32";
+    if (options.firmware.empty())
+        return fmt::format("--targets {} needs firmware: {}", out.targets.front().name, how_to_build);
+    for (const trade::Target& target : out.targets)
+        if (!std::filesystem::is_directory(options.firmware + "/" + target.name))
+            return fmt::format("'{}' has no images for {}: {}", options.firmware, target.name, how_to_build);
+    return "";
+}
+
+/// Counts on boards; what goes wrong is told once for each target, and a program without images is told once.
+auto board_counter(const TradeOptions& options, const trade::Setting& setting) {
+    return
+        [&options, setting, told = std::set<std::string>()](
+            const trade::Target& target, const trade::Program& program, const trade::Tier& tier,
+            const trade::Format& format, const trade::Work& work) mutable -> std::optional<trade::BoardCost> {
+            if (format.format != PixelFormat::rgb565_be || tier.knobs)
+                return {};
+            const std::string image = trade::image_path(options.firmware, target, program.name, tier);
+            trade::BoardCost cost;
+            const bool there = std::filesystem::exists(image);
+            const std::string problem = there ? trade::count_on(target, image, setting, work.hash, cost)
+                                              : fmt::format("there is no {}; {}", image, how_to_build);
+            if (problem.empty())
+                return cost;
+            if (told.insert(there ? target.name : program.name).second)
+                tell(fmt::format("{} is not counted: {}\n", target.name, problem));
+            return {};
+        };
 }
 
 /// What was found out, and the page of it unless it is a part of more.
@@ -196,9 +251,14 @@ CLI::App* add_trade(CLI::App& app, TradeOptions& o) {
         "Beside the scenes:\n" + more +
         "\nWrites accuracy.csv (the same bytes on every machine), cost.csv (times of this one) and "
         "index.html, which needs no other file. docs/trade.md explains the figures.\n"
+        "Coverage is held against brute force on the tier's own snapped vertices (off_own), against vertices "
+        "in double snapped to the same 1/256 pixel (off_snapped), and against unsnapped ones "
+        "(off_unsnapped).\n"
         "  spangle trade --out all                      every scene, 565, three tiers\n"
         "  spangle trade S4r S9 --formats 565,888       two scenes in two formats\n"
-        "  spangle trade --model duck.dae --instructions\n"
+        "  spangle trade --model duck.dae --targets host\n"
+        "  spangle trade S9 --targets m0plus,m4 --firmware build/trade-firmware\n"
+        "  spangle trade S9 --tier fine=balanced,texel_bits=4    a tier of your own\n"
         "  spangle trade --trace game.trace             the first frames of a trace of apitrace\n"
         "  spangle trade --frames 60 -- glxgears        a program: it is recorded once, then replayed\n"
         "  spangle trade --shard 1/4 --out part1        and 2/4 ... elsewhere, then\n"
@@ -237,8 +297,23 @@ CLI::App* add_trade(CLI::App& app, TradeOptions& o) {
         ->capture_default_str();
     command->add_option("--shard", o.shard, "I/N: only the Ith of N parts of the jobs, and no page");
     command->add_flag("--no-times", o.no_times, "measure no times: cost.csv has none");
-    command->add_flag("--instructions", o.instructions,
-                      "count the instructions of a frame on this machine, in 565 (valgrind; takes minutes)");
+    command
+        ->add_option("--targets", o.targets,
+                     "count the instructions of a frame in 565 there, as host,m4: host is this machine "
+                     "(valgrind; takes minutes), m0plus, m3, m4 and rv32 run images of --firmware in QEMU")
+        ->check(CLI::IsMember(trade::target_names()))
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command->add_flag("--instructions", o.instructions, "the same as --targets host");
+    command->add_option(
+        "--firmware", o.firmware,
+        "the folder of images that `./dev firmware --out DIR` has built from Spangle's source");
+    command
+        ->add_option(
+            "--tier", o.own_tiers,
+            "one more tier, NAME=BASE,KNOB=VALUE,...: BASE is exact, balanced or fast; may be repeated")
+        ->allow_extra_args(false);
+    command->add_flag("--knobs", o.knobs, "list the knobs of a tier, and do nothing else");
     command->add_flag("--strict", o.strict, "exit with 1 where a tier breaks one of its promises");
     command->add_flag(
         "--bytes", o.bytes,
@@ -252,6 +327,10 @@ CLI::App* add_trade(CLI::App& app, TradeOptions& o) {
 }
 
 int trade(const TradeOptions& options, bool merging) {
+    if (options.knobs) {
+        print("{}", trade::knob_table());
+        return 0;
+    }
     if (merging) {
         const trade::Swept swept = trade::merge_folders(options.parts, options.out);
         return swept.problem.empty() ? report(options, swept, true) : refuse(swept.problem);
@@ -260,14 +339,20 @@ int trade(const TradeOptions& options, bool merging) {
     trade::Sweep sweep;
     std::string problem = read_setting(options, sweep);
     if (problem.empty())
+        problem = read_targets(options, sweep);
+    if (problem.empty())
         problem = corpus.add(options);
     if (!problem.empty())
         return refuse(problem);
     sweep.programs = corpus.programs;
+    if (!options.own_tiers.empty() && std::any_of(sweep.programs.begin(), sweep.programs.end(),
+                                                  [](const auto& p) { return p.recording != nullptr; }))
+        return refuse("--tier is for scenes and models: a trace or a program takes exact, balanced or fast");
     if (options.bytes)
         return print_bytes(sweep);
-    if (options.instructions)
+    if (options.instructions || is_asked(options, trade::host_target))
         sweep.count = counter(options);
+    sweep.count_board = board_counter(options, sweep.setting);
     if (isatty(STDERR_FILENO) != 0)
         sweep.progress = [](const trade::Job& job) {
             tell(fmt::format("\r\033[K{} of {}: {} in {}{}", job.number + 1, job.of, job.scene,

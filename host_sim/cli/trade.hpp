@@ -18,8 +18,11 @@ struct TradeOptions {
     std::vector<std::string> tiers, formats;
     std::string size = "320x240", dither = "off", shard, out = "trade";
     int frames = 10;
-    bool no_times = false, instructions = false, strict = false, bytes = false;
-    std::vector<std::string> parts; ///< of merge
+    bool no_times = false, instructions = false, strict = false, bytes = false, knobs = false;
+    std::vector<std::string> own_tiers; ///< NAME=BASE,KNOB=VALUE,...
+    std::vector<std::string> targets;   ///< whose instructions are counted
+    std::string firmware;               ///< the folder of images for targets but the host
+    std::vector<std::string> parts;     ///< of merge
 };
 
 /// The command with its options and its own subcommand, merge.

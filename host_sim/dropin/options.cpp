@@ -130,6 +130,8 @@ Options read() {
     out.panel_format = panel_format("SPANGLE_FORMAT") && out.board != nullptr;
     out.shot = text_of("SPANGLE_SHOT");
     out.report = text_of("SPANGLE_REPORT");
+    out.record = text_of("SPANGLE_RECORD");
+    out.record_format = format_of("SPANGLE_RECORD_FORMAT");
     out.capture = text_of("SPANGLE_CAPTURE");
     out.capture_format = format_of("SPANGLE_CAPTURE_FORMAT");
     out.times_only = flag_of("SPANGLE_CAPTURE_TIMES");

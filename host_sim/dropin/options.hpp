@@ -17,9 +17,12 @@ struct Options {
     bool panel_format = false; ///< SPANGLE_FORMAT=panel: windows have the panel's own pixels
     std::string shot;          ///< SPANGLE_SHOT: PNG of the last picture
     std::string report;        ///< SPANGLE_REPORT: figures of the run, for `spangle exec`
-    std::string capture;       ///< SPANGLE_CAPTURE: all that `spangle trade` judges frames by
-    bool times_only = false;   ///< SPANGLE_CAPTURE_TIMES: of each frame the time alone
-    bool dither = true;        ///< SPANGLE_CAPTURE_DITHER: what GL_DITHER is at first
+    std::string record;        ///< SPANGLE_RECORD: what was asked of GL, for `spangle profile`
+    /// SPANGLE_RECORD_FORMAT: the surfaces that it is recorded for; none: the program's own.
+    std::optional<PixelFormat> record_format;
+    std::string capture;     ///< SPANGLE_CAPTURE: all that `spangle trade` judges frames by
+    bool times_only = false; ///< SPANGLE_CAPTURE_TIMES: of each frame the time alone
+    bool dither = true;      ///< SPANGLE_CAPTURE_DITHER: what GL_DITHER is at first
     /// SPANGLE_CAPTURE_FORMAT: the format of pbuffers, whatever their config says; none: what it says.
     std::optional<PixelFormat> capture_format;
     long frames = 0;            ///< SPANGLE_FRAMES: the program ends after so many; 0: by itself

@@ -9,6 +9,7 @@
 
 #include "host_sim/dropin/options.hpp"
 #include "host_sim/dropin/pictures.hpp"
+#include "host_sim/dropin/recording.hpp"
 #include "host_sim/output/output.hpp"
 
 namespace spangle::dropin {
@@ -175,8 +176,8 @@ void Stage::finish() {
         if (const auto shown = board_->display().finish(); !shown.ok())
             stop(shown.error().rule);
     const Options& wish = options();
-    if (wish.shot.empty() && wish.report.empty())
-        return;
+    if (const std::string problem = write_recording(); !problem.empty())
+        stop(problem.c_str());
     if (!wish.report.empty())
         write_report();
     if (!wish.shot.empty())

@@ -14,6 +14,7 @@
 #include "host_sim/dropin/capture.hpp"
 #include "host_sim/dropin/glx_drawables.hpp"
 #include "host_sim/dropin/options.hpp"
+#include "host_sim/dropin/recording.hpp"
 #include "host_sim/dropin/stage.hpp"
 #include "host_sim/dropin/x_windows.hpp"
 
@@ -55,6 +56,7 @@ void swapped(const hal::Frame& picture, const hal::DisplayInfo& info) {
 void created(gl::Context& context) {
     if (!options().report.empty())
         gl::observe(context, Stage::get().counters(), false);
+    record(context);
     if (Capture* const capture = Capture::get())
         capture->watch(context);
 }

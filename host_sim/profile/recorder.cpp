@@ -53,28 +53,57 @@ bool black(const Real (&color)[4]) {
 struct Spans {
     template <int K>
     static void run(raster::Span<raster::Fixed>& span, const raster::Row* row, const raster::Row* end) {
-        const Recorder::Counted& counted = listening->counted_.at({span.state, K});
+        std::uint64_t pixels = 0;
         for (const raster::Row* at = row; at != end; ++at)
-            listening->record_.keys[counted.key].pixels += static_cast<std::uint64_t>(at->last - at->first);
-        reinterpret_cast<raster::RowsFunction<raster::Fixed>>(counted.run)(span, row, end);
+            pixels += static_cast<std::uint64_t>(at->last - at->first);
+        reinterpret_cast<raster::RowsFunction<raster::Fixed>>(listening->count({span.state, K}, pixels))(
+            span, row, end);
     }
     static constexpr raster::RowsFunction<raster::Fixed> of[raster::kind_count] = {&run<0>, &run<1>, &run<2>,
                                                                                    &run<3>};
 };
 
-Recorder::Recorder(gl::Context& context) : context_(context) {
+Recorder::Recorder() {
     listening = this;
-    const raster::Surface& surface = context.drawable.surface;
-    record_.color_formats |= 1u << static_cast<unsigned>(surface.format);
-    record_.depth_formats |= 1u << static_cast<unsigned>(surface.depth_format);
-    if (surface.samples != nullptr)
-        record_.features.insert("MULTISAMPLE");
-    gl::watch(context, this);
+}
+
+Recorder::Recorder(PixelFormat colors) : colors_(colors) {
+    listening = this;
+}
+
+Recorder::Recorder(gl::Context& context) : context_(&context) {
+    listening = this;
+    add(context);
+    inspect(context);
 }
 
 Recorder::~Recorder() {
-    gl::watch(context_, nullptr);
+    if (context_ != nullptr)
+        gl::watch(*context_, nullptr);
     listening = nullptr;
+}
+
+void Recorder::add(gl::Context& context) {
+    gl::watch(context, this);
+}
+
+/// The surface that keys are made for.
+raster::Surface Recorder::target(const gl::Context& context) const {
+    raster::Surface surface = context.drawable.surface;
+    if (!colors_)
+        return surface;
+    surface.format = *colors_;
+    if (surface.depth_format != DepthFormat::none)
+        surface.depth_format = stencil_ ? DepthFormat::z24s8 : DepthFormat::z16;
+    return surface;
+}
+
+raster::AnyFunction Recorder::count(const std::pair<const raster::DrawState*, int>& variant,
+                                    std::uint64_t pixels) {
+    const std::lock_guard lock(mutex_);
+    const Counted& counted = counted_.at(variant);
+    record_.keys[counted.key].pixels += pixels;
+    return counted.run;
 }
 
 std::size_t Recorder::place_of(const raster::Key& key) {
@@ -91,6 +120,9 @@ std::size_t Recorder::place_of(const raster::Key& key) {
 /// else.
 void Recorder::compiled(gl::Context& context, const raster::FragmentState& fragment,
                         raster::DrawState& state) {
+    const std::lock_guard lock(mutex_);
+    stencil_ = stencil_ || fragment.stencil_test;
+    const raster::Surface surface = target(context);
     record_.tiers |= 1u << static_cast<unsigned>(fragment.tier);
     const bool one_color =
         fragment.flat && !state.textured_or_fogged && !state.pixels && state.variant[0].run != nullptr;
@@ -99,7 +131,7 @@ void Recorder::compiled(gl::Context& context, const raster::FragmentState& fragm
         if (variant.run == nullptr || state.nothing)
             continue;
         const auto kind = static_cast<Kind>(i);
-        const std::size_t place = place_of(raster::make_key(fragment, context.drawable.surface, kind));
+        const std::size_t place = place_of(raster::make_key(fragment, surface, kind));
         const bool optional = kind == Kind::flat ? !fragment.flat : one_color;
         const bool never = kind == Kind::full && fragment.tier == raster::Tier::fast;
         record_.keys[place].needed = record_.keys[place].needed || !(optional || never);
@@ -164,6 +196,7 @@ void Recorder::arguments(gl::Context& context, const gl::CommandText& text, cons
 
 void Recorder::command(gl::Context& context, const gl::CommandText& text, const gl::Arg* args,
                        unsigned count) {
+    const std::lock_guard lock(mutex_);
     ++record_.commands[text.name];
     for (const char* const feature : features_of(text.name))
         record_.features.insert(feature);
@@ -199,6 +232,13 @@ void Recorder::inspect_textures(gl::Context& context) {
 /// What the commands before have made of the state.
 void Recorder::inspect(gl::Context& context) {
     Record& r = record_;
+    if (context.drawable.surface.color != nullptr) {
+        const raster::Surface surface = target(context);
+        r.color_formats |= 1u << static_cast<unsigned>(surface.format);
+        r.depth_formats |= 1u << static_cast<unsigned>(surface.depth_format);
+        if (surface.samples != nullptr)
+            r.features.insert("MULTISAMPLE");
+    }
     r.modelview_stack = std::max(r.modelview_stack, context.transform.modelview.top + 1);
     r.projection_stack = std::max(r.projection_stack, context.transform.projection.top + 1);
     for (const auto& stack : context.transform.texture)
@@ -225,15 +265,24 @@ void Recorder::inspect(gl::Context& context) {
         if (array.enabled && array.type - GL_BYTE < 13)
             r.array_types |= 1u << (array.type - GL_BYTE);
     });
-    if (!textures_seen_ || texture_changes_ != context.share->texture_changes) {
-        textures_seen_ = true;
-        texture_changes_ = context.share->texture_changes;
+    const auto [seen, first] = textures_seen_.try_emplace(context.share, 0);
+    if (first || seen->second != context.share->texture_changes) {
+        seen->second = context.share->texture_changes;
         inspect_textures(context);
     }
 }
 
 const Record& Recorder::finish() {
-    inspect(context_);
+    const std::lock_guard lock(mutex_);
+    if (context_ != nullptr)
+        inspect(*context_);
+    // A surface with stencils has depths of 24 bits for every draw.
+    if (colors_ && stencil_) {
+        for (KeyUse& use : record_.keys)
+            if (use.key.depth_format != DepthFormat::none)
+                use.key.depth_format = DepthFormat::z24s8;
+        record_.depth_formats &= ~(1u << static_cast<unsigned>(DepthFormat::z16));
+    }
     record_.arena_peak = memory_use().peak;
     return record_;
 }

@@ -1,8 +1,11 @@
-// Listens to one context and writes down what the program asks it for.
+// Listens to contexts and writes down what the program asks them for.
 #pragma once
 
 #include <map>
+#include <mutex>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "gl/context/watch.hpp"
 #include "host_sim/profile/record.hpp"
@@ -12,12 +15,19 @@
 
 namespace spangle::profile {
 
-/// One at a time: spans have no place to say who counts them.
+/// One at a time: spans have no place to say who counts them. Contexts may be current to several threads.
 class Recorder final : public gl::Watcher {
   public:
-    /// The context is watched as long as this lives.
+    /// Records keys and formats as those of the surfaces that the program draws to.
+    Recorder();
+    /// Records them as if the surfaces had these colours, and depths of 16 bits, or 24 where the program asks
+    /// for stencils: programs for PCs take the largest formats that a machine offers.
+    explicit Recorder(PixelFormat colors);
+    /// Records one context, as long as this lives.
     explicit Recorder(gl::Context& context);
     ~Recorder();
+    /// Records this context, too, to its end.
+    void add(gl::Context& context);
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
@@ -36,11 +46,18 @@ class Recorder final : public gl::Watcher {
     void inspect_textures(gl::Context& context);
     void arguments(gl::Context& context, const gl::CommandText& text, const gl::Arg* args, unsigned count);
     void value(std::uint32_t word);
+    /// Counts pixels for the key of a variant; what draws them.
+    raster::AnyFunction count(const std::pair<const raster::DrawState*, int>& variant, std::uint64_t pixels);
 
-    gl::Context& context_;
+    raster::Surface target(const gl::Context& context) const;
+
+    gl::Context* context_ = nullptr; ///< that outlives this
+    std::optional<PixelFormat> colors_;
+    bool stencil_ = false;
+    std::mutex mutex_;
     Record record_;
-    std::uint32_t texture_changes_ = 0;
-    bool textures_seen_ = false;
+    /// Of each share group, the count of changes to its textures that were looked at.
+    std::map<const void*, std::uint32_t> textures_seen_;
     /// What a state draws each kind with, and the key it counts for.
     struct Counted {
         raster::AnyFunction run;

@@ -24,6 +24,7 @@ DRAWN_BY = {
     "duck": ["run", "--model", str(MODEL)],
     "formats": ["formats"],
     "samples": ["samples"],
+    **{f"choose_{tier}": ["run", "S4r", "--precision", tier, "--size", "160x120"] for tier in ("exact", "balanced", "fast")},
     "baked": ["run", "BAKED", "--frames", "12"],
 }
 

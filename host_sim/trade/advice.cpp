@@ -1,8 +1,12 @@
 #include "host_sim/trade/advice.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
+
+#include "host_sim/trade/cost.hpp"
+#include "host_sim/trade/plot.hpp"
 
 namespace spangle::trade {
 
@@ -15,7 +19,8 @@ constexpr double passes = 33;
 
 /// The name of a tier at the beginning of a sentence.
 std::string capital(std::string tier) {
-    tier[0] = static_cast<char>(tier[0] - 'a' + 'A');
+    if (tier[0] >= 'a' && tier[0] <= 'z')
+        tier[0] = static_cast<char>(tier[0] - 'a' + 'A');
     return tier;
 }
 
@@ -29,19 +34,13 @@ std::string difference(const Table& table, const Table::Row& row) {
                        table.text(row, "max_lsb") == "1" ? "" : "s", psnr);
 }
 
-/// How a job's tiers are compared: by instructions where all were counted, else by time, or not at all.
-struct Measure {
-    const char* column;
-    const char* noun;
-};
-constexpr Measure measures[] = {{"instructions", "instructions"}, {"microseconds", "time"}};
-
-std::string gain(double relative, const Measure& by) {
+std::string gain(double relative, const Axis& by) {
     const int less = static_cast<int>(std::lround(100 * (1 - relative)));
+    const bool is_time = by.name[0] == 't';
     if (less == 0)
-        return fmt::format("as {} {}", by.noun[0] == 't' ? "much" : "many", by.noun);
-    return less > 0 ? fmt::format("{} % {} {}", less, by.noun[0] == 't' ? "less" : "fewer", by.noun)
-                    : fmt::format("{} % more {}", -less, by.noun);
+        return fmt::format("as {} {}", is_time ? "much" : "many", by.name);
+    return less > 0 ? fmt::format("{} % {} {}", less, is_time ? "less" : "fewer", by.name)
+                    : fmt::format("{} % more {}", -less, by.name);
 }
 
 /// A tier that was measured, with what it takes relative to the first.
@@ -49,6 +48,7 @@ struct Candidate {
     std::string tier;
     const Table::Row* row;
     double relative;
+    std::string also; ///< other figures that differ
 };
 
 /// What each tier takes, relative to the first; false where a figure is missing.
@@ -65,7 +65,48 @@ bool fill_in(const Table& cost, const std::string& job, const char* column, std:
     return true;
 }
 
-Advice advise_job(const Table& accuracy, const std::vector<Candidate>& all, const Measure* by) {
+/// A figure of two rows, where both have it.
+struct Pair {
+    double first, other;
+};
+std::optional<Pair> pair_of(const Table& table, const Table::Row* first, const Table::Row* other,
+                            const std::string& column) {
+    if (first == nullptr || other == nullptr)
+        return {};
+    const auto a = table.number(*first, column), b = table.number(*other, column);
+    return a && b && *a > 0 ? std::optional<Pair>({*a, *b}) : std::nullopt;
+}
+
+/// Other targets that do not gain as much or as little, bytes of flash and RAM, and bytes on the bus. Nothing
+/// is said of what differs by less than is worth it.
+std::string other_figures(const Table& accuracy, const Table& cost, const Candidate& first,
+                          const Candidate& other, const std::string& job, const Axis* by) {
+    const Table::Row *const a = find_row(cost, job, first.tier), *const b = find_row(cost, job, other.tier);
+    std::string out;
+    const auto say = [&out](const std::string& words) { out += (out.empty() ? "" : ", ") + words; };
+    for (const Target& target : targets()) {
+        const std::string column = target_column(target.name, "instructions");
+        if (const auto p = pair_of(cost, a, b, column);
+            p && by != nullptr && column != by->column &&
+            std::fabs(p->other / p->first - other.relative) > worth)
+            say(fmt::format("{}: {:+.0f} %", target.name, 100 * (p->other / p->first - 1)));
+    }
+    for (const Target& target : targets())
+        for (const char* kind : {"flash", "ram"})
+            if (const auto p = pair_of(cost, a, b, target_column(target.name, kind));
+                p && std::fabs(p->other / p->first - 1) > worth) {
+                const double kb = (p->first - p->other) / 1024;
+                say(fmt::format("{:.1f} KB {} {} on {}", std::fabs(kb), kb > 0 ? "less" : "more",
+                                kind[0] == 'f' ? "flash" : "RAM", target.name));
+            }
+    if (const auto p = pair_of(accuracy, first.row, other.row, "bus_bytes");
+        p && std::fabs(p->other / p->first - 1) > worth)
+        say(fmt::format("{:.0f} % {} bytes on the bus", 100 * std::fabs(p->other / p->first - 1),
+                        p->other < p->first ? "fewer" : "more"));
+    return out.empty() ? "" : " (" + out + ")";
+}
+
+Advice advise_job(const Table& accuracy, const std::vector<Candidate>& all, const Axis* by) {
     const Candidate& first = all.front();
     Advice out{accuracy.text(*first.row, "scene"), accuracy.text(*first.row, "format"), first.tier, ""};
     const Candidate* best = &first;
@@ -83,13 +124,13 @@ Advice advise_job(const Table& accuracy, const std::vector<Candidate>& all, cons
         const bool pays = c.relative < 1 - worth;
         const std::string off = difference(accuracy, *c.row);
         if (by == nullptr)
-            out.why += fmt::format(" {}: {}.", capital(c.tier), off);
+            out.why += fmt::format(" {}: {}{}.", capital(c.tier), off, c.also);
         else if (seen)
-            out.why += fmt::format(" {} shows: {}, for {}.", capital(c.tier), off, gain(c.relative, *by));
-        else if (!pays)
-            out.why += fmt::format(" {} hardly pays: {}; {}.", capital(c.tier), gain(c.relative, *by), off);
+            out.why +=
+                fmt::format(" {} shows: {}, for {}{}.", capital(c.tier), off, gain(c.relative, *by), c.also);
         else
-            out.why += fmt::format(" {} pays: {}; {}.", capital(c.tier), gain(c.relative, *by), off);
+            out.why += fmt::format(" {} {}: {}{}; {}.", capital(c.tier), pays ? "pays" : "hardly pays",
+                                   gain(c.relative, *by), c.also, off);
     }
     if (!out.why.empty() && out.why.front() == ' ')
         out.why.erase(0, 1);
@@ -107,15 +148,18 @@ const Table::Row* find_row(const Table& table, const std::string& job, const std
 
 std::vector<Advice> advise(const Table& accuracy, const Table& cost) {
     std::vector<Advice> out;
+    const std::vector<Axis> axes = axes_of(cost);
     for (std::size_t i = 0; i < accuracy.rows.size();) {
         const std::string& job = accuracy.text(accuracy.rows[i], "job");
         std::vector<Candidate> all;
         for (; i < accuracy.rows.size() && accuracy.text(accuracy.rows[i], "job") == job; ++i)
-            all.push_back({accuracy.text(accuracy.rows[i], "tier"), &accuracy.rows[i], 1});
-        const Measure* by = nullptr;
-        for (const Measure& measure : measures)
-            if (by == nullptr && fill_in(cost, job, measure.column, all))
-                by = &measure;
+            all.push_back({accuracy.text(accuracy.rows[i], "tier"), &accuracy.rows[i], 1, ""});
+        const Axis* by = nullptr; // the first that all tiers have
+        for (const Axis& axis : axes)
+            if (by == nullptr && fill_in(cost, job, axis.column.c_str(), all))
+                by = &axis;
+        for (Candidate& c : all)
+            c.also = other_figures(accuracy, cost, all.front(), c, job, by);
         out.push_back(advise_job(accuracy, all, by));
     }
     return out;

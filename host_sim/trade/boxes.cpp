@@ -35,6 +35,9 @@ std::vector<std::string> missed_boxes(const Table& table, const Table::Row& row)
         least("identical", 95, "identical %");
         least("psnr_565", 33, "PSNR in 565");
         most("texel_worst", 0.25, "worst texel error");
+    } else if (tier == "fast") {
+        least("psnr_565", 22, "PSNR in 565");
+        most("texel_worst", 0.5, "worst texel error");
     }
     return out;
 }

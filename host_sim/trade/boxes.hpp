@@ -9,7 +9,7 @@
 namespace spangle::trade {
 
 /// A sentence for each promise that this row of accuracy.csv breaks. Promises are those of undithered
-/// pictures; the fast tier promises its coverage and depth only.
+/// pictures; a tier that the user composed promises its coverage and depth only.
 std::vector<std::string> missed_boxes(const Table& table, const Table::Row& row);
 
 } // namespace spangle::trade

@@ -51,7 +51,7 @@ std::string hash_frames(const Program& program, const Tier& tier, const Format& 
     } else {
         Offscreen screen;
         problem = screen.open(program, setting.width, setting.height, format.format, tier.precision,
-                              setting.dither);
+                              setting.dither, own_knobs(tier));
         for (int f = 0; f < setting.frames && problem.empty(); ++f) {
             program.draw(f);
             hash.add(read_picture());

@@ -1,18 +1,27 @@
 // What can be chosen: tiers and formats, by name.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include <spangle/EGL/egl.h>
 #include <spangle/format.hpp>
+#include <spangle/raster/tier.hpp>
 
 namespace spangle::trade {
 
 struct Tier {
-    const char* name;
+    std::string name;
     EGLint precision, shadow;
+    std::optional<raster::Knobs> knobs = {}; ///< of a tier that the user composed
+    std::string words = {};                  ///< of which those were read
 };
-inline constexpr Tier tiers[] = {
+/// Of an own tier, or null.
+inline const raster::Knobs* own_knobs(const Tier& tier) {
+    return tier.knobs ? &*tier.knobs : nullptr;
+}
+inline const Tier tiers[] = {
     {"exact", EGL_PRECISION_EXACT_SPANGLE, EGL_PRECISION_SHADOW_SPANGLE},
     {"balanced", EGL_PRECISION_BALANCED_SPANGLE, EGL_PRECISION_SHADOW_BALANCED_SPANGLE},
     {"fast", EGL_PRECISION_FAST_SPANGLE, EGL_PRECISION_SHADOW_FAST_SPANGLE}};

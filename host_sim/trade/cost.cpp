@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include <spangle/GL/gl.h>
+#include <spangle/reference.hpp>
 
+#include "gl/pixel/fragment_setup.hpp"
 #include "host_sim/trade/offscreen.hpp"
 #include "host_sim/trade/recording.hpp"
 
@@ -45,9 +47,10 @@ std::vector<double> frame_times(const Program& program, const std::vector<Tier>&
     std::vector<std::vector<double>> times(chosen.size());
     std::vector<bool> drawn;
     for (const Tier& tier : chosen)
-        drawn.push_back(screens.emplace_back()
-                            .open(program, s.width, s.height, format.format, tier.precision, s.dither)
-                            .empty());
+        drawn.push_back(
+            screens.emplace_back()
+                .open(program, s.width, s.height, format.format, tier.precision, s.dither, own_knobs(tier))
+                .empty());
     for (int round = 0; round <= rounds; ++round)
         for (std::size_t i = 0; i < chosen.size(); ++i)
             if (drawn[i]) {
@@ -62,21 +65,76 @@ std::vector<double> frame_times(const Program& program, const std::vector<Tier>&
     return out;
 }
 
-Table::Row cost_columns() {
-    return {"job", "jobs", "scene", "tier", "format", "microseconds", "relative", "instructions"};
+Work work_of_frames(const Program& program, const Tier& tier, const Format& format, const Setting& s) {
+    Offscreen screen;
+    Work out;
+    if (program.recording != nullptr || // another process draws it
+        !screen.open(program, s.width, s.height, format.format, tier.precision, s.dither, own_knobs(tier))
+             .empty())
+        return out;
+    raster::Counters counters;
+    gl::observe(*gl::current_context(), &counters, false);
+    program.draw(0);
+    counters.triangles = counters.fragments = 0;
+    for (int f = first_counted; f < first_counted + counted_frames; ++f)
+        program.draw(f);
+    out.triangles = static_cast<double>(counters.triangles) / counted_frames;
+    out.fragments = static_cast<double>(counters.fragments) / counted_frames;
+    out.hash = 2166136261u;
+    for (const std::uint8_t byte : read_picture().rgba)
+        out.hash = (out.hash ^ byte) * 16777619u;
+    gl::observe(*gl::current_context(), nullptr, false);
+    return out;
 }
 
-Table::Row cost_row(const Job& job, const Tier& tier, double microseconds, double first,
-                    std::uint64_t instructions) {
-    const bool timed = microseconds > 0 && first > 0;
-    return {std::to_string(job.number),
-            std::to_string(job.of),
-            job.scene,
-            tier.name,
-            job.format.name,
-            timed ? fmt::format("{:.1f}", microseconds) : "",
-            timed ? fmt::format("{:.3f}", microseconds / first) : "",
-            instructions != 0 ? std::to_string(instructions) : ""};
+std::string target_column(const std::string& target, const std::string& figure) {
+    return target + "_" + figure;
+}
+
+namespace {
+
+/// Instructions, and what they are for each pixel and triangle.
+void append_instructions(Table::Row& out, std::uint64_t instructions, const Work& work) {
+    const auto per = [&](double n) {
+        return instructions != 0 && n > 0 ? fmt::format("{:.1f}", static_cast<double>(instructions) / n) : "";
+    };
+    out.push_back(instructions != 0 ? std::to_string(instructions) : "");
+    out.push_back(per(work.fragments));
+    out.push_back(per(work.triangles));
+}
+
+} // namespace
+
+Table::Row cost_columns() {
+    Table::Row out = {"job",          "jobs",     "scene",     "tier",     "format",
+                      "microseconds", "relative", "triangles", "fragments"};
+    for (const std::string& target : target_names())
+        for (const char* figure : {"instructions", "per_pixel", "per_triangle", "flash", "ram"})
+            if (target != host_target || figure[0] == 'i' || figure[0] == 'p') // a host has no image
+                out.push_back(target_column(target, figure));
+    return out;
+}
+
+Table::Row cost_row(const Job& job, const Tier& tier, const Cost& cost) {
+    const bool timed = cost.microseconds > 0 && cost.first > 0;
+    Table::Row out = {std::to_string(job.number),
+                      std::to_string(job.of),
+                      job.scene,
+                      tier.name,
+                      job.format.name,
+                      timed ? fmt::format("{:.1f}", cost.microseconds) : "",
+                      timed ? fmt::format("{:.3f}", cost.microseconds / cost.first) : "",
+                      fmt::format("{:.6g}", cost.work.triangles),
+                      fmt::format("{:.10g}", cost.work.fragments)};
+    append_instructions(out, cost.instructions, cost.work);
+    for (const Target& target : targets()) {
+        const auto found = cost.boards.find(target.name);
+        const bool counted = found != cost.boards.end();
+        append_instructions(out, counted ? found->second.instructions : 0, cost.work);
+        out.push_back(counted ? std::to_string(found->second.flash) : "");
+        out.push_back(counted ? std::to_string(found->second.ram) : "");
+    }
+    return out;
 }
 
 } // namespace spangle::trade

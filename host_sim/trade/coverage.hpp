@@ -11,7 +11,7 @@ namespace spangle::trade {
 
 /// What the triangles of one frame cover: one flag per pixel, rows from the bottom.
 struct FrameCoverage {
-    std::vector<bool> snapped; ///< their vertices on the n.8 grid
+    std::vector<bool> snapped; ///< their vertices on the n.8 grid, as the policy snapped them
     std::vector<bool>
         exact; ///< where the policy knows them, their vertices as they were before; else snapped
 };

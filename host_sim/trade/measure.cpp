@@ -9,6 +9,7 @@
 #include <spangle/boards/boards.hpp>
 #include <spangle/native.hpp>
 #include <spangle/sim/board.hpp>
+#include <spangle/tier.hpp>
 
 #include "gl/pixel/fragment_setup.hpp"
 #include "host_sim/trade/coverage.hpp"
@@ -27,8 +28,9 @@ struct Watched {
     raster::Counters counters;
     int coverage_width = 0;
 
-    std::string open(const Program& program, const Setting& s, PixelFormat format, EGLint precision) {
-        std::string problem = screen.open(program, s.width, s.height, format, precision, s.dither);
+    std::string open(const Program& program, const Setting& s, PixelFormat format, EGLint precision,
+                     const raster::Knobs* knobs = nullptr) {
+        std::string problem = screen.open(program, s.width, s.height, format, precision, s.dither, knobs);
         if (!problem.empty())
             return problem;
         coverage.emplace(s.width, s.height);
@@ -55,7 +57,7 @@ std::string gl_problem(const Program& program) {
 void measure_pictures(const Program& program, const Tier& tier, const Format& format, const Setting& s,
                       Measured& out) {
     Watched ours, twin;
-    out.problem = ours.open(program, s, format.format, tier.precision);
+    out.problem = ours.open(program, s, format.format, tier.precision, own_knobs(tier));
     if (out.problem.empty())
         out.problem = twin.open(program, s, format.format, EGL_PRECISION_DOUBLE_SPANGLE);
     for (int f = 0; f < s.frames && out.problem.empty(); ++f) {
@@ -88,7 +90,8 @@ void measure_against_plain(const Program& program, const Setting& s, Measured& o
 void measure_stages(const Program& program, const Tier& tier, const Format& format, const Setting& s,
                     Measured& out) {
     Offscreen shadow;
-    out.problem = shadow.open(program, s.width, s.height, format.format, tier.shadow, s.dither);
+    out.problem =
+        shadow.open(program, s.width, s.height, format.format, tier.shadow, s.dither, own_knobs(tier));
     if (!out.problem.empty())
         return;
     const StageReport report;
@@ -124,6 +127,8 @@ void measure_bus(const Program& program, const Tier& tier, const Setting& s, Mea
     const EGLSurface window = eglCreateWindowSurface(display, config, 0, nullptr);
     const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
     if (eglMakeCurrent(display, window, window, context)) {
+        if (tier.knobs)
+            use_tier(*tier.knobs);
         program.setup(s.width, s.height);
         (s.dither ? glEnable : glDisable)(GL_DITHER);
         std::uint64_t first = 0;

@@ -23,6 +23,7 @@ struct Measured {
     double psnr_to_888 = 0;          ///< last frame, against double in eight bits: tier and format together
     double perceived = 0;            ///< last frame, likewise
     std::uint64_t off_own = 0;       ///< pixels whose coverage is not brute force's on the snapped vertices
+    std::uint64_t off_snapped = 0;   ///< ..., not that of vertices in double, ideally snapped
     std::uint64_t off_unsnapped = 0; ///< pixels whose coverage is not that of vertices in double
     std::uint64_t off_ideal = 0;     ///< the same of ideally snapped doubles: what n.8 costs by itself
     std::vector<StageError> stages;  ///< of the shadow

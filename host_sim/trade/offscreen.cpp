@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <spangle/GL/gl.h>
+#include <spangle/tier.hpp>
 
 namespace spangle::trade {
 
@@ -51,7 +52,7 @@ Offscreen::~Offscreen() {
 }
 
 std::string Offscreen::open(const Program& program, int width, int height, PixelFormat format,
-                            EGLint precision, bool dither) {
+                            EGLint precision, bool dither, const raster::Knobs* knobs) {
     display_ = eglGetDisplay(EGL_DEFAULT_DISPLAY);
     if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr))
         return "this build has no display of its own";
@@ -64,6 +65,8 @@ std::string Offscreen::open(const Program& program, int width, int height, Pixel
     if (!eglMakeCurrent(display_, surface_, surface_, context_))
         return fmt::format("EGL refuses a picture of {}x{} (error 0x{:04X})", width, height,
                            static_cast<unsigned>(eglGetError()));
+    if (knobs != nullptr && !use_tier(*knobs))
+        return "this build has no tiers of your own: it lacks one of the three";
     // Programs that draw without these buffers, or without clearing them, leave what was there before.
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     program.setup(width, height);

@@ -5,6 +5,7 @@
 
 #include <spangle/EGL/egl.h>
 #include <spangle/format.hpp>
+#include <spangle/raster/tier.hpp>
 #include <spangle/sim/image.hpp>
 
 #include "host_sim/trade/program.hpp"
@@ -19,8 +20,9 @@ class Offscreen {
     Offscreen& operator=(const Offscreen&) = delete;
 
     /// Makes it current and sets the program up. Empty, or why it cannot be.
+    /// `knobs`: of an own tier, or null.
     std::string open(const Program& program, int width, int height, PixelFormat format, EGLint precision,
-                     bool dither);
+                     bool dither, const raster::Knobs* knobs = nullptr);
     void make_current() const;
 
   private:

@@ -1,5 +1,6 @@
 #include "host_sim/trade/page.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -10,6 +11,7 @@
 #include "host_sim/output/output.hpp"
 #include "host_sim/trade/advice.hpp"
 #include "host_sim/trade/boxes.hpp"
+#include "host_sim/trade/cost.hpp"
 #include "host_sim/trade/plot.hpp"
 
 namespace spangle::trade {
@@ -41,6 +43,15 @@ for (const scene of document.querySelectorAll('.scene')) {
       part.hidden = part.dataset.tier !== slider.value;
   };
   slider.addEventListener('input', show);
+  show();
+}
+const axis = document.getElementById('axis');
+if (axis) {
+  const show = () => {
+    for (const plot of document.querySelectorAll('[data-axis]'))
+      plot.hidden = plot.dataset.axis !== axis.value;
+  };
+  axis.addEventListener('change', show);
   show();
 }
 </script></body></html>
@@ -85,7 +96,7 @@ class Page {
                  "drawn in "
                  "double. docs/trade.md says how to read the figures.</p>\n";
         advice();
-        plot(plot_tiers(accuracy_, cost_), "Up is right, left is quick.");
+        tier_plots();
         if (formats.size() > 1)
             plot(plot_formats(accuracy_), "Down looks right, left sends little.");
         figures();
@@ -100,9 +111,29 @@ class Page {
     const Table &accuracy_, &cost_;
     std::string html_, problem_, note_;
 
-    void plot(const Plot& plot, const char* caption) {
+    /// A plot for each axis that has figures; a list chooses which one is shown.
+    void tier_plots() {
+        const std::vector<Axis> axes = axes_of(cost_);
+        if (axes.empty())
+            return plot({"", "no cost was measured"}, "");
+        if (axes.size() > 1) {
+            html_ += "<label>across <select id=axis>";
+            for (std::size_t i = 0; i < axes.size(); ++i)
+                html_ += fmt::format("<option value={}>{}</option>", i, axes[i].name);
+            html_ += "</select></label>\n";
+        }
+        for (std::size_t i = 0; i < axes.size(); ++i) {
+            const Plot tiers = plot_tiers(accuracy_, cost_, axes[i]);
+            plot(tiers, "Up is right, left is quick.", fmt::format(" data-axis={}", i));
+            if (!tiers.problem.empty())
+                return; // the others have the same
+        }
+    }
+
+    void plot(const Plot& plot, const char* caption, const std::string& attribute = "") {
         if (plot.problem.empty()) {
-            html_ += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", plot.svg, caption);
+            html_ += fmt::format("<figure{}>{}<figcaption>{}</figcaption></figure>\n", attribute, plot.svg,
+                                 caption);
             return;
         }
         html_ += fmt::format("<p>No plot here: {}.</p>\n", escaped(plot.problem));
@@ -118,6 +149,28 @@ class Page {
         html_ += "</table>\n";
     }
 
+    struct CostColumn {
+        std::string name, title;
+    };
+    std::vector<CostColumn> cost_columns_with_figures() const {
+        constexpr struct {
+            const char *figure, *title;
+        } figures[] = {{"instructions", "instructions"},
+                       {"per_pixel", "per pixel"},
+                       {"per_triangle", "per triangle"},
+                       {"flash", "flash"},
+                       {"ram", "RAM"}};
+        std::vector<CostColumn> all = {{"relative", "time"}}, out;
+        for (const std::string& target : target_names())
+            for (const auto& f : figures)
+                all.push_back({target_column(target, f.figure), fmt::format("{} {}", target, f.title)});
+        for (const CostColumn& column : all)
+            if (std::any_of(cost_.rows.begin(), cost_.rows.end(),
+                            [&](const Table::Row& row) { return !cost_.text(row, column.name).empty(); }))
+                out.push_back(column);
+        return out;
+    }
+
     void figures() {
         struct Column {
             const char *name, *title;
@@ -130,7 +183,8 @@ class Page {
                                       {"psnr_565", "dB in 565"},
                                       {"psnr_to_888", "dB to 888"},
                                       {"perceived", "FLIP-like"},
-                                      {"off_own", "coverage off"},
+                                      {"off_own", "off own-snapped"},
+                                      {"off_snapped", "off double-snapped"},
                                       {"off_unsnapped", "off unsnapped"},
                                       {"depth_steps", "depth steps"},
                                       {"order_flips", "order flips"},
@@ -141,7 +195,10 @@ class Page {
         html_ += "<h2>Figures</h2>\n<div class=wide><table><tr>";
         for (const Column& column : columns)
             html_ += fmt::format("<th>{}", column.title);
-        html_ += "<th>time<th>instructions</tr>\n";
+        const std::vector<CostColumn> costs = cost_columns_with_figures();
+        for (const CostColumn& column : costs)
+            html_ += "<th>" + column.title;
+        html_ += "</tr>\n";
         for (const Table::Row& row : accuracy_.rows) {
             const std::vector<std::string> missed = missed_boxes(accuracy_, row);
             std::string all;
@@ -152,8 +209,8 @@ class Page {
                 html_ += "<td>" + escaped(accuracy_.text(row, column.name));
             const Table::Row* const cost =
                 find_row(cost_, accuracy_.text(row, "job"), accuracy_.text(row, "tier"));
-            for (const char* column : {"relative", "instructions"})
-                html_ += "<td>" + (cost != nullptr ? cost_.text(*cost, column) : "");
+            for (const CostColumn& column : costs)
+                html_ += "<td>" + (cost != nullptr ? cost_.text(*cost, column.name) : "");
             html_ += "</tr>\n";
         }
         html_ +=

@@ -1,7 +1,10 @@
 #include "host_sim/trade/plot.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
@@ -9,6 +12,7 @@
 #include <unistd.h>
 
 #include "host_sim/trade/advice.hpp"
+#include "host_sim/trade/cost.hpp"
 
 namespace spangle::trade {
 
@@ -71,7 +75,7 @@ constexpr const char* look =
 using Series = std::map<std::string, std::string>;
 
 std::string plotted(const Series& series, const std::vector<std::string>& order) {
-    constexpr const char* colors[] = {"#1b6ca8", "#e08e0b", "#c0392b"};
+    constexpr const char* colors[] = {"#1b6ca8", "#e08e0b", "#c0392b", "#2e8b57", "#7d3c98", "#555555"};
     std::string data, plot;
     int i = 0;
     for (const std::string& name : order) {
@@ -81,16 +85,20 @@ std::string plotted(const Series& series, const std::vector<std::string>& order)
         data += fmt::format("$d{} << EOD\n{}EOD\n", i, found->second);
         plot += fmt::format("{}$d{} using 1:2 with points pt 7 ps 0.8 lc rgb '{}' title {}, "
                             "$d{} using 1:2:3 with labels left offset 0.7,0.3 font ',9' notitle",
-                            i == 0 ? "" : ", ", i, colors[i % 3], word(name), i);
+                            i == 0 ? "" : ", ", i, colors[static_cast<std::size_t>(i) % std::size(colors)],
+                            word(name), i);
         ++i;
     }
     return data + "plot " + plot + "\n";
 }
 
-std::vector<std::string> tier_names() {
+/// In the order of their rows.
+std::vector<std::string> tier_names(const Table& accuracy) {
     std::vector<std::string> names;
-    for (const Tier& tier : tiers)
-        names.emplace_back(tier.name);
+    for (const Table::Row& row : accuracy.rows)
+        if (const std::string& tier = accuracy.text(row, "tier");
+            std::find(names.begin(), names.end(), tier) == names.end())
+            names.push_back(tier);
     return names;
 }
 
@@ -101,23 +109,45 @@ bool is_crowded(double relative, double psnr) {
 
 } // namespace
 
-Plot plot_tiers(const Table& accuracy, const Table& cost) {
+std::vector<Axis> axes_of(const Table& cost) {
+    std::vector<Axis> all;
+    for (const Target& target : targets())
+        all.push_back(
+            {target_column(target.name, "instructions"), fmt::format("instructions on {}", target.name)});
+    all.push_back({target_column(host_target, "instructions"), "instructions on this machine"});
+    all.push_back({"microseconds", "time"});
+    std::vector<Axis> out;
+    for (const Axis& axis : all)
+        if (std::any_of(cost.rows.begin(), cost.rows.end(),
+                        [&](const Table::Row& row) { return cost.number(row, axis.column).has_value(); }))
+            out.push_back(axis);
+    return out;
+}
+
+Plot plot_tiers(const Table& accuracy, const Table& cost, const Axis& axis) {
     Series series;
+    std::string job;
+    std::optional<double> first;
     for (const Table::Row& row : accuracy.rows) {
-        const Table::Row* const time = find_row(cost, accuracy.text(row, "job"), accuracy.text(row, "tier"));
+        const Table::Row* const taken = find_row(cost, accuracy.text(row, "job"), accuracy.text(row, "tier"));
         const auto psnr = accuracy.number(row, "psnr_565");
-        const auto relative = time != nullptr ? cost.number(*time, "relative") : std::nullopt;
-        if (psnr && relative)
-            series[accuracy.text(row, "tier")] +=
-                fmt::format("{} {} {}\n", 100 * *relative, *psnr,
-                            is_crowded(*relative, *psnr) ? word("") : word(accuracy.text(row, "scene")));
+        const auto figure = taken != nullptr ? cost.number(*taken, axis.column) : std::nullopt;
+        if (accuracy.text(row, "job") != job)
+            first = figure;
+        job = accuracy.text(row, "job");
+        if (!psnr || !figure || !first || *first <= 0)
+            continue;
+        const double relative = *figure / *first;
+        series[accuracy.text(row, "tier")] +=
+            fmt::format("{} {} {}\n", 100 * relative, *psnr,
+                        is_crowded(relative, *psnr) ? word("") : word(accuracy.text(row, "scene")));
     }
     if (series.empty())
-        return {"", "no times were measured"};
+        return {"", "nothing was measured"};
     return drawn(std::string(look) +
-                 "set xlabel 'time of a frame, % of that of the first tier'\n"
+                 fmt::format("set xlabel '{} for a frame, % of the first tier'\n", axis.name) +
                  "set ylabel 'PSNR in RGB565, dB (99: identical)'\nset yrange [*:102]\n" +
-                 plotted(series, tier_names()));
+                 plotted(series, tier_names(accuracy)));
 }
 
 Plot plot_formats(const Table& accuracy) {
@@ -134,7 +164,7 @@ Plot plot_formats(const Table& accuracy) {
     return drawn(std::string(look) +
                  "set xlabel 'bytes of a whole frame'\nset logscale x 2\n"
                  "set ylabel 'looks different, FLIP-like mean'\nset yrange [0:*]\n" +
-                 plotted(series, tier_names()));
+                 plotted(series, tier_names(accuracy)));
 }
 
 } // namespace spangle::trade

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "host_sim/trade/table.hpp"
 
@@ -12,8 +13,16 @@ struct Plot {
     std::string svg, problem;
 };
 
-/// Time relative to the first tier against decibels in 565, a point for each program and tier.
-Plot plot_tiers(const Table& accuracy, const Table& cost);
+/// What frames of all tiers may be compared by: a column of cost.csv.
+struct Axis {
+    std::string column; ///< "microseconds", "m4_instructions", ...
+    std::string name;   ///< "time", "instructions on m4", ...
+};
+/// Those of which there are figures: instructions on boards, on this machine, time.
+std::vector<Axis> axes_of(const Table& cost);
+
+/// A figure relative to that of the first tier against decibels in 565, a point for each program and tier.
+Plot plot_tiers(const Table& accuracy, const Table& cost, const Axis& axis);
 /// Bytes of a frame against how different it looks from one in eight bits, of the first tier.
 Plot plot_formats(const Table& accuracy);
 

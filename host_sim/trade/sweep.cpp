@@ -61,9 +61,18 @@ std::string run_job(const Sweep& what, const Program& program, const Job& job, c
     std::vector<double> times(what.tiers.size(), -1);
     if (what.times)
         times = frame_times(program, what.tiers, job.format, setting);
-    for (std::size_t i = 0; i < what.tiers.size(); ++i)
-        out.cost.rows.push_back(cost_row(job, what.tiers[i], times[i], times[0],
-                                         what.count ? what.count(program, what.tiers[i], job.format) : 0));
+    for (std::size_t i = 0; i < what.tiers.size(); ++i) {
+        const Tier& tier = what.tiers[i];
+        Cost cost{times[i],
+                  times[0],
+                  work_of_frames(program, tier, job.format, setting),
+                  what.count ? what.count(program, tier, job.format) : 0,
+                  {}};
+        for (const Target& target : what.targets)
+            if (const auto counted = what.count_board(target, program, tier, job.format, cost.work))
+                cost.boards[target.name] = *counted;
+        out.cost.rows.push_back(cost_row(job, tier, cost));
+    }
     return "";
 }
 

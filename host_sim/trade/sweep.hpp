@@ -2,10 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "host_sim/trade/choice.hpp"
+#include "host_sim/trade/cost.hpp"
 #include "host_sim/trade/measure.hpp"
 #include "host_sim/trade/program.hpp"
 #include "host_sim/trade/table.hpp"
@@ -21,6 +23,11 @@ struct Sweep {
     bool times = true;
     /// Instructions of a frame, or 0 where nobody counts them.
     std::function<std::uint64_t(const Program&, const Tier&, const Format&)> count;
+    /// The targets beside this machine, and what counts on them: nothing where it cannot.
+    std::vector<Target> targets;
+    std::function<std::optional<BoardCost>(const Target&, const Program&, const Tier&, const Format&,
+                                           const Work&)>
+        count_board;
     /// Told before each job.
     std::function<void(const Job&)> progress = [](const Job&) {};
 };

@@ -115,11 +115,12 @@ std::string from_csv(std::string_view text, Table& out) {
 }
 
 Table::Row accuracy_columns() {
-    Table::Row out = {"job",         "jobs",          "scene",        "tier",        "format",
-                      "size",        "frames",        "dither",       "covered",     "identical",
-                      "max_lsb",     "psnr_565",      "psnr_888",     "psnr_to_888", "perceived",
-                      "off_own",     "off_unsnapped", "off_ideal",    "depth_steps", "order_flips",
-                      "texel_worst", "texel_rms",     "wrong_texels", "frame_bytes", "bus_bytes"};
+    Table::Row out = {"job",         "jobs",        "scene",         "tier",         "format",
+                      "size",        "frames",      "dither",        "covered",      "identical",
+                      "max_lsb",     "psnr_565",    "psnr_888",      "psnr_to_888",  "perceived",
+                      "off_own",     "off_snapped", "off_unsnapped", "off_ideal",    "depth_steps",
+                      "order_flips", "texel_worst", "texel_rms",     "wrong_texels", "frame_bytes",
+                      "bus_bytes"};
     for (int i = 0; i < raster::shadow_stages; ++i) {
         const std::string stage = column_of(raster::name_of(static_cast<raster::ShadowStage>(i)));
         out.push_back(stage + "_worst");
@@ -149,6 +150,7 @@ Table::Row accuracy_row(const Job& job, const Tier& tier, const Setting& s, cons
                       figure(m.psnr_to_888),
                       fmt::format("{:.5f}", m.perceived),
                       std::to_string(m.off_own),
+                      std::to_string(m.off_snapped),
                       std::to_string(m.off_unsnapped),
                       std::to_string(m.off_ideal),
                       m.error.compared_depths != 0 ? std::to_string(m.error.depth_steps) : "",

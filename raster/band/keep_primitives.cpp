@@ -63,7 +63,7 @@ void Record::add(const DrawState& live, const Primitive& p) {
     const auto of_state = static_cast<std::uint32_t>(reinterpret_cast<std::uint8_t*>(state) - memory_);
     if (p.corners > Item::most_corners)
         return add_polygon(live, p, of_state, {first, end});
-    const VertexCode code(state->draw.needs, drawn(state->draw.tier));
+    const VertexCode code(state->draw);
     const auto words = static_cast<std::uint32_t>(code.words());
 
     // At most all of its vertices are new, and a block begins.

@@ -110,7 +110,7 @@ void Record::replay_polygon(Block& block, DrawState& draw, const Surface& band) 
 }
 
 void Record::replay_primitives(Block& block, DrawState& draw, const Surface& band) {
-    const VertexCode code(draw.needs, drawn(draw.tier));
+    const VertexCode code(draw);
     const auto words = static_cast<std::uint32_t>(code.words());
     const std::int32_t low = draw.fragment.scissor.y, high = low + draw.fragment.scissor.h;
     const auto* start = reinterpret_cast<const std::uint32_t*>(&block + 1);

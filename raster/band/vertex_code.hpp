@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "raster/span/draw_state.hpp"
+#include "raster/span/of_tier.hpp"
 
 namespace spangle::raster {
 
@@ -13,7 +13,9 @@ class VertexCode {
   public:
     static constexpr int most_words = static_cast<int>(sizeof(FixedVertex) / 4);
 
-    VertexCode(const Needs& needs, Tier tier) : needs_(needs), rests_(has_rests && tier == Tier::exact) {
+    explicit VertexCode(const DrawState& draw) : VertexCode(draw.needs, unsnaps(draw)) {}
+    /// `rests`: set-up looks at what snapping took off.
+    VertexCode(const Needs& needs, bool rests) : needs_(needs), rests_(rests) {
         words_ =
             4 + (rests_ ? 1 : 0) + (needs.z ? 1 : 0) + 4 + (needs.secondary ? 3 : 0) + (needs.fog ? 1 : 0);
         for (int i = 0; i < max_texture_units; ++i)

@@ -164,7 +164,7 @@ template <class F> SPANGLE_INLINE void Setup<Fixed>::each_step(F add) const {
             add);
     else if (has_full && span_.kind == Kind::full)
         each_step(color_in_guessed_steps, add);
-    else if (drawn(state_.tier) == Tier::exact)
+    else if (of_tier<[](const Knobs& k) { return k.exact_steps; }>(state_))
         each_step(color_in_steps<>, add);
     else
         each_step(color_in_near_steps<>, add);

@@ -6,14 +6,10 @@
 #include "raster/numeric/reciprocal.hpp"
 #include "raster/span/draw_state.hpp"
 #include "raster/span/number.hpp"
+#include "raster/span/of_tier.hpp"
 #include "raster/span/vertex.hpp"
 
 namespace spangle::raster {
-
-/// Attributes go through the vertices as they were before snapping.
-SPANGLE_INLINE bool unsnaps(const DrawState& state) {
-    return has_tier(Tier::exact) && drawn(state.tier) == Tier::exact;
-}
 
 /// The least and the largest of three.
 struct Ends {
@@ -97,7 +93,7 @@ template <class N> [[gnu::noinline]] inline std::uint32_t dithered_word(const st
 SPANGLE_INLINE std::uint32_t flat_word(const DrawState& state, const std::uint32_t (&color)[4]) {
     if (!state.fragment.dither)
         return word565(color);
-    return drawn(state.tier) == Tier::exact ? dithered_word<Exact>(color) : dithered_word<Balanced<1>>(color);
+    return of_tier<has_exact_colors>(state) ? dithered_word<Exact>(color) : dithered_word<Balanced<1>>(color);
 }
 
 /// What a difference between two ends is worth per pixel of the axis along which they lie apart.

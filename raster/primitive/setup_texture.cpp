@@ -186,13 +186,14 @@ bool Setup<Fixed>::unit_affine(int unit, const UnitValues& u, bool same_w) const
         return false;
     if (same_w)
         return true;
-    if (drawn(state_.tier) == Tier::exact || u.shift > 7)
+    if (of_tier<[](const Knobs& k) { return k.affine_texel_bits == Knobs::never; }>(state_) || u.shift > 7)
         return false;
-    // A quarter of a texel of the base level.
+    // So much of a texel of the base level: four times the error is range range(q) / min(q).
+    const int four = of_straight_tier<[](const Knobs& k) { return k.affine_texel_bits - 2; }>(state_);
     const auto within = [&](const std::int32_t v[3], int log2_size) SPANGLE_RUN_LAMBDA {
         const std::uint32_t range = range_of(v[0], v[1], v[2]);
         return numeric::mul_u32(range + 1, q_range_) <=
-               static_cast<std::uint64_t>(numeric::times_two_to(q_least_, 32 - log2_size - u.shift));
+               static_cast<std::uint64_t>(numeric::times_two_to(q_least_, 32 - log2_size - u.shift - four));
     };
     return within(u.s, state_.log2_width[unit]) && within(u.t, state_.log2_height[unit]);
 }
@@ -266,9 +267,13 @@ SPANGLE_INLINE Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool sam
             return Kind::textured;
     if (!has_fog || !needs.fog)
         return has_affine_textures ? Kind::affine : Kind::textured;
-    const std::uint64_t four = drawn(state_.tier) == Tier::exact ? 1u << 5 : 1u << 17; // of f: 2^-22; 2^-9
-    const bool affine = span_.fog_exponent == -24 && (same_w || drawn(state_.tier) == Tier::fast ||
-                                                      bounded(range_of(fog[0], fog[1], fog[2]), four));
+    // Four times what f may be off by. What is always affine asks nobody.
+    const std::uint64_t four = of_tier<[](const Knobs& k) {
+        return 1u << (26 - (k.affine_fog_bits != 0 ? k.affine_fog_bits : balanced_knobs.affine_fog_bits));
+    }>(state_);
+    const bool always = of_tier<[](const Knobs& k) { return k.affine_fog_bits == 0; }>(state_);
+    const bool affine =
+        span_.fog_exponent == -24 && (same_w || always || bounded(range_of(fog[0], fog[1], fog[2]), four));
     return affine ? Kind::affine : Kind::textured;
 }
 

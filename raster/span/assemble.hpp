@@ -108,6 +108,22 @@ template <class N> inline constexpr bool by_packets = is_fixed<N>;
 /// Small builds have one function for stages that differ by a parameter.
 template <class N> inline constexpr bool by_stages = !is_fixed<N> || has_shortcuts;
 
+/// The runs of another tier than this number system's.
+template <class N> constexpr bool has_other_runs([[maybe_unused]] const Key& key) {
+#if SPANGLE_OWN_TIERS
+    return is_fixed<N> && key.other_runs;
+#else
+    return false;
+#endif
+}
+template <class One, int Unit, bool Straight, class Chain>
+void add_other_runs([[maybe_unused]] Chain& chain) {
+#if SPANGLE_OWN_TIERS
+    if constexpr (is_fixed<One>)
+        chain.template add<CoordAlong<One, Unit, std::conditional_t<Straight, CoordRuns, CubicRuns>>>();
+#endif
+}
+
 /// Where a unit looks, and how closely.
 template <class N, int Unit>
 void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
@@ -119,6 +135,8 @@ void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState
         return chain.add(&PacketCoordinates<PlacesOf<N>>::template run<Unit>);
     if (key.kind < Kind::textured)
         chain.template add<Coord<System, Unit, false>>();
+    else if (has_other_runs<N>(key))
+        add_other_runs<One, Unit, std::is_same_v<N, Exact>>(chain);
     else if constexpr (std::is_same_v<N, Exact>)
         chain.template choose<CoordAlong<N, Unit, DividedCoords>, Coord<N, Unit, true>>(
             divides(key.kind, key.fog));

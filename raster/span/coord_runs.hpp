@@ -2,6 +2,7 @@
 #pragma once
 
 #include "raster/span/log2.hpp"
+#include "raster/span/of_tier.hpp"
 #include "raster/span/stage_color.hpp"
 
 namespace spangle::raster {
@@ -114,11 +115,12 @@ struct RunBound {
 /// the anchor.
 ///
 /// The length is a power of two, chosen per span so that the error of the affine form is proven to be at most
-/// 1/4 texel of the base level. In one row N = dS Q - S dQ is constant and du/dx = N / Q^2, so a run of L
-/// pixels has |du| <= L |N| / min(Q)^2, |dq| = L |dQ|, and an error of at most |du| |dq| / (4 min(Q))
-/// (numerics.md 1.2): L^2 <= min(Q)^3 / (|N| |dQ|) for a quarter. The fast tier takes at least 16, and as
-/// many more as are proven to be off by half a texel. Where 1/w does not change along the row, the row is one
-/// run; so it is where it is short and |du| |dq| / (4 min(Q)) of its ends is at most an eighth.
+/// 2^-texel_bits texel of the base level (Knobs): a quarter in the balanced tier. In one row N = dS Q - S dQ
+/// is constant and du/dx = N / Q^2, so a run of L pixels has |du| <= L |N| / min(Q)^2, |dq| = L |dQ|, and an
+/// error of at most |du| |dq| / (4 min(Q)) (numerics.md 1.2): L^2 <= min(Q)^3 / (|N| |dQ|) for a quarter. The
+/// fast tier takes at least 16, and as many more as are proven to be off by half a texel. Where 1/w does not
+/// change along the row, the row is one run; so it is where it is short and |du| |dq| / (4 min(Q)) of its
+/// ends is at most half the error.
 class CoordRuns {
   public:
     std::uint32_t s; ///< at the current pixel, and per pixel (TexCoords)
@@ -194,11 +196,17 @@ class CoordRuns {
             return false;
         const std::uint32_t least = first.q < last.q ? first.q : last.q,
                             range = first.q < last.q ? last.q - first.q : first.q - last.q;
-        const auto within = [&](std::int32_t v, int log2_size) { // an eighth of a texel
-            return numeric::mul_u32(numeric::abs_u32(v), range) <= std::uint64_t{least} << (31 - log2_size);
+        // Half of the error, so four times that is 2^(1 - texel_bits); no matter where nobody asks.
+        const int up = of_straight_tier<[](const Knobs& k) {
+            return 33 - (1 << k.shortest_run < short_row ? k.texel_bits : balanced_knobs.texel_bits);
+        }>(*span_->state);
+        const auto within = [&](std::int32_t v, int log2_size) {
+            return numeric::mul_u32(numeric::abs_u32(v), range) <= std::uint64_t{least} << (up - log2_size);
         };
-        if (drawn(span_->state->tier) != Tier::fast && !(within(by_s, span_->state->log2_width[unit_]) &&
-                                                         within(by_t, span_->state->log2_height[unit_])))
+        const bool asks =
+            of_straight_tier<[](const Knobs& k) { return 1 << k.shortest_run < short_row; }>(*span_->state);
+        if (asks && !(within(by_s, span_->state->log2_width[unit_]) &&
+                      within(by_t, span_->state->log2_height[unit_])))
             return false;
         const std::int32_t n = steps > 0 ? steps : 1;
         ds = static_cast<std::uint32_t>(by_s / n);
@@ -244,7 +252,7 @@ class CoordRuns {
     }
 
     static constexpr std::int32_t short_row = 16;
-    static constexpr int fast_log2 = 4, max_log2 = 6, row_log2 = 16; ///< 16 and 64 pixels; the whole row
+    static constexpr int max_log2 = 6, row_log2 = 16; ///< 64 pixels; the whole row
 
     struct Sample {
         std::int64_t s, t; ///< repeats, 32 fraction bits
@@ -272,18 +280,28 @@ class CoordRuns {
     int choose_log2() const {
         if (row_.dq == 0)
             return row_log2;
-        const bool fast = drawn(span_->state->tier) == Tier::fast;
-        if (fast && span_->length <= 1 << fast_log2)
-            return fast_log2;
-        const auto& wraps = span_->state->wraps[unit_];
-        const std::int32_t shortest = fast ? fast_log2 : 0,
-                           longest = fast && wraps.s && wraps.t ? row_log2 : max_log2; // others saturate
+        const DrawState& draw = *span_->state;
+        const std::int32_t shortest =
+            of_straight_tier<[](const Knobs& k) { return std::int32_t{k.shortest_run}; }>(draw);
+        if (shortest != 0 && span_->length <= 1 << shortest)
+            return shortest;
+        const auto& wraps = draw.wraps[unit_];
+        const bool any_length =
+            of_straight_tier<[](const Knobs& k) { return max_log2 < k.longest_run; }>(draw);
+        const std::int32_t longest =
+            any_length && wraps.s && wraps.t // others saturate
+                ? of_straight_tier<[](const Knobs& k) { return std::int32_t{k.longest_run}; }>(draw)
+                : of_straight_tier<[](const Knobs& k) {
+                      return std::int32_t{k.longest_run < max_log2 ? k.longest_run : max_log2};
+                  }>(draw);
         const std::int32_t q0 = row_.q(0), end = row_.q(span_->length - 1);
         const std::int32_t least = q0 < end ? q0 : end;
         if (least <= 0)
             return shortest;
         const detail::RunBound bound(*span_, unit_, row_);
-        const std::int32_t margin = fast ? 6 - 256 : 6; // of three logarithms; twice the error
+        // Of three logarithms; the square of a length is as large as four times the error.
+        const std::int32_t margin =
+            of_straight_tier<[](const Knobs& k) { return 6 + 256 * (k.texel_bits - 2); }>(draw);
         const std::int32_t square = 3 * log2_fraction8(static_cast<std::uint64_t>(least)) - bound.n -
                                     bound.dq - (span_->unit[unit_].exponent << 8) - margin;
         const std::int32_t log2 = square >> 9;

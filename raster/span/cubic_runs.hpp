@@ -73,10 +73,10 @@ class DividedCoords {
 /// In one row u = S / Q has u' = N / Q^2 with N = dS Q - S dQ constant, so that its difference D over a run
 /// of L pixels gives both slopes: L u' is D Q1 / Q0 at the start and D Q0 / Q1 at the end. Hermite's cubic
 /// through them is off by at most L^4 max |u| / 384, u = 24 N dQ^3 / Q^5. The length is the power of two,
-/// chosen per span, that keeps this at most 2^-13 texel of the base level, which is what NEAREST leaves open
-/// by definition (nearest_bias_bits); 1 means one division per fragment. Where 1/w changes so little along
-/// the row that a straight line is as good, the row is one run. Coordinates that do not wrap divide at every
-/// fragment: they saturate.
+/// chosen per span, that keeps this at most 2^-texel_bits texel of the base level (Knobs): in the exact tier
+/// 2^-13, which is what NEAREST leaves open by definition (nearest_bias_bits). 1 means one division per
+/// fragment. Where 1/w changes so little along the row that a straight line is as good, the row is one run.
+/// Coordinates that do not wrap divide at every fragment: they saturate.
 class CubicRuns {
   public:
     std::uint32_t s, t; ///< at the current pixel (TexCoords)
@@ -193,15 +193,22 @@ class CubicRuns {
         // `through` takes differences of at most 16 repeats and ratios of 1/q of at most 2.
         if (bound.repeats + exponent > 2 * q)
             return 0;
-        // A straight row is off by at most L^2 |N| |dQ| / (4 Q^3).
-        const std::int32_t square = 3 * q - bound.n - bound.dq - exponent - (11 << 8) - 6;
+        // A straight row is off by at most L^2 |N| |dQ| / (4 Q^3); three logarithms have a margin.
+        const std::int32_t straight_margin =
+            of_cubic_tier<[](const Knobs& k) { return 6 + ((k.texel_bits - 2) << 8); }>(*span_->state);
+        const std::int32_t square = 3 * q - bound.n - bound.dq - exponent - straight_margin;
         if (square >> 8 >= 2 * (32 - numeric::clz32(static_cast<std::uint32_t>(span_->length))))
             return row_log2;
         const std::int32_t doubled = (q - bound.dq - 2) >> 8;
-        constexpr std::int32_t margin = 10 + (9 << 8); // of nine logarithms; 16 2^-13 = 2^-9
+        // Of nine logarithms; 384 / 24 = 16 times the error.
+        const std::int32_t margin =
+            of_cubic_tier<[](const Knobs& k) { return 10 + ((k.texel_bits - 4) * 256); }>(*span_->state);
         const std::int32_t fourth = (5 * q - bound.n - 3 * bound.dq - exponent - margin) >> 10;
         const std::int32_t log2 = fourth < doubled ? fourth : doubled;
-        const std::int32_t most = longest < max_log2 ? longest : max_log2;
+        const std::int32_t limit = of_cubic_tier<[](const Knobs& k) {
+            return std::int32_t{k.longest_run < max_log2 ? k.longest_run : max_log2};
+        }>(*span_->state);
+        const std::int32_t most = longest < limit ? longest : limit;
         return log2 < 0 ? 0 : log2 > most ? most : log2;
     }
 

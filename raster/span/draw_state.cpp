@@ -6,6 +6,7 @@
 #include "raster/numeric/real.hpp"
 #include "raster/span/assemble.hpp"
 #include "raster/span/fused_table.hpp"
+#include "raster/span/of_tier.hpp"
 #include "raster/span/stage_dithered.hpp"
 #include "raster/span/stage_raw.hpp"
 
@@ -126,6 +127,19 @@ bool choose_span(Variant& variant, const Key& key, const FragmentState& state) {
     return fused->guesses;
 }
 
+/// Narrow surfaces have the exact number system in every tier, and coordinates with it (key.cpp).
+void set_knobs([[maybe_unused]] DrawState& draw, [[maybe_unused]] const FragmentState& state) {
+#if SPANGLE_OWN_TIERS
+    draw.knobs = state.own_tier ? state.knobs : knobs_of(state.tier);
+    if (!drawn_narrow(draw.format))
+        return;
+    draw.knobs.color_bits = exact_knobs.color_bits;
+    draw.knobs.runs = exact_knobs.runs;
+    draw.knobs.texel_bits = exact_knobs.texel_bits;
+    draw.knobs.longest_run = exact_knobs.longest_run;
+#endif
+}
+
 /// Where one offset finds a fragment in both planes, and the pixels beside those of the ends, which a line
 /// may reach, are inside of the scissor rectangle.
 DrawState::Area area_of_paths(const Rect& scissor, const Surface& target) {
@@ -150,19 +164,37 @@ AnyFunction chain_runner(Number number) {
     }
 }
 
+/// Four times what affine colours may be off by, in colour units, where a step of the target is that many
+/// 255ths.
+template <std::uint32_t Step>
+constexpr auto four_color_tolerances = [](const Knobs& k) {
+    if (k.affine_color_bits == 0)
+        return UINT32_MAX;
+    const std::uint32_t of_scale =
+        k.affine_color_bits == Knobs::never ? 0 : color_one >> (k.affine_color_bits - 2);
+    const std::uint32_t of_step =
+        k.affine_step_bits == Knobs::never ? 0 : 4 * Step << color_fraction_bits >> k.affine_step_bits;
+    return of_scale > of_step ? of_scale : of_step;
+};
+
+constexpr auto depends_on_step = [](const Knobs& k) {
+    return four_color_tolerances<1>(k) != four_color_tolerances<4>(k);
+};
+
 void prepare(DrawState& draw, const FragmentState& state, const Surface& target) {
     static_assert(std::is_trivially_copyable_v<DrawState>); // bytes make one
     std::memset(static_cast<void*>(&draw), 0, sizeof draw);
     draw.fragment = state;
     draw.tier = state.tier;
     draw.format = target.format;
-    // Exact: 2^-19 of full scale. Balanced: a quarter of a step of the target, of indices and 8 bits a unit.
+    set_knobs(draw, state);
+    draw.step_factors =
+        of_tier<[](const Knobs& k) { return k.exact_steps; }>(draw) ? exact_steps : near_steps;
+    // A step of indices and of 8 bits is a unit.
     const bool units = drawn_info(target.format).green_bits == 8 || drawn_indexed(target.format);
-    draw.step_factors = drawn(state.tier) == Tier::exact ? exact_steps : near_steps;
-    draw.four_color_tolerances = drawn(state.tier) == Tier::exact  ? color_one >> 17
-                                 : drawn(state.tier) == Tier::fast ? UINT32_MAX
-                                 : units                           ? 1u << color_fraction_bits
-                                                                   : 4u << color_fraction_bits;
+    draw.four_color_tolerances = of_tier<four_color_tolerances<1>>(draw);
+    if (!units && of_tier<depends_on_step>(draw))
+        draw.four_color_tolerances = of_tier<four_color_tolerances<4>>(draw);
     const Key key = make_key(state, target, Kind::affine);
     draw.depth_format = key.depth_format;
     draw.color_bytes =

@@ -127,6 +127,9 @@ struct DrawState {
     bool words = false;      ///< or the 16 bits R5 G6 B5 that are stored, in host order
     bool guesses = false;    ///< colours of Kind::full may be guessed (Span::guess)
     Tier tier = Tier::exact;
+#if SPANGLE_OWN_TIERS
+    Knobs knobs{}; ///< of the draw, as its format leaves them
+#endif
     StepFactors step_factors{};              ///< of affine colours that count steps (Variant::steps)
     std::uint32_t four_color_tolerances = 0; ///< what affine colours may be off by, four times: colour units
     PixelFormat format{};

@@ -1,6 +1,7 @@
 // From GL's state to the canonical key.
 #include "raster/span/draw_state.hpp"
 #include "raster/span/fused_keys.hpp"
+#include "raster/span/of_tier.hpp"
 #include "raster/span/texel.hpp"
 #include "raster/span/texture_combine.hpp"
 #include <spangle/raster/features.hpp>
@@ -171,14 +172,18 @@ Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
         key.number = Number::raw565;
         key.color_alpha = false;
         key.dither = state.dither && key.color; // else dithering changes nothing
-        key.cubic = key.unit[0].on && key.kind == Kind::textured && drawn(state.tier) == Tier::exact;
+        key.cubic = key.unit[0].on && key.kind == Kind::textured && of_tier<has_cubic_runs>(state);
     } else {
         // One copy of the code for narrow formats, which are those of small displays: the exact one.
-        const bool exact = !has_balanced || drawn(state.tier) == Tier::exact || drawn_narrow(key.format);
+        const bool exact = !has_balanced || of_tier<has_exact_colors>(state) || drawn_narrow(key.format);
         key.number = has_exact && exact ? Number::exact : Number::balanced;
         key.dither = state.dither && is_565(key.format);
-        key.coarse = !exact && drawn(state.tier) == Tier::fast && is_565(key.format) && key.blend &&
-                     !key.blend_general && key.blending == blend_over;
+        key.coarse = !exact && of_tier<[](const Knobs& k) { return k.coarse_blend; }>(state) &&
+                     is_565(key.format) && key.blend && !key.blend_general && key.blending == blend_over;
+#if SPANGLE_OWN_TIERS
+        key.other_runs = key.kind >= Kind::textured && (key.unit[0].on || key.second_unit()) &&
+                         !drawn_narrow(key.format) && of_tier<has_cubic_runs>(state) != exact;
+#endif
     }
     return key;
 }

@@ -58,6 +58,10 @@ struct Key {
     bool polygon_stipple = false;
     bool depth_offset = false;
     bool samples = false; ///< alpha or a value decides which samples are covered
+#if SPANGLE_OWN_TIERS
+    /// Texture coordinates have the runs of another tier than the one that has this number system.
+    bool other_runs = false;
+#endif
     friend constexpr bool operator==(const Key&, const Key&) = default;
 
     constexpr bool second_unit() const {

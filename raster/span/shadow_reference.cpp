@@ -108,13 +108,13 @@ template <class N> class Fragment {
     }
 
     template <int Unit> void coord(const DrawState& state, ShadowStage stage) {
-        // As the chain chooses: only the exact tier divides at every pixel, or follows cubics.
-        const bool exact_tier = std::is_same_v<N, Exact> || drawn(state.tier) == Tier::exact;
+        // As the chain chooses.
+        const bool cubic = of_tier<has_cubic_runs>(state);
         if (fixed_.kind < Kind::textured)
             run<Coord<N, Unit, false>, Coord<Reference, Unit, false>>();
-        else if (!exact_tier)
-            run<Coord<N, Unit, true>, Coord<Reference, Unit, true>>();
-        else if (divides(fixed_.kind, state.needs.fog))
+        else if (!cubic)
+            run<CoordAlong<N, Unit, CoordRuns>, Coord<Reference, Unit, true>>();
+        else if (std::is_same_v<N, Exact> && divides(fixed_.kind, state.needs.fog))
             run<CoordAlong<N, Unit, DividedCoords>, Coord<Reference, Unit, true>>();
         else
             run<CoordAlong<N, Unit, CubicRuns>, Coord<Reference, Unit, true>>();

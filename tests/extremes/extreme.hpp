@@ -1,5 +1,4 @@
-// What the extreme cases share: a surface of one tier, vertices in every type, exact coverage, a row of the
-// page.
+// What the extreme cases share: vertices in every type, exact coverage, a row of the page.
 #pragma once
 
 #include <algorithm>
@@ -11,91 +10,11 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <spangle/EGL/egl.h>
-#include <spangle/GL/gl.h>
 
+#include "tests/extremes/screen.hpp"
 #include "tests/random.hpp"
 
 namespace spangle::test {
-
-inline constexpr EGLint tiers[] = {EGL_PRECISION_EXACT_SPANGLE, EGL_PRECISION_BALANCED_SPANGLE,
-                                   EGL_PRECISION_FAST_SPANGLE};
-inline constexpr int side = 64;
-
-using Rgba = std::array<GLubyte, 4>;
-using Picture = std::vector<Rgba>;
-
-/// A current context of one tier with a square pbuffer, from construction to destruction. No dither.
-class Screen {
-  public:
-    explicit Screen(EGLint tier, int size = side, EGLint depth = 24, EGLint red = 8)
-        : size_(size), display_(eglGetDisplay(EGL_DEFAULT_DISPLAY)) {
-        EXPECT_TRUE(eglInitialize(display_, nullptr, nullptr));
-        const EGLint wish[] = {EGL_RENDERABLE_TYPE,   EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT,
-                               EGL_PRECISION_SPANGLE, tier,           EGL_NONE};
-        std::array<EGLConfig, 256> configs{};
-        EGLint count = 0;
-        EXPECT_TRUE(eglChooseConfig(display_, wish, configs.data(), 256, &count));
-        EGLConfig found = nullptr;
-        for (EGLint i = count - 1; i >= 0; --i) {
-            const EGLConfig config = configs[static_cast<std::size_t>(i)];
-            const auto has = [&](EGLint name, EGLint value) {
-                EGLint is = -1;
-                return eglGetConfigAttrib(display_, config, name, &is) && is == value;
-            };
-            if (has(EGL_DEPTH_SIZE, depth) && has(EGL_RED_SIZE, red) && has(EGL_SAMPLES, 0) &&
-                has(EGL_ALPHA_SIZE, red == 8 ? 8 : 0))
-                found = config;
-        }
-        EXPECT_TRUE(found);
-        const EGLint area[] = {EGL_WIDTH, size, EGL_HEIGHT, size, EGL_NONE};
-        const EGLSurface surface = eglCreatePbufferSurface(display_, found, area);
-        EXPECT_TRUE(eglMakeCurrent(display_, surface, surface,
-                                   eglCreateContext(display_, found, EGL_NO_CONTEXT, nullptr)));
-        glDisable(GL_DITHER);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    }
-    ~Screen() {
-        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
-        eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        eglTerminate(display_);
-    }
-    Screen(const Screen&) = delete;
-    Screen& operator=(const Screen&) = delete;
-
-    [[nodiscard]] Picture picture() const {
-        Picture pixels(static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_));
-        glReadPixels(0, 0, size_, size_, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-        return pixels;
-    }
-    /// Numbers of 32 bits, from 0 for 0 to all ones for 1.
-    [[nodiscard]] std::vector<GLuint> depths() const {
-        std::vector<GLuint> words(static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_));
-        glReadPixels(0, 0, size_, size_, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, words.data());
-        return words;
-    }
-    [[nodiscard]] Rgba pixel(int x, int y) const {
-        return picture()[static_cast<std::size_t>(y * size_ + x)];
-    }
-    /// Every fragment adds 1 to red from now on.
-    static void count_fragments() {
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        glEnable(GL_BLEND);
-        glBlendFunc(GL_ONE, GL_ONE);
-        glColor3ub(1, 0, 0);
-    }
-    /// Object coordinates become pixels, z becomes -depth.
-    void pixels_as_coordinates() const {
-        glMatrixMode(GL_PROJECTION);
-        glLoadIdentity();
-        glOrtho(0, size_, 0, size_, 0, 1);
-        glMatrixMode(GL_MODELVIEW);
-    }
-
-  private:
-    int size_;
-    EGLDisplay display_;
-};
 
 enum class Form { of_float, of_double, of_fixed, of_int };
 inline constexpr Form forms[] = {Form::of_float, Form::of_double, Form::of_fixed, Form::of_int};

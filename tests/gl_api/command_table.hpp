@@ -42,6 +42,8 @@ struct Arg {
     std::int64_t low, high;           ///< what is not INVALID_VALUE by the argument's own rule
     std::int64_t good;                ///< a value that is accepted beside the other good ones
     unsigned size;                    ///< bytes of the type, of one element for pointers
+    char type;      ///< of a number or those pointed at: b s i, B S I unsigned, l intptr, f d x; 0: no number
+    unsigned count; ///< numbers that lie at a pointer; 0: parameters of Pname::count, or what others decide
 };
 
 union Value {

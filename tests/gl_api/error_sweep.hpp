@@ -16,7 +16,8 @@ namespace spangle::test {
 
 class ErrorSweep : public RecordingContext {
   protected:
-    ErrorSweep() : RecordingContext(false) {}
+    explicit ErrorSweep(const gl::Engine& engine = recording_engine)
+        : RecordingContext(false, arena_bytes, engine) {}
 
     /// Arguments that are accepted together outside Begin and End.
     std::vector<Value> good(const Command& c) {

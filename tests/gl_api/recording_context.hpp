@@ -64,11 +64,11 @@ class RecordingContext : public ::testing::Test {
     static constexpr std::int32_t width = 64, height = 48;
     static constexpr std::size_t arena_bytes = 4 << 20;
 
-    explicit RecordingContext(bool double_buffered = true, std::size_t bytes = arena_bytes)
+    explicit RecordingContext(bool double_buffered = true, std::size_t bytes = arena_bytes,
+                              const gl::Engine& engine = recording_engine)
         : memory(new std::uint64_t[bytes / 8]) {
         arena.give(memory.get(), bytes);
-        context =
-            gl::create_context(arena, {.tier = raster::Tier::exact, .engine = &recording_engine}, nullptr);
+        context = gl::create_context(arena, {.tier = raster::Tier::exact, .engine = &engine}, nullptr);
         gl::make_current(context, surface(), double_buffered);
         events().clear();
     }

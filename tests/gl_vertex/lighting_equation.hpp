@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include <spangle/GL/gl.h>
+#include "boards/scenes/gl.hpp"
 
 namespace spangle::test {
 

@@ -26,7 +26,8 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         out = folder / "scene.cmake"
-        for words, says in ((("--out", str(out)), "takes a scene or --model"), (("S5", "--out", str(folder / "x.txt")), ".cmake"), (("NONE", "--out", str(out)), "no scene"),
+        for words, says in ((("--out", str(out)), "takes a scene or --model"), (("S5", "S6", "--out", str(out)), "come after --"),
+                            (("S5", "--trace", "x.trace", "--out", str(out)), "takes a scene or --model"), (("--trace", str(folder / "no.trace"), "--out", str(out)), "no trace"), (("S5", "--out", str(folder / "x.txt")), ".cmake"), (("NONE", "--out", str(out)), "no scene"),
                             (("S5", "--size", "0x9", "--out", str(out)), "--size"), (("S5", "--tiers", "quick", "--out", str(out)), "--tiers"),
                             (("S9", "--tiers", "fast", "--max-error", "0", "--size", "80x60", "--out", str(out)), "no tier is within 0 %")):
             done = run(*words)

@@ -7,6 +7,7 @@
 #include "gl/context/context.hpp"
 #include "gl/pixel/fragment_setup.hpp"
 #include "host_sim/profile/emit.hpp"
+#include "host_sim/profile/record_text.hpp"
 #include "host_sim/profile/recorder.hpp"
 #include "tests/bench/headless.hpp"
 #include "tests/bench/picture_hash.hpp"
@@ -171,6 +172,85 @@ TEST(Profile, HoldsWhatTheBuildHasAndTheProgramAskedFor) {
     Choice small{"sprites", "sprites.inc"};
     small.small = true;
     EXPECT_EQ(limit(make(record(programs::sprites_only), small), "SHORTCUTS"), "0");
+}
+
+/// A context on a picture whose depths have stencils.
+void open_with_stencils(bench::Headless& gl) {
+    gl.display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
+    eglInitialize(gl.display, nullptr, nullptr);
+    constexpr EGLint wish[] = {EGL_RENDERABLE_TYPE,
+                               EGL_OPENGL_BIT,
+                               EGL_SURFACE_TYPE,
+                               EGL_PBUFFER_BIT,
+                               EGL_STENCIL_SIZE,
+                               8,
+                               EGL_PRECISION_SPANGLE,
+                               EGL_PRECISION_BALANCED_SPANGLE,
+                               EGL_NONE};
+    constexpr EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    ASSERT_TRUE(eglChooseConfig(gl.display, wish, &config, 1, &count) != EGL_FALSE && count != 0);
+    gl.surface = eglCreatePbufferSurface(gl.display, config, size);
+    gl.context = eglCreateContext(gl.display, config, nullptr, nullptr);
+    ASSERT_TRUE(eglMakeCurrent(gl.display, gl.surface, gl.surface, gl.context));
+}
+
+/// What a program draws to depths with stencils, recorded for a surface that is not its own.
+Record record_for(PixelFormat format, const programs::Program& program, bool tests_stencils) {
+    bench::Headless gl;
+    open_with_stencils(gl);
+    Record out;
+    {
+        Recorder recorder(format);
+        recorder.add(*gl::current_context());
+        program.setup(width, height);
+        if (tests_stencils)
+            glEnable(GL_STENCIL_TEST);
+        program.draw(1);
+        out = recorder.finish();
+        gl::watch(*gl::current_context(), nullptr);
+    }
+    gl.close();
+    return out;
+}
+
+TEST(Recorder, RecordsForOtherSurfaces) {
+    const Record rgb888 = record_for(PixelFormat::rgb888, programs::gouraud_cube, false);
+    EXPECT_EQ(rgb888.color_formats, 1u << static_cast<unsigned>(PixelFormat::rgb888));
+    EXPECT_EQ(rgb888.depth_formats, 3u) << "no depth, and 16 bits";
+    for (const KeyUse& use : rgb888.keys) {
+        EXPECT_EQ(use.key.format, PixelFormat::rgb888);
+        EXPECT_FALSE(use.key.dither) << "nothing is lost in 888";
+    }
+    EXPECT_EQ(rgb888.pixels(), record(programs::gouraud_cube).pixels());
+    const Record stencils = record_for(PixelFormat::rgb565_be, programs::gouraud_cube, true);
+    EXPECT_EQ(stencils.depth_formats, 5u) << "no depth, and 24 bits";
+    for (const KeyUse& use : stencils.keys)
+        EXPECT_EQ(use.key.depth_format, DepthFormat::z24s8);
+}
+
+TEST(RecordText, ComesBackAsItWas) {
+    for (const programs::Program* program : programs::all) {
+        const Record there = record(*program);
+        Record back;
+        ASSERT_EQ(from_text(to_text(there), back), "") << program->name;
+        EXPECT_EQ(to_text(back), to_text(there)) << program->name;
+        ASSERT_EQ(back.keys.size(), there.keys.size());
+        for (std::size_t i = 0; i < back.keys.size(); ++i)
+            EXPECT_EQ(back.keys[i].key, there.keys[i].key) << words(there.keys[i].key);
+        const Choice choice{"it", "it.inc"};
+        EXPECT_EQ(settings(make(back, choice), back, choice), settings(make(there, choice), there, choice));
+    }
+}
+
+TEST(RecordText, RefusesWhatIsNoRecord) {
+    Record out;
+    const std::string text = to_text(record(programs::gouraud_cube));
+    EXPECT_THAT(from_text("", out), HasSubstr("no record"));
+    EXPECT_THAT(from_text(text.substr(0, text.size() - 4), out), HasSubstr("without its end"));
+    EXPECT_THAT(from_text("spangle record 1\nlimit depth_of_sea 3\nend\n", out), HasSubstr("depth_of_sea"));
+    EXPECT_THAT(from_text("spangle record 1\nkey 1 2\nend\n", out), HasSubstr("key 1 2"));
 }
 
 } // namespace

@@ -15,8 +15,15 @@ struct RandomRow {
     DrawState state;
     Span<Fixed> span{};
     std::mt19937 random;
+    void draw_in(Tier tier) {
+        state.tier = tier;
+#if SPANGLE_OWN_TIERS
+        state.knobs = knobs_of(tier);
+#endif
+    }
     explicit RandomRow(std::uint32_t seed, int log2_size, bool wraps) : random(seed) {
         span.state = &state;
+        draw_in(Tier::exact);
         state.log2_width[0] = state.log2_height[0] = static_cast<std::uint8_t>(log2_size);
         state.wraps[0] = {wraps, wraps};
         span.length = 2 + static_cast<std::int32_t>(random() % (seed % 2 == 0 ? 320 : 40));
@@ -138,7 +145,7 @@ TEST(Runs, AJumpOverAWideRowIsThatManySteps) {
 TEST(Runs, LinesKeepAQuarterOfATexel) {
     for (std::uint32_t seed = 0; seed < 300; ++seed) {
         RandomRow row(seed, 6, true);
-        row.state.tier = Tier::balanced;
+        row.draw_in(Tier::balanced);
         ASSERT_LE(follow<CoordRuns>(row, 6).worst, .25 + row.division(6)) << seed;
     }
 }
@@ -175,7 +182,7 @@ TEST(Runs, LongLinesOfTheFastTierKeepHalfATexel) {
     int longer = 0;
     for (std::uint32_t seed = 0; seed < 300; ++seed) {
         RandomRow row(seed, 6, true);
-        row.state.tier = Tier::fast;
+        row.draw_in(Tier::fast);
         const Found f = follow<CoordRuns>(row, 6);
         const long sixteens = (row.span.length + 15) / 16;
         ASSERT_LE(f.runs, sixteens) << seed;

@@ -1,19 +1,22 @@
 #!/usr/bin/env python3
 """`spangle trade`: figures of all scenes, the bytes they draw, shards, formats, the page, and what is refused.
 
-usage: trade_test.py SPANGLE golden|models|bytes|shards|page|errors
+usage: trade_test.py SPANGLE golden|models|bytes|shards|tiers|page|errors|firmware
 
 golden: accuracy.csv of all scenes is tests/trade/golden.csv, and the promises that are broken are those of tests/trade/missed.txt,
 no more and no fewer. models: the same of models, golden_models.csv and missed_models.txt. bytes: what each scene draws in each tier
-and format has the hash of tests/trade/bytes.txt; so any byte that changes is seen. SPANGLE_UPDATE_GOLDEN=1 writes all these anew.
-shards: parts that are merged are the bytes of one sweep.
-page: the page in a headless Chromium: sliders move, nothing complains. Skipped where there is none.
+and format has the hash of tests/trade/bytes.txt; so any byte that changes is seen. SPANGLE_UPDATE_GOLDEN=1 writes all these anew,
+and tiers the table of knobs in docs/trade.md. shards: parts that are merged are the bytes of one sweep.
+tiers: tiers of one's own, and instructions of boards, whose emulator is a script here. firmware: the same with real images in
+QEMU; skipped without compiler or emulator. page: the page in a headless Chromium: sliders move, nothing complains. Skipped where
+there is none.
 """
 import csv
 import os
 import pathlib
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -22,6 +25,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 SPANGLE = pathlib.Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else None
 MODELS = pathlib.Path("/usr/share/assimp/models")
 FORMATS = "565,888,8888,666,444,332,grey4,mono"
+DOCUMENT = HERE.parents[1] / "docs/trade.md"
 FOR_THE_PAGE = ["S4r", "S7", "CUBE", "--formats", "565,grey4", "--frames", "2", "--size", "96x64"]
 
 
@@ -120,6 +124,75 @@ def shards(folder):
     check(all(0 < int(row["bus_bytes"]) <= 320 * 240 * 2 + 64 for row in accuracy), "gears send no bytes, or more than a frame")
 
 
+def tiers(folder):
+    said = trade(folder, "--knobs").stdout
+    check(all(re.search(rf"^{knob} .*\S", said, re.M) for knob in ("color_bits", "texel_bits", "affine_fog_bits")), f"knobs are not listed: {said}")
+    rows = ["| " + " | ".join(re.split(r"  +", line.strip())) + " |\n" for line in said.splitlines()[1:]]
+    before, rest = DOCUMENT.read_text().split("<!-- knobs -->\n")
+    document = before + "<!-- knobs -->\n" + "".join(rows) + "<!-- end -->" + rest.split("<!-- end -->", 1)[1]
+    if os.environ.get("SPANGLE_UPDATE_GOLDEN") == "1":
+        DOCUMENT.write_text(document)
+    check(document == DOCUMENT.read_text(), "docs/trade.md lists other knobs; SPANGLE_UPDATE_GOLDEN=1 writes its table anew")
+    own = ["--tier", "coarse=balanced,texel_bits=0,affine_texel_bits=never", "--tier", "same=fast"]
+    trade(folder, "S4r", "S9", "--no-times", "--frames", "2", "--size", "96x64", *own, "--out", "own")
+    rows = {(row["scene"], row["tier"]): row for row in csv.DictReader((folder / "own/accuracy.csv").open())}
+    check([tier for scene, tier in rows if scene == "S9"] == ["exact", "balanced", "fast", "coarse", "same"], f"tiers are not rows in their order: {list(rows)}")
+    for scene in ("S4r", "S9"):
+        fast, same = rows[scene, "fast"], rows[scene, "same"]
+        check({**fast, "tier": ""} == {**same, "tier": ""}, f"{scene}: the knobs of fast are not fast")
+    texels = {tier: float(rows["S4r", tier]["texel_rms"]) for tier in ("balanced", "coarse")}
+    check(texels["coarse"] > 1.5 * texels["balanced"], f"a knob changes nothing: {texels}")
+    html = (folder / "own/index.html").read_text()
+    check("<td>coarse<td>" in html and "Coarse: " in html, "the page lacks an own tier")
+    shot = ["S4r", "--size", "96x64", "--dither", "off", "--json"]
+    hashes = [subprocess.run([SPANGLE, "run", *shot, *words], capture_output=True, text=True).stdout for words in (["--precision", "fast"], ["--knobs", "fast"], ["--knobs", "fast,color_bits=20,runs=cubic"])]
+    check(hashes[0] == hashes[1] != hashes[2] and hashes[2], f"spangle run takes no knobs: {hashes}")
+    refused = subprocess.run([SPANGLE, "run", "S1", "--knobs", "fast,x=1"], capture_output=True, text=True)
+    check(refused.returncode == 2 and "spangle trade --knobs" in refused.stderr, f"an unknown knob is not named: {refused.stderr}")
+    emulated(folder)
+
+
+def emulated(folder):
+    """Boards whose emulator says the same of every image, which are none of Spangle."""
+    fake = folder / "bin"
+    (folder / "firmware/m4").mkdir(parents=True)
+    fake.mkdir()
+    emulator = fake / "qemu-system-arm"
+    for hash, complaint in (("0", "draws another picture"), (None, "is no ELF image")):
+        emulator.write_text(f"#!/bin/sh\nprintf 'frame 9 {hash or 0}\\nown 0\\nsurface 0\\npeak 1\\nstack 1\\n'\n")
+        emulator.chmod(0o755)
+        image = struct.pack("<16sHHIIIIIHHHHHH", b"\x7fELF\x01\x01\x01", 2, 40, 1, 0, 0, 52, 0, 52, 0, 0, 40, 1, 0) + bytes(40)
+        (folder / "firmware/m4/S2-exact.elf").write_bytes(image if hash else b"text")
+        words = ["S2", "--no-times", "--frames", "1", "--size", "96x64", "--tiers", "exact", "--targets", "m4", "--firmware", "firmware", "--out", "counted"]
+        done = subprocess.run([SPANGLE, "trade", *words], cwd=folder, capture_output=True, text=True, env={**os.environ, "PATH": f"{fake}:{os.environ['PATH']}"})
+        check(done.returncode == 0 and f"m4 is not counted" in done.stderr and complaint in done.stderr, f"a wrong image is counted: {done.stderr}")
+    said = trade(folder, "S5", "--no-times", "--frames", "1", "--size", "96x64", "--tiers", "exact", "--targets", "m4", "--firmware", "firmware", "--out", "counted").stderr
+    check("there is no firmware/m4/S5-exact.elf" in said and "./dev firmware" in said, f"a missing image is not named: {said}")
+    row = next(csv.DictReader((folder / "counted/cost.csv").open()))
+    check(float(row["triangles"]) > 100 and float(row["fragments"]) > 500 and row["m4_instructions"] == "", f"S5 draws nothing: {row}")
+
+
+def firmware(folder):
+    builder = HERE.parent / "bench/trade_firmware.py"
+    few = f'SPANGLE_FUSED="{HERE.parents[1]}/cmake/profiles/spans/few.inc"'
+    built = subprocess.run([sys.executable, builder, "S4r", "--targets", "m3,rv32", "--tiers", "balanced,fast", "--define", few, "--out", folder / "firmware"], capture_output=True, text=True)
+    if built.returncode == 77:
+        print(built.stdout)
+        sys.exit(77)
+    check(built.returncode == 0, f"the firmware does not build: {built.stdout}{built.stderr}")
+    said = trade(folder, "S4r", "--no-times", "--frames", "1", "--tiers", "balanced,fast", "--targets", "m3,rv32", "--firmware", "firmware", "--out", "counted")
+    check("not counted" not in said.stderr, said.stderr)
+    rows = {row["tier"]: row for row in csv.DictReader((folder / "counted/cost.csv").open())}
+    for target in ("m3", "rv32"):
+        balanced, fast = rows["balanced"], rows["fast"]
+        check(int(fast[f"{target}_instructions"]) < int(balanced[f"{target}_instructions"]) < 30_000_000, f"{target}: fast is not quicker: {rows}")
+        pixel = int(fast[f"{target}_instructions"]) / float(fast["fragments"])
+        check(abs(float(fast[f"{target}_per_pixel"]) - pixel) < 0.06, f"{target}: {pixel} instructions a pixel are not told")
+        for row in rows.values():
+            check(30_000 < int(row[f"{target}_flash"]) < 800_000 and 4_000 < int(row[f"{target}_ram"]) < 200_000, f"{target}: what is that memory? {row}")
+    check("fewer instructions on m3" in said.stdout, f"boards are not advised on: {said.stdout}")
+
+
 SLIDE = """<script>
 const heard = [];
 for (const scene of document.querySelectorAll('.scene')) {
@@ -133,8 +206,27 @@ for (const scene of document.querySelectorAll('.scene')) {
       if (!image.complete || image.naturalWidth !== 96) heard.push('broken picture ' + image.alt);
   }
 }
+const list = document.getElementById('axis'), plots = [...document.querySelectorAll('[data-axis]')];
+const shown = [];
+for (const option of list ? list.options : []) {
+  list.value = option.value;
+  list.dispatchEvent(new Event('change'));
+  shown.push(option.textContent + ':' + plots.map(plot => +!plot.hidden).join(''));
+}
+heard.push('axes ' + shown.join(';'));
 document.title = 'heard ' + heard.join('|');
 </script></body>"""
+
+
+def count_by_hand(path):
+    """Instructions on a board, as if they had been counted."""
+    rows = list(csv.DictReader(path.open()))
+    for i, row in enumerate(rows):
+        row["m4_instructions"], row["m4_per_pixel"] = 3000 - 1000 * (i % 3), "9.5"
+    with path.open("w", newline="") as file:
+        table = csv.DictWriter(file, rows[0], lineterminator="\n")
+        table.writeheader()
+        table.writerows(rows)
 
 
 def page(folder):
@@ -142,7 +234,9 @@ def page(folder):
     if browser is None:
         print("skipped: there is no Chromium")
         sys.exit(77)
-    trade(folder, *FOR_THE_PAGE, "--out", "all")
+    trade(folder, *FOR_THE_PAGE, "--out", "timed")
+    count_by_hand(folder / "timed/cost.csv")
+    trade(folder, "merge", "timed", "--out", "all")
     html = (folder / "all/index.html").read_text()
     check(not re.search(r"(src|href)=\"(?!data:)", html), "the page needs another file")
     (folder / "slid.html").write_text(html.replace("</body>", SLIDE))
@@ -157,9 +251,12 @@ def page(folder):
     heard = re.search(r"<title>heard (.*?)</title>", drawn)
     check(heard is not None, "the page's script did not run")
     steps = [f"{tier}+where {tier} differs from double" for tier in ("exact", "balanced", "fast")]
-    check(heard.group(1).split("|") == steps * 6, f"sliders show {heard.group(1)}")
+    *slid, axes = heard.group(1).split("|")
+    check(slid == steps * 6, f"sliders show {slid}")
+    check("<th>m4 per pixel" in html and "<th>m4 flash" not in html and "fewer instructions on m4" in html, "the page does not show what was counted")
     if shutil.which("gnuplot"):
-        check(html.count("<svg") == 2 and html.count("No plot") == 0, "the plots are missing")
+        check(html.count("<svg") == 3 and html.count("No plot") == 0, "the plots are missing")
+        check(axes == "axes instructions on m4:10;time:01", f"the list of axes shows {axes}")
     shot = folder / "shot.png"
     browse("--window-size=1100,1600", f"--screenshot={shot}", (folder / "all/index.html").as_uri())
     check(shot.stat().st_size > 20000, "the picture of the page is empty")
@@ -167,7 +264,10 @@ def page(folder):
 
 def errors(folder):
     for words, says in ((["S99"], "no scene 'S99'"), (["--size", "0x4"], "--size takes"), (["--shard", "3/2"], "--shard takes I/N"),
-                        (["--tiers", "best"], "--tiers"), (["--formats", "909"], "--formats"), (["--model", "none.obj"], "none.obj"),
+                        (["--tiers", "best"], "--tiers"), (["--formats", "909"], "--formats"), (["--targets", "m5"], "--targets"),
+                        (["--tier", "mine"], "--tier takes NAME=BASE"), (["--tier", "a=fast,texel_bits=99"], "texel_bits takes 0 to 13"),
+                        (["--tier", "a=fast", "--tier", "a=exact"], "already"), (["--targets", "m4"], "`./dev firmware --out DIR` builds images"),
+                        (["--targets", "m4", "--firmware", "nowhere"], "has no images for m4"), (["S1", "--firmware", "nowhere"], "is for --targets"), (["--model", "none.obj"], "none.obj"),
                         (["merge", "nowhere", "--out", "x"], "cannot read 'nowhere/accuracy.csv'"), (["S1", "--out", "file/x"], "cannot make folder")):
         (folder / "file").write_text("")
         said = trade(folder, *words, status=2).stderr
@@ -179,7 +279,8 @@ def errors(folder):
 
 
 def main():
-    parts = {"golden": golden, "models": models, "bytes": bytes_drawn, "shards": shards, "page": page, "errors": errors}
+    parts = {"golden": golden, "models": models, "bytes": bytes_drawn, "shards": shards, "tiers": tiers, "page": page,
+             "errors": errors, "firmware": firmware}
     if len(sys.argv) != 3 or sys.argv[2] not in parts:
         sys.exit(__doc__.strip())
     with tempfile.TemporaryDirectory() as folder:

@@ -8,6 +8,7 @@
 #include <spangle/format.hpp>
 #include <spangle/raster/features.hpp>
 #include <spangle/raster/limits.hpp>
+#include <spangle/raster/tier.hpp>
 
 namespace spangle::raster {
 
@@ -75,17 +76,6 @@ enum class BaseFormat : std::uint8_t { alpha, luminance, luminance_alpha, intens
 /// `of_pixels_565` one of k/31, k/63, k/31, so that nothing is lost in 16 bits.
 enum class Colors : std::uint8_t { of_vertices, of_pixels, of_pixels_565 };
 enum class FogMode : std::uint8_t { exp, exp2, linear };
-
-/// Accuracy tier (design 3). A tier never changes coverage or depth.
-enum class Tier : std::uint8_t { exact, balanced, fast };
-
-constexpr bool has_tier(Tier tier) {
-    return (tiers >> static_cast<unsigned>(tier) & 1) != 0;
-}
-/// Of a draw; where a build has one tier only the compiler knows it.
-constexpr Tier drawn(Tier tier) {
-    return one_of(tiers, tier);
-}
 
 /// How texels lie in memory; 16-bit texels are host-order uint16_t, the first component in the top bits.
 enum class TexelFormat : std::uint8_t {
@@ -240,7 +230,11 @@ struct FragmentState {
     Rect scissor;                ///< already intersected with the surface; drawing never leaves it
     Tier tier = Tier::exact;     ///< of colours and texture coordinates (PERSPECTIVE_CORRECTION_HINT)
     Tier fog_tier = Tier::exact; ///< FOG_HINT
-    bool count = false;          ///< count passing fragments in Counters::passed (costs time)
+#if SPANGLE_OWN_TIERS
+    bool own_tier = false; ///< `knobs` stand in place of those of `tier`
+    Knobs knobs{};         ///< are_valid()
+#endif
+    bool count = false; ///< count passing fragments in Counters::passed (costs time)
     // What primitives bring along beside their planes (raster/span/primitive_state.hpp); Rasterizer has none.
     bool coverage = false;     ///< goes into alpha, or an index: antialiasing (GL 1.3, 3.11)
     bool depth_offset = false; ///< of polygons (GL 1.3, 3.5.5)

@@ -1,0 +1,79 @@
+#include "host_sim/cli/profile_firmware.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "host_sim/cli/pair.hpp"
+
+namespace spangle::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* tool = "host_sim/profile/firmware/measure.py";
+constexpr int most_frames = 3; ///< an emulated board needs seconds for each
+
+/// The tool in the source folder that this program was built in, or that SPANGLE_SOURCES names; empty:
+/// neither.
+fs::path find_tool() {
+    std::error_code ignored;
+    if (const char* const named = std::getenv("SPANGLE_SOURCES"); named != nullptr && *named != '\0')
+        return fs::exists(fs::path(named) / tool, ignored) ? fs::path(named) / tool : fs::path();
+    for (fs::path at = fs::read_symlink("/proc/self/exe", ignored).parent_path(); at.has_relative_path();
+         at = at.parent_path())
+        if (fs::exists(at / tool, ignored))
+            return at / tool;
+    return {};
+}
+
+/// What the tool said, without the line break at its end.
+std::string last_words(const fs::path& path) {
+    std::ifstream file(path);
+    std::string said{std::istreambuf_iterator<char>(file), {}};
+    said.erase(said.find_last_not_of('\n') + 1);
+    return said;
+}
+
+} // namespace
+
+std::string measure_firmware(const ProfileOptions& options, const Recorded& chosen, nlohmann::json& out) {
+    const fs::path script = find_tool();
+    if (script.empty())
+        return "--report builds firmware from Spangle's sources; SPANGLE_SOURCES names their folder";
+    const pair::Folder folder;
+    if (folder.path().empty())
+        return pair::Folder::problem();
+    const fs::path result = folder.path() / "result.json", words = folder.path() / "words";
+    std::vector<std::string> command = {
+        "python3",    script.string(), options.out,
+        "--tier",     chosen.tier,     "--size",
+        options.size, "--end",         std::to_string(std::min(options.run.frames, most_frames)),
+        "--out",      result.string()};
+    if (!options.run.scene.empty()) {
+        command.insert(command.end(), {"--scene", options.run.scene});
+    } else {
+        std::string names;
+        for (const auto& [name, count] : chosen.record.commands)
+            names += (names.empty() ? "" : ",") + name;
+        command.insert(command.end(), {"--commands", names});
+    }
+    const int status = pair::run(command, words);
+    if (status == pair::no_program)
+        return "--report needs python3";
+    constexpr int missing = 3; // as the tool has it
+    if (status != 0)
+        return fmt::format("--report {}: {}", status == missing ? "builds firmware" : "failed",
+                           last_words(words));
+    std::ifstream file(result);
+    out = nlohmann::json::parse(file, nullptr, false);
+    return out.is_object() ? "" : "--report: the measurements cannot be read";
+}
+
+} // namespace spangle::cli

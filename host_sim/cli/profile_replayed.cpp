@@ -1,0 +1,175 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <spangle/sim/image.hpp>
+
+#include "host_sim/cli/pair.hpp"
+#include "host_sim/cli/profile_record.hpp"
+#include "host_sim/profile/record_text.hpp"
+
+namespace spangle::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Runs a tool of apitrace; its words are told only where it fails. Empty, or what went wrong.
+std::string run_tool(const std::vector<std::string>& command, const fs::path& words,
+                     bool any_status = false) {
+    const int status = pair::run(command, words);
+    if (status == pair::no_program)
+        return "there is no " + command[0] + "; Debian's packages apitrace and apitrace-tracers have it";
+    if (status == 0 || any_status)
+        return "";
+    std::string said = text_of(words);
+    said.erase(said.find_last_not_of('\n') + 1);
+    return fmt::format("{} ended with {}: {}", command[0], status, said.substr(said.rfind('\n') + 1));
+}
+
+/// The pictures of a trace's frames, in order.
+std::string pictures_of(const std::string& trace, const fs::path& folder, std::vector<fs::path>& out) {
+    std::error_code ignored;
+    fs::create_directories(folder, ignored);
+    std::vector<std::string> command = pair::retrace(trace);
+    command.insert(command.end() - 1, {"-s", folder.string() + "/", "-S", "frame"});
+    if (std::string problem = run_tool(command, folder / "words"); !problem.empty())
+        return problem;
+    for (const auto& file : fs::directory_iterator(folder, ignored))
+        if (file.path().extension() == ".png")
+            out.push_back(file.path());
+    std::sort(out.begin(), out.end());
+    return out.empty() ? "the trace shows no frame" : "";
+}
+
+std::string compare(const std::vector<fs::path>& ours, const std::vector<fs::path>& theirs, Recorded& out) {
+    if (ours.size() != theirs.size())
+        return fmt::format("the replay in the tier {} shows {} frames, and {} in double", out.tier,
+                           ours.size(), theirs.size());
+    sim::Difference total;
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+        sim::Image mine, reference;
+        std::string problem = sim::read_png(ours[i].string(), mine);
+        if (problem.empty())
+            problem = sim::read_png(theirs[i].string(), reference);
+        if (!problem.empty())
+            return problem;
+        if (mine.width != reference.width || mine.height != reference.height)
+            return fmt::format("frame {} has another size in double", i);
+        const sim::Difference d = sim::compare_565(mine, reference);
+        total.pixels += d.pixels;
+        total.identical += d.identical;
+        out.max_lsb = std::max(out.max_lsb, d.max_lsb);
+        out.psnr_db = std::min(out.psnr_db, d.psnr_db);
+        if (i + 1 == ours.size())
+            out.picture_hash = sim::hash(mine);
+    }
+    out.frames = static_cast<int>(ours.size());
+    out.error = 100.0 - total.identical_percent();
+    return "";
+}
+
+/// Replays the trace while the pair records. A run for pictures cannot do both: the retracer reads them by
+/// commands, which the program never called.
+std::string record(const std::string& trace, const std::string& format, const fs::path& folder,
+                   Recorded& out) {
+    const fs::path file = folder / ("record-" + out.tier);
+    pair::set("SPANGLE_RECORD", file.string());
+    pair::set("SPANGLE_RECORD_FORMAT", format == "program" ? "" : format);
+    std::string problem = run_tool(pair::retrace(trace), folder / "words");
+    pair::set("SPANGLE_RECORD", "");
+    if (!problem.empty())
+        return problem;
+    if (!fs::exists(file))
+        return "the trace shows no frame";
+    return profile::from_text(text_of(file), out.record);
+}
+
+/// Makes the trace of a program. It ends by a signal after its frames, so that the tracer writes all it has.
+std::string make_trace(const ProfileOptions& options, const std::string& api, const std::string& trace,
+                       const fs::path& folder) {
+    pair::set("SPANGLE_FRAMES", std::to_string(options.run.frames));
+    pair::set("SPANGLE_SIGNAL", "1");
+    std::vector<std::string> command = {"apitrace", "trace", "-a", api, "-o", trace};
+    command.insert(command.end(), options.words.begin(), options.words.end());
+    std::string problem = run_tool(command, folder / "words", true);
+    pair::set("SPANGLE_FRAMES", "");
+    pair::set("SPANGLE_SIGNAL", "");
+    if (problem.empty() && !fs::exists(trace)) {
+        std::string said = text_of(folder / "words");
+        said.erase(said.find_last_not_of('\n') + 1);
+        problem = fmt::format("apitrace recorded nothing of {}: {}", options.words[0],
+                              said.substr(said.rfind('\n') + 1));
+    }
+    return problem;
+}
+
+/// Whether some frame of a trace ends; one that holds other calls only has none.
+bool shows_frames(const std::string& trace, const fs::path& folder) {
+    const fs::path calls = folder / "calls";
+    pair::run({"apitrace", "dump", "--color=never", "--grep=SwapBuffers", trace}, calls);
+    return text_of(calls).find("SwapBuffers") != std::string::npos;
+}
+
+} // namespace
+
+std::string record_replayed(const ProfileOptions& options, std::vector<Recorded>& out) {
+    std::string problem = pair::use();
+    const pair::Folder folder;
+    if (problem.empty() && folder.path().empty())
+        problem = pair::Folder::problem();
+    if (!problem.empty())
+        return problem;
+    for (const char* const variable : {"SPANGLE_BOARD", "SPANGLE_SHOT", "SPANGLE_FRAMES", "SPANGLE_REPORT",
+                                       "SPANGLE_FORMAT", "SPANGLE_PRECISION"})
+        pair::set(variable, "");
+    pair::set("SPANGLE_SIZE", options.size);
+
+    std::string trace = options.trace;
+    if (options.program) {
+        // The window of a program comes from GLX or from EGL, and tracers see one of them.
+        for (const char* const api : {"gl", "egl"}) {
+            trace = (folder.path() / (api + std::string(".trace"))).string();
+            problem = make_trace(options, api, trace, folder.path());
+            if (!problem.empty() || shows_frames(trace, folder.path()))
+                break;
+        }
+    } else if (!fs::exists(trace)) {
+        problem = "there is no trace '" + trace + "'";
+    } else if (options.run.frames != 0) {
+        const std::string shorter = (folder.path() / "shorter.trace").string();
+        problem = run_tool(
+            {"apitrace", "trim", fmt::format("--frames=0-{}", options.run.frames - 1), "-o", shorter, trace},
+            folder.path() / "words");
+        trace = shorter;
+    }
+    std::vector<fs::path> reference;
+    pair::set("SPANGLE_PRECISION", "double");
+    if (problem.empty())
+        problem = pictures_of(trace, folder.path() / "double", reference);
+    for (const std::string& tier : options.tiers) {
+        if (!problem.empty())
+            break;
+        Recorded& one = out.emplace_back();
+        one.tier = tier;
+        pair::set("SPANGLE_PRECISION", tier);
+        std::vector<fs::path> pictures;
+        problem = record(trace, options.format, folder.path(), one);
+        if (problem.empty())
+            problem = pictures_of(trace, folder.path() / tier, pictures);
+        if (problem.empty())
+            problem = compare(pictures, reference, one);
+    }
+    return problem;
+}
+
+} // namespace spangle::cli

@@ -1,0 +1,105 @@
+#include "host_sim/cli/profile_report.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spangle::cli {
+
+namespace {
+
+bool is_fused(const profile::Profile& made, const profile::KeyUse& use) {
+    return std::find(made.fused.begin(), made.fused.end(), use.key) != made.fused.end();
+}
+
+/// Whole against profiled, and the lines that cost most.
+std::string firmware_text(const nlohmann::json& firmware) {
+    constexpr std::size_t most_lines = 20;
+    const nlohmann::json &whole = firmware["whole"], &profiled = firmware["profiled"];
+    std::string out = "\n  on a Cortex-M4        whole library      the profile\n";
+    const auto row = [&](const char* what, const char* name) {
+        if (profiled.contains(name))
+            out += fmt::format("  {:<18}{:>17}{:>17}\n", what, whole[name].get<std::int64_t>(),
+                               profiled[name].get<std::int64_t>());
+    };
+    row("bytes of flash", "flash");
+    row("bytes of RAM", "ram");
+    row("instructions", "instructions");
+    if (profiled.contains("frames"))
+        out += firmware.value("same_bytes", false) ? "  Both draw the same bytes.\n"
+                                                   : "  THE TWO DRAW DIFFERENT BYTES.\n";
+    if (firmware["lines"].empty())
+        return out;
+    out += "\n  instructions  calls     line and command, of a frame\n";
+    for (std::size_t i = 0; i < std::min(most_lines, firmware["lines"].size()); ++i) {
+        const nlohmann::json& line = firmware["lines"][i];
+        out += fmt::format("  {:>12}  {:<8g}  {} {}\n", line["instructions"].get<std::int64_t>(),
+                           line["calls"].get<double>(), line["line"].get<std::string>(),
+                           line["command"].get<std::string>());
+    }
+    return out;
+}
+
+} // namespace
+
+nlohmann::json to_json(const ProfileReport& report) {
+    nlohmann::json out;
+    for (const Recorded& r : *report.all)
+        out["tiers"][r.tier] = {{"different_percent", r.error},
+                                {"max_lsb", r.max_lsb},
+                                {"psnr_565_db", r.psnr_db},
+                                {"picture_hash", r.picture_hash}};
+    out["scene"] = report.title;
+    out["tier"] = report.chosen->tier;
+    out["frames"] = report.chosen->frames;
+    out["features"] = report.made->features;
+    for (const auto& [limit, value] : report.made->limits)
+        out["limits"][limit] = std::stol(value);
+    out["chain"] = report.made->chain;
+    out["keys"] = nlohmann::json::array();
+    for (const profile::KeyUse& use : report.chosen->record.keys)
+        out["keys"].push_back({{"key", profile::words(use.key)},
+                               {"pixels", use.pixels},
+                               {"fused", is_fused(*report.made, use)},
+                               {"needed", use.needed}});
+    out["commands"] = report.chosen->record.commands;
+    out["arena_bytes_of_host"] = report.chosen->record.arena_peak;
+    if (report.firmware.is_object())
+        out["firmware"] = report.firmware;
+    return out;
+}
+
+std::string to_text(const ProfileReport& report) {
+    std::string out;
+    for (const Recorded& r : *report.all)
+        out += fmt::format("  {:<10}{:9.4f} % of pixels differ, at most {} steps of RGB565, {:.1f} dB{}\n",
+                           r.tier, r.error, r.max_lsb, r.psnr_db,
+                           &r == report.chosen ? "   <- the profile's" : "");
+    out += "\n  systems     ";
+    for (const std::string& feature : report.made->features)
+        out += " " + feature;
+    out += fmt::format("\n  the chain    {}\n\n  pixels     drawn by  state key\n",
+                       report.made->chain ? "is needed" : "is left out");
+    std::vector<profile::KeyUse> keys = report.chosen->record.keys;
+    std::stable_sort(keys.begin(), keys.end(),
+                     [](const auto& a, const auto& b) { return a.pixels > b.pixels; });
+    for (const profile::KeyUse& use : keys) {
+        const bool fused = is_fused(*report.made, use);
+        if (fused || use.pixels != 0)
+            out += fmt::format("  {:>9}  {:<8}  {}\n", use.pixels, fused ? "a loop" : "the chain",
+                               profile::words(use.key));
+    }
+    out += "\n  calls      command\n";
+    std::vector<std::pair<std::string, std::uint64_t>> commands(report.chosen->record.commands.begin(),
+                                                                report.chosen->record.commands.end());
+    std::stable_sort(commands.begin(), commands.end(),
+                     [](const auto& a, const auto& b) { return a.second > b.second; });
+    for (const auto& [name, count] : commands)
+        out += fmt::format("  {:>9}  {}\n", count, name);
+    if (report.firmware.is_object())
+        out += firmware_text(report.firmware);
+    return out;
+}
+
+} // namespace spangle::cli

@@ -1,0 +1,41 @@
+// The knobs of a tier by name, and tiers that a user composes of them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host_sim/trade/choice.hpp"
+
+namespace spangle::trade {
+
+/// One field of raster::Knobs.
+struct Knob {
+    struct Word {
+        const char* text;
+        std::uint8_t value;
+    };
+    const char* name;
+    int least, most;         ///< numbers it takes; none where most is below
+    std::vector<Word> words; ///< and words
+    const char* trades;      ///< a sentence
+    std::uint8_t (*get)(const raster::Knobs&);
+    void (*set)(raster::Knobs&, std::uint8_t);
+
+    std::string text(const raster::Knobs& knobs) const; ///< its value, as it is read
+    std::string range() const;                          ///< "2 to 13, or never"
+};
+
+/// Every field, in the order of the struct.
+const std::vector<Knob>& knobs();
+
+/// Reads "BASE[,KNOB=VALUE...]", BASE a tier. Empty, or what is wrong with it.
+std::string read_knobs(std::string_view words, Tier& out);
+/// The same behind "NAME=": names are letters, digits and '-', and none of `taken`.
+std::string read_tier(std::string_view words, const std::vector<Tier>& taken, Tier& out);
+
+/// A table of all knobs: ranges, values of the three tiers, what each trades.
+std::string knob_table();
+
+} // namespace spangle::trade

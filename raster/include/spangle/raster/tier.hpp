@@ -1,0 +1,126 @@
+// The accuracy tiers, and the knobs that each of them sets (design 3). A tier never changes coverage or
+// depth.
+#pragma once
+
+#include <cstdint>
+
+#include <spangle/raster/limits.hpp>
+
+/// Host builds draw in tiers that a program composed, too. CMake says so to the library and to its users;
+/// nobody else does.
+#ifndef SPANGLE_OWN_TIERS
+#define SPANGLE_OWN_TIERS 0
+#endif
+
+namespace spangle::raster {
+
+static_assert(!SPANGLE_OWN_TIERS || (tiers == 7 && has_chain), "some tiers have no code in this build");
+
+enum class Tier : std::uint8_t { exact, balanced, fast };
+
+constexpr bool has_tier(Tier tier) {
+    return (tiers >> static_cast<unsigned>(tier) & 1) != 0;
+}
+/// Of a draw; where a build has one tier only the compiler knows it.
+constexpr Tier drawn(Tier tier) {
+    return one_of(tiers, tier);
+}
+
+/// How texture coordinates go on between two divisions.
+enum class Runs : std::uint8_t { straight, cubic };
+
+/// Everything that makes a tier. Bounds are exponents: n stands for 2^-n.
+struct Knobs {
+    /// Fraction bits of 255ths that colours are combined in: 20, or 8 in words of 16 bits.
+    std::uint8_t color_bits;
+    /// SRC_ALPHA, ONE_MINUS_SRC_ALPHA into 565 count in steps of the target, alpha in 32nds. Colours of 20
+    /// bits never do.
+    bool coarse_blend;
+    /// Dithered colours are counted in exact steps of the target; else a step may be a 290th too large.
+    bool exact_steps;
+    /// Attributes go through the vertices as they were before they were snapped to 1/256 pixel.
+    bool unsnapped;
+    Runs runs;
+    /// Between two divisions coordinates are off by 2^-n texel of the base level at most: 0 to 13. Runs of
+    /// the shortest length are as far off as they are.
+    std::uint8_t texel_bits;
+    /// Straight runs have at least 2^n pixels: 0 to 6.
+    std::uint8_t shortest_run;
+    /// Runs have at most 2^n pixels: cubic ones up to 4; straight ones up to 6, and where the texture repeats
+    /// up to 16. A row that is within the error as a whole is one run.
+    std::uint8_t longest_run;
+    /// Coordinates are affine over a primitive where they are off by 2^-n texel at most: 2 to 13, or `never`.
+    std::uint8_t affine_texel_bits;
+    /// Colours are affine over a primitive where they are off by 2^-n of full scale at most: 2 to 24, 0 for
+    /// always, or `never`;
+    std::uint8_t affine_color_bits;
+    /// and where they are off by 2^-n step of the target, of 8 bits or of 6: 0 to 20, or `never`.
+    std::uint8_t affine_step_bits;
+    /// Fog is affine over a primitive where its factor is off by 2^-n at most: 2 to 24, or 0 for always.
+    std::uint8_t affine_fog_bits;
+
+    static constexpr std::uint8_t never = 255;
+    friend constexpr bool operator==(const Knobs&, const Knobs&) = default;
+};
+
+inline constexpr Knobs exact_knobs = {
+    .color_bits = 20,
+    .coarse_blend = false,
+    .exact_steps = true,
+    .unsnapped = true,
+    .runs = Runs::cubic,
+    .texel_bits = 13, // what NEAREST leaves open by definition
+    .shortest_run = 0,
+    .longest_run = 4,
+    .affine_texel_bits = Knobs::never,
+    .affine_color_bits = 19,
+    .affine_step_bits = Knobs::never,
+    .affine_fog_bits = 21,
+};
+inline constexpr Knobs balanced_knobs = {
+    .color_bits = 8,
+    .coarse_blend = false,
+    .exact_steps = false,
+    .unsnapped = false,
+    .runs = Runs::straight,
+    .texel_bits = 2,
+    .shortest_run = 0,
+    .longest_run = 6,
+    .affine_texel_bits = 2,
+    .affine_color_bits = Knobs::never,
+    .affine_step_bits = 2,
+    .affine_fog_bits = 9,
+};
+inline constexpr Knobs fast_knobs = {
+    .color_bits = 8,
+    .coarse_blend = true,
+    .exact_steps = false,
+    .unsnapped = false,
+    .runs = Runs::straight,
+    .texel_bits = 1,
+    .shortest_run = 4,
+    .longest_run = 16,
+    .affine_texel_bits = 2,
+    .affine_color_bits = 0,
+    .affine_step_bits = Knobs::never,
+    .affine_fog_bits = 0,
+};
+
+constexpr const Knobs& knobs_of(Tier tier) {
+    return tier == Tier::exact ? exact_knobs : tier == Tier::fast ? fast_knobs : balanced_knobs;
+}
+
+/// Every field is within its range.
+constexpr bool are_valid(const Knobs& k) {
+    const auto among = [](std::uint8_t v, int least, int most) { return v >= least && v <= most; };
+    return (k.color_bits == 8 || k.color_bits == 20) && k.texel_bits <= 13 && k.shortest_run <= 6 &&
+           k.longest_run <= 16 && k.shortest_run <= k.longest_run &&
+           (k.affine_texel_bits == Knobs::never || among(k.affine_texel_bits, 2, 13)) &&
+           (k.affine_color_bits == 0 || k.affine_color_bits == Knobs::never ||
+            among(k.affine_color_bits, 2, 24)) &&
+           (k.affine_step_bits == Knobs::never || k.affine_step_bits <= 20) &&
+           (k.affine_fog_bits == 0 || among(k.affine_fog_bits, 2, 24));
+}
+static_assert(are_valid(exact_knobs) && are_valid(balanced_knobs) && are_valid(fast_knobs));
+
+} // namespace spangle::raster

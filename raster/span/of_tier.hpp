@@ -1,0 +1,55 @@
+// What a draw's tier says, where a line of code asks for it.
+//
+// `Of` makes a value of knobs: a formula without captures, such as [](const Knobs& k) { return k.unsnapped;
+// }. Where programs compose tiers it is applied to the knobs of the draw. Elsewhere each tier's value is a
+// constant, and what is left is one comparison of tiers: firmware holds no knobs.
+#pragma once
+
+#include "raster/span/draw_state.hpp"
+
+namespace spangle::raster {
+
+#if SPANGLE_OWN_TIERS
+template <auto Of> SPANGLE_INLINE auto of_tier(const DrawState& draw) {
+    return Of(draw.knobs);
+}
+template <auto Of> SPANGLE_INLINE auto of_tier(const FragmentState& state) {
+    return Of(state.own_tier ? state.knobs : knobs_of(state.tier));
+}
+/// The same where only tiers come whose runs are straight, or cubic.
+template <auto Of> SPANGLE_INLINE auto of_straight_tier(const DrawState& draw) {
+    return Of(draw.knobs);
+}
+template <auto Of> SPANGLE_INLINE auto of_cubic_tier(const DrawState& draw) {
+    return Of(draw.knobs);
+}
+#else
+template <auto Of, class State> SPANGLE_INLINE auto of_tier(const State& state) {
+    constexpr auto exact = Of(exact_knobs), balanced = Of(balanced_knobs), fast = Of(fast_knobs);
+    const Tier tier = drawn(state.tier);
+    if constexpr (balanced == fast)
+        return tier == Tier::exact ? exact : balanced;
+    else if constexpr (exact == balanced)
+        return tier == Tier::fast ? fast : balanced;
+    else
+        return tier == Tier::exact ? exact : tier == Tier::fast ? fast : balanced;
+}
+template <auto Of> SPANGLE_INLINE auto of_straight_tier(const DrawState& draw) {
+    constexpr auto balanced = Of(balanced_knobs), fast = Of(fast_knobs);
+    return drawn(draw.tier) == Tier::fast ? fast : balanced;
+}
+template <auto Of> SPANGLE_INLINE constexpr auto of_cubic_tier(const DrawState&) {
+    return Of(exact_knobs);
+}
+#endif
+
+/// Colours are combined in 20 bits below a 255th.
+inline constexpr auto has_exact_colors = [](const Knobs& k) { return k.color_bits == 20; };
+inline constexpr auto has_cubic_runs = [](const Knobs& k) { return k.runs == Runs::cubic; };
+
+/// Attributes go through the vertices as they were before snapping.
+SPANGLE_INLINE bool unsnaps(const DrawState& draw) {
+    return has_tier(Tier::exact) && of_tier<[](const Knobs& k) { return k.unsnapped; }>(draw);
+}
+
+} // namespace spangle::raster
