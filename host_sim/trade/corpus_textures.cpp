@@ -204,8 +204,9 @@ void decals_draw(int f) {
     clear();
     glRotatef(3 + 5 * static_cast<float>(f), 0, 0, 1);
     for (int i = 0; i < 16; ++i) {
+        const int row = i / 4;
         glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, modes[i % 4]);
-        const float x = static_cast<float>(i % 4) * 0.9f - 1.8f, y = static_cast<float>(i / 4) * 0.6f - 1.2f;
+        const float x = static_cast<float>(i % 4) * 0.9f - 1.8f, y = static_cast<float>(row) * 0.6f - 1.2f;
         glBegin(GL_TRIANGLE_STRIP);
         glColor4f(0.9f, 0.2f, 0.1f, 0.8f);
         glTexCoord2f(0, 0), glVertex3f(x, y, -1.5f);

@@ -24,7 +24,7 @@ std::vector<double> frame_times(const Program& program, const std::vector<Tier>&
 /// What is drawn in the frames whose instructions are counted.
 struct Work {
     double triangles = 0;   ///< of a frame that reach a pixel, lines and points among them
-    double fragments = 0;   ///< of a frame
+    double fragments = 0;   ///< of a frame: covered, hidden or not
     std::uint32_t hash = 0; ///< FNV-1a of the last one's RGBA, as tests/bench/picture_hash.hpp has it
 };
 Work work_of_frames(const Program& program, const Tier& tier, const Format& format, const Setting& setting);

@@ -189,7 +189,8 @@ TEST(Measured, CoverageIsHeldAgainstThreeReferences) {
     EXPECT_GT(m.off_unsnapped, 0u);
     EXPECT_EQ(m.off_unsnapped, m.off_ideal);
     const Work work = work_of_frames(program, tiers[2], *find(formats, "565"), {});
-    EXPECT_NEAR(work.fragments, 28743, 60) << "as the scene is described";
+    EXPECT_GT(work.fragments, 28743) << "what is seen of the gears, and what lies behind it";
+    EXPECT_LT(work.fragments, 32000);
     EXPECT_LT(work.triangles, 800) << "half of them are culled";
     EXPECT_GT(work.triangles, 300);
 }

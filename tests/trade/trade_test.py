@@ -206,11 +206,11 @@ for (const scene of document.querySelectorAll('.scene')) {
       if (!image.complete || image.naturalWidth !== 96) heard.push('broken picture ' + image.alt);
   }
 }
-const axis = document.getElementById('axis'), plots = [...document.querySelectorAll('[data-axis]')];
+const list = document.getElementById('axis'), plots = [...document.querySelectorAll('[data-axis]')];
 const shown = [];
-for (const option of axis ? axis.options : []) {
-  axis.value = option.value;
-  axis.dispatchEvent(new Event('change'));
+for (const option of list ? list.options : []) {
+  list.value = option.value;
+  list.dispatchEvent(new Event('change'));
   shown.push(option.textContent + ':' + plots.map(plot => +!plot.hidden).join(''));
 }
 heard.push('axes ' + shown.join(';'));
