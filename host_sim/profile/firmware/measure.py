@@ -99,7 +99,7 @@ class Images:
         script = self.build.folder / f"{self.name}_{kind}.ld"
         script.parent.mkdir(parents=True, exist_ok=True)
         keep = "".join(f"EXTERN({symbol})\n" for symbol in (self.program.kept() if self.program.commands else []))
-        script.write_text(keep + (ROOT / f"boards/{BOARD}/memory.ld").read_text())
+        outfile.write(script, keep + (ROOT / f"boards/{BOARD}/memory.ld").read_text())
         return self.build.image(TARGET, [main, *objects, *self.own, *self.core], script, f"{self.name}_{kind}.elf", options=options)
 
     def counting(self):
@@ -107,7 +107,7 @@ class Images:
         listing = subprocess.run(["arm-none-eabi-nm", "-u", *map(str, self.own)], capture_output=True, text=True, check=True).stdout
         commands = [NOTHING, *sorted(set(re.findall(r"\bgl[A-Z]\w*", listing)))]
         trampolines = self.build.folder / f"{self.name}_commands.S"
-        trampolines.write_text("  .syntax unified\n  .thumb\n" + "".join(TRAMPOLINE.format(name=name, index=i) for i, name in enumerate(commands)))
+        outfile.write(trampolines, "  .syntax unified\n  .thumb\n" + "".join(TRAMPOLINE.format(name=name, index=i) for i, name in enumerate(commands)))
         objects = [self.build.compile(TARGET, "-Os", trampolines),
                    *(self.build.compile(TARGET, "-Os", HERE / f"{name}.cpp", ["-DMEASURE_LINES"]) for name in ("lines", "nothing_called"))]
         image = self.image("lines", ["-DMEASURE_LINES"], objects, [f"-Wl,--wrap={name}" for name in commands])
