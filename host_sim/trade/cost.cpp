@@ -32,8 +32,10 @@ double microseconds_of_frame(const Program& program, int frames) {
     const double start = worked();
     int drawn = 0;
     double spent = 0;
-    for (; spent < round_time; spent = worked() - start)
+    while (spent < round_time) {
         program.draw(drawn++ % frames);
+        spent = worked() - start;
+    }
     return spent / drawn;
 }
 
@@ -46,6 +48,7 @@ std::vector<double> frame_times(const Program& program, const std::vector<Tier>&
     std::deque<Offscreen> screens;
     std::vector<std::vector<double>> times(chosen.size());
     std::vector<bool> drawn;
+    drawn.reserve(chosen.size());
     for (const Tier& tier : chosen)
         drawn.push_back(
             screens.emplace_back()
@@ -60,6 +63,7 @@ std::vector<double> frame_times(const Program& program, const std::vector<Tier>&
                     times[i].push_back(time);
             }
     std::vector<double> out;
+    out.reserve(times.size());
     for (const auto& all : times)
         out.push_back(all.empty() ? -1 : *std::min_element(all.begin(), all.end()));
     return out;

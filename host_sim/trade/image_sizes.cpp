@@ -46,7 +46,7 @@ std::string read_sizes(const std::string& image, ImageSizes& out) {
             continue;
         // Stored is what has bytes; writable it is copied to RAM first. The stack is measured, not reserved.
         const std::uint64_t name = std::uint64_t{names.sh_offset} + s.sh_name;
-        const bool stack = name < bytes.size() && std::strncmp(bytes.c_str() + name, ".stack", 7) == 0;
+        const bool stack = name < bytes.size() && std::strcmp(bytes.c_str() + name, ".stack") == 0;
         out.flash += s.sh_type != SHT_NOBITS ? s.sh_size : 0;
         out.variables += (s.sh_flags & SHF_WRITE) != 0 && !stack ? s.sh_size : 0;
     }
