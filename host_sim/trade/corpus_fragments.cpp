@@ -78,7 +78,8 @@ void shadow_draw(int f) {
     glDepthMask(GL_FALSE);
     glStencilFunc(GL_ALWAYS, 0, 0xFF);
     glEnable(GL_CULL_FACE);
-    for (const GLenum hidden : {GL_BACK, GL_FRONT}) { // sides that look here count up, the others down
+    for (const GLenum hidden :
+         std::initializer_list<GLenum>{GL_BACK, GL_FRONT}) { // sides that look here count up, the others down
         glCullFace(hidden);
         glStencilOp(GL_KEEP, GL_KEEP, hidden == GL_BACK ? GL_INCR : GL_DECR);
         shadow_sides(corners);
@@ -181,7 +182,8 @@ void smooth_setup(int w, int h) {
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    for (const GLenum smooth : {GL_LINE_SMOOTH, GL_POINT_SMOOTH, GL_POLYGON_SMOOTH})
+    for (const GLenum smooth :
+         std::initializer_list<GLenum>{GL_LINE_SMOOTH, GL_POINT_SMOOTH, GL_POLYGON_SMOOTH})
         glEnable(smooth);
 }
 void smooth_draw(int f) {

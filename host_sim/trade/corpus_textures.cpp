@@ -82,9 +82,10 @@ void mirror_setup(int w, int h) {
                      GL_RGB, GL_UNSIGNED_BYTE, texels.data());
     }
     glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    for (const GLenum axis : {GL_S, GL_T, GL_R})
+    for (const GLenum axis : std::initializer_list<GLenum>{GL_S, GL_T, GL_R})
         glTexGeni(axis, GL_TEXTURE_GEN_MODE, GL_REFLECTION_MAP);
-    for (const GLenum axis : {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R})
+    for (const GLenum axis :
+         std::initializer_list<GLenum>{GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R})
         glEnable(axis);
     glEnable(GL_TEXTURE_CUBE_MAP);
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_DECAL);
