@@ -58,7 +58,7 @@ std::string record(ProfileOptions& options, const std::string& tier, Recorded& o
     return "";
 }
 
-/// The same frames against the double reference.
+/// Draws the recorded frames again, and compares each with the double reference.
 std::string compare(const ProfileOptions& options, Recorded& out) {
     RunOptions run = options.run;
     run.precision = precision_of(out.tier);

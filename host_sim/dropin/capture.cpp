@@ -2,10 +2,10 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 
 #include "gl/context/context.hpp"
 #include "gl/pixel/fragment_setup.hpp"
+#include "host_sim/capture/thread_time.hpp"
 #include "host_sim/dropin/options.hpp"
 
 namespace spangle::dropin {
@@ -13,13 +13,6 @@ namespace spangle::dropin {
 namespace {
 
 constexpr int bad_end = 1;
-
-/// Of this thread on a processor, in microseconds.
-double worked() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
-}
 
 void check(const std::string& problem) {
     if (problem.empty())
@@ -49,7 +42,7 @@ Capture::Capture() {
     check(file_.open(options().capture));
     if (!options().times_only)
         counters_.observer = &frames_;
-    begun_ = worked();
+    begun_ = trade::thread_microseconds();
 }
 
 void Capture::watch(gl::Context& context) {
@@ -60,7 +53,7 @@ void Capture::watch(gl::Context& context) {
 }
 
 void Capture::take(const raster::Surface& picture) {
-    const double time = worked() - begun_;
+    const double time = trade::thread_microseconds() - begun_;
     if (finished_ || counters_.fragments == 0)
         return;
     counters_.fragments = 0;
@@ -69,7 +62,7 @@ void Capture::take(const raster::Surface& picture) {
         finish();
         std::_Exit(0);
     }
-    begun_ = worked();
+    begun_ = trade::thread_microseconds();
 }
 
 void Capture::finish() {

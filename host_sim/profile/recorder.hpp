@@ -56,7 +56,7 @@ class Recorder final : public gl::Watcher {
     bool stencil_ = false;
     std::mutex mutex_;
     Record record_;
-    /// Of each share group, the count of changes to its textures that were looked at.
+    /// How many changes of a share group's textures have been looked at, by its address.
     std::map<const void*, std::uint32_t> textures_seen_;
     /// What a state draws each kind with, and the key it counts for.
     struct Counted {

@@ -9,7 +9,8 @@
 
 namespace spangle::trade {
 
-/// Of colours and depths of all frames, in their order. Empty, or why they cannot be drawn.
+/// Draws all frames, and makes a hash of their colours and depths, in their order. The result is empty, or
+/// why they cannot be drawn.
 std::string hash_frames(const Program& program, const Tier& tier, const Format& format,
                         const Setting& setting, std::uint64_t& out);
 

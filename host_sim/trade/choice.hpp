@@ -17,7 +17,7 @@ struct Tier {
     std::optional<raster::Knobs> knobs = {}; ///< of a tier that the user composed
     std::string words = {};                  ///< of which those were read
 };
-/// Of an own tier, or null.
+/// The knobs of a tier that the user composed; null for the three tiers of the library.
 inline const raster::Knobs* own_knobs(const Tier& tier) {
     return tier.knobs ? &*tier.knobs : nullptr;
 }

@@ -1,7 +1,6 @@
 #include "host_sim/trade/cost.hpp"
 
 #include <algorithm>
-#include <ctime>
 #include <deque>
 
 #include <fmt/format.h>
@@ -10,6 +9,7 @@
 #include <spangle/reference.hpp>
 
 #include "gl/pixel/fragment_setup.hpp"
+#include "host_sim/capture/thread_time.hpp"
 #include "host_sim/trade/offscreen.hpp"
 #include "host_sim/trade/recording.hpp"
 
@@ -20,21 +20,14 @@ namespace {
 constexpr int rounds = 15;
 constexpr double round_time = 4000; ///< microseconds
 
-/// Of this thread on a processor, in microseconds: what others do on the machine is no cost of ours.
-double worked() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
-}
-
 /// Of whole frames, for at least the time of a round.
 double microseconds_of_frame(const Program& program, int frames) {
-    const double start = worked();
+    const double start = thread_microseconds();
     int drawn = 0;
     double spent = 0;
     while (spent < round_time) {
         program.draw(drawn++ % frames);
-        spent = worked() - start;
+        spent = thread_microseconds() - start;
     }
     return spent / drawn;
 }

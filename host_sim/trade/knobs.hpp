@@ -32,7 +32,8 @@ const std::vector<Knob>& knobs();
 
 /// Reads "BASE[,KNOB=VALUE...]", BASE a tier. Empty, or what is wrong with it.
 std::string read_knobs(std::string_view words, Tier& out);
-/// The same behind "NAME=": names are letters, digits and '-', and none of `taken`.
+/// Reads "NAME=BASE[,KNOB=VALUE...]". A name has letters, digits and '-', and is none of `taken`. Empty, or
+/// what is wrong with it.
 std::string read_tier(std::string_view words, const std::vector<Tier>& taken, Tier& out);
 
 /// A table of all knobs: ranges, values of the three tiers, what each trades.

@@ -77,7 +77,7 @@ class Bus {
         if (shown_++ == 0)
             first_ = board_.counters().bytes;
     }
-    /// Of a frame after the first; 0: there was none.
+    /// The mean bytes of a frame after the first; 0 where there was only one.
     std::uint64_t bytes() const {
         return usable_ && shown_ > 1 ? (board_.counters().bytes - first_) / (shown_ - 1) : 0;
     }

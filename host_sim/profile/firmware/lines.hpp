@@ -12,7 +12,7 @@ void begin_frame();
 void end_frame();
 /// Prints a line "line ADDRESS COMMAND CALLS TICKS" for each address that commands returned to.
 void print_lines();
-/// Of variables that count.
+/// The bytes of RAM that the counting itself takes.
 std::size_t line_bytes();
 #else
 inline void begin_frame() {}
