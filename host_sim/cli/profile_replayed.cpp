@@ -123,6 +123,8 @@ bool shows_frames(const std::string& trace, const fs::path& folder) {
 } // namespace
 
 std::string record_replayed(const ProfileOptions& options, std::vector<Recorded>& out) {
+    if (!options.program && !fs::exists(options.trace))
+        return "there is no trace '" + options.trace + "'";
     std::string problem = pair::use();
     const pair::Folder folder;
     if (problem.empty() && folder.path().empty())
@@ -143,8 +145,6 @@ std::string record_replayed(const ProfileOptions& options, std::vector<Recorded>
             if (!problem.empty() || shows_frames(trace, folder.path()))
                 break;
         }
-    } else if (!fs::exists(trace)) {
-        problem = "there is no trace '" + trace + "'";
     } else if (options.run.frames != 0) {
         const std::string shorter = (folder.path() / "shorter.trace").string();
         problem = run_tool(
