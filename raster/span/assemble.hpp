@@ -127,18 +127,17 @@ void add_other_runs([[maybe_unused]] Chain& chain) {
 /// Where a unit looks, and how closely.
 template <class N, int Unit>
 void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
-    using System = std::conditional_t<std::is_same_v<N, Exact>, N, Colorless<N>>; // exact runs are others
-    using One = OneLane<System>;
+    using One = std::conditional_t<is_exact<N>, Exact, OneLane<Colorless<N>>>; // exact runs are others
     if (has_third_coordinates && wants_r(*state.unit[Unit].texture))
         return; // the texture function finds them itself
     if constexpr (is_balanced<N> && !by_stages<N>)
         return chain.add(&PacketCoordinates<PlacesOf<N>>::template run<Unit>);
     if (key.kind < Kind::textured)
-        chain.template add<Coord<System, Unit, false>>();
+        chain.template add<Coord<Colorless<N>, Unit, false>>();
     else if (has_other_runs<N>(key))
-        add_other_runs<One, Unit, std::is_same_v<N, Exact>>(chain);
-    else if constexpr (std::is_same_v<N, Exact>)
-        chain.template choose<CoordAlong<N, Unit, DividedCoords>, Coord<N, Unit, true>>(
+        add_other_runs<One, Unit, is_exact<N>>(chain);
+    else if constexpr (is_exact<N>)
+        chain.template choose<CoordAlong<One, Unit, DividedCoords>, Coord<One, Unit, true>>(
             divides(key.kind, key.fog));
     else
         chain.template add<Coord<One, Unit, true>>();

@@ -38,6 +38,7 @@ template <class N> using ChainStage = void (*)(PlacesOf<N>&, const Span<typename
 /// Of systems with the same places one, which stages that no colour comes to are made for.
 template <class N> struct WithoutColor { using Type = N; };
 template <> struct WithoutColor<Exact> { using Type = Raw565<1>; };
+template <> struct WithoutColor<ExactLanes> { using Type = Raw565<8>; };
 template <int Count> struct WithoutColor<Balanced<Count>> { using Type = Raw565<Count>; };
 template <class N> using Colorless = typename WithoutColor<N>::Type;
 

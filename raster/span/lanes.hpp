@@ -109,7 +109,15 @@ template <> struct Lanes<8> {
         SPANGLE_INLINE friend U32 operator^(const U32& a, const U32& b) {
             return {a.even ^ b.even, a.odd ^ b.odd};
         }
+        SPANGLE_INLINE friend U32 operator&(const U32& a, const U32& b) {
+            return {a.even & b.even, a.odd & b.odd};
+        }
         SPANGLE_INLINE friend U32 operator&(const U32& a, std::uint32_t v) { return {a.even & v, a.odd & v}; }
+        SPANGLE_INLINE friend U32 operator*(const U32& a, const U32& b) {
+            return {a.even * b.even, a.odd * b.odd};
+        }
+        SPANGLE_INLINE friend U32 operator*(const U32& a, std::uint32_t v) { return {a.even * v, a.odd * v}; }
+        SPANGLE_INLINE friend U32 operator-(std::uint32_t v, const U32& a) { return {v - a.even, v - a.odd}; }
         SPANGLE_INLINE friend U32 operator>>(const U32& a, int n) {
             return {a.even >> static_cast<std::uint32_t>(n), a.odd >> static_cast<std::uint32_t>(n)};
         }
@@ -222,6 +230,9 @@ template <> struct Lanes<8> {
         const auto halves = std::bit_cast<Halves>(m);
         return (halves[0] | halves[1]) != 0;
     }
+    /// Some lane is not 0.
+    SPANGLE_INLINE static bool any_bits(const U16& v) { return any(v); }
+    SPANGLE_INLINE static bool any_bits(const U32& v) { return any(std::bit_cast<U16>(v.even | v.odd)); }
     /// A byte per lane, all ones where any bit is one.
     SPANGLE_INLINE static std::uint64_t nonzero_bytes(const U16& v) {
         using Bytes [[gnu::vector_size(8)]] = std::int8_t;

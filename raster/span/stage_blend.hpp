@@ -46,7 +46,7 @@ template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
         if constexpr (N::lanes == 1) {
             if (a == 0)
                 return false;
-        } else if (!L::any(L::negate(L::equal(a, L::splat(0))))) {
+        } else if (!L::any_bits(a)) {
             return false;
         }
         if constexpr (is_565(Format)) {

@@ -107,7 +107,8 @@ template <class N, bool Is565, bool Alpha> struct TexelColors {
     using Weights = std::conditional_t<
         is_raw<N>, FilterWords<N::lanes>,
         std::conditional_t<std::is_same_v<N, Exact>, Exactly,
-                           std::conditional_t<Is565, Filter565<N::lanes>, Filter8<N::lanes>>>>;
+                           std::conditional_t<is_exact<N>, ExactLanes::Weights,
+                                              std::conditional_t<Is565, Filter565<N::lanes>, Filter8<N::lanes>>>>>;
     template <class V, class W>
     SPANGLE_INLINE static Color mix(const Weights& weights, const V& c00, const V& c10, const V& c01,
                                     const V& c11, const W& a) {
@@ -115,6 +116,8 @@ template <class N, bool Is565, bool Alpha> struct TexelColors {
             return {weights(c00, c10, c01, c11, a)};
         else if constexpr (std::is_same_v<N, Exact>)
             return bilinear<N>(unpack(c00), unpack(c10), unpack(c01), unpack(c11), a, weights.b);
+        else if constexpr (is_exact<N>)
+            return weights(unpack(c00), unpack(c10), unpack(c01), unpack(c11), a);
         else if constexpr (Is565)
             return weights(c00, c10, c01, c11, a);
         else
