@@ -87,15 +87,15 @@ template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
     // Without shortcuts all depths have an offset, if only of 0.
     const bool offset = SPANGLE_FEATURE_POLYGON_OFFSET && (key.depth_offset || !has_shortcuts);
     if (has_format(DepthFormat::z24s8) && key.stencil)
-        chain.template choose<StencilDepth<One, Offset24>, StencilDepth<One>>(offset);
+        chain.template choose<StencilDepth<One, Offset24>, StencilDepth<System>>(offset);
     else if (!key.depth_offset && key.depth == Compare::always && !key.depth_write)
         ; // nothing is asked or kept
     else if (offset)
         add_depth<N, DepthGeneral<One, DepthFormat::z16, Offset16>,
                   DepthGeneral<One, DepthFormat::z24s8, Offset24>>(chain, key);
     else
-        add_depth<N, DepthGeneral<System, DepthFormat::z16>, DepthGeneral<One, DepthFormat::z24s8>>(chain,
-                                                                                                    key);
+        add_depth<N, DepthGeneral<System, DepthFormat::z16>, DepthGeneral<System, DepthFormat::z24s8>>(chain,
+                                                                                                       key);
     if (key.count)
         chain.template add<Count<One>>();
 }
@@ -189,23 +189,20 @@ template <class N, PixelFormat Format, class Chain> void add_coarse(Chain& chain
 }
 
 template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, const Key& key) {
-    using One = OneLane<N>;
-    using Words = std::conditional_t<is_565(Format), N, One>; // lanes store 16 bits each
     if (key.coarse)
-        add_coarse<Words, Format>(chain, key.dither);
+        add_coarse<N, Format>(chain, key.dither);
     else if (key.blend)
-        chain.template choose<BlendAlpha<Words, Format>, Blend<One, Stored<One, Format>>>(
-            !key.blend_general && key.blending == blend_over);
+        chain.template choose<BlendAlpha<N, Format>, Blend<N, Stored<N, Format>>>(!key.blend_general &&
+                                                                                  key.blending == blend_over);
     if constexpr (is_balanced<N> && has_textures && has_fog && is_565(Format))
         if (counts_steps(key))
-            return chain.template add<StoreSteps<Words, Format>>();
+            return chain.template add<StoreSteps<N, Format>>();
     constexpr bool only_merged = is_fixed<N> && !has_shortcuts && !has_tier(Tier::fast); // it can do all
     if (only_merged || key.masked || key.logic)
-        chain.template add<StoreMerged<One, Format>>();
+        chain.template add<StoreMerged<N, Format>>();
     if constexpr (!only_merged)
         if (!key.masked && !key.logic)
-            chain.template choose<StoreDithered<Words, Format>, Store<Words, Format>>(key.dither &&
-                                                                                      !key.coarse);
+            chain.template choose<StoreDithered<N, Format>, Store<N, Format>>(key.dither && !key.coarse);
 }
 
 /// The one of these formats that the key names.
@@ -320,7 +317,7 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
     if (has_samples && key.samples)
         chain.template add<SampleCoverage<One>>();
     if (key.alpha != Compare::always)
-        chain.template add<AlphaTest<One>>();
+        chain.template add<AlphaTest<N>>();
     if (!early)
         add_tests(chain, key);
     if constexpr (!std::is_same_v<N, Balanced<host_lanes>> && has_narrow_formats) // key.cpp

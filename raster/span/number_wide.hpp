@@ -28,12 +28,12 @@ struct ExactLanes {
     SPANGLE_INLINE static T texel6(const L::U16& k) { return step<63>(L::widened(k), 62); }
     SPANGLE_INLINE static T from_units(std::uint32_t c) { return L::splat32(c); }
     SPANGLE_INLINE static T from_affine(const L::U32& v) {
-        constexpr std::uint32_t bias = 1u << 15;
-        return each(v, [](const Words& w) {
-            // Words below the bias are 0: rounding took them below it.
-            const auto enough = std::bit_cast<Words>((w >> 15) != 0);
-            return smaller(((w - bias) & enough) >> (24 - color_fraction_bits), Words{one, one, one, one});
-        });
+        constexpr std::uint32_t bias = 1u << 15; // words below it are 0: rounding took them there
+        const auto unbiased = [](const Words& w) {
+            return (w - bias) & std::bit_cast<Words>((w >> 15) != 0);
+        };
+        const T c = T{unbiased(v.even), unbiased(v.odd)} >> (24 - color_fraction_bits);
+        return L::minimum(c, L::splat32(one));
     }
     SPANGLE_INLINE static T mul(const T& a, const T& b) { return scaled(a, fraction(b)); }
     SPANGLE_INLINE static T fraction(const T& v) { return (v << 4) + (v >> 4) + (v >> 12) + (v >> 20); }
@@ -41,10 +41,10 @@ struct ExactLanes {
         return {lane_product_rounded(a.even, factor.even), lane_product_rounded(a.odd, factor.odd)};
     }
     SPANGLE_INLINE static T lerp(const T& a, const T& b, const T& k) {
-        return minimum(mul(a, one - k) + mul(b, k), L::splat32(one));
+        return L::minimum(mul(a, one - k) + mul(b, k), L::splat32(one));
     }
-    SPANGLE_INLINE static T add(const T& a, const T& b) { return minimum(a + b, L::splat32(one)); }
-    SPANGLE_INLINE static T subtract(const T& a, const T& b) { return a - minimum(a, b); }
+    SPANGLE_INLINE static T add(const T& a, const T& b) { return L::minimum(a + b, L::splat32(one)); }
+    SPANGLE_INLINE static T subtract(const T& a, const T& b) { return a - L::minimum(a, b); }
     template <unsigned Bits> SPANGLE_INLINE static T over(const T& s, const T& a, const L::U16& k) {
         const T d = Bits == 5 ? from5(k) : Bits == 6 ? from6(k) : from8(k);
         return add(mul(s, a), mul(d, one - a));
@@ -56,31 +56,33 @@ struct ExactLanes {
         return high + ((low + L::splat32(65535)) >> 16);
     }
     /// Four texels, weighted: of column i + 1 and of row j + 1 in 256ths.
-    struct Weights {
-        T near, far; ///< of rows j and j + 1
-        SPANGLE_INLINE explicit Weights(const L::U16& b) : near(256u - L::widened(b)), far(L::widened(b)) {}
-        SPANGLE_INLINE Color operator()(const Color& c00, const Color& c10, const Color& c01, const Color& c11,
-                                        const L::U16& a) const {
-            const T right = L::widened(a), left = 256u - right;
-            const auto mix = [&](T Color::*c) __attribute__((always_inline)) {
-                // A component has 28 bits, in two halves of 14: a row of texels has 22, both rows 30.
-                const auto sum = [&](auto half) __attribute__((always_inline)) {
-                    return (half(c00.*c) * left + half(c10.*c) * right) * near +
-                           (half(c01.*c) * left + half(c11.*c) * right) * far;
-                };
-                const T high = sum([](const T& v) { return v >> 14; }), low = sum([](const T& v) { return v & 0x3FFFu; });
-                return (high >> 2) + ((((high & 3u) << 14) + low + L::splat32(65535)) >> 16);
-            };
-            return {mix(&Color::r), mix(&Color::g), mix(&Color::b), mix(&Color::a)};
+    class Weights {
+      public:
+        SPANGLE_INLINE explicit Weights(const L::U16& b) : near_(256u - L::widened(b)), far_(L::widened(b)) {}
+        /// Components of 8 bits each, k / 255: nothing is rounded.
+        SPANGLE_INLINE T bytes(const L::U16& c00, const L::U16& c10, const L::U16& c01, const L::U16& c11,
+                               const T& right) const {
+            return sum(L::widened(c00), L::widened(c10), L::widened(c01), L::widened(c11), right)
+                   << (color_fraction_bits - 16);
+        }
+        /// Components as they are, 28 bits in two halves of 14: a row of texels has 22, both rows have 30.
+        SPANGLE_INLINE T components(const T& c00, const T& c10, const T& c01, const T& c11,
+                                    const T& right) const {
+            constexpr std::uint32_t low_bits = (1u << 14) - 1;
+            const T high = sum(c00 >> 14, c10 >> 14, c01 >> 14, c11 >> 14, right),
+                    low = sum(c00 & low_bits, c10 & low_bits, c01 & low_bits, c11 & low_bits, right);
+            return (high >> 2) + ((((high & 3u) << 14) + low + L::splat32(65535)) >> 16);
+        }
+
+      private:
+        T near_, far_; ///< of rows j and j + 1
+        SPANGLE_INLINE T sum(const T& c00, const T& c10, const T& c01, const T& c11, const T& right) const {
+            const T left = 256u - right;
+            return (c00 * left + c10 * right) * near_ + (c01 * left + c11 * right) * far_;
         }
     };
     SPANGLE_INLINE static T clamped_fraction(const L::U32& v) {
-        return each(v, [](const Words& w) {
-            constexpr std::uint32_t most = 1u << 24;
-            const auto s = std::bit_cast<Signed>(w);
-            const Words positive = w & ~std::bit_cast<Words>(s >> 31);
-            return smaller(positive, Words{most, most, most, most}) << 6;
-        });
+        return L::minimum(L::positive(v), L::splat32(1u << 24)) << 6;
     }
     SPANGLE_INLINE static T mix(const T& a, const T& b, const T& f) {
         const auto mixed = [](const Words& v, const Words& w, const Words& by) {
@@ -102,19 +104,8 @@ struct ExactLanes {
         return L::low_half((steps<Bits>(v) + (L::widened(threshold32) << (23 - Bits))) >> (28 - Bits));
     }
 
-    SPANGLE_INLINE static T minimum(const T& a, const T& b) { return {smaller(a.even, b.even), smaller(a.odd, b.odd)}; }
-    SPANGLE_INLINE static T maximum(const T& a, const T& b) { return a + b - minimum(a, b); }
-
   private:
     using Words = L::Words;
-    using Signed [[gnu::vector_size(16)]] = std::int32_t;
-
-    template <class F> SPANGLE_INLINE static T each(const T& v, F f) { return {f(v.even), f(v.odd)}; }
-    /// Both below 2^31.
-    SPANGLE_INLINE static Words smaller(const Words& a, const Words& b) {
-        const auto less = std::bit_cast<Words>(std::bit_cast<Signed>(a) < std::bit_cast<Signed>(b));
-        return (a & less) | (b & ~less);
-    }
     /// (k one + More) / Most, rounded down: one / Most is a whole number and a rest.
     template <std::uint32_t Most> SPANGLE_INLINE static T step(const T& k, std::uint32_t more) {
         constexpr std::uint32_t whole = one / Most, rest = one % Most;
