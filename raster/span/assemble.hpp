@@ -14,6 +14,7 @@
 #include "raster/span/stage_coord.hpp"
 #include "raster/span/stage_coord_packet.hpp"
 #include "raster/span/stage_depth.hpp"
+#include "raster/span/stage_divided_packet.hpp"
 #include "raster/span/stage_fog.hpp"
 #include "raster/span/stage_index.hpp"
 #include "raster/span/stage_narrow.hpp"
@@ -124,6 +125,18 @@ void add_other_runs([[maybe_unused]] Chain& chain) {
 #endif
 }
 
+/// What is divided by w is divided in lanes, by one 1/w.
+template <class N> inline constexpr bool by_lanes = is_fixed<N> && (N::lanes > 1);
+template <class N> void add_inverses(ChainBuilder<N>& chain, const Key& key) {
+    if constexpr (by_lanes<N>) {
+        const bool colors = key.kind == Kind::full && (key.color || key.color_sum) && !key.pixels,
+                   others =
+                       key.kind >= Kind::textured && (key.fog || (is_exact<N> && divides(key.kind, key.fog)));
+        if (colors || others)
+            chain.add(&PacketDivided<N>::inverses);
+    }
+}
+
 /// Where a unit looks, and how closely.
 template <class N, int Unit>
 void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
@@ -136,6 +149,9 @@ void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState
         chain.template add<Coord<Colorless<N>, Unit, false>>();
     else if (has_other_runs<N>(key))
         add_other_runs<One, Unit, is_exact<N>>(chain);
+    else if constexpr (is_exact<N> && by_lanes<N>)
+        divides(key.kind, key.fog) ? chain.add(&PacketDivided<N>::template coordinates<Unit>)
+                                   : chain.template add<Coord<One, Unit, true>>();
     else if constexpr (is_exact<N>)
         chain.template choose<CoordAlong<One, Unit, DividedCoords>, Coord<One, Unit, true>>(
             divides(key.kind, key.fog));
@@ -234,6 +250,15 @@ template <class N> void add_narrow_output(ChainBuilder<N>& chain, const Key& key
             chain.runs(&narrow_rows<One, &chain_span<N>>);
 }
 
+template <class N> void add_divided_primary(ChainBuilder<N>& chain, bool alpha) {
+    using One = OneLane<N>;
+    if constexpr (by_lanes<N>)
+        chain.add(alpha ? &PacketDivided<N>::template primary<true>
+                        : &PacketDivided<N>::template primary<false>);
+    else
+        chain.template choose<GouraudQ<One, true>, GouraudQ<One, false>>(alpha);
+}
+
 /// The primary colour of vertices or images; an index stands in its red.
 template <class N> void add_primary(ChainBuilder<N>& chain, const Key& key) {
     using One = OneLane<N>;
@@ -244,7 +269,7 @@ template <class N> void add_primary(ChainBuilder<N>& chain, const Key& key) {
     else if constexpr (!by_stages<N>)
         chain.add(&PacketColors<N>::primary);
     else if (key.kind == Kind::full)
-        chain.template choose<GouraudQ<One, true>, GouraudQ<One, false>>(key.color_alpha);
+        add_divided_primary(chain, key.color_alpha);
     else
         chain.template choose<Gouraud<N, true>, Gouraud<N, false>>(key.color_alpha);
 }
@@ -253,12 +278,18 @@ template <class N> void add_color_sum(ChainBuilder<N>& chain, const Key& key) {
     using One = OneLane<N>;
     if constexpr (!by_stages<N>)
         chain.add(&PacketColors<N>::sum);
+    else if constexpr (by_lanes<N>)
+        key.kind == Kind::full ? chain.add(&PacketDivided<N>::sum) : chain.template add<ColorSumLanes<N>>();
     else
         chain.template choose<ColorSum<One, true>, ColorSum<One, false>>(key.kind == Kind::full);
 }
 
 template <class N> void add_fog_coordinate(ChainBuilder<N>& chain, const Key& key) {
-    chain.template choose<FogCoord<OneLane<N>, true>, FogCoord<N, false>>(key.kind >= Kind::textured);
+    if constexpr (by_lanes<N>)
+        key.kind >= Kind::textured ? chain.add(&PacketDivided<N>::fog)
+                                   : chain.template add<FogCoord<N, false>>();
+    else
+        chain.template choose<FogCoord<OneLane<N>, true>, FogCoord<N, false>>(key.kind >= Kind::textured);
 }
 
 /// Fog around the texture (fogs_light()).
@@ -274,6 +305,7 @@ template <class N> void add_fogged_unit(ChainBuilder<N>& chain, const Key& key, 
 template <class N> void assemble_index(ChainBuilder<N>& chain, const Key& key) {
     using One = OneLane<N>;
     add_tests(chain, key);
+    add_inverses(chain, key);
     add_primary(chain, key);
     if (has_fog && key.fog) {
         add_fog_coordinate(chain, key);
@@ -294,6 +326,7 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
     const bool early = early_tests(key);
     if (early)
         add_tests(chain, key);
+    add_inverses(chain, key);
     add_primary(chain, key);
     const bool around = is_balanced<N> && has_textures && has_fog && fogs_light(key);
     if constexpr (is_balanced<N> && has_textures && has_fog)
@@ -308,7 +341,8 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
     if (has_fog && key.fog && !around) {
         add_fog_coordinate(chain, key);
         if constexpr (is_fixed<N>)
-            chain.template choose<FogLinear<N>, Fog<One>>(by_stages<N> && key.fog_mode == FogMode::linear);
+            chain.template choose<FogLinear<N>, Fog<std::conditional_t<by_lanes<N>, N, One>>>(
+                by_stages<N> && key.fog_mode == FogMode::linear);
         else
             chain.template add<Fog<N>>();
     }

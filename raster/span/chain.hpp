@@ -13,6 +13,12 @@ namespace spangle::raster {
 /// A power of two, four groups of lanes where there are any.
 inline constexpr std::int32_t packet_length = host_lanes > 1 ? 4 * host_lanes : packet;
 
+/// 1/w of the fragments of a packet (inverse.hpp), where there are lanes: stage_divided_packet.hpp.
+template <int Count> struct PacketInverse {
+    std::uint32_t q[Count], mantissa[Count], power[Count]; ///< 2^zeros
+};
+template <> struct PacketInverse<0> {};
+
 /// Fragments between two stages, in groups of lanes, without their colours: what the number systems have in
 /// common. Packets start at multiples of their length from the anchor.
 template <class Lanes, class Coord, class Fog> struct PacketPlaces {
@@ -28,6 +34,7 @@ template <class Lanes, class Coord, class Fog> struct PacketPlaces {
     Coord coord[max_texture_units][groups];
     std::int32_t lod[max_texture_units][packet_length];
     Fog fog[groups];
+    [[no_unique_address]] PacketInverse<(lanes > 1 ? packet_length : 0)> inverse;
 };
 template <class N> using PlacesOf = PacketPlaces<typename N::L, typename N::Coord, typename N::Fog>;
 

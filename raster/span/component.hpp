@@ -5,6 +5,9 @@
 
 namespace spangle::raster::component {
 
+/// How a function that is not inlined takes one: in a register, or where it lies.
+template <class N> using Argument = std::conditional_t<N::lanes == 1, typename N::T, const typename N::T&>;
+
 /// A constant as a component.
 template <class N> SPANGLE_INLINE typename N::T constant(std::uint32_t v) {
     if constexpr (N::lanes == 1)

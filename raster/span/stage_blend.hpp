@@ -217,12 +217,13 @@ template <class N, PixelFormat Format> struct BlendBytesDithered : StageBase {
 template <class N> struct BlendEquations {
     using T = typename N::T;
     using Color = typename N::Color;
+    using Argument = component::Argument<N>;
     const FragmentState& state;
     SPANGLE_INLINE explicit BlendEquations(const FragmentState& of) : state(of) {}
 
     /// GL 1.4, 4.1.7: MIN and MAX look at no factor.
-    [[gnu::noinline]] T combine(const Blending& by, const Color& s, const Color& d, const T& cs, const T& cd,
-                                const T& cc) const {
+    [[gnu::noinline]] T combine(const Blending& by, const Color& s, const Color& d, Argument cs, Argument cd,
+                                Argument cc) const {
         if (by.equation == BlendEquation::min)
             return component::smaller<N>(cs, cd);
         if (by.equation == BlendEquation::max)
@@ -234,8 +235,8 @@ template <class N> struct BlendEquations {
                                                       : N::subtract(stored, source);
     }
     /// value * factor; 0 and 1 are exact (GL 1.3, 4.1.7).
-    [[gnu::noinline]] T times(const T& value, BlendFactor factor, const Color& s, const Color& d, const T& cs,
-                              const T& cd, const T& cc) const {
+    [[gnu::noinline]] T times(Argument value, BlendFactor factor, const Color& s, const Color& d, Argument cs,
+                              Argument cd, Argument cc) const {
         const T one = N::from_units(color_one);
         switch (factor) {
         case BlendFactor::zero:
@@ -286,7 +287,7 @@ template <class N, class From> struct Blend : StageBase, BlendEquations<N> {
         const Color s = p.color, d = from.load(p);
         const FragmentState& state = this->state;
         const std::uint32_t* const constant = state.blend_color;
-        const auto rgb = [&](const T& cs, const T& cd, int i) {
+        const auto rgb = [&](component::Argument<N> cs, component::Argument<N> cd, int i) {
             return this->combine(state.blend_rgb, s, d, cs, cd, N::from_units(constant[i]));
         };
         p.color = {rgb(s.r, d.r, 0), rgb(s.g, d.g, 1), rgb(s.b, d.b, 2),

@@ -80,40 +80,38 @@ template <class N, class Value = DepthValueOf<N, DepthFormat::z24s8>> struct Ste
         : Value(s, x), state(s.state->fragment) {}
 
     bool operator()(Px<N>& p) const {
-        if constexpr (N::lanes > 1)
+        if constexpr (N::lanes > 1) {
             return test_lanes(p);
-        else
-            return test(p);
+        } else {
+            auto* const at = static_cast<std::uint8_t*>(__builtin_assume_aligned(p.depth_plane + 4 * p.i, 4));
+            std::uint32_t word;
+            __builtin_memcpy(&word, at, 4);
+            const StencilState& stencil = state.stencil;
+            const std::uint32_t stored = word & 0xFF, mask = stencil.compare_mask;
+            std::uint32_t depth = word >> 8;
+            StencilOp op = stencil.fail;
+            bool passes = compare<std::uint32_t>(stencil.func, stencil.ref & mask, stored & mask);
+            if (passes) {
+                op = stencil.pass;
+                if (state.depth_test) {
+                    const std::uint32_t incoming = this->word() >> 8;
+                    passes = compare<std::uint32_t>(state.depth_func, incoming, depth);
+                    if (!passes)
+                        op = stencil.depth_fail;
+                    else if (state.depth_write)
+                        depth = incoming;
+                }
+            }
+            const std::uint32_t writes = stencil.write_mask;
+            const std::uint32_t result =
+                (stencil_result(op, stored, stencil.ref) & writes) | (stored & ~writes & 0xFF);
+            word = depth << 8 | result;
+            __builtin_memcpy(at, &word, 4);
+            return passes;
+        }
     }
 
   private:
-    bool test(Px<N>& p) const {
-        auto* const at = static_cast<std::uint8_t*>(__builtin_assume_aligned(p.depth_plane + 4 * p.i, 4));
-        std::uint32_t word;
-        __builtin_memcpy(&word, at, 4);
-        const StencilState& stencil = state.stencil;
-        const std::uint32_t stored = word & 0xFF, mask = stencil.compare_mask;
-        std::uint32_t depth = word >> 8;
-        StencilOp op = stencil.fail;
-        bool passes = compare<std::uint32_t>(stencil.func, stencil.ref & mask, stored & mask);
-        if (passes) {
-            op = stencil.pass;
-            if (state.depth_test) {
-                const std::uint32_t incoming = this->word() >> 8;
-                passes = compare<std::uint32_t>(state.depth_func, incoming, depth);
-                if (!passes)
-                    op = stencil.depth_fail;
-                else if (state.depth_write)
-                    depth = incoming;
-            }
-        }
-        const std::uint32_t writes = stencil.write_mask;
-        const std::uint32_t result =
-            (stencil_result(op, stored, stencil.ref) & writes) | (stored & ~writes & 0xFF);
-        word = depth << 8 | result;
-        __builtin_memcpy(at, &word, 4);
-        return passes;
-    }
     bool test_lanes(Px<N>& p) const {
         using L = typename N::L;
         using U16 = typename L::U16;

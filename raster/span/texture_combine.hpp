@@ -14,10 +14,12 @@ template <class N> struct CombineMath {
     SPANGLE_INLINE static T half() { return component::constant<N>(N::one / 2); }
 
     SPANGLE_INLINE static T scaled(const T& v, unsigned log2) {
-        T scaled = component::smaller<N>(v, component::constant<N>(N::one >> log2));
+        if constexpr (N::lanes == 1)
+            return v > N::one >> log2 ? N::one : v << log2;
+        T doubled = component::smaller<N>(v, component::constant<N>(N::one >> log2));
         for (; log2 != 0; --log2)
-            scaled = scaled + scaled;
-        return scaled;
+            doubled = doubled + doubled;
+        return doubled;
     }
     /// 4 (a - 1/2) . (b - 1/2)
     SPANGLE_INLINE static T dot3(const typename N::Color& a, const typename N::Color& b) {
@@ -130,7 +132,8 @@ template <class N> class TextureCombine {
     }
 
     /// Clamping to [0, 1] before the scale changes nothing: that is 1 or more.
-    static T result(CombineFunc func, const T& a, const T& b, const T& c) {
+    using Component = component::Argument<N>;
+    static T result(CombineFunc func, Component a, Component b, Component c) {
         switch (func) {
         case CombineFunc::replace:
             return a;
@@ -139,8 +142,11 @@ template <class N> class TextureCombine {
         case CombineFunc::add:
             return N::add(a, b);
         case CombineFunc::add_signed:
-            return component::where_less<N>(b, Math::half(), N::subtract(a, Math::half() - b),
-                                            N::add(a, b - Math::half()));
+            if constexpr (N::lanes == 1)
+                return b < Math::half() ? N::subtract(a, Math::half() - b) : N::add(a, b - Math::half());
+            else
+                return component::where_less<N>(b, Math::half(), N::subtract(a, Math::half() - b),
+                                                N::add(a, b - Math::half()));
         case CombineFunc::interpolate:
             return N::lerp(b, a, c);
         default:
