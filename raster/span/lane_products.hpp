@@ -23,7 +23,6 @@ using LaneLongs [[gnu::vector_size(16)]] = std::uint64_t;
 SPANGLE_INLINE LaneLongs even_products(const LaneWords& a, const LaneWords& b) {
 #if defined(__SSE2__)
     // Of a vector of 64-bit words GCC 12 makes three products, not one.
-    // NOLINTNEXTLINE(portability-simd-intrinsics)
     return std::bit_cast<LaneLongs>(_mm_mul_epu32(std::bit_cast<__m128i>(a), std::bit_cast<__m128i>(b)));
 #elif defined(__ARM_NEON)
     const auto low = [](const LaneWords& v) { return vmovn_u64(std::bit_cast<uint64x2_t>(v)); };

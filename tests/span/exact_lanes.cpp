@@ -11,6 +11,7 @@ namespace spangle::raster::test {
 namespace {
 
 using L = ExactLanes::L;
+using spangle::test::Random;
 
 /// Eight numbers below or at `most`, the ends now and then.
 struct Eight {
