@@ -14,6 +14,7 @@
 #include "raster/span/stage_coord.hpp"
 #include "raster/span/stage_coord_packet.hpp"
 #include "raster/span/stage_depth.hpp"
+#include "raster/span/stage_divided_packet.hpp"
 #include "raster/span/stage_fog.hpp"
 #include "raster/span/stage_index.hpp"
 #include "raster/span/stage_narrow.hpp"
@@ -87,15 +88,15 @@ template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
     // Without shortcuts all depths have an offset, if only of 0.
     const bool offset = SPANGLE_FEATURE_POLYGON_OFFSET && (key.depth_offset || !has_shortcuts);
     if (has_format(DepthFormat::z24s8) && key.stencil)
-        chain.template choose<StencilDepth<One, Offset24>, StencilDepth<One>>(offset);
+        chain.template choose<StencilDepth<One, Offset24>, StencilDepth<System>>(offset);
     else if (!key.depth_offset && key.depth == Compare::always && !key.depth_write)
         ; // nothing is asked or kept
     else if (offset)
         add_depth<N, DepthGeneral<One, DepthFormat::z16, Offset16>,
                   DepthGeneral<One, DepthFormat::z24s8, Offset24>>(chain, key);
     else
-        add_depth<N, DepthGeneral<System, DepthFormat::z16>, DepthGeneral<One, DepthFormat::z24s8>>(chain,
-                                                                                                    key);
+        add_depth<N, DepthGeneral<System, DepthFormat::z16>, DepthGeneral<System, DepthFormat::z24s8>>(chain,
+                                                                                                       key);
     if (key.count)
         chain.template add<Count<One>>();
 }
@@ -124,21 +125,35 @@ void add_other_runs([[maybe_unused]] Chain& chain) {
 #endif
 }
 
+/// What is divided by w is divided in lanes, by one 1/w.
+template <class N> inline constexpr bool by_lanes = is_fixed<N> && (N::lanes > 1);
+template <class N> void add_inverses(ChainBuilder<N>& chain, const Key& key) {
+    if constexpr (by_lanes<N>) {
+        const bool colors = key.kind == Kind::full && (key.color || key.color_sum) && !key.pixels,
+                   others =
+                       key.kind >= Kind::textured && (key.fog || (is_exact<N> && divides(key.kind, key.fog)));
+        if (colors || others)
+            chain.add(&PacketDivided<N>::inverses);
+    }
+}
+
 /// Where a unit looks, and how closely.
 template <class N, int Unit>
 void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
-    using System = std::conditional_t<std::is_same_v<N, Exact>, N, Colorless<N>>; // exact runs are others
-    using One = OneLane<System>;
+    using One = std::conditional_t<is_exact<N>, Exact, OneLane<Colorless<N>>>; // exact runs are others
     if (has_third_coordinates && wants_r(*state.unit[Unit].texture))
         return; // the texture function finds them itself
     if constexpr (is_balanced<N> && !by_stages<N>)
         return chain.add(&PacketCoordinates<PlacesOf<N>>::template run<Unit>);
     if (key.kind < Kind::textured)
-        chain.template add<Coord<System, Unit, false>>();
+        chain.template add<Coord<Colorless<N>, Unit, false>>();
     else if (has_other_runs<N>(key))
-        add_other_runs<One, Unit, std::is_same_v<N, Exact>>(chain);
-    else if constexpr (std::is_same_v<N, Exact>)
-        chain.template choose<CoordAlong<N, Unit, DividedCoords>, Coord<N, Unit, true>>(
+        add_other_runs<One, Unit, is_exact<N>>(chain);
+    else if constexpr (is_exact<N> && by_lanes<N>)
+        divides(key.kind, key.fog) ? chain.add(&PacketDivided<N>::template coordinates<Unit>)
+                                   : chain.template add<Coord<One, Unit, true>>();
+    else if constexpr (is_exact<N>)
+        chain.template choose<CoordAlong<One, Unit, DividedCoords>, Coord<One, Unit, true>>(
             divides(key.kind, key.fog));
     else
         chain.template add<Coord<One, Unit, true>>();
@@ -190,23 +205,20 @@ template <class N, PixelFormat Format, class Chain> void add_coarse(Chain& chain
 }
 
 template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, const Key& key) {
-    using One = OneLane<N>;
-    using Words = std::conditional_t<is_565(Format), N, One>; // lanes store 16 bits each
     if (key.coarse)
-        add_coarse<Words, Format>(chain, key.dither);
+        add_coarse<N, Format>(chain, key.dither);
     else if (key.blend)
-        chain.template choose<BlendAlpha<Words, Format>, Blend<One, Stored<One, Format>>>(
-            !key.blend_general && key.blending == blend_over);
+        chain.template choose<BlendAlpha<N, Format>, Blend<N, Stored<N, Format>>>(!key.blend_general &&
+                                                                                  key.blending == blend_over);
     if constexpr (is_balanced<N> && has_textures && has_fog && is_565(Format))
         if (counts_steps(key))
-            return chain.template add<StoreSteps<Words, Format>>();
+            return chain.template add<StoreSteps<N, Format>>();
     constexpr bool only_merged = is_fixed<N> && !has_shortcuts && !has_tier(Tier::fast); // it can do all
     if (only_merged || key.masked || key.logic)
-        chain.template add<StoreMerged<One, Format>>();
+        chain.template add<StoreMerged<N, Format>>();
     if constexpr (!only_merged)
         if (!key.masked && !key.logic)
-            chain.template choose<StoreDithered<Words, Format>, Store<Words, Format>>(key.dither &&
-                                                                                      !key.coarse);
+            chain.template choose<StoreDithered<N, Format>, Store<N, Format>>(key.dither && !key.coarse);
 }
 
 /// The one of these formats that the key names.
@@ -238,6 +250,15 @@ template <class N> void add_narrow_output(ChainBuilder<N>& chain, const Key& key
             chain.runs(&narrow_rows<One, &chain_span<N>>);
 }
 
+template <class N> void add_divided_primary(ChainBuilder<N>& chain, bool alpha) {
+    using One = OneLane<N>;
+    if constexpr (by_lanes<N>)
+        chain.add(alpha ? &PacketDivided<N>::template primary<true>
+                        : &PacketDivided<N>::template primary<false>);
+    else
+        chain.template choose<GouraudQ<One, true>, GouraudQ<One, false>>(alpha);
+}
+
 /// The primary colour of vertices or images; an index stands in its red.
 template <class N> void add_primary(ChainBuilder<N>& chain, const Key& key) {
     using One = OneLane<N>;
@@ -248,7 +269,7 @@ template <class N> void add_primary(ChainBuilder<N>& chain, const Key& key) {
     else if constexpr (!by_stages<N>)
         chain.add(&PacketColors<N>::primary);
     else if (key.kind == Kind::full)
-        chain.template choose<GouraudQ<One, true>, GouraudQ<One, false>>(key.color_alpha);
+        add_divided_primary(chain, key.color_alpha);
     else
         chain.template choose<Gouraud<N, true>, Gouraud<N, false>>(key.color_alpha);
 }
@@ -257,12 +278,18 @@ template <class N> void add_color_sum(ChainBuilder<N>& chain, const Key& key) {
     using One = OneLane<N>;
     if constexpr (!by_stages<N>)
         chain.add(&PacketColors<N>::sum);
+    else if constexpr (by_lanes<N>)
+        key.kind == Kind::full ? chain.add(&PacketDivided<N>::sum) : chain.template add<ColorSumLanes<N>>();
     else
         chain.template choose<ColorSum<One, true>, ColorSum<One, false>>(key.kind == Kind::full);
 }
 
 template <class N> void add_fog_coordinate(ChainBuilder<N>& chain, const Key& key) {
-    chain.template choose<FogCoord<OneLane<N>, true>, FogCoord<N, false>>(key.kind >= Kind::textured);
+    if constexpr (by_lanes<N>)
+        key.kind >= Kind::textured ? chain.add(&PacketDivided<N>::fog)
+                                   : chain.template add<FogCoord<N, false>>();
+    else
+        chain.template choose<FogCoord<OneLane<N>, true>, FogCoord<N, false>>(key.kind >= Kind::textured);
 }
 
 /// Fog around the texture (fogs_light()).
@@ -278,6 +305,7 @@ template <class N> void add_fogged_unit(ChainBuilder<N>& chain, const Key& key, 
 template <class N> void assemble_index(ChainBuilder<N>& chain, const Key& key) {
     using One = OneLane<N>;
     add_tests(chain, key);
+    add_inverses(chain, key);
     add_primary(chain, key);
     if (has_fog && key.fog) {
         add_fog_coordinate(chain, key);
@@ -298,6 +326,7 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
     const bool early = early_tests(key);
     if (early)
         add_tests(chain, key);
+    add_inverses(chain, key);
     add_primary(chain, key);
     const bool around = is_balanced<N> && has_textures && has_fog && fogs_light(key);
     if constexpr (is_balanced<N> && has_textures && has_fog)
@@ -312,7 +341,8 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
     if (has_fog && key.fog && !around) {
         add_fog_coordinate(chain, key);
         if constexpr (is_fixed<N>)
-            chain.template choose<FogLinear<N>, Fog<One>>(by_stages<N> && key.fog_mode == FogMode::linear);
+            chain.template choose<FogLinear<N>, Fog<std::conditional_t<by_lanes<N>, N, One>>>(
+                by_stages<N> && key.fog_mode == FogMode::linear);
         else
             chain.template add<Fog<N>>();
     }
@@ -321,7 +351,7 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
     if (has_samples && key.samples)
         chain.template add<SampleCoverage<One>>();
     if (key.alpha != Compare::always)
-        chain.template add<AlphaTest<One>>();
+        chain.template add<AlphaTest<N>>();
     if (!early)
         add_tests(chain, key);
     if constexpr (!std::is_same_v<N, Balanced<host_lanes>> && has_narrow_formats) // key.cpp

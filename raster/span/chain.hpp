@@ -13,6 +13,12 @@ namespace spangle::raster {
 /// A power of two, four groups of lanes where there are any.
 inline constexpr std::int32_t packet_length = host_lanes > 1 ? 4 * host_lanes : packet;
 
+/// 1/w of the fragments of a packet (inverse.hpp), where there are lanes: stage_divided_packet.hpp.
+template <int Count> struct PacketInverse {
+    std::uint32_t q[Count], mantissa[Count], power[Count]; ///< 2^zeros
+};
+template <> struct PacketInverse<0> {};
+
 /// Fragments between two stages, in groups of lanes, without their colours: what the number systems have in
 /// common. Packets start at multiples of their length from the anchor.
 template <class Lanes, class Coord, class Fog> struct PacketPlaces {
@@ -28,6 +34,7 @@ template <class Lanes, class Coord, class Fog> struct PacketPlaces {
     Coord coord[max_texture_units][groups];
     std::int32_t lod[max_texture_units][packet_length];
     Fog fog[groups];
+    [[no_unique_address]] PacketInverse<(lanes > 1 ? packet_length : 0)> inverse;
 };
 template <class N> using PlacesOf = PacketPlaces<typename N::L, typename N::Coord, typename N::Fog>;
 
@@ -38,6 +45,7 @@ template <class N> using ChainStage = void (*)(PlacesOf<N>&, const Span<typename
 /// Of systems with the same places one, which stages that no colour comes to are made for.
 template <class N> struct WithoutColor { using Type = N; };
 template <> struct WithoutColor<Exact> { using Type = Raw565<1>; };
+template <> struct WithoutColor<ExactLanes> { using Type = Raw565<8>; };
 template <int Count> struct WithoutColor<Balanced<Count>> { using Type = Raw565<Count>; };
 template <class N> using Colorless = typename WithoutColor<N>::Type;
 
@@ -123,13 +131,14 @@ SPANGLE_INLINE void run_stage(K& k, S& s, std::int32_t next) {
     }
 }
 
-/// What lies in a plane beyond a packet that is not full is not touched: lanes, which store words of 16 bits,
-/// work on a copy.
+/// What lies in a plane beyond a packet that is not full is not touched: lanes, which load and store whole
+/// groups of pixels, work on a copy.
 class PacketCopy {
   public:
-    template <class N> SPANGLE_INLINE void enter(Packet<N>& k, bool color, bool depth) {
-        color_.enter(k.color_plane, color ? 2 * k.n : 0);
-        depth_.enter(k.depth_plane, depth ? 2 * k.n : 0);
+    /// Bytes of a pixel; 0: no stage finds one by its number.
+    template <class N> SPANGLE_INLINE void enter(Packet<N>& k, std::int32_t color, std::int32_t depth) {
+        color_.enter(k.color_plane, color * k.n);
+        depth_.enter(k.depth_plane, depth * k.n);
     }
     SPANGLE_INLINE void leave() const {
         color_.leave();
@@ -138,7 +147,7 @@ class PacketCopy {
 
   private:
     struct Plane {
-        alignas(16) std::uint8_t words[2 * packet_length];
+        alignas(16) std::uint8_t words[4 * packet_length];
         std::uint8_t* at;
         std::int32_t bytes;
         SPANGLE_INLINE void enter(std::uint8_t*& plane, std::int32_t n) {
@@ -158,7 +167,7 @@ class PacketCopy {
     /// Not worth a call.
     SPANGLE_INLINE static void copy(std::uint8_t* to, const std::uint8_t* from, std::int32_t bytes) {
         static_assert(packet_length <= 32);
-        parts<32, 16, 8, 4, 2>(to, from, bytes);
+        parts<64, 32, 16, 8, 4, 2, 1>(to, from, bytes);
     }
     template <int... Size>
     SPANGLE_INLINE static void parts(std::uint8_t* to, const std::uint8_t* from, std::int32_t bytes) {
@@ -213,7 +222,7 @@ template <class N> SPANGLE_INLINE void chain_span(const Span<typename N::Policy>
         if (copied) {
             for (std::int32_t g = k.n / N::lanes; g < Packet<N>::groups; ++g)
                 k.live[g] = N::L::first(k.n - g * N::lanes);
-            copy.enter(k, color_bytes == 2, depth_bytes == 2);
+            copy.enter(k, color_bytes, depth_bytes);
         }
         for (const AnyFunction* f = stages; *f != nullptr && k.alive; ++f)
             reinterpret_cast<ChainStage<N>> (*f)(k, span);

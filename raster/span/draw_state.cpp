@@ -102,7 +102,7 @@ template <PixelFormat Format> void assemble_raw(Variant& variant, const Key& key
         break;
     default:
         if constexpr (has_exact)
-            assemble<Exact>(variant, key, state);
+            assemble<ExactChain>(variant, key, state);
         break;
     }
 }
@@ -160,7 +160,7 @@ AnyFunction chain_runner(Number number) {
     case Number::balanced:
         return reinterpret_cast<AnyFunction>(&by_row<Fixed, &chain_span<Balanced<host_lanes>>>);
     default:
-        return reinterpret_cast<AnyFunction>(&by_row<Fixed, &chain_span<Exact>>);
+        return reinterpret_cast<AnyFunction>(&by_row<Fixed, &chain_span<ExactChain>>);
     }
 }
 

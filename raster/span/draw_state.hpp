@@ -4,9 +4,9 @@
 
 #include <cstdint>
 
+#include "raster/span/color_steps.hpp"
 #include "raster/span/fused_keys.hpp"
 #include "raster/span/key.hpp"
-#include "raster/span/number.hpp"
 #include "raster/span/primitive_state.hpp"
 #include "raster/span/span.hpp"
 #include "raster/surface/surface.hpp"

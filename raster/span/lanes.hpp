@@ -90,6 +90,7 @@ template <> struct Lanes<8> {
     using U16 [[gnu::vector_size(16)]] = std::uint16_t;
     using Words [[gnu::vector_size(16)]] = std::uint32_t;
     using Signed [[gnu::vector_size(16)]] = std::int16_t;
+    using SignedWords [[gnu::vector_size(16)]] = std::int32_t;
     using Mask = U16; ///< all ones: the lane lives
 
     struct U32 {
@@ -109,7 +110,16 @@ template <> struct Lanes<8> {
         SPANGLE_INLINE friend U32 operator^(const U32& a, const U32& b) {
             return {a.even ^ b.even, a.odd ^ b.odd};
         }
+        SPANGLE_INLINE friend U32 operator&(const U32& a, const U32& b) {
+            return {a.even & b.even, a.odd & b.odd};
+        }
         SPANGLE_INLINE friend U32 operator&(const U32& a, std::uint32_t v) { return {a.even & v, a.odd & v}; }
+        SPANGLE_INLINE friend U32 operator~(const U32& a) { return {~a.even, ~a.odd}; }
+        SPANGLE_INLINE friend U32 operator*(const U32& a, const U32& b) {
+            return {a.even * b.even, a.odd * b.odd};
+        }
+        SPANGLE_INLINE friend U32 operator*(const U32& a, std::uint32_t v) { return {a.even * v, a.odd * v}; }
+        SPANGLE_INLINE friend U32 operator-(std::uint32_t v, const U32& a) { return {v - a.even, v - a.odd}; }
         SPANGLE_INLINE friend U32 operator>>(const U32& a, int n) {
             return {a.even >> static_cast<std::uint32_t>(n), a.odd >> static_cast<std::uint32_t>(n)};
         }
@@ -216,12 +226,39 @@ template <> struct Lanes<8> {
     SPANGLE_INLINE static U16 minimum(U16 a, U16 b) { return select(less(a, b), a, b); }
     SPANGLE_INLINE static U16 maximum(U16 a, U16 b) { return select(less(a, b), b, a); }
     SPANGLE_INLINE static U16 select(Mask m, U16 a, U16 b) { return (m & a) | (~m & b); }
+    /// Words of 32 bits, all below 2^31.
+    SPANGLE_INLINE static U32 minimum(const U32& a, const U32& b) {
+        return {smaller(a.even, b.even), smaller(a.odd, b.odd)};
+    }
+    SPANGLE_INLINE static U32 maximum(const U32& a, const U32& b) { return a + b - minimum(a, b); }
+    /// max(v, 0), v signed.
+    SPANGLE_INLINE static U32 positive(const U32& v) {
+        const auto one = [](const Words& w) {
+            return w & ~std::bit_cast<Words>(std::bit_cast<SignedWords>(w) >> 31);
+        };
+        return {one(v.even), one(v.odd)};
+    }
+    SPANGLE_INLINE static Mask less(const U32& a, const U32& b) {
+        return low_half({is_less(a.even, b.even), is_less(a.odd, b.odd)});
+    }
+    SPANGLE_INLINE static Mask equal(const U32& a, const U32& b) {
+        return low_half({std::bit_cast<Words>(a.even == b.even), std::bit_cast<Words>(a.odd == b.odd)});
+    }
+    SPANGLE_INLINE static U32 select(const Mask& m, const U32& a, const U32& b) {
+        const auto halves = std::bit_cast<SignedWords>(m);
+        const auto even = std::bit_cast<Words>((halves << 16) >> 16),
+                   odd = std::bit_cast<Words>(halves >> 16);
+        return {(even & a.even) | (~even & b.even), (odd & a.odd) | (~odd & b.odd)};
+    }
     SPANGLE_INLINE static U16 swap_bytes(U16 v) { return (v << 8) | (v >> 8); }
     SPANGLE_INLINE static bool any(Mask m) {
         using Halves [[gnu::vector_size(16)]] = std::uint64_t;
         const auto halves = std::bit_cast<Halves>(m);
         return (halves[0] | halves[1]) != 0;
     }
+    /// Some lane is not 0.
+    SPANGLE_INLINE static bool any_bits(const U16& v) { return any(v); }
+    SPANGLE_INLINE static bool any_bits(const U32& v) { return any(std::bit_cast<U16>(v.even | v.odd)); }
     /// A byte per lane, all ones where any bit is one.
     SPANGLE_INLINE static std::uint64_t nonzero_bytes(const U16& v) {
         using Bytes [[gnu::vector_size(8)]] = std::int8_t;
@@ -255,8 +292,14 @@ template <> struct Lanes<8> {
         return {__builtin_shufflevector(low, high, 0, 2, 4, 6),
                 __builtin_shufflevector(low, high, 1, 3, 5, 7)};
     }
+    SPANGLE_INLINE static void store32(std::uint8_t* p, const U32& v) {
+        const Words low = __builtin_shufflevector(v.even, v.odd, 0, 4, 1, 5),
+                    high = __builtin_shufflevector(v.even, v.odd, 2, 6, 3, 7);
+        __builtin_memcpy(p, &low, 16);
+        __builtin_memcpy(p + 16, &high, 16);
+    }
     SPANGLE_INLINE static U32 gather(const std::uint32_t* v) {
-        return {Words{v[0], v[2], v[4], v[6]}, Words{v[1], v[3], v[5], v[7]}};
+        return load32(reinterpret_cast<const std::uint8_t*>(v));
     }
     /// f(0) .. f(7), from register to register: a vector load of eight stored words would wait for the
     /// stores.
@@ -279,6 +322,15 @@ template <> struct Lanes<8> {
     SPANGLE_INLINE static void kill(Mask& m, int i) { m[i] = 0; }
     SPANGLE_INLINE static Mask first(std::int32_t n) {
         return less(U16{0, 1, 2, 3, 4, 5, 6, 7}, splat(n < 0 ? 0 : static_cast<std::uint32_t>(n)));
+    }
+
+  private:
+    SPANGLE_INLINE static Words is_less(const Words& a, const Words& b) {
+        return std::bit_cast<Words>(std::bit_cast<SignedWords>(a) < std::bit_cast<SignedWords>(b));
+    }
+    SPANGLE_INLINE static Words smaller(const Words& a, const Words& b) {
+        const Words less = is_less(a, b);
+        return (a & less) | (b & ~less);
     }
 };
 

@@ -267,7 +267,7 @@ AnyFunction shadow_runner(Number number) {
     case Number::balanced:
         return reinterpret_cast<AnyFunction>(&shadow_rows<Balanced<1>, Balanced<host_lanes>>);
     default:
-        return reinterpret_cast<AnyFunction>(&shadow_rows<Exact, Exact>);
+        return reinterpret_cast<AnyFunction>(&shadow_rows<Exact, ExactChain>);
     }
 }
 

@@ -30,7 +30,7 @@
 
 #include "raster/span/fill.hpp"
 #include "raster/span/inverse.hpp"
-#include "raster/span/number.hpp"
+#include "raster/span/number_wide.hpp"
 #include "raster/span/span.hpp"
 
 namespace spangle::raster {

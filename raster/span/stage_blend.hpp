@@ -2,6 +2,7 @@
 // as 1.
 #pragma once
 
+#include "raster/span/component.hpp"
 #include "raster/span/number_packed.hpp"
 #include "raster/span/stage_store.hpp"
 
@@ -17,9 +18,9 @@ SPANGLE_INLINE typename N::Color load_color(const std::uint8_t* plane, std::int3
                 N::from_units(color_one)};
     } else {
         constexpr int bytes = format_info(Format).bytes_per_pixel;
-        const std::uint8_t* const at = plane + bytes * i;
-        return {N::from8(at[0]), N::from8(at[1]), N::from8(at[2]),
-                bytes == 4 ? N::from8(at[bytes - 1]) : N::from_units(color_one)};
+        const Components888<L, bytes> stored(plane + bytes * i);
+        return {N::from8(stored.of(0)), N::from8(stored.of(1)), N::from8(stored.of(2)),
+                bytes == 4 ? N::from8(stored.of(3)) : N::from_units(color_one)};
     }
 }
 
@@ -46,7 +47,7 @@ template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
         if constexpr (N::lanes == 1) {
             if (a == 0)
                 return false;
-        } else if (!L::any(L::negate(L::equal(a, L::splat(0))))) {
+        } else if (!L::any_bits(a)) {
             return false;
         }
         if constexpr (is_565(Format)) {
@@ -55,12 +56,13 @@ template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
             s.g = N::template over<6>(s.g, a, (word >> 5) & 63);
             s.b = N::template over<5>(s.b, a, word & 31);
         } else {
-            const std::uint8_t* const at = p.color_plane + format_info(Format).bytes_per_pixel * p.i;
-            s.r = N::template over<8>(s.r, a, at[0]);
-            s.g = N::template over<8>(s.g, a, at[1]);
-            s.b = N::template over<8>(s.b, a, at[2]);
+            constexpr int bytes = format_info(Format).bytes_per_pixel;
+            const Components888<L, bytes> stored(p.color_plane + bytes * p.i);
+            s.r = N::template over<8>(s.r, a, stored.of(0));
+            s.g = N::template over<8>(s.g, a, stored.of(1));
+            s.b = N::template over<8>(s.b, a, stored.of(2));
             if constexpr (format_info(Format).alpha_bits != 0)
-                s.a = N::template over<8>(a, a, at[3]);
+                s.a = N::template over<8>(a, a, stored.of(3));
         }
         return true;
     }
@@ -215,15 +217,17 @@ template <class N, PixelFormat Format> struct BlendBytesDithered : StageBase {
 template <class N> struct BlendEquations {
     using T = typename N::T;
     using Color = typename N::Color;
+    using Argument = component::Argument<N>;
     const FragmentState& state;
     SPANGLE_INLINE explicit BlendEquations(const FragmentState& of) : state(of) {}
 
     /// GL 1.4, 4.1.7: MIN and MAX look at no factor.
-    [[gnu::noinline]] T combine(const Blending& by, const Color& s, const Color& d, T cs, T cd, T cc) const {
+    [[gnu::noinline]] T combine(const Blending& by, const Color& s, const Color& d, Argument cs, Argument cd,
+                                Argument cc) const {
         if (by.equation == BlendEquation::min)
-            return cs < cd ? cs : cd;
+            return component::smaller<N>(cs, cd);
         if (by.equation == BlendEquation::max)
-            return cs < cd ? cd : cs;
+            return component::larger<N>(cs, cd);
         const T source = times(cs, by.src, s, d, cs, cd, cc), stored = times(cd, by.dst, s, d, cs, cd, cc);
         if (by.equation == BlendEquation::add)
             return N::add(source, stored);
@@ -231,8 +235,8 @@ template <class N> struct BlendEquations {
                                                       : N::subtract(stored, source);
     }
     /// value * factor; 0 and 1 are exact (GL 1.3, 4.1.7).
-    [[gnu::noinline]] T times(T value, BlendFactor factor, const Color& s, const Color& d, T cs, T cd,
-                              T cc) const {
+    [[gnu::noinline]] T times(Argument value, BlendFactor factor, const Color& s, const Color& d, Argument cs,
+                              Argument cd, Argument cc) const {
         const T one = N::from_units(color_one);
         switch (factor) {
         case BlendFactor::zero:
@@ -256,7 +260,7 @@ template <class N> struct BlendEquations {
         case BlendFactor::one_minus_dst_color:
             return N::mul(value, one - cd);
         case BlendFactor::src_alpha_saturate:
-            return N::mul(value, s.a < one - d.a ? s.a : one - d.a);
+            return N::mul(value, component::smaller<N>(s.a, one - d.a));
         case BlendFactor::constant_color:
             return N::mul(value, cc);
         case BlendFactor::one_minus_constant_color:
@@ -272,7 +276,6 @@ template <class N> struct BlendEquations {
 
 /// All equations and factors, chosen at run time.
 template <class N, class From> struct Blend : StageBase, BlendEquations<N> {
-    static_assert(N::lanes == 1);
     static constexpr unsigned in = field_color, out = field_color;
     using T = typename N::T;
     using Color = typename N::Color;
@@ -284,7 +287,7 @@ template <class N, class From> struct Blend : StageBase, BlendEquations<N> {
         const Color s = p.color, d = from.load(p);
         const FragmentState& state = this->state;
         const std::uint32_t* const constant = state.blend_color;
-        const auto rgb = [&](T cs, T cd, int i) {
+        const auto rgb = [&](component::Argument<N> cs, component::Argument<N> cd, int i) {
             return this->combine(state.blend_rgb, s, d, cs, cd, N::from_units(constant[i]));
         };
         p.color = {rgb(s.r, d.r, 0), rgb(s.g, d.g, 1), rgb(s.b, d.b, 2),

@@ -55,12 +55,17 @@ template <class N> struct DepthValue : StageBase {
 
 /// The same for depth buffers of 24 bits.
 template <class N> struct DepthValue24 : StageBase {
-    static_assert(N::lanes == 1);
     std::uint64_t z, dx;
     SPANGLE_INLINE DepthValue24(const Span<typename N::Policy>& s, std::int32_t x)
         : z(s.at(x, s.z24)), dx(s.z24.dx) {}
     SPANGLE_INLINE std::uint32_t word() const { return static_cast<std::uint32_t>(z >> 32); }
-    SPANGLE_INLINE void step() { z += dx; }
+    /// Of all lanes.
+    SPANGLE_INLINE typename N::L::U32 words() const {
+        return N::L::generate([this](std::uint32_t lane) __attribute__((always_inline)) {
+            return static_cast<std::uint32_t>((z + lane * dx) >> 32);
+        });
+    }
+    SPANGLE_INLINE void step() { z += std::uint64_t{N::lanes} * dx; }
 };
 
 /// Of a number system and a format. The reference has one for both, and so have builds without 24 bits.
@@ -169,9 +174,19 @@ struct Depth<N, DepthFormat::z24s8, Func, Write> : DepthValueOf<N, DepthFormat::
     }
 };
 
+/// Lanes that pass, of a comparison whose mode is known at run time.
+template <class L, class V>
+SPANGLE_INLINE typename L::Mask passing(Compare func, const V& incoming, const V& stored) {
+    // An enumerator is the set of outcomes that it lets pass (see compare).
+    const auto when = [func](unsigned outcome) {
+        return (static_cast<unsigned>(func) & outcome) != 0 ? L::all : L::negate(L::all);
+    };
+    const typename L::Mask less = L::less(incoming, stored), greater = L::less(stored, incoming);
+    return (less & when(1)) | (greater & when(4)) | (~(less | greater) & when(2));
+}
+
 /// Function and write mask at run time: the depth test of the chain.
 template <class N, DepthFormat Format, class Value = DepthValueOf<N, Format>> struct DepthGeneral : Value {
-    static_assert(N::lanes == 1 || Format == DepthFormat::z16);
     static constexpr bool kill = true, effect = true;
     using L = typename N::L;
     Compare func;
@@ -180,13 +195,19 @@ template <class N, DepthFormat Format, class Value = DepthValueOf<N, Format>> st
         : Value(s, x), func(s.state->fragment.depth_func), write(s.state->fragment.depth_write) {}
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        if constexpr (N::lanes > 1) {
+        if constexpr (N::lanes > 1 && Format == DepthFormat::z16) {
             std::uint8_t* const at = p.depth_plane + p.bytes();
             const typename L::U16 incoming = L::high_half(this->z.at), stored = L::load(at);
-            const typename L::Mask less = L::less(incoming, stored), greater = L::less(stored, incoming);
-            p.live &= (less & when(1)) | (greater & when(4)) | (~(less | greater) & when(2));
+            p.live &= passing<L>(func, incoming, stored);
             if (write)
                 L::store(at, L::select(p.live, incoming, stored));
+            return L::any(p.live);
+        } else if constexpr (N::lanes > 1) {
+            std::uint8_t* const at = p.depth_plane + 4 * p.i;
+            const typename L::U32 incoming = this->words(), stored = L::load32(at);
+            p.live &= passing<L>(func, incoming >> 8, stored >> 8);
+            if (write)
+                L::store32(at, L::select(p.live, (incoming & ~0xFFu) | (stored & 0xFFu), stored));
             return L::any(p.live);
         } else {
             using Word = std::conditional_t<Format == DepthFormat::z16, std::uint16_t, std::uint32_t>;
@@ -205,12 +226,6 @@ template <class N, DepthFormat Format, class Value = DepthValueOf<N, Format>> st
             }
             return true;
         }
-    }
-
-  private:
-    /// All lanes, where the function lets an outcome pass (see compare).
-    SPANGLE_INLINE typename L::Mask when(unsigned outcome) const {
-        return (static_cast<unsigned>(func) & outcome) != 0 ? L::all : L::negate(L::all);
     }
 };
 

@@ -33,7 +33,14 @@ template <class N> struct Fog : StageBase {
           g(N::from_units(s.state->fragment.fog_color[1])), b(N::from_units(s.state->fragment.fog_color[2])) {
     }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        return blend(p, N::clamped_fraction(fog_factor(mode, p.fog)));
+        if constexpr (N::lanes > 1) {
+            const auto& fog = p.fog;
+            return blend(p, N::clamped_fraction(N::L::generate([&](std::uint32_t lane) {
+                             return fog_factor(mode, fog.lane(static_cast<int>(lane)));
+                         })));
+        } else {
+            return blend(p, N::clamped_fraction(fog_factor(mode, p.fog)));
+        }
     }
 
   protected:

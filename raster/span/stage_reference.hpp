@@ -375,11 +375,12 @@ Reference::Color Texture2D<Reference, Unit, HasLod>::in_volume(const TextureUnit
 }
 
 template <> struct CombineMath<Reference> {
-    static constexpr double half = 0.5;
+    static constexpr double middle = 0.5;
+    static double half() { return middle; }
     static double scaled(double v, unsigned log2) { return clamp01(v * (1 << log2)); }
     static double dot3(const Reference::Color& a, const Reference::Color& b) {
-        return clamp01(
-            4 * ((a.r - half) * (b.r - half) + (a.g - half) * (b.g - half) + (a.b - half) * (b.b - half)));
+        return clamp01(4 * ((a.r - middle) * (b.r - middle) + (a.g - middle) * (b.g - middle) +
+                            (a.b - middle) * (b.b - middle)));
     }
 };
 

@@ -33,6 +33,58 @@ template <class L, PixelFormat Format> struct Words565 {
     }
 };
 
+/// Pixels of three or four 8-bit components in lanes, as words with R in the lowest byte. A pixel has `Bytes`
+/// bytes in memory.
+template <class L, int Bytes> struct Bytes888 {
+    SPANGLE_INLINE static typename L::U32 load(const std::uint8_t* at) {
+        if constexpr (Bytes == 4)
+            return L::load32(at);
+        else
+            return L::generate([at](std::uint32_t lane) __attribute__((always_inline)) {
+                const std::uint8_t* const p = at + static_cast<int>(lane) * Bytes;
+                return p[0] | std::uint32_t{p[1]} << 8 | std::uint32_t{p[2]} << 16;
+            });
+    }
+    SPANGLE_INLINE static void store_where(const typename L::Mask& live, std::uint8_t* at,
+                                           const typename L::U32& word) {
+        if constexpr (Bytes == 4)
+            return L::store32(at, L::select(live, word, L::load32(at)));
+        for (int lane = 0; lane < L::count; ++lane)
+            if (L::lane(live, lane))
+                store_one(at + Bytes * lane, word.lane(lane));
+    }
+    /// The components of a colour as such words; alpha is left out where a pixel has none.
+    template <class N> SPANGLE_INLINE static typename L::U32 pack(const typename N::Color& c) {
+        const auto byte = [](const typename N::T& v) { return L::widened(N::to8(v)); };
+        const auto rgb = byte(c.r) | byte(c.g) << 8 | byte(c.b) << 16;
+        return Bytes == 4 ? rgb | byte(c.a) << 24 : rgb;
+    }
+
+  private:
+    SPANGLE_INLINE static void store_one(std::uint8_t* at, std::uint32_t word) {
+        for (int i = 0; i < Bytes; ++i)
+            at[i] = static_cast<std::uint8_t>(word >> (8 * i));
+    }
+};
+
+/// The components of such pixels, one at a time: bytes of memory where there is one lane.
+template <class L, int Bytes> class Components888 {
+  public:
+    SPANGLE_INLINE explicit Components888(const std::uint8_t* at) : word_(Bytes888<L, Bytes>::load(at)) {}
+    SPANGLE_INLINE typename L::U16 of(int n) const { return L::byte(word_, n); }
+
+  private:
+    typename L::U32 word_;
+};
+template <int Bytes> class Components888<Lanes<1>, Bytes> {
+  public:
+    SPANGLE_INLINE explicit Components888(const std::uint8_t* at) : at_(at) {}
+    SPANGLE_INLINE std::uint32_t of(int n) const { return at_[n < Bytes ? n : 0]; }
+
+  private:
+    const std::uint8_t* at_;
+};
+
 /// 5, 6 and 5 bits of a colour in one word; without dither the top bits of the rounded 8-bit value.
 template <class N>
 SPANGLE_INLINE typename N::L::U16 pack565(typename N::L::U16 r5, typename N::L::U16 g6,
@@ -83,11 +135,16 @@ template <class N, PixelFormat Format> struct Store : StageBase {
         } else {
             constexpr int bytes = format_info(Format).bytes_per_pixel;
             std::uint8_t* const at = p.color_plane + bytes * p.i;
-            at[0] = static_cast<std::uint8_t>(N::to8(p.color.r));
-            at[1] = static_cast<std::uint8_t>(N::to8(p.color.g));
-            at[2] = static_cast<std::uint8_t>(N::to8(p.color.b));
-            if constexpr (bytes == 4)
-                at[3] = static_cast<std::uint8_t>(N::to8(p.color.a));
+            if constexpr (N::lanes > 1) {
+                using Words = Bytes888<L, bytes>;
+                Words::store_where(p.live, at, Words::template pack<N>(p.color));
+            } else {
+                at[0] = static_cast<std::uint8_t>(N::to8(p.color.r));
+                at[1] = static_cast<std::uint8_t>(N::to8(p.color.g));
+                at[2] = static_cast<std::uint8_t>(N::to8(p.color.b));
+                if constexpr (bytes == 4)
+                    at[3] = static_cast<std::uint8_t>(N::to8(p.color.a));
+            }
         }
         return true;
     }
@@ -153,8 +210,12 @@ struct LogicTable {
     }
     /// The colour's bits `s` over the stored `d`, where `bits` has ones.
     std::uint32_t merged(std::uint32_t s, std::uint32_t d, std::uint32_t bits) const {
-        const std::uint32_t result =
-            (truth[0] & s & d) | (truth[1] & s & ~d) | (truth[2] & ~s & d) | (truth[3] & ~s & ~d);
+        return merged(s, d, bits, truth);
+    }
+    /// The same of words in lanes; `of` has the truths in all of them.
+    template <class Word>
+    SPANGLE_INLINE static Word merged(const Word& s, const Word& d, const Word& bits, const Word (&of)[4]) {
+        const Word result = (of[0] & s & d) | (of[1] & s & ~d) | (of[2] & ~s & d) | (of[3] & ~s & ~d);
         return (result & bits) | (d & ~bits);
     }
 };
@@ -162,10 +223,10 @@ struct LogicTable {
 /// Bits come from the logical operation with what is stored, or stay, where a channel is masked; dithers when
 /// the state says so (GL 1.3, 4.1.9, 4.2.2).
 template <class N, PixelFormat Format> struct StoreMerged : StageBase {
-    static_assert(N::lanes == 1);
     static constexpr unsigned in = field_color;
     static constexpr bool effect = true;
     using L = typename N::L;
+    static constexpr int bytes = format_info(Format).bytes_per_pixel;
     detail::DitherRow<L> dither;
     bool dithers;
     std::uint32_t open[4]; ///< all ones where a channel is written
@@ -178,14 +239,13 @@ template <class N, PixelFormat Format> struct StoreMerged : StageBase {
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const auto& c = p.color;
-        if constexpr (is_565(Format)) {
-            std::uint8_t* const at = p.color_plane + p.bytes();
-            const std::uint32_t bits = (open[0] & 0xF800) | (open[1] & 0x07E0) | (open[2] & 0x1F);
+        std::uint8_t* const at = p.color_plane + bytes * p.i;
+        if constexpr (N::lanes > 1) {
+            store_lanes(p.live, at, c);
+        } else if constexpr (is_565(Format)) {
             const std::uint32_t word = dithers ? dithered565<N>(c, dither.threshold()) : truncated565<N>(c);
-            Words565<L, Format>::store(at, logic.merged(word, Words565<L, Format>::load(at), bits));
+            Words565<L, Format>::store(at, logic.merged(word, Words565<L, Format>::load(at), open_565()));
         } else {
-            constexpr int bytes = format_info(Format).bytes_per_pixel;
-            std::uint8_t* const at = p.color_plane + bytes * p.i;
             const typename N::T channel[4] = {c.r, c.g, c.b, c.a};
             for (int i = 0; i < bytes; ++i)
                 at[i] = static_cast<std::uint8_t>(logic.merged(N::to8(channel[i]), at[i], open[i]));
@@ -193,6 +253,34 @@ template <class N, PixelFormat Format> struct StoreMerged : StageBase {
         return true;
     }
     SPANGLE_INLINE void step() { dither.step(); }
+
+  private:
+    SPANGLE_INLINE std::uint32_t open_565() const {
+        return (open[0] & 0xF800) | (open[1] & 0x07E0) | (open[2] & 0x1F);
+    }
+    template <class Word, class Splat>
+    SPANGLE_INLINE Word merged(const Word& s, const Word& d, Word bits, Splat splat) const {
+        const Word truth[4] = {splat(logic.truth[0]), splat(logic.truth[1]), splat(logic.truth[2]),
+                               splat(logic.truth[3])};
+        return LogicTable::merged(s, d, bits, truth);
+    }
+    SPANGLE_INLINE void store_lanes(const typename L::Mask& live, std::uint8_t* at,
+                                    const typename N::Color& c) const {
+        if constexpr (is_565(Format)) {
+            using Words = Words565<L, Format>;
+            const auto word = dithers ? pack565<N>(N::template dithered<5>(c.r, dither.threshold()),
+                                                   N::template dithered<6>(c.g, dither.threshold()),
+                                                   N::template dithered<5>(c.b, dither.threshold()))
+                                      : truncated565<N>(c);
+            Words::store_where(live, at, merged(word, Words::load(at), L::splat(open_565()), &L::splat));
+        } else {
+            using Words = Bytes888<L, bytes>;
+            const std::uint32_t bits =
+                (open[0] & 0xFF) | (open[1] & 0xFF00) | (open[2] & 0xFF0000) | (open[3] & 0xFF000000);
+            Words::store_where(
+                live, at, merged(Words::template pack<N>(c), Words::load(at), L::splat32(bits), &L::splat32));
+        }
+    }
 };
 
 } // namespace spangle::raster

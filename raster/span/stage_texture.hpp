@@ -18,7 +18,10 @@ SPANGLE_INLINE typename N::Color between_levels(const typename N::Color& a, cons
                                                 typename N::L::U16 next) {
     const typename N::L::U16 none = N::L::splat(0), rest = N::L::splat(65535) - next + N::L::splat(1);
     const auto mix = [&](typename N::T v, typename N::T w) {
-        return N::weighted(v, rest, w, next, none, none, none, none);
+        if constexpr (is_exact<N> && N::lanes > 1)
+            return N::weighted(v, rest, w, next);
+        else
+            return N::weighted(v, rest, w, next, none, none, none, none);
     };
     return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), mix(a.a, b.a)};
 }

@@ -31,14 +31,11 @@ template <class N> class PacketTexture {
         for (int u = 0; u < max_texture_units; ++u)
             if (state.unit[u].texture != nullptr)
                 sample(k, span, u, texels[u]);
-        for (std::int32_t i = 0; i < k.n; ++i) {
-            typename One::Color texel[max_texture_units]{}, color;
+        for (std::int32_t g = 0; g * lanes < k.n; ++g) {
+            Color texel[max_texture_units];
             for (int u = 0; u < max_texture_units; ++u)
-                if (state.unit[u].texture != nullptr)
-                    lane_of(texels[u][i / lanes], i % lanes, texel[u]);
-            lane_of(k.color[i / lanes], i % lanes, color);
-            TextureCombine<One>::units(state, texel, color);
-            set_lane(k.color[i / lanes], i % lanes, color);
+                texel[u] = state.unit[u].texture != nullptr ? texels[u][g] : Color{};
+            TextureCombine<N>::units(state, texel, k.color[g]);
         }
     }
 

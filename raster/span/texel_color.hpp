@@ -106,8 +106,10 @@ template <class N, bool Is565, bool Alpha> struct TexelColors {
     };
     using Weights = std::conditional_t<
         is_raw<N>, FilterWords<N::lanes>,
-        std::conditional_t<std::is_same_v<N, Exact>, Exactly,
-                           std::conditional_t<Is565, Filter565<N::lanes>, Filter8<N::lanes>>>>;
+        std::conditional_t<
+            std::is_same_v<N, Exact>, Exactly,
+            std::conditional_t<is_exact<N>, ExactLanes::Weights,
+                               std::conditional_t<Is565, Filter565<N::lanes>, Filter8<N::lanes>>>>>;
     template <class V, class W>
     SPANGLE_INLINE static Color mix(const Weights& weights, const V& c00, const V& c10, const V& c01,
                                     const V& c11, const W& a) {
@@ -115,10 +117,35 @@ template <class N, bool Is565, bool Alpha> struct TexelColors {
             return {weights(c00, c10, c01, c11, a)};
         else if constexpr (std::is_same_v<N, Exact>)
             return bilinear<N>(unpack(c00), unpack(c10), unpack(c01), unpack(c11), a, weights.b);
+        else if constexpr (is_exact<N>)
+            return mix_lanes(weights, c00, c10, c01, c11, L::widened(a));
         else if constexpr (Is565)
             return weights(c00, c10, c01, c11, a);
         else
             return weights.template texels<Alpha>(c00, c10, c01, c11, a);
+    }
+
+  private:
+    /// Of the exact tier. Where there is no alpha it is 1, whatever the weights are.
+    template <class V, class W>
+    SPANGLE_INLINE static Color mix_lanes(const Weights& weights, const V& c00, const V& c10, const V& c01,
+                                          const V& c11, const W& right) {
+        const auto one = N::from_units(color_one);
+        if constexpr (Is565) {
+            const auto mix = [&](auto component) __attribute__((always_inline)) {
+                return weights.components(component(c00), component(c10), component(c01), component(c11),
+                                          right);
+            };
+            return {mix([](const V& v) __attribute__((always_inline)) { return N::texel5(v >> 11); }),
+                    mix([](const V& v) __attribute__((always_inline)) { return N::texel6((v >> 5) & 63); }),
+                    mix([](const V& v) __attribute__((always_inline)) { return N::texel5(v & 31); }), one};
+        } else {
+            const auto mix = [&](int n) __attribute__((always_inline)) {
+                return weights.bytes(L::byte(c00, n), L::byte(c10, n), L::byte(c01, n), L::byte(c11, n),
+                                     right);
+            };
+            return {mix(0), mix(1), mix(2), Alpha ? mix(3) : one};
+        }
     }
 };
 

@@ -47,7 +47,7 @@ template <int Lanes>
 [[gnu::noinline]] bool find_texels(TexelOffsets& to, bool linear, const TexelScale& axis,
                                    const std::uint32_t* coord, std::int32_t group, std::int32_t n) {
     const int log2_size = log2_of(axis.size);
-    const auto each = [&](auto f) {
+    const auto each = [&](auto f) __attribute__((always_inline)) {
         for (std::int32_t i = 0; i < n; i += Lanes, coord += group)
             for (int lane = 0; lane < Lanes; ++lane)
                 f(i + lane, coord[lane]);
@@ -57,20 +57,20 @@ template <int Lanes>
     if (axis.wrap == Wrap::repeat) {
         const std::int32_t mask = axis.size - 1;
         if (linear)
-            each([&](std::int32_t i, std::uint32_t v) {
+            each([&](std::int32_t i, std::uint32_t v) __attribute__((always_inline)) {
                 const TexelIndex texel = repeat_linear(v, log2_size);
                 to.at[i] = texel.i * axis.bytes;
                 to.next[i] = ((texel.i + 1) & mask) * axis.bytes;
                 to.weight[i] = static_cast<std::uint16_t>(texel.weight);
             });
         else
-            each([&](std::int32_t i, std::uint32_t v) {
+            each([&](std::int32_t i, std::uint32_t v) __attribute__((always_inline)) {
                 to.at[i] = repeat_nearest(v, log2_size) * axis.bytes;
             });
         return true;
     }
     std::int32_t least = 0, most = 0;
-    each([&](std::int32_t i, std::uint32_t v) {
+    each([&](std::int32_t i, std::uint32_t v) __attribute__((always_inline)) {
         TexelIndex texel{};
         if (linear)
             texel = clamped_linear(axis.wrap, static_cast<std::int32_t>(v), log2_size);

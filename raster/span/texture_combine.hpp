@@ -2,6 +2,7 @@
 // of other units are GL 1.4).
 #pragma once
 
+#include "raster/span/component.hpp"
 #include "raster/span/texture_env.hpp"
 
 namespace spangle::raster {
@@ -9,25 +10,54 @@ namespace spangle::raster {
 /// 1/2, the scales and the scalar product, which leave [0, 1] on the way.
 template <class N> struct CombineMath {
     using T = typename N::T;
-    static constexpr T half = N::one / 2;
+    using L = typename N::L;
+    SPANGLE_INLINE static T half() { return component::constant<N>(N::one / 2); }
 
-    static T scaled(T v, unsigned log2) { return v > N::one >> log2 ? N::one : v << log2; }
+    SPANGLE_INLINE static T scaled(const T& v, unsigned log2) {
+        if constexpr (N::lanes == 1)
+            return v > N::one >> log2 ? N::one : v << log2;
+        T doubled = component::smaller<N>(v, component::constant<N>(N::one >> log2));
+        for (; log2 != 0; --log2)
+            doubled = doubled + doubled;
+        return doubled;
+    }
     /// 4 (a - 1/2) . (b - 1/2)
-    static T dot3(const typename N::Color& a, const typename N::Color& b) {
-        const std::int64_t sum = product(a.r, b.r) + product(a.g, b.g) + product(a.b, b.b);
-        return static_cast<T>(numeric::clamp<std::int64_t>(4 * sum, 0, N::one));
+    SPANGLE_INLINE static T dot3(const typename N::Color& a, const typename N::Color& b) {
+        if constexpr (N::lanes == 1) {
+            const std::int64_t sum = product(a.r, b.r) + product(a.g, b.g) + product(a.b, b.b);
+            return static_cast<T>(numeric::clamp<std::int64_t>(4 * sum, 0, N::one));
+        } else {
+            // Words of 32 bits hold the sum with its sign, and a quarter of 1 is a whole number of units.
+            const auto positive =
+                L::positive(lanes_product(a.r, b.r) + lanes_product(a.g, b.g) + lanes_product(a.b, b.b));
+            const auto sum = L::minimum(positive, L::splat32(N::one / 4)) << 2;
+            if constexpr (is_exact<N>)
+                return sum;
+            else
+                return L::low_half(sum);
+        }
     }
 
   private:
+    SPANGLE_INLINE static T distance(const T& a) {
+        return component::larger<N>(a, half()) - component::smaller<N>(a, half());
+    }
     static std::int64_t product(T a, T b) {
-        const T x = a > half ? a - half : half - a, y = b > half ? b - half : half - b;
-        const auto magnitude = static_cast<std::int64_t>(N::mul(x, y));
-        return (a > half) == (b > half) ? magnitude : -magnitude;
+        const auto magnitude = static_cast<std::int64_t>(N::mul(distance(a), distance(b)));
+        return (a > half()) == (b > half()) ? magnitude : -magnitude;
+    }
+    SPANGLE_INLINE static typename L::U32 lanes_product(const T& a, const T& b) {
+        const auto sign = L::less(half(), a) ^ L::less(half(), b); // all ones: the product is negative
+        typename L::U32 magnitude;
+        if constexpr (is_exact<N>)
+            magnitude = N::mul(distance(a), distance(b));
+        else
+            magnitude = L::widened(N::mul(distance(a), distance(b)));
+        return L::select(sign, 0u - magnitude, magnitude);
     }
 };
 
 template <class N> class TextureCombine {
-    static_assert(N::lanes == 1);
     using T = typename N::T;
     using Color = typename N::Color;
     using Math = CombineMath<N>;
@@ -73,12 +103,14 @@ template <class N> class TextureCombine {
         Color texture(int from) const {
             Color c = texel[from];
             const Texture* const image = state.unit[from].texture;
-            if (image == nullptr)
-                return {};
+            if (image == nullptr) {
+                const T none{};
+                return {none, none, none, none};
+            }
             if (image->base == BaseFormat::alpha)
                 c.r = c.g = c.b = T{};
             else if (image->base == BaseFormat::luminance || image->base == BaseFormat::rgb)
-                c.a = N::one;
+                c.a = component::constant<N>(N::one);
             return c;
         }
     };
@@ -100,7 +132,8 @@ template <class N> class TextureCombine {
     }
 
     /// Clamping to [0, 1] before the scale changes nothing: that is 1 or more.
-    static T component(CombineFunc func, T a, T b, T c) {
+    using Component = component::Argument<N>;
+    static T result(CombineFunc func, Component a, Component b, Component c) {
         switch (func) {
         case CombineFunc::replace:
             return a;
@@ -109,7 +142,11 @@ template <class N> class TextureCombine {
         case CombineFunc::add:
             return N::add(a, b);
         case CombineFunc::add_signed:
-            return b < Math::half ? N::subtract(a, Math::half - b) : N::add(a, b - Math::half);
+            if constexpr (N::lanes == 1)
+                return b < Math::half() ? N::subtract(a, Math::half() - b) : N::add(a, b - Math::half());
+            else
+                return component::where_less<N>(b, Math::half(), N::subtract(a, Math::half() - b),
+                                                N::add(a, b - Math::half()));
         case CombineFunc::interpolate:
             return N::lerp(b, a, c);
         default:
@@ -128,12 +165,12 @@ template <class N> class TextureCombine {
             out.r = out.g = out.b = out.a = Math::dot3(a, b);
         } else {
             const Color c = argument_of(unit.rgb, 2);
-            out = {component(func, a.r, b.r, c.r), component(func, a.g, b.g, c.g),
-                   component(func, a.b, b.b, c.b), T{}};
+            out = {result(func, a.r, b.r, c.r), result(func, a.g, b.g, c.g), result(func, a.b, b.b, c.b),
+                   T{}};
         }
         if (func != CombineFunc::dot3_rgba)
-            out.a = component(unit.alpha.func, argument_of(unit.alpha, 0).a, argument_of(unit.alpha, 1).a,
-                              argument_of(unit.alpha, 2).a);
+            out.a = result(unit.alpha.func, argument_of(unit.alpha, 0).a, argument_of(unit.alpha, 1).a,
+                           argument_of(unit.alpha, 2).a);
         const unsigned rgb = unit.rgb.log2_scale;
         return {Math::scaled(out.r, rgb), Math::scaled(out.g, rgb), Math::scaled(out.b, rgb),
                 Math::scaled(out.a, unit.alpha.log2_scale)};

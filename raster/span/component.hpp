@@ -1,0 +1,46 @@
+// Comparing and choosing among components of a number system, for one lane as for many.
+#pragma once
+
+#include "raster/span/number_wide.hpp"
+
+namespace spangle::raster::component {
+
+/// How a function that is not inlined takes one: in a register, or where it lies.
+template <class N> using Argument = std::conditional_t<N::lanes == 1, typename N::T, const typename N::T&>;
+
+/// A constant as a component.
+template <class N> SPANGLE_INLINE typename N::T constant(std::uint32_t v) {
+    if constexpr (N::lanes == 1)
+        return static_cast<typename N::T>(v);
+    else if constexpr (is_exact<N>)
+        return N::L::splat32(v);
+    else
+        return N::L::splat(v);
+}
+/// 1, which is not a whole number of units in the double reference.
+template <class N> SPANGLE_INLINE typename N::T one() {
+    return N::from_units(color_one);
+}
+template <class N> SPANGLE_INLINE typename N::T smaller(const typename N::T& a, const typename N::T& b) {
+    if constexpr (N::lanes == 1)
+        return a < b ? a : b;
+    else
+        return N::L::minimum(a, b);
+}
+template <class N> SPANGLE_INLINE typename N::T larger(const typename N::T& a, const typename N::T& b) {
+    if constexpr (N::lanes == 1)
+        return a < b ? b : a;
+    else
+        return N::L::maximum(a, b);
+}
+/// a < b ? x : y, lane by lane.
+template <class N>
+SPANGLE_INLINE typename N::T where_less(const typename N::T& a, const typename N::T& b,
+                                        const typename N::T& x, const typename N::T& y) {
+    if constexpr (N::lanes == 1)
+        return a < b ? x : y;
+    else
+        return N::L::select(N::L::less(a, b), x, y);
+}
+
+} // namespace spangle::raster::component

@@ -1,0 +1,161 @@
+// What is divided by w, a packet at a time: 1/w of each fragment is found once, for colours, fog and
+// coordinates. Lanes only; the bytes of GouraudQ, ColorSum, FogCoord and DividedCoords.
+#pragma once
+
+#include "raster/span/chain.hpp"
+#include "raster/span/cubic_runs.hpp"
+#include "raster/span/stage_color.hpp"
+
+namespace spangle::raster {
+
+namespace detail {
+
+/// A plane with guard bits in eight lanes.
+class GuardedLanes {
+  public:
+    SPANGLE_INLINE GuardedLanes(const Span<Fixed>& span, std::int32_t x, const Span<Fixed>::Projective& plane)
+        : by_(LaneLongs{} + 8 * plane.dx) {
+        const std::uint64_t first = span.at(x, plane), two = 2 * plane.dx;
+        at_[0] = LaneLongs{first, first + two};
+        at_[1] = at_[0] + 2 * two;
+        at_[2] = at_[0] + plane.dx;
+        at_[3] = at_[1] + plane.dx;
+    }
+    /// Without its guard bits, signed.
+    SPANGLE_INLINE Lanes<8>::U32 value() const {
+        return {low_words(at_[0], at_[1]), low_words(at_[2], at_[3])};
+    }
+    SPANGLE_INLINE void step() {
+        for (LaneLongs& v : at_)
+            v += by_;
+    }
+
+  private:
+    /// Of lanes 0 and 2, 4 and 6, 1 and 3, 5 and 7.
+    LaneLongs at_[4], by_;
+    SPANGLE_INLINE static LaneWords low_words(const LaneLongs& a, const LaneLongs& b) {
+        return __builtin_shufflevector(std::bit_cast<LaneWords>(a >> guard_bits),
+                                       std::bit_cast<LaneWords>(b >> guard_bits), 0, 2, 4, 6);
+    }
+};
+
+} // namespace detail
+
+/// N: of the packet.
+template <class N> class PacketDivided {
+    using L = typename N::L;
+    using U32 = typename L::U32;
+    using Places = PlacesOf<N>;
+    using Plane = Span<Fixed>::Projective;
+    static constexpr int lanes = N::lanes;
+
+  public:
+    /// 1/w of the primitive, which the others read.
+    static void inverses(Places& k, const Span<Fixed>& span) {
+        std::uint64_t q = span.at(k.x, span.q);
+        for (std::int32_t i = 0; i < whole(k); ++i, q += span.q.dx) {
+            const Inverse inverse(unguarded(q));
+            k.inverse.q[i] = inverse.q;
+            k.inverse.mantissa[i] = inverse.mantissa;
+            k.inverse.power[i] = 1u << inverse.zeros;
+        }
+    }
+    template <bool Alpha> static void primary(Places& places, const Span<Fixed>& span) {
+        auto& k = static_cast<Packet<N>&>(places);
+        each(k, span, span.color_q[0], [&](std::int32_t g, const U32& c) { k.color[g].r = component(c); });
+        each(k, span, span.color_q[1], [&](std::int32_t g, const U32& c) { k.color[g].g = component(c); });
+        each(k, span, span.color_q[2], [&](std::int32_t g, const U32& c) { k.color[g].b = component(c); });
+        if constexpr (Alpha)
+            each(k, span, span.color_q[3],
+                 [&](std::int32_t g, const U32& c) { k.color[g].a = component(c); });
+        else
+            for (auto& color : k.color)
+                color.a = N::from_units(color_one);
+    }
+    static void sum(Places& places, const Span<Fixed>& span) {
+        auto& k = static_cast<Packet<N>&>(places);
+        const auto add = [](typename N::T& to, const U32& c) { to = N::add(to, component(c)); };
+        each(k, span, span.secondary_q[0], [&](std::int32_t g, const U32& c) { add(k.color[g].r, c); });
+        each(k, span, span.secondary_q[1], [&](std::int32_t g, const U32& c) { add(k.color[g].g, c); });
+        each(k, span, span.secondary_q[2], [&](std::int32_t g, const U32& c) { add(k.color[g].b, c); });
+    }
+    static void fog(Places& k, const Span<Fixed>& span) {
+        std::uint64_t f = span.at(k.x, span.fog_q);
+        std::uint32_t fog[packet_length];
+        for (std::int32_t i = 0; i < whole(k); ++i, f += span.fog_q.dx)
+            fog[i] = detail::projective_fog(unguarded(f), span.fog_exponent, inverse_of(k, i));
+        for (std::int32_t i = 0; i < whole(k); i += lanes)
+            k.fog[i / lanes] = L::gather(fog + i);
+    }
+    /// Of a unit that shares the primitive's 1/w, or not.
+    template <int Unit> static void coordinates(Places& k, const Span<Fixed>& span) {
+        const auto& unit = span.unit[Unit];
+        const auto& wraps = span.state->wraps[Unit];
+        std::uint64_t s = span.at(k.x, unit.s), t = span.at(k.x, unit.t), q = 0, dq = 0;
+        if (!unit.shares_q)
+            q = span.at(k.x, unit.q), dq = unit.q.dx;
+        for (std::int32_t i = 0; i < whole(k); ++i) {
+            const Inverse inverse = unit.shares_q ? inverse_of(k, i) : Inverse(unguarded(q));
+            auto& to = k.coord[Unit][i / lanes];
+            to.s[i % lanes] = detail::to_coord(detail::to_repeats(unguarded(s), inverse, unit.exponent),
+                                               wraps.s, unit.s_base);
+            to.t[i % lanes] = detail::to_coord(detail::to_repeats(unguarded(t), inverse, unit.exponent),
+                                               wraps.t, unit.t_base);
+            s += unit.s.dx;
+            t += unit.t.dx;
+            q += dq;
+        }
+    }
+
+  private:
+    /// Fragments and what is left of their last group, whose lanes beyond the packet nobody looks at.
+    static std::int32_t whole(const Places& k) { return (k.n + lanes - 1) & -lanes; }
+    SPANGLE_INLINE static Inverse inverse_of(const Places& k, std::int32_t i) {
+        Inverse inverse;
+        inverse.q = k.inverse.q[i];
+        inverse.mantissa = k.inverse.mantissa[i];
+        inverse.zeros = std::countr_zero(k.inverse.power[i]);
+        return inverse;
+    }
+    /// Colour units as a component.
+    SPANGLE_INLINE static typename N::T component(const U32& units) {
+        if constexpr (is_exact<N>)
+            return units;
+        else
+            return L::low_half((units + L::splat32(1u << 11)) >> 12);
+    }
+    /// f(group, colour units) of a colour plane, each fragment divided (detail::projective_color).
+    template <class F>
+    SPANGLE_INLINE static void each(const Places& k, const Span<Fixed>& span, const Plane& plane, F f) {
+        detail::GuardedLanes over_w(span, k.x, plane);
+        for (std::int32_t g = 0; g * lanes < k.n; ++g, over_w.step()) {
+            const U32 q = L::gather(k.inverse.q + g * lanes),
+                      mantissa = L::gather(k.inverse.mantissa + g * lanes),
+                      power = L::gather(k.inverse.power + g * lanes);
+            const U32 most = q - (q >> 8) - L::splat32(1);
+            const U32 v = L::minimum(L::positive(over_w.value()), most) * power;
+            f(g, U32{lane_product_high(v.even, mantissa.even), lane_product_high(v.odd, mantissa.odd)} >> 2);
+        }
+    }
+};
+
+/// The affine secondary colour in lanes, added.
+template <class N> struct ColorSumLanes : StageBase {
+    static constexpr unsigned in = field_color, out = field_color;
+    Ramp<typename N::L> r, g, b;
+    SPANGLE_INLINE ColorSumLanes(const Span<Fixed>& s, std::int32_t x)
+        : r(s, x, s.secondary[0]), g(s, x, s.secondary[1]), b(s, x, s.secondary[2]) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        p.color.r = N::add(p.color.r, N::from_affine(r.at));
+        p.color.g = N::add(p.color.g, N::from_affine(g.at));
+        p.color.b = N::add(p.color.b, N::from_affine(b.at));
+        return true;
+    }
+    SPANGLE_INLINE void step() {
+        r.step();
+        g.step();
+        b.step();
+    }
+};
+
+} // namespace spangle::raster
