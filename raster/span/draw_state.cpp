@@ -168,7 +168,7 @@ AnyFunction chain_runner(Number number) {
 /// 255ths.
 template <std::uint32_t Step>
 constexpr auto four_color_tolerances = [](const Knobs& k) {
-    if (k.affine_color_bits == 0)
+    if (k.affine_color_bits == 0 || (!has_full && k == fast_knobs))
         return any_color_tolerance;
     const std::uint32_t of_scale =
         k.affine_color_bits == Knobs::never ? 0 : color_one >> (k.affine_color_bits - 2);
