@@ -1,17 +1,17 @@
 #include "host_sim/cli/callgrind.hpp"
 
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
+#include <string_view>
 
-#include <sys/wait.h>
 #include <unistd.h>
+
+#include "host_sim/process/process.hpp"
 
 namespace spangle::cli {
 
 namespace {
 
-constexpr int no_program = 127, more_frames = 4;
+constexpr int more_frames = 4;
 
 /// What callgrind collected while this program ran so; 0 and `problem` on failure.
 std::uint64_t collected(std::vector<std::string> words, int frames, std::string& problem) {
@@ -21,33 +21,20 @@ std::uint64_t collected(std::vector<std::string> words, int frames, std::string&
     if (readlink("/proc/self/exe", self, sizeof self - 1) > 0)
         words[3] = self; // of this program, not of valgrind
     words.insert(words.end(), {"--frames", std::to_string(frames)});
-    std::vector<char*> arguments;
-    arguments.reserve(words.size() + 1);
-    for (std::string& word : words)
-        arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    std::FILE* const said = std::tmpfile();
-    if (said == nullptr) {
+    const process::Scratch said;
+    if (said.descriptor() < 0) {
         problem = "no temporary file can be made";
         return 0;
     }
-    const pid_t child = fork();
-    if (child == 0) {
-        dup2(fileno(said), STDERR_FILENO);
-        if (std::freopen("/dev/null", "w", stdout) != nullptr)
-            execvp(arguments[0], arguments.data());
-        _exit(no_program);
-    }
-    int status = 0;
-    if (child < 0 || waitpid(child, &status, 0) != child || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
-        problem = WIFEXITED(status) && WEXITSTATUS(status) == no_program ? "valgrind is not installed"
-                                                                         : "valgrind failed";
-    std::rewind(said);
+    const process::Ended ended =
+        process::run(words, {process::inherited, process::nowhere, said.descriptor()});
+    if (ended.status != 0)
+        problem = ended.status == process::no_program ? "valgrind is not installed" : "valgrind failed";
     std::uint64_t count = 0;
-    for (char line[512]; std::fgets(line, sizeof line, said) != nullptr;)
-        if (const char* const at = std::strstr(line, "Collected : "); at != nullptr)
-            count = std::strtoull(at + std::strlen("Collected : "), nullptr, 10);
-    std::fclose(said);
+    constexpr std::string_view before = "Collected : ";
+    const std::string text = said.text();
+    if (const std::size_t at = text.find(before); at != std::string::npos)
+        count = std::strtoull(text.c_str() + at + before.size(), nullptr, 10);
     if (count == 0 && problem.empty())
         problem = "valgrind did not say what it counted";
     return problem.empty() ? count : 0;

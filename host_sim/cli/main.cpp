@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "boards/scenes/scene.hpp"
+#include "host_sim/capture/names.hpp"
 #include "host_sim/cli/bake.hpp"
 #include "host_sim/cli/bench.hpp"
 #include "host_sim/cli/bringup.hpp"
@@ -33,30 +34,16 @@ using cli::Precision;
 
 using cli::refuse;
 
-struct NamedPrecision {
-    const char* name;
-    Precision precision;
-};
-constexpr NamedPrecision precisions[] = {{"exact", Precision::exact},
-                                         {"balanced", Precision::balanced},
-                                         {"fast", Precision::fast},
-                                         {"double", Precision::reference},
-                                         {"shadow", Precision::shadow},
-                                         {"shadow-balanced", Precision::shadow_balanced},
-                                         {"shadow-fast", Precision::shadow_fast}};
-
 std::vector<std::string> precision_names() {
-    std::vector<std::string> names;
-    for (const NamedPrecision& p : precisions)
-        names.emplace_back(p.name);
-    return names;
+    std::vector<std::string> out;
+    for (const names::Precision& p : names::precisions)
+        out.emplace_back(p.name);
+    return out;
 }
 
 Precision precision_of(const std::string& name) {
-    for (const NamedPrecision& p : precisions)
-        if (name == p.name)
-            return p.precision;
-    return Precision::exact;
+    const names::Precision* const found = names::find(names::precisions, name);
+    return found != nullptr ? static_cast<Precision>(found->value) : Precision::exact;
 }
 
 /// The most accurate one of this build.

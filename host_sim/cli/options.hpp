@@ -5,20 +5,20 @@
 #include <optional>
 #include <string>
 
+#include <spangle/EGL/egl.h>
 #include <spangle/raster/tier.hpp>
 
 #include "host_sim/bringup/attach.hpp"
 
 namespace spangle::cli {
 
-enum class Precision : std::uint8_t {
-    exact,
-    balanced,
-    fast,
-    reference,
-    shadow,
-    shadow_balanced,
-    shadow_fast
+/// EGL_PRECISION_SPANGLE; host_sim/capture/names.hpp has their names.
+enum class Precision : EGLint {
+    exact = EGL_PRECISION_EXACT_SPANGLE,
+    balanced = EGL_PRECISION_BALANCED_SPANGLE,
+    fast = EGL_PRECISION_FAST_SPANGLE,
+    reference = EGL_PRECISION_DOUBLE_SPANGLE,
+    shadow = EGL_PRECISION_SHADOW_SPANGLE,
 };
 
 /// How the board presents; what is left as it is stays as the board has it.

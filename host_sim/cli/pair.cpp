@@ -1,15 +1,14 @@
 #include "host_sim/cli/pair.hpp"
 
-#include <cerrno>
-#include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
 #include <fcntl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include "host_sim/cli/say.hpp"
+#include "host_sim/process/process.hpp"
 
 namespace spangle::cli::pair {
 
@@ -30,15 +29,6 @@ fs::path pair_folder() {
         if (fs::exists(folder / core_library, ignored))
             return fs::weakly_canonical(folder, ignored);
     return {};
-}
-
-/// Standard output and error of this process go to a file.
-void send_words(const fs::path& to) {
-    const int file = ::open(to.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-    if (file >= 0) {
-        dup2(file, STDOUT_FILENO);
-        dup2(file, STDERR_FILENO);
-    }
 }
 
 } // namespace
@@ -62,28 +52,20 @@ void set(const char* variable, const std::string& value) {
 }
 
 int run(const std::vector<std::string>& program, const fs::path& words) {
-    std::vector<char*> arguments;
-    arguments.reserve(program.size() + 1);
-    for (const std::string& word : program)
-        arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    const pid_t child = fork();
-    if (child < 0)
-        return could_not_run;
-    if (child == 0) {
-        std::signal(SIGPIPE, SIG_DFL);
-        std::signal(SIGXFSZ, SIG_DFL);
-        if (!words.empty())
-            send_words(words);
-        execvp(arguments[0], arguments.data());
-        const int status = errno == ENOENT ? no_program : could_not_run;
-        tell("spangle: cannot run '" + program[0] + "': " + std::strerror(errno) + "\n");
-        _exit(status);
+    process::Streams streams;
+    if (!words.empty())
+        streams.out = streams.error = ::open(words.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+    const process::Ended ended = process::run(program, streams);
+    const std::string why =
+        ended.error == 0 ? ""
+                         : "spangle: cannot run '" + program[0] + "': " + std::strerror(ended.error) + "\n";
+    if (streams.out < 0) {
+        tell(why);
+    } else {
+        dprintf(streams.out, "%s", why.c_str());
+        ::close(streams.out);
     }
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
-        continue;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : of_signals + WTERMSIG(status);
+    return ended.status;
 }
 
 std::vector<std::string> retrace(const std::string& trace) {

@@ -7,17 +7,13 @@
 
 namespace spangle::cli::pair {
 
-/// Statuses of shells: there is no such program; it could not be run; it ended by a signal, whose number is
-/// added.
-inline constexpr int no_program = 127, could_not_run = 126, of_signals = 128;
-
 /// Programs that are run from here on find the pair before the system's GL. Empty, or why there is none.
 std::string use();
 
 /// Sets a variable that the pair reads (docs/programs.md); empty: it is not set.
 void set(const char* variable, const std::string& value);
 
-/// Runs a program to its end: its status, or one of the three above. `words` names a file that takes what the
+/// Runs a program to its end: its status, as process::run() has it. `words` names a file that takes what the
 /// program prints; empty: nothing is taken.
 int run(const std::vector<std::string>& program, const std::filesystem::path& words = {});
 

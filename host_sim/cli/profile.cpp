@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "host_sim/capture/names.hpp"
 #include "host_sim/cli/profile_firmware.hpp"
 #include "host_sim/cli/profile_page.hpp"
 #include "host_sim/cli/profile_record.hpp"
@@ -61,6 +62,14 @@ std::string take_words(ProfileOptions& options) {
     return "";
 }
 
+std::vector<std::string> format_names() {
+    std::vector<std::string> out;
+    for (const names::Format& format : names::formats)
+        out.emplace_back(format.name);
+    out.emplace_back("program");
+    return out;
+}
+
 } // namespace
 
 CLI::App* add_profile(CLI::App& app, ProfileOptions& o) {
@@ -91,8 +100,7 @@ CLI::App* add_profile(CLI::App& app, ProfileOptions& o) {
             "--format", o.format,
             "of a trace or a program: pixels of the surfaces that the build draws on; program: as the "
             "program chose them")
-        ->check(CLI::IsMember({"rgb565", "rgb565_le", "rgb888", "rgba8888", "rgb666", "rgb444", "rgb332",
-                               "grey4", "mono", "program"}))
+        ->check(CLI::IsMember(format_names()))
         ->capture_default_str();
     command->add_option("--tiers", o.tiers, "the tiers of accuracy to choose from: exact, balanced, fast")
         ->delimiter(',')

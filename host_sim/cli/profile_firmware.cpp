@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "host_sim/cli/pair.hpp"
+#include "host_sim/process/process.hpp"
 
 namespace spangle::cli {
 
@@ -65,7 +66,7 @@ std::string measure_firmware(const ProfileOptions& options, const Recorded& chos
         command.insert(command.end(), {"--commands", names});
     }
     const int status = pair::run(command, words);
-    if (status == pair::no_program)
+    if (status == process::no_program)
         return "--report needs python3";
     constexpr int missing = 3; // as the tool has it
     if (status != 0)

@@ -10,6 +10,7 @@
 
 #include "host_sim/cli/pair.hpp"
 #include "host_sim/cli/profile_record.hpp"
+#include "host_sim/process/process.hpp"
 #include "host_sim/profile/record_text.hpp"
 
 namespace spangle::cli {
@@ -27,7 +28,7 @@ std::string text_of(const fs::path& path) {
 std::string run_tool(const std::vector<std::string>& command, const fs::path& words,
                      bool any_status = false) {
     const int status = pair::run(command, words);
-    if (status == pair::no_program)
+    if (status == process::no_program)
         return "there is no " + command[0] + "; Debian's packages apitrace and apitrace-tracers have it";
     if (status == 0 || any_status)
         return "";

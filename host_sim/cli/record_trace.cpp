@@ -8,6 +8,7 @@
 
 #include "host_sim/cli/confined.hpp"
 #include "host_sim/cli/pair.hpp"
+#include "host_sim/process/process.hpp"
 
 namespace spangle::cli {
 
@@ -84,7 +85,7 @@ Ended run_bounded(const std::vector<std::string>& command, const fs::path& words
     std::vector<std::string> bounded = {"timeout", "--kill-after", grace, std::to_string(longest)};
     bounded.insert(bounded.end(), command.begin(), command.end());
     const int status = pair::run(bounded, words);
-    if (status == timed_out || status == pair::of_signals + killed)
+    if (status == timed_out || status == process::of_signals + killed)
         return {status, fmt::format("{} took longer than {} s", command[0], longest)};
     return {status, ""};
 }

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "host_sim/capture/names.hpp"
 #include "host_sim/cli/confined.hpp"
 #include "host_sim/cli/pair.hpp"
 #include "host_sim/cli/record_trace.hpp"
@@ -21,25 +22,6 @@ namespace spangle::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct PixelName {
-    PixelFormat format;
-    const char* name; ///< as host_sim/dropin/options.cpp reads it
-};
-constexpr PixelName pixel_names[] = {{PixelFormat::rgb565_be, "rgb565"},  {PixelFormat::rgb888, "rgb888"},
-                                     {PixelFormat::rgba8888, "rgba8888"}, {PixelFormat::rgb666, "rgb666"},
-                                     {PixelFormat::rgb444, "rgb444"},     {PixelFormat::rgb332, "rgb332"},
-                                     {PixelFormat::grey4, "grey4"},       {PixelFormat::mono, "mono"}};
-/// By EGL_PRECISION_SPANGLE, from the first on.
-constexpr const char* precision_names[] = {"exact",  "balanced",        "fast",       "double",
-                                           "shadow", "shadow-balanced", "shadow-fast"};
-
-const char* name_of(PixelFormat format) {
-    for (const PixelName& known : pixel_names)
-        if (known.format == format)
-            return known.name;
-    return "";
-}
 
 /// What the pair shall not do while it draws for us.
 constexpr const char* other_variables[] = {"SPANGLE_BOARD", "SPANGLE_SIZE",   "SPANGLE_FORMAT",
@@ -147,10 +129,10 @@ std::string Replays::replay(PixelFormat format, EGLint precision, const trade::S
     for (const char* const variable : other_variables)
         pair::set(variable, "");
     pair::set("SPANGLE_CAPTURE", file.string());
-    pair::set("SPANGLE_CAPTURE_FORMAT", name_of(format));
+    pair::set("SPANGLE_CAPTURE_FORMAT", names::name_of(names::formats, format));
     pair::set("SPANGLE_CAPTURE_TIMES", times_only ? "1" : "");
     pair::set("SPANGLE_CAPTURE_DITHER", setting.dither ? "1" : "0");
-    pair::set("SPANGLE_PRECISION", precision_names[precision - EGL_PRECISION_EXACT_SPANGLE]);
+    pair::set("SPANGLE_PRECISION", names::name_of(names::precisions, precision));
     pair::set("SPANGLE_FRAMES", std::to_string(setting.frames));
     std::vector<std::string> command = pair::retrace(trace_);
     if (times_only)

@@ -14,6 +14,7 @@
 #include <spangle/tier.hpp>
 
 #include "boards/scenes/scene.hpp"
+#include "host_sim/capture/names.hpp"
 #include "host_sim/cli/process_memory.hpp"
 #include "host_sim/cli/program.hpp"
 #include "host_sim/cli/say.hpp"
@@ -55,12 +56,6 @@ void start(const Program& program, const Session& session, bool dither) {
 }
 
 namespace {
-
-const char* name_of(Precision p) {
-    constexpr const char* names[] = {"exact",  "balanced",        "fast",       "double",
-                                     "shadow", "shadow-balanced", "shadow-fast"};
-    return names[static_cast<unsigned>(p)];
-}
 
 bool is_shadow(Precision p) {
     return p >= Precision::shadow;
@@ -275,7 +270,7 @@ RunResult run(const RunOptions& options) {
     }
 
     report.scene = program.name;
-    report.precision = name_of(options.precision);
+    report.precision = names::name_of(names::precisions, static_cast<EGLint>(options.precision));
     report.picture_hash = sim::hash(result.picture);
     result.error = screen.finish();
     screen.describe(options, session, report);

@@ -42,14 +42,6 @@ std::string egl_problem(const char* call) {
     return std::string(call) + " failed (" + code + ")" + (rule.empty() ? "" : ": " + rule);
 }
 
-EGLint token_of(Precision precision) {
-    constexpr EGLint tokens[] = {EGL_PRECISION_EXACT_SPANGLE,      EGL_PRECISION_BALANCED_SPANGLE,
-                                 EGL_PRECISION_FAST_SPANGLE,       EGL_PRECISION_DOUBLE_SPANGLE,
-                                 EGL_PRECISION_SHADOW_SPANGLE,     EGL_PRECISION_SHADOW_BALANCED_SPANGLE,
-                                 EGL_PRECISION_SHADOW_FAST_SPANGLE};
-    return tokens[static_cast<unsigned>(precision)];
-}
-
 } // namespace
 
 Session::~Session() {
@@ -70,7 +62,7 @@ EGLConfig Session::choose(Precision precision, bool window) const {
                            EGL_DEPTH_SIZE,
                            16,
                            EGL_PRECISION_SPANGLE,
-                           token_of(precision),
+                           static_cast<EGLint>(precision),
                            EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;

@@ -6,6 +6,8 @@
 
 #include <spangle/boards/boards.hpp>
 
+#include "host_sim/capture/names.hpp"
+
 namespace spangle::dropin {
 
 namespace {
@@ -48,25 +50,15 @@ bool flag_of(const char* variable) {
     return number_of(variable, 0, 1, 0) == 1;
 }
 
-EGLint precision_of(const char* variable) {
-    struct Name {
-        const char* text;
-        EGLint token;
-    };
-    constexpr Name names[] = {{"exact", EGL_PRECISION_EXACT_SPANGLE},
-                              {"balanced", EGL_PRECISION_BALANCED_SPANGLE},
-                              {"fast", EGL_PRECISION_FAST_SPANGLE},
-                              {"double", EGL_PRECISION_DOUBLE_SPANGLE},
-                              {"shadow", EGL_PRECISION_SHADOW_SPANGLE},
-                              {"shadow-balanced", EGL_PRECISION_SHADOW_BALANCED_SPANGLE},
-                              {"shadow-fast", EGL_PRECISION_SHADOW_FAST_SPANGLE}};
+/// The value that a variable names; `usual` where it is not set.
+template <class Row, unsigned Count, class Value>
+Value named(const char* variable, const Row (&table)[Count], Value usual) {
     const char* const value = value_of(variable);
     if (value == nullptr)
-        return EGL_PRECISION_EXACT_SPANGLE;
-    for (const Name& name : names)
-        if (std::strcmp(value, name.text) == 0)
-            return name.token;
-    refuse(variable, value, "exact, balanced, fast, double, shadow, shadow-balanced or shadow-fast");
+        return usual;
+    if (const Row* const row = names::find(table, value); row != nullptr)
+        return row->value;
+    refuse(variable, value, names::listed(table).c_str());
 }
 
 const hal::Board* board_of(const char* variable) {
@@ -99,22 +91,7 @@ bool panel_format(const char* variable) {
 }
 
 std::optional<PixelFormat> format_of(const char* variable) {
-    struct Name {
-        const char* text;
-        PixelFormat format;
-    };
-    constexpr Name names[] = {{"rgb565", PixelFormat::rgb565_be}, {"rgb565_le", PixelFormat::rgb565_le},
-                              {"rgb888", PixelFormat::rgb888},    {"rgba8888", PixelFormat::rgba8888},
-                              {"rgb666", PixelFormat::rgb666},    {"rgb444", PixelFormat::rgb444},
-                              {"rgb332", PixelFormat::rgb332},    {"grey4", PixelFormat::grey4},
-                              {"mono", PixelFormat::mono}};
-    const char* const value = value_of(variable);
-    if (value == nullptr)
-        return {};
-    for (const Name& name : names)
-        if (std::strcmp(value, name.text) == 0)
-            return name.format;
-    refuse(variable, value, "rgb565, rgb565_le, rgb888, rgba8888, rgb666, rgb444, rgb332, grey4 or mono");
+    return named(variable, names::formats, std::optional<PixelFormat>());
 }
 
 Options read() {
@@ -126,7 +103,7 @@ Options read() {
         out.height = glass.height;
     }
     read_size("SPANGLE_SIZE", out);
-    out.precision = precision_of("SPANGLE_PRECISION");
+    out.precision = named("SPANGLE_PRECISION", names::precisions, EGLint{EGL_PRECISION_EXACT_SPANGLE});
     out.panel_format = panel_format("SPANGLE_FORMAT") && out.board != nullptr;
     out.shot = text_of("SPANGLE_SHOT");
     out.report = text_of("SPANGLE_REPORT");

@@ -117,7 +117,8 @@ std::size_t Recorder::place_of(const raster::Key& key) {
 
 /// The same bytes are drawn by rows alone, which are counted. A kind is needed unless another draws what it
 /// would: one colour is drawn by the affine kind, too, and FLAT shading without textures or fog has nothing
-/// else.
+/// else. Divided colours of the fast tier are affine where no span divides them; they are listed where some
+/// were drawn.
 void Recorder::compiled(gl::Context& context, const raster::FragmentState& fragment,
                         raster::DrawState& state) {
     const std::lock_guard lock(mutex_);

@@ -30,7 +30,7 @@ th:first-child,td:first-child,.words{text-align:left}td.words{white-space:normal
 th{background:#f4f4f4}.missed{background:#fde9e7}.take{font-weight:bold}
 .scene{border-top:1px solid #ddd;padding-top:1em;margin-top:1.5em}.pair{display:flex;gap:1em;flex-wrap:wrap}
 figure{margin:0}figcaption{font-size:.85em;color:#555}img{image-rendering:pixelated;width:320px;max-width:100%;background:#000}
-input[type=range]{width:320px}.wide{overflow-x:auto}svg{max-width:100%;height:auto}
+label{display:block;margin-bottom:.6em}input[type=range]{width:320px;vertical-align:middle}.wide{overflow-x:auto}svg{max-width:100%;height:auto}
 </style></head><body>
 )";
 
@@ -98,7 +98,8 @@ class Page {
         advice();
         tier_plots();
         if (formats.size() > 1)
-            plot(plot_formats(accuracy_), "Down looks right, left sends little.");
+            plot(plot_formats(accuracy_),
+                 "Lower looks more like double, further left sends less. A name without room is left out.");
         figures();
         pictures();
         return html_ + foot;
@@ -124,7 +125,9 @@ class Page {
         }
         for (std::size_t i = 0; i < axes.size(); ++i) {
             const Plot tiers = plot_tiers(accuracy_, cost_, axes[i]);
-            plot(tiers, "Up is right, left is quick.", fmt::format(" data-axis={}", i));
+            plot(tiers,
+                 "Higher is nearer to double, further left is quicker. A name without room is left out.",
+                 fmt::format(" data-axis={}", i));
             if (!tiers.problem.empty())
                 return; // the others have the same
         }

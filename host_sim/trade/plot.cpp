@@ -1,57 +1,37 @@
 #include "host_sim/trade/plot.hpp"
 
 #include <algorithm>
-#include <cstdio>
+#include <cmath>
 #include <iterator>
-#include <map>
 #include <optional>
 #include <vector>
 
 #include <fmt/format.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
+#include "host_sim/process/process.hpp"
 #include "host_sim/trade/advice.hpp"
 #include "host_sim/trade/cost.hpp"
+#include "host_sim/trade/plot_names.hpp"
 
 namespace spangle::trade {
 
 namespace {
 
-/// What gnuplot makes of a script: read from one unnamed file, written to another.
+/// What gnuplot makes of a script.
 Plot drawn(const std::string& script) {
-    std::FILE* const in = std::tmpfile();
-    std::FILE* const out = std::tmpfile();
+    process::Scratch in;
+    const process::Scratch out;
     Plot plot;
-    if (in == nullptr || out == nullptr) {
-        plot.problem = "no temporary file can be made";
-    } else {
-        std::fwrite(script.data(), 1, script.size(), in);
-        std::rewind(in);
-        const pid_t child = fork();
-        if (child == 0) {
-            dup2(fileno(in), STDIN_FILENO);
-            dup2(fileno(out), STDOUT_FILENO);
-            if (std::freopen("/dev/null", "w", stderr) != nullptr)
-                execlp("gnuplot", "gnuplot", "-", nullptr);
-            _exit(127);
-        }
-        int status = 0;
-        if (child < 0 || waitpid(child, &status, 0) != child || !WIFEXITED(status))
-            plot.problem = "gnuplot did not end";
-        else if (WEXITSTATUS(status) != 0)
-            plot.problem = WEXITSTATUS(status) == 127
-                               ? "gnuplot is not installed (Debian: gnuplot-nox)"
-                               : fmt::format("gnuplot ended with status {}", WEXITSTATUS(status));
-        std::rewind(out);
-        char piece[4096];
-        for (std::size_t n; plot.problem.empty() && (n = std::fread(piece, 1, sizeof piece, out)) > 0;)
-            plot.svg.append(piece, n);
-    }
-    if (in != nullptr)
-        std::fclose(in);
-    if (out != nullptr)
-        std::fclose(out);
+    if (!in.put(script) || out.descriptor() < 0)
+        return {"", "no temporary file can be made"};
+    const process::Ended ended =
+        process::run({"gnuplot", "-"}, {in.descriptor(), out.descriptor(), process::nowhere});
+    if (ended.status == process::no_program)
+        plot.problem = "gnuplot is not installed (Debian: gnuplot-nox)";
+    else if (ended.status != 0)
+        plot.problem = fmt::format("gnuplot ended with status {}", ended.status);
+    else
+        plot.svg = out.text();
     if (const std::size_t start = plot.svg.find("<svg"); start != std::string::npos)
         plot.svg.erase(0, start); // a page has a head of its own
     else if (plot.problem.empty())
@@ -67,29 +47,86 @@ std::string word(const std::string& text) {
     return out + '"';
 }
 
-constexpr const char* look =
-    "set terminal svg size 760,420 font 'sans,12' background '#ffffff'\n"
-    "set grid lc rgb '#dddddd'\nset key outside right\nset border 3\nset tics nomirror\n";
+/// The area of a plot, in pixels of a picture of 760x420: names are placed by it.
+constexpr double picture_width = 760, picture_height = 420;
+constexpr double area_left = 68, area_right = 650, area_bottom = 60, area_top = 410;
+constexpr double area_width = area_right - area_left, area_height = area_top - area_bottom;
 
-/// Points with names, by series.
-using Series = std::map<std::string, std::string>;
+struct Dot {
+    std::string tier;
+    double x, y;
+    std::string name; ///< empty: it has none
+};
 
-std::string plotted(const Series& series, const std::vector<std::string>& order) {
+/// An axis from the least to the most of its values, and a little beyond.
+struct Scale {
+    double least, most;
+    bool by_octaves; ///< logarithms to the base of 2
+
+    double place(double v) const {
+        const auto at = [&](double x) { return by_octaves ? std::log2(x) : x; };
+        return (at(v) - at(least)) / (at(most) - at(least));
+    }
+    double value(double place) const {
+        return by_octaves ? least * std::pow(most / least, place) : least + place * (most - least);
+    }
+};
+
+template <class Get> Scale scale_of(const std::vector<Dot>& dots, bool by_octaves, Get get) {
+    const auto [low, high] = std::minmax_element(dots.begin(), dots.end(),
+                                                 [&](const Dot& a, const Dot& b) { return get(a) < get(b); });
+    const double least = get(*low), most = get(*high);
+    if (by_octaves)
+        return {least / 1.3, most * 1.6, true};
+    const double beyond = std::max(0.06 * (most - least), 0.02 * std::abs(most) + 1e-3);
+    return {least - beyond, most + beyond, false};
+}
+
+/// Every tier has a colour, its points, and their names.
+std::string plotted(const std::vector<Dot>& dots, const std::vector<std::string>& tiers, bool by_octaves) {
     constexpr const char* colors[] = {"#1b6ca8", "#e08e0b", "#c0392b", "#2e8b57", "#7d3c98", "#555555"};
+    const Scale across = scale_of(dots, by_octaves, [](const Dot&dot) { return dot.x; }),
+                up = scale_of(dots, false, [](const Dot&dot) { return dot.y; });
+    std::vector<NamedPoint> points;
+    for (const Dot& dot : dots)
+        points.push_back({area_width * across.place(dot.x), area_height * up.place(dot.y), dot.name});
+    const auto places = place_names(points, area_width, area_height);
     std::string data, plot;
     int i = 0;
-    for (const std::string& name : order) {
-        const auto found = series.find(name);
-        if (found == series.end())
+    for (const std::string& tier : tiers) {
+        std::string at, names;
+        for (std::size_t k = 0; k < dots.size(); ++k) {
+            if (dots[k].tier != tier)
+                continue;
+            at += fmt::format("{} {}\n", dots[k].x, dots[k].y);
+            if (places[k])
+                names += fmt::format("{} {} {}\n", across.value(places[k]->x / area_width),
+                                     up.value(places[k]->y / area_height), word(dots[k].name));
+        }
+        if (at.empty())
             continue;
-        data += fmt::format("$d{} << EOD\n{}EOD\n", i, found->second);
-        plot += fmt::format("{}$d{} using 1:2 with points pt 7 ps 0.8 lc rgb '{}' title {}, "
-                            "$d{} using 1:2:3 with labels left offset 0.7,0.3 font ',9' notitle",
-                            i == 0 ? "" : ", ", i, colors[static_cast<std::size_t>(i) % std::size(colors)],
-                            word(name), i);
+        const char* const color = colors[static_cast<std::size_t>(i) % std::size(colors)];
+        data += fmt::format("$d{} << EOD\n{}EOD\n$n{} << EOD\n{}EOD\n", i, at, i, names);
+        plot += fmt::format("{}$d{} using 1:2 with points pt 7 ps 0.8 lc rgb '{}' title {}",
+                            i == 0 ? "" : ", ", i, color, word(tier));
+        if (!names.empty())
+            plot += fmt::format(", $n{} using 1:2:3 with labels left font ',9' textcolor rgb '{}' notitle", i,
+                                color);
         ++i;
     }
-    return data + "plot " + plot + "\n";
+    return fmt::format("{}set xrange [{}:{}]\nset yrange [{}:{}]\nplot {}\n", data, across.least, across.most,
+                       up.least, up.most, plot);
+}
+
+std::string look() {
+    return fmt::format(
+        "set terminal svg size {},{} font 'sans,12' background '#ffffff'\n"
+        "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n"
+        "set bmargin at screen {:.5f}\nset tmargin at screen {:.5f}\n"
+        "set grid lc rgb '#dddddd'\nset key outside right Left reverse samplen 1\nset border 3\n"
+        "set tics nomirror\n",
+        picture_width, picture_height, area_left / picture_width, area_right / picture_width,
+        area_bottom / picture_height, area_top / picture_height);
 }
 
 /// In the order of their rows.
@@ -125,7 +162,7 @@ std::vector<Axis> axes_of(const Table& cost) {
 }
 
 Plot plot_tiers(const Table& accuracy, const Table& cost, const Axis& axis) {
-    Series series;
+    std::vector<Dot> dots;
     std::string job;
     std::optional<double> first;
     for (const Table::Row& row : accuracy.rows) {
@@ -138,33 +175,33 @@ Plot plot_tiers(const Table& accuracy, const Table& cost, const Axis& axis) {
         if (!psnr || !figure || !first || *first <= 0)
             continue;
         const double relative = *figure / *first;
-        series[accuracy.text(row, "tier")] +=
-            fmt::format("{} {} {}\n", 100 * relative, *psnr,
-                        is_crowded(relative, *psnr) ? word("") : word(accuracy.text(row, "scene")));
+        dots.push_back({accuracy.text(row, "tier"), 100 * relative, *psnr,
+                        is_crowded(relative, *psnr) ? "" : accuracy.text(row, "scene")});
     }
-    if (series.empty())
+    if (dots.empty())
         return {"", "nothing was measured"};
-    return drawn(std::string(look) +
-                 fmt::format("set xlabel '{} for a frame, % of the first tier'\n", axis.name) +
-                 "set ylabel 'PSNR in RGB565, dB (99: identical)'\nset yrange [*:102]\n" +
-                 plotted(series, tier_names(accuracy)));
+    return drawn(look() + fmt::format("set xlabel '{} for a frame, % of the first tier'\n", axis.name) +
+                 "set ylabel 'PSNR in RGB565, dB (99: identical)'\n" +
+                 plotted(dots, tier_names(accuracy), false));
 }
 
 Plot plot_formats(const Table& accuracy) {
-    Series series;
+    std::vector<Dot> dots;
     std::string last;
     for (const Table::Row& row : accuracy.rows) {
         const bool first = accuracy.text(row, "job") != last;
         last = accuracy.text(row, "job");
-        if (first)
-            series[accuracy.text(row, "tier")] +=
-                fmt::format("{} {} {}\n", accuracy.text(row, "frame_bytes"), accuracy.text(row, "perceived"),
-                            word(accuracy.text(row, "scene") + " " + accuracy.text(row, "format")));
+        const auto bytes = accuracy.number(row, "frame_bytes"), perceived = accuracy.number(row, "perceived");
+        if (first && bytes && perceived && *bytes > 0)
+            dots.push_back({accuracy.text(row, "tier"), *bytes, *perceived,
+                            accuracy.text(row, "scene") + " " + accuracy.text(row, "format")});
     }
-    return drawn(std::string(look) +
+    if (dots.empty())
+        return {"", "nothing was measured"};
+    return drawn(look() +
                  "set xlabel 'bytes of a whole frame'\nset logscale x 2\n"
-                 "set ylabel 'looks different, FLIP-like mean'\nset yrange [0:*]\n" +
-                 plotted(series, tier_names(accuracy)));
+                 "set ylabel 'looks different, FLIP-like mean'\n" +
+                 plotted(dots, tier_names(accuracy), true));
 }
 
 } // namespace spangle::trade

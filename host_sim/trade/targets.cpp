@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "host_sim/process/process.hpp"
 #include "host_sim/trade/cost.hpp"
-#include "host_sim/trade/spawn.hpp"
 
 namespace spangle::trade {
 
@@ -87,13 +87,16 @@ std::string count_on(const Target& target, const std::string& image, const Setti
     ImageSizes sizes;
     if (std::string problem = read_sizes(image, sizes); !problem.empty())
         return problem;
-    std::string text;
-    const int status = spawn(command_of(target, image, setting), text);
-    if (status == no_program)
+    const process::Scratch out_file, error_file;
+    const process::Ended ended =
+        process::run(command_of(target, image, setting),
+                     {process::nowhere, out_file.descriptor(), error_file.descriptor()});
+    if (ended.status == process::no_program)
         return fmt::format("{} is not installed (./dev setup --all installs it)", target.machine[0]);
     Said said;
-    if (std::string problem = read_said(text, said); !problem.empty() || status != 0)
-        return fmt::format("{} ended with status {}: {}", image, status,
+    if (std::string problem = read_said(out_file.text() + error_file.text(), said);
+        !problem.empty() || ended.status != 0)
+        return fmt::format("{} ended with status {}: {}", image, ended.status,
                            problem.empty() ? "it failed after its frames" : problem);
     if (said.hash != hash)
         return image + " draws another picture than this program; build it anew";

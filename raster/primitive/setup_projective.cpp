@@ -70,7 +70,7 @@ void Setup<Fixed>::weights_of_several_exponents() {
 
 bool Setup<Fixed>::colors_affine(std::uint32_t bits) {
     const std::uint32_t four = state_.four_color_tolerances;
-    if (of_tier<[](const Knobs& k) { return k.affine_color_bits == 0; }>(state_))
+    if ((SPANGLE_OWN_TIERS || !has_chain) && four == any_color_tolerance)
         return true;
     if constexpr (!has_shortcuts)
         return bounded(bits, four); // their range

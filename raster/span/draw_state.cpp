@@ -168,8 +168,8 @@ AnyFunction chain_runner(Number number) {
 /// 255ths.
 template <std::uint32_t Step>
 constexpr auto four_color_tolerances = [](const Knobs& k) {
-    if (k.affine_color_bits == 0)
-        return UINT32_MAX;
+    if (k.affine_color_bits == 0 || (!has_full && k == fast_knobs))
+        return any_color_tolerance;
     const std::uint32_t of_scale =
         k.affine_color_bits == Knobs::never ? 0 : color_one >> (k.affine_color_bits - 2);
     const std::uint32_t of_step =
@@ -269,14 +269,19 @@ template <> void compile<FixedVertex>(const FragmentState& state, const Surface&
             continue;
         if (!has_affine_textures && kind == Kind::affine && draw.needs.any_unit())
             continue;
-        if (!is_possible(kind) || (kind == Kind::full && !has_chain && drawn(state.tier) == Tier::fast))
+        if (!is_possible(kind))
             continue;
         draw.guesses = choose_span(draw.variant[i], key, state);
         if constexpr (!has_chain) {
+            // Colours of the fast tier stay affine where no span divides them.
+            const bool may_be_affine = kind == Kind::full && drawn(state.tier) == Tier::fast;
+            if (may_be_affine && draw.variant[i].run == nullptr)
+                draw.four_color_tolerances = any_color_tolerance;
             // One colour is drawn as affine ones are where it has no span of its own.
             const bool optional =
-                first == 0 &&
-                (i == 0 || (plain && state.flat && !draw.pixels && draw.variant[0].run != nullptr));
+                may_be_affine ||
+                (first == 0 &&
+                 (i == 0 || (plain && state.flat && !draw.pixels && draw.variant[0].run != nullptr)));
             lacks_span = lacks_span || (draw.variant[i].run == nullptr && !optional);
         }
         const Shapes* const shapes = draw.variant[i].shapes;

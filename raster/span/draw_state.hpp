@@ -111,6 +111,9 @@ struct FogConstants {
     std::int64_t offset = 0;
 };
 
+/// Colours may be off by anything: they are always affine.
+inline constexpr std::uint32_t any_color_tolerance = UINT32_MAX;
+
 struct Recorder; // raster/primitive/keep.hpp
 
 struct DrawState {

@@ -119,6 +119,7 @@ inline constexpr Among spans_with_depth = among_spans([](const Key&k) { return n
                        spans_with_color = among_spans([](const Key&k) { return k.color; }),
                        spans_with_alpha = among_spans([](const Key&k) { return k.color_alpha; }),
                        spans_with_sum = among_spans([](const Key&k) { return k.color_sum; }),
+                       spans_of_full = among_spans([](const Key&k) { return k.kind == Kind::full; }),
                        spans_with_coordinates =
                            among_spans([](const Key&k) { return k.unit[0].on || k.second_unit() || k.fog; });
 inline constexpr Among spans_by_gray = {has_fog, false}; ///< fused ones of fog have loops of their own

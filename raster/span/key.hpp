@@ -6,7 +6,7 @@
 
 #include <spangle/format.hpp>
 
-#include "raster/span/span.hpp"
+#include "raster/span/kind.hpp"
 #include <spangle/raster/fragment_state.hpp>
 
 namespace spangle::raster {

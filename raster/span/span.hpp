@@ -5,6 +5,8 @@
 #include <cstdint>
 
 #include "raster/numeric/bits.hpp"
+#include "raster/span/fused_keys.hpp"
+#include "raster/span/kind.hpp"
 #include "raster/span/vertex.hpp"
 
 namespace spangle::raster {
@@ -60,20 +62,10 @@ struct Basis {
     std::int32_t q[3];       ///< 1/w of these, largest in [2^29, 2^30), where set-up had to look at it
 };
 
-/// Which attributes vary how over a primitive. Every stage list exists once per kind; set-up picks the
-/// cheapest kind whose error is within the bounds of the tier (design 3).
-enum class Kind : std::uint8_t {
-    flat,     ///< one colour (state without projective texture or fog)
-    affine,   ///< everything affine: 1/w is constant, or the bound is met over the whole primitive
-    textured, ///< texture coordinates and fog projective, colours affine
-    full,     ///< everything projective
-};
-inline constexpr int kind_count = 4;
-/// Some fragments divide: by 1/w, or where what they have lies too far away for affine forms.
-inline constexpr bool has_division = has_perspective || has_chain || has_fog;
-/// Colours of the fast tier are affine: without the chain none is of Kind::full.
+/// Colours may be of Kind::full. Those of the fast tier are affine where there is no chain and no span of
+/// that kind was asked for (compile()): what no listed span does takes no bytes.
 inline constexpr bool has_full =
-    has_perspective && (has_chain || tiers != 1u << static_cast<unsigned>(Tier::fast));
+    has_perspective && (has_chain || tiers != 1u << static_cast<unsigned>(Tier::fast) || spans_of_full.some);
 
 /// Places of planes in a span, or in all of them together where none looks at them.
 #if SPANGLE_TEXTURE_UNITS

@@ -134,7 +134,7 @@ TEST(Profile, LeavesTheChainOutWhereEveryKeyHasALoop) {
     EXPECT_EQ(limit(profile, "CHAIN"), "0");
     EXPECT_THAT(fused_lines(profile), AllOf(HasSubstr("Kind::affine"), HasSubstr("Kind::full")));
     EXPECT_THAT(settings(profile, lit, {"lit", "lit.inc"}), HasSubstr("set(SPANGLE_FUSED lit.inc)\n"));
-    // Of the fast tier no colours are divided.
+    // Colours of the fast tier are divided in strong perspective only.
     const Profile fast =
         make(record(programs::lit_perspective, EGL_PRECISION_FAST_SPANGLE), {"lit", "lit.inc"});
     EXPECT_THAT(fused_lines(fast), Not(HasSubstr("Kind::full")));

@@ -1,0 +1,23 @@
+// The kinds of spans: which attributes vary how over a primitive.
+#pragma once
+
+#include <cstdint>
+
+#include <spangle/raster/features.hpp>
+#include <spangle/raster/limits.hpp>
+
+namespace spangle::raster {
+
+/// Every stage list exists once per kind; set-up picks the cheapest kind whose error is within the bounds of
+/// the tier (design 3).
+enum class Kind : std::uint8_t {
+    flat,     ///< one colour (state without projective texture or fog)
+    affine,   ///< everything affine: 1/w is constant, or the bound is met over the whole primitive
+    textured, ///< texture coordinates and fog projective, colours affine
+    full,     ///< everything projective
+};
+inline constexpr int kind_count = 4;
+/// Some fragments divide: by 1/w, or where what they have lies too far away for affine forms.
+inline constexpr bool has_division = has_perspective || has_chain || has_fog;
+
+} // namespace spangle::raster
