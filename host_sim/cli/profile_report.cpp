@@ -73,6 +73,9 @@ nlohmann::json to_json(const ProfileReport& report) {
                                {"pixels", use.pixels},
                                {"fused", is_fused(*report.made, use)},
                                {"needed", use.needed}});
+    for (unsigned i = 0; i < gl::range_count; ++i)
+        out["ranges"][profile::text_of(gl::Range{static_cast<std::uint8_t>(i)}).name] =
+            report.chosen->record.reached[i];
     out["commands"] = report.chosen->record.commands;
     out["arena_bytes_of_host"] = report.chosen->record.arena_peak;
     if (report.firmware.is_object())
@@ -105,6 +108,10 @@ std::string to_text(const ProfileReport& report) {
             out += fmt::format("  {:>9}  {:<8}  {}\n", use.pixels, fused ? "a loop" : "the chain",
                                profile::words(use.key));
     }
+    out += "\n  reached    at most\n";
+    for (unsigned i = 0; i < gl::range_count; ++i)
+        out += fmt::format("  {:>9}  {}\n", report.chosen->record.reached[i],
+                           profile::text_of(gl::Range{static_cast<std::uint8_t>(i)}).counted);
     out += "\n  calls      command\n";
     std::vector<std::pair<std::string, std::uint64_t>> commands(report.chosen->record.commands.begin(),
                                                                 report.chosen->record.commands.end());

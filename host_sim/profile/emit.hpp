@@ -2,6 +2,7 @@
 // list of fused spans.
 #pragma once
 
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,9 +12,10 @@
 namespace spangle::profile {
 
 struct Choice {
-    std::string title;       ///< what was recorded, for the first line
-    std::string list;        ///< the file of the fused spans, as the profile names it
-    bool small = false;      ///< what is only faster is left out
+    std::string title;               ///< what was recorded, for the first line
+    std::string list;                ///< the file of the fused spans, as the profile names it
+    bool small = false;              ///< what is only faster is left out
+    std::set<std::string> keep = {}; ///< limits that stay as they are in the whole library
     double least_share = 1.; ///< percent of all pixels that a key has at least, to be fused beside the chain
 };
 
@@ -29,6 +31,12 @@ Profile make(const Record& record, const Choice& choice);
 /// The two files: settings for SPANGLE_PROFILE, and the lines of SPANGLE_FUSED (empty: there is none).
 std::string settings(const Profile& profile, const Record& record, const Choice& choice);
 std::string fused_lines(const Profile& profile);
+
+/// A range as the profile names it, and what it counts.
+struct RangeText {
+    const char *name, *counted;
+};
+RangeText text_of(gl::Range range);
 
 /// A loop of its own can serve the key.
 bool is_fusible(const raster::Key& key);

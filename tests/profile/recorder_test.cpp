@@ -249,8 +249,8 @@ TEST(RecordText, RefusesWhatIsNoRecord) {
     const std::string text = to_text(record(programs::gouraud_cube));
     EXPECT_THAT(from_text("", out), HasSubstr("no record"));
     EXPECT_THAT(from_text(text.substr(0, text.size() - 4), out), HasSubstr("without its end"));
-    EXPECT_THAT(from_text("spangle record 1\nlimit depth_of_sea 3\nend\n", out), HasSubstr("depth_of_sea"));
-    EXPECT_THAT(from_text("spangle record 1\nkey 1 2\nend\n", out), HasSubstr("key 1 2"));
+    EXPECT_THAT(from_text("spangle record 2\nlimit depth_of_sea 3\nend\n", out), HasSubstr("depth_of_sea"));
+    EXPECT_THAT(from_text("spangle record 2\nkey 1 2\nend\n", out), HasSubstr("key 1 2"));
 }
 
 } // namespace
