@@ -19,9 +19,8 @@ struct ProfileOptions {
     std::string trace;              ///< a file of apitrace
     std::string size = "320x240", dither = "program", format = "rgb565", out;
     std::vector<std::string> tiers = {"exact", "balanced", "fast"};
-    double max_error = -1.0;       ///< percent of pixels; negative: not asked
-    std::vector<std::string> keep; ///< limits that stay as they are in the whole library
-    bool small = false, json = false;
+    double max_error = -1.0; ///< percent of pixels; negative: not asked
+    bool small = false, unclipped = false, json = false;
     std::string report; ///< HTML page; empty: none
 };
 

@@ -139,13 +139,12 @@ Profile make(const Record& record, const Choice& choice) {
             out.fused.push_back(use.key);
 
     const auto set = [&](const char* limit, auto value) {
-        if (choice.keep.count(limit) == 0)
-            out.limits.emplace_back(limit, fmt::format("{}", value));
+        out.limits.emplace_back(limit, fmt::format("{}", value));
     };
     // What is cut has a distance of its own, so clipping keeps perspective.
-    const bool cuts = record.reach(gl::Range::CUTS) != 0 || choice.keep.count("CLIPPING") != 0 ||
-                      std::any_of(std::begin(cutting), std::end(cutting), has);
-    if (!cuts) {
+    const bool cuts =
+        record.reach(gl::Range::CUTS) != 0 || std::any_of(std::begin(cutting), std::end(cutting), has);
+    if (choice.unclipped && !cuts) {
         set("CLIPPING", 0);
         if (record.reach(gl::Range::PERSPECTIVE) == 0)
             set("PERSPECTIVE", 0);

@@ -2,7 +2,6 @@
 // list of fused spans.
 #pragma once
 
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,10 +11,10 @@
 namespace spangle::profile {
 
 struct Choice {
-    std::string title;               ///< what was recorded, for the first line
-    std::string list;                ///< the file of the fused spans, as the profile names it
-    bool small = false;              ///< what is only faster is left out
-    std::set<std::string> keep = {}; ///< limits that stay as they are in the whole library
+    std::string title;       ///< what was recorded, for the first line
+    std::string list;        ///< the file of the fused spans, as the profile names it
+    bool small = false;      ///< what is only faster is left out
+    bool unclipped = false;  ///< clipping, and then perspective, are left out where nothing asked for them
     double least_share = 1.; ///< percent of all pixels that a key has at least, to be fused beside the chain
 };
 
