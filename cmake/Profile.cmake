@@ -2,6 +2,8 @@
 # which sets some of
 #   SPANGLE_PROFILE_FEATURES  the optional systems that are on, or all (cmake/Features.cmake); -DSPANGLE_FEATURE_... goes before it
 #   SPANGLE_FUSED             the list of fused spans: a file of cmake/profiles/spans, one beside the profile, or a path
+#   SPANGLE_RANGES            how far the recorded program went, as NAME=NUMBER (gl/context/ranges.inc): builds that check them (Debug
+#                             ones, and any with SPANGLE_CHECK_RANGES) stop a program that goes farther, after a message
 #   any limit                 tiers, formats, stacks, the chain, ... (cmake/Limits.cmake)
 # What it does not say is everything. Builds without CMake take the same as definitions, which boards/tools/profile.py prints.
 set(SPANGLE_PROFILE "" CACHE STRING "What the build holds: a file of cmake/profiles without its ending, or a path; empty: everything")
@@ -22,6 +24,25 @@ if(SPANGLE_PROFILE)
     get_filename_component(SPANGLE_PROFILE_FOLDER ${profile_file} DIRECTORY)
     include(${profile_file})
 endif()
+
+# Ranges that the profile recorded are checked where programs are looked for faults; what a release holds is the same without them.
+option(SPANGLE_CHECK_RANGES "Builds of every type check the ranges of the profile, not Debug ones alone" OFF)
+function(spangle_ranges target)
+    if(NOT DEFINED SPANGLE_RANGES)
+        return()
+    endif()
+    file(STRINGS ${PROJECT_SOURCE_DIR}/gl/context/ranges.inc known REGEX "^RANGE")
+    list(TRANSFORM known REPLACE "^RANGE.([A-Z_]+),.*" "\\1")
+    set(definitions SPANGLE_CHECK_RANGES=1)
+    foreach(range ${SPANGLE_RANGES})
+        string(REGEX MATCH "^([A-Z_]+)=[0-9]+$" matches ${range})
+        if(NOT matches OR NOT CMAKE_MATCH_1 IN_LIST known)
+            message(FATAL_ERROR "SPANGLE_RANGES: '${range}' is none of ${known} with a number")
+        endif()
+        list(APPEND definitions SPANGLE_RANGE_${range})
+    endforeach()
+    target_compile_definitions(${target} PUBLIC "$<$<OR:$<CONFIG:Debug>,$<BOOL:${SPANGLE_CHECK_RANGES}>>:${definitions}>")
+endfunction()
 
 # The profile's own list of fused spans.
 function(spangle_fused target)

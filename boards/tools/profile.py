@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Prints the compiler definitions of a scene profile, for builds without CMake (cmake/Profile.cmake says what they mean).
 
-usage: profile.py PROFILE
+usage: profile.py [--check-ranges] PROFILE
 
-PROFILE: a file of cmake/profiles without its ending, or a path.
+PROFILE: a file of cmake/profiles without its ending, or a path. --check-ranges: of a build that stops a program which goes farther
+than the recorded one did.
 """
 import pathlib
 import re
@@ -22,6 +23,10 @@ def limits():
     return dict(re.findall(r"^spangle_limit\((\w+) (\w+) ", (ROOT / "cmake/Limits.cmake").read_text(), re.M))
 
 
+def ranges():
+    return re.findall(r"^RANGE\((\w+),", (ROOT / "gl/context/ranges.inc").read_text(), re.M)
+
+
 def find(name, folder, ending, beside=pathlib.Path()):
     for path in (folder / f"{name}.{ending}", beside / name, pathlib.Path(name)):
         if path.is_file():
@@ -36,8 +41,8 @@ def known(names, what, among):
     return names
 
 
-def definitions(name):
-    """[NAME=VALUE]"""
+def definitions(name, checks=False):
+    """[NAME=VALUE]; with `checks` also those of a build that stops a program beyond the recorded ranges."""
     file = find(name, PROFILES, "cmake")
     text = file.read_text()
     says = dict(re.findall(r"^set\(SPANGLE_(\w+) ([^)]*)\)", text, re.M))
@@ -48,11 +53,16 @@ def definitions(name):
         out += [f"SPANGLE_FEATURE_{feature}=0" for feature in features() if feature not in wanted]
     if "FUSED" in says:
         out.append(f'SPANGLE_FUSED="{find(says.pop("FUSED"), PROFILES / "spans", "inc", file.parent)}"')
+    reached = dict(word.split("=") for word in says.pop("RANGES", "").split())
+    known(list(reached), "range", ranges())
+    if checks:
+        out += ["SPANGLE_CHECK_RANGES=1", *(f"SPANGLE_RANGE_{name}={most}" for name, most in reached.items())]
     return out + [f"SPANGLE_{limit}={says[limit]}" for limit in known(list(says), "limit", limits())]
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
+    words = [word for word in sys.argv[1:] if word != "--check-ranges"]
+    if len(words) != 1:
         print(__doc__.strip())
         sys.exit(2)
-    print("\n".join(definitions(sys.argv[1])))
+    print("\n".join(definitions(words[0], len(words) != len(sys.argv) - 1)))

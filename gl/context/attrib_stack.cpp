@@ -7,6 +7,7 @@
 #include "gl/context/context.hpp"
 #include "gl/context/hooks.hpp"
 #include "gl/context/limits.hpp"
+#include "gl/context/reach.hpp"
 #include "gl/context/state_table.hpp"
 
 namespace spangle::gl {
@@ -94,6 +95,8 @@ void push(Context& context, AttribStack& stack, GLbitfield groups) {
         hold_arrays(context);
     stack.top = entry;
     ++stack.depth;
+    if constexpr (tells_reach)
+        reach(context, Range::ATTRIB_STACK, static_cast<std::uint32_t>(stack.depth));
 }
 
 /// Without memory for what it would make anew an entry stays on the stack, and nothing is changed.

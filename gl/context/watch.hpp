@@ -5,6 +5,7 @@
 
 #include "gl/context/command_text.hpp"
 #include "gl/context/features.hpp"
+#include "gl/context/range.hpp"
 #include "gl/context/threads.hpp"
 #include "gl/context/types.hpp"
 
@@ -14,6 +15,9 @@
 #else
 #define SPANGLE_WATCHED 0
 #endif
+
+/// Somebody may ask how far programs go (reach.hpp).
+#define SPANGLE_TELLS_REACH (SPANGLE_WATCHED || SPANGLE_CHECK_RANGES)
 
 #if SPANGLE_WATCHED
 
@@ -31,6 +35,8 @@ struct Watcher {
     /// A state of fragments was compiled: something is drawn with it.
     virtual void compiled(Context& context, const raster::FragmentState& fragment,
                           raster::DrawState& state) = 0;
+    /// The program went as far as `value` (reach.hpp).
+    virtual void reached(Range range, std::uint32_t value) = 0;
 
   protected:
     ~Watcher() = default;

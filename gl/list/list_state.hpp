@@ -3,6 +3,7 @@
 
 #include "gl/context/features.hpp"
 #include "gl/context/types.hpp"
+#include "gl/context/watch.hpp"
 
 namespace spangle::gl {
 
@@ -15,10 +16,13 @@ struct Chunk;
 struct ListRecorder {
     list::Chunk* first = nullptr;
     list::Chunk* last = nullptr;
-    list::Word* write = nullptr;            ///< in `last`
-    list::Word* end = nullptr;              ///< of `last`; room for the link is behind it
-    bool out_of_memory = false;             ///< the list is lost: EndList says so and keeps the old one
-    list::Word* run = nullptr;              ///< header word of the open run, or null
+    list::Word* write = nullptr; ///< in `last`
+    list::Word* end = nullptr;   ///< of `last`; room for the link is behind it
+    bool out_of_memory = false;  ///< the list is lost: EndList says so and keeps the old one
+    list::Word* run = nullptr;   ///< header word of the open run, or null
+#if SPANGLE_TELLS_REACH
+    std::uint32_t vertices = 0; ///< so far
+#endif
     std::uint32_t pending = 0;              ///< attributes given since the last vertex (list::Field bits)
     Real color[4], normal[3], tex_coord[4]; ///< their values
 };

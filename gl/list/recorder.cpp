@@ -14,6 +14,7 @@
 #include "gl/api/explain.hpp"
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/arena.hpp"
+#include "gl/context/reach.hpp"
 #include "gl/context/share_group.hpp"
 #include "gl/list/chunk.hpp"
 #include "gl/list/play.hpp"
@@ -302,6 +303,9 @@ void Vertex(Context& context, Real x, Real y, Real z, Real w) {
         to = header + 1;
     }
     ++*r.run;
+#if SPANGLE_TELLS_REACH
+    reach(context, Range::LIST_VERTICES, ++r.vertices);
+#endif
     if (fields & field_color)
         store_reals(to, r.color, 4);
     if (fields & field_normal)

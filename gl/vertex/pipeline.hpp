@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "gl/context/context.hpp"
+#include "gl/context/reach.hpp"
 #include "gl/pixel/fragment_setup.hpp"
 #include "gl/pixel/targets.hpp"
 #include "gl/pixel/viewport_box.hpp"
@@ -50,6 +51,8 @@ template <class M, class L> class Pipeline {
         for (int i = 0; i < slot_count; ++i)
             corner_[i] = &slot_[i];
         derive(context);
+        if (tells_reach && is_told(context)) [[unlikely]]
+            reach_draw();
         if (mode == GL_POLYGON && (outlined() || gathers()))
             begin_polygon();
         const Drawn drawn = mode == GL_POINTS       ? Drawn::points
@@ -294,7 +297,7 @@ template <class M, class L> class Pipeline {
         smooth_polygons_ = SPANGLE_FEATURE_ANTIALIASING && polygon.polygon_smooth && !multisampling_;
         fills_whole_ = smooth_polygons_ || sampled;
         each_vertex_ = lighting_.tracks_color() || outlined() || captures() || fog_given_ || indexed() ||
-                       sums_ || (mode_ == GL_POLYGON && gathers());
+                       sums_ || (mode_ == GL_POLYGON && gathers()) || (tells_reach && is_told(context));
         modal_points_ = (SPANGLE_FEATURE_ANTIALIASING && polygon.point_smooth) || sampled ||
                         ((mode_ == GL_POINTS || outlines_) && sizes_points(polygon));
         offsets_ = SPANGLE_FEATURE_POLYGON_OFFSET &&
@@ -358,9 +361,9 @@ template <class M, class L> class Pipeline {
         return SPANGLE_FEATURE_FOG && fog_;
     }
     bool more_is_given() const {
-        return (has_color_material || SPANGLE_FEATURE_POLYGON_MODE || SPANGLE_FEATURE_SELECTION ||
-                SPANGLE_FEATURE_FEEDBACK || SPANGLE_FEATURE_FOG || raster::has_indices ||
-                SPANGLE_FEATURE_SECONDARY_COLOR || SPANGLE_GATHERS_POLYGONS) &&
+        return (tells_reach || has_color_material || SPANGLE_FEATURE_POLYGON_MODE ||
+                SPANGLE_FEATURE_SELECTION || SPANGLE_FEATURE_FEEDBACK || SPANGLE_FEATURE_FOG ||
+                raster::has_indices || SPANGLE_FEATURE_SECONDARY_COLOR || SPANGLE_GATHERS_POLYGONS) &&
                each_vertex_;
     }
     bool whole_polygons() const {
@@ -573,6 +576,11 @@ template <class M, class L> class Pipeline {
     void cut_gathered(Vertex** work, int room, std::int64_t* part);
     void free_gathered();
 
+    // pipeline_reach.hpp
+    [[gnu::noinline]] void reach_draw() const;
+    [[gnu::noinline]] void reach_vertex(const CurrentState& current, const Vertex& v) const;
+    void reach_cut(unsigned flags) const;
+
     // pipeline_clip.hpp
     bool needs_eye() const;
     [[gnu::noinline]] Cut& to_be_cut(Vertex& v, Cut& out);
@@ -602,4 +610,5 @@ template <class M, class L> class Pipeline {
 #include "gl/vertex/pipeline_placed.hpp"
 #include "gl/vertex/pipeline_points.hpp"
 #include "gl/vertex/pipeline_primitives.hpp"
+#include "gl/vertex/pipeline_reach.hpp"
 #include "gl/vertex/pipeline_vertex.hpp"

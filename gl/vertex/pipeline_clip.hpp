@@ -124,6 +124,8 @@ template <class M, class L> inline bool Pipeline<M, L>::to_be_clipped(unsigned f
 
 /// True: these corners would have to be cut, which this build does not.
 template <class M, class L> inline bool Pipeline<M, L>::refuses(unsigned flags) {
+    if (tells_reach && has_clipping)
+        reach_cut(flags);
     if (has_clipping || (flags & (beyond_mask | unprojected)) == 0)
         return false;
     drawing_error(*context_, GL_INVALID_OPERATION,

@@ -25,6 +25,8 @@ inline void Pipeline<M, L>::raster_position(Context& context, const Real (&posit
     M::window_of(transforms_, clip, out.position);
     out.distance = context.fog.source == GL_FOG_COORDINATE ? current.fog_coord : numeric::abs(eye[2]);
     v.flags = 0;
+    if (tells_reach && is_told(context))
+        reach_vertex(current, v);
     if (lit_)
         light(v, 0, v.window);
     if (indexed()) { // which of the two the mode does not have stays what it was
@@ -180,6 +182,8 @@ template <class M, class L> void Pipeline<M, L>::light(const Vertex& v, int side
 /// What is known only now: the edge flag, what else few programs give, and the colour where the material is
 /// the current colour.
 template <class M, class L> void Pipeline<M, L>::given(const CurrentState& current, Vertex& v) {
+    if (tells_reach && is_told(*context_))
+        reach_vertex(current, v);
     if (current.edge_flag)
         v.flags |= edge_flag;
     if (fog_given_)

@@ -112,6 +112,10 @@ CLI::App* add_profile(CLI::App& app, ProfileOptions& o) {
                      "else the most accurate one is")
         ->check(CLI::Range(0.0, 100.0));
     command->add_flag("--small", o.small, "leave out what is only faster, too");
+    command->add_flag(
+        "--no-clipping", o.unclipped,
+        "leave out clipping, and perspective, where the recorded program needed neither: what would "
+        "be cut later is an error, and not drawn");
     command->add_option(
         "--report", o.report,
         "build the program as firmware, whole and in the profile, measure both on an emulated "
@@ -142,7 +146,8 @@ int profile(ProfileOptions options) {
     if (chosen == nullptr)
         return refuse(fmt::format("no tier is within {} %: {} differs in {:.4f} % of its pixels",
                                   options.max_error, all.front().tier, all.front().error));
-    const profile::Choice choice{title_of(options), list.filename().string(), options.small};
+    const profile::Choice choice{title_of(options), list.filename().string(), options.small,
+                                 options.unclipped};
     const profile::Profile made = profile::make(chosen->record, choice);
     file.write(profile::settings(made, chosen->record, choice));
     spans.write("// Fused spans of " + options.out + ".\n" + profile::fused_lines(made));

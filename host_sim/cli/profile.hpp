@@ -20,7 +20,7 @@ struct ProfileOptions {
     std::string size = "320x240", dither = "program", format = "rgb565", out;
     std::vector<std::string> tiers = {"exact", "balanced", "fast"};
     double max_error = -1.0; ///< percent of pixels; negative: not asked
-    bool small = false, json = false;
+    bool small = false, unclipped = false, json = false;
     std::string report; ///< HTML page; empty: none
 };
 

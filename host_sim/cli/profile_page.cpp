@@ -146,6 +146,15 @@ std::string to_page(const ProfileReport& report) {
     out += "</p>\n<table><tr><th>limit</th><th>value</th></tr>\n";
     for (const auto& [limit, value] : report.made->limits)
         out += fmt::format("<tr><td>SPANGLE_{}</td><td>{}</td></tr>\n", limit, value);
+    out +=
+        "</table>\n<h2>Ranges</h2>\n<p>How far the program went. A debug build of the profile stops a "
+        "program "
+        "that goes farther.</p>\n<table><tr><th>range</th><th>most</th><th class=words>of what</th></tr>\n";
+    for (unsigned i = 0; i < gl::range_count; ++i) {
+        const profile::RangeText range = profile::text_of(gl::Range{static_cast<std::uint8_t>(i)});
+        out += fmt::format("<tr><td>{}</td><td>{}</td><td class=words>{}</td></tr>\n", range.name,
+                           report.chosen->record.reached[i], range.counted);
+    }
     return out + "</table>\n</body></html>\n";
 }
 

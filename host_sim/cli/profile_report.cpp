@@ -13,13 +13,16 @@ bool is_fused(const profile::Profile& made, const profile::KeyUse& use) {
     return std::find(made.fused.begin(), made.fused.end(), use.key) != made.fused.end();
 }
 
+double percent(std::uint64_t part, std::uint64_t all) {
+    return all == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(all);
+}
+
 /// Percent of the pixels that no loop serves.
 double chain_percent(const ProfileReport& report) {
     std::uint64_t chain = 0;
     for (const profile::KeyUse& use : report.chosen->record.keys)
         chain += is_fused(*report.made, use) ? 0 : use.pixels;
-    const std::uint64_t all = report.chosen->record.pixels();
-    return all == 0 ? 0.0 : 100.0 * static_cast<double>(chain) / static_cast<double>(all);
+    return percent(chain, report.chosen->record.pixels());
 }
 
 /// Whole against profiled, and the lines that cost most.
@@ -73,6 +76,9 @@ nlohmann::json to_json(const ProfileReport& report) {
                                {"pixels", use.pixels},
                                {"fused", is_fused(*report.made, use)},
                                {"needed", use.needed}});
+    for (unsigned i = 0; i < gl::range_count; ++i)
+        out["ranges"][profile::text_of(gl::Range{static_cast<std::uint8_t>(i)}).name] =
+            report.chosen->record.reached[i];
     out["commands"] = report.chosen->record.commands;
     out["arena_bytes_of_host"] = report.chosen->record.arena_peak;
     if (report.firmware.is_object())
@@ -95,16 +101,21 @@ std::string to_text(const ProfileReport& report) {
     if (report.made->chain && report.firmware.is_object())
         out += fmt::format(", in {} bytes of flash",
                            report.firmware["profiled"]["flash_of"].value("raster/span", std::int64_t{0}));
-    out += "\n\n  pixels     drawn by  state key\n";
+    out += "\n\n  pixels      share    drawn by  state key\n";
     std::vector<profile::KeyUse> keys = report.chosen->record.keys;
     std::stable_sort(keys.begin(), keys.end(),
                      [](const auto& a, const auto& b) { return a.pixels > b.pixels; });
     for (const profile::KeyUse& use : keys) {
         const bool fused = is_fused(*report.made, use);
         if (fused || use.pixels != 0)
-            out += fmt::format("  {:>9}  {:<8}  {}\n", use.pixels, fused ? "a loop" : "the chain",
-                               profile::words(use.key));
+            out += fmt::format("  {:>9}  {:>5.1f} %  {:<9} {}\n", use.pixels,
+                               percent(use.pixels, report.chosen->record.pixels()),
+                               fused ? "a loop" : "the chain", profile::words(use.key));
     }
+    out += "\n  reached    at most\n";
+    for (unsigned i = 0; i < gl::range_count; ++i)
+        out += fmt::format("  {:>9}  {}\n", report.chosen->record.reached[i],
+                           profile::text_of(gl::Range{static_cast<std::uint8_t>(i)}).counted);
     out += "\n  calls      command\n";
     std::vector<std::pair<std::string, std::uint64_t>> commands(report.chosen->record.commands.begin(),
                                                                 report.chosen->record.commands.end());

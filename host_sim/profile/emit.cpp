@@ -58,6 +58,15 @@ Key sayable(const Key& key) {
 
 } // namespace
 
+RangeText text_of(gl::Range range) {
+    constexpr RangeText all[gl::range_count] = {
+#define RANGE(name, counted) {#name, counted},
+#include "gl/context/ranges.inc"
+#undef RANGE
+    };
+    return all[static_cast<unsigned>(range)];
+}
+
 bool is_fusible(const Key& key) {
     return key.number != Number::reference && key == sayable(key);
 }
@@ -96,6 +105,13 @@ std::string words(const Key& key) {
     return out;
 }
 
+namespace {
+
+/// Systems that draw what they cut (gl/vertex/pipeline.hpp).
+constexpr const char* cutting[] = {"CLIP_PLANES", "POLYGON_MODE", "SELECTION", "FEEDBACK", "ANTIALIASING"};
+
+} // namespace
+
 Profile make(const Record& record, const Choice& choice) {
     Profile out;
     const auto has = [&](const char* feature) { return record.features.count(feature) != 0; };
@@ -125,6 +141,14 @@ Profile make(const Record& record, const Choice& choice) {
     const auto set = [&](const char* limit, auto value) {
         out.limits.emplace_back(limit, fmt::format("{}", value));
     };
+    // What is cut has a distance of its own, so clipping keeps perspective.
+    const bool cuts =
+        record.reach(gl::Range::CUTS) != 0 || std::any_of(std::begin(cutting), std::end(cutting), has);
+    if (choice.unclipped && !cuts) {
+        set("CLIPPING", 0);
+        if (record.reach(gl::Range::PERSPECTIVE) == 0)
+            set("PERSPECTIVE", 0);
+    }
     set("TEXTURE_UNITS", std::min(record.texture_units, 2));
     set("TEXTURE_LEVELS", record.texture_levels);
     set("LIGHTS", record.lights);
@@ -175,7 +199,12 @@ std::string settings(const Profile& profile, const Record& record, const Choice&
         out += fmt::format("set(SPANGLE_FUSED {})\n", choice.list);
     for (const auto& [limit, value] : profile.limits)
         out += fmt::format("set(SPANGLE_{} {})\n", limit, value);
-    return out;
+    out += "# How far it went. Debug builds stop a program that goes farther, and say in "
+           "what.\nset(SPANGLE_RANGES";
+    for (unsigned i = 0; i < gl::range_count; ++i)
+        out +=
+            fmt::format(" {}={}", text_of(gl::Range{static_cast<std::uint8_t>(i)}).name, record.reached[i]);
+    return out + ")\n";
 }
 
 std::string fused_lines(const Profile& profile) {

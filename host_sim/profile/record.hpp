@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "gl/context/range.hpp"
 #include "raster/span/key.hpp"
 
 namespace spangle::profile {
@@ -31,8 +32,10 @@ struct Record {
     unsigned light_kinds = 0, array_types = 0, primitives = 0, tiers = 0;
     unsigned color_formats = 0, depth_formats = 1, texture_formats = 0;
     bool full_lighting = false;
-    std::size_t arena_peak = 0; ///< bytes on this host, of all that the library took
+    std::uint32_t reached[gl::range_count] = {}; ///< the largest number of each range (gl/context/ranges.inc)
+    std::size_t arena_peak = 0;                  ///< bytes on this host, of all that the library took
 
+    std::uint32_t reach(gl::Range range) const { return reached[static_cast<unsigned>(range)]; }
     std::uint64_t pixels() const {
         std::uint64_t sum = 0;
         for (const KeyUse& use : keys)

@@ -7,7 +7,7 @@ namespace spangle::profile {
 
 namespace {
 
-constexpr const char *first_line = "spangle record 1", *last_line = "end";
+constexpr const char *first_line = "spangle record 2", *last_line = "end";
 
 /// Calls f with every field of a key, in an order that both directions share.
 template <class K, class F> void each_field(K& key, F f) {
@@ -43,6 +43,10 @@ template <class R, class F> void each_number(R& record, F f) {
     f("texture_formats", record.texture_formats);
     f("full_lighting", record.full_lighting);
     f("arena_peak", record.arena_peak);
+    auto* reached = record.reached;
+#define RANGE(name, counted) f(#name, *reached++);
+#include "gl/context/ranges.inc"
+#undef RANGE
 }
 
 } // namespace

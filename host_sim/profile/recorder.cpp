@@ -145,6 +145,12 @@ void Recorder::compiled(gl::Context& context, const raster::FragmentState& fragm
     state.paths = {};
 }
 
+void Recorder::reached(gl::Range range, std::uint32_t value) {
+    const std::lock_guard lock(mutex_);
+    std::uint32_t& most = record_.reached[static_cast<unsigned>(range)];
+    most = std::max(most, value);
+}
+
 /// Tokens that ask for a system wherever they come.
 void Recorder::value(std::uint32_t word) {
     if (const char* const feature = feature_of(word); feature != nullptr)

@@ -36,6 +36,8 @@ class Recorder final : public gl::Watcher {
     void compiled(gl::Context& context, const raster::FragmentState& fragment,
                   raster::DrawState& state) override;
 
+    void reached(gl::Range range, std::uint32_t value) override;
+
     /// All that was asked for up to now.
     const Record& finish();
 

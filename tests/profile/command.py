@@ -44,6 +44,9 @@ def main():
         check("SPANGLE_FEATURE_FOG=0" in defined and "SPANGLE_FEATURE_LISTS=0" not in defined, "profile.py reads it")
         check(f'SPANGLE_FUSED="{out.with_suffix(".inc").resolve()}"' in defined, f"the list of spans lies beside it: {defined}")
 
+        check(told["ranges"]["SURFACE_WIDTH"] == 160 and told["ranges"]["LIST_VERTICES"] > 100 and told["ranges"]["PERSPECTIVE"] == 1, f"S5: {told['ranges']}")
+        check("set(SPANGLE_RANGES SURFACE_WIDTH=160 " in out.read_text(), "the ranges stand in the profile")
+
         check(told["chain"] is False and told["chain_percent"] == 0, f"S5 has loops: {told['chain_percent']} %")
         wires = json.loads(run("HUD", "--tiers", "balanced", "--size", "160x120", "--out", str(out), "--json").stdout)
         chain = sum(key["pixels"] for key in wires["keys"] if not key["fused"]) / sum(key["pixels"] for key in wires["keys"])
@@ -56,6 +59,8 @@ def main():
 
         cheap = json.loads(run("S5", "--max-error", "50", "--size", "160x120", "--out", str(out), "--json").stdout)
         check(cheap["tier"] == "fast" and cheap["limits"]["TIER_SET"] == 4, "the cheapest tier within the bound")
+        run("S7", "--no-clipping", "--tiers", "fast", "--size", "160x120", "--out", str(out))
+        check("set(SPANGLE_CLIPPING 0)\nset(SPANGLE_PERSPECTIVE 0)\n" in out.read_text(), "sprites need neither clipping nor perspective")
         text = run("S5", "--tiers", "balanced", "--size", "160x120", "--out", str(out)).stdout
         check("in the tier balanced" in text and "glCallList" in text and "state key" in text, f"the report: {text}")
     return 1 if failures else 0

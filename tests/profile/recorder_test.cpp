@@ -127,6 +127,56 @@ TEST(Recorder, ReachesLimits) {
     EXPECT_EQ(lit.tiers, 2u);
 }
 
+TEST(Recorder, MeasuresHowFarProgramsGo) {
+    using gl::Range;
+    const Record sprites = record(programs::sprites_only);
+    EXPECT_EQ(sprites.reach(Range::SURFACE_WIDTH), unsigned{width});
+    EXPECT_EQ(sprites.reach(Range::SURFACE_HEIGHT), unsigned{height});
+    EXPECT_EQ(sprites.reach(Range::BAND_ROWS), unsigned{height});
+    EXPECT_EQ(sprites.reach(Range::POSITION_BITS), 9u) << "312 is the largest coordinate";
+    EXPECT_EQ(sprites.reach(Range::TEXTURE_BITS), 1u) << "1 is";
+    EXPECT_EQ(sprites.reach(Range::PERSPECTIVE), 0u);
+    EXPECT_EQ(sprites.reach(Range::LIST_VERTICES), 0u);
+    EXPECT_EQ(record(programs::gouraud_cube).reach(Range::PERSPECTIVE), 1u);
+    EXPECT_EQ(record(programs::gouraud_cube).reach(Range::CUTS), 0u);
+    EXPECT_NE(record(programs::cutaway).reach(Range::LIST_VERTICES), 0u);
+    EXPECT_EQ(record(programs::foliage).reach(Range::ATTRIB_STACK), 1u);
+    EXPECT_GE(record(programs::wires).reach(Range::LINE_WIDTH), 1u);
+    EXPECT_GE(record(programs::particles).reach(Range::POINT_SIZE), 1u);
+    // The far plane cuts it, and after that a smaller number comes.
+    constexpr programs::Program cut{"cut", [](int, int) {},
+                                    [](int) {
+                                        glPointSize(7.0f);
+                                        glBegin(GL_POINTS);
+                                        glEnd();
+                                        glPointSize(2.0f);
+                                        glBegin(GL_POINTS);
+                                        glEnd();
+                                        glBegin(GL_TRIANGLES);
+                                        glVertex3f(-0.5f, -0.5f, 0.0f);
+                                        glVertex3f(0.5f, -0.5f, 2.0f);
+                                        glVertex3f(0.0f, 0.5f, 0.0f);
+                                        glEnd();
+                                    }};
+    EXPECT_EQ(record(cut).reach(Range::CUTS), 1u);
+    EXPECT_EQ(record(cut).reach(Range::POINT_SIZE), 7u);
+    EXPECT_EQ(limit(make(record(cut), {"cut", "cut.inc", false, true}), "CLIPPING"), "as usual");
+}
+
+TEST(Profile, LeavesClippingOutWhereNothingNeedsIt) {
+    const Choice usual{"it", "it.inc"}, choice{"it", "it.inc", false, true};
+    const Record sprites = record(programs::sprites_only), lit = record(programs::lit_perspective);
+    EXPECT_EQ(limit(make(sprites, choice), "CLIPPING"), "0");
+    EXPECT_EQ(limit(make(sprites, choice), "PERSPECTIVE"), "0");
+    EXPECT_EQ(limit(make(lit, choice), "CLIPPING"), "0");
+    EXPECT_EQ(limit(make(lit, choice), "PERSPECTIVE"), "as usual");
+    EXPECT_EQ(limit(make(record(programs::cutaway), choice), "CLIPPING"), "as usual")
+        << "the user's plane cuts";
+    EXPECT_EQ(limit(make(sprites, usual), "CLIPPING"), "as usual") << "nobody asked";
+    EXPECT_THAT(settings(make(sprites, choice), sprites, choice),
+                HasSubstr("\nset(SPANGLE_RANGES SURFACE_WIDTH=160 SURFACE_HEIGHT=120 "));
+}
+
 TEST(Profile, LeavesTheChainOutWhereEveryKeyHasALoop) {
     const Record lit = record(programs::lit_perspective);
     const Profile profile = make(lit, {"lit", "lit.inc"});
@@ -249,8 +299,8 @@ TEST(RecordText, RefusesWhatIsNoRecord) {
     const std::string text = to_text(record(programs::gouraud_cube));
     EXPECT_THAT(from_text("", out), HasSubstr("no record"));
     EXPECT_THAT(from_text(text.substr(0, text.size() - 4), out), HasSubstr("without its end"));
-    EXPECT_THAT(from_text("spangle record 1\nlimit depth_of_sea 3\nend\n", out), HasSubstr("depth_of_sea"));
-    EXPECT_THAT(from_text("spangle record 1\nkey 1 2\nend\n", out), HasSubstr("key 1 2"));
+    EXPECT_THAT(from_text("spangle record 2\nlimit depth_of_sea 3\nend\n", out), HasSubstr("depth_of_sea"));
+    EXPECT_THAT(from_text("spangle record 2\nkey 1 2\nend\n", out), HasSubstr("key 1 2"));
 }
 
 } // namespace

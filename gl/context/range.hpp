@@ -1,0 +1,25 @@
+// Names of the ranges that profiles record.
+#pragma once
+
+#include <cstdint>
+
+/// A build that holds programs to the ranges of its profile; cmake/Profile.cmake says when it is one.
+#ifndef SPANGLE_CHECK_RANGES
+#define SPANGLE_CHECK_RANGES 0
+#endif
+
+namespace spangle::gl {
+
+enum class Range : std::uint8_t {
+#define RANGE(name, counted) name,
+#include "gl/context/ranges.inc"
+#undef RANGE
+};
+
+inline constexpr unsigned range_count = 0
+#define RANGE(name, counted) +1
+#include "gl/context/ranges.inc"
+#undef RANGE
+    ;
+
+} // namespace spangle::gl

@@ -1,0 +1,43 @@
+// How far a program goes (ranges.inc). While `spangle profile` watches a context it is told each new number.
+// A build that checks ranges holds the program to those of its profile. All others, every firmware of a
+// release among them, have none of this: tells_reach is false there, and no code asks.
+#pragma once
+
+#include "gl/context/context.hpp"
+
+namespace spangle::gl {
+
+inline constexpr bool tells_reach = SPANGLE_TELLS_REACH;
+
+/// Somebody wants to know of this context.
+inline bool is_told([[maybe_unused]] const Context& context) {
+    return SPANGLE_CHECK_RANGES || (SPANGLE_WATCHED && (context.gate & gate_watched) != 0);
+}
+
+#if SPANGLE_CHECK_RANGES
+
+/// Stops the program, after a sentence that names the range, when `value` is more than the profile recorded.
+void check_range(Range range, std::uint32_t value);
+
+#endif
+
+/// The program went as far as `value`.
+inline void reach([[maybe_unused]] Context& context, [[maybe_unused]] Range range,
+                  [[maybe_unused]] std::uint32_t value) {
+#if SPANGLE_CHECK_RANGES
+    check_range(range, value);
+#endif
+#if SPANGLE_WATCHED
+    if ((context.gate & gate_watched) != 0) [[unlikely]]
+        context.watcher->reached(range, value);
+#endif
+}
+
+/// The least n >= 0 such that the magnitude is less than 2^n; 128 of an infinity.
+constexpr std::uint32_t bits_before_point(Real v) {
+    constexpr std::uint32_t one_half = 126;
+    const std::uint32_t exponent = v.bits >> 23 & 0xFF;
+    return exponent > one_half ? exponent - one_half : 0;
+}
+
+} // namespace spangle::gl

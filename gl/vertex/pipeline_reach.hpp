@@ -1,0 +1,57 @@
+// How far the primitives of a program go: for the recorder of profiles, and for builds that check its ranges.
+#pragma once
+
+#include <algorithm>
+
+#include "gl/vertex/pipeline.hpp"
+
+namespace spangle::gl {
+
+/// What is known when a primitive begins.
+template <class M, class L> void Pipeline<M, L>::reach_draw() const {
+    Context& context = *context_;
+    const auto tell = [&](Range range, std::int32_t value) {
+        reach(context, range, static_cast<std::uint32_t>(value));
+    };
+    const raster::Surface& surface = context.drawable.surface;
+    tell(Range::SURFACE_WIDTH, surface.width);
+    tell(Range::SURFACE_HEIGHT, surface.height);
+    tell(Range::BAND_ROWS, surface.area().h);
+    if (mode_ == GL_POINTS || outlined())
+        tell(Range::POINT_SIZE, whole(context.polygon.point_size));
+    if ((mode_ != GL_POINTS && mode_ <= GL_LINE_STRIP) || outlined())
+        tell(Range::LINE_WIDTH, whole(context.polygon.line_width));
+}
+
+/// What a vertex brings, and where its matrices move it.
+template <class M, class L>
+void Pipeline<M, L>::reach_vertex(const CurrentState& current, const Vertex& v) const {
+    Context& context = *context_;
+    std::uint32_t bits = 0;
+    for (const Real x : v.position)
+        bits = std::max(bits, bits_before_point(x));
+    reach(context, Range::POSITION_BITS, bits);
+    Real clip[4];
+    M::reals(M::to_clip(transforms_, v.position), clip);
+    bool divides = !(clip[3] == numeric::one);
+    for (int u = 0; u < texture_units; ++u) {
+        if ((units_ >> u & 1) == 0)
+            continue;
+        Real strq[4];
+        M::reals(texture_of(current, v, u), strq);
+        for (int c = 0; c < 3; ++c)
+            reach(context, Range::TEXTURE_BITS, bits_before_point(strq[c]));
+        divides = divides || !(strq[3] == numeric::one);
+    }
+    if constexpr (raster::has_perspective) // else it is an error
+        reach(context, Range::PERSPECTIVE, divides ? 1 : 0);
+}
+
+/// Of the corners of a primitive that is not beside the view volume as a whole: a build without
+/// SPANGLE_CLIPPING would refuse it.
+template <class M, class L> inline void Pipeline<M, L>::reach_cut(unsigned flags) const {
+    if ((flags & (beyond_mask | unprojected)) != 0 || clip_planes(flags) != 0)
+        reach(*context_, Range::CUTS, 1);
+}
+
+} // namespace spangle::gl
