@@ -27,9 +27,9 @@ def lines_of(numbers):
     return "".join(f"{number}\n" for number in numbers)
 
 
-def listed(build, seed, numbers):
-    """The states of these numbers."""
-    done = subprocess.run([build / "bench_states", str(seed), "list"], input=lines_of(numbers), capture_output=True, text=True, check=True)
+def listed(runner, seed, numbers):
+    """The states of these numbers; `runner` is bench_states."""
+    done = subprocess.run([str(runner), str(seed), "list"], input=lines_of(numbers), capture_output=True, text=True, check=True)
     return [json.loads(line) for line in done.stdout.splitlines()]
 
 
@@ -41,7 +41,7 @@ def functions(dump):
             current = line[3:]
         elif line.startswith("calls="):
             inclusive = True  # the next line is what the callee took
-        elif line[:1].isdigit() or line[:1] in "+-*":
+        elif line[:1].isdigit():
             if inclusive:
                 inclusive = False
             elif current is not None:
@@ -82,10 +82,10 @@ def read_counts(output):
     return out
 
 
-def count_chunk_on_host(build, seed, numbers):
+def count_chunk_on_host(runner, seed, numbers):
     with tempfile.TemporaryDirectory() as folder:
         done = subprocess.run(["valgrind", "--tool=callgrind", "--instr-atstart=no", "--compress-strings=no", "--compress-pos=no", "--dump-line=no",
-                               f"--callgrind-out-file={folder}/out", str(build / "bench_states"), str(seed), "count"],
+                               f"--callgrind-out-file={folder}/out", str(runner), str(seed), "count"],
                               input=lines_of(numbers), capture_output=True, text=True)
         if done.returncode != 0:
             raise RuntimeError(f"bench_states ends with {done.returncode}\n{done.stderr[-2000:]}")
@@ -115,17 +115,17 @@ class Boards:
                 for number, (instructions, fragments, picture) in read_counts(output).items() if fragments}
 
 
-def count(target, build, seed, numbers):
-    """{number: {"instructions", "fragments", "picture"}} of the states that the target has."""
+def count(target, runner, seed, numbers, folder):
+    """{number: {"instructions", "fragments", "picture"}} of the states that the target has. Firmware is built in the folder."""
     chunks = [numbers[i:i + CHUNK] for i in range(0, len(numbers), CHUNK)]
     out = {}
-    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(2) as pool:
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
         if target == "host":
             def one(chunk):
-                return count_chunk_on_host(build, seed, chunk)
+                return count_chunk_on_host(runner, seed, chunk)
         else:
             say(f"{target}: building the firmware")
-            boards = Boards(target, build.parent.parent / f"states-{target}" if build else folder)
+            boards = Boards(target, folder)
 
             def one(chunk):
                 return boards.count(seed, chunk)
