@@ -10,6 +10,13 @@ namespace {
 
 using test::Random;
 
+/// Numbers that are near each other begin sequences that are not.
+std::uint32_t mixed(std::uint32_t v) {
+    v = (v ^ v >> 16) * 0x7FEB352Du;
+    v = (v ^ v >> 15) * 0x846CA68Bu;
+    return v ^ v >> 16;
+}
+
 std::uint8_t weighted(Random& random, const WordInfo& word) {
     std::uint32_t sum = 0;
     for (int i = 0; i < word.count; ++i)
@@ -95,8 +102,7 @@ int distance(const State& a, const State& b) {
 
 State state(std::uint32_t seed, std::uint32_t number) {
     const std::uint32_t key = number / variants, variant = number % variants;
-    Random random{seed * 2654435761u + key / 2 * 40503u};
-    random.below(2); // seeds that are near each other begin alike
+    Random random{mixed(mixed(seed) + key / 2)};
     State out;
     complete(random, out, first_of_key, nullptr);
     if (key % 2 == 1)

@@ -13,7 +13,7 @@ namespace spangle::bench::states {
 namespace {
 
 constexpr double least_total = 2000; ///< microseconds
-constexpr int least_frames = 3, most_frames = 40;
+constexpr int least_frames = 2, most_frames = 40;
 
 double cpu_us() {
     timespec now{};
