@@ -122,7 +122,7 @@ def held():
     bad, better = golden.compare({"0": [1030, 10], "6": [1031, 10], "12": [1000, 11], "14": [5, 5]}, was)
     check([line.split()[1] for line in bad] == ["6", "12", "13", "14"] and better == [], f"{bad} {better}")
     check(len(golden.compare({**was, "0": [970, 10]}, was)[1]) == 1, "what is better by more than 3 % is said")
-    numbers = golden.slice_numbers(64)
+    numbers = golden.slice_numbers(64)  # more keys than golden.json has
     check(len(set(numbers)) == 64 and [n // 6 for n in numbers] == list(range(64)) and {n % 6 for n in numbers} == set(range(6)), "each key once, each variant")
     check(all(numbers[i] % 6 == numbers[i + 1] % 6 for i in range(0, 64, 2)), "both keys of a pair in the same variant")
     kept = json.loads(golden.GOLDEN.read_text())

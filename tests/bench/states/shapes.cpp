@@ -25,12 +25,12 @@ struct Kind {
     int reach;
 };
 constexpr Kind kinds[] = {
-    {GL_TRIANGLES, 3, 10, 40, 52},     {GL_TRIANGLES, 3, 60, 600, 6}, {GL_LINES, 2, 40, 400, 36},
-    {GL_LINES, 2, 24, 240, 36},        {GL_POINTS, 1, 160, 2000, 0},  {GL_POINTS, 1, 40, 500, 0},
-    {GL_QUADS, 4, 8, 60, sprite_size},
+    {GL_TRIANGLES, 3, 3, 16, 52},      {GL_TRIANGLES, 3, 24, 400, 6}, {GL_LINES, 2, 16, 200, 36},
+    {GL_LINES, 2, 8, 120, 36},         {GL_POINTS, 1, 64, 1500, 0},   {GL_POINTS, 1, 12, 300, 0},
+    {GL_QUADS, 4, 3, 24, sprite_size},
 };
 #ifdef SPANGLE_FIRMWARE
-constexpr int most_vertices = 60 * 3;
+constexpr int most_vertices = 24 * 3;
 #else
 constexpr int most_vertices = 2000;
 #endif
