@@ -12,11 +12,12 @@ bool is_face(GLenum face) {
     return face == GL_FRONT || face == GL_BACK || face == GL_FRONT_AND_BACK;
 }
 
-/// Calls change(side) for each of the sides that `face` names.
+/// Calls change(side) for each of the sides that `face` names. A build without two sides has the front's for
+/// both.
 template <class Change> void change_sides(Context& context, GLenum face, Change change) {
     if (face != GL_BACK)
         change(context.fragment_ops.stencil[0]);
-    if (face != GL_FRONT)
+    if (SPANGLE_FEATURE_STENCIL_SIDES && face != GL_FRONT)
         change(context.fragment_ops.stencil[1]);
     context.changed(dirty_fragment);
 }

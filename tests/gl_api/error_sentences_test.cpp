@@ -219,12 +219,14 @@ TEST_F(ErrorSentences, NameArgumentAndRule) {
                   glEnd();
               }),
               "glFlush: not between glBegin and glEnd (GL 1.3, 5.5)");
+#if SPANGLE_FEATURE_FOG
     EXPECT_EQ(sentence([] { glFogf(GL_FOG_DENSITY, -1); }),
               "glFog: the value is out of the range of GL_FOG_DENSITY (GL 1.3, 3.10)");
     EXPECT_EQ(sentence([] { glFogf(GL_FOG_MODE, 3); }),
               "glFog: the value is none that GL_FOG_MODE takes (GL 1.3, 3.10)");
     EXPECT_EQ(sentence([] { glFogf(GL_LIGHT0, 3); }),
               "glFog: pname 0x4000 is not a parameter of this command (GL 1.3, 3.10)");
+#endif
     EXPECT_EQ(sentence([] { glPopMatrix(); }), "glPopMatrix: the stack has nothing to pop (GL 1.3, 2.10)");
     EXPECT_EQ(sentence([] {
                   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, -1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
