@@ -1,4 +1,4 @@
-// A context on an RGB565 picture with 16-bit depth, for the benchmarks.
+// A context on a picture, for the benchmarks: RGB565 with 16-bit depth, or what else is asked for.
 #pragma once
 
 #include <spangle/EGL/egl.h>
@@ -7,6 +7,11 @@
 
 namespace spangle::bench {
 
+/// Bits of a pixel's alpha, depth and stencil, and samples, at least.
+struct Buffers {
+    EGLint alpha = 0, depth = 16, stencil = 0, samples = 0;
+};
+
 struct Headless {
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLSurface surface = EGL_NO_SURFACE;
@@ -14,13 +19,14 @@ struct Headless {
     std::size_t surface_bytes = 0, context_bytes = 0; ///< of Spangle's memory
 
     /// `precision`: an EGL_PRECISION_..._SPANGLE token. False when anything fails.
-    bool open(int width, int height, EGLint precision) {
+    bool open(int width, int height, EGLint precision, const Buffers& buffers = {}) {
         display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
         if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE)
             return false;
-        const EGLint wish[] = {EGL_RENDERABLE_TYPE,   EGL_OPENGL_BIT, EGL_SURFACE_TYPE,
-                               EGL_PBUFFER_BIT,       EGL_DEPTH_SIZE, 16,
-                               EGL_PRECISION_SPANGLE, precision,      EGL_NONE};
+        const EGLint wish[] = {EGL_RENDERABLE_TYPE,   EGL_OPENGL_BIT,  EGL_SURFACE_TYPE, EGL_PBUFFER_BIT,
+                               EGL_ALPHA_SIZE,        buffers.alpha,   EGL_DEPTH_SIZE,   buffers.depth,
+                               EGL_STENCIL_SIZE,      buffers.stencil, EGL_SAMPLES,      buffers.samples,
+                               EGL_PRECISION_SPANGLE, precision,       EGL_NONE};
         const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
         EGLConfig config = nullptr;
         EGLint count = 0;
@@ -33,6 +39,9 @@ struct Headless {
         context_bytes = memory_use().used - before - surface_bytes;
         return eglMakeCurrent(display, surface, surface, context) != EGL_FALSE;
     }
+
+    /// Of several that are open.
+    bool make_current() const { return eglMakeCurrent(display, surface, surface, context) != EGL_FALSE; }
 
     void close() {
         eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);

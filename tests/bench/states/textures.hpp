@@ -1,0 +1,16 @@
+// The textures of a state.
+#pragma once
+
+#include "tests/bench/states/words.hpp"
+
+namespace spangle::bench::states {
+
+inline constexpr int texture_size = 64, sprite_size = 32; ///< texels each way
+
+/// Makes and binds what the state samples, sets how, and enables it.
+void set_textures(const State& state);
+
+/// Frees what set_textures() made.
+void forget_textures();
+
+} // namespace spangle::bench::states

@@ -1,0 +1,77 @@
+// The grammar of states: a word is one thing that a program sets and that reaches fragments, a choice one of
+// its values. words.cpp is the only list of them; states are drawn, applied, compared and named by it.
+#pragma once
+
+#include <cstdint>
+
+#include "boards/scenes/gl.hpp"
+
+namespace spangle::bench::states {
+
+/// In the order in which they are drawn: whether a word applies depends on those before it.
+enum class Word : std::uint8_t {
+    surface,
+    tier,
+    samples,
+    shape,
+    view,
+    shade,
+    alpha,
+    texture,
+    format,
+    filter,
+    scale,
+    wrap,
+    env,
+    texture2,
+    filter2,
+    env2,
+    alpha_test,
+    stencil,
+    depth,
+    depth_write,
+    offset,
+    logic,
+    blend,
+    mask,
+    fog,
+    dither,
+    scissor,
+    stipple,
+    smooth,
+    count
+};
+inline constexpr int word_count = static_cast<int>(Word::count);
+
+enum Surface : std::uint8_t { surface_565_z16, surface_8888_z24s8 };
+enum Shape : std::uint8_t { triangles, small_triangles, lines, wide_lines, points, large_points, sprites };
+enum View : std::uint8_t { parallel, mild, harsh };
+enum Shade : std::uint8_t { one_color, flat, smooth_color, lit, lit_specular };
+
+/// `work` of a choice: the kinds of work that it asks for, one bit each. A choice whose bits are some of
+/// another's, and not all, asks for less.
+inline constexpr std::int16_t unordered = -1; ///< such as a test that some fragments fail
+struct Choice {
+    const char* name;
+    std::uint8_t weight; ///< how often it is drawn, beside the others
+    std::int16_t work;
+    GLenum value[3]; ///< what is given to GL
+};
+
+struct WordInfo {
+    const char* name;
+    bool pass; ///< a texture, a filter or another pass comes with it: it may cost what it likes
+    const Choice* choices;
+    std::uint8_t count;
+};
+const WordInfo& info(Word word);
+
+struct State {
+    std::uint8_t choice[word_count] = {};
+    std::uint8_t& operator[](Word word) { return choice[static_cast<int>(word)]; }
+    std::uint8_t operator[](Word word) const { return choice[static_cast<int>(word)]; }
+    bool has(Word word) const { return (*this)[word] != 0; } ///< not its first choice
+    const GLenum* value(Word word) const { return info(word).choices[(*this)[word]].value; }
+};
+
+} // namespace spangle::bench::states
