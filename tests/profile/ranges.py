@@ -10,7 +10,8 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "boards/tools"), str(ROOT / "tests")]
+sys.path[:0] = [str(ROOT / "boards/tools"), str(ROOT / "host_sim/tools"), str(ROOT / "tests")]
+import outfile  # noqa: E402
 import profile  # noqa: E402
 from checks import check, failures  # noqa: E402
 
@@ -33,14 +34,14 @@ def main():
         return 2
     with tempfile.TemporaryDirectory() as name:
         folder, path = pathlib.Path(name), pathlib.Path(name) / "some.cmake"
-        path.write_text(SETTINGS)
+        outfile.write(path, SETTINGS)
         for options, told in ((("-DCMAKE_BUILD_TYPE=Debug",), TOLD), (("-DCMAKE_BUILD_TYPE=Release",), set()),
                               (("-DCMAKE_BUILD_TYPE=Release", "-DSPANGLE_CHECK_RANGES=ON"), TOLD)):
             problem, got = configure(folder / "build", path, *options)
             check(got == told, f"{options}: {got} {problem}")
         check(TOLD <= set(profile.definitions(str(path), checks=True)), "profile.py with --check-ranges")
         check(not any("RANGE" in word for word in profile.definitions(str(path))), "profile.py without it")
-        path.write_text(SETTINGS.replace("CUTS", "DEPTHS"))
+        outfile.write(path, SETTINGS.replace("CUTS", "DEPTHS"))
         problem, got = configure(folder / "other", path, "-DCMAKE_BUILD_TYPE=Debug")
         check(got is None and "DEPTHS=0" in problem, f"an unknown range: {problem}")
         try:
