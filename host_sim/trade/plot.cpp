@@ -88,6 +88,7 @@ std::string plotted(const std::vector<Dot>& dots, const std::vector<std::string>
     const Scale across = scale_of(dots, by_octaves, [](const Dot&dot) { return dot.x; }),
                 up = scale_of(dots, false, [](const Dot&dot) { return dot.y; });
     std::vector<NamedPoint> points;
+    points.reserve(dots.size());
     for (const Dot& dot : dots)
         points.push_back({area_width * across.place(dot.x), area_height * up.place(dot.y), dot.name});
     const auto places = place_names(points, area_width, area_height);
