@@ -110,7 +110,7 @@ template <class N> class TextureCombine {
             if (image->base == BaseFormat::alpha)
                 c.r = c.g = c.b = T{};
             else if (image->base == BaseFormat::luminance || image->base == BaseFormat::rgb)
-                c.a = component::constant<N>(N::one);
+                c.a = component::one<N>();
             return c;
         }
     };
