@@ -9,7 +9,7 @@ namespace spangle::gl {
 
 inline constexpr bool tells_reach = SPANGLE_TELLS_REACH;
 
-/// Somebody wants to know of this context.
+/// True when the recorder, or the checks of this build, take the numbers of this context.
 inline bool is_told([[maybe_unused]] const Context& context) {
     return SPANGLE_CHECK_RANGES || (SPANGLE_WATCHED && (context.gate & gate_watched) != 0);
 }

@@ -16,7 +16,7 @@
 #define SPANGLE_WATCHED 0
 #endif
 
-/// Somebody may ask how far programs go (reach.hpp).
+/// True where this build has code that tells how far programs go (reach.hpp).
 #define SPANGLE_TELLS_REACH (SPANGLE_WATCHED || SPANGLE_CHECK_RANGES)
 
 #if SPANGLE_WATCHED

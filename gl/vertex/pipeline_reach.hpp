@@ -47,7 +47,7 @@ void Pipeline<M, L>::reach_vertex(const CurrentState& current, const Vertex& v) 
         reach(context, Range::PERSPECTIVE, divides ? 1 : 0);
 }
 
-/// Of the corners of a primitive that is not beside the view volume as a whole: a build without
+/// Tells of a primitive that the view volume cuts, by the flags of its corners: a build without
 /// SPANGLE_CLIPPING would refuse it.
 template <class M, class L> inline void Pipeline<M, L>::reach_cut(unsigned flags) const {
     if ((flags & (beyond_mask | unprojected)) != 0 || clip_planes(flags) != 0)

@@ -6,7 +6,7 @@ namespace spangle::trade {
 
 namespace {
 
-/// Of the font that names are written in, and of the points.
+/// Sizes of a letter and of a point, in units of the plot.
 constexpr double letter_width = 5.6, letter_height = 11, radius = 4;
 
 struct Box {

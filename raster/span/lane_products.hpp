@@ -22,7 +22,7 @@ using LaneLongs [[gnu::vector_size(16)]] = std::uint64_t;
 /// The products of words 0 and 2, 64 bits each.
 SPANGLE_INLINE LaneLongs even_products(const LaneWords& a, const LaneWords& b) {
 #if defined(__SSE2__)
-    // Of a vector of 64-bit words GCC 12 makes three products, not one.
+    // GCC 12 multiplies a vector of 64-bit words by three instructions; this is one.
     return std::bit_cast<LaneLongs>(_mm_mul_epu32(std::bit_cast<__m128i>(a), std::bit_cast<__m128i>(b)));
 #elif defined(__ARM_NEON)
     const auto low = [](const LaneWords& v) { return vmovn_u64(std::bit_cast<uint64x2_t>(v)); };

@@ -59,7 +59,7 @@ template <class N> struct DepthValue24 : StageBase {
     SPANGLE_INLINE DepthValue24(const Span<typename N::Policy>& s, std::int32_t x)
         : z(s.at(x, s.z24)), dx(s.z24.dx) {}
     SPANGLE_INLINE std::uint32_t word() const { return static_cast<std::uint32_t>(z >> 32); }
-    /// Of all lanes.
+    /// word() of each lane.
     SPANGLE_INLINE typename N::L::U32 words() const {
         return N::L::generate([this](std::uint32_t lane) __attribute__((always_inline)) {
             return static_cast<std::uint32_t>((z + lane * dx) >> 32);

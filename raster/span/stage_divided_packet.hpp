@@ -31,7 +31,7 @@ class GuardedLanes {
     }
 
   private:
-    /// Of lanes 0 and 2, 4 and 6, 1 and 3, 5 and 7.
+    /// The four vectors hold lanes 0 and 2, 4 and 6, 1 and 3, 5 and 7.
     LaneLongs at_[4], by_;
     SPANGLE_INLINE static LaneWords low_words(const LaneLongs& a, const LaneLongs& b) {
         return __builtin_shufflevector(std::bit_cast<LaneWords>(a >> guard_bits),
@@ -87,7 +87,7 @@ template <class N> class PacketDivided {
         for (std::int32_t i = 0; i < whole(k); i += lanes)
             k.fog[i / lanes] = L::gather(fog + i);
     }
-    /// Of a unit that shares the primitive's 1/w, or not.
+    /// Texture coordinates of a unit, whether or not it shares the primitive's 1/w.
     template <int Unit> static void coordinates(Places& k, const Span<Fixed>& span) {
         const auto& unit = span.unit[Unit];
         const auto& wraps = span.state->wraps[Unit];
