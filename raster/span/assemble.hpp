@@ -87,14 +87,17 @@ template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
         chain.template add<PolygonStipple<One>>();
     // Without shortcuts all depths have an offset, if only of 0.
     const bool offset = SPANGLE_FEATURE_POLYGON_OFFSET && (key.depth_offset || !has_shortcuts);
-    if (has_format(DepthFormat::z24s8) && key.stencil)
-        chain.template choose<StencilDepth<One, Offset24>, StencilDepth<System>>(offset);
-    else if (!key.depth_offset && key.depth == Compare::always && !key.depth_write)
-        ; // nothing is asked or kept
-    else if (offset)
+    bool depth = key.depth_offset || key.depth != Compare::always || key.depth_write;
+    if constexpr (has_format(DepthFormat::z24s8)) {
+        if (key.stencil) {
+            chain.template choose<StencilDepth<One, Offset24>, StencilDepth<System>>(offset);
+            depth = false; // the stencil's stage tests the depth, too
+        }
+    }
+    if (depth && offset)
         add_depth<N, DepthGeneral<One, DepthFormat::z16, Offset16>,
                   DepthGeneral<One, DepthFormat::z24s8, Offset24>>(chain, key);
-    else
+    else if (depth)
         add_depth<N, DepthGeneral<System, DepthFormat::z16>, DepthGeneral<System, DepthFormat::z24s8>>(chain,
                                                                                                        key);
     if (key.count)
