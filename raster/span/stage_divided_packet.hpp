@@ -10,32 +10,42 @@ namespace spangle::raster {
 
 namespace detail {
 
-/// A plane with guard bits in eight lanes.
-class GuardedLanes {
+/// A plane with guard bits in eight lanes: as many vectors of words of 64 bits as they take.
+template <class Vector = LaneWords::Vector> class GuardedLanes {
   public:
     SPANGLE_INLINE GuardedLanes(const Span<Fixed>& span, std::int32_t x, const Span<Fixed>::Projective& plane)
-        : by_(LaneLongs{} + 8 * plane.dx) {
-        const std::uint64_t first = span.at(x, plane), two = 2 * plane.dx;
-        at_[0] = LaneLongs{first, first + two};
-        at_[1] = at_[0] + 2 * two;
-        at_[2] = at_[0] + plane.dx;
-        at_[3] = at_[1] + plane.dx;
+        : by_(Long{} + 8 * plane.dx) {
+        const std::uint64_t first = span.at(x, plane), two = 2 * plane.dx, four = 4 * plane.dx;
+        if constexpr (vectors == 2) {
+            at_[0] = Long{first, first + two, first + four, first + four + two};
+            at_[1] = at_[0] + plane.dx;
+        } else {
+            at_[0] = Long{first, first + two};
+            at_[1] = at_[0] + four;
+            at_[2] = at_[0] + plane.dx;
+            at_[3] = at_[1] + plane.dx;
+        }
     }
     /// Without its guard bits, signed.
-    SPANGLE_INLINE Lanes<8>::U32 value() const {
-        return {low_words(at_[0], at_[1]), low_words(at_[2], at_[3])};
+    SPANGLE_INLINE LaneWords value() const {
+        if constexpr (vectors == 2)
+            return {std::bit_cast<Vector>((at_[0] >> guard_bits & 0xFFFFFFFFu) | at_[1] >> guard_bits << 32)};
+        else
+            return {low_words(at_[0], at_[1]), low_words(at_[2], at_[3])};
     }
     SPANGLE_INLINE void step() {
-        for (LaneLongs& v : at_)
+        for (Long& v : at_)
             v += by_;
     }
 
   private:
-    /// The four vectors hold lanes 0 and 2, 4 and 6, 1 and 3, 5 and 7.
-    LaneLongs at_[4], by_;
-    SPANGLE_INLINE static LaneWords low_words(const LaneLongs& a, const LaneLongs& b) {
-        return __builtin_shufflevector(std::bit_cast<LaneWords>(a >> guard_bits),
-                                       std::bit_cast<LaneWords>(b >> guard_bits), 0, 2, 4, 6);
+    using Long = Longs<Vector>;
+    static constexpr int vectors = sizeof(Vector) == 32 ? 2 : 4;
+    /// Lanes 0, 2, 4 and 6 in one half of the vectors, the others in the other half.
+    Long at_[vectors], by_;
+    SPANGLE_INLINE static Vector low_words(const Long& a, const Long& b) {
+        return __builtin_shufflevector(std::bit_cast<Vector>(a >> guard_bits),
+                                       std::bit_cast<Vector>(b >> guard_bits), 0, 2, 4, 6);
     }
 };
 
@@ -127,14 +137,14 @@ template <class N> class PacketDivided {
     /// f(group, colour units) of a colour plane, each fragment divided (detail::projective_color).
     template <class F>
     SPANGLE_INLINE static void each(const Places& k, const Span<Fixed>& span, const Plane& plane, F f) {
-        detail::GuardedLanes over_w(span, k.x, plane);
+        detail::GuardedLanes<> over_w(span, k.x, plane);
         for (std::int32_t g = 0; g * lanes < k.n; ++g, over_w.step()) {
             const U32 q = L::gather(k.inverse.q + g * lanes),
                       mantissa = L::gather(k.inverse.mantissa + g * lanes),
                       power = L::gather(k.inverse.power + g * lanes);
             const U32 most = q - (q >> 8) - L::splat32(1);
             const U32 v = L::minimum(L::positive(over_w.value()), most) * power;
-            f(g, U32{lane_product_high(v.even, mantissa.even), lane_product_high(v.odd, mantissa.odd)} >> 2);
+            f(g, lane_product_high(v, mantissa) >> 2);
         }
     }
 };
