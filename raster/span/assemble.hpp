@@ -4,6 +4,7 @@
 
 #include "raster/span/chain.hpp"
 #include "raster/span/draw_state.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/key.hpp"
 #include "raster/span/rows.hpp"
 #include "raster/span/stage_antialias.hpp"
@@ -26,7 +27,7 @@
 #include "raster/span/stage_texture_packet.hpp"
 #include <spangle/raster/features.hpp>
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// A chain that grows, of any number system.
 class ChainEnd {
@@ -364,4 +365,4 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
                     PixelFormat::rgba8888>(chain, key);
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -6,9 +6,10 @@
 #include <type_traits>
 
 #include "raster/span/draw_state.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// A power of two, four groups of lanes where there are any.
 inline constexpr std::int32_t packet_length = host_lanes > 1 ? 4 * host_lanes : packet;
@@ -49,7 +50,7 @@ template <> struct WithoutColor<ExactLanes> { using Type = Raw565<8>; };
 template <int Count> struct WithoutColor<Balanced<Count>> { using Type = Raw565<Count>; };
 template <class N> using Colorless = typename WithoutColor<N>::Type;
 
-namespace detail {
+namespace inner {
 
 /// The number system of a stage: that of the packet, or one lane of it.
 template <class S, class M> M system_of(bool (S::*)(Px<M>&));
@@ -182,13 +183,13 @@ class PacketCopy {
     }
 };
 
-} // namespace detail
+} // namespace inner
 
 template <class S> inline constexpr bool uses_color = ((S::in | S::out) & field_color) != 0;
 
 /// One stage (or a Seq of them) over a packet.
 template <class N, class S> void chain_stage(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
-    using M = decltype(detail::system_of(&S::operator()));
+    using M = decltype(inner::system_of(&S::operator()));
     static_assert(M::lanes == N::lanes || M::lanes == 1);
     auto& k = static_cast<std::conditional_t<uses_color<S>, Packet<N>&, PlacesOf<N>&>>(places);
     S s(span, k.x);
@@ -198,9 +199,9 @@ template <class N, class S> void chain_stage(PlacesOf<N>& places, const Span<typ
     // Until something died, everything lives, and stages before the first test never ask. Lanes are masked.
     constexpr bool asks = M::lanes == 1 && (S::kill || S::effect);
     if (asks && (k.some_dead || !has_shortcuts))
-        detail::run_stage<asks, M>(k, s, next);
+        inner::run_stage<asks, M>(k, s, next);
     else if constexpr (!asks || has_shortcuts)
-        detail::run_stage<false, M>(k, s, next);
+        inner::run_stage<false, M>(k, s, next);
 }
 
 /// Runs the chain of the span's kind.
@@ -208,7 +209,7 @@ template <class N> SPANGLE_INLINE void chain_span(const Span<typename N::Policy>
     const AnyFunction* const stages = span.state->variant[static_cast<unsigned>(span.kind)].chain;
     const std::int32_t color_bytes = span.state->color_bytes, depth_bytes = span.state->depth_bytes;
     Packet<N> k;
-    [[maybe_unused]] detail::PacketCopy copy;
+    [[maybe_unused]] inner::PacketCopy copy;
     for (k.x = span.begin; k.x < span.end; k.x += k.n) {
         const std::int32_t boundary = (k.x & -packet_length) + packet_length, i = k.x - span.begin;
         k.n = (boundary < span.end ? boundary : span.end) - k.x;
@@ -231,4 +232,4 @@ template <class N> SPANGLE_INLINE void chain_span(const Span<typename N::Policy>
     }
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

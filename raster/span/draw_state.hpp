@@ -188,6 +188,9 @@ void prepare(DrawState& draw, const FragmentState& fragment, const Surface& targ
 /// Draws no more than the scissor rectangle of its fragment state, which has become another one.
 void scissor_changed(DrawState& draw, const Surface& target);
 
+/// What runs the chain of a number system of the fixed policy along rows.
+AnyFunction chain_runner(Number number);
+
 /// The key of one kind; what `compile` looks fused spans up by.
 Key make_key(const FragmentState& fragment, const Surface& target, Kind kind);
 

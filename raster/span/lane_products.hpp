@@ -12,11 +12,12 @@
 #include <arm_neon.h>
 #endif
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/lane_words.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
-namespace detail {
+namespace inner {
 
 /// As many words of 64 bits as a vector holds.
 template <class Vector> struct LongsOf { using Type [[gnu::vector_size(sizeof(Vector))]] = std::uint64_t; };
@@ -51,19 +52,18 @@ SPANGLE_INLINE Vector high_words(const Longs<Vector>& even, const Longs<Vector>&
     return std::bit_cast<Vector>((even >> 32) | (odd & 0xFFFFFFFF00000000u));
 }
 
-} // namespace detail
+} // namespace inner
 
 /// floor(a b / 2^32).
 template <class Vector> SPANGLE_INLINE Vector lane_product_high(const Vector& a, const Vector& b) {
-    return detail::high_words<Vector>(detail::even_products(a, b),
-                                      detail::even_products(detail::odd_words(a), detail::odd_words(b)));
+    return inner::high_words<Vector>(inner::even_products(a, b),
+                                     inner::even_products(inner::odd_words(a), inner::odd_words(b)));
 }
 /// a b / 2^32 to nearest, halves up, of a below 2^31.
 template <class Vector> SPANGLE_INLINE Vector lane_product_rounded(const Vector& a, const Vector& b) {
     constexpr std::uint64_t half = std::uint64_t{1} << 31;
-    return detail::high_words<Vector>(detail::even_products(a, b) + half,
-                                      detail::even_products(detail::odd_words(a), detail::odd_words(b)) +
-                                          half);
+    return inner::high_words<Vector>(inner::even_products(a, b) + half,
+                                     inner::even_products(inner::odd_words(a), inner::odd_words(b)) + half);
 }
 /// floor(a b / 2^32), a signed, b below 2^31.
 template <class Vector> SPANGLE_INLINE Vector lane_product_high_signed(const Vector& a, const Vector& b) {
@@ -89,4 +89,4 @@ SPANGLE_INLINE LaneWords lane_product_high_signed(const LaneWords& a, const Lane
         a, b);
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -11,8 +11,9 @@
 #endif
 
 #include "raster/numeric/bits.hpp"
+#include "raster/span/instructions.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 namespace lane_words {
 
@@ -223,4 +224,4 @@ SPANGLE_INLINE LaneWords& operator+=(LaneWords& a, const LaneWords& b) {
     return a = a + b;
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

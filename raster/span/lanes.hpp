@@ -8,9 +8,10 @@
 #include <cstring>
 
 #include "raster/numeric/bits.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/lane_words.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 template <int Count> struct Lanes;
 
@@ -334,4 +335,4 @@ SPANGLE_INLINE void set_lane(std::uint32_t& v, int, std::uint32_t from) {
     v = from;
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -1,10 +1,11 @@
 // The exact tier in eight lanes: the bits of Exact, of eight fragments at once.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/lane_products.hpp"
 #include "raster/span/number.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// A component is a word of 32 bits per lane, 255ths with 20 fraction bits, as it is in Exact. Each function
 /// gives what the function of the same name in Exact gives.
@@ -121,4 +122,4 @@ template <class N> inline constexpr bool is_exact = std::is_same_v<OneLane<N>, E
 /// The exact tier of the chain in this build.
 using ExactChain = std::conditional_t<host_lanes == 8, ExactLanes, Exact>;
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -29,11 +29,12 @@
 #include <type_traits>
 
 #include "raster/span/fill.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/inverse.hpp"
 #include "raster/span/number_wide.hpp"
 #include "raster/span/span.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 enum Field : unsigned {
     field_color = 1,
@@ -54,8 +55,8 @@ template <class N> struct Px {
     /// One lane, too, stores what was there where it is not alive; a constant of the loop, whose stages all
     /// can.
     bool selects = false;
-    std::uint32_t place;       ///< along paths (PathPixels)
-    const detail::Half* cells; ///< and the words of their colour (DitherCells)
+    std::uint32_t place;      ///< along paths (PathPixels)
+    const inner::Half* cells; ///< and the words of their colour (DitherCells)
     typename N::Color color;
     typename N::Coord coord[max_texture_units];
     std::int32_t lod[max_texture_units][N::lanes]; ///< lambda, s23.8
@@ -191,4 +192,4 @@ template <class N, class... S> struct Seq : S... {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -3,10 +3,11 @@
 #pragma once
 
 #include "raster/span/component.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/number_packed.hpp"
 #include "raster/span/stage_store.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// The colour under a group of fragments: k/31, k/63 or k/255 exactly.
 template <class N, PixelFormat Format>
@@ -75,7 +76,7 @@ template <class N, PixelFormat Format, bool Dither> struct BlendCoarse : StageBa
     static constexpr unsigned in = field_color, out = field_color;
     using L = typename N::L;
     using T = typename N::T;
-    using Row = std::conditional_t<Dither, detail::DitherRow<L>, detail::NoThreshold>;
+    using Row = std::conditional_t<Dither, inner::DitherRow<L>, inner::NoThreshold>;
     [[no_unique_address]] Row dither;
     template <class S> SPANGLE_INLINE BlendCoarse(const S& s, std::int32_t x) : dither(s.x + x, s.y) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
@@ -99,7 +100,7 @@ template <class N, PixelFormat Format, bool Dither> struct BlendCoarse : StageBa
     }
 };
 
-namespace detail {
+namespace inner {
 
 /// N::Threshold by y & 3, and x from any of a period's columns on.
 template <class N> struct Thresholds {
@@ -126,7 +127,7 @@ struct NoThresholds {
     SPANGLE_INLINE explicit NoThresholds(const Span<Fixed>&) {}
 };
 
-} // namespace detail
+} // namespace inner
 
 /// BlendAlpha and Store, or StoreDithered, of the packed systems.
 template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBase {
@@ -134,7 +135,7 @@ template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBa
     static constexpr unsigned in = field_color;
     static constexpr bool kill = true, effect = true;
     using Words = Words565<Lanes<1>, Format>;
-    using Row = std::conditional_t<Dither, detail::ThresholdRow<N>, detail::NoThresholds>;
+    using Row = std::conditional_t<Dither, inner::ThresholdRow<N>, inner::NoThresholds>;
     [[no_unique_address]] Row dither;
     SPANGLE_INLINE BlendPacked(const Span<Fixed>& s, std::int32_t) : dither(s) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
@@ -194,7 +195,7 @@ template <class N, PixelFormat Format> struct BlendBytesDithered : StageBase {
     static constexpr bool kill = true, effect = true;
     using L = typename N::L;
     using Words = Words565<L, Format>;
-    detail::KeptThresholds<N> dither;
+    inner::KeptThresholds<N> dither;
     SPANGLE_INLINE BlendBytesDithered(const Span<Fixed>& s, std::int32_t x) : dither(s.x + x, s.y) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const typename N::Color& s = p.color;
@@ -209,7 +210,7 @@ template <class N, PixelFormat Format> struct BlendBytesDithered : StageBase {
         return true;
     }
     SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) {
-        dither = detail::KeptThresholds<N>(s.x + x, s.y);
+        dither = inner::KeptThresholds<N>(s.x + x, s.y);
     }
 };
 
@@ -305,4 +306,4 @@ template <class N, class From> struct Blend : StageBase, BlendEquations<N> {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -3,8 +3,9 @@
 
 #include "raster/span/coord_runs.hpp"
 #include "raster/span/cubic_runs.hpp"
+#include "raster/span/instructions.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 template <class N, int Unit, bool Projective> struct Coord;
 
@@ -99,4 +100,4 @@ template <class N, int Unit> struct Coord<N, Unit, true> : CoordAlong<N, Unit, R
     using CoordAlong<N, Unit, RunsOf<N>>::CoordAlong;
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -4,9 +4,10 @@
 #include <cstring>
 
 #include "raster/span/draw_state.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Compare as GL writes it: incoming OP stored.
 template <Compare Func, class T> SPANGLE_INLINE constexpr bool compare(T incoming, T stored) {
@@ -242,4 +243,4 @@ template <class N> struct Count : StageBase {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

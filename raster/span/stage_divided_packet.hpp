@@ -4,11 +4,12 @@
 
 #include "raster/span/chain.hpp"
 #include "raster/span/cubic_runs.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_color.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
-namespace detail {
+namespace inner {
 
 /// A plane with guard bits in eight lanes: as many vectors of words of 64 bits as they take.
 template <class Vector = LaneWords::Vector> class GuardedLanes {
@@ -49,7 +50,7 @@ template <class Vector = LaneWords::Vector> class GuardedLanes {
     }
 };
 
-} // namespace detail
+} // namespace inner
 
 /// N: of the packet.
 template <class N> class PacketDivided {
@@ -93,7 +94,7 @@ template <class N> class PacketDivided {
         std::uint64_t f = span.at(k.x, span.fog_q);
         std::uint32_t fog[packet_length];
         for (std::int32_t i = 0; i < whole(k); ++i, f += span.fog_q.dx)
-            fog[i] = detail::projective_fog(unguarded(f), span.fog_exponent, inverse_of(k, i));
+            fog[i] = inner::projective_fog(unguarded(f), span.fog_exponent, inverse_of(k, i));
         for (std::int32_t i = 0; i < whole(k); i += lanes)
             k.fog[i / lanes] = L::gather(fog + i);
     }
@@ -107,10 +108,10 @@ template <class N> class PacketDivided {
         for (std::int32_t i = 0; i < whole(k); ++i) {
             const Inverse inverse = unit.shares_q ? inverse_of(k, i) : Inverse(unguarded(q));
             auto& to = k.coord[Unit][i / lanes];
-            to.s[i % lanes] = detail::to_coord(detail::to_repeats(unguarded(s), inverse, unit.exponent),
-                                               wraps.s, unit.s_base);
-            to.t[i % lanes] = detail::to_coord(detail::to_repeats(unguarded(t), inverse, unit.exponent),
-                                               wraps.t, unit.t_base);
+            to.s[i % lanes] = inner::to_coord(inner::to_repeats(unguarded(s), inverse, unit.exponent),
+                                              wraps.s, unit.s_base);
+            to.t[i % lanes] = inner::to_coord(inner::to_repeats(unguarded(t), inverse, unit.exponent),
+                                              wraps.t, unit.t_base);
             s += unit.s.dx;
             t += unit.t.dx;
             q += dq;
@@ -134,10 +135,10 @@ template <class N> class PacketDivided {
         else
             return L::low_half((units + L::splat32(1u << 11)) >> 12);
     }
-    /// f(group, colour units) of a colour plane, each fragment divided (detail::projective_color).
+    /// f(group, colour units) of a colour plane, each fragment divided (inner::projective_color).
     template <class F>
     SPANGLE_INLINE static void each(const Places& k, const Span<Fixed>& span, const Plane& plane, F f) {
-        detail::GuardedLanes<> over_w(span, k.x, plane);
+        inner::GuardedLanes<> over_w(span, k.x, plane);
         for (std::int32_t g = 0; g * lanes < k.n; ++g, over_w.step()) {
             const U32 q = L::gather(k.inverse.q + g * lanes),
                       mantissa = L::gather(k.inverse.mantissa + g * lanes),
@@ -168,4 +169,4 @@ template <class N> struct ColorSumLanes : StageBase {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -3,9 +3,10 @@
 
 #include "raster/numeric/power.hpp"
 #include "raster/span/draw_state.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// f with 24 fraction bits, 0 .. 2^24, of a coordinate in s7.24.
 inline std::uint32_t fog_factor(FogMode mode, std::uint32_t coordinate) {
@@ -123,4 +124,4 @@ template <class N, bool Steps> struct FogShareLanes : FogShare<N, Steps> {
     SPANGLE_INLINE bool operator()(Px<N>& p) const { return this->add(p, p.fog_factor); }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -1,10 +1,11 @@
 // The end of every list on a surface of a narrow format: one stage for all of them.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_store.hpp"
 #include "raster/surface/narrow.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// What a colour becomes at a threshold.
 template <class N>
@@ -44,7 +45,7 @@ template <class N> struct StoreNarrow : StageBase {
     static constexpr unsigned in = field_color;
     static constexpr bool effect = true;
     StoredNarrow<N> place;
-    detail::DitherRow<typename N::L> dither;
+    inner::DitherRow<typename N::L> dither;
     bool dithers, merges;
     std::uint8_t mask;
     LogicTable logic;
@@ -113,4 +114,4 @@ void narrow_rows(Span<Fixed>& span, const Row* row, const Row* end) {
         by_narrow_row<Fixed, Draw>(span, row, end);
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -4,10 +4,11 @@
 #include <cstring>
 
 #include "raster/span/draw_state.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_thresholds.hpp"
 #include "raster/surface/quantize.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// 16-bit words of a 565 surface, host order.
 template <class L, PixelFormat Format> struct Words565 {
@@ -153,7 +154,7 @@ template <class N, PixelFormat Format> struct Store : StageBase {
 /// Ordered dithering on window coordinates (GL 1.3, 4.1.10); components of 8 bits are stored as they are.
 template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
     using L = typename N::L;
-    using Thresholds = detail::ThresholdsOf<N>;
+    using Thresholds = inner::ThresholdsOf<N>;
     Thresholds dither;
     template <class S>
     SPANGLE_INLINE StoreDithered(const S& s, std::int32_t x) : Store<N, Format>(s, x), dither(s.x + x, s.y) {}
@@ -183,10 +184,10 @@ template <class N, PixelFormat Format> struct StoreSteps : StageBase {
     static constexpr unsigned in = field_color;
     static constexpr bool effect = true;
     using L = typename N::L;
-    detail::DitherRow<L> dither;
+    inner::DitherRow<L> dither;
     template <class S> SPANGLE_INLINE StoreSteps(const S& s, std::int32_t x) : dither(s.x + x, s.y) {}
     template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
-        dither = detail::DitherRow<L>(s.x + x, s.y);
+        dither = inner::DitherRow<L>(s.x + x, s.y);
     }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         std::uint8_t* const at = p.color_plane + p.bytes();
@@ -227,7 +228,7 @@ template <class N, PixelFormat Format> struct StoreMerged : StageBase {
     static constexpr bool effect = true;
     using L = typename N::L;
     static constexpr int bytes = format_info(Format).bytes_per_pixel;
-    detail::DitherRow<L> dither;
+    inner::DitherRow<L> dither;
     bool dithers;
     std::uint32_t open[4]; ///< all ones where a channel is written
     LogicTable logic;
@@ -283,4 +284,4 @@ template <class N, PixelFormat Format> struct StoreMerged : StageBase {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -1,9 +1,10 @@
 // Tests of a fragment: alpha (GL 1.3, 4.1.4), stencil with depth (4.1.5, 4.1.6).
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_depth.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Alpha rounds to 8 bits, as the reference value did.
 template <class N> struct AlphaTest : StageBase {
@@ -140,4 +141,4 @@ template <class N, class Value = DepthValueOf<N, DepthFormat::z24s8>> struct Ste
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

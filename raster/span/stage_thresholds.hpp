@@ -3,10 +3,11 @@
 
 #include <bit>
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage.hpp"
 #include <spangle/dither.hpp>
 
-namespace spangle::raster::detail {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS::inner {
 
 /// Thresholds of the fragments of a group, in 32nds of a step, and the walk along the row.
 template <class L> struct DitherRow;
@@ -129,4 +130,4 @@ struct NoThreshold {
     SPANGLE_INLINE void next_row() {}
 };
 
-} // namespace spangle::raster::detail
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS::inner
