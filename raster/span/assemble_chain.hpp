@@ -36,7 +36,7 @@ template <PixelFormat Format> void assemble_raw(Variant& variant, const Key& key
     if (has_exact && key.cubic)
         chain.add_if<has_exact, CoordAlong<OneRaw, 0, CubicRuns>>();
     else if constexpr (!by_stages<Raw>)
-        chain.add(&PacketCoordinates<PlacesOf<Raw>>::run<0>);
+        chain.add(&PacketCoordinates<PlacesOf<Raw>>::run<0>, false);
     else
         chain.choose<Coord<OneRaw, 0, true>, Coord<Raw, 0, false>>(key.kind == Kind::textured);
     chain.choose<
@@ -70,11 +70,11 @@ SPANGLE_INLINE void assemble_any(Variant& variant, const Key& key, const Fragmen
 SPANGLE_INLINE AnyFunction runner_of(Number number) {
     switch (number) {
     case Number::raw565:
-        return reinterpret_cast<AnyFunction>(&by_row<Fixed, &chain_span<Raw>>);
+        return reinterpret_cast<AnyFunction>(&chain_rows<Raw>);
     case Number::balanced:
-        return reinterpret_cast<AnyFunction>(&by_row<Fixed, &chain_span<Balanced<host_lanes>>>);
+        return reinterpret_cast<AnyFunction>(&chain_rows<Balanced<host_lanes>>);
     default:
-        return reinterpret_cast<AnyFunction>(&by_row<Fixed, &chain_span<ExactChain>>);
+        return reinterpret_cast<AnyFunction>(&chain_rows<ExactChain>);
     }
 }
 

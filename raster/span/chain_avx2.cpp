@@ -6,7 +6,7 @@
 
 #include "raster/span/assemble_chain.hpp"
 
-namespace spangle::raster::avx2 {
+namespace spangle::raster::inline avx2 {
 
 void assemble_chain(Variant& variant, const Key& key, const FragmentState& state) {
     assemble_any(variant, key, state);
@@ -15,6 +15,6 @@ AnyFunction chain_runner(Number number) {
     return runner_of(number);
 }
 
-} // namespace spangle::raster::avx2
+} // namespace spangle::raster::inline avx2
 
 #endif

@@ -68,6 +68,7 @@ struct Variant {
     AnyFunction chain[has_chain ? max_stages + 1 : 1] = {}; ///< ends with null
     Flag<spans_by_gray> gray = false;                       ///< `run` asks Span::gray
     bool steps = false;           ///< affine colours count steps of 5, 6 and 5 bits, 2^27, 2^26 and 2^27 each
+    bool shares = false;          ///< `chain` can draw fragments of several rows at once (shared_rows.hpp)
     std::uint32_t color_bias = 0; ///< what set-up adds to affine colours (8.24) so that they round
 };
 

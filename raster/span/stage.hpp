@@ -87,6 +87,7 @@ template <class N> struct Px {
 struct StageBase {
     static constexpr unsigned in = 0, out = 0;
     static constexpr bool kill = false, effect = false, runs = false, rows = false;
+    static constexpr bool anywhere = false; ///< where a fragment lies makes no difference
     SPANGLE_INLINE void step() {}
     template <class S> SPANGLE_INLINE void start(const S&, std::int32_t) {}
     SPANGLE_INLINE void next_row() {}
@@ -108,7 +109,10 @@ template <class L> class Ramp {
     template <class S>
     SPANGLE_INLINE void start(const S& span, std::int32_t x, const Span<Fixed>::Affine& plane,
                               std::uint32_t more = 0) {
-        start(L::splat32(span.at(x, plane) + more));
+        if constexpr (requires { span.lanes; })
+            at = span.at(x, plane) + L::splat32(more); // of each lane
+        else
+            start(L::splat32(span.at(x, plane) + more));
     }
     /// Its first lane's, in all.
     SPANGLE_INLINE void start(const typename L::U32& first) { at = first + offset_; }

@@ -27,6 +27,7 @@ SPANGLE_INLINE typename N::Color load_color(const std::uint8_t* plane, std::int3
 
 /// What a fragment blends with, of a format known when it is compiled.
 template <class N, PixelFormat Format> struct Stored {
+    static constexpr bool anywhere = true;
     SPANGLE_INLINE Stored(const Span<typename N::Policy>&, std::int32_t) {}
     SPANGLE_INLINE typename N::Color load(const Px<N>& p) const {
         return load_color<N, Format>(p.color_plane, p.i);
@@ -37,7 +38,7 @@ template <class N, PixelFormat Format> struct Stored {
 /// SRC_ALPHA, ONE_MINUS_SRC_ALPHA.
 template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
     static constexpr unsigned in = field_color, out = field_color;
-    static constexpr bool kill = true;
+    static constexpr bool kill = true, anywhere = true;
     using L = typename N::L;
     template <class S> SPANGLE_INLINE BlendAlpha(const S&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
@@ -278,11 +279,12 @@ template <class N> struct BlendEquations {
 /// All equations and factors, chosen at run time.
 template <class N, class From> struct Blend : StageBase, BlendEquations<N> {
     static constexpr unsigned in = field_color, out = field_color;
+    static constexpr bool anywhere = From::anywhere;
     using T = typename N::T;
     using Color = typename N::Color;
     From from;
-    SPANGLE_INLINE Blend(const Span<typename N::Policy>& s, std::int32_t x)
-        : BlendEquations<N>(s.state->fragment), from(s, x) {}
+    template <class S>
+    SPANGLE_INLINE Blend(const S& s, std::int32_t x) : BlendEquations<N>(s.state->fragment), from(s, x) {}
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const Color s = p.color, d = from.load(p);

@@ -74,6 +74,7 @@ template <class N> struct GouraudGray : StageBase {
 /// In place of a primary colour that a texture replaces.
 template <class N> struct White : StageBase {
     static constexpr unsigned out = field_color;
+    static constexpr bool anywhere = true;
     template <class S> SPANGLE_INLINE White(const S&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const typename N::T one = N::from_units(color_one);

@@ -29,6 +29,27 @@ template <class N, int Unit> struct Coord<N, Unit, false> : StageBase {
     }
 };
 
+template <class N, int Unit>
+requires(N::lanes > 1) struct Coord<N, Unit, false> : StageBase {
+    static constexpr unsigned out = field_coord << Unit;
+    Ramp<typename N::L> s, t;
+    template <class S>
+    SPANGLE_INLINE Coord(const S& span, std::int32_t x)
+        : s(span, x, span.s[Unit]), t(span, x, span.t[Unit]) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) {
+        const auto put = [](std::uint32_t* to, const typename N::L::U32& v) {
+            N::L::store32(reinterpret_cast<std::uint8_t*>(to), v);
+        };
+        put(p.coord[Unit].s, s.at);
+        put(p.coord[Unit].t, t.at);
+        return true;
+    }
+    SPANGLE_INLINE void step() {
+        s.step();
+        t.step();
+    }
+};
+
 /// In place of runs where a primitive is one.
 struct NoRuns {
     SPANGLE_INLINE NoRuns(const Span<Fixed>&, std::int32_t, int) {}

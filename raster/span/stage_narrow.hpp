@@ -30,6 +30,7 @@ struct NarrowPlace {
 
 /// What a fragment blends with.
 template <class N> struct StoredNarrow : NarrowPlace {
+    static constexpr bool anywhere = false;
     StoredNarrow(const Span<typename N::Policy>& s, std::int32_t column) : NarrowPlace(s, column) {}
     typename N::Color load(const Px<N>& p) const { return load(p.color_plane); }
     [[gnu::noinline]] typename N::Color load(const std::uint8_t* row) const {

@@ -123,6 +123,7 @@ template <class N, PixelFormat Format> struct Store : StageBase {
     static constexpr unsigned in = field_color;
     static constexpr bool effect = true;
     using L = typename N::L;
+    static constexpr bool anywhere = true;
     template <class S> SPANGLE_INLINE Store(const S&, std::int32_t) {}
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
@@ -154,6 +155,7 @@ template <class N, PixelFormat Format> struct Store : StageBase {
 /// Ordered dithering on window coordinates (GL 1.3, 4.1.10); components of 8 bits are stored as they are.
 template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
     using L = typename N::L;
+    static constexpr bool anywhere = !is_565(Format);
     using Thresholds = inner::ThresholdsOf<N>;
     Thresholds dither;
     template <class S>
@@ -232,7 +234,8 @@ template <class N, PixelFormat Format> struct StoreMerged : StageBase {
     bool dithers;
     std::uint32_t open[4]; ///< all ones where a channel is written
     LogicTable logic;
-    SPANGLE_INLINE StoreMerged(const Span<typename N::Policy>& s, std::int32_t x)
+    template <class S>
+    SPANGLE_INLINE StoreMerged(const S& s, std::int32_t x)
         : dither(s.x + x, s.y), dithers(s.state->fragment.dither), logic(s.state->fragment) {
         for (unsigned i = 0; i < 4; ++i)
             open[i] = 0u - (s.state->fragment.color_mask >> i & 1u);
