@@ -48,20 +48,22 @@ template <class N> class ChainBuilder : ChainEnd {
   public:
     explicit ChainBuilder(Variant& variant) : ChainEnd(variant) {
         variant.run = reinterpret_cast<AnyFunction>(&chain_rows<N>);
-        variant.shares = N::lanes > 1;
+        if constexpr (N::lanes > 1)
+            variant.shares = true;
     }
     /// Another way to run it than chain_rows().
     void runs(RowsFunction<typename N::Policy> run) {
         variant_.run = reinterpret_cast<AnyFunction>(run);
-        variant_.shares = false;
+        not_shared();
     }
     template <class S> void add() {
         add(&chain_stage<std::conditional_t<uses_color<S>, N, Colorless<N>>, S>, inner::is_shared<S>);
     }
     /// `shared`: packets that rows share can be drawn by it.
-    void add(ChainStage<N> stage, bool shared) {
+    SPANGLE_INLINE void add(ChainStage<N> stage, bool shared) {
         append(reinterpret_cast<AnyFunction>(stage));
-        variant_.shares = variant_.shares && shared;
+        if (!shared)
+            not_shared();
     }
     template <bool there, class S> void add_if() {
         if constexpr (there)
@@ -70,6 +72,12 @@ template <class N> class ChainBuilder : ChainEnd {
     /// One of two, decided at run time.
     template <class WhenTrue, class WhenFalse> void choose(bool condition) {
         condition ? add<WhenTrue>() : add<WhenFalse>();
+    }
+
+  private:
+    void not_shared() {
+        if constexpr (N::lanes > 1) // others never are
+            variant_.shares = false;
     }
 };
 
@@ -149,9 +157,9 @@ template <class N> void add_inverses(ChainBuilder<N>& chain, const Key& key) {
     }
 }
 
-/// The texture function of a unit finds its coordinates itself, along rows.
-template <int Unit> bool has_volume([[maybe_unused]] const FragmentState& state) {
-    if constexpr (has_third_coordinates && Unit < max_texture_units)
+/// The texture function of a unit finds its coordinates itself, along rows: packets cannot be shared.
+template <class N, int Unit> bool has_volume([[maybe_unused]] const FragmentState& state) {
+    if constexpr (N::lanes > 1 && has_third_coordinates && Unit < max_texture_units)
         return state.unit[Unit].texture != nullptr && wants_r(*state.unit[Unit].texture);
     return false;
 }
@@ -189,7 +197,7 @@ void add_unit(ChainBuilder<N>& chain, const Key& key, const FragmentState& state
     if (has_combine && key.combine)
         return; // one stage for all
     if constexpr (by_packets<N>)
-        chain.add(&PacketTexture<N>::template run<Unit>, !has_volume<Unit>(state));
+        chain.add(&PacketTexture<N>::template run<Unit>, !has_volume<N, Unit>(state));
     else
         chain.template choose<Texture2D<One, Unit, true>, Texture2D<One, Unit, false>>(
             wants_lod(*state.unit[Unit].texture));
@@ -199,7 +207,7 @@ template <class N>
 void add_unit_in_steps(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
     add_coordinates<N, 0>(chain, key, state);
     if constexpr (by_packets<N>)
-        chain.add(&PacketTexture<N>::run_steps, !has_volume<0>(state));
+        chain.add(&PacketTexture<N>::run_steps, !has_volume<N, 0>(state));
     else
         chain.template add<Texture2D<OneLane<N>, 0, false, true>>();
 }
@@ -212,7 +220,7 @@ template <class N> void add_units(ChainBuilder<N>& chain, const Key& key, const 
         if (!key.combine)
             return;
         if constexpr (by_packets<N>)
-            chain.add(&PacketTexture<N>::combined, !has_volume<0>(state) && !has_volume<1>(state));
+            chain.add(&PacketTexture<N>::combined, !has_volume<N, 0>(state) && !has_volume<N, 1>(state));
         else
             chain.template add<CombineUnits<OneLane<N>>>();
     }

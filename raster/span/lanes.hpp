@@ -126,8 +126,8 @@ template <> struct Lanes<8> {
                    [](const auto& w) __attribute__((always_inline)) {
                        using Vector = std::remove_cvref_t<decltype(w)>;
                        const auto s = lane_words::as_signed(w);
-                       const auto over = s > (1 << 24) - 1; // all ones: 16 of them are left below
-                       return std::bit_cast<Vector>((s & ~(s >> 31)) | over) >> 8;
+                       const auto over = std::bit_cast<Vector>(s > (1 << 24) - 1); // 16 ones are left
+                       return (std::bit_cast<Vector>(s & ~(s >> 31)) | over) >> 8;
                    },
                    v)
             .low_half();
