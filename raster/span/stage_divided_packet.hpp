@@ -81,12 +81,20 @@ template <class N> class PacketDivided {
   public:
     /// 1/w of the primitive, which the others read.
     static void inverses(Places& k, const Span<Fixed>& span) {
-        const PlaneOf q(k, span, span.q);
-        for (std::int32_t i = 0; i < whole(k); ++i) {
-            const Inverse inverse(unguarded(q.at(i)));
-            k.inverse.q[i] = inverse.q;
-            k.inverse.mantissa[i] = inverse.mantissa;
-            k.inverse.power[i] = 1u << inverse.zeros;
+        const PlaneOf plane(k, span, span.q);
+        for (std::int32_t first = 0; first < k.n; first += lanes) {
+            numeric::Reciprocals<lanes> mantissa(numeric::each_is_set);
+            for (std::int32_t i = first; i < first + lanes; ++i) {
+                const std::int32_t value = unguarded(plane.at(i));
+                const std::uint32_t q = value > 0 ? static_cast<std::uint32_t>(value) : 1u; // Inverse
+                const int zeros = numeric::clz32(q);
+                mantissa.set(i - first, q << zeros);
+                k.inverse.q[i] = q;
+                k.inverse.power[i] = 1u << zeros;
+            }
+            mantissa.finish(lanes);
+            for (std::int32_t i = 0; i < lanes; ++i)
+                k.inverse.mantissa[first + i] = mantissa.at(i);
         }
     }
     template <bool Alpha> static void primary(Places& places, const Span<Fixed>& span) {
