@@ -1,4 +1,4 @@
-// High halves of the products of four words at once: hosts have an instruction for two of them.
+// Products of lanes for which hosts have an instruction that compilers do not find.
 #pragma once
 
 #include <bit>
@@ -41,6 +41,18 @@ SPANGLE_INLINE LaneWords high_words(const LaneLongs& even, const LaneLongs& odd)
 }
 
 } // namespace detail
+
+/// Of two halves in each word, signed: the sum of their products.
+SPANGLE_INLINE detail::LaneWords lane_products_added(const Lanes<8>::U16& a, const Lanes<8>::U16& b) {
+#if defined(__SSE2__)
+    return std::bit_cast<detail::LaneWords>(
+        _mm_madd_epi16(std::bit_cast<__m128i>(a), std::bit_cast<__m128i>(b)));
+#else
+    using Signed [[gnu::vector_size(16)]] = std::int32_t;
+    const auto s = std::bit_cast<Signed>(a), t = std::bit_cast<Signed>(b);
+    return std::bit_cast<detail::LaneWords>((s << 16 >> 16) * (t << 16 >> 16) + (s >> 16) * (t >> 16));
+#endif
+}
 
 /// floor(a b / 2^32).
 SPANGLE_INLINE detail::LaneWords lane_product_high(const detail::LaneWords& a, const detail::LaneWords& b) {

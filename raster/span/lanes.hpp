@@ -323,6 +323,28 @@ template <> struct Lanes<8> {
     SPANGLE_INLINE static Mask first(std::int32_t n) {
         return less(U16{0, 1, 2, 3, 4, 5, 6, 7}, splat(n < 0 ? 0 : static_cast<std::uint32_t>(n)));
     }
+    /// Words of these halves.
+    SPANGLE_INLINE static U32 joined(U16 low, U16 high) { return widened(low) | (widened(high) << 16); }
+    /// Lanes 0 to 3 and 4 to 7, in a row.
+    SPANGLE_INLINE static U32 ordered(const Words& low, const Words& high) {
+        return {__builtin_shufflevector(low, high, 0, 2, 4, 6),
+                __builtin_shufflevector(low, high, 1, 3, 5, 7)};
+    }
+    /// floor(v / 2^n), v signed.
+    SPANGLE_INLINE static U32 shifted_signed(const U32& v, int n) {
+        const auto one = [n](const Words& w) {
+            return std::bit_cast<Words>(std::bit_cast<SignedWords>(w) >> n);
+        };
+        return {one(v.even), one(v.odd)};
+    }
+    /// Four bytes per lane: 0 and 1, 2 and 3.
+    struct Bytes {
+        U16 low, high;
+    };
+    SPANGLE_INLINE static U16 byte(const Bytes& v, int n) {
+        const U16& two = n < 2 ? v.low : v.high;
+        return n % 2 == 0 ? two & 0xFF : two >> 8;
+    }
 
   private:
     SPANGLE_INLINE static Words is_less(const Words& a, const Words& b) {
