@@ -1,10 +1,11 @@
 // LINEAR of the exact tier in lanes, of texels with components of 8 bits: the bits of bilinear<Exact>().
 #pragma once
 
-#include "raster/span/lane_products.hpp"
+#include "raster/span/instructions.hpp"
+#include "raster/span/lane_texels.hpp"
 #include "raster/span/number_wide.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Four texels by weights in 256ths, of column i + 1 and of row j + 1.
 ///
@@ -17,27 +18,27 @@ class ExactFilter {
 
   public:
     SPANGLE_INLINE ExactFilter(const U16& right, const U16& down)
-        : right_(right), low_(L::mixed_low(256 - down, down)), high_(L::mixed_high(256 - down, down)) {}
+        : right_(right), down_(lane_joined(256 - down, down)) {}
 
-    SPANGLE_INLINE ExactLanes::Color operator()(const L::Bytes& c00, const L::Bytes& c10, const L::Bytes& c01,
-                                                const L::Bytes& c11) const {
+    SPANGLE_INLINE ExactLanes::Color operator()(const LaneBytes& c00, const LaneBytes& c10,
+                                                const LaneBytes& c01, const LaneBytes& c11) const {
         const auto at = [&](int n) __attribute__((always_inline)) {
-            return component(row(L::byte(c00, n), L::byte(c10, n)), row(L::byte(c01, n), L::byte(c11, n)));
+            return component(row(c00.at(n), c10.at(n)), row(c01.at(n), c11.at(n)));
         };
         return {at(0), at(1), at(2), at(3)};
     }
 
   private:
-    U16 right_, low_, high_; ///< of rows j and j + 1 in turn, of lanes 0 to 3 and 4 to 7
+    U16 right_;
+    LaneWords down_; ///< of rows j and j + 1
 
     SPANGLE_INLINE U16 row(const U16& c, const U16& next) const {
         return ((c << 8) + (next - c) * right_) ^ 0x8000;
     }
     SPANGLE_INLINE ExactLanes::T component(const U16& near, const U16& far) const {
-        const L::U32 sum = L::ordered(lane_products_added(L::mixed_low(near, far), low_),
-                                      lane_products_added(L::mixed_high(near, far), high_));
-        return (sum + L::splat32(1u << 23)) << (color_fraction_bits - 16);
+        return (lane_products_added(lane_joined(near, far), down_) + L::splat32(1u << 23))
+               << (color_fraction_bits - 16);
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

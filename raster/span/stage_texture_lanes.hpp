@@ -4,10 +4,11 @@
 #pragma once
 
 #include "raster/span/filter_exact.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_texture_one.hpp"
 #include "raster/span/texel_fetch.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// N: of the packet, eight lanes.
 template <class N> class LaneTexture {
@@ -178,11 +179,11 @@ template <class N> class LaneTexture {
             texture_.border_texels == 0)
             return false;
         const auto by_slice = [&](const U16* numbers, Color* colors) {
-            std::int32_t first[packet_length];
+            std::uint32_t first[packet_length];
             for (std::int32_t g = 0; g < groups_; ++g)
                 for (int lane = 0; lane < lanes; ++lane)
                     first[g * lanes + lane] =
-                        static_cast<std::int16_t>(numbers[g][lane]) * static_cast<std::int32_t>(bytes);
+                        static_cast<std::uint32_t>(static_cast<std::int16_t>(numbers[g][lane]) * bytes);
             return in_image(image, first, filter, colors);
         };
         if (!by_slice(k.at, to))
@@ -201,7 +202,7 @@ template <class N> class LaneTexture {
     }
 
     /// `first`: bytes from the texels of the image to those that a fragment looks at.
-    bool in_image(const TextureLevel& image, const std::int32_t* first, Filter filter, Color* to) const {
+    bool in_image(const TextureLevel& image, const std::uint32_t* first, Filter filter, Color* to) const {
         const bool linear = filter == Filter::linear;
         TexelNumbers s, t;
         const bool
@@ -222,20 +223,33 @@ template <class N> class LaneTexture {
     template <class Words>
     [[gnu::noinline]] void mix(const TexelFetch& fetch, bool linear, const U16* right, const U16* down,
                                Color* to) const {
-        constexpr bool is_565 = std::is_same_v<Words, TexelFetch::Words>;
-        using Texels = TexelColors<N, is_565, true>;
         Words texel;
         fetch.fetch(texel);
         const auto& [c00, c10, c01, c11] = texel;
         for (std::int32_t g = 0; g < groups_; ++g)
-            if (!linear)
-                to[g] = Texels::unpack(c00[g]);
-            else if constexpr (is_exact<N> && !is_565)
-                to[g] = ExactFilter(right[g], down[g])(c00[g], c10[g], c01[g], c11[g]);
-            else
-                to[g] =
-                    Texels::mix(typename Texels::Weights(down[g]), c00[g], c10[g], c01[g], c11[g], right[g]);
+            to[g] = linear ? mixed(c00[g], c10[g], c01[g], c11[g], right[g], down[g]) : unpacked(c00[g]);
+    }
+    using Colors565 = TexelColors<N, true, true>;
+    SPANGLE_INLINE static Color unpacked(const U16& c) { return Colors565::unpack(c); }
+    SPANGLE_INLINE static Color unpacked(const LaneBytes& c) {
+        return {N::from8(c.at(0)), N::from8(c.at(1)), N::from8(c.at(2)), N::from8(c.at(3))};
+    }
+    SPANGLE_INLINE static Color mixed(const U16& c00, const U16& c10, const U16& c01, const U16& c11,
+                                      const U16& right, const U16& down) {
+        return Colors565::mix(typename Colors565::Weights(down), c00, c10, c01, c11, right);
+    }
+    SPANGLE_INLINE static Color mixed(const LaneBytes& c00, const LaneBytes& c10, const LaneBytes& c01,
+                                      const LaneBytes& c11, const U16& right, const U16& down) {
+        if constexpr (is_exact<N>) {
+            return ExactFilter(right, down)(c00, c10, c01, c11);
+        } else {
+            const Filter8<lanes> filter(down);
+            const auto at = [&](int n) __attribute__((always_inline)) {
+                return filter.component(c00.at(n), c10.at(n), c01.at(n), c11.at(n), right);
+            };
+            return {at(0), at(1), at(2), at(3)};
+        }
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "raster/span/chain.hpp"
+#include "raster/span/instructions.hpp"
+#include "raster/span/lane_texels.hpp"
 #include "raster/span/texel.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Groups of eight lanes in a packet.
 inline constexpr std::int32_t texel_groups = (packet_length + 7) / 8;
@@ -53,12 +55,12 @@ class AxisLanes {
 
     SPANGLE_INLINE U32 place(const U32& v) const {
         if (shift_ >= 0)
-            return repeats_ ? v >> shift_ : L::shifted_signed(v, shift_);
+            return repeats_ ? v >> shift_ : lane_shifted_signed(v, shift_);
         const U16 low = L::low_half(v), high = L::high_half(v);
         if (repeats_)
-            return L::joined(high * size_, L::mul_high(high, size_)) + L::widened(L::mul_high(low, size_));
-        return (L::joined(high * size_, L::mul_high_signed(high, size_)) << (32 - clamped_coord_bits)) +
-               (L::joined(low * size_, L::mul_high(low, size_)) >> (clamped_coord_bits - 16));
+            return lane_joined(high * size_, L::mul_high(high, size_)) + L::widened(L::mul_high(low, size_));
+        return (lane_joined(high * size_, L::mul_high_signed(high, size_)) << (32 - clamped_coord_bits)) +
+               (lane_joined(low * size_, L::mul_high(low, size_)) >> (clamped_coord_bits - 16));
     }
     /// f(group, coordinates)
     template <class F>
@@ -158,4 +160,4 @@ class AxisLanes {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -2,11 +2,12 @@
 // packet.
 #pragma once
 
-#include "raster/span/lane_products.hpp"
+#include "raster/span/instructions.hpp"
+#include "raster/span/lane_texels.hpp"
 #include "raster/span/texel_axis.hpp"
 #include "raster/span/texel_other.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// One image and where the fragments of a packet look at it: at one texel, or at four.
 class TexelFetch {
@@ -16,17 +17,18 @@ class TexelFetch {
   public:
     using Words = U16[4][texel_groups]; ///< R5 G6 B5
     using Bytes =
-        L::Bytes[4][texel_groups]; ///< components of 8 bits, R lowest, whatever a format has of them
+        LaneBytes[4][texel_groups]; ///< components of 8 bits, R lowest, whatever a format has of them
 
     /// Offsets are sums of products of 16 bits.
     static constexpr std::uint32_t stride_limit = 1u << 15;
 
     /// `first`: bytes from the texels of the image to those that a fragment looks at, null for 0.
-    TexelFetch(const Texture& texture, const TextureLevel& image, const std::int32_t* first, bool linear,
+    TexelFetch(const Texture& texture, const TextureLevel& image, const std::uint32_t* first, bool linear,
                const TexelNumbers& s, const TexelNumbers& t, std::int32_t groups)
         : texture_(texture), image_(image), first_(first), s_(s), t_(t), corners_(linear ? 4 : 1),
-          groups_(groups), steps_(L::splat(static_cast<std::uint32_t>(texel_bytes(sampled(texture.format)))),
-                                  L::splat(image.stride)) {}
+          groups_(groups),
+          steps_(L::splat32(image.stride << 16 |
+                            static_cast<std::uint32_t>(texel_bytes(sampled(texture.format))))) {}
 
     [[gnu::noinline]] void fetch(Words& to) const {
         if (is_indirect(texture_.format))
@@ -47,26 +49,26 @@ class TexelFetch {
         switch (sampled(texture_.format)) {
         case TexelFormat::a8:
             return each([](auto place) __attribute__((always_inline)) {
-                return L::Bytes{L::splat(0xFFFF), byte(place, 0) << 8 | 0xFF};
+                return LaneBytes{L::splat(0xFFFF), byte(place, 0) << 8 | 0xFF};
             });
         case TexelFormat::l8:
             return each([](auto place) __attribute__((always_inline)) {
                 const U16 l = byte(place, 0);
-                return L::Bytes{l << 8 | l, l | 0xFF00};
+                return LaneBytes{l << 8 | l, l | 0xFF00};
             });
         case TexelFormat::i8:
             return each([](auto place) __attribute__((always_inline)) {
                 const U16 i = byte(place, 0), both = i << 8 | i;
-                return L::Bytes{both, both};
+                return LaneBytes{both, both};
             });
         case TexelFormat::la88:
             return each([](auto place) __attribute__((always_inline)) {
                 const U16 la = two_bytes<2>(place), l = la & 0xFF;
-                return L::Bytes{l << 8 | l, la};
+                return LaneBytes{l << 8 | l, la};
             });
         case TexelFormat::rgb888:
             return each([](auto place) __attribute__((always_inline)) {
-                return L::Bytes{two_bytes<1>(place), byte(place, 2) | 0xFF00};
+                return LaneBytes{two_bytes<1>(place), byte(place, 2) | 0xFF00};
             });
         case TexelFormat::rgba8888:
             return each([](auto place) __attribute__((always_inline)) {
@@ -74,7 +76,7 @@ class TexelFetch {
                     return texel_word<TexelFormat::rgba8888>(
                         static_cast<const std::uint8_t*>(__builtin_assume_aligned(place(lane), 4)));
                 });
-                return L::Bytes{L::low_half(word), L::high_half(word)};
+                return LaneBytes::of(word);
             });
         default:
             if constexpr (has_other_texels)
@@ -85,21 +87,17 @@ class TexelFetch {
   private:
     const Texture& texture_;
     const TextureLevel& image_;
-    const std::int32_t* const first_;
+    const std::uint32_t* const first_;
     const TexelNumbers &s_, &t_;
     const int corners_;
     const std::int32_t groups_;
-    /// Bytes from texel to texel and from row to row, in turn.
-    struct Steps {
-        U16 both;
-        Steps(const U16& bytes, const U16& stride) : both(L::mixed_low(bytes, stride)) {}
-    } steps_;
+    const LaneWords steps_; ///< bytes from texel to texel and from row to row
 
     /// f(corner, group, texels along s, texels along t)
     template <class F> SPANGLE_INLINE void each_group(F f) const {
         for (int corner = 0; corner < corners_; ++corner) {
-            const U16 *const s = (corner & 1) != 0 ? s_.next : s_.at, *const t =
-                                                                          (corner & 2) != 0 ? t_.next : t_.at;
+            const U16* const s = (corner & 1) != 0 ? s_.next : s_.at;
+            const U16* const t = (corner & 2) != 0 ? t_.next : t_.at;
             for (std::int32_t g = 0; g < groups_; ++g)
                 f(corner, g, s[g], t[g]);
         }
@@ -107,22 +105,18 @@ class TexelFetch {
     /// f(corner, group, place(lane)), places of texels in memory.
     template <class F> SPANGLE_INLINE void each_place(F f) const {
         const std::uint8_t* const texels = image_.texels;
-        each_group([&](int corner, std::int32_t g, const U16& s,
-                       const U16& t) __attribute__((always_inline)) {
-            L::Words offsets[2] = {lane_products_added(L::mixed_low(s, t), steps_.both),
-                                   lane_products_added(L::mixed_high(s, t), steps_.both)};
-            if (first_ != nullptr) {
-                L::Words first[2];
-                __builtin_memcpy(first, first_ + 8 * g, sizeof first);
-                offsets[0] += first[0];
-                offsets[1] += first[1];
-            }
-            std::int32_t offset[8];
-            __builtin_memcpy(offset, offsets, sizeof offset);
-            f(
-                corner,
-                g, [&](std::uint32_t lane) __attribute__((always_inline)) { return texels + offset[lane]; });
-        });
+        each_group([&](int corner, std::int32_t g, const U16& s, const U16& t)
+                       __attribute__((always_inline)) {
+                           L::U32 offsets = lane_products_added(lane_joined(s, t), steps_);
+                           if (first_ != nullptr)
+                               offsets += L::gather(first_ + 8 * g);
+                           std::int32_t offset[8];
+                           L::store32(reinterpret_cast<std::uint8_t*>(offset), offsets);
+                           const auto place = [&](std::uint32_t lane) __attribute__((always_inline)) {
+                               return texels + offset[lane];
+                           };
+                           f(corner, g, place);
+                       });
     }
     /// f(corner, group, numbers(lane)): what along s and along t.
     template <class F> SPANGLE_INLINE void each_number(F f) const {
@@ -151,8 +145,7 @@ class TexelFetch {
     /// Palettes and blocks are found by numbers, other formats by bytes.
     [[gnu::noinline]] void fetch_others(Bytes& to) const {
         const auto words = [&](int corner, std::int32_t g, auto word) {
-            const L::U32 all = L::generate(word);
-            to[corner][g] = {L::low_half(all), L::high_half(all)};
+            to[corner][g] = LaneBytes::of(L::generate(word));
         };
         if (!is_indirect(texture_.format))
             return each_place([&](int corner, std::int32_t g, auto place) {
@@ -167,4 +160,4 @@ class TexelFetch {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

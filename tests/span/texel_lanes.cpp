@@ -2,8 +2,7 @@
 // filter, size, level, shape and number of fragments.
 #include <gtest/gtest.h>
 
-#include "raster/span/stage_depth.hpp"
-#include "raster/span/stage_texture_packet.hpp"
+#include "raster/span/assemble.hpp"
 #include "tests/span/any_texture.hpp"
 
 namespace spangle::raster::test {
@@ -74,12 +73,11 @@ TEST(TexelLanes, ExactFilterIsThatOfOneLane) {
     for (std::uint32_t weights = 0; weights < 1u << 16; ++weights) {
         const std::uint32_t a = weights & 255, b = weights >> 8;
         std::uint32_t texel[4][8];
-        Lanes<8>::Bytes bytes[4];
+        LaneBytes bytes[4];
         for (int k = 0; k < 4; ++k) {
             for (auto& v : texel[k])
                 v = random.below(4) == 0 ? (random.below(2) == 0 ? 0 : ~0u) : word(random);
-            const auto words = Lanes<8>::gather(texel[k]);
-            bytes[k] = {Lanes<8>::low_half(words), Lanes<8>::high_half(words)};
+            bytes[k] = LaneBytes::of(Lanes<8>::gather(texel[k]));
         }
         const auto found =
             ExactFilter(Lanes<8>::splat(a), Lanes<8>::splat(b))(bytes[0], bytes[1], bytes[2], bytes[3]);
