@@ -51,7 +51,10 @@ template <class N> class ChainBuilder : ChainEnd {
         variant.shares = N::lanes > 1;
     }
     /// Another way to run it than chain_rows().
-    void runs(RowsFunction<typename N::Policy> run) { variant_.run = reinterpret_cast<AnyFunction>(run); }
+    void runs(RowsFunction<typename N::Policy> run) {
+        variant_.run = reinterpret_cast<AnyFunction>(run);
+        variant_.shares = false;
+    }
     template <class S> void add() {
         add(&chain_stage<std::conditional_t<uses_color<S>, N, Colorless<N>>, S>, inner::is_shared<S>);
     }

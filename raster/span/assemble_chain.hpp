@@ -67,7 +67,10 @@ SPANGLE_INLINE void assemble_any(Variant& variant, const Key& key, const Fragmen
 }
 
 /// What runs a chain's stages along rows.
-SPANGLE_INLINE AnyFunction runner_of(Number number) {
+SPANGLE_INLINE AnyFunction runner_of(Number number, [[maybe_unused]] bool narrow) {
+    if constexpr (has_narrow_formats)
+        if (narrow) // key.cpp
+            return reinterpret_cast<AnyFunction>(&by_narrow_row<Fixed, &chain_span<ExactChain>>);
     switch (number) {
     case Number::raw565:
         return reinterpret_cast<AnyFunction>(&chain_rows<Raw>);

@@ -11,8 +11,8 @@ namespace spangle::raster::inline avx2 {
 void assemble_chain(Variant& variant, const Key& key, const FragmentState& state) {
     assemble_any(variant, key, state);
 }
-AnyFunction chain_runner(Number number) {
-    return runner_of(number);
+AnyFunction chain_runner(Number number, bool narrow) {
+    return runner_of(number, narrow);
 }
 
 } // namespace spangle::raster::inline avx2

@@ -103,12 +103,12 @@ DrawState::Area area_of_paths(const Rect& scissor, const Surface& target) {
 
 } // namespace
 
-AnyFunction chain_runner(Number number) {
+AnyFunction chain_runner(Number number, bool narrow) {
 #if SPANGLE_AVX2 && SPANGLE_CHAIN
     if (uses_avx2())
-        return avx2::chain_runner(number);
+        return avx2::chain_runner(number, narrow);
 #endif
-    return runner_of(number);
+    return runner_of(number, narrow);
 }
 
 /// Four times what affine colours may be off by, in colour units, where a step of the target is that many

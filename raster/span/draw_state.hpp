@@ -189,8 +189,8 @@ void prepare(DrawState& draw, const FragmentState& fragment, const Surface& targ
 /// Draws no more than the scissor rectangle of its fragment state, which has become another one.
 void scissor_changed(DrawState& draw, const Surface& target);
 
-/// What runs the chain of a number system of the fixed policy along rows.
-AnyFunction chain_runner(Number number);
+/// What runs the chain of a number system of the fixed policy along rows; `narrow`: of a narrow surface.
+AnyFunction chain_runner(Number number, bool narrow = false);
 
 /// The key of one kind; what `compile` looks fused spans up by.
 Key make_key(const FragmentState& fragment, const Surface& target, Kind kind);

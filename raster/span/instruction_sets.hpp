@@ -16,7 +16,7 @@ namespace avx2 { // chain_avx2.cpp
 
 /// As assemble_any() and runner_of() of raster/span/assemble_chain.hpp.
 void assemble_chain(Variant& variant, const Key& key, const FragmentState& state);
-AnyFunction chain_runner(Number number);
+AnyFunction chain_runner(Number number, bool narrow);
 
 } // namespace avx2
 

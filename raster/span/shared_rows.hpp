@@ -100,10 +100,17 @@ template <class N> class SharedRows {
     }
 };
 
+/// Where pixels have a coverage it counts from the row's first: such rows stay whole.
+template <class P> SPANGLE_INLINE bool may_share(const Span<P>& span) {
+    const PrimitiveState* const primitive = span.state->primitive;
+    return span.state->variant[static_cast<unsigned>(span.kind)].shares &&
+           (primitive == nullptr || primitive->coverage == nullptr);
+}
+
 /// As RowsFunction.
 template <class N> void chain_rows(Span<typename N::Policy>& span, const Row* row, const Row* end) {
     if constexpr (N::lanes > 1) {
-        if (span.state->variant[static_cast<unsigned>(span.kind)].shares) {
+        if (may_share(span)) {
             SharedRows<N> rows(span);
             for (; row != end; ++row)
                 rows.add(*row);
