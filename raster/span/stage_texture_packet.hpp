@@ -3,7 +3,7 @@
 #pragma once
 
 #include "raster/span/instructions.hpp"
-#include "raster/span/stage_texture_one.hpp"
+#include "raster/span/stage_texture_lanes.hpp"
 #include "raster/span/texel_packet.hpp"
 #include "raster/span/texture_combine.hpp"
 
@@ -66,6 +66,12 @@ template <class N> class PacketTexture {
             apply_env<N>(unit.env, unit.texture->base, k.color[g], texels[g], constant);
     }
     [[gnu::noinline]] static void sample(Packet<N>& k, const Span& span, int which, Color* texels) {
+        if constexpr (lanes > 1)
+            LaneTexture<N>::sample(k, span, which, texels);
+        else
+            sample_one(k, span, which, texels);
+    }
+    static void sample_one(Packet<N>& k, const Span& span, int which, Color* texels) {
         const TextureUnit& unit = span.state->fragment.unit[which];
         if constexpr (has_third_coordinates)
             if (wants_r(*unit.texture))
@@ -84,7 +90,6 @@ template <class N> class PacketTexture {
 
     /// False: not all fragments take the same levels by the same filter, or some see the border colour.
     bool together(Color* texels) const {
-        fill_last_group();
         using Sampling = typename TextureFunction<One>::Sampling;
         Sampling how = {0, texture_.mag, 0};
         std::uint16_t next[packet_length] = {};
@@ -107,20 +112,6 @@ template <class N> class PacketTexture {
                 texels[g] = between_levels<N>(texels[g], behind[g], L::gather(next + g * lanes));
         }
         return true;
-    }
-    /// Lanes beyond the last fragment look where that one does. Nothing that they find is stored, but stages
-    /// of one lane leave them as they were, and a border colour there would send all fragments one by one.
-    /// Their colours are whatever arithmetic makes of what was in memory: masks (Packet::live) keep them from
-    /// every decision and from the planes.
-    SPANGLE_INLINE void fill_last_group() const {
-        const std::int32_t end = k_.n % lanes;
-        if (end == 0)
-            return;
-        auto& at = k_.coord[which_][k_.n / lanes];
-        for (std::int32_t lane = end; lane < lanes; ++lane) {
-            at.s[lane] = at.s[end - 1];
-            at.t[lane] = at.t[end - 1];
-        }
     }
     [[gnu::noinline]] void one_by_one(Color* texels) const {
         for (std::int32_t i = 0; i < k_.n; ++i) {
