@@ -27,7 +27,8 @@
 #include "raster/span/stage_texture_packet.hpp"
 #include <spangle/raster/features.hpp>
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// A chain that grows, of any number system.
 class ChainEnd {
@@ -390,4 +391,5 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
                     PixelFormat::rgba8888>(chain, key);
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

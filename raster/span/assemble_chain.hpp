@@ -6,7 +6,8 @@
 #include "raster/span/stage_dithered.hpp"
 #include "raster/span/stage_raw.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 using Raw = Raw565<host_lanes>;
 using OneRaw = Raw565<1>;
@@ -81,4 +82,5 @@ SPANGLE_INLINE AnyFunction runner_of(Number number, [[maybe_unused]] bool narrow
     }
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -10,7 +10,8 @@
 #include "raster/span/packet_rows.hpp"
 #include "raster/span/stage.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// 1/w of the fragments of a packet (inverse.hpp), where there are lanes: stage_divided_packet.hpp.
 template <int Count> struct PacketInverse {
@@ -290,4 +291,5 @@ template <class N> SPANGLE_INLINE void chain_span(const Span<typename N::Policy>
     }
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

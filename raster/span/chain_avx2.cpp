@@ -6,7 +6,8 @@
 
 #include "raster/span/assemble_chain.hpp"
 
-namespace spangle::raster::inline avx2 {
+namespace spangle::raster {
+inline namespace avx2 {
 
 void assemble_chain(Variant& variant, const Key& key, const FragmentState& state) {
     assemble_any(variant, key, state);
@@ -15,6 +16,7 @@ AnyFunction chain_runner(Number number, bool narrow) {
     return runner_of(number, narrow);
 }
 
-} // namespace spangle::raster::inline avx2
+} // namespace avx2
+} // namespace spangle::raster
 
 #endif

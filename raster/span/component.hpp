@@ -4,7 +4,9 @@
 #include "raster/span/instructions.hpp"
 #include "raster/span/number_wide.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS::component {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
+namespace component {
 
 /// How a function that is not inlined takes one: in a register, or where it lies.
 template <class N> using Argument = std::conditional_t<N::lanes == 1, typename N::T, const typename N::T&>;
@@ -44,4 +46,6 @@ SPANGLE_INLINE typename N::T where_less(const typename N::T& a, const typename N
         return N::L::select(N::L::less(a, b), x, y);
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS::component
+} // namespace component
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -6,7 +6,8 @@
 #include "raster/span/of_tier.hpp"
 #include "raster/span/stage_color.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
@@ -321,4 +322,5 @@ class CoordRuns {
     const Span<Fixed>* span_;
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

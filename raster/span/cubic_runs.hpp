@@ -5,7 +5,8 @@
 #include "raster/span/coord_runs.hpp"
 #include "raster/span/instructions.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Forward differences of a cubic; they wrap as coordinates do.
 struct Differences {
@@ -221,4 +222,5 @@ class CubicRuns {
     int log2_;
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -7,7 +7,8 @@
 #include "raster/span/instructions.hpp"
 #include <spangle/dither.hpp>
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
@@ -123,4 +124,5 @@ template <bool SwapsBytes> class DitherCells {
     std::uint32_t pairs_[8];
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -7,7 +7,8 @@
 #include "raster/numeric/bits.hpp"
 #include "raster/span/instructions.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
@@ -64,4 +65,5 @@ SPANGLE_INLINE void fill_columns(std::uint8_t* at, const inner::Half* words, std
         *last = words[(count - 1) & 3];
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -5,7 +5,8 @@
 #include "raster/span/instructions.hpp"
 #include "raster/span/number.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Weights of two rows of texels; `Sum` is that of all four.
 template <class L, std::uint32_t Sum> struct RowWeights {
@@ -95,4 +96,5 @@ template <int Count> struct Filter8 {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

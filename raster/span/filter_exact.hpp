@@ -5,7 +5,8 @@
 #include "raster/span/lane_texels.hpp"
 #include "raster/span/number_wide.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Four texels by weights in 256ths, of column i + 1 and of row j + 1.
 ///
@@ -41,4 +42,5 @@ class ExactFilter {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

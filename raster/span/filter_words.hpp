@@ -8,7 +8,8 @@
 #include "raster/span/number.hpp"
 #include "raster/span/texel.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
@@ -178,4 +179,5 @@ template <> struct FilterWords<8> {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

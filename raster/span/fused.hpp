@@ -13,7 +13,8 @@
 #include "raster/span/stage.hpp"
 #include "raster/span/stage_raw.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Along rows of texels pointers are better, but where registers are left for addresses of two.
 template <class N>
@@ -494,4 +495,5 @@ template <class Case>
     }
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -27,7 +27,8 @@
 #include "raster/span/stage_store.hpp"
 #include "raster/span/stage_texture.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// In place of a stage that a key does without; I keeps the bases of a Seq distinct.
 template <class N, int I> struct None : StageBase {
@@ -409,4 +410,5 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

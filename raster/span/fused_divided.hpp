@@ -5,7 +5,8 @@
 #include "raster/span/instructions.hpp"
 #include "raster/span/stage_lit_one.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Around the fragments of rows, from one amidst them: planes of thin triangles are steep beside these.
 struct PatchOfRows {
@@ -145,4 +146,5 @@ SPANGLE_INLINE void fused_divided_rows(Span<Fixed>& span, const Row* row, const 
     }
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

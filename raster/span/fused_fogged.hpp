@@ -8,7 +8,8 @@
 #include "raster/span/stage_fogged_light.hpp"
 #include "raster/span/stage_nearest.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 template <class Case> class FoggedRows {
   public:
@@ -158,4 +159,5 @@ SPANGLE_INLINE void fused_fogged_rows(const Span<Fixed>& span, const Row* row, c
     while (++row != end);
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

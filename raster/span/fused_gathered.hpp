@@ -9,7 +9,8 @@
 #include "raster/span/stage_lanes.hpp"
 #include "raster/span/stage_store.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Fragments that passed the depth test, on their way to the surface. Case has: Test, Texture, Fog, FogColor
 /// (or None), fogged, gray, tested, key.
@@ -221,4 +222,5 @@ SPANGLE_INLINE bool fused_gathered_rows(Span<Fixed>& span, const Row* row, const
     return true;
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

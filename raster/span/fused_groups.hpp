@@ -9,7 +9,8 @@
 #include "raster/span/stage.hpp"
 #include "raster/span/stage_guess.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Lanes [first, last) live.
 SPANGLE_INLINE Lanes<8>::Mask some_lanes(std::int32_t first, std::int32_t last) {
@@ -183,4 +184,5 @@ SPANGLE_INLINE void fused_plain_rows(Span<Fixed>& span, const Row* row, const Ro
     while (++row != end);
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

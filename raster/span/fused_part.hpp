@@ -10,7 +10,8 @@
 #include "raster/span/fused_table.hpp"
 #include "raster/span/instructions.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 template <Key K> constexpr FusedSpan fused_entry() {
     using Case = FusedCase<K>;
@@ -34,4 +35,5 @@ template <std::size_t Part> const FusedSpan* fused_part() {
         return nullptr;
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

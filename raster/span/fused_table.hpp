@@ -12,7 +12,8 @@
 #include "raster/span/path.hpp"
 #include "raster/span/rows.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 struct FusedSpan {
     Key key;
@@ -72,4 +73,5 @@ inline const FusedSpan& fused_span(std::size_t i) {
     return inner::part_of(i % fused_parts, std::make_index_sequence<fused_parts>())[i / fused_parts];
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -7,7 +7,8 @@
 #include "raster/span/stage_guess.hpp"
 #include "raster/span/tile.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Wide: 8 or two_rows.
 template <class Case, int Wide> SPANGLE_INLINE void tile_in_lanes(Span<Fixed>& span, const Tile& tile) {
@@ -52,4 +53,5 @@ template <class Case> [[gnu::noinline]] void fused_tile(Span<Fixed>& span, const
         tile_in_lanes<Case, 8>(span, tile);
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -7,7 +7,8 @@
 #include "raster/span/trapezoids.hpp"
 #include "raster/surface/surface.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 template <class Case, class Rows>
 SPANGLE_INLINE void draw_trapezoids(Rows& rows, const Surface& target, const Trapezoids& shape) {
@@ -61,4 +62,5 @@ template <class Case, class Gray> void fused_trapezoids_by_gray(Span<Fixed>& spa
         fused_trapezoids<Case>(span, shape);
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

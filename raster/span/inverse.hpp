@@ -6,7 +6,8 @@
 #include "raster/numeric/reciprocal.hpp"
 #include "raster/span/instructions.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// 1 / q at a fragment, q the 30-bit value of a projective interpolant; q <= 0 (outside of GL's domain)
 /// counts as the least positive one.
@@ -28,4 +29,5 @@ struct Inverse {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

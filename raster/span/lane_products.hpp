@@ -15,7 +15,8 @@
 #include "raster/span/instructions.hpp"
 #include "raster/span/lane_words.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
@@ -89,4 +90,5 @@ SPANGLE_INLINE LaneWords lane_product_high_signed(const LaneWords& a, const Lane
         a, b);
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

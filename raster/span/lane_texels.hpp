@@ -5,7 +5,8 @@
 #include "raster/span/lane_products.hpp"
 #include "raster/span/lanes.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// A word of these halves in each lane.
 SPANGLE_INLINE LaneWords lane_joined(const Lanes<8>::U16& low, const Lanes<8>::U16& high) {
@@ -59,4 +60,5 @@ struct LaneBytes {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

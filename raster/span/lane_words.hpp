@@ -13,7 +13,8 @@
 #include "raster/numeric/bits.hpp"
 #include "raster/span/instructions.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace lane_words {
 
@@ -224,4 +225,5 @@ SPANGLE_INLINE LaneWords& operator+=(LaneWords& a, const LaneWords& b) {
     return a = a + b;
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

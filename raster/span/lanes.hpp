@@ -11,7 +11,8 @@
 #include "raster/span/instructions.hpp"
 #include "raster/span/lane_words.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 template <int Count> struct Lanes;
 
@@ -335,4 +336,5 @@ SPANGLE_INLINE void set_lane(std::uint32_t& v, int, std::uint32_t from) {
     v = from;
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -9,7 +9,8 @@
 #include "raster/numeric/bits.hpp"
 #include "raster/span/instructions.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 template <int Count> struct LineLanes;
 
@@ -118,4 +119,5 @@ using HostLines = std::conditional_t<numeric::cheap_branches, LineLanes<1>, Line
 using HostLines = LineLanes<1>;
 #endif
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

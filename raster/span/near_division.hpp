@@ -15,7 +15,8 @@
 #include "raster/span/row_planes.hpp"
 #include "raster/span/span.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Fragments within so many columns and rows of a place in the window.
 struct Patch {
@@ -270,4 +271,5 @@ class NearInverse {
     L::U16 more_;
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -10,7 +10,8 @@
 #include "raster/span/lanes.hpp"
 #include "raster/span/span.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 template <class T> struct Rgba { T r, g, b, a; };
 template <class V, class T> SPANGLE_INLINE void lane_of(const Rgba<V>& v, int i, Rgba<T>& to) {
@@ -362,4 +363,5 @@ template <class N> using OneLane = typename WithOneLane<N>::Type;
 template <class N> inline constexpr bool is_raw = false;
 template <int Count> inline constexpr bool is_raw<Raw565<Count>> = true;
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

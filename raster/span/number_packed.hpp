@@ -5,7 +5,8 @@
 #include "raster/span/instructions.hpp"
 #include "raster/span/number.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Two components in a word, the bits of Balanced<1>.
 struct Packed {
@@ -233,4 +234,5 @@ template <int Count> struct ExactBytes : Bytes<Count> {
     SPANGLE_INLINE static T by_256ths(T v) { return L::mul_high(v, L::splat(257)); }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -5,7 +5,8 @@
 #include "raster/span/lane_products.hpp"
 #include "raster/span/number.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// A component is a word of 32 bits per lane, 255ths with 20 fraction bits, as it is in Exact. Each function
 /// gives what the function of the same name in Exact gives.
@@ -122,4 +123,5 @@ template <class N> inline constexpr bool is_exact = std::is_same_v<OneLane<N>, E
 /// The exact tier of the chain in this build.
 using ExactChain = std::conditional_t<host_lanes == 8, ExactLanes, Exact>;
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

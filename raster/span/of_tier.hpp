@@ -8,7 +8,8 @@
 #include "raster/span/draw_state.hpp"
 #include "raster/span/instructions.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 #if SPANGLE_OWN_TIERS
 template <auto Of> SPANGLE_INLINE auto of_tier(const DrawState& draw) {
@@ -53,4 +54,5 @@ SPANGLE_INLINE bool unsnaps(const DrawState& draw) {
     return has_tier(Tier::exact) && of_tier<[](const Knobs& k) { return k.unsnapped; }>(draw);
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

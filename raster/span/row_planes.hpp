@@ -7,7 +7,8 @@
 #include "raster/span/lanes.hpp"
 #include "raster/span/span.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Four of them in a vector. What is constant lies in lanes: a store to the surface might change anything
 /// else.
@@ -107,4 +108,5 @@ template <int Count> class LanePlanes : public RowPlanes<Count> {
     L::U16 above_[Count], room_[Count];
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

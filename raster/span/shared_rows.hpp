@@ -7,7 +7,8 @@
 #include "raster/span/packet_rows.hpp"
 #include "raster/span/rows.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Rows of one primitive, none of which share a pixel. The chain is the one of the span's kind.
 template <class N> class SharedRows {
@@ -120,4 +121,5 @@ template <class N> void chain_rows(Span<typename N::Policy>& span, const Row* ro
     by_row<typename N::Policy, &chain_span<N>>(span, row, end);
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -34,7 +34,8 @@
 #include "raster/span/number_wide.hpp"
 #include "raster/span/span.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 enum Field : unsigned {
     field_color = 1,
@@ -196,4 +197,5 @@ template <class N, class... S> struct Seq : S... {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -8,7 +8,8 @@
 #include "raster/span/instructions.hpp"
 #include "raster/span/stage.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 template <class N> struct Coverage : StageBase {
     static_assert(N::lanes == 1);
@@ -52,4 +53,5 @@ template <class N> struct PolygonStipple : StageBase {
     SPANGLE_INLINE void step() { pattern = std::rotr(pattern, 1); }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

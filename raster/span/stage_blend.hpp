@@ -7,7 +7,8 @@
 #include "raster/span/number_packed.hpp"
 #include "raster/span/stage_store.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// The colour under a group of fragments: k/31, k/63 or k/255 exactly.
 template <class N, PixelFormat Format>
@@ -308,4 +309,5 @@ template <class N, class From> struct Blend : StageBase, BlendEquations<N> {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

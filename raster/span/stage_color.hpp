@@ -5,7 +5,8 @@
 #include "raster/span/instructions.hpp"
 #include "raster/span/stage.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// A projective accumulator without its guard bits.
 SPANGLE_INLINE std::int32_t unguarded(std::uint64_t v) {
@@ -240,4 +241,5 @@ template <class N> struct FogCoord<N, true> : StageBase {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

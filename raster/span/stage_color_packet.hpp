@@ -5,7 +5,8 @@
 #include "raster/span/instructions.hpp"
 #include "raster/span/stage_color.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// N: of the packet.
 template <class N> class PacketColors {
@@ -58,4 +59,5 @@ template <class N> class PacketColors {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -6,7 +6,8 @@
 #include "raster/span/stage_texture_one.hpp"
 #include "raster/span/texture_combine.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Behind the coordinates and levels of detail of both units.
 template <class N> struct CombineUnits : StageBase {
@@ -38,4 +39,5 @@ template <class N> struct CombineUnits : StageBase {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

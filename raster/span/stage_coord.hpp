@@ -5,7 +5,8 @@
 #include "raster/span/cubic_runs.hpp"
 #include "raster/span/instructions.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 template <class N, int Unit, bool Projective> struct Coord;
 
@@ -121,4 +122,5 @@ template <class N, int Unit> struct Coord<N, Unit, true> : CoordAlong<N, Unit, R
     using CoordAlong<N, Unit, RunsOf<N>>::CoordAlong;
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -6,7 +6,8 @@
 #include "raster/span/stage_texture.hpp"
 #include "raster/span/stage_texture_lod.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Of all systems with such places.
 template <class Places> class PacketCoordinates {
@@ -50,4 +51,5 @@ template <class Places> class PacketCoordinates {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -7,7 +7,8 @@
 #include "raster/span/instructions.hpp"
 #include "raster/span/stage.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Compare as GL writes it: incoming OP stored.
 template <Compare Func, class T> SPANGLE_INLINE constexpr bool compare(T incoming, T stored) {
@@ -250,4 +251,5 @@ template <class N> struct Count : StageBase {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -6,7 +6,8 @@
 #include "raster/span/stage_color.hpp"
 #include "raster/span/stage_thresholds.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Thresholds of fragments as Raw565::fraction5: walked,
 template <class N> struct WalkedFractions : inner::DitherPlace<typename N::L> {
@@ -111,4 +112,5 @@ struct GouraudDitheredRow : Gouraud<Raw565<8>, false> {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

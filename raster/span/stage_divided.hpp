@@ -7,7 +7,8 @@
 #include "raster/span/stage_color.hpp"
 #include "raster/span/stage_texture.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// A projective interpolant along a row: unguarded(), i fragments from where it started. With words of 64
 /// bits it steps, and i is not looked at.
@@ -231,4 +232,5 @@ template <class T, int Unit> class NearestDivided : public T {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -7,7 +7,8 @@
 #include "raster/span/instructions.hpp"
 #include "raster/span/stage_color.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
@@ -200,4 +201,5 @@ template <class N> struct ColorSumLanes : StageBase {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

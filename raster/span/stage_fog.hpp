@@ -6,7 +6,8 @@
 #include "raster/span/instructions.hpp"
 #include "raster/span/stage.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// f with 24 fraction bits, 0 .. 2^24, of a coordinate in s7.24.
 inline std::uint32_t fog_factor(FogMode mode, std::uint32_t coordinate) {
@@ -126,4 +127,5 @@ template <class N, bool Steps> struct FogShareLanes : FogShare<N, Steps> {
     SPANGLE_INLINE bool operator()(Px<N>& p) const { return this->add(p, p.fog_factor); }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -6,7 +6,8 @@
 #include "raster/span/stage_fog.hpp"
 #include "raster/span/stage_store.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Half a 255th comes with the fog's colour, unless it is dithered; four times the fog's colour is subtracted
 /// from four times the other.
@@ -47,4 +48,5 @@ template <PixelFormat Format, bool Dither> struct FoggedStore : StageBase {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

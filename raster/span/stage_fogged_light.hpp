@@ -7,7 +7,8 @@
 #include "raster/span/stage_store.hpp"
 #include "raster/span/texel_color.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Components are Balanced's; MODULATE waits for the store, with its texel.
 struct BalancedLit : Balanced<1> {
@@ -165,4 +166,5 @@ template <PixelFormat Format, bool Is565, bool Dither> class FoggedLightStore : 
     [[no_unique_address]] Thresholds thresholds_; ///< from the fragment on that the list counts from
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

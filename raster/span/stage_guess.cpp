@@ -2,7 +2,8 @@
 
 #include "raster/span/stage_store.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 std::uint32_t divided_word(Span<Fixed>& span, std::int32_t x, std::int32_t y) {
     if (span.guess.project != nullptr)
@@ -20,4 +21,5 @@ std::uint32_t divided_word(Span<Fixed>& span, std::int32_t x, std::int32_t y) {
                                        : truncated565<Exact>(c);
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

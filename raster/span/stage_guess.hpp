@@ -7,7 +7,8 @@
 #include "raster/span/stage_dithered.hpp"
 #include "raster/span/stage_raw.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// The colour of the fragment at window (x, y), divided: what GouraudQ<Exact, false> gives, as it is stored.
 std::uint32_t divided_word(Span<Fixed>& span, std::int32_t x, std::int32_t y);
@@ -80,4 +81,5 @@ template <PixelFormat Format, class L = Lanes<8>>
     });
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -6,7 +6,8 @@
 #include "raster/span/stage_fog.hpp"
 #include "raster/span/stage_store.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Nearest index there is.
 template <class N> SPANGLE_INLINE std::uint32_t nearest_index(typename N::T v) {
@@ -81,4 +82,5 @@ template <class N> struct StoreIndex : StageBase {
     void step() { dither.step(); }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -7,7 +7,8 @@
 #include "raster/span/stage_index.hpp"
 #include "raster/span/stage_reference.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 template <> struct FogIndex<Reference> : ReferenceStage {
     static constexpr unsigned in = field_color | field_fog, out = field_color;
@@ -20,4 +21,5 @@ template <> struct FogIndex<Reference> : ReferenceStage {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

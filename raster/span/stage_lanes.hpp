@@ -4,7 +4,8 @@
 #include "raster/span/instructions.hpp"
 #include "raster/span/stage_texture.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// The texels of eight fragments from their coordinates, T a TextureFixed.
 template <class T> class TexelLanes : public T {
@@ -94,4 +95,5 @@ template <class T, int Unit> class NearestLanes : public TexelLanes<T> {
     Ramp<L> s_, t_;
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -5,7 +5,8 @@
 #include "raster/span/stage_thresholds.hpp"
 #include "raster/span/texel_walk.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Weights of the next texel have 8 bits, to nearest; half a texel into the texture the first one has none.
 struct LinearPosition {
@@ -97,4 +98,5 @@ class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -9,7 +9,8 @@
 #include "raster/span/stage_lanes.hpp"
 #include "raster/span/stage_store.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// What is guessed of a component, and by how much that may be wrong, where its colour and fog are not.
 ///
@@ -278,4 +279,5 @@ class LitGuessed : public TexelLanes<T> {
     L::U16 from_, range_, fog_color_[3];
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -6,7 +6,8 @@
 #include "raster/span/stage_lit.hpp"
 #include "raster/span/stage_lit_store.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// A plane by the number of the fragment in its row: nothing steps.
 class NumberedRamp {
@@ -326,4 +327,5 @@ class LitOne : public T {
     std::uint32_t from_, range_, fog_color_[3];
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

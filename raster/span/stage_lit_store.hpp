@@ -7,7 +7,8 @@
 #include "raster/span/stage_fogged.hpp"
 #include "raster/span/stage_lit.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Components and fog are Exact's; MODULATE waits for the store, with its texel.
 struct ExactLit {
@@ -119,4 +120,5 @@ template <PixelFormat Format, bool Is565, bool HasFog, bool Dither> class LitSto
     [[no_unique_address]] Thresholds thresholds_;
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

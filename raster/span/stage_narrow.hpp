@@ -5,7 +5,8 @@
 #include "raster/span/stage_store.hpp"
 #include "raster/surface/narrow.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// What a colour becomes at a threshold.
 template <class N>
@@ -115,4 +116,5 @@ void narrow_rows(Span<Fixed>& span, const Row* row, const Row* end) {
         by_narrow_row<Fixed, Draw>(span, row, end);
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

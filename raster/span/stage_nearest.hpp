@@ -5,7 +5,8 @@
 #include "raster/span/number_packed.hpp"
 #include "raster/span/texel_walk.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 struct NearestPosition {
     static constexpr int fraction_bits = 0;
@@ -88,4 +89,5 @@ class NearestWalk : public TexelWalk<T, Unit, Runs, NearestPosition> {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -4,7 +4,8 @@
 #include "raster/span/instructions.hpp"
 #include "raster/span/stage.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Four components in colour units for each pixel of the span.
 template <class N> struct PixelColor : StageBase {
@@ -34,4 +35,5 @@ template <int Count> struct PixelWord : StageBase {
     SPANGLE_INLINE void step() { at += 2 * Count; }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

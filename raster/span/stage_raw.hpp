@@ -7,7 +7,8 @@
 #include "raster/span/rows.hpp"
 #include "raster/span/stage_store.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
@@ -151,4 +152,5 @@ template <int Count, PixelFormat Format, bool Host = true> struct StoreRaw : Sta
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

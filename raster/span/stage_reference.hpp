@@ -13,7 +13,8 @@
 #include "raster/span/stage_texture_one.hpp"
 #include "raster/span/texture_combine.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// A stage of the reference: interpolants are evaluated anew at every pixel.
 struct ReferenceStage : StageBase {
@@ -385,4 +386,5 @@ template <> struct CombineMath<Reference> {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

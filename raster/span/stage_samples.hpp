@@ -8,7 +8,8 @@
 #include "raster/span/stage_store.hpp"
 #include "raster/surface/samples.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Of value k / 255 at a pixel whose dither threshold is t / 32: 4 k / 255 samples, rounded up where the rest
 /// is more than the threshold. So 0 covers none and 255 all, and what a pixel cannot show its neighbours do.
@@ -41,4 +42,5 @@ template <class N> struct SampleCoverage : StageBase {
     SPANGLE_INLINE void step() { dither.step(); }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

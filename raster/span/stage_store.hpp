@@ -8,7 +8,8 @@
 #include "raster/span/stage_thresholds.hpp"
 #include "raster/surface/quantize.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// 16-bit words of a 565 surface, host order.
 template <class L, PixelFormat Format> struct Words565 {
@@ -287,4 +288,5 @@ template <class N, PixelFormat Format> struct StoreMerged : StageBase {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

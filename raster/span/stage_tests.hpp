@@ -4,7 +4,8 @@
 #include "raster/span/instructions.hpp"
 #include "raster/span/stage_depth.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Alpha rounds to 8 bits, as the reference value did.
 template <class N> struct AlphaTest : StageBase {
@@ -141,4 +142,5 @@ template <class N, class Value = DepthValueOf<N, DepthFormat::z24s8>> struct Ste
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

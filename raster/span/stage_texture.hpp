@@ -11,7 +11,8 @@
 #include "raster/span/texel_other.hpp"
 #include "raster/span/texture_env.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Of two levels, `next` / 2^16 of the one behind; not 0.
 template <class N>
@@ -272,4 +273,5 @@ struct TextureFixed : StageBase {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

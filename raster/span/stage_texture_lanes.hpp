@@ -8,7 +8,8 @@
 #include "raster/span/stage_texture_one.hpp"
 #include "raster/span/texel_fetch.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// N: of the packet, eight lanes.
 template <class N> class LaneTexture {
@@ -252,4 +253,5 @@ template <class N> class LaneTexture {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -6,7 +6,8 @@
 #include "raster/span/stage_coord.hpp"
 #include "raster/span/texel.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Of one unit.
 class LevelOfDetail {
@@ -87,4 +88,5 @@ template <class N, int Unit> struct Lod : StageBase {
     SPANGLE_INLINE void step() { ++x; }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -4,7 +4,8 @@
 #include "raster/span/instructions.hpp"
 #include "raster/span/stage_texture_volume.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Of three coordinates, or of two and a level that stages before it have found (HasLod: a level, too).
 /// Steps: MODULATE, by N::in_steps().
@@ -34,4 +35,5 @@ template <class N, int Unit, bool HasLod, bool Steps = false> struct Texture2D :
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

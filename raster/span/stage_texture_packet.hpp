@@ -7,7 +7,8 @@
 #include "raster/span/texel_packet.hpp"
 #include "raster/span/texture_combine.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// N: of the packet. The same bytes as Texture2D.
 template <class N> class PacketTexture {
@@ -172,4 +173,5 @@ template <class N> class PacketTexture {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -7,7 +7,8 @@
 #include "raster/span/stage_coord.hpp"
 #include "raster/span/stage_texture.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Where one fragment looks: words as TexCoords has them, a face of a cube, lambda.
 struct VolumePlace {
@@ -225,4 +226,5 @@ template <class N> class VolumeFunction {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -8,7 +8,9 @@
 #include "raster/span/stage.hpp"
 #include <spangle/dither.hpp>
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS::inner {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
+namespace inner {
 
 /// Thresholds of the fragments of a group, in 32nds of a step, and the walk along the row.
 template <class L> struct DitherRow;
@@ -143,4 +145,6 @@ struct NoThreshold {
     SPANGLE_INLINE void next_row() {}
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS::inner
+} // namespace inner
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

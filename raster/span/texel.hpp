@@ -8,7 +8,8 @@
 #include "raster/span/number.hpp"
 #include <spangle/raster/fragment_state.hpp>
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 constexpr int texel_bytes(TexelFormat format) {
     constexpr std::uint8_t bytes[] = {1, 1, 1, 2, 2, 3, 4, 2, 2, 1, 2, 4, 0, 0, 0}; // 0: no place of its own
@@ -288,4 +289,5 @@ SPANGLE_INLINE typename N::Color bilinear(const typename N::Color& c00, const ty
             N::weighted(c00.a, w00, c10.a, w10, c01.a, w01, c11.a, w11)};
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

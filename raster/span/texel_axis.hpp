@@ -7,7 +7,8 @@
 #include "raster/span/lane_texels.hpp"
 #include "raster/span/texel.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Groups of eight lanes in a packet.
 inline constexpr std::int32_t texel_groups = (packet_length + 7) / 8;
@@ -160,4 +161,5 @@ class AxisLanes {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

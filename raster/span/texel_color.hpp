@@ -6,7 +6,8 @@
 #include "raster/span/instructions.hpp"
 #include "raster/span/texel.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// N::fraction of k/31 and k/63, by k: what MODULATE multiplies by; or `Steps` times that of N::in_steps().
 template <class N, class Word, int Steps> struct TexelFactors {
@@ -150,4 +151,5 @@ template <class N, bool Is565, bool Alpha> struct TexelColors {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

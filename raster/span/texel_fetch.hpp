@@ -7,7 +7,8 @@
 #include "raster/span/texel_axis.hpp"
 #include "raster/span/texel_other.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// One image and where the fragments of a packet look at it: at one texel, or at four.
 class TexelFetch {
@@ -161,4 +162,5 @@ class TexelFetch {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

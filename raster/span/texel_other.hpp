@@ -5,7 +5,8 @@
 #include "raster/span/instructions.hpp"
 #include "raster/span/texel.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Texels that are found by their place (i, j), not by an address.
 constexpr bool is_indirect(TexelFormat format) {
@@ -106,4 +107,5 @@ inline std::uint32_t other_word(const Texture& texture, const TextureLevel& imag
     return word_4444(image.texels + t + s);
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -5,7 +5,8 @@
 #include "raster/span/instructions.hpp"
 #include "raster/span/texel_other.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// One axis: offsets of texels and, with LINEAR, of their neighbours, in bytes; weights of these.
 struct TexelOffsets {
@@ -126,4 +127,5 @@ inline void fetch_texels(const Texture& texture, const TextureLevel& image, cons
     }
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -6,7 +6,8 @@
 #include "raster/span/stage_coord.hpp"
 #include "raster/span/stage_texture.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Position along one axis, in 2^-FractionBits texels, by one shift of a word that wraps as the texture does.
 /// Lanes find theirs in scalars, which is where addresses are.
@@ -141,4 +142,5 @@ template <class T, int Unit, class Runs, class F> class TexelWalk : public T {
     }
 };
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -6,7 +6,8 @@
 #include "raster/span/instructions.hpp"
 #include "raster/span/texture_env.hpp"
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// 1/2, the scales and the scalar product, which leave [0, 1] on the way.
 template <class N> struct CombineMath {
@@ -186,4 +187,5 @@ inline bool combines(const FragmentState& state) {
     return any;
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -5,7 +5,8 @@
 #include "raster/span/number.hpp"
 #include <spangle/raster/fragment_state.hpp>
 
-namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
 
 /// TEXTURE_ENV_COLOR.
 template <class N> SPANGLE_INLINE typename N::Color env_color(const TextureUnit& unit) {
@@ -59,4 +60,5 @@ SPANGLE_INLINE void apply_env(TexEnv env, BaseFormat base, typename N::Color& f,
     }
 }
 
-} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster
