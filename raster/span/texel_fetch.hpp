@@ -112,7 +112,8 @@ class TexelFetch {
                 offsets += L::gather(first_ + 8 * g);
             std::int32_t offset[8];
             L::store32(reinterpret_cast<std::uint8_t*>(offset), offsets);
-            __asm__("" : "+m"(offset)); // GCC 12 would take lanes out of vectors, which is longer
+            // Through memory: GCC 12 would take lanes out of vectors, which is longer.
+            asm("" : "+m"(offset)); // NOLINT(hicpp-no-assembler)
             const auto place = [&](std::uint32_t lane) __attribute__((always_inline)) {
                 return texels + offset[lane];
             };
