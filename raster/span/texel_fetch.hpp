@@ -106,19 +106,20 @@ class TexelFetch {
     /// f(corner, group, place(lane)), places of texels in memory.
     template <class F> SPANGLE_INLINE void each_place(F f) const {
         const std::uint8_t* const texels = image_.texels;
-        each_group([&](int corner, std::int32_t g, const U16& s,
-                       const U16& t) __attribute__((always_inline)) {
-            L::U32 offsets = lane_products_added(lane_joined(s, t), steps_);
-            if (first_ != nullptr)
-                offsets += L::gather(first_ + 8 * g);
-            std::int32_t offset[8];
-            L::store32(reinterpret_cast<std::uint8_t*>(offset), offsets);
-            __asm__("" : "+m"(offset)); // GCC 12 would take lanes out of vectors, which is longer
-            const auto place = [&](std::uint32_t lane) __attribute__((always_inline)) {
-                return texels + offset[lane];
-            };
-            f(corner, g, place);
-        });
+        each_group([&](int corner, std::int32_t g, const U16& s, const U16& t)
+                       __attribute__((always_inline)) {
+                           L::U32 offsets = lane_products_added(lane_joined(s, t), steps_);
+                           if (first_ != nullptr)
+                               offsets += L::gather(first_ + 8 * g);
+                           std::int32_t offset[8];
+                           L::store32(reinterpret_cast<std::uint8_t*>(offset), offsets);
+                           // Through memory: GCC 12 would take lanes out of vectors, which is longer.
+                           asm("" : "+m"(offset)); // NOLINT(hicpp-no-assembler)
+                           const auto place = [&](std::uint32_t lane) __attribute__((always_inline)) {
+                               return texels + offset[lane];
+                           };
+                           f(corner, g, place);
+                       });
     }
     /// f(corner, group, numbers(lane)): what along s and along t.
     template <class F> SPANGLE_INLINE void each_number(F f) const {
