@@ -96,12 +96,17 @@ static_assert(row_chunk >= rectangle_chunk);
 class WholeRows {
   public:
     WholeRows(const GroupSource& source, RowForm form, bool zooms)
-        : source_(source), form_(form), reader_(source.form, bits(source, form, zooms)) {}
+        : source_(source), form_(form), works_(source.groups != nullptr && !zooms && form <= RowForm::words),
+          reader_(source.form, bits(source, form)) {}
 
-    bool works() const { return reader_.bits().of[0] != 0; }
+    bool works() const { return works_; }
 
     void fill(std::int32_t n, std::int32_t m, std::int32_t count, RectangleRow& out) {
-        const CodeRow& row = reader_.read(source_.groups(source_, n, m, count), count);
+        const std::uint8_t* const from = source_.groups(source_, n, m, count);
+        const GroupForm& groups = source_.form;
+        if (form_ == RowForm::color && groups.fields.bytes == 0)
+            return read_units(from, *groups.layout, groups.swap, count, out.color);
+        const CodeRow& row = reader_.read(from, count);
         if (form_ == RowForm::words)
             write_fields(row, word_fields, count, reinterpret_cast<std::uint8_t*>(out.words));
         else
@@ -109,16 +114,17 @@ class WholeRows {
     }
 
   private:
-    static CodeBits bits(const GroupSource& source, RowForm form, bool zooms) {
-        if (source.groups == nullptr || zooms)
-            return {};
-        return form == RowForm::words                                    ? bits_of(word_fields)
-               : form == RowForm::color && source.form.fields.bytes != 0 ? own_bits(source.form.fields)
-                                                                         : CodeBits{};
+    /// Those that are written; none where the reader is not asked.
+    static CodeBits bits(const GroupSource& source, RowForm form) {
+        return source.groups == nullptr        ? CodeBits{}
+               : form == RowForm::words        ? bits_of(word_fields)
+               : source.form.fields.bytes != 0 ? own_bits(source.form.fields)
+                                               : CodeBits{};
     }
 
     const GroupSource& source_;
     RowForm form_;
+    bool works_;
     RowReader reader_;
 };
 

@@ -24,19 +24,16 @@ SPANGLE_INLINE U16 codes_at(const std::uint16_t* code) {
 template <int GroupBytes, class Load>
 void read_field(const std::uint8_t* from, std::int32_t count, unsigned shift, unsigned bits,
                 const CodeScale& scale, std::uint16_t* out, Load load) {
-    const auto down = static_cast<std::uint16_t>(shift), mask = static_cast<std::uint16_t>((1u << bits) - 1);
+    const auto down = static_cast<std::uint16_t>(shift);
+    const U16 mask = L::splat((1u << bits) - 1), factor = L::splat(scale.factor), half = L::splat(scale.half);
+    const std::uint16_t cut = scale.shift;
     for (std::int32_t i = 0; i < count; i += lanes, from += GroupBytes * lanes) {
         const U16 code = (load(from) >> down) & mask;
-        L::scatter((code * scale.factor + scale.half) >> scale.shift, out + i);
+        L::scatter((code * factor + half) >> cut, out + i);
     }
 }
 
-/// Bytes of which each holds one group.
-void write_bytes(std::uint8_t* to, U16 word) {
-    const Bytes bytes = __builtin_convertvector(word, Bytes);
-    std::memcpy(to, &bytes, sizeof bytes);
-}
-
+/// Groups of three and of four bytes.
 void write_threes(std::uint8_t* to, const std::uint16_t* const (&byte)[4], std::int32_t at) {
 #pragma GCC unroll 8
     for (std::int32_t i = 0; i < lanes; ++i) {
@@ -53,31 +50,57 @@ void write_fours(std::uint8_t* to, const std::uint16_t* const (&byte)[4], std::i
     L::store(to + 16, L::mixed_high(low, high));
 }
 
-/// Of eight groups: the fields side by side in words of at most 16 bits.
-U16 words_of(const CodeRow& from, const GroupFields& to, std::int32_t at) {
-    U16 word{};
+/// The fields side by side in words of at most 16 bits.
+template <class Store>
+void write_words(const CodeRow& from, const GroupFields& to, std::int32_t at, std::int32_t end, Store store) {
+    // One that is missing adds bits of another again.
+    const std::uint16_t* code[4];
+    std::uint16_t up[4];
+    unsigned there = 0;
     for (unsigned c = 0; c < 4; ++c)
         if (to.field[c].bits != 0)
-            word |= codes_at(from.code[c] + at) << std::uint16_t{to.field[c].shift};
-    return to.swapped ? L::swap_bytes(word) : word;
+            there = c;
+    for (unsigned c = 0; c < 4; ++c) {
+        const unsigned of = to.field[c].bits != 0 ? c : there;
+        code[c] = from.code[of];
+        up[c] = to.field[of].shift;
+    }
+    for (; at < end; at += lanes) {
+        U16 word = codes_at(code[0] + at) << up[0];
+        word |= codes_at(code[1] + at) << up[1];
+        word |= codes_at(code[2] + at) << up[2];
+        word |= codes_at(code[3] + at) << up[3];
+        store(word);
+    }
 }
 
 /// Where the groups are larger each byte is one field.
 void write_blocks(const CodeRow& from, const GroupFields& to, std::int32_t at, std::int32_t end,
                   std::uint8_t* out) {
+    if (to.bytes == 1)
+        return write_words(from, to, at, end, [&](U16 word) {
+            const Bytes bytes = __builtin_convertvector(word, Bytes);
+            std::memcpy(out, &bytes, sizeof bytes);
+            out += lanes;
+        });
+    if (to.bytes == 2 && to.swapped)
+        return write_words(from, to, at, end, [&](U16 word) {
+            L::store(out, L::swap_bytes(word));
+            out += 2 * lanes;
+        });
+    if (to.bytes == 2)
+        return write_words(from, to, at, end, [&](U16 word) {
+            L::store(out, word);
+            out += 2 * lanes;
+        });
     const std::uint16_t* byte[4] = {};
     for (unsigned c = 0; c < 4; ++c)
         if (to.field[c].bits != 0)
             byte[to.field[c].shift / 8 & 3] = from.code[c];
-    for (; at < end; at += lanes, out += to.bytes * lanes)
-        if (to.bytes == 1)
-            write_bytes(out, words_of(from, to, at));
-        else if (to.bytes == 2)
-            L::store(out, words_of(from, to, at));
-        else if (to.bytes == 3)
-            write_threes(out, byte, at);
-        else
-            write_fours(out, byte, at);
+    for (; to.bytes == 3 && at < end; at += lanes, out += 3 * lanes)
+        write_threes(out, byte, at);
+    for (; at < end; at += lanes, out += 4 * lanes)
+        write_fours(out, byte, at);
 }
 
 } // namespace

@@ -22,32 +22,41 @@ template <class Of> constexpr auto of_all_codes(Of of) {
 constexpr auto floats = of_all_codes([](Component c) { return encode_element(ElementKind::real, 32, c); });
 constexpr auto units = of_all_codes([](Component c) { return color_units_of(c); });
 
-/// All elements of a component, `stride` bytes from each other.
-template <ElementKind Kind, unsigned Bytes>
-void read_component(const std::uint8_t* from, std::uint32_t stride, std::int32_t count, bool swap,
-                    unsigned shift, unsigned bits, unsigned to, unsigned cut, std::uint16_t* out) {
-    const std::uint32_t mask = all_ones(bits);
-    for (std::int32_t i = 0; i < count; ++i, from += stride) {
-        const std::uint32_t element = load_element(from, Bytes, swap) >> shift & mask;
-        const bool negative = Kind == ElementKind::signed_integer && (element >> (bits - 1) & 1) != 0;
-        const std::uint32_t code = negative ? 0 : code_of(decode_element(Kind, bits, element), to);
-        out[i] = static_cast<std::uint16_t>(code >> cut);
+/// One component of each group of a row.
+struct Elements {
+    const std::uint8_t* from;
+    std::uint32_t stride; ///< bytes from group to group
+    unsigned bits, shift;
+    bool swap;
+};
+
+/// take(i, component) of all of them; what is negative is 0.
+template <ElementKind Kind, unsigned Bytes, class Take>
+void take_each(Elements of, std::int32_t count, Take take) {
+    const std::uint32_t mask = all_ones(of.bits);
+    for (std::int32_t i = 0; i < count; ++i, of.from += of.stride) {
+        const std::uint32_t element = load_element(of.from, Bytes, of.swap) >> of.shift & mask;
+        const bool negative = Kind == ElementKind::signed_integer && (element >> (of.bits - 1) & 1) != 0;
+        take(i, negative ? Component{0, 8} : decode_element(Kind, of.bits, element));
     }
 }
 
-using ReadComponent = decltype(&read_component<ElementKind::real, 4>);
-
-ReadComponent reader_of(const PixelLayout& layout) {
+/// Of component i of groups whose components are no fields.
+template <class Take>
+void take_component(const std::uint8_t* from, const PixelLayout& layout, bool swap, unsigned i,
+                    std::int32_t count, Take take) {
+    const unsigned offset = layout.packed ? 0 : i * unsigned{layout.element_bytes};
+    const Elements of{from + offset, layout.group_bytes(), layout.bits[i], layout.shift[i], swap};
     if (layout.kind == ElementKind::real)
-        return read_component<ElementKind::real, 4>;
+        return take_each<ElementKind::real, 4>(of, count, take);
     const bool has_signs = layout.kind == ElementKind::signed_integer;
     if (layout.element_bytes == 4)
-        return has_signs ? read_component<ElementKind::signed_integer, 4>
-                         : read_component<ElementKind::unsigned_integer, 4>;
+        return has_signs ? take_each<ElementKind::signed_integer, 4>(of, count, take)
+                         : take_each<ElementKind::unsigned_integer, 4>(of, count, take);
     if (layout.element_bytes == 2)
-        return has_signs ? read_component<ElementKind::signed_integer, 2>
-                         : read_component<ElementKind::unsigned_integer, 2>;
-    return read_component<ElementKind::signed_integer, 1>;
+        return has_signs ? take_each<ElementKind::signed_integer, 2>(of, count, take)
+                         : take_each<ElementKind::unsigned_integer, 2>(of, count, take);
+    take_each<ElementKind::signed_integer, 1>(of, count, take);
 }
 
 /// The channels that a component of a group is, of red, green, blue and alpha: [first, end).
@@ -70,14 +79,31 @@ void write_component(const std::uint16_t* code, std::int32_t count, std::uint8_t
 
 void read_elements(const std::uint8_t* from, const PixelLayout& layout, bool swap, std::int32_t count,
                    const CodeBits& bits, CodeRow& out) {
-    const ReadComponent read_one = reader_of(layout);
     for (unsigned i = 0; i < layout.components; ++i) {
         const Channels channels = channels_of(layout.channel[i]);
-        const unsigned offset = layout.packed ? 0 : i * unsigned{layout.element_bytes};
         for (unsigned c = channels.first; c < channels.end; ++c)
             if (bits.of[c] != 0)
-                read_one(from + offset, layout.group_bytes(), count, swap, layout.shift[i], layout.bits[i],
-                         bits.cut ? 8 : bits.of[c], bits.cut ? 8u - bits.of[c] : 0, out.code[c]);
+                take_component(from, layout, swap, i, count,
+                               [code = out.code[c], to = bits.cut ? 8u : bits.of[c],
+                                cut = bits.cut ? 8u - bits.of[c] : 0](std::int32_t n, Component v) {
+                                   code[n] = static_cast<std::uint16_t>(code_of(v, to) >> cut);
+                               });
+    }
+}
+
+void read_units(const std::uint8_t* from, const PixelLayout& layout, bool swap, std::int32_t count,
+                std::uint32_t* out) {
+    for (std::int32_t i = 0; i < count; ++i) { // what the groups lack
+        out[4 * i] = out[4 * i + 1] = out[4 * i + 2] = 0;
+        out[4 * i + 3] = raster::color_one;
+    }
+    for (unsigned i = 0; i < layout.components; ++i) {
+        const Channels channels = channels_of(layout.channel[i]);
+        take_component(from, layout, swap, i, count, [=](std::int32_t n, Component v) {
+            const std::uint32_t value = color_units_of(v);
+            for (unsigned c = channels.first; c < channels.end; ++c)
+                out[4 * n + static_cast<std::int32_t>(c)] = value;
+        });
     }
 }
 

@@ -10,6 +10,10 @@ namespace spangle::gl {
 void read_elements(const std::uint8_t* from, const PixelLayout& layout, bool swap, std::int32_t count,
                    const CodeBits& bits, CodeRow& out);
 
+/// Elements in the rasterizer's colour units, four words a group. What the groups lack is 0, alpha 1.
+void read_units(const std::uint8_t* from, const PixelLayout& layout, bool swap, std::int32_t count,
+                std::uint32_t* out);
+
 /// Codes of so many bits as elements. A luminance is in the place of red.
 void write_elements(const CodeRow& from, const CodeBits& bits, const PixelLayout& to, bool swap,
                     std::int32_t count, std::uint8_t* out);
