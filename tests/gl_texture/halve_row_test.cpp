@@ -29,6 +29,7 @@ TEST(RowHalver, IsTheMeanOfEightTexels) {
                 for (std::uint8_t& b : bytes)
                     b = static_cast<std::uint8_t>(random() % 4 != 0 ? random() : 255);
             }
+            const auto& first = row[0];
             const auto& second = row[shape % 3 == 0 ? 0 : 1];
             const auto& third = row[shape % 3 == 2 ? 2 : 0];
             const auto& fourth = shape % 3 == 2 ? row[3] : second;
@@ -39,7 +40,7 @@ TEST(RowHalver, IsTheMeanOfEightTexels) {
                 Pixel mean{};
                 for (unsigned c = 0; c < 4; ++c) {
                     std::uint32_t sum = 4;
-                    for (const auto* const of : {&row[0], &second, &third, &fourth})
+                    for (const std::vector<std::uint8_t>* const of : {&first, &second, &third, &fourth})
                         for (unsigned k = 0; k < 2; ++k) {
                             mean.value[c].bits = texels.color(of->data(), 2 * i + k).value[c].bits;
                             sum += texels.color(of->data(), 2 * i + k).value[c].code;
