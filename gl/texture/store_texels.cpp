@@ -20,8 +20,9 @@ namespace {
 
 /// each(from, to) for every row of the box in client memory and in the image.
 template <class Each>
-void each_row(const PixelStore& unpack, LevelImage& image, const TexelBox& box, const ImageRows& rows,
-              const void* pixels, Each each) {
+[[gnu::always_inline]] inline void each_row(const PixelStore& unpack, LevelImage& image, const TexelBox& box,
+                                            const ImageRows& rows, unsigned bytes, const void* pixels,
+                                            Each each) {
     const bool volume = image.shape.is_volume();
     const std::size_t next_image = image_stride(unpack, rows, static_cast<GLsizei>(box.size[1]));
     const unsigned char* slice = static_cast<const unsigned char*>(pixels) + rows.skip +
@@ -29,8 +30,7 @@ void each_row(const PixelStore& unpack, LevelImage& image, const TexelBox& box, 
     for (std::uint32_t z = 0; z < box.images(); ++z, slice += next_image) {
         const unsigned char* from = slice;
         std::uint8_t* to = image.own_texels() + std::size_t{box.first_image() + z} * image.slice() +
-                           std::size_t{box.at[1]} * image.stride +
-                           std::size_t{box.at[0]} * texel_size(image.shape.format);
+                           std::size_t{box.at[1]} * image.stride + std::size_t{box.at[0]} * bytes;
         for (std::uint32_t y = 0; y < box.size[1]; ++y, from += rows.stride, to += image.stride)
             each(from, to);
     }
@@ -47,7 +47,7 @@ void store_texels(const Context& context, LevelImage& image, const TexelBox& box
     const ColorImage groups(context, layout);
     const Content content = is_depth(format) ? Content::depth : Content::color;
     const ImageRows rows = image_rows(unpack, layout, static_cast<GLsizei>(box.size[0]));
-    const auto each = [&](auto store) { each_row(unpack, image, box, rows, pixels, store); };
+    const auto each = [&](auto store) { each_row(unpack, image, box, rows, bytes, pixels, store); };
     if (raster::has_shortcuts && content == Content::color && groups.is_plain() && same_layout(layout, kept))
         return each([&](const std::uint8_t* from, std::uint8_t* to) {
             std::memcpy(to, from, std::size_t{box.size[0]} * bytes);
