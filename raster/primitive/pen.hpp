@@ -54,7 +54,8 @@ template <class P> class Pen {
             ++span.state->counters->triangles;
     }
 
-    static constexpr int batch = packet;
+    /// Where rows share packets (shared_rows.hpp) enough of one fragment to fill some.
+    static constexpr int batch = host_lanes > 1 ? 4 * packet : packet;
     /// Room for that many rows.
     Row* rows() { return rows_; }
 

@@ -4,8 +4,9 @@
 
 #include "raster/span/chain.hpp"
 #include "raster/span/draw_state.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/key.hpp"
-#include "raster/span/rows.hpp"
+#include "raster/span/shared_rows.hpp"
 #include "raster/span/stage_antialias.hpp"
 #include "raster/span/stage_blend.hpp"
 #include "raster/span/stage_color.hpp"
@@ -26,7 +27,7 @@
 #include "raster/span/stage_texture_packet.hpp"
 #include <spangle/raster/features.hpp>
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// A chain that grows, of any number system.
 class ChainEnd {
@@ -46,14 +47,24 @@ class ChainEnd {
 template <class N> class ChainBuilder : ChainEnd {
   public:
     explicit ChainBuilder(Variant& variant) : ChainEnd(variant) {
-        variant.run = reinterpret_cast<AnyFunction>(&by_row<typename N::Policy, &chain_span<N>>);
+        variant.run = reinterpret_cast<AnyFunction>(&chain_rows<N>);
+        if constexpr (N::lanes > 1)
+            variant.shares = true;
     }
-    /// Another way to run it than row by row.
-    void runs(RowsFunction<typename N::Policy> run) { variant_.run = reinterpret_cast<AnyFunction>(run); }
+    /// Another way to run it than chain_rows().
+    void runs(RowsFunction<typename N::Policy> run) {
+        variant_.run = reinterpret_cast<AnyFunction>(run);
+        not_shared();
+    }
     template <class S> void add() {
-        add(&chain_stage<std::conditional_t<uses_color<S>, N, Colorless<N>>, S>);
+        add(&chain_stage<std::conditional_t<uses_color<S>, N, Colorless<N>>, S>, inner::is_shared<S>);
     }
-    void add(ChainStage<N> stage) { append(reinterpret_cast<AnyFunction>(stage)); }
+    /// `shared`: packets that rows share can be drawn by it.
+    SPANGLE_INLINE void add(ChainStage<N> stage, bool shared) {
+        append(reinterpret_cast<AnyFunction>(stage));
+        if (!shared)
+            not_shared();
+    }
     template <bool there, class S> void add_if() {
         if constexpr (there)
             add<S>();
@@ -61,6 +72,12 @@ template <class N> class ChainBuilder : ChainEnd {
     /// One of two, decided at run time.
     template <class WhenTrue, class WhenFalse> void choose(bool condition) {
         condition ? add<WhenTrue>() : add<WhenFalse>();
+    }
+
+  private:
+    void not_shared() {
+        if constexpr (N::lanes > 1) // others never are
+            variant_.shares = false;
     }
 };
 
@@ -136,8 +153,15 @@ template <class N> void add_inverses(ChainBuilder<N>& chain, const Key& key) {
                    others =
                        key.kind >= Kind::textured && (key.fog || (is_exact<N> && divides(key.kind, key.fog)));
         if (colors || others)
-            chain.add(&PacketDivided<N>::inverses);
+            chain.add(&PacketDivided<N>::inverses, true);
     }
+}
+
+/// The texture function of a unit finds its coordinates itself, along rows: packets cannot be shared.
+template <class N, int Unit> bool has_volume([[maybe_unused]] const FragmentState& state) {
+    if constexpr (N::lanes > 1 && has_third_coordinates && Unit < max_texture_units)
+        return state.unit[Unit].texture != nullptr && wants_r(*state.unit[Unit].texture);
+    return false;
 }
 
 /// Where a unit looks, and how closely.
@@ -147,13 +171,13 @@ void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState
     if (has_third_coordinates && wants_r(*state.unit[Unit].texture))
         return; // the texture function finds them itself
     if constexpr (is_balanced<N> && !by_stages<N>)
-        return chain.add(&PacketCoordinates<PlacesOf<N>>::template run<Unit>);
+        return chain.add(&PacketCoordinates<PlacesOf<N>>::template run<Unit>, false);
     if (key.kind < Kind::textured)
         chain.template add<Coord<Colorless<N>, Unit, false>>();
     else if (has_other_runs<N>(key))
         add_other_runs<One, Unit, is_exact<N>>(chain);
     else if constexpr (is_exact<N> && by_lanes<N>)
-        divides(key.kind, key.fog) ? chain.add(&PacketDivided<N>::template coordinates<Unit>)
+        divides(key.kind, key.fog) ? chain.add(&PacketDivided<N>::template coordinates<Unit>, true)
                                    : chain.template add<Coord<One, Unit, true>>();
     else if constexpr (is_exact<N>)
         chain.template choose<CoordAlong<One, Unit, DividedCoords>, Coord<One, Unit, true>>(
@@ -173,7 +197,7 @@ void add_unit(ChainBuilder<N>& chain, const Key& key, const FragmentState& state
     if (has_combine && key.combine)
         return; // one stage for all
     if constexpr (by_packets<N>)
-        chain.add(&PacketTexture<N>::template run<Unit>);
+        chain.add(&PacketTexture<N>::template run<Unit>, !has_volume<N, Unit>(state));
     else
         chain.template choose<Texture2D<One, Unit, true>, Texture2D<One, Unit, false>>(
             wants_lod(*state.unit[Unit].texture));
@@ -183,7 +207,7 @@ template <class N>
 void add_unit_in_steps(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
     add_coordinates<N, 0>(chain, key, state);
     if constexpr (by_packets<N>)
-        chain.add(&PacketTexture<N>::run_steps);
+        chain.add(&PacketTexture<N>::run_steps, !has_volume<N, 0>(state));
     else
         chain.template add<Texture2D<OneLane<N>, 0, false, true>>();
 }
@@ -196,7 +220,7 @@ template <class N> void add_units(ChainBuilder<N>& chain, const Key& key, const 
         if (!key.combine)
             return;
         if constexpr (by_packets<N>)
-            chain.add(&PacketTexture<N>::combined);
+            chain.add(&PacketTexture<N>::combined, !has_volume<N, 0>(state) && !has_volume<N, 1>(state));
         else
             chain.template add<CombineUnits<OneLane<N>>>();
     }
@@ -257,7 +281,8 @@ template <class N> void add_divided_primary(ChainBuilder<N>& chain, bool alpha) 
     using One = OneLane<N>;
     if constexpr (by_lanes<N>)
         chain.add(alpha ? &PacketDivided<N>::template primary<true>
-                        : &PacketDivided<N>::template primary<false>);
+                        : &PacketDivided<N>::template primary<false>,
+                  true);
     else
         chain.template choose<GouraudQ<One, true>, GouraudQ<One, false>>(alpha);
 }
@@ -270,7 +295,7 @@ template <class N> void add_primary(ChainBuilder<N>& chain, const Key& key) {
     else if (!key.color)
         chain.template add<White<N>>();
     else if constexpr (!by_stages<N>)
-        chain.add(&PacketColors<N>::primary);
+        chain.add(&PacketColors<N>::primary, false);
     else if (key.kind == Kind::full)
         add_divided_primary(chain, key.color_alpha);
     else
@@ -280,16 +305,17 @@ template <class N> void add_primary(ChainBuilder<N>& chain, const Key& key) {
 template <class N> void add_color_sum(ChainBuilder<N>& chain, const Key& key) {
     using One = OneLane<N>;
     if constexpr (!by_stages<N>)
-        chain.add(&PacketColors<N>::sum);
+        chain.add(&PacketColors<N>::sum, false);
     else if constexpr (by_lanes<N>)
-        key.kind == Kind::full ? chain.add(&PacketDivided<N>::sum) : chain.template add<ColorSumLanes<N>>();
+        key.kind == Kind::full ? chain.add(&PacketDivided<N>::sum, true)
+                               : chain.template add<ColorSumLanes<N>>();
     else
         chain.template choose<ColorSum<One, true>, ColorSum<One, false>>(key.kind == Kind::full);
 }
 
 template <class N> void add_fog_coordinate(ChainBuilder<N>& chain, const Key& key) {
     if constexpr (by_lanes<N>)
-        key.kind >= Kind::textured ? chain.add(&PacketDivided<N>::fog)
+        key.kind >= Kind::textured ? chain.add(&PacketDivided<N>::fog, true)
                                    : chain.template add<FogCoord<N, false>>();
     else
         chain.template choose<FogCoord<OneLane<N>, true>, FogCoord<N, false>>(key.kind >= Kind::textured);
@@ -364,4 +390,4 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
                     PixelFormat::rgba8888>(chain, key);
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

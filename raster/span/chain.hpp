@@ -6,12 +6,11 @@
 #include <type_traits>
 
 #include "raster/span/draw_state.hpp"
+#include "raster/span/instructions.hpp"
+#include "raster/span/packet_rows.hpp"
 #include "raster/span/stage.hpp"
 
-namespace spangle::raster {
-
-/// A power of two, four groups of lanes where there are any.
-inline constexpr std::int32_t packet_length = host_lanes > 1 ? 4 * host_lanes : packet;
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// 1/w of the fragments of a packet (inverse.hpp), where there are lanes: stage_divided_packet.hpp.
 template <int Count> struct PacketInverse {
@@ -20,7 +19,7 @@ template <int Count> struct PacketInverse {
 template <> struct PacketInverse<0> {};
 
 /// Fragments between two stages, in groups of lanes, without their colours: what the number systems have in
-/// common. Packets start at multiples of their length from the anchor.
+/// common. Packets of one lane start at multiples of their length from the anchor.
 template <class Lanes, class Coord, class Fog> struct PacketPlaces {
     using L = Lanes;
     static constexpr int lanes = L::count, groups = packet_length / lanes;
@@ -35,6 +34,8 @@ template <class Lanes, class Coord, class Fog> struct PacketPlaces {
     std::int32_t lod[max_texture_units][packet_length];
     Fog fog[groups];
     [[no_unique_address]] PacketInverse<(lanes > 1 ? packet_length : 0)> inverse;
+    /// Null where the packet is of one row.
+    [[no_unique_address]] std::conditional_t<(lanes > 1), const PacketRows*, std::nullptr_t> rows;
 };
 template <class N> using PlacesOf = PacketPlaces<typename N::L, typename N::Coord, typename N::Fog>;
 
@@ -49,7 +50,7 @@ template <> struct WithoutColor<ExactLanes> { using Type = Raw565<8>; };
 template <int Count> struct WithoutColor<Balanced<Count>> { using Type = Raw565<Count>; };
 template <class N> using Colorless = typename WithoutColor<N>::Type;
 
-namespace detail {
+namespace inner {
 
 /// The number system of a stage: that of the packet, or one lane of it.
 template <class S, class M> M system_of(bool (S::*)(Px<M>&));
@@ -83,51 +84,66 @@ SPANGLE_INLINE void for_fields(Px<M>& p, K& k, std::int32_t i, Move move, One on
         field(p.fog, k.fog[g]);
 }
 
-/// `Check`: some fragment may be dead.
-template <bool Check, class M, class K, class S>
-SPANGLE_INLINE void run_stage(K& k, S& s, std::int32_t next) {
-    using L = typename K::L;
-    const std::int32_t n = k.n, x0 = k.x;
+/// What a stage that kills left.
+struct Outcome {
     bool any = false, died = false;
-    for (std::int32_t i = 0; i < n; i += M::lanes) {
+    template <class S, class K> SPANGLE_INLINE void tell(K& k) const {
+        if constexpr (S::kill) {
+            k.alive = any;
+            k.some_dead = k.some_dead || died;
+        }
+    }
+};
+
+/// Fragments [i, i + M::lanes) of a packet.
+template <class M, class K, class S>
+SPANGLE_INLINE void run_group(K& k, S& s, std::int32_t i, Outcome& outcome) {
+    using L = typename K::L;
+    typename L::Mask& live = k.live[i / K::lanes];
+    Px<M> p;
+    p.color_plane = k.color_plane;
+    p.depth_plane = k.depth_plane;
+    p.go_to(i);
+    if constexpr (M::lanes > 1)
+        p.live = live;
+    else
+        p.live = true;
+    for_fields<S::in>(
+        p, k, i, [](auto& fragment, auto& stored) { fragment = stored; },
+        [](auto& fragment, auto& stored, int lane) { lane_of(stored, lane, fragment); });
+    [[maybe_unused]] const bool alive = s(p);
+    for_fields<S::out>(
+        p, k, i, [](auto& fragment, auto& stored) { stored = fragment; },
+        [](auto& fragment, auto& stored, int lane) { set_lane(stored, lane, fragment); });
+    if constexpr (S::kill) {
+        outcome.any = outcome.any || alive;
+        if constexpr (M::lanes > 1) {
+            const typename L::Mask left = alive ? p.live : L::negate(L::all);
+            outcome.died = outcome.died || L::any(L::both(live, L::negate(left)));
+            live = left;
+        } else if (!alive) {
+            outcome.died = true;
+            L::kill(live, i % K::lanes);
+        }
+    }
+}
+
+/// Fragments [from, to); fragment i is in column x0 + i. `Check`: some may be dead.
+template <bool Check, class M, class K, class S>
+SPANGLE_INLINE void run_stage(K& k, S& s, std::int32_t from, std::int32_t to, std::int32_t x0,
+                              Outcome& outcome) {
+    using L = typename K::L;
+    std::int32_t next = 0;
+    if constexpr (S::runs)
+        next = s.begin(x0 + from);
+    for (std::int32_t i = from; i < to; i += M::lanes) {
         if constexpr (S::runs) {
             if (x0 + i == next)
                 next = s.begin(next);
         }
-        typename L::Mask& live = k.live[i / K::lanes];
-        if (!Check || L::lane(live, i % K::lanes)) {
-            Px<M> p;
-            p.color_plane = k.color_plane;
-            p.depth_plane = k.depth_plane;
-            p.go_to(i);
-            if constexpr (M::lanes > 1)
-                p.live = live;
-            else
-                p.live = true;
-            for_fields<S::in>(
-                p, k, i, [](auto& fragment, auto& stored) { fragment = stored; },
-                [](auto& fragment, auto& stored, int lane) { lane_of(stored, lane, fragment); });
-            [[maybe_unused]] const bool alive = s(p);
-            for_fields<S::out>(
-                p, k, i, [](auto& fragment, auto& stored) { stored = fragment; },
-                [](auto& fragment, auto& stored, int lane) { set_lane(stored, lane, fragment); });
-            if constexpr (S::kill) {
-                any = any || alive;
-                if constexpr (M::lanes > 1) {
-                    const typename L::Mask left = alive ? p.live : L::negate(L::all);
-                    died = died || L::any(L::both(live, L::negate(left)));
-                    live = left;
-                } else if (!alive) {
-                    died = true;
-                    L::kill(live, i % K::lanes);
-                }
-            }
-        }
+        if (!Check || L::lane(k.live[i / K::lanes], i % K::lanes))
+            run_group<M>(k, s, i, outcome);
         s.step();
-    }
-    if constexpr (S::kill) {
-        k.alive = any;
-        k.some_dead = k.some_dead || died;
     }
 }
 
@@ -164,6 +180,7 @@ class PacketCopy {
         }
     } color_, depth_;
 
+  public:
     /// Not worth a call.
     SPANGLE_INLINE static void copy(std::uint8_t* to, const std::uint8_t* from, std::int32_t bytes) {
         static_assert(packet_length <= 32);
@@ -182,25 +199,63 @@ class PacketCopy {
     }
 };
 
-} // namespace detail
+/// Until something died, everything lives, and stages before the first test never ask. Lanes are masked.
+template <class M, class K, class S>
+SPANGLE_INLINE void run_asking(K& k, S& s, std::int32_t from, std::int32_t to, std::int32_t x0,
+                               Outcome& outcome) {
+    constexpr bool asks = M::lanes == 1 && (S::kill || S::effect);
+    if (asks && (k.some_dead || !has_shortcuts))
+        run_stage<asks, M>(k, s, from, to, x0, outcome);
+    else if constexpr (!asks || has_shortcuts)
+        run_stage<false, M>(k, s, from, to, x0, outcome);
+}
+
+/// Packets that rows share can be drawn by it: it has one lane, or is told where each lane lies.
+template <class S>
+inline constexpr bool is_shared =
+    S::anywhere || decltype(system_of(&S::operator()))::lanes == 1 ||
+    std::is_constructible_v<S, const PlaneLanes<Lanes<host_lanes>>&, std::int32_t>;
+
+/// A packet that rows share: lanes know where each of them lies, and stages of one lane go along the pieces.
+template <class M, class S, class K> [[gnu::noinline]] void run_in_rows(K& k) {
+    Outcome outcome;
+    if constexpr (M::lanes > 1) {
+        if constexpr (std::is_constructible_v<S, const PlaneLanes<typename K::L>&, std::int32_t>) {
+            for (std::int32_t i = 0; i < k.n; i += M::lanes) {
+                const PlaneLanes<typename K::L> places(*k.rows, i);
+                S s(places, 0);
+                run_group<M>(k, s, i, outcome);
+            }
+        }
+    } else {
+        Span<Fixed>& span = k.rows->span;
+        for (std::int32_t n = 0; n < k.rows->pieces; ++n) {
+            const Piece& piece = k.rows->piece[n];
+            enter(span, piece.row);
+            const std::int32_t x0 = span.begin - piece.at;
+            S s(span, span.begin);
+            run_asking<M>(k, s, piece.at, piece.at + piece.row.last - piece.row.first, x0, outcome);
+        }
+    }
+    outcome.tell<S>(k);
+}
+
+} // namespace inner
 
 template <class S> inline constexpr bool uses_color = ((S::in | S::out) & field_color) != 0;
 
 /// One stage (or a Seq of them) over a packet.
 template <class N, class S> void chain_stage(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
-    using M = decltype(detail::system_of(&S::operator()));
+    using M = decltype(inner::system_of(&S::operator()));
     static_assert(M::lanes == N::lanes || M::lanes == 1);
     auto& k = static_cast<std::conditional_t<uses_color<S>, Packet<N>&, PlacesOf<N>&>>(places);
+    if constexpr (N::lanes > 1 && !S::anywhere)
+        if (k.rows != nullptr)
+            return inner::run_in_rows<M, S>(k);
     S s(span, k.x);
-    std::int32_t next = 0;
-    if constexpr (S::runs)
-        next = s.begin(k.x);
-    // Until something died, everything lives, and stages before the first test never ask. Lanes are masked.
-    constexpr bool asks = M::lanes == 1 && (S::kill || S::effect);
-    if (asks && (k.some_dead || !has_shortcuts))
-        detail::run_stage<asks, M>(k, s, next);
-    else if constexpr (!asks || has_shortcuts)
-        detail::run_stage<false, M>(k, s, next);
+    inner::Outcome outcome;
+    inner::run_asking<M>(k, s, 0, k.n, k.x, outcome);
+    outcome.tell<S>(k);
 }
 
 /// Runs the chain of the span's kind.
@@ -208,9 +263,13 @@ template <class N> SPANGLE_INLINE void chain_span(const Span<typename N::Policy>
     const AnyFunction* const stages = span.state->variant[static_cast<unsigned>(span.kind)].chain;
     const std::int32_t color_bytes = span.state->color_bytes, depth_bytes = span.state->depth_bytes;
     Packet<N> k;
-    [[maybe_unused]] detail::PacketCopy copy;
+    [[maybe_unused]] inner::PacketCopy copy;
+    if constexpr (N::lanes > 1)
+        k.rows = nullptr;
     for (k.x = span.begin; k.x < span.end; k.x += k.n) {
-        const std::int32_t boundary = (k.x & -packet_length) + packet_length, i = k.x - span.begin;
+        // Lanes of a packet that is not full cost as much.
+        const std::int32_t start = N::lanes > 1 ? k.x : k.x & -packet_length;
+        const std::int32_t boundary = start + packet_length, i = k.x - span.begin;
         k.n = (boundary < span.end ? boundary : span.end) - k.x;
         k.color_plane = span.color + i * color_bytes;
         k.depth_plane = span.depth + i * depth_bytes;
@@ -231,4 +290,4 @@ template <class N> SPANGLE_INLINE void chain_span(const Span<typename N::Policy>
     }
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

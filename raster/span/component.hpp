@@ -1,9 +1,10 @@
 // Comparing and choosing among components of a number system, for one lane as for many.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/number_wide.hpp"
 
-namespace spangle::raster::component {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS::component {
 
 /// How a function that is not inlined takes one: in a register, or where it lies.
 template <class N> using Argument = std::conditional_t<N::lanes == 1, typename N::T, const typename N::T&>;
@@ -43,4 +44,4 @@ SPANGLE_INLINE typename N::T where_less(const typename N::T& a, const typename N
         return N::L::select(N::L::less(a, b), x, y);
 }
 
-} // namespace spangle::raster::component
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS::component

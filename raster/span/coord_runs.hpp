@@ -1,13 +1,14 @@
 // Texture coordinates of the balanced and fast tiers: between two divisions, a straight line.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/log2.hpp"
 #include "raster/span/of_tier.hpp"
 #include "raster/span/stage_color.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
-namespace detail {
+namespace inner {
 
 /// The projective interpolants of one unit along a span.
 struct HomogeneousRow {
@@ -109,7 +110,7 @@ struct RunBound {
     }
 };
 
-} // namespace detail
+} // namespace inner
 
 /// Balanced and fast tiers: affine between the ends of runs, which start at multiples of their length from
 /// the anchor.
@@ -164,7 +165,7 @@ class CoordRuns {
             const auto along = [&](std::uint64_t& row, std::uint64_t run, std::int64_t& last,
                                    std::uint32_t& v, std::uint32_t& dv) SPANGLE_RUN_INLINE_LAMBDA {
                 row += run;
-                const std::int64_t end = detail::to_repeats(unguarded(row), inverse, exponent_);
+                const std::int64_t end = inner::to_repeats(unguarded(row), inverse, exponent_);
                 v = static_cast<std::uint32_t>(last);
                 dv = per_pixel(difference(end, last));
                 last = end;
@@ -238,12 +239,12 @@ class CoordRuns {
         const Inverse length = to == next_ ? Inverse{} : Inverse(to - from);
         const auto along = [&](std::int64_t v0, std::int64_t v1, bool wraps, std::int32_t base,
                                std::uint32_t& v, std::uint32_t& dv) SPANGLE_RUN_LAMBDA {
-            v = detail::to_coord(v0, wraps, base);
+            v = inner::to_coord(v0, wraps, base);
             const std::int64_t d =
                 wraps ? difference(v1, v0)
-                      : std::int64_t{static_cast<std::int32_t>(detail::to_coord(v1, false, base))} -
+                      : std::int64_t{static_cast<std::int32_t>(inner::to_coord(v1, false, base))} -
                             static_cast<std::int32_t>(v);
-            dv = to == next_ ? per_pixel(d) : detail::slope(d, to - from, length);
+            dv = to == next_ ? per_pixel(d) : inner::slope(d, to - from, length);
         };
         along(last_.s, end.s, span_->state->wraps[unit_].s, unit.s_base, s, ds);
         along(last_.t, end.t, span_->state->wraps[unit_].t, unit.t_base, t, dt);
@@ -257,12 +258,12 @@ class CoordRuns {
     struct Sample {
         std::int64_t s, t; ///< repeats, 32 fraction bits
         Sample() = default;
-        SPANGLE_INLINE Sample(const detail::HomogeneousRow& row, int exponent)
+        SPANGLE_INLINE Sample(const inner::HomogeneousRow& row, int exponent)
             : Sample(row, 0, Inverse(row.q(0)), exponent) {}
-        SPANGLE_RUN_INLINE Sample(const detail::HomogeneousRow& row, std::int32_t x, const Inverse& inverse,
+        SPANGLE_RUN_INLINE Sample(const inner::HomogeneousRow& row, std::int32_t x, const Inverse& inverse,
                                   int exponent) {
-            s = detail::to_repeats(row.s(x), inverse, exponent);
-            t = detail::to_repeats(row.t(x), inverse, exponent);
+            s = inner::to_repeats(row.s(x), inverse, exponent);
+            t = inner::to_repeats(row.t(x), inverse, exponent);
         }
     };
 
@@ -298,7 +299,7 @@ class CoordRuns {
         const std::int32_t least = q0 < end ? q0 : end;
         if (least <= 0)
             return shortest;
-        const detail::RunBound bound(*span_, unit_, row_);
+        const inner::RunBound bound(*span_, unit_, row_);
         // Of three logarithms; the square of a length is as large as four times the error.
         const std::int32_t margin =
             of_straight_tier<[](const Knobs& k) { return 6 + 256 * (k.texel_bits - 2); }>(draw);
@@ -309,7 +310,7 @@ class CoordRuns {
     }
 
     // What each run takes comes first: short loads reach 128 bytes.
-    detail::HomogeneousRow row_; ///< begins where the last sample is taken
+    inner::HomogeneousRow row_; ///< begins where the last sample is taken
     struct {
         std::uint64_t s, t, q;
     } run_; ///< from run to run
@@ -320,4 +321,4 @@ class CoordRuns {
     const Span<Fixed>* span_;
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

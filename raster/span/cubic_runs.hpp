@@ -3,8 +3,9 @@
 
 #include "raster/numeric/reciprocal.hpp"
 #include "raster/span/coord_runs.hpp"
+#include "raster/span/instructions.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Forward differences of a cubic; they wrap as coordinates do.
 struct Differences {
@@ -53,18 +54,18 @@ class DividedCoords {
     SPANGLE_INLINE void step() {}
 
     /// s and t of pixel x.
-    SPANGLE_INLINE static void divide(const Span<Fixed>& span, const detail::HomogeneousRow& row,
+    SPANGLE_INLINE static void divide(const Span<Fixed>& span, const inner::HomogeneousRow& row,
                                       int unit_index, std::int32_t x, std::uint32_t& s, std::uint32_t& t) {
         const auto& unit = span.unit[unit_index];
         const auto& wraps = span.state->wraps[unit_index];
         const Inverse inverse(row.q(x));
-        s = detail::to_coord(detail::to_repeats(row.s(x), inverse, unit.exponent), wraps.s, unit.s_base);
-        t = detail::to_coord(detail::to_repeats(row.t(x), inverse, unit.exponent), wraps.t, unit.t_base);
+        s = inner::to_coord(inner::to_repeats(row.s(x), inverse, unit.exponent), wraps.s, unit.s_base);
+        t = inner::to_coord(inner::to_repeats(row.t(x), inverse, unit.exponent), wraps.t, unit.t_base);
     }
 
   private:
     const Span<Fixed>* span_;
-    detail::HomogeneousRow row_;
+    inner::HomogeneousRow row_;
     int unit_;
 };
 
@@ -102,12 +103,12 @@ class CubicRuns {
         std::int32_t q, zeros;
         std::uint32_t mantissa;
         Sample() = default;
-        SPANGLE_INLINE Sample(const detail::HomogeneousRow& row, std::int32_t x, int exponent) : q(row.q(x)) {
+        SPANGLE_INLINE Sample(const inner::HomogeneousRow& row, std::int32_t x, int exponent) : q(row.q(x)) {
             const Inverse inverse(q);
             zeros = inverse.zeros;
             mantissa = inverse.mantissa;
-            s = detail::to_repeats(row.s(x), inverse, exponent);
-            t = detail::to_repeats(row.t(x), inverse, exponent);
+            s = inner::to_repeats(row.s(x), inverse, exponent);
+            t = inner::to_repeats(row.t(x), inverse, exponent);
         }
         /// d / q.
         SPANGLE_INLINE std::int32_t ratio(std::int32_t d) const {
@@ -135,8 +136,8 @@ class CubicRuns {
         t = static_cast<std::uint32_t>(start.t);
         if (whole) {
             const Inverse steps(length);
-            ds = {detail::slope(difference(last_.s, start.s), length, steps), 0, 0};
-            dt = {detail::slope(difference(last_.t, start.t), length, steps), 0, 0};
+            ds = {inner::slope(difference(last_.s, start.s), length, steps), 0, 0};
+            dt = {inner::slope(difference(last_.t, start.t), length, steps), 0, 0};
             next_ = span_->length;
         } else {
             const std::int32_t dq = last_.q - start.q, e0 = start.ratio(dq), e1 = last_.ratio(dq);
@@ -187,7 +188,7 @@ class CubicRuns {
         const std::int32_t least = q0 < end ? q0 : end;
         if (least <= 0)
             return 0;
-        const detail::RunBound bound(*span_, unit_, row_);
+        const inner::RunBound bound(*span_, unit_, row_);
         const std::int32_t q = log2_fraction8(static_cast<std::uint64_t>(least)),
                            exponent = unit.exponent << 8;
         // `through` takes differences of at most 16 repeats and ratios of 1/q of at most 2.
@@ -213,11 +214,11 @@ class CubicRuns {
     }
 
     const Span<Fixed>* span_;
-    detail::HomogeneousRow row_;
+    inner::HomogeneousRow row_;
     int unit_;
     Sample last_;
     std::int32_t next_;
     int log2_;
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -4,11 +4,12 @@
 #include <bit>
 
 #include "raster/span/fill.hpp"
+#include "raster/span/instructions.hpp"
 #include <spangle/dither.hpp>
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
-namespace detail {
+namespace inner {
 
 /// One threshold added to all three components of a DitheredWord, by y & 3, x & 3.
 struct DitherSums {
@@ -20,7 +21,7 @@ struct DitherSums {
 };
 inline constexpr DitherSums dither_sums;
 
-} // namespace detail
+} // namespace inner
 
 /// One colour, dithered. Its components are given in 32nds of a step, whole ones, 10 bits at 21, 11 at 10 and
 /// 10 at 0: no more of them tells, thresholds being whole 32nds.
@@ -32,7 +33,7 @@ struct DitheredWord {
     }
     /// Of the fragment in that place: y + (x << 30), mod 2^32.
     SPANGLE_INLINE std::uint32_t at(std::uint32_t place) const {
-        return DitheredWord{components + detail::dither_sums.at[std::rotl(place, 2) & 15]}.word();
+        return DitheredWord{components + inner::dither_sums.at[std::rotl(place, 2) & 15]}.word();
     }
     static constexpr std::uint32_t column = 1u << 30; ///< from place to place
     static constexpr std::uint32_t place(std::int32_t x, std::int32_t y) {
@@ -40,7 +41,7 @@ struct DitheredWord {
     }
 };
 
-namespace detail {
+namespace inner {
 
 /// k of thresholds (2 k + 1) / 32, once for each component of a word, two words at a time as they follow in
 /// memory.
@@ -82,20 +83,20 @@ template <bool SwapsBytes> class DitheredPair {
     SPANGLE_INLINE static std::uint32_t half(std::uint32_t component) { return ((component & 31) + 1) >> 1; }
 };
 
-} // namespace detail
+} // namespace inner
 
 /// Rows of the window, of two periods.
 template <bool SwapsBytes> class DitherRows {
   public:
     SPANGLE_INLINE explicit DitherRows(std::uint32_t components) {
-        const detail::DitheredPair<SwapsBytes> pair(components);
+        const inner::DitheredPair<SwapsBytes> pair(components);
         for (int y = 0; y < 4; ++y) {
-            pairs_[y][0] = pairs_[y][2] = pair.at(detail::row_thresholds.at[2 * y]);
-            pairs_[y][1] = pairs_[y][3] = pair.at(detail::row_thresholds.at[2 * y + 1]);
+            pairs_[y][0] = pairs_[y][2] = pair.at(inner::row_thresholds.at[2 * y]);
+            pairs_[y][1] = pairs_[y][3] = pair.at(inner::row_thresholds.at[2 * y + 1]);
         }
     }
-    SPANGLE_INLINE const detail::Half* row(std::int32_t y) const {
-        return reinterpret_cast<const detail::Half*>(pairs_[y & 3]);
+    SPANGLE_INLINE const inner::Half* row(std::int32_t y) const {
+        return reinterpret_cast<const inner::Half*>(pairs_[y & 3]);
     }
 
   private:
@@ -111,15 +112,15 @@ struct NoPattern {
 template <bool SwapsBytes> class DitherCells {
   public:
     [[gnu::noinline]] void make(std::uint32_t components, std::int32_t pixels_per_row) {
-        const detail::DitheredPair<SwapsBytes> pair(components);
-        const std::uint32_t* const thresholds = detail::cell_thresholds[pixels_per_row & 3].at;
+        const inner::DitheredPair<SwapsBytes> pair(components);
+        const std::uint32_t* const thresholds = inner::cell_thresholds[pixels_per_row & 3].at;
         for (int i = 0; i < 8; ++i)
             pairs_[i] = pair.at(thresholds[i]);
     }
-    SPANGLE_INLINE const detail::Half* words() const { return reinterpret_cast<const detail::Half*>(pairs_); }
+    SPANGLE_INLINE const inner::Half* words() const { return reinterpret_cast<const inner::Half*>(pairs_); }
 
   private:
     std::uint32_t pairs_[8];
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -4,11 +4,10 @@
 #include <type_traits>
 
 #include "raster/numeric/real.hpp"
-#include "raster/span/assemble.hpp"
+#include "raster/span/assemble_chain.hpp"
 #include "raster/span/fused_table.hpp"
+#include "raster/span/instruction_sets.hpp"
 #include "raster/span/of_tier.hpp"
-#include "raster/span/stage_dithered.hpp"
-#include "raster/span/stage_raw.hpp"
 
 namespace spangle::raster {
 
@@ -49,62 +48,13 @@ bool draws_nothing(const FragmentState& state, const Key& key) {
            (key.depth == Compare::never && !key.stencil);
 }
 
-using Raw = Raw565<host_lanes>;
-using OneRaw = Raw565<1>;
-
-template <PixelFormat Format> void assemble_raw(Variant& variant, const Key& key) {
-    using Store = StoreRaw<host_lanes, Format>;
-    ChainBuilder<Raw> chain(variant);
-    add_tests(chain, key);
-    const UnitKey& unit = key.unit[0];
-    if (has_pixel_colors && key.pixels) {
-        chain.add<PixelWord<host_lanes>>();
-        return chain.add<Store>();
-    }
-    // In one loop, or two that others share.
-    const auto fill = [&]<class Fill> {
-        if constexpr (has_shortcuts)
-            return chain.add<Seq<Raw, Fill, Store>>();
-        chain.add<Fill>();
-        chain.add<Store>();
-    };
-    if (!unit.on && key.dither)
-        return key.kind == Kind::flat ? fill.template operator()<FlatDithered<host_lanes>>()
-                                      : fill.template operator()<GouraudDithered<host_lanes>>();
-    if (!unit.on)
-        return key.kind == Kind::flat ? fill.template operator()<FlatWord<host_lanes>>()
-                                      : fill.template operator()<Gouraud<Raw, false>>();
-    if (has_exact && key.cubic)
-        chain.add_if<has_exact, CoordAlong<OneRaw, 0, CubicRuns>>();
-    else if constexpr (!by_stages<Raw>)
-        chain.add(&PacketCoordinates<PlacesOf<Raw>>::run<0>);
-    else
-        chain.choose<Coord<OneRaw, 0, true>, Coord<Raw, 0, false>>(key.kind == Kind::textured);
-    chain.choose<
-        TextureFixed<OneRaw, 0, TexelFormat::rgb565, BaseFormat::rgb, Filter::nearest, TexEnv::replace>,
-        TextureFixed<OneRaw, 0, TexelFormat::rgb888, BaseFormat::rgb, Filter::nearest, TexEnv::replace>>(
-        unit.texels == TexelFormat::rgb565);
-    chain.add<Store>();
-}
-
-/// The stages one after the other, in builds with a chain.
-[[maybe_unused]] void assemble_chain(Variant& variant, const Key& key, const FragmentState& state) {
-    switch (key.number) {
-    case Number::raw565:
-        if (has_format(PixelFormat::rgb565_be) && drawn(key.format) == PixelFormat::rgb565_be)
-            assemble_raw<PixelFormat::rgb565_be>(variant, key);
-        else if constexpr (has_format(PixelFormat::rgb565_le))
-            assemble_raw<PixelFormat::rgb565_le>(variant, key);
-        break;
-    case Number::balanced:
-        if constexpr (has_balanced)
-            assemble<Balanced<host_lanes>>(variant, key, state);
-        break;
-    default:
-        if constexpr (has_exact)
-            assemble<ExactChain>(variant, key, state);
-        break;
-    }
+/// With the largest instructions that this processor has.
+[[maybe_unused]] void assemble_best_chain(Variant& variant, const Key& key, const FragmentState& state) {
+#if SPANGLE_AVX2 && SPANGLE_CHAIN
+    if (uses_avx2())
+        return avx2::assemble_chain(variant, key, state);
+#endif
+    assemble_any(variant, key, state);
 }
 
 /// True where colours are guessed.
@@ -112,7 +62,7 @@ bool choose_span(Variant& variant, const Key& key, const FragmentState& state) {
     variant.steps = key.number == Number::raw565 && key.dither;
     variant.color_bias = key.number != Number::raw565 ? 1u << 15 : variant.steps ? 0 : 1u << 23;
     if constexpr (has_chain)
-        assemble_chain(variant, key, state);
+        assemble_best_chain(variant, key, state);
     const FusedSpan* const fused = find_fused(key);
     if (fused == nullptr)
         return false;
@@ -153,15 +103,12 @@ DrawState::Area area_of_paths(const Rect& scissor, const Surface& target) {
 
 } // namespace
 
-AnyFunction chain_runner(Number number) {
-    switch (number) {
-    case Number::raw565:
-        return reinterpret_cast<AnyFunction>(&by_row<Fixed, &chain_span<Raw>>);
-    case Number::balanced:
-        return reinterpret_cast<AnyFunction>(&by_row<Fixed, &chain_span<Balanced<host_lanes>>>);
-    default:
-        return reinterpret_cast<AnyFunction>(&by_row<Fixed, &chain_span<ExactChain>>);
-    }
+AnyFunction chain_runner(Number number, bool narrow) {
+#if SPANGLE_AVX2 && SPANGLE_CHAIN
+    if (uses_avx2())
+        return avx2::chain_runner(number, narrow);
+#endif
+    return runner_of(number, narrow);
 }
 
 /// Four times what affine colours may be off by, in colour units, where a step of the target is that many

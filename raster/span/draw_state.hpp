@@ -68,6 +68,7 @@ struct Variant {
     AnyFunction chain[has_chain ? max_stages + 1 : 1] = {}; ///< ends with null
     Flag<spans_by_gray> gray = false;                       ///< `run` asks Span::gray
     bool steps = false;           ///< affine colours count steps of 5, 6 and 5 bits, 2^27, 2^26 and 2^27 each
+    bool shares = false;          ///< `chain` can draw fragments of several rows at once (shared_rows.hpp)
     std::uint32_t color_bias = 0; ///< what set-up adds to affine colours (8.24) so that they round
 };
 
@@ -187,6 +188,9 @@ void prepare(DrawState& draw, const FragmentState& fragment, const Surface& targ
 
 /// Draws no more than the scissor rectangle of its fragment state, which has become another one.
 void scissor_changed(DrawState& draw, const Surface& target);
+
+/// What runs the chain of a number system of the fixed policy along rows; `narrow`: of a narrow surface.
+AnyFunction chain_runner(Number number, bool narrow = false);
 
 /// The key of one kind; what `compile` looks fused spans up by.
 Key make_key(const FragmentState& fragment, const Surface& target, Kind kind);

@@ -5,10 +5,11 @@
 #include <cstdint>
 
 #include "raster/numeric/bits.hpp"
+#include "raster/span/instructions.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
-namespace detail {
+namespace inner {
 
 using Half [[gnu::may_alias]] = std::uint16_t;
 using Pair [[gnu::may_alias]] = std::uint32_t;
@@ -34,33 +35,33 @@ SPANGLE_INLINE Half* fill_pairs(std::uint8_t* at, std::uint32_t first, std::uint
     return reinterpret_cast<Half*>(to);
 }
 
-} // namespace detail
+} // namespace inner
 
 /// `count` > 0 words from `at`, which is 2-aligned.
 SPANGLE_INLINE void fill16(std::uint8_t* at, std::uint32_t word, std::int32_t count) {
     const auto half = static_cast<std::uint16_t>(word);
-    if (detail::between_pairs(at)) {
-        *reinterpret_cast<detail::Half*>(at) = half;
+    if (inner::between_pairs(at)) {
+        *reinterpret_cast<inner::Half*>(at) = half;
         at += 2;
         --count;
     }
     const std::uint32_t pair = word | word << 16;
-    detail::Half* const last = detail::fill_pairs(at, pair, pair, count);
+    inner::Half* const last = inner::fill_pairs(at, pair, pair, count);
     if ((count & 1) != 0)
         *last = half;
 }
 
 /// The same of four words in turn, of which eight are given.
-SPANGLE_INLINE void fill_columns(std::uint8_t* at, const detail::Half* words, std::int32_t count) {
-    if (detail::between_pairs(at)) {
-        *reinterpret_cast<detail::Half*>(at) = *words++;
+SPANGLE_INLINE void fill_columns(std::uint8_t* at, const inner::Half* words, std::int32_t count) {
+    if (inner::between_pairs(at)) {
+        *reinterpret_cast<inner::Half*>(at) = *words++;
         at += 2;
         --count;
     }
-    detail::Half* const last = detail::fill_pairs(at, detail::in_turn(words[0], words[1]),
-                                                  detail::in_turn(words[2], words[3]), count);
+    inner::Half* const last =
+        inner::fill_pairs(at, inner::in_turn(words[0], words[1]), inner::in_turn(words[2], words[3]), count);
     if ((count & 1) != 0)
         *last = words[(count - 1) & 3];
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -2,9 +2,10 @@
 // that keep its bits. Weights have 8 bits by definition (docs/architecture.md, "Numbers").
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/number.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Weights of two rows of texels; `Sum` is that of all four.
 template <class L, std::uint32_t Sum> struct RowWeights {
@@ -94,4 +95,4 @@ template <int Count> struct Filter8 {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -4,12 +4,13 @@
 
 #include <type_traits>
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/number.hpp"
 #include "raster/span/texel.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
-namespace detail {
+namespace inner {
 
 /// What is stored of n = sum of weight k, weights adding up to 2^16, k / (2^Bits - 1) the components of
 /// texels.
@@ -56,7 +57,7 @@ template <int Bits> struct GuessedSteps {
     }
 };
 
-} // namespace detail
+} // namespace inner
 
 /// The word that truncated565() or dithered565() makes of what bilinear() of the exact tier does.
 template <int Count> struct FilterWords;
@@ -69,10 +70,10 @@ template <> struct FilterWords<1> {
     SPANGLE_INLINE std::uint32_t operator()(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01,
                                             std::uint32_t c11, std::uint32_t a) const {
         const Sums n = sums(c00, c10, c01, c11, a);
-        const std::uint32_t g = detail::stored_steps<6>.at(n.g);
-        if (detail::stored_steps<6>.open(n.g, g)) [[unlikely]]
+        const std::uint32_t g = inner::stored_steps<6>.at(n.g);
+        if (inner::stored_steps<6>.open(n.g, g)) [[unlikely]]
             return added(c00, c10, c01, c11, a, b);
-        return detail::stored_steps<5>.at(n.r) << 11 | g << 5 | detail::stored_steps<5>.at(n.b);
+        return inner::stored_steps<5>.at(n.r) << 11 | g << 5 | inner::stored_steps<5>.at(n.b);
     }
     /// Dithered: n are steps, with 16 fraction bits. What the chain adds up is never less, and less than
     /// 2^-20 of a step more: they decide. A sum with the threshold that is a whole step is that step.
@@ -127,7 +128,7 @@ template <> struct FilterWords<8> {
         U16 open = L::splat(0);
         const auto steps = [&]<int Bits>(std::integral_constant<int, Bits>, U16 n)
             __attribute__((always_inline)) {
-            using Guess = detail::GuessedSteps<Bits>;
+            using Guess = inner::GuessedSteps<Bits>;
             const U16 least = Guess::least(n);
             open |= ((least + Guess::range) ^ least) >> (15 - Bits);
             return least >> (15 - Bits);
@@ -177,4 +178,4 @@ template <> struct FilterWords<8> {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -7,12 +7,13 @@
 #include "raster/span/fused_divided.hpp"
 #include "raster/span/fused_fogged.hpp"
 #include "raster/span/fused_gathered.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/path_list.hpp"
 #include "raster/span/rows.hpp"
 #include "raster/span/stage.hpp"
 #include "raster/span/stage_raw.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Along rows of texels pointers are better, but where registers are left for addresses of two.
 template <class N>
@@ -103,7 +104,7 @@ SPANGLE_INLINE void fused_wide(List& list, const Span<typename N::Policy>& span,
     } while (List::runs && i != n);
 }
 
-namespace detail {
+namespace inner {
 
 /// n < 8 words of 16 bits in eight lanes, without a byte behind them, and back. Words that two loads or
 /// stores share are the same in both.
@@ -138,7 +139,7 @@ SPANGLE_INLINE void store_words(std::uint8_t* at, Lanes<8>::U16 v, std::int32_t 
     }
 }
 
-} // namespace detail
+} // namespace inner
 
 /// Pixels [first, last) of a row are next.
 template <class Case> SPANGLE_INLINE void enter_fused(Span<Fixed>& span, const Row& row) {
@@ -304,15 +305,15 @@ template <class Case> SPANGLE_INLINE void fused_rows(Span<Fixed>& span, const Ro
             fused_narrow_row<Case>(span, *row);
         } else {
             if (copied) {
-                L::store(color_copy, detail::load_words(color, n));
+                L::store(color_copy, inner::load_words(color, n));
                 if constexpr (Case::tested)
-                    L::store(depth_copy, detail::load_words(depth, n));
+                    L::store(depth_copy, inner::load_words(depth, n));
             }
             fused_wide<N>(list, span, row->first - span.x, n);
             if (copied) {
-                detail::store_words(color, L::load(color_copy), n);
+                inner::store_words(color, L::load(color_copy), n);
                 if constexpr (Case::tested)
-                    detail::store_words(depth, L::load(depth_copy), n);
+                    inner::store_words(depth, L::load(depth_copy), n);
             }
         }
         if (++row == end)
@@ -493,4 +494,4 @@ template <class Case>
     }
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -6,6 +6,7 @@
 #include "raster/span/fused_table.hpp"
 #include "raster/span/fused_tile.hpp"
 #include "raster/span/fused_trapezoids.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/key.hpp"
 #include "raster/span/number_packed.hpp"
 #include "raster/span/stage_blend.hpp"
@@ -26,7 +27,7 @@
 #include "raster/span/stage_store.hpp"
 #include "raster/span/stage_texture.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// In place of a stage that a key does without; I keeps the bases of a Seq distinct.
 template <class N, int I> struct None : StageBase {
@@ -408,4 +409,4 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

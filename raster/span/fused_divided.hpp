@@ -2,9 +2,10 @@
 #pragma once
 
 #include "raster/span/fused_groups.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_lit_one.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Around the fragments of rows, from one amidst them: planes of thin triangles are steep beside these.
 struct PatchOfRows {
@@ -144,4 +145,4 @@ SPANGLE_INLINE void fused_divided_rows(Span<Fixed>& span, const Row* row, const 
     }
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -2,12 +2,13 @@
 // words as there are registers. What stays lies in memory by twos, in the order in which it is read.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/rows.hpp"
 #include "raster/span/stage_depth.hpp"
 #include "raster/span/stage_fogged_light.hpp"
 #include "raster/span/stage_nearest.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 template <class Case> class FoggedRows {
   public:
@@ -45,7 +46,7 @@ template <class Case> class FoggedRows {
                 fog = at(fog_, x, y, dfog);
         }
         if constexpr (dithers)
-            thresholds_ = detail::dither_numbered<Combine::threshold_bits>.from(last, row.y);
+            thresholds_ = inner::dither_numbered<Combine::threshold_bits>.from(last, row.y);
         end_step_z_.a = place(color_, row.y, last);
         std::uint8_t* const depth = place(depth_, row.y, last);
         std::int32_t i = 2 * (first - last); // in bytes, counted up to 0: the last index needs no register
@@ -157,4 +158,4 @@ SPANGLE_INLINE void fused_fogged_rows(const Span<Fixed>& span, const Row* row, c
     while (++row != end);
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

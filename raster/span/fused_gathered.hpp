@@ -3,12 +3,13 @@
 #pragma once
 
 #include "raster/span/fused_groups.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/row_planes.hpp"
 #include "raster/span/stage_fog.hpp"
 #include "raster/span/stage_lanes.hpp"
 #include "raster/span/stage_store.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Fragments that passed the depth test, on their way to the surface. Case has: Test, Texture, Fog, FogColor
 /// (or None), fogged, gray, tested, key.
@@ -125,7 +126,7 @@ template <class Case> class GatheredPlanes {
 
   private:
     static constexpr int fog = Case::gray ? 4 : 6;
-    using Thresholds = std::conditional_t<Case::key.dither, detail::KeptThresholds<N>, detail::NoThreshold>;
+    using Thresholds = std::conditional_t<Case::key.dither, inner::KeptThresholds<N>, inner::NoThreshold>;
     using Planes = LanePlanes<fog + (Case::fogged ? 1 : 0)>;
 
     /// As FogFactorLanes.
@@ -220,4 +221,4 @@ SPANGLE_INLINE bool fused_gathered_rows(Span<Fixed>& span, const Row* row, const
     return true;
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

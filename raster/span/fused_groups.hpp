@@ -4,11 +4,12 @@
 #include <bit>
 #include <cstdint>
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/rows.hpp"
 #include "raster/span/stage.hpp"
 #include "raster/span/stage_guess.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Lanes [first, last) live.
 SPANGLE_INLINE Lanes<8>::Mask some_lanes(std::int32_t first, std::int32_t last) {
@@ -96,7 +97,7 @@ struct PlainRow {
     Span<Fixed>::Affine z = planes.z, color_value[3] = {planes.color_value[0], planes.color_value[1],
                                                         planes.color_value[2]};
     std::uint32_t flat_word = planes.flat_word;
-    const detail::Half* words = nullptr; ///< of DitherLaneRows
+    const inner::Half* words = nullptr; ///< of DitherLaneRows
 
     template <class T> SPANGLE_INLINE T at(std::int32_t column, const Interpolant<T>& plane) const {
         return plane.at(column + (x - anchor_x), y - anchor_y);
@@ -182,4 +183,4 @@ SPANGLE_INLINE void fused_plain_rows(Span<Fixed>& span, const Row* row, const Ro
     while (++row != end);
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

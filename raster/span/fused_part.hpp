@@ -8,8 +8,9 @@
 #include "raster/span/fused_cases.hpp"
 #include "raster/span/fused_keys.hpp"
 #include "raster/span/fused_table.hpp"
+#include "raster/span/instructions.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 template <Key K> constexpr FusedSpan fused_entry() {
     using Case = FusedCase<K>;
@@ -33,4 +34,4 @@ template <std::size_t Part> const FusedSpan* fused_part() {
         return nullptr;
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

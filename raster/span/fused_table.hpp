@@ -7,11 +7,12 @@
 
 #include "raster/span/draw_state.hpp"
 #include "raster/span/fused_keys.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/key.hpp"
 #include "raster/span/path.hpp"
 #include "raster/span/rows.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 struct FusedSpan {
     Key key;
@@ -22,9 +23,6 @@ struct FusedSpan {
     bool guesses;               ///< colours are (Span::guess)
     RowsFunction<Fixed> narrow; ///< `run` with one lane only, for the tests; null in firmware
 };
-
-/// What runs the chain of a number system of the fixed policy.
-AnyFunction chain_runner(Number number);
 
 /// The table is compiled in parts, each from a file of its own, so that no compiler needs gigabytes for one
 /// file. A profile's short list is one part. Key i of the list stands in part i % fused_parts.
@@ -39,7 +37,7 @@ template <std::size_t Part> const FusedSpan* fused_part();
 
 static_assert(std::has_unique_object_representations_v<Key>, "keys are compared as bytes");
 
-namespace detail {
+namespace inner {
 
 inline const FusedSpan* find_among(const FusedSpan* span, std::size_t count, const Key& key) {
     for (const FusedSpan* const end = span + count; span != end; ++span)
@@ -60,18 +58,18 @@ inline const FusedSpan* part_of(std::size_t part, std::index_sequence<Part...>) 
     return parts[part];
 }
 
-} // namespace detail
+} // namespace inner
 
 /// null: draw with the chain. A build without fused spans names none of them.
 inline const FusedSpan* find_fused(const Key& key) {
     if constexpr (has_fused_spans)
-        return detail::find_fused(key, std::make_index_sequence<fused_parts>());
+        return inner::find_fused(key, std::make_index_sequence<fused_parts>());
     return nullptr;
 }
 
 /// Span i of the list, for the tests.
 inline const FusedSpan& fused_span(std::size_t i) {
-    return detail::part_of(i % fused_parts, std::make_index_sequence<fused_parts>())[i / fused_parts];
+    return inner::part_of(i % fused_parts, std::make_index_sequence<fused_parts>())[i / fused_parts];
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

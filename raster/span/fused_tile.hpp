@@ -1,12 +1,13 @@
 // A list of stages over a tile: one group of eight lanes per row, or per two rows of a narrow one.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/rows.hpp"
 #include "raster/span/stage.hpp"
 #include "raster/span/stage_guess.hpp"
 #include "raster/span/tile.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Wide: 8 or two_rows.
 template <class Case, int Wide> SPANGLE_INLINE void tile_in_lanes(Span<Fixed>& span, const Tile& tile) {
@@ -51,4 +52,4 @@ template <class Case> [[gnu::noinline]] void fused_tile(Span<Fixed>& span, const
         tile_in_lanes<Case, 8>(span, tile);
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -3,10 +3,11 @@
 
 #include "raster/span/fused_gathered.hpp"
 #include "raster/span/fused_groups.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/trapezoids.hpp"
 #include "raster/surface/surface.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 template <class Case, class Rows>
 SPANGLE_INLINE void draw_trapezoids(Rows& rows, const Surface& target, const Trapezoids& shape) {
@@ -60,4 +61,4 @@ template <class Case, class Gray> void fused_trapezoids_by_gray(Span<Fixed>& spa
         fused_trapezoids<Case>(span, shape);
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -4,8 +4,9 @@
 #include <cstdint>
 
 #include "raster/numeric/reciprocal.hpp"
+#include "raster/span/instructions.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// 1 / q at a fragment, q the 30-bit value of a projective interpolant; q <= 0 (outside of GL's domain)
 /// counts as the least positive one.
@@ -27,4 +28,4 @@ struct Inverse {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

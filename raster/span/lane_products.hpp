@@ -4,62 +4,89 @@
 #include <bit>
 #include <cstdint>
 
-#if defined(__SSE2__)
+#if defined(__AVX2__)
+#include <immintrin.h>
+#elif defined(__SSE2__)
 #include <emmintrin.h>
 #elif defined(__ARM_NEON)
 #include <arm_neon.h>
 #endif
 
-#include "raster/span/lanes.hpp"
+#include "raster/span/instructions.hpp"
+#include "raster/span/lane_words.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
-namespace detail {
+namespace inner {
 
-using LaneWords = Lanes<8>::Words;
-using LaneLongs [[gnu::vector_size(16)]] = std::uint64_t;
+/// As many words of 64 bits as a vector holds.
+template <class Vector> struct LongsOf { using Type [[gnu::vector_size(sizeof(Vector))]] = std::uint64_t; };
+template <class Vector> using Longs = typename LongsOf<Vector>::Type;
 
-/// The products of words 0 and 2, 64 bits each.
-SPANGLE_INLINE LaneLongs even_products(const LaneWords& a, const LaneWords& b) {
+/// The products of words 0 and 2 (and 4 and 6), 64 bits each.
+template <class Vector> SPANGLE_INLINE Longs<Vector> even_products(const Vector& a, const Vector& b) {
+    // GCC 12 multiplies a vector of 64-bit words by three instructions; these are one.
+#if defined(__AVX2__)
+    if constexpr (sizeof(Vector) == 32)
+        return std::bit_cast<Longs<Vector>>(
+            _mm256_mul_epu32(std::bit_cast<__m256i>(a), std::bit_cast<__m256i>(b)));
+    else
+#endif
 #if defined(__SSE2__)
-    // GCC 12 multiplies a vector of 64-bit words by three instructions; this is one.
-    return std::bit_cast<LaneLongs>(_mm_mul_epu32(std::bit_cast<__m128i>(a), std::bit_cast<__m128i>(b)));
+        return std::bit_cast<Longs<Vector>>(
+            _mm_mul_epu32(std::bit_cast<__m128i>(a), std::bit_cast<__m128i>(b)));
 #elif defined(__ARM_NEON)
-    const auto low = [](const LaneWords& v) { return vmovn_u64(std::bit_cast<uint64x2_t>(v)); };
-    return std::bit_cast<LaneLongs>(vmull_u32(low(a), low(b)));
+    const auto low = [](const Vector& v) { return vmovn_u64(std::bit_cast<uint64x2_t>(v)); };
+    return std::bit_cast<Longs<Vector>>(vmull_u32(low(a), low(b)));
 #else
-    return LaneLongs{std::uint64_t{a[0]} * b[0], std::uint64_t{a[2]} * b[2]};
+    return Longs<Vector>{std::uint64_t{a[0]} * b[0], std::uint64_t{a[2]} * b[2]};
 #endif
 }
-/// Words 1 and 3 in the places of 0 and 2. Big-endian hosts have no lanes.
-SPANGLE_INLINE LaneWords odd_words(const LaneWords& v) {
-    return std::bit_cast<LaneWords>(std::bit_cast<LaneLongs>(v) >> 32);
+/// Odd words in the places of even ones. Big-endian hosts have no lanes.
+template <class Vector> SPANGLE_INLINE Vector odd_words(const Vector& v) {
+    return std::bit_cast<Vector>(std::bit_cast<Longs<Vector>>(v) >> 32);
 }
-/// The high words of the products of words 0 and 2, and of 1 and 3.
-SPANGLE_INLINE LaneWords high_words(const LaneLongs& even, const LaneLongs& odd) {
-    return std::bit_cast<LaneWords>((even >> 32) | (odd & 0xFFFFFFFF00000000u));
+/// The high words of the products of even and of odd words.
+template <class Vector>
+SPANGLE_INLINE Vector high_words(const Longs<Vector>& even, const Longs<Vector>& odd) {
+    return std::bit_cast<Vector>((even >> 32) | (odd & 0xFFFFFFFF00000000u));
 }
 
-} // namespace detail
+} // namespace inner
 
 /// floor(a b / 2^32).
-SPANGLE_INLINE detail::LaneWords lane_product_high(const detail::LaneWords& a, const detail::LaneWords& b) {
-    return detail::high_words(detail::even_products(a, b),
-                              detail::even_products(detail::odd_words(a), detail::odd_words(b)));
+template <class Vector> SPANGLE_INLINE Vector lane_product_high(const Vector& a, const Vector& b) {
+    return inner::high_words<Vector>(inner::even_products(a, b),
+                                     inner::even_products(inner::odd_words(a), inner::odd_words(b)));
 }
 /// a b / 2^32 to nearest, halves up, of a below 2^31.
-SPANGLE_INLINE detail::LaneWords lane_product_rounded(const detail::LaneWords& a,
-                                                      const detail::LaneWords& b) {
+template <class Vector> SPANGLE_INLINE Vector lane_product_rounded(const Vector& a, const Vector& b) {
     constexpr std::uint64_t half = std::uint64_t{1} << 31;
-    return detail::high_words(detail::even_products(a, b) + half,
-                              detail::even_products(detail::odd_words(a), detail::odd_words(b)) + half);
+    return inner::high_words<Vector>(inner::even_products(a, b) + half,
+                                     inner::even_products(inner::odd_words(a), inner::odd_words(b)) + half);
 }
 /// floor(a b / 2^32), a signed, b below 2^31.
-SPANGLE_INLINE detail::LaneWords lane_product_high_signed(const detail::LaneWords& a,
-                                                          const detail::LaneWords& b) {
-    using Signed [[gnu::vector_size(16)]] = std::int32_t;
+template <class Vector> SPANGLE_INLINE Vector lane_product_high_signed(const Vector& a, const Vector& b) {
     // As an unsigned word a negative one is 2^32 larger.
-    return lane_product_high(a, b) - (b & std::bit_cast<detail::LaneWords>(std::bit_cast<Signed>(a) >> 31));
+    return lane_product_high(a, b) - (b & std::bit_cast<Vector>(lane_words::as_signed(a) >> 31));
+}
+/// The same of all lanes.
+SPANGLE_INLINE LaneWords lane_product_high(const LaneWords& a, const LaneWords& b) {
+    return LaneWords::mapped(
+        [](const auto& v, const auto& w) __attribute__((always_inline)) { return lane_product_high(v, w); },
+        a, b);
+}
+SPANGLE_INLINE LaneWords lane_product_rounded(const LaneWords& a, const LaneWords& b) {
+    return LaneWords::mapped(
+        [](const auto& v, const auto& w)
+            __attribute__((always_inline)) { return lane_product_rounded(v, w); },
+        a, b);
+}
+SPANGLE_INLINE LaneWords lane_product_high_signed(const LaneWords& a, const LaneWords& b) {
+    return LaneWords::mapped(
+        [](const auto& v, const auto& w)
+            __attribute__((always_inline)) { return lane_product_high_signed(v, w); },
+        a, b);
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

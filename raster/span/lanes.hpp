@@ -8,8 +8,10 @@
 #include <cstring>
 
 #include "raster/numeric/bits.hpp"
+#include "raster/span/instructions.hpp"
+#include "raster/span/lane_words.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 template <int Count> struct Lanes;
 
@@ -82,8 +84,7 @@ template <> struct Lanes<1> {
     SPANGLE_INLINE static Mask first(std::int32_t n) { return n > 0; }
 };
 
-/// Little-endian hosts only (draw_state.hpp decides). Even and odd lanes of a U32 lie in two vectors, so that
-/// the high halves of all eight are a shift, a mask and an or.
+/// Little-endian hosts only (draw_state.hpp decides).
 template <> struct Lanes<8> {
     static constexpr int count = 8, columns = 8, rows = 1;
     using Place = std::uint8_t*;
@@ -93,51 +94,14 @@ template <> struct Lanes<8> {
     using SignedWords [[gnu::vector_size(16)]] = std::int32_t;
     using Mask = U16; ///< all ones: the lane lives
 
-    struct U32 {
-        Words even, odd;
-        SPANGLE_INLINE U32& operator+=(const U32& v) {
-            even += v.even;
-            odd += v.odd;
-            return *this;
-        }
-        SPANGLE_INLINE friend U32 operator+(U32 a, const U32& b) { return a += b; }
-        SPANGLE_INLINE friend U32 operator-(const U32& a, const U32& b) {
-            return {a.even - b.even, a.odd - b.odd};
-        }
-        SPANGLE_INLINE friend U32 operator|(const U32& a, const U32& b) {
-            return {a.even | b.even, a.odd | b.odd};
-        }
-        SPANGLE_INLINE friend U32 operator^(const U32& a, const U32& b) {
-            return {a.even ^ b.even, a.odd ^ b.odd};
-        }
-        SPANGLE_INLINE friend U32 operator&(const U32& a, const U32& b) {
-            return {a.even & b.even, a.odd & b.odd};
-        }
-        SPANGLE_INLINE friend U32 operator&(const U32& a, std::uint32_t v) { return {a.even & v, a.odd & v}; }
-        SPANGLE_INLINE friend U32 operator~(const U32& a) { return {~a.even, ~a.odd}; }
-        SPANGLE_INLINE friend U32 operator*(const U32& a, const U32& b) {
-            return {a.even * b.even, a.odd * b.odd};
-        }
-        SPANGLE_INLINE friend U32 operator*(const U32& a, std::uint32_t v) { return {a.even * v, a.odd * v}; }
-        SPANGLE_INLINE friend U32 operator-(std::uint32_t v, const U32& a) { return {v - a.even, v - a.odd}; }
-        SPANGLE_INLINE friend U32 operator>>(const U32& a, int n) {
-            return {a.even >> static_cast<std::uint32_t>(n), a.odd >> static_cast<std::uint32_t>(n)};
-        }
-        SPANGLE_INLINE friend U32 operator<<(const U32& a, int n) {
-            return {a.even << static_cast<std::uint32_t>(n), a.odd << static_cast<std::uint32_t>(n)};
-        }
-        SPANGLE_INLINE std::uint32_t lane(int i) const { return (i & 1) != 0 ? odd[i >> 1] : even[i >> 1]; }
-    };
+    using U32 = LaneWords; ///< one word of 32 bits per lane
 
     static constexpr Mask all = {0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF};
     SPANGLE_INLINE static U16 splat(std::uint32_t v) {
         const auto w = static_cast<std::uint16_t>(v);
         return U16{w, w, w, w, w, w, w, w};
     }
-    SPANGLE_INLINE static U32 splat32(std::uint32_t v) {
-        const Words w = {v, v, v, v};
-        return {w, w};
-    }
+    SPANGLE_INLINE static U32 splat32(std::uint32_t v) { return U32::splat(v); }
     /// Lane I in all of them.
     template <int I> SPANGLE_INLINE static U16 spread(U16 v) {
         return __builtin_shufflevector(v, v, I, I, I, I, I, I, I, I);
@@ -149,35 +113,24 @@ template <> struct Lanes<8> {
     SPANGLE_INLINE static U16 mixed_high(U16 a, U16 b) {
         return __builtin_shufflevector(a, b, 4, 12, 5, 13, 6, 14, 7, 15);
     }
-    /// By masks: words put together one by one would take twice as long.
-    SPANGLE_INLINE static U32 ramp(std::uint32_t start, std::uint32_t step) {
-        constexpr std::uint32_t on = 0xFFFFFFFF;
-        const Words by = splat32(step).even, one = by & Words{0, on, 0, on}, two = by & Words{0, 0, on, on};
-        const Words even = splat32(start).even + (one + one) + (two << 2);
-        return {even, even + by};
-    }
+    SPANGLE_INLINE static U32 ramp(std::uint32_t start, std::uint32_t step) { return U32::ramp(start, step); }
     SPANGLE_INLINE static U32 offsets(std::uint32_t dx, std::uint32_t) { return ramp(0, dx); }
     SPANGLE_INLINE static U16 offsets16(U16 dx, U16) { return dx * U16{0, 1, 2, 3, 4, 5, 6, 7}; }
     SPANGLE_INLINE static Place place(std::uint8_t* first, std::ptrdiff_t) { return first; }
     SPANGLE_INLINE static std::uint8_t* pixel(Place at, int lane, int bytes) { return at + bytes * lane; }
-    SPANGLE_INLINE static U16 high_half(const U32& v) {
-        return std::bit_cast<U16>((v.even >> 16) | (v.odd & 0xFFFF0000u));
-    }
+    SPANGLE_INLINE static U16 high_half(const U32& v) { return v.high_half(); }
+    SPANGLE_INLINE static U16 low_half(const U32& v) { return v.low_half(); }
+    SPANGLE_INLINE static U32 widened(const U16& v) { return U32::widened(v); }
     SPANGLE_INLINE static U16 clamped_24_to_16(const U32& v) {
-        using Signed32 [[gnu::vector_size(16)]] = std::int32_t;
-        const auto one = [](Words w) {
-            const auto s = std::bit_cast<Signed32>(w);
-            const Signed32 over = s > (1 << 24) - 1; // all ones: 16 of them are left below
-            return std::bit_cast<Words>((s & ~(s >> 31)) | over) >> 8;
-        };
-        return low_half({one(v.even), one(v.odd)});
-    }
-    SPANGLE_INLINE static U32 widened(U16 v) {
-        const auto w = std::bit_cast<Words>(v);
-        return {w & 0xFFFFu, w >> 16};
-    }
-    SPANGLE_INLINE static U16 low_half(const U32& v) {
-        return std::bit_cast<U16>((v.even & 0xFFFFu) | (v.odd << 16));
+        return U32::mapped(
+                   [](const auto& w) __attribute__((always_inline)) {
+                       using Vector = std::remove_cvref_t<decltype(w)>;
+                       const auto s = lane_words::as_signed(w);
+                       const auto over = std::bit_cast<Vector>(s > (1 << 24) - 1); // 16 ones are left
+                       return (std::bit_cast<Vector>(s & ~(s >> 31)) | over) >> 8;
+                   },
+                   v)
+            .low_half();
     }
     SPANGLE_INLINE static U16 mul_high(U16 a, U16 b) {
         U16 r;
@@ -228,27 +181,29 @@ template <> struct Lanes<8> {
     SPANGLE_INLINE static U16 select(Mask m, U16 a, U16 b) { return (m & a) | (~m & b); }
     /// Words of 32 bits, all below 2^31.
     SPANGLE_INLINE static U32 minimum(const U32& a, const U32& b) {
-        return {smaller(a.even, b.even), smaller(a.odd, b.odd)};
+        return U32::mapped(
+            [](const auto& v, const auto& w)
+                __attribute__((always_inline)) { return lane_words::smaller(v, w); },
+            a, b);
     }
     SPANGLE_INLINE static U32 maximum(const U32& a, const U32& b) { return a + b - minimum(a, b); }
     /// max(v, 0), v signed.
     SPANGLE_INLINE static U32 positive(const U32& v) {
-        const auto one = [](const Words& w) {
-            return w & ~std::bit_cast<Words>(std::bit_cast<SignedWords>(w) >> 31);
-        };
-        return {one(v.even), one(v.odd)};
+        return U32::mapped(
+            [](const auto& w) __attribute__((always_inline)) {
+                return w & ~std::bit_cast<std::remove_cvref_t<decltype(w)>>(lane_words::as_signed(w) >> 31);
+            },
+            v);
     }
     SPANGLE_INLINE static Mask less(const U32& a, const U32& b) {
-        return low_half({is_less(a.even, b.even), is_less(a.odd, b.odd)});
-    }
-    SPANGLE_INLINE static Mask equal(const U32& a, const U32& b) {
-        return low_half({std::bit_cast<Words>(a.even == b.even), std::bit_cast<Words>(a.odd == b.odd)});
+        return U32::mapped(
+                   [](const auto& v, const auto& w)
+                       __attribute__((always_inline)) { return lane_words::is_less(v, w); },
+                   a, b)
+            .low_half();
     }
     SPANGLE_INLINE static U32 select(const Mask& m, const U32& a, const U32& b) {
-        const auto halves = std::bit_cast<SignedWords>(m);
-        const auto even = std::bit_cast<Words>((halves << 16) >> 16),
-                   odd = std::bit_cast<Words>(halves >> 16);
-        return {(even & a.even) | (~even & b.even), (odd & a.odd) | (~odd & b.odd)};
+        return U32::select(m, a, b);
     }
     SPANGLE_INLINE static U16 swap_bytes(U16 v) { return (v << 8) | (v >> 8); }
     SPANGLE_INLINE static bool any(Mask m) {
@@ -258,7 +213,7 @@ template <> struct Lanes<8> {
     }
     /// Some lane is not 0.
     SPANGLE_INLINE static bool any_bits(const U16& v) { return any(v); }
-    SPANGLE_INLINE static bool any_bits(const U32& v) { return any(std::bit_cast<U16>(v.even | v.odd)); }
+    SPANGLE_INLINE static bool any_bits(const U32& v) { return any(v.any_bits()); }
     /// A byte per lane, all ones where any bit is one.
     SPANGLE_INLINE static std::uint64_t nonzero_bytes(const U16& v) {
         using Bytes [[gnu::vector_size(8)]] = std::int8_t;
@@ -285,19 +240,8 @@ template <> struct Lanes<8> {
         return std::bit_cast<Halves>(v)[n];
     }
     /// Eight words of 32 bits in a row.
-    SPANGLE_INLINE static U32 load32(const std::uint8_t* p) {
-        Words low, high;
-        __builtin_memcpy(&low, p, 16);
-        __builtin_memcpy(&high, p + 16, 16);
-        return {__builtin_shufflevector(low, high, 0, 2, 4, 6),
-                __builtin_shufflevector(low, high, 1, 3, 5, 7)};
-    }
-    SPANGLE_INLINE static void store32(std::uint8_t* p, const U32& v) {
-        const Words low = __builtin_shufflevector(v.even, v.odd, 0, 4, 1, 5),
-                    high = __builtin_shufflevector(v.even, v.odd, 2, 6, 3, 7);
-        __builtin_memcpy(p, &low, 16);
-        __builtin_memcpy(p + 16, &high, 16);
-    }
+    SPANGLE_INLINE static U32 load32(const std::uint8_t* p) { return U32::load(p); }
+    SPANGLE_INLINE static void store32(std::uint8_t* p, const U32& v) { v.store(p); }
     SPANGLE_INLINE static U32 gather(const std::uint32_t* v) {
         return load32(reinterpret_cast<const std::uint8_t*>(v));
     }
@@ -307,7 +251,7 @@ template <> struct Lanes<8> {
         if constexpr (sizeof(f(0u)) == 2)
             return U16{f(0u), f(1u), f(2u), f(3u), f(4u), f(5u), f(6u), f(7u)};
         else
-            return U32{Words{f(0u), f(2u), f(4u), f(6u)}, Words{f(1u), f(3u), f(5u), f(7u)}};
+            return U32::generate(f);
     }
     /// Byte `n` of every lane.
     SPANGLE_INLINE static U16 byte(const U32& v, int n) {
@@ -322,15 +266,6 @@ template <> struct Lanes<8> {
     SPANGLE_INLINE static void kill(Mask& m, int i) { m[i] = 0; }
     SPANGLE_INLINE static Mask first(std::int32_t n) {
         return less(U16{0, 1, 2, 3, 4, 5, 6, 7}, splat(n < 0 ? 0 : static_cast<std::uint32_t>(n)));
-    }
-
-  private:
-    SPANGLE_INLINE static Words is_less(const Words& a, const Words& b) {
-        return std::bit_cast<Words>(std::bit_cast<SignedWords>(a) < std::bit_cast<SignedWords>(b));
-    }
-    SPANGLE_INLINE static Words smaller(const Words& a, const Words& b) {
-        const Words less = is_less(a, b);
-        return (a & less) | (b & ~less);
     }
 };
 
@@ -361,13 +296,7 @@ template <> struct Lanes<two_rows> : Lanes<8> {
     SPANGLE_INLINE static std::uint8_t* pixel(Place at, int lane, int bytes) {
         return at.first + (lane / columns) * at.stride + bytes * (lane % columns);
     }
-    SPANGLE_INLINE static U32 offsets(std::uint32_t dx, std::uint32_t dy) {
-        constexpr std::uint32_t on = 0xFFFFFFFF;
-        const Words by = splat32(dx).even;
-        const Words one = by & Words{0, on, 0, on};
-        const Words even = one + one + (splat32(dy).even & Words{0, 0, on, on});
-        return {even, even + by};
-    }
+    SPANGLE_INLINE static U32 offsets(std::uint32_t dx, std::uint32_t dy) { return U32::two_rows(dx, dy); }
     SPANGLE_INLINE static U16 offsets16(U16 dx, U16 dy) {
         constexpr std::uint16_t on = 0xFFFF;
         return dx * U16{0, 1, 2, 3, 0, 1, 2, 3} + (dy & U16{0, 0, 0, 0, on, on, on, on});
@@ -396,11 +325,7 @@ SPANGLE_INLINE void lane_of(const Lanes<8>::U32& v, int i, std::uint32_t& to) {
     to = v.lane(i);
 }
 SPANGLE_INLINE void set_lane(Lanes<8>::U32& v, int i, std::uint32_t from) {
-    // Not an element of a conditional expression: under UBSan gcc 12 writes into a copy of that.
-    if ((i & 1) != 0)
-        v.odd[i >> 1] = from;
-    else
-        v.even[i >> 1] = from;
+    v.set_lane(i, from);
 }
 /// A number is its only lane.
 SPANGLE_INLINE void lane_of(std::uint32_t v, int, std::uint32_t& to) {
@@ -410,4 +335,4 @@ SPANGLE_INLINE void set_lane(std::uint32_t& v, int, std::uint32_t from) {
     v = from;
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

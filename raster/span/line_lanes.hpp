@@ -7,8 +7,9 @@
 #include <type_traits>
 
 #include "raster/numeric/bits.hpp"
+#include "raster/span/instructions.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 template <int Count> struct LineLanes;
 
@@ -117,4 +118,4 @@ using HostLines = std::conditional_t<numeric::cheap_branches, LineLanes<1>, Line
 using HostLines = LineLanes<1>;
 #endif
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

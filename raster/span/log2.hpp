@@ -4,8 +4,9 @@
 #include <cstdint>
 
 #include "raster/numeric/bits.hpp"
+#include "raster/span/instructions.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// log2(v) with 8 fraction bits, within 1/256; v = 0 counts as 1.
 SPANGLE_RUN_CALL inline std::int32_t log2_fraction8(std::uint64_t v) {
@@ -29,4 +30,4 @@ SPANGLE_INLINE constexpr std::int32_t level_of_detail(std::int32_t sum) {
     return sum < -lost || sum > lost ? sum : 0;
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -10,11 +10,12 @@
 #include <utility>
 
 #include "raster/numeric/reciprocal.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/lanes.hpp"
 #include "raster/span/row_planes.hpp"
 #include "raster/span/span.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Fragments within so many columns and rows of a place in the window.
 struct Patch {
@@ -269,4 +270,4 @@ class NearInverse {
     L::U16 more_;
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

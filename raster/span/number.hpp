@@ -6,10 +6,11 @@
 #include <type_traits>
 
 #include "raster/span/color_steps.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/lanes.hpp"
 #include "raster/span/span.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 template <class T> struct Rgba { T r, g, b, a; };
 template <class V, class T> SPANGLE_INLINE void lane_of(const Rgba<V>& v, int i, Rgba<T>& to) {
@@ -361,4 +362,4 @@ template <class N> using OneLane = typename WithOneLane<N>::Type;
 template <class N> inline constexpr bool is_raw = false;
 template <int Count> inline constexpr bool is_raw<Raw565<Count>> = true;
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

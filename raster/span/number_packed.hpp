@@ -2,9 +2,10 @@
 // ONE_MINUS_SRC_ALPHA into a 565 surface.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/number.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Two components in a word, the bits of Balanced<1>.
 struct Packed {
@@ -232,4 +233,4 @@ template <int Count> struct ExactBytes : Bytes<Count> {
     SPANGLE_INLINE static T by_256ths(T v) { return L::mul_high(v, L::splat(257)); }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -1,10 +1,11 @@
 // The exact tier in eight lanes: the bits of Exact, of eight fragments at once.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/lane_products.hpp"
 #include "raster/span/number.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// A component is a word of 32 bits per lane, 255ths with 20 fraction bits, as it is in Exact. Each function
 /// gives what the function of the same name in Exact gives.
@@ -28,18 +29,16 @@ struct ExactLanes {
     SPANGLE_INLINE static T texel6(const L::U16& k) { return step<63>(L::widened(k), 62); }
     SPANGLE_INLINE static T from_units(std::uint32_t c) { return L::splat32(c); }
     SPANGLE_INLINE static T from_affine(const L::U32& v) {
-        constexpr std::uint32_t bias = 1u << 15; // words below it are 0: rounding took them there
-        const auto unbiased = [](const Words& w) {
-            return (w - bias) & std::bit_cast<Words>((w >> 15) != 0);
+        // Words below half a unit are 0: rounding took them there.
+        const auto unbiased = [](const auto& w) __attribute__((always_inline)) {
+            return (w - (1u << 15)) & std::bit_cast<std::remove_cvref_t<decltype(w)>>((w >> 15) != 0);
         };
-        const T c = T{unbiased(v.even), unbiased(v.odd)} >> (24 - color_fraction_bits);
+        const T c = T::mapped(unbiased, v) >> (24 - color_fraction_bits);
         return L::minimum(c, L::splat32(one));
     }
     SPANGLE_INLINE static T mul(const T& a, const T& b) { return scaled(a, fraction(b)); }
     SPANGLE_INLINE static T fraction(const T& v) { return (v << 4) + (v >> 4) + (v >> 12) + (v >> 20); }
-    SPANGLE_INLINE static T scaled(const T& a, const T& factor) {
-        return {lane_product_rounded(a.even, factor.even), lane_product_rounded(a.odd, factor.odd)};
-    }
+    SPANGLE_INLINE static T scaled(const T& a, const T& factor) { return lane_product_rounded(a, factor); }
     SPANGLE_INLINE static T lerp(const T& a, const T& b, const T& k) {
         return L::minimum(mul(a, one - k) + mul(b, k), L::splat32(one));
     }
@@ -85,10 +84,7 @@ struct ExactLanes {
         return L::minimum(L::positive(v), L::splat32(1u << 24)) << 6;
     }
     SPANGLE_INLINE static T mix(const T& a, const T& b, const T& f) {
-        const auto mixed = [](const Words& v, const Words& w, const Words& by) {
-            return v + lane_product_high_signed((w - v) << 2, by);
-        };
-        return {mixed(a.even, b.even, f.even), mixed(a.odd, b.odd, f.odd)};
+        return a + lane_product_high_signed((b - a) << 2, f);
     }
     /// In lanes thresholds are those of steps of 2^11.
     struct Threshold {
@@ -105,7 +101,6 @@ struct ExactLanes {
     }
 
   private:
-    using Words = L::Words;
     /// (k one + More) / Most, rounded down: one / Most is a whole number and a rest.
     template <std::uint32_t Most> SPANGLE_INLINE static T step(const T& k, std::uint32_t more) {
         constexpr std::uint32_t whole = one / Most, rest = one % Most;
@@ -115,8 +110,7 @@ struct ExactLanes {
     }
     template <unsigned Bits> SPANGLE_INLINE static T steps(const T& v) {
         static_assert(Bits == 5 || Bits == 6);
-        const Words factor = L::splat32(exact_steps.of(Bits == 6 ? 1 : 0)).even;
-        return {lane_product_high(v.even, factor), lane_product_high(v.odd, factor)};
+        return lane_product_high(v, L::splat32(exact_steps.of(Bits == 6 ? 1 : 0)));
     }
 };
 
@@ -128,4 +122,4 @@ template <class N> inline constexpr bool is_exact = std::is_same_v<OneLane<N>, E
 /// The exact tier of the chain in this build.
 using ExactChain = std::conditional_t<host_lanes == 8, ExactLanes, Exact>;
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

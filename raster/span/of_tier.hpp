@@ -6,8 +6,9 @@
 #pragma once
 
 #include "raster/span/draw_state.hpp"
+#include "raster/span/instructions.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 #if SPANGLE_OWN_TIERS
 template <auto Of> SPANGLE_INLINE auto of_tier(const DrawState& draw) {
@@ -52,4 +53,4 @@ SPANGLE_INLINE bool unsnaps(const DrawState& draw) {
     return has_tier(Tier::exact) && of_tier<[](const Knobs& k) { return k.unsnapped; }>(draw);
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

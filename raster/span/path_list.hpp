@@ -42,7 +42,7 @@ template <class Case> class PathList {
     }
 
     /// Of path i, where dithered.
-    const detail::Half* cells([[maybe_unused]] int i) const {
+    const inner::Half* cells([[maybe_unused]] int i) const {
         return cells_[dithers && !paths_.one_color ? i : 0].words();
     }
 

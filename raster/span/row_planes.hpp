@@ -3,10 +3,11 @@
 
 #include <utility>
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/lanes.hpp"
 #include "raster/span/span.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Four of them in a vector. What is constant lies in lanes: a store to the surface might change anything
 /// else.
@@ -106,4 +107,4 @@ template <int Count> class LanePlanes : public RowPlanes<Count> {
     L::U16 above_[Count], room_[Count];
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -37,10 +37,10 @@ struct RowPlace {
 /// registers.
 struct PlaneRow {
     Span<Fixed>& planes;
-    std::uint8_t *color, *depth;         ///< of the fragment that the list counts from
-    std::int32_t x, y;                   ///< window position of pixel 0
-    std::int32_t counted_from;           ///< and column of the fragment that the list counts from
-    const detail::Half* words = nullptr; ///< the row of DitherRows
+    std::uint8_t *color, *depth;        ///< of the fragment that the list counts from
+    std::int32_t x, y;                  ///< window position of pixel 0
+    std::int32_t counted_from;          ///< and column of the fragment that the list counts from
+    const inner::Half* words = nullptr; ///< the row of DitherRows
     const Span<Fixed>::Affine& z = planes.z;
     const Span<Fixed>::Affine (&color_value)[4] = planes.color_value;
     const Span<Fixed>::Affine& fog = planes.fog;

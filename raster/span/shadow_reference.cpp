@@ -232,42 +232,45 @@ template <class N> class Fragment {
     }
 };
 
-/// Chain: the system of the chain. Compares before anything is drawn: the destination of blending is still
-/// the old one.
-template <class N, class Chain> void shadow_span(const Span<Shadow>& span) {
-    if (ShadowReport* const report = current_report; report != nullptr) {
-        Span<Double> twin = span.twin;
-        twin.color = span.color;
-        twin.depth = span.depth;
-        twin.begin = span.begin;
-        twin.end = span.end;
-        twin.length = span.length;
-        twin.pixels = span.pixels;
-        for (std::int32_t x = span.begin; x < span.end; ++x)
-            Fragment<N>(span, twin, x, *report).compare_all();
-    }
-    chain_span<Chain>(span);
+/// Compares before anything is drawn: the destination of blending is still the old one.
+template <class N> void compare_row(const Span<Shadow>& span) {
+    ShadowReport* const report = current_report;
+    if (report == nullptr)
+        return;
+    Span<Double> twin = span.twin;
+    twin.color = span.color;
+    twin.depth = span.depth;
+    twin.begin = span.begin;
+    twin.end = span.end;
+    twin.length = span.length;
+    twin.pixels = span.pixels;
+    for (std::int32_t x = span.begin; x < span.end; ++x)
+        Fragment<N>(span, twin, x, *report).compare_all();
 }
 
-template <class N, class Chain> void shadow_rows(Span<Shadow>& span, const Row* row, const Row* end) {
+/// Chain: what the chain of a row counts in. It draws with the instructions that it was assembled for.
+template <class N, Number Chain> void shadow_rows(Span<Shadow>& span, const Row* row, const Row* end) {
+    const bool narrow = is_narrow(span.target->format);
+    const auto run = reinterpret_cast<RowsFunction<Fixed>>(chain_runner(Chain, narrow));
     for (; row != end; ++row) {
         span.twin.x = row->left;
         span.twin.y = row->y;
         enter<Fixed>(span, *row);
-        if (is_narrow(span.target->format))
+        if (narrow)
             span.color = span.target->color_row(row->y);
-        shadow_span<N, Chain>(span);
+        compare_row<N>(span);
+        run(span, row, row + 1);
     }
 }
 
 AnyFunction shadow_runner(Number number) {
     switch (number) {
     case Number::raw565:
-        return reinterpret_cast<AnyFunction>(&shadow_rows<Raw565<1>, Raw565<host_lanes>>);
+        return reinterpret_cast<AnyFunction>(&shadow_rows<Raw565<1>, Number::raw565>);
     case Number::balanced:
-        return reinterpret_cast<AnyFunction>(&shadow_rows<Balanced<1>, Balanced<host_lanes>>);
+        return reinterpret_cast<AnyFunction>(&shadow_rows<Balanced<1>, Number::balanced>);
     default:
-        return reinterpret_cast<AnyFunction>(&shadow_rows<Exact, ExactChain>);
+        return reinterpret_cast<AnyFunction>(&shadow_rows<Exact, Number::exact>);
     }
 }
 

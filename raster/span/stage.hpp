@@ -29,11 +29,12 @@
 #include <type_traits>
 
 #include "raster/span/fill.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/inverse.hpp"
 #include "raster/span/number_wide.hpp"
 #include "raster/span/span.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 enum Field : unsigned {
     field_color = 1,
@@ -54,8 +55,8 @@ template <class N> struct Px {
     /// One lane, too, stores what was there where it is not alive; a constant of the loop, whose stages all
     /// can.
     bool selects = false;
-    std::uint32_t place;       ///< along paths (PathPixels)
-    const detail::Half* cells; ///< and the words of their colour (DitherCells)
+    std::uint32_t place;      ///< along paths (PathPixels)
+    const inner::Half* cells; ///< and the words of their colour (DitherCells)
     typename N::Color color;
     typename N::Coord coord[max_texture_units];
     std::int32_t lod[max_texture_units][N::lanes]; ///< lambda, s23.8
@@ -86,6 +87,7 @@ template <class N> struct Px {
 struct StageBase {
     static constexpr unsigned in = 0, out = 0;
     static constexpr bool kill = false, effect = false, runs = false, rows = false;
+    static constexpr bool anywhere = false; ///< where a fragment lies makes no difference
     SPANGLE_INLINE void step() {}
     template <class S> SPANGLE_INLINE void start(const S&, std::int32_t) {}
     SPANGLE_INLINE void next_row() {}
@@ -107,7 +109,10 @@ template <class L> class Ramp {
     template <class S>
     SPANGLE_INLINE void start(const S& span, std::int32_t x, const Span<Fixed>::Affine& plane,
                               std::uint32_t more = 0) {
-        start(L::splat32(span.at(x, plane) + more));
+        if constexpr (requires { span.lanes; })
+            at = span.at(x, plane) + L::splat32(more); // of each lane
+        else
+            start(L::splat32(span.at(x, plane) + more));
     }
     /// Its first lane's, in all.
     SPANGLE_INLINE void start(const typename L::U32& first) { at = first + offset_; }
@@ -191,4 +196,4 @@ template <class N, class... S> struct Seq : S... {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -5,9 +5,10 @@
 #include <type_traits>
 
 #include "raster/span/draw_state.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 template <class N> struct Coverage : StageBase {
     static_assert(N::lanes == 1);
@@ -51,4 +52,4 @@ template <class N> struct PolygonStipple : StageBase {
     SPANGLE_INLINE void step() { pattern = std::rotr(pattern, 1); }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

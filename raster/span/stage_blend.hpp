@@ -3,10 +3,11 @@
 #pragma once
 
 #include "raster/span/component.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/number_packed.hpp"
 #include "raster/span/stage_store.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// The colour under a group of fragments: k/31, k/63 or k/255 exactly.
 template <class N, PixelFormat Format>
@@ -26,6 +27,7 @@ SPANGLE_INLINE typename N::Color load_color(const std::uint8_t* plane, std::int3
 
 /// What a fragment blends with, of a format known when it is compiled.
 template <class N, PixelFormat Format> struct Stored {
+    static constexpr bool anywhere = true;
     SPANGLE_INLINE Stored(const Span<typename N::Policy>&, std::int32_t) {}
     SPANGLE_INLINE typename N::Color load(const Px<N>& p) const {
         return load_color<N, Format>(p.color_plane, p.i);
@@ -36,7 +38,7 @@ template <class N, PixelFormat Format> struct Stored {
 /// SRC_ALPHA, ONE_MINUS_SRC_ALPHA.
 template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
     static constexpr unsigned in = field_color, out = field_color;
-    static constexpr bool kill = true;
+    static constexpr bool kill = true, anywhere = true;
     using L = typename N::L;
     template <class S> SPANGLE_INLINE BlendAlpha(const S&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
@@ -75,7 +77,7 @@ template <class N, PixelFormat Format, bool Dither> struct BlendCoarse : StageBa
     static constexpr unsigned in = field_color, out = field_color;
     using L = typename N::L;
     using T = typename N::T;
-    using Row = std::conditional_t<Dither, detail::DitherRow<L>, detail::NoThreshold>;
+    using Row = std::conditional_t<Dither, inner::DitherRow<L>, inner::NoThreshold>;
     [[no_unique_address]] Row dither;
     template <class S> SPANGLE_INLINE BlendCoarse(const S& s, std::int32_t x) : dither(s.x + x, s.y) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
@@ -99,7 +101,7 @@ template <class N, PixelFormat Format, bool Dither> struct BlendCoarse : StageBa
     }
 };
 
-namespace detail {
+namespace inner {
 
 /// N::Threshold by y & 3, and x from any of a period's columns on.
 template <class N> struct Thresholds {
@@ -126,7 +128,7 @@ struct NoThresholds {
     SPANGLE_INLINE explicit NoThresholds(const Span<Fixed>&) {}
 };
 
-} // namespace detail
+} // namespace inner
 
 /// BlendAlpha and Store, or StoreDithered, of the packed systems.
 template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBase {
@@ -134,7 +136,7 @@ template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBa
     static constexpr unsigned in = field_color;
     static constexpr bool kill = true, effect = true;
     using Words = Words565<Lanes<1>, Format>;
-    using Row = std::conditional_t<Dither, detail::ThresholdRow<N>, detail::NoThresholds>;
+    using Row = std::conditional_t<Dither, inner::ThresholdRow<N>, inner::NoThresholds>;
     [[no_unique_address]] Row dither;
     SPANGLE_INLINE BlendPacked(const Span<Fixed>& s, std::int32_t) : dither(s) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
@@ -194,7 +196,7 @@ template <class N, PixelFormat Format> struct BlendBytesDithered : StageBase {
     static constexpr bool kill = true, effect = true;
     using L = typename N::L;
     using Words = Words565<L, Format>;
-    detail::KeptThresholds<N> dither;
+    inner::KeptThresholds<N> dither;
     SPANGLE_INLINE BlendBytesDithered(const Span<Fixed>& s, std::int32_t x) : dither(s.x + x, s.y) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const typename N::Color& s = p.color;
@@ -209,7 +211,7 @@ template <class N, PixelFormat Format> struct BlendBytesDithered : StageBase {
         return true;
     }
     SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) {
-        dither = detail::KeptThresholds<N>(s.x + x, s.y);
+        dither = inner::KeptThresholds<N>(s.x + x, s.y);
     }
 };
 
@@ -277,11 +279,12 @@ template <class N> struct BlendEquations {
 /// All equations and factors, chosen at run time.
 template <class N, class From> struct Blend : StageBase, BlendEquations<N> {
     static constexpr unsigned in = field_color, out = field_color;
+    static constexpr bool anywhere = From::anywhere;
     using T = typename N::T;
     using Color = typename N::Color;
     From from;
-    SPANGLE_INLINE Blend(const Span<typename N::Policy>& s, std::int32_t x)
-        : BlendEquations<N>(s.state->fragment), from(s, x) {}
+    template <class S>
+    SPANGLE_INLINE Blend(const S& s, std::int32_t x) : BlendEquations<N>(s.state->fragment), from(s, x) {}
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const Color s = p.color, d = from.load(p);
@@ -305,4 +308,4 @@ template <class N, class From> struct Blend : StageBase, BlendEquations<N> {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "raster/span/draw_state.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// A projective accumulator without its guard bits.
 SPANGLE_INLINE std::int32_t unguarded(std::uint64_t v) {
@@ -73,6 +74,7 @@ template <class N> struct GouraudGray : StageBase {
 /// In place of a primary colour that a texture replaces.
 template <class N> struct White : StageBase {
     static constexpr unsigned out = field_color;
+    static constexpr bool anywhere = true;
     template <class S> SPANGLE_INLINE White(const S&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const typename N::T one = N::from_units(color_one);
@@ -111,7 +113,7 @@ template <int Count> struct Gouraud<Raw565<Count>, false> : StageBase {
     }
 };
 
-namespace detail {
+namespace inner {
 
 /// A colour from colour * q and 1/q, colour units. A colour that rounding made more than one is the number
 /// below it.
@@ -122,7 +124,7 @@ SPANGLE_INLINE std::uint32_t projective_color(std::int32_t over_w, const Inverse
     return numeric::mul_high_u32(static_cast<std::uint32_t>(v) << inverse.zeros, inverse.mantissa) >> 2;
 }
 
-} // namespace detail
+} // namespace inner
 
 /// Perspective-correct colour, divided at every fragment (GL 1.3, equation 3.6).
 template <class N, bool Alpha> struct GouraudQ : StageBase {
@@ -136,11 +138,11 @@ template <class N, bool Alpha> struct GouraudQ : StageBase {
     }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const Inverse inverse(unguarded(q));
-        p.color.r = N::from_units(detail::projective_color(unguarded(c[0]), inverse));
-        p.color.g = N::from_units(detail::projective_color(unguarded(c[1]), inverse));
-        p.color.b = N::from_units(detail::projective_color(unguarded(c[2]), inverse));
+        p.color.r = N::from_units(inner::projective_color(unguarded(c[0]), inverse));
+        p.color.g = N::from_units(inner::projective_color(unguarded(c[1]), inverse));
+        p.color.b = N::from_units(inner::projective_color(unguarded(c[2]), inverse));
         if constexpr (Alpha)
-            p.color.a = N::from_units(detail::projective_color(unguarded(c[3]), inverse));
+            p.color.a = N::from_units(inner::projective_color(unguarded(c[3]), inverse));
         else
             p.color.a = N::from_units(color_one);
         return true;
@@ -171,9 +173,9 @@ template <class N, bool Projective> struct ColorSum : StageBase {
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if constexpr (Projective) {
             const Inverse inverse(unguarded(q));
-            sum(p, N::from_units(detail::projective_color(unguarded(c[0]), inverse)),
-                N::from_units(detail::projective_color(unguarded(c[1]), inverse)),
-                N::from_units(detail::projective_color(unguarded(c[2]), inverse)));
+            sum(p, N::from_units(inner::projective_color(unguarded(c[0]), inverse)),
+                N::from_units(inner::projective_color(unguarded(c[1]), inverse)),
+                N::from_units(inner::projective_color(unguarded(c[2]), inverse)));
         } else {
             sum(p, N::from_affine(c[0]), N::from_affine(c[1]), N::from_affine(c[2]));
         }
@@ -194,7 +196,7 @@ template <class N, bool Projective> struct ColorSum : StageBase {
     }
 };
 
-namespace detail {
+namespace inner {
 
 /// The fog coordinate from fog * q and 1/q.
 inline std::uint32_t projective_fog(std::int32_t over_w, int exponent, const Inverse& inverse) {
@@ -204,7 +206,7 @@ inline std::uint32_t projective_fog(std::int32_t over_w, int exponent, const Inv
                                                 : numeric::scale_saturate(product, -down));
 }
 
-} // namespace detail
+} // namespace inner
 
 /// The fog coordinate, s7.24.
 template <class N, bool Projective> struct FogCoord;
@@ -229,7 +231,7 @@ template <class N> struct FogCoord<N, true> : StageBase {
     SPANGLE_INLINE FogCoord(const Span<Fixed>& s, std::int32_t x)
         : q(s.at(x, s.q)), dq(s.q.dx), f(s.at(x, s.fog_q)), df(s.fog_q.dx), exponent(s.fog_exponent) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        p.fog = detail::projective_fog(unguarded(f), exponent, Inverse(unguarded(q)));
+        p.fog = inner::projective_fog(unguarded(f), exponent, Inverse(unguarded(q)));
         return true;
     }
     SPANGLE_INLINE void step() {
@@ -238,4 +240,4 @@ template <class N> struct FogCoord<N, true> : StageBase {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

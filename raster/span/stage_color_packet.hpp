@@ -2,9 +2,10 @@
 #pragma once
 
 #include "raster/span/chain.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_color.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// N: of the packet.
 template <class N> class PacketColors {
@@ -42,7 +43,7 @@ template <class N> class PacketColors {
             typename One::T v[4];
             v[3] = One::from_units(color_one);
             for (int c = 0; c < channels; ++c) {
-                v[c] = divides ? One::from_units(detail::projective_color(unguarded(at[c]), inverse))
+                v[c] = divides ? One::from_units(inner::projective_color(unguarded(at[c]), inverse))
                                : One::from_affine(static_cast<std::uint32_t>(at[c]));
                 at[c] += by[c];
             }
@@ -57,4 +58,4 @@ template <class N> class PacketColors {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

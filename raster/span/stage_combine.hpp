@@ -2,10 +2,11 @@
 // may ask for that of another.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_texture_one.hpp"
 #include "raster/span/texture_combine.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Behind the coordinates and levels of detail of both units.
 template <class N> struct CombineUnits : StageBase {
@@ -37,4 +38,4 @@ template <class N> struct CombineUnits : StageBase {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -3,8 +3,9 @@
 
 #include "raster/span/coord_runs.hpp"
 #include "raster/span/cubic_runs.hpp"
+#include "raster/span/instructions.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 template <class N, int Unit, bool Projective> struct Coord;
 
@@ -25,6 +26,27 @@ template <class N, int Unit> struct Coord<N, Unit, false> : StageBase {
     SPANGLE_INLINE void step() {
         s += std::uint32_t{N::lanes} * ds;
         t += std::uint32_t{N::lanes} * dt;
+    }
+};
+
+template <class N, int Unit>
+requires(N::lanes > 1) struct Coord<N, Unit, false> : StageBase {
+    static constexpr unsigned out = field_coord << Unit;
+    Ramp<typename N::L> s, t;
+    template <class S>
+    SPANGLE_INLINE Coord(const S& span, std::int32_t x)
+        : s(span, x, span.s[Unit]), t(span, x, span.t[Unit]) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) {
+        const auto put = [](std::uint32_t* to, const typename N::L::U32& v) {
+            N::L::store32(reinterpret_cast<std::uint8_t*>(to), v);
+        };
+        put(p.coord[Unit].s, s.at);
+        put(p.coord[Unit].t, t.at);
+        return true;
+    }
+    SPANGLE_INLINE void step() {
+        s.step();
+        t.step();
     }
 };
 
@@ -99,4 +121,4 @@ template <class N, int Unit> struct Coord<N, Unit, true> : CoordAlong<N, Unit, R
     using CoordAlong<N, Unit, RunsOf<N>>::CoordAlong;
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -2,10 +2,11 @@
 // any unit and kind in one piece of code, for small builds.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_texture.hpp"
 #include "raster/span/stage_texture_lod.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Of all systems with such places.
 template <class Places> class PacketCoordinates {
@@ -49,4 +50,4 @@ template <class Places> class PacketCoordinates {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

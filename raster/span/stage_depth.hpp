@@ -4,9 +4,10 @@
 #include <cstring>
 
 #include "raster/span/draw_state.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Compare as GL writes it: incoming OP stored.
 template <Compare Func, class T> SPANGLE_INLINE constexpr bool compare(T incoming, T stored) {
@@ -56,11 +57,17 @@ template <class N> struct DepthValue : StageBase {
 /// The same for depth buffers of 24 bits.
 template <class N> struct DepthValue24 : StageBase {
     std::uint64_t z, dx;
+    bool of_lanes = false; ///< each has a place of its own, and `given` is its depth
+    typename N::L::U32 given;
     SPANGLE_INLINE DepthValue24(const Span<typename N::Policy>& s, std::int32_t x)
         : z(s.at(x, s.z24)), dx(s.z24.dx) {}
+    SPANGLE_INLINE DepthValue24(const PlaneLanes<typename N::L>& s, std::int32_t)
+        : z(0), dx(0), of_lanes(true), given(s.tops(s.planes.z24)) {}
     SPANGLE_INLINE std::uint32_t word() const { return static_cast<std::uint32_t>(z >> 32); }
     /// word() of each lane.
     SPANGLE_INLINE typename N::L::U32 words() const {
+        if (of_lanes)
+            return given;
         return N::L::generate([this](std::uint32_t lane) __attribute__((always_inline)) {
             return static_cast<std::uint32_t>((z + lane * dx) >> 32);
         });
@@ -191,7 +198,8 @@ template <class N, DepthFormat Format, class Value = DepthValueOf<N, Format>> st
     using L = typename N::L;
     Compare func;
     bool write;
-    SPANGLE_INLINE DepthGeneral(const Span<typename N::Policy>& s, std::int32_t x)
+    template <class S>
+    SPANGLE_INLINE DepthGeneral(const S& s, std::int32_t x)
         : Value(s, x), func(s.state->fragment.depth_func), write(s.state->fragment.depth_write) {}
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
@@ -231,7 +239,7 @@ template <class N, DepthFormat Format, class Value = DepthValueOf<N, Format>> st
 
 /// Counts what passed all tests (occlusion, statistics).
 template <class N> struct Count : StageBase {
-    static constexpr bool effect = true;
+    static constexpr bool effect = true, anywhere = true;
     std::uint32_t* passed;
     SPANGLE_INLINE Count(const Span<typename N::Policy>& s, std::int32_t)
         : passed(s.state->counters == nullptr ? nullptr : &s.state->counters->passed) {}
@@ -242,4 +250,4 @@ template <class N> struct Count : StageBase {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -1,24 +1,25 @@
 // Smooth colours of which nothing but five and six dithered bits is stored.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/rows.hpp"
 #include "raster/span/stage_color.hpp"
 #include "raster/span/stage_thresholds.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Thresholds of fragments as Raw565::fraction5: walked,
-template <class N> struct WalkedFractions : detail::DitherPlace<typename N::L> {
+template <class N> struct WalkedFractions : inner::DitherPlace<typename N::L> {
     template <class S>
     SPANGLE_INLINE WalkedFractions(const S& s, std::int32_t x)
-        : detail::DitherPlace<typename N::L>(s.x + x, s.y) {}
+        : inner::DitherPlace<typename N::L>(s.x + x, s.y) {}
     SPANGLE_INLINE typename N::T of(const Px<N>&) const { return N::fraction5(this->threshold()); }
 };
 /// or found by their number, where masks are no operands and a rotation takes a register.
 template <class N> class NumberedFractions {
   public:
     SPANGLE_INLINE NumberedFractions(const PlaneRow& row, std::int32_t)
-        : from_(numeric::factor32(detail::dither_numbered<27>.from(row.counted_from, row.y))) {}
+        : from_(numeric::factor32(inner::dither_numbered<27>.from(row.counted_from, row.y))) {}
     SPANGLE_INLINE std::uint32_t of(const Px<N>& p) const {
         std::uint32_t t;
         const std::uint32_t bytes = numeric::factor32(static_cast<std::uint32_t>(p.twice) << 29) >> 28;
@@ -103,11 +104,11 @@ struct GouraudDitheredRow : Gouraud<Raw565<8>, false> {
 
   private:
     template <class S> SPANGLE_INLINE void add(const S& s, std::int32_t x) {
-        const N::L::U32 t = N::L::widened(detail::DitherRow<N::L>(s.x + x, s.y).threshold());
+        const N::L::U32 t = N::L::widened(inner::DitherRow<N::L>(s.x + x, s.y).threshold());
         r.at += t << 22;
         g.at += t << 21;
         b.at += t << 22;
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

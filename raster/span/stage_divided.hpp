@@ -3,10 +3,11 @@
 #pragma once
 
 #include "raster/span/coord_runs.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_color.hpp"
 #include "raster/span/stage_texture.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// A projective interpolant along a row: unguarded(), i fragments from where it started. With words of 64
 /// bits it steps, and i is not looked at.
@@ -87,7 +88,7 @@ template <class N> struct GouraudGrayDivided : StageBase {
     GuardedRamp v;
     SPANGLE_INLINE GouraudGrayDivided(const Span<Fixed>& s, std::int32_t x) : v(s, x, s.color_q[0]) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        const typename N::T c = N::from_units(detail::projective_color(v.value(p.i), p.inverse));
+        const typename N::T c = N::from_units(inner::projective_color(v.value(p.i), p.inverse));
         p.color = {c, c, c, N::from_units(color_one)};
         return true;
     }
@@ -104,11 +105,11 @@ template <class N, bool Alpha> struct GouraudDivided : StageBase {
     SPANGLE_INLINE GouraudDivided(const Span<Fixed>& s, std::int32_t x)
         : r(s, x, s.color_q[0]), g(s, x, s.color_q[1]), b(s, x, s.color_q[2]), a(alpha(s, x)) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        p.color.r = N::from_units(detail::projective_color(r.value(p.i), p.inverse));
-        p.color.g = N::from_units(detail::projective_color(g.value(p.i), p.inverse));
-        p.color.b = N::from_units(detail::projective_color(b.value(p.i), p.inverse));
+        p.color.r = N::from_units(inner::projective_color(r.value(p.i), p.inverse));
+        p.color.g = N::from_units(inner::projective_color(g.value(p.i), p.inverse));
+        p.color.b = N::from_units(inner::projective_color(b.value(p.i), p.inverse));
         if constexpr (Alpha)
-            p.color.a = N::from_units(detail::projective_color(a.value(p.i), p.inverse));
+            p.color.a = N::from_units(inner::projective_color(a.value(p.i), p.inverse));
         else
             p.color.a = N::from_units(color_one);
         return true;
@@ -223,11 +224,11 @@ template <class T, int Unit> class NearestDivided : public T {
         inverse.mantissa = mantissa;
         inverse.zeros = zeros;
         const auto texel = [&](std::int32_t v, int log2_size) {
-            return (detail::repeat_fraction(v, inverse, exponent) + nearest_bias(log2_size)) >>
+            return (inner::repeat_fraction(v, inverse, exponent) + nearest_bias(log2_size)) >>
                    (32 - log2_size);
         };
         return (texel(t, log2_height) << log2_width) + texel(s, log2_width);
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

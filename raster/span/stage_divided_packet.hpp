@@ -4,42 +4,70 @@
 
 #include "raster/span/chain.hpp"
 #include "raster/span/cubic_runs.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_color.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
-namespace detail {
+namespace inner {
 
-/// A plane with guard bits in eight lanes.
-class GuardedLanes {
+/// A plane with guard bits in eight lanes: as many vectors of words of 64 bits as they take.
+template <class Vector = LaneWords::Vector> class GuardedLanes {
   public:
     SPANGLE_INLINE GuardedLanes(const Span<Fixed>& span, std::int32_t x, const Span<Fixed>::Projective& plane)
-        : by_(LaneLongs{} + 8 * plane.dx) {
-        const std::uint64_t first = span.at(x, plane), two = 2 * plane.dx;
-        at_[0] = LaneLongs{first, first + two};
-        at_[1] = at_[0] + 2 * two;
-        at_[2] = at_[0] + plane.dx;
-        at_[3] = at_[1] + plane.dx;
+        : by_(Long{} + 8 * plane.dx) {
+        const std::uint64_t first = span.at(x, plane), two = 2 * plane.dx, four = 4 * plane.dx;
+        if constexpr (vectors == 2) {
+            at_[0] = Long{first, first + two, first + four, first + four + two};
+            at_[1] = at_[0] + plane.dx;
+        } else {
+            at_[0] = Long{first, first + two};
+            at_[1] = at_[0] + four;
+            at_[2] = at_[0] + plane.dx;
+            at_[3] = at_[1] + plane.dx;
+        }
     }
     /// Without its guard bits, signed.
-    SPANGLE_INLINE Lanes<8>::U32 value() const {
-        return {low_words(at_[0], at_[1]), low_words(at_[2], at_[3])};
+    SPANGLE_INLINE LaneWords value() const {
+        if constexpr (vectors == 2)
+            return {std::bit_cast<Vector>((at_[0] >> guard_bits & 0xFFFFFFFFu) | at_[1] >> guard_bits << 32)};
+        else
+            return {low_words(at_[0], at_[1]), low_words(at_[2], at_[3])};
     }
     SPANGLE_INLINE void step() {
-        for (LaneLongs& v : at_)
+        for (Long& v : at_)
             v += by_;
     }
 
   private:
-    /// The four vectors hold lanes 0 and 2, 4 and 6, 1 and 3, 5 and 7.
-    LaneLongs at_[4], by_;
-    SPANGLE_INLINE static LaneWords low_words(const LaneLongs& a, const LaneLongs& b) {
-        return __builtin_shufflevector(std::bit_cast<LaneWords>(a >> guard_bits),
-                                       std::bit_cast<LaneWords>(b >> guard_bits), 0, 2, 4, 6);
+    using Long = Longs<Vector>;
+    static constexpr int vectors = sizeof(Vector) == 32 ? 2 : 4;
+    /// Lanes 0, 2, 4 and 6 in one half of the vectors, the others in the other half.
+    Long at_[vectors], by_;
+    SPANGLE_INLINE static Vector low_words(const Long& a, const Long& b) {
+        return __builtin_shufflevector(std::bit_cast<Vector>(a >> guard_bits),
+                                       std::bit_cast<Vector>(b >> guard_bits), 0, 2, 4, 6);
     }
 };
 
-} // namespace detail
+/// A plane at the fragments of a packet, of one row or of several.
+template <class Places> class PlaneOf {
+  public:
+    SPANGLE_INLINE PlaneOf(const Places& k, const Span<Fixed>& span, const Span<Fixed>::Projective& plane)
+        : rows_(k.rows), plane_(plane), first_(span.at(k.x, plane)) {}
+    SPANGLE_INLINE std::uint64_t at(std::int32_t i) const {
+        return rows_ != nullptr
+                   ? plane_.at(static_cast<std::int32_t>(rows_->x[i]), static_cast<std::int32_t>(rows_->y[i]))
+                   : first_ + static_cast<std::uint64_t>(i) * plane_.dx;
+    }
+
+  private:
+    const PacketRows* rows_;
+    const Span<Fixed>::Projective& plane_;
+    std::uint64_t first_;
+};
+
+} // namespace inner
 
 /// N: of the packet.
 template <class N> class PacketDivided {
@@ -47,14 +75,15 @@ template <class N> class PacketDivided {
     using U32 = typename L::U32;
     using Places = PlacesOf<N>;
     using Plane = Span<Fixed>::Projective;
+    using PlaneOf = inner::PlaneOf<Places>;
     static constexpr int lanes = N::lanes;
 
   public:
     /// 1/w of the primitive, which the others read.
     static void inverses(Places& k, const Span<Fixed>& span) {
-        std::uint64_t q = span.at(k.x, span.q);
-        for (std::int32_t i = 0; i < whole(k); ++i, q += span.q.dx) {
-            const Inverse inverse(unguarded(q));
+        const PlaneOf q(k, span, span.q);
+        for (std::int32_t i = 0; i < whole(k); ++i) {
+            const Inverse inverse(unguarded(q.at(i)));
             k.inverse.q[i] = inverse.q;
             k.inverse.mantissa[i] = inverse.mantissa;
             k.inverse.power[i] = 1u << inverse.zeros;
@@ -80,10 +109,10 @@ template <class N> class PacketDivided {
         each(k, span, span.secondary_q[2], [&](std::int32_t g, const U32& c) { add(k.color[g].b, c); });
     }
     static void fog(Places& k, const Span<Fixed>& span) {
-        std::uint64_t f = span.at(k.x, span.fog_q);
+        const PlaneOf f(k, span, span.fog_q);
         std::uint32_t fog[packet_length];
-        for (std::int32_t i = 0; i < whole(k); ++i, f += span.fog_q.dx)
-            fog[i] = detail::projective_fog(unguarded(f), span.fog_exponent, inverse_of(k, i));
+        for (std::int32_t i = 0; i < whole(k); ++i)
+            fog[i] = inner::projective_fog(unguarded(f.at(i)), span.fog_exponent, inverse_of(k, i));
         for (std::int32_t i = 0; i < whole(k); i += lanes)
             k.fog[i / lanes] = L::gather(fog + i);
     }
@@ -91,19 +120,14 @@ template <class N> class PacketDivided {
     template <int Unit> static void coordinates(Places& k, const Span<Fixed>& span) {
         const auto& unit = span.unit[Unit];
         const auto& wraps = span.state->wraps[Unit];
-        std::uint64_t s = span.at(k.x, unit.s), t = span.at(k.x, unit.t), q = 0, dq = 0;
-        if (!unit.shares_q)
-            q = span.at(k.x, unit.q), dq = unit.q.dx;
+        const PlaneOf s(k, span, unit.s), t(k, span, unit.t), q(k, span, unit.shares_q ? span.q : unit.q);
         for (std::int32_t i = 0; i < whole(k); ++i) {
-            const Inverse inverse = unit.shares_q ? inverse_of(k, i) : Inverse(unguarded(q));
+            const Inverse inverse = unit.shares_q ? inverse_of(k, i) : Inverse(unguarded(q.at(i)));
             auto& to = k.coord[Unit][i / lanes];
-            to.s[i % lanes] = detail::to_coord(detail::to_repeats(unguarded(s), inverse, unit.exponent),
-                                               wraps.s, unit.s_base);
-            to.t[i % lanes] = detail::to_coord(detail::to_repeats(unguarded(t), inverse, unit.exponent),
-                                               wraps.t, unit.t_base);
-            s += unit.s.dx;
-            t += unit.t.dx;
-            q += dq;
+            to.s[i % lanes] = inner::to_coord(inner::to_repeats(unguarded(s.at(i)), inverse, unit.exponent),
+                                              wraps.s, unit.s_base);
+            to.t[i % lanes] = inner::to_coord(inner::to_repeats(unguarded(t.at(i)), inverse, unit.exponent),
+                                              wraps.t, unit.t_base);
         }
     }
 
@@ -124,17 +148,26 @@ template <class N> class PacketDivided {
         else
             return L::low_half((units + L::splat32(1u << 11)) >> 12);
     }
-    /// f(group, colour units) of a colour plane, each fragment divided (detail::projective_color).
+    /// f(group, colour units) of a colour plane, each fragment divided (inner::projective_color).
     template <class F>
     SPANGLE_INLINE static void each(const Places& k, const Span<Fixed>& span, const Plane& plane, F f) {
-        detail::GuardedLanes over_w(span, k.x, plane);
+        inner::GuardedLanes<> over_w(span, k.x, plane);
+        const PlaneOf of_rows(k, span, plane);
+        const auto value = [&](std::int32_t g) __attribute__((always_inline)) {
+            if (k.rows == nullptr)
+                return over_w.value();
+            return L::generate([&](std::uint32_t lane) __attribute__((always_inline)) {
+                return static_cast<std::uint32_t>(
+                    unguarded(of_rows.at(g * lanes + static_cast<std::int32_t>(lane))));
+            });
+        };
         for (std::int32_t g = 0; g * lanes < k.n; ++g, over_w.step()) {
             const U32 q = L::gather(k.inverse.q + g * lanes),
                       mantissa = L::gather(k.inverse.mantissa + g * lanes),
                       power = L::gather(k.inverse.power + g * lanes);
             const U32 most = q - (q >> 8) - L::splat32(1);
-            const U32 v = L::minimum(L::positive(over_w.value()), most) * power;
-            f(g, U32{lane_product_high(v.even, mantissa.even), lane_product_high(v.odd, mantissa.odd)} >> 2);
+            const U32 v = L::minimum(L::positive(value(g)), most) * power;
+            f(g, lane_product_high(v, mantissa) >> 2);
         }
     }
 };
@@ -143,7 +176,8 @@ template <class N> class PacketDivided {
 template <class N> struct ColorSumLanes : StageBase {
     static constexpr unsigned in = field_color, out = field_color;
     Ramp<typename N::L> r, g, b;
-    SPANGLE_INLINE ColorSumLanes(const Span<Fixed>& s, std::int32_t x)
+    template <class S>
+    SPANGLE_INLINE ColorSumLanes(const S& s, std::int32_t x)
         : r(s, x, s.secondary[0]), g(s, x, s.secondary[1]), b(s, x, s.secondary[2]) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         p.color.r = N::add(p.color.r, N::from_affine(r.at));
@@ -158,4 +192,4 @@ template <class N> struct ColorSumLanes : StageBase {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -3,9 +3,10 @@
 
 #include "raster/numeric/power.hpp"
 #include "raster/span/draw_state.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// f with 24 fraction bits, 0 .. 2^24, of a coordinate in s7.24.
 inline std::uint32_t fog_factor(FogMode mode, std::uint32_t coordinate) {
@@ -25,6 +26,7 @@ inline std::uint32_t fog_factor(FogMode mode, std::uint32_t coordinate) {
 /// Mode at run time.
 template <class N> struct Fog : StageBase {
     static constexpr unsigned in = field_color | field_fog, out = field_color;
+    static constexpr bool anywhere = true;
     FogMode mode;
     typename N::T r, g, b;
     template <class S>
@@ -61,6 +63,7 @@ template <class N> struct FogLinear : Fog<N> {
 /// FOG_MODE LINEAR around MODULATE (fogs_light()): first what light keeps, then the fog's share.
 template <class N> struct FogLight : StageBase {
     static constexpr unsigned in = field_color | field_fog, out = field_color;
+    static constexpr bool anywhere = true;
     template <class S> SPANGLE_INLINE FogLight(const S&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const { return dim(p, N::clamped_fraction(p.fog)); }
     SPANGLE_INLINE static bool dim(Px<N>& p, typename N::T f) {
@@ -123,4 +126,4 @@ template <class N, bool Steps> struct FogShareLanes : FogShare<N, Steps> {
     SPANGLE_INLINE bool operator()(Px<N>& p) const { return this->add(p, p.fog_factor); }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

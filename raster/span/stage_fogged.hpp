@@ -2,10 +2,11 @@
 // once each. Fused spans of one lane only.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_fog.hpp"
 #include "raster/span/stage_store.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Half a 255th comes with the fog's colour, unless it is dithered; four times the fog's colour is subtracted
 /// from four times the other.
@@ -20,7 +21,7 @@ template <PixelFormat Format, bool Dither> struct FoggedStore : StageBase {
               four(numeric::factor32(units << 2)) {}
     };
     Fog r, g, b;
-    using Thresholds = std::conditional_t<Dither, detail::DitherRow<Lanes<1>>, detail::NoThreshold>;
+    using Thresholds = std::conditional_t<Dither, inner::DitherRow<Lanes<1>>, inner::NoThreshold>;
     [[no_unique_address]] Thresholds dither;
 
     SPANGLE_INLINE FoggedStore(const Span<Fixed>& s, std::int32_t x)
@@ -46,4 +47,4 @@ template <PixelFormat Format, bool Dither> struct FoggedStore : StageBase {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

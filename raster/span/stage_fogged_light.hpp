@@ -2,11 +2,12 @@
 // products are rounded down one by one. Fused spans of one lane only.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_fog.hpp"
 #include "raster/span/stage_store.hpp"
 #include "raster/span/texel_color.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Components are Balanced's; MODULATE waits for the store, with its texel.
 struct BalancedLit : Balanced<1> {
@@ -159,9 +160,9 @@ template <PixelFormat Format, bool Is565, bool Dither> class FoggedLightStore : 
   private:
     using Texel = FoggedTexel<Format, Is565, Dither>;
     using Thresholds =
-        std::conditional_t<Dither, detail::NumberedThresholds<Texel::threshold_bits>, detail::NoThreshold>;
+        std::conditional_t<Dither, inner::NumberedThresholds<Texel::threshold_bits>, inner::NoThreshold>;
     Texel texel_;
     [[no_unique_address]] Thresholds thresholds_; ///< from the fragment on that the list counts from
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -2,7 +2,7 @@
 
 #include "raster/span/stage_store.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 std::uint32_t divided_word(Span<Fixed>& span, std::int32_t x, std::int32_t y) {
     if (span.guess.project != nullptr)
@@ -13,11 +13,11 @@ std::uint32_t divided_word(Span<Fixed>& span, std::int32_t x, std::int32_t y) {
     };
     const Inverse inverse(unguarded(at(span.q)));
     const auto component = [&](int i) {
-        return detail::projective_color(unguarded(at(span.color_q[has_full ? i : 0])), inverse);
+        return inner::projective_color(unguarded(at(span.color_q[has_full ? i : 0])), inverse);
     };
     const Exact::Color c = {component(0), component(1), component(2), color_one};
     return span.state->fragment.dither ? dithered565<Exact>(c, dither_threshold(dither_row(y), x))
                                        : truncated565<Exact>(c);
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

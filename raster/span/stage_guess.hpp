@@ -2,11 +2,12 @@
 // the affine colour unless a step lies between the two.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/rows.hpp"
 #include "raster/span/stage_dithered.hpp"
 #include "raster/span/stage_raw.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// The colour of the fragment at window (x, y), divided: what GouraudQ<Exact, false> gives, as it is stored.
 std::uint32_t divided_word(Span<Fixed>& span, std::int32_t x, std::int32_t y);
@@ -79,4 +80,4 @@ template <PixelFormat Format, class L = Lanes<8>>
     });
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -2,10 +2,11 @@
 // 255ths and indices are the same numbers, so interpolation, packets and read-back are those of colours.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_fog.hpp"
 #include "raster/span/stage_store.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Nearest index there is.
 template <class N> SPANGLE_INLINE std::uint32_t nearest_index(typename N::T v) {
@@ -62,7 +63,7 @@ template <class N> struct StoreIndex : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned in = field_color;
     static constexpr bool effect = true;
-    detail::DitherRow<typename N::L> dither;
+    inner::DitherRow<typename N::L> dither;
     bool dithers;
     std::uint32_t mask;
     LogicTable logic;
@@ -80,4 +81,4 @@ template <class N> struct StoreIndex : StageBase {
     void step() { dither.step(); }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

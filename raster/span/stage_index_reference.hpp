@@ -3,10 +3,11 @@
 
 #include <cmath>
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_index.hpp"
 #include "raster/span/stage_reference.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 template <> struct FogIndex<Reference> : ReferenceStage {
     static constexpr unsigned in = field_color | field_fog, out = field_color;
@@ -19,4 +20,4 @@ template <> struct FogIndex<Reference> : ReferenceStage {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

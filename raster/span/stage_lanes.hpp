@@ -1,9 +1,10 @@
 // NEAREST of one REPEAT image in eight lanes, wherever in it these look. Fused spans only.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_texture.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// The texels of eight fragments from their coordinates, T a TextureFixed.
 template <class T> class TexelLanes : public T {
@@ -93,4 +94,4 @@ template <class T, int Unit> class NearestLanes : public TexelLanes<T> {
     Ramp<L> s_, t_;
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -1,10 +1,11 @@
 // LINEAR of one REPEAT image along a span.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_thresholds.hpp"
 #include "raster/span/texel_walk.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Weights of the next texel have 8 bits, to nearest; half a texel into the texture the first one has none.
 struct LinearPosition {
@@ -63,9 +64,9 @@ class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
 
   private:
     using Weights = typename T::Colors::Weights;
-    using Thresholds = std::conditional_t<!Dither, detail::NoThreshold,
-                                          std::conditional_t<N::lanes == 1, detail::DitherRow<typename N::L>,
-                                                             detail::DitherPlace<typename N::L>>>;
+    using Thresholds = std::conditional_t<!Dither, inner::NoThreshold,
+                                          std::conditional_t<N::lanes == 1, inner::DitherRow<typename N::L>,
+                                                             inner::DitherPlace<typename N::L>>>;
     [[no_unique_address]] Thresholds dither_;
     const std::uint8_t *near_, *far_; ///< texels of the two rows
     Weights across_{N::L::splat(0)};
@@ -96,4 +97,4 @@ class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -3,12 +3,13 @@
 // and redone with one lane. Fused spans only.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/near_division.hpp"
 #include "raster/span/rows.hpp"
 #include "raster/span/stage_lanes.hpp"
 #include "raster/span/stage_store.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// What is guessed of a component, and by how much that may be wrong, where its colour and fog are not.
 ///
@@ -179,7 +180,7 @@ class LitGuessed : public TexelLanes<T> {
     /// A colour, affine or not, in 256ths of 255ths. Half of one was added to affine ones in set-up.
     using Color = std::conditional_t<Full, LitRatio, Ramp<L>>;
     using Guess = LitGuess<HasFog>;
-    using Thresholds = std::conditional_t<Dither, detail::DitherRow<L>, detail::NoThreshold>;
+    using Thresholds = std::conditional_t<Dither, inner::DitherRow<L>, inner::NoThreshold>;
 
     /// u, and what it divides but for colours.
     SPANGLE_INLINE static auto planes(const LitRow<Patch>& row, std::int32_t x) {
@@ -277,4 +278,4 @@ class LitGuessed : public TexelLanes<T> {
     L::U16 from_, range_, fog_color_[3];
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

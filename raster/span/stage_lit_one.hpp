@@ -2,10 +2,11 @@
 // are long products, which leave one fragment in some thousand open. Fused spans of one lane only.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_lit.hpp"
 #include "raster/span/stage_lit_store.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// A plane by the number of the fragment in its row: nothing steps.
 class NumberedRamp {
@@ -291,7 +292,7 @@ class LitOne : public T {
     using Components = TexelScales<TexelComponents, is_565>;
     using Color = LitColorOne<Products, Full>;
     static constexpr int top = Numbers::top;
-    using Thresholds = std::conditional_t<Dither, detail::NumberedThresholds<top - 6>, detail::NoThreshold>;
+    using Thresholds = std::conditional_t<Dither, inner::NumberedThresholds<top - 6>, inner::NoThreshold>;
     /// Of a texel's component, and of one that is stored in so many bits: steps that thresholds were added
     /// to, all of them as high as those of 6 bits, or 255ths.
     template <unsigned Bits> static constexpr std::uint32_t most = is_565 ? (1u << Bits) - 1 : 255;
@@ -325,4 +326,4 @@ class LitOne : public T {
     std::uint32_t from_, range_, fog_color_[3];
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -3,10 +3,11 @@
 // stored. The others, one in eighty, are done again. Fused spans of one lane only.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_fogged.hpp"
 #include "raster/span/stage_lit.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Components and fog are Exact's; MODULATE waits for the store, with its texel.
 struct ExactLit {
@@ -24,7 +25,7 @@ struct ExactLit {
     SPANGLE_INLINE static T from_affine(std::uint32_t v) { return Exact::from_affine(v); }
 };
 
-namespace detail {
+namespace inner {
 
 /// k / Most as F / 2^16, at most 1 too small (LitGuess).
 template <std::uint32_t Most> struct LitFactors {
@@ -36,13 +37,13 @@ template <std::uint32_t Most> struct LitFactors {
 };
 template <std::uint32_t Most> inline constexpr LitFactors<Most> lit_factors;
 
-} // namespace detail
+} // namespace inner
 
 /// Factors of 16 bits, for products of halves.
 struct HalfFactors {
-    SPANGLE_INLINE static std::uint32_t factor5(std::uint32_t k) { return detail::lit_factors<31>.of[k]; }
-    SPANGLE_INLINE static std::uint32_t factor6(std::uint32_t k) { return detail::lit_factors<63>.of[k]; }
-    SPANGLE_INLINE static std::uint32_t factor8(std::uint32_t k) { return detail::lit_factors<255>.of[k]; }
+    SPANGLE_INLINE static std::uint32_t factor5(std::uint32_t k) { return inner::lit_factors<31>.of[k]; }
+    SPANGLE_INLINE static std::uint32_t factor6(std::uint32_t k) { return inner::lit_factors<63>.of[k]; }
+    SPANGLE_INLINE static std::uint32_t factor8(std::uint32_t k) { return inner::lit_factors<255>.of[k]; }
 };
 
 /// What LitFragments makes of a fragment and its texel, a word 565 or bytes.
@@ -94,7 +95,7 @@ template <PixelFormat Format, bool Is565, bool HasFog, bool Dither> class LitSto
 
   private:
     using Scales = TexelScales<HalfFactors, Is565>;
-    using Thresholds = std::conditional_t<Dither, detail::DitherRow<N::L>, detail::NoThreshold>;
+    using Thresholds = std::conditional_t<Dither, inner::DitherRow<N::L>, inner::NoThreshold>;
     static constexpr int top = Dither ? 32 : 16; ///< where components end
     /// Of steps nothing below 256ths is dropped, which is one more.
     static constexpr std::uint32_t under = LitGuess<HasFog>::under << (top - 16),
@@ -118,4 +119,4 @@ template <PixelFormat Format, bool Is565, bool HasFog, bool Dither> class LitSto
     [[no_unique_address]] Thresholds thresholds_;
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

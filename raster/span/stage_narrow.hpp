@@ -1,10 +1,11 @@
 // The end of every list on a surface of a narrow format: one stage for all of them.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_store.hpp"
 #include "raster/surface/narrow.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// What a colour becomes at a threshold.
 template <class N>
@@ -29,6 +30,7 @@ struct NarrowPlace {
 
 /// What a fragment blends with.
 template <class N> struct StoredNarrow : NarrowPlace {
+    static constexpr bool anywhere = false;
     StoredNarrow(const Span<typename N::Policy>& s, std::int32_t column) : NarrowPlace(s, column) {}
     typename N::Color load(const Px<N>& p) const { return load(p.color_plane); }
     [[gnu::noinline]] typename N::Color load(const std::uint8_t* row) const {
@@ -44,7 +46,7 @@ template <class N> struct StoreNarrow : StageBase {
     static constexpr unsigned in = field_color;
     static constexpr bool effect = true;
     StoredNarrow<N> place;
-    detail::DitherRow<typename N::L> dither;
+    inner::DitherRow<typename N::L> dither;
     bool dithers, merges;
     std::uint8_t mask;
     LogicTable logic;
@@ -113,4 +115,4 @@ void narrow_rows(Span<Fixed>& span, const Row* row, const Row* end) {
         by_narrow_row<Fixed, Draw>(span, row, end);
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -1,10 +1,11 @@
 // NEAREST of one REPEAT image along a span.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/number_packed.hpp"
 #include "raster/span/texel_walk.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 struct NearestPosition {
     static constexpr int fraction_bits = 0;
@@ -87,4 +88,4 @@ class NearestWalk : public TexelWalk<T, Unit, Runs, NearestPosition> {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

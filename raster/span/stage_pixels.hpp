@@ -1,9 +1,10 @@
 // Colours that come with their fragments: those of a pixel rectangle (GL 1.3, 3.6.4).
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Four components in colour units for each pixel of the span.
 template <class N> struct PixelColor : StageBase {
@@ -33,4 +34,4 @@ template <int Count> struct PixelWord : StageBase {
     SPANGLE_INLINE void step() { at += 2 * Count; }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

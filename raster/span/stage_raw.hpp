@@ -2,13 +2,14 @@
 #pragma once
 
 #include "raster/span/dither_pattern.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/path.hpp"
 #include "raster/span/rows.hpp"
 #include "raster/span/stage_store.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
-namespace detail {
+namespace inner {
 
 /// A DitheredWord in lanes.
 template <class L> struct DitheredLanes {
@@ -22,7 +23,7 @@ template <class L> struct DitheredLanes {
     }
 };
 
-} // namespace detail
+} // namespace inner
 
 /// Rows of the window in one colour, dithered, as they are stored: eight columns from any of a period's
 /// first.
@@ -30,17 +31,17 @@ template <PixelFormat Format> class DitherLaneRows {
   public:
     SPANGLE_INLINE explicit DitherLaneRows(std::uint32_t components) {
         using L = Lanes<8>;
-        const detail::DitheredLanes<L> lanes(components);
+        const inner::DitheredLanes<L> lanes(components);
         for (std::int32_t y = 0; y < 4; ++y) {
-            const auto words = Words565<L, Format>::ordered(lanes.at(detail::DitherRow<L>(0, y).threshold()));
+            const auto words = Words565<L, Format>::ordered(lanes.at(inner::DitherRow<L>(0, y).threshold()));
             L::store(reinterpret_cast<std::uint8_t*>(of_[y]), words);
             L::store(reinterpret_cast<std::uint8_t*>(of_[y] + 4), words);
         }
     }
-    SPANGLE_INLINE const detail::Half* row(std::int32_t y) const { return of_[y & 3]; }
+    SPANGLE_INLINE const inner::Half* row(std::int32_t y) const { return of_[y & 3]; }
 
   private:
-    detail::Half of_[4][12];
+    inner::Half of_[4][12];
 };
 
 /// One colour for the whole primitive.
@@ -59,8 +60,8 @@ template <int Count> struct FlatWord : StageBase {
 template <int Count> struct FlatDithered : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<Count>;
-    detail::DitheredLanes<typename N::L> lanes;
-    detail::DitherPlace<typename N::L> dither;
+    inner::DitheredLanes<typename N::L> lanes;
+    inner::DitherPlace<typename N::L> dither;
     typename N::T words;
     template <class S>
     SPANGLE_INLINE FlatDithered(const S& s, std::int32_t x)
@@ -109,7 +110,7 @@ template <> struct FlatDithered<1> : StageBase {
 struct RowPattern : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<1>;
-    const detail::Half* words; ///< from the fragment on that the list counts from
+    const inner::Half* words; ///< from the fragment on that the list counts from
     SPANGLE_INLINE RowPattern(const PlaneRow& row, std::int32_t)
         : words(numeric::factor32(row.words + (row.counted_from & 3))) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
@@ -150,4 +151,4 @@ template <int Count, PixelFormat Format, bool Host = true> struct StoreRaw : Sta
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

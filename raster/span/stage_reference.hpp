@@ -3,6 +3,7 @@
 
 #include <bit>
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/policy_double.hpp"
 #include "raster/span/stage_color.hpp"
 #include "raster/span/stage_coord.hpp"
@@ -12,7 +13,7 @@
 #include "raster/span/stage_texture_one.hpp"
 #include "raster/span/texture_combine.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// A stage of the reference: interpolants are evaluated anew at every pixel.
 struct ReferenceStage : StageBase {
@@ -384,4 +385,4 @@ template <> struct CombineMath<Reference> {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -3,11 +3,12 @@
 #pragma once
 
 #include "raster/span/draw_state.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage.hpp"
 #include "raster/span/stage_store.hpp"
 #include "raster/surface/samples.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Of value k / 255 at a pixel whose dither threshold is t / 32: 4 k / 255 samples, rounded up where the rest
 /// is more than the threshold. So 0 covers none and 255 all, and what a pixel cannot show its neighbours do.
@@ -21,7 +22,7 @@ template <class N> struct SampleCoverage : StageBase {
     static constexpr unsigned in = field_color, out = field_color;
     static constexpr bool kill = true;
     const FragmentState& state;
-    detail::DitherRow<typename N::L> dither;
+    inner::DitherRow<typename N::L> dither;
     unsigned sample;
     SPANGLE_INLINE SampleCoverage(const Span<typename N::Policy>& s, std::int32_t x)
         : state(s.state->fragment), dither(s.x + x, s.y), sample(s.state->primitive->sample) {}
@@ -40,4 +41,4 @@ template <class N> struct SampleCoverage : StageBase {
     SPANGLE_INLINE void step() { dither.step(); }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -4,10 +4,11 @@
 #include <cstring>
 
 #include "raster/span/draw_state.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_thresholds.hpp"
 #include "raster/surface/quantize.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// 16-bit words of a 565 surface, host order.
 template <class L, PixelFormat Format> struct Words565 {
@@ -122,6 +123,7 @@ template <class N, PixelFormat Format> struct Store : StageBase {
     static constexpr unsigned in = field_color;
     static constexpr bool effect = true;
     using L = typename N::L;
+    static constexpr bool anywhere = true;
     template <class S> SPANGLE_INLINE Store(const S&, std::int32_t) {}
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
@@ -153,7 +155,8 @@ template <class N, PixelFormat Format> struct Store : StageBase {
 /// Ordered dithering on window coordinates (GL 1.3, 4.1.10); components of 8 bits are stored as they are.
 template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
     using L = typename N::L;
-    using Thresholds = detail::ThresholdsOf<N>;
+    static constexpr bool anywhere = !is_565(Format);
+    using Thresholds = inner::ThresholdsOf<N>;
     Thresholds dither;
     template <class S>
     SPANGLE_INLINE StoreDithered(const S& s, std::int32_t x) : Store<N, Format>(s, x), dither(s.x + x, s.y) {}
@@ -183,10 +186,10 @@ template <class N, PixelFormat Format> struct StoreSteps : StageBase {
     static constexpr unsigned in = field_color;
     static constexpr bool effect = true;
     using L = typename N::L;
-    detail::DitherRow<L> dither;
+    inner::DitherRow<L> dither;
     template <class S> SPANGLE_INLINE StoreSteps(const S& s, std::int32_t x) : dither(s.x + x, s.y) {}
     template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
-        dither = detail::DitherRow<L>(s.x + x, s.y);
+        dither = inner::DitherRow<L>(s.x + x, s.y);
     }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         std::uint8_t* const at = p.color_plane + p.bytes();
@@ -227,11 +230,12 @@ template <class N, PixelFormat Format> struct StoreMerged : StageBase {
     static constexpr bool effect = true;
     using L = typename N::L;
     static constexpr int bytes = format_info(Format).bytes_per_pixel;
-    detail::DitherRow<L> dither;
+    inner::DitherRow<L> dither;
     bool dithers;
     std::uint32_t open[4]; ///< all ones where a channel is written
     LogicTable logic;
-    SPANGLE_INLINE StoreMerged(const Span<typename N::Policy>& s, std::int32_t x)
+    template <class S>
+    SPANGLE_INLINE StoreMerged(const S& s, std::int32_t x)
         : dither(s.x + x, s.y), dithers(s.state->fragment.dither), logic(s.state->fragment) {
         for (unsigned i = 0; i < 4; ++i)
             open[i] = 0u - (s.state->fragment.color_mask >> i & 1u);
@@ -283,4 +287,4 @@ template <class N, PixelFormat Format> struct StoreMerged : StageBase {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

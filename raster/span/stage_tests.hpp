@@ -1,14 +1,15 @@
 // Tests of a fragment: alpha (GL 1.3, 4.1.4), stencil with depth (4.1.5, 4.1.6).
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_depth.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Alpha rounds to 8 bits, as the reference value did.
 template <class N> struct AlphaTest : StageBase {
     static constexpr unsigned in = field_color;
-    static constexpr bool kill = true;
+    static constexpr bool kill = true, anywhere = true;
     using L = typename N::L;
     Compare func;
     std::uint32_t ref;
@@ -76,8 +77,8 @@ SPANGLE_INLINE typename L::U16 stencil_results(StencilOp op, const typename L::U
 template <class N, class Value = DepthValueOf<N, DepthFormat::z24s8>> struct StencilDepth : Value {
     static constexpr bool kill = true, effect = true;
     const FragmentState& state;
-    SPANGLE_INLINE StencilDepth(const Span<typename N::Policy>& s, std::int32_t x)
-        : Value(s, x), state(s.state->fragment) {}
+    template <class S>
+    SPANGLE_INLINE StencilDepth(const S& s, std::int32_t x) : Value(s, x), state(s.state->fragment) {}
 
     bool operator()(Px<N>& p) const {
         if constexpr (N::lanes > 1) {
@@ -140,4 +141,4 @@ template <class N, class Value = DepthValueOf<N, DepthFormat::z24s8>> struct Ste
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

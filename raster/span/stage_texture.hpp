@@ -4,13 +4,14 @@
 #include <cstddef>
 
 #include "raster/span/draw_state.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/number_packed.hpp"
 #include "raster/span/stage.hpp"
 #include "raster/span/texel_color.hpp"
 #include "raster/span/texel_other.hpp"
 #include "raster/span/texture_env.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Of two levels, `next` / 2^16 of the one behind; not 0.
 template <class N>
@@ -271,4 +272,4 @@ struct TextureFixed : StageBase {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

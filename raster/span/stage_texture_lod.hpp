@@ -2,10 +2,11 @@
 // one of the approximations the specification allows.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_coord.hpp"
 #include "raster/span/texel.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Of one unit.
 class LevelOfDetail {
@@ -86,4 +87,4 @@ template <class N, int Unit> struct Lod : StageBase {
     SPANGLE_INLINE void step() { ++x; }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -1,9 +1,10 @@
 // The texture function of one unit, a fragment at a time.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_texture_volume.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Of three coordinates, or of two and a level that stages before it have found (HasLod: a level, too).
 /// Steps: MODULATE, by N::in_steps().
@@ -33,4 +34,4 @@ template <class N, int Unit, bool HasLod, bool Steps = false> struct Texture2D :
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

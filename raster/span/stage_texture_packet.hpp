@@ -2,11 +2,12 @@
 // texels are combined in lanes.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_texture_one.hpp"
 #include "raster/span/texel_packet.hpp"
 #include "raster/span/texture_combine.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// N: of the packet. The same bytes as Texture2D.
 template <class N> class PacketTexture {
@@ -180,4 +181,4 @@ template <class N> class PacketTexture {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -2,11 +2,12 @@
 // to 3.8.8; GL 1.4, 3.8.14). Every fragment divides, in every tier.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/log2.hpp"
 #include "raster/span/stage_coord.hpp"
 #include "raster/span/stage_texture.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Where one fragment looks: words as TexCoords has them, a face of a cube, lambda.
 struct VolumePlace {
@@ -58,7 +59,7 @@ class VolumeCoords {
         const Inverse inverse(positive(q.v));
         const int exponent = cube ? 0 : at_.exponent;
         const auto repeats = [&](std::int32_t v) SPANGLE_RUN_LAMBDA {
-            const std::int64_t of = detail::to_repeats(v, inverse, exponent);
+            const std::int64_t of = inner::to_repeats(v, inverse, exponent);
             return cube ? (of + (std::int64_t{1} << 32)) >> 1 : of; // s = (sc / |ma| + 1) / 2
         };
         place.s = word(repeats(s.v), texture_.wrap_s);
@@ -106,7 +107,7 @@ class VolumeCoords {
 
     static std::uint32_t word(std::int64_t repeats, Wrap wrap) {
         const bool mirrored = wrap == Wrap::mirrored_repeat; // counts in two repeats
-        return detail::to_coord(mirrored ? repeats >> 1 : repeats, mirrored || wrap == Wrap::repeat, 0);
+        return inner::to_coord(mirrored ? repeats >> 1 : repeats, mirrored || wrap == Wrap::repeat, 0);
     }
 
     /// log2 of the steps of v / q, times q^2: the larger of both directions.
@@ -224,4 +225,4 @@ template <class N> class VolumeFunction {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

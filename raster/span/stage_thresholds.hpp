@@ -3,10 +3,12 @@
 
 #include <bit>
 
+#include "raster/span/instructions.hpp"
+#include "raster/span/packet_rows.hpp"
 #include "raster/span/stage.hpp"
 #include <spangle/dither.hpp>
 
-namespace spangle::raster::detail {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS::inner {
 
 /// Thresholds of the fragments of a group, in 32nds of a step, and the walk along the row.
 template <class L> struct DitherRow;
@@ -94,6 +96,16 @@ template <class L, class Threshold> class DitherGroup {
     }
     SPANGLE_INLINE typename L::U16 word(int i) const { return word_[i]; }
 
+    /// Each lane at a place of its own.
+    template <class Lanes>
+    SPANGLE_INLINE DitherGroup(const LanePlaces<Lanes>& x, const LanePlaces<Lanes>& y) {
+        const auto place = (y.of & 3u) << 2 | (x.of & 3u);
+        for (int i = 0; i < Threshold::words; ++i)
+            word_[i] = Lanes::generate([&](std::uint32_t lane) __attribute__((always_inline)) {
+                return dither_groups<L, Threshold>.of[place.lane(static_cast<int>(lane))][i][0];
+            });
+    }
+
   private:
     typename L::U16 word_[Threshold::words];
 };
@@ -109,6 +121,8 @@ template <class L> struct DitherPlace : DitherRow<L> {
     std::int32_t x, y;
     SPANGLE_INLINE DitherPlace(std::int32_t column, std::int32_t line)
         : DitherRow<L>(column, line), x(column), y(line) {}
+    SPANGLE_INLINE DitherPlace(const LanePlaces<L>& columns, const LanePlaces<L>& lines)
+        : DitherRow<L>(columns, lines), x(0), y(0) {} // which do not walk
     SPANGLE_INLINE void next_row() { *this = DitherPlace(x, y + L::rows); }
 };
 
@@ -123,10 +137,10 @@ using ThresholdsOf = std::conditional_t<(N::lanes > 1), KeptThresholds<N>, Dithe
 
 /// In place of either, where nothing is dithered.
 struct NoThreshold {
-    SPANGLE_INLINE NoThreshold(std::int32_t, std::int32_t) {}
+    template <class X, class Y> SPANGLE_INLINE NoThreshold(const X&, const Y&) {}
     SPANGLE_INLINE static std::uint32_t threshold(std::int32_t = 0) { return 0; }
     SPANGLE_INLINE void step() {}
     SPANGLE_INLINE void next_row() {}
 };
 
-} // namespace spangle::raster::detail
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS::inner

@@ -4,10 +4,11 @@
 #include <cstring>
 
 #include "raster/numeric/reciprocal.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/number.hpp"
 #include <spangle/raster/fragment_state.hpp>
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 constexpr int texel_bytes(TexelFormat format) {
     constexpr std::uint8_t bytes[] = {1, 1, 1, 2, 2, 3, 4, 2, 2, 1, 2, 4, 0, 0, 0}; // 0: no place of its own
@@ -287,4 +288,4 @@ SPANGLE_INLINE typename N::Color bilinear(const typename N::Color& c00, const ty
             N::weighted(c00.a, w00, c10.a, w10, c01.a, w01, c11.a, w11)};
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

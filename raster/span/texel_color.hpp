@@ -3,9 +3,10 @@
 
 #include "raster/span/filter.hpp"
 #include "raster/span/filter_words.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/texel.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// N::fraction of k/31 and k/63, by k: what MODULATE multiplies by; or `Steps` times that of N::in_steps().
 template <class N, class Word, int Steps> struct TexelFactors {
@@ -149,4 +150,4 @@ template <class N, bool Is565, bool Alpha> struct TexelColors {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -2,9 +2,10 @@
 // Sampled where they lie, without expansion.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/texel.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Texels that are found by their place (i, j), not by an address.
 constexpr bool is_indirect(TexelFormat format) {
@@ -105,4 +106,4 @@ inline std::uint32_t other_word(const Texture& texture, const TextureLevel& imag
     return word_4444(image.texels + t + s);
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "raster/span/chain.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/texel_other.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// One axis: offsets of texels and, with LINEAR, of their neighbours, in bytes; weights of these.
 struct TexelOffsets {
@@ -125,4 +126,4 @@ inline void fetch_texels(const Texture& texture, const TextureLevel& image, cons
     }
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -2,10 +2,11 @@
 // of each: what NEAREST and LINEAR have in common. Fused spans only.
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/stage_coord.hpp"
 #include "raster/span/stage_texture.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// Position along one axis, in 2^-FractionBits texels, by one shift of a word that wraps as the texture does.
 /// Lanes find theirs in scalars, which is where addresses are.
@@ -140,4 +141,4 @@ template <class T, int Unit, class Runs, class F> class TexelWalk : public T {
     }
 };
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

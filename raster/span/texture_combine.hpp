@@ -3,9 +3,10 @@
 #pragma once
 
 #include "raster/span/component.hpp"
+#include "raster/span/instructions.hpp"
 #include "raster/span/texture_env.hpp"
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// 1/2, the scales and the scalar product, which leave [0, 1] on the way.
 template <class N> struct CombineMath {
@@ -185,4 +186,4 @@ inline bool combines(const FragmentState& state) {
     return any;
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

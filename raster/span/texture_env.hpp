@@ -1,10 +1,11 @@
 // Texture environments (GL 1.3, tables 3.21 and 3.22).
 #pragma once
 
+#include "raster/span/instructions.hpp"
 #include "raster/span/number.hpp"
 #include <spangle/raster/fragment_state.hpp>
 
-namespace spangle::raster {
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
 
 /// TEXTURE_ENV_COLOR.
 template <class N> SPANGLE_INLINE typename N::Color env_color(const TextureUnit& unit) {
@@ -58,4 +59,4 @@ SPANGLE_INLINE void apply_env(TexEnv env, BaseFormat base, typename N::Color& f,
     }
 }
 
-} // namespace spangle::raster
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -147,7 +147,7 @@ TEST(Dithered, FractionsByNumber) {
     Px<Raw565<1>> p;
     for (std::int32_t y = -5; y < 5; ++y)
         for (std::int32_t end = -5; end < 5; ++end) {
-            const auto& numbered = detail::dither_numbered<27>;
+            const auto& numbered = inner::dither_numbered<27>;
             ASSERT_EQ(numbered.from<false>(end, y), numbered.from<true>(end, y));
             const NumberedFractions<Raw565<1>> fractions(PlaneRow{span, nullptr, nullptr, end - 8, y, end},
                                                          0);
@@ -162,8 +162,8 @@ TEST(Dithered, FractionsByNumber) {
 TEST(Dithered, EightColumnsFromAnyPlace) {
     for (std::int32_t y = -5; y < 5; ++y)
         for (std::int32_t x = -5; x < 5; ++x) {
-            detail::DitherRow<Lanes<1>> one(x, y);
-            const detail::DitherRow<Lanes<8>> eight(x, y);
+            inner::DitherRow<Lanes<1>> one(x, y);
+            const inner::DitherRow<Lanes<8>> eight(x, y);
             for (int i = 0; i < 8; ++i, one.step()) {
                 ASSERT_EQ(one.threshold(), dither_threshold(dither_row(y), x + i));
                 ASSERT_EQ(eight.threshold()[i], one.threshold());

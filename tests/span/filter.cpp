@@ -157,7 +157,7 @@ TEST(Filter, EightLanesHaveTheSameBits) {
 
 /// Step j is stored from the n on from which the sum that GL asks for is; the chain has up to two units more.
 template <int Bits> void check_stored_steps() {
-    const detail::StoredSteps<Bits>& steps = detail::stored_steps<Bits>;
+    const inner::StoredSteps<Bits>& steps = inner::stored_steps<Bits>;
     constexpr std::int64_t most = (1 << Bits) - 1, two_units = 2 << 16;
     const auto stored = [](std::int64_t sum) { return (sum + (std::int64_t{1} << 35)) >> (44 - Bits); };
     int open = 0;
@@ -180,7 +180,7 @@ TEST(Filter, StoredStepsAreThoseOfEverySum) {
 
 /// A guess decides every sum, or leaves it open, which few are, and those that are left to the chain.
 template <int Bits> void check_guessed_steps() {
-    using Guess = detail::GuessedSteps<Bits>;
+    using Guess = inner::GuessedSteps<Bits>;
     constexpr std::uint32_t most = (1u << Bits) - 1;
     std::uint32_t open = 0;
     for (std::uint32_t n = 0; n <= most << 16; n += 8) {
@@ -194,8 +194,8 @@ template <int Bits> void check_guessed_steps() {
             open += low != high;
             if (n + i > most << 16)
                 continue;
-            const std::uint32_t step = detail::stored_steps<Bits>.at(n + i);
-            if (detail::stored_steps<Bits>.open(n + i, step)) {
+            const std::uint32_t step = inner::stored_steps<Bits>.at(n + i);
+            if (inner::stored_steps<Bits>.open(n + i, step)) {
                 ASSERT_NE(low, high) << n + i;
             } else if (low == high) {
                 ASSERT_EQ(low, step) << n + i;

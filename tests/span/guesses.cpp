@@ -88,7 +88,7 @@ void hold_the_divided_colour(bool dither) {
                 const Inverse inverse(unguarded(at(span.q)));
                 for (int c = 0; c < 3; ++c) {
                     const std::uint32_t divided =
-                        detail::projective_color(unguarded(at(span.color_q[c])), inverse);
+                        inner::projective_color(unguarded(at(span.color_q[c])), inverse);
                     const std::uint32_t steps = c == 1 ? 252 : 248, // 255ths of the largest
                         wanted = dither
                                      ? static_cast<std::uint32_t>(std::uint64_t{divided} * 16 * steps / 255)

@@ -299,12 +299,12 @@ TEST(Interpolation, ProjectiveColoursAreQuotientsOfAtMostOne) {
         const auto q = static_cast<std::int32_t>(1 + source.below(1u << (1 + source.below(30))));
         const double c = source.below(4) == 0 ? color_one : source.below(color_one + 1);
         const double over_w = c * q * 0x1p-28;
-        const std::uint32_t got = detail::projective_color(static_cast<std::int32_t>(over_w), Inverse(q));
+        const std::uint32_t got = inner::projective_color(static_cast<std::int32_t>(over_w), Inverse(q));
         ASSERT_LE(got, color_one);
         ASSERT_NEAR(got, c, 0x1p29 / q + 1) << q;
     }
-    EXPECT_EQ(detail::projective_color(-1, Inverse(1 << 29)), 0u);
-    EXPECT_LE(detail::projective_color(INT32_MAX, Inverse(5)), color_one);
+    EXPECT_EQ(inner::projective_color(-1, Inverse(1 << 29)), 0u);
+    EXPECT_LE(inner::projective_color(INT32_MAX, Inverse(5)), color_one);
 }
 
 } // namespace

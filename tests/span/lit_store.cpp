@@ -56,7 +56,7 @@ TEST(LitStore, DitheredWordsAreThoseOfTheChain) {
 
 template <std::uint32_t Most> void check_factors() {
     for (std::uint32_t k = 0; k <= Most; ++k) {
-        const double short_by = k * 65536. / Most - detail::lit_factors<Most>.of[k];
+        const double short_by = k * 65536. / Most - inner::lit_factors<Most>.of[k];
         EXPECT_GE(short_by, 0) << k;
         EXPECT_LE(short_by, 1) << k;
     }

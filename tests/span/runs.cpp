@@ -165,8 +165,8 @@ TEST(Runs, AreBoundByTheAxisThatChangesMore) {
         for (std::uint32_t seed = 0; seed < 300; ++seed) {
             RandomRow row(seed, width, true);
             row.state.log2_height[0] = static_cast<std::uint8_t>(height);
-            const detail::HomogeneousRow at(row.span, 0);
-            const detail::RunBound bound(row.span, 0, at);
+            const inner::HomogeneousRow at(row.span, 0);
+            const inner::RunBound bound(row.span, 0, at);
             const auto log = [&](std::uint64_t dv, std::int32_t v) {
                 const double n = double(unguarded(dv)) * at.q(0) - double(v) * unguarded(at.dq);
                 return 256 * std::log2(std::fabs(n) + 0x1p31);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Counts the instructions of a fixed slice of random states, and holds them against golden.json.
 
-usage: golden.py host RUNNER
+usage: golden.py host-base RUNNER
        golden.py m4
 
 RUNNER is bench_states of the build that is tested. A state that takes more than 3 % more than it did fails; one that takes
@@ -21,7 +21,7 @@ from json_option import outfile  # noqa: E402
 
 GOLDEN = HERE / "golden.json"
 SEED = 1
-SLICES = {"host": 24, "m4": 24}  # keys
+SLICES = {"host-base": 24, "m4": 24}  # keys
 SLACK = 1.03
 
 
@@ -62,12 +62,12 @@ def compare(now, was):
 
 def main():
     target = sys.argv[1]
-    needs = [] if target != "host" or shutil.which("valgrind") else ["valgrind"]
-    needs += measure.mcu.firmware.missing(["cortex-m4"]) if target != "host" else []
+    needs = [] if target not in measure.HOSTS or shutil.which("valgrind") else ["valgrind"]
+    needs += measure.mcu.firmware.missing(["cortex-m4"]) if target not in measure.HOSTS else []
     if needs:
         print(f"skipped: {', '.join(needs)} not installed (./dev setup --all installs them)")
         return 77
-    now = measure_slice(target, pathlib.Path(sys.argv[2]) if target == "host" else None)
+    now = measure_slice(target, pathlib.Path(sys.argv[2]) if target in measure.HOSTS else None)
     bad, better = compare(now, json.loads(GOLDEN.read_text()).get(target, {}))
     print("\n".join(bad + better))
     print(f"{target}: {len(now)} states, {len(bad)} worse than golden.json or other, {len(better)} better by more than 3 %")

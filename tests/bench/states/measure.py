@@ -1,6 +1,7 @@
 """Measures states: instructions per fragment by callgrind and in QEMU, and times beside llvmpipe's."""
 import concurrent.futures
 import json
+import os
 import pathlib
 import re
 import statistics
@@ -12,7 +13,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 import mcu  # noqa: E402
 
-TARGETS = {"host": None, "m4": "m4", "m3": "m3", "m0plus": "m0+"}  # and the boards of mcu.py
+TARGETS = {"host": None, "host-base": None, "m4": "m4", "m3": "m3", "m0plus": "m0+"}  # and the boards of mcu.py
+HOSTS = [target for target, board in TARGETS.items() if board is None]
 CHUNK = 24  # states of one run: the next line of progress
 # Mesa without threads, without a window system and without what other drivers there are.
 MESA = {"PATH": "/usr/bin:/bin", "LP_NUM_THREADS": "0", "LIBGL_ALWAYS_SOFTWARE": "1", "GALLIUM_DRIVER": "llvmpipe", "MESA_SHADER_CACHE_DISABLE": "true"}
@@ -21,6 +23,11 @@ MESA = {"PATH": "/usr/bin:/bin", "LP_NUM_THREADS": "0", "LIBGL_ALWAYS_SOFTWARE":
 def say(text):
     """A line of progress, in the place of the one before on a terminal."""
     print(text, file=sys.stderr, end="\r" if sys.stderr.isatty() else "\n", flush=True)
+
+
+def environment(target):
+    """Of our programs. The target host-base leaves out instructions that only some processors have."""
+    return dict(os.environ, SPANGLE_INSTRUCTIONS="base") if target == "host-base" else None
 
 
 def lines_of(numbers):
@@ -82,11 +89,11 @@ def read_counts(output):
     return out
 
 
-def count_chunk_on_host(runner, seed, numbers):
+def count_chunk_on_host(target, runner, seed, numbers):
     with tempfile.TemporaryDirectory() as folder:
         done = subprocess.run(["valgrind", "--tool=callgrind", "--instr-atstart=no", "--compress-strings=no", "--compress-pos=no", "--dump-line=no",
                                f"--callgrind-out-file={folder}/out", str(runner), str(seed), "count"],
-                              input=lines_of(numbers), capture_output=True, text=True)
+                              input=lines_of(numbers), capture_output=True, text=True, env=environment(target))
         if done.returncode != 0:
             raise RuntimeError(f"bench_states ends with {done.returncode}\n{done.stderr[-2000:]}")
         counts, out = read_counts(done.stdout), {}
@@ -120,9 +127,9 @@ def count(target, runner, seed, numbers, folder):
     chunks = [numbers[i:i + CHUNK] for i in range(0, len(numbers), CHUNK)]
     out = {}
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        if target == "host":
+        if target in HOSTS:
             def one(chunk):
-                return count_chunk_on_host(runner, seed, chunk)
+                return count_chunk_on_host(target, runner, seed, chunk)
         else:
             say(f"{target}: building the firmware")
             boards = Boards(target, folder)
@@ -157,9 +164,9 @@ class Timer:
         self.process.wait()
 
 
-def time(build, seed, states, rounds):
+def time(target, build, seed, states, rounds):
     """{number: times as fast as llvmpipe}, the median of the rounds. In a round both programs draw one state right after each other."""
-    ours, mesa = Timer(build / "bench_states", seed), Timer(build / "bench_states_mesa", seed, MESA)
+    ours, mesa = Timer(build / "bench_states", seed, environment(target)), Timer(build / "bench_states_mesa", seed, MESA)
     ratios = {}
     by_picture = {}  # llvmpipe has no tiers: it draws each key once on each surface
     for state in states:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Measures random states of fragments: what each costs, beside its neighbours and beside Mesa's llvmpipe.
 
-usage: ./dev bench states [--seed N] [--count N] [--target host|m4|m3|m0plus] [--rounds N] [--no-time] [--json FILE]
+usage: ./dev bench states [--seed N] [--count N] [--target host|host-base|m4|m3|m0plus] [--rounds N] [--no-time] [--json FILE]
        ./dev bench states --record            also keeps the figures of this target in docs/states.md
        ./dev bench states --update-golden     writes the counts of all targets that ./dev test --all holds this tree against
 
@@ -13,7 +13,8 @@ pairs that differ in one word. docs/states.md says how to read what is printed:
   2. the ten dearest states with the functions that take most;
   3. neighbours that are more than 2 times apart; inversions, where less work costs more than 5 % more.
 
-Instructions are counted by callgrind on the host and by QEMU's -icount on the boards, and are the same in each run.
+The target host is this machine with all instructions that Spangle chooses at run time; host-base is the same machine with those of
+every processor of its kind. Instructions are counted by callgrind on the host and by QEMU's -icount on the boards, and are the same in each run.
 Times are taken on the host alone: in each round both programs draw a state right after each other, one thread each, and
 the median of the rounds counts. A run of 576 states takes some minutes.
 """
@@ -61,7 +62,7 @@ def positive(text):
 
 def missing(target):
     """Programs that this target needs."""
-    return [] if target == "host" and shutil.which("valgrind") else ["valgrind"] if target == "host" else measure.mcu.firmware.missing(["cortex-m4"])
+    return measure.mcu.firmware.missing(["cortex-m4"]) if target not in measure.HOSTS else [] if shutil.which("valgrind") else ["valgrind"]
 
 
 def main():
@@ -90,8 +91,8 @@ def main():
     with json_option.tables(arguments.json):
         states = measure.listed(build / "bench_states", arguments.seed, numbers)
         counts = measure.count(arguments.target, build / "bench_states", arguments.seed, numbers, arguments.build / f"states-{arguments.target}")
-        timed = arguments.target == "host" and not arguments.no_time
-        ratios = measure.time(build, arguments.seed, states, arguments.rounds) if timed else {}
+        timed = arguments.target in measure.HOSTS and not arguments.no_time
+        ratios = measure.time(arguments.target, build, arguments.seed, states, arguments.rounds) if timed else {}
         cost = report.cost_of(counts)
         table, worst = report.rows(states, cost, ratios), report.worst_states(states, counts)
         print(f"{arguments.target}, seed {arguments.seed}: {len(states)} states of {len(states) // 6} keys"

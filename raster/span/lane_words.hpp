@@ -1,0 +1,227 @@
+// Eight words of 32 bits, one per lane: a vector of 256 bits where the instruction set has them, or two of
+// 128.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <type_traits>
+
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
+#include "raster/numeric/bits.hpp"
+#include "raster/span/instructions.hpp"
+
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+
+namespace lane_words {
+
+using Half [[gnu::vector_size(16)]] = std::uint32_t; ///< four words
+using Halfwords [[gnu::vector_size(16)]] = std::uint16_t;
+
+/// The same bits, signed.
+template <class Vector> SPANGLE_INLINE auto as_signed(const Vector& v) {
+    using Signed [[gnu::vector_size(sizeof(Vector))]] = std::int32_t;
+    return std::bit_cast<Signed>(v);
+}
+/// All ones where a < b, both below 2^31.
+template <class Vector> SPANGLE_INLINE Vector is_less(const Vector& a, const Vector& b) {
+    return std::bit_cast<Vector>(as_signed(a) < as_signed(b));
+}
+/// The smaller ones, both below 2^31.
+template <class Vector> SPANGLE_INLINE Vector smaller(const Vector& a, const Vector& b) {
+    const Vector less = is_less(a, b);
+    return (a & less) | (b & ~less);
+}
+
+} // namespace lane_words
+
+#if defined(__AVX2__)
+
+/// In the order of the lanes.
+struct LaneWords {
+    using Vector [[gnu::vector_size(32)]] = std::uint32_t;
+    using Halfwords = lane_words::Halfwords;
+    Vector all;
+
+    SPANGLE_INLINE static LaneWords splat(std::uint32_t v) { return {Vector{v, v, v, v, v, v, v, v}}; }
+    /// start, start + step, ...
+    SPANGLE_INLINE static LaneWords ramp(std::uint32_t start, std::uint32_t step) {
+        return {splat(start).all + splat(step).all * Vector{0, 1, 2, 3, 4, 5, 6, 7}};
+    }
+    /// Four columns of two rows.
+    SPANGLE_INLINE static LaneWords two_rows(std::uint32_t dx, std::uint32_t dy) {
+        return {splat(dx).all * Vector{0, 1, 2, 3, 0, 1, 2, 3} +
+                splat(dy).all * Vector{0, 0, 0, 0, 1, 1, 1, 1}};
+    }
+    SPANGLE_INLINE static LaneWords widened(const Halfwords& v) {
+        return {__builtin_convertvector(v, Vector)};
+    }
+    SPANGLE_INLINE static LaneWords load(const std::uint8_t* p) {
+        LaneWords v;
+        __builtin_memcpy(&v.all, p, 32);
+        return v;
+    }
+    template <class F> SPANGLE_INLINE static LaneWords generate(F f) {
+        return {Vector{f(0u), f(1u), f(2u), f(3u), f(4u), f(5u), f(6u), f(7u)}};
+    }
+    SPANGLE_INLINE static LaneWords select(const Halfwords& m, const LaneWords& a, const LaneWords& b) {
+        const __m256i wide = _mm256_cvtepi16_epi32(std::bit_cast<__m128i>(m));
+        return {std::bit_cast<Vector>(
+            _mm256_blendv_epi8(std::bit_cast<__m256i>(b.all), std::bit_cast<__m256i>(a.all), wide))};
+    }
+    /// f of vectors of words, whatever lanes they hold.
+    template <class F, class... Words> SPANGLE_INLINE static LaneWords mapped(F f, const Words&... v) {
+        return {f(v.all...)};
+    }
+    SPANGLE_INLINE void store(std::uint8_t* p) const { __builtin_memcpy(p, &all, 32); }
+    SPANGLE_INLINE Halfwords high_half() const { return LaneWords{all >> 16}.narrowed(); }
+    SPANGLE_INLINE Halfwords low_half() const { return LaneWords{all & 0xFFFFu}.narrowed(); }
+    /// Not 0 if any word is.
+    SPANGLE_INLINE Halfwords any_bits() const {
+        const auto v = std::bit_cast<__m256i>(all);
+        return std::bit_cast<Halfwords>(_mm256_castsi256_si128(v) | _mm256_extracti128_si256(v, 1));
+    }
+    SPANGLE_INLINE std::uint32_t lane(int i) const { return all[i]; }
+    SPANGLE_INLINE void set_lane(int i, std::uint32_t v) { all[i] = v; }
+
+  private:
+    /// Words below 2^16.
+    SPANGLE_INLINE Halfwords narrowed() const {
+        const auto v = std::bit_cast<__m256i>(all);
+        return std::bit_cast<Halfwords>(
+            _mm_packus_epi32(_mm256_castsi256_si128(v), _mm256_extracti128_si256(v, 1)));
+    }
+};
+
+#else
+
+/// Even and odd lanes lie in two vectors, so that the high halves of all eight are a shift, a mask and an or.
+struct LaneWords {
+    using Vector = lane_words::Half;
+    using Halfwords = lane_words::Halfwords;
+    Vector even, odd;
+
+    SPANGLE_INLINE static LaneWords splat(std::uint32_t v) {
+        const Vector w = {v, v, v, v};
+        return {w, w};
+    }
+    /// start, start + step, ... By masks: words put together one by one would take twice as long.
+    SPANGLE_INLINE static LaneWords ramp(std::uint32_t start, std::uint32_t step) {
+        constexpr std::uint32_t on = 0xFFFFFFFF;
+        const Vector by = splat(step).even, one = by & Vector{0, on, 0, on}, two = by & Vector{0, 0, on, on};
+        const Vector first = splat(start).even + (one + one) + (two << 2);
+        return {first, first + by};
+    }
+    /// Four columns of two rows.
+    SPANGLE_INLINE static LaneWords two_rows(std::uint32_t dx, std::uint32_t dy) {
+        constexpr std::uint32_t on = 0xFFFFFFFF;
+        const Vector by = splat(dx).even;
+        const Vector one = by & Vector{0, on, 0, on};
+        const Vector first = one + one + (splat(dy).even & Vector{0, 0, on, on});
+        return {first, first + by};
+    }
+    SPANGLE_INLINE static LaneWords widened(const Halfwords& v) {
+        const auto w = std::bit_cast<Vector>(v);
+        return {w & 0xFFFFu, w >> 16};
+    }
+    SPANGLE_INLINE static LaneWords load(const std::uint8_t* p) {
+        Vector low, high;
+        __builtin_memcpy(&low, p, 16);
+        __builtin_memcpy(&high, p + 16, 16);
+        return {__builtin_shufflevector(low, high, 0, 2, 4, 6),
+                __builtin_shufflevector(low, high, 1, 3, 5, 7)};
+    }
+    template <class F> SPANGLE_INLINE static LaneWords generate(F f) {
+        return {Vector{f(0u), f(2u), f(4u), f(6u)}, Vector{f(1u), f(3u), f(5u), f(7u)}};
+    }
+    SPANGLE_INLINE static LaneWords select(const Halfwords& m, const LaneWords& a, const LaneWords& b) {
+        const auto halves = lane_words::as_signed(std::bit_cast<Vector>(m));
+        const auto first = std::bit_cast<Vector>((halves << 16) >> 16),
+                   second = std::bit_cast<Vector>(halves >> 16);
+        return {(first & a.even) | (~first & b.even), (second & a.odd) | (~second & b.odd)};
+    }
+    /// f of vectors of words, whatever lanes they hold.
+    template <class F, class... Words> SPANGLE_INLINE static LaneWords mapped(F f, const Words&... v) {
+        return {f(v.even...), f(v.odd...)};
+    }
+    SPANGLE_INLINE void store(std::uint8_t* p) const {
+        const Vector low = __builtin_shufflevector(even, odd, 0, 4, 1, 5),
+                     high = __builtin_shufflevector(even, odd, 2, 6, 3, 7);
+        __builtin_memcpy(p, &low, 16);
+        __builtin_memcpy(p + 16, &high, 16);
+    }
+    SPANGLE_INLINE Halfwords high_half() const {
+        return std::bit_cast<Halfwords>((even >> 16) | (odd & 0xFFFF0000u));
+    }
+    SPANGLE_INLINE Halfwords low_half() const {
+        return std::bit_cast<Halfwords>((even & 0xFFFFu) | (odd << 16));
+    }
+    /// Not 0 if any word is.
+    SPANGLE_INLINE Halfwords any_bits() const { return std::bit_cast<Halfwords>(even | odd); }
+    SPANGLE_INLINE std::uint32_t lane(int i) const { return (i & 1) != 0 ? odd[i >> 1] : even[i >> 1]; }
+    SPANGLE_INLINE void set_lane(int i, std::uint32_t v) {
+        // Not an element of a conditional expression: under UBSan gcc 12 writes into a copy of that.
+        if ((i & 1) != 0)
+            odd[i >> 1] = v;
+        else
+            even[i >> 1] = v;
+    }
+};
+
+#endif
+
+SPANGLE_INLINE LaneWords operator+(const LaneWords& a, const LaneWords& b) {
+    return LaneWords::mapped(
+        [](const auto& v, const auto& w) __attribute__((always_inline)) { return v + w; }, a, b);
+}
+SPANGLE_INLINE LaneWords operator-(const LaneWords& a, const LaneWords& b) {
+    return LaneWords::mapped(
+        [](const auto& v, const auto& w) __attribute__((always_inline)) { return v - w; }, a, b);
+}
+SPANGLE_INLINE LaneWords operator|(const LaneWords& a, const LaneWords& b) {
+    return LaneWords::mapped(
+        [](const auto& v, const auto& w) __attribute__((always_inline)) { return v | w; }, a, b);
+}
+SPANGLE_INLINE LaneWords operator^(const LaneWords& a, const LaneWords& b) {
+    return LaneWords::mapped(
+        [](const auto& v, const auto& w) __attribute__((always_inline)) { return v ^ w; }, a, b);
+}
+SPANGLE_INLINE LaneWords operator&(const LaneWords& a, const LaneWords& b) {
+    return LaneWords::mapped(
+        [](const auto& v, const auto& w) __attribute__((always_inline)) { return v & w; }, a, b);
+}
+SPANGLE_INLINE LaneWords operator*(const LaneWords& a, const LaneWords& b) {
+    return LaneWords::mapped(
+        [](const auto& v, const auto& w) __attribute__((always_inline)) { return v * w; }, a, b);
+}
+SPANGLE_INLINE LaneWords operator&(const LaneWords& a, std::uint32_t n) {
+    return LaneWords::mapped(
+        [n](const auto& v) __attribute__((always_inline)) { return v & n; }, a);
+}
+SPANGLE_INLINE LaneWords operator*(const LaneWords& a, std::uint32_t n) {
+    return LaneWords::mapped(
+        [n](const auto& v) __attribute__((always_inline)) { return v * n; }, a);
+}
+SPANGLE_INLINE LaneWords operator-(std::uint32_t n, const LaneWords& a) {
+    return LaneWords::mapped(
+        [n](const auto& v) __attribute__((always_inline)) { return n - v; }, a);
+}
+SPANGLE_INLINE LaneWords operator~(const LaneWords& a) {
+    return LaneWords::mapped(
+        [](const auto& v) __attribute__((always_inline)) { return ~v; }, a);
+}
+SPANGLE_INLINE LaneWords operator>>(const LaneWords& a, int n) {
+    return LaneWords::mapped(
+        [n](const auto& v) __attribute__((always_inline)) { return v >> static_cast<std::uint32_t>(n); }, a);
+}
+SPANGLE_INLINE LaneWords operator<<(const LaneWords& a, int n) {
+    return LaneWords::mapped(
+        [n](const auto& v) __attribute__((always_inline)) { return v << static_cast<std::uint32_t>(n); }, a);
+}
+SPANGLE_INLINE LaneWords& operator+=(LaneWords& a, const LaneWords& b) {
+    return a = a + b;
+}
+
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

@@ -1,0 +1,72 @@
+// Packets that short rows of a primitive share: each fragment has a place of its own.
+#pragma once
+
+#include "raster/span/draw_state.hpp"
+#include "raster/span/instructions.hpp"
+#include "raster/span/lanes.hpp"
+#include "raster/span/rows.hpp"
+#include "raster/span/span.hpp"
+
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+
+/// A power of two, four groups of lanes where there are any.
+inline constexpr std::int32_t packet_length = host_lanes > 1 ? 4 * host_lanes : packet;
+
+/// A part of a row in a packet that rows share.
+struct Piece {
+    Row row;         ///< [first, last) are the part's
+    std::int32_t at; ///< fragment of the packet that its first is
+    std::uint8_t *color, *depth;
+};
+
+/// Where the fragments of such a packet lie.
+struct PacketRows {
+    Span<Fixed>& span;
+    std::int32_t pieces = 0;
+    Piece piece[packet_length];
+    /// From the anchor, to the right and up; of lanes beyond the last fragment the same as of that.
+    alignas(32) std::uint32_t x[packet_length], y[packet_length];
+    explicit PacketRows(Span<Fixed>& of) : span(of) {}
+};
+
+/// Columns or rows of window coordinates, one per lane.
+template <class L> struct LanePlaces {
+    typename L::U32 of;
+    SPANGLE_INLINE friend LanePlaces operator+(const LanePlaces& at, std::int32_t) { return at; }
+};
+
+/// A group of lanes of such a packet as the stages of a list see it, in place of a span: what they ask of a
+/// column they are told of each lane.
+template <class L> struct PlaneLanes {
+    static constexpr int lanes = L::count;
+    const Span<Fixed>& planes;
+    typename L::U32 columns, lines; ///< from the anchor
+    LanePlaces<L> x = {columns + L::splat32(static_cast<std::uint32_t>(planes.anchor_x))},
+                  y = {lines + L::splat32(static_cast<std::uint32_t>(planes.anchor_y))};
+    const DrawState* state = planes.state;
+    std::uint32_t flat_word = planes.flat_word;
+    const Span<Fixed>::Affine& z = planes.z;
+    const Span<Fixed>::Affine (&color_value)[4] = planes.color_value;
+    const Span<Fixed>::Affine (&secondary)[Span<Fixed>::secondaries] = planes.secondary;
+    const Span<Fixed>::Affine& fog = planes.fog;
+    const Span<Fixed>::Affine (&s)[max_texture_units] = planes.s;
+    const Span<Fixed>::Affine (&t)[max_texture_units] = planes.t;
+
+    SPANGLE_INLINE PlaneLanes(const PacketRows& rows, std::int32_t first)
+        : planes(rows.span), columns(L::gather(rows.x + first)), lines(L::gather(rows.y + first)) {}
+
+    SPANGLE_INLINE typename L::U32 at(std::int32_t, const Span<Fixed>::Affine& plane) const {
+        return L::splat32(plane.value) + columns * plane.dx + lines * plane.dy;
+    }
+    /// The top words of a plane of 64 bits.
+    SPANGLE_INLINE typename L::U32 tops(const Interpolant<std::uint64_t>& plane) const {
+        return L::generate([&](std::uint32_t lane) __attribute__((always_inline)) {
+            const auto i = static_cast<int>(lane);
+            return static_cast<std::uint32_t>(plane.at(static_cast<std::int32_t>(columns.lane(i)),
+                                                       static_cast<std::int32_t>(lines.lane(i))) >>
+                                              32);
+        });
+    }
+};
+
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS

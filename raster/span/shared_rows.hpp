@@ -1,0 +1,123 @@
+// The chain along the rows of a primitive. Where there are lanes, short rows share packets: a stage is called
+// once for all of them, and no lane is left without a fragment but in the last packet.
+#pragma once
+
+#include "raster/span/chain.hpp"
+#include "raster/span/instructions.hpp"
+#include "raster/span/packet_rows.hpp"
+#include "raster/span/rows.hpp"
+
+namespace spangle::raster::inline SPANGLE_INSTRUCTIONS {
+
+/// Rows of one primitive, none of which share a pixel. The chain is the one of the span's kind.
+template <class N> class SharedRows {
+  public:
+    explicit SharedRows(Span<Fixed>& span) : rows_(span) {}
+
+    void add(const Row& row) {
+        Row rest = row;
+        if (const std::int32_t whole = (row.last - row.first) & -packet_length; whole != 0) {
+            rest.first = row.first + whole;
+            alone({row.y, row.left, row.right, row.first, rest.first});
+        }
+        while (rest.first != rest.last) {
+            Piece& piece = rows_.piece[rows_.pieces++];
+            const std::int32_t room = packet_length - n_, length = rest.last - rest.first;
+            piece.row = rest;
+            piece.row.last = rest.first = length < room ? rest.last : rest.first + room;
+            piece.at = n_;
+            n_ += piece.row.last - piece.row.first;
+            if (n_ == packet_length)
+                draw();
+        }
+    }
+    /// What is left.
+    void draw() {
+        if (rows_.pieces == 1)
+            alone(rows_.piece[0].row);
+        else if (rows_.pieces != 0)
+            together();
+        rows_.pieces = n_ = 0;
+    }
+
+  private:
+    PacketRows rows_;
+    std::int32_t n_ = 0; ///< fragments of all pieces
+    alignas(32) std::uint8_t color_[4 * packet_length], depth_[4 * packet_length];
+
+    void alone(const Row& row) {
+        enter(rows_.span, row);
+        chain_span<N>(rows_.span);
+    }
+    void together() {
+        const Span<Fixed>& span = rows_.span;
+        const DrawState& state = *span.state;
+        Packet<N> k;
+        k.rows = &rows_;
+        k.x = 0;
+        k.n = n_;
+        k.alive = true;
+        k.some_dead = false;
+        for (std::int32_t g = 0; g < Packet<N>::groups; ++g)
+            k.live[g] = N::L::first(n_ - g * N::lanes);
+        k.color_plane = color_;
+        k.depth_plane = depth_;
+        for (std::int32_t n = 0; n < rows_.pieces; ++n) {
+            Piece& piece = rows_.piece[n];
+            const Row& row = piece.row;
+            point_at(piece.color, piece.depth, *span.target, row.first, row.y, state.color_bytes,
+                     state.depth_bytes >> 1);
+            for (std::int32_t i = piece.at, x = row.first - span.anchor_x; x < row.last - span.anchor_x;
+                 ++i, ++x) {
+                rows_.x[i] = static_cast<std::uint32_t>(x);
+                rows_.y[i] = static_cast<std::uint32_t>(row.y - span.anchor_y);
+            }
+            move(
+                piece, [](std::uint8_t * packet, std::uint8_t * plane, std::int32_t bytes)
+                           __attribute__((always_inline)) { inner::PacketCopy::copy(packet, plane, bytes); });
+        }
+        for (std::int32_t i = n_; i % N::lanes != 0; ++i) {
+            rows_.x[i] = rows_.x[n_ - 1];
+            rows_.y[i] = rows_.y[n_ - 1];
+        }
+        const AnyFunction* const stages = state.variant[static_cast<unsigned>(span.kind)].chain;
+        for (const AnyFunction* f = stages; *f != nullptr && k.alive; ++f)
+            reinterpret_cast<ChainStage<N>> (*f)(k, span);
+        for (std::int32_t n = 0; n < rows_.pieces; ++n)
+            move(
+                rows_.piece[n],
+                [](std::uint8_t * packet, std::uint8_t * plane, std::int32_t bytes)
+                    __attribute__((always_inline)) { inner::PacketCopy::copy(plane, packet, bytes); });
+    }
+    /// Between the planes and the packet's copy of them.
+    template <class Move> SPANGLE_INLINE void move(const Piece& piece, Move move) {
+        const DrawState& state = *rows_.span.state;
+        const std::int32_t n = piece.row.last - piece.row.first;
+        if (const std::int32_t bytes = state.color_bytes; bytes != 0)
+            move(color_ + bytes * piece.at, piece.color, bytes * n);
+        if (const std::int32_t bytes = state.depth_bytes; bytes != 0)
+            move(depth_ + bytes * piece.at, piece.depth, bytes * n);
+    }
+};
+
+/// Where pixels have a coverage it counts from the row's first: such rows stay whole.
+template <class P> SPANGLE_INLINE bool may_share(const Span<P>& span) {
+    const PrimitiveState* const primitive = span.state->primitive;
+    return span.state->variant[static_cast<unsigned>(span.kind)].shares &&
+           (primitive == nullptr || primitive->coverage == nullptr);
+}
+
+/// As RowsFunction.
+template <class N> void chain_rows(Span<typename N::Policy>& span, const Row* row, const Row* end) {
+    if constexpr (N::lanes > 1) {
+        if (may_share(span)) {
+            SharedRows<N> rows(span);
+            for (; row != end; ++row)
+                rows.add(*row);
+            return rows.draw();
+        }
+    }
+    by_row<typename N::Policy, &chain_span<N>>(span, row, end);
+}
+
+} // namespace spangle::raster::inline SPANGLE_INSTRUCTIONS
