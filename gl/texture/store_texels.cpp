@@ -48,12 +48,10 @@ void store_texels(const Context& context, LevelImage& image, const TexelBox& box
     const Content content = is_depth(format) ? Content::depth : Content::color;
     const ImageRows rows = image_rows(unpack, layout, static_cast<GLsizei>(box.size[0]));
     const auto each = [&](auto store) { each_row(unpack, image, box, rows, bytes, pixels, store); };
-    if (raster::has_shortcuts && content == Content::color && groups.is_plain() && same_layout(layout, kept))
-        return each([&](const std::uint8_t* from, std::uint8_t* to) {
-            std::memcpy(to, from, std::size_t{box.size[0]} * bytes);
-        });
+    const bool copy =
+        raster::has_shortcuts && content == Content::color && groups.is_plain() && same_layout(layout, kept);
     if constexpr (has_row_codes) {
-        if (content == Content::color && groups.keeps_colors()) {
+        if (!copy && content == Content::color && groups.keeps_colors()) {
             RowConverter row(GroupForm(layout, unpack.swap_bytes), GroupForm(kept, false));
             return each([&](const std::uint8_t* from, std::uint8_t* to) {
                 row.convert_row(from, to, static_cast<std::int32_t>(box.size[0]));
@@ -61,6 +59,10 @@ void store_texels(const Context& context, LevelImage& image, const TexelBox& box
         }
     }
     each([&](const std::uint8_t* from, std::uint8_t* to) {
+        if (copy) {
+            std::memcpy(to, from, std::size_t{box.size[0]} * bytes);
+            return;
+        }
         for (std::uint32_t x = 0; x < box.size[0]; ++x)
             pack_pixel(kept, false, groups.group(content, from, rows.skip_bits + x).color,
                        to + std::size_t{x} * bytes);
