@@ -23,14 +23,22 @@ struct BufferGroups : GroupSource {
     /// Of pixels that there are.
     BufferGroups(const Context& context, Content of, GLint left, GLint bottom, const Interval& columns,
                  const Interval& rows)
-        : GroupSource{group_of,
-                      of,
-                      {columns.begin - left, columns.end - left},
-                      {rows.begin - bottom, rows.end - bottom}},
-          surface(read_surface(context)), x(left), y(bottom), transfer(context.pixel_mode) {}
+        : GroupSource(group_of, of, {columns.begin - left, columns.end - left},
+                      {rows.begin - bottom, rows.end - bottom}),
+          surface(read_surface(context)), x(left), y(bottom), transfer(context.pixel_mode) {
+#if SPANGLE_ROW_CODES
+        form = GroupForm(surface.format);
+        if (keeps_colors(surface, transfer, of))
+            groups = groups_of;
+#endif
+    }
 
-    std::int32_t column(std::int32_t of) const { return x + of; }
-    std::int32_t row(std::int32_t of) const { return y + of; }
+    std::int32_t column(std::int32_t of) const {
+        return x + of;
+    }
+    std::int32_t row(std::int32_t of) const {
+        return y + of;
+    }
 
     static Group group_of(const GroupSource& source, std::int32_t n, std::int32_t m) {
         const auto& s = static_cast<const BufferGroups&>(source);
@@ -40,6 +48,16 @@ struct BufferGroups : GroupSource {
     raster::Surface surface;
     GLint x, y;
     Transfer transfer;
+
+#if SPANGLE_ROW_CODES
+    static const std::uint8_t* groups_of(const GroupSource& source, std::int32_t n, std::int32_t m,
+                                         std::int32_t count) {
+        const auto& s = static_cast<const BufferGroups&>(source);
+        return s.surface_row.at(s.surface, s.column(n), s.row(m), count);
+    }
+
+    mutable SurfaceRow surface_row;
+#endif
 };
 
 /// A row of the plane that is read.

@@ -16,15 +16,30 @@ namespace {
 struct ClientGroups : GroupSource {
     ClientGroups(const Context& context, const PixelLayout& layout, Content of, GLsizei width, GLsizei height,
                  const void* pixels)
-        : GroupSource{group_of, of, {0, width}, {0, height}}, image(context, layout),
+        : GroupSource(group_of, of, {0, width}, {0, height}), image(context, layout),
           rows(image_rows(context.pixel_store.unpack, layout, width)),
-          first(static_cast<const unsigned char*>(pixels) + rows.skip) {}
+          first(static_cast<const unsigned char*>(pixels) + rows.skip) {
+#if SPANGLE_ROW_CODES
+        form = GroupForm(layout, context.pixel_store.unpack.swap_bytes);
+        if (of == Content::color && image.keeps_colors())
+            groups = groups_of;
+#endif
+    }
 
     static Group group_of(const GroupSource& source, std::int32_t n, std::int32_t m) {
         const auto& s = static_cast<const ClientGroups&>(source);
         return s.image.group(s.content, s.first + static_cast<std::size_t>(m) * s.rows.stride,
                              s.rows.skip_bits + static_cast<std::size_t>(n));
     }
+
+#if SPANGLE_ROW_CODES
+    static const std::uint8_t* groups_of(const GroupSource& source, std::int32_t n, std::int32_t m,
+                                         std::int32_t) {
+        const auto& s = static_cast<const ClientGroups&>(source);
+        return s.first + static_cast<std::size_t>(m) * s.rows.stride +
+               static_cast<std::size_t>(n) * s.form.bytes();
+    }
+#endif
 
     ColorImage image;
     ImageRows rows;

@@ -49,6 +49,11 @@ class ReadRows {
 #endif
 };
 
+/// The groups are the colours that the surface holds.
+inline bool keeps_colors(const raster::Surface& surface, const Transfer& transfer, Content content) {
+    return content == Content::color && !raster::drawn_indexed(surface.format) && !transfer.changes_colors();
+}
+
 /// The group of a pixel behind pixel transfer. On a surface of indices a colour is what the maps make of one
 /// (GL 1.3, 4.3.2).
 Group fetch(const raster::Surface& surface, const Transfer& transfer, Content content, std::int32_t x,

@@ -49,8 +49,10 @@ class ColorImage {
   public:
     ColorImage(const Context& context, const PixelLayout& layout);
 
-    /// A group is its colour: rows may be copied where the receiver keeps colours as the client does.
-    bool is_plain() const { return !indices_ && !transfer_.changes_colors() && !swaps_; }
+    /// A group is its colour.
+    bool keeps_colors() const { return !indices_ && !transfer_.changes_colors(); }
+    /// And its bytes are in order: rows may be copied where the receiver keeps colours as the client does.
+    bool is_plain() const { return keeps_colors() && !swaps_; }
 
     Pixel color(const unsigned char* row, std::size_t group) const;
     Group group(Content content, const unsigned char* row, std::size_t group) const;

@@ -2,6 +2,7 @@
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/pixel/fetch.hpp"
+#include "gl/pixel/row_converter.hpp"
 #include "gl/pixel/targets.hpp"
 #include "gl/pixel/zoom.hpp"
 
@@ -38,8 +39,8 @@ void read_row(const Read& r, std::int32_t x, std::int32_t y, std::int32_t count,
     }
 }
 
-void read(Read& r, ReadRows& source, const PixelStore& pack, GLint x, GLint y, GLsizei width, GLsizei height,
-          unsigned char* pixels) {
+void read(Read& r, const raster::Surface& surface, ReadRows& source, const PixelStore& pack, GLint x, GLint y,
+          GLsizei width, GLsizei height, unsigned char* pixels) {
     const Rect& all = source.area();
     const Interval columns = inside(x, width, 0, all.w), lines = inside(y, height, all.y, all.y + all.h);
     const std::int32_t count = columns.end - columns.begin;
@@ -47,12 +48,27 @@ void read(Read& r, ReadRows& source, const PixelStore& pack, GLint x, GLint y, G
         return;
     const ImageRows rows = image_rows(pack, r.layout, width);
     const auto first = static_cast<std::size_t>(columns.begin - x);
-    for (std::int32_t line = lines.begin; line < lines.end; ++line) {
-        unsigned char* row = pixels + rows.skip + static_cast<std::size_t>(line - y) * rows.stride;
-        r.surface = source.with_row(line);
-        if (r.surface != nullptr)
-            read_row(r, columns.begin, line, count, row, first + rows.skip_bits);
+    const auto each_row = [&](auto read_from) {
+        for (std::int32_t line = lines.begin; line < lines.end; ++line) {
+            unsigned char* row = pixels + rows.skip + static_cast<std::size_t>(line - y) * rows.stride;
+            r.surface = source.with_row(line);
+            if (r.surface != nullptr)
+                read_from(line, row);
+        }
+    };
+    if constexpr (has_row_codes) {
+        if (keeps_colors(surface, r.transfer, r.content)) {
+            SurfaceConverter converter(surface.format, GroupForm(r.layout, r.swap_bytes));
+            if (converter.works())
+                return each_row([&](std::int32_t line, unsigned char* row) {
+                    converter.convert(*r.surface, columns.begin, line, count,
+                                      row + first * r.layout.group_bytes());
+                });
+        }
     }
+    each_row([&](std::int32_t line, unsigned char* row) {
+        read_row(r, columns.begin, line, count, row, first + rows.skip_bits);
+    });
 }
 
 } // namespace
@@ -81,7 +97,7 @@ void ReadPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei heigh
     const gl::PixelStore& pack = context.pixel_store.pack;
     Read to{nullptr, layout, content, Transfer(context.pixel_mode), pack.swap_bytes, pack.lsb_first};
     ReadRows source(context);
-    read(to, source, pack, x, y, width, height, static_cast<unsigned char*>(pixels));
+    read(to, surface, source, pack, x, y, width, height, static_cast<unsigned char*>(pixels));
 }
 
 } // namespace cmd

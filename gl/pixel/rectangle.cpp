@@ -7,6 +7,7 @@
 #include "gl/context/context.hpp"
 #include "gl/pixel/fragment_setup.hpp"
 #include "gl/pixel/rectangle.hpp"
+#include "gl/pixel/row_elements.hpp"
 #include "gl/pixel/targets.hpp"
 #include "gl/vertex/capture.hpp"
 #include "gl/vertex/engine.hpp"
@@ -86,6 +87,49 @@ void fill_row(const GroupSource& source, RowForm form, std::int32_t m, ZoomAxis:
     }
 }
 
+#if SPANGLE_ROW_CODES
+
+constexpr GroupFields word_fields{2, false, true, {{11, 5}, {5, 6}, {0, 5}}};
+static_assert(row_chunk >= rectangle_chunk);
+
+/// Rows of groups that are the fragments as they are.
+class WholeRows {
+  public:
+    WholeRows(const GroupSource& source, RowForm form, bool zooms)
+        : source_(source), form_(form), works_(source.groups != nullptr && !zooms && form <= RowForm::words),
+          reader_(source.form, bits(source, form)) {}
+
+    bool works() const { return works_; }
+
+    void fill(std::int32_t n, std::int32_t m, std::int32_t count, RectangleRow& out) {
+        const std::uint8_t* const from = source_.groups(source_, n, m, count);
+        const GroupForm& groups = source_.form;
+        if (form_ == RowForm::color && groups.fields.bytes == 0)
+            return read_units(from, *groups.layout, groups.swap, count, out.color);
+        const CodeRow& row = reader_.read(from, count);
+        if (form_ == RowForm::words)
+            write_fields(row, word_fields, count, reinterpret_cast<std::uint8_t*>(out.words));
+        else
+            write_units(row, reader_.bits(), count, out.color);
+    }
+
+  private:
+    /// Those that are written; none where the reader is not asked.
+    static CodeBits bits(const GroupSource& source, RowForm form) {
+        return source.groups == nullptr        ? CodeBits{}
+               : form == RowForm::words        ? bits_of(word_fields)
+               : source.form.fields.bytes != 0 ? own_bits(source.form.fields)
+                                               : CodeBits{};
+    }
+
+    const GroupSource& source_;
+    RowForm form_;
+    bool works_;
+    RowReader reader_;
+};
+
+#endif
+
 /// Chunks of columns, and the rows of each: a row of groups is filled once for all the rows of fragments that
 /// it covers.
 class Rectangle {
@@ -94,7 +138,12 @@ class Rectangle {
               raster::Position shift)
         : source_(source), form_(form), order_(order),
           x_(context.current.raster.position[0], context.pixel_mode.zoom[0], shift.x),
-          y_(context.current.raster.position[1], context.pixel_mode.zoom[1], shift.y) {
+          y_(context.current.raster.position[1], context.pixel_mode.zoom[1], shift.y)
+#if SPANGLE_ROW_CODES
+          ,
+          whole_rows_(source, form, !x_.is_one())
+#endif
+    {
         const Rect clip = drawing_rect(context);
         if (x_.is_empty() || y_.is_empty())
             return;
@@ -124,11 +173,19 @@ class Rectangle {
             if (order_.from_top)
                 m = y_.from(y);
             if (m.group() != filled)
-                fill_row(source_, form_, m.group(), n, count, row_);
+                fill(m.group(), n, count);
             filled = m.group();
             put(y, x, count, row_);
             m.step();
         }
+    }
+
+    void fill(std::int32_t m, const ZoomAxis::Walk& n, std::int32_t count) {
+#if SPANGLE_ROW_CODES
+        if (whole_rows_.works())
+            return whole_rows_.fill(n.group(), m, count, row_);
+#endif
+        fill_row(source_, form_, m, n, count, row_);
     }
 
     const GroupSource& source_;
@@ -137,6 +194,9 @@ class Rectangle {
     ZoomAxis x_, y_;
     ZoomAxis::Range columns_{0, 0}, rows_{0, 0};
     RectangleRow row_;
+#if SPANGLE_ROW_CODES
+    WholeRows whole_rows_;
+#endif
 };
 
 struct Fragments : raster::PixelSource {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gl/pixel/group.hpp"
+#include "gl/pixel/row_converter.hpp"
 #include "gl/pixel/zoom.hpp"
 #include "raster/primitive/draw.hpp"
 
@@ -24,9 +25,21 @@ enum class RowForm : std::uint8_t { color, words, index, depth, stencil };
 
 /// Where the groups come from, what they are, and which there are.
 struct GroupSource {
-    Group (*group)(const GroupSource& source, std::int32_t n, std::int32_t m);
+    using GroupOf = Group (*)(const GroupSource& source, std::int32_t n, std::int32_t m);
+    GroupSource(GroupOf of, Content content_of, const Interval& columns, const Interval& rows)
+        : group(of), content(content_of), n(columns), m(rows) {}
+
+    GroupOf group;
     Content content;
     Interval n, m;
+#if SPANGLE_ROW_CODES
+    /// The bytes of `count` groups from (n, m) on, at most row_chunk, where no group changes its colour; or
+    /// null.
+    using Groups = const std::uint8_t* (*)(const GroupSource& source, std::int32_t n, std::int32_t m,
+                                           std::int32_t count);
+    Groups groups = nullptr;
+    GroupForm form; ///< of these
+#endif
 };
 
 struct RectangleOrder {

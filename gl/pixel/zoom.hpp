@@ -31,6 +31,8 @@ class ZoomAxis {
 
     /// Nothing is drawn.
     bool is_empty() const { return zoom_ == 0; }
+    /// Each group covers one fragment, in their order.
+    bool is_one() const { return zoom_ == std::int64_t{1} << 32; }
 
     using Range = Interval; ///< of fragments
     /// Of groups [first, last), as far as they lie in [low, high), of coordinates that a surface has.

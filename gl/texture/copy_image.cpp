@@ -4,6 +4,7 @@
 #include "gl/context/context.hpp"
 #include "gl/context/share_group.hpp"
 #include "gl/pixel/fetch.hpp"
+#include "gl/pixel/row_converter.hpp"
 #include "gl/pixel/targets.hpp"
 #include "gl/pixel/zoom.hpp"
 #include "gl/texture/image_shape.hpp"
@@ -28,10 +29,23 @@ void copy_pixels(const Context& context, LevelImage& image, const TexelBox& box,
     const Rect& all = rows.area();
     const Interval columns = inside(x, static_cast<GLsizei>(box.size[0]), 0, all.w),
                    lines = inside(y, static_cast<GLsizei>(box.size[1]), all.y, all.y + all.h);
+    const auto row_of = [&](std::int32_t py) {
+        return image.own_texels() + std::size_t{box.at[2]} * image.slice() +
+               (box.at[1] + static_cast<std::uint32_t>(py - y)) * std::size_t{image.stride};
+    };
+    if constexpr (has_row_codes) {
+        if (keeps_colors(context.drawable.read, transfer, content)) {
+            SurfaceConverter row(context.drawable.read.format, GroupForm(texels, false));
+            const std::size_t first = box.at[0] + static_cast<std::uint32_t>(columns.begin - x);
+            for (std::int32_t py = lines.begin; py < lines.end; ++py)
+                if (const raster::Surface* const from = rows.with_row(py); from != nullptr)
+                    row.convert(*from, columns.begin, py, columns.end - columns.begin,
+                                row_of(py) + first * texels.group_bytes());
+            return;
+        }
+    }
     for (std::int32_t py = lines.begin; py < lines.end; ++py) {
-        std::uint8_t* const row =
-            image.own_texels() + std::size_t{box.at[2]} * image.slice() +
-            (box.at[1] + static_cast<std::uint32_t>(py - y)) * std::size_t{image.stride};
+        std::uint8_t* const row = row_of(py);
         const raster::Surface* const from = rows.with_row(py);
         for (std::int32_t px = columns.begin; from != nullptr && px < columns.end; ++px)
             pack_pixel(texels, false, fetch(*from, transfer, content, px, py).color,

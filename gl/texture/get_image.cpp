@@ -3,6 +3,7 @@
 
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
+#include "gl/pixel/row_converter.hpp"
 #include "gl/texture/compressed_format.hpp"
 #include "gl/texture/image_shape.hpp"
 
@@ -36,6 +37,14 @@ void pack_image(const LevelImage& image, const PixelStore& pack, const PixelLayo
     unsigned char* slice = static_cast<unsigned char*>(pixels) + rows.skip +
                            (volume ? static_cast<std::size_t>(pack.skip_images) * next_image : 0);
     const std::uint8_t* texel = image.texels;
+    if constexpr (has_row_codes) {
+        RowConverter row(GroupForm(texels, false), GroupForm(layout, pack.swap_bytes));
+        for (unsigned z = 0; row.works() && z < shape.images(); ++z, slice += next_image)
+            for (unsigned y = 0; y < shape.size[1]; ++y, texel += shape.size[0] * texels.group_bytes())
+                row.convert_row(texel, slice + y * rows.stride, shape.size[0]);
+        if (row.works())
+            return;
+    }
     for (unsigned z = 0; z < shape.images(); ++z, slice += next_image)
         for (unsigned y = 0; y < shape.size[1]; ++y)
             for (unsigned x = 0; x < shape.size[0]; ++x, texel += texels.group_bytes())

@@ -8,6 +8,7 @@
 #include "gl/context/share_group.hpp"
 #include "gl/texture/complete.hpp"
 #include "gl/texture/compressed_format.hpp"
+#include "gl/texture/halve_row.hpp"
 #include "gl/texture/internal_format.hpp"
 #include "gl/texture/level_image.hpp"
 #include "gl/texture/texture_target.hpp"
@@ -41,11 +42,28 @@ class Halving {
     void run() const {
         for (std::int32_t z = -border_[2]; z < next_[2] + border_[2]; ++z)
             for (std::int32_t y = -border_[1]; y < next_[1] + border_[1]; ++y)
-                for (std::int32_t x = -border_[0]; x < next_[0] + border_[0]; ++x)
-                    texel(x, y, z);
+                row(y, z);
     }
 
   private:
+    void row(std::int32_t y, std::int32_t z) const {
+        std::int32_t x = -border_[0];
+        if constexpr (has_row_codes) {
+            RowHalver halver(layout_);
+            if (size_[0] > 1 && halver.works()) {
+                for (; x < 0; ++x)
+                    texel(x, y, z);
+                const Covered cy(y, size_[1], next_[1]), cz(z, size_[2], next_[2]);
+                const auto at = [&](unsigned i) {
+                    return from_.texels + place(from_, 0, cy.of[i & 1], cz.of[i >> 1]);
+                };
+                halver.halve({at(0), at(1), at(2), at(3)}, next_[0], to_.own_texels() + place(to_, 0, y, z));
+                x = next_[0];
+            }
+        }
+        for (; x < next_[0] + border_[0]; ++x)
+            texel(x, y, z);
+    }
     void texel(std::int32_t x, std::int32_t y, std::int32_t z) const {
         const Covered cx(x, size_[0], next_[0]), cy(y, size_[1], next_[1]), cz(z, size_[2], next_[2]);
         const Groups texels(layout_);

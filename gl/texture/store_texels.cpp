@@ -4,6 +4,7 @@
 
 #include "gl/context/context.hpp"
 #include "gl/pixel/group.hpp"
+#include "gl/pixel/row_converter.hpp"
 
 namespace spangle::gl {
 
@@ -17,6 +18,24 @@ namespace {
     return std::memcmp(&layout, &texels, sizeof layout) == 0;
 }
 
+/// each(from, to) for every row of the box in client memory and in the image.
+template <class Each>
+[[gnu::always_inline]] inline void each_row(const PixelStore& unpack, LevelImage& image, const TexelBox& box,
+                                            const ImageRows& rows, unsigned bytes, const void* pixels,
+                                            Each each) {
+    const bool volume = image.shape.is_volume();
+    const std::size_t next_image = image_stride(unpack, rows, static_cast<GLsizei>(box.size[1]));
+    const unsigned char* slice = static_cast<const unsigned char*>(pixels) + rows.skip +
+                                 (volume ? static_cast<std::size_t>(unpack.skip_images) * next_image : 0);
+    for (std::uint32_t z = 0; z < box.images(); ++z, slice += next_image) {
+        const unsigned char* from = slice;
+        std::uint8_t* to = image.own_texels() + std::size_t{box.first_image() + z} * image.slice() +
+                           std::size_t{box.at[1]} * image.stride + std::size_t{box.at[0]} * bytes;
+        for (std::uint32_t y = 0; y < box.size[1]; ++y, from += rows.stride, to += image.stride)
+            each(from, to);
+    }
+}
+
 } // namespace
 
 void store_texels(const Context& context, LevelImage& image, const TexelBox& box, const PixelLayout& layout,
@@ -27,27 +46,27 @@ void store_texels(const Context& context, LevelImage& image, const TexelBox& box
     const PixelLayout kept = texel_layout(format);
     const ColorImage groups(context, layout);
     const Content content = is_depth(format) ? Content::depth : Content::color;
+    const ImageRows rows = image_rows(unpack, layout, static_cast<GLsizei>(box.size[0]));
+    const auto each = [&](auto store) { each_row(unpack, image, box, rows, bytes, pixels, store); };
     const bool copy =
         raster::has_shortcuts && content == Content::color && groups.is_plain() && same_layout(layout, kept);
-    const ImageRows rows = image_rows(unpack, layout, static_cast<GLsizei>(box.size[0]));
-    const bool volume = image.shape.is_volume();
-    const std::size_t next_image = image_stride(unpack, rows, static_cast<GLsizei>(box.size[1]));
-    const unsigned char* slice = static_cast<const unsigned char*>(pixels) + rows.skip +
-                                 (volume ? static_cast<std::size_t>(unpack.skip_images) * next_image : 0);
-    for (std::uint32_t z = 0; z < box.images(); ++z, slice += next_image) {
-        const unsigned char* from = slice;
-        std::uint8_t* to = image.own_texels() + std::size_t{box.first_image() + z} * image.slice() +
-                           std::size_t{box.at[1]} * image.stride + std::size_t{box.at[0]} * bytes;
-        for (std::uint32_t y = 0; y < box.size[1]; ++y, from += rows.stride, to += image.stride) {
-            if (copy) {
-                std::memcpy(to, from, std::size_t{box.size[0]} * bytes);
-                continue;
-            }
-            for (std::uint32_t x = 0; x < box.size[0]; ++x)
-                pack_pixel(kept, false, groups.group(content, from, rows.skip_bits + x).color,
-                           to + std::size_t{x} * bytes);
+    if constexpr (has_row_codes) {
+        if (!copy && content == Content::color && groups.keeps_colors()) {
+            RowConverter row(GroupForm(layout, unpack.swap_bytes), GroupForm(kept, false));
+            return each([&](const std::uint8_t* from, std::uint8_t* to) {
+                row.convert_row(from, to, static_cast<std::int32_t>(box.size[0]));
+            });
         }
     }
+    each([&](const std::uint8_t* from, std::uint8_t* to) {
+        if (copy) {
+            std::memcpy(to, from, std::size_t{box.size[0]} * bytes);
+            return;
+        }
+        for (std::uint32_t x = 0; x < box.size[0]; ++x)
+            pack_pixel(kept, false, groups.group(content, from, rows.skip_bits + x).color,
+                       to + std::size_t{x} * bytes);
+    });
 }
 
 } // namespace spangle::gl
