@@ -57,7 +57,7 @@ void read(Read& r, const raster::Surface& surface, ReadRows& source, const Pixel
         }
     };
     if constexpr (has_row_codes) {
-        if (keeps_colors(surface, r.transfer, r.content)) {
+        if (pays_converter(std::int64_t{count} * height) && keeps_colors(surface, r.transfer, r.content)) {
             SurfaceConverter converter(surface.format, GroupForm(r.layout, r.swap_bytes));
             if (converter.works())
                 return each_row([&](std::int32_t line, unsigned char* row) {

@@ -8,6 +8,12 @@
 
 namespace spangle::gl {
 
+/// Whether an image of so many groups is worth the set-up of a converter, which takes as long as some groups
+/// one by one.
+constexpr bool pays_converter(std::int64_t groups) {
+    return groups >= 4;
+}
+
 /// One end of a conversion. Lives no longer than the layout.
 struct GroupForm {
     GroupForm() = default;

@@ -51,7 +51,8 @@ void store_texels(const Context& context, LevelImage& image, const TexelBox& box
     const bool copy =
         raster::has_shortcuts && content == Content::color && groups.is_plain() && same_layout(layout, kept);
     if constexpr (has_row_codes) {
-        if (!copy && content == Content::color && groups.keeps_colors()) {
+        const std::int64_t all = std::int64_t{box.size[0]} * box.size[1] * box.images();
+        if (!copy && content == Content::color && pays_converter(all) && groups.keeps_colors()) {
             RowConverter row(GroupForm(layout, unpack.swap_bytes), GroupForm(kept, false));
             return each([&](const std::uint8_t* from, std::uint8_t* to) {
                 row.convert_row(from, to, static_cast<std::int32_t>(box.size[0]));
