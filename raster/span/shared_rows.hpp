@@ -53,6 +53,7 @@ template <class N> class SharedRows {
     void together() {
         const Span<Fixed>& span = rows_.span;
         const DrawState& state = *span.state;
+        enter(rows_.span, rows_.piece[0].row); // for stages that look along a row before they ask for places
         Packet<N> k;
         k.rows = &rows_;
         k.x = 0;
