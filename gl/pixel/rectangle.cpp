@@ -114,7 +114,7 @@ class WholeRows {
     }
 
   private:
-    /// Those that are written; none where the reader is not asked.
+    /// The bits of the codes that are written; none where the reader is not asked.
     static CodeBits bits(const GroupSource& source, RowForm form) {
         return source.groups == nullptr        ? CodeBits{}
                : form == RowForm::words        ? bits_of(word_fields)

@@ -20,7 +20,8 @@ SPANGLE_INLINE U16 codes_at(const std::uint16_t* code) {
     return L::load(reinterpret_cast<const std::uint8_t*>(code));
 }
 
-/// Of `count` groups, a whole number of lanes: what `load` gives of eight of them holds a field at `shift`.
+/// Reads one field of `count` groups, a whole number of lanes. Each word that `load` gives of eight groups
+/// holds the field at `shift`.
 template <int GroupBytes, class Load>
 void read_field(const std::uint8_t* from, std::int32_t count, unsigned shift, unsigned bits,
                 const CodeScale& scale, std::uint16_t* out, Load load) {

@@ -41,7 +41,7 @@ void take_each(Elements of, std::int32_t count, Take take) {
     }
 }
 
-/// Of component i of groups whose components are no fields.
+/// Takes component i of each group, where components are elements and no fields.
 template <class Take>
 void take_component(const std::uint8_t* from, const PixelLayout& layout, bool swap, unsigned i,
                     std::int32_t count, Take take) {

@@ -32,11 +32,11 @@ struct GroupFields {
     GroupField field[4] = {};
 };
 
-/// Of a layout of unsigned components with at most eight bits each. A luminance is read as red, green and
-/// blue.
+/// The fields of a layout of unsigned components with at most eight bits each. A luminance is read as red,
+/// green and blue.
 GroupFields fields_of(const PixelLayout& layout, bool swap_bytes);
 
-/// Of the words that SurfaceRow (row_codes.hpp) gives.
+/// The fields of the words that SurfaceRow (row_converter.hpp) gives.
 GroupFields fields_of(PixelFormat surface);
 
 } // namespace spangle::gl

@@ -71,7 +71,7 @@ template <class Vector> SPANGLE_INLINE Vector lane_product_high_signed(const Vec
     // As an unsigned word a negative one is 2^32 larger.
     return lane_product_high(a, b) - (b & std::bit_cast<Vector>(lane_words::as_signed(a) >> 31));
 }
-/// The same of all lanes.
+/// The products above, of all eight lanes.
 SPANGLE_INLINE LaneWords lane_product_high(const LaneWords& a, const LaneWords& b) {
     return LaneWords::mapped(
         [](const auto& v, const auto& w) __attribute__((always_inline)) { return lane_product_high(v, w); },
