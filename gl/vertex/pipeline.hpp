@@ -387,6 +387,10 @@ template <class M, class L> class Pipeline {
     static std::int32_t eighths(Real size) {
         return numeric::clamp<std::int32_t>(((numeric::to_fixed(size, 16) >> 12) + 1) >> 1, 8, 512);
     }
+    /// Polygons are outlined, captured or antialiased as one; triangles of them would not do.
+    bool stays_whole() const {
+        return outlined() || captures() || fills_whole();
+    }
     bool captures() const {
         return (SPANGLE_FEATURE_SELECTION || SPANGLE_FEATURE_FEEDBACK) && captures_;
     }

@@ -22,8 +22,8 @@ SDL_PROGRAMS = """testgl2 testdraw2 testsprite2 testspriteminimal testrendertarg
 GLUT_PROGRAMS = ["billard-gl", "openuniverse", "stormbaancoureur", "cultivation"]
 # What is known about programs that do not pass, beside what was measured.
 KNOWN = {
-    "pulsar": "quads of four colours are cut by the near plane as one polygon here, as two triangles in Mesa, so colours lie "
-              "between other corners; GL leaves that open",
+    "pulsar": "its quads have a colour in each corner; they are divided from the first corner to the third here, from the second to "
+              "the fourth in Mesa; GL leaves that open",
     "antspotlight": "shows one colour because it lights a part of a picture of the desktop, and there is no desktop",
     "testcustomcursor": "clears the window, and shows its cursor by X alone",
     "testrendertarget": "needs framebuffer objects, which GL 1.5 does not have, and ends by itself",
