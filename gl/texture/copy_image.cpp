@@ -29,6 +29,8 @@ void copy_pixels(const Context& context, LevelImage& image, const TexelBox& box,
     const Rect& all = rows.area();
     const Interval columns = inside(x, static_cast<GLsizei>(box.size[0]), 0, all.w),
                    lines = inside(y, static_cast<GLsizei>(box.size[1]), all.y, all.y + all.h);
+    if (columns.begin >= columns.end)
+        return; // The distance to x may not even be a number of 32 bits.
     const auto row_of = [&](std::int32_t py) {
         return image.own_texels() + std::size_t{box.at[2]} * image.slice() +
                (box.at[1] + static_cast<std::uint32_t>(py - y)) * std::size_t{image.stride};

@@ -38,7 +38,9 @@ void set_environment(const ExecOptions& options, const std::string& report) {
     pair::set("SPANGLE_PRECISION", options.precision);
     pair::set("SPANGLE_SIZE", options.size);
     pair::set("SPANGLE_FORMAT", options.format);
-    pair::set("SPANGLE_SHOT", options.shot.empty() ? "" : fs::absolute(options.shot).string());
+    pair::set("SPANGLE_SHOT", options.shot.empty() || options.shot == "-"
+                                  ? options.shot
+                                  : fs::absolute(options.shot).string());
     pair::set("SPANGLE_FRAMES", options.frames != 0 ? std::to_string(options.frames) : "");
     pair::set("SPANGLE_REPORT", report);
 }
@@ -96,7 +98,7 @@ int exec(const ExecOptions& options) {
         print_text(to_json(figured));
     else if (options.stats || options.shot.empty())
         print_text(to_table(figured));
-    if (!options.json && !options.shot.empty())
+    if (!options.json && !options.shot.empty() && options.shot != "-")
         print("picture: {}\n", options.shot);
     return status;
 }

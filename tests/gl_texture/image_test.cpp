@@ -1,5 +1,6 @@
 // Images from the framebuffer, derived levels, read-back, residency, depths that are compared (gl-commands.md
 // F02, F03, F06, F13 to F17, F21, F29).
+#include <climits>
 #include <cmath>
 
 #include "tests/gl_texture/drawing.hpp"
@@ -211,6 +212,16 @@ TEST_F(Images, CopiesAreWhatReadPixelsAndTexImageMake) {
     std::vector<GLubyte> got = read(GL_TEXTURE_2D, 0, GL_RGBA, 16);
     EXPECT_EQ(got[0], 0);
     EXPECT_EQ(got[12], pixels[0]);
+    // So far outside that the distance is not a number of 32 bits: nothing is copied, a new image is zero.
+    for (const GLint far : {INT_MIN, INT_MIN + 1, -100, 100, INT_MAX}) {
+        glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, far, 0, 2, 2, 0);
+        EXPECT_EQ(read(GL_TEXTURE_2D, 0, GL_RGBA, 16), std::vector<GLubyte>(16, 0)) << far;
+        glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 0, far, 2, 2, 0);
+        EXPECT_EQ(read(GL_TEXTURE_2D, 0, GL_RGBA, 16), std::vector<GLubyte>(16, 0)) << far;
+        glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, -1, -1, 2, 2, 0);
+        glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, far, far, 2, 2);
+        EXPECT_EQ(read(GL_TEXTURE_2D, 0, GL_RGBA, 16), got) << far;
+    }
     glPixelTransferf(GL_RED_BIAS, 1);
     glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 1, 3, 3, 2, 1);
     glPixelTransferf(GL_RED_BIAS, 0);
