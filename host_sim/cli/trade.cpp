@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <deque>
 #include <filesystem>
-#include <set>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "boards/scenes/baked_model.hpp"
 #include "boards/scenes/scene.hpp"
 #include "host_sim/cli/callgrind.hpp"
 #include "host_sim/cli/model.hpp"
+#include "host_sim/cli/model_baked.hpp"
 #include "host_sim/cli/replays.hpp"
 #include "host_sim/cli/say.hpp"
+#include "host_sim/cli/trade_boards.hpp"
 #include "host_sim/trade/advice.hpp"
 #include "host_sim/trade/boxes.hpp"
 #include "host_sim/trade/bytes.hpp"
@@ -36,6 +38,7 @@ template <unsigned Count, class Named> std::vector<std::string> names_of(const N
 /// Everything a sweep draws, and what keeps it alive.
 struct Corpus {
     std::deque<Model> models;
+    std::deque<BakedModel> baked;
     std::vector<trade::Program> programs;
 
     std::string add_scene(const std::string& id) {
@@ -47,7 +50,14 @@ struct Corpus {
         programs.push_back({scene->id, scene->setup, scene->draw, trade::needs_stencil(*scene)});
         return "";
     }
-    std::string add_model(const std::string& file) {
+    /// What images of a model draw.
+    std::shared_ptr<const trade::Program> on_board(const Model& model) {
+        const baked::Mesh& mesh = baked.emplace_back(model).mesh();
+        return std::make_shared<trade::Program>(
+            trade::Program{model.name, [&mesh](int w, int h) { scenes::setup_baked(mesh, w, h); },
+                           [&mesh](int f) { scenes::draw_baked(mesh, f); }});
+    }
+    std::string add_model(const std::string& file, bool for_boards) {
         ModelResult loaded = load_model(file);
         if (!loaded.error.empty())
             return loaded.error;
@@ -55,7 +65,8 @@ struct Corpus {
             tell(note + "\n");
         const Model& model = models.emplace_back(std::move(loaded.model));
         programs.push_back({one_line(model.name), [&model](int w, int h) { setup_model(model, w, h); },
-                            [&model](int f) { draw_model(model, f); }});
+                            [&model](int f) { draw_model(model, f); }, false, nullptr,
+                            for_boards ? on_board(model) : nullptr});
         return "";
     }
     std::string add_trace(const std::string& file) {
@@ -82,7 +93,7 @@ struct Corpus {
         for (const std::string& file : options.traces)
             problem = problem.empty() ? add_trace(file) : problem;
         for (const std::string& file : options.models)
-            problem = problem.empty() ? add_model(file) : problem;
+            problem = problem.empty() ? add_model(file, !options.firmware.empty()) : problem;
         if (programs.empty())
             for (const scenes::SceneList& list : {scenes::all(), trade::corpus()})
                 for (const scenes::Scene& scene : list)
@@ -90,6 +101,17 @@ struct Corpus {
         return problem;
     }
 };
+
+/// Puts them behind the tiers that are there.
+std::string read_own_tiers(const TradeOptions& options, std::vector<trade::Tier>& out) {
+    for (const std::string& words : options.own_tiers) {
+        trade::Tier own;
+        if (std::string problem = trade::read_tier(words, out, own); !problem.empty())
+            return problem;
+        out.push_back(own);
+    }
+    return "";
+}
 
 std::string read_setting(const TradeOptions& options, trade::Sweep& out) {
     char rest = 0;
@@ -108,15 +130,9 @@ std::string read_setting(const TradeOptions& options, trade::Sweep& out) {
         for (const std::string& name : options.tiers)
             if (name == tier.name)
                 out.tiers.push_back(tier);
-    for (const std::string& words : options.own_tiers) {
-        trade::Tier own;
-        if (std::string problem = trade::read_tier(words, out.tiers, own); !problem.empty())
-            return problem;
-        out.tiers.push_back(own);
-    }
     for (const std::string& name : options.formats)
         out.formats.push_back(*trade::find(trade::formats, name));
-    return "";
+    return read_own_tiers(options, out.tiers);
 }
 
 /// Counts with callgrind; what goes wrong is told once.
@@ -169,48 +185,6 @@ int print_bytes(const trade::Sweep& what) {
     for (const std::string& line : lines)
         print_text(line);
     return 0;
-}
-
-bool is_asked(const TradeOptions& options, const std::string& target) {
-    return std::find(options.targets.begin(), options.targets.end(), target) != options.targets.end();
-}
-
-constexpr const char* how_to_build = "`./dev firmware --out DIR` builds images; then --firmware DIR";
-
-/// Every target that is asked for has its folder of images.
-std::string read_targets(const TradeOptions& options, trade::Sweep& out) {
-    for (const trade::Target& target : trade::targets())
-        if (is_asked(options, target.name))
-            out.targets.push_back(target);
-    if (out.targets.empty())
-        return options.firmware.empty() ? "" : "--firmware is for --targets m0plus, m3, m4 or rv32";
-    if (options.firmware.empty())
-        return fmt::format("--targets {} needs firmware: {}", out.targets.front().name, how_to_build);
-    for (const trade::Target& target : out.targets)
-        if (!std::filesystem::is_directory(options.firmware + "/" + target.name))
-            return fmt::format("'{}' has no images for {}: {}", options.firmware, target.name, how_to_build);
-    return "";
-}
-
-/// Counts on boards; what goes wrong is told once for each target, and a program without images is told once.
-auto board_counter(const TradeOptions& options, const trade::Setting& setting) {
-    return
-        [&options, setting, told = std::set<std::string>()](
-            const trade::Target& target, const trade::Program& program, const trade::Tier& tier,
-            const trade::Format& format, const trade::Work& work) mutable -> std::optional<trade::BoardCost> {
-            if (format.format != PixelFormat::rgb565_be || tier.knobs)
-                return {};
-            const std::string image = trade::image_path(options.firmware, target, program.name, tier);
-            trade::BoardCost cost;
-            const bool there = std::filesystem::exists(image);
-            const std::string problem = there ? trade::count_on(target, image, setting, work.hash, cost)
-                                              : fmt::format("there is no {}; {}", image, how_to_build);
-            if (problem.empty())
-                return cost;
-            if (told.insert(there ? target.name : program.name).second)
-                tell(fmt::format("{} is not counted: {}\n", target.name, problem));
-            return {};
-        };
 }
 
 /// What was found out, and the page of it unless it is a part of more.
@@ -313,7 +287,8 @@ CLI::App* add_trade(CLI::App& app, TradeOptions& o) {
             "--tier", o.own_tiers,
             "one more tier, NAME=BASE,KNOB=VALUE,...: BASE is exact, balanced or fast; may be repeated")
         ->allow_extra_args(false);
-    command->add_flag("--knobs", o.knobs, "list the knobs of a tier, and do nothing else");
+    command->add_flag("--knobs", o.knobs,
+                      "list the knobs of all tiers, those of --tier among them, and do nothing else");
     command->add_flag("--strict", o.strict, "exit with 1 where a tier breaks one of its promises");
     command->add_flag(
         "--bytes", o.bytes,
@@ -328,8 +303,11 @@ CLI::App* add_trade(CLI::App& app, TradeOptions& o) {
 
 int trade(const TradeOptions& options, bool merging) {
     if (options.knobs) {
-        print("{}", trade::knob_table());
-        return 0;
+        std::vector<trade::Tier> own;
+        std::string problem = read_own_tiers(options, own);
+        if (problem.empty())
+            print("{}", trade::knob_table(own));
+        return problem.empty() ? 0 : refuse(problem);
     }
     if (merging) {
         const trade::Swept swept = trade::merge_folders(options.parts, options.out);

@@ -156,7 +156,7 @@ std::vector<Advice> advise(const Table& accuracy, const Table& cost) {
             all.push_back({accuracy.text(accuracy.rows[i], "tier"), &accuracy.rows[i], 1, ""});
         const Axis* by = nullptr; // the first that all tiers have
         for (const Axis& axis : axes)
-            if (by == nullptr && fill_in(cost, job, axis.column.c_str(), all))
+            if (by == nullptr && axis.of_frame && fill_in(cost, job, axis.column.c_str(), all))
                 by = &axis;
         for (Candidate& c : all)
             c.also = other_figures(accuracy, cost, all.front(), c, job, by);

@@ -127,7 +127,7 @@ Table::Row cost_row(const Job& job, const Tier& tier, const Cost& cost) {
     for (const Target& target : targets()) {
         const auto found = cost.boards.find(target.name);
         const bool counted = found != cost.boards.end();
-        append_instructions(out, counted ? found->second.instructions : 0, cost.work);
+        append_instructions(out, counted ? found->second.instructions : 0, cost.board_work);
         out.push_back(counted ? std::to_string(found->second.flash) : "");
         out.push_back(counted ? std::to_string(found->second.ram) : "");
     }

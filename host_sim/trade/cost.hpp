@@ -34,6 +34,7 @@ struct Cost {
     double microseconds = -1, first = -1; ///< of this tier and of the first; negative: not measured
     Work work;
     std::uint64_t instructions = 0;          ///< on this machine; 0: not counted
+    Work board_work;                         ///< what images draw
     std::map<std::string, BoardCost> boards; ///< by the target's name
 };
 

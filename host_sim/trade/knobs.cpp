@@ -147,13 +147,24 @@ std::string read_tier(std::string_view words, const std::vector<Tier>& taken, Ti
     return problem.empty() ? "" : "--tier: " + problem;
 }
 
-std::string knob_table() {
-    std::string out = fmt::format("{:<19}{:<28}{:<10}{:<10}{:<10}{}\n", "knob", "values", "exact", "balanced",
-                                  "fast", "what it trades");
-    for (const Knob& k : knobs())
-        out +=
-            fmt::format("{:<19}{:<28}{:<10}{:<10}{:<10}{}\n", k.name, k.range(), k.text(raster::exact_knobs),
-                        k.text(raster::balanced_knobs), k.text(raster::fast_knobs), k.trades);
+std::string knob_table(const std::vector<Tier>& own) {
+    std::vector<std::pair<std::string, Knobs>> columns = {
+        {"exact", raster::exact_knobs}, {"balanced", raster::balanced_knobs}, {"fast", raster::fast_knobs}};
+    for (const Tier& tier : own)
+        columns.emplace_back(tier.name, tier.knobs.value());
+    std::string out = fmt::format("{:<19}{:<28}", "knob", "values");
+    const auto add = [&](const std::string& column, const std::string& text) {
+        out += fmt::format("{:<{}}", text, std::max<std::size_t>(10, column.size() + 2));
+    };
+    for (const auto& [name, knobs] : columns)
+        add(name, name);
+    out += "what it trades\n";
+    for (const Knob& k : knobs()) {
+        out += fmt::format("{:<19}{:<28}", k.name, k.range());
+        for (const auto& [name, values] : columns)
+            add(name, k.text(values));
+        out += k.trades + std::string("\n");
+    }
     return out;
 }
 

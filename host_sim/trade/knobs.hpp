@@ -36,7 +36,8 @@ std::string read_knobs(std::string_view words, Tier& out);
 /// what is wrong with it.
 std::string read_tier(std::string_view words, const std::vector<Tier>& taken, Tier& out);
 
-/// A table of all knobs: ranges, values of the three tiers, what each trades.
-std::string knob_table();
+/// A table of all knobs: ranges, values of the three tiers and of a user's own ones, what each trades. At
+/// least two spaces lie between columns.
+std::string knob_table(const std::vector<Tier>& own = {});
 
 } // namespace spangle::trade

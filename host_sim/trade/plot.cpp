@@ -154,6 +154,10 @@ std::vector<Axis> axes_of(const Table& cost) {
             {target_column(target.name, "instructions"), fmt::format("instructions on {}", target.name)});
     all.push_back({target_column(host_target, "instructions"), "instructions on this machine"});
     all.push_back({"microseconds", "time"});
+    for (const Target& target : targets()) {
+        all.push_back({target_column(target.name, "flash"), fmt::format("flash on {}", target.name), false});
+        all.push_back({target_column(target.name, "ram"), fmt::format("RAM on {}", target.name), false});
+    }
     std::vector<Axis> out;
     for (const Axis& axis : all)
         if (std::any_of(cost.rows.begin(), cost.rows.end(),
@@ -181,7 +185,9 @@ Plot plot_tiers(const Table& accuracy, const Table& cost, const Axis& axis) {
     }
     if (dots.empty())
         return {"", "nothing was measured"};
-    return drawn(look() + fmt::format("set xlabel '{} for a frame, % of the first tier'\n", axis.name) +
+    return drawn(look() +
+                 fmt::format("set xlabel '{}{}, % of the first tier'\n", axis.name,
+                             axis.of_frame ? " for a frame" : "") +
                  "set ylabel 'PSNR in RGB565, dB (99: identical)'\n" +
                  plotted(dots, tier_names(accuracy), false));
 }

@@ -15,10 +15,11 @@ struct Plot {
 
 /// What frames of all tiers may be compared by: a column of cost.csv.
 struct Axis {
-    std::string column; ///< "microseconds", "m4_instructions", ...
-    std::string name;   ///< "time", "instructions on m4", ...
+    std::string column;   ///< "microseconds", "m4_instructions", ...
+    std::string name;     ///< "time", "instructions on m4", "flash on m4", ...
+    bool of_frame = true; ///< else it is one of the whole image
 };
-/// Those of which there are figures: instructions on boards, on this machine, time.
+/// Those of which there are figures: instructions on boards, on this machine, time, flash and RAM.
 std::vector<Axis> axes_of(const Table& cost);
 
 /// A figure relative to that of the first tier against decibels in 565, a point for each program and tier.

@@ -16,6 +16,8 @@ struct Program {
     bool stencil = false;                             ///< it needs a stencil buffer
     /// Not null: a process of its own draws it, and the functions are empty (recording.hpp).
     std::shared_ptr<Recording> recording{};
+    /// What images of firmware draw, where that is not the same: a model as it was baked.
+    std::shared_ptr<const Program> on_board{};
 };
 
 } // namespace spangle::trade

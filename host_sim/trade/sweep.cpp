@@ -67,9 +67,13 @@ std::string run_job(const Sweep& what, const Program& program, const Job& job, c
                   times[0],
                   work_of_frames(program, tier, job.format, setting),
                   what.count ? what.count(program, tier, job.format) : 0,
+                  {},
                   {}};
+        cost.board_work = program.on_board != nullptr
+                              ? work_of_frames(*program.on_board, tier, job.format, setting)
+                              : cost.work;
         for (const Target& target : what.targets)
-            if (const auto counted = what.count_board(target, program, tier, job.format, cost.work))
+            if (const auto counted = what.count_board(target, program, tier, job.format, cost.board_work))
                 cost.boards[target.name] = *counted;
         out.cost.rows.push_back(cost_row(job, tier, cost));
     }

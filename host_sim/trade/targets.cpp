@@ -1,6 +1,6 @@
 #include "host_sim/trade/targets.hpp"
 
-#include <charconv>
+#include <cctype>
 #include <numeric>
 #include <sstream>
 
@@ -52,7 +52,11 @@ std::vector<std::string> target_names() {
 
 std::string image_path(const std::string& folder, const Target& target, const std::string& program,
                        const Tier& tier) {
-    return fmt::format("{}/{}/{}-{}.elf", folder, target.name, program, tier.name);
+    std::string name = program;
+    for (char& c : name)
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '.')
+            c = '_';
+    return fmt::format("{}/{}/{}-{}.elf", folder, target.name, name, tier.name);
 }
 
 std::string read_said(std::string_view text, Said& out) {

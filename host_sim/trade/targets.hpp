@@ -34,7 +34,8 @@ struct BoardCost {
     std::uint64_t ram; ///< bytes of variables, of the arena at most, and of the stack, without the picture
 };
 
-/// The image of a program in a tier. It may be missing.
+/// The image of a program in a tier, by its name in ASCII: what is no letter, digit, '-' or '.' is '_'. It
+/// may be missing.
 std::string image_path(const std::string& folder, const Target& target, const std::string& program,
                        const Tier& tier);
 

@@ -70,7 +70,8 @@ void Setup<Fixed>::weights_of_several_exponents() {
 
 bool Setup<Fixed>::colors_affine(std::uint32_t bits) {
     const std::uint32_t four = state_.four_color_tolerances;
-    if ((SPANGLE_OWN_TIERS || !has_chain) && four == any_color_tolerance)
+    constexpr bool any = SPANGLE_OWN_TIERS || (has_given_knobs && given_knobs.affine_color_bits == 0);
+    if ((any || !has_chain) && four == any_color_tolerance)
         return true;
     if constexpr (!has_shortcuts)
         return bounded(bits, four); // their range

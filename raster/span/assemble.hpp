@@ -132,16 +132,16 @@ template <class N> inline constexpr bool by_stages = !is_fixed<N> || has_shortcu
 
 /// The runs of another tier than this number system's.
 template <class N> constexpr bool has_other_runs([[maybe_unused]] const Key& key) {
-#if SPANGLE_OWN_TIERS
-    return is_fixed<N> && key.other_runs;
+#if SPANGLE_MIXES_RUNS
+    return has_mixed_runs && is_fixed<N> && key.other_runs;
 #else
     return false;
 #endif
 }
 template <class One, int Unit, bool Straight, class Chain>
 void add_other_runs([[maybe_unused]] Chain& chain) {
-#if SPANGLE_OWN_TIERS
-    if constexpr (is_fixed<One>)
+#if SPANGLE_MIXES_RUNS
+    if constexpr (has_mixed_runs && is_fixed<One>)
         chain.template add<CoordAlong<One, Unit, std::conditional_t<Straight, CoordRuns, CubicRuns>>>();
 #endif
 }

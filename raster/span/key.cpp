@@ -180,9 +180,10 @@ Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
         key.dither = state.dither && is_565(key.format);
         key.coarse = !exact && of_tier<[](const Knobs& k) { return k.coarse_blend; }>(state) &&
                      is_565(key.format) && key.blend && !key.blend_general && key.blending == blend_over;
-#if SPANGLE_OWN_TIERS
-        key.other_runs = key.kind >= Kind::textured && (key.unit[0].on || key.second_unit()) &&
-                         !drawn_narrow(key.format) && of_tier<has_cubic_runs>(state) != exact;
+#if SPANGLE_MIXES_RUNS
+        key.other_runs = has_mixed_runs && key.kind >= Kind::textured &&
+                         (key.unit[0].on || key.second_unit()) && !drawn_narrow(key.format) &&
+                         of_tier<has_cubic_runs>(state) != exact;
 #endif
     }
     return key;

@@ -58,7 +58,7 @@ struct Key {
     bool polygon_stipple = false;
     bool depth_offset = false;
     bool samples = false; ///< alpha or a value decides which samples are covered
-#if SPANGLE_OWN_TIERS
+#if SPANGLE_MIXES_RUNS
     /// Texture coordinates have the runs of another tier than the one that has this number system.
     bool other_runs = false;
 #endif

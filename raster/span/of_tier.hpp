@@ -2,7 +2,8 @@
 //
 // `Of` makes a value of knobs: a formula without captures, such as [](const Knobs& k) { return k.unsnapped;
 // }. Where programs compose tiers it is applied to the knobs of the draw. Elsewhere each tier's value is a
-// constant, and what is left is one comparison of tiers: firmware holds no knobs.
+// constant, and what is left is one comparison of tiers, or nothing where a build has given knobs: firmware
+// holds no knobs.
 #pragma once
 
 #include "raster/span/draw_state.hpp"
@@ -24,6 +25,17 @@ template <auto Of> SPANGLE_INLINE auto of_straight_tier(const DrawState& draw) {
 }
 template <auto Of> SPANGLE_INLINE auto of_cubic_tier(const DrawState& draw) {
     return Of(draw.knobs);
+}
+#elif defined(SPANGLE_KNOBS)
+template <auto Of, class State> SPANGLE_INLINE constexpr auto of_tier(const State&) {
+    return Of(given_knobs);
+}
+/// Runs that the given knobs do not have are those of a tier of the library: narrow surfaces have cubic ones.
+template <auto Of> SPANGLE_INLINE constexpr auto of_straight_tier(const DrawState&) {
+    return Of(given_knobs.runs == Runs::straight ? given_knobs : balanced_knobs);
+}
+template <auto Of> SPANGLE_INLINE constexpr auto of_cubic_tier(const DrawState&) {
+    return Of(given_knobs.runs == Runs::cubic ? given_knobs : exact_knobs);
 }
 #else
 template <auto Of, class State> SPANGLE_INLINE auto of_tier(const State& state) {

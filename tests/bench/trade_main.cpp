@@ -1,7 +1,7 @@
-// The firmware that `spangle trade --targets` counts: one scene in one tier. Run with -icount shift=0. The
-// command line is "NAME WIDTH HEIGHT FIRST FRAMES DITHER": frame 0 is drawn, then FRAMES from FIRST on are
-// counted one by one. Prints by semihosting a line "frame INSTRUCTIONS HASH" for each, and a line "NAME
-// BYTES" for each kind of memory.
+// The firmware that `spangle trade --targets` counts: one scene or baked model in one tier. Run with -icount
+// shift=0. The command line is "NAME WIDTH HEIGHT FIRST FRAMES DITHER": frame 0 is drawn, then FRAMES from
+// FIRST on are counted one by one. Prints by semihosting a line "frame INSTRUCTIONS HASH" for each, and a
+// line "NAME BYTES" for each kind of memory.
 #include <cstdint>
 
 #include <spangle/mcu/instructions.hpp>
@@ -9,12 +9,17 @@
 #include <spangle/mcu/stack.hpp>
 #include <spangle/native.hpp>
 
+#ifdef BENCH_MODEL
+#include "boards/scenes/baked_model.hpp"
+#include BENCH_MODEL_HEADER
+#endif
 #include "boards/scenes/scene.hpp"
 #include "tests/bench/headless.hpp"
 #include "tests/bench/picture_hash.hpp"
 
-#ifndef BENCH_SCENE
-#error "define BENCH_SCENE (a scene object) and BENCH_PRECISION (an EGL token)"
+#if !defined(BENCH_SCENE) && !defined(BENCH_MODEL)
+#error                                                                                                       \
+    "define BENCH_SCENE (a scene object), or BENCH_MODEL (a namespace of BENCH_MODEL_HEADER); and BENCH_PRECISION"
 #endif
 
 namespace {
@@ -24,6 +29,15 @@ namespace semihosting = mcu::semihosting;
 
 alignas(8) unsigned char memory_pool[1536 * 1024];
 constexpr std::size_t picture_row = 2048 * 4; // of picture_hash()
+
+#ifdef BENCH_MODEL
+const baked::Mesh& mesh = baked::BENCH_MODEL::mesh;
+constexpr scenes::Scene program = {"MODEL", "a baked model",
+                                   [](int width, int height) { scenes::setup_baked(mesh, width, height); },
+                                   [](int frame) { scenes::draw_baked(mesh, frame); }};
+#else
+const scenes::Scene& program = scenes::BENCH_SCENE;
+#endif
 
 void print_line(const char* name, std::size_t number) {
     semihosting::print(name);
@@ -69,15 +83,14 @@ int main() {
         semihosting::print("no context: the picture does not fit its memory\n");
         return 1;
     }
-    const scenes::Scene& scene = scenes::BENCH_SCENE;
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    scene.setup(width, height);
+    program.setup(width, height);
     (dither != 0 ? glEnable : glDisable)(GL_DITHER);
-    scene.draw(0);                           // what is done once is not counted
+    program.draw(0);                         // what is done once is not counted
     mcu::InstructionCount count(25'000'000); // clocks a second of the boards that count these
     for (int frame = first; frame < first + frames; ++frame) {
         count.begin();
-        scene.draw(frame);
+        program.draw(frame);
         const std::uint32_t instructions = count.end();
         semihosting::print("frame ");
         semihosting::print_number(instructions);

@@ -43,6 +43,22 @@ TEST(KnobNames, AreEveryFieldWithItsRange) {
     const std::string table = knob_table();
     for (const Knob& knob : knobs())
         EXPECT_THAT(table, HasSubstr(knob.name));
+    Tier own;
+    ASSERT_EQ(read_tier("a-tier-of-mine=fast,texel_bits=12,runs=cubic", {}, own), "");
+    std::istringstream lines(knob_table({own}));
+    for (std::string line; std::getline(lines, line);) {
+        // As ./dev firmware reads it: columns have two spaces between them.
+        const auto begins = [&](const char* knob) { return line.starts_with(knob); };
+        if (begins("knob ")) {
+            EXPECT_THAT(line, HasSubstr("  fast      a-tier-of-mine  what"));
+        }
+        if (begins("texel_bits ")) {
+            EXPECT_THAT(line, HasSubstr("  1         12              Between"));
+        }
+        if (begins("runs ")) {
+            EXPECT_THAT(line, HasSubstr("  straight  cubic           How"));
+        }
+    }
 }
 
 TEST(OwnTierWords, AreReadOrSayWhatIsWrong) {
@@ -152,6 +168,13 @@ TEST_F(Images, TakeWhatTheirSectionsSay) {
     EXPECT_THAT(read_sizes(folder / "image.elf", sizes), HasSubstr("cut off"));
 }
 
+TEST(ImageNames, AreWordsOfLettersAndDigits) {
+    Tier own;
+    ASSERT_EQ(read_tier("fine=balanced,texel_bits=5", {}, own), "");
+    EXPECT_EQ(image_path("out", targets()[0], "S4r", tiers[1]), "out/m0plus/S4r-balanced.elf");
+    EXPECT_EQ(image_path("out", targets()[3], "a b/c.obj", own), "out/rv32/a_b_c.obj-fine.elf");
+}
+
 TEST_F(Images, AreCountedOnTheirMachine) {
     const std::string image = image_in(folder);
     const Setting setting{.width = 96, .height = 64, .frames = 2, .dither = true};
@@ -197,7 +220,7 @@ TEST(Measured, CoverageIsHeldAgainstThreeReferences) {
 
 TEST(CostRows, SayWhatAPixelAndATriangleTake) {
     const Job job{0, 1, "X", *find(formats, "565")};
-    Cost cost{50, 100, {20, 400, 0}, 8000, {{"m4", {10000, 4096, 512}}}};
+    Cost cost{50, 100, {20, 400, 0}, 8000, {10, 200, 0}, {{"m4", {10000, 4096, 512}}}};
     Table table{cost_columns(), {cost_row(job, tiers[0], cost)}};
     const Table::Row& row = table.rows.front();
     ASSERT_EQ(row.size(), table.columns.size());
@@ -209,12 +232,12 @@ TEST(CostRows, SayWhatAPixelAndATriangleTake) {
     EXPECT_EQ(cell("host_per_pixel"), "20.0");
     EXPECT_EQ(cell("host_per_triangle"), "400.0");
     EXPECT_EQ(cell("m4_instructions"), "10000");
-    EXPECT_EQ(cell("m4_per_pixel"), "25.0");
-    EXPECT_EQ(cell("m4_per_triangle"), "500.0");
+    EXPECT_EQ(cell("m4_per_pixel"), "50.0") << "of what the image draws, a baked model";
+    EXPECT_EQ(cell("m4_per_triangle"), "1000.0");
     EXPECT_EQ(cell("m4_flash"), "4096");
     EXPECT_EQ(cell("m4_ram"), "512");
     EXPECT_EQ(cell("m3_instructions") + cell("rv32_flash"), "");
-    cost.work = {};
+    cost.board_work = {};
     table.rows = {cost_row(job, tiers[0], cost)};
     EXPECT_EQ(table.text(table.rows[0], "m4_per_pixel"), "") << "nothing was drawn";
 }

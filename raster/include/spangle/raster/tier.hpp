@@ -11,6 +11,12 @@
 #ifndef SPANGLE_OWN_TIERS
 #define SPANGLE_OWN_TIERS 0
 #endif
+/// Keys say whether the runs of coordinates are those of the number system (has_mixed_runs).
+#if SPANGLE_OWN_TIERS || defined(SPANGLE_KNOBS)
+#define SPANGLE_MIXES_RUNS 1
+#else
+#define SPANGLE_MIXES_RUNS 0
+#endif
 
 namespace spangle::raster {
 
@@ -122,5 +128,30 @@ constexpr bool are_valid(const Knobs& k) {
            (k.affine_fog_bits == 0 || among(k.affine_fog_bits, 2, 24));
 }
 static_assert(are_valid(exact_knobs) && are_valid(balanced_knobs) && are_valid(fast_knobs));
+
+/// Firmware may draw in one tier that its user composed. SPANGLE_KNOBS gives every field its value; then all
+/// knobs are constants, whatever tier a config or a hint asks for. `./dev firmware --tier` says it.
+#ifdef SPANGLE_KNOBS
+inline constexpr bool has_given_knobs = true;
+inline constexpr Knobs given_knobs = {SPANGLE_KNOBS};
+#else
+inline constexpr bool has_given_knobs = false;
+inline constexpr Knobs given_knobs = exact_knobs;
+#endif
+
+/// The tiers whose code draws with these knobs, as SPANGLE_TIER_SET has them.
+constexpr unsigned tiers_for(const Knobs& k) {
+    const bool exact = k.color_bits == 20 || k.runs == Runs::cubic || k.unsnapped;
+    const bool other = k.color_bits == 8 || k.runs == Runs::straight;
+    return (exact ? 1u : 0) + (!other ? 0 : k.coarse_blend ? 4 : 2);
+}
+static_assert(!has_given_knobs || (are_valid(given_knobs) && !SPANGLE_OWN_TIERS));
+static_assert(!has_given_knobs || tiers == tiers_for(given_knobs),
+              "SPANGLE_TIER_SET is not that of SPANGLE_KNOBS");
+
+/// Coordinates may have the runs of another tier than the one whose number system colours have.
+inline constexpr bool has_mixed_runs =
+    SPANGLE_OWN_TIERS ||
+    (has_given_knobs && (given_knobs.runs == Runs::cubic) != (given_knobs.color_bits == 20));
 
 } // namespace spangle::raster
