@@ -2,6 +2,8 @@
 // Images of firmware draw it from flash, and the host from memory, with the same calls.
 #pragma once
 
+#include <initializer_list>
+
 #include "boards/scenes/gl.hpp" // first: the model is drawn with that GL
 
 #include <spangle/baked.hpp>

@@ -68,6 +68,10 @@ RangeText text_of(gl::Range range) {
 }
 
 bool is_fusible(const Key& key) {
+    // No loop of the exact tier filters between four texels whose coordinates every fragment divides.
+    if (key.number == Number::exact && divides(key.kind, key.fog) && key.unit[0].on &&
+        key.unit[0].filter == Filter::linear)
+        return false;
     return key.number != Number::reference && key == sayable(key);
 }
 

@@ -167,6 +167,11 @@ def tiers(folder):
     check(hashes[0] == hashes[1] != hashes[2] and hashes[2], f"spangle run takes no knobs: {hashes}")
     refused = subprocess.run([SPANGLE, "run", "S1", "--knobs", "fast,x=1"], capture_output=True, text=True)
     check(refused.returncode == 2 and "spangle trade --knobs" in refused.stderr, f"an unknown knob is not named: {refused.stderr}")
+    builder = HERE.parent / "bench/trade_firmware.py"
+    for words, says in ((["S99"], "no scene S99"), (["S1", "--targets", "m5"], "no m5"), (["S1", "--tier", "x=fast,speed=1"], "--knobs"), (["S1", "--tier", "fast=exact"], "already"),
+                        (["--model", "none.obj"], "none.obj"), (["S1", "--used-spans", "--spangle", "nowhere"], "`./dev build` makes it")):
+        done = subprocess.run([sys.executable, builder, "--spangle", SPANGLE, "--out", folder / "images", *words], cwd=folder, capture_output=True, text=True)
+        check(done.returncode in (2, 77) and (done.returncode == 77 or says in done.stderr), f"./dev firmware {words} says {done.returncode}: {done.stderr}")
     emulated(folder)
 
 
@@ -192,16 +197,20 @@ def emulated(folder):
 
 def firmware(folder):
     builder = HERE.parent / "bench/trade_firmware.py"
-    few = f'SPANGLE_FUSED="{HERE.parents[1]}/cmake/profiles/spans/few.inc"'
-    built = subprocess.run([sys.executable, builder, "S4r", "--targets", "m3,rv32", "--tiers", "balanced,fast", "--define", few, "--out", folder / "firmware"], capture_output=True, text=True)
+    own, model = ["--tier", "fine=balanced,texel_bits=4,affine_texel_bits=4"], ["--model", str(HERE.parents[1] / "boards/scenes/models/rocket.obj")]
+    built = subprocess.run([sys.executable, builder, "S4r", *model, "--targets", "m0plus,m3,m4,rv32", "--tiers", "balanced,fast", *own, "--used-spans", "--spangle", SPANGLE, "--out", folder / "firmware"], capture_output=True, text=True)
     if built.returncode == 77:
         print(built.stdout)
         sys.exit(77)
     check(built.returncode == 0, f"the firmware does not build: {built.stdout}{built.stderr}")
-    said = trade(folder, "S4r", "--no-times", "--frames", "1", "--tiers", "balanced,fast", "--targets", "m3,rv32", "--firmware", "firmware", "--out", "counted")
+    said = trade(folder, "S4r", *model, "--no-times", "--frames", "1", "--tiers", "balanced,fast", *own, "--targets", "m0plus,m3,m4,rv32", "--firmware", "firmware", "--out", "counted")
     check("not counted" not in said.stderr, said.stderr)
-    rows = {row["tier"]: row for row in csv.DictReader((folder / "counted/cost.csv").open())}
-    for target in ("m3", "rv32"):
+    every = list(csv.DictReader((folder / "counted/cost.csv").open()))
+    rows = {row["tier"]: row for row in every if row["scene"] == "S4r"}
+    check(len(every) == 6 and list(rows) == ["balanced", "fast", "fine"], f"other programs and tiers were counted: {every}")
+    for target in ("m0plus", "m3", "m4", "rv32"):
+        check(all(row[f"{target}_instructions"] for row in every), f"{target}: a model or a tier is not counted: {every}")
+        check(int(rows["fine"][f"{target}_instructions"]) > int(rows["balanced"][f"{target}_instructions"]), f"{target}: more texel bits take nothing: {rows}")
         balanced, fast = rows["balanced"], rows["fast"]
         check(int(fast[f"{target}_instructions"]) < int(balanced[f"{target}_instructions"]) < 30_000_000, f"{target}: fast is not quicker: {rows}")
         pixel = int(fast[f"{target}_instructions"]) / float(fast["fragments"])
