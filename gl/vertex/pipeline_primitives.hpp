@@ -231,8 +231,8 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
     // A quad that is cut keeps the diagonal that it has where nothing cuts it: its colours stay where they
     // are while it leaves the view volume.
     if (planes != 0 && n == 4 && !stays_whole()) {
-        Vertex *const first[3] = {corners[0], corners[1], corners[2]},
-                *const second[3] = {corners[0], corners[2], corners[3]};
+        Vertex* const first[3] = {corners[0], corners[1], corners[2]};
+        Vertex* const second[3] = {corners[0], corners[2], corners[3]};
         polygon(first, 3, provoking);
         return polygon(second, 3, provoking);
     }

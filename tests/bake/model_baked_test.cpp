@@ -1,4 +1,5 @@
-// What images of models draw, in memory: the arrays that `spangle bake` writes, and nearly the model's picture.
+// What images of models draw, in memory: the arrays that `spangle bake` writes, and nearly the model's
+// picture.
 #include <cmath>
 #include <cstring>
 #include <vector>
@@ -38,7 +39,8 @@ Model squares() {
             part.vertices.push_back(
                 {{x + 0.35f * s, y + 0.35f * t, 0.1f * s}, {0.0f, 0.0f, 1.0f}, {s, t}, {s, t, 0.5f, 1.0f}});
         }
-        part.indices = i == 4 ? std::vector<std::uint32_t>{0, 3} : std::vector<std::uint32_t>{0, 1, 2, 2, 1, 3};
+        part.indices =
+            i == 4 ? std::vector<std::uint32_t>{0, 3} : std::vector<std::uint32_t>{0, 1, 2, 2, 1, 3};
         model.parts.push_back(part);
     }
     return model;
@@ -82,7 +84,8 @@ TEST(BakedModels, AreTheArraysOfTheHeader) {
                     EXPECT_EQ(number_at<GLubyte>(part.color, at + c), from.vertices[v].color[c]) << i;
                 }
                 if (part.texcoord.first != nullptr && c < 2) {
-                    EXPECT_EQ(number_at<GLshort>(part.texcoord, at + 2 * c), from.vertices[v].texcoord[c]) << i;
+                    EXPECT_EQ(number_at<GLshort>(part.texcoord, at + 2 * c), from.vertices[v].texcoord[c])
+                        << i;
                 }
             }
         }
@@ -93,7 +96,9 @@ TEST(BakedModels, AreTheArraysOfTheHeader) {
     EXPECT_EQ(mesh.part[2].texture->internal_format, GLenum{GL_RGBA4});
     EXPECT_TRUE(mesh.part[2].texture->translucent);
     ASSERT_EQ(static_cast<std::size_t>(texture.images), opaque.levels.size());
-    EXPECT_EQ(std::memcmp(texture.image[0].texels, opaque.levels[0].bytes.data(), opaque.levels[0].bytes.size()), 0);
+    EXPECT_EQ(
+        std::memcmp(texture.image[0].texels, opaque.levels[0].bytes.data(), opaque.levels[0].bytes.size()),
+        0);
 }
 
 std::vector<GLubyte> pixels() {
