@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <mutex>
 
 #include <fcntl.h>
 #include <linux/ioctl.h>
@@ -247,6 +248,8 @@ void UsbfsDevice::attach(Kernel& kernel, const std::string& path) {
 }
 
 void UsbfsDevice::unplug() {
+    // No call on a file of the device may run meanwhile: it would write into a pipe that nobody reads.
+    const std::lock_guard lock(*kernel_);
     kernel_->unplug(path_);
     for (UsbfsFile* file : files_)
         file->hang_up();
