@@ -1,10 +1,8 @@
-// A baked model as `spangle run --model` shows models: turning in front of one light, opaque parts first.
-// Images of firmware draw it from flash, and the host from memory, with the same calls.
+// A baked model as `spangle run --model` shows models. Images of firmware draw it from flash, and the host
+// from memory, with the same calls.
 #pragma once
 
-#include <initializer_list>
-
-#include "boards/scenes/gl.hpp" // first: the model is drawn with that GL
+#include "boards/scenes/model_view.hpp" // first: it names the GL that the model is drawn with
 
 #include <spangle/baked.hpp>
 
@@ -20,22 +18,15 @@ inline GLuint texture_name(const baked::Mesh& mesh, GLsizei part) {
 }
 
 inline void setup_baked(const baked::Mesh& mesh, int width, int height) {
-    static constexpr GLfloat light[4] = {0.4f, 0.7f, 1.0f, 0.0f};
     // The sphere of radius 1 at a distance of 3 fits a square in the middle, so that no frustum is computed.
     const int side = width < height ? width : height;
     glViewport((width - side) / 2, (height - side) / 2, side, side);
-    glClearColor(0.125f, 0.25f, 0.375f, 1.0f);
     glMatrixMode(GL_PROJECTION);
     glLoadIdentity();
     glFrustum(-0.36, 0.36, -0.36, 0.36, 1.0, 6.0);
     baked::scale_texcoords(mesh);
     glLoadIdentity();
-    glLightfv(GL_LIGHT0, GL_POSITION, light);
-    glEnable(GL_LIGHTING);
-    glEnable(GL_LIGHT0);
-    glEnable(GL_NORMALIZE);
-    glEnable(GL_DEPTH_TEST);
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    light_model();
     for (GLsizei i = 0; i < mesh.parts; ++i) {
         const GLuint name = texture_name(mesh, i);
         if (name != static_cast<GLuint>(i) + 1)
@@ -57,23 +48,15 @@ inline void draw_baked_part(const baked::Part& part, GLuint texture) {
 }
 
 inline void draw_baked(const baked::Mesh& mesh, int frame) {
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glLoadIdentity();
-    glTranslatef(0.0f, 0.0f, -3.0f);
-    glRotatef(18.0f, 1.0f, 0.0f, 0.0f);
-    glRotatef(static_cast<float>(30 + 2 * (frame % 180)), 0.0f, 1.0f, 0.0f);
+    turn_model(frame);
     baked::scale_positions(mesh);
-    for (const bool translucent : {false, true})
-        for (GLsizei i = 0; i < mesh.parts; ++i) {
+    draw_opaque_first(
+        mesh.parts,
+        [&](GLsizei i) {
             const baked::Part& part = mesh.part[i];
-            const bool see_through =
-                part.diffuse[3] < 1.0f || (part.texture != nullptr && part.texture->translucent);
-            if (see_through != translucent)
-                continue;
-            (translucent ? glEnable : glDisable)(GL_BLEND);
-            draw_baked_part(part, texture_name(mesh, i));
-        }
-    glDisable(GL_BLEND);
+            return part.diffuse[3] < 1.0f || (part.texture != nullptr && part.texture->translucent);
+        },
+        [&](GLsizei i) { draw_baked_part(mesh.part[i], texture_name(mesh, i)); });
 }
 
 } // namespace spangle::scenes

@@ -1,5 +1,4 @@
-#include <spangle/GL/gl.h>
-
+#include "boards/scenes/model_view.hpp"
 #include "host_sim/cli/model.hpp"
 
 namespace spangle::cli {
@@ -51,22 +50,15 @@ void draw_part(const ModelPart& part) {
 } // namespace
 
 void setup_model(const Model& model, int width, int height) {
-    static constexpr GLfloat light[4] = {0.4f, 0.7f, 1.0f, 0.0f};
     const double h = static_cast<double>(height) / width;
     const double narrow = h < 1.0 ? h : 1.0; // the sphere fits the shorter side
     glViewport(0, 0, width, height);
-    glClearColor(0.125f, 0.25f, 0.375f, 1.0f);
     glMatrixMode(GL_PROJECTION);
     glLoadIdentity();
     glFrustum(-0.36 / narrow, 0.36 / narrow, -0.36 * h / narrow, 0.36 * h / narrow, 1.0, 6.0);
     glMatrixMode(GL_MODELVIEW);
     glLoadIdentity();
-    glLightfv(GL_LIGHT0, GL_POSITION, light);
-    glEnable(GL_LIGHTING);
-    glEnable(GL_LIGHT0);
-    glEnable(GL_NORMALIZE);
-    glEnable(GL_DEPTH_TEST);
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    scenes::light_model();
     glEnableClientState(GL_VERTEX_ARRAY);
     glEnableClientState(GL_NORMAL_ARRAY);
     glEnableClientState(GL_TEXTURE_COORD_ARRAY);
@@ -75,26 +67,15 @@ void setup_model(const Model& model, int width, int height) {
 }
 
 void draw_model(const Model& model, int frame) {
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glLoadIdentity();
-    glTranslatef(0.0f, 0.0f, -3.0f);
-    glRotatef(18.0f, 1.0f, 0.0f, 0.0f);
-    glRotatef(static_cast<float>(30 + 2 * (frame % 180)), 0.0f, 1.0f, 0.0f);
-    // Opaque parts first, so that what shows through the others is there.
-    for (const bool translucent : {false, true})
-        for (const ModelPart& part : model.parts) {
-            const bool see_through =
-                part.diffuse[3] < 1.0f ||
-                (part.image >= 0 && model.images[static_cast<std::size_t>(part.image)].translucent);
-            if (see_through != translucent)
-                continue;
-            if (translucent)
-                glEnable(GL_BLEND);
-            else
-                glDisable(GL_BLEND);
-            draw_part(part);
-        }
-    glDisable(GL_BLEND);
+    scenes::turn_model(frame);
+    scenes::draw_opaque_first(
+        model.parts.size(),
+        [&](std::size_t i) {
+            const ModelPart& part = model.parts[i];
+            return part.diffuse[3] < 1.0f ||
+                   (part.image >= 0 && model.images[static_cast<std::size_t>(part.image)].translucent);
+        },
+        [&](std::size_t i) { draw_part(model.parts[i]); });
 }
 
 } // namespace spangle::cli

@@ -19,7 +19,7 @@ struct Axis {
     std::string name;     ///< "time", "instructions on m4", "flash on m4", ...
     bool of_frame = true; ///< else it is one of the whole image
 };
-/// Those of which there are figures: instructions on boards, on this machine, time, flash and RAM.
+/// The axes that have figures: instructions on boards and on this machine, time, flash and RAM.
 std::vector<Axis> axes_of(const Table& cost);
 
 /// A figure relative to that of the first tier against decibels in 565, a point for each program and tier.
