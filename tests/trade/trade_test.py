@@ -217,7 +217,7 @@ def firmware(folder):
         check(abs(float(fast[f"{target}_per_pixel"]) - pixel) < 0.06, f"{target}: {pixel} instructions a pixel are not told")
         for row in rows.values():
             check(30_000 < int(row[f"{target}_flash"]) < 800_000 and 4_000 < int(row[f"{target}_ram"]) < 200_000, f"{target}: what is that memory? {row}")
-    check("fewer instructions on m3" in said.stdout, f"boards are not advised on: {said.stdout}")
+    check("fewer instructions on m0plus" in said.stdout, f"boards are not advised on: {said.stdout}")
 
 
 SLIDE = """<script>
