@@ -2,13 +2,15 @@
 """Runs screen savers and programs of toolkits (programs_list.py) with the drop-in pair, and compares them with Mesa.
 
 usage: gallery.py [--build BUILD] [--only EXPRESSION]
+       gallery.py [--build BUILD] --check PARTS
        gallery.py [--build BUILD] --sheet
 
 Each program runs under Xvfb for some frames, must end by itself and show more than one colour. Its calls are recorded by apitrace
 and replayed by Spangle and by Mesa's softpipe and llvmpipe. No error of GL may be Spangle's alone, and the pictures must agree.
 gallery.csv gets a line for each program that was run and keeps those of the others. --only runs the programs whose names the regular
-expression finds. --sheet draws docs/pictures/programs.png: some of the programs on the glass of a panel. Savers begin with a random
-number, so that each run draws other pictures. BUILD is a build folder, build/host unless it is given.
+expression finds. --check leaves the table alone and fails where a program gets another verdict than its line has; of the lines it
+takes one in PARTS, other ones with each commit. --sheet draws docs/pictures/programs.png: some of the programs on the glass of a panel.
+Programs that seed random numbers draw the same scene in each run (same_start.c). BUILD is a build folder, build/host unless given.
 """
 import argparse
 import collections
@@ -19,11 +21,12 @@ import re
 import sys
 import tempfile
 
-from harness import (HERE, ORACLES, Picture, check, difference, failures, folder, mesa_environment, need, outfile, png, replay, run,
-                     spangle_environment, without_refused_contexts, xvfb)
+from harness import (HERE, ORACLES, SKIPPED, Picture, check, difference, failures, folder, mesa_environment, need, outfile, png, replay,
+                     run, spangle_environment, turn, without_refused_contexts, xvfb)
 from programs_list import KNOWN, SHEET, every
 
 ROOT = HERE.parents[1]
+MADE = ROOT / "build/gallery"
 TABLE, PICTURE = HERE / "gallery.csv", ROOT / "docs/pictures/programs.png"
 COLUMNS = ("program", "suite", "verdict", "reason")
 # A program that shows one colour after the first number of frames gets the second one.
@@ -32,23 +35,27 @@ LEAST_DRAWN = 0.1  # This many of a hundred pixels must not have the commonest c
 BOARD, SHEET_FRAMES, ACROSS, GAP, PAPER, MOST_BYTES = "ili9341", 60, 4, 8, (255, 255, 255), 400_000
 
 
+def build(source, *flags):
+    """Compiles a file of this folder; gives the program or library, which carries the file's first name."""
+    MADE.mkdir(parents=True, exist_ok=True)
+    made = MADE / pathlib.Path(source).stem
+    ended = run(["c++" if source.endswith("pp") else "cc", "-O1", HERE / source, "-o", made, *flags], dict(os.environ))
+    if ended.status != 0:
+        sys.exit(f"{source} is not built: {ended.words[-1000:]}")
+    return made
+
+
 def build_imgui():
     """The program with Dear ImGui, or nothing where its headers are missing."""
-    built = ROOT / "build/gallery/imgui_demo"
     flags = run(["pkg-config", "--cflags", "--libs", "imgui", "glfw3", "sdl2", "gl"], dict(os.environ))
-    if flags.status != 0:
-        return None
-    built.parent.mkdir(parents=True, exist_ok=True)
-    made = run(["c++", "-O1", HERE / "imgui_demo.cpp", "-o", built, *flags.words.split()], dict(os.environ))
-    check(made.status == 0, f"imgui_demo is not built: {made.words[-1000:]}")
-    return built if made.status == 0 else None
+    return build("imgui_demo.cpp", *flags.words.split()) if flags.status == 0 else None
 
 
 def environment_of(base, display, home):
-    """A home of its own without sound, where SDL draws by OpenGL."""
+    """A home of its own without sound, where SDL draws by OpenGL, and a clock that begins at the same time in each run."""
     (home / ".asoundrc").write_text("pcm.!default { type null }\nctl.!default { type null }\n")
     return base | {"DISPLAY": display, "HOME": str(home), "PATH": "/usr/local/bin:/usr/bin:/bin:/usr/games",
-                   "SDL_RENDER_DRIVER": "opengl", "SDL_AUDIODRIVER": "dummy"}
+                   "SDL_RENDER_DRIVER": "opengl", "SDL_AUDIODRIVER": "dummy", "LD_PRELOAD": str(MADE / "same_start")}
 
 
 def drawn(picture):
@@ -153,6 +160,21 @@ def run_programs(pair, programs):
     print(dict(collections.Counter(row["verdict"] for row in rows.values())))
 
 
+def check_part(pair, programs, parts):
+    """Judges one in `parts` of the table's lines again, other ones with each commit; a program that is not installed fails, too."""
+    known = {program.name: program for program in programs}
+    with xvfb() as display:
+        for row in list(read_table().values())[turn() % parts::parts]:
+            name = row["program"]
+            if name not in known:
+                check(False, f"{name} is not installed; ./dev setup --gallery installs it")
+                continue
+            with folder("gallery-" + name) as place:
+                verdict, reason = judge(known[name], pair, display, place)
+            check(verdict == row["verdict"], f"{name} had the verdict '{row['verdict']}' and has '{verdict}' now: {reason}")
+            print(name, verdict, sep=", ", flush=True)
+
+
 def glass(spangle, program, display):
     """What a panel shows of a program: rows of pixels."""
     with tempfile.TemporaryDirectory() as home:
@@ -192,17 +214,26 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/host")
     parser.add_argument("--only", metavar="EXPRESSION", default="")
+    parser.add_argument("--check", metavar="PARTS", type=int)
     parser.add_argument("--sheet", action="store_true")
     options = parser.parse_args()
-    build = options.build.resolve()
-    if not (build / "dropin").exists():
+    if options.check is not None and options.check < 1:
+        parser.error("--check takes a number from 1 on")
+    build_folder = options.build.resolve()
+    if not (build_folder / "dropin").exists():
         sys.exit(f"there is no drop-in pair in {options.build}; ./dev build makes it in build/host")
     need("Xvfb", "apitrace", "eglretrace")
+    build("same_start.c", "-shared", "-fPIC")
     programs = every(build_imgui())
-    if options.sheet:
-        draw_sheet(build / "spangle", programs)
+    if options.check:
+        if not any(program.suite == "xscreensaver" for program in programs):
+            print("skipped: the programs are missing; ./dev setup --gallery installs them")
+            return SKIPPED
+        check_part(build_folder / "dropin", programs, options.check)
+    elif options.sheet:
+        draw_sheet(build_folder / "spangle", programs)
     else:
-        run_programs(build / "dropin", [p for p in programs if re.search(options.only, p.name)])
+        run_programs(build_folder / "dropin", [p for p in programs if re.search(options.only, p.name)])
     return 1 if failures else 0
 
 
