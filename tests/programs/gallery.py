@@ -8,7 +8,7 @@ usage: gallery.py [--build BUILD] [--only EXPRESSION]
 Each program runs under Xvfb for some frames, must end by itself and show more than one colour. Its calls are recorded by apitrace
 and replayed by Spangle and by Mesa's softpipe and llvmpipe. No error of GL may be Spangle's alone, and the pictures must agree.
 gallery.csv gets a line for each program that was run and keeps those of the others. --only runs the programs whose names the regular
-expression finds. --check leaves the table alone and fails where a program gets another verdict than its line has; of the lines it
+expression finds. --check leaves the table alone and fails where a program gets a worse verdict than its line has; of the lines it
 takes one in PARTS, other ones with each commit. --sheet draws docs/pictures/programs.png: some of the programs on the glass of a panel.
 Programs that seed random numbers draw the same scene in each run (same_start.c). BUILD is a build folder, build/host unless given.
 """
@@ -31,6 +31,7 @@ TABLE, PICTURE = HERE / "gallery.csv", ROOT / "docs/pictures/programs.png"
 COLUMNS = ("program", "suite", "verdict", "reason")
 # A program that shows one colour after the first number of frames gets the second one.
 FRAMES, SIZE, SECONDS = (20, 200), "320x240", 120
+TRIES = 2  # What moves by the clock draws other frames when it is run again.
 LEAST_DRAWN = 0.1  # This many of a hundred pixels must not have the commonest colour.
 BOARD, SHEET_FRAMES, ACROSS, GAP, PAPER, MOST_BYTES = "ili9341", 60, 4, 8, (255, 255, 255), 400_000
 
@@ -169,9 +170,12 @@ def check_part(pair, programs, parts):
             if name not in known:
                 check(False, f"{name} is not installed; ./dev setup --gallery installs it")
                 continue
-            with folder("gallery-" + name) as place:
-                verdict, reason = judge(known[name], pair, display, place)
-            check(verdict == row["verdict"], f"{name} had the verdict '{row['verdict']}' and has '{verdict}' now: {reason}")
+            for _ in range(TRIES):
+                with folder("gallery-" + name) as place:
+                    verdict, reason = judge(known[name], pair, display, place)
+                if verdict in (row["verdict"], "passes"):
+                    break
+            check(verdict in (row["verdict"], "passes"), f"{name} had the verdict '{row['verdict']}' and has '{verdict}' now: {reason}")
             print(name, verdict, sep=", ", flush=True)
 
 
