@@ -27,7 +27,7 @@ from programs_list import KNOWN, SHEET, every
 
 ROOT = HERE.parents[1]
 MADE = ROOT / "build/gallery"
-TABLE, PICTURE = HERE / "gallery.csv", ROOT / "docs/pictures/programs.png"
+TABLE, PICTURE, PAGE = HERE / "gallery.csv", ROOT / "docs/pictures/programs.png", ROOT / "docs/programs.md"
 COLUMNS = ("program", "suite", "verdict", "reason")
 # A program that shows one colour after the first number of frames gets the second one.
 FRAMES, SIZE, SECONDS = (20, 200), "320x240", 120
@@ -137,8 +137,25 @@ def read_table():
         return {row["program"]: row for row in csv.DictReader(lines)}
 
 
+def counts(rows):
+    """The table of the page: how many programs of each suite pass."""
+    suites = collections.Counter(row["suite"] for row in rows.values())
+    passes = collections.Counter(row["suite"] for row in rows.values() if row["verdict"] == "passes")
+    lines = [f"| {suite} | {passes[suite]} | {suites[suite] - passes[suite]} |" for suite, _ in suites.most_common()]
+    return "\n".join(["| suite | pass | do not pass |", "|---|---|---|", *lines]) + "\n"
+
+
+def page_with(rows):
+    """The page with the counts of these rows."""
+    before, _, rest = PAGE.read_text().partition("<!-- counts -->\n")
+    _, _, after = rest.partition("<!-- end -->")
+    check(after, f"{PAGE.name} has no place for the counts")
+    return before + "<!-- counts -->\n" + counts(rows) + "<!-- end -->" + after
+
+
 def write_table(rows):
-    """The lines of the table by suite and name."""
+    """The lines of the table by suite and name, and what the page says of them."""
+    outfile.write(PAGE, page_with(rows))
     ordered = sorted(rows.values(), key=lambda row: (row["suite"], row["program"]))
     outfile.write_table(TABLE, [COLUMNS, *([row[column] for column in COLUMNS] for row in ordered)])
 
@@ -163,6 +180,7 @@ def run_programs(pair, programs):
 
 def check_part(pair, programs, parts):
     """Judges one in `parts` of the table's lines again, other ones with each commit; a program that is not installed fails, too."""
+    check(PAGE.read_text() == page_with(read_table()), f"{PAGE.name} counts others than {TABLE.name} has")
     known = {program.name: program for program in programs}
     with xvfb() as display:
         for row in list(read_table().values())[turn() % parts::parts]:
