@@ -6,9 +6,9 @@
 #include "gl/context/arena.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/hooks.hpp"
+#include "gl/context/kept_runs.hpp"
 #include "gl/context/limits.hpp"
 #include "gl/context/reach.hpp"
-#include "gl/context/state_table.hpp"
 
 namespace spangle::gl {
 
@@ -18,6 +18,7 @@ namespace spangle::gl {
 struct SavedAttributes {
     SavedAttributes* below;
     GLbitfield groups;
+    std::uint32_t bytes; ///< of the header and of the runs
     GLuint vertex_array; ///< with the client's arrays: whose they are
 };
 
@@ -35,50 +36,48 @@ GLbitfield client_groups(GLbitfield mask) {
            ((mask & GL_CLIENT_VERTEX_ARRAY_BIT) != 0 ? bit(Group::client_vertex_array) : 0);
 }
 
-bool belongs(const StateRow& row, Group group, GLbitfield groups) {
-    return (groups & (bit(group) | (row.toggle == Switch::server ? bit(Group::enable) : 0))) != 0;
+/// How many bytes the groups keep in the context.
+std::size_t kept_bytes(GLbitfield groups) {
+    std::size_t all = 0;
+    each_kept_run(groups, [&](const KeptRun& run) { all += units_of(run.unit_step) * run.bytes; });
+    return all;
 }
 
-enum class Move : std::uint8_t {
-    none, ///< how many bytes there are
-    save,
-    restore,
-};
+enum class Move : bool { save, restore };
 
-/// Between the context and an entry, `bytes` bytes from `offset` on, and the same of other units. Returns
-/// where in the entry the next ones lie.
-std::size_t move_bytes(Context& context, std::uint32_t offset, std::uint32_t bytes, std::uint32_t unit_step,
-                       unsigned char* saved, std::size_t at, Move move) {
-    for (std::uint32_t unit = 0; unit < units_of(unit_step); ++unit, at += bytes) {
-        unsigned char* const held = reinterpret_cast<unsigned char*>(&context) + offset + unit * unit_step;
-        if (move == Move::save)
-            std::memcpy(saved + at, held, bytes);
-        else if (move == Move::restore)
-            std::memcpy(held, saved + at, bytes);
+/// Between the context, where the bytes are held, and an entry. Says what is derived of those that change.
+SPANGLE_INLINE void move_bytes(Context& context, unsigned char* held, unsigned char* saved, std::size_t bytes,
+                               Dirty dirty, Move move) {
+    if (move == Move::save) {
+        std::memcpy(saved, held, bytes);
+    } else if (std::memcmp(held, saved, bytes) != 0) {
+        std::memcpy(held, saved, bytes);
+        context.changed(dirty);
     }
-    return at;
 }
 
-/// Everything that the groups keep in the context. Returns how many bytes that are.
-std::size_t move_kept(Context& context, GLbitfield groups, unsigned char* saved, Move move) {
-    std::size_t at = 0;
-    for (const GroupedRows& part : all_state()) {
-        const Group* group = part.groups;
-        for (const StateRow& row : part.rows)
-            if (belongs(row, *group++, groups))
-                at =
-                    move_bytes(context, row.where, row.names * kept_by(row), unit_step(row), saved, at, move);
-    }
-    for (const HeldRow& row : all_held())
-        if ((groups & bit(row.group)) != 0)
-            at = move_bytes(context, row.offset, row.bytes, row.unit_step(), saved, at, move);
-    return at;
+/// Everything that the groups keep in the context.
+void move_kept(Context& context, GLbitfield groups, unsigned char* saved, Move move) {
+    each_kept_run(groups, [&](const KeptRun& run) {
+        unsigned char* held = reinterpret_cast<unsigned char*>(&context) + run.offset;
+        std::uint32_t units = units_of(run.unit_step);
+        do {
+            if (joins_kept_runs && run.bytes == sizeof(std::uint32_t)) // no call for what is one instruction
+                move_bytes(context, held, saved, sizeof(std::uint32_t), run.dirty, move);
+            else if (joins_kept_runs && run.bytes == 1)
+                move_bytes(context, held, saved, 1, run.dirty, move);
+            else
+                move_bytes(context, held, saved, run.bytes, run.dirty, move);
+            held += run.unit_step;
+            saved += run.bytes;
+        } while (--units != 0);
+    });
 }
 
 void push(Context& context, AttribStack& stack, GLbitfield groups) {
     if (stack.depth == attrib_stack_entries)
         return error(context, GL_STACK_OVERFLOW);
-    const std::size_t bytes = sizeof(SavedAttributes) + move_kept(context, groups, nullptr, Move::none);
+    const std::size_t bytes = sizeof(SavedAttributes) + kept_bytes(groups);
     const bool textures = (groups & bit(Group::texture)) != 0;
     auto* const entry = static_cast<SavedAttributes*>(
         context.arena->allocate(bytes + (textures ? saved_texture_bytes() : 0)));
@@ -86,6 +85,7 @@ void push(Context& context, AttribStack& stack, GLbitfield groups) {
         return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("no room in the arena for an attribute group"));
     entry->below = stack.top;
     entry->groups = groups;
+    entry->bytes = static_cast<std::uint32_t>(bytes);
     entry->vertex_array = bound_vertex_array(context);
     auto* const to = reinterpret_cast<unsigned char*>(entry + 1);
     move_kept(context, groups, to, Move::save);
@@ -108,7 +108,7 @@ void pop(Context& context, AttribStack& stack) {
     auto* const from = reinterpret_cast<unsigned char*>(entry + 1);
     const bool textures = (groups & bit(Group::texture)) != 0,
                arrays = (groups & bit(Group::client_vertex_array)) != 0;
-    if ((textures && !restore_textures(context, from + move_kept(context, groups, from, Move::none))) ||
+    if ((textures && !restore_textures(context, reinterpret_cast<unsigned char*>(entry) + entry->bytes)) ||
         (arrays && !bind_vertex_array(context, entry->vertex_array)))
         return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("no room in the arena for what was deleted"));
     stack.top = entry->below;
@@ -117,7 +117,6 @@ void pop(Context& context, AttribStack& stack) {
         release_arrays(context);
     move_kept(context, groups, from, Move::restore);
     context.arena->free(entry);
-    context.changed(dirty_all);
 #if SPANGLE_FEATURE_LIGHTING
     if (has_color_material &&
         context.lighting.color_material) // a tracked material is the current colour, whichever was popped

@@ -48,6 +48,7 @@ enum Gate : std::uint8_t {
 /// Which derived state must be computed again before the next primitive. Whoever changes state says
 /// changed(); whoever derives clears the bits.
 enum Dirty : std::uint8_t {
+    dirty_none = 0,
     dirty_vertex = 1,   ///< matrices, normals, lighting
     dirty_fragment = 2, ///< what raster::FragmentState is filled from, the drawable included
     dirty_all = 0xFF,

@@ -1,6 +1,7 @@
 // Enable, Disable, IsEnabled (GL 1.3, 6.1.1).
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
+#include "gl/context/derived.hpp"
 #include "gl/context/hooks.hpp"
 #include "gl/context/state_table.hpp"
 
@@ -30,7 +31,8 @@ void set(Context& context, GLenum cap, bool on) {
     if (flag == nullptr || *flag == on)
         return;
     *flag = on;
-    context.changed(dirty_all);
+    context.changed(derived_from(static_cast<std::size_t>(reinterpret_cast<unsigned char*>(flag) -
+                                                          reinterpret_cast<unsigned char*>(&context))));
 #if SPANGLE_FEATURE_LIGHTING
     if (has_color_material && on && cap == GL_COLOR_MATERIAL)
         color_material_enabled(context);

@@ -7,40 +7,15 @@
 #include <type_traits>
 #include <utility>
 
-#include "gl/context/state_rows_arrays.hpp"
-#include "gl/context/state_rows_fragment.hpp"
-#include "gl/context/state_rows_limits.hpp"
-#include "gl/context/state_rows_pixel.hpp"
-#include "gl/context/state_rows_raster.hpp"
-#include "gl/context/state_rows_texture.hpp"
-#include "gl/context/state_rows_vertex.hpp"
+#include "gl/context/written_rows.hpp"
 
 namespace spangle::gl {
 
 namespace {
 
-template <std::size_t... N> constexpr auto joined(const std::array<WrittenRow, N>&... parts) {
-    std::array<WrittenRow, (N + ...)> all{};
-    std::size_t used = 0;
-    Group group = Group::none;
-    const auto add = [&](const auto& part) {
-        for (const WrittenRow& row : part) {
-            if (row.becomes == Row::section)
-                group = row.group;
-            all[used] = row;
-            all[used++].group = group;
-        }
-    };
-    (add(parts), ...);
-    return all;
-}
-
-constexpr auto written =
-    joined(vertex_rows, arrays_rows, raster_rows, texture_rows, fragment_rows, pixel_rows, limits_rows);
-
 template <class Wanted> constexpr std::size_t count_rows(Wanted wanted) {
     std::size_t n = 0;
-    for (const WrittenRow& row : written)
+    for (const WrittenRow& row : written_rows)
         n += wanted(row) ? 1 : 0;
     return n;
 }
@@ -59,7 +34,7 @@ struct Computing {
 constexpr auto all_computing = [] {
     std::array<Computing, count_rows(is_computed)> all{};
     std::size_t used = 0;
-    for (const WrittenRow& row : written)
+    for (const WrittenRow& row : written_rows)
         if (is_computed(row)) {
             std::size_t i = 0;
             while (i < used && all[i].function != row.function)
@@ -99,7 +74,7 @@ constexpr std::array<std::size_t, 4> unit_steps{0, sizeof(TextureUnitState), siz
                                                 sizeof(ClientArray)};
 
 constexpr bool all_fit() {
-    for (const WrittenRow& row : written)
+    for (const WrittenRow& row : written_rows)
         if (row.value > 0xFFFF || row.bytes > 0xFFFF || row.step % 4 != 0 || row.step / 4 >> unit_bits != 0 ||
             (row.function == 0 && computes(row.source)) ||
             (row.becomes != Row::held && row.step != unit_steps[static_cast<unsigned>(row.unit)]) ||
@@ -133,7 +108,7 @@ struct LeftOut {
 template <bool switches> constexpr auto all_left_out() {
     std::array<unsigned, count_rows(is_only_named<switches>)> names{};
     std::size_t count = 0;
-    for (const WrittenRow& row : written)
+    for (const WrittenRow& row : written_rows)
         if (is_only_named<switches>(row))
             names[count++] = row.name;
     std::ranges::sort(names);
@@ -161,7 +136,7 @@ struct GroupedRow {
 template <bool switches> constexpr auto sorted_by_name() {
     std::array<GroupedRow, count_rows(is_named<switches>)> rows{};
     std::size_t used = 0;
-    for (const WrittenRow& row : written)
+    for (const WrittenRow& row : written_rows)
         if (is_named<switches>(row))
             rows[used++] = {packed(row), row.group};
     for (std::size_t i = 1; i < rows.size(); ++i)
@@ -228,7 +203,7 @@ constexpr bool is_held(const WrittenRow& row) {
 constexpr auto held_rows = [] {
     std::array<HeldRow, count_rows(is_held)> rows{};
     std::size_t used = 0;
-    for (const WrittenRow& row : written)
+    for (const WrittenRow& row : written_rows)
         if (is_held(row)) {
             HeldRow& held = rows[used++];
             held.offset = static_cast<std::uint16_t>(row.value);
@@ -240,9 +215,9 @@ constexpr auto held_rows = [] {
 }();
 
 constexpr bool names_differ() {
-    for (std::size_t i = 0; i < written.size(); ++i)
-        for (std::size_t k = i + 1; k < written.size(); ++k)
-            if (written[i].name == written[k].name && written[i].name != 0)
+    for (std::size_t i = 0; i < written_rows.size(); ++i)
+        for (std::size_t k = i + 1; k < written_rows.size(); ++k)
+            if (written_rows[i].name == written_rows[k].name && written_rows[i].name != 0)
                 return false;
     return true;
 }

@@ -14,6 +14,14 @@ namespace {
 constexpr std::size_t unit_bytes =
     sizeof(TexEnvState) + texture_kinds * (sizeof(GLuint) + sizeof(TextureParameters));
 
+/// Gives `to` the bytes that were saved; true where they are others than its own.
+template <class T> bool restored(T& to, const unsigned char* saved) {
+    if (std::memcmp(&to, saved, sizeof to) == 0)
+        return false;
+    std::memcpy(&to, saved, sizeof to);
+    return true;
+}
+
 } // namespace
 
 std::size_t saved_texture_bytes() {
@@ -50,7 +58,8 @@ bool restore_textures(Context& context, const void* from) {
     if (!find_named_objects(context, names, objects))
         return false;
     for (unsigned u = 0; u < texture_units; ++u)
-        std::memcpy(&context.texture.unit[u].env, units + u * unit_bytes, sizeof(TexEnvState));
+        if (restored(context.texture.unit[u].env, units + u * unit_bytes))
+            context.changed(dirty_fragment);
     for (unsigned i = 0; i < texture_bindings; ++i) {
         const auto kind = static_cast<TextureKind>(i % texture_kinds);
         if (!texture_kind_is_there[i % texture_kinds])
@@ -60,8 +69,8 @@ bool restore_textures(Context& context, const void* from) {
         if (objects[i] == nullptr && names[i] != 0)
             continue; // the name is that of another kind of texture by now: the parameters have no object
         TextureObject& bound = objects[i] != nullptr ? *objects[i] : context.texture.default_texture(kind);
-        std::memcpy(&bound.parameters, binding(i) + sizeof(GLuint), sizeof bound.parameters);
-        texture_changed(context, bound);
+        if (restored(bound.parameters, binding(i) + sizeof(GLuint)))
+            texture_changed(context, bound);
     }
     return true;
 }

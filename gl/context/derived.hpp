@@ -1,0 +1,34 @@
+// What has to be derived again when a member of the context changes.
+#pragma once
+
+#include <cstddef>
+
+#include "gl/context/context.hpp"
+
+namespace spangle::gl {
+
+/// What is derived from the state that lies `offset` bytes into the context. Vertices take matrices, lights,
+/// texture units and fog; fragments take all but what belongs to the client, to queries and to lists. The
+/// current attributes of vertices are compared where they are used, so nothing is derived from them.
+constexpr Dirty derived_from(std::size_t offset) {
+    static_assert(offsetof(Context, current) < offsetof(Context, polygon) &&
+                  offsetof(Context, polygon) < offsetof(Context, fragment_ops) &&
+                  offsetof(Context, fragment_ops) < offsetof(Context, fog) &&
+                  offsetof(Context, fog) < offsetof(Context, arrays) &&
+                  offsetof(Context, eval) < offsetof(Context, lighting) &&
+                  offsetof(Context, lighting) < offsetof(Context, texture) &&
+                  offsetof(Context, texture) < offsetof(Context, transform));
+    const auto among = [offset](std::size_t begin, std::size_t end) {
+        return begin <= offset && offset < end;
+    };
+    if (among(offsetof(Context, current), offsetof(Context, polygon)) ||
+        among(offsetof(Context, arrays), offsetof(Context, pixel_mode)) ||
+        among(offsetof(Context, list), offsetof(Context, lighting)))
+        return dirty_none;
+    if (among(offsetof(Context, polygon), offsetof(Context, fog)) ||
+        among(offsetof(Context, pixel_mode), offsetof(Context, list)))
+        return dirty_fragment;
+    return dirty_all;
+}
+
+} // namespace spangle::gl

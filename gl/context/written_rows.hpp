@@ -1,0 +1,38 @@
+// All rows of the state tables, as they are written, with the groups that they are of.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "gl/context/state_rows_arrays.hpp"
+#include "gl/context/state_rows_fragment.hpp"
+#include "gl/context/state_rows_limits.hpp"
+#include "gl/context/state_rows_pixel.hpp"
+#include "gl/context/state_rows_raster.hpp"
+#include "gl/context/state_rows_texture.hpp"
+#include "gl/context/state_rows_vertex.hpp"
+
+namespace spangle::gl {
+
+/// The rows of several tables, one behind the other. A row that is a section gives its group to those that
+/// follow it.
+template <std::size_t... N> constexpr auto joined(const std::array<WrittenRow, N>&... parts) {
+    std::array<WrittenRow, (N + ...)> all{};
+    std::size_t used = 0;
+    Group group = Group::none;
+    const auto add = [&](const auto& part) {
+        for (const WrittenRow& row : part) {
+            if (row.becomes == Row::section)
+                group = row.group;
+            all[used] = row;
+            all[used++].group = group;
+        }
+    };
+    (add(parts), ...);
+    return all;
+}
+
+inline constexpr auto written_rows =
+    joined(vertex_rows, arrays_rows, raster_rows, texture_rows, fragment_rows, pixel_rows, limits_rows);
+
+} // namespace spangle::gl
