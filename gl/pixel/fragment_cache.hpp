@@ -2,7 +2,10 @@
 // group changed a texture.
 #pragma once
 
+#include <type_traits>
+
 #include "gl/context/features.hpp"
+#include "gl/pixel/kept_states.hpp"
 #include "raster/span/draw_state.hpp"
 
 namespace spangle::gl {
@@ -22,6 +25,8 @@ struct FragmentCache {
 #if SPANGLE_FEATURE_STENCIL_SIDES
     raster::DrawState back; ///< of back faces, while their stencil test differs
 #endif
+    struct None {};
+    [[no_unique_address]] std::conditional_t<kept_states != 0, KeptStates, None> kept;
 };
 
 } // namespace spangle::gl

@@ -208,6 +208,15 @@ void fill(const Context& context, raster::FragmentState& out) {
     out.count = counts_passed(context);
 }
 
+/// For the drawable, by the engine of the context.
+void compile(Context& context, const raster::FragmentState& fragment, raster::DrawState& out) {
+    const raster::Surface& target = context.drawable.surface;
+    if constexpr (kept_states != 0)
+        context.fragments.kept.compile(*context.engine, fragment, target, context.share->texture_changes, out);
+    else
+        context.engine->compile(fragment, target, out);
+}
+
 /// Where drawing is recorded: primitives of these states are kept.
 void record_states([[maybe_unused]] Context& context) {
 #if SPANGLE_HAS_RECORDS
@@ -300,7 +309,7 @@ const raster::DrawState& draw_state(Context& context, Drawn drawn, raster::Color
         fill(context, fragment);
         fill_modes(context, drawn, fragment);
         fragment.colors = colors;
-        context.engine->compile(fragment, context.drawable.surface, cache.state);
+        compile(context, fragment, cache.state);
         cache.state.counters = counters_of(context);
         cache.state.primitive = &cache.primitive;
 #if SPANGLE_WATCHED
@@ -317,7 +326,7 @@ const raster::DrawState& draw_state(Context& context, Drawn drawn, raster::Color
 #if SPANGLE_FEATURE_STENCIL_SIDES
         if (stencil_sides(context)) {
             fragment.stencil = stencil_of(context.fragment_ops.stencil[1]);
-            context.engine->compile(fragment, context.drawable.surface, cache.back);
+            compile(context, fragment, cache.back);
             cache.back.counters = cache.state.counters;
 #if SPANGLE_WATCHED
             if ((context.gate & gate_watched) != 0)

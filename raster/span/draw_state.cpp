@@ -128,7 +128,7 @@ constexpr auto depends_on_step = [](const Knobs& k) {
     return four_color_tolerances<1>(k) != four_color_tolerances<4>(k);
 };
 
-void prepare(DrawState& draw, const FragmentState& state, const Surface& target) {
+Key prepare(DrawState& draw, const FragmentState& state, const Surface& target) {
     static_assert(std::is_trivially_copyable_v<DrawState>); // bytes make one
     std::memset(static_cast<void*>(&draw), 0, sizeof draw);
     draw.fragment = state;
@@ -142,7 +142,7 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
     draw.four_color_tolerances = of_tier<four_color_tolerances<1>>(draw);
     if (!units && of_tier<depends_on_step>(draw))
         draw.four_color_tolerances = of_tier<four_color_tolerances<4>>(draw);
-    const Key key = make_key(state, target, Kind::affine);
+    const Key any = key_of_any_kind(state, target), key = key_of_kind(any, state, Kind::affine);
     draw.depth_format = key.depth_format;
     draw.color_bytes =
         drawn_narrow(target.format) ? std::uint8_t{0} : drawn_info(target.format).bytes_per_pixel;
@@ -174,6 +174,7 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
         draw.log2_height[i] =
             static_cast<std::uint8_t>(ceil_log2_of(texture.level[0].height) + draw.halves[i].t);
     }
+    return any;
 }
 
 void scissor_changed(DrawState& draw, const Surface& target) {
@@ -204,10 +205,10 @@ template <> void compile<FixedVertex>(const FragmentState& state, const Surface&
     constexpr int end = is_possible(Kind::full) ? 4 : is_possible(Kind::textured) ? 3 : 2;
     static_assert(kind_count == 4);
     bool lacks_span = false;
-    prepare(draw, state, target);
+    const Key any = prepare(draw, state, target);
     for (int i = first; i < end && !draw.nothing; ++i) {
         const auto kind = static_cast<Kind>(i);
-        const Key key = make_key(state, target, kind);
+        const Key key = key_of_kind(any, state, kind);
         const bool plain = !draw.needs.any_unit() && !draw.needs.fog;
         // A list of its own for one colour is worth it where the colour is stored as it is.
         if (kind == Kind::flat && !(plain && key.number == Number::raw565))

@@ -183,8 +183,8 @@ template <class V> DrawState compile(const FragmentState& fragment, const Surfac
 }
 
 /// All of a DrawState but its variants, which begin empty; the same in every policy. What it was before does
-/// not matter.
-void prepare(DrawState& draw, const FragmentState& fragment, const Surface& target);
+/// not matter. Returns key_of_any_kind().
+Key prepare(DrawState& draw, const FragmentState& fragment, const Surface& target);
 
 /// Draws no more than the scissor rectangle of its fragment state, which has become another one.
 void scissor_changed(DrawState& draw, const Surface& target);
@@ -192,7 +192,13 @@ void scissor_changed(DrawState& draw, const Surface& target);
 /// What runs the chain of a number system of the fixed policy along rows; `narrow`: of a narrow surface.
 AnyFunction chain_runner(Number number, bool narrow = false);
 
+/// What the keys of all kinds have in common.
+Key key_of_any_kind(const FragmentState& fragment, const Surface& target);
+/// The key of one kind, made of that.
+Key key_of_kind(const Key& any, const FragmentState& fragment, Kind kind);
 /// The key of one kind; what `compile` looks fused spans up by.
-Key make_key(const FragmentState& fragment, const Surface& target, Kind kind);
+inline Key make_key(const FragmentState& fragment, const Surface& target, Kind kind) {
+    return key_of_kind(key_of_any_kind(fragment, target), fragment, kind);
+}
 
 } // namespace spangle::raster

@@ -140,9 +140,8 @@ void index_key(Key& key, const FragmentState& state) {
 
 } // namespace
 
-Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
+Key key_of_any_kind(const FragmentState& state, const Surface& target) {
     Key key;
-    key.kind = kind;
     key.format = drawn(target.format);
     common_key(key, state, target);
     if (drawn_indexed(key.format)) {
@@ -168,6 +167,14 @@ Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
         key.pixels = true;
         key.color = key.color_alpha = false;
     }
+    return key;
+}
+
+Key key_of_kind(const Key& any, const FragmentState& state, Kind kind) {
+    Key key = any;
+    key.kind = kind;
+    if (drawn_indexed(key.format))
+        return key;
     if (raw(key, state)) {
         key.number = Number::raw565;
         key.color_alpha = false;

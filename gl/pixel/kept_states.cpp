@@ -1,0 +1,31 @@
+#include "gl/pixel/kept_states.hpp"
+
+#include <cstring>
+
+#include "gl/vertex/engine.hpp"
+
+namespace spangle::gl {
+
+void KeptStates::compile(const Engine& engine, const raster::FragmentState& state,
+                         const raster::Surface& target, std::uint32_t texture_changes,
+                         raster::DrawState& out) {
+    const Origin origin = {texture_changes,
+                           target.format,
+                           target.depth_format,
+                           target.depth != nullptr,
+                           target.depth_stride == target.color_stride,
+                           true};
+    for (const Kept& kept : kept_)
+        // Padding counts, too: a state whose padding differs is compiled again, and nothing else happens.
+        if (kept.origin == origin && std::memcmp(&kept.state.fragment, &state, sizeof state) == 0) {
+            std::memcpy(static_cast<void*>(&out), &kept.state, sizeof out);
+            return;
+        }
+    engine.compile(state, target, out);
+    Kept& kept = kept_[next_];
+    next_ = (next_ + 1) % (sizeof kept_ / sizeof kept_[0]);
+    kept.origin = origin;
+    std::memcpy(static_cast<void*>(&kept.state), &out, sizeof out);
+}
+
+} // namespace spangle::gl
