@@ -31,8 +31,8 @@ void set(Context& context, GLenum cap, bool on) {
     if (flag == nullptr || *flag == on)
         return;
     *flag = on;
-    context.changed(derived_from(static_cast<std::size_t>(reinterpret_cast<unsigned char*>(flag) -
-                                                          reinterpret_cast<unsigned char*>(&context))));
+    const auto offset = reinterpret_cast<unsigned char*>(flag) - reinterpret_cast<unsigned char*>(&context);
+    context.changed(derived_from(static_cast<std::size_t>(offset)));
 #if SPANGLE_FEATURE_LIGHTING
     if (has_color_material && on && cap == GL_COLOR_MATERIAL)
         color_material_enabled(context);

@@ -11,7 +11,9 @@ namespace spangle::gl {
 namespace {
 
 constexpr KeptRun run_of(const WrittenRow& row) {
-    const std::size_t bytes = row.becomes == Row::held ? row.bytes : row.absent ? 0 : row.names * kept_by(row);
+    const std::size_t bytes = row.becomes == Row::held ? row.bytes
+                              : row.absent             ? 0
+                                                       : row.names * kept_by(row);
     return {static_cast<std::uint16_t>(row.value), static_cast<std::uint16_t>(bytes),
             static_cast<std::uint16_t>(row.step), derived_from(row.value), kept_with(row.group, row.toggle)};
 }
@@ -32,8 +34,7 @@ constexpr Joined join_all() {
             row.becomes != Row::section && run.bytes != 0 && row.group != Group::none)
             all.run[all.count++] = run;
     const auto end = all.run.begin() + static_cast<std::ptrdiff_t>(all.count);
-    std::sort(all.run.begin(), end,
-              [](const KeptRun& a, const KeptRun& b) { return a.offset < b.offset; });
+    std::sort(all.run.begin(), end, [](const KeptRun& a, const KeptRun& b) { return a.offset < b.offset; });
     std::size_t used = 0;
     for (std::size_t i = 0; i < all.count; ++i) {
         const KeptRun& next = all.run[i];

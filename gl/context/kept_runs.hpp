@@ -24,8 +24,8 @@ constexpr std::uint32_t kept_with(Group group, Switch toggle) {
     return bit(group) | (toggle == Switch::server ? bit(Group::enable) : 0);
 }
 
-/// Hosts hold a table of runs that are as long as they can be. A board has no flash for that: there each row of
-/// the state table is a run.
+/// Hosts hold a table of runs that are as long as they can be. A board has no flash for that: there each row
+/// of the state table is a run.
 inline constexpr bool joins_kept_runs = numeric::wide_words;
 
 /// Where runs are joined: all of them.

@@ -212,7 +212,8 @@ void fill(const Context& context, raster::FragmentState& out) {
 void compile(Context& context, const raster::FragmentState& fragment, raster::DrawState& out) {
     const raster::Surface& target = context.drawable.surface;
     if constexpr (kept_states != 0)
-        context.fragments.kept.compile(*context.engine, fragment, target, context.share->texture_changes, out);
+        context.fragments.kept.compile(*context.engine, fragment, target, context.share->texture_changes,
+                                       out);
     else
         context.engine->compile(fragment, target, out);
 }

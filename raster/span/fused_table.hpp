@@ -44,7 +44,8 @@ inline const FusedSpan* find_among(const FusedSpan* span, std::size_t count, con
     // Hosts compare the first word of a key without a call: most keys differ there.
     constexpr std::size_t first = numeric::wide_words ? sizeof(std::uint64_t) : 0;
     for (const FusedSpan* const end = span + count; span != end; ++span)
-        if (__builtin_memcmp(&span->key, &key, first) == 0 && __builtin_memcmp(&span->key, &key, sizeof key) == 0)
+        if (__builtin_memcmp(&span->key, &key, first) == 0 &&
+            __builtin_memcmp(&span->key, &key, sizeof key) == 0)
             return span;
     return nullptr;
 }

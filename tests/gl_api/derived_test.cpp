@@ -1,5 +1,5 @@
-// What is derived of state follows every change of it: a context that changes its state, changes it back and pops
-// it draws what a new context draws that was given that state alone.
+// What is derived of state follows every change of it: a context that changes its state, changes it back and
+// pops it draws what a new context draws that was given that state alone.
 #include <functional>
 #include <string>
 #include <vector>
@@ -48,9 +48,17 @@ struct Derived : testing::Test {
     }
     /// A new context and surface, current, with textures of two sizes bound to two units.
     Bound start(int color_bits) {
-        const EGLint wishes[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,   EGL_SURFACE_TYPE, EGL_PBUFFER_BIT,
-                                 EGL_RED_SIZE,        color_bits,       EGL_DEPTH_SIZE,   16,
-                                 EGL_STENCIL_SIZE,    8,                EGL_NONE};
+        const EGLint wishes[] = {EGL_RENDERABLE_TYPE,
+                                 EGL_OPENGL_BIT,
+                                 EGL_SURFACE_TYPE,
+                                 EGL_PBUFFER_BIT,
+                                 EGL_RED_SIZE,
+                                 color_bits,
+                                 EGL_DEPTH_SIZE,
+                                 16,
+                                 EGL_STENCIL_SIZE,
+                                 8,
+                                 EGL_NONE};
         const EGLint size[] = {EGL_WIDTH, side, EGL_HEIGHT, side, EGL_NONE};
         EGLConfig config = nullptr;
         EGLint n = 0;
@@ -71,12 +79,13 @@ struct Derived : testing::Test {
         std::vector<GLubyte> texels(8 * 8 * 4);
         for (GLubyte& texel : texels)
             texel = static_cast<GLubyte>(random.below(256));
-        glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), 8, 8, 0, format, GL_UNSIGNED_BYTE, texels.data());
+        glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), 8, 8, 0, format, GL_UNSIGNED_BYTE,
+                     texels.data());
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     }
-    /// What the state makes of two triangles out of arrays, a line and a point; the clears obey it, too.
+    static void clear() { glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT); }
+    /// What the state makes of two triangles out of arrays, a line and a point.
     std::vector<GLubyte> draw() {
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
         glInterleavedArrays(GL_T2F_C4F_N3F_V3F, 0, arrays.data());
         glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_SHORT, elements.data());
         glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_SHORT, elements.data());
@@ -97,19 +106,23 @@ struct Derived : testing::Test {
 
 std::vector<Change> all_changes() {
     std::vector<Change> all;
-    for (const GLenum cap :
-         {GL_ALPHA_TEST,     GL_BLEND,          GL_COLOR_LOGIC_OP,  GL_COLOR_MATERIAL, GL_COLOR_SUM,
-          GL_CULL_FACE,      GL_DEPTH_TEST,     GL_DITHER,          GL_FOG,            GL_LIGHTING,
-          GL_LINE_SMOOTH,    GL_LINE_STIPPLE,   GL_NORMALIZE,       GL_POINT_SMOOTH,   GL_POLYGON_OFFSET_FILL,
-          GL_POLYGON_SMOOTH, GL_POLYGON_STIPPLE, GL_SCISSOR_TEST,   GL_STENCIL_TEST,   GL_TEXTURE_2D,
-          GL_TEXTURE_GEN_S,  GL_CLIP_PLANE0,    GL_LIGHT0,          GL_POINT_SPRITE})
+    for (const GLenum cap : {GL_ALPHA_TEST,     GL_BLEND,           GL_COLOR_LOGIC_OP,
+                             GL_COLOR_MATERIAL, GL_COLOR_SUM,       GL_CULL_FACE,
+                             GL_DEPTH_TEST,     GL_DITHER,          GL_FOG,
+                             GL_LIGHTING,       GL_LINE_SMOOTH,     GL_LINE_STIPPLE,
+                             GL_NORMALIZE,      GL_POINT_SMOOTH,    GL_POLYGON_OFFSET_FILL,
+                             GL_POLYGON_SMOOTH, GL_POLYGON_STIPPLE, GL_SCISSOR_TEST,
+                             GL_STENCIL_TEST,   GL_TEXTURE_2D,      GL_TEXTURE_GEN_S,
+                             GL_CLIP_PLANE0,    GL_LIGHT0,          GL_POINT_SPRITE})
         all.push_back({"switch " + std::to_string(cap), [cap] {
                            if (glIsEnabled(cap) == GL_TRUE)
                                glDisable(cap);
                            else
                                glEnable(cap);
                        }});
-    const auto add = [&](const char* name, std::function<void()> apply) { all.push_back({name, std::move(apply)}); };
+    const auto add = [&](const char* name, std::function<void()> apply) {
+        all.push_back({name, std::move(apply)});
+    };
     add("viewport", [] { glViewport(3, 4, 15, 12); });
     add("scissor box", [] { glScissor(5, 5, 9, 12); });
     add("depth range", [] { glDepthRange(0.2, 0.4); });
@@ -129,7 +142,6 @@ std::vector<Change> all_changes() {
     add("stencil", [] { glStencilFunc(GL_NOTEQUAL, 0, 0xFF); });
     add("logic", [] { glLogicOp(GL_XOR); });
     add("mask", [] { glColorMask(GL_TRUE, GL_FALSE, GL_TRUE, GL_TRUE); });
-    add("clear", [] { glClearColor(0.3f, 0.6f, 0.2f, 0.7f), glClearDepth(0.6), glClearStencil(1); });
     add("fog", [] { glFogi(GL_FOG_MODE, GL_LINEAR), glFogf(GL_FOG_END, 0.4f); });
     add("hint", [] { glHint(GL_PERSPECTIVE_CORRECTION_HINT, GL_FASTEST); });
     add("environment", [] { glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_DECAL); });
@@ -158,7 +170,8 @@ std::vector<Change> all_changes() {
 
 /// With all that follows in effect, so that each change shows.
 void show_all() {
-    for (const GLenum cap : {GL_DEPTH_TEST, GL_TEXTURE_2D, GL_BLEND, GL_FOG, GL_LIGHTING, GL_LIGHT0, GL_NORMALIZE})
+    for (const GLenum cap :
+         {GL_DEPTH_TEST, GL_TEXTURE_2D, GL_BLEND, GL_FOG, GL_LIGHTING, GL_LIGHT0, GL_NORMALIZE})
         glEnable(cap);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     const GLfloat ambient[] = {0.6f, 0.7f, 0.8f, 1};
@@ -175,6 +188,7 @@ TEST_F(Derived, StateThatIsPoppedIsDrawnAgain) {
                 const Bound bound = start(bits);
                 if (shown)
                     show_all();
+                clear();
                 change.apply();
                 alone.push_back(draw());
                 end(bound);
@@ -182,12 +196,15 @@ TEST_F(Derived, StateThatIsPoppedIsDrawnAgain) {
             const Bound bound = start(bits);
             if (shown)
                 show_all();
+            clear();
             const std::vector<GLubyte> before = draw();
             for (std::size_t i = 0; i < changes.size(); ++i) {
+                clear();
                 glPushAttrib(GL_ALL_ATTRIB_BITS);
                 changes[i].apply();
                 ASSERT_EQ(draw(), alone[i]) << changes[i].name;
                 glPopAttrib();
+                clear();
                 ASSERT_EQ(draw(), before) << "after " << changes[i].name;
                 seen += alone[i] != before ? 1 : 0;
             }
@@ -204,11 +221,13 @@ TEST_F(Derived, StatesThatComeBackAreDrawnAgain) {
     for (int round = 0; round < 60; ++round) {
         const Bound& bound = random.below(2) != 0 ? narrow : wide;
         const bool shown = random.below(2) != 0;
-        const std::size_t one = random.below(6), other = random.below(static_cast<std::uint32_t>(changes.size()));
+        const std::size_t one = random.below(6),
+                          other = random.below(static_cast<std::uint32_t>(changes.size()));
         const unsigned seed = random.below(3);
         const GLenum format = random.below(2) != 0 ? GL_RGBA : GL_LUMINANCE;
         const auto drawn = [&] {
             set_texture(seed, format);
+            clear();
             if (shown)
                 show_all();
             changes[one].apply();
