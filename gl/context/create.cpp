@@ -126,6 +126,9 @@ void destroy_context(Context* context) {
 #if SPANGLE_GATHERS_POLYGONS
     context->arena->free(context->render.gathered);
 #endif
+#if !defined(SPANGLE_FIRMWARE)
+    context->arena->free(context->render.kept_vertices);
+#endif
     release_evaluators(*context);
     release_pixel_maps(*context);
     release_queries(*context);

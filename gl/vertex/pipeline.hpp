@@ -146,6 +146,13 @@ template <class M, class L> class Pipeline {
 #endif
     };
 #if SPANGLE_VERTEX_CACHE != 1
+    /// So many elements are kept from the start. Where the cache has more, a draw with more elements gets
+    /// memory for all of them.
+    static constexpr std::size_t
+        first_vertices = vertex_cache > 1024 && std::has_single_bit(vertex_cache) && raster::has_shortcuts
+                             ? 128
+                             : vertex_cache;
+    static constexpr bool grows_cache = first_vertices != vertex_cache;
     /// Where a vertex given by itself fell.
     struct Placed {
         Real position[3]{};     ///< w was 1
@@ -157,10 +164,13 @@ template <class M, class L> class Pipeline {
         placed_count = std::bit_floor(sizeof(Vertex) * vertex_cache / sizeof(Placed) < most_placed
                                           ? sizeof(Vertex) * vertex_cache / sizeof(Placed)
                                           : most_placed),
-        placed_overlap = (sizeof(Placed) * placed_count + sizeof(Vertex) - 1) / sizeof(Vertex);
+        placed_overlap =
+            (sizeof(Placed) * placed_count + sizeof(Vertex) - 1) / sizeof(Vertex) < first_vertices
+                ? (sizeof(Placed) * placed_count + sizeof(Vertex) - 1) / sizeof(Vertex)
+                : first_vertices;
     /// Vertices that come again: elements by their index, or others by their position, in the same memory.
     union Kept {
-        Vertex vertex[vertex_cache];
+        Vertex vertex[first_vertices];
         Placed placed[placed_count];
         Kept() : vertex{} {}
     };
@@ -247,6 +257,13 @@ template <class M, class L> class Pipeline {
 #endif
 #if SPANGLE_VERTEX_CACHE != 1
     Kept kept_;
+    struct Grown {
+        Vertex* elements = nullptr; ///< all of vertex_cache, or null
+        Vertex* base = nullptr;     ///< of the elements that are kept now,
+        std::uint32_t mask = 0;     ///< by these bits of their indices
+    };
+    struct NotGrown {};
+    [[no_unique_address]] std::conditional_t<grows_cache, Grown, NotGrown> grown_;
 #endif
 #if SPANGLE_CLIPPING
     Cut cut_[cut_count];
@@ -321,10 +338,7 @@ template <class M, class L> class Pipeline {
         if (++now_ != 0)
             return;
 #if SPANGLE_VERTEX_CACHE != 1
-        if (keeps_places && keeps_placed_)
-            keep_placed();
-        else
-            keep_elements();
+        forget_all();
 #endif
         now_ = 1;
     }
@@ -468,6 +482,7 @@ template <class M, class L> class Pipeline {
 #if SPANGLE_VERTEX_CACHE != 1
     [[gnu::noinline]] void keep_placed();
     [[gnu::noinline]] void keep_elements();
+    [[gnu::noinline]] void forget_all();
     [[gnu::noinline]] void place(Vertex& v);
     static std::uint32_t placed_index(const Real* position);
 #endif
@@ -475,6 +490,7 @@ template <class M, class L> class Pipeline {
     // pipeline_elements.hpp
     void kept_elements(Context& context, const ElementReader& reader, std::uint32_t count,
                        const Indices& indices);
+    void grow_cache(Context& context, std::uint32_t count);
     void arrays_begin(const ElementReader& reader, const CurrentState& current, bool textured);
     bool draws_lines() const;
     bool is_usual(const ElementReader& reader) const;

@@ -1,6 +1,7 @@
 // Elements of arrays: vertices kept by index, lines and strips of them.
 #pragma once
 
+#include "gl/context/arena.hpp"
 #include "gl/vertex/pipeline.hpp"
 
 namespace spangle::gl {
@@ -69,6 +70,8 @@ inline void Pipeline<M, L>::kept_elements(Context& context, const ElementReader&
     in_turn_ = 0;
     if (keeps_placed_)
         keep_elements();
+    if constexpr (grows_cache)
+        grow_cache(context, count);
     const bool textured = is_usual_texture(reader), normals = lit_ && reader.normal.on();
     arrays_begin(reader, current, textured);
     if (!lit_)
@@ -91,6 +94,19 @@ inline void Pipeline<M, L>::kept_elements(Context& context, const ElementReader&
                 reader, indices.at(i), normals, textured,
                 [this](Vertex& cached) -> Vertex& { return place_of(cached); },
                 [this](Vertex& v, const std::uint8_t* words) { process_usual(v, words); }));
+}
+
+/// Where elements are kept: all of them in memory of their own, once that pays and if the arena has it.
+template <class M, class L> inline void Pipeline<M, L>::grow_cache(Context& context, std::uint32_t count) {
+    if (grown_.elements == nullptr && count > first_vertices) {
+        void* const memory = context.arena->allocate(sizeof(Vertex) * vertex_cache);
+        context.render.kept_vertices = memory;
+        if (memory != nullptr)
+            grown_.elements = new (memory) Vertex[vertex_cache];
+    }
+    const bool all = grown_.elements != nullptr;
+    grown_.base = all ? grown_.elements : kept_.vertex;
+    grown_.mask = static_cast<std::uint32_t>(all ? vertex_cache : first_vertices) - 1;
 }
 
 /// Cached vertices do not say how many components their arrays had, nor which normal and colour, current
@@ -132,8 +148,11 @@ template <class M, class L> inline bool Pipeline<M, L>::is_usual_texture(const E
 
 template <class M, class L>
 inline typename Pipeline<M, L>::Vertex& Pipeline<M, L>::cached(std::uint32_t index) {
-    return *numeric::kept_in_register(
-        &kept_.vertex[numeric::remainder<vertex_cache>(index)]); // one base for what is asked of it
+    // One base for what is asked of it.
+    if constexpr (grows_cache)
+        return *numeric::kept_in_register(&grown_.base[index & grown_.mask]);
+    else
+        return *numeric::kept_in_register(&kept_.vertex[numeric::remainder<vertex_cache>(index)]);
 }
 
 /// The vertex of an element, all but its colour and texture coordinates: as it was processed before, if

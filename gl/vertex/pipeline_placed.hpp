@@ -18,10 +18,21 @@ template <class M, class L> void Pipeline<M, L>::keep_placed() {
 
 /// From now on elements are kept: those in place of the others anew.
 template <class M, class L> void Pipeline<M, L>::keep_elements() {
-    const std::size_t lost = keeps_places && keeps_placed_ ? placed_overlap : vertex_cache;
+    const std::size_t lost = keeps_places && keeps_placed_ ? placed_overlap : first_vertices;
     for (std::size_t i = 0; i < lost; ++i)
         new (&kept_.vertex[i]) Vertex;
     keeps_placed_ = false;
+}
+
+/// Vertices that were kept at a time which comes again.
+template <class M, class L> void Pipeline<M, L>::forget_all() {
+    if (keeps_places && keeps_placed_)
+        keep_placed();
+    else
+        keep_elements();
+    if constexpr (grows_cache)
+        for (std::size_t i = 0; grown_.elements != nullptr && i < vertex_cache; ++i)
+            new (&grown_.elements[i]) Vertex;
 }
 
 /// Of coordinates that are much alike: short fractions, a constant z, points and their mirror images.

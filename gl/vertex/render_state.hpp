@@ -45,6 +45,9 @@ struct RenderState {
 #if SPANGLE_GATHERS_POLYGONS
     void* gathered = nullptr; ///< corners of a polygon that has not ended: the pipeline's, in the arena
 #endif
+#if !defined(SPANGLE_FIRMWARE)
+    void* kept_vertices = nullptr; ///< a vertex cache that has grown: the pipeline's, in the arena
+#endif
     bool draws() const {
         return mode == GL_RENDER;
     }

@@ -5,8 +5,10 @@
 #include <random>
 #include <vector>
 
+#include "gl/context/context.hpp"
 #include "gl/context/features.hpp"
 #include "gl/context/limits.hpp"
+#include "gl/vertex/engine.hpp"
 #include "tests/gl_vertex/canvas.hpp"
 #include "tests/gl_vertex/window_recorder.hpp"
 
@@ -26,6 +28,7 @@ class VertexCache : public Canvas {
     std::array<std::array<GLfloat, 4>, room> position, normal, tex_coord;
     std::array<std::array<GLubyte, 4>, room> color;
     GLint size = 3, tex_coords = 4;
+    int most_indices = longest; ///< of one draw
     std::vector<GLushort> indices;
 
     int whole(int low, int high) { return std::uniform_int_distribution<>(low, high)(random); }
@@ -158,7 +161,7 @@ class VertexCache : public Canvas {
 
     /// Runs of neighbours, jumps, and indices that share a place.
     void some_indices() {
-        indices.resize(static_cast<std::size_t>(whole(3, longest)));
+        indices.resize(static_cast<std::size_t>(whole(3, most_indices)));
         int at = whole(0, elements - 1);
         for (GLushort& index : indices) {
             index = static_cast<GLushort>(index_of(at));
@@ -221,6 +224,8 @@ class VertexCache : public Canvas {
 
 TEST_F(VertexCache, TellsNothing) {
     for (int n = 0; n < 50000; ++n) {
+        if (n == 45000)
+            most_indices = 400; // where the cache begins small it grows now
         if (whole(0, 1) != 0)
             change_something();
         arrays();
@@ -234,6 +239,11 @@ TEST_F(VertexCache, TellsNothing) {
     }
     std::printf("%zu corners\n", compared);
     EXPECT_GT(compared, 500000u);
+}
+
+/// A host's context has no memory for many vertices before it draws them.
+TEST_F(VertexCache, BeginsSmall) {
+    EXPECT_LE(sizeof(gl::Context) + gl::fixed_engine.pipeline_bytes, std::size_t{64} * 1024);
 }
 
 /// So many that those given one by one are kept by their positions, and then something changes.
