@@ -217,10 +217,15 @@ SPANGLE_INLINE void Setup<Fixed>::guessed_colors(std::uint32_t bits) {
 }
 
 void Setup<Fixed>::constant_colors(const Vertex& painted) {
-    const std::uint32_t bias = state_.variant[static_cast<unsigned>(span_.kind)].color_bias;
+    const Variant& variant = state_.variant[static_cast<unsigned>(span_.kind)];
+    const std::uint32_t bias = variant.color_bias;
     constexpr int up = 24 - color_fraction_bits;
     for (int i = 0; i < 4; ++i)
         span_.color_value[i] = {(painted.color[i] << up) + bias, 0, 0};
+    // Only builds without the chain may lack the span of one dithered colour.
+    if constexpr (!has_chain && spans_are_raw && spans_dither)
+        for (int i = 0; variant.steps && i < 3; ++i)
+            span_.color_value[i].value = color_in_steps<>(painted.color[i], i) << up;
     for (int i = 0; has_color_sum && i < 3; ++i)
         span_.secondary[i] = {(painted.secondary[i] << up) + bias, 0, 0};
 }

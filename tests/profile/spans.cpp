@@ -65,6 +65,29 @@ bool as_cleared() {
     return std::memcmp(drawn, cleared, sizeof drawn) == 0;
 }
 
+/// Dithered, every pixel has one of the two colours of 5 and 6 bits beside the one that was given, which is
+/// their mean within an eighth of a step.
+bool as_dithered() {
+    static Picture drawn;
+    glEnable(GL_DITHER);
+    triangle(one);
+    glDisable(GL_DITHER);
+    read(drawn);
+    bool near = true;
+    for (int c = 0; c < 3; ++c) {
+        const float step = 255.0f / (c == 1 ? 63.0f : 31.0f), given = one[0][c] * 255.0f;
+        float sum = 0.0f;
+        for (int i = 0; i < size * size; ++i) {
+            const float is = drawn[4 * i + c];
+            near = near && is > given - step - 1.0f && is < given + step + 1.0f;
+            sum += is;
+        }
+        const float off = sum / (size * size) - given;
+        near = near && off < step / 8.0f && off > -step / 8.0f;
+    }
+    return near;
+}
+
 bool is_refused() {
     said.clear();
     triangle(several);
@@ -90,6 +113,7 @@ int main() {
     check(draws(several), "smooth shading in perspective is drawn");
     check(draws(one), "one colour is drawn where only smooth shading has a span");
     check(as_cleared(), "one colour is the one that was given");
+    check(as_dithered(), "dithered, one colour has the mean that was given");
     constexpr GLfloat front[4] = {0.0f, 0.0f, 1.0f, 0.0f};
     glLightfv(GL_LIGHT0, GL_POSITION, front);
     glNormal3f(0.0f, 0.0f, 1.0f);
