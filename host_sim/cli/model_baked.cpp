@@ -5,6 +5,8 @@
 
 #include <spangle/GL/gl.h>
 
+#include "host_sim/bake/header.hpp"
+
 namespace spangle::cli {
 
 namespace {
@@ -48,6 +50,7 @@ void append(std::vector<std::uint8_t>& out, const T* first, std::size_t count, u
 
 void BakedModel::add_texture(const ModelImage& image) {
     const bake::BakedTexture& made = images_.emplace_back(bake::bake_texture(image, {}));
+    translucent_.push_back(image.translucent);
     std::vector<baked::Level>& levels = levels_.emplace_back();
     for (const bake::BakedLevel& level : made.levels)
         levels.push_back(
@@ -99,6 +102,7 @@ void BakedModel::add_part(const bake::BakedPart& part) {
 }
 
 BakedModel::BakedModel(const Model& model) : arrays_(bake::bake_mesh(model, {})) {
+    images_.reserve(model.images.size()); // levels point into them
     for (const ModelImage& image : model.images)
         add_texture(image);
     for (const bake::BakedPart& part : arrays_.parts)
@@ -109,6 +113,10 @@ BakedModel::BakedModel(const Model& model) : arrays_(bake::bake_mesh(model, {}))
     mesh_ = {scale(arrays_.options.position, arrays_.position_step),
              arrays_.textured ? scale(arrays_.options.texcoord, arrays_.texcoord_step) : 1.0f,
              static_cast<GLsizei>(parts_.size()), parts_.data()};
+}
+
+std::string BakedModel::header(const std::string& name) const {
+    return bake::write_header({name, "spangle bake", &arrays_, &images_, &translucent_});
 }
 
 } // namespace spangle::cli

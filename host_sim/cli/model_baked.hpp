@@ -24,13 +24,16 @@ class BakedModel {
     BakedModel& operator=(const BakedModel&) = delete;
 
     const baked::Mesh& mesh() const { return mesh_; }
+    /// The text of that header, with this name of its namespace.
+    std::string header(const std::string& name) const;
 
   private:
     void add_texture(const ModelImage& image);
     void add_part(const bake::BakedPart& part);
 
     bake::BakedMesh arrays_;
-    std::deque<bake::BakedTexture> images_;
+    std::vector<bake::BakedTexture> images_;
+    std::vector<bool> translucent_; ///< of the images
     std::deque<std::vector<baked::Level>> levels_;
     std::deque<baked::Texture> textures_; ///< in the order of the model's images
     std::deque<std::vector<std::uint8_t>> bytes_;

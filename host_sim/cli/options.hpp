@@ -43,6 +43,7 @@ struct BandOptions {
 struct RunOptions {
     std::string scene;       ///< id of a scene; empty when a model is drawn
     std::string model;       ///< file of a model; empty when a scene is drawn
+    bool baked = false;      ///< the model is drawn as images of firmware hold it (`spangle bake`)
     bringup::BusOptions bus; ///< the board, simulated or real
     int frames = 1;
     int width = 0, height = 0; ///< 0: the board's glass; else an off-screen picture of this size

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "host_sim/capture/names.hpp"
+#include "host_sim/cli/pair.hpp"
 #include "host_sim/cli/profile_firmware.hpp"
 #include "host_sim/cli/profile_page.hpp"
 #include "host_sim/cli/profile_record.hpp"
@@ -47,6 +48,7 @@ std::string take_words(ProfileOptions& options) {
         return "profile takes a scene or --model FILE, or --trace FILE, or -- PROGRAM; `spangle scenes` "
                "lists the "
                "scenes";
+    run.baked = true; // a board draws what `spangle bake` writes
     char rest = 0;
     if (std::sscanf(options.size.c_str(), "%dx%d%c", &run.width, &run.height, &rest) != 2 || run.width < 1 ||
         run.height < 1 || run.width > 2048 || run.height > 2048)
@@ -79,7 +81,9 @@ CLI::App* add_profile(CLI::App& app, ProfileOptions& o) {
         "scene", o.words,
         "id of a scene, see `spangle scenes`; after --: a program of OpenGL and its arguments, "
         "which apitrace records");
-    command->add_option("--model", o.run.model, "a model file instead: any format libassimp reads");
+    command->add_option("--model", o.run.model,
+                        "a model file instead, drawn as `spangle bake` writes it: any format "
+                        "libassimp reads");
     command->add_option("--trace", o.trace, "a trace of apitrace instead");
     command
         ->add_option("--out", o.out,
@@ -137,17 +141,21 @@ int profile(ProfileOptions options) {
         if (const std::string problem = open(*to, option, name); !problem.empty())
             return refuse(problem);
 
+    const std::string title = title_of(options);
     std::vector<Recorded> all;
     const bool drawn = options.trace.empty() && !options.program;
-    if (const std::string problem = drawn ? record_drawn(options, all) : record_replayed(options, all);
+    const pair::Folder folder;
+    if (folder.path().empty())
+        return refuse(pair::Folder::problem(), not_done);
+    if (const std::string problem =
+            drawn ? record_drawn(options, all) : record_replayed(options, folder.path(), all);
         !problem.empty())
         return refuse(problem);
     const Recorded* const chosen = choose(all, options.max_error);
     if (chosen == nullptr)
         return refuse(fmt::format("no tier is within {} %: {} differs in {:.4f} % of its pixels",
                                   options.max_error, all.front().tier, all.front().error));
-    const profile::Choice choice{title_of(options), list.filename().string(), options.small,
-                                 options.unclipped};
+    const profile::Choice choice{title, list.filename().string(), options.small, options.unclipped};
     const profile::Profile made = profile::make(chosen->record, choice);
     file.write(profile::settings(made, chosen->record, choice));
     spans.write("// Fused spans of " + options.out + ".\n" + profile::fused_lines(made));
@@ -156,7 +164,7 @@ int profile(ProfileOptions options) {
             return refuse(problem, not_done);
     ProfileReport report{choice.title, &all, chosen, &made, {}};
     if (!options.report.empty()) {
-        std::string problem = measure_firmware(options, *chosen, report.firmware);
+        std::string problem = measure_firmware(options, *chosen, folder.path(), report.firmware);
         if (problem.empty()) {
             page.write(to_page(report));
             problem = page.commit();

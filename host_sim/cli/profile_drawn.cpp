@@ -15,10 +15,10 @@ namespace spangle::cli {
 
 std::string title_of(const ProfileOptions& options) {
     namespace fs = std::filesystem;
-    if (!options.trace.empty())
-        return fs::path(options.trace).filename().string();
     if (options.program)
         return fs::path(options.words[0]).filename().string();
+    if (!options.trace.empty())
+        return fs::path(options.trace).filename().string();
     return options.run.scene.empty() ? fs::path(options.run.model).filename().string() : options.run.scene;
 }
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "host_sim/cli/model_baked.hpp"
 #include "host_sim/cli/pair.hpp"
 #include "host_sim/process/process.hpp"
 
@@ -19,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* tool = "host_sim/profile/firmware/measure.py";
+constexpr const char* model_header = "host_sim/profile/firmware/model.hpp";
 constexpr int most_frames = 3; ///< an emulated board needs seconds for each
 
 /// The tool in the source folder that this program was built in, or that SPANGLE_SOURCES names; empty:
@@ -42,28 +44,47 @@ std::string last_words(const fs::path& path) {
     return said;
 }
 
+/// The model that was recorded, as constants. Empty, or what went wrong.
+std::string write_model(const std::string& model, const fs::path& path) {
+    const ModelResult loaded = load_model(model);
+    if (!loaded.error.empty())
+        return loaded.error;
+    std::ofstream file(path);
+    file << "#include \"" << model_header << "\"\n"
+         << BakedModel(loaded.model).header("measured")
+         << "const spangle::baked::Mesh& spangle::measure::model_mesh = spangle::baked::measured::mesh;\n";
+    return file.flush() ? "" : "--report cannot write " + path.string();
+}
+
 } // namespace
 
-std::string measure_firmware(const ProfileOptions& options, const Recorded& chosen, nlohmann::json& out) {
+std::string measure_firmware(const ProfileOptions& options, const Recorded& chosen, const fs::path& folder,
+                             nlohmann::json& out) {
     const fs::path script = find_tool();
     if (script.empty())
         return "--report builds firmware from Spangle's sources; SPANGLE_SOURCES names their folder";
-    const pair::Folder folder;
-    if (folder.path().empty())
-        return pair::Folder::problem();
-    const fs::path result = folder.path() / "result.json", words = folder.path() / "words";
-    std::vector<std::string> command = {
-        "python3",    script.string(), options.out,
-        "--tier",     chosen.tier,     "--size",
-        options.size, "--end",         std::to_string(std::min(options.run.frames, most_frames)),
-        "--out",      result.string()};
-    if (!options.run.scene.empty()) {
-        command.insert(command.end(), {"--scene", options.run.scene});
-    } else {
+    const fs::path result = folder / "result.json", words = folder / "words";
+    std::vector<std::string> command = {"python3", script.string(), options.out, "--tier",       chosen.tier,
+                                        "--size",  options.size,    "--out",     result.string()};
+    if (!options.trace.empty()) {
         std::string names;
         for (const auto& [name, count] : chosen.record.commands)
             names += (names.empty() ? "" : ",") + name;
-        command.insert(command.end(), {"--commands", names});
+        // What the first frame does once is not counted.
+        command.insert(command.end(), {"--trace", options.trace, "--commands", names, "--first", "1", "--end",
+                                       std::to_string(most_frames + 1)});
+    } else {
+        command.insert(command.end(), {"--end", std::to_string(std::min(options.run.frames, most_frames))});
+        if (!options.run.scene.empty()) {
+            command.insert(command.end(), {"--scene", options.run.scene});
+        } else {
+            const fs::path source = folder / "model.cpp";
+            if (std::string problem = write_model(options.run.model, source); !problem.empty())
+                return problem;
+            command.insert(command.end(),
+                           {"--program", "spangle::measure::model", "--header", model_header, "--source",
+                            source.string(), fs::path(script).replace_filename("model.cpp").string()});
+        }
     }
     const int status = pair::run(command, words);
     if (status == process::no_program)

@@ -80,6 +80,8 @@ std::string builds(const nlohmann::json& firmware) {
         out += versus("instructions of a frame", whole["instructions"], profiled["instructions"]);
     }
     out += "</table>\n";
+    if (firmware.contains("unmeasured"))
+        out += "<p>It was not run: " + escaped(firmware["unmeasured"].get<std::string>()) + "</p>\n";
     if (profiled.contains("frames"))
         out += firmware.value("same_bytes", false)
                    ? "<p>Both draw the same bytes.</p>\n"
@@ -97,20 +99,26 @@ std::string builds(const nlohmann::json& firmware) {
     return out + "</table>\n";
 }
 
+/// What was measured of a key, or a dash.
+std::string cost(const nlohmann::json& key, const char* name) {
+    return key.contains(name) ? fmt::format("{:.1f}", key[name].get<double>()) : "-";
+}
+
 std::string keys(const nlohmann::json& told) {
-    std::string out =
-        "<h2>State keys</h2>\n<table><tr><th>state</th><th>pixels</th><th>share</th><th>drawn by</th></tr>\n";
+    std::string out = "<h2>State keys</h2>\n<table><tr><th>state</th><th>pixels</th><th>share</th><th>drawn "
+                      "by</th><th>instructions a pixel</th><th>in the whole library</th></tr>\n";
     double all = 0.0;
     for (const nlohmann::json& key : told["keys"])
         all += key["pixels"].get<double>();
     for (const nlohmann::json& key : told["keys"])
         if (key["pixels"] != 0 || key["fused"] == true)
-            out += fmt::format("<tr{}><td class=words>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                               key["fused"] == true ? "" : " class=chain",
-                               escaped(key["key"].get<std::string>()),
-                               grouped(key["pixels"].get<std::int64_t>()),
-                               bar(all > 0.0 ? key["pixels"].get<double>() / all : 0.0),
-                               key["fused"] == true ? "a loop of its own" : "the chain");
+            out += fmt::format(
+                "<tr{}><td class=words>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                key["fused"] == true ? "" : " class=chain", escaped(key["key"].get<std::string>()),
+                grouped(key["pixels"].get<std::int64_t>()),
+                bar(all > 0.0 ? key["pixels"].get<double>() / all : 0.0),
+                key["fused"] == true ? "a loop of its own" : "the chain", cost(key, "instructions_a_pixel"),
+                cost(key, "instructions_a_pixel_whole"));
     return out + "</table>\n";
 }
 

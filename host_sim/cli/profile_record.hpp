@@ -1,6 +1,7 @@
 // Records a program in the tiers of accuracy, and holds its pictures against those of the double reference.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,10 @@ std::string title_of(const ProfileOptions& options);
 /// A scene or a model, in this process; --dither becomes what the program set. Empty, or what went wrong.
 std::string record_drawn(ProfileOptions& options, std::vector<Recorded>& out);
 
-/// A trace, or a program of which a trace is made first; each tier is a replay on the drop-in pair.
-std::string record_replayed(const ProfileOptions& options, std::vector<Recorded>& out);
+/// A trace, or a program of which a trace is made first; each tier is a replay on the drop-in pair. The
+/// option
+/// --trace becomes the trace that was recorded, which may lie in the folder.
+std::string record_replayed(ProfileOptions& options, const std::filesystem::path& folder,
+                            std::vector<Recorded>& out);
 
 } // namespace spangle::cli

@@ -123,13 +123,10 @@ bool shows_frames(const std::string& trace, const fs::path& folder) {
 
 } // namespace
 
-std::string record_replayed(const ProfileOptions& options, std::vector<Recorded>& out) {
+std::string record_replayed(ProfileOptions& options, const fs::path& folder, std::vector<Recorded>& out) {
     if (!options.program && !fs::exists(options.trace))
         return "there is no trace '" + options.trace + "'";
     std::string problem = pair::use();
-    const pair::Folder folder;
-    if (problem.empty() && folder.path().empty())
-        problem = pair::Folder::problem();
     if (!problem.empty())
         return problem;
     for (const char* const variable : {"SPANGLE_BOARD", "SPANGLE_SHOT", "SPANGLE_FRAMES", "SPANGLE_REPORT",
@@ -137,26 +134,26 @@ std::string record_replayed(const ProfileOptions& options, std::vector<Recorded>
         pair::set(variable, "");
     pair::set("SPANGLE_SIZE", options.size);
 
-    std::string trace = options.trace;
+    std::string& trace = options.trace;
     if (options.program) {
         // The window of a program comes from GLX or from EGL, and tracers see one of them.
         for (const char* const api : {"gl", "egl"}) {
-            trace = (folder.path() / (api + std::string(".trace"))).string();
-            problem = make_trace(options, api, trace, folder.path());
-            if (!problem.empty() || shows_frames(trace, folder.path()))
+            trace = (folder / (api + std::string(".trace"))).string();
+            problem = make_trace(options, api, trace, folder);
+            if (!problem.empty() || shows_frames(trace, folder))
                 break;
         }
     } else if (options.run.frames != 0) {
-        const std::string shorter = (folder.path() / "shorter.trace").string();
+        const std::string shorter = (folder / "shorter.trace").string();
         problem = run_tool(
             {"apitrace", "trim", fmt::format("--frames=0-{}", options.run.frames - 1), "-o", shorter, trace},
-            folder.path() / "words");
+            folder / "words");
         trace = shorter;
     }
     std::vector<fs::path> reference;
     pair::set("SPANGLE_PRECISION", "double");
     if (problem.empty())
-        problem = pictures_of(trace, folder.path() / "double", reference);
+        problem = pictures_of(trace, folder / "double", reference);
     for (const std::string& tier : options.tiers) {
         if (!problem.empty())
             break;
@@ -164,9 +161,9 @@ std::string record_replayed(const ProfileOptions& options, std::vector<Recorded>
         one.tier = tier;
         pair::set("SPANGLE_PRECISION", tier);
         std::vector<fs::path> pictures;
-        problem = record(trace, options.format, folder.path(), one);
+        problem = record(trace, options.format, folder, one);
         if (problem.empty())
-            problem = pictures_of(trace, folder.path() / tier, pictures);
+            problem = pictures_of(trace, folder / tier, pictures);
         if (problem.empty())
             problem = compare(pictures, reference, one);
     }

@@ -25,6 +25,13 @@ double chain_percent(const ProfileReport& report) {
     return percent(chain, report.chosen->record.pixels());
 }
 
+/// Instructions that a build needs for a pixel of a key; 0: they were not measured.
+double cost_of(const nlohmann::json& firmware, const char* build, const std::string& key) {
+    if (!firmware.is_object() || !firmware[build].contains("keys") || !firmware[build]["keys"].contains(key))
+        return 0.0;
+    return firmware[build]["keys"][key]["instructions_a_pixel"].get<double>();
+}
+
 /// Whole against profiled, and the lines that cost most.
 std::string firmware_text(const nlohmann::json& firmware) {
     constexpr std::size_t most_lines = 20;
@@ -41,6 +48,8 @@ std::string firmware_text(const nlohmann::json& firmware) {
     if (profiled.contains("frames"))
         out += firmware.value("same_bytes", false) ? "  Both draw the same bytes.\n"
                                                    : "  THE TWO DRAW DIFFERENT BYTES.\n";
+    if (firmware.contains("unmeasured"))
+        out += "  It was not run: " + firmware["unmeasured"].get<std::string>() + "\n";
     if (firmware["lines"].empty())
         return out;
     out += "\n  instructions  calls     line and command, of a frame\n";
@@ -51,6 +60,11 @@ std::string firmware_text(const nlohmann::json& firmware) {
                            line["command"].get<std::string>());
     }
     return out;
+}
+
+std::string cost(const nlohmann::json& firmware, const std::string& key) {
+    const double instructions = cost_of(firmware, "profiled", key);
+    return instructions > 0.0 ? fmt::format("{:.1f}", instructions) : "-";
 }
 
 } // namespace
@@ -71,11 +85,16 @@ nlohmann::json to_json(const ProfileReport& report) {
     out["chain"] = report.made->chain;
     out["chain_percent"] = chain_percent(report);
     out["keys"] = nlohmann::json::array();
-    for (const profile::KeyUse& use : report.chosen->record.keys)
+    for (const profile::KeyUse& use : report.chosen->record.keys) {
         out["keys"].push_back({{"key", profile::words(use.key)},
                                {"pixels", use.pixels},
                                {"fused", is_fused(*report.made, use)},
                                {"needed", use.needed}});
+        for (const auto& [build, name] : {std::pair{"profiled", "instructions_a_pixel"},
+                                          std::pair{"whole", "instructions_a_pixel_whole"}})
+            if (const double cost = cost_of(report.firmware, build, profile::words(use.key)); cost > 0.0)
+                out["keys"].back()[name] = cost;
+    }
     for (unsigned i = 0; i < gl::range_count; ++i)
         out["ranges"][profile::text_of(gl::Range{static_cast<std::uint8_t>(i)}).name] =
             report.chosen->record.reached[i];
@@ -101,17 +120,19 @@ std::string to_text(const ProfileReport& report) {
     if (report.made->chain && report.firmware.is_object())
         out += fmt::format(", in {} bytes of flash",
                            report.firmware["profiled"]["flash_of"].value("raster/span", std::int64_t{0}));
-    out += "\n\n  pixels      share    drawn by  state key\n";
+    out += "\n\n  pixels      share    drawn by   each*  state key\n";
     std::vector<profile::KeyUse> keys = report.chosen->record.keys;
     std::stable_sort(keys.begin(), keys.end(),
                      [](const auto& a, const auto& b) { return a.pixels > b.pixels; });
     for (const profile::KeyUse& use : keys) {
         const bool fused = is_fused(*report.made, use);
         if (fused || use.pixels != 0)
-            out += fmt::format("  {:>9}  {:>5.1f} %  {:<9} {}\n", use.pixels,
+            out += fmt::format("  {:>9}  {:>5.1f} %  {:<9} {:>6}  {}\n", use.pixels,
                                percent(use.pixels, report.chosen->record.pixels()),
-                               fused ? "a loop" : "the chain", profile::words(use.key));
+                               fused ? "a loop" : "the chain", cost(report.firmware, profile::words(use.key)),
+                               profile::words(use.key));
     }
+    out += "  * instructions of one pixel on a Cortex-M4, where --report measures them\n";
     out += "\n  reached    at most\n";
     for (unsigned i = 0; i < gl::range_count; ++i)
         out += fmt::format("  {:>9}  {}\n", report.chosen->record.reached[i],

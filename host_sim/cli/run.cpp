@@ -30,31 +30,6 @@ using trade::Coverage;
 using trade::differences;
 using trade::FrameCoverage;
 
-std::string make_program(const RunOptions& options, Model& model, Program& out) {
-    if (options.model.empty()) {
-        const scenes::Scene* const scene = scenes::find(options.scene.c_str());
-        if (scene == nullptr)
-            return "no scene '" + options.scene + "'; `spangle scenes` lists them";
-        out = {scene->id, scene->setup, scene->draw};
-        return "";
-    }
-    ModelResult loaded = load_model(options.model);
-    if (!loaded.error.empty())
-        return loaded.error;
-    model = std::move(loaded.model);
-    out = {model.name, [&model](int w, int h) { setup_model(model, w, h); },
-           [&model](int f) { draw_model(model, f); }};
-    return "";
-}
-
-void start(const Program& program, const Session& session, bool dither) {
-    program.setup(session.width(), session.height());
-    if (dither)
-        glEnable(GL_DITHER);
-    else
-        glDisable(GL_DITHER);
-}
-
 namespace {
 
 bool is_shadow(Precision p) {

@@ -4,26 +4,14 @@
 
 #include <fmt/format.h>
 
+#include "host_sim/profile/key_words.hpp"
+
 namespace spangle::profile {
 
 using namespace raster;
+using namespace key_names;
 
 namespace {
-
-constexpr const char *numbers[] = {"raw565", "balanced", "exact", "reference"},
-                     *kinds[] = {"flat", "affine", "textured", "full"},
-                     *compares[] = {"never",   "less",     "equal",  "lequal",
-                                    "greater", "notequal", "gequal", "always"},
-                     *texels[] = {"a8",     "l8",       "i8",       "la88",     "rgb565",
-                                  "rgb888", "rgba8888", "rgba4444", "rgba5551", "rgb332",
-                                  "z16",    "z24",      "p4",       "p8",       "etc1"},
-                     *bases[] = {"alpha", "luminance", "luminance_alpha", "intensity", "rgb", "rgba"},
-                     *filters[] = {"nearest", "linear"},
-                     *environments[] = {"replace", "modulate", "decal", "blend", "add", "combine"},
-                     *fogs[] = {"exp", "exp2", "linear"};
-template <class E> const char* name(const char* const* of, E value) {
-    return of[static_cast<unsigned>(value)];
-}
 
 /// What lists of fused spans can say of a key; all else is as it is by default.
 Key sayable(const Key& key) {
@@ -75,38 +63,27 @@ bool is_fusible(const Key& key) {
     return key.number != Number::reference && key == sayable(key);
 }
 
+namespace {
+
+/// Text that grows.
+struct Words {
+    std::string text;
+    Words& operator<<(const char* more) {
+        text += more;
+        return *this;
+    }
+    Words& operator<<(unsigned number) {
+        text += std::to_string(number);
+        return *this;
+    }
+};
+
+} // namespace
+
 std::string words(const Key& key) {
-    std::string out = fmt::format("{} {}", name(numbers, key.number), name(kinds, key.kind));
-    const auto say = [&](bool is, const std::string& word) { out += is ? " " + word : ""; };
-    say(needs_depth(key),
-        fmt::format("depth({}{})", name(compares, key.depth), key.depth_write ? "" : ", not written"));
-    say(key.depth_format == DepthFormat::z24s8, "24 bits");
-    for (const UnitKey& unit : key.unit)
-        say(unit.on, unit.general ? "texture(any)"
-                                  : fmt::format("texture({} {} {} {})", name(texels, unit.texels),
-                                                name(bases, unit.base), name(filters, unit.filter),
-                                                name(environments, unit.env)));
-    say(key.combine, "combine");
-    say(key.pixels, "pixels");
-    say(key.color_alpha, "alpha");
-    say(key.color_sum, "sum");
-    say(key.fog, fmt::format("fog({})", name(fogs, key.fog_mode)));
-    say(key.alpha != Compare::always, fmt::format("alpha_test({})", name(compares, key.alpha)));
-    say(key.stencil, "stencil");
-    say(key.blend, key.blend_general ? "blend(any)"
-                   : key.blending == blend_over
-                       ? "blend(over)"
-                       : fmt::format("blend({}, {})", static_cast<int>(key.blending.src),
-                                     static_cast<int>(key.blending.dst)));
-    say(key.dither, "dither");
-    say(key.masked, "masked");
-    say(key.logic, "logic");
-    say(key.count, "count");
-    say(key.coverage, "coverage");
-    say(key.polygon_stipple, "stipple");
-    say(key.depth_offset, "offset");
-    say(key.samples, "samples");
-    return out;
+    Words out;
+    say(out, key);
+    return out.text;
 }
 
 namespace {

@@ -21,6 +21,8 @@ struct KeyUse {
     bool needed = false;      ///< a build without the chain draws nothing unless it has one
 };
 
+inline constexpr unsigned light_follows_colors = 8; ///< of Record::light_kinds: COLOR_MATERIAL
+
 struct Record {
     std::map<std::string, std::uint64_t> commands; ///< by family: glVertex, glColor, ...
     std::set<std::string> features;                ///< those of cmake/Features.cmake that were asked for

@@ -10,14 +10,12 @@
 
 #include "gl/api/explain.hpp"
 #include "gl/context/context.hpp"
-#include "gl/context/share_group.hpp"
 #include "host_sim/profile/needs.hpp"
 #include "raster/span/fused_table.hpp"
 #include "raster/span/rows.hpp"
 
 namespace spangle::profile {
 
-using numeric::Real;
 using raster::Kind;
 
 namespace {
@@ -36,15 +34,6 @@ unsigned primitives_of(GLenum mode) {
            : mode <= GL_LINE_STRIP                  ? lines
            : mode >= GL_QUADS && mode <= GL_POLYGON ? polygons
                                                     : 0;
-}
-
-bool bright(const Real (&color)[4]) {
-    constexpr std::uint32_t sixteen = 0x41800000;
-    return std::any_of(color, color + 3, [](Real c) { return (c.bits & 0x7FFFFFFF) >= sixteen; });
-}
-
-bool black(const Real (&color)[4]) {
-    return std::all_of(color, color + 3, [](Real c) { return numeric::is_zero(c); });
 }
 
 } // namespace
@@ -115,6 +104,15 @@ std::size_t Recorder::place_of(const raster::Key& key) {
     return record_.keys.size() - 1;
 }
 
+/// Surfaces that are recorded for others may have no loop for one colour where those have one. Which pixels
+/// it would draw is not known, so it is needed: dithered, a smooth one may draw other bytes.
+void Recorder::keep_one_color(const raster::FragmentState& fragment, const raster::Surface& surface,
+                              const raster::DrawState& state) {
+    const raster::Key key = raster::make_key(fragment, surface, Kind::flat);
+    if (state.variant[0].run == nullptr && !state.textured_or_fogged && key.number == raster::Number::raw565)
+        record_.keys[place_of(key)].needed = true;
+}
+
 /// The same bytes are drawn by rows alone, which are counted. A kind is needed unless another draws what it
 /// would: one colour is drawn by the affine kind, too, and FLAT shading without textures or fog has nothing
 /// else. Divided colours of the fast tier are affine where no span divides them; they are listed where some
@@ -127,6 +125,8 @@ void Recorder::compiled(gl::Context& context, const raster::FragmentState& fragm
     record_.tiers |= 1u << static_cast<unsigned>(fragment.tier);
     const bool one_color =
         fragment.flat && !state.textured_or_fogged && !state.pixels && state.variant[0].run != nullptr;
+    if (colors_ && !state.nothing)
+        keep_one_color(fragment, surface, state);
     for (int i = 0; i < raster::kind_count; ++i) {
         raster::Variant& variant = state.variant[i];
         if (variant.run == nullptr || state.nothing)
@@ -157,6 +157,14 @@ void Recorder::value(std::uint32_t word) {
         record_.features.insert(feature);
 }
 
+/// Switches of lighting that are limits, no systems: a program that only turns them off names them, too.
+void Recorder::switched(std::uint32_t word) {
+    if (word == GL_COLOR_MATERIAL)
+        record_.light_kinds |= light_follows_colors;
+    record_.full_lighting = record_.full_lighting || word == GL_COLOR_MATERIAL || word == GL_NORMALIZE ||
+                            word == GL_RESCALE_NORMAL;
+}
+
 void Recorder::arguments(gl::Context& context, const gl::CommandText& text, const gl::Arg* args,
                          unsigned count) {
     gl::Arg given[gl::most_explained] = {};
@@ -168,6 +176,8 @@ void Recorder::arguments(gl::Context& context, const gl::CommandText& text, cons
         if (arg.rule == gl::ArgRule::token || arg.rule == gl::ArgRule::pname ||
             std::strcmp(arg.name, "internalformat") == 0)
             value(word);
+        if (arg.rule == gl::ArgRule::token)
+            switched(word);
         if (arg.rule == gl::ArgRule::token && texture)
             record_.texture_units = std::max(record_.texture_units, static_cast<int>(word - GL_TEXTURE0) + 1);
         if (word >= GL_LIGHT0 && word < GL_LIGHT0 + 8 && arg.rule == gl::ArgRule::token)
@@ -210,73 +220,6 @@ void Recorder::command(gl::Context& context, const gl::CommandText& text, const 
     inspect(context);
     if (args != nullptr && count != 0)
         arguments(context, text, args, count);
-}
-
-void Recorder::inspect_textures(gl::Context& context) {
-    const auto look = [&](const gl::TextureObject* object) {
-        for (unsigned face = 0; object != nullptr && face < object->faces(); ++face)
-            for (int level = 0; level < gl::texture_levels; ++level) {
-                const gl::LevelImage* const image = object->image(face, level);
-                if (image == nullptr || image->shape.empty())
-                    continue;
-                record_.texture_formats |= 1u << static_cast<unsigned>(image->shape.format);
-                int levels = level + 1;
-                for (unsigned side = 0; side < 3; ++side)
-                    for (unsigned texels = image->shape.inner(side); texels > 1u << (levels - 1 - level);)
-                        ++levels;
-                record_.texture_levels = std::max(record_.texture_levels, levels);
-            }
-    };
-    gl::NameTable& textures = context.share->textures;
-    for (std::uint32_t i = 0; i < textures.capacity(); ++i)
-        if (textures.slot(i).name != 0)
-            look(static_cast<const gl::TextureObject*>(textures.slot(i).object));
-    for (const gl::TextureKind kind :
-         {gl::TextureKind::one, gl::TextureKind::two, gl::TextureKind::three, gl::TextureKind::cube})
-        look(&context.texture.default_texture(kind));
-}
-
-/// What the commands before have made of the state.
-void Recorder::inspect(gl::Context& context) {
-    Record& r = record_;
-    if (context.drawable.surface.color != nullptr) {
-        const raster::Surface surface = target(context);
-        r.color_formats |= 1u << static_cast<unsigned>(surface.format);
-        r.depth_formats |= 1u << static_cast<unsigned>(surface.depth_format);
-        if (surface.samples != nullptr)
-            r.features.insert("MULTISAMPLE");
-    }
-    r.modelview_stack = std::max(r.modelview_stack, context.transform.modelview.top + 1);
-    r.projection_stack = std::max(r.projection_stack, context.transform.projection.top + 1);
-    for (const auto& stack : context.transform.texture)
-        r.texture_stack = std::max(r.texture_stack, stack.top + 1);
-    r.list_nesting = std::max(r.list_nesting, static_cast<int>(context.list.depth) + 1);
-
-    const gl::LightingState& lighting = context.lighting;
-    const auto kind = [&](unsigned bit, bool used) { r.light_kinds |= used ? bit : 0u; };
-    constexpr unsigned specular = 1, local = 2, sides = 4, colors = 8;
-    kind(local, lighting.local_viewer);
-    kind(sides, lighting.two_side);
-    kind(colors, lighting.color_material);
-    r.full_lighting = r.full_lighting || context.transform.normalize || context.transform.rescale_normal ||
-                      lighting.color_material;
-    for (const gl::Light& light : lighting.light) {
-        kind(local, !numeric::is_zero(light.position[3]) || !(light.spot_cutoff == Real{0x43340000}));
-        r.full_lighting = r.full_lighting || bright(light.diffuse);
-    }
-    for (const gl::Material& material : lighting.material) {
-        kind(specular, !black(material.specular));
-        r.full_lighting = r.full_lighting || bright(material.diffuse);
-    }
-    gl::each_array(context.arrays, [&](const gl::ClientArray& array) {
-        if (array.enabled && array.type - GL_BYTE < 13)
-            r.array_types |= 1u << (array.type - GL_BYTE);
-    });
-    const auto [seen, first] = textures_seen_.try_emplace(context.share, 0);
-    if (first || seen->second != context.share->texture_changes) {
-        seen->second = context.share->texture_changes;
-        inspect_textures(context);
-    }
 }
 
 const Record& Recorder::finish() {

@@ -44,10 +44,13 @@ class Recorder final : public gl::Watcher {
   private:
     friend struct Spans;
     std::size_t place_of(const raster::Key& key);
+    void keep_one_color(const raster::FragmentState& fragment, const raster::Surface& surface,
+                        const raster::DrawState& state);
     void inspect(gl::Context& context);
     void inspect_textures(gl::Context& context);
     void arguments(gl::Context& context, const gl::CommandText& text, const gl::Arg* args, unsigned count);
     void value(std::uint32_t word);
+    void switched(std::uint32_t word);
     /// Counts pixels for the key of a variant; what draws them.
     raster::AnyFunction count(const std::pair<const raster::DrawState*, int>& variant, std::uint64_t pixels);
 

@@ -127,6 +127,22 @@ TEST(Recorder, ReachesLimits) {
     EXPECT_EQ(lit.tiers, 2u);
 }
 
+TEST(Recorder, KeepsSwitchesThatAreOnlyTurnedOff) {
+    const auto light_kinds = [](void (*setup)(int, int)) {
+        return record(programs::Program{"off", setup, [](int) { glDisable(GL_LIGHT0); }});
+    };
+    const Record color = light_kinds([](int, int) { glDisable(GL_COLOR_MATERIAL); });
+    EXPECT_EQ(color.light_kinds, light_follows_colors);
+    EXPECT_TRUE(color.full_lighting);
+    const Record normal = light_kinds([](int, int) { glDisable(GL_NORMALIZE); });
+    EXPECT_EQ(normal.light_kinds, 0u);
+    EXPECT_TRUE(normal.full_lighting);
+    EXPECT_TRUE(light_kinds([](int, int) { glDisable(GL_RESCALE_NORMAL); }).full_lighting);
+    const Record none = light_kinds([](int, int) { glDisable(GL_LIGHTING); });
+    EXPECT_EQ(none.light_kinds, 0u);
+    EXPECT_FALSE(none.full_lighting);
+}
+
 TEST(Recorder, MeasuresHowFarProgramsGo) {
     using gl::Range;
     const Record sprites = record(programs::sprites_only);
@@ -212,6 +228,33 @@ TEST(Profile, TexelsOfOneByteAreTheChains) {
     EXPECT_FALSE(is_fusible(key));
 }
 
+TEST(Profile, DividedFilteredTexelsOfTheExactTierAreTheChains) {
+    raster::Key key;
+    key.number = raster::Number::exact;
+    key.kind = raster::Kind::full;
+    key.unit[0] = {true,
+                   false,
+                   raster::TexelFormat::rgb565,
+                   raster::BaseFormat::rgb,
+                   raster::Filter::linear,
+                   raster::TexEnv::modulate};
+    EXPECT_FALSE(is_fusible(key));
+    key.kind = raster::Kind::affine;
+    EXPECT_TRUE(is_fusible(key)) << "nothing divides";
+    key.fog = true;
+    key.fog_mode = raster::FogMode::linear;
+    key.kind = raster::Kind::textured;
+    EXPECT_FALSE(is_fusible(key));
+    key.unit[0].filter = raster::Filter::nearest;
+    EXPECT_TRUE(is_fusible(key)) << "one texel";
+    key.unit[0].filter = raster::Filter::linear;
+    key.number = raster::Number::balanced;
+    EXPECT_TRUE(is_fusible(key)) << "of another tier";
+    key.number = raster::Number::exact;
+    key.unit[0] = {};
+    EXPECT_TRUE(is_fusible(key)) << "without texture";
+}
+
 TEST(Profile, HoldsWhatTheBuildHasAndTheProgramAskedFor) {
     const Profile profile = make(record(programs::sprites_only), {"sprites", "sprites.inc"});
     EXPECT_THAT(profile.features, ElementsAre("FIXED_POINT")) << "free where nobody calls it";
@@ -225,18 +268,20 @@ TEST(Profile, HoldsWhatTheBuildHasAndTheProgramAskedFor) {
 }
 
 /// A context on a picture whose depths have stencils.
-void open_with_stencils(bench::Headless& gl) {
+void open_with_stencils(bench::Headless& gl, EGLint red) {
     gl.display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
     eglInitialize(gl.display, nullptr, nullptr);
-    constexpr EGLint wish[] = {EGL_RENDERABLE_TYPE,
-                               EGL_OPENGL_BIT,
-                               EGL_SURFACE_TYPE,
-                               EGL_PBUFFER_BIT,
-                               EGL_STENCIL_SIZE,
-                               8,
-                               EGL_PRECISION_SPANGLE,
-                               EGL_PRECISION_BALANCED_SPANGLE,
-                               EGL_NONE};
+    const EGLint wish[] = {EGL_RENDERABLE_TYPE,
+                           EGL_OPENGL_BIT,
+                           EGL_SURFACE_TYPE,
+                           EGL_PBUFFER_BIT,
+                           EGL_STENCIL_SIZE,
+                           8,
+                           EGL_RED_SIZE,
+                           red,
+                           EGL_PRECISION_SPANGLE,
+                           EGL_PRECISION_BALANCED_SPANGLE,
+                           EGL_NONE};
     constexpr EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
@@ -247,9 +292,9 @@ void open_with_stencils(bench::Headless& gl) {
 }
 
 /// What a program draws to depths with stencils, recorded for a surface that is not its own.
-Record record_for(PixelFormat format, const programs::Program& program, bool tests_stencils) {
+Record record_for(PixelFormat format, const programs::Program& program, bool tests_stencils, EGLint red = 0) {
     bench::Headless gl;
-    open_with_stencils(gl);
+    open_with_stencils(gl, red);
     Record out;
     {
         Recorder recorder(format);
@@ -278,6 +323,20 @@ TEST(Recorder, RecordsForOtherSurfaces) {
     EXPECT_EQ(stencils.depth_formats, 5u) << "no depth, and 24 bits";
     for (const KeyUse& use : stencils.keys)
         EXPECT_EQ(use.key.depth_format, DepthFormat::z24s8);
+}
+
+TEST(Recorder, KeepsTheLoopOfOneColourThatOtherSurfacesHave) {
+    const auto flat = [](const Record& record) {
+        return std::any_of(record.keys.begin(), record.keys.end(), [](const KeyUse& use) {
+            return use.key.kind == raster::Kind::flat && use.needed;
+        });
+    };
+    // Surfaces of 888, recorded for others.
+    constexpr programs::Program plain{"plain", [](int, int) {},
+                                      [](int) { glRectf(-0.5f, -0.5f, 0.5f, 0.5f); }};
+    EXPECT_TRUE(flat(record_for(PixelFormat::rgb565_be, plain, false, 8)));
+    EXPECT_FALSE(flat(record_for(PixelFormat::rgb888, plain, false, 8))) << "no surface of 16 bits";
+    EXPECT_FALSE(flat(record_for(PixelFormat::rgb565_be, programs::sprites_only, false, 8))) << "textures";
 }
 
 TEST(RecordText, ComesBackAsItWas) {

@@ -1,10 +1,12 @@
-#include "host_sim/profile/firmware/lines.hpp"
+// Counts every call of GL for the address that it returns to. Prints a line "line ADDRESS COMMAND CALLS
+// TICKS" for each address that commands returned to, and "line 0 0 CALLS TICKS" for those that found no
+// place.
+#include "host_sim/profile/firmware/counting.hpp"
 
 #include <cstdint>
 #include <initializer_list>
 
-#include <spangle/mcu/semihosting.hpp>
-#include <spangle/mcu/systick.hpp>
+#include MEASURE_BOARD
 
 extern "C" void measure_nothing(); // nothing_called.cpp, behind a trampoline like a command
 
@@ -16,7 +18,7 @@ struct Line {
     std::uint32_t address, command, calls;
     std::uint64_t ticks;
 };
-constexpr std::uint32_t places = 1024, deepest = 16; ///< a power of two; calls within calls
+constexpr std::uint32_t places = 8192, deepest = 16; ///< a power of two; calls within calls
 
 struct Call {
     std::uint32_t address, command, begin;
@@ -25,14 +27,11 @@ struct Call {
 struct Counts {
     Line line[places];
     Call call[deepest];
-    std::uint32_t depth, lost;
+    std::uint32_t depth;
+    Line lost; ///< those that found no place
     bool on;
 };
 Counts counts;
-
-std::uint32_t now() {
-    return mcu::reg(mcu::SysTick::current);
-}
 
 /// The line of an address and a command, or null where there is no place for one more.
 Line* find(std::uint32_t address, std::uint32_t command) {
@@ -44,6 +43,18 @@ Line* find(std::uint32_t address, std::uint32_t command) {
             return &line;
     }
     return nullptr;
+}
+
+void tell(const Line& line) {
+    if (line.calls == 0)
+        return;
+    print("line");
+    for (const std::uint32_t number :
+         {line.address, line.command, line.calls, static_cast<std::uint32_t>(line.ticks)}) {
+        print(" ");
+        print(number);
+    }
+    print("\n");
 }
 
 } // namespace
@@ -58,24 +69,13 @@ void end_frame() {
     counts.on = false;
 }
 
-void print_lines() {
-    namespace semihosting = mcu::semihosting;
-    for (const Line& line : counts.line) {
-        if (line.calls == 0)
-            continue;
-        semihosting::print("line");
-        for (const std::uint32_t number :
-             {line.address, line.command, line.calls, static_cast<std::uint32_t>(line.ticks)}) {
-            semihosting::print(" ");
-            semihosting::print_number(number);
-        }
-        semihosting::print("\n");
-    }
-    if (counts.lost != 0)
-        semihosting::print("lost\n");
+void print_counts() {
+    for (const Line& line : counts.line)
+        tell(line);
+    tell(counts.lost);
 }
 
-std::size_t line_bytes() {
+std::size_t counting_bytes() {
     return sizeof counts;
 }
 
@@ -100,12 +100,10 @@ std::uint32_t measure_end() {
     --counts.depth;
     const Call& call = counts.call[counts.depth % deepest];
     if (counts.on && counts.depth == 0) {
-        if (Line* const line = find(call.address & ~1u, call.command); line != nullptr) {
-            ++line->calls;
-            line->ticks += (call.begin - end) & spangle::mcu::SysTick::most_ticks; // it counts down
-        } else {
-            ++counts.lost;
-        }
+        Line* const found = find(call.address & ~1u, call.command);
+        Line& line = found != nullptr ? *found : counts.lost;
+        ++line.calls;
+        line.ticks += ticks_between(call.begin, end);
     }
     return call.address;
 }

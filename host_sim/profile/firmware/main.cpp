@@ -1,7 +1,8 @@
 // A program on the emulated Cortex-M4, for host_sim/profile/firmware/measure.py: frames that are counted, and
 // what memory they take. Prints by semihosting a line "frame INSTRUCTIONS HASH" for each frame, and a line
 // "NAME BYTES" for each kind of memory. MEASURE_SIZE leaves out what measures, so that the image is as large
-// as the program's own. Run with -icount shift=0.
+// as the program's own. MEASURE_REPLAYS: each frame goes on from the one before, so that none is drawn twice.
+// Run with -icount shift=0.
 #include <cstdint>
 
 #include <spangle/EGL/egl.h>
@@ -9,9 +10,10 @@
 #include <spangle/mcu/instructions.hpp>
 #include <spangle/mcu/semihosting.hpp>
 #include <spangle/mcu/stack.hpp>
+#include <spangle/message.hpp>
 #include <spangle/native.hpp>
 
-#include "host_sim/profile/firmware/lines.hpp"
+#include "host_sim/profile/firmware/counting.hpp"
 #include MEASURE_HEADER
 
 extern "C" {
@@ -33,9 +35,10 @@ bool open() {
     const EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
     if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE)
         return false;
-    constexpr EGLint wish[] = {EGL_RENDERABLE_TYPE,   EGL_OPENGL_BIT,    EGL_SURFACE_TYPE,
-                               EGL_PBUFFER_BIT,       EGL_DEPTH_SIZE,    16,
-                               EGL_PRECISION_SPANGLE, MEASURE_PRECISION, EGL_NONE};
+    constexpr EGLint wish[] = {
+        EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,  EGL_SURFACE_TYPE,      EGL_PBUFFER_BIT,   EGL_RED_SIZE,
+        MEASURE_RED,         EGL_ALPHA_SIZE,  MEASURE_ALPHA,         EGL_DEPTH_SIZE,    16,
+        EGL_STENCIL_SIZE,    MEASURE_STENCIL, EGL_PRECISION_SPANGLE, MEASURE_PRECISION, EGL_NONE};
     constexpr EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
@@ -81,9 +84,9 @@ void print_frame(std::uint32_t instructions) {
 void print_memory() {
     print("surface", surface_bytes);
     print("peak", memory_use().peak);
-    // without what this program itself needs: the pool, the row of picture_hash() and the lines
+    // without what this program itself needs: the pool, the row of picture_hash() and what it counts
     print("static", static_cast<std::size_t>((&data_end - &data_begin) + (&bss_end - &bss_begin)) -
-                        sizeof memory_pool - sizeof row - measure::line_bytes());
+                        sizeof memory_pool - sizeof row - measure::counting_bytes());
     print("stack", mcu::deepest_stack());
 }
 
@@ -93,11 +96,19 @@ void print_memory() {
 
 int main() {
     spangle::memory(memory_pool, sizeof memory_pool);
+#if SPANGLE_MESSAGES
+    spangle::on_message([](unsigned, const char* text) {
+        semihosting::print("message ");
+        semihosting::print(text);
+        semihosting::print("\n");
+    });
+#endif
     const auto& program = MEASURE_PROGRAM;
     if (!open())
         return 1;
     program.setup(width, height);
-    program.draw(MEASURE_FIRST); // what is done once is not counted
+    if (!MEASURE_REPLAYS)
+        program.draw(MEASURE_FIRST); // what is done once is not counted
 #ifdef MEASURE_SIZE
     for (int frame = MEASURE_FIRST;; ++frame)
         program.draw(frame);
@@ -111,7 +122,7 @@ int main() {
         print_frame(count.end());
     }
     print_memory();
-    measure::print_lines();
+    measure::print_counts();
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
         print("error", error);
         return 1;

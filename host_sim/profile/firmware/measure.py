@@ -3,19 +3,19 @@
 
 usage: measure.py PROFILE.cmake --tier TIER --scene SCENE [--size WxH] [--first N] [--end N] [--out FILE]
        measure.py PROFILE.cmake --tier TIER --program OBJECT --header FILE --source FILE... [...]
-       measure.py PROFILE.cmake --tier TIER --commands glBegin,glVertex,...
+       measure.py PROFILE.cmake --tier TIER --trace FILE [--commands glBegin,glVertex,...] [...]
 
-Writes one JSON object: of the whole library ("whole") and of the profile ("profiled") the bytes of flash by folder, bytes of RAM, and,
-of programs, the instructions and a hash of each frame; of the profile also what each line of the program costs. --commands names
-families of commands, of a program whose source is not there: the image holds them and is not run.
+Writes one JSON object: of the whole library ("whole") and of the profile ("profiled") the bytes of flash by folder, bytes of RAM, the
+instructions and a hash of each frame, and what a pixel costs with each state key; of the profile also what each line of the program
+costs. A trace becomes a program that makes the same calls (replay.py); its lines are the numbers of its calls, and flash is counted
+without it. --commands names the trace's families of commands: of a trace that no image can replay, the image holds them and is not run.
 Exit status 3: a compiler or the emulator is not installed. 1: an image does not build or does not run.
 """
 import argparse
-import collections
 import json
-import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -26,11 +26,12 @@ sys.path[:0] = [str(ROOT / "boards/tools"), str(ROOT / "gl/api")]
 import command_table  # noqa: E402
 import firmware  # noqa: E402
 import profile  # noqa: E402
+import replay  # noqa: E402
+from figures import BOARD, MACHINE, TARGET, flash_of, keys_of, lines_of, run  # noqa: E402
 from firmware import HOT, outfile  # noqa: E402
 
-TARGET, BOARD = "cortex-m4", "mps2_an386"
-MACHINE = ["qemu-system-arm", "-M", BOARD.replace("_", "-")]
-MISSING, POOL, NS_PER_TICK = 3, 1536 * 1024, 40
+MISSING, POOL = 3, 1536 * 1024
+RGB565, RGB888, RGBA8888, Z16, Z24S8 = 1, 4, 8, 2, 4  # bits of SPANGLE_COLOR_FORMATS and SPANGLE_DEPTH_FORMATS
 NOTHING = "measure_nothing"  # a call of no command: what counting itself takes
 # A line of assembler for each command: it is called by its callers, keeps where they want to go on, and calls the command with the
 # stack as it was. Counting changes no register that the command reads or gives back.
@@ -55,9 +56,13 @@ __wrap_{name}:
 class Program:
     """What is measured: its sources, and how the images name it."""
 
-    def __init__(self, arguments):
-        self.commands = arguments.commands.split(",") if arguments.commands else []
-        if arguments.scene:
+    def __init__(self, arguments, folder):
+        self.first, self.end, self.trace = arguments.first, arguments.end, None
+        self.commands, self.unmeasured = [], None
+        if arguments.trace:
+            self.object, self.header = "spangle::measure::replay", "host_sim/profile/firmware/replay.hpp"
+            self.bake(arguments, folder)
+        elif arguments.scene:
             name = firmware.SCENES.get(arguments.scene)
             if name is None:
                 raise SystemExit(f"measure.py: no scene {arguments.scene}")
@@ -66,12 +71,39 @@ class Program:
         else:
             self.object, self.header = arguments.program, arguments.header
             self.sources = [path.resolve() for path in arguments.source]
-        if self.commands:
-            self.object, self.header = "spangle::measure::nothing", "host_sim/profile/firmware/nothing.hpp"
         width, height = arguments.size.split("x")
+        self.whole, buffers = self.surface(profile.definitions(str(arguments.profile)))
         self.defines = [f"-DMEASURE_PROGRAM={self.object}", f'-DMEASURE_HEADER="{self.header}"', f"-DMEASURE_WIDTH={width}",
-                        f"-DMEASURE_HEIGHT={height}", f"-DMEASURE_FIRST={arguments.first}", f"-DMEASURE_END={arguments.end}",
+                        f"-DMEASURE_HEIGHT={height}", f"-DMEASURE_FIRST={self.first}", f"-DMEASURE_END={self.end}",
+                        f"-DMEASURE_REPLAYS={int(self.trace is not None)}", *buffers,
                         f"-DMEASURE_PRECISION=EGL_PRECISION_{arguments.tier.upper()}_SPANGLE", f"-DMEASURE_POOL={POOL}"]
+
+    @staticmethod
+    def surface(definitions):
+        """What the whole library is built with, and what both ask of their surface, so that they draw on the profile's."""
+        says = dict(definition.split("=", 1) for definition in definitions)
+        colors, depths = int(says.get("SPANGLE_COLOR_FORMATS", RGB565)), int(says.get("SPANGLE_DEPTH_FORMATS", Z16))
+        stencil = 8 if depths & Z24S8 and not depths & Z16 else 0
+        sizes = 8 if colors & (RGB888 | RGBA8888) and not colors & RGB565 else 0
+        # Formats whose components are no wish of EGL's are the only ones of both builds.
+        whole = [] if colors & (RGB565 | RGB888 | RGBA8888) else [f"-DSPANGLE_COLOR_FORMATS={colors}"]
+        return whole, [f"-DMEASURE_STENCIL={stencil}", f"-DMEASURE_RED={sizes}", f"-DMEASURE_ALPHA={sizes if colors & RGBA8888 else 0}"]
+
+    def bake(self, arguments, folder):
+        """The source of a trace's calls; where there can be none, the commands alone."""
+        try:
+            text, frames = replay.source_of(arguments.trace, self.end)
+        except replay.Unbaked as why:
+            self.commands, self.sources, self.unmeasured = [name for name in arguments.commands.split(",") if name], [], str(why)
+            self.object, self.header = "spangle::measure::nothing", "host_sim/profile/firmware/nothing.hpp"
+            if not self.commands:
+                raise SystemExit(f"measure.py: {why}") from None
+            return
+        # A trace of one frame is measured with all that it does once.
+        self.trace, self.end, self.first = arguments.trace, frames, min(self.first, frames - 1)
+        self.sources = [folder / "replay.cpp"]
+        folder.mkdir(parents=True, exist_ok=True)
+        outfile.write(self.sources[0], text)
 
     def kept(self):
         """Entry points that an image without a program holds."""
@@ -85,10 +117,12 @@ class Images:
 
     def __init__(self, build, program, name, defines):
         self.build, self.program, self.name = build, program, name
-        # The lines of the program are looked up; the library's are not.
+        # The lines of the program are looked up; the library's are not. A call that were a jump would return to another line.
         self.core = [build.compile(TARGET, "-O2" if room in HOT else "-Os", path, defines, name) for room, path in firmware.sources()]
+        self.setup = next(path for path in self.core if path.name == "gl_pixel_fragment_setup.cpp.o")
         self.core += [build.compile(TARGET, "-Os", path) for path in firmware.startup(TARGET)]
-        self.own = [build.compile(TARGET, "-O2", path, [*defines, "-g"], name) for path in program.sources]
+        optimize = "-Os" if program.trace else "-O2"
+        self.own = [build.compile(TARGET, optimize, path, [*defines, "-g", "-fno-optimize-sibling-calls"], name) for path in program.sources]
         self.main = HERE / "main.cpp"
         self.defines = [*defines, *program.defines]
         self.size = self.image("size", ["-DMEASURE_SIZE"])
@@ -113,83 +147,59 @@ class Images:
         image = self.image("lines", ["-DMEASURE_LINES"], objects, [f"-Wl,--wrap={name}" for name in commands])
         return image, commands
 
-
-def flash_of(image):
-    """Bytes that are stored, by the folder that they come from; constants that are shared, and start-up's, are `others`."""
-    out = collections.Counter()
-    text = pathlib.Path(f"{image}.map").read_text().partition("\nLinker script and memory map\n")[2]
-    for address, size, path in re.findall(r"^ \.(?:text|rodata|data|vectors|init_array)\S*\s+0x([0-9a-f]+)\s+0x([0-9a-f]+) (\S+)$", text, re.M):
-        name = pathlib.PurePath(path).name
-        room = next((room for room in sorted(firmware.CORE, key=len, reverse=True) if name.startswith(room.replace("/", "_") + "_")), None)
-        out["fused spans" if "fused_part" in name else room or ("the program" if "/objects/" in path and "hal_mcu" not in name else "others")] += int(size, 16)
-    sizes = firmware.sizes(TARGET, image)
-    total = sizes.get(".text", 0) + sizes.get(".data", 0)
-    out["others"] += total - sum(out.values())
-    return total, {room: size for room, size in out.most_common() if size}
+    def counting_keys(self):
+        """The image that counts for each state key: what compiles states is wrapped."""
+        listing = subprocess.run(["arm-none-eabi-nm", "-u", str(self.setup)], capture_output=True, text=True, check=True).stdout
+        compiles, = set(re.findall(r"\b_ZN\w*6Engine7compile\w+", listing))
+        defines = ["-DMEASURE_KEYS", f'-DMEASURE_COMPILE="{compiles}"']
+        return self.image("keys", defines, [self.build.compile(TARGET, "-O2", HERE / "keys.cpp", [*self.defines, *defines], self.name)], [f"-Wl,--wrap={compiles}"])
 
 
-def run(image):
-    """([(instructions, hash)], {kind of memory: bytes}, [(address, command, calls, ticks)])"""
-    frames, memory, lines = [], {}, []
-    for words in map(str.split, firmware.emulate(MACHINE, image, options=("-icount", "shift=0"), timeout=600).splitlines()):
-        if words[:1] == ["frame"]:
-            frames.append((int(words[1]), words[2]))
-        elif words[:1] == ["line"]:
-            lines.append(tuple(map(int, words[1:])))
-        elif len(words) == 2 and words[1].isdigit():
-            memory[words[0]] = int(words[1])
-    return frames, memory, lines
+def messages_of(arguments, program, build):
+    """What the profile says where the program asks for what it has not: the same image, with messages."""
+    defines = ["-USPANGLE_MESSAGES", "-DSPANGLE_MESSAGES=1", *(f"-D{definition}" for definition in profile.definitions(str(arguments.profile)))]
+    image = Images(build, program, "telling", defines).run
+    build.run()
+    done = subprocess.run(["timeout", "600", *firmware.qemu(MACHINE, image, (), ("-monitor", "none"))], capture_output=True, text=True, env=firmware.ENVIRONMENT)
+    said = [line.removeprefix("message ") for line in (done.stdout + done.stderr).splitlines() if line.startswith("message ")]
+    return list(dict.fromkeys(said))
 
 
 def measured(images):
     total, rooms = flash_of(images.size)
+    if images.program.trace:
+        total -= rooms.pop("the program", 0)
     out = {"flash": total, "flash_of": rooms}
     if images.run is None:
         return out
-    frames, memory, _ = run(images.run)
+    frames, memory, *_ = run(images.run)
     peak = memory["peak"] - memory["surface"]
     return out | {"instructions": sum(n for n, _ in frames) // len(frames), "frames": [name for _, name in frames], "buffers": memory["surface"],
                   "ram": memory["static"] + peak + memory["stack"], "ram_of": {"variables": memory["static"], "arena": peak, "stack": memory["stack"]}}
 
 
-def source_of(path):
-    """The source as the reader knows it: from ROOT on. A cache of objects may have compiled it in a folder that lies elsewhere."""
-    parts = pathlib.PurePath(os.path.normpath(path)).parts
-    inside = (pathlib.PurePath(*parts[i:]) for i in range(1, len(parts)))
-    return str(next((tail for tail in inside if len(tail.parts) > 1 and (ROOT / tail).is_file()), os.path.normpath(path)))
-
-
-def lines_of(image, commands, frames):
-    """[{"line", "command", "calls", "instructions"}] of a frame, the dearest first."""
-    _, _, counted = run(image)
-    nothing = [(calls, ticks) for _, command, calls, ticks in counted if command == 0]
-    overhead = sum(t for _, t in nothing) / max(sum(c for c, _ in nothing), 1) * NS_PER_TICK
-    counted = [line for line in counted if line[1] != 0]
-    said = subprocess.run(["arm-none-eabi-addr2line", "-e", str(image)], input="\n".join(hex(address - 2) for address, *_ in counted),
-                          capture_output=True, text=True, check=True).stdout.split("\n")
-    sums = collections.defaultdict(lambda: [0, 0.0])
-    for (_, command, calls, ticks), place in zip(counted, said):
-        path, _, number = re.sub(r" \(discriminator.*", "", place).rpartition(":")
-        place = f"{source_of(path)}:{number}"
-        sums[place, commands[command]][0] += calls
-        sums[place, commands[command]][1] += max(ticks * NS_PER_TICK - calls * overhead, 0)
-    rows = [{"line": place, "command": command, "calls": round(calls / frames, 2), "instructions": round(instructions / frames)}
-            for (place, command), (calls, instructions) in sums.items()]
-    return sorted(rows, key=lambda row: (-row["instructions"], row["line"], row["command"]))
-
-
 def measure(arguments, folder):
     build = firmware.Build(folder)
-    program = Program(arguments)
-    whole = Images(build, program, "whole", [])
+    program = Program(arguments, build.folder)
+    whole = Images(build, program, "whole", program.whole)
     profiled = Images(build, program, "profiled", [f"-D{definition}" for definition in profile.definitions(str(arguments.profile))])
     build.run()
-    out = {"board": BOARD, "whole": measured(whole), "profiled": measured(profiled), "lines": []}
-    if not program.commands:
-        image, commands = profiled.counting()
-        build.run()
-        out["lines"] = lines_of(image, commands, arguments.end - arguments.first)
-        out["same_bytes"] = out["whole"]["frames"] == out["profiled"]["frames"] != []
+    out = {"board": BOARD, "whole": measured(whole), "lines": []}
+    try:
+        out["profiled"] = measured(profiled)
+    except RuntimeError as why:
+        said = messages_of(arguments, program, build)
+        raise SystemExit("measure.py: the program fails in its profile: " + ("; ".join(said[:3]) or str(why))) from None
+    if program.unmeasured:
+        return out | {"unmeasured": program.unmeasured}
+    image, commands = profiled.counting()
+    of_keys = {"whole": whole.counting_keys(), "profiled": profiled.counting_keys()}
+    build.run()
+    frames = program.end - program.first
+    for name, keys in of_keys.items():
+        out[name]["keys"] = keys_of(keys, frames)
+    out["lines"] = lines_of(image, commands, frames, program.trace)
+    out["same_bytes"] = out["whole"]["frames"] == out["profiled"]["frames"] != []
     return out
 
 
@@ -201,14 +211,15 @@ def main():
     parser.add_argument("--program", help="its object, as spangle::programs::wires")
     parser.add_argument("--header", help="that declares the object")
     parser.add_argument("--source", type=pathlib.Path, nargs="*", default=[])
-    parser.add_argument("--commands")
+    parser.add_argument("--trace", type=pathlib.Path, help="of apitrace")
+    parser.add_argument("--commands", default="")
     parser.add_argument("--size", default="320x240")
-    parser.add_argument("--first", type=int, default=0, help="the first frame")
+    parser.add_argument("--first", type=int, default=0, help="the first frame; those of a trace before it are drawn, too")
     parser.add_argument("--end", type=int, default=1, help="the frame behind the last one")
     parser.add_argument("--build", type=pathlib.Path, help="where objects and images go, and stay")
     parser.add_argument("--out", type=pathlib.Path, help="else standard output")
     arguments = parser.parse_args()
-    missing = firmware.missing([TARGET])
+    missing = firmware.missing([TARGET]) + [tool for tool in ["apitrace"] if arguments.trace and shutil.which(tool) is None]
     if missing:
         print(f"{', '.join(missing)} not installed (./dev setup --all installs them)", file=sys.stderr)
         return MISSING
