@@ -139,22 +139,23 @@ void attach_gud(const BusOptions&, Attached& out) {
 }
 #endif
 
-/// Why a panel of this board cannot hang there, or nothing.
+} // namespace
+
 std::string mismatch(const BusOptions& options, const hal::Board& board) {
+    const int kinds = (options.spidev.empty() ? 0 : 1) + (options.i2c.empty() ? 0 : 1) +
+                      (options.ftdi ? 1 : 0) + (options.gud ? 1 : 0);
+    if (kinds > 1)
+        return "spidev, I2C, FTDI and GUD name one display each; leave out all but one";
     const bool i2c = board.bus == hal::BusKind::i2c, wide = board.bus == hal::BusKind::i8080;
     if (!options.i2c.empty() && !i2c)
-        return fmt::format("board {} does not hang on I2C; --board names one that does, as ssd1306-i2c",
-                           board.name);
+        return fmt::format("board {} does not hang on I2C; take one that does, as ssd1306-i2c", board.name);
     if ((!options.spidev.empty() || options.ftdi) && (i2c || wide))
-        return fmt::format("board {} does not hang on SPI; --board names one that does, as ili9341-spi",
-                           board.name);
+        return fmt::format("board {} does not hang on SPI; take one that does, as ili9341-spi", board.name);
     if (options.ftdi && board.bus == hal::BusKind::spi_start)
-        return fmt::format("board {} takes start bytes, which --ftdi does not send; use --spidev",
+        return fmt::format("board {} takes start bytes, which an FTDI adapter does not send; use a spidev",
                            board.name);
     return "";
 }
-
-} // namespace
 
 std::string BusOptions::board_name() const {
     return !board.empty() ? board : !i2c.empty() ? "ssd1306-i2c" : "ili9341";
@@ -170,12 +171,6 @@ const hal::Board* find_board(const std::string& name) {
 Attached attach(const BusOptions& options, const hal::Board& board) {
     Attached out;
     out.board = board;
-    const int kinds = (options.spidev.empty() ? 0 : 1) + (options.i2c.empty() ? 0 : 1) +
-                      (options.ftdi ? 1 : 0) + (options.gud ? 1 : 0);
-    if (kinds > 1) {
-        out.error = "--spidev, --i2c, --ftdi and --gud name one display; leave out the others";
-        return out;
-    }
     out.error = mismatch(options, board);
     if (!out.error.empty())
         return out;

@@ -40,6 +40,8 @@ struct Attached {
     bool reset = false;                       ///< the panel's reset is wired
 };
 
+/// Why no panel of this board can hang where `options` say, or nothing. Nothing is opened.
+std::string mismatch(const BusOptions& options, const hal::Board& board);
 /// Opens what `options` name, as the board says; GUD displays are found by init().
 Attached attach(const BusOptions& options);
 /// The same with a board of the caller's making.

@@ -6,15 +6,19 @@
 #include <map>
 
 #include "host_sim/bringup/attach.hpp"
+#include "host_sim/cli/bus_options.hpp"
 #include "host_sim/cli/pair.hpp"
 #include "host_sim/cli/report.hpp"
 #include "host_sim/cli/say.hpp"
+#include "host_sim/cli/size.hpp"
 
 namespace spangle::cli {
 
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* no_board = "none";
 
 /// Names and values, a line each, as the pair writes them (host_sim/dropin/stage.cpp); the rest is text.
 std::map<std::string, std::string> read_figures(const fs::path& path, std::string& violations) {
@@ -34,7 +38,21 @@ std::map<std::string, std::string> read_figures(const fs::path& path, std::strin
 
 /// What the pair reads; docs/programs.md lists the variables.
 void set_environment(const ExecOptions& options, const std::string& report) {
-    pair::set("SPANGLE_BOARD", options.board == "none" ? "" : options.board);
+    const bringup::BusOptions& bus = options.bus;
+    const auto number = [](std::uint32_t value) { return value != 0 ? std::to_string(value) : ""; };
+    pair::set("SPANGLE_BOARD", bus.board == no_board ? "" : bus.board_name());
+    pair::set("SPANGLE_SPIDEV", bus.spidev);
+    pair::set("SPANGLE_DC", bus.dc);
+    pair::set("SPANGLE_RESET", bus.reset);
+    pair::set("SPANGLE_LIGHT", bus.light);
+    pair::set("SPANGLE_TE", bus.te);
+    pair::set("SPANGLE_I2C", bus.i2c);
+    pair::set("SPANGLE_ADDRESS", bus.i2c.empty() ? "" : std::to_string(bus.address));
+    pair::set("SPANGLE_FTDI", bus.ftdi ? "1" : "");
+    pair::set("SPANGLE_GUD", bus.gud ? "1" : "");
+    pair::set("SPANGLE_USB", bus.usb_file);
+    pair::set("SPANGLE_HZ", number(bus.hz));
+    pair::set("SPANGLE_READ_HZ", number(bus.read_hz));
     pair::set("SPANGLE_PRECISION", options.precision);
     pair::set("SPANGLE_SIZE", options.size);
     pair::set("SPANGLE_FORMAT", options.format);
@@ -66,6 +84,11 @@ Report report_of(const ExecOptions& options, const std::map<std::string, std::st
     out.bus_commands = number(figures, "bus_commands");
     const std::uint64_t bits = board != figures.end() ? number(figures, "wire_bits") : 16;
     out.full_frame_bytes = (pixels * bits + 7) / 8;
+    if (const auto where = figures.find("where"); where != figures.end()) {
+        out.board += " at " + where->second;
+        const double shown = static_cast<double>(number(figures, "shown_ns")) * 1e-9;
+        out.measured_fps = shown > 0.0 ? out.frames / shown : 0.0;
+    }
     const double seconds = static_cast<double>(number(figures, "busy_ns")) * 1e-9;
     out.fps_at_bus_clock = seconds > 0.0 ? out.frames / seconds : 0.0;
     out.picture_hash = hash != figures.end() ? hash->second : "";
@@ -74,9 +97,26 @@ Report report_of(const ExecOptions& options, const std::map<std::string, std::st
 
 } // namespace
 
+namespace {
+
+/// What of the options cannot be, before anything is run; or nothing.
+std::string flaw(const ExecOptions& options) {
+    const bringup::BusOptions& bus = options.bus;
+    if (int width = 0, height = 0; !options.size.empty())
+        if (std::string problem = read_size(options.size, width, height); !problem.empty())
+            return problem;
+    if (bus.board == no_board)
+        return bus.real() ? "--board none shows nothing; leave it out, or the real display" : "";
+    const hal::Board* const board = bringup::find_board(bus.board_name());
+    return board == nullptr ? "no board '" + bus.board + "'; `spangle boards` lists them, none is none"
+                            : bringup::mismatch(bus, *board);
+}
+
+} // namespace
+
 int exec(const ExecOptions& options) {
-    if (options.board != "none" && bringup::find_board(options.board) == nullptr)
-        return refuse("no board '" + options.board + "'; `spangle boards` lists them, none is none");
+    if (const std::string problem = flaw(options); !problem.empty())
+        return refuse(problem);
     if (const std::string problem = pair::use(); !problem.empty())
         return refuse(problem);
     const pair::Folder folder;
@@ -105,8 +145,8 @@ int exec(const ExecOptions& options) {
 
 int replay(ExecOptions options) {
     const std::string trace = options.program[0];
-    if (!fs::exists(trace))
-        return refuse("there is no trace '" + trace + "'");
+    if (const std::string problem = pair::trace_problem(trace); !problem.empty())
+        return refuse(problem);
     options.program = pair::retrace(trace);
     return exec(options);
 }
@@ -114,8 +154,7 @@ int replay(ExecOptions options) {
 namespace {
 
 void add_common(CLI::App& command, ExecOptions& options) {
-    command.add_option("--board", options.board, "the simulated board that shows each swap; none: no board")
-        ->capture_default_str();
+    add_bus_options(command, options.bus, "; none: no board");
     command.add_option("--precision", options.precision, "exact, balanced, fast; double: the reference")
         ->check(CLI::IsMember({"exact", "balanced", "fast", "double"}))
         ->capture_default_str();
@@ -125,7 +164,8 @@ void add_common(CLI::App& command, ExecOptions& options) {
                     "the panel's own")
         ->check(CLI::IsMember({"rgba", "panel"}))
         ->capture_default_str();
-    command.add_option("--shot", options.shot, "write the glass as PNG at the end");
+    command.add_option("--shot", options.shot,
+                       "write the glass as PNG at the end, or what a real one was sent");
     command.add_option("--frames", options.frames, "end the program after so many frames")
         ->check(CLI::Range(1, 1000000000));
     command.add_flag("--stats", options.stats, "print the figures, with --shot too");
@@ -136,7 +176,7 @@ void add_common(CLI::App& command, ExecOptions& options) {
 
 CLI::App* add_exec(CLI::App& app, ExecOptions& options) {
     CLI::App* const command =
-        app.add_subcommand("exec", "run a program of OpenGL, unmodified, on a simulated board");
+        app.add_subcommand("exec", "run a program of OpenGL, unmodified, on a simulated board or a real one");
     add_common(*command, options);
     command->add_option("--size", options.size, "WIDTHxHEIGHT of its windows, instead of the board's");
     command->add_option("program", options.program, "the program and its arguments, after --")->required();
@@ -145,7 +185,8 @@ CLI::App* add_exec(CLI::App& app, ExecOptions& options) {
 
 CLI::App* add_replay(CLI::App& app, ExecOptions& options) {
     CLI::App* const command = app.add_subcommand(
-        "replay", "replay a trace of apitrace on a simulated board (needs Debian's package apitrace)");
+        "replay",
+        "replay a trace of apitrace on a simulated board or a real one (needs Debian's package apitrace)");
     add_common(*command, options);
     command->add_option("trace", options.program, "the trace")->required()->expected(1);
     return command;

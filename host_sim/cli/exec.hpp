@@ -6,10 +6,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include "host_sim/bringup/attach.hpp"
+
 namespace spangle::cli {
 
 struct ExecOptions {
-    std::string board = "ili9341", precision = "exact", size, format = "rgba", shot;
+    bringup::BusOptions bus; ///< the board, simulated or real; "none": no board
+    std::string precision = "exact", size, format = "rgba", shot;
     long frames = 0;
     bool stats = false, json = false;
     std::vector<std::string> program; ///< and its arguments; of replay: the trace

@@ -17,12 +17,14 @@
 #include "host_sim/cli/bake.hpp"
 #include "host_sim/cli/bench.hpp"
 #include "host_sim/cli/bringup.hpp"
+#include "host_sim/cli/bus_options.hpp"
 #include "host_sim/cli/exec.hpp"
 #include "host_sim/cli/formats.hpp"
 #include "host_sim/cli/profile.hpp"
 #include "host_sim/cli/run.hpp"
 #include "host_sim/cli/samples.hpp"
 #include "host_sim/cli/say.hpp"
+#include "host_sim/cli/size.hpp"
 #include "host_sim/cli/trade.hpp"
 #include "host_sim/trade/knobs.hpp"
 #include <spangle/boards/boards.hpp>
@@ -54,15 +56,6 @@ const char* first_tier() {
                                                 : "fast";
 }
 
-/// "320x240", both sides 1 to 2048.
-std::string read_size(const std::string& text, int& width, int& height) {
-    char rest = 0;
-    if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 1 || height < 1 ||
-        width > 2048 || height > 2048)
-        return "--size takes WIDTHxHEIGHT, each 1 to 2048, not '" + text + "'";
-    return "";
-}
-
 /// The files that a run writes are opened before anything is drawn.
 struct RunFiles {
     sim::Output shot, difference;
@@ -90,7 +83,7 @@ int run_command(cli::RunOptions options, const std::string& size, const std::str
         return refuse(fmt::format("run takes a scene or --model FILE{}; `spangle scenes` lists the scenes",
                                   options.scene.empty() ? "" : ", not both"));
     if (!size.empty())
-        if (const std::string problem = read_size(size, options.width, options.height); !problem.empty())
+        if (const std::string problem = cli::read_size(size, options.width, options.height); !problem.empty())
             return refuse(problem);
     options.dither = dither == "on";
     options.compare = options.compare || !options.difference.empty();
@@ -172,28 +165,6 @@ int draw_sheet(std::string (&draw)(sim::Image&), const std::string& path) {
     return 0;
 }
 
-/// What names the display: a simulated board, or a real one.
-CLI::Option* add_bus_options(CLI::App& command, bringup::BusOptions& bus) {
-    CLI::Option* const board = command.add_option(
-        "--board", bus.board,
-        "the simulated board (ili9341); with a real bus: whose panel it is like (with --i2c: ssd1306-i2c)");
-    command.add_option("--spidev", bus.spidev, "a real panel behind this spidev, as /dev/spidev0.0");
-    command.add_option("--dc", bus.dc, "its D/C line, CHIP:NUMBER as gpiochip0:24; none: 3-wire");
-    command.add_option("--reset", bus.reset, "its reset line");
-    command.add_option("--light", bus.light, "its backlight's line");
-    command.add_option("--te", bus.te, "its tearing-effect line");
-    command.add_option("--i2c", bus.i2c, "a real panel behind this I2C adapter, as /dev/i2c-1");
-    command.add_option("--address", bus.address, "its address there")
-        ->check(CLI::Range(0x03u, 0x77u))
-        ->default_str("0x3C");
-    command.add_flag("--ftdi", bus.ftdi, "a real panel at an FT232H");
-    command.add_flag("--gud", bus.gud, "a real display on USB that speaks GUD");
-    command.add_option("--usb", bus.usb_file, "that adapter's or display's file in /dev/bus/usb");
-    command.add_option("--hz", bus.hz, "write clock of a real bus, instead of the board's");
-    command.add_option("--read-hz", bus.read_hz, "read clock, instead of the board's");
-    return board;
-}
-
 /// The program, but for what nobody can foresee.
 int spangle_main(int argc, char** argv) {
     CLI::App app{"Spangle: OpenGL for small display boards. Draws scenes and models on simulated boards."};
@@ -231,7 +202,7 @@ int spangle_main(int argc, char** argv) {
     CLI::App* const run = app.add_subcommand("run", "draw a scene or a model");
     run->add_option("scene", options.scene, "id of a scene, see `spangle scenes`");
     run->add_option("--model", options.model, "a model file instead: any format libassimp reads");
-    CLI::Option* const board = add_bus_options(*run, options.bus);
+    CLI::Option* const board = cli::add_bus_options(*run, options.bus);
     run->add_option("--frames", options.frames, "how many frames")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
@@ -313,15 +284,15 @@ int spangle_main(int argc, char** argv) {
 
     cli::BringupOptions bringup;
     CLI::App* const probe = app.add_subcommand("probe", "ask the panel on a bus who it is");
-    add_bus_options(*probe, bringup.bus);
+    cli::add_bus_options(*probe, bringup.bus);
     CLI::App* const card = app.add_subcommand("card", "show the test card");
-    add_bus_options(*card, bringup.bus);
+    cli::add_bus_options(*card, bringup.bus);
     card->add_option("--shot", bringup.shot, "write the simulated glass as PNG");
     card->add_option("--wrong", bringup.wrong, "with one setting that is not as it should be");
     card->add_flag("--list-wrong", bringup.list_wrong, "list these settings, and what mends each");
     CLI::App* const wizard =
         app.add_subcommand("wizard", "ask what the test card looks like, print the board's definition");
-    add_bus_options(*wizard, bringup.bus);
+    cli::add_bus_options(*wizard, bringup.bus);
     wizard->add_option("--glass", bringup.glass, "size of the glass, WIDTHxHEIGHT, as it is held upright");
     wizard->add_option("--shot", bringup.shot, "write the simulated glass as PNG, for each card");
 

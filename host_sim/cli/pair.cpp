@@ -68,6 +68,19 @@ int run(const std::vector<std::string>& program, const fs::path& words) {
     return ended.status;
 }
 
+/// A reader of traces ends by a signal where it is given something else.
+std::string trace_problem(const std::string& trace) {
+    std::error_code ignored;
+    if (!fs::exists(trace, ignored))
+        return "there is no trace '" + trace + "'";
+    const bool file = fs::is_regular_file(trace, ignored) && fs::file_size(trace, ignored) != 0;
+    const int status = file ? run({"apitrace", "dump", "--calls=0", trace}, "/dev/null") : 0;
+    if (status == process::no_program)
+        return "traces are read by apitrace, which is not there; ./dev setup --programs installs it";
+    return file && status == 0 ? ""
+                               : "'" + trace + "' is not a trace of apitrace; `apitrace trace` makes one";
+}
+
 std::vector<std::string> retrace(const std::string& trace) {
     unsetenv("DISPLAY"); // a retracer that finds no X draws to pbuffers
     set("WAFFLE_PLATFORM", "surfaceless_egl");

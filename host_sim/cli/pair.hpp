@@ -17,6 +17,9 @@ void set(const char* variable, const std::string& value);
 /// program prints; empty: nothing is taken.
 int run(const std::vector<std::string>& program, const std::filesystem::path& words = {});
 
+/// Why this file cannot be replayed, as a sentence without a name in front; empty: apitrace can read it.
+std::string trace_problem(const std::string& trace);
+
 /// Makes a retracer draw to pbuffers, of which each that it swaps is shown. The command that replays a trace.
 std::vector<std::string> retrace(const std::string& trace);
 

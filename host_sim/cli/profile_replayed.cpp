@@ -124,9 +124,9 @@ bool shows_frames(const std::string& trace, const fs::path& folder) {
 } // namespace
 
 std::string record_replayed(ProfileOptions& options, const fs::path& folder, std::vector<Recorded>& out) {
-    if (!options.program && !fs::exists(options.trace))
-        return "there is no trace '" + options.trace + "'";
-    std::string problem = pair::use();
+    std::string problem = options.program ? "" : pair::trace_problem(options.trace);
+    if (problem.empty())
+        problem = pair::use();
     if (!problem.empty())
         return problem;
     for (const char* const variable : {"SPANGLE_BOARD", "SPANGLE_SHOT", "SPANGLE_FRAMES", "SPANGLE_REPORT",

@@ -32,12 +32,13 @@ std::string text_of(const char* variable) {
     return value == nullptr ? "" : value;
 }
 
-long number_of(const char* variable, long least, long most, long usual) {
+/// `base`: of the digits; 0: they say it themselves, as 0x3C does.
+long number_of(const char* variable, long least, long most, long usual, int base = 10) {
     const char* const value = value_of(variable);
     if (value == nullptr)
         return usual;
     char* end = nullptr;
-    const long number = std::strtol(value, &end, 10);
+    const long number = std::strtol(value, &end, base);
     if (*end != '\0' || number < least || number > most) {
         char takes[64];
         std::snprintf(takes, sizeof takes, "a number from %ld to %ld", least, most);
@@ -94,14 +95,44 @@ std::optional<PixelFormat> format_of(const char* variable) {
     return named(variable, names::formats, std::optional<PixelFormat>());
 }
 
+/// Which real display there is, if any.
+bringup::BusOptions bus_of_environment() {
+    constexpr long first_address = 0x03, usual_address = 0x3C, last_address = 0x77, most_hz = 1000000000;
+    bringup::BusOptions out;
+    out.spidev = text_of("SPANGLE_SPIDEV");
+    out.dc = text_of("SPANGLE_DC");
+    out.reset = text_of("SPANGLE_RESET");
+    out.light = text_of("SPANGLE_LIGHT");
+    out.te = text_of("SPANGLE_TE");
+    out.i2c = text_of("SPANGLE_I2C");
+    out.address =
+        static_cast<unsigned>(number_of("SPANGLE_ADDRESS", first_address, last_address, usual_address, 0));
+    out.ftdi = flag_of("SPANGLE_FTDI");
+    out.gud = flag_of("SPANGLE_GUD");
+    out.usb_file = text_of("SPANGLE_USB");
+    out.hz = static_cast<std::uint32_t>(number_of("SPANGLE_HZ", 1, most_hz, 0));
+    out.read_hz = static_cast<std::uint32_t>(number_of("SPANGLE_READ_HZ", 1, most_hz, 0));
+    return out;
+}
+
+/// The board, and the real display that hangs there instead.
+void read_board(Options& out) {
+    out.board = board_of("SPANGLE_BOARD");
+    out.bus = bus_of_environment();
+    if (!out.bus.real())
+        return;
+    if (out.board == nullptr)
+        out.board = bringup::find_board(out.bus.board_name());
+    out.bus.board = out.board->name;
+    if (const std::string problem = bringup::mismatch(out.bus, *out.board); !problem.empty()) {
+        std::fprintf(stderr, "spangle: %s\n", problem.c_str());
+        std::_Exit(bad_input);
+    }
+}
+
 Options read() {
     Options out;
-    out.board = board_of("SPANGLE_BOARD");
-    if (out.board != nullptr) {
-        const hal::Extent glass = hal::picture_size(out.board->display);
-        out.width = glass.width;
-        out.height = glass.height;
-    }
+    read_board(out);
     read_size("SPANGLE_SIZE", out);
     out.precision = named("SPANGLE_PRECISION", names::precisions, EGLint{EGL_PRECISION_EXACT_SPANGLE});
     out.panel_format = panel_format("SPANGLE_FORMAT") && out.board != nullptr;

@@ -8,12 +8,15 @@
 #include <spangle/format.hpp>
 #include <spangle/hal/board.hpp>
 
+#include "host_sim/bringup/attach.hpp"
+
 namespace spangle::dropin {
 
 struct Options {
     const hal::Board* board = nullptr; ///< SPANGLE_BOARD; null: none
+    bringup::BusOptions bus;           ///< SPANGLE_SPIDEV and those beside it: a real display
     EGLint precision = EGL_PRECISION_EXACT_SPANGLE;
-    int width = 0, height = 0; ///< SPANGLE_SIZE, or the board's; 0: windows keep their size
+    int width = 0, height = 0; ///< SPANGLE_SIZE; 0: the glass's, or windows keep theirs
     bool panel_format = false; ///< SPANGLE_FORMAT=panel: windows have the panel's own pixels
     std::string shot;          ///< SPANGLE_SHOT: PNG of the last picture
     std::string report;        ///< SPANGLE_REPORT: figures of the run, for `spangle exec`

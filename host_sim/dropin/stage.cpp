@@ -127,21 +127,29 @@ Stage::Stage() {
     hal::Board board = wish.panel_format ? *wish.board : with_full_colors(*wish.board);
     if (const char* const rule = hal::flaw(board); rule != nullptr)
         stop(rule);
-    if (!is_copied(board.display.format))
+    if (const std::string problem = target_.open(wish.bus, board); !problem.empty())
+        stop(problem.c_str());
+    const hal::DisplayInfo glass = target_.display()->info();
+    glass_ = {glass.width, glass.height};
+    if (!wish.panel_format)
+        return;
+    format_ = target_.display()->info().format;
+    if (!is_copied(format_))
         stop("SPANGLE_FORMAT=panel: pixels of this panel share bytes; leave it out");
-    board_ = std::make_unique<sim::SimBoard>(board);
-    format_ = board.display.format;
-    if (const auto up = board_->display().init(); !up.ok())
-        stop(up.error().rule);
-    before_ = board_->counters();
+}
+
+Stage::Size Stage::window_size() const {
+    const Options& wish = options();
+    return wish.width != 0 ? Size{wish.width, wish.height} : glass_;
 }
 
 void Stage::show(const hal::Frame& frame, const hal::DisplayInfo& info) {
     if (finished_ || !is_copied(info.format))
         return;
-    if (board_ != nullptr)
+    if (has_board())
         send(frame, info);
-    else if (!options().shot.empty() || !options().report.empty())
+    if (target_.simulated() == nullptr &&
+        (has_board() || !options().shot.empty() || !options().report.empty()))
         last_ = picture_of(frame, info);
     triangles_ += counters_.triangles;
     fragments_ += counters_.fragments;
@@ -155,7 +163,7 @@ void Stage::show(const hal::Frame& frame, const hal::DisplayInfo& info) {
 }
 
 void Stage::send(const hal::Frame& frame, const hal::DisplayInfo& info) {
-    hal::Display& display = board_->display();
+    hal::Display& display = *target_.display();
     const auto buffer = display.acquire();
     if (!buffer.ok())
         stop(buffer.error().rule);
@@ -165,24 +173,25 @@ void Stage::send(const hal::Frame& frame, const hal::DisplayInfo& info) {
 }
 
 sim::Image Stage::picture() const {
-    return board_ != nullptr ? board_->glass() : last_;
+    return target_.simulated() != nullptr ? target_.simulated()->glass() : last_;
 }
 
 void Stage::finish() {
     if (finished_ || frames_ == 0)
         return;
     finished_ = true;
-    if (board_ != nullptr)
-        if (const auto shown = board_->display().finish(); !shown.ok())
+    if (has_board())
+        if (const auto shown = target_.display()->finish(); !shown.ok())
             stop(shown.error().rule);
     const Options& wish = options();
     if (const std::string problem = write_recording(); !problem.empty())
         stop(problem.c_str());
-    if (!wish.report.empty())
-        write_report();
     if (!wish.shot.empty())
         if (const std::string problem = sim::write_png(picture(), wish.shot); !problem.empty())
             stop(problem.c_str());
+    if (!wish.report.empty())
+        write_report(); // the last: whoever finds figures knows that all else was written
+    target_.close();
 }
 
 /// One figure a line: name, blank, value; then what the bus did wrong, if anything. `spangle exec` reads it.
@@ -194,19 +203,11 @@ void Stage::write_report() const {
     number("frames", frames_);
     number("triangles", triangles_);
     number("fragments", fragments_);
-    number("width", board_ != nullptr ? board_->display().info().width : last_.width);
-    number("height", board_ != nullptr ? board_->display().info().height : last_.height);
+    number("width", has_board() ? glass_.width : last_.width);
+    number("height", has_board() ? glass_.height : last_.height);
     text += "picture_hash " + sim::hash(picture()) + '\n';
-    if (board_ != nullptr) {
-        const sim::BoardCounters now = board_->counters();
-        number("bus_bytes", now.bytes - before_.bytes);
-        number("bus_commands", now.commands - before_.commands);
-        number("busy_ns", now.busy_ns - before_.busy_ns);
-        number("wire_bits", hal::wire_info(hal::wire_format(options().board->display)).bits);
-        text += std::string("board ") + options().board->name + '\n';
-        if (const std::string broken = board_->violations_text(); !broken.empty())
-            text += "violations\n" + broken;
-    }
+    if (has_board())
+        text += target_.figures();
     if (const std::string problem = sim::write_file(options().report, text); !problem.empty())
         stop(problem.c_str());
 }

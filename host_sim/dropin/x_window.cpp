@@ -10,7 +10,6 @@
 #include <sys/shm.h>
 
 #include "gl/context/limits.hpp"
-#include "host_sim/dropin/options.hpp"
 #include "host_sim/dropin/pictures.hpp"
 #include "host_sim/dropin/stage.hpp"
 
@@ -144,7 +143,7 @@ XWindow::~XWindow() {
 
 /// A panel is as large as it is: the program is told by its window, as when a user resizes it.
 void XWindow::wish_size() const {
-    const Options& wish = options();
+    const Stage::Size wish = Stage::get().window_size();
     if (wish.width == 0)
         return;
     xcb_connection_t* const c = windows_.connection();

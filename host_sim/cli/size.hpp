@@ -1,0 +1,19 @@
+// What --size takes.
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+namespace spangle::cli {
+
+/// "320x240", both sides 1 to 2048. Empty, or what is wrong with it.
+inline std::string read_size(const std::string& text, int& width, int& height) {
+    constexpr int largest = 2048;
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 1 || height < 1 ||
+        width > largest || height > largest)
+        return "--size takes WIDTHxHEIGHT, each 1 to 2048, not '" + text + "'";
+    return "";
+}
+
+} // namespace spangle::cli
