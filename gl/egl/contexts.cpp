@@ -23,14 +23,28 @@ bool elsewhere(const Surface* surface) {
 }
 
 /// The buffer of a pbuffer is a back buffer (EGL 1.4, 3.5.6), and the only one: to programs that draw to the
-/// front it is that, too.
+/// front it is that, too. So is that of a window system's window: a swap leaves its picture there, and what
+/// is drawn to the front is drawn on top of what is seen.
 bool names_front(const Surface& surface) {
+#if SPANGLE_HAS_PLATFORMS
+    if (surface.system != nullptr)
+        return true;
+#endif
     return !surface.window || !surface.back_buffered;
+}
+
+/// Its window of a window system still exists. Such windows have no size when they are gone.
+bool exists([[maybe_unused]] const Surface& surface) {
+#if SPANGLE_HAS_PLATFORMS
+    if (surface.system != nullptr && surface.native->info().width == 0)
+        return fail(EGL_BAD_NATIVE_WINDOW, SPANGLE_TEXT("the window is destroyed")) != EGL_FALSE;
+#endif
+    return true;
 }
 
 /// A window whose display gave no buffer asks for one again.
 bool has_pixels(Display& display, Surface& surface) {
-    return surface.has_pixels() || next_frame(display, surface);
+    return exists(surface) && (surface.has_pixels() || next_frame(display, surface));
 }
 
 /// What eglMakeCurrent is given: EGL_TRUE when it may become current, which the objects then say already, so

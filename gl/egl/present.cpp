@@ -3,6 +3,7 @@
 #include "gl/egl/configs.hpp"
 #include "gl/egl/objects.hpp"
 #include "gl/egl/platforms.hpp"
+#include "gl/pixel/draw_buffer.hpp"
 
 namespace spangle::egl {
 
@@ -101,7 +102,11 @@ void show_window(bool finish) {
     if (t.draw->cut_off)
         return;
     const EGLint before = thread().error;
-    if ((t.draw->back_buffered || present(*t.display, *t.draw)) && finish) {
+    bool kept_back = t.draw->back_buffered;
+#if SPANGLE_HAS_PLATFORMS
+    kept_back = kept_back && (t.draw->system == nullptr || !gl::draws_to_front(*t.context->gl));
+#endif
+    if ((kept_back || present(*t.display, *t.draw)) && finish) {
         const hal::Result<void> taken = native_of(*t.display, *t.draw).finish();
         if (!taken.ok())
             fail(EGL_BAD_NATIVE_WINDOW, taken.error().rule);

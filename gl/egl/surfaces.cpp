@@ -255,6 +255,8 @@ bool follow_window(Display& display, Surface& surface) {
     const hal::DisplayInfo info = surface.native->info();
     if (info.width == surface.width && info.height == surface.height)
         return true;
+    if (info.width == 0)
+        return fail(EGL_BAD_NATIVE_WINDOW, SPANGLE_TEXT("the window is destroyed")) != EGL_FALSE;
     if (!is_drawable_size(info))
         return fail(EGL_BAD_NATIVE_WINDOW, SPANGLE_TEXT("the window is larger than what GL draws")) !=
                EGL_FALSE;

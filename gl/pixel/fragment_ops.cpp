@@ -3,6 +3,7 @@
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/pixel/compare.hpp"
+#include "gl/pixel/draw_buffer.hpp"
 
 namespace spangle::gl::cmd {
 
@@ -38,6 +39,14 @@ unsigned buffers_of(GLenum mode) {
 /// buffer, either a pbuffer's.
 unsigned existing_buffer(bool double_buffered, bool front_buffered) {
     return (double_buffered ? back_buffer : 0u) | (front_buffered ? front_buffer : 0u);
+}
+
+/// Where one buffer is both, what was drawn to the front is seen before the back is drawn to.
+void leave_front(const Context& context, unsigned next) {
+    const Drawable& drawable = context.drawable;
+    if (SPANGLE_HAS_PLATFORMS && drawable.double_buffered && drawable.show != nullptr &&
+        (next & front_buffer) == 0 && draws_to_front(context))
+        drawable.show(false);
 }
 
 } // namespace
@@ -119,6 +128,7 @@ void DrawBuffer(Context& context, GLenum mode) {
     const unsigned exists = existing_buffer(drawable.double_buffered, drawable.front_buffered);
     if (mode != GL_NONE && (asked & exists) == 0)
         return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("this surface has no such buffer"));
+    leave_front(context, asked);
     context.fragment_ops.draw_buffer = mode;
     context.changed(dirty_fragment);
 }
@@ -135,3 +145,11 @@ void ReadBuffer(Context& context, GLenum mode) {
 }
 
 } // namespace spangle::gl::cmd
+
+namespace spangle::gl {
+
+bool draws_to_front(const Context& context) {
+    return (cmd::buffers_of(context.fragment_ops.draw_buffer) & cmd::front_buffer) != 0;
+}
+
+} // namespace spangle::gl

@@ -48,7 +48,7 @@ class XWindow final : public hal::Display {
     /// The server knows it, and pixels of its depth can be made.
     bool usable() const { return pixels_.bytes != 0; }
 
-    /// Asks the server for the size.
+    /// Asks the server for the size, which a window that is gone does not have.
     hal::DisplayInfo info() const override;
     hal::Result<void> init() override { return {}; }
     hal::Result<hal::Frame> acquire() override;

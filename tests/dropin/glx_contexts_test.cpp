@@ -1,5 +1,6 @@
 // Contexts of GLX: what lists of attributes are refused with, and what goes with a window of X.
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <semaphore>
@@ -12,6 +13,8 @@
 #include <unistd.h>
 
 #include <gtest/gtest.h>
+
+#include <spangle/EGL/egl.h>
 
 #include "host_sim/dropin/glx.hpp"
 
@@ -193,6 +196,76 @@ bool draws(Display* connection) {
         glClear(GL_COLOR_BUFFER_BIT);
     XFree(visual);
     return made && glGetError() == GL_NO_ERROR;
+}
+
+/// What the server shows in a corner of a window, as 0xRRGGBB.
+unsigned long seen(Display* connection, Window window) {
+    XSync(connection, False);
+    XImage* const image = XGetImage(connection, window, 0, 0, 1, 1, AllPlanes, ZPixmap);
+    if (image == nullptr)
+        return ~0ul;
+    const unsigned long pixel = XGetPixel(image, 0, 0) & 0xFFFFFF;
+    XDestroyImage(image);
+    return pixel;
+}
+
+void clear_to(float red, float green) {
+    glClearColor(red, green, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
+TEST_F(GlxContexts, TheFrontOfAWindowWithTwoBuffersIsSeenWhenItIsFlushed) {
+    constexpr unsigned long red = 0xFF0000, green = 0x00FF00;
+    ASSERT_TRUE(draws(display));
+    const Window window = glXGetCurrentDrawable();
+    XMapWindow(display, window);
+    glDrawBuffer(GL_FRONT);
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    clear_to(1, 0);
+    glFlush();
+    EXPECT_EQ(seen(display, window), red);
+    clear_to(0, 1);
+    glFinish();
+    EXPECT_EQ(seen(display, window), green);
+    clear_to(1, 0);
+    glDrawBuffer(GL_BACK); // it is seen before something else is drawn there
+    EXPECT_EQ(seen(display, window), red);
+    clear_to(0, 1);
+    glFlush();
+    EXPECT_EQ(seen(display, window), red) << "the back is not seen before a swap";
+    glXSwapBuffers(display, window);
+    EXPECT_EQ(seen(display, window), green);
+    glReadBuffer(GL_FRONT);
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    std::uint8_t pixel[4] = {};
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+    EXPECT_EQ(pixel[0], 0);
+    EXPECT_EQ(pixel[1], 255);
+}
+
+TEST_F(GlxContexts, AWindowThatIsGoneIsNeitherCurrentNorShown) {
+    const EGLDisplay egl = eglGetDisplay(display);
+    EGLConfig egl_config = nullptr;
+    EGLint count = 0;
+    const EGLint wish[] = {EGL_SURFACE_TYPE, EGL_WINDOW_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+    ASSERT_TRUE(eglInitialize(egl, nullptr, nullptr));
+    ASSERT_TRUE(eglChooseConfig(egl, wish, &egl_config, 1, &count));
+    const Window window = XCreateSimpleWindow(display, DefaultRootWindow(display), 0, 0, 16, 16, 0, 0, 0);
+    const EGLSurface surface = eglCreateWindowSurface(egl, egl_config, window, nullptr);
+    const EGLContext context = eglCreateContext(egl, egl_config, nullptr, nullptr);
+    ASSERT_TRUE(eglMakeCurrent(egl, surface, surface, context));
+    XDestroyWindow(display, window);
+    XSync(display, False);
+    glClear(GL_COLOR_BUFFER_BIT);
+    EXPECT_FALSE(eglSwapBuffers(egl, surface));
+    EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
+    EXPECT_FALSE(eglMakeCurrent(egl, surface, surface, context));
+    EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
+    EXPECT_TRUE(eglMakeCurrent(egl, nullptr, nullptr, nullptr));
+    EXPECT_FALSE(eglMakeCurrent(egl, surface, surface, context));
+    EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
+    eglDestroySurface(egl, surface);
+    eglDestroyContext(egl, context);
 }
 
 TEST_F(GlxContexts, ManyConnectionsAreOpenAtOnce) {

@@ -22,8 +22,9 @@ class WindowSystem {
     virtual std::int32_t visual_id(PixelFormat format) const = 0;
     virtual std::int32_t visual_type() const = 0;
     /// The window or pixmap of that handle. DisplayInfo::width and height may differ from one call of info()
-    /// to the next: windows change their size. acquire() gives a buffer of the size that info() told last,
-    /// and the buffer before it stays until then. present() shows the buffer at its own size.
+    /// to the next: windows change their size, and one that was destroyed has none. acquire() gives a buffer
+    /// of the size that info() told last, and the buffer before it stays until then. present() shows the
+    /// buffer at its own size.
     virtual Result<Display*> open(std::uintptr_t handle, bool pixmap, PixelFormat format) = 0;
     virtual void close(Display& window) = 0;
 
