@@ -46,14 +46,21 @@ def arg_rows(family, pool, out):
     return rows
 
 
+def longest_sentence(family, section):
+    """Characters of the longest one about a token of this command (gl/api/explain.cpp)."""
+    return max((len(f"gl{family.name}: {arg.name} 0xFFFFFFFF is not {token_kind(family, arg)} ({section})")
+                for arg in family.args if arg.type == "enum" and arg.accepted), default=0)
+
+
 def texts(chapters):
     sections = {row["id"]: row.get("section", "GL 1.3") for row in json.loads((API / "commands" / "rows.json").read_text())}
-    out = ["// What messages say of each command.\n", NOTICE, "#include \"gl/api/generated/commands.hpp\"\n\n#if SPANGLE_MESSAGES\n\n"
+    out = ["// What messages say of each command.\n", NOTICE, "#include \"gl/api/generated/commands.hpp\"\n#include \"gl/context/sentence.hpp\"\n\n#if SPANGLE_MESSAGES\n\n"
            "namespace spangle::gl::texts {\n\nnamespace {\n\n"]
-    pool, commands = {}, []
+    pool, commands, longest = {}, [], 0
     for _, families in chapters:
         for f in families:
             rows = arg_rows(f, pool, out)
+            longest = max(longest, longest_sentence(f, sections[f.row]))
             if rows:
                 out.append(f"const ArgText args_of_{f.name}[] = {{{', '.join(rows)}}};\n")
             if f.pnames:
@@ -62,5 +69,6 @@ def texts(chapters):
             args = f"args_of_{f.name}, {len(rows)}" if rows else "nullptr, 0"
             commands.append(f"const CommandText {f.name}{{\"gl{f.name}\", \"{sections[f.row]}\", {args}, "
                             f"{str(bool(f.image)).lower()}, {f'pnames_of_{f.name}' if f.pnames else 'nullptr'}}};\n")
+    out.append(f"\nstatic_assert(Sentence::most >= {longest}, \"the longest sentence about an argument is cut\");\n")
     out.append("\n} // namespace\n\n" + "".join(commands) + "\n} // namespace spangle::gl::texts\n\n#endif\n")
     return "".join(out)

@@ -84,6 +84,45 @@ bool name_argument(Sentence& out, GLenum code, const CommandText& text, const Ar
     return false;
 }
 
+/// Behind this word, where the text begins with it; else null.
+const char* behind(const char* text, const char* word) {
+    while (*word != 0)
+        if (*text++ != *word++)
+            return nullptr;
+    return *text == ' ' ? text : nullptr;
+}
+
+/// Formats are tokens, also where a number of components is one.
+bool is_format(const char* name) {
+    const char* end = name;
+    while (*end != 0)
+        ++end;
+    constexpr char word[] = "format";
+    const char *at = word + sizeof word - 1, *from = end;
+    while (at > word && from > name && from[-1] == at[-1])
+        --at, --from;
+    return at == word;
+}
+
+/// A rule that begins with an argument's name has the argument's value behind it.
+void tell_rule(Sentence& out, const char* rule, const CommandText& text, const Arg* args, unsigned count) {
+    for (unsigned i = 0; i < count && i < text.count; ++i) {
+        const ArgText& arg = text.args[i];
+        const bool token = arg.rule == ArgRule::token || is_format(arg.name);
+        const char* const rest = behind(rule, arg.name);
+        if (rest == nullptr || (!token && arg.rule != ArgRule::count && arg.rule != ArgRule::range))
+            continue;
+        out << arg.name << " ";
+        if (token)
+            out.hexadecimal(static_cast<std::uint32_t>(args[i]));
+        else
+            out.decimal(static_cast<std::int32_t>(args[i]));
+        rule = rest;
+        break;
+    }
+    out << rule;
+}
+
 /// Where no argument is wrong by itself.
 const char* rule_of(GLenum code) {
     switch (code) {
@@ -127,7 +166,7 @@ void explain_unpacked(Context& context, const CommandText& text, const Arg* args
     out << of.name << ": ";
     if (error.drawing || !name_argument(out, error.code, text, args, count, name_wrong)) {
         if (error.rule != nullptr)
-            out << error.rule;
+            tell_rule(out, error.rule, text, args, error.drawing ? 0 : count);
         else if (!name_argument(out, error.code, text, args, count, name_suspect))
             out << rule_of(error.code);
     }

@@ -5,9 +5,10 @@
 
 namespace spangle::gl {
 
-/// What does not fit is cut off.
+/// What does not fit is cut off. The longest sentences about arguments fit (gl/api/generated/texts.cpp).
 class Sentence {
   public:
+    static constexpr unsigned most = 383;
     Sentence& operator<<(const char* text) {
         for (; *text != 0; ++text)
             put(*text);
@@ -40,7 +41,7 @@ class Sentence {
     const char* text() const { return text_; }
 
   private:
-    char text_[320] = {};
+    char text_[most + 1] = {};
     unsigned used_ = 0;
 
     void put(char c) {

@@ -65,7 +65,8 @@ bool copies_to(const Context& context, GLint internal_format) {
 void copy_image(Context& context, const ImageRequest& request, GLint x, GLint y) {
     LevelShape shape;
     if (!copies_to(context, request.internal_format))
-        return error(context, GL_INVALID_ENUM, SPANGLE_TEXT("not an internal format"));
+        return error(context, GL_INVALID_ENUM,
+                     SPANGLE_TEXT("internalformat is not an internal format that is copied to"));
     if (!shape_of(context, request, shape))
         return;
     if (is_depth(shape.format) && !has_depth(context))

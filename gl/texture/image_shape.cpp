@@ -19,6 +19,13 @@ bool legal_side(GLsizei side, std::uint32_t border, std::uint32_t most) {
     return side == 0 ? border == 0 : inner - 1 < most;
 }
 
+/// What legal_side() says of a side that is none.
+const char* rule_of_side([[maybe_unused]] unsigned axis) {
+    return axis == 0   ? SPANGLE_TEXT("width is above the largest of this level, or no more than its border")
+           : axis == 1 ? SPANGLE_TEXT("height is above the largest of this level, or no more than its border")
+                       : SPANGLE_TEXT("depth is above the largest of this level, or no more than its border");
+}
+
 /// The image, which is there: constant memory is not written, nor what recorded draws look at, so these
 /// become a copy in the arena.
 LevelImage* writable(Context& context, const SubImage& sub) {
@@ -47,7 +54,7 @@ bool shape_of(Context& context, const ImageRequest& request, LevelShape& shape) 
     GLint internal_format = request.internal_format;
     if (!texel_format_of(internal_format, context.drawable.surface.format, shape.format)) {
         error(context, GL_INVALID_VALUE,
-              SPANGLE_TEXT("not an internal format, or one that this build leaves out "
+              SPANGLE_TEXT("internalformat is not an internal format, or one that this build leaves out "
                            "(SPANGLE_TEXTURE_FORMATS)"));
         return false;
     }
@@ -61,10 +68,13 @@ bool shape_of(Context& context, const ImageRequest& request, LevelShape& shape) 
     const std::uint32_t most = static_cast<std::uint32_t>(
         (kind == TextureKind::three ? max_3d_texture_size : max_texture_size) >> (request.level & 15));
     bool negative = false, legal = kind != TextureKind::cube || request.size[0] == request.size[1];
+    [[maybe_unused]] const char* rule = SPANGLE_TEXT("height is not the width, as a cube's is");
     for (unsigned axis = 0; axis < 3; ++axis) {
         const GLsizei side = request.size[axis];
         negative = negative || side < 0;
-        legal = legal && legal_side(side, shape.border_along(axis), most);
+        const bool fits = legal_side(side, shape.border_along(axis), most);
+        rule = fits ? rule : rule_of_side(axis);
+        legal = legal && fits;
         shape.size[axis] = static_cast<std::uint16_t>(side);
     }
     if (!is_level(request.level) || request.border < 0 || request.border > 1 || negative) {
@@ -75,7 +85,7 @@ bool shape_of(Context& context, const ImageRequest& request, LevelShape& shape) 
         return false;
     }
     if (!legal && !request.target.proxy) {
-        error(context, GL_INVALID_VALUE, SPANGLE_TEXT("too large, or a cube that is not square"));
+        error(context, GL_INVALID_VALUE, rule);
         return false;
     }
     if (!legal) { // an answer, all zero, and not an error (GL 1.3, 3.8.10)

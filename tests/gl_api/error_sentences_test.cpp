@@ -234,6 +234,43 @@ TEST_F(ErrorSentences, NameArgumentAndRule) {
               "glTexImage2D: width -1 is negative (GL 1.3, 3.8.1)");
 }
 
+#if SPANGLE_FEATURE_COMPRESSED_TEXTURES
+TEST_F(ErrorSentences, TheLongestIsWhole) {
+    const std::string text =
+        sentence([] { glCompressedTexImage2D(GL_TEXTURE_2D, 0, 0xFFFFFFFF, 8, 8, 0, 8, nullptr); });
+    EXPECT_TRUE(text.ends_with(" or GL_PALETTE8_RGB5_A1_OES (GL 1.3, 3.8.3)")) << text;
+}
+#endif
+
+TEST_F(ErrorSentences, ImagesTellWhichSideAndValue) {
+    EXPECT_EQ(sentence([] {
+                  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 8, 100000, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+              }),
+              "glTexImage2D: height 100000 is above the largest of this level, or no more than its border "
+              "(GL 1.3, 3.8.1)");
+    EXPECT_EQ(sentence([] {
+                  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 100000, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+              }),
+              "glTexImage2D: width 100000 is above the largest of this level, or no more than its border "
+              "(GL 1.3, 3.8.1)");
+    EXPECT_EQ(
+        sentence([] { glTexImage2D(GL_TEXTURE_2D, 0, 0xDEAD, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr); }),
+        "glTexImage2D: internalformat 0xDEAD is not an internal format, or one that this build leaves "
+        "out (SPANGLE_TEXTURE_FORMATS) (GL 1.3, 3.8.1)");
+#if SPANGLE_FEATURE_TEXTURE_CUBE_MAP
+    EXPECT_EQ(sentence([] {
+                  glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X, 0, GL_RGBA, 8, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                               nullptr);
+              }),
+              "glTexImage2D: height 4 is not the width, as a cube's is (GL 1.3, 3.8.1)");
+#endif
+#if SPANGLE_FEATURE_COPY_TEXTURE
+    EXPECT_EQ(sentence([] { glCopyTexImage2D(GL_TEXTURE_2D, 0, 3, 0, 0, 8, 8, 0); }),
+              "glCopyTexImage2D: internalformat 0x0003 is not an internal format that is copied to (GL 1.3, "
+              "3.8.2)");
+#endif
+}
+
 /// What is drawn raises errors where vertices pay nothing for sentences: the next other command tells them.
 TEST_F(ErrorSentences, DrawingIsToldByTheNextCommand) {
     const auto raise = [this] { gl::drawing_error(*context, GL_OUT_OF_MEMORY, "no room"); };

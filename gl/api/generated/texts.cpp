@@ -1,6 +1,7 @@
 // What messages say of each command.
 // Written by gl/api/generate.py from gl/api/commands: change those, not this.
 #include "gl/api/generated/commands.hpp"
+#include "gl/context/sentence.hpp"
 
 #if SPANGLE_MESSAGES
 
@@ -279,6 +280,8 @@ const std::uint16_t tokens_69[] = {GL_FILL, GL_LINE, GL_POINT};
 const ArgText args_of_EvalMesh2[] = {{"mode", ArgRule::token, "GL_FILL, GL_LINE or GL_POINT", tokens_69, 3}, {"i1"}, {"i2"}, {"j1"}, {"j2"}};
 const ArgText args_of_EvalPoint1[] = {{"i"}};
 const ArgText args_of_EvalPoint2[] = {{"i"}, {"j"}};
+
+static_assert(Sentence::most >= 344, "the longest sentence about an argument is cut");
 
 } // namespace
 
