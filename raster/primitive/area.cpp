@@ -14,6 +14,8 @@ bool RowEdge::enter(const OutlinePoint& from, const OutlinePoint& to, std::int32
     // Both rows beside a boundary round alike there. |y - a.y| and |dx| < 2^27.
     const auto at = [&](std::int32_t y) {
         constexpr int up = 16 - outline_bits;
+        if (y == a.y || y == b.y)
+            return (y == a.y ? a.x : b.x) * (1 << up);
         const std::int64_t along = std::int64_t{y - a.y} * (b.x - a.x) * (1 << up);
         return a.x * (1 << up) +
                static_cast<std::int32_t>(numeric::quotient(along, static_cast<std::uint32_t>(b.y - a.y)));
@@ -36,51 +38,77 @@ std::int64_t RowEdge::beyond(std::int32_t column) const {
     return numeric::quotient(positive * positive, width) * height_;       // a triangle
 }
 
+void RowEdge::add(std::int32_t begin, std::int32_t end, std::int64_t* change) const {
+    std::int32_t x = first() < begin ? begin : first();
+    if (x >= end)
+        return;
+    const std::int32_t reached = last() < end ? last() + 1 : end;
+    const std::int64_t whole = height_ * std::int64_t{2 << 16};
+    std::int64_t before = 0;
+    const auto put = [&](std::int64_t area) {
+        change[x - begin] += down_ ? before - area : area - before;
+        before = area;
+    };
+    if (x < reached)
+        for (std::int64_t here = beyond(x); x < reached; ++x) {
+            const std::int64_t next = beyond(x + 1);
+            put(next - here + whole);
+            here = next;
+        }
+    if (x < end)
+        put(whole);
+}
+
 AreaRow::AreaRow(const Outline& outline, std::int32_t row)
     : outline_(outline), unkept_(outline.count), row_(row) {
+    struct {
+        std::int32_t first = INT32_MAX, last = INT32_MIN;
+    } side[2];
+    if (outline.count == 0)
+        return;
+    OutlinePoint from = outline[0];
     for (int i = 0; i < outline.count; ++i) {
+        const OutlinePoint to = outline[i + 1];
         RowEdge edge;
-        if (!edge.enter(outline[i], outline[i + 1], row))
-            continue;
-        first_ = edge.first() < first_ ? edge.first() : first_;
-        last_ = edge.last() > last_ ? edge.last() : last_;
-        if (edges_ < kept_edges)
-            edge_[edges_++] = edge;
-        else if (i < unkept_)
-            unkept_ = i;
+        if (edge.enter(from, to, row)) {
+            auto& own = side[edge.down() ? 1 : 0];
+            own.first = edge.first() < own.first ? edge.first() : own.first;
+            own.last = edge.last() > own.last ? edge.last() : own.last;
+            if (edges_ < kept_edges)
+                edge_[edges_++] = edge;
+            else if (i < unkept_)
+                unkept_ = i;
+        }
+        from = to;
+    }
+    if (edges_ == 0)
+        return;
+    const auto& left = side[side[1].first < side[0].first ? 1 : 0];
+    const auto& right = side[side[1].first < side[0].first ? 0 : 1];
+    first_ = left.first;
+    last_ = left.last > right.last ? left.last : right.last;
+    if (left.last + 1 < right.first) {
+        core_begin_ = left.last + 1;
+        core_end_ = right.first;
     }
 }
 
-template <class Found> void AreaRow::each(Found found) const {
+void AreaRow::fill(std::int32_t begin, std::int32_t end, std::uint32_t* coverage) const {
+    std::int64_t change[window];
+    const std::int32_t n = end - begin;
+    for (std::int32_t i = 0; i < n; ++i)
+        change[i] = 0;
     for (int i = 0; i < edges_; ++i)
-        if (!found(edge_[i]))
-            return;
+        edge_[i].add(begin, end, change);
     for (int i = unkept_; i < outline_.count; ++i)
-        if (RowEdge edge; edge.enter(outline_[i], outline_[i + 1], row_) && !found(edge))
-            return;
-}
-
-std::uint32_t AreaRow::coverage(std::int32_t column) const {
+        if (RowEdge edge; edge.enter(outline_[i], outline_[i + 1], row_))
+            edge.add(begin, end, change);
     std::int64_t sum = 0;
-    each([&](const RowEdge& edge) {
-        sum += edge.covers(column);
-        return true;
-    });
-    const std::uint64_t size = numeric::abs_u64(sum);
-    return size < full_coverage ? static_cast<std::uint32_t>(size) : full_coverage;
-}
-
-std::int32_t AreaRow::plain_end(std::int32_t column) const {
-    std::int32_t end = last_ + 1;
-    each([&](const RowEdge& edge) {
-        const bool here = column >= edge.first() && column <= edge.last();
-        if (here)
-            end = column;
-        else if (edge.first() > column && edge.first() < end)
-            end = edge.first();
-        return !here;
-    });
-    return end;
+    for (std::int32_t i = 0; i < n; ++i) {
+        sum += change[i];
+        const std::uint64_t size = numeric::abs_u64(sum);
+        coverage[i] = size < full_coverage ? static_cast<std::uint32_t>(size) : full_coverage;
+    }
 }
 
 } // namespace spangle::raster

@@ -35,19 +35,18 @@ class RowEdge {
     /// Columns it lies in.
     std::int32_t first() const { return (low_ < high_ ? low_ : high_) >> 16; }
     std::int32_t last() const { return (low_ < high_ ? high_ : low_) >> 16; }
-    /// The area right of it in a column, of full_coverage; signed.
-    std::int32_t covers(std::int32_t column) const {
-        const std::int64_t area = beyond(column + 1) - beyond(column) + height_ * std::int64_t{2 << 16};
-        return static_cast<std::int32_t>(down_ ? -area : area);
-    }
+    bool down() const { return down_; }
+    /// Adds the area right of it, of full_coverage and signed, to columns [begin, end): to each the
+    /// difference to the column before.
+    void add(std::int32_t begin, std::int32_t end, std::int64_t* change) const;
 
   private:
     /// The integral of max(x - column, 0) over the height.
     std::int64_t beyond(std::int32_t column) const;
 
-    std::int32_t low_ = 0, high_ = 0; ///< x at the lower and at the upper end
-    std::int32_t height_ = 0;
-    bool down_ = false;
+    std::int32_t low_, high_; ///< x at the lower and at the upper end
+    std::int32_t height_;
+    bool down_;
 };
 
 /// The corners of a polygon, whatever they lie in.
@@ -62,21 +61,24 @@ inline Outline outline_of(const OutlinePoint* corners, int count) {
     return {corners, count, [](const void* all, int i) { return static_cast<const OutlinePoint*>(all)[i]; }};
 }
 
-/// The row of a convex outline, counter-clockwise or clockwise.
+/// The row of an outline, counter-clockwise or clockwise.
 class AreaRow {
   public:
     AreaRow(const Outline& outline, std::int32_t row);
     bool empty() const { return edges_ == 0; }
     std::int32_t first() const { return first_; } ///< column that is reached
     std::int32_t last() const { return last_; }
-    std::uint32_t coverage(std::int32_t column) const;
-    /// From this column on, up to where, coverage is 0 or 1 throughout.
-    std::int32_t plain_end(std::int32_t column) const;
+    /// Columns between the edges that go up and those that go down, where those lie apart: no edge reaches
+    /// them, so they have one coverage. None: begin = end.
+    std::int32_t core_begin() const { return core_begin_; }
+    std::int32_t core_end() const { return core_end_; }
+
+    /// Columns that are computed together, at most.
+    static constexpr int window = 32;
+    /// The coverage of each of the columns [begin, end).
+    void fill(std::int32_t begin, std::int32_t end, std::uint32_t* coverage) const;
 
   private:
-    /// Calls found(edge) for each edge in the row while it says so.
-    template <class Found> void each(Found found) const;
-
     /// Kept while they are looked at; more than those are found anew each time.
     static constexpr int kept_edges = 40;
     RowEdge edge_[kept_edges];
@@ -85,6 +87,7 @@ class AreaRow {
     int unkept_; ///< edges of the outline from this one on are not kept
     std::int32_t row_;
     std::int32_t first_ = INT32_MAX, last_ = INT32_MIN;
+    std::int32_t core_begin_ = 0, core_end_ = 0;
 };
 
 } // namespace spangle::raster

@@ -4,6 +4,7 @@
 
 #include "raster/numeric/bits.hpp"
 #include "raster/numeric/reciprocal.hpp"
+#include "raster/numeric/rsqrt.hpp"
 #include "raster/primitive/area.hpp"
 #include "raster/primitive/edge.hpp"
 #include "raster/primitive/line_stipple.hpp"
@@ -12,15 +13,19 @@ namespace spangle::raster {
 
 namespace detail {
 
-/// floor(sqrt(v)).
+/// floor(sqrt(v)): the inverse root of its upper half is off by less than 2^-29, and what is too much or too
+/// little of the product is walked.
 constexpr std::uint32_t whole_root(std::uint64_t v) {
-    std::uint64_t root = 0;
-    for (std::uint64_t bit = std::uint64_t{1} << 62; bit != 0; bit >>= 2) {
-        const bool fits = v >= root + bit;
-        if (fits)
-            v -= root + bit;
-        root = fits ? (root >> 1) + bit : root >> 1;
-    }
+    if (v == 0)
+        return 0;
+    const int zeros = numeric::clz64(v) & ~1;
+    const auto top = static_cast<std::uint32_t>((v << zeros) >> 32);
+    std::uint64_t root = (numeric::mul_u32(top, numeric::rsqrt(top)) >> 30) >> (zeros / 2);
+    root = root < UINT32_MAX ? root : UINT32_MAX;
+    while (root * root > v)
+        --root;
+    while (v - root * root > 2 * root)
+        ++root;
     return static_cast<std::uint32_t>(root);
 }
 

@@ -6,70 +6,11 @@
 // corners. Where hardly any centre is inside, attributes vary along the longer axis only.
 #pragma once
 
-#include "raster/primitive/covered_row.hpp"
+#include "raster/primitive/covered_pieces.hpp"
+#include "raster/primitive/fan.hpp"
 #include "raster/primitive/line_outline.hpp"
-#include "raster/primitive/triangle.hpp"
 
 namespace spangle::raster {
-
-namespace detail {
-
-struct Columns {
-    std::int32_t begin = 0, end = 0;
-    bool none() const { return begin >= end; }
-};
-
-/// The box of an outline, whole pixels.
-struct PixelBox {
-    Columns columns{INT32_MAX, INT32_MIN}, rows{INT32_MAX, INT32_MIN};
-    explicit PixelBox(const Outline& outline) {
-        const auto widen = [](Columns& c, std::int32_t v) {
-            const std::int32_t low = v >> outline_bits, high = (v + outline_one - 1) >> outline_bits;
-            c.begin = low < c.begin ? low : c.begin;
-            c.end = high > c.end ? high : c.end;
-        };
-        for (int i = 0; i < outline.count; ++i) {
-            const OutlinePoint point = outline[i];
-            widen(columns, point.x);
-            widen(rows, point.y);
-        }
-    }
-};
-
-/// Which centres of a row lie between edges, by the rule of edge.hpp.
-class RowCenters {
-  public:
-    void add(const Position& low, const Position& high, std::int32_t row) {
-        if (row < first_center(low.y) || row >= first_center(high.y))
-            return;
-        const std::int32_t column = Edge::at(low.x, low.y, high.x, high.y, row).column();
-        found_.begin = column < found_.begin ? column : found_.begin;
-        found_.end = column > found_.end ? column : found_.end;
-    }
-    Columns columns() const { return found_.begin > found_.end ? Columns{} : found_; }
-
-  private:
-    Columns found_{INT32_MAX, INT32_MIN};
-};
-
-/// Which of them a triangle holds.
-template <class V> Columns centers(const Sorted<V>& t, std::int32_t row) {
-    const Position a = {t.a.x, t.a.y}, b = {t.b.x, t.b.y}, c = {t.c.x, t.c.y};
-    RowCenters found;
-    found.add(a, b, row);
-    found.add(b, c, row);
-    found.add(a, c, row);
-    return found.columns();
-}
-
-template <class V> Sorted<V> sorted(const V& a, const V& b, const V& c) {
-    Corner<V> low(a), middle(b), high(c);
-    std::int64_t area2 = signed_area(low.x, low.y, middle.x, middle.y, high.x, high.y);
-    sort<true>(low, middle, high, area2);
-    return {low, middle, high, area2};
-}
-
-} // namespace detail
 
 /// What a convex polygon paints.
 template <class P> class SmoothFan {
@@ -78,8 +19,7 @@ template <class P> class SmoothFan {
 
     SmoothFan(const DrawState& state, const Surface& target, PrimitiveState& primitive,
               const Vertex* const* corner, int corners, const Vertex& provoking)
-        : pen_(state, target), primitive_(primitive), corner_(corner), corners_(corners),
-          provoking_(provoking) {}
+        : pen_(state, target), primitive_(primitive), fan_(corner, corners), provoking_(provoking) {}
 
     /// Inside of an outline that lies in the polygon.
     void draw(const Outline& outline) {
@@ -96,56 +36,35 @@ template <class P> class SmoothFan {
     }
 
   private:
-    detail::Sorted<Vertex> part(int i) const {
-        return detail::sorted(*corner_[0], *corner_[i], *corner_[i + 1]);
-    }
-
-    /// All centres of a row.
-    detail::Columns centers(std::int32_t row) const {
-        detail::RowCenters found;
-        for (int i = 0; i < corners_; ++i) {
-            const Position a = position(*corner_[i]), b = position(*corner_[i + 1 < corners_ ? i + 1 : 0]);
-            const bool up = a.y < b.y || (a.y == b.y && a.x < b.x); // as corners are sorted
-            found.add(up ? a : b, up ? b : a, row);
-        }
-        return found.columns();
-    }
-
-    /// A row whose centres may be the nearest: all of them, and those of one triangle.
-    struct Near {
-        std::int32_t row = 0;
-        detail::Columns all, own;
-    };
-
     /// The nearest row with centres; how far that may be away is what a pointed corner needs.
-    void find_centers(Near& near) const {
+    void find_centers(FanRow& near) const {
         constexpr std::int32_t farthest = 64;
         const std::int32_t row = near.row;
         for (std::int32_t away = 1; near.all.none() && away <= 2 * farthest; ++away) {
             near.row = (away & 1) != 0 ? row - (away + 1) / 2 : row + away / 2;
-            near.all = centers(near.row);
+            near.all = fan_.centers(near.row);
         }
     }
 
     /// Nowhere wider than a pixel: most of its rows or columns may have no centre.
     bool is_thin() const {
         std::int64_t area2 = 0;
-        Position low = position(*corner_[0]), high = low;
-        for (int i = 0; i < corners_; ++i) {
-            const Position p = position(*corner_[i]);
+        Position low = position(fan_[0]), high = low;
+        for (int i = 0; i < fan_.corners(); ++i) {
+            const Position p = position(fan_[i]);
             low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y};
             high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y};
-            if (i > 0 && i + 1 < corners_)
-                area2 += static_cast<std::int64_t>(numeric::abs_u64(part(i).area2));
+            if (i > 0 && i + 1 < fan_.corners())
+                area2 += static_cast<std::int64_t>(numeric::abs_u64(fan_.part(i).area2));
         }
         const std::int32_t width = high.x - low.x, height = high.y - low.y;
         return area2 <= std::int64_t{subpixel_one} * (width > height ? width : height);
     }
 
     void draw_thin(const Outline& outline, const detail::PixelBox& box) {
-        const Vertex *left = corner_[0], *right = left, *low = left, *high = left;
-        for (int i = 1; i < corners_; ++i) {
-            const Vertex* const v = corner_[i];
+        const Vertex *left = &fan_[0], *right = left, *low = left, *high = left;
+        for (int i = 1; i < fan_.corners(); ++i) {
+            const Vertex* const v = &fan_[i];
             left = position(*v).x < position(*left).x ? v : left;
             right = position(*v).x > position(*right).x ? v : right;
             low = position(*v).y < position(*low).y ? v : low;
@@ -160,94 +79,98 @@ template <class P> class SmoothFan {
         end = center(reached.end - 1) > end ? center(reached.end - 1) : end;
         Setup<P>(pen_.span, along_x ? *left : *low, along_x ? *right : *high, provoking_, along_x, begin,
                  end);
-        painted_ = 0;
-        CoveredRow<P> covered(pen_, primitive_);
+        CoveredPieces pieces(pen_, primitive_, [](int) {});
+        draw_whole_rows(pieces, outline, {});
+    }
+
+    template <class Pieces>
+    void draw_whole_rows(Pieces& pieces, const Outline& outline, const PieceSource& source) {
         for (std::int32_t y = rows_.begin; y < rows_.end; ++y)
-            if (const AreaRow area(outline, y); !area.empty())
-                covered.draw(area, y, area.first(), area.last() + 1);
+            if (const AreaRow area(outline, y); !area.empty()) {
+                RowCoverage coverage(area, pen_.column_begin(), pen_.column_end());
+                pieces.add(coverage, y, area.first(), area.last() + 1, source);
+            }
     }
 
     void draw_rows(const Outline& outline) {
-        CoveredRow<P> covered(pen_, primitive_);
-        for (std::int32_t y = rows_.begin; y < rows_.end; ++y) {
-            const AreaRow area(outline, y);
-            if (area.empty())
-                continue;
-            Near near[3] = {{y, centers(y), {}}, {y - 1, {}, {}}, {y + 1, {}, {}}};
-            const bool beside = near[0].all.begin > area.first() || near[0].all.end <= area.last();
-            if (beside) {
-                near[1].all = centers(y - 1);
-                near[2].all = centers(y + 1);
-                if (near[0].all.none() && near[1].all.none() && near[2].all.none())
-                    find_centers(near[0]);
-            }
-            for (int i = 1; i + 1 < corners_; ++i)
-                draw_part(i, covered, area, y, near, beside);
-        }
-    }
-
-    /// Of a row, what the i-th triangle paints.
-    void draw_part(int i, CoveredRow<P>& covered, const AreaRow& area, std::int32_t y, Near (&near)[3],
-                   bool beside) {
-        const detail::Sorted<Vertex> t = part(i);
-        if (t.area2 == 0)
-            return;
-        bool any = false;
-        for (Near& at : near) {
-            at.own = at.all.none() ? detail::Columns{} : detail::centers(t, at.row);
-            any = any || !at.own.none();
-        }
-        if (!any)
-            return;
-        if (painted_ != i)
+        CoveredPieces pieces(pen_, primitive_, [this](int i) {
+            const detail::Sorted<Vertex> t = fan_.part(i);
             Setup<P>(pen_.span, *t.a.vertex, *t.b.vertex, *t.c.vertex, provoking_, t.area2);
-        painted_ = i;
-        if (near[0].row == y && !near[0].own.none())
-            covered.draw(area, y, near[0].own.begin, near[0].own.end);
-        if (!beside)
-            return;
-        const Anchor anchor{pen_.span.anchor_x, pen_.span.anchor_y};
-        draw_beside(covered, area, y, near, anchor);
-        pen_.span.anchor_x = anchor.x;
-        pen_.span.anchor_y = anchor.y;
+        });
+        if (const int part = fan_.uniform_part(); part != 0)
+            return draw_whole_rows(pieces, outline, {part, 0, 0});
+        FanRow rows[3]; // this one, that before, and the next, in turn
+        FanRow *before = rows, *here = rows + 1, *next = rows + 2;
+        fan_.find(*before, rows_.begin - 1);
+        fan_.find(*here, rows_.begin);
+        for (std::int32_t y = rows_.begin; y < rows_.end; ++y) {
+            fan_.find(*next, y + 1);
+            draw_row(pieces, outline, y, *before, *here, *next);
+            FanRow* const last = before;
+            before = here;
+            here = next;
+            next = last;
+        }
     }
 
-    struct Anchor {
-        std::int32_t x, y;
-    };
-    /// Fragments whose own centre is not inside, where the nearest one is this triangle's.
-    void draw_beside(CoveredRow<P>& covered, const AreaRow& area, std::int32_t y, const Near (&near)[3],
-                     const Anchor& anchor) {
-        std::int32_t x = area.first() < pen_.column_begin() ? pen_.column_begin() : area.first();
-        const std::int32_t end = area.last() < pen_.column_end() ? area.last() + 1 : pen_.column_end();
-        for (; x < end; ++x) {
-            const Near* nearest = nullptr;
+    template <class Pieces>
+    void draw_row(Pieces& pieces, const Outline& outline, std::int32_t y, const FanRow& before,
+                  const FanRow& here, const FanRow& next) {
+        const AreaRow area(outline, y);
+        if (area.empty())
+            return;
+        RowCoverage coverage(area, pen_.column_begin(), pen_.column_end());
+        for (int i = 1; i + 1 < fan_.corners(); ++i)
+            if (const detail::Columns own = fan_.own(here, i); !own.none())
+                pieces.add(coverage, y, own.begin, own.end, {i, 0, 0});
+        if (here.all.begin <= coverage.begin() && here.all.end >= coverage.end())
+            return;
+        if (!here.all.none() || !before.all.none() || !next.all.none()) {
+            const FanRow* const near[3] = {&here, &before, &next};
+            return draw_beside(pieces, coverage, y, near, true);
+        }
+        FanRow far = here;
+        find_centers(far);
+        const FanRow* const near[3] = {&far, &before, &next};
+        draw_beside(pieces, coverage, y, near, false);
+    }
+
+    /// Fragments whose own centre is not inside take the data of the nearest one that is. `kept`: the nearest
+    /// rows are as found.
+    template <class Pieces>
+    void draw_beside(Pieces& pieces, RowCoverage& coverage, std::int32_t y, const FanRow* const (&near)[3],
+                     bool kept) {
+        for (std::int32_t x = coverage.begin(); x < coverage.end(); ++x) {
+            const FanRow* nearest = nullptr;
             std::int32_t column = 0, least = INT32_MAX;
-            for (const Near& at : near) {
-                if (at.all.none())
+            for (const FanRow* const at : near) {
+                if (at->all.none())
                     continue;
-                const std::int32_t inside = numeric::clamp(x, at.all.begin, at.all.end - 1);
-                const std::int32_t distance = (inside < x ? x - inside : inside - x) + (at.row != y ? 1 : 0);
+                const std::int32_t inside = numeric::clamp(x, at->all.begin, at->all.end - 1);
+                const std::int32_t distance = (inside < x ? x - inside : inside - x) + (at->row != y ? 1 : 0);
                 if (distance < least) {
-                    nearest = &at;
+                    nearest = at;
                     column = inside;
                     least = distance;
                 }
             }
-            if (nearest == nullptr || least == 0 || column < nearest->own.begin || column >= nearest->own.end)
+            if (nearest == nullptr)
+                return;
+            if (least == 0) { // its own: up to the end of those
+                x = nearest->all.end - 1;
                 continue;
-            pen_.span.anchor_x = anchor.x + (x - column);
-            pen_.span.anchor_y = anchor.y + (y - nearest->row);
-            covered.draw(area, y, x, x + 1);
+            }
+            for (int i = 1; i + 1 < fan_.corners(); ++i)
+                if (const detail::Columns own = fan_.own(*nearest, i, kept);
+                    column >= own.begin && column < own.end)
+                    pieces.add(coverage, y, x, x + 1, {i, x - column, y - nearest->row});
         }
     }
 
     Pen<P> pen_;
     PrimitiveState& primitive_;
-    const Vertex* const* corner_;
-    int corners_;
+    Fan<Vertex> fan_;
     const Vertex& provoking_;
-    int painted_ = 0; ///< the triangle whose planes the span has, or 0
     detail::Columns rows_;
 };
 
@@ -361,11 +284,13 @@ void draw_smooth_point_of(const DrawState& state, const Surface& target, Primiti
         return;
     Setup<P>(pen.span, v);
     pen.begin();
-    CoveredRow<P> covered(pen, primitive);
+    CoveredPieces pieces(pen, primitive, [](int) {});
     for (; y < top; ++y) {
         const DiscRow disc(center, radius, y);
-        if (const AreaRow area(disc.outline(), y); !area.empty())
-            covered.draw(area, y, area.first(), area.last() + 1);
+        if (const AreaRow area(disc.outline(), y); !area.empty()) {
+            RowCoverage coverage(area, pen.column_begin(), pen.column_end());
+            pieces.add(coverage, y, area.first(), area.last() + 1, {});
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "raster/primitive/area.hpp"
+#include "raster/primitive/line_outline.hpp"
 #include "tests/primitive/clipped_area.hpp"
 
 namespace spangle::raster::test {
@@ -21,7 +22,11 @@ std::vector<OutlinePoint> outline_of(const std::vector<Position>& corners) {
 
 std::uint32_t coverage(const std::vector<OutlinePoint>& outline, int x, int y) {
     const AreaRow row(raster::outline_of(outline.data(), static_cast<int>(outline.size())), y);
-    return row.empty() || x < row.first() || x > row.last() ? 0 : row.coverage(x);
+    if (row.empty() || x < row.first() || x > row.last())
+        return 0;
+    std::uint32_t coverage;
+    row.fill(x, x + 1, &coverage);
+    return coverage;
 }
 
 Position any(std::mt19937& random) {
@@ -49,24 +54,53 @@ TEST(Area, OfTrianglesIsExactWithinOnePart) {
     }
 }
 
-/// Where a coverage is said to last, it does.
-TEST(Area, PlainColumnsHaveOneCoverage) {
+/// Whatever columns are asked for together, each has its own coverage; the core has one.
+TEST(Area, ColumnsTogetherAreThoseAlone) {
     std::mt19937 random(4);
-    int longest = 0;
-    for (int n = 0; n < 500; ++n) {
-        const auto outline = outline_of({any(random), any(random), any(random)});
+    int longest = 0, full = 0;
+    for (int n = 0; n < 2000; ++n) {
+        std::vector<Position> corners = {any(random), any(random), any(random)};
+        if (n % 3 == 0)
+            corners.push_back(any(random)); // its edges may cross
+        const auto outline = outline_of(corners);
         for (int y = 0; y < size; ++y) {
-            const AreaRow row(raster::outline_of(outline.data(), 3), y);
-            for (int x = row.first(); !row.empty() && x <= row.last();) {
-                const int end = row.plain_end(x);
-                longest = std::max(longest, end - x);
-                for (int i = x; i < end; ++i)
-                    ASSERT_EQ(row.coverage(i), row.coverage(x));
-                x = end > x ? end : x + 1;
+            const AreaRow row(raster::outline_of(outline.data(), static_cast<int>(outline.size())), y);
+            if (row.empty())
+                continue;
+            std::uint32_t together[AreaRow::window];
+            const int begin = static_cast<int>(random() % (size + 2)) - 1,
+                      end = begin + static_cast<int>(random() % (size + 2));
+            row.fill(begin, end, together);
+            for (int x = begin; x < end; ++x)
+                ASSERT_EQ(together[x - begin], coverage(outline, x, y)) << n << " at " << x << ',' << y;
+            ASSERT_LE(row.core_begin(), row.core_end());
+            longest = std::max(longest, row.core_end() - row.core_begin());
+            for (int x = row.core_begin(); x < row.core_end(); ++x) {
+                ASSERT_EQ(coverage(outline, x, y), coverage(outline, row.core_begin(), y));
+                full += coverage(outline, x, y) == full_coverage ? 1 : 0;
             }
         }
     }
     EXPECT_GT(longest, 4);
+    EXPECT_GT(full, 1000);
+}
+
+/// The whole part of roots beside squares and of any numbers.
+TEST(Root, IsWhole) {
+    std::mt19937_64 random(6);
+    const auto check = [](std::uint64_t v) {
+        const std::uint64_t root = detail::whole_root(v);
+        ASSERT_LE(root * root, v);
+        ASSERT_LE(v - root * root, 2 * root) << v;
+    };
+    for (std::uint64_t v = 0; v < 70000; ++v)
+        check(v);
+    for (int n = 0; n < 200000; ++n) {
+        const std::uint64_t v = random() >> (n % 64), root = random() >> (32 + n % 32);
+        for (const std::uint64_t at : {v, root * root, root * root - 1, root * root + 1, root * (root + 2)})
+            check(at);
+    }
+    check(UINT64_MAX);
 }
 
 /// Triangles around an inner point fill their square: each pixel exactly once in all.

@@ -1,0 +1,160 @@
+// From the coverage of rows to spans. Pieces of rows wait for others of the same planes, which are set up
+// once for many rows.
+#pragma once
+
+#include "raster/primitive/pen.hpp"
+#include "raster/primitive/row_coverage.hpp"
+
+namespace spangle::raster {
+
+/// The planes that a piece takes: those of a part of its primitive, moved by some pixels.
+struct PieceSource {
+    int part = 0;
+    std::int32_t dx = 0, dy = 0;
+    bool moved() const { return (dx | dy) != 0; }
+    bool is_before(const PieceSource& s) const { return moved() == s.moved() ? part < s.part : s.moved(); }
+};
+
+/// Pieces of which no two share a pixel, but of parts that overlap. A row adds what is not moved before what
+/// is, and both by parts.
+/// SetUp: is called with a part, and gives the span its planes.
+template <class P, class SetUp> class CoveredPieces {
+  public:
+    CoveredPieces(Pen<P>& pen, PrimitiveState& primitive, SetUp set_up)
+        : pen_(pen), primitive_(primitive), set_up_(set_up) {
+        primitive_.antialiased = true;
+    }
+    ~CoveredPieces() {
+        flush();
+        primitive_.antialiased = false;
+    }
+    CoveredPieces(const CoveredPieces&) = delete;
+    CoveredPieces& operator=(const CoveredPieces&) = delete;
+
+    /// Columns [left, right) of row y, inside the scissor rectangle's rows.
+    void add(RowCoverage& coverage, std::int32_t y, std::int32_t left, std::int32_t right,
+             const PieceSource& source) {
+        std::int32_t x = left < coverage.begin() ? coverage.begin() : left;
+        const std::int32_t end = right < coverage.end() ? right : coverage.end();
+        Row row{y, left, right, x, x};
+        while (x < end) {
+            const bool whole = x >= coverage.full_begin() && x < coverage.full_end();
+            std::int32_t till = whole ? coverage.full_end()
+                                : x < coverage.full_begin() && coverage.full_begin() < end
+                                    ? coverage.full_begin()
+                                    : end;
+            till = till < end ? till : end;
+            row.first = x;
+            if (whole) {
+                row.last = x = till;
+                *place(row, source, true, 0) = {};
+                continue;
+            }
+            std::int32_t count = till - x;
+            const std::uint32_t* from = coverage.from(x, count);
+            std::int32_t n = 0;
+            while (n < count && from[n] != 0) // no fragment where it is 0
+                ++n;
+            row.last = x + n;
+            if (n != 0) {
+                std::uint32_t* const to = place(row, source, false, n);
+                for (std::int32_t i = 0; i < n; ++i)
+                    to[i] = from[i];
+            }
+            x += n < count ? n + 1 : n;
+        }
+    }
+
+  private:
+    static constexpr int pieces = host_lanes > 1 ? 128 : 8, coverages = host_lanes > 1 ? 512 : 32,
+                         groups = host_lanes > 1 ? 24 : 4;
+    static_assert(coverages >= AreaRow::window);
+    struct Piece {
+        Row row;
+        std::int32_t at; ///< its first coverage
+        std::int32_t next;
+    };
+    /// Pieces of one source; `whole`: they have no coverages.
+    struct Group {
+        PieceSource source;
+        bool whole;
+        std::int32_t first, last;
+        bool is_of(const PieceSource& s, bool w) const {
+            return source.part == s.part && source.dx == s.dx && source.dy == s.dy && whole == w;
+        }
+    };
+
+    /// A piece joins those of its source; where its coverages go.
+    std::uint32_t* place(const Row& row, const PieceSource& source, bool whole, std::int32_t n) {
+        if (count_ == pieces || used_ + n > coverages)
+            flush();
+        std::int32_t g = 0;
+        while (g < group_count_ && !group_[g].is_of(source, whole))
+            ++g;
+        if (g == group_count_) {
+            if (g == groups) {
+                flush();
+                g = 0;
+            }
+            // In the order in which a row adds them: polygons that are not convex may meet a pixel twice.
+            for (; g > 0 && source.is_before(group_[g - 1].source); --g)
+                group_[g] = group_[g - 1];
+            group_[g] = {source, whole, count_, -1};
+            ++group_count_;
+        }
+        Group& group = group_[g];
+        std::uint32_t* const to = coverage_ + used_;
+        used_ += n;
+        if (group.last >= 0) {
+            Piece& before = piece_[group.last];
+            if (group.last == count_ - 1 && before.row.y == row.y && before.row.last == row.first) {
+                before.row.right = row.right;
+                before.row.last = row.last;
+                return to;
+            }
+            before.next = count_;
+        }
+        group.last = count_;
+        piece_[count_++] = {row, used_ - n, -1};
+        return to;
+    }
+
+    void flush() {
+        std::int32_t anchor_x = 0, anchor_y = 0;
+        for (std::int32_t g = 0; g < group_count_; ++g) {
+            const Group& group = group_[g];
+            if (g == 0 || group.source.part != group_[g - 1].source.part) {
+                set_up_(group.source.part);
+                anchor_x = pen_.span.anchor_x;
+                anchor_y = pen_.span.anchor_y;
+            }
+            pen_.span.anchor_x = anchor_x + group.source.dx;
+            pen_.span.anchor_y = anchor_y + group.source.dy;
+            draw(group);
+            pen_.span.anchor_x = anchor_x;
+            pen_.span.anchor_y = anchor_y;
+        }
+        count_ = used_ = group_count_ = 0;
+    }
+
+    void draw(const Group& group) {
+        primitive_.coverage = nullptr;
+        for (std::int32_t i = group.first; i >= 0; i = piece_[i].next) {
+            if (!group.whole)
+                primitive_.coverage = coverage_ + piece_[i].at;
+            pen_.rows()[0] = piece_[i].row;
+            pen_.draw(pen_.rows() + 1);
+        }
+        primitive_.coverage = nullptr;
+    }
+
+    Pen<P>& pen_;
+    PrimitiveState& primitive_;
+    SetUp set_up_;
+    std::int32_t count_ = 0, used_ = 0, group_count_ = 0;
+    Piece piece_[pieces];
+    std::uint32_t coverage_[coverages];
+    Group group_[groups];
+};
+
+} // namespace spangle::raster

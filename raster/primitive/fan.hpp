@@ -1,0 +1,200 @@
+// Which centres of rows a fan of triangles holds, and which of them each triangle.
+#pragma once
+
+#include "raster/primitive/area.hpp"
+#include "raster/primitive/triangle.hpp"
+
+namespace spangle::raster {
+
+namespace detail {
+
+struct Columns {
+    std::int32_t begin = 0, end = 0;
+    bool none() const { return begin >= end; }
+};
+
+/// The box of an outline, whole pixels.
+struct PixelBox {
+    Columns columns{INT32_MAX, INT32_MIN}, rows{INT32_MAX, INT32_MIN};
+    explicit PixelBox(const Outline& outline) {
+        const auto widen = [](Columns& c, std::int32_t v) {
+            const std::int32_t low = v >> outline_bits, high = (v + outline_one - 1) >> outline_bits;
+            c.begin = low < c.begin ? low : c.begin;
+            c.end = high > c.end ? high : c.end;
+        };
+        for (int i = 0; i < outline.count; ++i) {
+            const OutlinePoint point = outline[i];
+            widen(columns, point.x);
+            widen(rows, point.y);
+        }
+    }
+};
+
+/// Which centres of a row lie between edges, by the rule of edge.hpp.
+class RowCenters {
+  public:
+    void add(const Position& low, const Position& high, std::int32_t row) {
+        if (row < first_center(low.y) || row >= first_center(high.y))
+            return;
+        add(Edge::at(low.x, low.y, high.x, high.y, row).column());
+    }
+    void add(std::int32_t column) {
+        found_.begin = column < found_.begin ? column : found_.begin;
+        found_.end = column > found_.end ? column : found_.end;
+    }
+    Columns columns() const { return found_.begin > found_.end ? Columns{} : found_; }
+
+  private:
+    Columns found_{INT32_MAX, INT32_MIN};
+};
+
+/// Which of them a triangle holds.
+template <class V> Columns centers(const Sorted<V>& t, std::int32_t row) {
+    const Position a = {t.a.x, t.a.y}, b = {t.b.x, t.b.y}, c = {t.c.x, t.c.y};
+    RowCenters found;
+    found.add(a, b, row);
+    found.add(b, c, row);
+    found.add(a, c, row);
+    return found.columns();
+}
+
+template <class V> Sorted<V> sorted(const V& a, const V& b, const V& c) {
+    Corner<V> low(a), middle(b), high(c);
+    std::int64_t area2 = signed_area(low.x, low.y, middle.x, middle.y, high.x, high.y);
+    sort<true>(low, middle, high, area2);
+    return {low, middle, high, area2};
+}
+
+/// An edge of a fan along rows that go up one by one.
+class FanEdge {
+  public:
+    FanEdge() = default;
+    FanEdge(const Position& a, const Position& b) {
+        const bool up = a.y < b.y || (a.y == b.y && a.x < b.x); // as corners are sorted
+        low_ = up ? a : b;
+        high_ = up ? b : a;
+        begin_ = first_center(low_.y);
+        end_ = first_center(high_.y);
+    }
+    /// Adds its column, if it has one there.
+    void add(std::int32_t row, RowCenters& first, RowCenters& second) {
+        if (row < begin_ || row >= end_)
+            return;
+        if (row == at_ + 1)
+            edge_.step();
+        else
+            edge_ = Edge::at(low_.x, low_.y, high_.x, high_.y, row);
+        at_ = row;
+        first.add(edge_.column());
+        second.add(edge_.column());
+    }
+
+  private:
+    Position low_, high_;
+    std::int32_t begin_, end_;
+    std::int32_t at_ = INT32_MIN; ///< the row that edge_ is at
+    Edge edge_;
+};
+
+} // namespace detail
+
+namespace detail {
+
+/// Vertices that only differ in where they lie: whatever planes go through them, they say the same there.
+inline bool say_the_same(const FixedVertex& a, const FixedVertex& b) {
+    FixedVertex moved = a;
+    place(moved, position(b));
+#if SPANGLE_TIER_SET & 1
+    moved.x_rest = b.x_rest;
+    moved.y_rest = b.y_rest;
+#endif
+    return __builtin_memcmp(&moved, &b, sizeof b) == 0;
+}
+inline bool say_the_same(const DoubleVertex& a, const DoubleVertex& b) {
+    DoubleVertex moved = a;
+    place(moved, position(b));
+    moved.x_exact = b.x_exact;
+    moved.y_exact = b.y_exact;
+    return __builtin_memcmp(&moved, &b, sizeof b) == 0;
+}
+inline bool say_the_same(const ShadowVertex& a, const ShadowVertex& b) {
+    return say_the_same(a.fixed, b.fixed) && say_the_same(a.twin, b.twin);
+}
+
+} // namespace detail
+
+/// The centres of one row: all of the fan, and those of each triangle where they are kept.
+struct FanRow {
+    static constexpr int kept = host_lanes > 1 ? 6 : 2; ///< triangles
+    std::int32_t row = 0;
+    detail::Columns all, own[kept];
+};
+
+/// Corners 0, i and i + 1 are those of triangle i, from 1 on.
+template <class V> class Fan {
+  public:
+    Fan(const V* const* corner, int corners) : corner_(corner), corners_(corners) {
+        if (!keeps())
+            return;
+        for (int i = 1; i < corners; ++i)
+            side_[i] = detail::FanEdge(position(*corner[i]), position(*corner[i + 1 < corners ? i + 1 : 0]));
+        for (int i = 1; i < corners; ++i) // the first and the last are sides, too
+            spoke_[i] = detail::FanEdge(position(*corner[0]), position(*corner[i]));
+    }
+
+    int corners() const { return corners_; }
+    const V& operator[](int i) const { return *corner_[i]; }
+    detail::Sorted<V> part(int i) const { return detail::sorted(*corner_[0], *corner_[i], *corner_[i + 1]); }
+
+    /// A triangle with an area, if all of them have the same planes; or 0.
+    int uniform_part() const {
+        for (int i = 1; i < corners_; ++i)
+            if (!detail::say_the_same(*corner_[0], *corner_[i]))
+                return 0;
+        int i = corners_ - 2;
+        while (i > 0 && part(i).area2 == 0)
+            --i;
+        return i;
+    }
+
+    /// Rows are asked for upwards.
+    void find(FanRow& out, std::int32_t row) {
+        out.row = row;
+        if (!keeps()) {
+            out.all = centers(row);
+            return;
+        }
+        detail::RowCenters all, none, own[FanRow::kept + 2];
+        for (int i = 1; i < corners_; ++i)
+            spoke_[i].add(row, i > 1 ? own[i - 1] : all, i + 1 < corners_ ? own[i] : all);
+        for (int i = 1; i + 1 < corners_; ++i)
+            side_[i].add(row, all, own[i]);
+        out.all = all.columns();
+        for (int i = 1; i + 1 < corners_; ++i)
+            out.own[i - 1] = own[i].columns();
+    }
+    /// All centres of any row.
+    detail::Columns centers(std::int32_t row) const {
+        detail::RowCenters found;
+        for (int i = 0; i < corners_; ++i) {
+            const Position a = position(*corner_[i]), b = position(*corner_[i + 1 < corners_ ? i + 1 : 0]);
+            const bool up = a.y < b.y || (a.y == b.y && a.x < b.x); // as corners are sorted
+            found.add(up ? a : b, up ? b : a, row);
+        }
+        return found.columns();
+    }
+    /// Those of triangle i in a row that find() found; `kept`: it is still as it was.
+    detail::Columns own(const FanRow& row, int i, bool kept = true) const {
+        if (row.all.none())
+            return {};
+        return kept && keeps() ? row.own[i - 1] : detail::centers(part(i), row.row);
+    }
+
+  private:
+    bool keeps() const { return corners_ <= FanRow::kept + 2; }
+    const V* const* corner_;
+    int corners_;
+    detail::FanEdge side_[FanRow::kept + 2], spoke_[FanRow::kept + 2];
+};
+
+} // namespace spangle::raster

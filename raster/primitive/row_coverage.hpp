@@ -1,0 +1,49 @@
+// The coverage of a row as those ask for it who draw it from the left to the right.
+#pragma once
+
+#include "raster/primitive/area.hpp"
+
+namespace spangle::raster {
+
+class RowCoverage {
+  public:
+    /// Columns [begin, end) may be asked for.
+    RowCoverage(const AreaRow& area, std::int32_t begin, std::int32_t end)
+        : area_(area), begin_(area.first() < begin ? begin : area.first()),
+          end_(area.last() < end ? area.last() + 1 : end), at_(begin_), till_(begin_),
+          full_begin_(area.core_begin()), full_end_(area.core_end()) {
+        if (full_end_ - full_begin_ < least_run)
+            full_end_ = full_begin_ = end_;
+        else if (area.fill(full_begin_, full_begin_ + 1, coverage_); coverage_[0] != full_coverage)
+            full_end_ = full_begin_ = end_;
+    }
+
+    std::int32_t begin() const { return begin_; }
+    std::int32_t end() const { return end_; }
+
+    /// Where a run of whole pixels lies that is worth one of its own; none: behind the row.
+    std::int32_t full_begin() const { return full_begin_; }
+    std::int32_t full_end() const { return full_end_; }
+    /// As many pixels: less are drawn with those beside them.
+    static constexpr std::int32_t least_run = host_lanes > 1 ? 2 * packet : 2;
+
+    /// The coverages from column x on, `count` at most, as many as there are together.
+    const std::uint32_t* from(std::int32_t x, std::int32_t& count) {
+        if (x < at_ || x >= till_) {
+            at_ = x;
+            till_ = end_ - x < AreaRow::window ? end_ : x + AreaRow::window;
+            area_.fill(at_, till_, coverage_);
+        }
+        count = till_ - x < count ? till_ - x : count;
+        return coverage_ + (x - at_);
+    }
+
+  private:
+    const AreaRow& area_;
+    std::int32_t begin_, end_;
+    std::int32_t at_, till_; ///< columns whose coverage is known
+    std::int32_t full_begin_, full_end_;
+    std::uint32_t coverage_[AreaRow::window];
+};
+
+} // namespace spangle::raster
