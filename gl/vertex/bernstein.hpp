@@ -1,5 +1,6 @@
-// Bezier curves and surfaces by de Casteljau's steps, in block form: each step rounds once, so that a value
-// is within (order + 2) 2^-28 of the largest control point, and end points are exact (GL 1.3, 5.1).
+// Bezier curves and surfaces as sums of weighted control points, in words under one exponent: weights are off
+// by 2^-30 each, and sums round once. So a value is within (order + 2) 2^-28 of the largest control point,
+// and end points are exact (GL 1.3, 5.1).
 #pragma once
 
 #include "gl/vertex/eval_state.hpp"
@@ -44,43 +45,116 @@ struct EvalPlace {
             evaluation::div(evaluation::sub(to, here), width)};
 }
 
-/// A value, and its derivative with respect to the place.
-struct EvalResult {
-    numeric::Block value, slope;
+/// What each control point of a curve counts for at a place: its Bernstein polynomial, and the derivative of
+/// that without its factor, the degree; w[i] 2^exponent.
+struct EvalWeights {
+    struct Words {
+        std::int32_t w[max_eval_order] = {};
+        std::int32_t exponent = 0;
+    } value, slope;
 };
 
-/// Of a curve of the given order; overwrites its points.
-[[gnu::noinline]] inline EvalResult evaluate_curve(numeric::Block (&p)[max_eval_order], GLint order,
-                                                   const EvalPlace& at) {
-    numeric::Block slope;
-    for (GLint left = order - 1; left > 0; --left) {
-        if (left == 1)
-            slope = evaluation::mul(evaluation::sub(p[1], p[0]), numeric::make_block(order - 1, 0));
-        for (GLint i = 0; i < left; ++i)
-            p[i] = evaluation::add(evaluation::mul(p[i], at.rest), evaluation::mul(p[i + 1], at.t));
-    }
-    return {p[0], slope};
+namespace evaluation {
+
+/// n of them as words under one exponent, the largest of `bits` bits.
+[[gnu::noinline]] inline EvalWeights::Words words(const std::int64_t* w, GLint n, std::int32_t exponent,
+                                                  int bits) {
+    std::uint64_t any = 0;
+    for (GLint i = 0; i < n; ++i)
+        any |= numeric::abs_u64(w[i]);
+    EvalWeights::Words out;
+    const int down = any == 0 ? 0 : 64 - numeric::clz64(any) - bits;
+    for (GLint i = 0; i < n; ++i)
+        out.w[i] = static_cast<std::int32_t>(down > 0 ? (w[i] + (std::int64_t{1} << (down - 1))) >> down
+                                                      : w[i] * (std::int64_t{1} << -down));
+    out.exponent = exponent + down;
+    return out;
 }
 
-/// A component of a surface, and its derivatives.
+/// w m / 2^30, |m| <= 2^30.
+inline std::int64_t part(std::int64_t w, std::int32_t m) {
+    constexpr std::int32_t low = (1 << 30) - 1;
+    return numeric::mul_s32(static_cast<std::int32_t>(w >> 30), m) +
+           (numeric::mul_s32(static_cast<std::int32_t>(w & low), m) >> 30);
+}
+
+} // namespace evaluation
+
+/// By the recurrence of the polynomials, with 15 bits more than are left at the end. Inside of the domain
+/// all weights are one together, and those of slopes at most two: sums of them and of points fit 63 bits.
+/// Outside they have two bits less.
+[[gnu::noinline]] inline EvalWeights weights_of(GLint order, const EvalPlace& at) {
+    constexpr int start = 52; // each step is at most twice as large
+    std::int64_t w[max_eval_order] = {std::int64_t{1} << start};
+    const std::int32_t m[2] = {at.t.m, at.rest.m}, e[2] = {at.t.e, at.rest.e};
+    std::int32_t by[2] = {};
+    const std::int32_t step = numeric::detail::under_one(2, m, e, by) + numeric::block_bits;
+    const int bits = m[0] < 0 || m[1] < 0 ? numeric::block_bits - 2 : numeric::block_bits;
+    EvalWeights out;
+    std::int32_t exponent = -start;
+    for (GLint k = 1; k < order; ++k) {
+        if (k == order - 1) {
+            const EvalWeights::Words before = evaluation::words(w, k, exponent, bits);
+            out.slope.exponent = before.exponent;
+            for (GLint i = 0; i <= k; ++i)
+                out.slope.w[i] = (i > 0 ? before.w[i - 1] : 0) - (i < k ? before.w[i] : 0);
+        }
+        w[k] = evaluation::part(w[k - 1], by[0]);
+        for (GLint i = k - 1; i > 0; --i)
+            w[i] = evaluation::part(w[i], by[1]) + evaluation::part(w[i - 1], by[0]);
+        w[0] = evaluation::part(w[0], by[1]);
+        exponent += step;
+    }
+    out.value = evaluation::words(w, order, exponent, bits);
+    return out;
+}
+
+namespace evaluation {
+
+/// A sum of weighted points. What has no weight has no say in it: an end is exact, and an edge of a surface
+/// is the same in all that share its points.
+[[gnu::noinline]] inline numeric::Block combine(const numeric::Block* p, const EvalWeights::Words& by,
+                                                GLint n) {
+    constexpr std::int32_t none = -0x10000;
+    std::int32_t top = none;
+    for (GLint i = 0; i < n; ++i)
+        if (by.w[i] != 0 && p[i].m != 0 && p[i].e > top)
+            top = p[i].e;
+    std::int64_t sum = 0;
+    for (GLint i = 0; i < n && top != none; ++i)
+        if (const std::int32_t below = top - p[i].e; below >= 0 && below < 63)
+            sum += numeric::mul_s32(p[i].m, by.w[i]) >> below;
+    return numeric::make_block(sum, top + by.exponent);
+}
+
+} // namespace evaluation
+
+/// A component of a surface, and its derivatives with respect to the places, each without its degree.
 struct EvalSurface {
     numeric::Block value, u, v;
 };
 
 /// Component c of k. A curve is a surface whose order in v is 1.
 [[gnu::noinline]] inline EvalSurface evaluate_surface(const EvalMap& map, unsigned c, unsigned k,
-                                                      const EvalPlace& u, const EvalPlace& v) {
+                                                      const EvalWeights& u, const EvalWeights& v,
+                                                      bool slopes) {
     numeric::Block across[max_eval_order], slope[max_eval_order], along[max_eval_order];
     const Real* point = map.points() + c;
-    for (GLint i = 0; i < map.side[0].order; ++i) {
-        for (GLint j = 0; j < map.side[1].order; ++j, point += k)
+    const GLint n = map.side[0].order, m = map.side[1].order;
+    for (GLint i = 0; i < n; ++i) {
+        for (GLint j = 0; j < m; ++j, point += k)
             along[j] = evaluation::load(*point);
-        const EvalResult r = evaluate_curve(along, map.side[1].order, v);
-        across[i] = r.value;
-        slope[i] = r.slope;
+        across[i] = evaluation::combine(along, v.value, m);
+        if (slopes)
+            slope[i] = evaluation::combine(along, v.slope, m);
     }
-    const EvalResult r = evaluate_curve(across, map.side[0].order, u);
-    return {r.value, r.slope, evaluate_curve(slope, map.side[0].order, u).value};
+    EvalSurface out;
+    out.value = evaluation::combine(across, u.value, n);
+    if (slopes) {
+        out.u = evaluation::combine(across, u.slope, n);
+        out.v = evaluation::combine(slope, u.value, n);
+    }
+    return out;
 }
 
 } // namespace spangle::gl

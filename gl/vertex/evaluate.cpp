@@ -34,9 +34,13 @@ class Evaluation {
         if (vertex == eval_targets || !context_.inside_begin_end())
             return;
         const CurrentState before = context_.current;
-        attributes(on, vertex);
+        EvalSurface at[4];
+        const bool normal = dimension_ == 1 && context_.eval.auto_normal;
+        evaluate(vertex, at, normal);
+        attributes(on, vertex, at);
         Real p[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
-        values(vertex, p);
+        for (unsigned c = 0; c < components_of(vertex); ++c)
+            p[c] = evaluation::store(at[c].value);
         cmd::Vertex(context_, p[0], p[1], p[2], p[3]);
         context_.current = before;
         if (on[eval_color]) // the material goes back, too
@@ -48,7 +52,7 @@ class Evaluation {
     unsigned dimension_;
     Real at_[2];
 
-    void attributes(const bool (&on)[eval_targets], unsigned vertex) {
+    void attributes(const bool (&on)[eval_targets], unsigned vertex, EvalSurface (&at)[4]) {
         CurrentState& current = context_.current;
         if (on[eval_color]) {
             values(eval_color, current.color);
@@ -57,7 +61,7 @@ class Evaluation {
         if (on[eval_index])
             values(eval_index, &current.index);
         if (dimension_ == 1 && context_.eval.auto_normal)
-            auto_normal(vertex);
+            auto_normal(vertex, at);
         else if (on[eval_normal])
             values(eval_normal, current.normal);
         if (const unsigned texture = largest(on, eval_texture_1, eval_texture_4); texture != eval_targets) {
@@ -68,24 +72,28 @@ class Evaluation {
         }
     }
 
-    EvalSurface component(unsigned target, unsigned c) const {
+    /// All components of a target.
+    [[gnu::noinline]] void evaluate(unsigned target, EvalSurface (&out)[4], bool slopes) const {
         const EvalMap& map = map_of(context_, dimension_, target);
-        const Real v = dimension_ == 0 ? map.side[1].from : at_[1];
-        return evaluate_surface(map, c, components_of(target), place_in(map.side[0], at_[0]),
-                                place_in(map.side[1], v));
+        const EvalWeights u = weights(map.side[0], at_[0]),
+                          v = weights(map.side[1], dimension_ == 0 ? map.side[1].from : at_[1]);
+        for (unsigned c = 0; c < components_of(target); ++c)
+            out[c] = evaluate_surface(map, c, components_of(target), u, v, slopes);
+    }
+    static EvalWeights weights(const EvalMap::Side& side, Real at) {
+        return weights_of(side.order, place_in(side, at));
     }
 
     [[gnu::noinline]] void values(unsigned target, Real* out) const {
+        EvalSurface at[4];
+        evaluate(target, at, false);
         for (unsigned c = 0; c < components_of(target); ++c)
-            out[c] = evaluation::store(component(target, c).value);
+            out[c] = evaluation::store(at[c].value);
     }
 
     /// dq/du x dq/dv, normalised, with q = p, or xyz / w of four components: there the derivative of the
     /// quotient without its positive factor 1 / w^2.
-    [[gnu::noinline]] void auto_normal(unsigned vertex) {
-        EvalSurface p[4];
-        for (unsigned c = 0; c < components_of(vertex); ++c)
-            p[c] = component(vertex, c);
+    [[gnu::noinline]] void auto_normal(unsigned vertex, EvalSurface (&p)[4]) {
         for (int c = 0; c < 3 && vertex == eval_vertex_4; ++c) {
             p[c].u = quotient_slope(p[c], p[c].u, p[3], p[3].u);
             p[c].v = quotient_slope(p[c], p[c].v, p[3], p[3].v);
