@@ -134,25 +134,38 @@ struct EvalSurface {
     numeric::Block value, u, v;
 };
 
+/// A surface at one v: of each component the curve in u that is left, and its derivative in v.
+struct EvalRow {
+    Real at{};
+    bool known = false;
+    numeric::Block value[4][max_eval_order], slope[4][max_eval_order];
+};
+
 /// Component c of k. A curve is a surface whose order in v is 1.
-[[gnu::noinline]] inline EvalSurface evaluate_surface(const EvalMap& map, unsigned c, unsigned k,
-                                                      const EvalWeights& u, const EvalWeights& v,
-                                                      bool slopes) {
-    numeric::Block across[max_eval_order], slope[max_eval_order], along[max_eval_order];
+[[gnu::noinline]] inline void reduce(const EvalMap& map, unsigned c, unsigned k, const EvalWeights& v,
+                                     bool slopes, numeric::Block (&value)[max_eval_order],
+                                     numeric::Block (&slope)[max_eval_order]) {
     const Real* point = map.points() + c;
-    const GLint n = map.side[0].order, m = map.side[1].order;
-    for (GLint i = 0; i < n; ++i) {
-        for (GLint j = 0; j < m; ++j, point += k)
+    const GLint order = map.side[1].order;
+    for (GLint i = 0; i < map.side[0].order; ++i) {
+        numeric::Block along[max_eval_order];
+        for (GLint j = 0; j < order; ++j, point += k)
             along[j] = evaluation::load(*point);
-        across[i] = evaluation::combine(along, v.value, m);
+        value[i] = evaluation::combine(along, v.value, order);
         if (slopes)
-            slope[i] = evaluation::combine(along, v.slope, m);
+            slope[i] = evaluation::combine(along, v.slope, order);
     }
+}
+
+/// What is left of it at u.
+inline EvalSurface evaluate_row(const numeric::Block (&value)[max_eval_order],
+                                const numeric::Block (&slope)[max_eval_order], GLint order,
+                                const EvalWeights& u, bool slopes) {
     EvalSurface out;
-    out.value = evaluation::combine(across, u.value, n);
+    out.value = evaluation::combine(value, u.value, order);
     if (slopes) {
-        out.u = evaluation::combine(across, u.slope, n);
-        out.v = evaluation::combine(slope, u.value, n);
+        out.u = evaluation::combine(value, u.slope, order);
+        out.v = evaluation::combine(slope, u.value, order);
     }
     return out;
 }

@@ -24,8 +24,9 @@ unsigned largest(const bool (&enabled)[eval_targets], unsigned first, unsigned l
 /// The vertices of one EvalCoord command.
 class Evaluation {
   public:
-    Evaluation(Context& context, unsigned dimension, Real u, Real v)
-        : context_(context), dimension_(dimension), at_{u, v} {}
+    /// `row`: of the map of vertices, kept from one to the next.
+    Evaluation(Context& context, unsigned dimension, Real u, Real v, EvalRow* row = nullptr)
+        : context_(context), dimension_(dimension), at_{u, v}, row_(row) {}
 
     /// A vertex with what the maps say instead of current values, which stay (GL 1.3, 5.1).
     void run() {
@@ -36,7 +37,7 @@ class Evaluation {
         const CurrentState before = context_.current;
         EvalSurface at[4];
         const bool normal = dimension_ == 1 && context_.eval.auto_normal;
-        evaluate(vertex, at, normal);
+        evaluate(vertex, at, normal, row_);
         attributes(on, vertex, at);
         Real p[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
         for (unsigned c = 0; c < components_of(vertex); ++c)
@@ -51,6 +52,7 @@ class Evaluation {
     Context& context_;
     unsigned dimension_;
     Real at_[2];
+    EvalRow* row_;
 
     void attributes(const bool (&on)[eval_targets], unsigned vertex, EvalSurface (&at)[4]) {
         CurrentState& current = context_.current;
@@ -73,12 +75,31 @@ class Evaluation {
     }
 
     /// All components of a target.
-    [[gnu::noinline]] void evaluate(unsigned target, EvalSurface (&out)[4], bool slopes) const {
+    [[gnu::noinline]] void evaluate(unsigned target, EvalSurface (&out)[4], bool slopes,
+                                    EvalRow* row = nullptr) const {
         const EvalMap& map = map_of(context_, dimension_, target);
-        const EvalWeights u = weights(map.side[0], at_[0]),
-                          v = weights(map.side[1], dimension_ == 0 ? map.side[1].from : at_[1]);
-        for (unsigned c = 0; c < components_of(target); ++c)
-            out[c] = evaluate_surface(map, c, components_of(target), u, v, slopes);
+        const GLint order = map.side[0].order;
+        const EvalWeights u = weights(map.side[0], at_[0]);
+        const Real at_v = dimension_ == 0 ? map.side[1].from : at_[1];
+        const bool known = row != nullptr && row->known && row->at.bits == at_v.bits;
+        EvalWeights v;
+        if (!known)
+            v = weights(map.side[1], at_v);
+        for (unsigned c = 0, k = components_of(target); c < k; ++c) {
+            numeric::Block value[max_eval_order], slope[max_eval_order];
+            if (row == nullptr) {
+                reduce(map, c, k, v, slopes, value, slope);
+                out[c] = evaluate_row(value, slope, order, u, slopes);
+            } else {
+                if (!known)
+                    reduce(map, c, k, v, slopes, row->value[c], row->slope[c]);
+                out[c] = evaluate_row(row->value[c], row->slope[c], order, u, slopes);
+            }
+        }
+        if (row != nullptr) {
+            row->known = true;
+            row->at = at_v;
+        }
     }
     static EvalWeights weights(const EvalMap::Side& side, Real at) {
         return weights_of(side.order, place_in(side, at));
@@ -132,10 +153,10 @@ void grid_vertex(Context& context, GLint i) {
     Evaluation(context, 0, grid_point(e.domain_1[0], e.domain_1[1], e.segments_1, i), numeric::zero).run();
 }
 
-[[gnu::noinline]] void grid_vertex(Context& context, GLint i, GLint j) {
+[[gnu::noinline]] void grid_vertex(Context& context, GLint i, GLint j, EvalRow* row = nullptr) {
     const EvalState& e = context.eval;
     Evaluation(context, 1, grid_point(e.domain_2[0], e.domain_2[1], e.segments_2[0], i),
-               grid_point(e.domain_2[2], e.domain_2[3], e.segments_2[1], j))
+               grid_point(e.domain_2[2], e.domain_2[3], e.segments_2[1], j), row)
         .run();
 }
 
@@ -144,16 +165,25 @@ bool has_vertices(const Context& context, unsigned dimension) {
     return largest(context.eval.enabled[dimension], eval_vertex_3, eval_vertex_4) != eval_targets;
 }
 
+/// Two rows of a mesh beside each other, where there is room for them: a vertex is a point of a curve then.
+struct MeshRows {
+    static constexpr int kept = raster::has_shortcuts ? 2 : 0;
+    EvalRow at[kept == 0 ? 1 : kept];
+    EvalRow* row(GLint j) { return kept == 0 ? nullptr : at + (j & 1); }
+};
+
 /// The points first to last of row j, each with the one of the row behind it where quads are made; or of
 /// column j. A primitive each, but all rows of points are one.
-[[gnu::noinline]] void strip(Context& context, GLenum mode, GLint first, GLint last, GLint j, bool column) {
+[[gnu::noinline]] void strip(Context& context, GLenum mode, GLint first, GLint last, GLint j, bool column,
+                             MeshRows& rows) {
     if (mode != GL_POINTS)
         cmd::Begin(context, mode);
     for (std::int64_t at = first; at <= last; ++at) {
         const auto i = static_cast<GLint>(at);
-        grid_vertex(context, column ? j : i, column ? i : j);
+        const GLint v = column ? i : j;
+        grid_vertex(context, column ? j : i, v, column ? nullptr : rows.row(v));
         if (mode == GL_QUAD_STRIP)
-            grid_vertex(context, i, j + 1);
+            grid_vertex(context, i, j + 1, rows.row(j + 1));
     }
     if (mode != GL_POINTS)
         cmd::End(context);
@@ -215,16 +245,17 @@ void EvalMesh2(Context& context, GLenum mode, GLint i1, GLint i2, GLint j1, GLin
     if (!has_vertices(context, 1))
         return;
     const GLenum rows = mode == GL_POINT ? GL_POINTS : mode == GL_LINE ? GL_LINE_STRIP : GL_QUAD_STRIP;
+    MeshRows kept;
     if (mode == GL_POINT)
         Begin(context, rows);
     for (std::int64_t j = j1, end = std::int64_t{j2} + (mode != GL_FILL); j < end; ++j)
-        strip(context, rows, i1, i2, static_cast<GLint>(j), false);
+        strip(context, rows, i1, i2, static_cast<GLint>(j), false, kept);
     if (mode == GL_POINT)
         End(context);
     if (mode != GL_LINE)
         return;
     for (std::int64_t i = i1, last = i2; i <= last; ++i)
-        strip(context, rows, j1, j2, static_cast<GLint>(i), true);
+        strip(context, rows, j1, j2, static_cast<GLint>(i), true, kept);
 }
 
 } // namespace cmd
