@@ -26,7 +26,7 @@ bool RowEdge::enter(const OutlinePoint& from, const OutlinePoint& to, std::int32
     return true;
 }
 
-std::int64_t RowEdge::beyond(std::int32_t column) const {
+inline std::int64_t RowEdge::beyond(std::int32_t column) const {
     const std::int64_t u = low_ - std::int64_t{column} * (1 << 16),
                        v = high_ - std::int64_t{column} * (1 << 16);
     if (u <= 0 && v <= 0)
@@ -49,7 +49,9 @@ void RowEdge::add(std::int32_t begin, std::int32_t end, std::int64_t* change) co
         change[x - begin] += down_ ? before - area : area - before;
         before = area;
     };
-    if (x < reached)
+    if (x == first() && x == last()) // most of them
+        put(whole - std::int64_t{(low_ & 0xFFFF) + (high_ & 0xFFFF)} * height_), ++x;
+    else if (x < reached)
         for (std::int64_t here = beyond(x); x < reached; ++x) {
             const std::int64_t next = beyond(x + 1);
             put(next - here + whole);
