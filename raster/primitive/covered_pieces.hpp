@@ -17,10 +17,14 @@ struct PieceSource {
 
 /// Pieces of which no two share a pixel, but of parts that overlap. A row adds what is not moved before what
 /// is, and both by parts.
-/// SetUp: is called with a part, and gives the span its planes.
-template <class P, class SetUp> class CoveredPieces {
+template <class P> class CoveredPieces {
   public:
-    CoveredPieces(Pen<P>& pen, PrimitiveState& primitive, SetUp set_up)
+    /// Gives the span the planes of a part.
+    struct SetUp {
+        void (*run)(void* of, int part) = nullptr; ///< null: it has them already
+        void* of = nullptr;
+    };
+    CoveredPieces(Pen<P>& pen, PrimitiveState& primitive, const SetUp& set_up)
         : pen_(pen), primitive_(primitive), set_up_(set_up) {
         primitive_.antialiased = true;
     }
@@ -31,9 +35,18 @@ template <class P, class SetUp> class CoveredPieces {
     CoveredPieces(const CoveredPieces&) = delete;
     CoveredPieces& operator=(const CoveredPieces&) = delete;
 
-    /// Columns [left, right) of row y, inside the scissor rectangle's rows.
-    void add(RowCoverage& coverage, std::int32_t y, std::int32_t left, std::int32_t right,
-             const PieceSource& source) {
+    /// All that an outline reaches in these rows, inside the scissor rectangle's.
+    [[gnu::noinline]] void add_rows(const Outline& outline, std::int32_t begin, std::int32_t end,
+                                    const PieceSource& source) {
+        for (std::int32_t y = begin; y < end; ++y)
+            if (const AreaRow area(outline, y); !area.empty()) {
+                RowCoverage coverage(area, pen_.column_begin(), pen_.column_end());
+                add(coverage, y, area.first(), area.last() + 1, source);
+            }
+    }
+    /// Columns [left, right) of row y.
+    [[gnu::noinline]] void add(RowCoverage& coverage, std::int32_t y, std::int32_t left, std::int32_t right,
+                               const PieceSource& source) {
         std::int32_t x = left < coverage.begin() ? coverage.begin() : left;
         const std::int32_t end = right < coverage.end() ? right : coverage.end();
         Row row{y, left, right, x, x};
@@ -119,12 +132,13 @@ template <class P, class SetUp> class CoveredPieces {
         return to;
     }
 
-    void flush() {
+    [[gnu::noinline]] void flush() {
         std::int32_t anchor_x = 0, anchor_y = 0;
         for (std::int32_t g = 0; g < group_count_; ++g) {
             const Group& group = group_[g];
             if (g == 0 || group.source.part != group_[g - 1].source.part) {
-                set_up_(group.source.part);
+                if (set_up_.run != nullptr)
+                    set_up_.run(set_up_.of, group.source.part);
                 anchor_x = pen_.span.anchor_x;
                 anchor_y = pen_.span.anchor_y;
             }

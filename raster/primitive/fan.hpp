@@ -125,9 +125,9 @@ inline bool say_the_same(const ShadowVertex& a, const ShadowVertex& b) {
 
 /// The centres of one row: all of the fan, and those of each triangle where they are kept.
 struct FanRow {
-    static constexpr int kept = host_lanes > 1 ? 6 : 2; ///< triangles
+    static constexpr int kept = !has_shortcuts ? 0 : host_lanes > 1 ? 6 : 2; ///< triangles
     std::int32_t row = 0;
-    detail::Columns all, own[kept];
+    detail::Columns all, own[kept == 0 ? 1 : kept];
 };
 
 /// Corners 0, i and i + 1 are those of triangle i, from 1 on.
@@ -164,7 +164,7 @@ template <class V> class Fan {
             out.all = centers(row);
             return;
         }
-        detail::RowCenters all, none, own[FanRow::kept + 2];
+        detail::RowCenters all, own[edges];
         for (int i = 1; i < corners_; ++i)
             spoke_[i].add(row, i > 1 ? own[i - 1] : all, i + 1 < corners_ ? own[i] : all);
         for (int i = 1; i + 1 < corners_; ++i)
@@ -191,10 +191,11 @@ template <class V> class Fan {
     }
 
   private:
-    bool keeps() const { return corners_ <= FanRow::kept + 2; }
+    bool keeps() const { return FanRow::kept != 0 && corners_ <= FanRow::kept + 2; }
     const V* const* corner_;
     int corners_;
-    detail::FanEdge side_[FanRow::kept + 2], spoke_[FanRow::kept + 2];
+    static constexpr int edges = FanRow::kept == 0 ? 1 : FanRow::kept + 2;
+    detail::FanEdge side_[edges], spoke_[edges];
 };
 
 } // namespace spangle::raster

@@ -79,26 +79,20 @@ template <class P> class SmoothFan {
         end = center(reached.end - 1) > end ? center(reached.end - 1) : end;
         Setup<P>(pen_.span, along_x ? *left : *low, along_x ? *right : *high, provoking_, along_x, begin,
                  end);
-        CoveredPieces pieces(pen_, primitive_, [](int) {});
-        draw_whole_rows(pieces, outline, {});
+        CoveredPieces<P> pieces(pen_, primitive_, {});
+        pieces.add_rows(outline, rows_.begin, rows_.end, {});
     }
 
-    template <class Pieces>
-    void draw_whole_rows(Pieces& pieces, const Outline& outline, const PieceSource& source) {
-        for (std::int32_t y = rows_.begin; y < rows_.end; ++y)
-            if (const AreaRow area(outline, y); !area.empty()) {
-                RowCoverage coverage(area, pen_.column_begin(), pen_.column_end());
-                pieces.add(coverage, y, area.first(), area.last() + 1, source);
-            }
+    static void set_up(void* of, int i) {
+        auto& self = *static_cast<SmoothFan*>(of);
+        const detail::Sorted<Vertex> t = self.fan_.part(i);
+        Setup<P>(self.pen_.span, *t.a.vertex, *t.b.vertex, *t.c.vertex, self.provoking_, t.area2);
     }
 
     void draw_rows(const Outline& outline) {
-        CoveredPieces pieces(pen_, primitive_, [this](int i) {
-            const detail::Sorted<Vertex> t = fan_.part(i);
-            Setup<P>(pen_.span, *t.a.vertex, *t.b.vertex, *t.c.vertex, provoking_, t.area2);
-        });
+        CoveredPieces<P> pieces(pen_, primitive_, {&SmoothFan::set_up, this});
         if (const int part = fan_.uniform_part(); part != 0)
-            return draw_whole_rows(pieces, outline, {part, 0, 0});
+            return pieces.add_rows(outline, rows_.begin, rows_.end, {part, 0, 0});
         FanRow rows[3]; // this one, that before, and the next, in turn
         FanRow *before = rows, *here = rows + 1, *next = rows + 2;
         fan_.find(*before, rows_.begin - 1);
@@ -113,8 +107,7 @@ template <class P> class SmoothFan {
         }
     }
 
-    template <class Pieces>
-    void draw_row(Pieces& pieces, const Outline& outline, std::int32_t y, const FanRow& before,
+    void draw_row(CoveredPieces<P>& pieces, const Outline& outline, std::int32_t y, const FanRow& before,
                   const FanRow& here, const FanRow& next) {
         const AreaRow area(outline, y);
         if (area.empty())
@@ -137,9 +130,8 @@ template <class P> class SmoothFan {
 
     /// Fragments whose own centre is not inside take the data of the nearest one that is. `kept`: the nearest
     /// rows are as found.
-    template <class Pieces>
-    void draw_beside(Pieces& pieces, RowCoverage& coverage, std::int32_t y, const FanRow* const (&near)[3],
-                     bool kept) {
+    void draw_beside(CoveredPieces<P>& pieces, RowCoverage& coverage, std::int32_t y,
+                     const FanRow* const (&near)[3], bool kept) {
         for (std::int32_t x = coverage.begin(); x < coverage.end(); ++x) {
             const FanRow* nearest = nullptr;
             std::int32_t column = 0, least = INT32_MAX;
@@ -284,13 +276,10 @@ void draw_smooth_point_of(const DrawState& state, const Surface& target, Primiti
         return;
     Setup<P>(pen.span, v);
     pen.begin();
-    CoveredPieces pieces(pen, primitive, [](int) {});
+    CoveredPieces<P> pieces(pen, primitive, {});
     for (; y < top; ++y) {
         const DiscRow disc(center, radius, y);
-        if (const AreaRow area(disc.outline(), y); !area.empty()) {
-            RowCoverage coverage(area, pen.column_begin(), pen.column_end());
-            pieces.add(coverage, y, area.first(), area.last() + 1, {});
-        }
+        pieces.add_rows(disc.outline(), y, y + 1, {});
     }
 }
 
