@@ -96,10 +96,8 @@ AreaRow::AreaRow(const Outline& outline, std::int32_t row)
 }
 
 void AreaRow::fill(std::int32_t begin, std::int32_t end, std::uint32_t* coverage) const {
-    std::int64_t change[window];
+    std::int64_t change[window] = {};
     const std::int32_t n = end - begin;
-    for (std::int32_t i = 0; i < n; ++i)
-        change[i] = 0;
     for (int i = 0; i < edges_; ++i)
         edge_[i].add(begin, end, change);
     for (int i = unkept_; i < outline_.count; ++i)
