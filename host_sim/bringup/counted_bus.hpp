@@ -13,6 +13,7 @@ class CountedBus final : public hal::Bus {
 
     std::uint64_t bytes() const { return bytes_; }
     std::uint64_t commands() const { return commands_; }
+    std::uint64_t pixel_bytes() const { return pixel_bytes_; }
 
     hal::BusCaps caps() const override { return bus_.caps(); }
     hal::Result<hal::Buffer> acquire(std::size_t size) override { return bus_.acquire(size); }
@@ -29,7 +30,7 @@ class CountedBus final : public hal::Bus {
 
   private:
     hal::Bus& bus_;
-    std::uint64_t bytes_ = 0, commands_ = 0;
+    std::uint64_t bytes_ = 0, commands_ = 0, pixel_bytes_ = 0;
 
     void note(const hal::Op& op) {
         using Kind = hal::Op::Kind;
@@ -38,8 +39,10 @@ class CountedBus final : public hal::Bus {
             ++commands_, ++bytes_;
         if (op.kind == Kind::command)
             bytes_ += op.length;
-        if (op.kind == Kind::pixels || op.kind == Kind::repeat)
-            bytes_ += std::uint64_t{op.length} * op.rows;
+        const bool pixels = op.kind == Kind::pixels || op.kind == Kind::repeat;
+        const std::uint64_t sent = pixels ? std::uint64_t{op.length} * op.rows : 0;
+        bytes_ += sent;
+        pixel_bytes_ += sent;
     }
 };
 

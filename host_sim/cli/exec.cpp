@@ -81,6 +81,7 @@ Report report_of(const ExecOptions& options, const std::map<std::string, std::st
     out.triangles = number(figures, "triangles");
     out.fragments = number(figures, "fragments");
     out.bus_bytes = number(figures, "bus_bytes");
+    out.bus_pixel_bytes = number(figures, "bus_pixel_bytes");
     out.bus_commands = number(figures, "bus_commands");
     const std::uint64_t bits = board != figures.end() ? number(figures, "wire_bits") : 16;
     out.full_frame_bytes = (pixels * bits + 7) / 8;

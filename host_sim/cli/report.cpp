@@ -20,6 +20,7 @@ std::string to_json(const Report& r) {
         {"coverage_unsnapped", nullptr},
         {"bus_bytes", r.bus_bytes},
         {"bus_commands", r.bus_commands},
+        {"bus_pixel_bytes", r.bus_pixel_bytes},
         {"full_frame_bytes", r.full_frame_bytes},
         {"fps_at_bus_clock", r.fps_at_bus_clock},
         {"picture_hash", r.picture_hash},
@@ -70,7 +71,7 @@ std::string to_table(const Report& r) {
         out += fmt::format(
             "  bus         {:>10.0f} bytes      {:>10.1f} commands   {:.0f} % of a full frame{}\n",
             per_frame(r.bus_bytes), per_frame(r.bus_commands),
-            100.0 * per_frame(r.bus_bytes) / static_cast<double>(r.full_frame_bytes),
+            100.0 * per_frame(r.bus_pixel_bytes) / static_cast<double>(r.full_frame_bytes),
             r.measured_fps ? "" : fmt::format("   {:.1f} fps at the bus clock", r.fps_at_bus_clock));
     if (r.measured_fps)
         out += fmt::format("  display     {:>10.1f} frames a second, measured\n", *r.measured_fps);

@@ -50,6 +50,7 @@ struct Report {
     std::uint64_t covered = 0; ///< pixel samples the coverage counts looked at
     bool compared = false;     ///< the six above were measured
     std::uint64_t bus_bytes = 0, bus_commands = 0;
+    std::uint64_t bus_pixel_bytes = 0;            ///< of bus_bytes, what no command is
     std::uint64_t full_frame_bytes = 0;           ///< of one whole frame without commands
     double fps_at_bus_clock = 0.0;                ///< 0 without a board
     double virtual_fps = 0.0;                     ///< of drawing and sending; with `presents`

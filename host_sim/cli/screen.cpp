@@ -87,9 +87,10 @@ std::string Screen::open(const RunOptions& options, Session& session) {
 Screen::Counts Screen::counts() const {
     if (attached_.simulated != nullptr) {
         const sim::BoardCounters c = attached_.simulated->counters();
-        return {c.bytes, c.commands, c.busy_ns, attached_.simulated->now()};
+        return {c.bytes, c.commands, c.pixel_bytes, c.busy_ns, attached_.simulated->now()};
     }
-    return counted_ ? Counts{counted_->bytes(), counted_->commands(), 0, 0} : Counts{};
+    return counted_ ? Counts{counted_->bytes(), counted_->commands(), counted_->pixel_bytes(), 0, 0}
+                    : Counts{};
 }
 
 void Screen::start() {
@@ -113,6 +114,7 @@ void Screen::describe(const RunOptions& options, const Session& session, Report&
     const Counts now = counts();
     const double seconds = static_cast<double>(now.busy_ns - before_.busy_ns) * 1e-9;
     report.bus_bytes = now.bytes - before_.bytes;
+    report.bus_pixel_bytes = now.pixel_bytes - before_.pixel_bytes;
     report.bus_commands = now.commands - before_.commands;
     report.fps_at_bus_clock = seconds > 0.0 ? report.frames / seconds : 0.0;
     if (attached_.display == nullptr)

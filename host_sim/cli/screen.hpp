@@ -39,7 +39,7 @@ class Screen {
   private:
     using Clock = std::chrono::steady_clock;
     struct Counts {
-        std::uint64_t bytes = 0, commands = 0;
+        std::uint64_t bytes = 0, commands = 0, pixel_bytes = 0;
         sim::Time busy_ns = 0, now = 0;
     };
 

@@ -64,6 +64,7 @@ sim::BoardCounters Target::counters() const {
     if (counted_) {
         out.bytes = counted_->bytes();
         out.commands = counted_->commands();
+        out.pixel_bytes = counted_->pixel_bytes();
     }
     return out;
 }
@@ -75,6 +76,7 @@ std::string Target::figures() const {
     };
     const sim::BoardCounters now = counters();
     number("bus_bytes", now.bytes - before_.bytes);
+    number("bus_pixel_bytes", now.pixel_bytes - before_.pixel_bytes);
     number("bus_commands", now.commands - before_.commands);
     number("busy_ns", now.busy_ns - before_.busy_ns);
     const hal::DisplayInfo info = display_->info();

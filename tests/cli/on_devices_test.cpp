@@ -168,7 +168,8 @@ TEST_F(OnDevices, RunCountsWhatARealBusIsGiven) {
     };
     const Words words = {"run", "HUD", "--json"};
     const Ran real = run_on<OnSpidev>(with(words, spidev)), model = run([] { return nullptr; }, words);
-    for (const char* key : {"bus_bytes", "bus_commands", "full_frame_bytes", "picture_hash", "triangles"})
+    for (const char* key :
+         {"bus_bytes", "bus_commands", "bus_pixel_bytes", "full_frame_bytes", "picture_hash", "triangles"})
         EXPECT_EQ(figure(real.out, key), figure(model.out, key));
     EXPECT_NE(figure(real.out, "measured_fps"), "none") << real.out;
     EXPECT_EQ(figure(model.out, "measured_fps"), "none");
@@ -176,7 +177,16 @@ TEST_F(OnDevices, RunCountsWhatARealBusIsGiven) {
 
 TEST_F(OnDevices, AFullFrameIsWhatTheWireSends) {
     const Ran ran = run_on<OnI2c>(with({"run", "S1"}, i2c));
-    EXPECT_NE(ran.out.find("101 % of a full frame"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("  100 % of a full frame"), std::string::npos) << ran.out;
+}
+
+/// What is sent and what a frame has are counted alike on every board, whatever its windows and pages take.
+TEST_F(OnDevices, AWholeFrameIsAHundredPercentOnEveryBoard) {
+    for (const hal::Board* board : boards::all) {
+        const Ran ran = run([] { return nullptr; }, {"run", "S1", "--board", board->name});
+        EXPECT_NE(ran.out.find("  100 % of a full frame"), std::string::npos)
+            << board->name << ran.out << ran.err;
+    }
 }
 
 TEST_F(OnDevices, BandsCountEachTriangleOnce) {
