@@ -148,6 +148,12 @@ TEST(BakedMeshes, NamesAreIdentifiers) {
 /// level.
 TEST(BakedScene, IsDrawnFromConstantMemory) {
     test::HeadlessGl gl(64, 64);
+    const GLfloat point[3] = {};
+    const std::vector<GLubyte> many(1000, 0);
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glVertexPointer(3, GL_FLOAT, 0, point);
+    glDrawElements(GL_POINTS, 1000, GL_UNSIGNED_BYTE,
+                   many.data()); // where the vertex cache grows it has grown
     const std::size_t before = memory_use().used;
     scenes::rocket.setup(64, 64);
     const std::size_t after = memory_use().used;

@@ -21,7 +21,7 @@ from checks import check, failures  # noqa: E402
 
 SPANGLE = sys.argv[1] if len(sys.argv) == 3 else ""
 KEYS = ["scene", "board", "precision", "frames", "fragments", "triangles", "identical_565_percent", "max_lsb", "psnr_565_db",
-        "coverage_mismatches", "coverage_unsnapped", "bus_bytes", "bus_commands", "full_frame_bytes", "fps_at_bus_clock", "picture_hash"]
+        "coverage_mismatches", "coverage_unsnapped", "bus_bytes", "bus_commands", "bus_pixel_bytes", "full_frame_bytes", "fps_at_bus_clock", "picture_hash"]
 # What SDL's video drivers keep is not ours to report.
 WINDOWED = {**os.environ, "ASAN_OPTIONS": "detect_leaks=0"}
 
@@ -190,6 +190,7 @@ def outputs():
         for board in [line.split()[0] for line in run("boards").stdout.splitlines()]:
             r = report("S1", "--board", board, cwd=folder)
             commands = r["bus_bytes"] - r["full_frame_bytes"]
+            check(r["bus_pixel_bytes"] == r["full_frame_bytes"], f"{board}: {r['bus_pixel_bytes']} bytes of pixels for a full frame")
             check(0 <= commands <= 64, f"{board}: {r['bus_bytes']} bytes for a full frame of {r['full_frame_bytes']}")
 
 

@@ -102,12 +102,9 @@ def advice(spangle):
     with tempfile.TemporaryDirectory() as folder:
         part = pathlib.Path(folder) / "part"
         (part / "pictures").mkdir(parents=True)
-        with (part / TABLES[0]).open("w", newline="") as file:
-            found = accuracy_rows()
-            table_writer = csv.DictWriter(file, found[0].keys(), lineterminator="\n")
-            table_writer.writeheader()
-            table_writer.writerows(found)
-        (part / TABLES[1]).write_text((KEPT / TABLES[1]).read_text())
+        found = accuracy_rows()
+        outfile.write_table(part / TABLES[0], [list(found[0]), *(list(row.values()) for row in found)])
+        outfile.write(part / TABLES[1], (KEPT / TABLES[1]).read_text())
         said = subprocess.run([spangle, "trade", "merge", part, "--out", pathlib.Path(folder) / "out"], capture_output=True, text=True).stdout
     found = re.findall(r"^(\S+) +565 +take (\S+)\. (.*)$", said, re.M)
     if len(found) != len({row["scene"] for row in rows(KEPT / TABLES[0])}):
