@@ -126,7 +126,7 @@ void destroy_context(Context* context) {
 #if SPANGLE_GATHERS_POLYGONS
     context->arena->free(context->render.gathered);
 #endif
-#if !defined(SPANGLE_FIRMWARE)
+#if SPANGLE_GROWS_CACHE
     context->arena->free(context->render.kept_vertices);
 #endif
     release_evaluators(*context);

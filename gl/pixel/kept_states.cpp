@@ -17,7 +17,8 @@ void KeptStates::compile(const Engine& engine, const raster::FragmentState& stat
                            true};
     for (const Kept& kept : kept_)
         // Padding counts, too: a state whose padding differs is compiled again, and nothing else happens.
-        if (kept.origin == origin && std::memcmp(&kept.state.fragment, &state, sizeof state) == 0) {
+        if (kept.origin == origin && std::memcmp(static_cast<const void*>(&kept.state.fragment),
+                                                 static_cast<const void*>(&state), sizeof state) == 0) {
             std::memcpy(static_cast<void*>(&out), &kept.state, sizeof out);
             return;
         }

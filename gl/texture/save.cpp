@@ -16,7 +16,7 @@ constexpr std::size_t unit_bytes =
 
 /// Gives `to` the bytes that were saved; true where they are others than its own.
 template <class T> bool restored(T& to, const unsigned char* saved) {
-    if (std::memcmp(&to, saved, sizeof to) == 0)
+    if (std::memcmp(static_cast<const void*>(&to), saved, sizeof to) == 0)
         return false;
     std::memcpy(&to, saved, sizeof to);
     return true;

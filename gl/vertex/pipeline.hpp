@@ -148,11 +148,9 @@ template <class M, class L> class Pipeline {
 #if SPANGLE_VERTEX_CACHE != 1
     /// So many elements are kept from the start. Where the cache has more, a draw with more elements gets
     /// memory for all of them.
-    static constexpr std::size_t
-        first_vertices = vertex_cache > 1024 && std::has_single_bit(vertex_cache) && raster::has_shortcuts
-                             ? 128
-                             : vertex_cache;
-    static constexpr bool grows_cache = first_vertices != vertex_cache;
+    static constexpr bool grows_cache = SPANGLE_GROWS_CACHE != 0 && raster::has_shortcuts &&
+                                        vertex_cache > 1024 && std::has_single_bit(vertex_cache);
+    static constexpr std::size_t first_vertices = grows_cache ? 128 : vertex_cache;
     /// Where a vertex given by itself fell.
     struct Placed {
         Real position[3]{};     ///< w was 1

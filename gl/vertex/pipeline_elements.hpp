@@ -96,6 +96,8 @@ inline void Pipeline<M, L>::kept_elements(Context& context, const ElementReader&
                 [this](Vertex& v, const std::uint8_t* words) { process_usual(v, words); }));
 }
 
+#if SPANGLE_GROWS_CACHE
+
 /// Where elements are kept: all of them in memory of their own, once that pays and if the arena has it.
 template <class M, class L> inline void Pipeline<M, L>::grow_cache(Context& context, std::uint32_t count) {
     if (grown_.elements == nullptr && count > first_vertices) {
@@ -108,6 +110,8 @@ template <class M, class L> inline void Pipeline<M, L>::grow_cache(Context& cont
     grown_.base = all ? grown_.elements : kept_.vertex;
     grown_.mask = static_cast<std::uint32_t>(all ? vertex_cache : first_vertices) - 1;
 }
+
+#endif
 
 /// Cached vertices do not say how many components their arrays had, nor which normal and colour, current
 /// ones, went with all.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/context/features.hpp"
+#include "gl/context/limits.hpp"
 #include "gl/context/types.hpp"
 
 /// Some POLYGONs are drawn as wholes: those that are fed back, or antialiased.
@@ -45,7 +46,7 @@ struct RenderState {
 #if SPANGLE_GATHERS_POLYGONS
     void* gathered = nullptr; ///< corners of a polygon that has not ended: the pipeline's, in the arena
 #endif
-#if !defined(SPANGLE_FIRMWARE)
+#if SPANGLE_GROWS_CACHE
     void* kept_vertices = nullptr; ///< a vertex cache that has grown: the pipeline's, in the arena
 #endif
     bool draws() const {
