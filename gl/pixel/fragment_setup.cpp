@@ -208,12 +208,13 @@ void fill(const Context& context, raster::FragmentState& out) {
     out.count = counts_passed(context);
 }
 
-/// For the drawable, by the engine of the context.
-void compile(Context& context, const raster::FragmentState& fragment, raster::DrawState& out) {
+/// For the drawable, by the engine of the context. Kept: KeptStates, or nothing where none are kept.
+template <class Kept>
+void compile(Context& context, [[maybe_unused]] Kept& kept, const raster::FragmentState& fragment,
+             raster::DrawState& out) {
     const raster::Surface& target = context.drawable.surface;
     if constexpr (kept_states != 0)
-        context.fragments.kept.compile(*context.engine, fragment, target, context.share->texture_changes,
-                                       out);
+        kept.compile(*context.engine, fragment, target, context.share->texture_changes, out);
     else
         context.engine->compile(fragment, target, out);
 }
@@ -310,7 +311,7 @@ const raster::DrawState& draw_state(Context& context, Drawn drawn, raster::Color
         fill(context, fragment);
         fill_modes(context, drawn, fragment);
         fragment.colors = colors;
-        compile(context, fragment, cache.state);
+        compile(context, cache.kept, fragment, cache.state);
         cache.state.counters = counters_of(context);
         cache.state.primitive = &cache.primitive;
 #if SPANGLE_WATCHED
@@ -327,7 +328,7 @@ const raster::DrawState& draw_state(Context& context, Drawn drawn, raster::Color
 #if SPANGLE_FEATURE_STENCIL_SIDES
         if (stencil_sides(context)) {
             fragment.stencil = stencil_of(context.fragment_ops.stencil[1]);
-            compile(context, fragment, cache.back);
+            compile(context, cache.kept, fragment, cache.back);
             cache.back.counters = cache.state.counters;
 #if SPANGLE_WATCHED
             if ((context.gate & gate_watched) != 0)
