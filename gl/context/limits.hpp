@@ -91,7 +91,7 @@ inline constexpr int clip_spare = SPANGLE_CLIP_SPARE;
 /// How many vertices of array draws are kept for indices that come again, about 140 bytes each. A
 /// strip finds the vertices that it shares with the strip before it when both their rows fit less a few.
 /// Hosts, which have the memory, keep whole meshes: those drawn several times a frame are transformed once.
-/// They take the memory for most of these from the arena once a draw needs it.
+/// Hosts take the memory for most of these vertices from the arena once a draw needs it.
 #ifdef SPANGLE_FIRMWARE
 #define SPANGLE_GROWS_CACHE 0
 inline constexpr unsigned usual_vertex_cache = 80;

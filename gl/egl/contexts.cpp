@@ -33,7 +33,7 @@ bool names_front(const Surface& surface) {
     return !surface.window || !surface.back_buffered;
 }
 
-/// Its window of a window system still exists. Such windows have no size when they are gone.
+/// The surface's window of a window system still exists. A window that is gone has no size.
 bool exists([[maybe_unused]] const Surface& surface) {
 #if SPANGLE_HAS_PLATFORMS
     if (surface.system != nullptr && surface.native->info().width == 0)

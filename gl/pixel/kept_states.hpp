@@ -17,7 +17,7 @@ inline constexpr unsigned kept_states = numeric::wide_words ? 8 : 0;
 class KeptStates {
   public:
     /// Writes the compiled form of a state for a drawable, `texture_changes` being those of the share group.
-    /// It is copied where the same state was compiled before and no texture has changed since.
+    /// The form is copied where the same state was compiled before and no texture has changed since.
     void compile(const Engine& engine, const raster::FragmentState& state, const raster::Surface& target,
                  std::uint32_t texture_changes, raster::DrawState& out);
 

@@ -146,8 +146,8 @@ template <class M, class L> class Pipeline {
 #endif
     };
 #if SPANGLE_VERTEX_CACHE != 1
-    /// So many elements are kept from the start. Where the cache has more, a draw with more elements gets
-    /// memory for all of them.
+    /// The cache keeps first_vertices elements from the start. Where it grows, a draw with more elements gets
+    /// memory for vertex_cache of them.
     static constexpr bool grows_cache = SPANGLE_GROWS_CACHE != 0 && raster::has_shortcuts &&
                                         vertex_cache > 1024 && std::has_single_bit(vertex_cache);
     static constexpr std::size_t first_vertices = grows_cache ? 128 : vertex_cache;
@@ -162,10 +162,8 @@ template <class M, class L> class Pipeline {
         placed_count = std::bit_floor(sizeof(Vertex) * vertex_cache / sizeof(Placed) < most_placed
                                           ? sizeof(Vertex) * vertex_cache / sizeof(Placed)
                                           : most_placed),
-        placed_overlap =
-            (sizeof(Placed) * placed_count + sizeof(Vertex) - 1) / sizeof(Vertex) < first_vertices
-                ? (sizeof(Placed) * placed_count + sizeof(Vertex) - 1) / sizeof(Vertex)
-                : first_vertices;
+        placed_room = (sizeof(Placed) * placed_count + sizeof(Vertex) - 1) / sizeof(Vertex), ///< in vertices
+        placed_overlap = placed_room < first_vertices ? placed_room : first_vertices;
     /// Vertices that come again: elements by their index, or others by their position, in the same memory.
     union Kept {
         Vertex vertex[first_vertices];

@@ -96,10 +96,6 @@ class FanEdge {
     Edge edge_;
 };
 
-} // namespace detail
-
-namespace detail {
-
 /// Vertices that only differ in where they lie: whatever planes go through them, they say the same there.
 inline bool say_the_same(const FixedVertex& a, const FixedVertex& b) {
     FixedVertex moved = a;
@@ -183,7 +179,7 @@ template <class V> class Fan {
         }
         return found.columns();
     }
-    /// Those of triangle i in a row that find() found; `kept`: it is still as it was.
+    /// The centres of triangle i in a row that find() found; `kept`: the row is still as it was.
     detail::Columns own(const FanRow& row, int i, bool kept = true) const {
         if (row.all.none())
             return {};

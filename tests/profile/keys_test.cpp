@@ -59,7 +59,7 @@ struct Hook final : gl::Watcher {
     void reached(gl::Range, std::uint32_t) override {}
 };
 
-/// Of the same frames, but those before `first`.
+/// What images of firmware count of the frames from `first` on; those before it are drawn and not counted.
 Counts counted(const programs::Program& program, int first) {
     bench::Headless gl;
     EXPECT_TRUE(gl.open(width, height, EGL_PRECISION_BALANCED_SPANGLE));
