@@ -13,7 +13,6 @@ struct Engine;
 /// Hosts keep as many. A board has no RAM for that, and compiles each change.
 inline constexpr unsigned kept_states = numeric::wide_words ? 8 : 0;
 
-/// Begins as bytes that are 0.
 class KeptStates {
   public:
     /// Writes the compiled form of a state for a drawable, `texture_changes` being those of the share group.
@@ -28,7 +27,7 @@ class KeptStates {
         PixelFormat format;
         DepthFormat depth_format;
         bool has_depth, one_stride; ///< rows of colours and of depths lie equally far apart
-        bool is_known;              ///< false where nothing was kept yet
+        bool is_known = false;      ///< true once a state was kept here
         friend bool operator==(const Origin&, const Origin&) = default;
     };
     struct Kept {
@@ -36,7 +35,7 @@ class KeptStates {
         raster::DrawState state;
     };
     Kept kept_[kept_states == 0 ? 1 : kept_states];
-    unsigned next_; ///< which is given up for the next new one
+    unsigned next_ = 0; ///< which is given up for the next new one
 };
 
 } // namespace spangle::gl
