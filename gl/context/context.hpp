@@ -28,6 +28,10 @@
 #include "raster/surface/surface.hpp"
 #include <spangle/raster/fragment_state.hpp>
 
+namespace spangle::raster {
+class BatchRows;
+}
+
 namespace spangle::gl {
 
 class Arena;
@@ -69,6 +73,11 @@ struct Drawable {
     const Recording* recording = nullptr; ///< null: what is drawn is drawn at once
 #else
     static constexpr const Recording* recording = nullptr;
+#endif
+#if SPANGLE_SKIPS_BATCHES
+    raster::BatchRows* batches = nullptr; ///< of a band that is drawn by callback; else null
+#else
+    static constexpr raster::BatchRows* batches = nullptr;
 #endif
     bool bound_before = false; ///< viewport and scissor were set from the first drawable (GL 1.3, 2.10.1)
 };

@@ -147,6 +147,9 @@ void make_current(Context& context) {
 #if SPANGLE_HAS_RECORDS
     drawable.recording = nullptr;
 #endif
+#if SPANGLE_SKIPS_BATCHES
+    drawable.batches = nullptr;
+#endif
     context.changed(dirty_all);
     if (drawable.bound_before)
         return;
@@ -191,12 +194,15 @@ void release_objects(ShareGroup* share) {
 #endif
 
 void move_drawable(Context& context, const raster::Surface& surface, bool read_too,
-                   [[maybe_unused]] const Recording* recording) {
+                   [[maybe_unused]] const Recording* recording, [[maybe_unused]] raster::BatchRows* batches) {
     context.drawable.surface = surface;
     if (read_too)
         context.drawable.read = surface;
 #if SPANGLE_HAS_RECORDS
     context.drawable.recording = recording;
+#endif
+#if SPANGLE_SKIPS_BATCHES
+    context.drawable.batches = batches;
 #endif
     context.changed(dirty_fragment);
 }

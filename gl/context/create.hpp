@@ -24,9 +24,10 @@ void make_current(Context& context);
 /// On one surface, which is drawn to and read.
 void make_current(Context* context, const raster::Surface& surface, bool double_buffered);
 
-/// Its drawable shows another part of itself, or what is drawn is recorded from now on, or is not any more.
+/// Its drawable shows another part of itself. What is drawn is recorded from now on, or batches that do not
+/// reach it are left out, or neither.
 void move_drawable(Context& context, const raster::Surface& surface, bool read_too,
-                   const Recording* recording = nullptr);
+                   const Recording* recording = nullptr, raster::BatchRows* batches = nullptr);
 
 #if SPANGLE_HAS_RECORDS
 /// The objects that recorded draws look at: they stay while somebody holds them, whatever becomes of the

@@ -2,9 +2,12 @@
 #include <spangle/frame.hpp>
 
 #include <cstring>
+#include <new>
 
 #include "gl/context/error.hpp"
 #include "gl/egl/objects.hpp"
+#include "gl/vertex/engine.hpp"
+#include "raster/band/batch_rows.hpp"
 
 namespace spangle {
 
@@ -15,9 +18,21 @@ namespace egl {
 namespace {
 
 /// GL is given the rows of the window that are in memory; none: nothing can be drawn or read.
-void give_rows(Surface& surface) {
+void give_rows(Surface& surface, raster::BatchRows* batches = nullptr) {
     const Thread& t = thread();
-    gl::move_drawable(*t.context->gl, pixels_of(surface), t.read == t.draw);
+    gl::move_drawable(*t.context->gl, pixels_of(surface), t.read == t.draw, nullptr, batches);
+}
+
+/// What the band that is drawn now may leave out, or null. References do not note rows.
+raster::BatchRows* batches_of(const Surface& surface) {
+    const Band& band = surface.band;
+    if (band.batches == nullptr || thread().context->gl->engine != &gl::fixed_engine)
+        return nullptr;
+    if (band.first == 0)
+        band.batches->begin_frame();
+    else
+        band.batches->begin_band(surface.height - band.first - band.rows, surface.height - band.first);
+    return band.batches;
 }
 
 /// Depth, stencil, accumulation and samples begin the same in every band, as colours do.
@@ -127,19 +142,30 @@ bool draw_each(Display& display, Surface& surface, void (*draw)(void*), void* da
     const bool drawn = each_band(surface, [&](std::int32_t first, std::int32_t rows) {
         if (!open_band(display, surface, first, rows))
             return false;
-        give_rows(surface);
+        raster::BatchRows* const batches = batches_of(surface);
+        give_rows(surface, batches);
         draw(data);
         enter(SPANGLE_TEXT("spangle::frame"));
         if (thread().draw != &surface)
             return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("the window is current no more")) != EGL_FALSE;
         if (in_primitive())
             return fail_in_primitive() != EGL_FALSE;
+        if (batches != nullptr && thread().context->gl->drawable.batches != batches)
+            batches->distrust(); // another surface was current meanwhile: not all batches have their number
         return send_band(display, surface);
     });
     return drawn && (surface.band.colors || present_whole(display, surface));
 }
 
 } // namespace
+
+void make_batches(std::int32_t height, Band& band) {
+    if (band.height == 0 || band.height >= height || band.record != nullptr)
+        return;
+    void* const memory = arena().allocate(sizeof(raster::BatchRows));
+    if (memory != nullptr)
+        band.batches = new (memory) raster::BatchRows(height);
+}
 
 EGLint choose_band(const hal::DisplayInfo& info, EGLint wish, Band& band) {
     if (wish < 0)
@@ -190,6 +216,7 @@ EGLint egl::choose_band(const hal::DisplayInfo& info, EGLint, Band&) {
     return info.band_height == 0 ? EGL_SUCCESS : EGL_BAD_MATCH;
 }
 void egl::show_band(Surface&, raster::Surface&) {}
+void egl::make_batches(std::int32_t, Band&) {}
 
 #endif
 

@@ -37,12 +37,13 @@ struct Display;
 /// What of a window is in memory, where that is not all of it.
 struct Band {
 #if SPANGLE_FEATURE_BANDS
-    std::int32_t height = 0;          ///< rows of depth, stencil and accumulation; 0: all
-    bool colors = false;              ///< and of colours: the display has no whole frame either
-    std::int32_t first = 0, rows = 0; ///< from the top: what is drawn to now
-    RowExtents extents;               ///< of these rows
-    RecordedFrame* record = nullptr;  ///< what is drawn is kept there; null: bands are drawn by callback
-    bool cleared = false;             ///< all bands of this frame so far, to clear_value
+    std::int32_t height = 0;              ///< rows of depth, stencil and accumulation; 0: all
+    bool colors = false;                  ///< and of colours: the display has no whole frame either
+    std::int32_t first = 0, rows = 0;     ///< from the top: what is drawn to now
+    RowExtents extents;                   ///< of these rows
+    RecordedFrame* record = nullptr;      ///< what is drawn is kept there; null: bands are drawn by callback
+    raster::BatchRows* batches = nullptr; ///< what a band may leave out then; null without memory for it
+    bool cleared = false;                 ///< all bands of this frame so far, to clear_value
     std::uint32_t clear_value = 0;
 #else
     static constexpr std::int32_t height = 0, first = 0;
@@ -248,6 +249,8 @@ void show_band(Surface& surface, raster::Surface& out);
 
 /// The memory for a record of so many bytes, 0: none is wished. False without memory.
 bool make_record(EGLint bytes, Band& band);
+/// The memory for what bands of a picture of so many rows may leave out. Without it they leave out nothing.
+void make_batches(std::int32_t height, Band& band);
 void free_record(Band& band);
 /// Of the record, or of its longest frame so far.
 EGLint record_bytes(const Band& band, bool peak);

@@ -74,6 +74,7 @@ Surface* make(const Config& config, std::int32_t width, std::int32_t height, con
         free_surface(surface);
         return nullptr;
     }
+    make_batches(height, surface->band);
     for (std::int32_t y = 0; config.has_samples() && y < rows; ++y)
         new (surface->unresolved + y) RowSpan;
     return surface;
@@ -285,6 +286,9 @@ bool follow_window(Display& display, Surface& surface) {
 
 void free_surface(Surface* surface) {
     free_record(surface->band);
+#if SPANGLE_FEATURE_BANDS
+    arena().free(surface->band.batches);
+#endif
 #if SPANGLE_HAS_PLATFORMS
     if (surface->system != nullptr)
         surface->system->close(*surface->native);

@@ -14,6 +14,7 @@
 #include "gl/texture/level_image.hpp"
 #include "gl/texture/texture_setup.hpp"
 #include "gl/vertex/engine.hpp"
+#include "raster/band/batch_rows.hpp"
 #include "raster/band/record.hpp"
 #include "raster/numeric/real.hpp"
 #include "raster/span/fused_keys.hpp"
@@ -219,8 +220,18 @@ void compile(Context& context, [[maybe_unused]] Kept& kept, const raster::Fragme
         context.engine->compile(fragment, target, out);
 }
 
-/// Where drawing is recorded: primitives of these states are kept.
+/// Where drawing is recorded: primitives of these states are kept, or their rows are noted.
 void record_states([[maybe_unused]] Context& context) {
+#if SPANGLE_SKIPS_BATCHES
+    if (raster::BatchRows* const batches = context.drawable.batches; batches != nullptr && batches->notes()) {
+        batches->take(context.fragments.state);
+#if SPANGLE_FEATURE_STENCIL_SIDES
+        if (stencil_sides(context))
+            batches->take(context.fragments.back);
+#endif
+        return;
+    }
+#endif
 #if SPANGLE_HAS_RECORDS
     if (context.drawable.recording == nullptr)
         return;

@@ -1,4 +1,5 @@
 // Occlusion queries (GL 1.5, 4.1.7, 6.1.12).
+#include "gl/context/batches.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/hooks.hpp"
 
@@ -59,6 +60,7 @@ template <class T> void get_object(Context& context, GLuint id, GLenum pname, T*
         return error(context, GL_INVALID_OPERATION,
                      result == nullptr ? SPANGLE_TEXT("id is not a query object")
                                        : SPANGLE_TEXT("the query is active"));
+    distrust_batches(context);
     constexpr auto most = static_cast<GLuint>(std::numeric_limits<T>::max());
     *params = static_cast<T>(pname == GL_QUERY_RESULT_AVAILABLE ? GL_TRUE : *result < most ? *result : most);
 }

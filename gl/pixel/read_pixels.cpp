@@ -1,5 +1,6 @@
 // ReadPixels (GL 1.3, 4.3.2). Pixels outside the surface are undefined; here their memory stays as it is.
 #include "gl/api/generated/commands.hpp"
+#include "gl/context/batches.hpp"
 #include "gl/context/context.hpp"
 #include "gl/pixel/fetch.hpp"
 #include "gl/pixel/row_converter.hpp"
@@ -95,6 +96,7 @@ void ReadPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei heigh
     if (pixels == nullptr)
         return error(context, GL_INVALID_VALUE);
     const gl::PixelStore& pack = context.pixel_store.pack;
+    distrust_batches(context);
     Read to{nullptr, layout, content, Transfer(context.pixel_mode), pack.swap_bytes, pack.lsb_first};
     ReadRows source(context);
     read(to, surface, source, pack, x, y, width, height, static_cast<unsigned char*>(pixels));

@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "gl/api/generated/commands.hpp"
+#include "gl/context/batches.hpp"
 #include "gl/context/context.hpp"
 #include "gl/pixel/row_converter.hpp"
 #include "gl/texture/compressed_format.hpp"
@@ -77,6 +78,7 @@ void GetTexImage(Context& context, GLenum target, GLint level, GLenum format, GL
         return;
     if (pixels == nullptr)
         return error(context, GL_INVALID_VALUE);
+    distrust_batches(context); // the image may be a copy of the band
     pack_image(*image, context.pixel_store.pack, layout, pixels);
 }
 

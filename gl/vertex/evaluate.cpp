@@ -1,4 +1,5 @@
 // EvalCoord, grids and meshes (GL 1.3, 5.1).
+#include "gl/context/batches.hpp"
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_EVALUATORS
@@ -178,7 +179,7 @@ struct MeshRows {
                              MeshRows& rows) {
     if (mode != GL_POINTS)
         cmd::Begin(context, mode);
-    for (std::int64_t at = first; at <= last; ++at) {
+    for (std::int64_t at = first; at <= last && !leaves_out(context); ++at) {
         const auto i = static_cast<GLint>(at);
         const GLint v = column ? i : j;
         grid_vertex(context, column ? j : i, v, column ? nullptr : rows.row(v));
@@ -234,7 +235,7 @@ void EvalMesh1(Context& context, GLenum mode, GLint i1, GLint i2) {
     if (mode != GL_POINT && mode != GL_LINE)
         return error(context, GL_INVALID_ENUM);
     Begin(context, mode == GL_POINT ? GL_POINTS : GL_LINE_STRIP);
-    for (std::int64_t i = i1; has_vertices(context, 0) && i <= i2; ++i)
+    for (std::int64_t i = i1; has_vertices(context, 0) && !leaves_out(context) && i <= i2; ++i)
         grid_vertex(context, static_cast<GLint>(i));
     End(context);
 }

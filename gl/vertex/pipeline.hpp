@@ -19,6 +19,7 @@
 #include "gl/vertex/current_element.hpp"
 #include "gl/vertex/texgen.hpp"
 #include "gl/vertex/user_planes.hpp"
+#include "raster/band/batch_rows.hpp"
 #include "raster/primitive/draw.hpp"
 #include "raster/primitive/line_end.hpp"
 #include "raster/primitive/line_stipple.hpp"
@@ -48,6 +49,8 @@ template <class M, class L> class Pipeline {
         held_ = 0;
         odd_ = false;
         stipple_starts_ = true;
+        if (begins_left_out(context))
+            return;
         for (int i = 0; i < slot_count; ++i)
             corner_[i] = &slot_[i];
         derive(context);
@@ -63,6 +66,8 @@ template <class M, class L> class Pipeline {
     }
 
     SPANGLE_INLINE void vertex(Context& context, Real x, Real y, Real z, Real w) {
+        if (skips_batches && left_out_)
+            return;
         Vertex& v = *corner_[held_];
         const CurrentState& current = context.current;
         v.position[0] = x;
@@ -85,10 +90,14 @@ template <class M, class L> class Pipeline {
     void elements(Context& context, std::uint32_t count, const Indices& indices);
 
     void end() {
+        if (skips_batches && left_out_)
+            return;
         if (has_lines && mode_ == GL_LINE_LOOP && held_ == 2)
             line(*corner_[1], *corner_[0]);
         if (mode_ == GL_POLYGON && (outlined() || gathers()))
             end_polygon();
+        if (skips_batches && batches_ != nullptr)
+            batches_->end_batch();
     }
 
     /// RasterPos: a vertex that is not drawn. Outside of the clip volume only `valid` changes.
@@ -191,7 +200,14 @@ template <class M, class L> class Pipeline {
                   "user's planes, outlines, selection, feedback and antialiasing need SPANGLE_CLIPPING");
     static_assert(raster::has_perspective || !has_clipping, "what SPANGLE_CLIPPING cuts has a w of its own");
 
+    /// Elements that are left out together, of any mode of its own corners and of strips.
+    static constexpr std::uint32_t piece = 48;
+    static constexpr bool skips_batches = SPANGLE_SKIPS_BATCHES != 0;
+
     Context* context_ = nullptr;
+    raster::BatchRows* batches_ =
+        nullptr;            ///< while bands are drawn by callback; null: this batch is no part of it
+    bool left_out_ = false; ///< nothing of this batch reaches the band
     const raster::DrawState* state_ = nullptr;
     GLenum mode_ = GL_POINTS;
     int held_ = 0, full_ = 0; ///< corners held, and how many make a primitive
@@ -264,6 +280,15 @@ template <class M, class L> class Pipeline {
 #if SPANGLE_CLIPPING
     Cut cut_[cut_count];
 #endif
+
+    /// True, in a band that is drawn by callback, where nothing of the batch that begins reaches it.
+    bool begins_left_out([[maybe_unused]] const Context& context) {
+        if constexpr (skips_batches) {
+            batches_ = context.render.draws() ? context.drawable.batches : nullptr;
+            left_out_ = batches_ != nullptr && !batches_->begin_batch();
+        }
+        return skips_batches && left_out_;
+    }
 
     void derive(Context& context) {
         if ((context.dirty & dirty_vertex) != 0) {
@@ -527,6 +552,9 @@ template <class M, class L> class Pipeline {
     [[gnu::noinline]] void draw_pending(Pending& p);
     SPANGLE_INLINE Vertex& place_of(Vertex& cached);
     [[gnu::noinline]] Vertex* free_slot();
+    int repeated_elements() const;
+    [[gnu::noinline]] void elements_in_pieces(Context& context, std::uint32_t count, const Indices& indices);
+    void elements_at_once(Context& context, std::uint32_t count, const Indices& indices);
     [[gnu::noinline]] void elements_in_turn(Context& context, const ElementReader& reader,
                                             std::uint32_t count, const Indices& indices);
 

@@ -2,6 +2,7 @@
 #include <new>
 
 #include "raster/band/layout.hpp"
+#include "raster/band/reach.hpp"
 #include "raster/band/vertex_code.hpp"
 #include "raster/numeric/bits.hpp"
 
@@ -12,22 +13,6 @@ namespace spangle::raster {
 namespace {
 
 constexpr std::uint8_t most_items = 32; ///< of a block: more are found sooner, fewer skipped sooner
-
-/// Rows that fragments of the primitive can lie in: coordinates, and half of its size, rounded outwards.
-struct Reach {
-    std::int32_t low, high; ///< rows [low, high)
-};
-Reach reach(const Primitive& p) {
-    std::int32_t low = p.corner[0]->y, high = low;
-    for (int i = 1; i < p.corners; ++i) {
-        low = p.corner[i]->y < low ? p.corner[i]->y : low;
-        high = p.corner[i]->y > high ? p.corner[i]->y : high;
-    }
-    const bool smooth = p.shape >= Primitive::Shape::smooth_point;
-    // Corners are snapped to fragments, rectangles reach beyond the ends of their lines.
-    const std::int32_t aside = (smooth ? (p.size + 7) / 8 : p.size) + 2;
-    return {(low >> subpixel_bits) - aside, (high >> subpixel_bits) + 1 + aside};
-}
 
 } // namespace
 

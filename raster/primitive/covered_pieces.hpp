@@ -60,7 +60,7 @@ template <class P> class CoveredPieces {
             row.first = x;
             if (whole) {
                 row.last = x = till;
-                *place(row, source, true, 0) = {};
+                (void)place(row, source, true, 0); // it has no coverages
                 continue;
             }
             std::int32_t count = till - x;

@@ -1,4 +1,5 @@
-// Primitives that are kept instead of drawn: what a state with a recorder (DrawState::recorder) does.
+// Primitives that somebody is told of, who keeps them or notes where they lie: what a state with a recorder
+// (DrawState::recorder) does.
 #pragma once
 
 #include <cstdint>
@@ -37,43 +38,61 @@ struct Recorder {
     void (*pixels)(Recorder& self, const DrawState& state, const FixedVertex& at, PixelSource& source);
 };
 
-/// Of a state that draws nothing: hands the primitive to its recorder, if it has one.
+/// Primitives of the state reach its surface.
+inline bool draws(const DrawState& state) {
+#if SPANGLE_FEATURE_BANDS
+    return !state.nothing || state.draws_too;
+#else
+    return !state.nothing;
+#endif
+}
+
+/// Of a state with DrawState::nothing: hands the primitive to its recorder, if it has one. True: the
+/// primitive is drawn as well.
 template <class V, class... Corner>
-inline void keep([[maybe_unused]] const DrawState& state, [[maybe_unused]] Primitive::Shape shape,
+inline bool keep([[maybe_unused]] const DrawState& state, [[maybe_unused]] Primitive::Shape shape,
                  [[maybe_unused]] std::int32_t size, [[maybe_unused]] const LineStipple* stipple,
                  [[maybe_unused]] const V& provoking, [[maybe_unused]] const Corner&... corner) {
-#if SPANGLE_HAS_RECORDS
+#if SPANGLE_FEATURE_BANDS
     if constexpr (std::is_same_v<V, FixedVertex>) {
         if (state.recorder == nullptr)
-            return;
+            return false;
         const FixedVertex* const corners[] = {&corner...};
         state.recorder->primitive(*state.recorder, state,
                                   {shape, sizeof...(Corner), size, corners, &provoking, stipple});
+        return state.draws_too;
     }
 #endif
+    return false;
 }
 
 /// The same of a smooth polygon.
 template <class V>
-inline void keep_polygon([[maybe_unused]] const DrawState& state, [[maybe_unused]] const V* const* corner,
+inline bool keep_polygon([[maybe_unused]] const DrawState& state, [[maybe_unused]] const V* const* corner,
                          [[maybe_unused]] int corners, [[maybe_unused]] const V& provoking) {
-#if SPANGLE_HAS_RECORDS
+#if SPANGLE_FEATURE_BANDS
     if constexpr (std::is_same_v<V, FixedVertex>)
-        if (state.recorder != nullptr)
+        if (state.recorder != nullptr) {
             state.recorder->primitive(*state.recorder, state,
                                       {Primitive::Shape::smooth_polygon, corners, 0, corner, &provoking});
+            return state.draws_too;
+        }
 #endif
+    return false;
 }
 
 /// The same of fragments of a pixel rectangle.
 template <class V>
-inline void keep_pixels([[maybe_unused]] const DrawState& state, [[maybe_unused]] const V& at,
+inline bool keep_pixels([[maybe_unused]] const DrawState& state, [[maybe_unused]] const V& at,
                         [[maybe_unused]] PixelSource& source) {
-#if SPANGLE_HAS_RECORDS
+#if SPANGLE_FEATURE_BANDS
     if constexpr (std::is_same_v<V, FixedVertex>)
-        if (state.recorder != nullptr)
+        if (state.recorder != nullptr) {
             state.recorder->pixels(*state.recorder, state, at, source);
+            return state.draws_too;
+        }
 #endif
+    return false;
 }
 
 } // namespace spangle::raster

@@ -63,8 +63,8 @@ void draw_line_of(const DrawState& state, const Surface& target, const typename 
     const Position pa = position(a), pb = position(b);
     DiamondWalk walk(pa.x, pa.y, pb.x, pb.y, (width - 1) * (subpixel_one / 2));
     const typename Pattern::Kept kept = pattern.along(walk);
-    if (state.nothing)
-        return keep(state, Primitive::Shape::line, width, Pattern::of(kept), provoking, a, b);
+    if (state.nothing && !keep(state, Primitive::Shape::line, width, Pattern::of(kept), provoking, a, b))
+        return;
     if (walk.count == 0)
         return;
     const detail::LineInterval interval(walk, walk.along_x ? pa.x : pa.y, walk.along_x ? pb.x : pb.y);

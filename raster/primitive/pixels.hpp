@@ -46,8 +46,8 @@ template <class P>
 void draw_pixels_of(const DrawState& state, const Surface& target, const typename P::Vertex& at,
                     PixelSource& source) {
     observe_other(state);
-    if (state.nothing)
-        return keep_pixels(state, at, source);
+    if (state.nothing && !keep_pixels(state, at, source))
+        return;
     PixelPen<P> pen(state, target, at);
     source.emit(source, pen);
 }

@@ -24,8 +24,8 @@ void draw_point_of(const DrawState& state, const Surface& target, const typename
     const std::int32_t left = point_begin(at.x, size), low = point_begin(at.y, size);
     std::int32_t y = low < pen.row_begin() ? pen.row_begin() : low;
     const std::int32_t top = low + size < pen.row_end() ? low + size : pen.row_end();
-    if (state.nothing)
-        return keep(state, Primitive::Shape::point, size, nullptr, v, v);
+    if (state.nothing && !keep(state, Primitive::Shape::point, size, nullptr, v, v))
+        return;
     if (y >= top || !pen.sees(left, left + size))
         return;
     Setup<P>(pen.span, v);

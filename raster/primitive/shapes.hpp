@@ -11,8 +11,8 @@ template <class P>
 void draw_disc_of(const DrawState& state, const Surface& target, const typename P::Vertex& v,
                   std::int32_t eighths) {
     observe_other(state);
-    if (state.nothing)
-        return keep(state, Primitive::Shape::disc, eighths, nullptr, v, v);
+    if (state.nothing && !keep(state, Primitive::Shape::disc, eighths, nullptr, v, v))
+        return;
     const Position at = position(v);
     const std::int64_t radius = eighths * (subpixel_one / 16);
     const auto low = static_cast<std::int32_t>(at.y - radius),
@@ -88,10 +88,10 @@ void draw_line_rectangle_of(const DrawState& state, const Surface& target, const
     const LineOutline line(position(a), position(b), eighths);
     if (line.empty())
         return;
-    if (state.nothing)
-        keep(state, Primitive::Shape::line_rectangle, eighths, stipple, provoking, a, b);
+    const bool draws =
+        !state.nothing || keep(state, Primitive::Shape::line_rectangle, eighths, stipple, provoking, a, b);
     const LineCorners<typename P::Vertex> corners(line, a, b);
-    for (int i = 1; i < 3 && !state.nothing; ++i) {
+    for (int i = 1; i < 3 && draws; ++i) {
         const auto t = detail::sorted(corners.at[0], corners.at[i], corners.at[i + 1]);
         if (t.area2 == 0)
             continue;

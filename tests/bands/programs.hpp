@@ -8,8 +8,11 @@ namespace spangle::test {
 /// One unit a pixel.
 void start_program(int width, int height);
 
+/// Long batches of every mode, and many short ones (batch_programs.cpp).
+std::vector<Program> batch_programs();
+
 /// dither, no dither, stipple, wide, smooth, pixels, stencil, blend, accumulation, outline, samples,
-/// viewports.
+/// viewports, and batch_programs().
 const std::vector<Program>& programs();
 
 } // namespace spangle::test

@@ -1,0 +1,105 @@
+#include "raster/band/batch_rows.hpp"
+
+#include "raster/band/reach.hpp"
+
+#if SPANGLE_SKIPS_BATCHES
+
+namespace spangle::raster {
+
+BatchRows::BatchRows(std::int32_t height)
+    : Recorder{note, [](Recorder&, const DrawState&, const FixedVertex&, PixelSource&) {}}, height_(height) {
+    while ((height - 1) >> shift_ > UINT8_MAX)
+        ++shift_;
+}
+
+void BatchRows::begin_frame() {
+    noting_ = trusted_ = true;
+    sharing_ = 0;
+    number_ = 0;
+    for (Entry& entry : table_)
+        entry = none;
+}
+
+void BatchRows::begin_band(std::int32_t first, std::int32_t end) {
+    number_ = 0; // the same batches again
+    noting_ = false;
+    band_ = {static_cast<std::uint8_t>(first >> shift_), static_cast<std::uint8_t>((end - 1) >> shift_)};
+}
+
+void BatchRows::take(DrawState& live) {
+    live.draws_too = !live.nothing;
+    live.nothing = true;
+    live.recorder = this;
+    live.paths = {};
+}
+
+void BatchRows::note(Recorder& self, const DrawState&, const Primitive& primitive) {
+    auto& own = static_cast<BatchRows&>(self);
+    const Reach rows = reach(primitive);
+    const std::int32_t low = rows.low < 0 ? 0 : rows.low,
+                       high = (rows.high < own.height_ ? rows.high : own.height_) - 1;
+    if (low <= high)
+        widen(own.piece_,
+              {static_cast<std::uint8_t>(low >> own.shift_), static_cast<std::uint8_t>(high >> own.shift_)});
+}
+
+void BatchRows::widen(Entry& entry, Entry by) {
+    entry.low = by.low < entry.low ? by.low : entry.low;
+    entry.high = by.high > entry.high ? by.high : entry.high;
+}
+
+/// While rows are noted there is room for every number.
+BatchRows::Entry& BatchRows::at(std::uint32_t number) {
+    while (number >> sharing_ >= entries) {
+        for (std::uint32_t i = 0; i < entries / 2; ++i) {
+            table_[i] = table_[2 * i];
+            widen(table_[i], table_[2 * i + 1]);
+        }
+        for (std::uint32_t i = entries / 2; i < entries; ++i)
+            table_[i] = none;
+        ++sharing_;
+    }
+    return table_[number >> sharing_];
+}
+
+/// A number that the first band did not have is another program's: it is drawn.
+bool BatchRows::meets(std::uint32_t number) {
+    if (!trusted_ || number >> sharing_ >= entries)
+        return true;
+    const Entry& entry = table_[number >> sharing_];
+    return entry.low <= band_.high && entry.high >= band_.low;
+}
+
+void BatchRows::add_piece() {
+    widen(batch_, piece_);
+    piece_ = none;
+}
+
+bool BatchRows::begin_batch() {
+    batch_number_ = number_++;
+    left_out_ = !noting_ && !meets(batch_number_);
+    batch_ = piece_ = none;
+    return !left_out_;
+}
+
+bool BatchRows::begin_piece() {
+    return noting_ || meets(number_++);
+}
+
+void BatchRows::end_piece() {
+    if (!noting_)
+        return;
+    widen(at(number_++), piece_);
+    add_piece();
+}
+
+void BatchRows::end_batch() {
+    if (!noting_)
+        return;
+    add_piece(); // what was drawn without pieces
+    widen(at(batch_number_), batch_);
+}
+
+} // namespace spangle::raster
+
+#endif
