@@ -9,6 +9,10 @@
 
 namespace spangle::gl {
 
+namespace family {
+struct Vertex; // of those in generated/commands.hpp
+}
+
 inline constexpr std::size_t most_args = 10;
 
 template <class T> struct Passed {
@@ -143,9 +147,10 @@ struct EncodedCommand : Command {
 };
 
 template <class F>
-constexpr std::uint8_t stops =
-    static_cast<std::uint8_t>((F::inside ? 0 : gate_inside) | gate_watched |
-                              (SPANGLE_FEATURE_LISTS && F::listing != Listing::never ? gate_compiling : 0));
+constexpr std::uint8_t stops = static_cast<std::uint8_t>(
+    (F::inside ? 0 : gate_inside) | gate_watched |
+    (SPANGLE_SKIPS_BATCHES && std::is_same_v<F, family::Vertex> ? gate_left_out : 0) |
+    (SPANGLE_FEATURE_LISTS && F::listing != Listing::never ? gate_compiling : 0));
 
 /// False, and INVALID_OPERATION, for a command that Begin and End do not allow between them (GL 1.3, 2.6.3).
 bool allowed(Context& context, const list::Player& command);

@@ -47,6 +47,7 @@ enum Gate : std::uint8_t {
 #else
     gate_watched = 0,
 #endif
+    gate_left_out = 8, ///< inside Begin and End of a batch that a band leaves out: vertices are not even read
 };
 
 /// Which derived state must be computed again before the next primitive. Whoever changes state says

@@ -1,5 +1,6 @@
 // Begin, End, vertices and current attributes, and what draws arrays (GL 1.3, 2.6 to 2.9).
 #include "gl/api/generated/commands.hpp"
+#include "gl/context/batches.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/share_group.hpp"
 #include "gl/vertex/array_source.hpp"
@@ -11,8 +12,14 @@ namespace spangle::gl {
 namespace {
 
 void set_gate(Context& context, bool inside) {
-    context.gate =
-        static_cast<std::uint8_t>(inside ? context.gate | gate_inside : context.gate & ~gate_inside);
+    context.gate = static_cast<std::uint8_t>(inside ? context.gate | gate_inside
+                                                    : context.gate & ~(gate_inside | gate_left_out));
+}
+
+/// Wrappers do not even read vertices that nothing comes of.
+void leave_out(Context& context) {
+    if (leaves_out(context))
+        context.gate = static_cast<std::uint8_t>(context.gate | gate_left_out);
 }
 
 void color(Context& context, const Real (&rgba)[4]) {
@@ -82,6 +89,7 @@ void Begin(Context& context, GLenum mode) {
     set_gate(context, true);
     context.primitive = mode;
     context.engine->begin(context, mode);
+    leave_out(context);
 }
 
 void End(Context& context) {

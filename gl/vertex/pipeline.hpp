@@ -201,7 +201,7 @@ template <class M, class L> class Pipeline {
     static_assert(raster::has_perspective || !has_clipping, "what SPANGLE_CLIPPING cuts has a w of its own");
 
     /// Elements that are left out together, of any mode of its own corners and of strips.
-    static constexpr std::uint32_t piece = 48;
+    static constexpr std::uint32_t piece = 12;
     static constexpr bool skips_batches = SPANGLE_SKIPS_BATCHES != 0;
 
     Context* context_ = nullptr;
@@ -553,8 +553,9 @@ template <class M, class L> class Pipeline {
     SPANGLE_INLINE Vertex& place_of(Vertex& cached);
     [[gnu::noinline]] Vertex* free_slot();
     int repeated_elements() const;
-    [[gnu::noinline]] void elements_in_pieces(Context& context, std::uint32_t count, const Indices& indices);
-    void elements_at_once(Context& context, std::uint32_t count, const Indices& indices);
+    void elements_of(Context& context, const ElementReader& reader, std::uint32_t count,
+                     const Indices& indices);
+    template <class... V> bool misses_band(const V&... corner) const;
     [[gnu::noinline]] void elements_in_turn(Context& context, const ElementReader& reader,
                                             std::uint32_t count, const Indices& indices);
 

@@ -6,48 +6,45 @@
 
 namespace spangle::gl {
 
+/// While bands are drawn by callback: in pieces, of which those that do not reach the band are left out.
 template <class M, class L>
 inline void Pipeline<M, L>::elements(Context& context, std::uint32_t count, const Indices& indices) {
-    if constexpr (skips_batches)
-        if (batches_ != nullptr)
-            return elements_in_pieces(context, count, indices);
-    elements_at_once(context, count, indices);
+    if constexpr (skips_batches) {
+        if (batches_ == nullptr)
+            return elements_of(context, ElementReader(context.arrays), count, indices);
+        const int repeated = count > piece ? repeated_elements() : -1;
+        const std::uint32_t step = repeated < 0 ? count : piece;
+        if (left_out_)
+            return batches_->leave_out(repeated < 0 ? 0 : (count + piece - 1) / piece);
+        const ElementReader reader(context.arrays);
+        for (std::uint32_t first = 0; first < count; first += step) {
+            if (repeated >= 0 && !batches_->begin_piece())
+                continue;
+            const std::uint32_t from = first == 0 ? 0 : first - static_cast<std::uint32_t>(repeated),
+                                end = count - first < step ? count : first + step;
+            held_ = 0;
+            odd_ = false; // as in the first piece
+            elements_of(context, reader, end - from, indices.from(from));
+            if (repeated >= 0)
+                batches_->end_piece();
+        }
+    } else {
+        elements_of(context, ElementReader(context.arrays), count, indices);
+    }
 }
 
-/// How many elements a piece repeats of the one before it; -1: the mode, or a stipple that goes on from line
-/// to line, allows no pieces.
+/// How many elements a piece repeats of the one before it: a piece of a strip is a strip of its own. -1: the
+/// mode, or a stipple that goes on from line to line, allows no pieces.
 template <class M, class L> int Pipeline<M, L>::repeated_elements() const {
+    static_assert(piece % 12 == 0); // whole primitives, and strips turn the same way in every piece
     constexpr std::int8_t repeated[] = {0, 0, -1, 1, 0, 2, -1, 0, 2, -1}; // POINTS .. POLYGON
     const bool stippled = SPANGLE_FEATURE_STIPPLE && context_->polygon.line_stipple;
     return mode_ == GL_LINE_STRIP && stippled ? -1 : repeated[mode_];
 }
 
-/// While bands are drawn by callback: pieces that do not reach the band are left out. Each piece of a strip
-/// is a strip of its own.
 template <class M, class L>
-void Pipeline<M, L>::elements_in_pieces(Context& context, std::uint32_t count, const Indices& indices) {
-    static_assert(piece % 12 == 0); // whole primitives, and strips turn the same way in every piece
-    const int repeated = repeated_elements();
-    const bool whole = repeated < 0 || count <= piece;
-    if (left_out_)
-        return batches_->leave_out(whole ? 0 : (count + piece - 1) / piece);
-    if (whole)
-        return elements_at_once(context, count, indices);
-    for (std::uint32_t first = 0; first < count; first += piece) {
-        if (!batches_->begin_piece())
-            continue;
-        const std::uint32_t from = first == 0 ? 0 : first - static_cast<std::uint32_t>(repeated),
-                            end = count - first < piece ? count : first + piece;
-        held_ = 0;
-        odd_ = false; // as in the first piece
-        elements_at_once(context, end - from, indices.from(from));
-        batches_->end_piece();
-    }
-}
-
-template <class M, class L>
-inline void Pipeline<M, L>::elements_at_once(Context& context, std::uint32_t count, const Indices& indices) {
-    const ElementReader reader(context.arrays);
+void Pipeline<M, L>::elements_of(Context& context, const ElementReader& reader, std::uint32_t count,
+                                 const Indices& indices) {
 #if SPANGLE_VERTEX_CACHE != 1
     if constexpr (raster::has_shortcuts)
         if (!more_is_given() && reader.seldom == nullptr && reader.vertex.on())

@@ -139,6 +139,24 @@ template <class M, class L> inline std::int64_t Pipeline<M, L>::area_of(Vertex* 
     return area;
 }
 
+/// In a band that is drawn by callback, nothing of a filled triangle or quad lies in its rows: no colours are
+/// computed.
+template <class M, class L>
+template <class... V>
+inline bool Pipeline<M, L>::misses_band([[maybe_unused]] const V&... corner) const {
+    if constexpr (skips_batches) {
+        if (batches_ == nullptr || batches_->notes())
+            return false;
+        const raster::Surface& surface = context_->drawable.surface;
+        const std::int32_t low = surface.first_row * raster::subpixel_one,
+                           high = surface.end_row * raster::subpixel_one;
+        return ((raster::position(corner.window).y < low) && ...) ||
+               ((raster::position(corner.window).y > high) && ...);
+    } else {
+        return false;
+    }
+}
+
 /// The usual triangle, whose last corner is the provoking one; what must be clipped, or lit from behind,
 /// goes the way of polygons.
 template <class M, class L> void Pipeline<M, L>::triangle(Vertex& a, Vertex& b, Vertex& c) {
@@ -159,7 +177,7 @@ SPANGLE_INLINE void Pipeline<M, L>::usual_triangle(Vertex& a, Vertex& b, Vertex&
         }
     }
     const std::int64_t area = area_of(a.window, b.window, c.window);
-    if (culls_[area < 0 ? 1 : 0] || area == 0)
+    if (culls_[area < 0 ? 1 : 0] || area == 0 || misses_band(a, b, c))
         return;
     if ((any & uncolored) != 0) {
         if (!flat_)
@@ -185,7 +203,7 @@ void Pipeline<M, L>::quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& pr
     }
     const std::int64_t first = area_of(a.window, b.window, c.window),
                        second = area_of(a.window, c.window, d.window);
-    if (culls_[first + second > 0 ? 0 : 1])
+    if (culls_[first + second > 0 ? 0 : 1] || misses_band(a, b, c, d))
         return;
     if ((any & uncolored) != 0) {
         if (!flat_)

@@ -35,7 +35,7 @@ void BatchRows::take(DrawState& live) {
 
 void BatchRows::note(Recorder& self, const DrawState&, const Primitive& primitive) {
     auto& own = static_cast<BatchRows&>(self);
-    const Reach rows = reach(primitive);
+    const Reach rows = primitive.shape == Primitive::Shape::triangle ? centers(primitive) : reach(primitive);
     const std::int32_t low = rows.low < 0 ? 0 : rows.low,
                        high = (rows.high < own.height_ ? rows.high : own.height_) - 1;
     if (low <= high)

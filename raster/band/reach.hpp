@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "raster/primitive/edge.hpp"
 #include "raster/primitive/keep.hpp"
 #include "raster/span/vertex.hpp"
 
@@ -23,6 +24,16 @@ inline Reach reach(const Primitive& p) {
     // Corners are snapped to fragments, rectangles reach beyond the ends of their lines.
     const std::int32_t aside = (smooth ? (p.size + 7) / 8 : p.size) + 2;
     return {(low >> subpixel_bits) - aside, (high >> subpixel_bits) + 1 + aside};
+}
+
+/// Rows whose centres a triangle may hold: it has fragments in no others (GL 1.3, 3.5.1).
+inline Reach centers(const Primitive& triangle) {
+    std::int32_t low = triangle.corner[0]->y, high = low;
+    for (int i = 1; i < triangle.corners; ++i) {
+        low = triangle.corner[i]->y < low ? triangle.corner[i]->y : low;
+        high = triangle.corner[i]->y > high ? triangle.corner[i]->y : high;
+    }
+    return {first_center(low), first_center(high)};
 }
 
 } // namespace spangle::raster

@@ -60,6 +60,20 @@ TEST(BandHeights, StatesAreTheSameAtEveryHeight) {
     }
 }
 
+/// What bands leave out, of every mode.
+TEST(BandHeights, BatchesAreTheSameAtEveryHeight) {
+    for (const Program& program : batch_programs()) {
+        const hal::Board& board = boards::st7735_80x160;
+        const std::vector<sim::Image> whole = play(board, {}, program, frames);
+        for (const std::int32_t height : heights_of(board))
+            expect_same(board, program, {.display_band = height}, whole);
+#if SPANGLE_FEATURE_MULTISAMPLE
+        expect_same(board, program, {.display_band = 8, .samples = 4},
+                    play(board, {.samples = 4}, program, frames));
+#endif
+    }
+}
+
 /// Pages of eight rows, pairs of columns, three bytes a pixel; bus buffers one and two; turned eight ways.
 TEST(BandHeights, FormatsAndOrientations) {
     const Program program = program_of(scenes::hud);

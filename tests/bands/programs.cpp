@@ -371,14 +371,9 @@ Program viewports() {
 } // namespace
 
 const std::vector<Program>& programs() {
-    static const std::vector<Program> all = [] {
-        std::vector<Program> made = {dithered(true), dithered(false), stippled(), wide(),     smooth(),
-                                     pixels(),       stencilled(),    blended(),  polygons(), accumulated(),
-                                     outlined(),     sampled(),       viewports()};
-        for (Program& program : batch_programs())
-            made.push_back(std::move(program));
-        return made;
-    }();
+    static const std::vector<Program> all = {
+        dithered(true), dithered(false), stippled(),    wide(),     smooth(),  pixels(),   stencilled(),
+        blended(),      polygons(),      accumulated(), outlined(), sampled(), viewports()};
     return all;
 }
 

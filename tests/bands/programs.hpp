@@ -12,7 +12,7 @@ void start_program(int width, int height);
 std::vector<Program> batch_programs();
 
 /// dither, no dither, stipple, wide, smooth, pixels, stencil, blend, accumulation, outline, samples,
-/// viewports, and batch_programs().
+/// viewports.
 const std::vector<Program>& programs();
 
 } // namespace spangle::test
