@@ -19,7 +19,7 @@ constexpr mcu::Nrf51Timer timer{0x40008000};
 constexpr unsigned scl_pin = 0, sda_pin = 30; // edge connector 19 and 20
 constexpr std::uint8_t address = 0x3C;
 
-alignas(8) __attribute__((section(".noinit"))) unsigned char arena[10240];
+alignas(8) __attribute__((section(".noinit"))) unsigned char arena[10176];
 
 mcu::I2cPort<mcu::Nrf51Twi, mcu::Nrf51Timer> port(twi, address, timer);
 hal::BusMemoryOf<wiring> frames;

@@ -21,7 +21,7 @@ constexpr mcu::RiscvTimer timer{0x0200BFF8, 32768};
 constexpr unsigned data_pin = 0, select_pin = 1;      // header pins 8 and 9
 constexpr std::uint32_t spi_pins = 1u << 3 | 1u << 5; // MOSI, SCK: header pins 11 and 13
 
-alignas(8) __attribute__((section(".noinit"))) unsigned char arena[9504];
+alignas(8) __attribute__((section(".noinit"))) unsigned char arena[9440];
 
 mcu::SpiPort<mcu::Fe310Spi, mcu::RegisterPin, mcu::RegisterPin, mcu::NoPin, mcu::RiscvTimer>
     port(spi1, gpio.pin(select_pin), gpio.pin(data_pin), {}, timer);

@@ -31,6 +31,8 @@ template <class F>
 [[gnu::noinline]] void issue_components(const void* v, convert::Components kind, const char* null_text) {
     if constexpr (!converts_in_line)
         issue_loaded(v, kind, command<F>, null_text);
+    else if (is_left_out(stops<F>) && v != nullptr)
+        return;
     else if (const convert::Loaded loaded = convert::load(v, kind, null_text); !loaded.null)
         issue_first<F>(loaded.at, std::make_index_sequence<count_reals(F::run)>{});
 }
@@ -118,6 +120,8 @@ inline void issue_reals(const T* v, const char* null_text) {
     if constexpr (converts_in_line) {
         if (v == nullptr)
             return refuse_null(null_text);
+        if (is_left_out(stops<F>)) [[unlikely]]
+            return;
         const auto issue_all = [v]<std::size_t... I>(std::index_sequence<I...>) {
             issue<F>(real_at<kind, count, I>(v)...);
         };

@@ -135,23 +135,8 @@ namespace {
 }
 
 #if !SPANGLE_ARGUMENTS_INLINE
-namespace {
-
-/// Components of vertices that nothing comes of are not converted. Lists and watchers get them, though.
-bool is_left_out([[maybe_unused]] const Command& command) {
-#if SPANGLE_SKIPS_BATCHES
-    const Context* const context = current_context();
-    return (command.stops & gate_left_out) != 0 && context != nullptr &&
-           (context->gate & (gate_left_out | gate_compiling | gate_watched)) == gate_left_out;
-#else
-    return false;
-#endif
-}
-
-} // namespace
-
 void issue_loaded(const void* v, convert::Components kind, const Command& command, const char* null_text) {
-    if (is_left_out(command) && v != nullptr)
+    if (is_left_out(command.stops) && v != nullptr)
         return;
     const convert::Loaded loaded = convert::load(v, kind, null_text);
     if (loaded.null)

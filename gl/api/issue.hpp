@@ -22,6 +22,18 @@ Context* outside_begin_end(const CommandText* text);
 /// 9).
 bool admit(Context& context, const Command& command, const Arg (&args)[most_args]);
 
+/// Of what stops a command: its vertices are those of a batch that the band leaves out, and not converted.
+/// Lists and watchers get them, though.
+inline bool is_left_out([[maybe_unused]] std::uint8_t stops) {
+#if SPANGLE_SKIPS_BATCHES
+    const Context* const context = (stops & gate_left_out) != 0 ? current_context() : nullptr;
+    return context != nullptr &&
+           (context->gate & (gate_left_out | gate_compiling | gate_watched)) == gate_left_out;
+#else
+    return false;
+#endif
+}
+
 #if SPANGLE_ARGUMENTS_INLINE
 
 /// Arguments come by value, so that they stay in registers on the way that does not come here.

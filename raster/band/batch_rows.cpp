@@ -21,8 +21,10 @@ void BatchRows::begin_frame() {
 }
 
 void BatchRows::begin_band(std::int32_t first, std::int32_t end) {
-    number_ = 0; // the same batches again
+    if (noting_)
+        noted_ = number_;
     noting_ = false;
+    number_ = 0; // the same batches again
     band_ = {static_cast<std::uint8_t>(first >> shift_), static_cast<std::uint8_t>((end - 1) >> shift_)};
 }
 
@@ -35,7 +37,7 @@ void BatchRows::take(DrawState& live) {
 
 void BatchRows::note(Recorder& self, const DrawState&, const Primitive& primitive) {
     auto& own = static_cast<BatchRows&>(self);
-    const Reach rows = primitive.shape == Primitive::Shape::triangle ? centers(primitive) : reach(primitive);
+    const Reach rows = exact_reach(primitive);
     const std::int32_t low = rows.low < 0 ? 0 : rows.low,
                        high = (rows.high < own.height_ ? rows.high : own.height_) - 1;
     if (low <= high)
@@ -62,9 +64,9 @@ BatchRows::Entry& BatchRows::at(std::uint32_t number) {
     return table_[number >> sharing_];
 }
 
-/// A number that the first band did not have is another program's: it is drawn.
+/// A number that the first band did not have is drawn, though the callback breaks its promise.
 bool BatchRows::meets(std::uint32_t number) {
-    if (!trusted_ || number >> sharing_ >= entries)
+    if (!trusted_ || number >= noted_)
         return true;
     const Entry& entry = table_[number >> sharing_];
     return entry.low <= band_.high && entry.high >= band_.low;

@@ -67,6 +67,7 @@ class BatchRows : public Recorder {
     Entry piece_ = none;       ///< and of its latest piece
     std::uint32_t number_ = 0; ///< of the next batch or piece
     std::uint32_t batch_number_ = 0;
+    std::uint32_t noted_ = 0; ///< how many numbers the first band had
     Entry table_[entries];
 };
 

@@ -5,6 +5,7 @@
 
 #include "raster/primitive/edge.hpp"
 #include "raster/primitive/keep.hpp"
+#include "raster/primitive/point.hpp"
 #include "raster/span/vertex.hpp"
 
 namespace spangle::raster {
@@ -26,12 +27,19 @@ inline Reach reach(const Primitive& p) {
     return {(low >> subpixel_bits) - aside, (high >> subpixel_bits) + 1 + aside};
 }
 
-/// Rows whose centres a triangle may hold: it has fragments in no others (GL 1.3, 3.5.1).
-inline Reach centers(const Primitive& triangle) {
-    std::int32_t low = triangle.corner[0]->y, high = low;
-    for (int i = 1; i < triangle.corners; ++i) {
-        low = triangle.corner[i]->y < low ? triangle.corner[i]->y : low;
-        high = triangle.corner[i]->y > high ? triangle.corner[i]->y : high;
+/// The same of what is drawn where it lies, not moved to samples later: a triangle has fragments in rows
+/// whose centres it may hold (GL 1.3, 3.5.1), a point in those of its square.
+inline Reach exact_reach(const Primitive& p) {
+    if (p.shape == Primitive::Shape::point) {
+        const std::int32_t low = point_begin(p.corner[0]->y, p.size);
+        return {low, low + p.size};
+    }
+    if (p.shape != Primitive::Shape::triangle)
+        return reach(p);
+    std::int32_t low = p.corner[0]->y, high = low;
+    for (int i = 1; i < p.corners; ++i) {
+        low = p.corner[i]->y < low ? p.corner[i]->y : low;
+        high = p.corner[i]->y > high ? p.corner[i]->y : high;
     }
     return {first_center(low), first_center(high)};
 }

@@ -188,6 +188,24 @@ TEST(LeftOut, NothingOfFeedback) {
     EXPECT_GT(values[0], 0);
 }
 
+/// A list that is compiled and executed gets the vertices that its band leaves out.
+TEST(LeftOut, ListsGetWhatIsLeftOut) {
+    EXPECT_EQ(bands_of(drawn_rows([](int band) {
+                  if (band == 1) // which the batch does not reach
+                      glNewList(7, GL_COMPILE_AND_EXECUTE);
+                  glBegin(GL_QUADS);
+                  for (const auto& [x, y] : {std::pair{0, 8}, {width, 8}, {width, 16}, {0, 16}})
+                      glVertex2i(x, y);
+                  glEnd();
+                  if (band == 1)
+                      glEndList();
+                  glClear(band > 1 ? GL_COLOR_BUFFER_BIT : 0);
+                  if (band > 1)
+                      glCallList(7);
+              })),
+              "-#--------");
+}
+
 /// The reference of a config draws everything in every band.
 TEST(LeftOut, NothingOfTheReference) {
     use_reference_engines();
