@@ -1,14 +1,13 @@
-// Vertex arrays in display lists: the elements are read while the list is compiled and stored as what
-// ArrayElement stands for, so that they share the runs of immediate mode (GL 1.3, 2.8 and 5.4).
+// Vertex arrays in display lists: their elements are read while the list is compiled. ArrayElement is stored
+// as what it stands for, and shares the runs of immediate mode; draws are stored as meshes (GL 1.3, 2.8
+// and 5.4).
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_LISTS
 
-#include <cstring>
-
 #include "gl/api/command.hpp"
 #include "gl/api/generated/commands.hpp"
-#include "gl/list/play.hpp"
+#include "gl/list/mesh.hpp"
 #include "gl/vertex/array_source.hpp"
 #include "gl/vertex/current_element.hpp"
 #include "gl/vertex/engine.hpp"
@@ -19,25 +18,11 @@ namespace {
 
 using list::Word;
 
-const Word* play_end_draw(Context& context, const Word* words) {
-    cmd::End(context);
-    return words;
-}
-
 /// Without texts one function plays the draws of every family.
 template <class F> using Named = std::conditional_t<SPANGLE_MESSAGES != 0, F, family::DrawArrays>;
 
-/// A captured draw up to and with its End. Between Begin and End the whole draw fails at execution: its
-/// vertices must not reach the primitive that is open.
 template <class F> const Word* play_draw(Context& context, const Word* words) {
-    const Word* past;
-    std::memcpy(&past, words + 1, sizeof past);
-    if (!allowed_outside(context, F::text))
-        return past;
-    const KeptAttributes kept(context);
-    cmd::Begin(context, words[0]);
-    list::play_up_to(context, words + 1 + list::address_words, past - list::player_words);
-    return play_end_draw(context, past);
+    return list::play_mesh(context, words, F::text);
 }
 
 void capture_seldom([[maybe_unused]] Context& context, const ArraysState& arrays, GLuint index) {
@@ -87,27 +72,13 @@ void capture(Context& context, const ElementReader& reader, GLuint index) {
         encode::Vertex(context, v[0], v[1], v[2], v[3]);
 }
 
-template <class F>
-void capture_run(Context& context, const ElementReader& reader, GLenum mode, GLuint count,
-                 const Indices& indices) {
-    Word* const begin = list::record(context, &list::player<&play_draw<F>, F>, 1 + list::address_words);
-    for (GLuint i = 0; i < count && !context.list.recorder.out_of_memory; ++i)
-        capture(context, reader, indices.at(i));
-    // The record of End is never the first of a chunk without a link to it, so its address is where a skip
-    // goes on.
-    Word* const end = list::record(context, &list::player<&play_end_draw, F>, 0);
-    if (end == nullptr)
-        return;
-    begin[0] = mode;
-    const Word* const past = end;
-    std::memcpy(begin + 1, &past, sizeof past);
-}
-
 template <class F> void capture_draw(Context& context, GLenum mode, GLsizei count, const Indices& indices) {
     const AddressedArrays addressed(context);
-    const ElementReader reader(context.arrays);
+    using Name = Named<F>;
     for_each_run(context.array_bindings, static_cast<GLuint>(count), indices,
-                 [&](GLuint n, const Indices& run) { capture_run<Named<F>>(context, reader, mode, n, run); });
+                 [&](GLuint n, const Indices& run) {
+                     list::record_mesh(context, &list::player<&play_draw<Name>, Name>, mode, n, run);
+                 });
 }
 
 [[maybe_unused]] const Word* play_restart(Context& context, const Word* words) {

@@ -121,11 +121,6 @@ void execute(Context& context, GLuint name) {
     }
 }
 
-void play_up_to(Context& context, const Word* at, const Word* end) {
-    while (at != end)
-        at = play(context, *player_at(at), at + player_words);
-}
-
 const Word* play_call(Context& context, const Word* words) {
     if (*words == 0)
         error(context, GL_INVALID_VALUE, SPANGLE_TEXT("list is 0"));

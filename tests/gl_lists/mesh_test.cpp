@@ -1,0 +1,192 @@
+// Draws of arrays in display lists. The yardstick is the draw itself, made when the list is compiled.
+#include "gl/context/features.hpp"
+
+#if SPANGLE_FEATURE_LISTS
+
+#include "gl/context/share_group.hpp"
+#include "tests/gl_api/recording_context.hpp"
+#include "tests/random.hpp"
+
+namespace spangle::test {
+namespace {
+
+constexpr int vertices = 700;
+
+class Meshes : public RecordingContext {
+  protected:
+    void SetUp() override {
+        Random random(5);
+        for (GLubyte& byte : data_)
+            byte = static_cast<GLubyte>(random.below(120)); // whatever its type: no NaN
+    }
+
+    /// Points all arrays that are on at numbers of a type, `stride` bytes apart.
+    void point(GLenum type, GLint size, GLsizei stride) {
+        glVertexPointer(size < 2 ? 2 : size, type, stride, data_.data());
+        glNormalPointer(type, stride, data_.data() + 3);
+        glColorPointer(size < 3 ? 3 : size, type, stride, data_.data() + 40);
+        glTexCoordPointer(size, type, stride, data_.data() + 77);
+    }
+    void enable(unsigned which) {
+        constexpr GLenum arrays[] = {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY,
+                                     GL_TEXTURE_COORD_ARRAY};
+        for (unsigned i = 0; i < 4; ++i)
+            ((which >> i & 1) != 0 ? glEnableClientState : glDisableClientState)(arrays[i]);
+    }
+
+    /// What a draw gives at once, and from a list, when neither its arrays nor its indices are there any
+    /// more.
+    template <class Draw> void same_from_list(const Draw& draw, const std::string& what) {
+        glColor4f(0.25F, 0.5F, 0.125F, 1.F);
+        events().clear();
+        draw();
+        const std::vector<Event> expected = events();
+        glNewList(1, GL_COMPILE);
+        draw();
+        glEndList();
+        const std::vector<GLubyte> kept = data_;
+        std::fill(data_.begin(), data_.end(), GLubyte{1});
+        std::vector<GLuint> indices;
+        indices.swap(indices_);
+        enable(0);
+        const auto before = snapshot();
+        events().clear();
+        glCallList(1);
+        EXPECT_EQ(events(), expected) << what;
+        EXPECT_EQ(snapshot(), before) << what << ": arrays and what is current stay";
+        data_ = kept;
+        indices_.swap(indices);
+    }
+
+    std::vector<GLubyte> data_ = std::vector<GLubyte>(vertices * 64 + 256);
+    std::vector<GLuint> indices_;
+};
+
+TEST_F(Meshes, ArraysOfEveryTypeAndStride) {
+    for (const GLenum type : {GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE})
+        for (const GLint size : {1, 2, 3, 4})
+            for (const GLsizei stride : {0, 64, 37})
+                for (const unsigned which : {1u, 3u, 9u, 15u, 14u}) {
+                    enable(which);
+                    point(type, size, stride);
+                    same_from_list(
+                        [&] {
+                            enable(which);
+                            glDrawArrays(GL_TRIANGLE_STRIP, 5, 23);
+                        },
+                        std::to_string(type) + ", " + std::to_string(size) + " components, stride " +
+                            std::to_string(stride) + ", arrays " + std::to_string(which));
+                }
+}
+
+/// Near each other, far apart, one alone, all the same; as bytes, shorts and words.
+TEST_F(Meshes, IndicesOfEveryKind) {
+    Random random(9);
+    enable(15);
+    point(GL_FLOAT, 3, 0);
+    const struct {
+        unsigned first, range;
+        int count;
+    } kinds[] = {{0, 200, 600}, {40, 256, 900}, {44, 257, 900}, {0, 700, 900}, {3, 690, 9},
+                 {699, 1, 1},   {500, 1, 40},   {0, 2, 0},      {100, 3, 2}};
+    for (const auto& kind : kinds) {
+        std::vector<GLuint> words;
+        for (int i = 0; i < kind.count; ++i)
+            words.push_back(kind.first + random.below(kind.range));
+        if (kind.count > 1) {
+            words.front() = kind.first;
+            words.back() = kind.first + kind.range - 1;
+        }
+        for (const GLenum type : {GL_UNSIGNED_INT, GL_UNSIGNED_SHORT, GL_UNSIGNED_BYTE}) {
+            if (type == GL_UNSIGNED_BYTE && kind.first + kind.range > 256)
+                continue;
+            std::vector<GLubyte> bytes;
+            for (const GLuint word : words)
+                for (unsigned b = 0; b < gl::bytes_of(type); ++b)
+                    bytes.push_back(reinterpret_cast<const GLubyte*>(&word)[b]);
+            same_from_list(
+                [&] {
+                    enable(15);
+                    glDrawElements(GL_TRIANGLES, kind.count, type, bytes.data());
+                },
+                std::to_string(kind.count) + " of " + std::to_string(kind.range));
+        }
+    }
+}
+
+#if SPANGLE_FEATURE_PRIMITIVE_RESTART
+
+TEST_F(Meshes, RestartsAndSeveralDraws) {
+    enable(1);
+    point(GL_FLOAT, 3, 0);
+    const GLubyte indices[] = {4, 5, 6, 255, 255, 7, 8, 9, 10, 255};
+    glPrimitiveRestartIndex(255);
+    glEnable(GL_PRIMITIVE_RESTART); // looked at when the list is compiled
+    same_from_list(
+        [&] {
+            enable(1);
+            glDrawElements(GL_TRIANGLE_STRIP, 10, GL_UNSIGNED_BYTE, indices);
+            const GLint first[] = {3, 9};
+            const GLsizei count[] = {4, 5};
+            glMultiDrawArrays(GL_LINE_STRIP, first, count, 2);
+        },
+        "restarts");
+    glDisable(GL_PRIMITIVE_RESTART);
+}
+
+#endif
+
+TEST_F(Meshes, NothingBetweenBeginAndEnd) {
+    enable(1);
+    point(GL_FLOAT, 3, 0);
+    glNewList(1, GL_COMPILE);
+    glDrawArrays(GL_TRIANGLES, 0, 6);
+    glVertex2f(7, 7);
+    glEndList();
+    glBegin(GL_POINTS);
+    events().clear();
+    glCallList(1);
+    EXPECT_EQ(events().size(), 1U) << "the vertex behind the draw";
+    glEnd();
+    EXPECT_EQ(glGetError(), GLenum{GL_INVALID_OPERATION});
+}
+
+/// A model of which each vertex is used six times takes its arrays and its indices.
+TEST_F(Meshes, TakeTheirArraysAndTheirIndices) {
+    enable(3);
+    point(GL_FLOAT, 3, 0);
+    std::vector<GLushort> indices;
+    Random random(2);
+    for (int i = 0; i < 6 * vertices; ++i)
+        indices.push_back(static_cast<GLushort>(i < vertices ? i : static_cast<int>(random.below(vertices))));
+    const std::size_t before = arena.used();
+    glNewList(1, GL_COMPILE);
+    glDrawElements(GL_TRIANGLES, 6 * vertices, GL_UNSIGNED_SHORT, indices.data());
+    glEndList();
+    EXPECT_LT(arena.used() - before, vertices * 24 + 6 * vertices * 2 + 400);
+    // Bytes stay bytes.
+    const std::size_t next = arena.used();
+    point(GL_SHORT, 4, 0);
+    glNewList(2, GL_COMPILE);
+    glDrawArrays(GL_TRIANGLES, 0, vertices);
+    glEndList();
+    EXPECT_LT(arena.used() - next, vertices * 16 + 400);
+}
+
+/// More than the arena has: the list is empty, and EndList says so.
+TEST_F(Meshes, WithoutMemory) {
+    enable(1);
+    point(GL_FLOAT, 3, 0);
+    const std::size_t used = arena.used();
+    glNewList(1, GL_COMPILE);
+    for (int i = 0; i < 1000; ++i)
+        glDrawArrays(GL_TRIANGLES, 0, vertices);
+    glEndList();
+    EXPECT_EQ(glGetError(), GLenum{GL_OUT_OF_MEMORY});
+    EXPECT_EQ(arena.used(), used);
+}
+
+} // namespace
+} // namespace spangle::test
+
+#endif
