@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/context/context.hpp"
+#include "gl/vertex/engine.hpp"
 #include "raster/band/batch_rows.hpp"
 
 namespace spangle::gl {
@@ -13,6 +14,19 @@ inline bool leaves_out([[maybe_unused]] const Context& context) {
 #else
     return false;
 #endif
+}
+
+/// A batch has begun: wrappers do not even read its vertices where nothing comes of them.
+inline void set_left_out(Context& context) {
+    const unsigned others = context.gate & ~unsigned{gate_left_out};
+    context.gate = static_cast<std::uint8_t>(leaves_out(context) ? others | gate_left_out : others);
+}
+
+/// End and Begin of the same primitive.
+inline void restart(Context& context) {
+    context.engine->end(context);
+    context.engine->begin(context, context.primitive);
+    set_left_out(context);
 }
 
 /// The program is told what differs from band to band, and may draw by it.

@@ -7,6 +7,7 @@
 
 #include "gl/api/command.hpp"
 #include "gl/api/generated/commands.hpp"
+#include "gl/context/batches.hpp"
 #include "gl/list/mesh.hpp"
 #include "gl/vertex/array_source.hpp"
 #include "gl/vertex/current_element.hpp"
@@ -82,10 +83,8 @@ template <class F> void capture_draw(Context& context, GLenum mode, GLsizei coun
 }
 
 [[maybe_unused]] const Word* play_restart(Context& context, const Word* words) {
-    if (context.inside_begin_end()) {
-        context.engine->end(context);
-        context.engine->begin(context, context.primitive);
-    }
+    if (context.inside_begin_end())
+        restart(context);
     return words;
 }
 

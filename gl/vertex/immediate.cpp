@@ -16,12 +16,6 @@ void set_gate(Context& context, bool inside) {
                                                     : context.gate & ~(gate_inside | gate_left_out));
 }
 
-/// Wrappers do not even read vertices that nothing comes of.
-void leave_out(Context& context) {
-    if (leaves_out(context))
-        context.gate = static_cast<std::uint8_t>(context.gate | gate_left_out);
-}
-
 void color(Context& context, const Real (&rgba)[4]) {
     for (int c = 0; c < 4; ++c)
         context.current.color[c] = rgba[c];
@@ -38,10 +32,8 @@ void set_tex_coord(Context& context, std::uint32_t unit, Real s, Real t, Real r,
 
 /// ArrayElement: sets the attributes whose arrays are on, then gives the vertex (GL 1.3, 2.8).
 void element(Context& context, std::uint32_t index) {
-    if (context.inside_begin_end() && restarts(context.array_bindings, index)) {
-        context.engine->end(context);
-        return context.engine->begin(context, context.primitive);
-    }
+    if (context.inside_begin_end() && restarts(context.array_bindings, index))
+        return restart(context);
     if (!arrays_reach(context, index))
         return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("an array element beyond its buffer"));
     const AddressedArrays addressed(context);
@@ -89,7 +81,7 @@ void Begin(Context& context, GLenum mode) {
     set_gate(context, true);
     context.primitive = mode;
     context.engine->begin(context, mode);
-    leave_out(context);
+    set_left_out(context);
 }
 
 void End(Context& context) {

@@ -90,14 +90,16 @@ template <class M, class L> class Pipeline {
     void elements(Context& context, std::uint32_t count, const Indices& indices);
 
     void end() {
-        if (skips_batches && left_out_)
-            return;
+        if constexpr (skips_batches)
+            if (left_out_)
+                return batches_->end_batch();
         if (has_lines && mode_ == GL_LINE_LOOP && held_ == 2)
             line(*corner_[1], *corner_[0]);
         if (mode_ == GL_POLYGON && (outlined() || gathers()))
             end_polygon();
-        if (skips_batches && batches_ != nullptr)
-            batches_->end_batch();
+        if constexpr (skips_batches)
+            if (batches_ != nullptr)
+                batches_->end_batch();
     }
 
     /// RasterPos: a vertex that is not drawn. Outside of the clip volume only `valid` changes.

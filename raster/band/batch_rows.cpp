@@ -96,6 +96,7 @@ void BatchRows::end_piece() {
 }
 
 void BatchRows::end_batch() {
+    left_out_ = false;
     if (!noting_)
         return;
     add_piece(); // what was drawn without pieces

@@ -33,14 +33,14 @@ class BatchRows : public Recorder {
 
     /// False: the batch that begins here is left out.
     bool begin_batch();
-    /// Since begin_batch() returned false, until the next one.
+    /// Since begin_batch() returned false, until end_batch().
     bool leaves_out() const { return left_out_; }
     /// So many pieces of a batch that is left out.
     void leave_out(std::uint32_t pieces) { number_ += pieces; }
     /// False: the next piece of this batch is left out. Else end_piece() follows.
     bool begin_piece();
     void end_piece();
-    /// Of a batch that is not left out.
+    /// Of any batch that has begun.
     void end_batch();
 
   private:

@@ -206,6 +206,43 @@ TEST(LeftOut, ListsGetWhatIsLeftOut) {
               "-#--------");
 }
 
+/// Also of a batch that comes behind one that was left out; and a primitive that restarts is another batch.
+TEST(LeftOut, WhatComesBehindIsThere) {
+    std::array<GLint, height / rows> values{};
+    (void)drawn_rows([&](int band) {
+        rectangle(8.F, 16.F);
+        std::array<GLfloat, 64> buffer{};
+        glFeedbackBuffer(64, GL_2D, buffer.data());
+        glRenderMode(GL_FEEDBACK);
+        glBegin(GL_LINES);
+        glVertex2i(3, 5);
+        glVertex2i(30, 50);
+        glEnd();
+        values[static_cast<std::size_t>(band)] = glRenderMode(GL_RENDER);
+    });
+    for (const GLint count : values)
+        EXPECT_EQ(count, 5);
+#if SPANGLE_FEATURE_PRIMITIVE_RESTART
+    const std::array<GLfloat, 16> place = {0, 8,  width, 8,  width, 16, 0, 16,
+                                           0, 40, width, 40, width, 48, 0, 48};
+    EXPECT_EQ(bands_of(drawn_rows([&](int) {
+                  glEnableClientState(GL_VERTEX_ARRAY);
+                  glVertexPointer(2, GL_FLOAT, 0, place.data());
+                  glEnable(GL_PRIMITIVE_RESTART);
+                  glPrimitiveRestartIndex(99);
+                  glBegin(GL_QUADS);
+                  for (const GLint i : {0, 1, 2, 3, 99})
+                      glArrayElement(i);
+                  for (int i = 4; i < 8; ++i)
+                      glVertex2fv(place.data() + std::size_t{2} * static_cast<std::size_t>(i));
+                  glEnd();
+                  glDisable(GL_PRIMITIVE_RESTART);
+                  glDisableClientState(GL_VERTEX_ARRAY);
+              })),
+              "-#---#----");
+#endif
+}
+
 /// The reference of a config draws everything in every band.
 TEST(LeftOut, NothingOfTheReference) {
     use_reference_engines();
