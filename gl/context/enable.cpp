@@ -15,7 +15,9 @@ namespace {
 bool* find_flag(Context& context, GLenum cap) {
     const StateRow* const row = find_switch(cap);
     if (row == nullptr) {
-        error(context, GL_INVALID_ENUM);
+        error(context, GL_INVALID_ENUM,
+              cap - GL_LIGHT0 < 8u ? SPANGLE_TEXT("cap is beyond the lights of this build (SPANGLE_LIGHTS)")
+                                   : nullptr);
         return nullptr;
     }
     if (row->left_out()) {

@@ -17,7 +17,7 @@ namespace spangle::gl {
 inline constexpr auto texture_rows = std::to_array<WrittenRow>({
     in(Group::texture),
     of_texture_1d(TARGET(GL_TEXTURE_1D, 0)),
-    of_feature(raster::has_textures, SPANGLE_TEXT("this build has no texture units"),
+    of_feature(raster::has_textures, SPANGLE_TEXT("this build has no texture units (SPANGLE_TEXTURE_UNITS)"),
                TARGET(GL_TEXTURE_2D, 1)),
     of_texture_3d(TARGET(GL_TEXTURE_3D, 2)),
     of_cube_map(TARGET(GL_TEXTURE_CUBE_MAP, 3)),

@@ -1,5 +1,6 @@
 // A called list is entered by remembering where to go on, not by recursion: 64 levels cost 64 words of
 // context and no stack. Deeper calls are ignored (GL 1.3, 5.4: the nesting limit exists to bound recursion).
+// A build of fewer levels raises an error for them, since other builds may draw what it leaves out.
 #include "gl/list/play.hpp"
 
 #if SPANGLE_FEATURE_LISTS
@@ -23,8 +24,16 @@ const Word* body(const Context& context, GLuint name) {
 const Word* enter(Context& context, GLuint name, const Word* next) {
     const Word* const target = body(context, name);
     ListState& state = context.list;
-    if (target == nullptr || state.depth >= max_list_nesting - 1) // the list at the bottom is a level, too
+    if (target == nullptr)
         return next;
+    if (state.depth >= max_list_nesting - 1) { // the list at the bottom is a level, too
+        constexpr int of_gl = 64;
+        if constexpr (max_list_nesting < of_gl)
+            error(
+                context, GL_INVALID_OPERATION,
+                SPANGLE_TEXT("the lists call each other deeper than this build goes (SPANGLE_LIST_NESTING)"));
+        return next;
+    }
     state.return_to[state.depth++] = next;
     return target;
 }

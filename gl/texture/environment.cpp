@@ -159,7 +159,8 @@ bool legal_target(GLenum target, GLenum pname) {
 
 void ActiveTexture(Context& context, GLenum texture) {
     if (unit_of(texture) >= texture_units)
-        return error(context, GL_INVALID_ENUM);
+        return error(context, GL_INVALID_ENUM,
+                     SPANGLE_TEXT("texture is beyond the units of this build (SPANGLE_TEXTURE_UNITS)"));
     context.texture.active = unit_of(texture);
 }
 

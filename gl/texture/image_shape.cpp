@@ -21,9 +21,14 @@ bool legal_side(GLsizei side, std::uint32_t border, std::uint32_t most) {
 
 /// What legal_side() says of a side that is none.
 const char* rule_of_side([[maybe_unused]] unsigned axis) {
-    return axis == 0   ? SPANGLE_TEXT("width is above the largest of this level, or no more than its border")
-           : axis == 1 ? SPANGLE_TEXT("height is above the largest of this level, or no more than its border")
-                       : SPANGLE_TEXT("depth is above the largest of this level, or no more than its border");
+    return axis == 0
+               ? SPANGLE_TEXT("width is above the largest of this level (SPANGLE_TEXTURE_LEVELS), or no "
+                              "more than its border")
+           : axis == 1
+               ? SPANGLE_TEXT("height is above the largest of this level (SPANGLE_TEXTURE_LEVELS), or no "
+                              "more than its border")
+               : SPANGLE_TEXT("depth is above the largest of this level (SPANGLE_TEXTURE_LEVELS), or no "
+                              "more than its border");
 }
 
 /// The image, which is there: constant memory is not written, nor what recorded draws look at, so these
@@ -81,7 +86,8 @@ bool shape_of(Context& context, const ImageRequest& request, LevelShape& shape) 
         error(context, GL_INVALID_VALUE,
               is_level(request.level)
                   ? SPANGLE_TEXT("border is neither 0 nor 1")
-                  : SPANGLE_TEXT("level is above the smallest image of the largest texture"));
+                  : SPANGLE_TEXT("level is above the smallest image of the largest texture "
+                                 "(SPANGLE_TEXTURE_LEVELS)"));
         return false;
     }
     if (!legal && !request.target.proxy) {
@@ -102,7 +108,8 @@ LevelImage* find_box(Context& context, const SubImage& sub, TexelBox& out) {
         negative = negative || size < 0;
     if (negative) {
         error(context, GL_INVALID_VALUE,
-              SPANGLE_TEXT("level is above the smallest image of the largest texture"));
+              SPANGLE_TEXT("level is above the smallest image of the largest texture "
+                           "(SPANGLE_TEXTURE_LEVELS)"));
         return nullptr;
     }
     LevelImage* const image = bound_texture(context, sub.target.kind).image(sub.target.face, sub.level);

@@ -196,7 +196,8 @@ void TexCoordPointer(Context& context, GLint size, GLenum type, GLsizei stride, 
 
 void ClientActiveTexture(Context& context, GLenum texture) {
     if (unit_of(texture) >= texture_units)
-        return error(context, GL_INVALID_ENUM);
+        return error(context, GL_INVALID_ENUM,
+                     SPANGLE_TEXT("texture is beyond the units of this build (SPANGLE_TEXTURE_UNITS)"));
     context.array_bindings.client_active = unit_of(texture);
 }
 

@@ -104,7 +104,8 @@ void TexCoord(Context& context, Real s, Real t, Real r, Real q) {
 
 void MultiTexCoord(Context& context, GLenum target, Real s, Real t, Real r, Real q) {
     if (unit_of(target) >= texture_units)
-        return error(context, GL_INVALID_ENUM);
+        return error(context, GL_INVALID_ENUM,
+                     SPANGLE_TEXT("target is beyond the units of this build (SPANGLE_TEXTURE_UNITS)"));
     set_tex_coord(context, unit_of(target), s, t, r, q);
 }
 

@@ -53,6 +53,10 @@ void materials_change(Context& context) {
 }
 
 /// What this build's lights do not do (SPANGLE_LIGHT_KINDS, SPANGLE_FULL_LIGHTING).
+/// Of a light that GL has and the build has not: no other argument is named where one is wrong by itself.
+constexpr const char* beyond_lights =
+    SPANGLE_TEXT("light is beyond the lights of this build (SPANGLE_LIGHTS)");
+
 void refuse(Context& context) {
     error(context, GL_INVALID_OPERATION,
           SPANGLE_TEXT("this build has no such lighting (SPANGLE_LIGHT_KINDS, SPANGLE_FULL_LIGHTING)"));
@@ -147,7 +151,7 @@ namespace cmd {
 
 void Light(Context& context, GLenum light, GLenum pname, const Params& params) {
     if (light < GL_LIGHT0 || light >= GL_LIGHT0 + max_lights || params.count == 0)
-        return error(context, GL_INVALID_ENUM);
+        return error(context, GL_INVALID_ENUM, params.count == 0 ? nullptr : beyond_lights);
     const Real v[4] = {params.v[0].real(), params.v[1].real(), params.v[2].real(), params.v[3].real()};
     const bool spot = pname == GL_SPOT_CUTOFF && !(v[0] == hundred_eighty);
     const bool in_eye_space = pname == GL_POSITION || pname == GL_SPOT_DIRECTION;
@@ -169,7 +173,7 @@ void GetLight(Context& context, GLenum light, GLenum pname, Params& params) {
     params.count = 0;
     if (light < GL_LIGHT0 || light >= GL_LIGHT0 + max_lights || pname < GL_AMBIENT ||
         pname > GL_QUADRATIC_ATTENUATION)
-        return error(context, GL_INVALID_ENUM);
+        return error(context, GL_INVALID_ENUM, beyond_lights);
     give(params, property_of(context.lighting.light[light - GL_LIGHT0], pname), property_size(pname));
 }
 

@@ -82,7 +82,7 @@ void PushName(Context& context, GLuint name) {
     if (s == nullptr)
         return;
     if (s->depth == name_stack_entries)
-        return error(context, GL_STACK_OVERFLOW);
+        return error(context, GL_STACK_OVERFLOW, SPANGLE_TEXT("the stack is full (SPANGLE_NAME_STACK)"));
     end_hit_record(*s);
     s->name[s->depth++] = name;
 }

@@ -33,6 +33,13 @@ StackRef current_stack(Context& context) {
     return modelview_stack(t);
 }
 
+/// Profiles size each stack by itself, so that a program that needs more learns which one is too small.
+const char* stack_is_full([[maybe_unused]] GLenum mode) {
+    return mode == GL_PROJECTION ? SPANGLE_TEXT("the stack is full (SPANGLE_PROJECTION_STACK)")
+           : mode == GL_TEXTURE  ? SPANGLE_TEXT("the stack is full (SPANGLE_TEXTURE_STACK)")
+                                 : SPANGLE_TEXT("the stack is full (SPANGLE_MODELVIEW_STACK)");
+}
+
 numeric::Matrix& current_matrix(Context& context) {
     const StackRef stack = current_stack(context);
     context.changed(dirty_vertex);
@@ -110,7 +117,7 @@ void MultTransposeMatrix(Context& context, const Matrix16& matrix) {
 void PushMatrix(Context& context) {
     const StackRef stack = current_stack(context);
     if (*stack.top + 1 >= stack.depth)
-        return error(context, GL_STACK_OVERFLOW);
+        return error(context, GL_STACK_OVERFLOW, stack_is_full(context.transform.matrix_mode));
     stack.entry[*stack.top + 1] = stack.entry[*stack.top];
     ++*stack.top;
 }

@@ -243,16 +243,17 @@ TEST_F(ErrorSentences, TheLongestIsWhole) {
 #endif
 
 TEST_F(ErrorSentences, ImagesTellWhichSideAndValue) {
-    EXPECT_EQ(sentence([] {
-                  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 8, 100000, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-              }),
-              "glTexImage2D: height 100000 is above the largest of this level, or no more than its border "
-              "(GL 1.3, 3.8.1)");
+    EXPECT_EQ(
+        sentence([] {
+            glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 8, 100000, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        }),
+        "glTexImage2D: height 100000 is above the largest of this level (SPANGLE_TEXTURE_LEVELS), or no "
+        "more than its border (GL 1.3, 3.8.1)");
     EXPECT_EQ(sentence([] {
                   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 100000, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
               }),
-              "glTexImage2D: width 100000 is above the largest of this level, or no more than its border "
-              "(GL 1.3, 3.8.1)");
+              "glTexImage2D: width 100000 is above the largest of this level (SPANGLE_TEXTURE_LEVELS), or no "
+              "more than its border (GL 1.3, 3.8.1)");
     EXPECT_EQ(
         sentence([] { glTexImage2D(GL_TEXTURE_2D, 0, 0xDEAD, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr); }),
         "glTexImage2D: internalformat 0xDEAD is not an internal format, or one that this build leaves "
@@ -269,6 +270,33 @@ TEST_F(ErrorSentences, ImagesTellWhichSideAndValue) {
               "glCopyTexImage2D: internalformat 0x0003 is not an internal format that is copied to (GL 1.3, "
               "3.8.2)");
 #endif
+}
+
+/// Profiles lower limits: a program that needs more learns which setting to change.
+TEST_F(ErrorSentences, LimitsAreNamedByTheirOptions) {
+    const struct {
+        GLenum mode, most;
+        const char* option;
+    } stacks[] = {{GL_PROJECTION, GL_MAX_PROJECTION_STACK_DEPTH, "SPANGLE_PROJECTION_STACK"},
+                  {GL_TEXTURE, GL_MAX_TEXTURE_STACK_DEPTH, "SPANGLE_TEXTURE_STACK"},
+                  {GL_MODELVIEW, GL_MAX_MODELVIEW_STACK_DEPTH, "SPANGLE_MODELVIEW_STACK"}};
+    for (const auto& stack : stacks) {
+        GLint entries = 0;
+        glGetIntegerv(stack.most, &entries);
+        glMatrixMode(stack.mode);
+        for (GLint i = 1; i < entries; ++i)
+            glPushMatrix();
+        EXPECT_EQ(sentence([] { glPushMatrix(); }),
+                  "glPushMatrix: the stack is full (" + std::string(stack.option) + ") (GL 1.3, 2.10)");
+    }
+    EXPECT_EQ(sentence([] { glActiveTexture(GL_TEXTURE5); }),
+              "glActiveTexture: texture 0x84C5 is beyond the units of this build (SPANGLE_TEXTURE_UNITS) "
+              "(GL 1.3, 2.7)");
+    EXPECT_EQ(sentence([] {
+                  glTexImage2D(GL_TEXTURE_2D, 20, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+              }),
+              "glTexImage2D: level 20 is above the smallest image of the largest texture "
+              "(SPANGLE_TEXTURE_LEVELS) (GL 1.3, 3.8.1)");
 }
 
 /// What is drawn raises errors where vertices pay nothing for sentences: the next other command tells them.
