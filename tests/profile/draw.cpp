@@ -1,30 +1,51 @@
-// One program on a build of its own profile, on a host: a hash of each frame, and the error that waits.
+// Programs on a build of somebody's profile, on a host: a hash of each frame, and each error where it was
+// raised. The first word names the program.
 #include <cstdio>
 
 #include <spangle/message.hpp>
 
-#include "boards/scenes/scene.hpp"
 #include "tests/bench/headless.hpp"
 #include "tests/bench/picture_hash.hpp"
-#include "tests/profile/programs/program.hpp"
+#include "tests/profile/find_program.hpp"
 
-#ifndef PROFILE_PROGRAM
-#error "define PROFILE_PROGRAM (a program or a scene) and PROFILE_PRECISION (an EGL token)"
+#ifndef PROFILE_PRECISION
+#error "define PROFILE_PRECISION (an EGL token)"
 #endif
 
-int main() {
+namespace {
+
+/// Prints all errors that wait. True where there was one.
+bool tell_errors() {
+    bool any = false;
+    for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError()) {
+        std::printf("error %04X\n", error);
+        any = true;
+    }
+    return any;
+}
+
+} // namespace
+
+int main(int count, char** words) {
     using namespace spangle;
     constexpr int width = 320, height = 240;
-    on_message([](unsigned, const char* text) { std::fprintf(stderr, "%s\n", text); });
+    const programs::Program program = count == 2 ? programs::find(words[1]) : programs::Program{};
+    if (program.name == nullptr) {
+        std::puts("usage: draw PROGRAM");
+        return 2;
+    }
+    on_message([](unsigned, const char* text) { std::printf("message %s\n", text); });
     bench::Headless gl;
     if (!gl.open(width, height, PROFILE_PRECISION))
         return 1;
-    const auto& program = PROFILE_PROGRAM;
     program.setup(width, height);
     program.draw(1);
+    bool failed = tell_errors();
     for (int frame = 2; frame < 5; ++frame) {
         program.draw(frame);
+        failed = tell_errors() || failed;
         std::printf("frame %08X\n", bench::picture_hash(width, height));
+        failed = tell_errors() || failed;
     }
-    return glGetError() == GL_NO_ERROR ? 0 : 1;
+    return failed ? 1 : 0;
 }

@@ -7,28 +7,18 @@
 
 #include <spangle/message.hpp>
 
-#include "boards/scenes/scene.hpp"
 #include "gl/context/context.hpp"
 #include "host_sim/profile/emit.hpp"
 #include "host_sim/profile/recorder.hpp"
 #include "tests/bench/headless.hpp"
 #include "tests/bench/picture_hash.hpp"
-#include "tests/profile/programs/program.hpp"
+#include "tests/profile/find_program.hpp"
 
 namespace {
 
 using namespace spangle;
 
 constexpr int width = 320, height = 240, first_frame = 2, end_frame = 5;
-
-programs::Program find(const char* name) {
-    for (const programs::Program* program : programs::all)
-        if (std::strcmp(program->name, name) == 0)
-            return *program;
-    if (const scenes::Scene* scene = scenes::find(name); scene != nullptr)
-        return {scene->id, scene->setup, scene->draw};
-    return {};
-}
 
 /// False, and says why, after an error.
 bool draw(const programs::Program& program, EGLint precision, profile::Record* record) {
@@ -57,7 +47,7 @@ int main(int count, char** words) {
             std::printf("%s\n", program->name);
         return 0;
     }
-    const programs::Program program = count >= 4 ? find(words[1]) : programs::Program{};
+    const programs::Program program = count >= 4 ? programs::find(words[1]) : programs::Program{};
     if (program.name == nullptr) {
         std::puts("usage: profile_of PROGRAM exact|balanced|fast PROFILE.cmake [small]");
         return 2;

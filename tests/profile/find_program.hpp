@@ -1,0 +1,21 @@
+// Programs and scenes by their names, for what records them and what draws them.
+#pragma once
+
+#include <cstring>
+
+#include "boards/scenes/scene.hpp"
+#include "tests/profile/programs/program.hpp"
+
+namespace spangle::programs {
+
+/// The program of this name, or the scene with this id; without a name: neither is there.
+inline Program find(const char* name) {
+    for (const Program* const program : all)
+        if (std::strcmp(program->name, name) == 0)
+            return *program;
+    if (const scenes::Scene* const scene = scenes::find(name); scene != nullptr)
+        return {scene->id, scene->setup, scene->draw};
+    return {};
+}
+
+} // namespace spangle::programs
