@@ -44,6 +44,14 @@ std::string last_words(const fs::path& path) {
     return said;
 }
 
+/// What is drawn on. The windows of a program and of a trace have sizes of their own.
+std::string size_of(const ProfileOptions& options, const Recorded& chosen) {
+    const bool drawn = options.trace.empty();
+    return drawn ? options.size
+                 : fmt::format("{}x{}", chosen.record.reach(gl::Range::SURFACE_WIDTH),
+                               chosen.record.reach(gl::Range::SURFACE_HEIGHT));
+}
+
 /// The model that was recorded, as constants. Empty, or what went wrong.
 std::string write_model(const std::string& model, const fs::path& path) {
     const ModelResult loaded = load_model(model);
@@ -64,8 +72,9 @@ std::string measure_firmware(const ProfileOptions& options, const Recorded& chos
     if (script.empty())
         return "--report builds firmware from Spangle's sources; SPANGLE_SOURCES names their folder";
     const fs::path result = folder / "result.json", words = folder / "words";
-    std::vector<std::string> command = {"python3", script.string(), options.out, "--tier",       chosen.tier,
-                                        "--size",  options.size,    "--out",     result.string()};
+    std::vector<std::string> command = {
+        "python3", script.string(),          options.out, "--tier",       chosen.tier,
+        "--size",  size_of(options, chosen), "--out",     result.string()};
     if (!options.trace.empty()) {
         std::string names;
         for (const auto& [name, count] : chosen.record.commands)

@@ -10,6 +10,7 @@
 
 #include "host_sim/cli/pair.hpp"
 #include "host_sim/cli/profile_record.hpp"
+#include "host_sim/cli/record_trace.hpp"
 #include "host_sim/process/process.hpp"
 #include "host_sim/profile/record_text.hpp"
 
@@ -95,25 +96,6 @@ std::string record(const std::string& trace, const std::string& format, const fs
     return profile::from_text(text_of(file), out.record);
 }
 
-/// Makes the trace of a program. It ends by a signal after its frames, so that the tracer writes all it has.
-std::string make_trace(const ProfileOptions& options, const std::string& api, const std::string& trace,
-                       const fs::path& folder) {
-    pair::set("SPANGLE_FRAMES", std::to_string(options.run.frames));
-    pair::set("SPANGLE_SIGNAL", "1");
-    std::vector<std::string> command = {"apitrace", "trace", "-a", api, "-o", trace};
-    command.insert(command.end(), options.words.begin(), options.words.end());
-    std::string problem = run_tool(command, folder / "words", true);
-    pair::set("SPANGLE_FRAMES", "");
-    pair::set("SPANGLE_SIGNAL", "");
-    if (problem.empty() && !fs::exists(trace)) {
-        std::string said = text_of(folder / "words");
-        said.erase(said.find_last_not_of('\n') + 1);
-        problem = fmt::format("apitrace recorded nothing of {}: {}", options.words[0],
-                              said.substr(said.rfind('\n') + 1));
-    }
-    return problem;
-}
-
 /// Whether some frame of a trace ends; one that holds other calls only has none.
 bool shows_frames(const std::string& trace, const fs::path& folder) {
     const fs::path calls = folder / "calls";
@@ -132,14 +114,16 @@ std::string record_replayed(ProfileOptions& options, const fs::path& folder, std
     for (const char* const variable : {"SPANGLE_BOARD", "SPANGLE_SHOT", "SPANGLE_FRAMES", "SPANGLE_REPORT",
                                        "SPANGLE_FORMAT", "SPANGLE_PRECISION"})
         pair::set(variable, "");
-    pair::set("SPANGLE_SIZE", options.size);
-
     std::string& trace = options.trace;
     if (options.program) {
         // The window of a program comes from GLX or from EGL, and tracers see one of them.
         for (const char* const api : {"gl", "egl"}) {
             trace = (folder / (api + std::string(".trace"))).string();
-            problem = make_trace(options, api, trace, folder);
+            problem = record_trace(options.words, api, options.run.width, options.run.height,
+                                   options.run.frames, folder, trace);
+            pair::set("SPANGLE_FRAMES", ""); // a retracer is to show them all
+            if (!problem.empty())
+                problem = fmt::format("apitrace recorded nothing of {}: {}", options.words[0], problem);
             if (!problem.empty() || shows_frames(trace, folder))
                 break;
         }
@@ -150,6 +134,7 @@ std::string record_replayed(ProfileOptions& options, const fs::path& folder, std
             folder / "words");
         trace = shorter;
     }
+    pair::set("SPANGLE_SIZE", options.size);
     std::vector<fs::path> reference;
     pair::set("SPANGLE_PRECISION", "double");
     if (problem.empty())

@@ -30,7 +30,8 @@ import replay  # noqa: E402
 from figures import BOARD, MACHINE, TARGET, flash_of, keys_of, lines_of, run  # noqa: E402
 from firmware import HOT, outfile  # noqa: E402
 
-MISSING, POOL = 3, 1536 * 1024
+MISSING = 3
+POOL, MOST = 1536 * 1024, 3840 * 1024  # what a program has, with buffers of 320x240 in it; what the board has beside variables and stack
 RGB565, RGB888, RGBA8888, Z16, Z24S8 = 1, 4, 8, 2, 4  # bits of SPANGLE_COLOR_FORMATS and SPANGLE_DEPTH_FORMATS
 NOTHING = "measure_nothing"  # a call of no command: what counting itself takes
 # A line of assembler for each command: it is called by its callers, keeps where they want to go on, and calls the command with the
@@ -71,23 +72,27 @@ class Program:
         else:
             self.object, self.header = arguments.program, arguments.header
             self.sources = [path.resolve() for path in arguments.source]
-        width, height = arguments.size.split("x")
-        self.whole, buffers = self.surface(profile.definitions(str(arguments.profile)))
+        width, height = map(int, arguments.size.split("x"))
+        self.whole, buffers, pixel_bytes = self.surface(profile.definitions(str(arguments.profile)))
+        pool = POOL + max(0, width * height - 320 * 240) * pixel_bytes
+        if pool > MOST:
+            raise SystemExit(f"measure.py: the emulated board has no memory for {arguments.size} pixels; record a smaller window")
         self.defines = [f"-DMEASURE_PROGRAM={self.object}", f'-DMEASURE_HEADER="{self.header}"', f"-DMEASURE_WIDTH={width}",
                         f"-DMEASURE_HEIGHT={height}", f"-DMEASURE_FIRST={self.first}", f"-DMEASURE_END={self.end}",
                         f"-DMEASURE_REPLAYS={int(self.trace is not None)}", *buffers,
-                        f"-DMEASURE_PRECISION=EGL_PRECISION_{arguments.tier.upper()}_SPANGLE", f"-DMEASURE_POOL={POOL}"]
+                        f"-DMEASURE_PRECISION=EGL_PRECISION_{arguments.tier.upper()}_SPANGLE", f"-DMEASURE_POOL={pool}"]
 
     @staticmethod
     def surface(definitions):
-        """What the whole library is built with, and what both ask of their surface, so that they draw on the profile's."""
+        """What the whole library is built with; what both ask of their surface, so that they draw on the profile's; bytes of its pixels."""
         says = dict(definition.split("=", 1) for definition in definitions)
         colors, depths = int(says.get("SPANGLE_COLOR_FORMATS", RGB565)), int(says.get("SPANGLE_DEPTH_FORMATS", Z16))
         stencil = 8 if depths & Z24S8 and not depths & Z16 else 0
         sizes = 8 if colors & (RGB888 | RGBA8888) and not colors & RGB565 else 0
         # Formats whose components are no wish of EGL's are the only ones of both builds.
         whole = [] if colors & (RGB565 | RGB888 | RGBA8888) else [f"-DSPANGLE_COLOR_FORMATS={colors}"]
-        return whole, [f"-DMEASURE_STENCIL={stencil}", f"-DMEASURE_RED={sizes}", f"-DMEASURE_ALPHA={sizes if colors & RGBA8888 else 0}"]
+        buffers = [f"-DMEASURE_STENCIL={stencil}", f"-DMEASURE_RED={sizes}", f"-DMEASURE_ALPHA={sizes if colors & RGBA8888 else 0}"]
+        return whole, buffers, (4 if sizes else 2) + (4 if stencil else 2)
 
     def bake(self, arguments, folder):
         """The source of a trace's calls; where there can be none, the commands alone."""
