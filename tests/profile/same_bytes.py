@@ -74,7 +74,8 @@ def draw(program, name):
     return done.returncode, done.stdout.splitlines()
 
 
-FOLLOWS = "message glEnd: no glBegin came before"
+# What follows from a command that was refused by an option, and whose own message names none: it ends what did not begin.
+FOLLOWS = {"message glEnd: no glBegin came before": "message glBegin: this build", "message glPopMatrix: the stack has nothing to pop": "message glPushMatrix: the stack is full"}
 
 
 def first_error(lines):
@@ -91,8 +92,9 @@ def hold_other(name, other, status, lines, whole, known):
         return "the same bytes"
     check(status == 1, f"{other} on the profile of {name} ends with {status} after an error: {lines}")
     messages = [line for line in lines if line.startswith("message ")]
-    if any(line.startswith("message glBegin: this build") for line in messages):
-        messages = [line for line in messages if not line.startswith(FOLLOWS)]  # what did not begin does not end
+    for follows, refused in FOLLOWS.items():
+        if any(line.startswith(refused) for line in messages):
+            messages = [line for line in messages if not line.startswith(follows)]
     unclear = [line for line in messages if not known & set(re.findall(r"SPANGLE_\w+", line))]
     check(messages and not unclear, f"{other} on the profile of {name}: messages name no option: {list(dict.fromkeys(unclear)) or lines[:end + 1]}")
     return f"refused: {messages[0].removeprefix('message ')}" if messages else "refused without a word"
