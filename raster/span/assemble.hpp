@@ -165,6 +165,16 @@ template <class N, int Unit> bool has_volume([[maybe_unused]] const FragmentStat
     return false;
 }
 
+/// Of the exact tier, where what is divided by w is divided in lanes.
+template <class N, int Unit> void add_exact_coordinates(ChainBuilder<N>& chain, const Key& key) {
+    if (divides(key.kind, key.fog))
+        chain.add(&PacketDivided<N>::template coordinates<Unit>, true);
+    else if constexpr (divides_in_lanes)
+        chain.add(&PacketDivided<N>::template along_cubics<Unit>, true);
+    else
+        chain.template add<Coord<Exact, Unit, true>>();
+}
+
 /// Where a unit looks, and how closely.
 template <class N, int Unit>
 void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
@@ -178,8 +188,7 @@ void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState
     else if (has_other_runs<N>(key))
         add_other_runs<One, Unit, is_exact<N>>(chain);
     else if constexpr (is_exact<N> && by_lanes<N>)
-        divides(key.kind, key.fog) ? chain.add(&PacketDivided<N>::template coordinates<Unit>, true)
-                                   : chain.template add<Coord<One, Unit, true>>();
+        add_exact_coordinates<N, Unit>(chain, key);
     else if constexpr (is_exact<N>)
         chain.template choose<CoordAlong<One, Unit, DividedCoords>, Coord<One, Unit, true>>(
             divides(key.kind, key.fog));

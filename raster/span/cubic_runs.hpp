@@ -84,7 +84,7 @@ class CubicRuns {
     std::uint32_t s, t; ///< at the current pixel (TexCoords)
 
     SPANGLE_INLINE CubicRuns(const Span<Fixed>& span, std::int32_t x, int unit)
-        : span_(&span), row_(span, unit), unit_(unit), next_(x), log2_(-1) {}
+        : span_(&span), row_(span, unit), unit_(unit), next_(x), log2_(unknown) {}
 
     /// Makes them valid at pixel x; returns the end of its run.
     SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return x < next_ ? next_ : start_run(x); }
@@ -95,7 +95,16 @@ class CubicRuns {
 
     Differences ds, dt; ///< from pixel to pixel
 
+    /// Asked before the first run: there are none, but a division for each fragment of the row.
+    SPANGLE_INLINE bool divides() {
+        static_assert(host_lanes > 1, "the length stays known until start_run()");
+        const int log2 = choose_log2();
+        log2_ = unknown - 1 - log2;
+        return log2 == 0;
+    }
+
   private:
+    static constexpr int unknown = -1;                ///< length; less: begin() has yet to start with it
     static constexpr int max_log2 = 4, row_log2 = 16; ///< 16 pixels; the whole row
     static constexpr int ratio_bits = 26;
 
@@ -126,7 +135,7 @@ class CubicRuns {
         const auto& unit = span_->unit[unit_];
         const bool first = log2_ < 0;
         if (first)
-            log2_ = choose_log2();
+            log2_ = host_lanes > 1 && log2_ != unknown ? unknown - 1 - log2_ : choose_log2();
         if (log2_ == 0)
             return one_pixel(x);
         const bool whole = log2_ == row_log2;

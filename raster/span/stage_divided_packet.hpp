@@ -5,6 +5,7 @@
 #include "raster/span/chain.hpp"
 #include "raster/span/cubic_runs.hpp"
 #include "raster/span/instructions.hpp"
+#include "raster/span/lane_division.hpp"
 #include "raster/span/stage_color.hpp"
 
 namespace spangle::raster {
@@ -70,6 +71,30 @@ template <class Places> class PlaneOf {
 
 } // namespace inner
 
+/// A plane at the fragments of a packet, of one row or of several, in lanes.
+template <class Places> class PlaneLanesOf {
+  public:
+    SPANGLE_INLINE PlaneLanesOf(const Places& k, const Span<Fixed>& span,
+                                const Span<Fixed>::Projective& plane)
+        : rows_(k.rows), in_rows_(plane), along_(span, k.x, plane) {}
+    /// Of eight fragments without guard bits, signed; then of the next eight.
+    SPANGLE_INLINE LaneWords next() {
+        const std::int32_t i = first_;
+        first_ += 8;
+        if (rows_ != nullptr)
+            return in_rows_.at(Lanes<8>::gather(rows_->x + i), Lanes<8>::gather(rows_->y + i));
+        const LaneWords value = along_.value();
+        along_.step();
+        return value;
+    }
+
+  private:
+    const PacketRows* rows_;
+    std::int32_t first_ = 0;
+    PlaneInRows in_rows_;
+    inner::GuardedLanes<> along_;
+};
+
 /// N: of the packet.
 template <class N> class PacketDivided {
     using L = typename N::L;
@@ -82,6 +107,8 @@ template <class N> class PacketDivided {
   public:
     /// 1/w of the primitive, which the others read.
     static void inverses(Places& k, const Span<Fixed>& span) {
+        if constexpr (divides_in_lanes)
+            return inverses_in_lanes(k, span);
         const PlaneOf plane(k, span, span.q);
         for (std::int32_t first = 0; first < k.n; first += lanes) {
             numeric::Reciprocals<lanes> mantissa(numeric::each_is_set);
@@ -118,6 +145,9 @@ template <class N> class PacketDivided {
         each(k, span, span.secondary_q[2], [&](std::int32_t g, const U32& c) { add(k.color[g].b, c); });
     }
     static void fog(Places& k, const Span<Fixed>& span) {
+        if constexpr (divides_in_lanes)
+            if (fog_in_lanes(k, span))
+                return;
         const PlaneOf f(k, span, span.fog_q);
         std::uint32_t fog[packet_length];
         for (std::int32_t i = 0; i < whole(k); ++i)
@@ -127,6 +157,8 @@ template <class N> class PacketDivided {
     }
     /// Texture coordinates of a unit, whether or not it shares the primitive's 1/w.
     template <int Unit> static void coordinates(Places& k, const Span<Fixed>& span) {
+        if constexpr (divides_in_lanes)
+            return coordinates_in_lanes(k, span, Unit, span.unit[Unit].shares_q, k.coord[Unit]);
         const auto& unit = span.unit[Unit];
         const auto& wraps = span.state->wraps[Unit];
         const PlaneOf s(k, span, unit.s), t(k, span, unit.t), q(k, span, unit.shares_q ? span.q : unit.q);
@@ -140,7 +172,101 @@ template <class N> class PacketDivided {
         }
     }
 
+    /// Texture coordinates of the exact tier, along cubics where rows have any. Those that divide at every
+    /// fragment are divided in lanes.
+    template <int Unit> static void along_cubics(Places& k, const Span<Fixed>& span) {
+        along_cubics(k, span, Unit);
+    }
+
   private:
+    using Coord = typename N::Coord;
+
+    static void inverses_in_lanes(Places& k, const Span<Fixed>& span) {
+        PlaneLanesOf<Places> plane(k, span, span.q);
+        for (std::int32_t i = 0; i < k.n; i += lanes) {
+            const InverseLanes inverse(plane.next());
+            store(k.inverse.q + i, inverse.q);
+            store(k.inverse.mantissa + i, inverse.mantissa);
+            store(k.inverse.power + i, inverse.power());
+        }
+    }
+    /// False: some product is shifted to the left.
+    static bool fog_in_lanes(Places& k, const Span<Fixed>& span) {
+        if (span.fog_exponent > 38 - 31) // w has that many leading zeros at most
+            return false;
+        PlaneLanesOf<Places> f(k, span, span.fog_q);
+        for (std::int32_t i = 0; i < k.n; i += lanes)
+            k.fog[i / lanes] = inverse_lanes(k, i).fog(f.next(), span.fog_exponent);
+        return true;
+    }
+    [[gnu::noinline]] static void coordinates_in_lanes(Places& k, const Span<Fixed>& span, int which,
+                                                       bool has_inverse, Coord* to) {
+        const auto& unit = span.unit[which];
+        const auto& wraps = span.state->wraps[which];
+        PlaneLanesOf<Places> s(k, span, unit.s), t(k, span, unit.t),
+            q(k, span, unit.shares_q ? span.q : unit.q);
+        for (std::int32_t i = 0; i < k.n; i += lanes, ++to) {
+            const InverseLanes inverse = has_inverse ? inverse_lanes(k, i) : InverseLanes(q.next());
+            store(to->s, inverse.coord(s.next(), unit.exponent, wraps.s, unit.s_base));
+            store(to->t, inverse.coord(t.next(), unit.exponent, wraps.t, unit.t_base));
+        }
+    }
+    [[gnu::noinline]] static void along_cubics(Places& k, const Span<Fixed>& span, int unit) {
+        Coord* const to = k.coord[unit];
+        if (k.rows == nullptr) {
+            if (!along_cubic(span, unit, k.x, 0, k.n, to))
+                coordinates_in_lanes(k, span, unit, false, to);
+            return;
+        }
+        const PacketRows& rows = *k.rows;
+        std::uint32_t divided = 0; // a bit per piece
+        for (std::int32_t n = 0; n < rows.pieces; ++n) {
+            const Piece& piece = rows.piece[n];
+            enter(rows.span, piece.row);
+            divided |= std::uint32_t{!along_cubic(span, unit, span.begin, piece.at, end_of(piece), to)} << n;
+        }
+        if (divided == 0)
+            return;
+        if (divided == ~0u >> (32 - rows.pieces))
+            return coordinates_in_lanes(k, span, unit, false, to);
+        Coord each[Places::groups];
+        coordinates_in_lanes(k, span, unit, false, each);
+        for (std::uint32_t left = divided; left != 0; left &= left - 1) {
+            const Piece& piece = rows.piece[std::countr_zero(left)];
+            for (std::int32_t i = piece.at; i < end_of(piece); ++i)
+                put(to, i, each[i / lanes].s[i % lanes], each[i / lanes].t[i % lanes]);
+        }
+    }
+    SPANGLE_INLINE static std::int32_t end_of(const Piece& piece) {
+        return piece.at + piece.row.last - piece.row.first;
+    }
+    /// Fragments [from, end) of the row that the span is in, the first in column x. False: they divide.
+    [[gnu::noinline]] static bool along_cubic(const Span<Fixed>& span, int unit, std::int32_t x,
+                                              std::int32_t from, std::int32_t end, Coord* to) {
+        CubicRuns run(span, x, unit);
+        if (run.divides())
+            return false;
+        for (std::int32_t i = from; i < end;) {
+            const std::int32_t next = run.begin(x), room = end - i,
+                               length = next - x < room ? next - x : room;
+            x = next;
+            for (const std::int32_t stop = i + length; i < stop; ++i) {
+                put(to, i, run.s, run.t);
+                run.step();
+            }
+        }
+        return true;
+    }
+    SPANGLE_INLINE static void put(Coord* to, std::int32_t i, std::uint32_t s, std::uint32_t t) {
+        to[i / lanes].s[i % lanes] = s;
+        to[i / lanes].t[i % lanes] = t;
+    }
+    SPANGLE_INLINE static void store(std::uint32_t* to, const U32& v) {
+        L::store32(reinterpret_cast<std::uint8_t*>(to), v);
+    }
+    SPANGLE_INLINE static InverseLanes inverse_lanes(const Places& k, std::int32_t i) {
+        return {L::gather(k.inverse.q + i), L::gather(k.inverse.mantissa + i)};
+    }
     /// Fragments and what is left of their last group, whose lanes beyond the packet nobody looks at.
     static std::int32_t whole(const Places& k) { return (k.n + lanes - 1) & -lanes; }
     SPANGLE_INLINE static Inverse inverse_of(const Places& k, std::int32_t i) {
@@ -160,17 +286,17 @@ template <class N> class PacketDivided {
     /// f(group, colour units) of a colour plane, each fragment divided (inner::projective_color).
     template <class F>
     SPANGLE_INLINE static void each(const Places& k, const Span<Fixed>& span, const Plane& plane, F f) {
-        inner::GuardedLanes<> over_w(span, k.x, plane);
+        PlaneLanesOf<Places> over_w(k, span, plane);
         const PlaneOf of_rows(k, span, plane);
         const auto value = [&](std::int32_t g) __attribute__((always_inline)) {
-            if (k.rows == nullptr)
-                return over_w.value();
+            if (divides_in_lanes || k.rows == nullptr)
+                return over_w.next();
             return L::generate([&](std::uint32_t lane) __attribute__((always_inline)) {
                 return static_cast<std::uint32_t>(
                     unguarded(of_rows.at(g * lanes + static_cast<std::int32_t>(lane))));
             });
         };
-        for (std::int32_t g = 0; g * lanes < k.n; ++g, over_w.step()) {
+        for (std::int32_t g = 0; g * lanes < k.n; ++g) {
             const U32 q = L::gather(k.inverse.q + g * lanes),
                       mantissa = L::gather(k.inverse.mantissa + g * lanes),
                       power = L::gather(k.inverse.power + g * lanes);

@@ -1,0 +1,248 @@
+// Divisions by w of eight fragments at once: the integers of Inverse, to_repeats() and to_coord(). For
+// instruction sets that shift each word by a number of its own.
+#pragma once
+
+#include "raster/span/coord_runs.hpp"
+#include "raster/span/instructions.hpp"
+#include "raster/span/lane_products.hpp"
+#include "raster/span/packet_rows.hpp"
+
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
+
+/// Elsewhere fragments are divided one after the other.
+#if defined(__AVX2__)
+inline constexpr bool divides_in_lanes = true;
+#else
+inline constexpr bool divides_in_lanes = false;
+#endif
+
+namespace inner {
+
+/// A word of 64 bits for each word of a vector: those of its even words, and those of its odd ones.
+template <class Vector> struct LongPair {
+    using Long = Longs<Vector>;
+    Long even, odd;
+
+    /// v m, v signed.
+    SPANGLE_INLINE static LongPair products(const Vector& v, const Vector& m) {
+        // As an unsigned word a negative one is 2^32 larger.
+        const auto more = std::bit_cast<Long>(m & std::bit_cast<Vector>(lane_words::as_signed(v) >> 31));
+        return {even_products(v, m) - (more << 32),
+                even_products(odd_words(v), odd_words(m)) - (more & 0xFFFFFFFF00000000u)};
+    }
+    /// floor(v / 2^n), v signed. No instruction of AVX2 shifts signed words of 64 bits.
+    SPANGLE_INLINE LongPair after(int n) const {
+        const auto one = [n](const Long& v) __attribute__((always_inline)) {
+            return ((v ^ sign) >> n) - (Long{} + (sign >> n));
+        };
+        return {one(even), one(odd)};
+    }
+    /// numeric::times_two_to(v, -down), each word by its own.
+    SPANGLE_INLINE LongPair after(const Vector& down) const {
+        const Vector most = Vector{} + 63u;
+        const auto n = lane_words::as_signed(down);
+        const auto over = std::bit_cast<Vector>(n > 63), under = std::bit_cast<Vector>(n < -63);
+        const Vector right = (most & over) | ((0 - most) & under) | (down & ~(over | under)),
+                     left = 0 - right;
+        return {shifted(even, even_words(right), even_words(left)),
+                shifted(odd, odd_words(right), odd_words(left))};
+    }
+    SPANGLE_INLINE LongPair operator+(std::int64_t n) const {
+        const Long by = Long{} + static_cast<std::uint64_t>(n);
+        return {even + by, odd + by};
+    }
+    SPANGLE_INLINE Vector low_words() const {
+        return std::bit_cast<Vector>((even & 0xFFFFFFFFu) | (odd << 32));
+    }
+    /// numeric::saturate_i32().
+    SPANGLE_INLINE Vector saturated() const {
+        const auto one = [](const Long& v) __attribute__((always_inline)) {
+            using Signed [[gnu::vector_size(sizeof(Vector))]] = std::int64_t;
+            const auto s = std::bit_cast<Signed>(v);
+            const auto over = std::bit_cast<Long>(s > INT32_MAX), under = std::bit_cast<Long>(s < INT32_MIN);
+            return (v & ~(over | under)) | (0x7FFFFFFFu & over) | (0x80000000u & under);
+        };
+        return LongPair{one(even), one(odd)}.low_words();
+    }
+
+  private:
+    static constexpr std::uint64_t sign = std::uint64_t{1} << 63;
+    SPANGLE_INLINE static Vector even_words(const Vector& v) {
+        return std::bit_cast<Vector>(std::bit_cast<Long>(v) & 0xFFFFFFFFu);
+    }
+    /// To the right, or to the left: one of both numbers is negative, or both are 0.
+    SPANGLE_INLINE static Long shifted(const Long& v, const Vector& right, const Vector& left) {
+        const auto r = std::bit_cast<Long>(right), l = std::bit_cast<Long>(left);
+        return (whole(v ^ sign, r, false) - whole(Long{} + sign, r, false)) | whole(v, l, true);
+    }
+    /// 0 where n is 64 or more.
+    SPANGLE_INLINE static Long whole(const Long& v, const Long& n, bool up) {
+#if defined(__AVX2__)
+        if constexpr (sizeof(Vector) == 32) {
+            const auto a = std::bit_cast<__m256i>(v), b = std::bit_cast<__m256i>(n);
+            return std::bit_cast<Long>(up ? _mm256_sllv_epi64(a, b) : _mm256_srlv_epi64(a, b));
+        }
+#endif
+        const Long by = n & 63, in = std::bit_cast<Long>(n < 64);
+        return (up ? v << by : v >> by) & in;
+    }
+};
+
+/// f of words below 2^31 as floats, rounded towards 0.
+template <class F> SPANGLE_INLINE lane_words::Half in_float_words(const lane_words::Half& v, F f) {
+    using Floats [[gnu::vector_size(16)]] = float;
+    using Words [[gnu::vector_size(16)]] = std::int32_t;
+    const Floats found = f(__builtin_convertvector(lane_words::as_signed(v), Floats));
+    return std::bit_cast<lane_words::Half>(__builtin_convertvector(found, Words));
+}
+/// The bits of words below 2^31 as floats.
+SPANGLE_INLINE lane_words::Half float_bits(const lane_words::Half& v) {
+    using Floats [[gnu::vector_size(16)]] = float;
+    return std::bit_cast<lane_words::Half>(__builtin_convertvector(lane_words::as_signed(v), Floats));
+}
+#if defined(__AVX2__)
+template <class F> SPANGLE_INLINE LaneWords::Vector in_float_words(const LaneWords::Vector& v, F f) {
+    using Floats [[gnu::vector_size(32)]] = float;
+    using Words [[gnu::vector_size(32)]] = std::int32_t;
+    const Floats found = f(__builtin_convertvector(lane_words::as_signed(v), Floats));
+    return std::bit_cast<LaneWords::Vector>(__builtin_convertvector(found, Words));
+}
+SPANGLE_INLINE LaneWords::Vector float_bits(const LaneWords::Vector& v) {
+    using Floats [[gnu::vector_size(32)]] = float;
+    return std::bit_cast<LaneWords::Vector>(__builtin_convertvector(lane_words::as_signed(v), Floats));
+}
+#endif
+
+/// reciprocal() of words that have their highest bit.
+template <class Vector> SPANGLE_INLINE Vector lane_reciprocals(const Vector& a) {
+    using Long = Longs<Vector>;
+    // The table's number is 2^25 / n to nearest, n = 513 + 2i. A quotient of floats is that number or one too
+    // small, in every mode of rounding; twice the rest of the division tells.
+    const Vector n = (a >> 22) | 1u;
+    const auto near = in_float_words(
+        n, [](const auto& f) __attribute__((always_inline)) { return static_cast<float>(1u << 25) / f; });
+    const Vector rest = ((1u << 26) + n) - near * n * 2u;
+    const Vector seed =
+        (near - std::bit_cast<Vector>(lane_words::as_signed(rest) >= lane_words::as_signed(n + n))) << 15;
+    const Vector left = 0x80000000u - lane_product_high(a, seed);
+    const Vector r = LongPair<Vector>{even_products(seed, left) >> 30,
+                                      even_products(odd_words(seed), odd_words(left)) >> 30}
+                         .low_words();
+    // What is left of 1, signed, of which a product takes the low words.
+    const auto step = [](const Long& product, const Vector& of) __attribute__((always_inline)) {
+        const Long residual = ((std::uint64_t{1} << 62) - product) >> 14;
+        const auto word = std::bit_cast<Vector>(residual);
+        const auto borrowed =
+            std::bit_cast<Long>(of & std::bit_cast<Vector>(lane_words::as_signed(word) >> 31)) << 32;
+        return even_products(of, word) - borrowed + (std::uint64_t{1} << 47);
+    };
+    const Vector odd = odd_words(r);
+    const Vector steps =
+        high_words<Vector>(step(even_products(a, r), r), step(even_products(odd_words(a), odd), odd));
+    return r + std::bit_cast<Vector>(lane_words::as_signed(steps) >> 16);
+}
+
+} // namespace inner
+
+/// Inverse of eight fragments.
+struct InverseLanes {
+    LaneWords q, mantissa, zeros;
+
+    /// `value`: unguarded, signed.
+    SPANGLE_INLINE explicit InverseLanes(const LaneWords& value)
+        : q(LaneWords::mapped(
+              [](const auto& v) __attribute__((always_inline)) {
+                  const auto positive =
+                      std::bit_cast<std::remove_cvref_t<decltype(v)>>(lane_words::as_signed(v) > 0);
+                  return (v & positive) | (1u & ~positive);
+              },
+              value)),
+          zeros(leading_zeros(q)) {
+        mantissa = LaneWords::mapped(
+            [](const auto& v, const auto& n)
+                __attribute__((always_inline)) { return inner::lane_reciprocals(v << n); },
+            q, zeros);
+    }
+    /// Found before.
+    SPANGLE_INLINE InverseLanes(const LaneWords& of, const LaneWords& found)
+        : q(of), mantissa(found), zeros(leading_zeros(of)) {}
+    /// 2^zeros.
+    SPANGLE_INLINE LaneWords power() const {
+        return LaneWords::mapped(
+            [](const auto& n)
+                __attribute__((always_inline)) { return (std::remove_cvref_t<decltype(n)>{} + 1u) << n; },
+            zeros);
+    }
+    /// to_coord() of to_repeats().
+    SPANGLE_INLINE LaneWords coord(const LaneWords& v, int exponent, bool wraps, std::int32_t base) const {
+        return LaneWords::mapped(
+            [&](const auto& of, const auto& m, const auto& n) __attribute__((always_inline)) {
+                using Vector = std::remove_cvref_t<decltype(of)>;
+                const auto repeats = inner::LongPair<Vector>::products(of, m).after(
+                    static_cast<std::uint32_t>(30 - exponent) - n);
+                if (wraps)
+                    return repeats.low_words();
+                return (repeats.after(32 - clamped_coord_bits) + (std::int64_t{base} << clamped_coord_bits))
+                    .saturated();
+            },
+            v, mantissa, zeros);
+    }
+    /// projective_fog(), of fragments whose products are all shifted to the right.
+    SPANGLE_INLINE LaneWords fog(const LaneWords& over_w, int exponent) const {
+        return LaneWords::mapped(
+            [&](const auto& of, const auto& m, const auto& n) __attribute__((always_inline)) {
+                using Vector = std::remove_cvref_t<decltype(of)>;
+                return inner::LongPair<Vector>::products(of, m)
+                    .after(static_cast<std::uint32_t>(38 - exponent) - n)
+                    .saturated();
+            },
+            over_w, mantissa, zeros);
+    }
+
+  private:
+    /// Of words from 1 to 2^31 - 1.
+    SPANGLE_INLINE static LaneWords leading_zeros(const LaneWords& words) {
+        return LaneWords::mapped(
+            [](const auto& v) __attribute__((always_inline)) {
+                // Without the bit below its highest one, no rounding takes a word to the next power of two.
+                return 158u - (inner::float_bits(v & ~(v >> 1)) >> 23);
+            },
+            words);
+    }
+};
+
+/// A plane with guard bits at the fragments of a packet that rows share.
+class PlaneInRows {
+  public:
+    SPANGLE_INLINE explicit PlaneInRows(const Span<Fixed>::Projective& plane)
+        : plane_(plane), dx_(high_factor(plane.dx)), dy_(high_factor(plane.dy)) {}
+    /// Without its guard bits, signed. Places are signed, too.
+    SPANGLE_INLINE LaneWords at(const LaneWords& x, const LaneWords& y) const {
+        return LaneWords::mapped(
+            [this](const auto& columns, const auto& lines) __attribute__((always_inline)) {
+                using Vector = std::remove_cvref_t<decltype(columns)>;
+                using Long = inner::Longs<Vector>;
+                const auto low = [](std::uint64_t v) __attribute__((always_inline)) {
+                    return Vector{} + static_cast<std::uint32_t>(v);
+                };
+                const auto by_x = inner::LongPair<Vector>::products(columns, low(plane_.dx)),
+                           by_y = inner::LongPair<Vector>::products(lines, low(plane_.dy));
+                const auto high = std::bit_cast<Long>(columns * dx_ + lines * dy_);
+                const Long even = by_x.even + by_y.even + plane_.value + (high << 32),
+                           odd = by_x.odd + by_y.odd + plane_.value + (high & 0xFFFFFFFF00000000u);
+                return inner::LongPair<Vector>{even >> guard_bits, odd >> guard_bits}.low_words();
+            },
+            x, y);
+    }
+
+  private:
+    SPANGLE_INLINE static std::uint32_t high_factor(std::uint64_t v) {
+        return static_cast<std::uint32_t>(v >> 32);
+    }
+    const Span<Fixed>::Projective& plane_;
+    std::uint32_t dx_, dy_;
+};
+
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster
