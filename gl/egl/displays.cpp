@@ -201,8 +201,10 @@ EGLDisplay display_of(hal::Display* native, [[maybe_unused]] hal::WindowSystem* 
         return display.native == native;
     };
     for (Display& display : displays)
-        if (display.used && is_it(display))
+        if (display.used && is_it(display)) {
+            display.terminated = false; // whoever asked again needs the entry as it is
             return &display;
+        }
     Display* const display = free_entry();
     if (display == nullptr)
         return EGL_NO_DISPLAY; // no error exists for this (EGL 1.4, 3.2)

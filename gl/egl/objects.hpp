@@ -103,7 +103,7 @@ struct Display {
     hal::WindowSystem* system = nullptr; ///< with neither there are pbuffers only
 #endif
     bool used = false, initialized = false;
-    bool terminated = false; ///< since it was initialized last: its entry may serve another display
+    bool terminated = false; ///< since it was asked for or initialized last: its entry may serve another display
     /// Held by who calls `native`, or what a window system opened, which are for one thread at a time. After
     /// it none but the arena's lock is taken.
     [[no_unique_address]] gl::Lock native_lock;

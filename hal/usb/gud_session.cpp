@@ -47,9 +47,11 @@ Error GudSession::explain(const char* operation, const Error& error) {
     if (!link_.refused())
         return error;
     std::uint8_t status = 0;
-    const auto came = link_.get("GET_STATUS", gud::GET_STATUS, 0, &status, 1, config_.control_timeout_ms);
-    if (!came || came.value() != 1)
-        return error;
+    const auto word = link_.get("GET_STATUS", gud::GET_STATUS, 0, &status, 1, config_.control_timeout_ms);
+    if (!word && !link_.refused())
+        return word.error();
+    if (!word || word.value() != 1)
+        return link_.say(error.fault, operation, "the device refused this and gave no reason");
     return link_.say(Fault::unsupported, operation, gud::status_text(status));
 }
 

@@ -141,9 +141,11 @@ bool GudDevice::control(const UsbSetup& setup, const std::uint8_t* out, Bytes& i
     if (to_host && setup.request == empty_request_)
         return true;
     if (setup.request == get_status && to_host) {
-        in = {status_};
+        if (last_request_ != hidden_request_)
+            in = {status_};
         return !refuses_status;
     }
+    last_request_ = setup.request;
     if (setup.request == refused_request_) {
         refused_request_ = 0xFF;
         status_ = refused_status_;

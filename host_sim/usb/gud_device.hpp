@@ -53,6 +53,8 @@ class GudDevice final : public UsbFunction {
     void stall_bulk() { stall_bulk_ = true; }
     /// Every reply to this request has no bytes.
     void empty(std::uint8_t request) { empty_request_ = request; }
+    /// After this request, GET_STATUS has no bytes.
+    void hide_status_of(std::uint8_t request) { hidden_request_ = request; }
     /// GET_STATUS is refused, as by a device that is lost in its own affairs.
     bool refuses_status = false;
 
@@ -78,7 +80,7 @@ class GudDevice final : public UsbFunction {
     Counters counters_;
     std::string violations_;
     std::uint8_t status_ = 0, format_ = 0, refused_request_ = 0xFF, refused_status_ = 0;
-    int empty_request_ = -1;
+    int empty_request_ = -1, hidden_request_ = -1, last_request_ = -1;
     int connector_ = -1;
     GudMode mode_;
     std::vector<Property> values_; ///< of the state that was checked

@@ -358,6 +358,66 @@ TEST(DisplayEntries, ServeTheDisplaysOfALongLife) {
     eglTerminate(eglGetDisplay(native(one_more)));
 }
 
+/// An entry is given to one display: the next one does not get it, too, though neither is initialized yet.
+TEST(DisplayEntries, AreGivenOutOnce) {
+    std::vector<std::unique_ptr<FakeDisplay>> panels;
+    std::vector<EGLDisplay> handles;
+    for (int i = 0; i < 2 * gl::most_displays; ++i) { // from here on no entry was never used
+        panels.push_back(std::make_unique<FakeDisplay>());
+        eglTerminate(eglGetDisplay(native(*panels.back())));
+    }
+    for (std::size_t i = 0; i < gl::most_displays; ++i) {
+        handles.push_back(eglGetDisplay(native(*panels[i])));
+        ASSERT_NE(handles.back(), EGL_NO_DISPLAY) << i;
+        for (std::size_t j = 0; j < i; ++j)
+            EXPECT_NE(handles[i], handles[j]) << i << ' ' << j;
+    }
+    FakeDisplay one_more;
+    EXPECT_EQ(eglGetDisplay(native(one_more)), EGL_NO_DISPLAY);
+    for (std::size_t i = 0; i < gl::most_displays; ++i) {
+        EXPECT_EQ(eglGetDisplay(native(*panels[i])), handles[i]);
+        EXPECT_EQ(eglTerminate(handles[i]), yes);
+    }
+}
+
+/// Whatever of a terminated display is current, on whichever thread, keeps the entry: a surface that is only
+/// read, a context that has lost its handles, both on another thread.
+TEST_F(LostDisplays, TheEntryStaysWhateverIsCurrentWherever) {
+    const EGLConfig config = config_of(display, EGL_PBUFFER_BIT);
+    const EGLSurface drawn = pbuffer_of(display, 8, 8), read = pbuffer_of(display, 8, 8);
+    const EGLContext its_context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
+    std::thread([&] {
+        ASSERT_EQ(eglMakeCurrent(display, drawn, read, its_context), yes);
+        EXPECT_EQ(eglDestroySurface(display, drawn), yes);
+        EXPECT_EQ(eglDestroyContext(display, its_context), yes);
+        std::thread([&] {
+            EXPECT_EQ(eglTerminate(display), yes);
+            std::vector<std::unique_ptr<FakeDisplay>> others;
+            for (int i = 0; i < 2 * gl::most_displays; ++i) {
+                others.push_back(std::make_unique<FakeDisplay>());
+                EXPECT_NE(eglGetDisplay(native(*others.back())), display);
+            }
+            for (const auto& one : others)
+                eglTerminate(eglGetDisplay(native(*one))); // those that got an entry
+        }).join();
+        const std::size_t held = memory_use().used;
+        draw_and_read();
+        EXPECT_EQ(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT), yes);
+        EXPECT_LT(memory_use().used, held);
+        EXPECT_EQ(memory_use().used, memory_before) << "nothing holds them any more";
+    }).join();
+    std::vector<std::unique_ptr<FakeDisplay>> others;
+    std::vector<EGLDisplay> taken;
+    for (int i = 0; i < gl::most_displays; ++i) {
+        others.push_back(std::make_unique<FakeDisplay>());
+        taken.push_back(eglGetDisplay(native(*others.back())));
+        EXPECT_NE(taken.back(), EGL_NO_DISPLAY) << "the entry serves again";
+    }
+    for (const EGLDisplay other : taken)
+        EXPECT_EQ(eglTerminate(other), yes);
+    display = eglGetDisplay(native(*panel));
+}
+
 /// The glass goes to a new window as soon as the old one has no handle: whoever still draws to it draws
 /// nowhere.
 TEST_F(LostDisplays, ANewWindowTakesTheGlassOfADestroyedOne) {

@@ -232,6 +232,56 @@ TEST(GudFaults, AStatusThatCannotBeReadIsNoSuccess) {
     }
 }
 
+/// Each request to come up has a status of its own: without one, the display is not up.
+TEST(GudFaults, EachRequestToComeUpNeedsItsStatus) {
+    const std::pair<std::uint8_t, const char*> requests[] = {{0x61, "SET_STATE_CHECK"},
+                                                             {0x63, "SET_CONTROLLER_ENABLE"},
+                                                             {0x62, "SET_STATE_COMMIT"},
+                                                             {0x64, "SET_DISPLAY_ENABLE"}};
+    for (const auto& [request, name] : requests) {
+        GudRig rig;
+        rig.device.status_on_set = true;
+        rig.device.hide_status_of(request);
+        const auto up = rig.start();
+        EXPECT_EQ(up.error().fault, Fault::no_answer) << name;
+        EXPECT_EQ(std::string(up.error().rule),
+                  std::string("USB display 1d50:614d: ") + name + ": GET_STATUS came back without a status");
+        EXPECT_EQ(rig.kernel.open_files(), 0);
+        rig.device.hide_status_of(0xFE);
+        rig.device.refuse(request, 5);
+        EXPECT_EQ(rig.start().error().fault, Fault::unsupported) << name;
+        EXPECT_TRUE(rig.start().ok());
+    }
+}
+
+/// Devices that stall are asked why. One that then has no word stalled all the same, and no word is put into
+/// its mouth.
+TEST(GudFaults, AStallWithoutAStatusStaysAStall) {
+    for (const bool empty : {true, false}) {
+        GudRig rig;
+        rig.device.refuse(0x61, 4);
+        rig.device.refuses_status = !empty;
+        rig.device.hide_status_of(empty ? 0x61 : 0xFE);
+        const auto up = rig.start();
+        EXPECT_FALSE(up.ok());
+        EXPECT_STREQ(up.error().rule,
+                     "USB display 1d50:614d: SET_STATE_CHECK: the device refused this and gave no reason");
+        EXPECT_EQ(rig.kernel.open_files(), 0);
+        rig.device.refuses_status = false;
+        EXPECT_TRUE(rig.start().ok());
+    }
+}
+
+/// Devices without STATUS_ON_SET are not asked for what they do not offer.
+TEST(GudFaults, OnlyDevicesThatOfferAStatusAreAskedForIt) {
+    GudRig rig;
+    rig.device.refuses_status = true;
+    rig.device.empty(0x00);
+    EXPECT_TRUE(rig.start().ok());
+    ASSERT_TRUE(rig.draw(1));
+    expect_mended(rig);
+}
+
 /// Replies without bytes: each is an error with a sentence, and nothing stays open.
 TEST(GudFaults, EmptyReplies) {
     const struct {
