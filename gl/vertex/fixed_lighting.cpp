@@ -59,6 +59,35 @@ std::uint32_t to_factor(numeric::Block v) {
     return static_cast<std::uint32_t>(half) << 1;
 }
 
+/// What attenuation and spot leave of a light: factor * 2^shift. A divisor below 1 makes a light brighter, as
+/// bright as the program likes (GL 1.3, 2.13.1).
+struct Strength {
+    std::uint32_t factor = 1u << factor_bits;
+    int shift = 0;
+};
+
+constexpr int term_bits = 57; ///< of the largest term of a sum
+
+Strength to_strength(numeric::Block v) {
+    if (v.m <= 0)
+        return {0, 0};
+    const int log2 = 31 - numeric::clz32(static_cast<std::uint32_t>(v.m)) + v.e;
+    const int shift = log2 < 2 ? 0 : log2 - 1 < term_bits ? log2 - 1 : term_bits;
+    v.e -= shift;
+    return {to_factor(v), shift};
+}
+
+/// Adds intensities times factor * 2^shift; each term is saturated, so that all of them fit.
+void add_strong(const std::int32_t (&light)[3], std::uint32_t factor, int shift, std::int64_t (&sum)[3]) {
+    if (shift == 0)
+        return add_weighted(light, factor, sum);
+    constexpr std::int64_t most = std::int64_t{1} << term_bits;
+    for (int c = 0; c < 3; ++c) {
+        const std::int64_t term = weighted(light[c], factor), room = most >> shift;
+        sum[c] += term > room ? most : term < -room ? -most : term * (std::int64_t{1} << shift);
+    }
+}
+
 /// A sum, clamped to 0..1, in colour units.
 SPANGLE_RUN_CALL std::uint32_t to_color(std::int64_t sum) {
     const std::int64_t c = numeric::clamp<std::int64_t>(sum, 0, std::int64_t{1} << sum_bits);
@@ -351,7 +380,7 @@ void FixedLighting::add_directional(const Source& source, const Fold& fold, int 
 void FixedLighting::add_general(const Source& source, const Fold& fold, int i, const numeric::Block3& to_eye,
                                 const Direction& n, Sum (&primary)[3], Sum (&specular)[3]) const {
     numeric::Unit3 to_light = source.to_light;
-    std::uint32_t strength = 1u << factor_bits;
+    Strength strength;
     if (!source.directional) {
         const numeric::Block3 path = numeric::add(source.position, to_eye);
         to_light = numeric::normalize(path);
@@ -360,27 +389,28 @@ void FixedLighting::add_general(const Source& source, const Fold& fold, int i, c
             const numeric::Block divisor = numeric::add(
                 source.attenuation[0],
                 numeric::mul(d, numeric::add(source.attenuation[1], numeric::mul(d, source.attenuation[2]))));
-            strength = to_factor(numeric::reciprocal(divisor));
+            strength = to_strength(numeric::reciprocal(divisor));
         }
     }
     if (source.spot) {
         const std::int32_t along = numeric::negate_saturate(numeric::dot(to_light, source.spot_axis));
         if (along < source.spot_cosine)
             return; // outside the cone nothing arrives, ambient light included
-        strength = scaled(strength, shine(positive(along), source.spot_exponent));
+        strength.factor = scaled(strength.factor, shine(positive(along), source.spot_exponent));
     }
-    add_weighted(fold.ambient[i], strength, primary);
+    add_strong(fold.ambient[i], strength.factor, strength.shift, primary);
     const std::uint32_t facing = cosine(n.m, n.fraction_bits, to_light);
     if (facing == 0)
         return;
-    add_weighted(fold.diffuse[i], scaled(facing, strength), primary);
+    add_strong(fold.diffuse[i], scaled(facing, strength.factor), strength.shift, primary);
     if (!has_specular || !fold.shines(i))
         return;
     numeric::Unit3 half = source.half;
     if (local_viewer_ || !source.directional)
         half = half_vector(to_light, local_viewer_ ? numeric::normalize(to_eye) : toward_viewer);
-    add_weighted(fold.specular[i],
-                 scaled(shine(cosine(n.m, n.fraction_bits, half), fold.shininess), strength), specular);
+    add_strong(fold.specular[i],
+               scaled(shine(cosine(n.m, n.fraction_bits, half), fold.shininess), strength.factor),
+               strength.shift, specular);
 }
 
 void FixedLighting::light_fully(const Real (&normal)[3], const numeric::Block4& eye, int side,

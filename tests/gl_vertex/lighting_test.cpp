@@ -159,6 +159,49 @@ const Row table[] = {
          v.light[0].linear = 0.2f;
          v.light[0].quadratic = 0.04f;
      }},
+    {"a divisor below 1 makes lights brighter: 13/256 / 0.0625",
+     {0.8125, 0.40625, 0.203125},
+     [](LitVertex& v) {
+         only_diffuse(v);
+         v.light[0].position = {0, 0, 5, 1};
+         v.light[0].constant = 0.0625;
+         v.light[0].diffuse = {0.05078125f, 0.025390625f, 0.0126953125f, 1};
+     }},
+    {"and spots: 0.8^4 / 0.0625 0.125",
+     {0.8192, 0.4096, 0.2048},
+     [](LitVertex& v) {
+         spot(v, 60, 4);
+         v.light[0].constant = 0.0625;
+         v.light[0].ambient = {0.125, 0.0625, 0.03125, 1};
+     }},
+    {"and highlights: 0.8^2 / 0.125 0.125",
+     {0.64, 0.32, 0.16},
+     [](LitVertex& v) {
+         only_specular(v, 2);
+         v.normal = {0.6f, 0, 0.8f};
+         v.light[0].position = {0, 0, 5, 1};
+         v.light[0].constant = 0.125;
+         v.light[0].specular = {0.125, 0.125, 0.125, 1};
+     }},
+    {"as bright as 2^60, beside a dark colour",
+     {1, 0, 0},
+     [](LitVertex& v) {
+         only_diffuse(v);
+         v.light[0].position = {0, 0, 5, 1};
+         v.light[0].constant = 0x1p-60;
+         v.light[0].diffuse = {1, 0, -1, 1};
+     }},
+    {"eight of them",
+     {1, 1, 1},
+     [](LitVertex& v) {
+         only_diffuse(v);
+         for (LightSource& l : v.light) {
+             l.on = true;
+             l.position = {0, 0, 5, 1};
+             l.constant = 0x1p-60;
+             l.diffuse = {1, 1, 1, 1};
+         }
+     }},
     {"a direction has no attenuation",
      {1, 1, 1},
      [](LitVertex& v) {
