@@ -23,16 +23,19 @@ import tempfile
 
 from harness import (HERE, ORACLES, SKIPPED, Picture, check, difference, failures, folder, mesa_environment, need, outfile, png, replay,
                      run, spangle_environment, turn, without_refused_contexts, xvfb)
-from programs_list import KNOWN, SHEET, every
+from programs_list import HACKS, KNOWN, SHEET, every
 
 ROOT = HERE.parents[1]
 MADE = ROOT / "build/gallery"
 TABLE, PICTURE, PAGE = HERE / "gallery.csv", ROOT / "docs/pictures/programs.png", ROOT / "docs/programs.md"
 COLUMNS = ("program", "suite", "verdict", "reason")
-# A program that shows one colour after the first number of frames gets the second one.
-FRAMES, SIZE, SECONDS = (20, 200), "320x240", 120
+# Frames, and the size of windows: a program that shows one colour is run again, at last in a window as it has it by itself.
+STARTS, SECONDS = ((20, "320x240"), (400, "320x240"), (20, None)), 120
+PAIR = ("libGL.so.1", "libEGL.so.1", "libOpenGL.so.0", "libGLX.so.0")
 TRIES = 2  # What moves by the clock draws other frames when it is run again.
 LEAST_DRAWN = 0.1  # This many of a hundred pixels must not have the commonest colour.
+SAVER_SETTINGS = {"textMode": "literal", "textLiteral": "Words for savers that show some.", "chooseRandomImages": True,
+                  "grabDesktopImages": False, "grabVideoFrames": False, "imageDirectory": PICTURE.parent}
 BOARD, SHEET_FRAMES, ACROSS, GAP, PAPER, MOST_BYTES = "ili9341", 60, 4, 8, (255, 255, 255), 400_000
 
 
@@ -53,9 +56,11 @@ def build_imgui():
 
 
 def environment_of(base, display, home):
-    """A home of its own without sound, where SDL draws by OpenGL, and a clock that begins at the same time in each run."""
+    """A home of its own without sound, where SDL draws by OpenGL, and a clock that begins at the same time in each run. Savers find
+    the programs there that give them pictures and words: a child that finds none ends, and writes into its parent's trace."""
     (home / ".asoundrc").write_text("pcm.!default { type null }\nctl.!default { type null }\n")
-    return base | {"DISPLAY": display, "HOME": str(home), "PATH": "/usr/local/bin:/usr/bin:/bin:/usr/games",
+    (home / ".xscreensaver").write_text("".join(f"{name}: {value}\n" for name, value in SAVER_SETTINGS.items()))
+    return base | {"DISPLAY": display, "HOME": str(home), "PATH": f"/usr/local/bin:/usr/bin:/bin:/usr/games:{HACKS}",
                    "SDL_RENDER_DRIVER": "opengl", "SDL_AUDIODRIVER": "dummy", "LD_PRELOAD": str(MADE / "same_start")}
 
 
@@ -74,6 +79,12 @@ def last_line(words):
     return (words.strip().splitlines() or [""])[-1][:200]
 
 
+def last_drawn(pictures):
+    """The number of the last picture that shows something; of the last one where none does."""
+    last = len(pictures) - 1
+    return next((at for at in range(last, -1, -1) if drawn(Picture(pictures[at]))[1] >= LEAST_DRAWN), last)
+
+
 def compare_frames(place, pair, trace):
     """Replays a trace by all and compares two frames; gives the verdict and its reason."""
     ours, ended = replay(trace, spangle_environment(pair), place / "spangle", SECONDS)
@@ -86,7 +97,8 @@ def compare_frames(place, pair, trace):
     seen, least = errors(ended.words), min(errors(e.words) for _, e in theirs.values())
     if seen > least:
         return "errors", f"{seen} errors of GL; Mesa has {least}"
-    for at in sorted({len(ours) // 2, len(ours) - 1}):
+    last = last_drawn(theirs[ORACLES[-1]][0])
+    for at in sorted({last // 2, last}):
         mine, pictures = Picture(ours[at]), [Picture(p[at]) for p, _ in theirs.values()]
         if any((p.width, p.height) != (mine.width, mine.height) for p in pictures):
             return "pictures differ", "their sizes differ"
@@ -99,32 +111,32 @@ def compare_frames(place, pair, trace):
 
 
 def shown(program, environment, place):
-    """Runs a program until it shows something; gives the number of frames and, where that fails, a verdict and its reason."""
-    for frames in FRAMES:
+    """Runs a program until it shows something; gives the variables for that and, where it fails, a verdict and its reason."""
+    starts = [{"SPANGLE_FRAMES": str(frames)} | ({"SPANGLE_SIZE": size} if size else {}) for frames, size in STARTS]
+    for start in starts:
         picture = place / "live.png"
-        ended = run(program.command, environment | {"SPANGLE_FRAMES": str(frames), "SPANGLE_SHOT": str(picture)}, SECONDS,
-                    program.folder or environment["HOME"])
+        ended = run(program.command, environment | start | {"SPANGLE_SHOT": str(picture)}, SECONDS, program.folder or environment["HOME"])
         if ended.status is None:
             break
         if ended.status != 0:
-            return frames, "does not run", f"ends with {ended.status}: {last_line(ended.words)}"
+            return start, "does not run", f"ends with {ended.status}: {last_line(ended.words)}"
         if not picture.exists():
-            return frames, "does not run", "ends before it draws"
+            return start, "does not run", "ends before it draws"
         if drawn(Picture(picture))[1] >= LEAST_DRAWN:
-            return frames, "", ""
-    return FRAMES[0], "", ""
+            return start, "", ""
+    return starts[0], "", ""
 
 
 def judge(program, pair, display, place):
     """Runs a program, records it and replays it; gives the verdict and its reason."""
     with tempfile.TemporaryDirectory() as home:
-        environment = environment_of(spangle_environment(pair, SPANGLE_SIZE=SIZE), display, pathlib.Path(home))
-        frames, verdict, reason = shown(program, environment, place)
+        environment = environment_of(spangle_environment(pair), display, pathlib.Path(home))
+        start, verdict, reason = shown(program, environment, place)
         if verdict:
             return verdict, reason
         trace = place / "calls.trace"
         ended = run(["apitrace", "trace", "-a", program.api, "-o", trace, *program.command],
-                    environment | {"SPANGLE_FRAMES": str(frames), "SPANGLE_SIGNAL": "1"}, SECONDS, program.folder or home)
+                    environment | start | {"SPANGLE_SIGNAL": "1"}, SECONDS, program.folder or home)
         if ended.status is None or not trace.exists():
             return "is not recorded", f"apitrace ends with {ended.status}: {last_line(ended.words)}"
     return compare_frames(place, pair, without_refused_contexts(trace, place / "played.trace"))
@@ -242,9 +254,13 @@ def main():
     if options.check is not None and options.check < 1:
         parser.error("--check takes a number from 1 on")
     build_folder = options.build.resolve()
-    if not (build_folder / "dropin").exists():
-        sys.exit(f"there is no drop-in pair in {options.build}; ./dev build makes it in build/host")
+    # GLU, for one, is linked with libOpenGL: where the system's is found, its calls go nowhere.
+    if not all((build_folder / "dropin" / name).exists() for name in PAIR):
+        sys.exit(f"there is no complete drop-in pair in {options.build}; ./dev build makes it in build/host")
     need("Xvfb", "apitrace", "eglretrace")
+    if HACKS.exists() and not (HACKS / "xscreensaver-getimage").exists():
+        print("skipped: savers find no pictures; ./dev setup --gallery installs xscreensaver-data")
+        return SKIPPED
     build("same_start.c", "-shared", "-fPIC")
     programs = every(build_imgui())
     if options.check:

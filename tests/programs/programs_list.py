@@ -24,7 +24,14 @@ GLUT_PROGRAMS = ["billard-gl", "openuniverse", "stormbaancoureur", "cultivation"
 KNOWN = {
     "pulsar": "its quads have a colour in each corner; they are divided from the first corner to the third here, from the second to "
               "the fourth in Mesa; GL leaves that open",
-    "antspotlight": "shows one colour because it lights a part of a picture of the desktop, and there is no desktop",
+    "cubicgrid": "its points are 2.5 pixels wide; GL rounds that to the nearest integer, which is 3 here and 2 in Mesa; GL leaves that "
+                 "open",
+    "gibson": "its ground reaches behind the eye, where Mesa takes the fog's distance without its sign before it interpolates; a "
+              "ground that ends before the eye is the same, and as the formula has it (GL 1.3, 3.10)",
+    "handsy": "its lines are smooth; without GL_LINE_SMOOTH the pictures agree; coverage is the area of the line's rectangle here, as "
+              "tests/gl_raster measures it, and an estimate in Mesa (GL 1.3, 3.4.2)",
+    "splitflap": "apitrace asks for GL_MAX_TEXTURE_COORDS when it records glInterleavedArrays, GL 1.5 has no such state, and the program "
+                 "ends at that error of the tracer's; by itself it runs",
     "testcustomcursor": "clears the window, and shows its cursor by X alone",
     "testrendertarget": "needs framebuffer objects, which GL 1.5 does not have, and ends by itself",
 }
