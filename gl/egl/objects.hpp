@@ -103,7 +103,8 @@ struct Display {
     hal::WindowSystem* system = nullptr; ///< with neither there are pbuffers only
 #endif
     bool used = false, initialized = false;
-    bool terminated = false; ///< since it was asked for or initialized last: its entry may serve another display
+    /// Since it was last asked for or initialized: its entry may serve another display.
+    bool terminated = false;
     /// Held by who calls `native`, or what a window system opened, which are for one thread at a time. After
     /// it none but the arena's lock is taken.
     [[no_unique_address]] gl::Lock native_lock;
