@@ -59,7 +59,7 @@ def environment_of(base, display, home):
     """A home of its own without sound, where SDL draws by OpenGL, and a clock that begins at the same time in each run. Savers find
     the programs there that give them pictures and words: a child that finds none ends, and writes into its parent's trace."""
     (home / ".asoundrc").write_text("pcm.!default { type null }\nctl.!default { type null }\n")
-    (home / ".xscreensaver").write_text("".join(f"{name}: {value}\n" for name, value in SAVER_SETTINGS.items()))
+    outfile.write(home / ".xscreensaver", "".join(f"{name}: {value}\n" for name, value in SAVER_SETTINGS.items()))
     return base | {"DISPLAY": display, "HOME": str(home), "PATH": f"/usr/local/bin:/usr/bin:/bin:/usr/games:{HACKS}",
                    "SDL_RENDER_DRIVER": "opengl", "SDL_AUDIODRIVER": "dummy", "LD_PRELOAD": str(MADE / "same_start")}
 
