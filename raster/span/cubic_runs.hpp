@@ -96,8 +96,8 @@ class CubicRuns {
     Differences ds, dt; ///< from pixel to pixel
 
     /// Asked before the first run: there are none, but a division for each fragment of the row.
-    SPANGLE_INLINE bool divides() {
-        static_assert(host_lanes > 1, "the length stays known until start_run()");
+    template <int lanes = host_lanes> SPANGLE_INLINE bool divides() {
+        static_assert(lanes > 1, "the length stays known until start_run()");
         const int log2 = choose_log2();
         log2_ = unknown - 1 - log2;
         return log2 == 0;
