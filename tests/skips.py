@@ -16,7 +16,7 @@ def main():
         if line and not line.startswith("#"):
             name, _, reason = line.partition(" ")
             listed[name] = reason.strip()
-    skipped = set(re.findall(r"Test\s+#\d+:\s+(\S+)\s+\.*\*\*\*Skipped", pathlib.Path(sys.argv[1]).read_text()))
+    skipped = set(re.findall(r"Test\s+#\d+:\s+(\S+)(?:\s+# GetParam\(\).*?)?\s*\.*\*\*\*Skipped", pathlib.Path(sys.argv[1]).read_text()))
     unlisted = sorted(name for name in skipped if not listed.get(name))
     for name in sorted(skipped):
         print(f"skipped: {name}: {listed.get(name) or 'NOT LISTED in tests/skips.txt'}")

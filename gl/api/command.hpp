@@ -149,7 +149,7 @@ struct EncodedCommand : Command {
 template <class F>
 constexpr std::uint8_t stops = static_cast<std::uint8_t>(
     (F::inside ? 0 : gate_inside) | gate_watched |
-    (SPANGLE_SKIPS_BATCHES && std::is_same_v<F, family::Vertex> ? gate_left_out : 0) |
+    (SPANGLE_FEATURE_BANDS && std::is_same_v<F, family::Vertex> ? gate_left_out : 0) |
     (SPANGLE_FEATURE_LISTS && F::listing != Listing::never ? gate_compiling : 0));
 
 /// False, and INVALID_OPERATION, for a command that Begin and End do not allow between them (GL 1.3, 2.6.3).

@@ -27,7 +27,7 @@ void refuse_feature(const char* text) {
 }
 
 bool allowed(Context& context, const list::Player& command) {
-#if SPANGLE_SKIPS_BATCHES
+#if SPANGLE_FEATURE_BANDS
     if ((context.gate & command.stops & gate_left_out) != 0)
         return false;
 #endif

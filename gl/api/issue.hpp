@@ -22,10 +22,10 @@ Context* outside_begin_end(const CommandText* text);
 /// 9).
 bool admit(Context& context, const Command& command, const Arg (&args)[most_args]);
 
-/// Of what stops a command: its vertices are those of a batch that the band leaves out, and not converted.
-/// Lists and watchers get them, though.
+/// The band leaves out the batch that the command's vertex belongs to, so its components are not converted.
+/// `stops` are those of the command. Lists and watchers get such vertices, though.
 inline bool is_left_out([[maybe_unused]] std::uint8_t stops) {
-#if SPANGLE_SKIPS_BATCHES
+#if SPANGLE_FEATURE_BANDS
     const Context* const context = (stops & gate_left_out) != 0 ? current_context() : nullptr;
     return context != nullptr &&
            (context->gate & (gate_left_out | gate_compiling | gate_watched)) == gate_left_out;

@@ -2,36 +2,22 @@
 #pragma once
 
 #include "gl/context/context.hpp"
-#include "gl/vertex/engine.hpp"
 #include "raster/band/batch_rows.hpp"
 
 namespace spangle::gl {
 
-/// Between Begin and End, that nothing comes of the vertices.
+/// Nothing comes of the vertices of the batch that has begun, because the band leaves it out.
 inline bool leaves_out([[maybe_unused]] const Context& context) {
-#if SPANGLE_SKIPS_BATCHES
+#if SPANGLE_FEATURE_BANDS
     return context.drawable.batches != nullptr && context.drawable.batches->leaves_out();
 #else
     return false;
 #endif
 }
 
-/// A batch has begun: wrappers do not even read its vertices where nothing comes of them.
-inline void set_left_out(Context& context) {
-    const unsigned others = context.gate & ~unsigned{gate_left_out};
-    context.gate = static_cast<std::uint8_t>(leaves_out(context) ? others | gate_left_out : others);
-}
-
-/// End and Begin of the same primitive.
-inline void restart(Context& context) {
-    context.engine->end(context);
-    context.engine->begin(context, context.primitive);
-    set_left_out(context);
-}
-
 /// The program is told what differs from band to band, and may draw by it.
 inline void distrust_batches([[maybe_unused]] Context& context) {
-#if SPANGLE_SKIPS_BATCHES
+#if SPANGLE_FEATURE_BANDS
     if (context.drawable.batches != nullptr)
         context.drawable.batches->distrust();
 #endif

@@ -75,7 +75,7 @@ struct Drawable {
 #else
     static constexpr const Recording* recording = nullptr;
 #endif
-#if SPANGLE_SKIPS_BATCHES
+#if SPANGLE_FEATURE_BANDS
     raster::BatchRows* batches = nullptr; ///< of a band that is drawn by callback; else null
 #else
     static constexpr raster::BatchRows* batches = nullptr;

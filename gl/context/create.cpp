@@ -147,7 +147,7 @@ void make_current(Context& context) {
 #if SPANGLE_HAS_RECORDS
     drawable.recording = nullptr;
 #endif
-#if SPANGLE_SKIPS_BATCHES
+#if SPANGLE_FEATURE_BANDS
     drawable.batches = nullptr;
 #endif
     context.changed(dirty_all);
@@ -201,7 +201,7 @@ void move_drawable(Context& context, const raster::Surface& surface, bool read_t
 #if SPANGLE_HAS_RECORDS
     context.drawable.recording = recording;
 #endif
-#if SPANGLE_SKIPS_BATCHES
+#if SPANGLE_FEATURE_BANDS
     context.drawable.batches = batches;
 #endif
     context.changed(dirty_fragment);

@@ -24,8 +24,8 @@ void make_current(Context& context);
 /// On one surface, which is drawn to and read.
 void make_current(Context* context, const raster::Surface& surface, bool double_buffered);
 
-/// Its drawable shows another part of itself. What is drawn is recorded from now on, or batches that do not
-/// reach it are left out, or neither.
+/// The context's drawable shows another part of itself. From now on drawing is recorded, or batches that do
+/// not reach this part are left out, or neither.
 void move_drawable(Context& context, const raster::Surface& surface, bool read_too,
                    const Recording* recording = nullptr, raster::BatchRows* batches = nullptr);
 

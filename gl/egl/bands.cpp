@@ -23,8 +23,8 @@ void give_rows(Surface& surface, raster::BatchRows* batches = nullptr) {
     gl::move_drawable(*t.context->gl, pixels_of(surface), t.read == t.draw, nullptr, batches);
 }
 
-/// What the band that is drawn now may leave out, or null. References do not note rows.
-raster::BatchRows* batches_of(const Surface& surface) {
+/// The band begins. Returns what notes or leaves out its batches, or null: references do neither.
+raster::BatchRows* begin_batches(const Surface& surface) {
     const Band& band = surface.band;
     if (band.batches == nullptr || thread().context->gl->engine != &gl::fixed_engine)
         return nullptr;
@@ -142,7 +142,7 @@ bool draw_each(Display& display, Surface& surface, void (*draw)(void*), void* da
     const bool drawn = each_band(surface, [&](std::int32_t first, std::int32_t rows) {
         if (!open_band(display, surface, first, rows))
             return false;
-        raster::BatchRows* const batches = batches_of(surface);
+        raster::BatchRows* const batches = begin_batches(surface);
         give_rows(surface, batches);
         draw(data);
         enter(SPANGLE_TEXT("spangle::frame"));

@@ -7,11 +7,10 @@
 
 #include "gl/api/command.hpp"
 #include "gl/api/generated/commands.hpp"
-#include "gl/context/batches.hpp"
 #include "gl/list/mesh.hpp"
 #include "gl/vertex/array_source.hpp"
+#include "gl/vertex/begin_batch.hpp"
 #include "gl/vertex/current_element.hpp"
-#include "gl/vertex/engine.hpp"
 
 namespace spangle::gl {
 

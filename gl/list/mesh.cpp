@@ -22,7 +22,7 @@ struct Header {
     Word vertices;   ///< elements of each
     Word index_type; ///< GL_NONE: the elements in turn
 };
-/// Of each_array().
+/// An array of the record; `slot` counts the arrays in the order of each_array().
 struct ArrayHeader {
     Word slot, size, type;
 };

@@ -220,28 +220,27 @@ void compile(Context& context, [[maybe_unused]] Kept& kept, const raster::Fragme
         context.engine->compile(fragment, target, out);
 }
 
-/// Where drawing is recorded: primitives of these states are kept, or their rows are noted.
-void record_states([[maybe_unused]] Context& context) {
-#if SPANGLE_SKIPS_BATCHES
-    if (raster::BatchRows* const batches = context.drawable.batches; batches != nullptr && batches->notes()) {
-        batches->take(context.fragments.state);
+/// The recorder is told of the primitives of these states.
+template <class Recorder> [[maybe_unused]] void take_states(Context& context, Recorder& recorder) {
+    recorder.take(context.fragments.state);
 #if SPANGLE_FEATURE_STENCIL_SIDES
-        if (stencil_sides(context))
-            batches->take(context.fragments.back);
+    if (stencil_sides(context))
+        recorder.take(context.fragments.back);
 #endif
-        return;
-    }
+}
+
+/// Where drawing is recorded, primitives are kept; where a first band is drawn by callback, their rows are
+/// noted.
+void record_states([[maybe_unused]] Context& context) {
+#if SPANGLE_FEATURE_BANDS
+    if (raster::BatchRows* const batches = context.drawable.batches; batches != nullptr && batches->notes())
+        take_states(context, *batches);
 #endif
 #if SPANGLE_HAS_RECORDS
     if (context.drawable.recording == nullptr)
         return;
     hold_textures(context);
-    raster::Record& record = *context.drawable.recording->record;
-    record.take(context.fragments.state);
-#if SPANGLE_FEATURE_STENCIL_SIDES
-    if (stencil_sides(context))
-        record.take(context.fragments.back);
-#endif
+    take_states(context, *context.drawable.recording->record);
 #endif
 }
 

@@ -1,11 +1,10 @@
 // Begin, End, vertices and current attributes, and what draws arrays (GL 1.3, 2.6 to 2.9).
 #include "gl/api/generated/commands.hpp"
-#include "gl/context/batches.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/share_group.hpp"
 #include "gl/vertex/array_source.hpp"
+#include "gl/vertex/begin_batch.hpp"
 #include "gl/vertex/current_element.hpp"
-#include "gl/vertex/engine.hpp"
 
 namespace spangle::gl {
 
@@ -80,8 +79,7 @@ void Begin(Context& context, GLenum mode) {
     context.share->lock.take(); // until End: no other thread changes the textures of this primitive
     set_gate(context, true);
     context.primitive = mode;
-    context.engine->begin(context, mode);
-    set_left_out(context);
+    begin_batch(context);
 }
 
 void End(Context& context) {

@@ -52,11 +52,12 @@ void materials_change(Context& context) {
     context.changed(dirty_vertex);
 }
 
-/// What this build's lights do not do (SPANGLE_LIGHT_KINDS, SPANGLE_FULL_LIGHTING).
-/// Of a light that GL has and the build has not: no other argument is named where one is wrong by itself.
+/// The sentence about a light that GL has and this build has not. Other arguments that are wrong are
+/// explained without it.
 constexpr const char* beyond_lights =
     SPANGLE_TEXT("light is beyond the lights of this build (SPANGLE_LIGHTS)");
 
+/// What this build's lights do not do (SPANGLE_LIGHT_KINDS, SPANGLE_FULL_LIGHTING).
 void refuse(Context& context) {
     error(context, GL_INVALID_OPERATION,
           SPANGLE_TEXT("this build has no such lighting (SPANGLE_LIGHT_KINDS, SPANGLE_FULL_LIGHTING)"));

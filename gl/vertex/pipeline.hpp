@@ -66,7 +66,7 @@ template <class M, class L> class Pipeline {
     }
 
     SPANGLE_INLINE void vertex(Context& context, Real x, Real y, Real z, Real w) {
-        if (skips_batches && left_out_)
+        if (left_out())
             return;
         Vertex& v = *corner_[held_];
         const CurrentState& current = context.current;
@@ -90,13 +90,12 @@ template <class M, class L> class Pipeline {
     void elements(Context& context, std::uint32_t count, const Indices& indices);
 
     void end() {
-        if constexpr (skips_batches)
-            if (left_out_)
-                return batches_->end_batch();
-        if (has_lines && mode_ == GL_LINE_LOOP && held_ == 2)
-            line(*corner_[1], *corner_[0]);
-        if (mode_ == GL_POLYGON && (outlined() || gathers()))
-            end_polygon();
+        if (!left_out()) {
+            if (has_lines && mode_ == GL_LINE_LOOP && held_ == 2)
+                line(*corner_[1], *corner_[0]);
+            if (mode_ == GL_POLYGON && (outlined() || gathers()))
+                end_polygon();
+        }
         if constexpr (skips_batches)
             if (batches_ != nullptr)
                 batches_->end_batch();
@@ -202,14 +201,13 @@ template <class M, class L> class Pipeline {
                   "user's planes, outlines, selection, feedback and antialiasing need SPANGLE_CLIPPING");
     static_assert(raster::has_perspective || !has_clipping, "what SPANGLE_CLIPPING cuts has a w of its own");
 
-    /// Elements that are left out together, of any mode of its own corners and of strips.
+    /// So many elements of a long draw are drawn, or left out, together.
     static constexpr std::uint32_t piece = 12;
-    static constexpr bool skips_batches = SPANGLE_SKIPS_BATCHES != 0;
+    static constexpr bool skips_batches = SPANGLE_FEATURE_BANDS != 0;
 
     Context* context_ = nullptr;
-    raster::BatchRows* batches_ =
-        nullptr;            ///< while bands are drawn by callback; null: this batch is no part of it
-    bool left_out_ = false; ///< nothing of this batch reaches the band
+    /// Of the drawable, while bands are drawn by callback; null where the batch is selected or fed back.
+    raster::BatchRows* batches_ = nullptr;
     const raster::DrawState* state_ = nullptr;
     GLenum mode_ = GL_POINTS;
     int held_ = 0, full_ = 0; ///< corners held, and how many make a primitive
@@ -287,9 +285,13 @@ template <class M, class L> class Pipeline {
     bool begins_left_out([[maybe_unused]] const Context& context) {
         if constexpr (skips_batches) {
             batches_ = context.render.draws() ? context.drawable.batches : nullptr;
-            left_out_ = batches_ != nullptr && !batches_->begin_batch();
+            return batches_ != nullptr && !batches_->begin_batch();
         }
-        return skips_batches && left_out_;
+        return false;
+    }
+    /// From such a begin() to its end().
+    bool left_out() const {
+        return skips_batches && batches_ != nullptr && batches_->leaves_out();
     }
 
     void derive(Context& context) {

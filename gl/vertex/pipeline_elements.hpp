@@ -14,7 +14,7 @@ inline void Pipeline<M, L>::elements(Context& context, std::uint32_t count, cons
             return elements_of(context, ElementReader(context.arrays), count, indices);
         const int repeated = count > piece ? repeated_elements() : -1;
         const std::uint32_t step = repeated < 0 ? count : piece;
-        if (left_out_)
+        if (left_out())
             return batches_->leave_out(repeated < 0 ? 0 : (count + piece - 1) / piece);
         const ElementReader reader(context.arrays);
         for (std::uint32_t first = 0; first < count; first += step) {

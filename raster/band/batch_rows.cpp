@@ -2,7 +2,7 @@
 
 #include "raster/band/reach.hpp"
 
-#if SPANGLE_SKIPS_BATCHES
+#if SPANGLE_FEATURE_BANDS
 
 namespace spangle::raster {
 

@@ -16,13 +16,13 @@ namespace spangle::raster {
 /// table has entries, neighbours share one: twice as many whenever the table is full.
 class BatchRows : public Recorder {
   public:
-    /// Of a picture of so many rows.
+    /// The picture has `height` rows.
     explicit BatchRows(std::int32_t height);
 
-    /// The first band of a frame: everything is drawn, and noted.
+    /// The first band of a frame begins: everything is drawn, and noted.
     void begin_frame();
-    /// Another band: what lies outside of rows [first, end) of the picture, counted from its lowest, is left
-    /// out.
+    /// Another band begins: what lies outside of rows [first, end) of the picture, counted from its lowest,
+    /// is left out.
     void begin_band(std::int32_t first, std::int32_t end);
     /// What the callback draws may depend on what it has read from a band: this frame is drawn whole in each.
     void distrust() { trusted_ = false; }
@@ -35,12 +35,12 @@ class BatchRows : public Recorder {
     bool begin_batch();
     /// Since begin_batch() returned false, until end_batch().
     bool leaves_out() const { return left_out_; }
-    /// So many pieces of a batch that is left out.
+    /// The batch that is left out has so many pieces, whose numbers are passed over.
     void leave_out(std::uint32_t pieces) { number_ += pieces; }
     /// False: the next piece of this batch is left out. Else end_piece() follows.
     bool begin_piece();
     void end_piece();
-    /// Of any batch that has begun.
+    /// Ends the batch that has begun, left out or not.
     void end_batch();
 
   private:

@@ -14,21 +14,28 @@ struct Reach {
     std::int32_t low, high; ///< rows [low, high)
 };
 
-/// Rows that fragments of the primitive can lie in: coordinates, and half of its size, rounded outwards.
-inline Reach reach(const Primitive& p) {
-    std::int32_t low = p.corner[0]->y, high = low;
+/// The lowest and the highest corner, in subpixels.
+inline Reach corners_of(const Primitive& p) {
+    Reach y = {p.corner[0]->y, p.corner[0]->y};
     for (int i = 1; i < p.corners; ++i) {
-        low = p.corner[i]->y < low ? p.corner[i]->y : low;
-        high = p.corner[i]->y > high ? p.corner[i]->y : high;
+        y.low = p.corner[i]->y < y.low ? p.corner[i]->y : y.low;
+        y.high = p.corner[i]->y > y.high ? p.corner[i]->y : y.high;
     }
+    return y;
+}
+
+/// Rows that fragments of the primitive can lie in: coordinates, and half of its size, rounded outwards. They
+/// hold for every sample that the primitive is moved to.
+inline Reach reach(const Primitive& p) {
+    const Reach y = corners_of(p);
     const bool smooth = p.shape >= Primitive::Shape::smooth_point;
     // Corners are snapped to fragments, rectangles reach beyond the ends of their lines.
     const std::int32_t aside = (smooth ? (p.size + 7) / 8 : p.size) + 2;
-    return {(low >> subpixel_bits) - aside, (high >> subpixel_bits) + 1 + aside};
+    return {(y.low >> subpixel_bits) - aside, (y.high >> subpixel_bits) + 1 + aside};
 }
 
-/// The same of what is drawn where it lies, not moved to samples later: a triangle has fragments in rows
-/// whose centres it may hold (GL 1.3, 3.5.1), a point in those of its square.
+/// Rows that fragments of a primitive lie in which is drawn where its corners are: a triangle has fragments
+/// in rows whose centres it may hold (GL 1.3, 3.5.1), a point in the rows of its square.
 inline Reach exact_reach(const Primitive& p) {
     if (p.shape == Primitive::Shape::point) {
         const std::int32_t low = point_begin(p.corner[0]->y, p.size);
@@ -36,12 +43,8 @@ inline Reach exact_reach(const Primitive& p) {
     }
     if (p.shape != Primitive::Shape::triangle)
         return reach(p);
-    std::int32_t low = p.corner[0]->y, high = low;
-    for (int i = 1; i < p.corners; ++i) {
-        low = p.corner[i]->y < low ? p.corner[i]->y : low;
-        high = p.corner[i]->y > high ? p.corner[i]->y : high;
-    }
-    return {first_center(low), first_center(high)};
+    const Reach y = corners_of(p);
+    return {first_center(y.low), first_center(y.high)};
 }
 
 } // namespace spangle::raster

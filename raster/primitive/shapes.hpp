@@ -88,10 +88,10 @@ void draw_line_rectangle_of(const DrawState& state, const Surface& target, const
     const LineOutline line(position(a), position(b), eighths);
     if (line.empty())
         return;
-    const bool draws =
+    const bool is_drawn =
         !state.nothing || keep(state, Primitive::Shape::line_rectangle, eighths, stipple, provoking, a, b);
     const LineCorners<typename P::Vertex> corners(line, a, b);
-    for (int i = 1; i < 3 && draws; ++i) {
+    for (int i = 1; i < 3 && is_drawn; ++i) {
         const auto t = detail::sorted(corners.at[0], corners.at[i], corners.at[i + 1]);
         if (t.area2 == 0)
             continue;

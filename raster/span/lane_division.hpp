@@ -89,30 +89,16 @@ template <class Vector> struct LongPair {
     }
 };
 
-/// f of words below 2^31 as floats, rounded towards 0.
-template <class F> SPANGLE_INLINE lane_words::Half in_float_words(const lane_words::Half& v, F f) {
-    using Floats [[gnu::vector_size(16)]] = float;
-    using Words [[gnu::vector_size(16)]] = std::int32_t;
-    const Floats found = f(__builtin_convertvector(lane_words::as_signed(v), Floats));
-    return std::bit_cast<lane_words::Half>(__builtin_convertvector(found, Words));
+/// Words below 2^31 as floats.
+template <class Vector> SPANGLE_INLINE auto to_floats(const Vector& v) {
+    using Floats [[gnu::vector_size(sizeof(Vector))]] = float;
+    return __builtin_convertvector(lane_words::as_signed(v), Floats);
 }
-/// The bits of words below 2^31 as floats.
-SPANGLE_INLINE lane_words::Half float_bits(const lane_words::Half& v) {
-    using Floats [[gnu::vector_size(16)]] = float;
-    return std::bit_cast<lane_words::Half>(__builtin_convertvector(lane_words::as_signed(v), Floats));
+/// Floats below 2^31, rounded towards 0.
+template <class Vector, class Floats> SPANGLE_INLINE Vector to_words(const Floats& v) {
+    using Words [[gnu::vector_size(sizeof(Vector))]] = std::int32_t;
+    return std::bit_cast<Vector>(__builtin_convertvector(v, Words));
 }
-#if defined(__AVX2__)
-template <class F> SPANGLE_INLINE LaneWords::Vector in_float_words(const LaneWords::Vector& v, F f) {
-    using Floats [[gnu::vector_size(32)]] = float;
-    using Words [[gnu::vector_size(32)]] = std::int32_t;
-    const Floats found = f(__builtin_convertvector(lane_words::as_signed(v), Floats));
-    return std::bit_cast<LaneWords::Vector>(__builtin_convertvector(found, Words));
-}
-SPANGLE_INLINE LaneWords::Vector float_bits(const LaneWords::Vector& v) {
-    using Floats [[gnu::vector_size(32)]] = float;
-    return std::bit_cast<LaneWords::Vector>(__builtin_convertvector(lane_words::as_signed(v), Floats));
-}
-#endif
 
 /// reciprocal() of words that have their highest bit.
 template <class Vector> SPANGLE_INLINE Vector lane_reciprocals(const Vector& a) {
@@ -120,8 +106,7 @@ template <class Vector> SPANGLE_INLINE Vector lane_reciprocals(const Vector& a) 
     // The table's number is 2^25 / n to nearest, n = 513 + 2i. A quotient of floats is that number or one too
     // small, in every mode of rounding; twice the rest of the division tells.
     const Vector n = (a >> 22) | 1u;
-    const auto near = in_float_words(
-        n, [](const auto& f) __attribute__((always_inline)) { return static_cast<float>(1u << 25) / f; });
+    const auto near = to_words<Vector>(static_cast<float>(1u << 25) / to_floats(n));
     const Vector rest = ((1u << 26) + n) - near * n * 2u;
     const Vector seed =
         (near - std::bit_cast<Vector>(lane_words::as_signed(rest) >= lane_words::as_signed(n + n))) << 15;
@@ -164,7 +149,7 @@ struct InverseLanes {
                 __attribute__((always_inline)) { return inner::lane_reciprocals(v << n); },
             q, zeros);
     }
-    /// Found before.
+    /// The inverse is known: `of` was inverted to `found` before.
     SPANGLE_INLINE InverseLanes(const LaneWords& of, const LaneWords& found)
         : q(of), mantissa(found), zeros(leading_zeros(of)) {}
     /// 2^zeros.
@@ -206,7 +191,9 @@ struct InverseLanes {
         return LaneWords::mapped(
             [](const auto& v) __attribute__((always_inline)) {
                 // Without the bit below its highest one, no rounding takes a word to the next power of two.
-                return 158u - (inner::float_bits(v & ~(v >> 1)) >> 23);
+                return 158u -
+                       (std::bit_cast<std::remove_cvref_t<decltype(v)>>(inner::to_floats(v & ~(v >> 1))) >>
+                        23);
             },
             words);
     }

@@ -49,9 +49,6 @@
 #define SPANGLE_FEATURE_BAND_RECORDS 1
 #endif
 #define SPANGLE_HAS_RECORDS (SPANGLE_FEATURE_BANDS && SPANGLE_FEATURE_BAND_RECORDS)
-/// Bands that are drawn by callback skip batches of primitives that do not reach them
-/// (raster/band/batch_rows.hpp).
-#define SPANGLE_SKIPS_BATCHES SPANGLE_FEATURE_BANDS
 
 namespace spangle::raster {
 
