@@ -47,7 +47,7 @@ class Worker:
         self.tree = ROOT / f"build/mutants/tree{number}"
         # Where a build lies in its tree as build/test does, and compiles with the same flags, ccache serves both.
         self.build = self.tree / "build/test"
-        self.environment = os.environ | {"CCACHE_BASEDIR": str(self.tree)}
+        self.environment = os.environ | {"CCACHE_BASEDIR": str(self.tree), "CCACHE_SLOPPINESS": "pch_defines,time_macros"}
         self.jobs = jobs
         self.end = end
         self.baselines = {}
