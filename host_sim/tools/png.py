@@ -1,4 +1,5 @@
 """PNG files of 8-bit RGB or RGBA in, of a palette or of RGB out; the standard library only."""
+import itertools
 import struct
 import zlib
 
@@ -21,24 +22,33 @@ def read(data):
             packed += body
     flat, stride = zlib.decompress(packed), width * channels
     rows, above = [], bytearray(stride)
-    for y in range(height):
-        filter_type, row = flat[y * (stride + 1)], bytearray(flat[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
-        for i in range(stride):
-            left = row[i - channels] if i >= channels else 0
-            corner = above[i - channels] if i >= channels else 0
-            row[i] = (row[i] + predict(filter_type, left, above[i], corner)) & 255
-        rows.append([tuple(row[i:i + 3]) for i in range(0, stride, channels)])
-        above = row
+    for at in range(0, height * (stride + 1), stride + 1):
+        above = unfiltered(flat[at], bytearray(flat[at + 1:at + 1 + stride]), above, channels)
+        rows.append(list(zip(*(above[channel::channels] for channel in range(3)))))
     return width, height, rows
 
 
-def predict(filter_type, left, up, corner):
-    if filter_type < 3:
-        return (0, left, up)[filter_type]
-    if filter_type == 3:
-        return (left + up) // 2
-    estimate = left + up - corner
-    return min((abs(estimate - left), 0, left), (abs(estimate - up), 1, up), (abs(estimate - corner), 2, corner))[2]
+def unfiltered(kind, row, above, channels):
+    """The bytes of a row: to each of those in the file what its filter predicts was to be added. `channels` bytes are a pixel."""
+    if kind == 1:  # the pixel on the left
+        for channel in range(channels):
+            row[channel::channels] = bytes(itertools.accumulate(row[channel::channels], lambda left, byte: (left + byte) & 255))
+    elif kind == 2:  # the pixel above: all bytes at once, as one number whose bytes do not carry into each other
+        tops = int.from_bytes(b"\x80" * len(row), "little")
+        a, b = int.from_bytes(row, "little"), int.from_bytes(above, "little")
+        row = bytearray((((a & ~tops) + (b & ~tops)) ^ ((a ^ b) & tops)).to_bytes(len(row), "little"))
+    elif kind == 3:  # the mean of both
+        for i in range(len(row)):
+            row[i] = (row[i] + ((row[i - channels] if i >= channels else 0) + above[i]) // 2) & 255
+    elif kind == 4:  # that of the left one, the one above and the one above the left one which is nearest to left + above - corner
+        for i in range(channels):
+            row[i] = (row[i] + above[i]) & 255
+        for i in range(channels, len(row)):
+            left, up, corner = row[i - channels], above[i], above[i - channels]
+            to_left, to_up, to_corner = abs(up - corner), abs(left - corner), abs(left + up - 2 * corner)
+            nearest = left if to_left <= to_up and to_left <= to_corner else up if to_up <= to_corner else corner
+            row[i] = (row[i] + nearest) & 255
+    return row
 
 
 def palette(counts, colors):
