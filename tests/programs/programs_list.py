@@ -28,6 +28,8 @@ KNOWN = {
                  "open",
     "gibson": "its ground reaches behind the eye, where Mesa takes the fog's distance without its sign before it interpolates; a "
               "ground that ends before the eye is the same, and as the formula has it (GL 1.3, 3.10)",
+    "dymaxionmap": "its stars are smooth points; without GL_POINT_SMOOTH and GL_LINE_SMOOTH the pictures agree; coverage is the area of "
+                   "the disc here, as tests/gl_raster measures it, and an estimate in Mesa (GL 1.3, 3.3)",
     "handsy": "its lines are smooth; without GL_LINE_SMOOTH the pictures agree; coverage is the area of the line's rectangle here, as "
               "tests/gl_raster measures it, and an estimate in Mesa (GL 1.3, 3.4.2)",
     "splitflap": "apitrace asks for GL_MAX_TEXTURE_COORDS when it records glInterleavedArrays, GL 1.5 has no such state, and the program "

@@ -135,7 +135,8 @@ def main():
             print(f"{turn:2} {sum(group.seconds() for group in of_turn):5} s", *(group.tests[0].name for group in of_turn if group.row.every > 1))
     else:
         wrong = faults(rows, groups)
-        print(*wrong, sep="\n")
+        for sentence in wrong:
+            print(sentence)
         return 1 if wrong else 0
     return 0
 
