@@ -21,6 +21,8 @@ def read(data):
         elif kind == b"IDAT":
             packed += body
     flat, stride = zlib.decompress(packed), width * channels
+    if len(flat) != height * (stride + 1):
+        raise ValueError("the file does not hold its rows")
     rows, above = [], bytearray(stride)
     for at in range(0, height * (stride + 1), stride + 1):
         above = unfiltered(flat[at], bytearray(flat[at + 1:at + 1 + stride]), above, channels)

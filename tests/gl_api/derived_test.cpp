@@ -15,6 +15,8 @@
 
 namespace {
 
+constexpr bool whole = sizeof SPANGLE_LEFT_OUT == 1; // this build has all optional systems
+
 constexpr int side = 24;
 
 struct Change {
@@ -87,7 +89,7 @@ struct Derived : testing::Test {
     /// What the state makes of two triangles out of arrays, a line and a point.
     std::vector<GLubyte> draw() {
         const GLenum changed = glGetError(); // a change of what this build does not have is refused
-        EXPECT_TRUE(changed == GL_NO_ERROR || changed == GL_INVALID_OPERATION) << changed;
+        EXPECT_TRUE(changed == GL_NO_ERROR || (!whole && changed == GL_INVALID_OPERATION)) << changed;
         glInterleavedArrays(GL_T2F_C4F_N3F_V3F, 0, arrays.data());
         glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_SHORT, elements.data());
         glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_SHORT, elements.data());
@@ -212,7 +214,7 @@ TEST_F(Derived, StateThatIsPoppedIsDrawnAgain) {
             }
             end(bound);
         }
-    EXPECT_GT(seen, 60); // changes that are seen
+    EXPECT_GT(seen, whole ? 80 : 60); // changes that are seen
 }
 
 /// Among states that come back, with textures and drawables that change meanwhile.

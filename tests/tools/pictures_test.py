@@ -67,6 +67,11 @@ class Files(unittest.TestCase):
         rows = random_rows(1, 40, 4, range(256))
         self.assertEqual(png.read(file_of(rows, 1, 4, lambda y: y * 7 % 5)), (1, 40, pixels(rows, 4)))
 
+    def test_a_file_without_all_of_its_rows_is_refused(self):
+        whole = file_of(random_rows(5, 4, 3, range(256)), 5, 3, lambda y: 0)
+        with self.assertRaises(ValueError):
+            png.read(whole.replace(struct.pack(">II", 5, 4), struct.pack(">II", 5, 5)))
+
 
 if __name__ == "__main__":
     unittest.main()
