@@ -571,7 +571,8 @@ template <class M, class L> class Pipeline {
     [[gnu::noinline]] void end_polygon();
     [[gnu::noinline]] void outlined_fan(bool last);
     void flag_edges(Vertex* const* corners, int n);
-    template <int N> SPANGLE_INLINE void face(int provoking);
+    int first_corner(int n) const;
+    template <int N> SPANGLE_INLINE void face(Vertex* const* c, int provoking);
 
     // pipeline_primitives.hpp
     void point(Vertex& v);

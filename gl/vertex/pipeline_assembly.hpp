@@ -16,9 +16,10 @@ template <class M, class L> inline void Pipeline<M, L>::swap(int i, int j) {
     corner_[j] = v;
 }
 
-/// Its N corners are there.
-template <class M, class L> template <int N> SPANGLE_INLINE void Pipeline<M, L>::face(int provoking) {
-    Vertex* const* const c = corner_;
+/// Its N corners are there. The triangles of a face of four share the diagonal between c[0] and c[2].
+template <class M, class L>
+template <int N>
+SPANGLE_INLINE void Pipeline<M, L>::face(Vertex* const* c, int provoking) {
     if constexpr (faces_are_polygons)
         polygon(c, N, *c[provoking]);
     else if constexpr (N == 3)
@@ -51,15 +52,15 @@ template <class M, class L> void Pipeline<M, L>::primitive() {
         return line(*c[2], *c[1]);
     case GL_TRIANGLES:
         held_ = 0;
-        return face<3>(2);
+        return face<3>(c, 2);
     case GL_TRIANGLE_STRIP: // the newest takes the place of the oldest in turn, so all face one way
-        face<3>(2);
+        face<3>(c, 2);
         swap(odd_ ? 1 : 0, 2);
         odd_ = !odd_;
         held_ = 2;
         return;
     case GL_TRIANGLE_FAN:
-        face<3>(2);
+        face<3>(c, 2);
         break;
     case GL_POLYGON:
         if constexpr (!has_polygons)
@@ -70,12 +71,16 @@ template <class M, class L> void Pipeline<M, L>::primitive() {
             return outlined_fan(false);
         polygon(c, 3, *c[0]);
         break;
-    case GL_QUADS:
+    case GL_QUADS: {
+        // GL leaves the diagonal open (GL 1.3, 2.6.1). It ends at the provoking vertex, as in QUAD_STRIP and
+        // in Mesa, so quads of four colours look as they do elsewhere.
+        Vertex* const from_second[4] = {c[1], c[2], c[3], c[0]};
         held_ = 0;
-        return face<4>(3);
+        return face<4>(from_second, 2);
+    }
     default:        // QUAD_STRIP
         swap(2, 3); // v0 v1 v3 v2
-        face<4>(2);
+        face<4>(c, 2);
         swap(0, 3);
         break;
     }
@@ -112,6 +117,12 @@ template <class M, class L> void Pipeline<M, L>::outlined_fan(bool last) {
     swap(1, 2);
     swap(2, 3);
     held_ = 3;
+}
+
+/// Of n corners, the one that the caller named first: quads come with their second in front. GL does not say
+/// which one is the first of a quad that is cut.
+template <class M, class L> inline int Pipeline<M, L>::first_corner(int n) const {
+    return mode_ == GL_QUADS ? n - 1 : 0;
 }
 
 /// Which edges of any other polygon are drawn: those of strips and fans all (GL 1.3, 2.6.2).

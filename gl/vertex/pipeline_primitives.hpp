@@ -311,7 +311,7 @@ SPANGLE_INLINE void Pipeline<M, L>::draw(const Seen& at, int n, const Window& pr
         return outline(at, n, provoking, face_mode_[side]);
     if (captures()) {
         begin_capture(GL_POLYGON_TOKEN, n);
-        for (int i = 0; i < n; ++i)
+        for (int i = first_corner(n), left = n; left > 0; i = i + 1 < n ? i + 1 : 0, --left)
             capture({*at.corners[i], flat_ ? provoking : at(i)});
         return;
     }
@@ -380,11 +380,11 @@ void Pipeline<M, L>::outline(const Seen& at, int n, const Window& provoking, GLe
     Vertex* const* const corners = at.corners;
     stipple_starts_ = stipple_starts_ || mode_ != GL_POLYGON; // those come in parts
     context_->fragments.primitive.stippled = false;
-    for (int i = 0; i < n; ++i) {
+    for (int i = first_corner(n), next = 0, left = n; left > 0; i = next, --left) {
+        next = i + 1 < n ? i + 1 : 0;
         if ((corners[i]->flags & boundary) == 0)
             continue;
         if (mode == GL_LINE) {
-            const int next = i + 1 < n ? i + 1 : 0;
             draw_line(*corners[i], at(i), *corners[next], at(next), provoking);
             continue;
         }

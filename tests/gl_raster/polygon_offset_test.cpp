@@ -106,7 +106,7 @@ TEST_F(PolygonOffset, SlopesAreFractionsOfTheLargestCode) {
     glEnable(GL_POLYGON_OFFSET_FILL);
     double sum = 0;
     int fragments = 0;
-    for (int n = 0; n < 100; ++n) {
+    for (int n = 0; n < 1000; ++n) {
         const Plane plane{lot(0.02, 0.03), lot(0.0005, 0.0009), lot(-0.0001, 0.0001)};
         const auto factor = static_cast<GLfloat>(0.9 / plane.dx);
         glPolygonOffset(0, 0);

@@ -231,6 +231,16 @@ TEST_F(Feedback, OutlinesOfPolygons) {
     glFrontFace(GL_CW); // its back is filled
     EXPECT_EQ(feed(GL_2D, pentagon), (Words{GL_POLYGON_TOKEN, 5, 16, 32, 32, 16, 48, 32, 40, 48, 24, 48}));
 }
+
+/// Quads are outlined from the corner that was named first.
+TEST_F(Feedback, OutlinesOfQuads) {
+    const GLfloat reset = GL_LINE_RESET_TOKEN, on = GL_LINE_TOKEN, point = GL_POINT_TOKEN;
+    glPolygonMode(GL_FRONT, GL_LINE);
+    EXPECT_EQ(feed(GL_2D, quad),
+              (Words{reset, 16, 16, 48, 16, on, 48, 16, 48, 48, on, 48, 48, 16, 48, on, 16, 48, 16, 16}));
+    glPolygonMode(GL_FRONT, GL_POINT);
+    EXPECT_EQ(feed(GL_2D, quad), (Words{point, 16, 16, point, 48, 16, point, 48, 48, point, 16, 48}));
+}
 #endif
 
 TEST_F(Feedback, WhatClippingMakesHasItsColorAndTexture) {

@@ -1,4 +1,6 @@
-// Row C14: a quad that a plane cuts is drawn as the two triangles that it is drawn as where nothing cuts it.
+// Row C14: which two triangles a quad is drawn as, and that a quad that a plane cuts is drawn as the same
+// two.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -61,17 +63,22 @@ class CutQuads : public Canvas {
         return true;
     }
 
-    /// Draws many quads as QUADS and as QUAD_STRIP, and the triangles that they stand for.
+    /// Draws many quads as QUADS and as QUAD_STRIP, and the triangles that they stand for. The diagonal ends
+    /// at the provoking vertex: the last of one of QUADS, and the last of the strip so far, which is the
+    /// third corner.
     void all_are_triangles(int rounds, float quad_size) {
-        int seen = 0;
+        int seen = 0, divided_otherwise = 0;
         for (int round = 0; round < rounds; ++round) {
             const Quad q = some_quad(quad_size);
-            const Pixels triangles = drawn(GL_TRIANGLES, {q[0], q[1], q[2], q[0], q[2], q[3]});
-            ASSERT_EQ(drawn(GL_QUADS, {q[0], q[1], q[2], q[3]}), triangles) << "round " << round;
-            ASSERT_EQ(drawn(GL_QUAD_STRIP, {q[0], q[1], q[3], q[2]}), triangles) << "round " << round;
-            seen += is_empty(triangles) ? 0 : 1;
+            const Pixels quad = drawn(GL_TRIANGLES, {q[1], q[2], q[3], q[1], q[3], q[0]});
+            const Pixels strip = drawn(GL_TRIANGLES, {q[0], q[1], q[2], q[0], q[2], q[3]});
+            ASSERT_EQ(drawn(GL_QUADS, {q[0], q[1], q[2], q[3]}), quad) << "round " << round;
+            ASSERT_EQ(drawn(GL_QUAD_STRIP, {q[0], q[1], q[3], q[2]}), strip) << "round " << round;
+            seen += is_empty(quad) ? 0 : 1;
+            divided_otherwise += quad != strip ? 1 : 0;
         }
         EXPECT_GT(seen, rounds / 4);
+        EXPECT_GT(divided_otherwise, rounds / 4);
     }
 
     static void look(double far) {
@@ -82,6 +89,13 @@ class CutQuads : public Canvas {
         glMatrixMode(GL_MODELVIEW);
     }
 };
+
+TEST_F(CutQuads, ByNothing) {
+    look(100);
+    glMatrixMode(GL_MODELVIEW);
+    glTranslatef(0, 0, -8);
+    all_are_triangles(200, 2);
+}
 
 TEST_F(CutQuads, ByTheViewVolume) {
     look(20);
@@ -136,11 +150,32 @@ TEST_F(CutQuads, AreFlatInOneColor) {
         Quad same = q;
         for (Corner& at : same)
             at.color = q[3].color;
-        const Pixels one_color = drawn(GL_TRIANGLES, {same[0], same[1], same[2], same[0], same[2], same[3]});
+        const Pixels one_color = drawn(GL_TRIANGLES, {same[1], same[2], same[3], same[1], same[3], same[0]});
         ASSERT_EQ(drawn(GL_QUADS, {q[0], q[1], q[2], q[3]}), one_color) << "round " << round;
         seen += is_empty(one_color) ? 0 : 1;
     }
     EXPECT_GT(seen, 25);
+}
+
+/// Where one side is outlined, the other is filled as it is where both are.
+TEST_F(CutQuads, WithOneSideOutlined) {
+    look(20);
+    for (int round = 0; round < 100; ++round) {
+        const Quad q = some_quad(0.5f); // most of these are in the volume
+        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+        const Pixels filled = drawn(GL_QUADS, {q[0], q[1], q[2], q[3]});
+        const bool is_cut = std::any_of(q.begin(), q.end(), [](const Corner& at) {
+            return at.position[2] > -0.5f || std::abs(at.position[0]) > -at.position[2] ||
+                   std::abs(at.position[1]) > -at.position[2];
+        });
+        glPolygonMode(GL_BACK, GL_LINE);
+        glEnable(GL_CULL_FACE);
+        const Pixels front = drawn(GL_QUADS, {q[0], q[1], q[2], q[3]});
+        glDisable(GL_CULL_FACE);
+        if (!is_cut && !is_empty(front)) {
+            ASSERT_EQ(front, filled) << "round " << round;
+        }
+    }
 }
 
 /// The outline of a cut quad has no line along the diagonal.

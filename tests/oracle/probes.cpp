@@ -8,7 +8,7 @@
 namespace spangle::oracle {
 
 scenes::SceneList probes() {
-    static const scenes::Scene all[] = {outlines,      two_units,     cut_torus,
+    static const scenes::Scene all[] = {outlines,      divided_quads, two_units, cut_torus,
                                         sphere_mapped, planes_mapped, patches};
     return {all, sizeof all / sizeof all[0]};
 }

@@ -144,6 +144,30 @@ void set_up_cut_torus(int width, int height) {
     }
 }
 
+/// Rows of quads and strips with a colour in each corner: where a diagonal is, is where the colours bend.
+void draw_divided_quads(int) {
+    glClear(GL_COLOR_BUFFER_BIT);
+    const auto corner = [](int column, int row) {
+        const auto mixed = static_cast<unsigned>(column * 97 + row * 57 + column * row * 31);
+        glColor3ub(static_cast<GLubyte>(mixed * 89), static_cast<GLubyte>(mixed * 151),
+                   static_cast<GLubyte>(mixed * 211));
+        glVertex2i(8 + 30 * column + (row % 2 != 0 ? 9 : 0), 8 + 29 * row + (column % 2 != 0 ? 7 : 0));
+    };
+    for (int row = 0; row < 6; ++row) {
+        const bool strip = row % 2 != 0;
+        glBegin(strip ? GL_QUAD_STRIP : GL_QUADS);
+        for (int column = 0; column < 8; ++column) {
+            corner(column, row);
+            if (!strip) {
+                corner(column + 1, row);
+                corner(column + 1, row + 1);
+            }
+            corner(column, row + 1);
+        }
+        glEnd();
+    }
+}
+
 void draw_torus(int) {
     clear();
     torus(16, 32);
@@ -200,6 +224,7 @@ const scenes::Scene planes_mapped = {"P-texgen-planes", "OBJECT_LINEAR, EYE_LINE
                                      set_up_planes, draw_torus};
 const scenes::Scene cut_torus = {"P-clip-planes", "a torus cut open", set_up_cut_torus, draw_torus};
 const scenes::Scene outlines = {"P-outlines", "PolygonMode and edge flags", pixels, draw_outlines};
+const scenes::Scene divided_quads = {"P-divided-quads", "quads of four colours", pixels, draw_divided_quads};
 const scenes::Scene two_units = {"P-two-units", "two textures", set_up_two_units, draw_two_units};
 
 } // namespace spangle::oracle

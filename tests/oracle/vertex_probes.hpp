@@ -5,6 +5,6 @@
 
 namespace spangle::oracle {
 
-extern const scenes::Scene outlines, two_units, cut_torus, sphere_mapped, planes_mapped;
+extern const scenes::Scene outlines, divided_quads, two_units, cut_torus, sphere_mapped, planes_mapped;
 
 } // namespace spangle::oracle
