@@ -10,7 +10,7 @@ and replayed by Spangle and by Mesa's softpipe and llvmpipe. No error of GL may 
 gallery.csv gets a line for each program that was run and keeps those of the others. --only runs the programs whose names the regular
 expression finds. --check leaves the table alone and fails where a program gets a worse verdict than its line has; of the lines it
 takes one in PARTS, other ones with each commit. --sheet draws docs/pictures/programs.png: some of the programs on the glass of a panel.
-Programs that seed random numbers draw the same scene in each run (same_start.c). BUILD is a build folder, build/host unless given.
+The same program draws the same frames in each run, whatever the machine's speed (same_run.c). BUILD is a build folder, build/host unless given.
 """
 import argparse
 import collections
@@ -58,12 +58,12 @@ def build_imgui():
 
 
 def environment_of(base, display, home):
-    """A home of its own without sound, where SDL draws by OpenGL, and a clock that begins at the same time in each run. Savers find
+    """A home of its own without sound, where SDL draws by OpenGL, and a clock that goes the same way in each run. Savers find
     the programs there that give them pictures and words: a child that finds none ends, and writes into its parent's trace."""
     (home / ".asoundrc").write_text("pcm.!default { type null }\nctl.!default { type null }\n")
     outfile.write(home / ".xscreensaver", "".join(f"{name}: {value}\n" for name, value in SAVER_SETTINGS.items()))
     return base | {"DISPLAY": display, "HOME": str(home), "PATH": f"/usr/local/bin:/usr/bin:/bin:/usr/games:{HACKS}",
-                   "SDL_RENDER_DRIVER": "opengl", "SDL_AUDIODRIVER": "dummy", "LD_PRELOAD": str(MADE / "same_start")}
+                   "SDL_RENDER_DRIVER": "opengl", "SDL_AUDIODRIVER": "dummy", "LD_PRELOAD": str(MADE / "same_run")}
 
 
 def drawn(picture):
@@ -81,19 +81,19 @@ def last_line(words):
     return (words.strip().splitlines() or [""])[-1][:200]
 
 
-def last_drawn(pictures):
-    """The number of the last picture that shows something; of the last one where none does."""
+def last_drawn(pictures, window):
+    """The number of the last picture whose window shows something; of the last one where none does."""
     empty = set()
     for at in range(len(pictures) - 1, -1, -1):
         file = pictures[at].read_bytes()
-        if file not in empty and drawn(Picture(pictures[at]))[1] >= LEAST_DRAWN:
+        if file not in empty and drawn(Picture(pictures[at], window))[1] >= LEAST_DRAWN:
             return at
         empty.add(file)
     return len(pictures) - 1
 
 
-def compare_frames(place, pair, trace):
-    """Replays a trace by all and compares two frames; gives the verdict and its reason."""
+def compare_frames(place, pair, trace, window):
+    """Replays a trace by all and compares two frames of its window; gives the verdict and its reason."""
     ours, ended = replay(trace, spangle_environment(pair), place / "spangle", SECONDS)
     theirs = {o: replay(trace, mesa_environment(o, "1.5"), place / o, SECONDS) for o in ORACLES}
     late = [o for o, (_, by) in theirs.items() if by.status is None]
@@ -107,9 +107,9 @@ def compare_frames(place, pair, trace):
     seen, least = errors(ended.words), min(errors(e.words) for _, e in theirs.values())
     if seen > least:
         return "errors", f"{seen} errors of GL; Mesa has {least}"
-    last = last_drawn(theirs[ORACLES[-1]][0])
+    last = last_drawn(theirs[ORACLES[-1]][0], window)
     for at in sorted({last // 2, last}):
-        mine, pictures = Picture(ours[at]), [Picture(p[at]) for p, _ in theirs.values()]
+        mine, pictures = Picture(ours[at], window), [Picture(p[at], window) for p, _ in theirs.values()]
         if any((p.width, p.height) != (mine.width, mine.height) for p in pictures):
             return "pictures differ", "their sizes differ"
         off, allowed = difference(mine, pictures)
@@ -144,12 +144,13 @@ def judge(program, pair, display, place):
         start, verdict, reason = shown(program, environment, place)
         if verdict:
             return verdict, reason
-        trace = place / "calls.trace"
+        trace, picture = place / "calls.trace", place / "recorded.png"
         ended = run(["apitrace", "trace", "-a", program.api, "-o", trace, *program.command],
-                    environment | start | {"SPANGLE_SIGNAL": "1"}, SECONDS, program.folder or home)
-        if ended.status is None or not trace.exists():
+                    environment | start | {"SPANGLE_SIGNAL": "1", "SPANGLE_SHOT": str(picture)}, SECONDS, program.folder or home)
+        if ended.status is None or not trace.exists() or not picture.exists():
             return "is not recorded", f"apitrace ends with {ended.status}: {last_line(ended.words)}"
-    return compare_frames(place, pair, without_refused_contexts(trace, place / "played.trace"))
+    recorded = Picture(picture)
+    return compare_frames(place, pair, without_refused_contexts(trace, place / "played.trace"), (recorded.width, recorded.height))
 
 
 def read_table():
@@ -272,7 +273,7 @@ def main():
     if HACKS.exists() and not (HACKS / "xscreensaver-getimage").exists():
         print("skipped: savers find no pictures; ./dev setup --gallery installs xscreensaver-data")
         return SKIPPED
-    build("same_start.c", "-shared", "-fPIC")
+    build("same_run.c", "-shared", "-fPIC")
     programs = every(build_imgui())
     if options.check:
         if not any(program.suite == "xscreensaver" for program in programs):

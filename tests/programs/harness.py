@@ -24,6 +24,7 @@ ORACLES = ("softpipe", "llvmpipe")
 # Two correct GLs differ in edges and by rounding: pixels that are off by more, in a hundred, and steps of a component.
 SPREAD = 0.1
 TRACE_STEPS = 16
+LAST_CALL = 2**32 - 1  # apitrace's largest number of a call, which no trace reaches
 
 
 def need(*programs):
@@ -121,12 +122,11 @@ def trim(trace, frames, to):
 
 def without_refused_contexts(trace, to):
     """A trace without the contexts that EGL refused when it was recorded: eglretrace ends at the first that it does not get."""
-    said = run(["apitrace", "dump", "--color=never", trace], dict(os.environ), 300).words
-    calls = [int(line.split()[0]) for line in said.splitlines() if re.match(r"\d+ ", line)]
+    said = run(["apitrace", "dump", "--color=never", "--grep=^eglCreateContext$", trace], dict(os.environ), 300).words
     refused = [int(n) for n in re.findall(r"^(\d+) eglCreateContext\(.*\) = NULL$", said, re.M)]
     if not refused:
         return trace
-    begins, ends = [0, *(n + 1 for n in refused)], [*(n - 1 for n in refused), calls[-1]]
+    begins, ends = [0, *(n + 1 for n in refused)], [*(n - 1 for n in refused), LAST_CALL]
     done = run(["apitrace", "trim", "--calls=" + ",".join(f"{a}-{b}" for a, b in zip(begins, ends)), "-o", to, trace], dict(os.environ))
     if done.status != 0:
         raise RuntimeError(done.words)
@@ -142,8 +142,12 @@ def replay(trace, environment, to, seconds=300):
 
 
 class Picture:
-    def __init__(self, path):
+    """The pixels of a PNG, of all of it or of its lower left part: there a replay has a window (a size) that fills its surface in part."""
+    def __init__(self, path, window=None):
         self.width, self.height, self.rows = png.read(pathlib.Path(path).read_bytes())
+        if window and (window[0] < self.width or window[1] < self.height):
+            self.width, self.height = min(window[0], self.width), min(window[1], self.height)
+            self.rows = [row[:self.width] for row in self.rows[len(self.rows) - self.height:]]
 
 
 def steps(a, b):

@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+"""What gallery.py rests on: the clock of same_run.c, which goes by what a program does, and the window's part of a picture."""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parents[1] / "host_sim" / "tools")]
+import png  # noqa: E402
+from harness import Picture  # noqa: E402
+
+START = 1700000000
+# Prints each reading of the clocks between other work; `busy` is how many turns it computes before each reading.
+PROGRAM = """
+import json, os, select, subprocess, sys, time
+busy, words = int(sys.argv[1]), []
+def read(name):
+    for _ in range(busy):
+        hash(words.__repr__())
+    words.append((name, time.time_ns(), time.monotonic_ns()))
+read("first")
+read("second")
+time.sleep(0.25)
+read("slept")
+inner, outer = os.pipe()
+select.select([inner], [], [], 0.125)
+read("waited in vain")
+os.write(outer, b"x")
+select.select([inner], [], [], 10)
+read("something was there")
+waiting = select.poll()
+waiting.register(inner)
+os.read(inner, 1)
+waiting.poll(50)
+read("polled in vain")
+made = sys.argv[2]
+helper = subprocess.Popen(["sh", "-c", "i=0; while [ $i -lt 20000 ]; do i=$((i+1)); done; echo x > " + made])
+time.sleep(0.001)
+words.append(("helper is done", os.path.exists(made), helper.wait()))
+words.append(("process", os.getpid(), 0))
+print(json.dumps(words))
+"""
+
+
+class Clock(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.place = tempfile.TemporaryDirectory()
+        cls.library = pathlib.Path(cls.place.name) / "same_run"
+        subprocess.run(["cc", "-O1", "-Wall", "-Wextra", "-Werror", "-shared", "-fPIC", "-o", cls.library, HERE / "same_run.c"], check=True)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.place.cleanup()
+
+    def readings(self, busy):
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run([sys.executable, "-c", PROGRAM, str(busy), folder + "/made"], check=True, capture_output=True, text=True,
+                                  env=os.environ | {"LD_PRELOAD": str(self.library), "PYTHONHASHSEED": "0"}, timeout=60)
+        return json.loads(done.stdout)
+
+    def test_two_runs_read_the_same_times_whatever_the_speed(self):
+        self.assertEqual(self.readings(0), self.readings(20000))
+
+    def test_time_goes_by_sleeping_and_by_waiting_in_vain(self):
+        words = self.readings(0)
+        day, up = ([word[k] for word in words if word[0] not in ("helper is done", "process")] for k in (1, 2))
+        self.assertEqual(day[0] // 10**9, START)
+        self.assertLess(up[0], 2 * 10**9)
+        for times in (day, up):
+            steps = [b - a for a, b in zip(times, times[1:])]
+            for step, asked in zip(steps, (0, 250, 125, 0, 50)):
+                # Each reading of a clock takes a millisecond; Python itself reads it around what waits.
+                self.assertGreaterEqual(step, (asked + 1) * 10**6)
+                self.assertLessEqual(step, (asked + 8) * 10**6)
+
+    def test_who_sleeps_wakes_when_helpers_have_ended(self):
+        words = {word[0]: word[1] for word in self.readings(0)}
+        self.assertTrue(words["helper is done"])
+        self.assertEqual(words["process"], 4242)
+
+
+class Windows(unittest.TestCase):
+    ROWS = [[(x, y, 9) for x in range(7)] for y in range(5)]
+
+    def picture(self, window):
+        with tempfile.NamedTemporaryFile(suffix=".png") as file:
+            file.write(png.write_exact(self.ROWS))
+            file.flush()
+            return Picture(file.name, window)
+
+    def test_a_window_is_the_lower_left_part(self):
+        part = self.picture((3, 2))
+        self.assertEqual((part.width, part.height), (3, 2))
+        self.assertEqual([[tuple(pixel) for pixel in row] for row in part.rows], [row[:3] for row in self.ROWS[3:]])
+
+    def test_a_window_as_large_as_the_surface_or_larger_is_all_of_it(self):
+        for window in (None, (7, 5), (70, 50)):
+            part = self.picture(window)
+            self.assertEqual((part.width, part.height, len(part.rows), len(part.rows[0])), (7, 5, 5, 7))
+
+    def test_a_window_may_be_larger_one_way(self):
+        part = self.picture((70, 2))
+        self.assertEqual((part.width, part.height, tuple(part.rows[0][6])), (7, 2, (6, 3, 9)))
+
+
+if __name__ == "__main__":
+    unittest.main()
