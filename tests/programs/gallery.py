@@ -22,7 +22,7 @@ import sys
 import tempfile
 
 from harness import (HERE, ORACLES, SKIPPED, Picture, check, difference, failures, folder, mesa_environment, need, outfile, png, replay,
-                     run, spangle_environment, turn, without_refused_contexts, xvfb)
+                     run, some_frames, spangle_environment, turn, without_refused_contexts, xvfb)
 from programs_list import HACKS, KNOWN, SHEET, every
 
 ROOT = HERE.parents[1]
@@ -31,6 +31,7 @@ TABLE, PICTURE, PAGE = HERE / "gallery.csv", ROOT / "docs/pictures/programs.png"
 COLUMNS = ("program", "suite", "verdict", "reason")
 # Frames, and the size of windows: a program that shows one colour is run again, at last in a window as it has it by itself.
 STARTS, SECONDS = ((20, "320x240"), (400, "320x240"), (20, None)), 120
+PICTURES = 10  # of a replay
 PAIR = ("libGL.so.1", "libEGL.so.1", "libOpenGL.so.0", "libGLX.so.0")
 TRIES = 2  # What moves by the clock draws other frames when it is run again.
 # Verdicts that tell nothing about Spangle. A check takes them on any line: they come of a machine that is busy.
@@ -94,8 +95,9 @@ def last_drawn(pictures, window):
 
 def compare_frames(place, pair, trace, window):
     """Replays a trace by all and compares two frames of its window; gives the verdict and its reason."""
-    ours, ended = replay(trace, spangle_environment(pair), place / "spangle", SECONDS)
-    theirs = {o: replay(trace, mesa_environment(o, "1.5"), place / o, SECONDS) for o in ORACLES}
+    frames = some_frames(trace, PICTURES)
+    ours, ended = replay(trace, spangle_environment(pair), place / "spangle", SECONDS, frames)
+    theirs = {o: replay(trace, mesa_environment(o, "1.5"), place / o, SECONDS, frames) for o in ORACLES}
     late = [o for o, (_, by) in theirs.items() if by.status is None]
     if late:
         return SLOW, f"{late[0]} does not end within {SECONDS} s"

@@ -6,12 +6,13 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parents[1] / "host_sim" / "tools")]
 import png  # noqa: E402
-from harness import Picture  # noqa: E402
+from harness import Picture, run, some  # noqa: E402
 
 START = 1700000000
 # Prints each reading of the clocks between other work; `busy` is how many turns it computes before each reading.
@@ -82,6 +83,37 @@ class Clock(unittest.TestCase):
         words = {word[0]: word[1] for word in self.readings(0)}
         self.assertTrue(words["helper is done"])
         self.assertEqual(words["process"], 4242)
+
+
+class Ends(unittest.TestCase):
+    def test_who_is_late_ends_with_all_that_it_started(self):
+        with tempfile.TemporaryDirectory() as folder:
+            late = pathlib.Path(folder) / "late"
+            ended = run(["sh", "-c", f"echo begun; (sleep 2; echo x > {late}) & wait"], dict(os.environ), 1)
+            self.assertEqual((ended.status, ended.words), (None, "begun\n"))
+            time.sleep(2)
+            self.assertFalse(late.exists())
+
+    def test_who_ends_in_time_tells_how(self):
+        ended = run(["sh", "-c", "echo out; echo error >&2; exit 3"], dict(os.environ), 10)
+        self.assertEqual((ended.status, ended.words), (3, "out\nerror\n"))
+
+
+class Some(unittest.TestCase):
+    def test_some_of_many_end_with_the_last(self):
+        self.assertEqual(some(list(range(1, 401)), 10), list(range(40, 401, 40)))
+        self.assertEqual(some(list("abcdefghijklm"), 4), ["a", "e", "i", "m"])
+
+    def test_all_of_few(self):
+        for few in ([], ["a"], list("abcd")):
+            self.assertEqual(some(few, 4), few)
+
+    def test_never_more_than_asked_for(self):
+        for count in range(1, 60):
+            for most in (1, 2, 3, 10):
+                chosen = some(list(range(count)), most)
+                self.assertLessEqual(len(chosen), most)
+                self.assertEqual(chosen[-1], count - 1)
 
 
 class Windows(unittest.TestCase):

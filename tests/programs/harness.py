@@ -4,10 +4,12 @@ A test names programs; this file knows how to run each kind (piglit, a trace, a 
 correct GLs are the same. Standard library only. The environment variable SPANGLE_KEEP names a folder where pictures stay.
 """
 import contextlib
+import functools
 import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -57,12 +59,21 @@ class Ended:
 
 
 def run(command, environment, seconds=120, folder=None):
-    try:
-        done = subprocess.run([str(c) for c in command], env=environment, cwd=folder, timeout=seconds, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, errors="replace", check=False)
-        return Ended(done.returncode, done.stdout)
-    except subprocess.TimeoutExpired as late:
-        return Ended(None, (late.stdout or b"").decode(errors="replace"))
+    """Runs a program to its end or for its time, after which it is killed with all that it started: a tracer's program, for one, would
+    go on without the tracer."""
+    with subprocess.Popen([str(c) for c in command], env=environment, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          errors="replace", start_new_session=True) as started:
+        ends = False
+        try:
+            words, _ = started.communicate(timeout=seconds)
+            ends = True
+            return Ended(started.returncode, words)
+        except subprocess.TimeoutExpired:
+            pass
+        finally:
+            if not ends:
+                os.killpg(started.pid, signal.SIGKILL)
+        return Ended(None, started.communicate()[0])
 
 
 def turn():
@@ -120,10 +131,20 @@ def trim(trace, frames, to):
         raise RuntimeError(done.words)
 
 
+@functools.lru_cache(maxsize=1)
+def contexts_and_swaps(trace, _written):
+    """The calls of a trace that make contexts and end frames, a line each. Long traces take seconds: asked again, the answer is kept for
+    as long as the file is as it was written."""
+    return run(["apitrace", "dump", "--color=never", "--grep=^eglCreateContext$|^(egl|glX)SwapBuffers$", trace], dict(os.environ), 300).words
+
+
+def contexts_and_swaps_of(trace):
+    return contexts_and_swaps(trace, trace.stat().st_mtime_ns)
+
+
 def without_refused_contexts(trace, to):
     """A trace without the contexts that EGL refused when it was recorded: eglretrace ends at the first that it does not get."""
-    said = run(["apitrace", "dump", "--color=never", "--grep=^eglCreateContext$", trace], dict(os.environ), 300).words
-    refused = [int(n) for n in re.findall(r"^(\d+) eglCreateContext\(.*\) = NULL$", said, re.M)]
+    refused = [int(n) for n in re.findall(r"^(\d+) eglCreateContext\(.*\) = NULL$", contexts_and_swaps_of(trace), re.M)]
     if not refused:
         return trace
     begins, ends = [0, *(n + 1 for n in refused)], [*(n - 1 for n in refused), LAST_CALL]
@@ -133,10 +154,20 @@ def without_refused_contexts(trace, to):
     return to
 
 
-def replay(trace, environment, to, seconds=300):
-    """The pictures of the frames of a trace, in order, and what the retracer said."""
+def some(things, most):
+    """The last of a list and others that lie evenly before it, `most` in all at most, in their order."""
+    return things[::-1][::max(1, -(-len(things) // most))][::-1]
+
+
+def some_frames(trace, most):
+    """Some frames of a trace, the last among them, in the words of eglretrace's option -S."""
+    return ",".join(some(re.findall(r"^(\d+) \w+SwapBuffers", contexts_and_swaps_of(trace), re.M), most)) or "frame"
+
+
+def replay(trace, environment, to, seconds=300, frames="frame"):
+    """The pictures of all frames of a trace, or of some_frames, in order, and what the retracer said."""
     to.mkdir(parents=True, exist_ok=True)
-    ended = run(["eglretrace", "--headless", "-s", f"{to}/", "-S", "frame", trace],
+    ended = run(["eglretrace", "--headless", "-s", f"{to}/", "-S", frames, trace],
                 environment | {"WAFFLE_PLATFORM": "surfaceless_egl"}, seconds)
     return sorted(to.glob("*.png")), ended
 
