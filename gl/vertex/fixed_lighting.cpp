@@ -202,19 +202,21 @@ void FixedLighting::derive_source(const Light& light, const numeric::NormalMatri
                                   Source& out) const {
     set_intensities(light.ambient, out.ambient);
     set_intensities(light.diffuse, out.diffuse);
-    const numeric::Block4 p = numeric::to_block(light.position);
+    const Real(&p)[4] = light.position;
+    // Without w, which may be so small beside x, y and z that it would vanish in their common exponent.
+    const numeric::Block3 position = numeric::to_block(p[0], p[1], p[2]);
     if (has_specular)
         set_intensities(light.specular, out.specular);
-    out.directional = !has_local_lights || p.m[3] == 0;
+    out.directional = !has_local_lights || numeric::is_zero(p[3]);
     if (out.directional) {
-        const numeric::Unit3 to_light = numeric::normalize(numeric::xyz(p));
+        const numeric::Unit3 to_light = numeric::normalize(position);
         out.facing = in_object_space(normal, to_light, normal_matrix_.column);
         if (!always_given)
             out.to_light = to_light;
         if (has_specular)
             out.half = half_vector(to_light, toward_viewer);
     } else {
-        out.position = numeric::mul(numeric::xyz(p), numeric::reciprocal(numeric::component(p, 3)));
+        out.position = numeric::mul(position, numeric::reciprocal(numeric::to_block(p[3])));
     }
     if (!has_local_lights)
         return;

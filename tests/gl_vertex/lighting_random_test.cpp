@@ -82,6 +82,38 @@ TEST_F(Lighting, RandomScenes) {
     EXPECT_LT(worst, 0.01);
 }
 
+/// A light is where x, y and z divided by w are, also where w is tiny, huge or negative.
+TEST_F(Lighting, AnyWOfALight) {
+    std::mt19937 random(5);
+    const auto real = [&random](double low, double high) {
+        return static_cast<double>(static_cast<float>(std::uniform_real_distribution<>(low, high)(random)));
+    };
+    int lit = 0;
+    for (int n = 0; n < 6000; ++n) {
+        LitVertex v;
+        only_diffuse(v);
+        LightSource& l = v.light[0];
+        l.on = true;
+        l.diffuse = {1, 1, 1, 1};
+        const double w = std::ldexp(real(0.5, 1), static_cast<int>(random() % 180) - 120);
+        l.position = {real(-30, 30), real(-30, 30), real(-30, 30), n % 2 == 0 ? w : -w};
+        if (n % 3 == 0)
+            l.constant = real(0.5, 2),
+            l.linear = std::ldexp(real(0.5, 1), static_cast<int>(random() % 100) - 60);
+        const Vec3 normal = unit({real(-1, 1), real(-1, 1), real(-1, 1)});
+        for (std::size_t c = 0; c < 3; ++c)
+            v.normal[c] = static_cast<float>(normal[c]);
+        v.position = {real(-20, 20), real(-20, 20), real(-20, 20), 1};
+        const LitColor expected = equation(v, 0);
+        if (expected.margin < 1.0 / (1 << 20))
+            continue;
+        lit += expected.primary[0] > 0.1 ? 1 : 0;
+        ASSERT_LT(difference(lit_point(v), expected), 0.01)
+            << "w " << l.position[3] << " linear " << l.linear;
+    }
+    EXPECT_GT(lit, 1000);
+}
+
 /// Lights that reach every vertex alike, on objects stretched by up to 2^9 before and after they are turned.
 TEST_F(Lighting, StretchedObjects) {
     std::mt19937 random(5);

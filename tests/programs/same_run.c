@@ -20,7 +20,7 @@ enum { START = 1700000000, PROCESS = 4242 };
 enum { UPTIME = 1 };
 enum { READING = 1000000, SECOND = 1000000000 }; /* nanoseconds */
 /* A program's helpers get this much time in all: some go on as long as the program does. */
-enum { PAUSE = 10000000, PAUSES = 500 };
+enum { PAUSE = 10000000, PAUSES = 1500 };
 
 static long long passed; /* nanoseconds since the start */
 
