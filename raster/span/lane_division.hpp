@@ -10,13 +10,6 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Elsewhere fragments are divided one after the other.
-#if defined(__AVX2__)
-inline constexpr bool divides_in_lanes = true;
-#else
-inline constexpr bool divides_in_lanes = false;
-#endif
-
 namespace inner {
 
 /// A word of 64 bits for each word of a vector: those of its even words, and those of its odd ones.
@@ -52,18 +45,33 @@ template <class Vector> struct LongPair {
         const Long by = Long{} + static_cast<std::uint64_t>(n);
         return {even + by, odd + by};
     }
+    /// One after the other, n words from one to the next.
+    template <int n> SPANGLE_INLINE void store(std::int64_t* to) const {
+        if constexpr (n == 1 && sizeof(Vector) == 32) {
+            const Long low = __builtin_shufflevector(even, odd, 0, 4, 1, 5),
+                       high = __builtin_shufflevector(even, odd, 2, 6, 3, 7);
+            __builtin_memcpy(to, &low, 32);
+            __builtin_memcpy(to + 4, &high, 32);
+        } else {
+            for (unsigned i = 0; i < sizeof even / sizeof even[0]; ++i) {
+                to[2 * i * n] = static_cast<std::int64_t>(even[i]);
+                to[(2 * i + 1) * n] = static_cast<std::int64_t>(odd[i]);
+            }
+        }
+    }
     SPANGLE_INLINE Vector low_words() const {
         return std::bit_cast<Vector>((even & 0xFFFFFFFFu) | (odd << 32));
     }
     /// numeric::saturate_i32().
-    SPANGLE_INLINE Vector saturated() const {
+    SPANGLE_INLINE LongPair saturated() const {
         const auto one = [](const Long& v) __attribute__((always_inline)) {
             using Signed [[gnu::vector_size(sizeof(Vector))]] = std::int64_t;
+            constexpr auto most = static_cast<std::uint64_t>(INT32_MAX), least = 0 - most - 1;
             const auto s = std::bit_cast<Signed>(v);
             const auto over = std::bit_cast<Long>(s > INT32_MAX), under = std::bit_cast<Long>(s < INT32_MIN);
-            return (v & ~(over | under)) | (0x7FFFFFFFu & over) | (0x80000000u & under);
+            return (v & ~(over | under)) | (most & over) | (least & under);
         };
-        return LongPair{one(even), one(odd)}.low_words();
+        return {one(even), one(odd)};
     }
 
   private:
@@ -166,10 +174,19 @@ struct InverseLanes {
                 using Vector = std::remove_cvref_t<decltype(of)>;
                 const auto repeats = inner::LongPair<Vector>::products(of, m).after(
                     static_cast<std::uint32_t>(30 - exponent) - n);
-                if (wraps)
-                    return repeats.low_words();
-                return (repeats.after(32 - clamped_coord_bits) + (std::int64_t{base} << clamped_coord_bits))
-                    .saturated();
+                return wraps ? repeats.low_words() : clamped(repeats, base).low_words();
+            },
+            v, mantissa, zeros);
+    }
+    /// to_repeats(), or to_coord() where they do not wrap.
+    SPANGLE_INLINE void repeats(const LaneWords& v, int exponent, bool wraps, std::int32_t base,
+                                std::int64_t* to) const {
+        LaneWords::each(
+            [&](int lane, const auto& of, const auto& m, const auto& n) __attribute__((always_inline)) {
+                using Vector = std::remove_cvref_t<decltype(of)>;
+                const auto repeats = inner::LongPair<Vector>::products(of, m).after(
+                    static_cast<std::uint32_t>(30 - exponent) - n);
+                (wraps ? repeats : clamped(repeats, base)).template store<LaneWords::apart>(to + lane);
             },
             v, mantissa, zeros);
     }
@@ -180,12 +197,19 @@ struct InverseLanes {
                 using Vector = std::remove_cvref_t<decltype(of)>;
                 return inner::LongPair<Vector>::products(of, m)
                     .after(static_cast<std::uint32_t>(38 - exponent) - n)
-                    .saturated();
+                    .saturated()
+                    .low_words();
             },
             over_w, mantissa, zeros);
     }
 
   private:
+    template <class Vector>
+    SPANGLE_INLINE static inner::LongPair<Vector> clamped(const inner::LongPair<Vector>& repeats,
+                                                          std::int32_t base) {
+        return (repeats.after(32 - clamped_coord_bits) + (std::int64_t{base} << clamped_coord_bits))
+            .saturated();
+    }
     /// Of words from 1 to 2^31 - 1.
     SPANGLE_INLINE static LaneWords leading_zeros(const LaneWords& words) {
         return LaneWords::mapped(
@@ -203,32 +227,36 @@ struct InverseLanes {
 class PlaneInRows {
   public:
     SPANGLE_INLINE explicit PlaneInRows(const Span<Fixed>::Projective& plane)
-        : plane_(plane), dx_(high_factor(plane.dx)), dy_(high_factor(plane.dy)) {}
+        : value_(plane.value), dx_(plane.dx), dy_(plane.dy) {}
     /// Without its guard bits, signed. Places are signed, too.
     SPANGLE_INLINE LaneWords at(const LaneWords& x, const LaneWords& y) const {
         return LaneWords::mapped(
             [this](const auto& columns, const auto& lines) __attribute__((always_inline)) {
                 using Vector = std::remove_cvref_t<decltype(columns)>;
                 using Long = inner::Longs<Vector>;
-                const auto low = [](std::uint64_t v) __attribute__((always_inline)) {
-                    return Vector{} + static_cast<std::uint32_t>(v);
+                const Vector by_x = Vector{} + dx_.low, by_y = Vector{} + dy_.low;
+                const auto by = [&](const Vector& column, const Vector& line) __attribute__((always_inline)) {
+                    return inner::even_products_signed(column, by_x) +
+                           inner::even_products_signed(line, by_y) + value_;
                 };
-                const auto by_x = inner::LongPair<Vector>::products(columns, low(plane_.dx)),
-                           by_y = inner::LongPair<Vector>::products(lines, low(plane_.dy));
-                const auto high = std::bit_cast<Long>(columns * dx_ + lines * dy_);
-                const Long even = by_x.even + by_y.even + plane_.value + (high << 32),
-                           odd = by_x.odd + by_y.odd + plane_.value + (high & 0xFFFFFFFF00000000u);
+                const auto high = std::bit_cast<Long>(columns * dx_.high + lines * dy_.high);
+                const Long even = by(columns, lines) + (high << 32),
+                           odd = by(inner::odd_words(columns), inner::odd_words(lines)) +
+                                 (high & 0xFFFFFFFF00000000u);
                 return inner::LongPair<Vector>{even >> guard_bits, odd >> guard_bits}.low_words();
             },
             x, y);
     }
 
   private:
-    SPANGLE_INLINE static std::uint32_t high_factor(std::uint64_t v) {
-        return static_cast<std::uint32_t>(v >> 32);
-    }
-    const Span<Fixed>::Projective& plane_;
-    std::uint32_t dx_, dy_;
+    /// Words of a factor, of which the lower one counts as signed.
+    struct Factor {
+        std::uint32_t low, high;
+        SPANGLE_INLINE explicit Factor(std::uint64_t v)
+            : low(static_cast<std::uint32_t>(v)), high(static_cast<std::uint32_t>((v + 0x80000000u) >> 32)) {}
+    };
+    std::uint64_t value_;
+    Factor dx_, dy_;
 };
 
 } // namespace SPANGLE_INSTRUCTIONS

@@ -43,6 +43,21 @@ template <class Vector> SPANGLE_INLINE Longs<Vector> even_products(const Vector&
     return Longs<Vector>{std::uint64_t{a[0]} * b[0], std::uint64_t{a[2]} * b[2]};
 #endif
 }
+/// The same, both signed.
+template <class Vector> SPANGLE_INLINE Longs<Vector> even_products_signed(const Vector& a, const Vector& b) {
+#if defined(__AVX2__)
+    if constexpr (sizeof(Vector) == 32)
+        return std::bit_cast<Longs<Vector>>(
+            _mm256_mul_epi32(std::bit_cast<__m256i>(a), std::bit_cast<__m256i>(b)));
+    else
+#endif
+    {
+        // As an unsigned word a negative one is 2^32 larger.
+        const auto more = (b & std::bit_cast<Vector>(lane_words::as_signed(a) >> 31)) +
+                          (a & std::bit_cast<Vector>(lane_words::as_signed(b) >> 31));
+        return even_products(a, b) - (std::bit_cast<Longs<Vector>>(more) << 32);
+    }
+}
 /// Odd words in the places of even ones. Big-endian hosts have no lanes.
 template <class Vector> SPANGLE_INLINE Vector odd_words(const Vector& v) {
     return std::bit_cast<Vector>(std::bit_cast<Longs<Vector>>(v) >> 32);

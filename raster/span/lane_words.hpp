@@ -76,6 +76,11 @@ struct LaneWords {
     template <class F, class... Words> SPANGLE_INLINE static LaneWords mapped(F f, const Words&... v) {
         return {f(v.all...)};
     }
+    /// f(lane, vectors): lanes `apart` from each other, the first that one.
+    static constexpr int apart = 1;
+    template <class F, class... Words> SPANGLE_INLINE static void each(F f, const Words&... v) {
+        f(0, v.all...);
+    }
     SPANGLE_INLINE void store(std::uint8_t* p) const { __builtin_memcpy(p, &all, 32); }
     SPANGLE_INLINE Halfwords high_half() const { return LaneWords{all >> 16}.narrowed(); }
     SPANGLE_INLINE Halfwords low_half() const { return LaneWords{all & 0xFFFFu}.narrowed(); }
@@ -146,6 +151,12 @@ struct LaneWords {
     /// f of vectors of words, whatever lanes they hold.
     template <class F, class... Words> SPANGLE_INLINE static LaneWords mapped(F f, const Words&... v) {
         return {f(v.even...), f(v.odd...)};
+    }
+    /// f(lane, vectors): lanes `apart` from each other, the first that one.
+    static constexpr int apart = 2;
+    template <class F, class... Words> SPANGLE_INLINE static void each(F f, const Words&... v) {
+        f(0, v.even...);
+        f(1, v.odd...);
     }
     SPANGLE_INLINE void store(std::uint8_t* p) const {
         const Vector low = __builtin_shufflevector(even, odd, 0, 4, 1, 5),

@@ -23,6 +23,14 @@ inline constexpr int host_lanes = std::endian::native == std::endian::little ? 8
 inline constexpr int host_lanes = 1;
 #endif
 
+/// The instruction set shifts each word by a number of its own (lane_division.hpp). Elsewhere fragments are
+/// divided one after the other.
+#if defined(__AVX2__)
+inline constexpr bool divides_in_lanes = true;
+#else
+inline constexpr bool divides_in_lanes = false;
+#endif
+
 template <> struct Lanes<1> {
     static constexpr int count = 1, rows = 1;
     using Place = std::uint8_t*; ///< of the first lane's pixel

@@ -16,6 +16,7 @@ namespace inner {
 /// A plane with guard bits in eight lanes: as many vectors of words of 64 bits as they take.
 template <class Vector = LaneWords::Vector> class GuardedLanes {
   public:
+    GuardedLanes() : at_{}, by_{} {}
     SPANGLE_INLINE GuardedLanes(const Span<Fixed>& span, std::int32_t x, const Span<Fixed>::Projective& plane)
         : by_(Long{} + 8 * plane.dx) {
         const std::uint64_t first = span.at(x, plane), two = 2 * plane.dx, four = 4 * plane.dx;
@@ -76,7 +77,10 @@ template <class Places> class PlaneLanesOf {
   public:
     SPANGLE_INLINE PlaneLanesOf(const Places& k, const Span<Fixed>& span,
                                 const Span<Fixed>::Projective& plane)
-        : rows_(k.rows), in_rows_(plane), along_(span, k.x, plane) {}
+        : rows_(k.rows), in_rows_(plane) {
+        if (rows_ == nullptr)
+            along_ = inner::GuardedLanes<>(span, k.x, plane);
+    }
     /// Of eight fragments without guard bits, signed; then of the next eight.
     SPANGLE_INLINE LaneWords next() {
         const std::int32_t i = first_;
