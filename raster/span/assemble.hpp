@@ -18,6 +18,7 @@
 #include "raster/span/stage_divided_packet.hpp"
 #include "raster/span/stage_fog.hpp"
 #include "raster/span/stage_index.hpp"
+#include "raster/span/stage_lod_packet.hpp"
 #include "raster/span/stage_narrow.hpp"
 #include "raster/span/stage_pixels.hpp"
 #include "raster/span/stage_samples.hpp"
@@ -194,7 +195,11 @@ void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState
             divides(key.kind, key.fog));
     else
         chain.template add<Coord<One, Unit, true>>();
-    if (wants_lod(*state.unit[Unit].texture))
+    if (!wants_lod(*state.unit[Unit].texture))
+        return;
+    if constexpr (by_lanes<N> && divides_in_lanes)
+        chain.add(&PacketLevels<PlacesOf<N>>::template run<Unit>, true);
+    else
         chain.template add<Lod<One, Unit>>();
 }
 

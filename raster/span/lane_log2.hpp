@@ -1,0 +1,79 @@
+// Logarithms of eight fragments at once: the integers of log2_fraction8(). A number becomes a float of its
+// leading bits, which no mode of rounding changes; its exponent and mantissa are what a count of leading
+// zeros and a shift would find.
+#pragma once
+
+#include "raster/span/instructions.hpp"
+#include "raster/span/lane_division.hpp"
+#include "raster/span/log2.hpp"
+
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
+
+namespace inner {
+
+/// log2_fraction8() of 2^(exponent - bias) (1 + x): each word has 16 bits of x, and the exponent above them.
+template <class Vector> SPANGLE_INLINE Vector log2_of_parts(const Vector& parts, std::uint32_t bias) {
+    const Vector x = parts & 0xFFFFu;
+    const Vector bulge = (x * (65536u - x)) >> 16, slope = 27700u - ((x * 10400u) >> 16);
+    const Vector fraction = x + ((bulge * slope) >> 16);
+    return (((parts >> 16) - bias) << 8) + ((fraction + 128u) >> 8);
+}
+/// The same parts of a number of 64 bits; those of 0 are less than those of 1.
+template <class Long> SPANGLE_INLINE Long parts_of(const Long& v) {
+    using Doubles [[gnu::vector_size(sizeof(Long))]] = double;
+    const Long beyond = ((v >> 53) + 0x7FFu) >> 11; // 1 where more bits than a double's are taken
+    const Long kept = v & ~((beyond << 11) - beyond);
+    constexpr std::uint64_t two_52 = std::uint64_t{0x433} << 52, two_84 = std::uint64_t{0x453} << 52;
+    const auto high = std::bit_cast<Doubles>((kept >> 32) | two_84) - (0x1p84 + 0x1p52),
+               low = std::bit_cast<Doubles>((kept & 0xFFFFFFFFu) | two_52);
+    return (std::bit_cast<Long>(high + low) >> 36) & 0x7FFFFFFu; // a sum of 0 may be -0
+}
+
+/// Of numbers of 64 bits, 0 counts as 1.
+template <class Vector> SPANGLE_INLINE Vector lane_log2(const LongPair<Vector>& v) {
+    constexpr std::uint32_t bias = 1023;
+    const Vector parts = LongPair<Vector>{parts_of(v.even), parts_of(v.odd)}.low_words();
+    const Vector less = lane_words::is_less(parts, Vector{} + (bias << 16));
+    return log2_of_parts<Vector>((parts & ~less) | ((bias << 16) & less), bias);
+}
+/// Of words from 1 to 2^31 - 1.
+template <class Vector> SPANGLE_INLINE Vector lane_log2(const Vector& v) {
+    const Vector beyond = ((v >> 24) + 0x7Fu) >> 7; // 1 where more bits than a float's are taken
+    const Vector kept = v & ~((beyond << 7) - beyond);
+    return log2_of_parts<Vector>(std::bit_cast<Vector>(to_floats(kept)) >> 7, 127);
+}
+
+template <class Vector> SPANGLE_INLINE Vector at_least_one(const Vector& v) {
+    const auto positive = std::bit_cast<Vector>(lane_words::as_signed(v) > 0);
+    return (v & positive) | (1u & ~positive);
+}
+
+/// |dv q - v dq|: what the derivative of v / q is over q^2.
+template <class Vector>
+SPANGLE_INLINE LongPair<Vector> derivative(std::int32_t dv, const Vector& v, std::int32_t dq,
+                                           const Vector& q) {
+    using Long = Longs<Vector>;
+    const Vector by_q = Vector{} + static_cast<std::uint32_t>(dv),
+                 by_v = Vector{} + static_cast<std::uint32_t>(dq);
+    const auto one = [&](const Vector& of_v, const Vector& of_q) __attribute__((always_inline)) {
+        using Signed [[gnu::vector_size(sizeof(Vector))]] = std::int64_t;
+        const Long d = even_products_signed(of_q, by_q) - even_products_signed(of_v, by_v);
+        const auto negative = std::bit_cast<Long>(std::bit_cast<Signed>(d) < 0);
+        return (d ^ negative) - negative;
+    };
+    return {one(v, q), one(odd_words(v), odd_words(q))};
+}
+template <class Vector>
+SPANGLE_INLINE LongPair<Vector> larger(const LongPair<Vector>& a, const LongPair<Vector>& b) {
+    const auto one = [](const auto& v, const auto& w) __attribute__((always_inline)) {
+        const auto more = std::bit_cast<std::remove_cvref_t<decltype(v)>>(v > w);
+        return (v & more) | (w & ~more);
+    };
+    return {one(a.even, b.even), one(a.odd, b.odd)};
+}
+
+} // namespace inner
+
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

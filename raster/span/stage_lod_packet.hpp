@@ -1,0 +1,108 @@
+// Levels of detail of a unit, a packet at a time, in lanes: the integers of LevelOfDetail.
+#pragma once
+
+#include "raster/span/chain.hpp"
+#include "raster/span/instructions.hpp"
+#include "raster/span/lane_log2.hpp"
+#include "raster/span/stage_divided_packet.hpp"
+#include "raster/span/stage_texture_lod.hpp"
+
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
+
+/// LevelOfDetail::projective() of one unit for eight fragments.
+class LevelLanes {
+  public:
+    LevelLanes(const Span<Fixed>& span, int which) {
+        const auto& unit = span.unit[which];
+        s_ = {unguarded(unit.s.dx), unguarded(unit.s_dy)};
+        t_ = {unguarded(unit.t.dx), unguarded(unit.t_dy)};
+        q_ = {unguarded(unit.shares_q ? span.q.dx : unit.q.dx),
+              unguarded(unit.shares_q ? span.q_dy : unit.q_dy)};
+        const Texture& texture = *span.state->fragment.unit[which].texture;
+        const TextureLevel& base = texture.level[0];
+        const int width = span.state->log2_width[which];
+        line_ = texture.shape == TextureShape::line;
+        together_ = !line_ && is_power_of_two(base.width) && is_power_of_two(base.height);
+        up_ = span.state->log2_height[which] - width;
+        const auto& halves = span.state->halves[which];
+        const std::int32_t exponent = unit.exponent << 8;
+        u_ = (together_ ? width << 8 : log2_fraction8(base.width) + (halves.s << 8)) + exponent;
+        v_ = together_ ? 0 : log2_fraction8(base.height) + (halves.t << 8) + exponent;
+    }
+    /// s, t and q without guard bits.
+    SPANGLE_INLINE LaneWords at(const LaneWords& s, const LaneWords& t, const LaneWords& q) const {
+        return LaneWords::mapped(
+            [this](const auto& at_s, const auto& at_t, const auto& over_w) __attribute__((always_inline)) {
+                const auto at_q = inner::at_least_one(over_w);
+                const auto ds = along(s_, at_s, at_q), dt = along(t_, at_t, at_q);
+                return level(texels(ds, dt) - (inner::lane_log2(at_q) << 1));
+            },
+            s, t, q);
+    }
+
+  private:
+    struct Slopes {
+        std::int32_t dx, dy; ///< from pixel to pixel, and from row to row
+    };
+    Slopes s_, t_, q_;
+    bool line_;          ///< only s counts
+    bool together_;      ///< sides are powers of two: one logarithm says both
+    int up_;             ///< of the height over the width
+    std::int32_t u_, v_; ///< what comes to the logarithms
+
+    template <class Vector>
+    SPANGLE_INLINE inner::LongPair<Vector> along(const Slopes& of, const Vector& v, const Vector& q) const {
+        return inner::larger(inner::derivative(of.dx, v, q_.dx, q), inner::derivative(of.dy, v, q_.dy, q));
+    }
+    template <class Vector>
+    SPANGLE_INLINE Vector texels(const inner::LongPair<Vector>& ds, const inner::LongPair<Vector>& dt) const {
+        const auto u = static_cast<std::uint32_t>(u_);
+        if (together_) {
+            const inner::LongPair<Vector> of_t =
+                up_ >= 0 ? inner::LongPair<Vector>{dt.even << up_, dt.odd << up_}
+                         : inner::LongPair<Vector>{dt.even >> -up_, dt.odd >> -up_};
+            return inner::lane_log2(inner::larger(ds, of_t)) + u;
+        }
+        const Vector of_s = inner::lane_log2(ds) + u;
+        if (line_)
+            return of_s;
+        const Vector of_t = inner::lane_log2(dt) + static_cast<std::uint32_t>(v_);
+        const auto more = std::bit_cast<Vector>(lane_words::as_signed(of_s) > lane_words::as_signed(of_t));
+        return (of_s & more) | (of_t & ~more);
+    }
+    /// level_of_detail().
+    template <class Vector> SPANGLE_INLINE static Vector level(const Vector& sum) {
+        constexpr std::uint32_t lost = 3;
+        static_assert(level_of_detail(lost) == 0 && level_of_detail(lost + 1) != 0);
+        return sum & std::bit_cast<Vector>(sum + lost > 2 * lost);
+    }
+};
+
+template <class Places> class PacketLevels {
+  public:
+    template <int Unit> static void run(Places& k, const Span<Fixed>& span) { levels(k, span, Unit); }
+
+  private:
+    [[gnu::noinline]] static void levels(Places& k, const Span<Fixed>& span, int which) {
+        const auto put = [to = k.lod[which]](std::int32_t i, const LaneWords& levels)
+            __attribute__((always_inline)) {
+            levels.store(reinterpret_cast<std::uint8_t*>(to + i));
+        };
+        if (span.kind < Kind::textured) {
+            const auto all = static_cast<std::uint32_t>(LevelOfDetail(span, which).affine());
+            for (std::int32_t i = 0; i < k.n; i += Places::lanes)
+                put(i, LaneWords::splat(all));
+            return;
+        }
+        const auto& unit = span.unit[which];
+        PlaneLanesOf<Places> s(k, span, unit.s), t(k, span, unit.t),
+            q(k, span, unit.shares_q ? span.q : unit.q);
+        const LevelLanes lanes(span, which);
+        for (std::int32_t i = 0; i < k.n; i += Places::lanes)
+            put(i, lanes.at(s.next(), t.next(), q.next()));
+    }
+};
+
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster
