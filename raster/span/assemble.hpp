@@ -21,6 +21,7 @@
 #include "raster/span/stage_lod_packet.hpp"
 #include "raster/span/stage_narrow.hpp"
 #include "raster/span/stage_pixels.hpp"
+#include "raster/span/stage_runs_packet.hpp"
 #include "raster/span/stage_samples.hpp"
 #include "raster/span/stage_store.hpp"
 #include "raster/span/stage_tests.hpp"
@@ -139,14 +140,6 @@ template <class N> constexpr bool has_other_runs([[maybe_unused]] const Key& key
     return false;
 #endif
 }
-template <class One, int Unit, bool Straight, class Chain>
-void add_other_runs([[maybe_unused]] Chain& chain) {
-#if SPANGLE_MIXES_RUNS
-    if constexpr (has_mixed_runs && is_fixed<One>)
-        chain.template add<CoordAlong<One, Unit, std::conditional_t<Straight, CoordRuns, CubicRuns>>>();
-#endif
-}
-
 /// What is divided by w is divided in lanes, by one 1/w.
 template <class N> inline constexpr bool by_lanes = is_fixed<N> && (N::lanes > 1);
 template <class N> void add_inverses(ChainBuilder<N>& chain, const Key& key) {
@@ -157,6 +150,24 @@ template <class N> void add_inverses(ChainBuilder<N>& chain, const Key& key) {
         if (colors || others)
             chain.add(&PacketDivided<N>::inverses, true);
     }
+}
+
+/// Straight runs of coordinates; `One`: in one lane.
+template <class N, int Unit, class One> void add_straight_runs(ChainBuilder<N>& chain) {
+    if constexpr (by_lanes<N> && divides_in_lanes)
+        chain.add(&PacketRuns<PlacesOf<N>>::template run<Unit>, true);
+    else
+        chain.template add<One>();
+}
+template <class N, class One, int Unit> void add_other_runs([[maybe_unused]] ChainBuilder<N>& chain) {
+#if SPANGLE_MIXES_RUNS
+    if constexpr (has_mixed_runs && is_fixed<N>) {
+        if constexpr (is_exact<N>)
+            add_straight_runs<N, Unit, CoordAlong<One, Unit, CoordRuns>>(chain);
+        else
+            chain.template add<CoordAlong<One, Unit, CubicRuns>>();
+    }
+#endif
 }
 
 /// The texture function of a unit finds its coordinates itself, along rows: packets cannot be shared.
@@ -187,14 +198,14 @@ void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState
     if (key.kind < Kind::textured)
         chain.template add<Coord<Colorless<N>, Unit, false>>();
     else if (has_other_runs<N>(key))
-        add_other_runs<One, Unit, is_exact<N>>(chain);
+        add_other_runs<N, One, Unit>(chain);
     else if constexpr (is_exact<N> && by_lanes<N>)
         add_exact_coordinates<N, Unit>(chain, key);
     else if constexpr (is_exact<N>)
         chain.template choose<CoordAlong<One, Unit, DividedCoords>, Coord<One, Unit, true>>(
             divides(key.kind, key.fog));
     else
-        chain.template add<Coord<One, Unit, true>>();
+        add_straight_runs<N, Unit, Coord<One, Unit, true>>(chain);
     if (!wants_lod(*state.unit[Unit].texture))
         return;
     if constexpr (by_lanes<N> && divides_in_lanes)

@@ -38,8 +38,10 @@ template <PixelFormat Format> void assemble_raw(Variant& variant, const Key& key
         chain.add_if<has_exact, CoordAlong<OneRaw, 0, CubicRuns>>();
     else if constexpr (!by_stages<Raw>)
         chain.add(&PacketCoordinates<PlacesOf<Raw>>::run<0>, false);
+    else if (key.kind == Kind::textured)
+        add_straight_runs<Raw, 0, Coord<OneRaw, 0, true>>(chain);
     else
-        chain.choose<Coord<OneRaw, 0, true>, Coord<Raw, 0, false>>(key.kind == Kind::textured);
+        chain.add<Coord<Raw, 0, false>>();
     chain.choose<
         TextureFixed<OneRaw, 0, TexelFormat::rgb565, BaseFormat::rgb, Filter::nearest, TexEnv::replace>,
         TextureFixed<OneRaw, 0, TexelFormat::rgb888, BaseFormat::rgb, Filter::nearest, TexEnv::replace>>(

@@ -19,6 +19,17 @@ template <int Count> struct PacketInverse {
 };
 template <> struct PacketInverse<0> {};
 
+/// The row of a packet that is of one, where it is drawn together with others: its number among RowRuns.
+template <bool Kept> struct RowOfPacket {
+    RowRuns* runs = nullptr;
+    std::int32_t number = 0;
+};
+template <> struct RowOfPacket<false> {
+    RowOfPacket() = default;
+    SPANGLE_INLINE RowOfPacket(const NoRowRuns*, std::int32_t) {}
+};
+template <int Lanes> using RowIn = RowOfPacket<(Lanes > 1 && divides_in_lanes)>;
+
 /// Fragments between two stages, in groups of lanes, without their colours: what the number systems have in
 /// common. Packets of one lane start at multiples of their length from the anchor.
 template <class Lanes, class Coord, class Fog> struct PacketPlaces {
@@ -37,6 +48,7 @@ template <class Lanes, class Coord, class Fog> struct PacketPlaces {
     [[no_unique_address]] PacketInverse<(lanes > 1 ? packet_length : 0)> inverse;
     /// Null where the packet is of one row.
     [[no_unique_address]] std::conditional_t<(lanes > 1), const PacketRows*, std::nullptr_t> rows;
+    [[no_unique_address]] RowIn<lanes> row;
 };
 template <class N> using PlacesOf = PacketPlaces<typename N::L, typename N::Coord, typename N::Fog>;
 
@@ -260,10 +272,12 @@ template <class N, class S> void chain_stage(PlacesOf<N>& places, const Span<typ
 }
 
 /// Runs the chain of the span's kind.
-template <class N> SPANGLE_INLINE void chain_span(const Span<typename N::Policy>& span) {
+template <class N>
+SPANGLE_INLINE void chain_row(const Span<typename N::Policy>& span, const RowIn<N::lanes>& row) {
     const AnyFunction* const stages = span.state->variant[static_cast<unsigned>(span.kind)].chain;
     const std::int32_t color_bytes = span.state->color_bytes, depth_bytes = span.state->depth_bytes;
     Packet<N> k;
+    k.row = row;
     [[maybe_unused]] inner::PacketCopy copy;
     if constexpr (N::lanes > 1)
         k.rows = nullptr;
@@ -289,6 +303,9 @@ template <class N> SPANGLE_INLINE void chain_span(const Span<typename N::Policy>
         if (copied)
             copy.leave();
     }
+}
+template <class N> SPANGLE_INLINE void chain_span(const Span<typename N::Policy>& span) {
+    chain_row<N>(span, {});
 }
 
 } // namespace SPANGLE_INSTRUCTIONS

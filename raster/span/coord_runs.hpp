@@ -253,9 +253,11 @@ class CoordRuns {
         last_.t = end.t;
     }
 
+  public: // for packets, which find several runs at once
     static constexpr std::int32_t short_row = 16;
     static constexpr int max_log2 = 6, row_log2 = 16; ///< 64 pixels; the whole row
 
+  private:
     struct Sample {
         std::int64_t s, t; ///< repeats, 32 fraction bits
         Sample() = default;
@@ -275,6 +277,8 @@ class CoordRuns {
         return static_cast<std::uint32_t>(d) >> log2_ | static_cast<std::uint32_t>(d >> 32)
                                                             << 1 << (31 - log2_);
     }
+
+  public:
     SPANGLE_INLINE static std::int64_t difference(std::int64_t a, std::int64_t b) {
         return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b));
     }
@@ -310,6 +314,7 @@ class CoordRuns {
         return log2 < shortest ? shortest : log2 > longest ? longest : log2;
     }
 
+  private:
     // What each run takes comes first: short loads reach 128 bytes.
     inner::HomogeneousRow row_; ///< begins where the last sample is taken
     struct {

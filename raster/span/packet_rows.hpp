@@ -13,10 +13,33 @@ inline namespace SPANGLE_INSTRUCTIONS {
 /// A power of two, four groups of lanes where there are any.
 inline constexpr std::int32_t packet_length = host_lanes > 1 ? 4 * host_lanes : packet;
 
+/// How long the runs of texture coordinates are in rows that are drawn together (run_lengths.hpp): each
+/// packet of a row asks.
+struct RowRuns {
+    const Row* rows;
+    std::int32_t count;
+    struct Group {
+        std::int32_t number;               ///< of eight rows
+        alignas(32) std::uint32_t log2[8]; ///< of the length
+    };
+    Group known[max_texture_units][2]; ///< the last two: packets of one group meet those of the next
+
+    RowRuns(const Row* of, std::int32_t n) : rows(of), count(n) {
+        for (auto& unit : known)
+            unit[0].number = unit[1].number = -1;
+    }
+};
+
+/// Where no packet asks.
+struct NoRowRuns {
+    NoRowRuns(const Row*, std::int32_t) {}
+};
+
 /// A part of a row in a packet that rows share.
 struct Piece {
-    Row row;         ///< [first, last) are the part's
-    std::int32_t at; ///< fragment of the packet that its first is
+    Row row;             ///< [first, last) are the part's
+    std::int32_t number; ///< of the row, in RowRuns
+    std::int32_t at;     ///< fragment of the packet that its first is
     std::uint8_t *color, *depth;
 };
 

@@ -13,19 +13,32 @@ inline namespace SPANGLE_INSTRUCTIONS {
 /// Rows of one primitive, none of which share a pixel. The chain is the one of the span's kind.
 template <class N> class SharedRows {
   public:
-    explicit SharedRows(Span<Fixed>& span) : rows_(span) {}
+    SharedRows(Span<Fixed>& span, const Row* row, const Row* end)
+        : rows_(span), runs_(row, static_cast<std::int32_t>(end - row)) {
+        for (std::int32_t number = 0; row != end; ++row, ++number)
+            add(*row, number);
+        draw();
+    }
 
-    void add(const Row& row) {
+  private:
+    PacketRows rows_;
+    [[no_unique_address]] std::conditional_t<divides_in_lanes, RowRuns, NoRowRuns> runs_;
+    std::int32_t n_ = 0; ///< fragments of all pieces
+    alignas(32) std::uint8_t color_[4 * packet_length], depth_[4 * packet_length];
+
+    void add(const Row& row, std::int32_t number) {
         Row rest = row;
         if (const std::int32_t whole = (row.last - row.first) & -packet_length; whole != 0) {
             rest.first = row.first + whole;
-            alone({row.y, row.left, row.right, row.first, rest.first});
+            alone({row.y, row.left, row.right, row.first, rest.first}, number);
         }
         while (rest.first != rest.last) {
             Piece& piece = rows_.piece[rows_.pieces++];
             const std::int32_t room = packet_length - n_, length = rest.last - rest.first;
             piece.row = rest;
             piece.row.last = rest.first = length < room ? rest.last : rest.first + room;
+            if (divides_in_lanes)
+                piece.number = number;
             piece.at = n_;
             n_ += piece.row.last - piece.row.first;
             if (n_ == packet_length)
@@ -35,20 +48,14 @@ template <class N> class SharedRows {
     /// What is left.
     void draw() {
         if (rows_.pieces == 1)
-            alone(rows_.piece[0].row);
+            alone(rows_.piece[0].row, rows_.piece[0].number);
         else if (rows_.pieces != 0)
             together();
         rows_.pieces = n_ = 0;
     }
-
-  private:
-    PacketRows rows_;
-    std::int32_t n_ = 0; ///< fragments of all pieces
-    alignas(32) std::uint8_t color_[4 * packet_length], depth_[4 * packet_length];
-
-    void alone(const Row& row) {
+    void alone(const Row& row, std::int32_t number) {
         enter(rows_.span, row);
-        chain_span<N>(rows_.span);
+        chain_row<N>(rows_.span, {&runs_, number});
     }
     void together() {
         const Span<Fixed>& span = rows_.span;
@@ -56,6 +63,7 @@ template <class N> class SharedRows {
         enter(rows_.span, rows_.piece[0].row); // for stages that look along a row before they ask for places
         Packet<N> k;
         k.rows = &rows_;
+        k.row = {&runs_, 0};
         k.x = 0;
         k.n = n_;
         k.alive = true;
@@ -113,10 +121,8 @@ template <class P> SPANGLE_INLINE bool may_share(const Span<P>& span) {
 template <class N> void chain_rows(Span<typename N::Policy>& span, const Row* row, const Row* end) {
     if constexpr (N::lanes > 1) {
         if (may_share(span)) {
-            SharedRows<N> rows(span);
-            for (; row != end; ++row)
-                rows.add(*row);
-            return rows.draw();
+            SharedRows<N>(span, row, end);
+            return;
         }
     }
     by_row<typename N::Policy, &chain_span<N>>(span, row, end);

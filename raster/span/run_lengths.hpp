@@ -1,0 +1,101 @@
+// How long the runs of texture coordinates are, eight rows at once: the integers of CoordRuns::choose_log2().
+#pragma once
+
+#include "raster/span/coord_runs.hpp"
+#include "raster/span/instructions.hpp"
+#include "raster/span/lane_log2.hpp"
+#include "raster/span/packet_rows.hpp"
+
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
+
+/// What CoordRuns asks of a draw, which in firmware stands where it is asked: there a call would cost more.
+struct RunLimits {
+    std::int32_t shortest, longest; ///< logarithms of lengths
+    std::int32_t margin;            ///< of three logarithms, and the error that is left
+    RunLimits(const DrawState& draw, int unit)
+        : shortest(of_straight_tier<[](const Knobs& k) { return std::int32_t{k.shortest_run}; }>(draw)),
+          longest(of_straight_tier<[](const Knobs& k) { return std::int32_t{k.longest_run}; }>(draw)),
+          margin(of_straight_tier<[](const Knobs& k) { return 256 * k.texel_bits - 506; }>(draw)) {
+        const auto& wraps = draw.wraps[unit];
+        if (longest > CoordRuns::max_log2 && !(wraps.s && wraps.t)) // these saturate
+            longest = CoordRuns::max_log2;
+    }
+};
+
+/// Logarithms of the lengths in rows that begin at these places, from the anchor, and are so long: longer
+/// than the shortest runs.
+SPANGLE_INLINE LaneWords run_log2s(const Span<Fixed>& span, int which, const LaneWords& x, const LaneWords& y,
+                                   const LaneWords& length) {
+    const auto& unit = span.unit[which];
+    const Span<Fixed>::Projective& q_plane = unit.shares_q ? span.q : unit.q;
+    if (q_plane.dx == 0)
+        return LaneWords::splat(CoordRuns::row_log2);
+    const DrawState& draw = *span.state;
+    const RunLimits limits(draw, which);
+    const std::int32_t by = unguarded(q_plane.dx);
+    const std::int32_t less =
+        log2_fraction8(numeric::abs_u64(std::int64_t{by}) + 1) + (unit.exponent << 8) + limits.margin;
+    const PlaneInRows q(q_plane);
+    return LaneWords::mapped(
+        [&](const auto& s, const auto& t, const auto& q0, const auto& end) __attribute__((always_inline)) {
+            using Vector = std::remove_cvref_t<decltype(s)>;
+            const auto numerator = [&](const Vector& v, std::uint64_t dv, int log2_size)
+                __attribute__((always_inline)) {
+                // What RunBound adds.
+                return inner::lane_log2(inner::derivative(unguarded(dv), v, by, q0) +
+                                        (std::int64_t{1} << 31)) +
+                       (static_cast<std::uint32_t>(log2_size) << 8);
+            };
+            const Vector of_s = numerator(s, unit.s.dx, draw.log2_width[which]),
+                         of_t = numerator(t, unit.t.dx, draw.log2_height[which]);
+            const auto signed_less = [](const Vector& a, const Vector& b) __attribute__((always_inline)) {
+                return std::bit_cast<Vector>(lane_words::as_signed(a) < lane_words::as_signed(b));
+            };
+            const auto chosen =
+                [](const Vector& mask, const Vector& a, const Vector& b) __attribute__((always_inline)) {
+                return (a & mask) | (b & ~mask);
+            };
+            const Vector least = chosen(signed_less(q0, end), q0, end),
+                         larger = chosen(signed_less(of_s, of_t), of_t, of_s),
+                         low = Vector{} + static_cast<std::uint32_t>(limits.shortest),
+                         high = Vector{} + static_cast<std::uint32_t>(limits.longest);
+            const Vector square =
+                inner::lane_log2(inner::at_least_one(least)) * 3u - larger - static_cast<std::uint32_t>(less);
+            const auto log2 = std::bit_cast<Vector>(lane_words::as_signed(square) >> 9);
+            const Vector none = signed_less(log2, low) | signed_less(least, Vector{} + 1u);
+            return chosen(none, low, chosen(signed_less(high, log2), high, log2));
+        },
+        PlaneInRows(unit.s).at(x, y), PlaneInRows(unit.t).at(x, y), q.at(x, y),
+        q.at(x + length - LaneWords::splat(1), y));
+}
+
+/// Finds eight rows of `runs`, or what there is.
+[[gnu::noinline]] inline void find_runs(const Span<Fixed>& span, int unit, const RowRuns& runs,
+                                        RowRuns::Group& group) {
+    alignas(32) std::uint32_t x[8], y[8], length[8];
+    for (std::int32_t i = 0; i < 8; ++i) {
+        const std::int32_t n = 8 * group.number + i;
+        const Row& row = runs.rows[n < runs.count ? n : runs.count - 1];
+        x[i] = static_cast<std::uint32_t>(row.left - span.anchor_x);
+        y[i] = static_cast<std::uint32_t>(row.y - span.anchor_y);
+        length[i] = static_cast<std::uint32_t>(row.right - row.left);
+    }
+    using L = Lanes<8>;
+    run_log2s(span, unit, L::gather(x), L::gather(y), L::gather(length))
+        .store(reinterpret_cast<std::uint8_t*>(group.log2));
+}
+
+/// Of one row.
+SPANGLE_INLINE std::int32_t run_log2(const Span<Fixed>& span, int unit, RowRuns& runs, std::uint32_t row) {
+    RowRuns::Group& group = runs.known[unit][row / 8 % 2];
+    const auto number = static_cast<std::int32_t>(row / 8);
+    if (group.number != number) {
+        group.number = number;
+        find_runs(span, unit, runs, group);
+    }
+    return static_cast<std::int32_t>(group.log2[row % 8]);
+}
+
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster
