@@ -9,7 +9,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// What CoordRuns asks of a draw, which in firmware stands where it is asked: there a call would cost more.
+/// What CoordRuns asks of a draw. It has formulas of its own, so that its code in firmware stays as it is.
 struct RunLimits {
     std::int32_t shortest, longest; ///< logarithms of lengths
     std::int32_t margin;            ///< of three logarithms, and the error that is left
@@ -23,8 +23,8 @@ struct RunLimits {
     }
 };
 
-/// Logarithms of the lengths in rows that begin at these places, from the anchor, and are so long: longer
-/// than the shortest runs.
+/// Logarithms of the lengths of runs in rows that begin at these places, counted from the anchor. Nobody asks
+/// about a row that is no longer than the shortest runs.
 SPANGLE_INLINE LaneWords run_log2s(const Span<Fixed>& span, int which, const LaneWords& x, const LaneWords& y,
                                    const LaneWords& length) {
     const auto& unit = span.unit[which];
