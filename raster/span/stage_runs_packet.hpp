@@ -86,7 +86,10 @@ template <class Places> class PacketRuns {
         part.x = x;
         part.at = at;
         part.n = n;
-        wraps_s_&& wraps_t_&& length <= CoordRuns::short_row ? plan_whole(part) : plan_runs(part);
+        if (wraps_s_ && wraps_t_ && length <= CoordRuns::short_row)
+            plan_whole(part);
+        else
+            plan_runs(part);
     }
 
     template <class Coord> SPANGLE_INLINE void find(Coord* to) {
@@ -160,7 +163,10 @@ template <class Places> class PacketRuns {
 
     SPANGLE_INLINE void divide() {
         const auto& q_plane = unit_.shares_q ? span_.q : unit_.q;
-        ends_ > few ? divide_in_lanes(q_plane) : divide_each(q_plane);
+        if (ends_ > few)
+            divide_in_lanes(q_plane);
+        else
+            divide_each(q_plane);
     }
     [[gnu::noinline]] void divide_each(const Span<Fixed>::Projective& q_plane) {
         const int exponent = unit_.exponent;

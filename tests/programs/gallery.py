@@ -6,7 +6,8 @@ usage: gallery.py [--build BUILD] [--only EXPRESSION]
        gallery.py [--build BUILD] --sheet
 
 Each program runs under Xvfb for some frames, must end by itself and show more than one colour. Its calls are recorded by apitrace
-and replayed by Spangle and by Mesa's softpipe and llvmpipe. No error of GL may be Spangle's alone, and the pictures must agree.
+and replayed by Spangle and by Mesa's softpipe and llvmpipe. No error of GL may be Spangle's alone, and the pictures must agree. Where they differ and
+something is antialiased, they are compared again without that.
 gallery.csv gets a line for each program that was run and keeps those of the others. --only runs the programs whose names the regular
 expression finds. --check leaves the table alone and fails where a program gets a worse verdict than its line has; of the lines it
 takes one in PARTS, other ones with each commit. --sheet draws docs/pictures/programs.png: some of the programs on the glass of a panel.
@@ -22,7 +23,7 @@ import sys
 import tempfile
 
 from harness import (HERE, ORACLES, SKIPPED, Picture, check, difference, failures, folder, mesa_environment, need, outfile, png, replay,
-                     run, some_frames, spangle_environment, turn, without_refused_contexts, xvfb)
+                     run, some_frames, spangle_environment, turn, without_refused_contexts, without_smoothing, xvfb)
 from programs_list import HACKS, KNOWN, SHEET, every
 
 ROOT = HERE.parents[1]
@@ -36,6 +37,7 @@ PAIR = ("libGL.so.1", "libEGL.so.1", "libOpenGL.so.0", "libGLX.so.0")
 TRIES = 2  # What moves by the clock draws other frames when it is run again.
 # Verdicts that tell nothing about Spangle. A check takes them on any line: they come of a machine that is busy.
 EMPTY, SLOW = "draws nothing", "Mesa takes too long"
+DIFFER, SMOOTH = "pictures differ", "smooth edges differ"
 LEAST_DRAWN = 0.1  # This many of a hundred pixels must not have the commonest colour.
 SAVER_SETTINGS = {"textMode": "literal", "textLiteral": "Words for savers that show some.", "chooseRandomImages": True,
                   "grabDesktopImages": False, "grabVideoFrames": False, "imageDirectory": PICTURE.parent}
@@ -113,13 +115,28 @@ def compare_frames(place, pair, trace, window):
     for at in sorted({last // 2, last}):
         mine, pictures = Picture(ours[at], window), [Picture(p[at], window) for p, _ in theirs.values()]
         if any((p.width, p.height) != (mine.width, mine.height) for p in pictures):
-            return "pictures differ", "their sizes differ"
+            return DIFFER, "their sizes differ"
         off, allowed = difference(mine, pictures)
         if off > allowed:
-            return "pictures differ", f"{off:.3f} % of the pixels differ; {allowed:.3f} % may"
+            return DIFFER, f"{off:.3f} % of the pixels differ; {allowed:.3f} % may"
     if max(drawn(p)[1] for p in (mine, *pictures)) < LEAST_DRAWN:
         return EMPTY, f"Mesa's replays have one colour, too, after {len(ours)} frames"
     return "passes", ""
+
+
+def compare(place, pair, trace, window):
+    """Compares the frames of a trace. Where they differ and something is antialiased, they are compared without that, too: what a smooth
+    point or line covers is computed here, as GL wants, and estimated by Mesa."""
+    verdict, reason = compare_frames(place, pair, trace, window)
+    if verdict != DIFFER:
+        return verdict, reason
+    plain = without_smoothing(trace, place / "plain.trace")
+    if plain == trace:
+        return verdict, reason
+    (place / "plain").mkdir()
+    if compare_frames(place / "plain", pair, plain, window)[0] != "passes":
+        return verdict, reason
+    return SMOOTH, f"{reason}; without GL_POINT_SMOOTH, GL_LINE_SMOOTH and GL_POLYGON_SMOOTH they agree"
 
 
 def shown(program, environment, place):
@@ -152,7 +169,7 @@ def judge(program, pair, display, place):
         if ended.status is None or not trace.exists() or not picture.exists():
             return "is not recorded", f"apitrace ends with {ended.status}: {last_line(ended.words)}"
     recorded = Picture(picture)
-    return compare_frames(place, pair, without_refused_contexts(trace, place / "played.trace"), (recorded.width, recorded.height))
+    return compare(place, pair, without_refused_contexts(trace, place / "played.trace"), (recorded.width, recorded.height))
 
 
 def read_table():
@@ -187,7 +204,7 @@ def write_table(rows):
 
 def row_of(program, verdict, reason):
     """A line of the table: what does not pass has what was measured, and what is known about it."""
-    known = "" if verdict == "passes" else "; " + KNOWN.get(program.name, "unexplained")
+    known = "" if verdict in ("passes", SMOOTH) else "; " + KNOWN.get(program.name, "unexplained")
     return {"program": program.name, "suite": program.suite, "verdict": verdict, "reason": reason + known}
 
 

@@ -12,7 +12,7 @@ import unittest
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parents[1] / "host_sim" / "tools")]
 import png  # noqa: E402
-from harness import Picture, run, some  # noqa: E402
+from harness import LAST_CALL, Picture, all_but, run, some  # noqa: E402
 
 START = 1700000000
 # Prints each reading of the clocks between other work; `busy` is how many turns it computes before each reading.
@@ -114,6 +114,12 @@ class Some(unittest.TestCase):
                 chosen = some(list(range(count)), most)
                 self.assertLessEqual(len(chosen), most)
                 self.assertEqual(chosen[-1], count - 1)
+
+
+class Calls(unittest.TestCase):
+    def test_all_but_some(self):
+        self.assertEqual(all_but([5, 9]), f"0-4,6-8,10-{LAST_CALL}")
+        self.assertEqual(all_but([0, 3, 4]), f"1-2,5-{LAST_CALL}")
 
 
 class Windows(unittest.TestCase):

@@ -144,11 +144,26 @@ def contexts_and_swaps_of(trace):
 
 def without_refused_contexts(trace, to):
     """A trace without the contexts that EGL refused when it was recorded: eglretrace ends at the first that it does not get."""
-    refused = [int(n) for n in re.findall(r"^(\d+) eglCreateContext\(.*\) = NULL$", contexts_and_swaps_of(trace), re.M)]
-    if not refused:
+    return without_calls(trace, re.findall(r"^(\d+) eglCreateContext\(.*\) = NULL$", contexts_and_swaps_of(trace), re.M), to)
+
+
+def without_smoothing(trace, to):
+    """A trace whose points, lines and polygons are not antialiased by coverage; the same trace where none are."""
+    said = run(["apitrace", "dump", "--color=never", "--grep=^glEnable$", trace], dict(os.environ), 300).words
+    return without_calls(trace, re.findall(r"^(\d+) glEnable\(cap = GL_(?:POINT|LINE|POLYGON)_SMOOTH\)", said, re.M), to)
+
+
+def all_but(left_out):
+    """All calls but some, whose numbers ascend, in the words of apitrace's option --calls."""
+    begins, ends = [0, *(n + 1 for n in left_out)], [*(n - 1 for n in left_out), LAST_CALL]
+    return ",".join(f"{a}-{b}" for a, b in zip(begins, ends) if a <= b)
+
+
+def without_calls(trace, numbers, to):
+    """A trace without the calls of these numbers; the same trace where there are none."""
+    if not numbers:
         return trace
-    begins, ends = [0, *(n + 1 for n in refused)], [*(n - 1 for n in refused), LAST_CALL]
-    done = run(["apitrace", "trim", "--calls=" + ",".join(f"{a}-{b}" for a, b in zip(begins, ends)), "-o", to, trace], dict(os.environ))
+    done = run(["apitrace", "trim", "--calls=" + all_but([int(n) for n in numbers]), "-o", to, trace], dict(os.environ))
     if done.status != 0:
         raise RuntimeError(done.words)
     return to

@@ -22,16 +22,14 @@ SDL_PROGRAMS = """testgl2 testdraw2 testsprite2 testspriteminimal testrendertarg
 GLUT_PROGRAMS = ["billard-gl", "openuniverse", "stormbaancoureur", "cultivation"]
 # What is known about programs that do not pass, beside what was measured.
 KNOWN = {
-    "pulsar": "its quads have a colour in each corner; they are divided from the first corner to the third here, from the second to "
-              "the fourth in Mesa; GL leaves that open",
     "cubicgrid": "its points are 2.5 pixels wide; GL rounds that to the nearest integer, which is 3 here and 2 in Mesa; GL leaves that "
                  "open",
     "gibson": "its ground reaches behind the eye, where Mesa takes the fog's distance without its sign before it interpolates; a "
               "ground that ends before the eye is the same, and as the formula has it (GL 1.3, 3.10)",
-    "dymaxionmap": "its stars are smooth points; without GL_POINT_SMOOTH and GL_LINE_SMOOTH the pictures agree; coverage is the area of "
-                   "the disc here, as tests/gl_raster measures it, and an estimate in Mesa (GL 1.3, 3.3)",
-    "handsy": "its lines are smooth; without GL_LINE_SMOOTH the pictures agree; coverage is the area of the line's rectangle here, as "
-              "tests/gl_raster measures it, and an estimate in Mesa (GL 1.3, 3.4.2)",
+    "glsnake": "it gives the position of a light three values of four, so w is what lies behind them; where that is tiny, the light is far "
+               "away, and lengths overflow Mesa's floats; Spangle's exact tier agrees with its double reference",
+    "klein": "its outlined quads are cut by the view volume; edges that clipping makes are boundary edges and are drawn (GL 1.3, 2.11), "
+             "but not by Mesa",
     "splitflap": "apitrace asks for GL_MAX_TEXTURE_COORDS when it records glInterleavedArrays, GL 1.5 has no such state, and the program "
                  "ends at that error of the tracer's; by itself it runs",
     "testcustomcursor": "clears the window, and shows its cursor by X alone",
