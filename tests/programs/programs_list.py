@@ -30,8 +30,12 @@ KNOWN = {
                "away, and lengths overflow Mesa's floats; Spangle's exact tier agrees with its double reference",
     "klein": "its outlined quads are cut by the view volume; edges that clipping makes are boundary edges and are drawn (GL 1.3, 2.11), "
              "but not by Mesa",
+    "molecule": "apitrace asks for GL_MAX_TEXTURE_COORDS when it records glDrawArrays, GL 1.5 has no such state, and the program ends at "
+                "that error of the tracer's; by itself it runs",
     "splitflap": "apitrace asks for GL_MAX_TEXTURE_COORDS when it records glInterleavedArrays, GL 1.5 has no such state, and the program "
                  "ends at that error of the tracer's; by itself it runs",
+    "winduprobot": "its lines are smooth, and reach behind the eye into fog; without GL_LINE_SMOOTH and GL_FOG the pictures agree "
+                   "(smooth lines have a verdict of their own, and Mesa's fog behind the eye is explained at gibson)",
     "testcustomcursor": "clears the window, and shows its cursor by X alone",
     "testrendertarget": "needs framebuffer objects, which GL 1.5 does not have, and ends by itself",
 }
