@@ -176,6 +176,24 @@ TEST_F(OwnTiers, CoordinatesAreAsFarOffAsTexelBitsSay) {
         }
 }
 
+/// Where the bound is wide, straight runs and cubic ones find other texels, in words of either size.
+TEST_F(OwnTiers, RunsAreOfTheKindThatIsAskedFor) {
+    for (const std::uint8_t bits : {8, 20})
+        for (const GLenum env : {GL_REPLACE, GL_MODULATE}) {
+            Wish wish;
+            wish.env = env; // GL_REPLACE has spans of its own
+            wish.knobs = raster::balanced_knobs;
+            wish.knobs->color_bits = bits;
+            wish.knobs->texel_bits = 0;
+            wish.knobs->longest_run = 4;
+            wish.knobs->affine_texel_bits = Knobs::never;
+            wish.knobs->runs = Runs::straight;
+            const auto straight = picture_of(wish).rgba;
+            wish.knobs->runs = Runs::cubic;
+            EXPECT_NE(picture_of(wish).rgba, straight) << int{bits} << " bits";
+        }
+}
+
 TEST_F(OwnTiers, RunsAreAsLongAsTheyMay) {
     Wish wish;
     wish.knobs = raster::balanced_knobs;
