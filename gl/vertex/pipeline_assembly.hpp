@@ -16,7 +16,8 @@ template <class M, class L> inline void Pipeline<M, L>::swap(int i, int j) {
     corner_[j] = v;
 }
 
-/// Its N corners are there. The triangles of a face of four share the diagonal between c[0] and c[2].
+/// Draws the face whose N corners are c. The triangles of a face of four share the diagonal from c[0] to
+/// c[2].
 template <class M, class L>
 template <int N>
 SPANGLE_INLINE void Pipeline<M, L>::face(Vertex* const* c, int provoking) {
@@ -119,8 +120,8 @@ template <class M, class L> void Pipeline<M, L>::outlined_fan(bool last) {
     held_ = 3;
 }
 
-/// Of n corners, the one that the caller named first: quads come with their second in front. GL does not say
-/// which one is the first of a quad that is cut.
+/// Outlines and feedback begin at this one of n corners, which the caller named first: quads come with their
+/// second in front. Where a quad that is cut begins is left open by GL.
 template <class M, class L> inline int Pipeline<M, L>::first_corner(int n) const {
     return mode_ == GL_QUADS ? n - 1 : 0;
 }

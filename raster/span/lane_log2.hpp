@@ -19,7 +19,7 @@ template <class Vector> SPANGLE_INLINE Vector log2_of_parts(const Vector& parts,
     const Vector fraction = x + ((bulge * slope) >> 16);
     return (((parts >> 16) - bias) << 8) + ((fraction + 128u) >> 8);
 }
-/// The same parts of a number of 64 bits; those of 0 are less than those of 1.
+/// The parts that log2_of_parts() takes, of numbers of 64 bits. The parts of 0 are less than those of 1.
 template <class Long> SPANGLE_INLINE Long parts_of(const Long& v) {
     using Doubles [[gnu::vector_size(sizeof(Long))]] = double;
     const Long beyond = ((v >> 53) + 0x7FFu) >> 11; // 1 where more bits than a double's are taken
@@ -30,14 +30,14 @@ template <class Long> SPANGLE_INLINE Long parts_of(const Long& v) {
     return (std::bit_cast<Long>(high + low) >> 36) & 0x7FFFFFFu; // a sum of 0 may be -0
 }
 
-/// Of numbers of 64 bits, 0 counts as 1.
+/// log2_fraction8() of numbers of 64 bits, where 0 counts as 1.
 template <class Vector> SPANGLE_INLINE Vector lane_log2(const LongPair<Vector>& v) {
     constexpr std::uint32_t bias = 1023;
     const Vector parts = LongPair<Vector>{parts_of(v.even), parts_of(v.odd)}.low_words();
     const Vector less = lane_words::is_less(parts, Vector{} + (bias << 16));
     return log2_of_parts<Vector>((parts & ~less) | ((bias << 16) & less), bias);
 }
-/// Of words from 1 to 2^31 - 1.
+/// log2_fraction8() of words from 1 to 2^31 - 1.
 template <class Vector> SPANGLE_INLINE Vector lane_log2(const Vector& v) {
     const Vector beyond = ((v >> 24) + 0x7Fu) >> 7; // 1 where more bits than a float's are taken
     const Vector kept = v & ~((beyond << 7) - beyond);

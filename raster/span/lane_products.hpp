@@ -43,7 +43,7 @@ template <class Vector> SPANGLE_INLINE Longs<Vector> even_products(const Vector&
     return Longs<Vector>{std::uint64_t{a[0]} * b[0], std::uint64_t{a[2]} * b[2]};
 #endif
 }
-/// The same, both signed.
+/// The products of the even words as even_products() gives them, where both factors are signed.
 template <class Vector> SPANGLE_INLINE Longs<Vector> even_products_signed(const Vector& a, const Vector& b) {
 #if defined(__AVX2__)
     if constexpr (sizeof(Vector) == 32)

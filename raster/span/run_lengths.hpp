@@ -70,7 +70,7 @@ SPANGLE_INLINE LaneWords run_log2s(const Span<Fixed>& span, int which, const Lan
         q.at(x + length - LaneWords::splat(1), y));
 }
 
-/// Finds eight rows of `runs`, or what there is.
+/// Finds the lengths of a group of eight rows; the last group may have fewer.
 [[gnu::noinline]] inline void find_runs(const Span<Fixed>& span, int unit, const RowRuns& runs,
                                         RowRuns::Group& group) {
     alignas(32) std::uint32_t x[8], y[8], length[8];
@@ -86,7 +86,7 @@ SPANGLE_INLINE LaneWords run_log2s(const Span<Fixed>& span, int which, const Lan
         .store(reinterpret_cast<std::uint8_t*>(group.log2));
 }
 
-/// Of one row.
+/// The logarithm of the length of the runs in one row. Its group is found when its first row is asked for.
 SPANGLE_INLINE std::int32_t run_log2(const Span<Fixed>& span, int unit, RowRuns& runs, std::uint32_t row) {
     RowRuns::Group& group = runs.known[unit][row / 8 % 2];
     const auto number = static_cast<std::int32_t>(row / 8);

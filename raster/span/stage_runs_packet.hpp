@@ -261,7 +261,7 @@ template <class Places> class PacketRuns {
             to_t[i] = static_cast<std::uint32_t>(t[i]);
         }
     }
-    /// Inverse(n).
+    /// The same as Inverse(n), from a table where n is small.
     SPANGLE_INLINE static Inverse inverse_of(std::int32_t n) {
         if (n <= 0 || n >= std::int32_t{1} << CoordRuns::max_log2)
             return Inverse(n);
@@ -271,7 +271,7 @@ template <class Places> class PacketRuns {
         inverse.mantissa = inner::short_runs.mantissa[n];
         return inverse;
     }
-    /// v, v + by, ... of n fragments, and of some behind them.
+    /// Writes v, v + by, ... for n fragments, and goes on to a multiple of the lanes.
     SPANGLE_INLINE static void fill(std::uint32_t* to, std::uint32_t v, std::uint32_t by, std::int32_t n) {
         LaneWords at = LaneWords::ramp(v, by);
         store(to, at);

@@ -6,12 +6,13 @@ usage: gallery.py [--build BUILD] [--only EXPRESSION]
        gallery.py [--build BUILD] --sheet
 
 Each program runs under Xvfb for some frames, must end by itself and show more than one colour. Its calls are recorded by apitrace
-and replayed by Spangle and by Mesa's softpipe and llvmpipe. No error of GL may be Spangle's alone, and the pictures must agree. Where they differ and
-something is antialiased, they are compared again without that.
+and replayed by Spangle and by Mesa's softpipe and llvmpipe. No error of GL may be Spangle's alone, and the pictures must agree. Where
+they differ and something is antialiased, they are compared again without that.
 gallery.csv gets a line for each program that was run and keeps those of the others. --only runs the programs whose names the regular
 expression finds. --check leaves the table alone and fails where a program gets a worse verdict than its line has; of the lines it
 takes one in PARTS, other ones with each commit. --sheet draws docs/pictures/programs.png: some of the programs on the glass of a panel.
-The same program draws the same frames in each run, whatever the machine's speed (same_run.c). BUILD is a build folder, build/host unless given.
+The same program draws the same frames in each run, whatever the machine's speed (same_run.c). BUILD is a build folder, build/host
+unless given.
 """
 import argparse
 import collections
@@ -34,7 +35,7 @@ COLUMNS = ("program", "suite", "verdict", "reason")
 STARTS, SECONDS = ((20, "320x240"), (100, "320x240"), (400, "320x240"), (20, None)), 120
 PICTURES = 10  # of a replay
 PAIR = ("libGL.so.1", "libEGL.so.1", "libOpenGL.so.0", "libGLX.so.0")
-TRIES = 2  # What moves by the clock draws other frames when it is run again.
+TRIES = 2  # Events of X still come when they come, and a helper may be late.
 # Verdicts that tell nothing about Spangle. A check takes them on any line: they come of a machine that is busy.
 EMPTY, SLOW = "draws nothing", "Mesa takes too long"
 DIFFER, SMOOTH = "pictures differ", "smooth edges differ"
@@ -120,7 +121,7 @@ def compare_frames(place, pair, trace, window):
         if off > allowed:
             return DIFFER, f"{off:.3f} % of the pixels differ; {allowed:.3f} % may"
     if max(drawn(p)[1] for p in (mine, *pictures)) < LEAST_DRAWN:
-        return EMPTY, f"Mesa's replays have one colour, too, after {len(ours)} frames"
+        return EMPTY, f"Mesa's replays have one colour, too, in each of {len(ours)} frames"
     return "passes", ""
 
 
@@ -133,7 +134,7 @@ def compare(place, pair, trace, window):
     plain = without_smoothing(trace, place / "plain.trace")
     if plain == trace:
         return verdict, reason
-    (place / "plain").mkdir()
+    (place / "plain").mkdir(exist_ok=True)
     if compare_frames(place / "plain", pair, plain, window)[0] != "passes":
         return verdict, reason
     return SMOOTH, f"{reason}; without GL_POINT_SMOOTH, GL_LINE_SMOOTH and GL_POLYGON_SMOOTH they agree"

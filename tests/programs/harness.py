@@ -133,9 +133,10 @@ def trim(trace, frames, to):
 
 @functools.lru_cache(maxsize=1)
 def contexts_and_swaps(trace, _written):
-    """The calls of a trace that make contexts and end frames, a line each. Long traces take seconds: asked again, the answer is kept for
-    as long as the file is as it was written."""
-    return run(["apitrace", "dump", "--color=never", "--grep=^eglCreateContext$|^(egl|glX)SwapBuffers$", trace], dict(os.environ), 300).words
+    """The calls of a trace that make contexts and end frames, a line each. A long trace takes seconds, so the answer is kept for as long
+    as the file is as it was written."""
+    grep = "--grep=^eglCreateContext$|^(egl|glX)SwapBuffers$"
+    return run(["apitrace", "dump", "--color=never", grep, trace], dict(os.environ), 300).words
 
 
 def contexts_and_swaps_of(trace):

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <optional>
 #include <string>
 #include <vector>
@@ -176,22 +178,50 @@ TEST_F(OwnTiers, CoordinatesAreAsFarOffAsTexelBitsSay) {
         }
 }
 
-/// Where the bound is wide, straight runs and cubic ones find other texels, in words of either size.
+/// Straight runs of 64 pixels find texels that are far off, in words of either size; cubic ones do not.
 TEST_F(OwnTiers, RunsAreOfTheKindThatIsAskedFor) {
-    for (const std::uint8_t bits : {8, 20})
-        for (const GLenum env : {GL_REPLACE, GL_MODULATE}) {
-            Wish wish;
-            wish.env = env; // GL_REPLACE has spans of its own
-            wish.knobs = raster::balanced_knobs;
-            wish.knobs->color_bits = bits;
-            wish.knobs->texel_bits = 0;
-            wish.knobs->longest_run = 4;
-            wish.knobs->affine_texel_bits = Knobs::never;
-            wish.knobs->runs = Runs::straight;
-            const auto straight = picture_of(wish).rgba;
-            wish.knobs->runs = Runs::cubic;
-            EXPECT_NE(picture_of(wish).rgba, straight) << int{bits} << " bits";
-        }
+    constexpr int step = 9; // the largest of a component of 565
+    const auto largest_difference = [](const auto& a, const auto& b) {
+        int largest = 0;
+        for (std::size_t i = 0; i < a.size(); ++i)
+            largest = std::max(largest, std::abs(a[i] - b[i]));
+        return largest;
+    };
+    for (const GLenum env : {GL_REPLACE, GL_MODULATE}) { // GL_REPLACE has spans of its own
+        Wish wish;
+        wish.env = env;
+        wish.knobs = raster::balanced_knobs;
+        wish.knobs->shortest_run = wish.knobs->longest_run = 6;
+        wish.knobs->affine_texel_bits = Knobs::never;
+        wish.knobs->color_bits = 8;
+        const auto narrow = picture_of(wish).rgba;
+        wish.knobs->color_bits = 20;
+        EXPECT_LE(largest_difference(picture_of(wish).rgba, narrow), step);
+        wish.knobs->runs = Runs::cubic;
+        wish.knobs->shortest_run = 0;
+        wish.knobs->longest_run = 4;
+        const auto cubic = picture_of(wish).rgba;
+        EXPECT_GT(largest_difference(cubic, narrow), 4 * step);
+        wish.knobs->color_bits = 8;
+        EXPECT_LE(largest_difference(picture_of(wish).rgba, cubic), step);
+    }
+}
+
+/// Where the bound is wide, the two kinds find other texels in runs of the same length.
+TEST_F(OwnTiers, KindsOfRunsAreNotTheSame) {
+    for (const std::uint8_t bits : {8, 20}) {
+        Wish wish;
+        wish.env = GL_MODULATE;
+        wish.knobs = raster::balanced_knobs;
+        wish.knobs->color_bits = bits;
+        wish.knobs->texel_bits = 0;
+        wish.knobs->longest_run = 4;
+        wish.knobs->affine_texel_bits = Knobs::never;
+        wish.knobs->runs = Runs::straight;
+        const auto straight = picture_of(wish).rgba;
+        wish.knobs->runs = Runs::cubic;
+        EXPECT_NE(picture_of(wish).rgba, straight) << int{bits} << " bits";
+    }
 }
 
 TEST_F(OwnTiers, RunsAreAsLongAsTheyMay) {
