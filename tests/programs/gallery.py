@@ -32,7 +32,7 @@ MADE = ROOT / "build/gallery"
 TABLE, PICTURE, PAGE = HERE / "gallery.csv", ROOT / "docs/pictures/programs.png", ROOT / "docs/programs.md"
 COLUMNS = ("program", "suite", "verdict", "reason")
 # Frames, and the size of windows: a program that shows one colour is run again for longer, at last in a window as it has it by itself.
-STARTS, SECONDS = ((20, "320x240"), (100, "320x240"), (400, "320x240"), (20, None)), 120
+STARTS, SECONDS = ((20, "320x240"), (100, "320x240"), (400, "320x240"), (20, None), (400, None)), 120
 PICTURES = 10  # of a replay
 PAIR = ("libGL.so.1", "libEGL.so.1", "libOpenGL.so.0", "libGLX.so.0")
 TRIES = 2  # Events of X still come when they come, and a helper may be late.

@@ -171,12 +171,14 @@ def without_calls(trace, numbers, to):
 
 
 def some(things, most):
-    """The last of a list and others that lie evenly before it, `most` in all at most, in their order."""
-    return things[::-1][::max(1, -(-len(things) // most))][::-1]
+    """The first and the last of a list and others that lie evenly between them, `most` in all at most, in their order. One: the last."""
+    if most < 2 or len(things) <= most:
+        return things[-most:]
+    return [things[(len(things) - 1) * i // (most - 1)] for i in range(most)]
 
 
 def some_frames(trace, most):
-    """Some frames of a trace, the last among them, in the words of eglretrace's option -S."""
+    """Some frames of a trace, the first and the last among them, in the words of eglretrace's option -S."""
     return ",".join(some(re.findall(r"^(\d+) \w+SwapBuffers", contexts_and_swaps_of(trace), re.M), most)) or "frame"
 
 
