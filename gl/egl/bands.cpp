@@ -142,16 +142,13 @@ bool draw_each(Display& display, Surface& surface, void (*draw)(void*), void* da
     const bool drawn = each_band(surface, [&](std::int32_t first, std::int32_t rows) {
         if (!open_band(display, surface, first, rows))
             return false;
-        raster::BatchRows* const batches = begin_batches(surface);
-        give_rows(surface, batches);
+        give_rows(surface, begin_batches(surface));
         draw(data);
         enter(SPANGLE_TEXT("spangle::frame"));
         if (thread().draw != &surface)
             return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("the window is current no more")) != EGL_FALSE;
         if (in_primitive())
             return fail_in_primitive() != EGL_FALSE;
-        if (batches != nullptr && thread().context->gl->drawable.batches != batches)
-            batches->distrust(); // another surface was current meanwhile: not all batches have their number
         return send_band(display, surface);
     });
     return drawn && (surface.band.colors || present_whole(display, surface));

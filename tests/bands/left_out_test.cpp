@@ -157,7 +157,8 @@ TEST(LeftOut, EachFrameBeginsAnew) {
               "------#---");
 }
 
-/// Batches that another surface got have no number here.
+/// When another surface becomes current during the first band, later batches get no number and are drawn in
+/// every band.
 TEST(LeftOut, NothingAfterAnotherSurfaceWasCurrent) {
     EXPECT_EQ(bands_of(drawn_rows([](int band) {
                   const EGLDisplay display = eglGetCurrentDisplay();
@@ -172,6 +173,23 @@ TEST(LeftOut, NothingAfterAnotherSurfaceWasCurrent) {
               })),
               "#########-");
 }
+
+#if SPANGLE_FEATURE_STENCIL_SIDES
+/// Where the sides of polygons have stencil tests of their own, back faces have a state of their own, whose
+/// rows are noted, too.
+TEST(LeftOut, BackFacesReachTheirRows) {
+    EXPECT_EQ(bands_of(drawn_rows([](int) {
+                  glEnable(GL_STENCIL_TEST);
+                  glStencilFuncSeparate(GL_BACK, GL_ALWAYS, 1, 1);
+                  glBegin(GL_QUADS); // clockwise
+                  for (const auto& [x, y] : {std::pair{0, 8}, {0, 16}, {width, 16}, {width, 8}})
+                      glVertex2i(x, y);
+                  glEnd();
+                  glDisable(GL_STENCIL_TEST);
+              })),
+              "-#--------");
+}
+#endif
 
 /// Feedback and selection see every primitive in every band.
 TEST(LeftOut, NothingOfFeedback) {
