@@ -289,17 +289,22 @@ int GpioChip::gone_error() const {
     return ENODEV;
 }
 
+std::uint64_t GpioChip::levels() const {
+    return levels_ & (outputs_ | ~pulled_down);
+}
+
 bool GpioChip::level(unsigned line, Time now) const {
-    if (lines_[line].output || !input)
-        return (levels_ >> line & 1) != 0;
+    if (is_output(line) || !input)
+        return (levels() >> line & 1) != 0;
     return input(line, now);
 }
 
 void GpioChip::set_direction(const std::vector<unsigned>& offsets, bool output) {
     for (const unsigned line : offsets) {
-        lines_[line].output = output;
+        const std::uint64_t bit = std::uint64_t{1} << line;
+        outputs_ = output ? outputs_ | bit : outputs_ & ~bit;
         if (!output)
-            levels_ |= std::uint64_t{1} << line;
+            levels_ |= bit;
     }
 }
 
@@ -311,7 +316,7 @@ void GpioChip::drive(const std::vector<unsigned>& offsets, std::uint64_t values,
     };
     const auto tell = [&] {
         if (on_change)
-            on_change(levels_, kernel_->now());
+            on_change(levels(), kernel_->now());
     };
     for (std::size_t n = 0; n < offsets.size(); ++n) {
         put(settling == Settling::descending ? offsets.size() - 1 - n : n);

@@ -30,8 +30,9 @@ class GpioChip final : public Device, public PinHeader {
     void occupy(unsigned line, const std::string& consumer);
     void vacate(unsigned line);
 
-    std::uint64_t levels() const { return levels_; }
-    bool is_output(unsigned line) const { return lines_[line].output; }
+    /// Bit n is the level of line n.
+    std::uint64_t levels() const;
+    bool is_output(unsigned line) const { return (outputs_ >> line & 1) != 0; }
     bool requested(unsigned line) const { return !lines_[line].consumer.empty(); }
 
     std::unique_ptr<OpenFile> open() override;
@@ -42,14 +43,14 @@ class GpioChip final : public Device, public PinHeader {
     friend class RequestFile;
     struct Line {
         std::string consumer; ///< empty: free
-        bool output = false;
     };
 
     std::string label_, name_;
     Kernel* kernel_ = nullptr;
     unsigned count_;
     std::array<Line, most_lines> lines_;
-    std::uint64_t levels_ = ~std::uint64_t{0};
+    std::uint64_t outputs_ = 0;
+    std::uint64_t levels_ = ~std::uint64_t{0}; ///< of outputs; all others have a one
 
     void drive(const std::vector<unsigned>& offsets, std::uint64_t values, std::uint64_t mask);
     void set_direction(const std::vector<unsigned>& offsets, bool output);

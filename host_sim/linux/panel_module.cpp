@@ -21,6 +21,8 @@ PanelModule::PanelModule(const hal::PanelDesc& panel, const ModuleWiring& wiring
     power_cycle();
     header.on_change = [this](std::uint64_t levels, Time now) { lines_changed(levels, now); };
     header.input = [this](unsigned line, Time now) { return input(line, now); };
+    if (wired(wiring_.backlight))
+        header.pulled_down |= std::uint64_t{1} << wiring_.backlight; // a light that nobody turns on is off
 }
 
 void PanelModule::power_cycle() {
