@@ -170,11 +170,11 @@ bool XWindow::ask_size() const {
 }
 
 hal::DisplayInfo XWindow::info() const {
-    const bool there = ask_size();
+    const bool lives = ask_size() || pixmap_; // pixmaps live as long as somebody uses them
     hal::DisplayInfo out;
     out.name = pixmap_ ? "X pixmap" : "X window";
-    out.width = there || pixmap_ ? width_ : 0; // pixmaps live as long as somebody uses them
-    out.height = there || pixmap_ ? height_ : 0;
+    out.width = lives ? width_ : 0;
+    out.height = lives ? height_ : 0;
     out.format = format_;
     out.keeps_buffer = true;
     return out;

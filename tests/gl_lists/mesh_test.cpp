@@ -35,7 +35,7 @@ class Meshes : public RecordingContext {
     }
 
     /// What a draw gives at once, and from a list, when neither its arrays nor its indices are there any
-    /// more.
+    /// more. The list is called with all arrays off, and with all of them on.
     template <class Draw> void same_from_list(const Draw& draw, const std::string& what) {
         glColor4f(0.25F, 0.5F, 0.125F, 1.F);
         events().clear();
@@ -48,12 +48,14 @@ class Meshes : public RecordingContext {
         std::fill(data_.begin(), data_.end(), GLubyte{1});
         std::vector<GLuint> indices;
         indices.swap(indices_);
-        enable(0);
-        const auto before = snapshot();
-        events().clear();
-        glCallList(1);
-        EXPECT_EQ(events(), expected) << what;
-        EXPECT_EQ(snapshot(), before) << what << ": arrays and what is current stay";
+        for (const unsigned enabled : {0u, 15u}) {
+            enable(enabled);
+            const auto before = snapshot();
+            events().clear();
+            glCallList(1);
+            EXPECT_EQ(events(), expected) << what << ", called with arrays " << enabled;
+            EXPECT_EQ(snapshot(), before) << what << ": arrays and what is current stay";
+        }
         data_ = kept;
         indices_.swap(indices);
     }
