@@ -52,6 +52,10 @@ Session::~Session() {
         eglDestroyContext(display_, context_);
     if (surface_ != EGL_NO_SURFACE)
         eglDestroySurface(display_, surface_);
+    // The display of a board goes with its board, and another may come to lie where it was. Sessions without
+    // a board share the default display.
+    if (has_board_)
+        eglTerminate(display_);
 }
 
 EGLConfig Session::choose(Precision precision, bool window) const {
@@ -93,6 +97,7 @@ std::string Session::open(EGLConfig config, const EGLint* window, const EGLint* 
 std::string Session::open_display(hal::Display& display, Precision precision, const BandOptions& bands) {
     listen();
     display_ = eglGetDisplay(native(display));
+    has_board_ = true;
     if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr))
         return egl_problem("eglInitialize");
     const EGLint window[] = {EGL_BAND_HEIGHT_SPANGLE, bands.height, EGL_BAND_RECORD_SPANGLE,

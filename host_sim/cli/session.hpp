@@ -49,6 +49,7 @@ class Session {
     EGLDisplay display_ = EGL_NO_DISPLAY;
     EGLSurface surface_ = EGL_NO_SURFACE;
     EGLContext context_ = EGL_NO_CONTEXT;
+    bool has_board_ = false; ///< the display is a board's
     int width_ = 0, height_ = 0;
     std::size_t surface_bytes_ = 0, context_bytes_ = 0;
     std::string error_;

@@ -201,6 +201,18 @@ TEST_F(OnDevices, BandsCountEachTriangleOnce) {
     EXPECT_EQ(drawn(run_on<OnSpidev>(with(with(words, spidev), {"--band-height", "16"}))), whole);
 }
 
+/// Three boards come and go in one process, and may lie at one address.
+TEST_F(OnDevices, TheDemoDrawsThreePictures) {
+    const Ran ran = run([] { return nullptr; }, {"demo", "--out", folder + "/demo"});
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    for (const char* name : {"gears", "torus", "model"}) {
+        sim::Image picture;
+        EXPECT_EQ(sim::read_png(folder + "/demo/" + name + ".png", picture), "") << name;
+        EXPECT_EQ(picture.width, 320) << name;
+        EXPECT_NE(ran.out.find(std::string(name) + ".png"), std::string::npos) << ran.out;
+    }
+}
+
 TEST_F(OnDevices, RunPresentsOnARealPanelAsItIsTold) {
     const Words words = {"run", "HUD", "--frames", "3"};
     const sim::Image expected = simulated(words);
