@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "host_sim/cli/screen.hpp"
 #include "host_sim/output/output.hpp"
 #include "tests/cli/machines.hpp"
 
@@ -201,7 +203,18 @@ TEST_F(OnDevices, BandsCountEachTriangleOnce) {
     EXPECT_EQ(drawn(run_on<OnSpidev>(with(with(words, spidev), {"--band-height", "16"}))), whole);
 }
 
-/// Three boards come and go in one process, and may lie at one address.
+/// Boards that come and go in one process lie at one address.
+TEST_F(OnDevices, BoardsInTheSamePlaceAreOpenedAnew) {
+    std::optional<cli::Screen> screen;
+    cli::RunOptions options;
+    options.scene = "S1";
+    for (int i = 0; i < 6; ++i) {
+        screen.emplace();
+        cli::Session session;
+        ASSERT_EQ(screen->open(options, session), "") << i;
+    }
+}
+
 TEST_F(OnDevices, TheDemoDrawsThreePictures) {
     const Ran ran = run([] { return nullptr; }, {"demo", "--out", folder + "/demo"});
     EXPECT_EQ(ran.status, 0) << ran.err;
