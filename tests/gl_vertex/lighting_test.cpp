@@ -167,6 +167,14 @@ const Row table[] = {
          v.light[0].constant = 0.0625;
          v.light[0].diffuse = {0.05078125f, 0.025390625f, 0.0126953125f, 1};
      }},
+    {"even a little brighter than four times: 0.1 / 0.1875",
+     {8 / 15.0, 4 / 15.0, 2 / 15.0},
+     [](LitVertex& v) {
+         only_diffuse(v);
+         v.light[0].position = {0, 0, 5, 1};
+         v.light[0].constant = 0.1875;
+         v.light[0].diffuse = {0.1F, 0.05F, 0.025F, 1};
+     }},
     {"and spots: 0.8^4 / 0.0625 0.125",
      {0.8192, 0.4096, 0.2048},
      [](LitVertex& v) {

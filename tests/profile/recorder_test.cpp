@@ -325,6 +325,27 @@ TEST(Recorder, RecordsForOtherSurfaces) {
         EXPECT_EQ(use.key.depth_format, DepthFormat::z24s8);
 }
 
+/// What was drawn before the first stencil test has depths of 24 bits, too; what looks at no depth still has
+/// none.
+TEST(Recorder, StencilsGiveAllDepths24Bits) {
+    constexpr programs::Program late{"late", [](int, int) {},
+                                     [](int) {
+                                         for (const GLenum test : {GL_NONE, GL_DEPTH_TEST, GL_STENCIL_TEST}) {
+                                             if (test != GL_NONE)
+                                                 glEnable(test);
+                                             glRectf(-0.5f, -0.5f, 0.5f, 0.5f);
+                                         }
+                                     }};
+    const Record stencils = record_for(PixelFormat::rgb565_be, late, false);
+    int without = 0, with = 0;
+    for (const KeyUse& use : stencils.keys) {
+        EXPECT_NE(use.key.depth_format, DepthFormat::z16);
+        ++(use.key.depth_format == DepthFormat::none ? without : with);
+    }
+    EXPECT_GT(without, 0);
+    EXPECT_GT(with, 1);
+}
+
 TEST(Recorder, KeepsTheLoopOfOneColourThatOtherSurfacesHave) {
     const auto flat = [](const Record& record) {
         return std::any_of(record.keys.begin(), record.keys.end(), [](const KeyUse& use) {
@@ -350,6 +371,20 @@ TEST(RecordText, ComesBackAsItWas) {
             EXPECT_EQ(back.keys[i].key, there.keys[i].key) << words(there.keys[i].key);
         const Choice choice{"it", "it.inc"};
         EXPECT_EQ(settings(make(back, choice), back, choice), settings(make(there, choice), there, choice));
+    }
+}
+
+/// Each word of a key is written, whatever programs have in it.
+TEST(RecordText, KeepsEachWordOfAKey) {
+    using raster::Key;
+    for (bool Key::*const word :
+         {&Key::cubic, &Key::coarse, &Key::blend_general, &Key::color_alpha, &Key::color_sum, &Key::fog,
+          &Key::stencil, &Key::dither, &Key::masked, &Key::polygon_stipple, &Key::depth_offset}) {
+        Record there, back;
+        there.keys.emplace_back().key.*word = true;
+        ASSERT_EQ(from_text(to_text(there), back), "");
+        ASSERT_EQ(back.keys.size(), 1U);
+        EXPECT_EQ(back.keys[0].key, there.keys[0].key) << words(there.keys[0].key);
     }
 }
 
