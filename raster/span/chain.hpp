@@ -194,21 +194,27 @@ class PacketCopy {
     } color_, depth_;
 
   public:
-    /// Not worth a call.
+    /// Not worth a call. At least one byte, of memory that does not overlap.
     SPANGLE_INLINE static void copy(std::uint8_t* to, const std::uint8_t* from, std::int32_t bytes) {
         static_assert(packet_length <= 32);
-        parts<64, 32, 16, 8, 4, 2, 1>(to, from, bytes);
+        if (bytes >= 8)
+            bytes >= 16 ? bytes >= 32
+                              ? bytes >= 64 ? both_ends<64>(to, from, bytes) : both_ends<32>(to, from, bytes)
+                              : both_ends<16>(to, from, bytes)
+                        : both_ends<8>(to, from, bytes);
+        else
+            bytes >= 4   ? both_ends<4>(to, from, bytes)
+            : bytes >= 2 ? both_ends<2>(to, from, bytes)
+                         : void(*to = *from);
     }
-    template <int... Size>
-    SPANGLE_INLINE static void parts(std::uint8_t* to, const std::uint8_t* from, std::int32_t bytes) {
-        const auto part = [&](auto size) __attribute__((always_inline)) {
-            if ((bytes & size) != 0) {
-                __builtin_memcpy(to, from, size);
-                to += size;
-                from += size;
-            }
-        };
-        (part(std::integral_constant<int, Size>{}), ...);
+
+  private:
+    /// From Size to twice as many bytes: the first of them and the last, which may be some of the first.
+    template <int Size>
+    SPANGLE_INLINE static void both_ends(std::uint8_t* to, const std::uint8_t* from, std::int32_t bytes) {
+        const std::int32_t last = bytes - Size;
+        __builtin_memcpy(to, from, Size);
+        __builtin_memcpy(to + last, from + last, Size);
     }
 };
 

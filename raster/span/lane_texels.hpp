@@ -52,7 +52,8 @@ SPANGLE_INLINE LaneWords lane_products_added(const LaneWords& a, const LaneWords
 struct LaneBytes {
     Lanes<8>::U16 low, high;
     SPANGLE_INLINE static LaneBytes of(const LaneWords& words) {
-        return {words.low_half(), words.high_half()};
+        const auto [low, high] = words.halves();
+        return {low, high};
     }
     SPANGLE_INLINE Lanes<8>::U16 at(int n) const {
         const Lanes<8>::U16& two = n < 2 ? low : high;

@@ -30,13 +30,26 @@ template <class Vector> SPANGLE_INLINE auto as_signed(const Vector& v) {
 template <class Vector> SPANGLE_INLINE Vector is_less(const Vector& a, const Vector& b) {
     return std::bit_cast<Vector>(as_signed(a) < as_signed(b));
 }
-/// The smaller ones, both below 2^31.
+/// The smaller ones, both below 2^31. In a loop, of which compilers make the one instruction that some sets
+/// have.
 template <class Vector> SPANGLE_INLINE Vector smaller(const Vector& a, const Vector& b) {
-    const Vector less = is_less(a, b);
-    return (a & less) | (b & ~less);
+    const auto s = as_signed(a), t = as_signed(b);
+    auto r = s;
+    for (unsigned i = 0; i < sizeof(Vector) / 4; ++i)
+        r[i] = s[i] < t[i] ? s[i] : t[i];
+    return std::bit_cast<Vector>(r);
+}
+/// max(v, 0), v signed.
+template <class Vector> SPANGLE_INLINE Vector positive(const Vector& v) {
+    auto r = as_signed(v);
+    for (unsigned i = 0; i < sizeof(Vector) / 4; ++i)
+        r[i] = r[i] < 0 ? 0 : r[i];
+    return std::bit_cast<Vector>(r);
 }
 
 } // namespace lane_words
+
+template <class Words> struct LanePairs { Words low, high; };
 
 #if defined(__AVX2__)
 
@@ -57,7 +70,8 @@ struct LaneWords {
                 splat(dy).all * Vector{0, 0, 0, 0, 1, 1, 1, 1}};
     }
     SPANGLE_INLINE static LaneWords widened(const Halfwords& v) {
-        return {__builtin_convertvector(v, Vector)};
+        // GCC 12 makes four instructions of a conversion.
+        return {std::bit_cast<Vector>(_mm256_cvtepu16_epi32(std::bit_cast<__m128i>(v)))};
     }
     SPANGLE_INLINE static LaneWords load(const std::uint8_t* p) {
         LaneWords v;
@@ -66,6 +80,18 @@ struct LaneWords {
     }
     template <class F> SPANGLE_INLINE static LaneWords generate(F f) {
         return {Vector{f(0u), f(1u), f(2u), f(3u), f(4u), f(5u), f(6u), f(7u)}};
+    }
+    /// The low and the high words of f(lane), which has 64 bits.
+    template <class F> SPANGLE_INLINE static LanePairs<LaneWords> generate_pairs(F f) {
+        using Pairs [[gnu::vector_size(32)]] = std::uint64_t;
+        // In this order one shuffle inside of each half gives the lanes in theirs.
+        const auto a = std::bit_cast<Vector>(Pairs{f(0u), f(1u), f(4u), f(5u)}),
+                   b = std::bit_cast<Vector>(Pairs{f(2u), f(3u), f(6u), f(7u)});
+        const auto words = [&](auto shuffled) __attribute__((always_inline)) {
+            return LaneWords{std::bit_cast<Vector>(shuffled)};
+        };
+        const auto x = std::bit_cast<__m256>(a), y = std::bit_cast<__m256>(b);
+        return {words(_mm256_shuffle_ps(x, y, 0x88)), words(_mm256_shuffle_ps(x, y, 0xDD))};
     }
     SPANGLE_INLINE static LaneWords select(const Halfwords& m, const LaneWords& a, const LaneWords& b) {
         const __m256i wide = _mm256_cvtepi16_epi32(std::bit_cast<__m128i>(m));
@@ -84,6 +110,20 @@ struct LaneWords {
     SPANGLE_INLINE void store(std::uint8_t* p) const { __builtin_memcpy(p, &all, 32); }
     SPANGLE_INLINE Halfwords high_half() const { return LaneWords{all >> 16}.narrowed(); }
     SPANGLE_INLINE Halfwords low_half() const { return LaneWords{all & 0xFFFFu}.narrowed(); }
+    SPANGLE_INLINE LanePairs<Halfwords> halves() const {
+        const __m128i order = _mm_setr_epi8(0, 1, 4, 5, 8, 9, 12, 13, 2, 3, 6, 7, 10, 11, 14, 15);
+        const __m256i parted =
+            _mm256_shuffle_epi8(std::bit_cast<__m256i>(all), _mm256_broadcastsi128_si256(order));
+        const __m256i v = _mm256_permute4x64_epi64(parted, 0xD8);
+        return {std::bit_cast<Halfwords>(_mm256_castsi256_si128(v)),
+                std::bit_cast<Halfwords>(_mm256_extracti128_si256(v, 1))};
+    }
+    /// Of words that are all ones or 0.
+    SPANGLE_INLINE Halfwords mask() const {
+        const auto v = std::bit_cast<__m256i>(all);
+        return std::bit_cast<Halfwords>(
+            _mm_packs_epi32(_mm256_castsi256_si128(v), _mm256_extracti128_si256(v, 1)));
+    }
     /// Not 0 if any word is.
     SPANGLE_INLINE Halfwords any_bits() const {
         const auto v = std::bit_cast<__m256i>(all);
@@ -142,6 +182,16 @@ struct LaneWords {
     template <class F> SPANGLE_INLINE static LaneWords generate(F f) {
         return {Vector{f(0u), f(2u), f(4u), f(6u)}, Vector{f(1u), f(3u), f(5u), f(7u)}};
     }
+    /// The low and the high words of f(lane), which has 64 bits.
+    template <class F> SPANGLE_INLINE static LanePairs<LaneWords> generate_pairs(F f) {
+        using Pairs [[gnu::vector_size(16)]] = std::uint64_t;
+        const auto two = [&](std::uint32_t i) __attribute__((always_inline)) {
+            return std::bit_cast<Vector>(Pairs{f(i), f(i + 2)});
+        };
+        const Vector a = two(0), b = two(4), c = two(1), d = two(5);
+        return {{__builtin_shufflevector(a, b, 0, 2, 4, 6), __builtin_shufflevector(c, d, 0, 2, 4, 6)},
+                {__builtin_shufflevector(a, b, 1, 3, 5, 7), __builtin_shufflevector(c, d, 1, 3, 5, 7)}};
+    }
     SPANGLE_INLINE static LaneWords select(const Halfwords& m, const LaneWords& a, const LaneWords& b) {
         const auto halves = lane_words::as_signed(std::bit_cast<Vector>(m));
         const auto first = std::bit_cast<Vector>((halves << 16) >> 16),
@@ -170,6 +220,9 @@ struct LaneWords {
     SPANGLE_INLINE Halfwords low_half() const {
         return std::bit_cast<Halfwords>((even & 0xFFFFu) | (odd << 16));
     }
+    SPANGLE_INLINE LanePairs<Halfwords> halves() const { return {low_half(), high_half()}; }
+    /// Of words that are all ones or 0.
+    SPANGLE_INLINE Halfwords mask() const { return low_half(); }
     /// Not 0 if any word is.
     SPANGLE_INLINE Halfwords any_bits() const { return std::bit_cast<Halfwords>(even | odd); }
     SPANGLE_INLINE std::uint32_t lane(int i) const { return (i & 1) != 0 ? odd[i >> 1] : even[i >> 1]; }

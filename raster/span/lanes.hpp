@@ -163,13 +163,16 @@ template <> struct Lanes<8> {
             r[i] = s[i] < t[i] ? t[i] : s[i];
         return std::bit_cast<U16>(r);
     }
-    /// min(max(v, low), high), all signed.
-    SPANGLE_INLINE static U16 clamped_signed(U16 v, U16 low, U16 high) {
-        const auto raised = std::bit_cast<Signed>(maximum_signed(v, low)), h = std::bit_cast<Signed>(high);
+    SPANGLE_INLINE static U16 minimum_signed(U16 a, U16 b) {
+        const auto s = std::bit_cast<Signed>(a), t = std::bit_cast<Signed>(b);
         Signed r;
         for (int i = 0; i < 8; ++i)
-            r[i] = raised[i] < h[i] ? raised[i] : h[i];
+            r[i] = s[i] < t[i] ? s[i] : t[i];
         return std::bit_cast<U16>(r);
+    }
+    /// min(max(v, low), high), all signed.
+    SPANGLE_INLINE static U16 clamped_signed(U16 v, U16 low, U16 high) {
+        return minimum_signed(maximum_signed(v, low), high);
     }
     SPANGLE_INLINE static Mask less_signed(U16 a, U16 b) {
         return std::bit_cast<Mask>(std::bit_cast<Signed>(a) < std::bit_cast<Signed>(b));
@@ -185,9 +188,26 @@ template <> struct Lanes<8> {
         return __builtin_shufflevector(halves, halves, I, I, I, I, I, I, I, I);
     }
     SPANGLE_INLINE static U16 mul_signed_512(U16 a, U16 b) { return mul_high_signed(a, b << 7); }
-    SPANGLE_INLINE static U16 minimum(U16 a, U16 b) { return select(less(a, b), a, b); }
-    SPANGLE_INLINE static U16 maximum(U16 a, U16 b) { return select(less(a, b), b, a); }
-    SPANGLE_INLINE static U16 select(Mask m, U16 a, U16 b) { return (m & a) | (~m & b); }
+    SPANGLE_INLINE static U16 minimum(U16 a, U16 b) {
+        U16 r;
+        for (int i = 0; i < 8; ++i)
+            r[i] = a[i] < b[i] ? a[i] : b[i];
+        return r;
+    }
+    SPANGLE_INLINE static U16 maximum(U16 a, U16 b) {
+        U16 r;
+        for (int i = 0; i < 8; ++i)
+            r[i] = a[i] < b[i] ? b[i] : a[i];
+        return r;
+    }
+    SPANGLE_INLINE static U16 select(Mask m, U16 a, U16 b) {
+#if defined(__AVX2__)
+        return std::bit_cast<U16>(
+            _mm_blendv_epi8(std::bit_cast<__m128i>(b), std::bit_cast<__m128i>(a), std::bit_cast<__m128i>(m)));
+#else
+        return (m & a) | (~m & b);
+#endif
+    }
     /// Words of 32 bits, all below 2^31.
     SPANGLE_INLINE static U32 minimum(const U32& a, const U32& b) {
         return U32::mapped(
@@ -195,50 +215,71 @@ template <> struct Lanes<8> {
                 __attribute__((always_inline)) { return lane_words::smaller(v, w); },
             a, b);
     }
-    SPANGLE_INLINE static U32 maximum(const U32& a, const U32& b) { return a + b - minimum(a, b); }
+    SPANGLE_INLINE static U32 maximum(const U32& a, const U32& b) {
+        return a + b - minimum(a, b);
+    }
     /// max(v, 0), v signed.
     SPANGLE_INLINE static U32 positive(const U32& v) {
         return U32::mapped(
-            [](const auto& w) __attribute__((always_inline)) {
-                return w & ~std::bit_cast<std::remove_cvref_t<decltype(w)>>(lane_words::as_signed(w) >> 31);
-            },
-            v);
+            [](const auto& w) __attribute__((always_inline)) { return lane_words::positive(w); }, v);
     }
     SPANGLE_INLINE static Mask less(const U32& a, const U32& b) {
         return U32::mapped(
                    [](const auto& v, const auto& w)
                        __attribute__((always_inline)) { return lane_words::is_less(v, w); },
                    a, b)
-            .low_half();
+            .mask();
     }
     SPANGLE_INLINE static U32 select(const Mask& m, const U32& a, const U32& b) {
         return U32::select(m, a, b);
     }
-    SPANGLE_INLINE static U16 swap_bytes(U16 v) { return (v << 8) | (v >> 8); }
+    SPANGLE_INLINE static U16 swap_bytes(U16 v) {
+        return (v << 8) | (v >> 8);
+    }
     SPANGLE_INLINE static bool any(Mask m) {
+#if defined(__AVX2__)
+        return _mm_testz_si128(std::bit_cast<__m128i>(m), std::bit_cast<__m128i>(m)) == 0;
+#else
         using Halves [[gnu::vector_size(16)]] = std::uint64_t;
         const auto halves = std::bit_cast<Halves>(m);
         return (halves[0] | halves[1]) != 0;
+#endif
     }
     /// Some lane is not 0.
-    SPANGLE_INLINE static bool any_bits(const U16& v) { return any(v); }
-    SPANGLE_INLINE static bool any_bits(const U32& v) { return any(v.any_bits()); }
+    SPANGLE_INLINE static bool any_bits(const U16& v) {
+        return any(v);
+    }
+    SPANGLE_INLINE static bool any_bits(const U32& v) {
+        return any(v.any_bits());
+    }
     /// A byte per lane, all ones where any bit is one.
     SPANGLE_INLINE static std::uint64_t nonzero_bytes(const U16& v) {
         using Bytes [[gnu::vector_size(8)]] = std::int8_t;
         return std::bit_cast<std::uint64_t>(__builtin_convertvector(v != 0, Bytes));
     }
-    SPANGLE_INLINE static Mask less(U16 a, U16 b) { return std::bit_cast<Mask>(a < b); }
-    SPANGLE_INLINE static Mask at_most(U16 a, U16 b) { return std::bit_cast<Mask>(a <= b); }
-    SPANGLE_INLINE static Mask equal(U16 a, U16 b) { return std::bit_cast<Mask>(a == b); }
-    SPANGLE_INLINE static Mask both(Mask a, Mask b) { return a & b; }
-    SPANGLE_INLINE static Mask negate(Mask m) { return ~m; }
+    SPANGLE_INLINE static Mask less(U16 a, U16 b) {
+        return std::bit_cast<Mask>(a < b);
+    }
+    SPANGLE_INLINE static Mask at_most(U16 a, U16 b) {
+        return std::bit_cast<Mask>(a <= b);
+    }
+    SPANGLE_INLINE static Mask equal(U16 a, U16 b) {
+        return std::bit_cast<Mask>(a == b);
+    }
+    SPANGLE_INLINE static Mask both(Mask a, Mask b) {
+        return a & b;
+    }
+    SPANGLE_INLINE static Mask negate(Mask m) {
+        return ~m;
+    }
     SPANGLE_INLINE static U16 load(const std::uint8_t* p) {
         U16 v;
         __builtin_memcpy(&v, p, 16);
         return v;
     }
-    SPANGLE_INLINE static void store(std::uint8_t* p, U16 v) { __builtin_memcpy(p, &v, 16); }
+    SPANGLE_INLINE static void store(std::uint8_t* p, U16 v) {
+        __builtin_memcpy(p, &v, 16);
+    }
     /// Lanes 0 to 3 and 4 to 7.
     SPANGLE_INLINE static U16 halves(std::uint64_t low, std::uint64_t high) {
         using Halves [[gnu::vector_size(16)]] = std::uint64_t;
@@ -249,8 +290,12 @@ template <> struct Lanes<8> {
         return std::bit_cast<Halves>(v)[n];
     }
     /// Eight words of 32 bits in a row.
-    SPANGLE_INLINE static U32 load32(const std::uint8_t* p) { return U32::load(p); }
-    SPANGLE_INLINE static void store32(std::uint8_t* p, const U32& v) { v.store(p); }
+    SPANGLE_INLINE static U32 load32(const std::uint8_t* p) {
+        return U32::load(p);
+    }
+    SPANGLE_INLINE static void store32(std::uint8_t* p, const U32& v) {
+        v.store(p);
+    }
     SPANGLE_INLINE static U32 gather(const std::uint32_t* v) {
         return load32(reinterpret_cast<const std::uint8_t*>(v));
     }
@@ -270,9 +315,15 @@ template <> struct Lanes<8> {
     SPANGLE_INLINE static U16 gather(const std::uint16_t* v) {
         return U16{v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]};
     }
-    SPANGLE_INLINE static void scatter(U16 v, std::uint16_t* to) { __builtin_memcpy(to, &v, 16); }
-    SPANGLE_INLINE static bool lane(Mask m, int i) { return m[i] != 0; }
-    SPANGLE_INLINE static void kill(Mask& m, int i) { m[i] = 0; }
+    SPANGLE_INLINE static void scatter(U16 v, std::uint16_t* to) {
+        __builtin_memcpy(to, &v, 16);
+    }
+    SPANGLE_INLINE static bool lane(Mask m, int i) {
+        return m[i] != 0;
+    }
+    SPANGLE_INLINE static void kill(Mask& m, int i) {
+        m[i] = 0;
+    }
     SPANGLE_INLINE static Mask first(std::int32_t n) {
         return less(U16{0, 1, 2, 3, 4, 5, 6, 7}, splat(n < 0 ? 0 : static_cast<std::uint32_t>(n)));
     }

@@ -49,7 +49,7 @@ struct PacketRows {
     std::int32_t pieces = 0;
     Piece piece[packet_length];
     /// From the anchor, to the right and up; of lanes beyond the last fragment the same as of that.
-    alignas(32) std::uint32_t x[packet_length], y[packet_length];
+    alignas(32) std::uint32_t x[packet_length + host_lanes], y[packet_length + host_lanes];
     explicit PacketRows(Span<Fixed>& of) : span(of) {}
 };
 

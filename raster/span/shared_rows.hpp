@@ -77,11 +77,7 @@ template <class N> class SharedRows {
             const Row& row = piece.row;
             point_at(piece.color, piece.depth, *span.target, row.first, row.y, state.color_bytes,
                      state.depth_bytes >> 1);
-            for (std::int32_t i = piece.at, x = row.first - span.anchor_x; x < row.last - span.anchor_x;
-                 ++i, ++x) {
-                rows_.x[i] = static_cast<std::uint32_t>(x);
-                rows_.y[i] = static_cast<std::uint32_t>(row.y - span.anchor_y);
-            }
+            place(piece);
             move(
                 piece, [](std::uint8_t * packet, std::uint8_t * plane, std::int32_t bytes)
                            __attribute__((always_inline)) { inner::PacketCopy::copy(packet, plane, bytes); });
@@ -98,6 +94,18 @@ template <class N> class SharedRows {
                 rows_.piece[n],
                 [](std::uint8_t * packet, std::uint8_t * plane, std::int32_t bytes)
                     __attribute__((always_inline)) { inner::PacketCopy::copy(plane, packet, bytes); });
+    }
+    /// Where the fragments of the piece lie, and where some of the next would: that piece comes after it.
+    SPANGLE_INLINE void place(const Piece& piece) {
+        using L = typename N::L;
+        const Span<Fixed>& span = rows_.span;
+        auto x = static_cast<std::uint32_t>(piece.row.first - span.anchor_x);
+        const auto y = L::splat32(static_cast<std::uint32_t>(piece.row.y - span.anchor_y));
+        const std::int32_t end = piece.at + piece.row.last - piece.row.first;
+        for (std::int32_t i = piece.at; i < end; i += N::lanes, x += N::lanes) {
+            L::store32(reinterpret_cast<std::uint8_t*>(rows_.x + i), L::ramp(x, 1));
+            L::store32(reinterpret_cast<std::uint8_t*>(rows_.y + i), y);
+        }
     }
     /// Between the planes and the packet's copy of them.
     template <class Move> SPANGLE_INLINE void move(const Piece& piece, Move move) {

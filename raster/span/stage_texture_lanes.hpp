@@ -58,8 +58,12 @@ template <class N> class LaneTexture {
         : texture_(*unit.texture), function_(unit), places_(places), n_(n), groups_((n + lanes - 1) / lanes) {
     }
 
+    /// The four texels of each fragment: all ones where one lies beyond the image, and has the border's
+    /// colour.
+    using Beyond = U16[4][texel_groups];
+
     /// Lanes beyond the last fragment look where that one does. Nothing that they find is stored, but stages
-    /// of one lane leave them as they were, and a border colour there would send all fragments one by one.
+    /// of one lane leave them as they were, and where they met the border that would cost time.
     /// Their colours are whatever arithmetic makes of what was in memory: masks (Packet::live) keep them from
     /// every decision and from the planes.
     template <class Coord> SPANGLE_INLINE static void fill_last_group(Coord& coord, std::int32_t n) {
@@ -95,7 +99,7 @@ template <class N> class LaneTexture {
             set_lane(texels[i / lanes], i % lanes, function.sample(places[i]));
     }
 
-    /// False: fragments take too many levels or filters, or some see the border colour.
+    /// False: fragments take too many levels or filters, or an image that lanes cannot read.
     [[gnu::noinline]] bool together(Color* texels) const {
         if (!function_.wants_lod)
             return filtered(0, texture_.mag, texels);
@@ -122,9 +126,27 @@ template <class N> class LaneTexture {
             texels[g] = between_levels<N>(texels[g], behind[g], L::gather(next + g * lanes));
         return true;
     }
-    /// All fragments by each level and filter that some of them take.
+    /// A level as all fragments see it through a filter.
+    struct Seen {
+        int level;
+        Filter filter;
+        Color colors[texel_groups];
+    };
+    /// All fragments by each level and filter that some of them take. Neighbours share a level: what lies
+    /// behind one is what the next begins with.
     [[gnu::noinline]] bool in_kinds(const Sampling* how, const std::uint16_t* next, Color* texels) const {
         constexpr int most = 4; // more take longer than one by one
+        Seen seen[2 * most];
+        int count = 0;
+        const auto seen_by = [&](int level, Filter filter) -> const Color* {
+            for (int i = 0; i < count; ++i)
+                if (seen[i].level == level && seen[i].filter == filter)
+                    return seen[i].colors;
+            Seen& to = seen[count++];
+            to.level = level;
+            to.filter = filter;
+            return filtered(level, filter, to.colors) ? to.colors : nullptr;
+        };
         std::uint32_t left = ~0u >> (32 - n_);
         for (int kind = 0; left != 0; ++kind) {
             if (kind == most)
@@ -136,12 +158,16 @@ template <class N> class LaneTexture {
                     chosen[i] = 0xFFFF;
                     left &= ~(1u << i);
                 }
-            Color found[texel_groups];
-            if (!sampled_by(one, next, found))
+            const Color* const found = seen_by(one.level, one.filter);
+            const Color* const behind = one.next != 0 ? seen_by(one.level + 1, one.filter) : found;
+            if (found == nullptr || behind == nullptr)
                 return false;
-            for (std::int32_t g = 0; g < groups_; ++g)
-                texels[g] =
-                    kind == 0 ? found[g] : chosen_of(L::gather(chosen + g * lanes), found[g], texels[g]);
+            for (std::int32_t g = 0; g < groups_; ++g) {
+                const Color mixed = one.next != 0
+                                        ? between_levels<N>(found[g], behind[g], L::gather(next + g * lanes))
+                                        : found[g];
+                texels[g] = kind == 0 ? mixed : chosen_of(L::gather(chosen + g * lanes), mixed, texels[g]);
+            }
         }
         return true;
     }
@@ -164,7 +190,8 @@ template <class N> class LaneTexture {
                     return false;
             image.texels = texture_.faces->texels[places_.face[0]][level];
         }
-        return in_image(image, nullptr, filter, to);
+        in_image(image, nullptr, filter, to);
+        return true;
     }
 
     /// LINEAR mixes two images of a volume.
@@ -176,24 +203,26 @@ template <class N> class LaneTexture {
             return false;
         TexelNumbers k;
         const bool linear = filter == Filter::linear;
-        if (!AxisLanes(texture_.wrap_r, depth).find(linear, places_.r, lanes, groups_, k) &&
-            texture_.border_texels == 0)
-            return false;
-        const auto by_slice = [&](const U16* numbers, Color* colors) {
+        const AxisLanes axis(texture_.wrap_r, depth);
+        const bool has_all = axis.find(linear, places_.r, lanes, groups_, k) || texture_.border_texels != 0;
+        const auto by_slice = [&](U16* numbers, Color* colors) {
             std::uint32_t first[packet_length];
-            for (std::int32_t g = 0; g < groups_; ++g)
+            U16 beyond[texel_groups];
+            for (std::int32_t g = 0; g < groups_; ++g) {
+                beyond[g] = has_all ? L::splat(0) : axis.move_inside(numbers[g]);
                 for (int lane = 0; lane < lanes; ++lane)
                     first[g * lanes + lane] =
                         static_cast<std::uint32_t>(static_cast<std::int16_t>(numbers[g][lane]) * bytes);
-            return in_image(image, first, filter, colors);
+            }
+            in_image(image, first, filter, colors);
+            for (std::int32_t g = 0; g < groups_ && !has_all; ++g)
+                colors[g] = chosen_of(beyond[g], border(), colors[g]);
         };
-        if (!by_slice(k.at, to))
-            return false;
+        by_slice(k.at, to);
         if (!linear)
             return true;
         Color behind[texel_groups];
-        if (!by_slice(k.next, behind))
-            return false;
+        by_slice(k.next, behind);
         for (std::int32_t g = 0; g < groups_; ++g) {
             const U16 none = L::splat(0);
             to[g] = chosen_of(L::equal(k.weight[g], none), to[g],
@@ -203,32 +232,80 @@ template <class N> class LaneTexture {
     }
 
     /// `first`: bytes from the texels of the image to those that a fragment looks at.
-    bool in_image(const TextureLevel& image, const std::uint32_t* first, Filter filter, Color* to) const {
+    void in_image(const TextureLevel& image, const std::uint32_t* first, Filter filter, Color* to) const {
         const bool linear = filter == Filter::linear;
         TexelNumbers s, t;
-        const bool
-            in_s = AxisLanes(texture_.wrap_s, image.width).find(linear, places_.s, places_.group, groups_, s),
-            in_t =
-                AxisLanes(texture_.wrap_t, image.height).find(linear, places_.t, places_.group, groups_, t);
-        if (texture_.border_texels == 0 && !(in_s && in_t))
-            return false;
+        const AxisLanes along_s(texture_.wrap_s, image.width), along_t(texture_.wrap_t, image.height);
+        const bool in_s = along_s.find(linear, places_.s, places_.group, groups_, s),
+                   in_t = along_t.find(linear, places_.t, places_.group, groups_, t);
         const TexelFetch fetch(texture_, image, first, linear, s, t, groups_);
-        if (words_of(texture_) == TexelWords::rgb565)
-            mix<TexelFetch::Words>(fetch, linear, s.weight, t.weight, to);
-        else
-            mix<TexelFetch::Bytes>(fetch, linear, s.weight, t.weight, to);
-        return true;
+        const bool words = words_of(texture_) == TexelWords::rgb565;
+        if ((in_s && in_t) || texture_.border_texels != 0) [[likely]]
+            return words ? mix<TexelFetch::Words>(fetch, linear, s.weight, t.weight, nullptr, to)
+                         : mix<TexelFetch::Bytes>(fetch, linear, s.weight, t.weight, nullptr, to);
+        Beyond beyond;
+        for (std::int32_t g = 0; g < groups_; ++g) {
+            const U16 none = L::splat(0), at_s = in_s ? none : along_s.move_inside(s.at[g]),
+                      at_t = in_t ? none : along_t.move_inside(t.at[g]),
+                      next_s = in_s || !linear ? none : along_s.move_inside(s.next[g]),
+                      next_t = in_t || !linear ? none : along_t.move_inside(t.next[g]);
+            beyond[0][g] = at_s | at_t;
+            beyond[1][g] = next_s | at_t;
+            beyond[2][g] = at_s | next_t;
+            beyond[3][g] = next_s | next_t;
+        }
+        if (!words)
+            return mix<TexelFetch::Bytes>(fetch, linear, s.weight, t.weight, &beyond, to);
+        mix<TexelFetch::Words>(fetch, linear, s.weight, t.weight, nullptr, to);
+        // The border's colour has more bits than a word of 16.
+        for (std::int32_t i = 0; i < n_; ++i) {
+            const auto meets = [&](int corner) { return beyond[corner][i / lanes][i % lanes] != 0; };
+            if (meets(0) || (linear && (meets(1) || meets(2) || meets(3))))
+                set_lane(to[i / lanes], i % lanes, one_fragment(image, first, filter, i));
+        }
+    }
+    [[gnu::noinline]] typename One::Color one_fragment(TextureLevel image, const std::uint32_t* first,
+                                                       Filter filter, std::int32_t i) const {
+        if (first != nullptr)
+            image.texels += static_cast<std::int32_t>(first[i]);
+        const std::int32_t at = i / lanes * places_.group + i % lanes;
+        const int w = log2_of(image.width), h = log2_of(image.height);
+        const std::uint32_t s = places_.s[at], t = places_.t[at];
+        if (filter == Filter::nearest)
+            return function_.texel(image, wrapped_nearest(texture_.wrap_s, s, w, image.width),
+                                   wrapped_nearest(texture_.wrap_t, t, h, image.height));
+        return function_.filtered(image, wrapped_linear(texture_.wrap_s, s, w, image.width),
+                                  wrapped_linear(texture_.wrap_t, t, h, image.height));
+    }
+    Color border() const {
+        const std::uint8_t* const b = texture_.border_color;
+        const auto component = [](std::uint32_t v) { return N::from8(L::splat(v)); };
+        return {component(b[0]), component(b[1]), component(b[2]), component(b[3])};
     }
 
-    /// Words: of texels in lanes. The weights are those of the second column and of the second row.
+    /// Words: of texels in lanes. The weights are those of the second column and of the second row. Texels
+    /// that are `beyond` the image have the border's colour; null: none is.
     template <class Words>
     [[gnu::noinline]] void mix(const TexelFetch& fetch, bool linear, const U16* right, const U16* down,
-                               Color* to) const {
+                               const Beyond* beyond, Color* to) const {
         Words texel;
         fetch.fetch(texel);
+        if constexpr (std::is_same_v<Words, TexelFetch::Bytes>)
+            if (beyond != nullptr) [[unlikely]]
+                put_border(*beyond, linear ? 4 : 1, texel);
         const auto& [c00, c10, c01, c11] = texel;
         for (std::int32_t g = 0; g < groups_; ++g)
             to[g] = linear ? mixed(c00[g], c10[g], c01[g], c11[g], right[g], down[g]) : unpacked(c00[g]);
+    }
+    [[gnu::noinline]] void put_border(const Beyond& beyond, int corners, TexelFetch::Bytes& texel) const {
+        const std::uint8_t* const b = texture_.border_color;
+        const U16 low = L::splat(b[1] * 256U + b[0]), high = L::splat(b[3] * 256U + b[2]);
+        for (int corner = 0; corner < corners; ++corner)
+            for (std::int32_t g = 0; g < groups_; ++g) {
+                LaneBytes& of = texel[corner][g];
+                of.low = L::select(beyond[corner][g], low, of.low);
+                of.high = L::select(beyond[corner][g], high, of.high);
+            }
     }
     using Colors565 = TexelColors<N, true, true>;
     SPANGLE_INLINE static Color unpacked(const U16& c) { return Colors565::unpack(c); }

@@ -44,6 +44,14 @@ class AxisLanes {
         return linear ? find_linear(coord, group, groups, to) : find_nearest(coord, group, groups, to);
     }
 
+    /// Of an axis that does not repeat: moves numbers of texels beyond the image to its edge. Gives all ones
+    /// for those that were beyond it.
+    SPANGLE_INLINE U16 move_inside(U16& number) const {
+        const U16 inside = L::clamped_signed(number, L::splat(0), last_), moved = ~L::equal(inside, number);
+        number = inside;
+        return moved;
+    }
+
   private:
     Wrap wrap_;
     bool repeats_;
@@ -57,7 +65,7 @@ class AxisLanes {
     SPANGLE_INLINE U32 place(const U32& v) const {
         if (shift_ >= 0)
             return repeats_ ? v >> shift_ : lane_shifted_signed(v, shift_);
-        const U16 low = L::low_half(v), high = L::high_half(v);
+        const auto [low, high] = v.halves();
         if (repeats_)
             return lane_joined(high * size_, L::mul_high(high, size_)) + L::widened(L::mul_high(low, size_));
         return (lane_joined(high * size_, L::mul_high_signed(high, size_)) << (32 - clamped_coord_bits)) +

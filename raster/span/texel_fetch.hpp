@@ -14,6 +14,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 class TexelFetch {
     using L = Lanes<8>;
     using U16 = L::U16;
+    using U32 = L::U32;
 
   public:
     using Words = U16[4][texel_groups]; ///< R5 G6 B5
@@ -29,7 +30,9 @@ class TexelFetch {
         : texture_(texture), image_(image), first_(first), s_(s), t_(t), corners_(linear ? 4 : 1),
           groups_(groups),
           steps_(L::splat32(image.stride << 16 |
-                            static_cast<std::uint32_t>(texel_bytes(sampled(texture.format))))) {}
+                            static_cast<std::uint32_t>(texel_bytes(sampled(texture.format))))),
+          has_pairs_(linear && image.width + 2 * texture.border_texels > 1),
+          last_left_(L::splat(static_cast<std::uint32_t>(image.width - 2 + texture.border_texels))) {}
 
     [[gnu::noinline]] void fetch(Words& to) const {
         if (is_indirect(texture_.format))
@@ -39,46 +42,43 @@ class TexelFetch {
                     return static_cast<std::uint16_t>(Lanes<1>::load(palette_entry(texture_, image_, s, t)));
                 });
             });
-        each_place([&](int corner, std::int32_t g, auto place)
-                       __attribute__((always_inline)) { to[corner][g] = two_bytes<2>(place); });
+        each_texel<2>([&](int corner, std::int32_t g, const U16& texel)
+                          __attribute__((always_inline)) { to[corner][g] = texel; });
     }
     [[gnu::noinline]] void fetch(Bytes& to) const {
-        const auto each = [&](auto bytes) __attribute__((always_inline)) {
-            each_place([&](int corner, std::int32_t g, auto place)
-                           __attribute__((always_inline)) { to[corner][g] = bytes(place); });
+        const auto put = [&](auto bytes) __attribute__((always_inline)) {
+            return [&to, bytes ](int corner, std::int32_t g, const auto& texel)
+                __attribute__((always_inline)) {
+                to[corner][g] = bytes(texel);
+            };
         };
         switch (sampled(texture_.format)) {
         case TexelFormat::a8:
-            return each([](auto place) __attribute__((always_inline)) {
-                return LaneBytes{L::splat(0xFFFF), byte(place, 0) << 8 | 0xFF};
-            });
+            return each_texel<1>(put([](const U16& a) __attribute__((always_inline)) {
+                return LaneBytes{L::splat(0xFFFF), a << 8 | 0xFF};
+            }));
         case TexelFormat::l8:
-            return each([](auto place) __attribute__((always_inline)) {
-                const U16 l = byte(place, 0);
+            return each_texel<1>(put([](const U16& l) __attribute__((always_inline)) {
                 return LaneBytes{l << 8 | l, l | 0xFF00};
-            });
+            }));
         case TexelFormat::i8:
-            return each([](auto place) __attribute__((always_inline)) {
-                const U16 i = byte(place, 0), both = i << 8 | i;
+            return each_texel<1>(put([](const U16& i) __attribute__((always_inline)) {
+                const U16 both = i << 8 | i;
                 return LaneBytes{both, both};
-            });
+            }));
         case TexelFormat::la88:
-            return each([](auto place) __attribute__((always_inline)) {
-                const U16 la = two_bytes<2>(place), l = la & 0xFF;
+            return each_texel<2>(put([](const U16& la) __attribute__((always_inline)) {
+                const U16 l = la & 0xFF;
                 return LaneBytes{l << 8 | l, la};
-            });
+            }));
         case TexelFormat::rgb888:
-            return each([](auto place) __attribute__((always_inline)) {
-                return LaneBytes{two_bytes<1>(place), byte(place, 2) | 0xFF00};
-            });
+            return each_texel<3>(put([](const LaneWords& word) __attribute__((always_inline)) {
+                const LaneBytes rgb = LaneBytes::of(word);
+                return LaneBytes{rgb.low, rgb.high | 0xFF00};
+            }));
         case TexelFormat::rgba8888:
-            return each([](auto place) __attribute__((always_inline)) {
-                const L::U32 word = L::generate([&](std::uint32_t lane) __attribute__((always_inline)) {
-                    return texel_word<TexelFormat::rgba8888>(
-                        static_cast<const std::uint8_t*>(__builtin_assume_aligned(place(lane), 4)));
-                });
-                return LaneBytes::of(word);
-            });
+            return each_texel<4>(put([](const LaneWords& word)
+                                         __attribute__((always_inline)) { return LaneBytes::of(word); }));
         default:
             if constexpr (has_other_texels)
                 fetch_others(to);
@@ -93,6 +93,8 @@ class TexelFetch {
     const int corners_;
     const std::int32_t groups_;
     const LaneWords steps_; ///< bytes from texel to texel and from row to row
+    const bool has_pairs_;  ///< two columns are looked at, and the image has two
+    const U16 last_left_;   ///< the last column but one
 
     /// f(corner, group, texels along s, texels along t)
     template <class F> SPANGLE_INLINE void each_group(F f) const {
@@ -103,23 +105,87 @@ class TexelFetch {
                 f(corner, g, s[g], t[g]);
         }
     }
-    /// f(corner, group, place(lane)), places of texels in memory.
+    /// Where the texels of one group lie in memory.
+    struct Places {
+        const std::uint8_t* texels;
+        std::int32_t offset[8];
+        SPANGLE_INLINE const std::uint8_t* operator()(std::uint32_t lane) const {
+            return texels + offset[lane];
+        }
+    };
+    SPANGLE_INLINE Places places(std::int32_t g, const U16& s, const U16& t) const {
+        U32 offsets = lane_products_added(lane_joined(s, t), steps_);
+        if (first_ != nullptr)
+            offsets += L::gather(first_ + 8 * g);
+        Places to{image_.texels, {}};
+        L::store32(reinterpret_cast<std::uint8_t*>(to.offset), offsets);
+        // Through memory: GCC 12 would take lanes out of vectors, which is longer.
+        asm("" : "+m"(to.offset)); // NOLINT(hicpp-no-assembler)
+        return to;
+    }
+    /// f(corner, group, places)
     template <class F> SPANGLE_INLINE void each_place(F f) const {
-        const std::uint8_t* const texels = image_.texels;
         each_group([&](int corner, std::int32_t g, const U16& s, const U16& t)
-                       __attribute__((always_inline)) {
-                           L::U32 offsets = lane_products_added(lane_joined(s, t), steps_);
-                           if (first_ != nullptr)
-                               offsets += L::gather(first_ + 8 * g);
-                           std::int32_t offset[8];
-                           L::store32(reinterpret_cast<std::uint8_t*>(offset), offsets);
-                           // Through memory: GCC 12 would take lanes out of vectors, which is longer.
-                           asm("" : "+m"(offset)); // NOLINT(hicpp-no-assembler)
-                           const auto place = [&](std::uint32_t lane) __attribute__((always_inline)) {
-                               return texels + offset[lane];
-                           };
-                           f(corner, g, place);
-                       });
+                       __attribute__((always_inline)) { f(corner, g, places(g, s, t)); });
+    }
+    /// put(corner, group, texels as they lie in memory), of texels of 1 to 4 bytes. Of two columns that lie
+    /// side by side, or are the same one, both are loaded at once; where an image repeats they are not.
+    template <unsigned Size, class Put> SPANGLE_INLINE void each_texel(Put put) const {
+        for (std::int32_t g = 0; g < groups_; ++g) {
+            const U16 &at = s_.at[g], &next = s_.next[g];
+            if (has_pairs_) {
+                // The left one of two neighbours that the image has, and of which these are one or both.
+                const U16 left = L::minimum_signed(L::minimum_signed(at, next), last_left_);
+                if (!L::any_bits(((at - left) | (next - left)) & 0xFFFE)) [[likely]] {
+                    const U16 is_at = L::equal(at, left), is_next = L::equal(next, left);
+                    for (int row = 0; row < 2; ++row) {
+                        const auto [near, far] =
+                            two_texels<Size>(places(g, left, row == 0 ? t_.at[g] : t_.next[g]));
+                        put(2 * row, g, L::select(is_at, near, far));
+                        put(2 * row + 1, g, L::select(is_next, near, far));
+                    }
+                    continue;
+                }
+            }
+            for (int corner = 0; corner < corners_; ++corner)
+                put(corner, g,
+                    one_texel<Size>(
+                        places(g, (corner & 1) != 0 ? next : at, (corner & 2) != 0 ? t_.next[g] : t_.at[g])));
+        }
+    }
+    template <unsigned Size> SPANGLE_INLINE static auto one_texel(const Places& at) {
+        if constexpr (Size == 1)
+            return byte(at, 0);
+        else if constexpr (Size == 2)
+            return two_bytes<2>(at);
+        else if constexpr (Size == 3)
+            return lane_joined(two_bytes<1>(at), byte(at, 2));
+        else
+            return L::generate([&](std::uint32_t lane) __attribute__((always_inline)) {
+                return word_of<std::uint32_t, 4>(at(lane));
+            });
+    }
+    template <unsigned Size> SPANGLE_INLINE static auto two_texels(const Places& at) {
+        if constexpr (Size == 1) {
+            const U16 both = two_bytes<1>(at);
+            return LanePairs<U16>{both & 0xFF, both >> 8};
+        } else if constexpr (Size == 2) {
+            const LaneWords both = L::generate([&](std::uint32_t lane) __attribute__((always_inline)) {
+                return word_of<std::uint32_t, 2>(at(lane));
+            });
+            return both.halves();
+        } else if constexpr (Size == 3) { // of six bytes the first four and the last four
+            const auto word = [&](int from) __attribute__((always_inline)) {
+                return L::generate([&](std::uint32_t lane) __attribute__((always_inline)) {
+                    return word_of<std::uint32_t, 1>(at(lane) + from);
+                });
+            };
+            return LanePairs<LaneWords>{word(0) & 0xFFFFFF, word(2) >> 8};
+        } else {
+            return LaneWords::generate_pairs([&](std::uint32_t lane) __attribute__((always_inline)) {
+                return word_of<std::uint64_t, 4>(at(lane));
+            });
+        }
     }
     /// f(corner, group, numbers(lane)): what along s and along t.
     template <class F> SPANGLE_INLINE void each_number(F f) const {
@@ -134,15 +200,19 @@ class TexelFetch {
                 });
         });
     }
-    template <class Place> SPANGLE_INLINE static U16 byte(Place place, int n) {
+    SPANGLE_INLINE static U16 byte(const Places& at, int n) {
         return L::generate([&](std::uint32_t lane)
-                               __attribute__((always_inline)) { return std::uint16_t{place(lane)[n]}; });
+                               __attribute__((always_inline)) { return std::uint16_t{at(lane)[n]}; });
     }
-    template <int Aligned, class Place> SPANGLE_INLINE static U16 two_bytes(Place place) {
+    /// The lowest byte first, as lanes have it.
+    template <class Word, int Aligned> SPANGLE_INLINE static Word word_of(const std::uint8_t* at) {
+        Word v;
+        __builtin_memcpy(&v, __builtin_assume_aligned(at, Aligned), sizeof v);
+        return v;
+    }
+    template <int Aligned> SPANGLE_INLINE static U16 two_bytes(const Places& at) {
         return L::generate([&](std::uint32_t lane) __attribute__((always_inline)) {
-            std::uint16_t v;
-            __builtin_memcpy(&v, __builtin_assume_aligned(place(lane), Aligned), 2);
-            return v;
+            return word_of<std::uint16_t, Aligned>(at(lane));
         });
     }
     /// Palettes and blocks are found by numbers, other formats by bytes.
@@ -151,8 +221,8 @@ class TexelFetch {
             to[corner][g] = LaneBytes::of(L::generate(word));
         };
         if (!is_indirect(texture_.format))
-            return each_place([&](int corner, std::int32_t g, auto place) {
-                words(corner, g, [&](std::uint32_t lane) { return word_4444(place(lane)); });
+            return each_place([&](int corner, std::int32_t g, const Places& at) {
+                words(corner, g, [&](std::uint32_t lane) { return word_4444(at(lane)); });
             });
         each_number([&](int corner, std::int32_t g, auto numbers) {
             words(corner, g, [&](std::uint32_t lane) {

@@ -58,7 +58,7 @@ template <class N> void expect_no_difference() {
                 ASSERT_EQ(a.g, b.g);
                 ASSERT_EQ(a.b, b.b);
             }
-            // In the border's place their texels would have been found one by one.
+            // In the place of the border they would have cost time.
             for (std::int32_t i = n; i % N::lanes != 0; ++i) {
                 EXPECT_EQ(far.packet.coord[0][i / N::lanes].s[i % N::lanes], PartOfAGroup<N>::place(n - 1));
                 EXPECT_EQ(far.packet.coord[0][i / N::lanes].t[i % N::lanes], PartOfAGroup<N>::place(n - 1));

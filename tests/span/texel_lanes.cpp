@@ -1,6 +1,8 @@
 // Texels of packets, found, fetched and filtered in lanes, are those of single fragments: every wrap mode,
 // filter, size, level, shape and number of fragments.
 #include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include "raster/span/assemble.hpp"
 #include "tests/span/any_texture.hpp"
@@ -165,6 +167,51 @@ TEST(TexelLanes, RowsFarApartAreFound) {
     texture.level[0] = {texels.data(), 8, rows, stride};
     for (int n = 0; n < 50; ++n)
         expect_packets(random, texture, 1);
+}
+
+/// Memory between two pages that nobody may touch.
+class Guarded {
+  public:
+    Guarded() {
+        at_ = static_cast<std::uint8_t*>(
+            mmap(nullptr, 3 * page_, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+        EXPECT_EQ(mprotect(first(), page_, PROT_READ | PROT_WRITE), 0);
+    }
+    ~Guarded() { munmap(at_, 3 * page_); }
+    Guarded(const Guarded&) = delete;
+    Guarded& operator=(const Guarded&) = delete;
+
+    std::uint8_t* first() const { return at_ + page_; }
+    std::uint8_t* end() const { return at_ + 2 * page_; }
+
+  private:
+    std::size_t page_ = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    std::uint8_t* at_;
+};
+
+TEST(TexelLanes, NothingIsReadBesideAnImage) {
+    Random random{75};
+    const Guarded memory;
+    for (std::uint8_t* at = memory.first(); at != memory.end(); ++at)
+        *at = static_cast<std::uint8_t>(random.below(256));
+    for (const TexelFormat format : {TexelFormat::a8, TexelFormat::l8, TexelFormat::i8, TexelFormat::la88,
+                                     TexelFormat::rgb565, TexelFormat::rgb888, TexelFormat::rgba8888})
+        for (const Wrap wrap : wraps)
+            for (const std::uint16_t width : {1, 2, 3, 8})
+                for (const std::uint16_t height : {1, 2, 5}) {
+                    Texture texture;
+                    texture.format = format;
+                    texture.base = format == TexelFormat::rgb565 ? BaseFormat::rgb : BaseFormat::rgba;
+                    texture.wrap_s = texture.wrap_t = wrap;
+                    texture.mag = texture.min = Filter::linear;
+                    texture.level_count = 1;
+                    const auto stride = static_cast<std::uint32_t>(width * texel_bytes(format));
+                    for (const std::uint8_t* const texels :
+                         {memory.first(), memory.end() - height * stride}) {
+                        texture.level[0] = {texels, width, height, stride};
+                        expect_packets(random, texture, 1);
+                    }
+                }
 }
 
 } // namespace
