@@ -43,6 +43,26 @@ void fill(std::uint8_t* to, const Pattern& pattern, std::int32_t bytes) {
 // Stores of sixteen bytes, at any address.
 using Vector [[gnu::vector_size(16), gnu::aligned(1), gnu::may_alias]] = std::uint64_t;
 
+/// Begins fill_masked() with blocks of 48 bytes, which hold whole periods; returns how many bytes they have.
+std::int32_t fill_masked_blocks(std::uint8_t* to, const Pattern& pattern, const Pattern& mask,
+                                std::int32_t bytes) {
+    Vector fresh[3], kept[3];
+    const std::int32_t step = pattern.period() == 16 ? 0 : 16;
+    for (int i = 0; i < 3; ++i) {
+        const Vector open = *reinterpret_cast<const Vector*>(mask.byte + i * step);
+        fresh[i] = *reinterpret_cast<const Vector*>(pattern.byte + i * step) & open;
+        kept[i] = ~open;
+    }
+    std::int32_t done = 0;
+    for (; bytes - done >= 48; done += 48) {
+        Vector* const at = reinterpret_cast<Vector*>(to + done); // not auto: deduction drops the alignment
+        at[0] = (at[0] & kept[0]) | fresh[0];
+        at[1] = (at[1] & kept[1]) | fresh[1];
+        at[2] = (at[2] & kept[2]) | fresh[2];
+    }
+    return done;
+}
+
 /// `bytes` bytes of the pattern, from its start; nothing beyond is touched.
 void fill(std::uint8_t* to, const Pattern& pattern, std::int32_t bytes) {
     Vector v[3];
@@ -121,8 +141,20 @@ void fill(std::uint8_t* to, const Pattern& pattern, std::int32_t bytes) {
 
 #endif
 
+#if !SPANGLE_SHORTCUTS || !(defined(__SSE2__) || defined(__aarch64__))
+
+/// Words of 32 bits take all of it; see fill_masked().
+constexpr std::int32_t fill_masked_blocks(const std::uint8_t*, const Pattern&, const Pattern&, std::int32_t) {
+    return 0;
+}
+
+#endif
+
 /// Of the bytes only the bits of the mask, whose period is the same.
 void fill_masked(std::uint8_t* to, const Pattern& pattern, const Pattern& mask, std::int32_t bytes) {
+    const std::int32_t done = fill_masked_blocks(to, pattern, mask, bytes);
+    to += done;
+    bytes -= done;
     std::int32_t from = 0;
     const auto next = [&](std::int32_t step) {
         to += step, bytes -= step, from += step;
@@ -149,10 +181,13 @@ void fill_masked(std::uint8_t* to, const Pattern& pattern, const Pattern& mask, 
 void fill_rows(std::uint8_t* first, std::int32_t stride, std::int32_t rows, const Pattern* pattern,
                std::int32_t patterns, const Pattern* mask, std::int32_t bytes) {
     // One piece where they touch.
-    if (has_shortcuts && mask == nullptr && patterns == 1 && (stride == bytes || stride == -bytes) &&
-        bytes % pattern->period() == 0)
-        return fill(stride < 0 ? first + static_cast<std::intptr_t>(rows - 1) * stride : first, *pattern,
-                    rows * bytes);
+    if (has_shortcuts && patterns == 1 && (stride == bytes || stride == -bytes) &&
+        bytes % pattern->period() == 0) {
+        if (stride < 0)
+            first += static_cast<std::intptr_t>(rows - 1) * stride;
+        bytes *= rows;
+        rows = 1;
+    }
     for (std::int32_t y = 0; y < rows; ++y, first += stride) {
         const Pattern& of_row = pattern[y & (patterns - 1)];
         if (mask == nullptr)
