@@ -54,8 +54,12 @@ enum Gate : std::uint8_t {
 /// changed(); whoever derives clears the bits.
 enum Dirty : std::uint8_t {
     dirty_none = 0,
-    dirty_vertex = 1,   ///< matrices, normals, lighting
-    dirty_fragment = 2, ///< what raster::FragmentState is filled from, the drawable included
+    dirty_others = 1,     ///< what vertices take beside the three below: clip planes, texgen, switches
+    dirty_fragment = 2,   ///< what raster::FragmentState is filled from, the drawable included
+    dirty_matrices = 4,   ///< the matrix stacks, the viewport, the depth range
+    dirty_lights = 8,     ///< lights and the light model
+    dirty_materials = 16, ///< materials, also where they follow the current colour
+    dirty_vertex = dirty_others | dirty_matrices | dirty_lights | dirty_materials,
     dirty_all = 0xFF,
 };
 

@@ -14,7 +14,7 @@ class DoubleLighting {
         double normal[3]; ///< in object space
     };
 
-    void derive(const Context& context) {
+    void derive(const Context& context, unsigned) {
         on_ = context.lighting.lighting;
         two_side_ = context.lighting.two_side;
         index_bits_ = context.drawable.index_bits;

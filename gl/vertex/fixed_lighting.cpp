@@ -164,7 +164,17 @@ constexpr numeric::Unit3 toward_viewer{{0, 0, numeric::unit_one}};
 
 } // namespace
 
-void FixedLighting::derive(const Context& context) {
+void FixedLighting::derive(const Context& context, unsigned dirty) {
+    if ((dirty & (dirty_lights | dirty_others)) != 0)
+        derive_lights(context);
+    else if ((dirty & dirty_materials) != 0)
+        folded_ = false;
+    if (on_ && (dirty & ~static_cast<unsigned>(dirty_materials)) != 0)
+        derive_normals(context.transform);
+}
+
+/// Everything that no matrix changes: lights lie in eye space.
+void FixedLighting::derive_lights(const Context& context) {
     const LightingState& state = context.lighting;
     on_ = state.lighting;
     index_bits_ = context.drawable.index_bits;
@@ -176,14 +186,6 @@ void FixedLighting::derive(const Context& context) {
     local_viewer_ = state.local_viewer;
     separate_ = raster::has_color_sum && state.color_control == GL_SEPARATE_SPECULAR_COLOR;
     normalize_ = context.transform.normalize;
-    const numeric::NormalMatrix normal = FixedMath::normal_matrix(context.transform);
-    if constexpr (always_given) { // what is multiplied with normals is each light's `facing`
-        normal_matrix_.column = numeric::detail::column_exponents<3, 3>(normal.at);
-    } else {
-        normal_matrix_ = numeric::to_block_matrix(normal);
-        const std::int32_t(&row)[3] = normal_matrix_.row;
-        common_rows_ = row[0] == row[1] && row[1] == row[2];
-    }
     set_intensities(state.model_ambient, model_ambient_);
     count_ = 0;
     needs_eye_ = local_viewer_;
@@ -191,15 +193,31 @@ void FixedLighting::derive(const Context& context) {
     for (unsigned i = 0; i < max_lights; ++i) {
         if (!state.light_enabled[i])
             continue;
-        derive_source(state.light[i], normal, source_[count_]);
+        derive_source(state.light[i], source_[count_]);
         all_simple_ = all_simple_ && source_[count_].simple();
         needs_eye_ = needs_eye_ || !source_[count_].directional;
         ++count_;
     }
 }
 
-void FixedLighting::derive_source(const Light& light, const numeric::NormalMatrix& normal,
-                                  Source& out) const {
+/// The matrix of normals, and what normals as they are given are multiplied with.
+void FixedLighting::derive_normals(const TransformState& transform) {
+    const numeric::NormalMatrix normal = FixedMath::normal_matrix(transform);
+    if constexpr (always_given) { // what is multiplied with normals is each light's `facing`
+        normal_matrix_.column = numeric::detail::column_exponents<3, 3>(normal.at);
+    } else {
+        normal_matrix_ = numeric::to_block_matrix(normal);
+        const std::int32_t(&row)[3] = normal_matrix_.row;
+        const bool common = row[0] == row[1] && row[1] == row[2];
+        folded_ = folded_ && common == common_rows_;
+        common_rows_ = common;
+    }
+    for (int i = 0; i < count_; ++i)
+        if (source_[i].directional && !normalizes())
+            source_[i].facing = in_object_space(normal, source_[i].to_light, normal_matrix_.column);
+}
+
+void FixedLighting::derive_source(const Light& light, Source& out) const {
     set_intensities(light.ambient, out.ambient);
     set_intensities(light.diffuse, out.diffuse);
     const Real(&p)[4] = light.position;
@@ -209,12 +227,9 @@ void FixedLighting::derive_source(const Light& light, const numeric::NormalMatri
         set_intensities(light.specular, out.specular);
     out.directional = !has_local_lights || numeric::is_zero(p[3]);
     if (out.directional) {
-        const numeric::Unit3 to_light = numeric::normalize(position);
-        out.facing = in_object_space(normal, to_light, normal_matrix_.column);
-        if (!always_given)
-            out.to_light = to_light;
+        out.to_light = numeric::normalize(position);
         if (has_specular)
-            out.half = half_vector(to_light, toward_viewer);
+            out.half = half_vector(out.to_light, toward_viewer);
     } else {
         out.position = numeric::mul(position, numeric::reciprocal(numeric::to_block(p[3])));
     }

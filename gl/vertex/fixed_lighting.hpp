@@ -18,7 +18,8 @@ class FixedLighting {
         Real normal[3]; ///< as given, in object space
     };
 
-    void derive(const Context& context);
+    /// `dirty`: the Dirty bits of what changed since the last time.
+    void derive(const Context& context, unsigned dirty);
     /// A material or a tracked colour changed between Begin and End.
     void materials_changed() { folded_ = false; }
 
@@ -110,7 +111,9 @@ class FixedLighting {
         !has_specular && !has_local_lights && !has_full_lighting && !raster::has_indices;
     bool normalizes() const { return has_full_lighting && normalize_; }
     bool indexed() const { return raster::has_indices && index_bits_ != 0; }
-    void derive_source(const Light& light, const numeric::NormalMatrix& normal, Source& out) const;
+    void derive_lights(const Context& context);
+    void derive_normals(const TransformState& transform);
+    void derive_source(const Light& light, Source& out) const;
     void fold(const Context& context);
     void fold_side(const Material& material, Fold& out) const;
     [[gnu::noinline]] void set_index(const Fold& fold, const Sum (&primary)[3], const Sum (&specular)[3],

@@ -49,7 +49,7 @@ void give(Params& to, const Real* from, std::uint32_t count) {
 void materials_change(Context& context) {
     if (context.inside_begin_end())
         context.engine->settle_colors(context);
-    context.changed(dirty_vertex);
+    context.changed(dirty_materials);
 }
 
 /// The sentence about a light that GL has and this build has not. Other arguments that are wrong are
@@ -167,7 +167,7 @@ void Light(Context& context, GLenum light, GLenum pname, const Params& params) {
         to_eye(context, v, to, static_cast<int>(params.count));
     else
         std::memcpy(to, v, params.count * sizeof(Real));
-    context.changed(dirty_vertex);
+    context.changed(dirty_lights);
 }
 
 void GetLight(Context& context, GLenum light, GLenum pname, Params& params) {
@@ -206,7 +206,7 @@ void LightModel(Context& context, GLenum pname, const Params& params) {
     default:
         return error(context, GL_INVALID_ENUM);
     }
-    context.changed(dirty_vertex);
+    context.changed(dirty_lights);
     context.changed(dirty_fragment); // separate specular needs the colour sum
 }
 

@@ -10,7 +10,7 @@ template <class M> class NoLighting {
   public:
     struct Input {};
 
-    void derive(const Context&) {}
+    void derive(const Context&, unsigned) {}
     void materials_changed() {}
     bool needs_eye() const { return false; }
     bool two_sided() const { return false; }

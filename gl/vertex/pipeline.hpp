@@ -295,11 +295,13 @@ template <class M, class L> class Pipeline {
     }
 
     void derive(Context& context) {
-        if ((context.dirty & dirty_vertex) != 0) {
-            M::derive(context.transform, transforms_);
-            lighting_.derive(context);
-            planes_.derive(context.transform);
-            texgen_.derive(context);
+        if (const unsigned dirty = context.dirty & dirty_vertex; dirty != 0) {
+            if ((dirty & (dirty_matrices | dirty_others)) != 0) {
+                M::derive(context.transform, transforms_);
+                planes_.derive(context.transform);
+                texgen_.derive(context);
+            }
+            lighting_.derive(context, dirty);
             context.dirty = static_cast<std::uint8_t>(context.dirty & ~dirty_vertex);
             forget();
         }

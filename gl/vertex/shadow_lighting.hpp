@@ -12,9 +12,9 @@ class ShadowLighting {
     using Product = FixedLighting;
     using Input = Both<Product::Input, DoubleLighting::Input>;
 
-    void derive(const Context& context) {
-        fixed_.derive(context);
-        twin_.derive(context);
+    void derive(const Context& context, unsigned dirty) {
+        fixed_.derive(context, dirty);
+        twin_.derive(context, dirty);
     }
     void materials_changed() {
         fixed_.materials_changed();

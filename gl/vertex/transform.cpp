@@ -42,7 +42,7 @@ const char* stack_is_full([[maybe_unused]] GLenum mode) {
 
 numeric::Matrix& current_matrix(Context& context) {
     const StackRef stack = current_stack(context);
-    context.changed(dirty_vertex);
+    context.changed(dirty_matrices);
     return stack.entry[*stack.top];
 }
 
@@ -127,7 +127,7 @@ void PopMatrix(Context& context) {
     if (*stack.top == 0)
         return error(context, GL_STACK_UNDERFLOW);
     --*stack.top;
-    context.changed(dirty_vertex);
+    context.changed(dirty_matrices);
 }
 
 void Rotate(Context& context, Real angle, Real x, Real y, Real z) {
@@ -166,7 +166,7 @@ void Viewport(Context& context, GLint x, GLint y, GLsizei width, GLsizei height)
     v[1] = silently(y, -max_viewport_dim, max_viewport_dim);
     v[2] = silently(width, 0, max_viewport_dim);
     v[3] = silently(height, 0, max_viewport_dim);
-    context.changed(dirty_vertex);
+    context.changed(dirty_matrices);
     if (!held_window || !viewport_holds_window(context))
         context.changed(dirty_fragment); // where polygons end
 #if SPANGLE_HAS_PLATFORMS
@@ -178,7 +178,7 @@ void Viewport(Context& context, GLint x, GLint y, GLsizei width, GLsizei height)
 void DepthRange(Context& context, Real near_val, Real far_val) {
     context.transform.depth_range[0] = numeric::clamp01(near_val);
     context.transform.depth_range[1] = numeric::clamp01(far_val);
-    context.changed(dirty_vertex);
+    context.changed(dirty_matrices);
 }
 
 } // namespace cmd
