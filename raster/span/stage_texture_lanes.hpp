@@ -103,15 +103,43 @@ template <class N> class LaneTexture {
     [[gnu::noinline]] bool together(Color* texels) const {
         if (!function_.wants_lod)
             return filtered(0, texture_.mag, texels);
+        alignas(16) std::uint16_t next[packet_length] = {};
+        if (Sampling one; all_alike(one, next))
+            return sampled_by(one, next, texels);
+        return each_by_its_own(texels);
+    }
+    /// True where all fragments take the same levels by the same filter. The larger lambda is, the larger is
+    /// the level, and the filter changes once at most (TextureFunction::sampling()); so the fragments of the
+    /// least and of the largest lambda speak for all. Of one level the weights of the one behind ascend, too.
+    bool all_alike(Sampling& how, std::uint16_t* next) const {
+        std::int32_t least = places_.lod[0], most = least;
+        for (std::int32_t i = 1; i < n_; ++i) {
+            const std::int32_t lod = places_.lod[i];
+            least = lod < least ? lod : least;
+            most = lod > most ? lod : most;
+        }
+        how = function_.sampling(least);
+        if (!how.alike(function_.sampling(most)))
+            return false;
+        if (how.next == 0)
+            return true;
+        const std::int32_t bias = function_.lod_bias, low = texture_.min_lod, high = texture_.max_lod;
+        for (std::int32_t i = 0; i < n_; ++i) {
+            std::int32_t lod = places_.lod[i] + bias;
+            lod = lod < low ? low : lod;
+            lod = lod > high ? high : lod;
+            next[i] = static_cast<std::uint16_t>((lod & 255) << 8);
+        }
+        return true;
+    }
+    [[gnu::noinline]] bool each_by_its_own(Color* texels) const {
         Sampling how[packet_length];
         alignas(16) std::uint16_t next[packet_length] = {};
-        bool alike = true;
         for (std::int32_t i = 0; i < n_; ++i) {
             how[i] = function_.sampling(places_.lod[i]);
             next[i] = static_cast<std::uint16_t>(how[i].next);
-            alike = alike && how[i].alike(how[0]);
         }
-        return alike ? sampled_by(how[0], next, texels) : in_kinds(how, next, texels);
+        return in_kinds(how, next, texels);
     }
     /// All fragments by one level and filter, or by one pair of levels.
     bool sampled_by(const Sampling& how, const std::uint16_t* next, Color* texels) const {

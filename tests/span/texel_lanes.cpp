@@ -97,10 +97,16 @@ TEST(TexelLanes, ExactFilterIsThatOfOneLane) {
 }
 
 /// A packet of any length by REPLACE. Neighbours lie near each other, some fragments anywhere; levels differ
-/// by less than `spread` 256ths.
-template <class N> void expect_packet(Random& random, const Texture& texture, std::uint32_t spread) {
+/// by less than `spread` 256ths; they are moved, and held between limits that lie near them.
+template <class N> void expect_packet(Random& random, const Texture& any, std::uint32_t spread) {
     using One = OneLane<N>;
     DrawState state;
+    Texture texture = any;
+    if (random.below(2) == 0) {
+        texture.min_lod = static_cast<std::int32_t>(random.below(3 * 256)) - 256;
+        texture.max_lod = texture.min_lod + static_cast<std::int32_t>(random.below(3 * 256));
+        state.fragment.unit[0].lod_bias = static_cast<std::int32_t>(random.below(513)) - 256;
+    }
     state.fragment.unit[0].texture = &texture;
     state.fragment.unit[0].env = TexEnv::replace;
     Span<Fixed> span{};
