@@ -169,7 +169,9 @@ void FixedLighting::derive(const Context& context, unsigned dirty) {
         derive_lights(context);
     else if ((dirty & dirty_materials) != 0)
         folded_ = false;
-    if (on_ && (dirty & ~static_cast<unsigned>(dirty_materials)) != 0)
+    // Unit normals need nothing that lies between a light and the matrix.
+    const unsigned asked = dirty_matrices | dirty_others | (normalizes() ? dirty_none : dirty_lights);
+    if (on_ && (dirty & asked) != 0)
         derive_normals(context.transform);
 }
 
@@ -236,10 +238,12 @@ void FixedLighting::derive_source(const Light& light, Source& out) const {
     if (!has_local_lights)
         return;
     out.spot = !(light.spot_cutoff == Real{0x43340000});
-    out.spot_axis = numeric::normalize(numeric::to_block(light.spot_direction));
-    out.spot_cosine =
-        static_cast<std::int32_t>((numeric::sincos_degrees(light.spot_cutoff).cos + (1 << 29)) >> 30);
-    out.spot_exponent = numeric::power_exponent(light.spot_exponent);
+    if (out.spot) {
+        out.spot_axis = numeric::normalize(numeric::to_block(light.spot_direction));
+        out.spot_cosine =
+            static_cast<std::int32_t>((numeric::sincos_degrees(light.spot_cutoff).cos + (1 << 29)) >> 30);
+        out.spot_exponent = numeric::power_exponent(light.spot_exponent);
+    }
     for (int i = 0; i < 3; ++i)
         out.attenuation[i] = numeric::to_block(light.attenuation[i]);
     const bool none = light.attenuation[0] == numeric::one && numeric::is_zero(light.attenuation[1]) &&

@@ -96,6 +96,13 @@ const Change changes[] = {
          const GLfloat v[4] = {number(r, -9, 9), number(r, -9, 9), 10, static_cast<GLfloat>(r() % 4 == 0)};
          glLightfv(GL_LIGHT0 + r() % 2, GL_POSITION, v);
      }},
+    {"Light's cone",
+     [](Random& r) {
+         const GLfloat v[3] = {number(r, -1, 1), number(r, -1, 1), -1};
+         glLightfv(GL_LIGHT0 + r() % 2, GL_SPOT_DIRECTION, v);
+         glLightf(GL_LIGHT0 + r() % 2, GL_SPOT_CUTOFF, r() % 2 != 0 ? 180 : number(r, 30, 90));
+         glLightf(GL_LIGHT0 + r() % 2, GL_SPOT_EXPONENT, number(r, 0, 10));
+     }},
     {"LightModel",
      [](Random& r) {
          const GLfloat v[4] = {number(r, 0, 1), number(r, 0, 1), number(r, 0, 1), 1};
