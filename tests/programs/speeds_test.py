@@ -117,6 +117,16 @@ class Speeds(unittest.TestCase):
         self.assertEqual(line, "| one | game | 60 | 1.000 | 5.000 | 3.000 | 9.000 | 2.00 (2.00 .. 2.00) | 0.50 (0.50 .. 0.50) \\* |")
 
 
+class Recordings(unittest.TestCase):
+    def test_early_frames_lose_what_draws_and_keep_lists(self):
+        lines = ["0 glNewList(list = 1)", "1 glBegin(mode = 4)", "2 glEnd()", "3 glEndList()", "4 glClear(mask = 1)", "5 glBegin(mode = 4)",
+                 "6 glColor3f(red = 1)", "7 glEnd()", "8 glColor3f(red = 0)", "9 glXSwapBuffers(drawable = 1)", "", "10 glRectf(x1 = 0)",
+                 "11 glDrawBuffer(buf = 1)", "12 glXSwapBuffers(drawable = 1)", "13 glClear(mask = 1)", "14 glXSwapBuffers(drawable = 1)",
+                 "15 glClear(mask = 1)", "16 glXSwapBuffers(drawable = 1)"]
+        self.assertEqual(recorded.early_drawing(lines), [4, 5, 6, 7, 10])
+        self.assertEqual(recorded.early_drawing(lines[:12]), [])
+
+
 class Page(unittest.TestCase):
     def test_the_page_has_what_was_measured(self):
         rows = json.loads(programs.MEASURED.read_text())

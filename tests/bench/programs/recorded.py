@@ -25,6 +25,8 @@ SEEN = {"MESA_EXTENSION_MAX_YEAR": "2003", "LP_NUM_THREADS": "0", "MESA_EXTENSIO
     f"-GL_{name}" for name in ("ARB_shader_objects", "ARB_vertex_shader", "ARB_fragment_shader", "ARB_vertex_program",
                                "ARB_fragment_program", "EXT_framebuffer_object"))}
 SIZE = "320x240"
+# Calls that draw and set nothing; lists may set something.
+DRAWS = {"glClear", "glDrawArrays", "glDrawElements", "glDrawRangeElements", "glRectf", "glRecti", "glBitmap"}
 FRAMES = 60  # of a recording, unless a program needs longer to show what it is about
 BZFLAG_PORT = "5177"
 ARMAGETRONAD = ".armagetronad/var/user.cfg", "FIRST_USE 0\nLANGUAGE_FIRST American English\nLANGUAGE_SECOND American English\n"
@@ -46,8 +48,8 @@ def game(name, *words):
     return [programs_list.game(name), *words]
 
 
-def saver(name):
-    return Recorded(name, "saver", [programs_list.HACKS / name, "-geometry", SIZE], "egl")
+def saver(name, seconds=8, frames=FRAMES):
+    return Recorded(name, "saver", [programs_list.HACKS / name, "-geometry", SIZE], "egl", seconds, frames)
 
 
 def every(clients, imgui):
@@ -62,7 +64,8 @@ def every(clients, imgui):
         Recorded("stormbaancoureur", "game", game("stormbaancoureur"), "gl"),
         Recorded("cultivation", "game", game("cultivation"), "gl"),
         Recorded("testsprite2", "SDL2", [programs_list.SDL / "testsprite2", "--geometry", SIZE], "gl", folder=programs_list.SDL),
-        *(saver(name) for name in ("gears", "atlantis", "dangerball", "glmatrix", "lament", "starwars")),
+        *(saver(name) for name in ("gears", "atlantis", "dangerball", "lament")),
+        *(saver(name, 20, 300) for name in ("glmatrix", "starwars")),  # these begin with little
         *(Recorded(name, "own", [clients, name, "30"], "egl", 30) for name in ("particles", "rectangles")),
     ]
     if imgui is not None:
@@ -133,9 +136,42 @@ def record(program, display, to):
         if whole < 1:
             return "no frame was recorded: " + gallery.last_line(words.read())
         harness.trim(long, min(whole, program.frames or whole), kept)
+        if program.frames is None:
+            kept = without_early_drawing(kept, pathlib.Path(place) / "quiet.trace")
         played = harness.without_refused_contexts(kept, pathlib.Path(place) / "played.trace")
         to.write_bytes(played.read_bytes())
     return ""
+
+
+def early_drawing(lines):
+    """Numbers of the calls that only draw, in all frames but the last two, from the lines of apitrace's dump. What is compiled into lists
+    stays."""
+    drawing, swaps, in_list, in_primitive = [], [], False, False
+    for line in lines:
+        number, _, call = line.partition(" ")
+        name = call.partition("(")[0]
+        if not number.isdigit():
+            continue
+        if name in ("eglSwapBuffers", "glXSwapBuffers"):
+            swaps.append(int(number))
+        in_list = name == "glNewList" or (in_list and name != "glEndList")
+        in_primitive = name == "glBegin" or in_primitive
+        if not in_list and (in_primitive or name in DRAWS):
+            drawing.append(int(number))
+        in_primitive = in_primitive and name != "glEnd"
+    return [number for number in drawing if len(swaps) > 2 and number < swaps[-3]]
+
+
+def without_early_drawing(trace, to):
+    """The trace of a program that was played for long: its early frames set what they set and draw nothing, so they are over soon."""
+    with subprocess.Popen(["apitrace", "dump", "--color=never", trace], stdout=subprocess.PIPE, text=True, errors="replace") as dump:
+        drawing = early_drawing(dump.stdout)
+    calls = to.with_suffix(".calls")
+    calls.write_text(harness.all_but(drawing).replace(",", "\n") + "\n")
+    done = run(["apitrace", "trim", f"--calls=@{calls}", "-o", to, trace], dict(os.environ))
+    if done.status != 0:
+        raise RuntimeError(done.words)
+    return to
 
 
 def frames_of(trace):
