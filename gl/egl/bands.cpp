@@ -1,4 +1,4 @@
-// Windows of which memory holds a band at a time: drawn by a callback, once for each.
+// Windows of which memory holds one band at a time; a callback draws each band.
 #include <spangle/frame.hpp>
 
 #include <cstring>
@@ -17,13 +17,14 @@ namespace egl {
 
 namespace {
 
-/// GL is given the rows of the window that are in memory; none: nothing can be drawn or read.
+/// Gives GL the rows of the window that are in memory. Without an open band nothing can be drawn or read.
 void give_rows(Surface& surface, raster::BatchRows* batches = nullptr) {
     const Thread& t = thread();
     gl::move_drawable(*t.context->gl, pixels_of(surface), t.read == t.draw, nullptr, batches);
 }
 
-/// The band begins. Returns what notes or leaves out its batches, or null: references do neither.
+/// Begins the notes on batches for this band. Returns what notes batches or leaves them out, or null:
+/// reference engines do neither.
 raster::BatchRows* begin_batches(const Surface& surface) {
     const Band& band = surface.band;
     if (band.batches == nullptr || thread().context->gl->engine != &gl::fixed_engine)
@@ -35,7 +36,7 @@ raster::BatchRows* begin_batches(const Surface& surface) {
     return band.batches;
 }
 
-/// Depth, stencil, accumulation and samples begin the same in every band, as colours do.
+/// Clears depth, stencil, accumulation and samples, so that every band begins with the same contents.
 void clear_planes(const Surface& surface, std::int32_t rows) {
     const std::size_t pixels = static_cast<std::size_t>(surface.width) * static_cast<std::size_t>(rows),
                       depth = surface.config.depth == DepthFormat::z16 ? 2 : 4;
@@ -52,7 +53,7 @@ void clear_planes(const Surface& surface, std::int32_t rows) {
         surface.unresolved[y] = RowSpan{};
 }
 
-/// Touches all columns of rows of the picture.
+/// Marks rows [first, first + rows) of the picture as touched in all columns.
 void touch_rows(const Surface& surface, std::int32_t first, std::int32_t rows) {
     for (std::int32_t y = first; y < first + rows; ++y)
         surface.frame.extents->rows[y] = {0, static_cast<std::int16_t>(surface.width)};
@@ -66,7 +67,7 @@ bool open_band(Display& display, Surface& surface, std::int32_t first, std::int3
     if (surface.cut_off)
         return fail_cut_off();
     if (band.colors) {
-        surface.frame = {}; // the last band may be the display's again
+        surface.frame = {}; // acquire_band() may take the last band's buffer back
         const hal::Result<hal::Frame> frame = native_of(display, surface).acquire_band(first, rows);
         if (!frame.ok())
             return fail(EGL_BAD_NATIVE_WINDOW, frame.error().rule) != EGL_FALSE;
@@ -86,7 +87,8 @@ bool open_band(Display& display, Surface& surface, std::int32_t first, std::int3
 
 namespace {
 
-/// A whole frame was cleared when all of its bands were, to the same value; else bands that were are touched.
+/// Adds the extents of a band to those of the frame. The frame counts as cleared when all bands were cleared
+/// to the same value; else the cleared bands count as touched.
 void gather_extents(Surface& surface) {
     Band& band = surface.band;
     RowExtents* const all = surface.frame.extents;
@@ -120,7 +122,7 @@ bool send_band(Display& display, Surface& surface) {
         return true;
     }
     const hal::Result<void> sent = native_of(display, surface).present_band();
-    surface.frame = {}; // the band's buffer is the display's again
+    surface.frame = {}; // present_band() has taken the band's buffer back
     return sent.ok() || fail(EGL_BAD_NATIVE_WINDOW, sent.error().rule) != EGL_FALSE;
 }
 
@@ -133,11 +135,11 @@ bool present_whole(Display& display, Surface& surface) {
     const hal::Result<void> shown = native_of(display, surface).present();
     if (!shown.ok())
         return fail(EGL_BAD_NATIVE_WINDOW, shown.error().rule) != EGL_FALSE;
-    surface.frame = {}; // the buffer of the whole frame is the display's again
+    surface.frame = {}; // present() has taken the frame's buffer back
     return true;
 }
 
-/// Every band, until one fails.
+/// Draws and sends every band until one fails.
 bool draw_each(Display& display, Surface& surface, void (*draw)(void*), void* data) {
     const bool drawn = each_band(surface, [&](std::int32_t first, std::int32_t rows) {
         if (!open_band(display, surface, first, rows))
@@ -169,9 +171,10 @@ EGLint choose_band(const hal::DisplayInfo& info, EGLint wish, Band& band) {
         return EGL_BAD_PARAMETER;
     band.colors = info.band_height != 0;
     if (band.colors && wish > info.band_height)
-        return EGL_BAD_MATCH; // the display holds no more
+        return EGL_BAD_MATCH; // the display's buffer holds no higher band
     const std::int32_t unit = band.colors ? info.band_unit : 1, most = info.height + unit - 1;
-    // Rows that share bytes count from the bottom, bands from the top: both must begin where bytes do.
+    // Rows that share bytes are counted from the bottom, bands from the top. So the height must be whole
+    // bytes of rows, or bands would begin within a byte.
     if (band.colors && info.height % format_info(info.format).rows != 0)
         return EGL_BAD_MATCH;
     const std::int32_t rows = wish != 0 ? (wish < most ? wish : most) : info.band_height;
@@ -185,7 +188,7 @@ void show_band(Surface& surface, raster::Surface& out) {
     out.first_row = out.end_row - band.rows;
     if (band.rows == 0)
         out.end_row = out.first_row = 0;
-    if (out.accum != nullptr) // rows of a band count from its lowest one
+    if (out.accum != nullptr) // the accumulation buffer begins with the band's lowest row
         out.accum -= std::ptrdiff_t{4} * surface.width * out.first_row;
 #if SPANGLE_EXTENTS
     if (out.touched != nullptr && band.colors)
@@ -198,7 +201,7 @@ void show_band(Surface& surface, raster::Surface& out) {
 bool draw_bands(Display& display, Surface& surface, void (*draw)(void*), void* data) {
     const bool drawn = draw_each(display, surface, draw, data);
     if (thread().draw == &surface && in_primitive())
-        return drawn; // which is drawn into the band that is there until it ends
+        return drawn; // the open primitive keeps drawing into this band until glEnd
     surface.band.first = surface.band.rows = 0;
     if (thread().draw == &surface)
         give_rows(surface);
@@ -223,7 +226,7 @@ namespace egl {
 
 namespace {
 
-/// The window stays as long as its frame is drawn, whatever the program does meanwhile.
+/// Keeps the window alive while its frame is drawn, even if the program destroys it meanwhile.
 class FrameHold {
   public:
     FrameHold(Display& display, Surface& surface) : display_(display), surface_(surface) {

@@ -16,16 +16,16 @@ constexpr EGLint precision_count = 3; // no references
 #else
 constexpr EGLint precision_count = 7;
 #endif
-/// What a number less 1 says, from its lowest bit on: precision, depth, format, samples; not all of them
-/// exist.
+/// Bit fields of a config's id less 1, from the lowest bit up: precision, depth, format, samples. Not every
+/// combination exists.
 constexpr int precision_bits = 3, depth_bits = 2, format_bits = 4;
 constexpr EGLint plain_count = 1 << (precision_bits + depth_bits + format_bits);
 constexpr EGLint config_count = plain_count * (raster::has_samples ? 2 : 1);
 static_assert(precision_count <= 1 << precision_bits && pixel_formats <= 1 << format_bits);
-/// No more than these exist.
+/// No more configs than these exist.
 constexpr EGLint most_configs = pixel_formats * 3 * precision_count * (raster::has_samples ? 2 : 1);
 
-const gl::Engine* reference_engines[2] = {nullptr, nullptr}; ///< double, shadow
+const gl::Engine* reference_engines[2] = {nullptr, nullptr}; ///< [0] double, [1] shadow; null: not registered
 
 Config config_of(EGLint id) {
     const auto i = static_cast<unsigned>(id - 1);
@@ -35,14 +35,14 @@ Config config_of(EGLint id) {
             EGL_PRECISION_EXACT_SPANGLE + static_cast<EGLint>(part(0, precision_bits))};
 }
 
-/// Indices have no mean: of samples there are none.
+/// Whether this build has the config. Colour indices have no mean, so their configs have no samples.
 bool exists(const Config& config) {
     return raster::has_format(config.format) && raster::has_format(config.depth) &&
            !(config.multisampled && is_indexed(config.format)) &&
            precision_of(config.precision).engine != nullptr;
 }
 
-/// No fused spans.
+/// Whether the rasterizer has no fused spans for this format.
 bool is_slow(PixelFormat format) {
     return is_narrow(format) || is_indexed(format);
 }
@@ -56,8 +56,8 @@ struct Attribute {
     EGLint value;
 };
 
-/// How the pixels lie in memory, and above those eight bits what a window's present turns them into: 1 + the
-/// display's WireFormat, or 0 where they travel as they are.
+/// EGL_NATIVE_VISUAL_ID of a panel: the low eight bits are the pixel format in memory. The bits above are 1 +
+/// the WireFormat that a window is sent in, or 0 if pixels are sent as they are.
 EGLint visual_of(const Display& display, const Config& c) {
     const auto layout = static_cast<EGLint>(c.format);
 #if SPANGLE_HAS_PLATFORMS
@@ -70,7 +70,7 @@ EGLint visual_of(const Display& display, const Config& c) {
     return wire == hal::WireFormat::none ? layout : layout | (1 + static_cast<EGLint>(wire)) << 8;
 }
 
-/// What beside pbuffers may have this configuration. Where there is one window there are many, and pixmaps.
+/// Bits of EGL_SURFACE_TYPE beside pbuffers. Window systems have pixmaps, too.
 EGLint shown_bits(const Display& display, const Config& c) {
     if (!fits_window(display, c))
         return 0;
@@ -81,7 +81,7 @@ EGLint shown_bits(const Display& display, const Config& c) {
     return EGL_WINDOW_BIT;
 }
 
-/// EGL 1.4, table 3.1.
+/// The value of a config's attribute (EGL 1.4, table 3.1).
 Attribute attribute(const Display& display, const Config& c, EGLint name) {
     const FormatInfo& info = raster::drawn_info(c.format);
     constexpr EGLint largest = gl::max_viewport_dim;
@@ -119,7 +119,7 @@ Attribute attribute(const Display& display, const Config& c, EGLint name) {
         return {true, EGL_OPENGL_BIT};
 #endif
     case EGL_CONFORMANT:
-        return {true, 0}; // which is said by conformance tests that nobody ran
+        return {true, 0}; // nobody has run the conformance tests
     case EGL_MAX_PBUFFER_WIDTH:
     case EGL_MAX_PBUFFER_HEIGHT:
         return {true, largest};
@@ -161,14 +161,15 @@ Attribute attribute(const Display& display, const Config& c, EGLint name) {
     }
 }
 
-/// EGL 1.4, table 3.4: how a wish is held against a value, and what is wished where nothing is said.
+/// How eglChooseConfig compares a wish with a config's value, and the default of each wish (EGL 1.4, table
+/// 3.4).
 enum class Rule : std::uint8_t { at_least, exact, mask, ignored };
 struct Wish {
     std::uint32_t name : 14;
     std::int32_t value : 16;
     Rule rule : 2;
 };
-static_assert(sizeof(Wish) == 4); // boards hold them all
+static_assert(sizeof(Wish) == 4); // boards keep this table in flash
 constexpr Wish defaults[] = {
     {EGL_BUFFER_SIZE, 0, Rule::at_least},
     {EGL_RED_SIZE, 0, Rule::at_least},
@@ -239,7 +240,7 @@ bool read_wishes(const EGLint* list, Wishes& out) {
 }
 
 bool matches(const Display& display, const Config& config, const Wishes& wishes) {
-    // A CONFIG_ID decides alone (EGL 1.4, 3.4.1).
+    // With a CONFIG_ID all other wishes are ignored (EGL 1.4, 3.4.1).
     const EGLint id = wishes.value[place_of(EGL_CONFIG_ID)];
     if (id != EGL_DONT_CARE)
         return config.id == id;
@@ -257,14 +258,14 @@ bool matches(const Display& display, const Config& config, const Wishes& wishes)
     return true;
 }
 
-/// Configs differ in depth and precision alone: before() has the order of ids.
+/// True when configs differ in depth and precision only: the order of before() is then the order of ids.
 constexpr bool in_order = !SPANGLE_HAS_PLATFORMS &&
                           (raster::color_formats & (raster::color_formats - 1)) == 0 && !raster::has_samples;
 
-/// EGL 1.4, 3.4.1.2: those without a caveat first, then more colour bits where colour bits were asked for,
-/// then the smaller buffers, then the id.
+/// Whether config `a` is listed before `b` (EGL 1.4, 3.4.1.2): first those without a caveat, then those with
+/// more of the colour bits that were asked for, then the smaller buffers, then the lower id.
 bool before(const Display& display, const Wishes& wishes, const Config& a, const Config& b) {
-    if (is_slow(a.drawn()) != is_slow(b.drawn())) // caveat
+    if (is_slow(a.drawn()) != is_slow(b.drawn()))
         return is_slow(b.drawn());
     EGLint bits_a = 0, bits_b = 0;
     for (const int i : {place_of(EGL_RED_SIZE), place_of(EGL_GREEN_SIZE), place_of(EGL_BLUE_SIZE),
@@ -282,7 +283,7 @@ bool before(const Display& display, const Wishes& wishes, const Config& a, const
         if (va != vb)
             return va < vb;
     }
-    // Of two that differ in nothing else the display's own byte order comes first.
+    // Of two configs that differ in nothing else, the display's own byte order comes first.
     const bool own_a = fits_window(display, a), own_b = fits_window(display, b);
     if (own_a != own_b)
         return own_a;
@@ -307,7 +308,7 @@ bool fits_window(const Display& display, const Config& config) {
 Config find_config(const Display&, EGLConfig handle) {
     const auto id = reinterpret_cast<std::uintptr_t>(handle);
     if (id - 1 >= static_cast<std::uintptr_t>(config_count))
-        return {}; // before anything is made of the number: a program may give any
+        return {}; // checked before the conversion: a program may pass any number
     Config config = config_of(static_cast<EGLint>(id));
     if (!exists(config))
         config.id = 0;
@@ -326,7 +327,7 @@ Config made_of(Config config) {
 #endif
 
 Precision precision_of(EGLint precision) {
-    // Exact, balanced, fast; double; the three again, as shadows.
+    // Precisions are numbered in this order: exact, balanced, fast, double, then shadows of the first three.
     const EGLint policy = precision - EGL_PRECISION_EXACT_SPANGLE, shadow = policy - 4;
     if (precision_count == 3 || policy < 3) {
         const auto tier = static_cast<raster::Tier>(policy);

@@ -12,7 +12,8 @@ namespace spangle::egl {
 /// The configuration behind a handle; id 0 when there is none.
 Config find_config(const Display& display, EGLConfig handle);
 
-/// What a pbuffer or a context of a configuration has: the same, unless Platforms::drawn says otherwise.
+/// The configuration that pbuffers and contexts of `config` really get: `config` itself unless
+/// Platforms::drawn overrides it.
 #if SPANGLE_HAS_PLATFORMS
 Config made_of(Config config);
 #else
@@ -21,10 +22,10 @@ inline const Config& made_of(const Config& config) {
 }
 #endif
 
-/// A window waits for the last frame to be taken, or it does not (EGL 1.4, 3.9.3).
+/// Swap intervals: 1 waits until the display has taken the last frame, 0 does not wait (EGL 1.4, 3.9.3).
 inline constexpr EGLint least_swap_interval = 0, most_swap_interval = 1;
 
-/// Whether a window of this display may have the configuration: only in the panel's own format.
+/// Whether a window of this display may have the configuration: a panel takes its own format only.
 bool fits_window(const Display& display, const Config& config);
 
 /// The engine and tier of a precision; engine null when this program has none.
@@ -34,8 +35,8 @@ struct Precision {
 };
 Precision precision_of(EGLint precision);
 
-/// Host tools link the reference policies and name them here, before contexts are made: DOUBLE, and SHADOW
-/// for its three tiers.
+/// Registers the engine of a reference policy, DOUBLE or SHADOW; SHADOW's engine serves all three tiers. Host
+/// tools call this before they create contexts.
 void register_engine(EGLint precision, const gl::Engine* engine);
 
 } // namespace spangle::egl

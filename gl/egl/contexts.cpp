@@ -1,4 +1,4 @@
-// Contexts, and which one is current (EGL 1.4, 3.7).
+// Contexts: how they are created, destroyed and made current (EGL 1.4, 3.7).
 #include "gl/api/names.hpp"
 #include "gl/context/error.hpp"
 #include "gl/egl/configs.hpp"
@@ -12,19 +12,19 @@ namespace spangle::egl {
 
 namespace {
 
-/// Surface and context must agree on how pixels lie and in which numbers they are made (EGL 1.4, 2.2).
+/// A surface and a context must agree in colour format, depth format and multisampling (EGL 1.4, 2.2).
 bool compatible(const Config& a, const Config& b) {
     return a.format == b.format && a.depth == b.depth && a.multisampled == b.multisampled;
 }
 
-/// Whether another thread has it.
+/// Whether the surface is current on another thread.
 bool elsewhere(const Surface* surface) {
     return surface->bindings != 0 && thread().draw != surface && thread().read != surface;
 }
 
-/// The buffer of a pbuffer is a back buffer (EGL 1.4, 3.5.6), and the only one: to programs that draw to the
-/// front it is that, too. So is that of a window system's window: a swap leaves its picture there, and what
-/// is drawn to the front is drawn on top of what is seen.
+/// Whether GL_FRONT names the surface's buffer. A pbuffer's only buffer is a back buffer (EGL 1.4, 3.5.6),
+/// and serves programs that draw to the front, too. A window system's window keeps its picture after a swap,
+/// so drawing to its front adds to what is seen.
 bool names_front(const Surface& surface) {
 #if SPANGLE_HAS_PLATFORMS
     if (surface.system != nullptr)
@@ -33,7 +33,7 @@ bool names_front(const Surface& surface) {
     return !surface.window || !surface.back_buffered;
 }
 
-/// The surface's window of a window system still exists. A window that is gone has no size.
+/// Whether the native window still exists, if a window system has it. A destroyed window has width 0.
 bool exists([[maybe_unused]] const Surface& surface) {
 #if SPANGLE_HAS_PLATFORMS
     if (surface.system != nullptr && surface.native->info().width == 0)
@@ -42,18 +42,18 @@ bool exists([[maybe_unused]] const Surface& surface) {
     return true;
 }
 
-/// A window whose display gave no buffer asks for one again.
+/// Whether the surface has a buffer. If its display gave none so far, the display is asked again.
 bool has_pixels(Display& display, Surface& surface) {
     return exists(surface) && (surface.has_pixels() || next_frame(display, surface));
 }
 
-/// What eglMakeCurrent is given: EGL_TRUE when it may become current, which the objects then say already, so
-/// that no other thread takes them meanwhile.
+/// Checks the arguments of eglMakeCurrent. On success it marks the objects as current at once, so that no
+/// other thread takes them meanwhile.
 EGLBoolean reserve(Display& display, Context& context, Surface& draw, Surface& read) {
     if (!compatible(context.config, draw.config) || !compatible(context.config, read.config))
         return fail(EGL_BAD_MATCH, SPANGLE_TEXT("the context's config has another colour format, "
                                                 "depth buffer or multisample buffer than the surface's"));
-    // What is recorded is drawn by the fixed policy, later.
+    // Records are replayed by the fixed policy only.
     const bool records = SPANGLE_HAS_RECORDS && (draw.band.record != nullptr || read.band.record != nullptr);
     if (records &&
         (&draw != &read || precision_of(context.config.precision).engine != &spangle::gl::fixed_engine))
@@ -209,8 +209,8 @@ EGLBoolean eglDestroyContext(EGLDisplay dpy, EGLContext handle) {
     return succeed();
 }
 
-/// Between glBegin and glEnd it is refused: the drawable, and all that was derived from its size and formats,
-/// stay as they are until the primitive ends. GL has no state for a primitive whose drawable is another one.
+/// Between glBegin and glEnd it is refused, because GL defines no primitive whose drawable changes. The
+/// drawable, and everything derived from its size and formats, stays until the primitive ends.
 EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLContext ctx) {
     Display* display = nullptr;
     Context* context = nullptr;

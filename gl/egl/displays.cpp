@@ -1,4 +1,4 @@
-// Displays, memory, strings, errors of this thread (EGL 1.4, 3.1 to 3.3, 3.11).
+// Displays, the program's memory, EGL's strings, and the error of each thread (EGL 1.4, 3.1 to 3.3, 3.11).
 #include <spangle/message.hpp>
 #include <spangle/native.hpp>
 
@@ -19,7 +19,7 @@ constinit gl::Arena memory_arena;
 constinit SPANGLE_THREAD_LOCAL Thread this_thread = {};
 
 #ifndef SPANGLE_FIRMWARE
-/// What a PC program gets that hands over nothing: never touched unless it is used.
+/// The memory of a PC program that gives none. Its pages stay untouched unless the program needs them.
 alignas(16) unsigned char host_memory[gl::host_memory_bytes];
 #endif
 
@@ -64,7 +64,7 @@ void sweep(Display& display) {
 }
 
 #if SPANGLE_MESSAGES
-constinit SPANGLE_THREAD_LOCAL const char* entered = nullptr; // the command that this thread is in
+constinit SPANGLE_THREAD_LOCAL const char* entered = nullptr; // name of the command that this thread runs
 #endif
 
 } // namespace
@@ -154,8 +154,8 @@ void free_destroyed(Display& display) {
 
 namespace {
 
-/// An entry for another display: one that never had any, else one that was terminated and holds nothing. What
-/// is still current keeps its entry.
+/// An entry for another display: an unused one, else one of a terminated display that has no objects left. An
+/// object that is still current keeps its display's entry.
 Display* free_entry() {
     for (Display& display : displays)
         if (!display.used)
@@ -170,7 +170,8 @@ bool is_current(const Surface& surface) {
     return this_thread.draw == &surface || this_thread.read == &surface;
 }
 
-/// A window from before eglTerminate is current on another thread, which draws into memory of the display.
+/// Whether a window from before eglTerminate is still current on another thread, which draws into the
+/// display's memory.
 bool is_drawn_elsewhere(const Display& display) {
     for (const Surface* s = display.surfaces; s != nullptr; s = s->next)
         if (s->window && !is_current(*s))
@@ -178,7 +179,8 @@ bool is_drawn_elsewhere(const Display& display) {
     return false;
 }
 
-/// All windows lose their pixels, which are the display's. GL is told of those that are current here.
+/// Takes the pixels, which belong to the display, from all of its windows. GL is told about windows that are
+/// current on this thread.
 void cut_off_windows(Display& display) {
     {
         const gl::Held held(display.native_lock);
@@ -202,12 +204,12 @@ EGLDisplay display_of(hal::Display* native, [[maybe_unused]] hal::WindowSystem* 
     };
     for (Display& display : displays)
         if (display.used && is_it(display)) {
-            display.terminated = false; // whoever asked again needs the entry as it is
+            display.terminated = false; // the caller uses this entry now, so it must not be reused
             return &display;
         }
     Display* const display = free_entry();
     if (display == nullptr)
-        return EGL_NO_DISPLAY; // no error exists for this (EGL 1.4, 3.2)
+        return EGL_NO_DISPLAY; // EGL defines no error for this (EGL 1.4, 3.2)
     display->used = true;
     display->terminated = false;
     display->native = native;
@@ -289,7 +291,7 @@ EGLBoolean eglTerminate(EGLDisplay dpy) {
         return EGL_FALSE;
     if (thread().display == display && in_primitive())
         return fail_in_primitive();
-    // What is current stays alive until it is released (EGL 1.4, 3.2).
+    // Objects that are current stay alive until they are released (EGL 1.4, 3.2).
     for (Surface* s = display->surfaces; s != nullptr; s = s->next)
         s->destroyed = true;
     for (Context* c = display->contexts; c != nullptr; c = c->next)
@@ -343,8 +345,8 @@ EGLBoolean eglBindAPI(EGLenum api) {
                : fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("api is not EGL_OPENGL_API, the one there is"));
 }
 
-/// OpenGL from the start: EGL 1.4, 3.7 begins with NONE where there is no OpenGL ES, which would only ask
-/// programs of the one API there is to bind it.
+/// Is OpenGL from the start. EGL 1.4, 3.7 begins with NONE where there is no OpenGL ES, but then every
+/// program would have to bind the only API that exists.
 EGLenum eglQueryAPI() {
     return EGL_OPENGL_API;
 }
@@ -361,7 +363,7 @@ EGLBoolean eglWaitGL() {
     return eglWaitClient();
 }
 
-EGLBoolean eglWaitClient() { // as Finish (EGL 1.4, 3.8)
+EGLBoolean eglWaitClient() { // does what glFinish does (EGL 1.4, 3.8)
     enter(SPANGLE_TEXT("eglWaitClient"));
     if (in_primitive())
         return fail_in_primitive();

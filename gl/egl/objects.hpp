@@ -1,4 +1,4 @@
-// What EGL's handles stand for, and how a handle is told from garbage: every object is on its display's list.
+// The objects behind EGL's handles. A handle is checked by looking it up on its display's list.
 #pragma once
 
 #include <cstdint>
@@ -24,26 +24,26 @@ struct Config {
     EGLint precision = EGL_PRECISION_EXACT_SPANGLE;
 
     bool has_samples() const { return raster::has_samples && multisampled; }
-    /// The format of a config that exists.
+    /// The colour format of a surface of this config, which must exist: a constant in builds with one format.
     PixelFormat drawn() const { return raster::drawn(format); }
 };
 
-/// Of each component of an accumulation buffer.
+/// Bits of each component of an accumulation buffer.
 inline constexpr EGLint accum_bits = 16;
 
 struct RecordedFrame; // recorded_frame.hpp
 struct Display;
 
-/// What of a window is in memory, where that is not all of it.
+/// The rows of a window that are in memory at once, for windows in bands.
 struct Band {
 #if SPANGLE_FEATURE_BANDS
-    std::int32_t height = 0;              ///< rows of depth, stencil and accumulation; 0: all
-    bool colors = false;                  ///< and of colours: the display has no whole frame either
-    std::int32_t first = 0, rows = 0;     ///< from the top: what is drawn to now
-    RowExtents extents;                   ///< of these rows
-    RecordedFrame* record = nullptr;      ///< what is drawn is kept there; null: bands are drawn by callback
-    raster::BatchRows* batches = nullptr; ///< what a band may leave out then; null without memory for it
-    bool cleared = false;                 ///< all bands of this frame so far, to clear_value
+    std::int32_t height = 0; ///< rows of depth, stencil and accumulation in memory; 0: the whole window
+    bool colors = false;     ///< the colour buffer holds one band only, as the display's buffers do
+    std::int32_t first = 0, rows = 0;     ///< rows of the open band, counted from the top
+    RowExtents extents;                   ///< columns touched in the rows of the open band
+    RecordedFrame* record = nullptr;      ///< where drawing is recorded; null: a callback draws each band
+    raster::BatchRows* batches = nullptr; ///< rows that each batch reaches; null: no batch is left out
+    bool cleared = false;                 ///< every band of this frame so far was cleared to clear_value
     std::uint32_t clear_value = 0;
 #else
     static constexpr std::int32_t height = 0, first = 0;
@@ -56,34 +56,34 @@ struct Surface {
     Surface* next = nullptr;
     Config config;
     std::int32_t width = 0, height = 0;
-    bool destroyed = false; ///< no handle any more, and freed once nothing holds it
-    bool window = false;    ///< shown somewhere: a window, or a pixmap of a window system
+    bool destroyed = false; ///< the handle is invalid; the memory is freed when nothing holds the surface
+    bool window = false;    ///< a window, or a pixmap of a window system; else a pbuffer
 #if SPANGLE_HAS_PLATFORMS
-    hal::WindowSystem* system = nullptr; ///< that opened `native` for this surface, and closes it
+    hal::WindowSystem* system = nullptr; ///< opened `native`, and closes it; null: `native` is unused
     hal::Display* native = nullptr;
-    std::uintptr_t native_handle = 0; ///< of the window or pixmap there
+    std::uintptr_t native_handle = 0; ///< the window system's handle of the window or pixmap
     bool pixmap = false;
-    bool swapped = false; ///< a pbuffer that SwapBuffers was called for: Flush does not show it any more
+    bool swapped = false; ///< SwapBuffers was called for this pbuffer, so Flush does not show it any more
 #endif
     bool wants_single = false; ///< EGL_RENDER_BUFFER was EGL_SINGLE_BUFFER
-    bool back_buffered = true; ///< of windows: SwapBuffers shows what was drawn; else Flush does
-    /// Its display was terminated, or shows another window: this one has no pixels, and shows nothing any
-    /// more. Written with a Registry and the display's native_lock, read with either.
+    bool back_buffered = true; ///< of windows: SwapBuffers shows what was drawn; false: Flush shows it
+    /// The window has lost its pixels and is never shown again: its display was terminated, or shows another
+    /// window. Writers hold a Registry and the display's native_lock; readers hold either.
     bool cut_off = false;
-    unsigned bindings = 0; ///< contexts it is current to
+    unsigned bindings = 0; ///< how often a context has the surface as its draw or read surface
     unsigned frames = 0;   ///< calls of spangle::frame that draw it
     std::uint8_t* depth = nullptr;
     std::int16_t* accum = nullptr;
-    std::uint8_t* sample_colors = nullptr; ///< a plane for each, where the config is multisampled
-    RowSpan* unresolved = nullptr;         ///< of each row that is in memory
+    std::uint8_t* sample_colors = nullptr; ///< one colour plane per sample; null: not multisampled
+    RowSpan* unresolved = nullptr;         ///< for each row in memory, the columns that wait for resolve()
     raster::Samples samples;
-    hal::Frame frame; ///< a window's belongs to the display; no pixels: the display has given none
+    hal::Frame frame; ///< the colour buffer, a window's from its display; no pixels: none given
     [[no_unique_address]] Band band;
 
     bool in_bands() const {
         return SPANGLE_FEATURE_BANDS && band.height != 0;
     }
-    /// What is drawn goes somewhere, or will as soon as a band is opened.
+    /// True when there is a buffer to draw to, or will be one as soon as a band is opened.
     bool has_pixels() const {
         return !cut_off && (frame.pixels != nullptr || in_bands());
     }
@@ -98,27 +98,27 @@ struct Context {
 };
 
 struct Display {
-    hal::Display* native = nullptr; ///< the panel; null: none
+    hal::Display* native = nullptr; ///< the panel; null: a window system, or pbuffers only
 #if SPANGLE_HAS_PLATFORMS
-    hal::WindowSystem* system = nullptr; ///< with neither there are pbuffers only
+    hal::WindowSystem* system = nullptr; ///< null: a panel, or pbuffers only
 #endif
     bool used = false, initialized = false;
-    /// Since it was last asked for or initialized: its entry may serve another display.
+    /// eglTerminate came after the last eglGetDisplay or eglInitialize, so the entry may be reused.
     bool terminated = false;
-    /// Held by who calls `native`, or what a window system opened, which are for one thread at a time. After
-    /// it none but the arena's lock is taken.
+    /// Whoever calls `native`, or a display that a window system opened, holds this lock: these are for one
+    /// thread at a time. While it is held, only the arena's lock may be taken.
     [[no_unique_address]] gl::Lock native_lock;
     Surface* surfaces = nullptr;
     Context* contexts = nullptr;
-    /// Frees what was destroyed and nothing holds any more; null while nothing was ever destroyed: a program
-    /// that destroys nothing links none of it.
+    /// Frees destroyed objects that nothing holds any more. Null until an object is first destroyed, so a
+    /// program that destroys nothing does not link that code.
     void (*sweep)(Display&) = nullptr;
 };
 
 #if SPANGLE_THREADS
 extern gl::Lock registry_lock;
-/// Threads take turns at displays, their lists of surfaces and contexts, and what these say of who holds
-/// them: who looks at any of it has a Registry. It comes before every other lock.
+/// Excludes other threads while it lives. Whoever reads or writes displays, their lists of objects, or the
+/// counts of who holds an object must have one. Its lock is taken before every other lock.
 struct Registry : gl::Held {
     Registry() : Held(registry_lock) {}
 };
@@ -138,12 +138,12 @@ struct Thread {
 };
 Thread& thread();
 
-/// Records an error. `rule` is a SPANGLE_TEXT for spangle::on_message, without the command's name; null when
-/// the message has been sent. Returns EGL_FALSE.
+/// Records an error and returns EGL_FALSE. `rule` is a SPANGLE_TEXT for spangle::on_message, without the
+/// command's name; null when the message has been sent.
 EGLBoolean fail(EGLint error, const char* rule);
 
 #if SPANGLE_MESSAGES
-/// Names the command that this thread is in, for its messages.
+/// Sets the name of the command that this thread runs, which begins its messages.
 void enter(const char* command);
 #else
 inline void enter(const char*) {}
@@ -151,13 +151,12 @@ inline void enter(const char*) {}
 
 EGLBoolean succeed();
 
-/// The entry of a panel or of a window system, a new one where there is none; EGL_NO_DISPLAY when all are
-/// used.
+/// Finds or makes the entry of a panel or of a window system; EGL_NO_DISPLAY when all entries are used.
 EGLDisplay display_of(hal::Display* native, hal::WindowSystem* system);
-/// Whether a native display may be asked for: what eglGetDisplay and eglGetPlatformDisplay give.
+/// Finds the display of a native one: what eglGetDisplay and eglGetPlatformDisplay share.
 EGLDisplay platform_display(EGLenum platform, void* native);
-/// The current context is between glBegin and glEnd. Then its surfaces stay where they are, and nothing is
-/// shown: what would change that fails by fail_in_primitive().
+/// True when the current context is between glBegin and glEnd. Its surfaces then stay current and nothing is
+/// shown: a command that would change that fails with fail_in_primitive().
 bool in_primitive();
 EGLBoolean fail_in_primitive();
 
@@ -171,18 +170,18 @@ Context* find_context(Display& display, EGLContext handle);
 /// The one memory of the program.
 gl::Arena& arena();
 
-/// A surface's memory.
+/// Frees a surface with its planes, and closes the native window that was opened for it.
 void free_surface(Surface* surface);
 
-/// A window of a window system that changed its size since its buffer was given gets planes and a buffer of
-/// its new size. False, with an error recorded, where these cannot be had: it stays as it is.
+/// Makes planes and a buffer of the new size for a window whose window system has resized it. Returns false
+/// with an error recorded when there is no memory or the window is gone; the surface then keeps its size.
 bool follow_window(Display& display, Surface& surface);
 
-/// A window of this display, or a pixmap: what eglCreateWindowSurface and eglCreatePixmapSurface make.
+/// Creates a window or pixmap surface, for eglCreateWindowSurface and eglCreatePixmapSurface.
 EGLSurface create_shown(EGLDisplay dpy, EGLConfig config, std::uintptr_t handle, bool pixmap,
                         const EGLint* attrib_list);
 
-/// What is marked as destroyed is freed as soon as nothing holds it.
+/// Frees objects that are marked as destroyed, at once or as soon as nothing holds them.
 void free_destroyed(Display& display);
 
 constexpr std::int32_t bytes_per_depth(DepthFormat format) {
@@ -197,23 +196,23 @@ inline raster::Surface pixels_of(Surface& surface) {
     return out;
 }
 
-/// Hands the pixels of this thread's surfaces to its context; again after a window got another buffer, or
-/// has none any more.
+/// Hands the pixels of this thread's surfaces to its context. It is called again whenever a window gets
+/// another buffer, or loses it.
 void show_pixels();
 
-/// Sizes and formats of displays may change while they are in use: another one was plugged in. Those of
-/// boards do not.
+/// True where a display may change its size or format while it is in use, as when another one is plugged in.
+/// Boards' displays never change.
 #ifdef SPANGLE_FIRMWARE
 inline constexpr bool displays_change = false;
 #else
 inline constexpr bool displays_change = true;
 #endif
 
-/// The display gave this buffer. False, and the surface has none: it is not of the surface's size, or the
-/// display asks what is drawn there, which this build does not tell.
+/// Makes a buffer that the display gave the surface's. Returns false, and leaves the surface without a
+/// buffer, when the size or format differs, or when the display wants extents and this build has none.
 bool take(Display& display, Surface& surface, const hal::Frame& frame);
 
-/// Where a window is shown: on the display's panel, unless it is one of a window system.
+/// The display that shows a window: its own one in a window system, else the panel.
 inline hal::Display& native_of(const Display& display, [[maybe_unused]] const Surface& surface) {
 #if SPANGLE_HAS_PLATFORMS
     if (surface.native != nullptr)
@@ -222,20 +221,21 @@ inline hal::Display& native_of(const Display& display, [[maybe_unused]] const Su
     return *display.native;
 }
 
-/// Asks the display for the buffer of the next frame. A window of a window system that has another size by
-/// now gets planes of that size, too. False: the surface has no buffer.
+/// Asks the display for the buffer of the next frame. A window that its window system has resized gets planes
+/// of the new size, too. Returns false when the surface has no buffer.
 bool next_frame(Display& display, Surface& surface);
 
-/// A window that was cut off: BAD_NATIVE_WINDOW, and false.
+/// Records BAD_NATIVE_WINDOW for a window that was cut off, and returns false.
 bool fail_cut_off();
 
-/// The rows of a window that its depth buffer shall have at once: EGL_SUCCESS, or the error of that wish.
+/// Chooses the band height of a window, in rows; `wish` 0 leaves it to the display. Returns EGL_SUCCESS, or
+/// the error of that wish.
 EGLint choose_band(const hal::DisplayInfo& info, EGLint wish, Band& band);
 
-/// A buffer for rows [first, first + rows) of a window in bands; they are in memory then.
+/// Brings rows [first, first + rows), counted from the top, of a window in bands into memory.
 bool open_band(Display& display, Surface& surface, std::int32_t first, std::int32_t rows);
 bool send_band(Display& display, Surface& surface);
-/// Calls open(first, rows) and then close() for each band from the top, while they return true.
+/// Calls each(first, rows) for every band from the top down. Stops, and returns false, when a call does.
 template <class Each> bool each_band(const Surface& surface, Each each) {
     for (std::int32_t first = 0; first < surface.height; first += surface.band.height) {
         const std::int32_t left = surface.height - first;
@@ -245,38 +245,40 @@ template <class Each> bool each_band(const Surface& surface, Each each) {
     return true;
 }
 
-/// `out` is a view on the whole window: cuts it to the band.
+/// Cuts `out`, a view of the whole window, to the open band.
 void show_band(Surface& surface, raster::Surface& out);
 
-/// The memory for a record of so many bytes, 0: none is wished. False without memory.
+/// Allocates a record of `bytes` bytes; 0 makes none. Returns false without memory.
 bool make_record(EGLint bytes, Band& band);
-/// The memory for what bands of a picture of so many rows may leave out. Without it they leave out nothing.
+/// Allocates the table of rows that batches reach, for a picture `height` rows high. Without memory every
+/// band draws all batches.
 void make_batches(std::int32_t height, Band& band);
 void free_record(Band& band);
-/// Of the record, or of its longest frame so far.
+/// The size of the record in bytes or, with `peak`, the bytes that its longest frame so far has used.
 EGLint record_bytes(const Band& band, bool peak);
 
-/// What was recorded is shown, or, where it is not whole, forgotten.
+/// Shows the recorded frame and begins the next one. A frame whose record is incomplete is not shown.
 bool present_record(Display& display, Surface& surface);
 
-/// This thread draws to a surface from now on, or not any more.
+/// Called when a surface becomes this thread's draw surface, and when it stops being that.
 void attach_record(Surface& surface);
 void detach_record(Surface& surface);
 
-/// Draws and presents one frame of a window in bands.
+/// Draws and presents one frame of a window in bands: calls `draw` once for every band.
 bool draw_bands(Display& display, Surface& surface, void (*draw)(void*), void* data);
-/// The same, by one call of `draw` where its record is large enough.
+/// Draws and presents one frame of a window in bands by one call of `draw`, if its record is large enough;
+/// else as draw_bands() does.
 bool draw_recorded(Display& display, Surface& surface, void (*draw)(void*), void* data);
 
-/// Presents what was drawn to a window of this thread and attaches the next frame's buffer. A frame that had
-/// no buffer is not shown, and the next one has one again as soon as the display gives it.
+/// Presents what was drawn to a window of this thread and attaches the next frame's buffer. A frame without a
+/// buffer is not shown. The next frame has a buffer as soon as the display gives one.
 bool present(Display& display, Surface& surface);
 
-/// What Flush and Finish do to the window that is current on this thread, if there is one: shown when it has
-/// no back buffer; with `finish`, waited for.
+/// What Flush and Finish do in EGL: they show the current window of this thread if it has no back buffer.
+/// With `finish`, also waits until the last frame is shown.
 void show_window(bool finish);
 
-/// Undoes MakeCurrent on this thread; not of context `next`, which becomes current again.
+/// Undoes MakeCurrent on this thread. Context `next` stays marked as current: it is made current again.
 void release_current(const Context* next = nullptr);
 
 } // namespace spangle::egl

@@ -1,4 +1,4 @@
-// The palette of a window of colour indices: an extension of ours (spangle/EGL/egl.h).
+// The palette of a window of colour indices, set by an extension of this library (spangle/EGL/egl.h).
 #include "gl/context/error.hpp"
 #include "gl/egl/objects.hpp"
 

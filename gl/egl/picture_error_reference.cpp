@@ -1,4 +1,4 @@
-// Two pictures, and what they have in common.
+// Reads pictures back from GL and measures how much two of them differ.
 #include <spangle/reference.hpp>
 
 #include <algorithm>
@@ -14,8 +14,8 @@ namespace spangle {
 
 namespace {
 
-/// State that decides how pixels are read (GL 1.3, 3.6.1 and 4.3.2) is at its initial values while this
-/// lives.
+/// While this object lives, the state that affects glReadPixels has its initial values (GL 1.3, 3.6.1 and
+/// 4.3.2).
 class PlainReading {
   public:
     PlainReading() {
@@ -48,7 +48,7 @@ class PlainReading {
         GLenum name;
         Value initial;
     };
-    static constexpr bool has_transfer = SPANGLE_FEATURE_PIXEL_TRANSFER; ///< else all of it is initial
+    static constexpr bool has_transfer = SPANGLE_FEATURE_PIXEL_TRANSFER; ///< else that state never changes
     static constexpr int transfers = has_transfer ? 10 : 0, known_transfers = 10, stores = 5;
     static constexpr Named<GLfloat> transfer_[known_transfers] = {
         {GL_RED_SCALE, 1}, {GL_GREEN_SCALE, 1}, {GL_BLUE_SCALE, 1}, {GL_ALPHA_SCALE, 1}, {GL_DEPTH_SCALE, 1},

@@ -16,7 +16,7 @@ constinit Platforms known;
 constexpr std::size_t longest_extensions = 512;
 constinit char extensions[longest_extensions] = "";
 
-/// Appends a string where it fits.
+/// Appends `text`, cut off at the end of the buffer.
 void append(char* to, const char* text) {
     std::size_t end = 0;
     while (to[end] != '\0')
@@ -26,8 +26,8 @@ void append(char* to, const char* text) {
     to[end] = '\0';
 }
 
-/// Versions that exist below the build's own are compatible with it (EGL_KHR_create_context). Of unknown ones
-/// nobody could say so.
+/// Versions up to the build's own are compatible with it (EGL_KHR_create_context). Unknown versions are
+/// refused.
 bool has_version(EGLint major, EGLint minor) {
     return major == 1 && minor >= 0 && minor <= gl::gl_minor;
 }
@@ -43,7 +43,7 @@ const Platforms& platforms() {
 }
 
 const char* client_extensions() {
-    const Registry registry; // one thread writes them
+    const Registry registry; // only one thread may write the string
     succeed();
     if (extensions[0] == '\0') {
         append(extensions, "EGL_EXT_client_extensions EGL_EXT_platform_base EGL_MESA_platform_surfaceless "
@@ -71,11 +71,11 @@ EGLint context_problem(const EGLint* list) {
         case EGL_CONTEXT_FLAGS_KHR:
             if ((value & ~flags) != 0)
                 return EGL_BAD_ATTRIBUTE;
-            // Forward compatible contexts begin with OpenGL 3.0, robust ones ask for an extension of OpenGL.
+            // Forward compatible contexts need OpenGL 3.0; robust ones need an extension of OpenGL.
             beyond = beyond || (value & ~EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR) != 0;
             break;
         case EGL_CONTEXT_OPENGL_PROFILE_MASK_KHR:
-            break; // means nothing below OpenGL 3.2
+            break; // has no meaning below OpenGL 3.2
         case EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_KHR:
             if (value != EGL_NO_RESET_NOTIFICATION_KHR && value != EGL_LOSE_CONTEXT_ON_RESET_KHR)
                 return EGL_BAD_ATTRIBUTE;
@@ -106,8 +106,8 @@ EGLDisplay platform_display(EGLenum platform, void* native) {
 
 namespace {
 
-/// The attributes of EGL 1.5 are as wide as pointers. False when there are more than any surface has, or one
-/// that no attribute of a surface is.
+/// Copies an attribute list of EGL 1.5, whose elements are as wide as pointers. Returns false for a list
+/// longer than any surface's, or for an element that does not fit EGLint.
 constexpr std::size_t most_attributes = 32;
 bool narrow(const EGLAttrib* list, EGLint (&out)[2 * most_attributes + 1]) {
     std::size_t n = 0;
@@ -122,7 +122,8 @@ bool narrow(const EGLAttrib* list, EGLint (&out)[2 * most_attributes + 1]) {
     return true;
 }
 
-/// The platforms of X11 give a pointer to the handle of a window or pixmap (EGL_EXT_platform_x11).
+/// Creates a surface from a pointer to the native handle, which is what the X11 platforms pass
+/// (EGL_EXT_platform_x11).
 EGLSurface create_pointed(EGLDisplay dpy, EGLConfig config, const void* handle, bool pixmap,
                           const EGLint* list) {
     if (handle == nullptr) {
@@ -133,7 +134,8 @@ EGLSurface create_pointed(EGLDisplay dpy, EGLConfig config, const void* handle, 
     return create_shown(dpy, config, *static_cast<const unsigned long*>(handle), pixmap, list);
 }
 
-/// Takes the attributes of EGL 1.5 and has a name of its own: where pointers have 32 bits, both are EGLint.
+/// Creates a surface from a pointer and an attribute list of EGL 1.5. It has a name of its own, because
+/// EGLAttrib and EGLint are one type where pointers have 32 bits.
 EGLSurface create_pointed_wide(EGLDisplay dpy, EGLConfig config, const void* handle, bool pixmap,
                                const EGLAttrib* list) {
     EGLint narrowed[2 * most_attributes + 1];
@@ -144,7 +146,7 @@ EGLSurface create_pointed_wide(EGLDisplay dpy, EGLConfig config, const void* han
     return create_pointed(dpy, config, handle, pixmap, narrowed);
 }
 
-/// Copies what both have, from the top left corner on.
+/// Copies the pixels that both pictures have, aligned at their top left corners.
 void copy_rows(const Surface& from, const hal::Frame& to, const hal::DisplayInfo& info) {
     const std::int32_t width = from.width < info.width ? from.width : info.width,
                        height = from.height < info.height ? from.height : info.height,
@@ -220,7 +222,7 @@ EGLBoolean eglCopyBuffers(EGLDisplay dpy, EGLSurface handle, EGLNativePixmapType
     if (surface == nullptr)
         return EGL_FALSE;
     if (in_primitive())
-        return fail_in_primitive(); // it flushes (EGL 1.4, 3.9.2)
+        return fail_in_primitive(); // eglCopyBuffers flushes first (EGL 1.4, 3.9.2)
     if (display->system == nullptr)
         return fail(EGL_BAD_NATIVE_PIXMAP, SPANGLE_TEXT("this display has no pixmaps"));
     if (!display->system->shows(surface->config.format) || surface->in_bands())

@@ -15,14 +15,15 @@ struct Surface;
 
 namespace spangle::egl {
 
-/// What a program's native display is: a window system, or one panel, or, with neither, a place for pbuffers.
+/// What a program's native display stands for: a window system, one panel or, if both are null, pbuffers
+/// only.
 struct NativeDisplay {
     bool known = false;
     hal::Display* panel = nullptr;
     hal::WindowSystem* windows = nullptr;
 };
 
-/// What pixels are and in which numbers they are made.
+/// The pixel format and the precision that programs are drawn in.
 struct Drawn {
     PixelFormat format;
     EGLint precision;
@@ -32,36 +33,38 @@ struct Drawn {
 struct Platforms {
     /// Client extensions of the platforms that `find` knows, each with a blank before it.
     const char* extensions = "";
-    /// Resolves eglGetPlatformDisplay; with platform EGL_NONE eglGetDisplay.
+    /// Finds the native display for eglGetPlatformDisplay, or for eglGetDisplay when `platform` is EGL_NONE.
     NativeDisplay (*find)(EGLenum platform, void* native) = nullptr;
-    /// Of configs that differ in nothing else, the one that eglChooseConfig gives first has this precision.
+    /// eglChooseConfig puts configs of this precision before configs that differ in precision only.
     EGLint precision = EGL_PRECISION_EXACT_SPANGLE;
-    /// Bits of EGL_RENDERABLE_TYPE beside EGL_OPENGL_BIT. A wish that names no type asks for
+    /// Bits of EGL_RENDERABLE_TYPE beside EGL_OPENGL_BIT. An attribute list that names no type asks for
     /// EGL_OPENGL_ES_BIT (EGL 1.4, table 3.4), and programs that bind OpenGL then expect a config.
     EGLint renderable = 0;
-    /// eglSwapBuffers of a pbuffer, which shows nothing (EGL 1.4, 3.9.1), hands its picture here; so do Flush
-    /// and Finish of one that is never swapped: programs for single buffers end frames like that.
+    /// Receives the picture of a pbuffer at eglSwapBuffers, which shows nothing itself (EGL 1.4, 3.9.1).
+    /// Flush and Finish call it, too, for a pbuffer that is never swapped: programs for single buffers end
+    /// frames so.
     void (*swapped)(const hal::Frame& picture, const hal::DisplayInfo& info) = nullptr;
-    /// Sees a picture before `swapped` does, with its depth buffer.
+    /// Receives a picture with its depth buffer, before `swapped` receives it.
     void (*planes)(const raster::Surface& picture) = nullptr;
-    /// Not null: pbuffers and contexts have this format and precision and no samples, whatever their config
-    /// says. So a program is drawn in formats that it would not choose.
+    /// If not null, pbuffers and contexts have this format and precision and no samples, whatever their
+    /// config says. So a program can be drawn in formats that it would not choose.
     const Drawn* drawn = nullptr;
-    /// Sees each new context.
+    /// Called with each new context.
     void (*created)(gl::Context& context) = nullptr;
 };
-/// Must come before the first EGL call.
+/// Must be called before the first EGL command.
 void use_platforms(const Platforms& platforms);
 const Platforms& platforms();
 
 /// What eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS) gives.
 const char* client_extensions();
 
-/// EGL_SUCCESS, or what eglCreateContext says to these attributes (EGL_KHR_create_context).
+/// Returns EGL_SUCCESS, or the error that eglCreateContext raises for these attributes
+/// (EGL_KHR_create_context).
 EGLint context_problem(const EGLint* attrib_list);
 
-/// glViewport is what programs say when their window has another size: the surface this thread draws to
-/// follows.
+/// Gives this thread's draw surface the present size of its window. glViewport calls it, because programs
+/// call that when their window was resized.
 void follow_current_window();
 
 } // namespace spangle::egl

@@ -1,4 +1,4 @@
-// What SwapBuffers, Flush and Finish do to a window, and the buffers that its display gives (EGL 1.4, 3.9).
+// What SwapBuffers, Flush and Finish do to a window, and how it gets buffers from its display (EGL 1.4, 3.9).
 #include "gl/context/error.hpp"
 #include "gl/egl/configs.hpp"
 #include "gl/egl/objects.hpp"
@@ -32,12 +32,12 @@ bool next_frame(Display& display, Surface& surface) {
     const gl::Held held(display.native_lock);
     if (surface.cut_off)
         return fail_cut_off();
-    surface.frame = {}; // the last one may be the display's again
+    surface.frame = {}; // acquire() may take the last buffer back
 #if SPANGLE_HAS_PLATFORMS
     if (!follow_window(display, surface))
         return false;
     if (surface.frame.pixels != nullptr)
-        return true; // of its new size
+        return true; // the window was resized, and has its buffer already
 #endif
     const hal::Result<hal::Frame> frame = native_of(display, surface).acquire();
     if (!frame.ok()) {
@@ -53,10 +53,10 @@ bool present(Display& display, Surface& surface) {
     if (drawn) {
         raster::resolve(pixels_of(surface));
         const hal::Result<void> shown = native_of(display, surface).present();
-        if (!shown.ok()) // the buffer is the surface's still, and what was drawn is sent with the next frame
+        if (!shown.ok()) // the surface keeps the buffer, and the next frame sends what this one drew
             return fail(EGL_BAD_NATIVE_WINDOW, shown.error().rule) != EGL_FALSE;
     }
-    // Without a next buffer GL draws nowhere: the last one is the display's again.
+    // The display has taken the last buffer back. If it gives no other, GL draws nowhere.
     const bool more = next_frame(display, surface);
     show_pixels();
     if (more && !drawn)
@@ -69,7 +69,7 @@ bool present(Display& display, Surface& surface) {
 
 namespace {
 
-/// Hands a pbuffer's picture to who asked for those that are swapped, one after the other.
+/// Hands a pbuffer's picture to Platforms::planes and Platforms::swapped, one call at a time.
 void show_pbuffer(Surface& surface) {
     const Registry registry;
     const raster::Surface picture = pixels_of(surface);
@@ -87,7 +87,8 @@ void show_pbuffer(Surface& surface) {
 
 #endif
 
-/// What the panel refused is sent with the next frame: GL has no error for it, the message tells.
+/// A frame that the panel refused is sent with the next one. GL has no error for this, so only a message is
+/// sent.
 void show_window(bool finish) {
     const Thread& t = thread();
     if (t.draw == nullptr)
@@ -120,8 +121,7 @@ using namespace spangle::egl;
 
 extern "C" {
 
-/// The interval is that of the current draw surface, whose display need not be the one given
-/// (EGL 1.4, 3.9.3).
+/// Sets the interval of the current draw surface, whose display need not be `dpy` (EGL 1.4, 3.9.3).
 EGLBoolean eglSwapInterval(EGLDisplay dpy, EGLint interval) {
     enter(SPANGLE_TEXT("eglSwapInterval"));
     const Registry registry;
@@ -131,7 +131,7 @@ EGLBoolean eglSwapInterval(EGLDisplay dpy, EGLint interval) {
     if (t.context == nullptr)
         return fail(EGL_BAD_CONTEXT, SPANGLE_TEXT("no context is current"));
     if (!t.draw->window || t.draw->cut_off)
-        return succeed(); // nothing waits
+        return succeed(); // swaps of pbuffers and lost windows never wait
     const spangle::gl::Held held(t.display->native_lock);
     native_of(*t.display, *t.draw)
         .swap_interval(interval < least_swap_interval  ? least_swap_interval

@@ -1,5 +1,5 @@
-// eglGetProcAddress (EGL 1.4, 3.10): entry points of EGL and GL by name. A feature, because it keeps every
-// entry point in the program.
+// eglGetProcAddress (EGL 1.4, 3.10) finds entry points of EGL and GL by name. It is optional, because its
+// table links every entry point into the program.
 #include "gl/api/names.hpp"
 #include "gl/context/features.hpp"
 #include "gl/egl/objects.hpp"

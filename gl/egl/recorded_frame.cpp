@@ -1,4 +1,4 @@
-// Windows in bands whose frames are recorded: shown band by band, read band by band.
+// Windows in bands whose frames are recorded: the record is replayed to show or to read a band.
 #include <new>
 
 #include "gl/context/error.hpp"
@@ -12,23 +12,23 @@ namespace spangle::egl {
 struct RecordedFrame {
     raster::Record record;
     gl::Recording hooks{};
-    gl::ShareGroup* objects = nullptr; ///< what the record looks at, while no context does
-    bool lost = false;                 ///< so is this frame: its objects are gone
-    bool quiet = false;      ///< a record that is too small is no error: spangle::frame goes on without
-    std::int32_t shown = -1; ///< the band in memory begins with this row, ...
-    std::size_t used = 0;    ///< ... as far as the record went then
+    gl::ShareGroup* objects = nullptr; ///< objects of the record, held while no context is current
+    bool lost = false;       ///< this frame cannot be shown: it was drawn with another context's objects
+    bool quiet = false;      ///< a full record is no error, because spangle::frame then draws band by band
+    std::int32_t shown = -1; ///< first row of the band in memory, from the top; -1: none
+    std::size_t used = 0;    ///< bytes that the record had when this band was drawn
 };
 
 namespace {
 
-/// The band in memory, drawn by the record.
+/// Replays the record into the band in memory, and returns that band.
 raster::Surface replayed(Surface& surface, bool count) {
     raster::Surface band = pixels_of(surface);
     surface.band.record->record.replay(band, count);
     return band;
 }
 
-/// GL sees the whole window, of which no row is there.
+/// Gives GL the whole window as its drawable; no row of it is in memory.
 void show_all(Surface& surface) {
     surface.band.first = 0;
     surface.band.rows = surface.height;
@@ -36,7 +36,7 @@ void show_all(Surface& surface) {
     gl::move_drawable(*thread().context->gl, pixels_of(surface), true, &surface.band.record->hooks);
 }
 
-/// The next frame begins.
+/// Drops the recorded frame and begins the next one.
 void forget(Surface& surface) {
     RecordedFrame& frame = *surface.band.record;
     frame.record.clear();
@@ -53,9 +53,9 @@ raster::Surface rows_of(std::int32_t y) {
     raster::Surface none;
     none.end_row = 0;
     if (frame.record.full())
-        return none; // what would be drawn is not known
+        return none; // the record is incomplete, so its pixels are unknown
     if (frame.shown != first || frame.used != frame.record.used()) {
-        frame.shown = -1; // also where the display has no buffer for another one
+        frame.shown = -1; // stays so if the display gives no buffer
         if (!open_band(*thread().display, surface, first, step < left ? step : left))
             return none;
         raster::resolve(replayed(surface, false));
@@ -173,7 +173,7 @@ void attach_record(Surface& surface) {
         return;
     gl::Context& context = *thread().context->gl;
     if (frame->objects != nullptr && !gl::has_objects(context, *frame->objects)) {
-        frame->record.clear(); // it looks at textures that this context's commands do not know
+        frame->record.clear(); // the record refers to textures that are not this context's
         frame->lost = true;
     }
     gl::release_objects(frame->objects);

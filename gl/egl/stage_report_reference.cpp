@@ -1,4 +1,4 @@
-// What shadow draws report, for programs outside of this tree.
+// The errors that the shadow policy measures in each stage, for programs outside of this repository.
 #include <spangle/reference.hpp>
 
 #include "raster/span/shadow.hpp"

@@ -1,4 +1,4 @@
-// Attributes of surfaces, asked for and given later, and kinds of surfaces that only other client APIs have
+// Queries and changes attributes of surfaces, and refuses kinds of surfaces that only other client APIs have
 // (EGL 1.4, 3.5.3, 3.5.6, 3.6).
 #include "gl/context/error.hpp"
 #include "gl/egl/objects.hpp"
@@ -12,7 +12,7 @@ Surface* find(EGLDisplay dpy, EGLSurface handle) {
     return display == nullptr ? nullptr : find_surface(*display, handle);
 }
 
-/// No config has EGL_BIND_TO_TEXTURE_RGB or RGBA: pbuffers of this EGL are no textures (EGL 1.4, 3.6).
+/// Refuses to bind a pbuffer as a texture: no config has EGL_BIND_TO_TEXTURE_RGB or RGBA (EGL 1.4, 3.6).
 EGLBoolean refuse_texture(EGLDisplay dpy, EGLSurface handle, EGLint buffer) {
     const Registry registry;
     if (find(dpy, handle) == nullptr)
@@ -63,9 +63,9 @@ EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute, 
         break;
     case EGL_SWAP_BEHAVIOR:
         *value = EGL_BUFFER_DESTROYED;
-        break; // BUFFER_AGE tells more
+        break; // EGL_BUFFER_AGE_EXT tells more
     case EGL_BUFFER_AGE_EXT:
-        // Only of the surface one draws to: its buffer is settled (EGL_EXT_buffer_age).
+        // Only the current draw surface's buffer is known to stay the same (EGL_EXT_buffer_age).
         if (thread().draw != s)
             return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("the age is known of the current draw surface alone"));
         *value = s->frame.age;
@@ -102,7 +102,7 @@ EGLBoolean eglSurfaceAttrib(EGLDisplay dpy, EGLSurface handle, EGLint attribute,
         return EGL_FALSE;
     switch (attribute) {
     case EGL_MIPMAP_LEVEL:
-        return succeed(); // of surfaces that are textures; of others it has no effect (EGL 1.4, 3.5.6)
+        return succeed(); // has no effect on surfaces that are no textures (EGL 1.4, 3.5.6)
     case EGL_MULTISAMPLE_RESOLVE:
         return value == EGL_MULTISAMPLE_RESOLVE_DEFAULT ? succeed()
                : value == EGL_MULTISAMPLE_RESOLVE_BOX

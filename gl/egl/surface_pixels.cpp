@@ -1,12 +1,12 @@
-// The pixels that GL sees of a surface: its planes, or those of the band that is there.
+// The pixels that GL sees of a surface: its whole planes, or the open band's.
 #include "gl/egl/objects.hpp"
 
 namespace spangle::egl {
 
 namespace {
 
-/// Where GL row 0 would be in a plane whose first row is row `first` of so many from the top. Addresses are
-/// numbers: of a band, that row is not there.
+/// The address that GL row 0 has, or would have, in a plane that begins with row `first` of `rows`, counted
+/// from the top. It is computed as an integer, because that row of a band may lie outside of the plane.
 std::uint8_t* bottom_row(std::uint8_t* plane, std::int32_t first, std::int32_t rows, std::int32_t stride) {
     const auto way = static_cast<std::intptr_t>(rows - 1 - first) * stride;
     return reinterpret_cast<std::uint8_t*>(reinterpret_cast<std::intptr_t>(plane) + way);
@@ -14,8 +14,8 @@ std::uint8_t* bottom_row(std::uint8_t* plane, std::int32_t first, std::int32_t r
 
 #if SPANGLE_FEATURE_MULTISAMPLE
 
-/// The samples of the rows that are there; top row first, so that they have the stride of the surface's own
-/// planes where these have one.
+/// The samples of the rows in memory. They lie top row first, as the surface's own planes do, so that strides
+/// agree.
 const raster::Samples& show_samples(Surface& surface, const Rect& rows) {
     const PixelFormat format = surface.config.drawn();
     const std::int32_t stride = row_bytes(format, surface.width),
@@ -36,13 +36,13 @@ void set_pixels(Surface& surface, raster::Surface& out) {
     out.format = format;
     out.depth_format = surface.config.depth;
     if (!surface.has_pixels())
-        return; // of no rows and columns: nothing is drawn there, and nothing is read
+        return; // an empty surface: nothing is drawn to it or read from it
     const bool bands = surface.in_bands();
     const std::int32_t color_first = bands && surface.band.colors ? surface.band.first : 0,
                        first = bands ? surface.band.first : 0, rows = stored_rows(format, surface.height);
     out.width = surface.width;
     out.height = surface.height;
-    out.color_stride = -surface.frame.stride; // top row first
+    out.color_stride = -surface.frame.stride; // memory holds the top row first
     out.color = bottom_row(surface.frame.pixels, color_first / raster::drawn_info(format).rows, rows,
                            surface.frame.stride);
 #if SPANGLE_EXTENTS

@@ -18,19 +18,20 @@ constexpr std::int32_t largest_pbuffer = gl::max_viewport_dim;
 
 /// What a surface has beyond its config.
 struct Extras {
-    bool color = false; ///< a colour buffer from the arena
+    bool color = false; ///< allocate a colour buffer; windows have their display's
     bool accum = false;
     Band band = {};
-    EGLint record = 0; ///< bytes
+    EGLint record = 0; ///< bytes; 0: none
 };
 
-/// Of so many rows, wherever they begin: pages of eight may be one more.
+/// Bytes of one sample's colour plane for `rows` rows. Where a byte holds pixels of several rows, a band that
+/// begins anywhere may need one row of bytes more.
 std::size_t bytes_of_sample(PixelFormat format, std::int32_t width, std::int32_t rows) {
     const std::int32_t shared = raster::drawn_info(format).rows, most = (rows + 2 * shared - 2) / shared;
     return static_cast<std::size_t>(row_bytes(format, width)) * static_cast<std::size_t>(most);
 }
 
-/// A surface with its buffers, or null with nothing kept.
+/// Makes a surface with its buffers. Returns null, and frees everything, when memory runs out.
 Surface* make(const Config& config, std::int32_t width, std::int32_t height, const Extras& extras) {
     gl::Arena& a = arena();
     const std::int32_t rows = extras.band.height != 0 ? extras.band.height : height;
@@ -80,7 +81,8 @@ Surface* make(const Config& config, std::int32_t width, std::int32_t height, con
     return surface;
 }
 
-/// False: not the attribute of accumulation buffers. A wish for more bits than there are is an error.
+/// Reads EGL_ACCUM_SIZE_SPANGLE; returns false for any other attribute. More bits than there are, or than a
+/// build without accumulation buffers has, are an error.
 bool read_accum(const EGLint* at, bool& accum, EGLint& problem) {
     if (at[0] != EGL_ACCUM_SIZE_SPANGLE)
         return false;
@@ -103,7 +105,7 @@ struct WindowWish {
     EGLint band_height = 0, record = 0;
 };
 
-/// EGL_SUCCESS, or the error in the list.
+/// Reads the attributes of a window. Returns EGL_SUCCESS, or the error in the list.
 EGLint read_window(const EGLint* list, WindowWish& out) {
     EGLint problem = EGL_SUCCESS;
     for (; list != nullptr && *list != EGL_NONE; list += 2) {
@@ -131,7 +133,7 @@ struct PbufferWish {
     bool largest = false, accum = false;
 };
 
-/// 0, or the error in the list.
+/// Reads the attributes of a pbuffer. Returns 0, or the error in the list.
 EGLint read_pbuffer(const EGLint* list, PbufferWish& out) {
     EGLint problem = 0;
     for (; list != nullptr && *list != EGL_NONE; list += 2) {
@@ -161,13 +163,14 @@ EGLint read_pbuffer(const EGLint* list, PbufferWish& out) {
     return out.width < 0 || out.height < 0 ? EGL_BAD_PARAMETER : problem;
 }
 
-/// What GL draws on, whatever a display says that it is.
+/// Whether GL can draw on a surface of this size; a display may report any.
 bool is_drawable_size(const hal::DisplayInfo& info) {
     return info.width > 0 && info.height > 0 && info.width <= gl::max_viewport_dim &&
            info.height <= gl::max_viewport_dim;
 }
 
-/// The window that the display's panel shows, or null. Window systems have a place of its own for each.
+/// The window that the display's panel shows, or null. In window systems every window has its own place on
+/// the screen.
 Surface* window_of(const Display& display) {
     Surface* s = display.native != nullptr ? display.surfaces : nullptr;
     while (s != nullptr && (!s->window || s->cut_off))
@@ -175,15 +178,15 @@ Surface* window_of(const Display& display) {
     return s;
 }
 
-/// Nobody needs this window any more: none, or one that was destroyed and is current here alone, where it can
-/// be told that its pixels are gone.
+/// Whether a new window may replace this one on the panel: it is null, or destroyed and current on this
+/// thread only, where GL can be told that its pixels are gone.
 bool may_leave(const Surface* window) {
     const Thread& t = thread();
     return window == nullptr ||
            (window->destroyed && (t.draw == window || t.read == window) && !in_primitive());
 }
 
-/// The glass goes to another window.
+/// Takes the pixels from `window`, because the panel will show another one.
 void cut_off(Display& display, Surface* window) {
     if (window == nullptr)
         return;
@@ -208,12 +211,12 @@ struct Shown {
 #if SPANGLE_HAS_PLATFORMS
     hal::WindowSystem* system = nullptr;
 
-    /// EGL_SUCCESS, or the error of that handle.
+    /// Opens the window or pixmap `handle`. Returns EGL_SUCCESS, or the error of that handle.
     EGLint open(const Display& display, const Config& config, std::uintptr_t handle, bool pixmap) {
         const EGLint wrong = pixmap ? EGL_BAD_NATIVE_PIXMAP : EGL_BAD_NATIVE_WINDOW;
         for (const Surface* s = display.surfaces; s != nullptr; s = s->next)
             if (s->window && !s->destroyed && s->native_handle == handle && s->pixmap == pixmap)
-                return EGL_BAD_ALLOC; // the glass has one window, and a window one surface
+                return EGL_BAD_ALLOC; // a panel shows one window, and a native window has one surface
         if (display.system == nullptr)
             return handle != 0 || pixmap           ? wrong
                    : may_leave(window_of(display)) ? EGL_SUCCESS
@@ -239,7 +242,7 @@ struct Shown {
     static EGLint open(const Display& display, const Config&, std::uintptr_t handle, bool) {
         return handle != 0                     ? EGL_BAD_NATIVE_WINDOW
                : may_leave(window_of(display)) ? EGL_SUCCESS
-                                               : EGL_BAD_ALLOC; // the glass has one window
+                                               : EGL_BAD_ALLOC; // a panel shows one window
     }
     static void close() {}
     static void give(const Surface&, std::uintptr_t, bool) {}
@@ -266,7 +269,7 @@ bool follow_window(Display& display, Surface& surface) {
     if (other == nullptr)
         return fail(EGL_BAD_ALLOC, SPANGLE_TEXT("no memory for the planes of a window that became larger; "
                                                 "see spangle::memory")) != EGL_FALSE;
-    surface.frame = {}; // which the next buffer takes the place of
+    surface.frame = {}; // acquire() may take this buffer back
     const hal::Result<hal::Frame> frame = surface.native->acquire();
     if (frame.ok()) {
         std::swap(surface.depth, other->depth);
@@ -338,7 +341,7 @@ EGLSurface spangle::egl::create_shown(EGLDisplay dpy, EGLConfig config, std::uin
     surface->window = true;
     shown.give(*surface, handle, pixmap);
     surface->wants_single = wish.single || pixmap;
-    // A wish that a display which flips buffers cannot grant (EGL 1.4, 3.5.1).
+    // A display that flips buffers cannot grant EGL_SINGLE_BUFFER, which is a wish only (EGL 1.4, 3.5.1).
     surface->back_buffered = !surface->wants_single || !info.keeps_buffer || surface->in_bands();
     cut_off(*display, window_of(*display));
     if (!surface->in_bands() && !next_frame(*display, *surface)) {
