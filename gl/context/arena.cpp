@@ -1,14 +1,14 @@
-// After M. Masmano et al., "TLSF: a new dynamic memory allocator for real-time systems", ECRTS 2004. Sizes
-// below 64 bytes have a class per 8 bytes, larger ones 8 classes per power of two; two bitmaps find a class
-// that surely fits, so every operation is constant time. A block knows its neighbours, so free blocks never
-// lie side by side.
+// A TLSF allocator, after M. Masmano et al., "TLSF: a new dynamic memory allocator for real-time systems",
+// ECRTS 2004. Sizes below 64 bytes have a class per 8 bytes, larger ones 8 classes per power of two. Two
+// bitmaps find a class whose blocks all fit, so every operation takes constant time. A block knows its
+// neighbours, so free blocks are never adjacent.
 #include "gl/context/arena.hpp"
 
 #include <bit>
 
 namespace spangle::gl {
 
-/// A region is a row of blocks and a used one of size 0 as its end.
+/// The header of a block. A region is a sequence of blocks that ends with a used block of size 0.
 struct ReusingArena::Block {
     std::size_t size_and_free; ///< payload bytes, a multiple of `alignment`; bit 0: free
     Block* before;             ///< the neighbour below, null for the first of a region
@@ -28,7 +28,7 @@ struct ReusingArena::Block {
 
 namespace {
 
-constexpr std::size_t small_sizes = 64; ///< sizes below have their own class
+constexpr std::size_t small_sizes = 64; ///< bytes; multiples of 8 below have a class each
 
 constexpr std::size_t round_up(std::size_t bytes) {
     return (bytes + ReusingArena::alignment - 1) & ~(ReusingArena::alignment - 1);

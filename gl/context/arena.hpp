@@ -33,7 +33,8 @@ class ReusingArena {
     /// Null is ignored.
     void free(void* block);
 
-    /// Gives the tail of a block back, in place. Never fails; a tail too small to be of use stays.
+    /// Returns the tail of a block to the arena, in place. Never fails; a tail too small for a block of its
+    /// own stays.
     void shrink(void* block, std::size_t bytes);
 
     std::size_t used() const { return used_; }         ///< bytes in allocated blocks, their headers included
@@ -68,12 +69,12 @@ class ReusingArena {
     std::size_t used_ = 0, peak_ = 0, capacity_ = 0;
 };
 
-/// The same for programs that make what they need once: nothing that was freed is given out again.
+/// An arena for programs that allocate once: memory that was freed is never given out again.
 class GrowingArena {
   public:
     static constexpr std::size_t alignment = 8;
 
-    /// Instead of what is left of the memory before.
+    /// Replaces what is left of the memory that was given before.
     void give(void* memory, std::size_t bytes);
     void* allocate(std::size_t bytes);
     void free(void*) {}
@@ -95,7 +96,7 @@ using UnguardedArena = std::conditional_t<reuses_memory, ReusingArena, GrowingAr
 
 #if SPANGLE_THREADS
 
-/// One for all threads: every call holds its lock.
+/// An arena for all threads: every call holds its lock.
 class Arena : public UnguardedArena {
   public:
     void give(void* memory, std::size_t bytes) {

@@ -1,5 +1,5 @@
-// PushAttrib, PopAttrib and their like for the client (GL 1.3, 6.1.12). What a group holds stands in the
-// state table; an entry has the bytes of the groups that were asked for and nothing else.
+// PushAttrib, PopAttrib, PushClientAttrib and PopClientAttrib (GL 1.3, 6.1.12). The state table says what a
+// group saves. A stack entry holds the bytes of the requested groups and nothing else.
 #include <cstring>
 
 #include "gl/api/generated/commands.hpp"
@@ -14,12 +14,12 @@ namespace spangle::gl {
 
 #if SPANGLE_FEATURE_ATTRIB_STACKS
 
-/// Header of an entry; saved bytes follow, in the order of the table, then what the texture group adds.
+/// Header of a stack entry. The saved bytes follow in the order of the runs; the texture group's come last.
 struct SavedAttributes {
     SavedAttributes* below;
     GLbitfield groups;
-    std::uint32_t bytes; ///< of the header and of the runs
-    GLuint vertex_array; ///< with the client's arrays: whose they are
+    std::uint32_t bytes; ///< bytes of the header and of the saved runs
+    GLuint vertex_array; ///< the vertex array object that saved client arrays belong to
 };
 
 namespace {
@@ -28,7 +28,7 @@ constexpr GLbitfield bit(Group group) {
     return 1u << static_cast<unsigned>(group);
 }
 
-constexpr GLbitfield server_groups = 0x200FFFFF; // the 21 of GL 1.3, table 6.4; other bits mean nothing
+constexpr GLbitfield server_groups = 0x200FFFFF; // the 21 groups of GL 1.3, table 6.4; other bits are ignored
 static_assert(bit(Group::scissor) == GL_SCISSOR_BIT && bit(Group::multisample) == GL_MULTISAMPLE_BIT);
 
 GLbitfield client_groups(GLbitfield mask) {
@@ -36,7 +36,7 @@ GLbitfield client_groups(GLbitfield mask) {
            ((mask & GL_CLIENT_VERTEX_ARRAY_BIT) != 0 ? bit(Group::client_vertex_array) : 0);
 }
 
-/// How many bytes the groups keep in the context.
+/// How many bytes of the context the groups save.
 std::size_t kept_bytes(GLbitfield groups) {
     std::size_t all = 0;
     each_kept_run(groups, [&](const KeptRun& run) { all += units_of(run.unit_step) * run.bytes; });
@@ -45,7 +45,8 @@ std::size_t kept_bytes(GLbitfield groups) {
 
 enum class Move : bool { save, restore };
 
-/// Between the context, where the bytes are held, and an entry. Says what is derived of those that change.
+/// Copies bytes from the context to a stack entry, or back. Restoring bytes that differ marks the state
+/// derived from them as changed.
 SPANGLE_INLINE void move_bytes(Context& context, unsigned char* held, unsigned char* saved, std::size_t bytes,
                                Dirty dirty, Move move) {
     if (move == Move::save) {
@@ -56,13 +57,13 @@ SPANGLE_INLINE void move_bytes(Context& context, unsigned char* held, unsigned c
     }
 }
 
-/// Everything that the groups keep in the context.
+/// Saves or restores all bytes of the context that the groups save.
 void move_kept(Context& context, GLbitfield groups, unsigned char* saved, Move move) {
     each_kept_run(groups, [&](const KeptRun& run) {
         unsigned char* held = reinterpret_cast<unsigned char*>(&context) + run.offset;
         std::uint32_t units = units_of(run.unit_step);
         do {
-            if (joins_kept_runs && run.bytes == sizeof(std::uint32_t)) // no call for what is one instruction
+            if (joins_kept_runs && run.bytes == sizeof(std::uint32_t)) // constant sizes need no call
                 move_bytes(context, held, saved, sizeof(std::uint32_t), run.dirty, move);
             else if (joins_kept_runs && run.bytes == 1)
                 move_bytes(context, held, saved, 1, run.dirty, move);
@@ -99,7 +100,7 @@ void push(Context& context, AttribStack& stack, GLbitfield groups) {
         reach(context, Range::ATTRIB_STACK, static_cast<std::uint32_t>(stack.depth));
 }
 
-/// Without memory for what it would make anew an entry stays on the stack, and nothing is changed.
+/// Pops an entry. Without memory for the objects it makes again, the entry stays and nothing is changed.
 void pop(Context& context, AttribStack& stack) {
     SavedAttributes* const entry = stack.top;
     if (entry == nullptr)
@@ -119,7 +120,7 @@ void pop(Context& context, AttribStack& stack) {
     context.arena->free(entry);
 #if SPANGLE_FEATURE_LIGHTING
     if (has_color_material &&
-        context.lighting.color_material) // a tracked material is the current colour, whichever was popped
+        context.lighting.color_material) // a tracked material equals the current colour, whichever was popped
         color_material_enabled(context);
 #endif
 }
@@ -132,8 +133,8 @@ GLint saved_attributes(const Context& context, bool client) {
 
 void release_attributes(Context& context) {
     while (SavedAttributes* const entry = context.attrib.client.top) {
-        entry->vertex_array = bound_vertex_array(context); // whose arrays they are does not matter any more
-        pop(context, context.attrib.client);               // buffers are let go of on the way
+        entry->vertex_array = bound_vertex_array(context); // so that pop() binds no other one
+        pop(context, context.attrib.client);               // popping releases the saved arrays' buffers
     }
     while (SavedAttributes* const entry = context.attrib.server.top) {
         context.attrib.server.top = entry->below;

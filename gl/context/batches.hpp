@@ -1,4 +1,4 @@
-// What the rest of GL knows of bands that leave out batches of primitives (raster/band/batch_rows.hpp).
+// How the rest of GL asks about bands that leave out batches of primitives (raster/band/batch_rows.hpp).
 #pragma once
 
 #include "gl/context/context.hpp"
@@ -6,7 +6,7 @@
 
 namespace spangle::gl {
 
-/// Nothing comes of the vertices of the batch that has begun, because the band leaves it out.
+/// Whether the band leaves out the batch that has begun, so that its vertices need no work.
 inline bool leaves_out([[maybe_unused]] const Context& context) {
 #if SPANGLE_FEATURE_BANDS
     return context.drawable.batches != nullptr && context.drawable.batches->leaves_out();
@@ -15,7 +15,7 @@ inline bool leaves_out([[maybe_unused]] const Context& context) {
 #endif
 }
 
-/// The program is told what differs from band to band, and may draw by it.
+/// Called when the program reads what differs from band to band, because it may then draw other batches.
 inline void distrust_batches([[maybe_unused]] Context& context) {
 #if SPANGLE_FEATURE_BANDS
     if (context.drawable.batches != nullptr)

@@ -11,7 +11,7 @@ namespace spangle::gl {
 
 struct Context;
 
-/// An argument on its way through what all commands share: a word, or where it lies when it is more.
+/// An argument in the form that all commands share: one word, or the address of a larger argument.
 using Arg = std::uintptr_t;
 
 #if SPANGLE_MESSAGES
@@ -19,12 +19,12 @@ using Arg = std::uintptr_t;
 /// Which values of an argument are legal by the argument's own rule.
 enum class ArgRule : std::uint8_t {
     any,
-    token,   ///< one of those that are listed
+    token,   ///< one of the listed tokens
     count,   ///< not negative
     range,   ///< from low to high
     address, ///< not null
-    array,   ///< not null, in the Values that the command takes
-    pname,   ///< a parameter of the command; its values come last
+    array,   ///< the address in a Values argument is not null
+    pname,   ///< a parameter name of the command; its values are the last argument
 };
 
 struct ArgText {
@@ -32,7 +32,7 @@ struct ArgText {
     ArgRule rule = ArgRule::any;
     const char* kind = nullptr; ///< what a token has to be: "a blend factor"
     const std::uint16_t* tokens = nullptr;
-    std::uint16_t count = 0; ///< of these tokens, or of the parameters
+    std::uint16_t count = 0; ///< number of `tokens`, or of the command's parameter names
     std::int32_t low = 0, high = 0;
 };
 
@@ -44,29 +44,29 @@ struct PnameText {
 
 struct CommandText {
     const char* name;    ///< "glBlendFunc"
-    const char* section; ///< of the specification: "GL 1.3, 4.1.7"
+    const char* section; ///< section of the specification: "GL 1.3, 4.1.7"
     const ArgText* args = nullptr;
     std::uint8_t count = 0;
     bool image = false; ///< the arguments come as one ImageCommand
     const PnameText* pnames = nullptr;
 };
 
-/// An error has a sentence to come: which command raised it is known where the command was called.
+/// An error whose message has not been sent yet. Only the caller of the command knows its name, and sends it.
 struct Unexplained {
     GLenum code = GL_NO_ERROR;
-    const char* rule = nullptr; ///< or null: an argument breaks its own rule
-    bool drawing = false;       ///< raised while a primitive was drawn, by whatever brought its vertices
+    const char* rule = nullptr; ///< the rule that was broken; null: an argument breaks its own rule
+    bool drawing = false; ///< raised while drawing a primitive, so that any vertex command may have raised it
 };
 
-/// A command whose record is being written: an error of its arguments is recorded with them.
+/// The command that is being compiled into a display list. An error of its arguments is recorded with them.
 struct Compiled {
     const CommandText* text = nullptr;
     const Arg* args = nullptr;
 };
 
-/// Says which command raised the error that waits for its sentence, and which rule was broken: that of the
-/// first argument which breaks its own, or the one that the command named. `args` are `count` words, as the
-/// command takes them.
+/// Sends the message of an unexplained error: the command's name and the broken rule. That is the rule of the
+/// first bad argument, else the rule that the command gave. `args` are `count` words, as the command takes
+/// them.
 [[gnu::cold]] void explain(Context& context, const CommandText& text, const Arg* args, unsigned count);
 
 #else

@@ -38,20 +38,21 @@ class Arena;
 struct ShareGroup;
 struct Engine; // gl/vertex/engine.hpp: the vertex pipeline of one numeric policy
 
-/// Why a wrapper may not simply run its command. One byte, so that the usual call costs one test.
+/// Reasons why an entry point may not simply run its command. They are bits of one byte, so that the usual
+/// call costs one test.
 enum Gate : std::uint8_t {
     gate_inside = 1,    ///< between Begin and End: set by cmd::Begin, cleared by cmd::End
     gate_compiling = 2, ///< between NewList and EndList
 #if SPANGLE_WATCHED
-    gate_watched = 4, ///< a Watcher is told first
+    gate_watched = 4, ///< a Watcher must be told of the command first
 #else
     gate_watched = 0,
 #endif
-    gate_left_out = 8, ///< inside Begin and End of a batch that a band leaves out: vertices are not even read
+    gate_left_out = 8, ///< in a batch that a band leaves out: vertex commands return at once
 };
 
-/// Which derived state must be computed again before the next primitive. Whoever changes state says
-/// changed(); whoever derives clears the bits.
+/// Which derived state must be computed again before the next primitive. Whoever changes state calls
+/// changed(); whoever derives state clears the bits.
 enum Dirty : std::uint8_t {
     dirty_none = 0,
     dirty_others = 1,     ///< what vertices take beside the three below: clip planes, texgen, switches
@@ -65,29 +66,29 @@ enum Dirty : std::uint8_t {
 
 /// What EGL knows about the drawable, read by DrawBuffer, ReadBuffer and the queries of bit depths.
 struct Drawable {
-    raster::Surface surface; ///< drawn to
-    raster::Surface read;    ///< read from: the same, unless EGL was given two
-    bool double_buffered = false, read_double_buffered = false; ///< BACK names its buffer
-    bool front_buffered = false, read_front_buffered = false;   ///< FRONT does
-    std::uint8_t index_bits = 0;         ///< of a pixel of an index framebuffer, 8 at most; 0: it has colours
-    void (*show)(bool finish) = nullptr; ///< what Flush and Finish do to it; null: nothing
+    raster::Surface surface; ///< the draw surface
+    raster::Surface read;    ///< the read surface: the same, unless EGL was given two
+    bool double_buffered = false, read_double_buffered = false; ///< GL_BACK names the surface's buffer
+    bool front_buffered = false, read_front_buffered = false;   ///< GL_FRONT names the surface's buffer
+    std::uint8_t index_bits = 0; ///< bits of a colour index, up to 8; 0: the framebuffer holds RGBA colours
+    void (*show)(bool finish) = nullptr; ///< what Flush and Finish call; null: nothing to show
 #if SPANGLE_HAS_PLATFORMS
-    void (*follow)() = nullptr; ///< takes the size that its window has by now; null: it never changes
+    void (*follow)() = nullptr; ///< adopts a new size of the window; null: the size never changes
 #endif
 #if SPANGLE_HAS_RECORDS
-    const Recording* recording = nullptr; ///< null: what is drawn is drawn at once
+    const Recording* recording = nullptr; ///< null: drawing is not recorded
 #else
     static constexpr const Recording* recording = nullptr;
 #endif
 #if SPANGLE_FEATURE_BANDS
-    raster::BatchRows* batches = nullptr; ///< of a band that is drawn by callback; else null
+    raster::BatchRows* batches = nullptr; ///< rows that batches reach, for bands drawn by callback, or null
 #else
     static constexpr raster::BatchRows* batches = nullptr;
 #endif
-    bool bound_before = false; ///< viewport and scissor were set from the first drawable (GL 1.3, 2.10.1)
+    bool bound_before = false; ///< the first drawable has set viewport and scissor box (GL 1.3, 2.10.1)
 };
 
-/// INDEX_MODE.
+/// Whether the drawable is in colour index mode (GL_INDEX_MODE).
 constexpr bool is_indexed(const Drawable& drawable) {
     return raster::has_indices && drawable.index_bits != 0;
 }
@@ -97,22 +98,22 @@ struct Context {
     std::uint8_t dirty = dirty_all; ///< Dirty bits
     GLenum error_code = GL_NO_ERROR;
 #if SPANGLE_MESSAGES
-    Unexplained unexplained; ///< an error that waits for its sentence
+    Unexplained unexplained; ///< an error whose message has not been sent
     Compiled compiled;       ///< the command that is being compiled into a list
 #endif
 #if SPANGLE_WATCHED
-    Watcher* watcher = nullptr; ///< not null where the gate says so
+    Watcher* watcher = nullptr; ///< not null when gate_watched is set
 #endif
     GLenum primitive = GL_POINTS; ///< mode of the last Begin
 
-    // Small chapters first: instructions of microcontrollers reach 4 KB.
-    raster::Tier tier = raster::Tier::exact; ///< of the EGL config: what DONT_CARE hints mean
+    // Small members come first, because load and store instructions of microcontrollers reach only 4 KB.
+    raster::Tier tier = raster::Tier::exact; ///< the EGL config's tier, which hints of GL_DONT_CARE select
 #if SPANGLE_OWN_TIERS
-    bool own_tier = false; ///< they mean `knobs` instead
+    bool own_tier = false; ///< hints of GL_DONT_CARE select `knobs` instead of `tier`
     raster::Knobs knobs{};
 #endif
     const Engine* engine = nullptr;
-    void* pipeline = nullptr; ///< the engine's own state, engine->pipeline_bytes of it
+    void* pipeline = nullptr; ///< the engine's own state, engine->pipeline_bytes bytes
     Arena* arena = nullptr;
     ShareGroup* share = nullptr;
     RenderState render;
@@ -144,7 +145,7 @@ struct Context {
     }
 };
 
-/// EGL's MakeCurrent calls this after it has set `drawable`. Null releases.
+/// EGL's MakeCurrent calls this after it has set `drawable`. Null leaves the thread without a context.
 void set_current_context(Context* context);
 
 /// The context of this thread (of the program, in firmware), or null.

@@ -51,7 +51,7 @@ void destroy_group(ShareGroup* group) {
     arena.free(group);
 }
 
-/// The context's hold on shared objects ends.
+/// Releases the context's references to shared objects.
 void release_shared(Context& context) {
     const SharedObjects held(context);
     release_attributes(context);
@@ -87,7 +87,7 @@ void gen_names(Context& context, NameTable& table, GLsizei n, GLuint* names) {
 }
 
 Context* create_context(Arena& arena, const ContextConfig& config, Context* share) {
-    // Its pipeline lies behind it.
+    // The engine's pipeline follows the context in the same block.
     constexpr std::size_t own =
         (sizeof(Context) + Arena::alignment - 1) / Arena::alignment * Arena::alignment;
     const std::size_t bytes = own + config.engine->pipeline_bytes;
@@ -121,7 +121,7 @@ void destroy_context(Context* context) {
     if (current_context() == context)
         set_current_context(nullptr);
 #if SPANGLE_FEATURE_LISTS
-    list::free_chain(*context->arena, context->list.recorder.first); // a list that was never ended
+    list::free_chain(*context->arena, context->list.recorder.first); // a list without EndList
 #endif
 #if SPANGLE_GATHERS_POLYGONS
     context->arena->free(context->render.gathered);

@@ -7,9 +7,9 @@
 
 namespace spangle::gl {
 
-/// What is derived from the state that lies `offset` bytes into the context. Vertices take matrices, lights,
-/// texture units and fog; fragments take all but what belongs to the client, to queries and to lists. The
-/// current attributes of vertices are compared where they are used, so nothing is derived from them.
+/// Which derived state depends on the member `offset` bytes into the context. Vertices depend on matrices,
+/// lights, texture units and fog. Fragments depend on everything but client state, queries and lists. Current
+/// attributes are compared where they are used, so nothing is derived from them.
 constexpr Dirty derived_from(std::size_t offset) {
     static_assert(offsetof(Context, current) < offsetof(Context, polygon) &&
                   offsetof(Context, polygon) < offsetof(Context, fragment_ops) &&

@@ -9,9 +9,9 @@ namespace spangle::gl {
 
 namespace {
 
-/// Where a capability is held; else the error is set and null comes back. Client arrays are capabilities,
-/// too: GL 1.3 has EnableClientState for these, but every driver takes them here, as EXT_vertex_array had it,
-/// and programs rely on that.
+/// Where the flag of a capability is stored; null after an error. Client arrays are capabilities, too. GL 1.3
+/// has EnableClientState for these, but every driver takes them here, as EXT_vertex_array did, and programs
+/// rely on that.
 bool* find_flag(Context& context, GLenum cap) {
     const StateRow* const row = find_switch(cap);
     if (row == nullptr) {

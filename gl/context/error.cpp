@@ -41,7 +41,7 @@ namespace spangle::gl {
 #if SPANGLE_MESSAGES
 void error(Context& context, GLenum code, const char* rule) {
     set_error(context, code - GL_INVALID_ENUM);
-    if (context.unexplained.code == GL_NO_ERROR) // of a command's errors the first is explained
+    if (context.unexplained.code == GL_NO_ERROR) // only the first error of a command gets a message
         context.unexplained = {code, rule};
 }
 

@@ -1,9 +1,9 @@
-// How a command says no: the first error is kept until GetError reads it (GL 1.3, 2.5).
+// How a command reports an error: the first error is kept until GetError reads it (GL 1.3, 2.5).
 #pragma once
 
 #include "gl/context/command_text.hpp"
 
-/// A text for people; null when texts are compiled out.
+/// A text for messages; null in builds without messages.
 #if SPANGLE_MESSAGES
 #define SPANGLE_TEXT(text) (text)
 #else
@@ -14,13 +14,14 @@ namespace spangle::gl {
 
 struct Context;
 
-/// Of GL_INVALID_ENUM and the codes behind it: a call says so with a small number.
+/// Records the error GL_INVALID_ENUM + `number`, unless an earlier one waits. Small numbers make calls
+/// shorter.
 void set_error(Context& context, unsigned number);
 
 /// Records `code` unless an earlier error waits. The command that calls this must change nothing else. `rule`
-/// is a SPANGLE_TEXT for spangle::on_message: the rule that was broken, without the command's name, which
-/// whoever called the command puts in front (explain). An argument that breaks its own rule in the command
-/// table is named instead; without `rule` the sentence is about such an argument.
+/// is a SPANGLE_TEXT for spangle::on_message: the broken rule without the command's name, which explain()
+/// puts in front. If an argument breaks its own rule in the command table, the message is about that argument
+/// instead, so `rule` may then be null.
 #if SPANGLE_MESSAGES
 void error(Context& context, GLenum code, const char* rule = nullptr);
 #else
@@ -29,8 +30,8 @@ inline void error(Context& context, GLenum code, const char* = nullptr) {
 }
 #endif
 
-/// An error of a primitive that is being drawn. Vertices between Begin and End pay nothing for sentences:
-/// theirs comes with the next command that is no vertex, End at the latest.
+/// Records an error of a primitive that is being drawn. Vertex commands send no messages, to stay fast: the
+/// next other command, End at the latest, sends this one.
 #if SPANGLE_MESSAGES
 void drawing_error(Context& context, GLenum code, const char* rule);
 #else
@@ -39,8 +40,8 @@ inline void drawing_error(Context& context, GLenum code, const char*) {
 }
 #endif
 
-/// False, and INVALID_OPERATION, between Begin and End, where they do not allow what is asked
-/// (GL 1.3, 2.6.3). `text` is that of the command.
+/// For commands that are not allowed between Begin and End: there it records INVALID_OPERATION and returns
+/// false (GL 1.3, 2.6.3). `text` is the command's text, or null.
 bool allowed_outside(Context& context, const CommandText* text);
 
 } // namespace spangle::gl

@@ -10,7 +10,7 @@ namespace spangle::gl {
 
 namespace {
 
-/// The row that has `pname`, of a pointer or of values; null after an error.
+/// The row of `pname`, which must be a pointer or must not be one, as `pointer` says; null after an error.
 const StateRow* find_row(Context& context, GLenum pname, const void* out, bool pointer) {
     const StateRow* const row = find_state(pname);
     if (row == nullptr || (row->source == Source::pointer) != pointer) {

@@ -12,20 +12,20 @@ namespace spangle::gl {
 
 namespace {
 
-// Constructors of chapters, run in line, are a store for each member. Most members begin as 0 and few words
-// are there otherwise, so what they leave is kept: how many words of 0 come before one of another value, and
-// which.
+// Constructors that run in line need a store instruction for each member. Most words of a context begin as 0
+// and few different values occur otherwise, so the image is compressed: how many words of 0 come before a
+// word of another value, and which value that is.
 
 inline constexpr std::size_t context_words = sizeof(Context) / sizeof(std::uint32_t);
 static_assert(sizeof(Context) % sizeof(std::uint32_t) == 0);
-inline constexpr std::size_t most_back = 255;         ///< words; what repeats lies nearer
-static_assert(std::is_trivially_copyable_v<Context>); // bytes make one
+inline constexpr std::size_t most_back = 255;         ///< words; repetitions are looked for no farther back
+static_assert(std::is_trivially_copyable_v<Context>); // so its bytes make a context
 
 struct Image {
     std::uint32_t word[context_words] = {};
 
     template <class T> constexpr void put(std::size_t at, const T& value) {
-        if constexpr (requires { value[0]; }) { // of a build without textures some have no element
+        if constexpr (requires { value[0]; }) { // in builds without textures some arrays are empty
             for (std::size_t i = 0; i < sizeof value / sizeof value[0]; ++i)
                 put(at + i * sizeof value[0], value[i]);
         } else if constexpr (std::is_class_v<T>) {
@@ -42,7 +42,7 @@ struct Image {
         }
     }
 
-    // Of each chapter the members that do not begin as 0, and that this build has.
+    // Puts the members of each chapter that do not begin as 0, if this build has them.
 #define PUT(MEMBER)                                                                                          \
     if constexpr (requires { requires std::is_member_object_pointer_v<decltype(&T::MEMBER)>; })              \
         put(at + offsetof(T, MEMBER), s.MEMBER);
@@ -133,13 +133,13 @@ consteval Image initial_image() {
     return image;
 }
 
-/// Words of 0, then one of the values; or, where that is the first, words that were there before: the next
-/// step says how many words back and how many there are.
+/// One step of the compressed image: `zeros` words of 0, then word `value` of the table. With `value` 0 the
+/// next step copies words that were written before: how many words back they begin, and how many there are.
 struct Step {
     std::uint8_t zeros, value;
 };
 
-/// With room for as many steps and values as there can be.
+/// The compressed image while it is made, with room for the most steps and values there can be.
 struct Steps {
     Step step[2 * context_words] = {};
     std::uint32_t value[UINT8_MAX + 1] = {};
@@ -158,7 +158,7 @@ struct Steps {
     }
 };
 
-/// Of the words from `at` on, how many were there `back` words before; the last is not 0.
+/// How many words from `at` on repeat the words `back` words before them. The last one that counts is not 0.
 constexpr std::size_t repeated(const Image& image, std::size_t at, std::size_t back) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < UINT8_MAX && at + i < context_words; ++i) {
@@ -190,7 +190,7 @@ consteval Steps initial_steps() {
                 count = there;
                 back = b;
             }
-        if (count > 2) { // two steps
+        if (count > 2) { // a copy takes two steps
             out.add(zeros, 0);
             out.add(back, count);
         } else {
@@ -203,7 +203,7 @@ consteval Steps initial_steps() {
     return out;
 }
 
-/// The same without the room.
+/// The compressed image without unused room.
 template <std::size_t steps, std::size_t values> struct Packed {
     Step step[steps];
     std::uint32_t value[values];

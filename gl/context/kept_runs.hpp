@@ -1,4 +1,4 @@
-// The bytes of the context that attribute groups keep, run by run (GL 1.3, 6.1.12).
+// The bytes of the context that attribute groups save, as runs of consecutive bytes (GL 1.3, 6.1.12).
 #pragma once
 
 #include <cstdint>
@@ -10,28 +10,28 @@
 
 namespace spangle::gl {
 
-/// Bytes that the same groups keep and that lie one behind the other.
+/// Consecutive bytes of the context that the same attribute groups save.
 struct KeptRun {
-    std::uint16_t offset = 0, bytes = 0; ///< in Context, of the first unit
-    std::uint16_t unit_step = 0;         ///< from one unit's to the next one's; 0: there are no units
-    Dirty dirty = dirty_all;             ///< what is derived from it
-    std::uint32_t groups = 0;            ///< bit 1 << Group of each that keeps it
+    std::uint16_t offset = 0, bytes = 0; ///< the first unit's place in Context
+    std::uint16_t unit_step = 0;         ///< bytes from one unit's run to the next unit's; 0: no units
+    Dirty dirty = dirty_all;             ///< derived state that depends on these bytes
+    std::uint32_t groups = 0;            ///< bit 1 << Group for each group that saves the run
 };
 
-/// The groups that keep what is of this one: of switches, GL_ENABLE_BIT is another (GL 1.3, table 6.4).
+/// The groups that save a row of `group`. Server switches belong to GL_ENABLE_BIT, too (GL 1.3, table 6.4).
 constexpr std::uint32_t kept_with(Group group, Switch toggle) {
     const auto bit = [](Group g) { return 1u << static_cast<unsigned>(g); };
     return bit(group) | (toggle == Switch::server ? bit(Group::enable) : 0);
 }
 
-/// Hosts hold a table of runs that are as long as they can be. A board has no flash for that: there each row
-/// of the state table is a run.
+/// Whether a table holds maximal runs, as on hosts. Boards lack the flash for it; there each row of the state
+/// table is a run of its own.
 inline constexpr bool joins_kept_runs = numeric::wide_words;
 
-/// Where runs are joined: all of them.
+/// The table of all runs; empty unless joins_kept_runs.
 std::span<const KeptRun> kept_runs();
 
-/// Calls visit(run) for every run that one of the groups keeps, in the same order each time.
+/// Calls visit(run) for every run that one of the groups saves, always in the same order.
 template <class Visit> SPANGLE_INLINE void each_kept_run(std::uint32_t groups, Visit visit) {
     if constexpr (joins_kept_runs) {
         for (const KeptRun& run : kept_runs())

@@ -72,14 +72,15 @@ inline constexpr std::int32_t modelview_stack_entries = SPANGLE_MODELVIEW_STACK,
                               texture_stack_entries = SPANGLE_TEXTURE_STACK, attrib_stack_entries = 16,
                               name_stack_entries = SPANGLE_NAME_STACK,
                               max_list_nesting = SPANGLE_LIST_NESTING;
-/// Entry points convert their arguments without a detour.
+/// Whether entry points convert their arguments in line, instead of through a common function.
 inline constexpr bool converts_in_line = SPANGLE_ARGUMENTS_INLINE != 0;
 inline constexpr unsigned max_lights = SPANGLE_LIGHTS;
-/// What lighting does beside ambient and diffuse light from one direction for all vertices.
+/// Optional parts of lighting; ambient and diffuse light from directional lights is always there.
 inline constexpr bool has_specular = (SPANGLE_LIGHT_KINDS & 1) != 0,
-                      has_local_lights = (SPANGLE_LIGHT_KINDS & 2) != 0, ///< or a viewer, or spots
+                      has_local_lights = (SPANGLE_LIGHT_KINDS & 2) != 0, ///< positional lights, spotlights,
+                                                                         ///< and a local viewer
     has_color_material = (SPANGLE_LIGHT_KINDS & 8) != 0;
-/// NORMALIZE, and diffuse colours of 16 and more.
+/// Whether normals can be normalized, and diffuse colours may be 16 or more.
 inline constexpr bool has_full_lighting = SPANGLE_FULL_LIGHTING != 0;
 static_assert(has_full_lighting || !has_color_material,
               "colours that materials follow may be of 16 and more");
@@ -88,10 +89,10 @@ static_assert(SPANGLE_LIGHT_KINDS < 16);
 inline constexpr int max_clip_planes = 6;
 
 inline constexpr int clip_spare = SPANGLE_CLIP_SPARE;
-/// How many vertices of array draws are kept for indices that come again, about 140 bytes each. A
-/// strip finds the vertices that it shares with the strip before it when both their rows fit less a few.
-/// Hosts, which have the memory, keep whole meshes: those drawn several times a frame are transformed once.
-/// Hosts take the memory for most of these vertices from the arena once a draw needs it.
+/// Vertices of array draws that are kept for indices that come again, about 140 bytes each. A strip finds the
+/// vertices that it shares with the previous strip if both rows, less a few vertices, fit. Hosts have the
+/// memory to keep whole meshes, so a mesh drawn several times a frame is transformed once. They take most of
+/// that memory from the arena when a draw first needs it.
 #ifdef SPANGLE_FIRMWARE
 #define SPANGLE_GROWS_CACHE 0
 inline constexpr unsigned usual_vertex_cache = 80;
@@ -102,21 +103,22 @@ inline constexpr unsigned usual_vertex_cache = 8192;
 inline constexpr unsigned vertex_cache =
     SPANGLE_VERTEX_CACHE != 0 ? SPANGLE_VERTEX_CACHE : usual_vertex_cache;
 
-/// What is drawn beside triangles, their strips and fans.
+/// Optional primitives; triangles, triangle strips and triangle fans are always there.
 inline constexpr bool has_points = (SPANGLE_PRIMITIVES & 1) != 0, has_lines = (SPANGLE_PRIMITIVES & 2) != 0,
                       has_polygons = (SPANGLE_PRIMITIVES & 4) != 0; ///< and quads
 static_assert(SPANGLE_PRIMITIVES < 8);
 
-/// Without it what a plane of the view volume would cut is an error.
+/// Whether primitives are clipped. Without clipping a primitive that crosses a plane of the view volume is an
+/// error.
 inline constexpr bool has_clipping = SPANGLE_CLIPPING != 0;
 
-/// Types of the components of arrays, by their tokens, GL_BYTE and up.
+/// Component types of vertex arrays that the build supports: bit i is the type with token GL_BYTE + i.
 inline constexpr unsigned array_types = SPANGLE_ARRAY_TYPES, first_array_type = 0x1400;
 static_assert(array_types != 0 && (array_types & ~5247u) == 0);
 constexpr bool has_array_type(unsigned token) {
     return token - first_array_type < 13 && (array_types >> (token - first_array_type) & 1) != 0;
 }
-/// The type of an array. Where a build has one only the compiler knows it.
+/// The type of an array: a constant in builds with a single type.
 constexpr unsigned array_type(unsigned token) {
     return raster::one_of(array_types, token - first_array_type) + first_array_type;
 }
@@ -126,15 +128,15 @@ using raster::line_batch;
 inline constexpr int most_displays = SPANGLE_DISPLAYS;
 static_assert(most_displays >= 1);
 
-/// What was freed is given out again.
+/// Whether the arena gives freed memory out again.
 inline constexpr bool reuses_memory = SPANGLE_ARENA_REUSE != 0;
 
-/// Blocks of the arena are smaller than 2^this.
+/// Blocks of the arena are smaller than 2^arena_log2 bytes.
 inline constexpr unsigned arena_log2 = SPANGLE_ARENA_LOG2 != 0 ? SPANGLE_ARENA_LOG2
                                        : sizeof(void*) == 4    ? 25
                                                                : 37;
 
-/// The memory of programs on a host that hand over none.
+/// Bytes of memory for programs on a host that give none.
 static_assert(SPANGLE_HOST_MEMORY_MB >= 1 && SPANGLE_HOST_MEMORY_MB <= 1024);
 inline constexpr std::size_t host_memory_bytes = std::size_t{SPANGLE_HOST_MEMORY_MB} << 20;
 

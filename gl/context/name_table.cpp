@@ -6,7 +6,8 @@
 
 namespace spangle::gl {
 
-/// The slot of `name`, or of the free slot where it would go. Ends: the table is never full.
+/// The index of `name`, or of the free entry where it would go. The loop ends because the table is never
+/// full.
 std::uint32_t NameTable::index_of(std::uint32_t name) const {
     std::uint32_t i = home(name);
     while (entries_[i].name != 0 && entries_[i].name != name)

@@ -7,8 +7,9 @@ namespace spangle::gl {
 
 class Arena;
 
-/// Open addressing with linear probing in a power-of-two array that is at most three quarters full. A name
-/// may be present with a null object: GenTextures reserves, GenLists makes empty lists.
+/// A hash table with open addressing and linear probing; its size is a power of two and at most three
+/// quarters are used. A name may be present with a null object: GenTextures reserves names, GenLists makes
+/// empty lists.
 class NameTable {
   public:
     struct Entry {
@@ -16,16 +17,17 @@ class NameTable {
         void* object;
     };
 
-    /// Null when the name is not present; else where its object is kept, valid until the table changes.
+    /// Returns where the name's object is kept, valid until the table changes; null when the name is not
+    /// present.
     void** find(std::uint32_t name) const;
 
-    /// Adds a name that is not 0. False, and nothing changed, without memory.
+    /// Adds a name, which is not 0. Without memory it changes nothing and returns false.
     bool insert(Arena& arena, std::uint32_t name, void* object);
 
     /// Makes room for `more` names, so that as many inserts cannot fail.
     bool reserve(Arena& arena, std::uint32_t more);
 
-    /// Removes a name and gives its object back; null when it was not present.
+    /// Removes a name and returns its object; null when the name was not present.
     void* remove(std::uint32_t name);
 
     /// The first of `range` unused names in a row, or 0 when there are none. range > 0.
@@ -36,7 +38,7 @@ class NameTable {
 
     std::uint32_t count() const { return count_; }
     std::uint32_t capacity() const { return capacity_; }
-    /// For walking: slots 0 .. capacity() - 1, some of them free.
+    /// Entry `index`, 0 to capacity() - 1, for visiting all names; entries with name 0 are free.
     Entry& slot(std::uint32_t index) const { return entries_[index]; }
 
   private:
@@ -46,7 +48,7 @@ class NameTable {
 
     Entry* entries_ = nullptr;
     std::uint32_t capacity_ = 0, count_ = 0;
-    unsigned shift_ = 0; ///< 32 - log2(capacity), where there is one
+    unsigned shift_ = 0; ///< 32 - log2(capacity), if the capacity is not 0
 };
 
 } // namespace spangle::gl

@@ -9,19 +9,19 @@ namespace spangle::gl {
 
 inline constexpr bool tells_reach = SPANGLE_TELLS_REACH;
 
-/// True when the recorder, or the checks of this build, take the numbers of this context.
+/// Whether this context's ranges are reported, to a watcher or to the checks of this build.
 inline bool is_told([[maybe_unused]] const Context& context) {
     return SPANGLE_CHECK_RANGES || (SPANGLE_WATCHED && (context.gate & gate_watched) != 0);
 }
 
 #if SPANGLE_CHECK_RANGES
 
-/// Stops the program, after a sentence that names the range, when `value` is more than the profile recorded.
+/// Stops the program, after a message that names the range, when `value` is more than the profile recorded.
 void check_range(Range range, std::uint32_t value);
 
 #endif
 
-/// The program went as far as `value`.
+/// Reports that the program reached `value` in this range.
 inline void reach([[maybe_unused]] Context& context, [[maybe_unused]] Range range,
                   [[maybe_unused]] std::uint32_t value) {
 #if SPANGLE_CHECK_RANGES
@@ -33,7 +33,7 @@ inline void reach([[maybe_unused]] Context& context, [[maybe_unused]] Range rang
 #endif
 }
 
-/// The least n >= 0 such that the magnitude is less than 2^n; 128 of an infinity.
+/// The least n >= 0 such that |v| < 2^n; 128 for an infinity.
 constexpr std::uint32_t bits_before_point(Real v) {
     constexpr std::uint32_t one_half = 126;
     const std::uint32_t exponent = v.bits >> 23 & 0xFF;

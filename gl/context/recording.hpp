@@ -1,4 +1,4 @@
-// A drawable of which memory holds no whole frame: what is drawn is recorded, and drawn later, band by band.
+// A drawable whose frame is larger than memory: drawing is recorded, and replayed later band by band.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@ namespace spangle::gl {
 
 struct Recording {
     raster::Record* record;
-    /// The drawable with row y, and others beside it, as what was recorded makes it: until this is called
-    /// again, or anything is drawn. Its area is empty where that cannot be had.
+    /// Returns the drawable with the band that holds row y, as the record has drawn it so far. It is valid
+    /// until the next call or the next draw. Its area is empty when the band cannot be drawn.
     raster::Surface (*rows)(std::int32_t y);
-    /// What was recorded is counted, as far as somebody counts it.
+    /// Counts the fragments of recorded primitives, if they are counted at all.
     void (*count)();
 };
 

@@ -1,11 +1,11 @@
-// A sentence for spangle::on_message, put together where memory is not asked for.
+// A sentence for spangle::on_message, built without allocating memory.
 #pragma once
 
 #include <cstdint>
 
 namespace spangle::gl {
 
-/// What does not fit is cut off. The longest sentences about arguments fit (gl/api/generated/texts.cpp).
+/// Text that does not fit is cut off. The longest sentences about arguments fit (gl/api/generated/texts.cpp).
 class Sentence {
   public:
     static constexpr unsigned most = 383;
@@ -14,7 +14,7 @@ class Sentence {
             put(*text);
         return *this;
     }
-    /// With four digits at least, as tokens are written.
+    /// Appends a number in hexadecimal, with at least four digits, as tokens are written.
     Sentence& hexadecimal(std::uint32_t value) {
         *this << "0x";
         int digits = 4;

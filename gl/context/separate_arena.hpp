@@ -1,5 +1,5 @@
-// An arena whose blocks are allocations of their own, so that a memory checker sees the bounds of each. Tests
-// alone build with it (SPANGLE_SEPARATE_BLOCKS): it uses the heap.
+// An arena whose blocks are separate heap allocations, so that a memory checker sees the bounds of each. Only
+// tests build with it (SPANGLE_SEPARATE_BLOCKS).
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,8 @@
 
 namespace spangle::gl {
 
-/// The interface of ReusingArena. What is given only counts: no more is handed out at a time.
+/// Has the interface of ReusingArena. Memory that is given is not used; its size only bounds how much is
+/// handed out at a time.
 class SeparateArena {
   public:
     static constexpr std::size_t alignment = 8;
@@ -34,7 +35,7 @@ class SeparateArena {
         header->bytes = bytes;
         used_ += bytes;
         peak_ = used_ > peak_ ? used_ : peak_;
-        poison(header, sizeof(Header)); // what lies below a block is not its own either
+        poison(header, sizeof(Header)); // writes below a block are caught, too
         return header + 1;
     }
     void free(void* block) {
@@ -44,7 +45,7 @@ class SeparateArena {
         used_ -= header->bytes;
         std::free(header);
     }
-    /// The tail stays where it is, and is nobody's.
+    /// The block keeps its tail, but the checker reports accesses to it.
     void shrink(void* block, std::size_t bytes) {
         Header* const header = header_of(block);
         if (bytes < header->bytes) {
@@ -57,11 +58,11 @@ class SeparateArena {
     std::size_t used() const { return used_; }
     std::size_t peak() const { return peak_; }
     std::size_t capacity() const { return capacity_; }
-    /// The checker tells of damage.
+    /// Checks the byte counts only: the memory checker reports damage.
     bool consistent() const { return used_ <= capacity_; }
 
   private:
-    /// A header has the largest alignment there is, so that the block behind it has that alignment, too.
+    /// The header has the largest alignment, so that the block behind it has it, too.
     struct alignas(std::max_align_t) Header {
         std::size_t bytes;
     };

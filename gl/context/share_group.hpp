@@ -1,7 +1,7 @@
-// What contexts share: texture objects, display lists, and the memory they lie in (GL 1.3, 2.2;
-// EGL 1.4, 2.4). Contexts of one group may be current on several threads of a host at once. A command that
-// reads or writes what they share holds the group's lock meanwhile (`shares` in gl/api/commands), and a
-// primitive holds it from Begin to End: the textures it samples stay as they are.
+// Objects that contexts share: textures, buffers, display lists, and the arena they lie in (GL 1.3, 2.2; EGL
+// 1.4, 2.4). Contexts of one group may be current on several threads of a host at once. A command that reads
+// or writes shared objects holds the group's lock meanwhile (`shares` in gl/api/commands). A primitive holds
+// it from Begin to End, so that the textures it samples do not change.
 #pragma once
 
 #include "gl/context/arena.hpp"
@@ -19,16 +19,17 @@ struct ShareGroup {
     Arena& arena;
     [[no_unique_address]] Lock lock; ///< guards all but `references`
     std::uint32_t references = 0;    ///< contexts and records; EGL's lock guards it
-    /// Images and parameters stored: what any context compiled of textures before is stale.
+    /// How often images or parameters of textures have changed. State that a context compiled from textures
+    /// at another count is stale.
     std::uint32_t texture_changes = 0;
 #if SPANGLE_HAS_RECORDS
-    /// Images with this number are looked at by draws that were recorded, and stay as they are.
+    /// Images with this number are used by draws that were recorded, and must not change.
     std::uint32_t frame = 1;
-    LevelImage* kept_images = nullptr; ///< such images of no texture any more
+    LevelImage* kept_images = nullptr; ///< images that only recorded draws still use
 #endif
-    NameTable textures; ///< to TextureObject
-    NameTable buffers;  ///< to BufferObject
-    NameTable lists;    ///< to list::Chunk, the first of its chain; null for an empty list
+    NameTable textures; ///< objects are TextureObject
+    NameTable buffers;  ///< objects are BufferObject
+    NameTable lists;    ///< objects are the first list::Chunk of a chain; null: an empty list
 };
 
 } // namespace spangle::gl

@@ -1,4 +1,4 @@
-// State that no member of the context holds as queries return it.
+// State that queries compute, because no member of the context holds it in the form that they return.
 #pragma once
 
 #include "gl/context/types.hpp"

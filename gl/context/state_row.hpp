@@ -1,5 +1,5 @@
-// How a row of the state table is written: where its value lies, how it converts, what it belongs to. For the
-// files of rows (state_rows_*.hpp) and the table they make.
+// How a row of the state table is written: where its value lies, how it converts, which group it belongs to.
+// The files of rows (state_rows_*.hpp) and the table made of them include this.
 #pragma once
 
 #include <array>
@@ -28,24 +28,24 @@ constexpr std::uint16_t short_name(GLenum name) {
     return static_cast<std::uint16_t>(name);
 }
 
-/// What a written row becomes.
+/// What becomes of a written row.
 enum class Row : std::uint8_t {
     state,   ///< a StateRow
     held,    ///< a HeldRow
-    section, ///< none: it says which group those that follow are of
+    section, ///< no row: it sets the group of the rows that follow
 };
 
-/// A row with what it is made of, before it is put in as few bytes as it needs (state_table.cpp).
+/// A row as it is written, before state_table.cpp packs it into as few bytes as it needs.
 struct WrittenRow : StateRow {
     Row becomes = Row::state;
     Group group = Group::none;
-    bool absent = false;   ///< StateRow::left_out()
-    std::size_t value = 0; ///< StateRow::where
-    std::size_t bytes = 0; ///< that are held
-    std::size_t step = 0;  ///< unit_step()
+    bool absent = false;   ///< packed as StateRow::left_out()
+    std::size_t value = 0; ///< packed into StateRow::where
+    std::size_t bytes = 0; ///< of a held row: bytes that the groups save
+    std::size_t step = 0;  ///< bytes from one unit's value to the next unit's; 0: no units
     Compute* compute = nullptr;
     std::uint64_t function =
-        0; ///< identity() of it; addresses of functions are not always comparable constants
+        0; ///< identity() of `compute`, because addresses of functions are not always comparable constants
 };
 
 constexpr WrittenRow constant(GLenum name, std::int32_t value) {
@@ -67,7 +67,8 @@ constexpr WrittenRow stored(GLenum name, std::size_t offset, Switch toggle = Swi
     return row;
 }
 
-/// Integers convert linearly: colours, normals, depths (GL 1.3, 6.1.2).
+/// Marks a Real that maps linearly to integers when it is queried: a colour, a normal or a depth (GL 1.3,
+/// 6.1.2).
 constexpr WrittenRow linear(WrittenRow row) {
     row.source = row.source == Source::real ? Source::color : row.source;
     return row;
@@ -79,7 +80,7 @@ constexpr WrittenRow absent_switch(GLenum name) {
     return row;
 }
 
-/// A number of its own for each function: FNV-1a of its name, 64 bits.
+/// A number that identifies a function: the 64-bit FNV-1a hash of its name.
 template <Compute* function> constexpr std::uint64_t identity() {
     std::uint64_t hash = 14695981039346656037u;
     for (const char c : __PRETTY_FUNCTION__)
@@ -104,7 +105,7 @@ constexpr WrittenRow held(std::size_t offset, std::size_t bytes) {
     return row;
 }
 
-/// The rows up to the next one of these belong to `group`.
+/// The rows that follow, up to the next in(), belong to `group`.
 constexpr WrittenRow in(Group group) {
     WrittenRow row;
     row.becomes = Row::section;
@@ -112,10 +113,11 @@ constexpr WrittenRow in(Group group) {
     return row;
 }
 
-/// A row of an optional system: INVALID_OPERATION and a message in a build without it.
+/// A row of an optional system. In a build without that system, asking for it is INVALID_OPERATION, with a
+/// message.
 constexpr WrittenRow of_feature(bool present, [[maybe_unused]] const char* text, WrittenRow row) {
     if (present)
-        return row; // which may be of another one, too
+        return row; // another of_feature() may still mark it absent
     row.absent = true;
 #if SPANGLE_MESSAGES
     row.missing = text;
@@ -157,7 +159,7 @@ FEATURE(of_polygon_offset, POLYGON_OFFSET)
 FEATURE(of_point_parameters, POINT_PARAMETERS)
 #undef FEATURE
 
-/// One of each texture unit.
+/// A value that each texture unit has.
 constexpr WrittenRow of_unit(std::size_t step, WrittenRow row) {
     row.step = step;
     row.unit = step == sizeof(TextureUnitState) ? Unit::texture : Unit::coords;

@@ -1,9 +1,9 @@
-// Vertex arrays, which are the client's (GL 1.3, tables 6.6 and 6.7).
+// Rows of vertex arrays, which are client state (GL 1.3, tables 6.6 and 6.7).
 #pragma once
 
 #include "gl/context/state_row.hpp"
 
-// Builds without a system may have no member for it.
+// Builds without an optional system may have no member for its state.
 #if SPANGLE_FEATURE_BUFFERS
 #define BUFFER_BINDING(NAME) computed<computed_state::buffer_binding>(NAME, Kind::integer, 1)
 #else

@@ -4,7 +4,7 @@
 #include "gl/context/state_row.hpp"
 #include "gl/texture/compressed_format.hpp"
 
-// Builds without a system may have no member for it.
+// Builds without an optional system may have no member for its state.
 #if SPANGLE_FEATURE_SELECTION
 #define SELECTION_ROW(NAME, MEMBER) STORED(NAME, render.select.MEMBER)
 #else

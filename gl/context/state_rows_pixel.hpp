@@ -3,7 +3,7 @@
 
 #include "gl/context/state_row.hpp"
 
-// Builds without a system may have no member for it.
+// Builds without an optional system may have no member for its state.
 #if SPANGLE_FEATURE_PIXEL_TRANSFER
 #define TRANSFER_ROW(NAME, MEMBER) STORED(NAME, pixel_mode.MEMBER)
 #define PIXEL_MAP(NAME)                                                                                      \

@@ -3,7 +3,7 @@
 
 #include "gl/context/state_row.hpp"
 
-// Builds without stipples have no member for them.
+// Builds without stippling have no members for it.
 #if SPANGLE_FEATURE_STIPPLE
 #define STIPPLE_ROW(NAME, MEMBER) STORED(NAME, polygon.MEMBER)
 #define STIPPLE_SWITCH(NAME, MEMBER) SWITCH(NAME, polygon.MEMBER)

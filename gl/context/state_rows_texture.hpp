@@ -7,7 +7,7 @@
 #if SPANGLE_FEATURE_TEXGEN
 #define TEXGEN(NAME, I) of_unit(sizeof(TextureUnitState), SWITCH(NAME, texture.unit[0].gen_on[I]))
 #define TEXGENS of_unit(sizeof(TextureUnitState), HELD(texture.unit[0].gen))
-#else // no member for it
+#else // this build has no member for it
 #define TEXGEN(NAME, I) of_texgen(absent_switch(NAME))
 #define TEXGENS in(Group::texture)
 #endif

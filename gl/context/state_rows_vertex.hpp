@@ -1,10 +1,10 @@
-// What a vertex meets: current values, matrices, viewport, lighting, evaluators (GL 1.3, tables 6.5 to 6.12
-// and 6.22).
+// Rows of state that vertices use: current values, matrices, viewport, lighting, evaluators (GL 1.3, tables
+// 6.5 to 6.12 and 6.22).
 #pragma once
 
 #include "gl/context/state_row.hpp"
 
-// Builds without a system may have no member for it.
+// Builds without an optional system may have no member for its state.
 #if SPANGLE_FEATURE_CLIP_PLANES
 #define PLANE(I) SWITCH(GL_CLIP_PLANE0 + I, transform.clip_plane_on[I])
 #define PLANES HELD(transform.clip_plane)
@@ -38,7 +38,7 @@
 namespace spangle::gl {
 
 #if SPANGLE_FEATURE_LIGHTING
-/// A light beyond the limit has no name.
+/// The switch of light i. A light beyond the limit has none.
 constexpr WrittenRow light_switch(unsigned i) {
     if (i >= max_lights)
         return in(Group::lighting);

@@ -30,7 +30,7 @@ struct Computing {
     Compute* compute = nullptr;
     std::uint64_t function = 0;
 };
-/// Every function that computes, once; the rest is 0.
+/// Every function that computes a row, once; unused elements are 0.
 constexpr auto all_computing = [] {
     std::array<Computing, count_rows(is_computed)> all{};
     std::size_t used = 0;
@@ -57,7 +57,7 @@ constexpr auto computing = [] {
     return kept;
 }();
 
-/// What is left out has no place and no values.
+/// The row in its final form. A row that is left out has no place and no values.
 constexpr StateRow packed(const WrittenRow& row) {
     StateRow out = row;
     std::size_t where = row.value;
@@ -85,11 +85,12 @@ constexpr bool all_fit() {
 }
 static_assert(all_fit());
 
-/// Of a row that only says so: where no message names the system, it is one of a list of names.
+/// Whether only the row's name is kept, in LeftOut: its system is missing, and there is no message to name
+/// it. Rows of pointers stay rows.
 constexpr bool is_left_out(const WrittenRow& row) {
     return !SPANGLE_MESSAGES && row.absent && row.source != Source::pointer;
 }
-/// Switches, or the other rows that have a name.
+/// Whether the row has a name, and is a switch or is none.
 template <bool switches> constexpr bool has_name(const WrittenRow& row) {
     return row.becomes == Row::state && (row.toggle != Switch::none) == switches;
 }
@@ -99,7 +100,7 @@ template <bool switches> constexpr bool is_named(const WrittenRow& row) {
 template <bool switches> constexpr bool is_only_named(const WrittenRow& row) {
     return has_name<switches>(row) && is_left_out(row);
 }
-/// Such names that follow each other, in as few bytes as they need.
+/// Consecutive names of missing states, in as few bytes as they need.
 struct LeftOut {
     std::uint8_t low = 0, high = 0, names = 0;
 
@@ -145,7 +146,7 @@ template <bool switches> constexpr auto sorted_by_name() {
     return rows;
 }
 
-/// Null: there is none.
+/// Compares two texts; either may be null.
 constexpr bool same_text(const char* a, const char* b) {
     if (a == nullptr || b == nullptr)
         return a == b;
@@ -153,7 +154,7 @@ constexpr bool same_text(const char* a, const char* b) {
         ++b;
     return *a == *b;
 }
-/// One row can stand for what `row` stands for and for `next`, too.
+/// Whether `row` can be extended by `next`.
 constexpr bool goes_on(const StateRow& row, const StateRow& next) {
     return next.name == row.name + row.names && next.where == row.where + row.names * kept_by(row) &&
            row.names + 1u < 1u << names_bits && next.count == row.count && next.unit == row.unit &&
@@ -187,10 +188,10 @@ template <bool switches> constexpr auto groups_of_rows() {
     return groups;
 }
 
-// Two arrays: a program that asks for nothing but turns systems on and off links the smaller one only.
+// Switches have an array of their own, so that a program without other queries links only the smaller one.
 constexpr auto switches = joined_rows<true>();
 constexpr auto others = joined_rows<false>();
-// Asked for by attribute stacks only.
+// Only attribute stacks use the groups.
 constexpr auto groups_of_switches = groups_of_rows<true>();
 constexpr auto groups_of_others = groups_of_rows<false>();
 constexpr auto left_out_switches = left_out_names<true>();
@@ -223,7 +224,7 @@ constexpr bool names_differ() {
 }
 static_assert(names_differ());
 
-/// Rows, and the names that only say so.
+/// Rows of states, and the names of missing states.
 struct Part {
     const StateRow* rows;
     std::size_t count;
@@ -297,7 +298,7 @@ void load_state(const Context& context, const StateRow& row, GLenum name, Param*
             out[i] = Param::from_integer(reinterpret_cast<const bool*>(from)[i]);
     else if (row.source == Source::constant)
         out[0] = Param::from_integer(row.where);
-    else // a word each; pointers are no Params
+    else // a word each; load_state() is never called for pointers
         std::memcpy(out, from, row.count * sizeof *out);
 }
 

@@ -13,20 +13,20 @@ namespace spangle::gl {
 
 struct Context;
 
-/// How a value is kept, and as what it converts.
+/// How a value is stored, and what it converts as.
 enum class Source : std::uint8_t {
     boolean,       ///< bool in the context
     integer,       ///< GLint, GLuint or GLenum in the context
     real,          ///< Real in the context
-    color,         ///< the same, linear as an integer (GL 1.3, 6.1.2)
-    pointer,       ///< of client memory: GetPointerv only
-    constant,      ///< `where` itself
-    computed,      ///< an integer, asked of a function
-    computed_real, ///< a Real, likewise
+    color,         ///< Real in the context, mapped linearly to integers (GL 1.3, 6.1.2)
+    pointer,       ///< a pointer to client memory; only GetPointerv returns it
+    constant,      ///< the value is StateRow::where
+    computed,      ///< an integer that a function computes
+    computed_real, ///< a Real that a function computes
 };
 
 constexpr Kind kind_of(Source source) {
-    constexpr unsigned of_each = 0x2A4A; // 2 bits for each, in their order
+    constexpr unsigned of_each = 0x2A4A; // 2 bits for each Source, in its order
     return static_cast<Kind>(of_each >> static_cast<unsigned>(source) * 2 & 3);
 }
 static_assert(kind_of(Source::boolean) == Kind::integer && kind_of(Source::integer) == Kind::integer &&
@@ -34,14 +34,15 @@ static_assert(kind_of(Source::boolean) == Kind::integer && kind_of(Source::integ
               kind_of(Source::constant) == Kind::integer && kind_of(Source::computed) == Kind::integer &&
               kind_of(Source::computed_real) == Kind::real);
 
-/// What Enable, Disable and IsEnabled take.
+/// Whether a state is a capability of Enable, Disable and IsEnabled.
 enum class Switch : std::uint8_t {
     none,
     server,
-    client, ///< ENABLE_BIT does not save it
+    client, ///< GL_ENABLE_BIT does not save it
 };
 
-/// Attribute groups by the number of their bit (GL 1.3, table 6.4), those of the client behind the others.
+/// Attribute groups, numbered by their mask bits (GL 1.3, table 6.4); the client's groups follow the
+/// server's.
 enum class Group : std::uint8_t {
     current,
     point,
@@ -69,28 +70,27 @@ enum class Group : std::uint8_t {
     none = 28, ///< no mask has this bit
 };
 
-/// Which units have values of their own, one behind the other.
+/// Which kind of unit has a value of its own; the units' values are equally spaced in the context.
 enum class Unit : std::uint8_t {
     none,
-    texture, ///< a TextureUnitState each
-    coords,  ///< four Reals each
-    client,  ///< a ClientArray each; of ClientActiveTexture, not of ActiveTexture
+    texture, ///< one in each TextureUnitState
+    coords,  ///< four Reals for each texture unit
+    client,  ///< one in each ClientArray; ClientActiveTexture selects the unit, not ActiveTexture
 };
 
 inline constexpr unsigned names_bits = 4, unit_bits = 8;
 
-/// A state, or several whose names are consecutive and whose values lie one behind the other. A board's flash
-/// holds some 200 of them.
+/// A state, or several whose names and places are consecutive. A board's flash holds some 200 rows.
 struct StateRow {
-    std::uint16_t name = 0;  ///< of the first
+    std::uint16_t name = 0;  ///< token of the first state
     std::uint16_t where = 0; ///< offset in Context, or the constant, or which function computes it
-    std::uint16_t names : names_bits = 1; ///< how many there are
-    std::uint16_t count : 5 = 0; ///< of values that each has, most_values and less; 0: it is left out
+    std::uint16_t names : names_bits = 1; ///< number of states in the row
+    std::uint16_t count : 5 = 0;          ///< values of each state, up to most_values; 0: left out
     Source source : 3 = Source::constant;
     Switch toggle : 2 = Switch::none;
     Unit unit : 2 = Unit::none;
 #if SPANGLE_MESSAGES
-    const char* missing = nullptr; ///< the system that this build has not
+    const char* missing = nullptr; ///< message that names the missing system, or null
 #else
     static constexpr const char* missing = nullptr;
 #endif
@@ -99,16 +99,17 @@ struct StateRow {
     }
 };
 
-/// Bytes that are saved with their group and asked for by a command of their own (GetLight...).
+/// Bytes that are saved with their group but queried by a command of their own (GetLight...).
 struct HeldRow {
     std::uint16_t offset = 0, bytes = 0;
-    std::uint16_t unit_words : unit_bits = 0; ///< from one unit's to the next one's; 0: no units
+    std::uint16_t unit_words : unit_bits = 0; ///< 4-byte words from one unit's bytes to the next unit's; 0:
+                                              ///< no units
     Group group : 5 = Group::none;
 
     constexpr std::uint32_t unit_step() const { return unit_words * std::uint32_t{4}; }
 };
 
-/// Writes the values of a row that no member of the context holds.
+/// A function that writes the values of a computed row.
 using Compute = void(const Context& context, GLenum name, Param* out);
 
 inline constexpr int most_values = 16;
@@ -116,10 +117,10 @@ inline constexpr int most_values = 16;
 /// The row that has `name`, or null.
 const StateRow* find_state(GLenum name);
 
-/// The same of rows that are switches.
+/// The switch that has `name`, or null.
 const StateRow* find_switch(GLenum name);
 
-/// Rows, and the group that each is of: every Switch::server is in Group::enable, too.
+/// Rows, and the attribute group of each row. Every Switch::server belongs to Group::enable, too.
 struct GroupedRows {
     std::span<const StateRow> rows;
     const Group* groups;
@@ -128,22 +129,22 @@ struct GroupedRows {
 std::array<GroupedRows, 2> all_state();
 std::span<const HeldRow> all_held();
 
-/// The bytes that each name of a row keeps in the context, of the first unit; 0 where it keeps none.
+/// The bytes that each state of a row occupies in the context, for the first unit; 0 for none.
 constexpr std::uint32_t kept_by(const StateRow& row) {
     constexpr std::uint32_t of_each = 0x4441 | sizeof(void*) << 16; // 4 bits for each Source, in its order
     return row.count * (of_each >> static_cast<unsigned>(row.source) * 4 & 15);
 }
 
-/// From one unit's value to the next one's, in bytes; 0: there are no units.
+/// Bytes from one unit's value to the next unit's; 0: no units.
 std::uint32_t unit_step(const StateRow& row);
 
-/// How many of them stand so far apart.
+/// The number of units that a row with this unit_step() has.
 constexpr std::uint32_t units_of(std::uint32_t unit_step) {
     return unit_step == 0 ? 1 : texture_units;
 }
 
-/// Where the value of a name that is not computed lies in its context, in bytes; each name before it keeps
-/// `bytes`.
+/// The offset in the context, in bytes, of the value of `name`, which is not computed. Each name before it in
+/// the row occupies `bytes` bytes.
 std::size_t offset_of(const Context& context, const StateRow& row, GLenum name, std::size_t bytes);
 
 /// Writes row.count values.

@@ -1,10 +1,10 @@
-// What threads of a host share, and the lock that guards it. Firmware has one thread: there no lock exists,
-// and none of this leaves code or data behind.
+// Locks for what the threads of a host share. Firmware has one thread: there locks do nothing, and leave
+// neither code nor data.
 #pragma once
 
 #if defined(__STDC_HOSTED__) && __STDC_HOSTED__ && (defined(__unix__) || defined(__APPLE__))
 #define SPANGLE_THREAD_LOCAL                                                                                 \
-    __thread __attribute__((tls_model("initial-exec"))) // constant-initialised: no guard
+    __thread __attribute__((tls_model("initial-exec"))) // constant-initialised, so it needs no guard
 #else
 #define SPANGLE_THREAD_LOCAL
 #endif
@@ -28,11 +28,11 @@ extern SPANGLE_THREAD_LOCAL Context* current;
 
 #if SPANGLE_THREADS
 
-/// A mutex that the thread which holds it may take again.
+/// A recursive mutex: the thread that holds it may take it again.
 class Lock {
   public:
     void take() {
-        const void* const me = &detail::current; // every thread has its own
+        const void* const me = &detail::current; // a different address on each thread
         if (owner_.load(std::memory_order_relaxed) != me) {
             pthread_mutex_lock(&mutex_);
             owner_.store(me, std::memory_order_relaxed);
@@ -52,7 +52,7 @@ class Lock {
     unsigned depth_ = 0; ///< how often the owner has taken it
 };
 
-/// Holds a lock as long as it lives.
+/// Holds a lock while it lives.
 class Held {
   public:
     explicit Held(Lock& lock) : lock_(lock) { lock_.take(); }
@@ -64,7 +64,7 @@ class Held {
     Lock& lock_;
 };
 
-/// Holds the objects that a context shares with others as long as it lives.
+/// While it lives, holds the lock of the objects that a context shares with others.
 class SharedObjects {
   public:
     explicit SharedObjects(Context& context);

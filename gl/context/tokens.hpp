@@ -1,4 +1,5 @@
-// Tokens in the order of the rasterizer's enumerations: what is legal and what it becomes are one table.
+// Tokens in the order of the rasterizer's enumerations. A table says which tokens are legal, and a token's
+// place in it is its enumerator.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +24,7 @@ inline constexpr std::uint16_t stencil_ops[] = {GL_KEEP, GL_ZERO,   GL_REPLACE, 
                                                       GL_INTERPOLATE, GL_SUBTRACT, GL_DOT3_RGB, GL_DOT3_RGBA},
                                combine_sources[] = {GL_TEXTURE, GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS};
 
-/// The place of a token in a table, or how many there are.
+/// The index of a token in a table, or `count` if it is not there.
 unsigned place_in(const std::uint16_t* table, unsigned count, GLenum token);
 template <std::size_t count> unsigned place_in(const std::uint16_t (&table)[count], GLenum token) {
     return place_in(table, count, token);

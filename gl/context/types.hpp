@@ -1,4 +1,4 @@
-// The words commands are made of once the wrappers have converted their arguments.
+// The types that commands take, once the entry points have converted their arguments.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace spangle::gl {
 
 using numeric::Real;
 
-/// Texture units of GL; arrays over units are sized by it.
+/// The number of texture units.
 inline constexpr int texture_units = raster::max_texture_units;
 
 /// One canonical parameter: a Real or a 32-bit integer, by what its pname means (a colour and a factor are
@@ -30,34 +30,35 @@ struct Param {
     constexpr GLenum token() const { return word; }
 };
 
-/// The value of a Light/Material/Fog/TexParameter... command, and what their queries give back. `count` is
-/// what the pname needs, or 0: the pname is unknown, or takes a vector and was given through the scalar form;
-/// both are INVALID_ENUM (GL 1.3, 2.5), so a command only has to ask for count == 0. A query leaves 0 after
-/// an error.
+/// The values of a Light, Material, Fog, TexParameter... command, and the results of their queries. `count`
+/// is what the pname needs. It is 0 when the pname is unknown, or takes a vector but came through the scalar
+/// form. Both are INVALID_ENUM (GL 1.3, 2.5), so a command only has to test count == 0. A query leaves 0
+/// after an error.
 struct Params {
     Param v[4];
     std::uint32_t count = 0;
 };
 
-/// Which texture unit GL_TEXTUREi names; texture_units or more when there is none of that name.
+/// The index of the texture unit that GL_TEXTUREi names; it is texture_units or more when there is no such
+/// unit.
 constexpr std::uint32_t unit_of(GLenum texture) {
     return texture - GL_TEXTURE0;
 }
 
-/// An array of the client whose type is its entry point's: GL_FLOAT, GL_DOUBLE, GL_INT or GL_FIXED;
-/// GL_UNSIGNED_INT or GL_UNSIGNED_SHORT of pixel maps.
+/// An array of client memory whose type is given by its entry point: GL_FLOAT, GL_DOUBLE, GL_INT or GL_FIXED;
+/// for pixel maps also GL_UNSIGNED_INT or GL_UNSIGNED_SHORT.
 struct Values {
     const void* at;
     GLenum type;
 };
 
-/// What a command that takes an image is given, and what lists keep of it.
+/// The arguments of a command that takes an image, which display lists keep, too.
 struct ImageCommand {
-    GLint arguments[5]; ///< whatever the command has beside; of textures target and level come first
+    GLint arguments[5]; ///< the command's other arguments; texture commands have target and level first
     GLsizei size[3];    ///< 1 where the image has fewer dimensions
     GLenum format, type;
     const void* pixels;
-    bool volume = false; ///< IMAGE_HEIGHT and SKIP_IMAGES count
+    bool volume = false; ///< IMAGE_HEIGHT and SKIP_IMAGES apply
 
     GLenum target() const { return static_cast<GLenum>(arguments[0]); }
     GLint level() const { return arguments[1]; }

@@ -1,4 +1,4 @@
-// The version in GL_VERSION; a test holds it against the build's.
+// The version in GL_VERSION; a test compares it with the version of the build.
 #pragma once
 
 #define SPANGLE_VERSION "0.1.0"

@@ -1,6 +1,5 @@
-// Who is told what a program asks for, on hosts: `spangle profile` records with it. One bit of the gate keeps
-// commands of a context that is watched from simply running, so that others pay nothing; firmware has none of
-// this.
+// Reports to a tool what a program asks for, on hosts: `spangle profile` records with it. A watched context
+// has a bit of the gate set, so that commands of other contexts pay nothing. Firmware has none of this.
 #pragma once
 
 #include "gl/context/command_text.hpp"
@@ -9,7 +8,7 @@
 #include "gl/context/threads.hpp"
 #include "gl/context/types.hpp"
 
-// The whole library records; a subset, and a build without the names of commands, does not.
+// Only the whole library can be watched; a subset, or a build without the names of commands, can not.
 #if SPANGLE_THREADS && SPANGLE_MESSAGES && SPANGLE_FEATURE_LISTS
 #define SPANGLE_WATCHED 1
 #else
@@ -29,20 +28,20 @@ struct FragmentState;
 namespace spangle::gl {
 
 struct Watcher {
-    /// A command that is about to run or to be recorded in a list, and each record of a list that is about to
-    /// run. `args` are `count` words, as the command takes them; records come without.
+    /// Called before a command runs or is compiled into a list, and before each command of a list runs.
+    /// `args` are `count` words, as the command takes them; commands of a list come without.
     virtual void command(Context& context, const CommandText& text, const Arg* args, unsigned count) = 0;
-    /// A state of fragments was compiled: something is drawn with it.
+    /// Called when fragment state was compiled to draw with it.
     virtual void compiled(Context& context, const raster::FragmentState& fragment,
                           raster::DrawState& state) = 0;
-    /// The program went as far as `value` (reach.hpp).
+    /// Called when the program has reached `value` in this range (reach.hpp).
     virtual void reached(Range range, std::uint32_t value) = 0;
 
   protected:
     ~Watcher() = default;
 };
 
-/// Null: nobody watches any more. What is drawn from here on is told.
+/// Sets the watcher of a context, or removes it (null). What is drawn from here on is reported.
 void watch(Context& context, Watcher* watcher);
 
 } // namespace spangle::gl

@@ -1,4 +1,4 @@
-// All rows of the state tables, as they are written, with the groups that they are of.
+// All rows of the state tables as they are written, each with its group.
 #pragma once
 
 #include <array>
@@ -14,8 +14,7 @@
 
 namespace spangle::gl {
 
-/// The rows of several tables, one behind the other. A row that is a section gives its group to those that
-/// follow it.
+/// Joins the rows of several tables. A section row gives its group to the rows that follow it.
 template <std::size_t... N> constexpr auto joined(const std::array<WrittenRow, N>&... parts) {
     std::array<WrittenRow, (N + ...)> all{};
     std::size_t used = 0;
