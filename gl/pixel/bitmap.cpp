@@ -15,13 +15,13 @@ namespace spangle::gl {
 
 namespace {
 
-/// Bits of 1 are fragments, those of a row in runs.
+/// Yields the 1 bits of a bitmap as fragments, in horizontal runs.
 struct BitRuns : raster::PixelSource {
-    const unsigned char* first; ///< byte of the lowest row
+    const unsigned char* first; ///< first byte of the lowest row
     ImageRows rows;
     bool lsb_first;
     std::int32_t left, low;  ///< window position of bit (0, 0)
-    Interval columns, lines; ///< of fragments that may be drawn
+    Interval columns, lines; ///< window columns and rows where fragments may be drawn
 };
 
 void emit(raster::PixelSource& source, raster::PixelSink& sink) {
@@ -50,8 +50,8 @@ void draw(Context& context, GLsizei width, GLsizei height, Real xorig, Real yori
     const Rect clip = drawing_rect(context);
     const ImageRows rows = image_rows(unpack, layout, width);
     const raster::DrawState& state = draw_state(context);
-    // Samples are looked for in the squares of bits, of which a corner is at the raster position; without
-    // them it is the corner's pixel that counts.
+    // With multisampling a fragment gets the samples that lie in its bit's square, a corner of which is at
+    // the raster position. Without it the pixel at that corner counts.
     const bool samples = multisampling(context);
     const auto ahead = [samples](std::int32_t shift) { return samples ? shift * 16 + ((1 << 11) - 1) : 0; };
     each_target(context, [&](const raster::Surface& target, raster::Position shift) {
@@ -71,7 +71,7 @@ void draw(Context& context, GLsizei width, GLsizei height, Real xorig, Real yori
 
 } // namespace
 
-/// The raster position moves whether or not there are bits, as long as it is valid.
+/// Moves the raster position if it is valid, even when no bits are drawn.
 void cmd::Bitmap(Context& context, GLsizei width, GLsizei height, Real xorig, Real yorig, Real xmove,
                  Real ymove, const GLubyte* bitmap) {
     if (width < 0 || height < 0)

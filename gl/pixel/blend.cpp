@@ -1,5 +1,5 @@
-// What a fragment makes of the stored colour: blending and logical operations (GL 1.3, 4.1.7, 4.1.9; factors
-// and equations: GL 1.4, separate ones: GL 1.4, 2.0).
+// How a fragment's colour is combined with the stored one: blending and logical operations (GL 1.3, 4.1.7,
+// 4.1.9; factors and equations: GL 1.4; separate functions: GL 1.4, equations: GL 2.0).
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/tokens.hpp"

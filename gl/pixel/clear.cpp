@@ -13,7 +13,7 @@ namespace spangle::gl::cmd {
 
 namespace {
 
-/// Sees the scissor rectangle and nothing else.
+/// Clears the accumulation buffer; only the scissor rectangle applies to it.
 void clear_accum([[maybe_unused]] const Context& context, [[maybe_unused]] const spangle::Rect& area) {
 #if SPANGLE_FEATURE_ACCUM
     if (context.drawable.surface.accum == nullptr)
@@ -39,7 +39,7 @@ void Clear(Context& context, GLbitfield mask) {
     if ((mask & ~known) != 0)
         return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("mask has a bit that is no buffer"));
     if (!context.render.draws())
-        return; // no fragments, no change of the framebuffer (GL 1.3, 5.2)
+        return; // selection and feedback do not change the framebuffer (GL 1.3, 5.2)
     const FragmentOpsState& ops = context.fragment_ops;
     raster::ClearRequest request;
     request.area = drawing_rect(context);

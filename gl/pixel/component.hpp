@@ -1,6 +1,6 @@
-// Components of colours and depths on their way between client memory and the framebuffer, and the elements
-// of client memory they come from and go to (GL 1.3, 3.6.4 and 4.3.2, tables 2.6 and 4.7). Integers only; a
-// float is its bits.
+// Components of colours and depths between client memory and the framebuffer, and the elements of client
+// memory that they are read from or written to (GL 1.3, 3.6.4 and 4.3.2, tables 2.6 and 4.7). All arithmetic
+// is on integers; a float is handled as its bits.
 #pragma once
 
 #include <bit>
@@ -15,8 +15,8 @@
 
 namespace spangle::gl {
 
-/// code / (2^bits - 1), exactly, 1 <= bits <= 32; or with 0 bits the Real whose bits are `code`: what came as
-/// a float, or below 0, or out of arithmetic.
+/// The fraction code / (2^bits - 1), exactly, with 1 <= bits <= 32. With 0 bits it is the Real whose bits are
+/// `code`, for values from floats, negative values, and results of arithmetic.
 struct Component {
     std::uint32_t code = 0;
     std::uint8_t bits = 0;
@@ -30,7 +30,7 @@ constexpr std::uint32_t all_ones(unsigned bits) {
     return 0xFFFFFFFFu >> (32 - bits);
 }
 
-/// Nearest code of `to` bits. Exact: an odd divisor leaves no ties.
+/// The nearest code of `to` bits. An odd divisor leaves no ties, so the result is exact.
 constexpr std::uint32_t rescale(std::uint32_t code, unsigned from, unsigned to) {
     if (from == to)
         return code;
@@ -41,12 +41,12 @@ constexpr std::uint32_t rescale(std::uint32_t code, unsigned from, unsigned to) 
         numeric::divide(std::uint64_t{code} * all_ones(to) + divisor / 2, divisor).quotient);
 }
 
-/// Nearest code of `bits` bits to what is left of the component in [0, 1].
+/// The nearest code of `bits` bits to the component, clamped to [0, 1].
 constexpr std::uint32_t code_of(Component c, unsigned bits) {
     return c.bits != 0 ? rescale(c.code, c.bits, bits) : numeric::to_unit({c.code}, static_cast<int>(bits));
 }
 
-/// Nearest integer to the component, clamped, times `most`.
+/// The nearest integer to `most` times the component, clamped to [0, 1].
 constexpr std::uint32_t steps_of(Component c, std::uint32_t most) {
     if (c.bits == 0)
         return numeric::to_steps({c.code}, most);
@@ -55,12 +55,12 @@ constexpr std::uint32_t steps_of(Component c, std::uint32_t most) {
         numeric::divide(std::uint64_t{c.code} * most + divisor / 2, divisor).quotient);
 }
 
-/// Clamped, in the rasterizer's colour units; 8 bits are whole 255ths.
+/// The component clamped, in the rasterizer's colour units; codes of 8 bits are whole 255ths.
 constexpr std::uint32_t color_units_of(Component c) {
     return c.bits == 8 ? c.code << raster::color_fraction_bits : steps_of(c, raster::color_one);
 }
 
-/// The nearest Real.
+/// The Real nearest to the component.
 constexpr Real to_real(Component c) {
     if (c.bits == 0)
         return {c.code};
@@ -71,17 +71,17 @@ constexpr Real to_real(Component c) {
         return numeric::one;
     const int up = numeric::clz64(c.code);
     const std::uint64_t numerator = std::uint64_t{c.code}
-                                    << up; // the quotient has 31 bits or more: enough to round
+                                    << up; // leaves at least 31 bits of quotient to round
     const numeric::Quotient q = numeric::divide(numerator, divisor);
     return numeric::pack_real(false, q.quotient << 1 | (q.remainder != 0 ? 1u : 0u), -up - 1);
 }
 
-/// Where byte i of an element lies, counted from the lowest.
+/// The address offset of byte i of an element; byte 0 is the least significant.
 constexpr unsigned place_of_byte(unsigned i, unsigned bytes, bool swap) {
     return swap == (std::endian::native == std::endian::little) ? bytes - 1 - i : i;
 }
 
-/// One element as it lies in memory, bytes reversed when SWAP_BYTES says so. Any address.
+/// Loads one element from any address, with its bytes reversed if `swap` (SWAP_BYTES) is set.
 inline std::uint32_t load_element(const unsigned char* from, unsigned bytes, bool swap) {
     if constexpr (!raster::has_shortcuts) {
         std::uint32_t v = 0;
@@ -118,21 +118,22 @@ inline void store_element(unsigned char* to, unsigned bytes, bool swap, std::uin
     }
 }
 
-/// The component in an element of which it takes `bits` bits, all of them unless the type is packed: c / (2^b
-/// - 1), or (2c + 1) / (2^b - 1) where there are signs (GL 1.3, table 2.6).
+/// The component in the low `bits` bits of an element, which are all of them unless the type is packed. Its
+/// value is c / (2^b - 1), or (2c + 1) / (2^b - 1) for signed types (GL 1.3, table 2.6).
 constexpr Component decode_element(ElementKind kind, unsigned bits, std::uint32_t element) {
     if (kind == ElementKind::real)
         return component(numeric::from_float_bits(element));
     if (kind == ElementKind::unsigned_integer)
         return {element, static_cast<std::uint8_t>(bits)};
-    const std::uint32_t twice = 2 * element + 1; // of a positive element; it still has `bits` bits
+    const std::uint32_t twice = 2 * element + 1; // for a positive element this fits `bits` bits
     if ((element >> (bits - 1) & 1) == 0)
         return {twice, static_cast<std::uint8_t>(bits)};
     const Component magnitude{all_ones(bits) - (twice & all_ones(bits)) + 1, static_cast<std::uint8_t>(bits)};
     return component(-to_real(magnitude));
 }
 
-/// The reverse, clamped to [0, 1] (table 4.7). Signed: ((2^b - 1) f - 1) / 2 to nearest, halves up.
+/// Encodes a component, clamped to [0, 1], as an element of `bits` bits (GL 1.3, table 4.7). Signed types get
+/// ((2^b - 1) f - 1) / 2 to nearest, halves up.
 constexpr std::uint32_t encode_element(ElementKind kind, unsigned bits, Component c) {
     if (kind == ElementKind::real)
         return numeric::to_float_bits(numeric::clamp01(to_real(c)));

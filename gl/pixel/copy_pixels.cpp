@@ -1,4 +1,5 @@
-// CopyPixels (GL 1.3, 4.3.3): as if all of the source were read before the first fragment is drawn.
+// CopyPixels (GL 1.3, 4.3.3). The result is as if the whole source were read before the first fragment is
+// drawn.
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_DRAW_PIXELS
@@ -17,10 +18,10 @@ namespace spangle::gl {
 
 namespace {
 
-/// A rectangle of the framebuffer: group (n, m) is pixel (x + n, y + m). Those outside are undefined in GL;
-/// here they are no groups.
+/// A rectangle of the framebuffer: group (n, m) is pixel (x + n, y + m). GL leaves pixels outside of the
+/// framebuffer undefined; here they yield no groups.
 struct BufferGroups : GroupSource {
-    /// Of pixels that there are.
+    /// `columns` and `rows` are the pixels that exist.
     BufferGroups(const Context& context, Content of, GLint left, GLint bottom, const Interval& columns,
                  const Interval& rows)
         : GroupSource(group_of, of, {columns.begin - left, columns.end - left},
@@ -60,12 +61,13 @@ struct BufferGroups : GroupSource {
 #endif
 };
 
-/// A row of the plane that is read.
+/// Row y of the plane that `content` is read from.
 std::uint8_t* row_of(const raster::Surface& surface, Content content, std::int32_t y) {
     return content <= Content::index ? surface.color_row(y) : surface.depth_row(y);
 }
 
-/// Narrow formats share bytes across columns and rows: whole rows of the plane.
+/// Copies the source's whole rows of bytes to the arena. In narrow formats a byte holds pixels of several
+/// columns or rows.
 void* set_aside_narrow(Context& context, BufferGroups& source) {
     raster::Surface& surface = source.surface;
     const std::int32_t rows = raster::drawn_info(surface.format).rows,
@@ -85,7 +87,8 @@ void* set_aside_narrow(Context& context, BufferGroups& source) {
     return memory;
 }
 
-/// What is read, apart from what is drawn; null without memory. The caller frees it.
+/// Copies the source to the arena, so that drawing cannot change it. Returns null without memory; the caller
+/// frees it.
 void* set_aside(Context& context, BufferGroups& source) {
     const Content content = source.content;
     if (content == Content::color && is_narrow(source.surface.format))
@@ -119,11 +122,11 @@ bool meet(std::int32_t a, std::int32_t a_end, std::int32_t b, std::int32_t b_end
     return a < b_end && b < a_end;
 }
 
-/// Some pixel may be drawn before it has been read.
+/// Whether some pixel may be drawn before it is read.
 bool overlaps(const Context& context, const BufferGroups& source) {
     const Content content = source.content;
     if (content == Content::color && has_sample_buffer(context))
-        return false; // what is read was resolved
+        return false; // it reads resolved colours, and draws to samples
     if (row_of(context.drawable.surface, content, 0) != row_of(source.surface, content, 0))
         return false;
     const Real* const at = context.current.raster.position;
@@ -137,7 +140,7 @@ bool overlaps(const Context& context, const BufferGroups& source) {
            meet(rows.begin, rows.end, source.row(source.m.begin), source.row(source.m.end));
 }
 
-/// Without zoom an order of columns and rows is enough, the one of memmove.
+/// The order in which an unzoomed copy reads each pixel before it overwrites it, as memmove does.
 RectangleOrder order_of(const Context& context, const BufferGroups& source) {
     const Real* const at = context.current.raster.position;
     return {numeric::from_i32(source.x) < at[0], numeric::from_i32(source.y) < at[1]};
@@ -155,12 +158,12 @@ void copy(Context& context, GLint x, GLint y, GLsizei width, GLsizei height, Con
         return;
     BufferGroups source(context, content, x, y, columns, rows);
     const Real* const zoom = context.pixel_mode.zoom;
-    // Depths are those of one sample, and drawn to all.
+    // With samples no order is safe: depth and stencil are read from one sample and drawn to all.
     const bool moves = zoom[0] == numeric::one && zoom[1] == numeric::one && !has_sample_buffer(context);
     const RectangleOrder order = moves ? order_of(context, source) : RectangleOrder{};
     const bool exact = is_color_565(context, source);
     void* aside = nullptr;
-    // What is recorded is drawn when the source is another one.
+    // A recorded draw is replayed after the source may have changed.
     if (context.drawable.recording != nullptr || (!moves && overlaps(context, source))) {
         aside = set_aside(context, source);
         if (aside == nullptr)

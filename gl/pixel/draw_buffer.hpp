@@ -5,7 +5,7 @@ namespace spangle::gl {
 
 struct Context;
 
-/// DrawBuffer names the front buffer, alone or beside others.
+/// Whether the current DrawBuffer includes the front buffer.
 bool draws_to_front(const Context& context);
 
 } // namespace spangle::gl

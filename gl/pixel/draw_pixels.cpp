@@ -12,7 +12,7 @@ namespace spangle::gl {
 
 namespace {
 
-/// A client image.
+/// The groups of an image in client memory.
 struct ClientGroups : GroupSource {
     ClientGroups(const Context& context, const PixelLayout& layout, Content of, GLsizei width, GLsizei height,
                  const void* pixels)

@@ -6,7 +6,7 @@ namespace spangle::gl {
 
 namespace {
 
-/// k / max, max = 2^bits - 1.
+/// The component k / max, where max is 2^bits - 1.
 constexpr Component fraction(std::uint32_t k, std::uint32_t max) {
     return {k, static_cast<std::uint8_t>(32 - numeric::clz32(max))};
 }

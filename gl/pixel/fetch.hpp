@@ -6,22 +6,23 @@
 
 namespace spangle::gl {
 
-/// The surface that is read, to be asked for its rows one after the other.
+/// Gives the read surface row by row; a recorded frame has only one band in memory at a time.
 class ReadRows {
   public:
 #if SPANGLE_HAS_RECORDS
     explicit ReadRows(const Context& context)
         : recording_(context.drawable.recording), rows_(read_surface(context)), all_(rows_.area()) {
         if (recording_ != nullptr)
-            rows_.first_row = rows_.end_row = 0; // none is there yet
+            rows_.first_row = rows_.end_row = 0; // no row is in memory yet
     }
 
-    /// All pixels, whether or not they are there now.
+    /// All pixels of the surface, in memory or not.
     const Rect& area() const {
         return all_;
     }
 
-    /// With row y, which is one of them; null where it cannot be had. Until the next call.
+    /// The surface with row y of area() in memory, valid until the next call; null when the row cannot be
+    /// had.
     const raster::Surface* with_row(std::int32_t y) {
         if (recording_ == nullptr)
             return &rows_;
@@ -34,7 +35,7 @@ class ReadRows {
     const Recording* recording_;
     raster::Surface rows_;
     Rect all_;
-#else // all are there
+#else // all rows are in memory
     explicit ReadRows(const Context& context) : rows_(read_surface(context)) {}
 
     Rect area() const {
@@ -49,13 +50,13 @@ class ReadRows {
 #endif
 };
 
-/// The groups are the colours that the surface holds.
+/// Whether the groups read are the surface's own colours, unchanged by pixel transfer.
 inline bool keeps_colors(const raster::Surface& surface, const Transfer& transfer, Content content) {
     return content == Content::color && !raster::drawn_indexed(surface.format) && !transfer.changes_colors();
 }
 
-/// The group of a pixel behind pixel transfer. On a surface of indices a colour is what the maps make of one
-/// (GL 1.3, 4.3.2).
+/// The group of a pixel after pixel transfer. A surface of indices gives colours through the maps from
+/// indices to colours (GL 1.3, 4.3.2).
 Group fetch(const raster::Surface& surface, const Transfer& transfer, Content content, std::int32_t x,
             std::int32_t y);
 

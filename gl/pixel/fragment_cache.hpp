@@ -1,5 +1,5 @@
-// The compiled form of all fragment state, good while dirty_fragment is clear and no context of the share
-// group changed a texture.
+// The compiled form of all fragment state. It is valid while dirty_fragment is clear and no context of the
+// share group has changed a texture.
 #pragma once
 
 #include <type_traits>
@@ -10,20 +10,20 @@
 
 namespace spangle::gl {
 
-/// What is drawn. Some modes are of one of them (GL 1.3, 3.3 to 3.5).
+/// The kind of primitive, because some state applies to one kind only (GL 1.3, 3.3 to 3.5).
 enum class Drawn : std::uint8_t { points, lines, polygons, pixels };
 
 struct FragmentCache {
     bool count_passed = false;
-    Drawn drawn = Drawn::pixels;       ///< what this was compiled for
-    bool differs = false;              ///< for other things it would be another one
-    raster::Colors colors{};           ///< of what is drawn: compiled for these alone
-    std::uint32_t texture_changes = 0; ///< of the share group, when this was compiled
+    Drawn drawn = Drawn::pixels;       ///< kind of primitive that this was compiled for
+    bool differs = false;              ///< the compiled form depends on the kind of primitive
+    raster::Colors colors{};           ///< source of colours that this was compiled for
+    std::uint32_t texture_changes = 0; ///< ShareGroup::texture_changes when this was compiled
     raster::Counters* counters = nullptr;
-    raster::PrimitiveState primitive; ///< what `state` looks at beside planes
+    raster::PrimitiveState primitive; ///< per-primitive state that `state` and `back` refer to
     raster::DrawState state;
 #if SPANGLE_FEATURE_STENCIL_SIDES
-    raster::DrawState back; ///< of back faces, while their stencil test differs
+    raster::DrawState back; ///< for back faces; used only while stencil_sides()
 #endif
     struct None {};
     [[no_unique_address]] std::conditional_t<kept_states != 0, KeptStates, None> kept;

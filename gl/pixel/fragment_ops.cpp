@@ -9,7 +9,7 @@ namespace spangle::gl::cmd {
 
 namespace {
 
-/// Which buffers a name asks for.
+/// The colour buffers that a token names, as bits.
 enum : unsigned { front_buffer = 1, back_buffer = 2, missing_buffer = 4, unknown_buffer = 8 };
 
 unsigned buffers_of(GLenum mode) {
@@ -35,13 +35,13 @@ unsigned buffers_of(GLenum mode) {
     }
 }
 
-/// What names the one colour buffer that a surface has: BACK a window's, FRONT that of one without a back
-/// buffer, either a pbuffer's.
+/// The names of a surface's only colour buffer: BACK for a window, FRONT for a window without a back buffer,
+/// both for a pbuffer.
 unsigned existing_buffer(bool double_buffered, bool front_buffered) {
     return (double_buffered ? back_buffer : 0u) | (front_buffered ? front_buffer : 0u);
 }
 
-/// Where one buffer is both, what was drawn to the front is seen before the back is drawn to.
+/// Shows what was drawn to the front before drawing to the back begins, because both are one buffer.
 void leave_front(const Context& context, unsigned next) {
     const Drawable& drawable = context.drawable;
     if (SPANGLE_HAS_PLATFORMS && drawable.double_buffered && drawable.show != nullptr &&

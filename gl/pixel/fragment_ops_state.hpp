@@ -5,9 +5,10 @@
 
 namespace spangle::gl {
 
-/// Of the faces of one side.
-// Members whose tokens are consecutive lie in their order: the table of state has one row for them.
+// Members lie in the order of their tokens where those are consecutive: one row of the state table holds
+// them.
 
+/// The stencil test of front or back faces.
 struct StencilSide {
     GLenum func = GL_ALWAYS;
     GLuint value_mask = 0xFFFFFFFF;
@@ -17,7 +18,7 @@ struct StencilSide {
     friend constexpr bool operator==(const StencilSide&, const StencilSide&) = default;
 };
 
-/// Of red, green and blue, or of alpha.
+/// Blending of red, green and blue, or of alpha.
 struct BlendPart {
     GLenum dst = GL_ZERO, src = GL_ONE, equation = GL_FUNC_ADD;
 };
@@ -41,7 +42,7 @@ struct FragmentOpsState {
     bool color_logic_op = false, index_logic_op = false;
     GLenum logic_op = GL_COPY;
     bool dither = true;
-    // Without effect on surfaces that have no multisample buffer (GL 1.3, 4.1.3).
+    // These have no effect on surfaces without a multisample buffer (GL 1.3, 4.1.3).
     bool multisample = true, sample_alpha_to_coverage = false, sample_alpha_to_one = false,
          sample_coverage = false;
     Real sample_coverage_value = numeric::one;
@@ -51,7 +52,8 @@ struct FragmentOpsState {
     Real accum_clear[4] = {};
     Real index_clear = numeric::zero;
     GLuint index_mask = 0xFFFFFFFF;
-    GLenum draw_buffer = GL_FRONT, read_buffer = GL_FRONT; ///< BACK when the first drawable has one
+    GLenum draw_buffer = GL_FRONT, read_buffer = GL_FRONT; ///< initially GL_BACK if the first drawable has a
+                                                           ///< back buffer
 };
 
 } // namespace spangle::gl

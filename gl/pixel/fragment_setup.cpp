@@ -85,7 +85,7 @@ void fill_fog(const Context& context, raster::FragmentState& out) {
 void fill_tests(const Context& context, raster::FragmentState& out) {
     const FragmentOpsState& ops = context.fragment_ops;
     const DepthFormat format = context.drawable.surface.depth_format;
-    // Without a stencil or depth buffer the test always passes and nothing is written (GL 1.3, 4.1.5, 4.1.6).
+    // Without a stencil or depth buffer its test always passes and nothing is written (GL 1.3, 4.1.5, 4.1.6).
     if (raster::has_format(DepthFormat::z24s8)) {
         out.stencil_test = ops.stencil_test && format == DepthFormat::z24s8;
         out.stencil = stencil_of(ops.stencil[0]);
@@ -95,7 +95,7 @@ void fill_tests(const Context& context, raster::FragmentState& out) {
     out.depth_func = compare_of(ops.depth_func);
 }
 
-/// The polygon modes whose offset is on.
+/// Whether polygon offset is on for any polygon mode.
 bool offsets(const PolygonState& polygon) {
     return SPANGLE_FEATURE_POLYGON_OFFSET &&
            (polygon.offset_fill || polygon.offset_line || polygon.offset_point);
@@ -109,14 +109,14 @@ bool has_mode(const PolygonState& polygon, GLenum mode) {
     return polygon.mode[0] == mode || polygon.mode[1] == mode;
 }
 
-/// Multisampling takes the place of antialiasing (GL 1.3, 3.2.1).
+/// Whether antialiasing is on for any kind of primitive. Multisampling replaces it (GL 1.3, 3.2.1).
 bool smooths(const Context& context) {
     const PolygonState& polygon = context.polygon;
     return SPANGLE_FEATURE_ANTIALIASING && !multisampling(context) &&
            (polygon.point_smooth || polygon.line_smooth || polygon.polygon_smooth);
 }
 
-/// Some of these bring coverage.
+/// Whether fragments of this kind of primitive may have antialiasing coverage.
 bool has_coverage(const PolygonState& polygon, Drawn drawn) {
     switch (drawn) {
     case Drawn::points:
@@ -133,7 +133,7 @@ bool has_coverage(const PolygonState& polygon, Drawn drawn) {
     return false;
 }
 
-/// GL 1.3, 4.1.3.
+/// Fills in multisample fragment operations (GL 1.3, 4.1.3).
 void fill_samples(const Context& context, raster::FragmentState& out) {
     const FragmentOpsState& ops = context.fragment_ops;
     if (!multisampling(context))
@@ -155,7 +155,7 @@ bool ends_at_viewport(const Context& context, Drawn drawn) {
     return drawn == Drawn::lines && (!has_clipping || lines_are_thin(context));
 }
 
-/// What depends on the primitive.
+/// Fills in the state that depends on the kind of primitive.
 void fill_modes(const Context& context, Drawn drawn, raster::FragmentState& out) {
     const PolygonState& polygon = context.polygon;
     out.coverage = smooths(context) && has_coverage(polygon, drawn);
@@ -169,7 +169,8 @@ void fill_modes(const Context& context, Drawn drawn, raster::FragmentState& out)
 #endif
 }
 
-/// What happens to colours alone: indices are neither textured nor summed, tested by alpha or blended.
+/// Fills in the state that applies to RGBA colours only. Colour indices are not textured, summed,
+/// alpha-tested or blended.
 void fill_colors(const Context& context, raster::FragmentState& out) {
     const FragmentOpsState& ops = context.fragment_ops;
     fill_textures(context, out);
@@ -209,7 +210,8 @@ void fill(const Context& context, raster::FragmentState& out) {
     out.count = counts_passed(context);
 }
 
-/// For the drawable, by the engine of the context. Kept: KeptStates, or nothing where none are kept.
+/// Compiles fragment state for the drawable by the context's engine. Type Kept is KeptStates, or empty where
+/// no states are kept.
 template <class Kept>
 void compile(Context& context, [[maybe_unused]] Kept& kept, const raster::FragmentState& fragment,
              raster::DrawState& out) {
@@ -220,7 +222,7 @@ void compile(Context& context, [[maybe_unused]] Kept& kept, const raster::Fragme
         context.engine->compile(fragment, target, out);
 }
 
-/// The recorder is told of the primitives of these states.
+/// Makes `recorder` receive the primitives that are drawn with the current states.
 template <class Recorder> [[maybe_unused]] void take_states(Context& context, Recorder& recorder) {
     recorder.take(context.fragments.state);
 #if SPANGLE_FEATURE_STENCIL_SIDES
@@ -229,8 +231,8 @@ template <class Recorder> [[maybe_unused]] void take_states(Context& context, Re
 #endif
 }
 
-/// Where drawing is recorded, primitives are kept; where a first band is drawn by callback, their rows are
-/// noted.
+/// Where drawing is recorded, sends primitives to the record. In the first band that a callback draws, sends
+/// them to the notes of the rows that batches reach.
 void record_states([[maybe_unused]] Context& context) {
 #if SPANGLE_FEATURE_BANDS
     if (raster::BatchRows* const batches = context.drawable.batches; batches != nullptr && batches->notes())
@@ -277,7 +279,7 @@ raster::Tier tier_of(const Context& context, GLenum hint) {
     const raster::Tier asked = hint == GL_FASTEST  ? raster::Tier::fast
                                : hint == GL_NICEST ? raster::Tier::exact
                                                    : context.tier;
-    return raster::has_tier(asked) ? asked : context.tier; // a hint is one (GL 1.3, 5.6)
+    return raster::has_tier(asked) ? asked : context.tier; // a hint may be ignored (GL 1.3, 5.6)
 }
 
 void observe(Context& context, raster::Counters* counters, bool count_passed) {
@@ -313,7 +315,8 @@ const raster::DrawState& draw_state(Context& context, Drawn drawn, raster::Color
         cache.colors = colors;
         cache.differs = offsets(context.polygon) || stipples(context.polygon) || smooths(context) ||
                         !viewport_holds(context, drawing_rect(context));
-        // What is not said is 0: it is looked at in no state that leaves it out.
+        // Members that are not filled in are 0, including padding. States that leave them out never read
+        // them.
         static_assert(std::is_trivially_copyable_v<raster::FragmentState>);
         alignas(raster::FragmentState) unsigned char memory[sizeof(raster::FragmentState)] = {};
         auto& fragment = *std::launder(reinterpret_cast<raster::FragmentState*>(memory));

@@ -1,4 +1,4 @@
-// Groups of components: from client memory to colours, depths and indices, and from those to client memory.
+// Groups of components: unpacks them from client memory to colours, depths and indices, and packs them back.
 #pragma once
 
 #include "gl/pixel/transfer.hpp"
@@ -7,8 +7,8 @@ namespace spangle::gl {
 
 struct Context;
 
-/// What the groups of a format are; colour indices are colours to come where the framebuffer does not hold
-/// indices.
+/// What the groups of a format hold. On RGBA surfaces colour indices count as colours, because transfer maps
+/// them.
 enum class Content : std::uint8_t { color, index, depth, stencil };
 inline Content content_of(const PixelLayout& layout, bool index_mode) {
     return layout.channel[0] == Channel::depth                       ? Content::depth
@@ -17,22 +17,24 @@ inline Content content_of(const PixelLayout& layout, bool index_mode) {
                                                                      : Content::color;
 }
 
-/// Behind pixel transfer, as the content says: a colour, a depth in the place of red, or an index.
+/// A group after pixel transfer. Its content says what it holds: a colour, a depth in place of red, or an
+/// index.
 struct Group {
     Pixel color;
     Index index;
 };
 
-/// Groups of one image in client memory, as UNPACK_SWAP_BYTES and UNPACK_LSB_FIRST say they lie. `row` is the
-/// first byte of a row and `group` counts in it, skipped bits of a BITMAP included (pixel_layout.hpp).
+/// The groups of one image in client memory, laid out as UNPACK_SWAP_BYTES and UNPACK_LSB_FIRST say. `row` is
+/// the first byte of a row. `group` counts groups from there, including the skipped bits of a BITMAP
+/// (pixel_layout.hpp).
 class Groups {
   public:
     Groups(const PixelLayout& layout, const PixelStore& store)
         : layout_(layout), swap_bytes_(store.swap_bytes), lsb_first_(store.lsb_first) {}
     explicit Groups(const PixelLayout& layout) : layout_(layout) {}
 
-    /// "Final expansion to RGBA" included: L becomes R, G and B; missing colours are 0, a missing alpha is 1
-    /// (GL 1.3, 3.6.4). A depth stands in the place of red. Not of indices.
+    /// The colour of a group after "final expansion to RGBA": L becomes R, G and B, missing colours are 0, a
+    /// missing alpha is 1 (GL 1.3, 3.6.4). A depth is in the place of red. Not for indices.
     Pixel color(const unsigned char* row, std::size_t group) const;
     Index index(const unsigned char* row, std::size_t group) const;
 
@@ -43,15 +45,16 @@ class Groups {
     bool swap_bytes_ = false, lsb_first_ = false;
 };
 
-/// A client image behind pixel transfer: what DrawPixels and texture images are made of (GL 1.3,
-/// 3.6.4, 3.6.5 and 3.8.1). Lives no longer than the layout and the context's state stay as they are.
+/// A client image after pixel transfer, which DrawPixels and texture images are made of (GL 1.3, 3.6.4, 3.6.5
+/// and 3.8.1). It must not outlive the layout, nor be used after the context's state changes.
 class ColorImage {
   public:
     ColorImage(const Context& context, const PixelLayout& layout);
 
-    /// A group is its colour.
+    /// Whether every group is a colour that transfer leaves unchanged.
     bool keeps_colors() const { return !indices_ && !transfer_.changes_colors(); }
-    /// And its bytes are in order: rows may be copied where the receiver keeps colours as the client does.
+    /// Whether, in addition, bytes are not swapped. Rows may then be copied to a receiver that stores colours
+    /// as the client does.
     bool is_plain() const { return keeps_colors() && !swaps_; }
 
     Pixel color(const unsigned char* row, std::size_t group) const;
@@ -63,15 +66,15 @@ class ColorImage {
     bool indices_, swaps_;
 };
 
-/// Writes the components the format names, clamped; L is R + G + B (GL 1.3, 4.3.2). A depth stands in
-/// value[0].
+/// Writes the components that the format names, clamped to [0, 1]; L is R + G + B (GL 1.3, 4.3.2). A depth is
+/// in value[0].
 void pack_pixel(const PixelLayout& layout, bool swap_bytes, const Pixel& pixel, unsigned char* to);
 
-/// An index, masked to the bits of the type: 2^7 - 1 for BYTE, as it is for FLOAT (GL 1.3, table 4.6). Not
-/// for BITMAP.
+/// Writes an index masked to the bits of the type, 2^7 - 1 for BYTE and unmasked for FLOAT (GL 1.3, table
+/// 4.6). Not for BITMAP.
 void pack_index(const PixelLayout& layout, bool swap_bytes, Index index, unsigned char* to);
 
-/// Bit `at` of a row of bits.
+/// The mask of bit `at` of a row within its byte.
 inline unsigned char bit_mask(std::size_t at, bool lsb_first) {
     return static_cast<unsigned char>(lsb_first ? 1u << at % 8 : 0x80u >> at % 8);
 }

@@ -1,4 +1,4 @@
-// Hints (GL 1.3, 5.6; GL 1.4, 5.6). They choose the accuracy tier, never coverage or depth.
+// Hints (GL 1.3, 5.6; GL 1.4, 5.6). They choose the accuracy tier, and never change coverage or depth.
 #pragma once
 
 #include "gl/context/features.hpp"
@@ -6,7 +6,7 @@
 
 namespace spangle::gl {
 
-/// The first five are in the order of their tokens.
+/// Indices of hints. The first five are in the order of their tokens.
 enum HintIndex : unsigned {
     hint_perspective_correction,
     hint_point_smooth,

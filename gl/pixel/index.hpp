@@ -1,5 +1,5 @@
-// Colour and stencil indices between client memory and the framebuffer: numbers with 16 fraction bits, modulo
-// 2^48 (GL 1.3, 3.6.4: "fixed-point ... with an unspecified number of bits to the right of the binary
+// Colour and stencil indices between client memory and the framebuffer, as numbers with 16 fraction bits,
+// modulo 2^48 (GL 1.3, 3.6.4: "fixed-point ... with an unspecified number of bits to the right of the binary
 // point").
 #pragma once
 
@@ -22,7 +22,7 @@ constexpr Index whole_index(std::int64_t v) {
     return {static_cast<std::uint64_t>(v) << index_fraction_bits & index_mask};
 }
 
-/// Largest magnitude where there are not bits enough.
+/// The nearest index to v; a value that needs more bits becomes the largest magnitude.
 constexpr Index index_of(numeric::Real v) {
     const numeric::detail::Unpacked u = numeric::detail::unpack(v);
     const std::int32_t up = u.exponent + index_fraction_bits;
@@ -31,8 +31,8 @@ constexpr Index index_of(numeric::Real v) {
     return {(u.negative ? 0 - magnitude : magnitude) & index_mask};
 }
 
-/// In the rasterizer's units, 20 fraction bits; the integer part is masked to so many bits
-/// (GL 1.3, 2.13.6, 3.6.4, 3.10, 4.2.3).
+/// An index in the rasterizer's units, with 20 fraction bits. The integer part is masked to `bits` bits (GL
+/// 1.3, 2.13.6, 3.6.4, 3.10, 4.2.3).
 constexpr std::uint32_t index_units(numeric::Real v, unsigned bits) {
     const numeric::detail::Unpacked u = numeric::detail::unpack(v);
     const std::int32_t up = u.exponent + raster::color_fraction_bits;
@@ -45,7 +45,7 @@ constexpr std::uint32_t index_units(Index index, unsigned bits) {
            ((1u << (bits + raster::color_fraction_bits)) - 1);
 }
 
-/// Of `bits` bits in an element.
+/// The index in an element of `bits` bits.
 constexpr Index decode_index(ElementKind kind, unsigned bits, std::uint32_t element) {
     if (kind == ElementKind::real)
         return index_of(numeric::from_float_bits(element));
@@ -53,7 +53,8 @@ constexpr Index decode_index(ElementKind kind, unsigned bits, std::uint32_t elem
     return whole_index(static_cast<std::int64_t>(element) - (negative ? std::int64_t{1} << bits : 0));
 }
 
-/// Left by `shift` bits, right where it is negative; zeros come in. Then `offset` is added (GL 1.3, 3.6.5).
+/// Shifts an index left by `shift` bits, or right by -`shift` bits if that is negative, filling with zeros;
+/// then adds `offset` (GL 1.3, 3.6.5).
 constexpr Index shifted(Index index, std::int32_t shift, std::int32_t offset) {
     const std::uint64_t moved = shift >= index_bits || shift <= -index_bits ? 0
                                 : shift >= 0                                ? index.bits << shift
@@ -61,13 +62,13 @@ constexpr Index shifted(Index index, std::int32_t shift, std::int32_t offset) {
     return {(moved + whole_index(offset).bits) & index_mask};
 }
 
-/// Nearest integer, modulo 2^32.
+/// The nearest integer to an index, modulo 2^32.
 constexpr std::uint32_t rounded(Index index) {
     return static_cast<std::uint32_t>((index.bits + (1u << (index_fraction_bits - 1))) >>
                                       index_fraction_bits);
 }
 
-/// The upper half of the numbers is negative.
+/// An index as a Real; the upper half of the range is negative.
 constexpr numeric::Real to_real(Index index) {
     return numeric::from_fixed(
         static_cast<std::int64_t>(index.bits << (64 - index_bits)) >> (64 - index_bits), index_fraction_bits);

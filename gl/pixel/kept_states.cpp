@@ -16,7 +16,8 @@ void KeptStates::compile(const Engine& engine, const raster::FragmentState& stat
                            target.depth_stride == target.color_stride,
                            true};
     for (const Kept& kept : kept_)
-        // Padding counts, too: a state whose padding differs is compiled again, and nothing else happens.
+        // The comparison includes padding. If padding differs, the state is compiled again, with the same
+        // result.
         if (kept.origin == origin && std::memcmp(static_cast<const void*>(&kept.state.fragment),
                                                  static_cast<const void*>(&state), sizeof state) == 0) {
             std::memcpy(static_cast<void*>(&out), &kept.state, sizeof out);

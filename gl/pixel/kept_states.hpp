@@ -1,4 +1,4 @@
-// The last few states of fragments that were compiled: programs go back and forth between some of them.
+// The last few compiled states of fragments, because programs go back and forth between a few states.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@ namespace spangle::gl {
 
 struct Engine;
 
-/// Hosts keep as many. A board has no RAM for that, and compiles each change.
+/// Number of compiled states that are kept: boards have no RAM for them, and compile each change.
 inline constexpr unsigned kept_states = numeric::wide_words ? 8 : 0;
 
 class KeptStates {
   public:
-    /// Writes the compiled form of a state for a drawable, `texture_changes` being those of the share group.
-    /// The form is copied where the same state was compiled before and no texture has changed since.
+    /// Writes the compiled form of a state for a drawable. It is copied if the same state was compiled before
+    /// and no texture has changed since; `texture_changes` is the share group's.
     void compile(const Engine& engine, const raster::FragmentState& state, const raster::Surface& target,
                  std::uint32_t texture_changes, raster::DrawState& out);
 
@@ -26,8 +26,8 @@ class KeptStates {
         std::uint32_t texture_changes;
         PixelFormat format;
         DepthFormat depth_format;
-        bool has_depth, one_stride; ///< rows of colours and of depths lie equally far apart
-        bool is_known = false;      ///< true once a state was kept here
+        bool has_depth, one_stride; ///< one_stride: colour and depth planes have the same stride
+        bool is_known = false;      ///< a state is kept here
         friend bool operator==(const Origin&, const Origin&) = default;
     };
     struct Kept {
@@ -35,7 +35,7 @@ class KeptStates {
         raster::DrawState state;
     };
     Kept kept_[kept_states == 0 ? 1 : kept_states];
-    unsigned next_ = 0; ///< which is given up for the next new one
+    unsigned next_ = 0; ///< index of the state that the next new one replaces
 };
 
 } // namespace spangle::gl

@@ -53,7 +53,7 @@ void Fog(Context& context, GLenum pname, const Params& params) {
 
 namespace {
 
-/// The place of a hint in HintState, or `hints`.
+/// The HintIndex of a hint's target, or `hints` if it is none.
 unsigned hint_of(GLenum target) {
     if (target == GL_TEXTURE_COMPRESSION_HINT)
         return hint_texture_compression;
@@ -81,7 +81,7 @@ void PixelStore(Context& context, GLenum pname, const Params& params) {
     static constexpr GLint gl::PixelStore::*numbers[] = {
         &gl::PixelStore::row_length, &gl::PixelStore::skip_rows,    &gl::PixelStore::skip_pixels,
         &gl::PixelStore::alignment,  &gl::PixelStore::image_height, &gl::PixelStore::skip_images};
-    const bool later = pname >= GL_PACK_SKIP_IMAGES; // the order of their tokens
+    const bool later = pname >= GL_PACK_SKIP_IMAGES; // tokens of volumes, numbered in their own order
     const bool pack = later ? pname <= GL_PACK_IMAGE_HEIGHT : pname >= GL_PACK_SWAP_BYTES;
     const GLenum first = later ? GL_PACK_SKIP_IMAGES : pack ? GL_PACK_SWAP_BYTES : GL_UNPACK_SWAP_BYTES;
     const GLenum place = pname - first;
@@ -100,8 +100,8 @@ void PixelStore(Context& context, GLenum pname, const Params& params) {
     store.*numbers[index - 2] = value;
 }
 
-// Every command has reached the surface when it returns. A window with a back buffer shows it at SwapBuffers,
-// one without here.
+// Every command is complete when it returns, so Flush only has to show the surface of a window without a back
+// buffer. SwapBuffers shows the others.
 void Flush(Context& context) {
     if (context.drawable.show != nullptr)
         context.drawable.show(false);

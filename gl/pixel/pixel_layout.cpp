@@ -6,7 +6,8 @@ namespace spangle::gl {
 
 namespace {
 
-/// What the components are: of each one more than its Channel, the first in the lowest four bits.
+/// The components of a format: four bits each, holding Channel + 1, with the first component in the lowest
+/// bits.
 constexpr std::uint16_t channels(auto... components) {
     unsigned all = 0, low = 0;
     ((all |= (static_cast<unsigned>(components) + 1) << low, low += 4), ...);
@@ -16,11 +17,11 @@ constexpr std::uint16_t channels(auto... components) {
 constexpr Channel R = Channel::red, G = Channel::green, B = Channel::blue, A = Channel::alpha,
                   L = Channel::luminance;
 
-/// Tokens that follow each other, and others behind them.
+/// Two runs of consecutive tokens, indexed as one table.
 struct Tokens {
     std::uint16_t first, count, others, all;
 
-    /// The place of one; `all`: it is none of them.
+    /// The index of a token, or `all` if it is not in the table.
     constexpr unsigned place(GLenum token) const {
         if (token - first < count)
             return token - first;
@@ -46,8 +47,8 @@ constexpr std::uint16_t formats[] = {
 };
 constexpr Tokens format_tokens{GL_COLOR_INDEX, 11, GL_BGR, 13};
 
-/// Bits of the components of packed types, the first in the lowest four; reversed ones have the first
-/// component in the least significant bits.
+/// Bits of the components of packed types, four bits each, the first component in the lowest. Reversed types
+/// have the first component in their least significant bits.
 constexpr std::uint16_t packed_bits[] = {
     0x233,  // UNSIGNED_BYTE_3_3_2
     0x4444, // UNSIGNED_SHORT_4_4_4_4
@@ -63,9 +64,9 @@ constexpr std::uint16_t packed_bits[] = {
     0x2AAA, // UNSIGNED_INT_2_10_10_10_REV
 };
 constexpr Tokens packed_tokens{GL_UNSIGNED_BYTE_3_3_2, 5, GL_UNSIGNED_BYTE_2_3_3_REV, 12};
-constexpr unsigned reversed = 0xFA0; ///< a bit of each
+constexpr unsigned reversed = 0xFA0; ///< bit i: packed type i is reversed
 
-/// Of a packed type; returns how many components it has.
+/// Fills in the fields of a packed type. Returns how many components it has.
 unsigned place_fields(unsigned type, PixelLayout& out) {
     unsigned count = 0, all = 0;
     for (unsigned bits = packed_bits[type]; bits != 0; bits >>= 4, ++count) {
@@ -92,20 +93,20 @@ GLenum pixel_layout(GLenum format_token, GLenum type_token, PixelLayout& out) {
     for (unsigned left = formats[format]; left != 0; left >>= 4)
         out.channel[out.components++] = static_cast<Channel>((left & 15) - 1);
     if (const unsigned packed = packed_tokens.place(type_token); packed != packed_tokens.all) {
-        // Packed types name their components: RGB, or RGBA and BGRA (table 3.8).
+        // Packed types allow only formats with their components: RGB, or RGBA and BGRA (GL 1.3, table 3.8).
         const bool goes = place_fields(packed, out) == 3 ? format_token == GL_RGB : out.components == 4;
         return goes ? GL_NO_ERROR : GL_INVALID_OPERATION;
     }
     out.elements = out.components;
     unsigned bytes = 1;
-    const GLenum plain = type_token - GL_BYTE; // signed and unsigned of 1, 2 and 4 bytes, FLOAT
+    const GLenum plain = type_token - GL_BYTE; // signed and unsigned integers of 1, 2 and 4 bytes
     if (plain < 6) {
         out.kind = plain % 2 == 0 ? ElementKind::signed_integer : ElementKind::unsigned_integer;
         bytes <<= plain / 2;
     } else if (type_token == GL_FLOAT) {
         out.kind = ElementKind::real;
         bytes = 4;
-    } else if (type_token == GL_BITMAP && format < 2) { // of indices only
+    } else if (type_token == GL_BITMAP && format < 2) { // BITMAP takes colour or stencil indices only
         out.kind = ElementKind::bitmap;
     } else {
         return GL_INVALID_ENUM;

@@ -22,7 +22,7 @@ bool is_addressed_by_indices(unsigned name) {
     return name < map_r_to_r;
 }
 
-/// Elements of the client's array, which need not be aligned.
+/// Loads an element of the client's array, which need not be aligned.
 std::uint32_t load(const Values& array, std::size_t i) {
     const unsigned bytes = array.type == GL_UNSIGNED_SHORT ? 2 : 4;
     return load_element(static_cast<const unsigned char*>(array.at) + i * bytes, bytes, false);
@@ -32,7 +32,8 @@ void store(const Values& array, std::size_t i, std::uint32_t value) {
     store_element(static_cast<unsigned char*>(const_cast<void*>(array.at)) + i * bytes, bytes, false, value);
 }
 
-/// Colours are clamped fractions; indices stay what they are, those of stencils as integers.
+/// The stored form of an element. Colours become clamped fractions; indices keep their value, stencil indices
+/// as integers.
 std::uint32_t entry_of(unsigned name, const Values& array, std::size_t i) {
     const std::uint32_t value = load(array, i);
     if (array.type == GL_FLOAT) {
@@ -47,7 +48,7 @@ std::uint32_t entry_of(unsigned name, const Values& array, std::size_t i) {
         .bits;
 }
 
-/// How an entry is asked for in another type.
+/// An entry converted to the type that the client asks for.
 std::uint32_t answer(unsigned name, bool integers, std::uint32_t entry, GLenum type) {
     if (!is_of_indices(name))
         return encode_element(type == GL_FLOAT ? ElementKind::real : ElementKind::unsigned_integer,
@@ -103,7 +104,7 @@ void GetPixelMap(Context& context, GLenum map, const Values& values) {
     if (values.at == nullptr)
         return error(context, GL_INVALID_VALUE);
     const gl::PixelMap* const table = context.pixel_mode.map[name];
-    if (table == nullptr) // of size 1, the entry is 0
+    if (table == nullptr) // the initial map has one entry, 0
         return store(values, 0, 0);
     for (GLsizei i = 0; i < table->size; ++i)
         store(values, static_cast<std::size_t>(i),

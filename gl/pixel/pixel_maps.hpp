@@ -1,4 +1,4 @@
-// What is wrong with the arguments of PixelMap, for the command and for its record in a display list.
+// Checks the arguments of PixelMap, for the command and for its record in a display list.
 #pragma once
 
 #include "gl/context/error.hpp"
@@ -6,10 +6,10 @@
 
 namespace spangle::gl {
 
-/// NO_ERROR, or what the command raises.
+/// Returns NO_ERROR, or the error that the command raises.
 GLenum pixel_map_error(GLenum map, GLsizei size, const Values& values);
 
-/// The rule behind its INVALID_VALUE, for people; null: a pointer is null.
+/// The rule that an INVALID_VALUE of pixel_map_error() breaks, for messages; null when a pointer is null.
 inline const char* pixel_map_rule([[maybe_unused]] const Values& values) {
     return values.at == nullptr
                ? nullptr

@@ -1,4 +1,4 @@
-// How groups of pixels are changed on their way, and where they land (GL 1.3, 3.6.3 to 3.6.5).
+// Pixel transfer, pixel maps and zoom (GL 1.3, 3.6.3 to 3.6.5).
 #pragma once
 
 #include "gl/context/features.hpp"
@@ -8,7 +8,7 @@ namespace spangle::gl {
 
 inline constexpr GLsizei max_pixel_map_table = 256;
 
-/// The maps in the order of their tokens, from PIXEL_MAP_I_TO_I.
+/// The pixel maps, in the order of their tokens from PIXEL_MAP_I_TO_I on.
 enum PixelMapName : unsigned {
     map_i_to_i,
     map_s_to_s,
@@ -17,7 +17,7 @@ enum PixelMapName : unsigned {
     pixel_maps = 10
 };
 
-/// Entries follow in the same block: Reals, or with `integers` the indices themselves.
+/// A pixel map. Its entries follow in the same block: Reals, or with `integers` indices as integers.
 struct PixelMap {
     GLsizei size;
     bool integers;
@@ -26,7 +26,7 @@ struct PixelMap {
     const std::uint32_t* entries() const { return reinterpret_cast<const std::uint32_t*>(this + 1); }
 };
 
-/// What components are multiplied with, and what is added.
+/// The scale and bias that are applied to a component.
 struct Linear {
     Real scale = numeric::one, bias = numeric::zero;
 };
@@ -36,7 +36,7 @@ struct PixelModeState {
     bool map_color = false, map_stencil = false;
     GLint index_shift = 0, index_offset = 0;
     Linear linear[5];               ///< red, green, blue, alpha, depth
-    PixelMap* map[pixel_maps] = {}; ///< null: one entry, 0
+    PixelMap* map[pixel_maps] = {}; ///< null: the initial map, with one entry of 0
 #endif
 #if SPANGLE_FEATURE_DRAW_PIXELS
     Real zoom[2] = {numeric::one, numeric::one};

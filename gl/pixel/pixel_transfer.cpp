@@ -10,7 +10,8 @@ namespace spangle::gl::cmd {
 
 namespace {
 
-/// The number that a name of table 3.2 stands for, or null. Scale and bias alternate.
+/// The scale or bias that a name of table 3.2 (GL 1.3) refers to, or null. The tokens of scale and bias
+/// alternate.
 Real* number_of(PixelModeState& mode, GLenum pname) {
     if (pname < GL_RED_SCALE || pname > GL_DEPTH_BIAS || pname == GL_ZOOM_X || pname == GL_ZOOM_Y)
         return nullptr;

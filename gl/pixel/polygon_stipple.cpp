@@ -13,7 +13,7 @@ namespace {
 
 constexpr unsigned side = 32;
 
-/// visit(y, x, byte, mask) of each bit of the image.
+/// Calls visit(y, x, byte, mask) for each bit of the image.
 template <class Byte, class Visit> void each_bit(const PixelStore& store, Byte* image, Visit visit) {
     PixelLayout layout;
     layout.kind = ElementKind::bitmap;
@@ -53,7 +53,7 @@ void PolygonStipple(Context& context, const GLubyte* pattern) {
     if (pattern == nullptr)
         return error(context, GL_INVALID_VALUE);
     context.polygon.stipple = unpack_stipple(context.pixel_store.unpack, pattern);
-    context.changed(dirty_fragment); // what is recorded keeps the one before
+    context.changed(dirty_fragment); // recorded primitives keep the old pattern
 }
 
 void GetPolygonStipple(Context& context, GLubyte* pattern) {

@@ -1,4 +1,4 @@
-// The pattern of polygons as an image in client memory: 32 x 32 of BITMAP (GL 1.3, 3.5.2 and 6.1.5).
+// Polygon stipple patterns as images in client memory: 32 x 32 bits of BITMAP (GL 1.3, 3.5.2 and 6.1.5).
 #pragma once
 
 #include "gl/pixel/pixel_store_state.hpp"

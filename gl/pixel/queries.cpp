@@ -15,13 +15,13 @@ namespace spangle::gl {
 
 namespace {
 
-/// The result of a query that has begun once, or null.
+/// The result of a query, or null if it has never begun.
 GLuint* result_of(const Context& context, GLuint id) {
     void** const slot = context.query.objects.find(id);
     return slot != nullptr ? static_cast<GLuint*>(*slot) : nullptr;
 }
 
-/// The same, made where it is missing; null without memory.
+/// The result of a query, made if it is missing; null without memory.
 GLuint* make_result(Context& context, GLuint id) {
     NameTable& objects = context.query.objects;
     if (GLuint* const there = result_of(context, id); there != nullptr)
@@ -39,7 +39,7 @@ GLuint* make_result(Context& context, GLuint id) {
     return result;
 }
 
-/// Of what was drawn so far, recorded or not.
+/// The samples that have passed so far, including those of recorded primitives.
 std::uint32_t passed(const Context& context) {
 #if SPANGLE_HAS_RECORDS
     if (const Recording* const recording = context.drawable.recording; recording != nullptr)
@@ -49,7 +49,7 @@ std::uint32_t passed(const Context& context) {
     return tool != nullptr ? tool->passed : context.query.counters.passed;
 }
 
-/// What pname asks of an object, as a number of the caller's type: a signed one saturates.
+/// Writes a value of a query object as a T; a result too large for a signed type saturates.
 template <class T> void get_object(Context& context, GLuint id, GLenum pname, T* params) {
     const GLuint* const result = result_of(context, id);
     if (pname != GL_QUERY_RESULT && pname != GL_QUERY_RESULT_AVAILABLE)
@@ -97,7 +97,7 @@ void GenQueries(Context& context, GLsizei n, GLuint* ids) {
     gen_names(context, context.query.objects, n, ids);
 }
 
-/// One that counts goes on: its name is free, its result is nobody's.
+/// Deletes queries. An active query is ended first.
 void DeleteQueries(Context& context, GLsizei n, const GLuint* ids) {
     if (n < 0 || (n > 0 && ids == nullptr))
         return error(context, GL_INVALID_VALUE);

@@ -10,11 +10,11 @@ namespace spangle::gl {
 
 #if SPANGLE_FEATURE_QUERIES
 struct QueryState {
-    NameTable objects;         ///< to the result, a GLuint in the arena; null until the query has begun once
-    GLuint active = 0;         ///< SAMPLES_PASSED: what counts now; 0: nothing
-    std::uint32_t counted = 0; ///< by counters that were taken away since
-    std::uint32_t start = 0;   ///< what the counters had counted before
-    raster::Counters counters; ///< where no tool brought its own
+    NameTable objects;         ///< objects are results, GLuints in the arena; null: the query has never begun
+    GLuint active = 0;         ///< name of the active SAMPLES_PASSED query, or 0
+    std::uint32_t counted = 0; ///< samples counted by counters that were replaced since the query began
+    std::uint32_t start = 0;   ///< value of the present counters when this query began to use them
+    raster::Counters counters; ///< used unless a tool has set its own counters
 };
 #else
 struct QueryState {};

@@ -1,4 +1,5 @@
-// ReadPixels (GL 1.3, 4.3.2). Pixels outside the surface are undefined; here their memory stays as it is.
+// ReadPixels (GL 1.3, 4.3.2). GL leaves pixels outside of the surface undefined; here their memory is not
+// written.
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/batches.hpp"
 #include "gl/context/context.hpp"
@@ -12,7 +13,7 @@ namespace spangle::gl {
 namespace {
 
 struct Read {
-    const raster::Surface* surface; ///< with the row at hand
+    const raster::Surface* surface; ///< surface with the current row in memory
     const PixelLayout& layout;
     Content content;
     Transfer transfer;
@@ -24,8 +25,8 @@ void put_bit(unsigned char* row, std::size_t at, bool lsb_first, std::uint32_t v
     row[at / 8] = static_cast<unsigned char>((value & 1) != 0 ? row[at / 8] | mask : row[at / 8] & ~mask);
 }
 
-/// Columns [x, x + count) of a line; `row` is its first byte, `group` the first group to write, skipped bits
-/// included.
+/// Reads columns [x, x + count) of line y. `row` is the first byte of the client's row, and `group` the first
+/// group to write, counting skipped bits.
 void read_row(const Read& r, std::int32_t x, std::int32_t y, std::int32_t count, unsigned char* row,
               std::size_t group) {
     for (const std::int32_t end = x + count; x < end; ++x, ++group) {

@@ -42,7 +42,7 @@ bool raster_position_draws(Context& context, [[maybe_unused]] GLenum token) {
 
 namespace {
 
-/// A group as the words of a fragment.
+/// Converts a group to the words of a fragment.
 void convert(const GroupSource& source, RowForm form, std::int32_t n, std::int32_t m,
              std::uint32_t (&out)[4]) {
     const Group group = source.group(source, n, m);
@@ -67,7 +67,8 @@ void convert(const GroupSource& source, RowForm form, std::int32_t n, std::int32
     }
 }
 
-/// Row m, `count` fragments along `n`. A group that covers several fragments is looked at once.
+/// Fills `out` with `count` fragments of group row m, beginning at walk `n`. A group that covers several
+/// fragments is converted once.
 void fill_row(const GroupSource& source, RowForm form, std::int32_t m, ZoomAxis::Walk n, std::int32_t count,
               RectangleRow& out) {
     std::uint32_t words[4] = {};
@@ -92,7 +93,7 @@ void fill_row(const GroupSource& source, RowForm form, std::int32_t m, ZoomAxis:
 constexpr GroupFields word_fields{2, false, true, {{11, 5}, {5, 6}, {0, 5}}};
 static_assert(row_chunk >= rectangle_chunk);
 
-/// Rows of groups that are the fragments as they are.
+/// Converts whole rows of groups, where each group is one fragment and transfer changes no colour.
 class WholeRows {
   public:
     WholeRows(const GroupSource& source, RowForm form, bool zooms)
@@ -114,7 +115,7 @@ class WholeRows {
     }
 
   private:
-    /// The bits of the codes that are written; none where the reader is not asked.
+    /// The bits of the codes that are written; none if the reader is not used.
     static CodeBits bits(const GroupSource& source, RowForm form) {
         return source.groups == nullptr        ? CodeBits{}
                : form == RowForm::words        ? bits_of(word_fields)
@@ -130,8 +131,8 @@ class WholeRows {
 
 #endif
 
-/// Chunks of columns, and the rows of each: a row of groups is filled once for all the rows of fragments that
-/// it covers.
+/// Converts a rectangle in chunks of columns, row by row. A row of groups is converted once for all rows of
+/// fragments that it covers.
 class Rectangle {
   public:
     Rectangle(const Context& context, const GroupSource& source, RowForm form, RectangleOrder order,
@@ -151,7 +152,7 @@ class Rectangle {
         rows_ = y_.covered(source.m.begin, source.m.end, clip.y, clip.y + clip.h);
     }
 
-    /// put(y, x, count, row) for each row of each chunk.
+    /// Calls put(y, x, count, row) for each row of each chunk.
     template <class Put> void each(Put put) {
         if (rows_.begin >= rows_.end)
             return;
@@ -202,10 +203,10 @@ class Rectangle {
 struct Fragments : raster::PixelSource {
     Rectangle& rectangle;
     RowForm form;
-    bool colored; ///< the fragments bring their colours
+    bool colored; ///< the rectangle gives the fragments' colours
 };
 
-/// Runs of one depth.
+/// Emits fragments as runs of equal depth.
 void emit_depths(raster::PixelSink& sink, std::int32_t y, std::int32_t x, std::int32_t count,
                  const std::uint32_t* depth) {
     for (std::int32_t begin = 0, end; begin < count; begin = end) {
@@ -226,7 +227,8 @@ void emit(raster::PixelSource& source, raster::PixelSink& sink) {
         });
 }
 
-/// Neither textured nor tested: ownership, scissor and mask alone (GL 1.3, 4.3.1).
+/// Receives stencil values. They are neither textured nor tested: only pixel ownership, scissor and mask
+/// apply (GL 1.3, 4.3.1).
 struct StencilSink : raster::PixelSink {
     const Context& context;
     const raster::Surface& surface;

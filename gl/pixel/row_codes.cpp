@@ -20,8 +20,8 @@ SPANGLE_INLINE U16 codes_at(const std::uint16_t* code) {
     return L::load(reinterpret_cast<const std::uint8_t*>(code));
 }
 
-/// Reads one field of `count` groups, a whole number of lanes. Each word that `load` gives of eight groups
-/// holds the field at `shift`.
+/// Reads one field of `count` groups, a multiple of the lanes. load() returns a word for each of eight
+/// groups, which holds the field at bit `shift`.
 template <int GroupBytes, class Load>
 void read_field(const std::uint8_t* from, std::int32_t count, unsigned shift, unsigned bits,
                 const CodeScale& scale, std::uint16_t* out, Load load) {
@@ -34,7 +34,7 @@ void read_field(const std::uint8_t* from, std::int32_t count, unsigned shift, un
     }
 }
 
-/// Groups of three and of four bytes.
+/// Writes eight groups of three bytes, one per component.
 void write_threes(std::uint8_t* to, const std::uint16_t* const (&byte)[4], std::int32_t at) {
 #pragma GCC unroll 8
     for (std::int32_t i = 0; i < lanes; ++i) {
@@ -51,10 +51,10 @@ void write_fours(std::uint8_t* to, const std::uint16_t* const (&byte)[4], std::i
     L::store(to + 16, L::mixed_high(low, high));
 }
 
-/// The fields side by side in words of at most 16 bits.
+/// Writes groups whose fields are packed into words of at most 16 bits.
 template <class Store>
 void write_words(const CodeRow& from, const GroupFields& to, std::int32_t at, std::int32_t end, Store store) {
-    // One that is missing adds bits of another again.
+    // A missing field ORs the bits of another field again, which changes nothing.
     const std::uint16_t* code[4];
     std::uint16_t up[4];
     unsigned there = 0;
@@ -75,7 +75,7 @@ void write_words(const CodeRow& from, const GroupFields& to, std::int32_t at, st
     }
 }
 
-/// Where the groups are larger each byte is one field.
+/// Writes groups of 1 to 4 bytes. In groups of 3 and 4 bytes each byte is one field.
 void write_blocks(const CodeRow& from, const GroupFields& to, std::int32_t at, std::int32_t end,
                   std::uint8_t* out) {
     if (to.bytes == 1)
@@ -154,7 +154,7 @@ void FieldReader::read(const std::uint8_t* from, std::int32_t count, CodeRow& ou
     blocks(from, whole, out, 0);
     if (rest == 0)
         return;
-    std::uint8_t last[4 * lanes] = {}; // nothing is read behind the last group
+    std::uint8_t last[4 * lanes] = {}; // a copy, so that nothing behind the last group is read
     std::memcpy(last, from + std::ptrdiff_t{whole} * from_.bytes,
                 static_cast<std::size_t>(rest * from_.bytes));
     blocks(last, lanes, out, whole);
@@ -165,7 +165,7 @@ void write_fields(const CodeRow& from, const GroupFields& to, std::int32_t count
     write_blocks(from, to, 0, whole, out);
     if (rest == 0)
         return;
-    std::uint8_t last[4 * lanes]; // nothing is written behind the last group
+    std::uint8_t last[4 * lanes]; // a copy, so that nothing behind the last group is written
     write_blocks(from, to, whole, whole + lanes, last);
     std::memcpy(out + std::ptrdiff_t{whole} * to.bytes, last, static_cast<std::size_t>(rest * to.bytes));
 }

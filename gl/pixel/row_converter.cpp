@@ -31,7 +31,7 @@ bool has_exact_sums(const GroupFields& fields) {
            fields.field[2].bits == 8;
 }
 
-/// The form that codes are written in: a luminance is in the place of red.
+/// The form that codes are written in: luminance is only written from red.
 GroupForm written(GroupForm to) {
     if (is_luminance(to))
         to.fields.field[1] = to.fields.field[2] = {};

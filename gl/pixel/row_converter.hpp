@@ -1,6 +1,6 @@
-// Rows of colours between client memory, texels and surfaces, where nothing changes the colours on their way:
-// through a short row of codes, read from the one format and written to the other. What comes out is what
-// Groups and pack_pixel (group.hpp) make of each pixel, to the bit.
+// Converts rows of colours between client memory, texels and surfaces when nothing changes the colours. A
+// short row of codes is read from one format and written to the other. The result has the same bits as Groups
+// and pack_pixel (group.hpp) give for each pixel.
 #pragma once
 
 #include "gl/pixel/row_codes.hpp"
@@ -8,13 +8,12 @@
 
 namespace spangle::gl {
 
-/// Whether an image of so many groups is worth the set-up of a converter, which takes as long as some groups
-/// one by one.
+/// Whether a converter pays for an image of `groups` groups: its set-up takes as long as some single groups.
 constexpr bool pays_converter(std::int64_t groups) {
     return groups >= 4;
 }
 
-/// One end of a conversion. Lives no longer than the layout.
+/// The format at one end of a conversion. It must not outlive the layout.
 struct GroupForm {
     GroupForm() = default;
     GroupForm(const PixelLayout& of, bool swap_bytes)
@@ -24,21 +23,23 @@ struct GroupForm {
 
     std::uint32_t bytes() const { return fields.bytes != 0 ? fields.bytes : layout->group_bytes(); }
 
-    GroupFields fields;                  ///< without bytes: the groups are elements of the layout
-    const PixelLayout* layout = nullptr; ///< null: there are fields
+    GroupFields fields;                  ///< bytes 0: groups are elements of the layout
+    const PixelLayout* layout = nullptr; ///< null: groups are fields
     bool swap = false;
 };
 
-/// The bits that these fields have, or those that the groups have; eight of what these lack.
+/// bits_of() gives the bits of each field; own_bits() does, too, with eight bits for components that are
+/// missing.
 CodeBits bits_of(const GroupFields& fields);
 CodeBits own_bits(const GroupFields& fields);
 
-/// Looked at once per image. What the groups lack is 0, alpha 1.
+/// Reads rows of groups as codes; it is set up once per image. Components that the groups lack are 0, alpha
+/// is 1.
 class RowReader {
   public:
     RowReader(const GroupForm& from, const CodeBits& to);
 
-    /// At most row_chunk groups. Valid until the next call.
+    /// Reads `count` groups, at most row_chunk. The result is valid until the next call.
     CodeRow& read(const std::uint8_t* from, std::int32_t count);
 
     const CodeBits& bits() const { return bits_; }
@@ -52,14 +53,14 @@ class RowReader {
 
 class RowConverter {
   public:
-    /// What is written as luminance is the sum of red, green and blue (GL 1.3, 4.3.2).
+    /// Luminance is written as the sum of red, green and blue (GL 1.3, 4.3.2).
     RowConverter(const GroupForm& from, const GroupForm& to);
 
-    /// False: these two do not go together here, and nothing else may be called.
+    /// False when this pair of formats is not supported; no other member may be called then.
     bool works() const { return works_; }
-    /// At most row_chunk groups.
+    /// Converts `count` groups, at most row_chunk.
     void convert(const std::uint8_t* from, std::uint8_t* to, std::int32_t count);
-    /// Any number of groups.
+    /// Converts any number of groups.
     void convert_row(const std::uint8_t* from, std::uint8_t* to, std::int32_t count);
 
   private:
@@ -71,23 +72,23 @@ class RowConverter {
 /// The groups of a row of a surface, as fields_of(PixelFormat) describes them.
 class SurfaceRow {
   public:
-    /// `count` pixels from (x, y) on, at most row_chunk. Valid until the next call.
+    /// Returns the groups of `count` pixels from (x, y) on, at most row_chunk. Valid until the next call.
     const std::uint8_t* at(const raster::Surface& surface, std::int32_t x, std::int32_t y,
                            std::int32_t count);
 
   private:
-    std::uint16_t words_[row_chunk]; ///< of pixels that share bytes
+    std::uint16_t words_[row_chunk]; ///< unpacked pixels of formats whose pixels share bytes
 };
 
-/// Rows of a surface to groups.
+/// Converts rows of a surface to groups.
 class SurfaceConverter {
   public:
-    /// A surface of colours.
+    /// The surface must hold RGBA colours.
     SurfaceConverter(PixelFormat surface, const GroupForm& to)
         : converter_(GroupForm(surface), to), bytes_(to.bytes()) {}
 
     bool works() const { return converter_.works(); }
-    /// Any number of pixels from (x, y) on.
+    /// Converts any number of pixels from (x, y) on.
     void convert(const raster::Surface& surface, std::int32_t x, std::int32_t y, std::int32_t count,
                  std::uint8_t* to);
 

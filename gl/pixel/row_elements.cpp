@@ -8,7 +8,7 @@ namespace spangle::gl {
 
 namespace {
 
-/// What `of` makes of each code of 1 to 8 bits, those of more bits behind the others.
+/// A table of `of` for all codes of 1 to 8 bits, ordered by bits, then by code.
 constexpr std::uint32_t first_of(unsigned bits) {
     return (1u << bits) - 2;
 }
@@ -30,7 +30,7 @@ struct Elements {
     bool swap;
 };
 
-/// take(i, component) of all of them; what is negative is 0.
+/// Calls take(i, component) for the component of each group i; negative values become 0.
 template <ElementKind Kind, unsigned Bytes, class Take>
 void take_each(Elements of, std::int32_t count, Take take) {
     const std::uint32_t mask = all_ones(of.bits);
@@ -41,7 +41,7 @@ void take_each(Elements of, std::int32_t count, Take take) {
     }
 }
 
-/// Takes component i of each group, where components are elements and no fields.
+/// Calls take() for component i of each group, where components are elements, not fields.
 template <class Take>
 void take_component(const std::uint8_t* from, const PixelLayout& layout, bool swap, unsigned i,
                     std::int32_t count, Take take) {
@@ -59,7 +59,7 @@ void take_component(const std::uint8_t* from, const PixelLayout& layout, bool sw
     take_each<ElementKind::signed_integer, 1>(of, count, take);
 }
 
-/// The channels that a component of a group is, of red, green, blue and alpha: [first, end).
+/// The channels [first, end) of red, green, blue and alpha that a component stands for.
 struct Channels {
     unsigned first, end;
 };
@@ -93,7 +93,7 @@ void read_elements(const std::uint8_t* from, const PixelLayout& layout, bool swa
 
 void read_units(const std::uint8_t* from, const PixelLayout& layout, bool swap, std::int32_t count,
                 std::uint32_t* out) {
-    for (std::int32_t i = 0; i < count; ++i) { // what the groups lack
+    for (std::int32_t i = 0; i < count; ++i) { // defaults of components that the groups lack
         out[4 * i] = out[4 * i + 1] = out[4 * i + 2] = 0;
         out[4 * i + 3] = raster::color_one;
     }

@@ -1,5 +1,5 @@
-// Components of at most eight bits from one number of bits to another, in words of 16 bits: what rescale
-// (component.hpp) gives, by a product.
+// Scales components of up to eight bits from one number of bits to another, in words of 16 bits. The result
+// is that of rescale (component.hpp), by a multiplication.
 #pragma once
 
 #include <array>
@@ -9,17 +9,18 @@ namespace spangle::gl {
 
 inline constexpr unsigned most_code_bits = 8;
 
-/// A code c becomes (c factor + half) >> shift. All products have 16 bits.
+/// A code c becomes (c * factor + half) >> shift. All products fit 16 bits.
 struct CodeScale {
     std::uint16_t factor = 0, half = 0, shift = 0;
 };
 
 namespace detail {
 
-/// The nearest code for every code, or a factor of 0: this factor and shift do not do it.
+/// The scale with this factor and shift that gives the nearest code for every code; factor 0 if there is
+/// none.
 constexpr CodeScale scale_by(std::uint32_t factor, std::uint32_t shift, std::uint32_t last,
                              std::uint32_t most) {
-    std::uint32_t low = 0, high = 0xFFFF; // what `half` may be
+    std::uint32_t low = 0, high = 0xFFFF; // possible values of `half`
     for (std::uint32_t c = 0; c <= last && low <= high; ++c) {
         const std::uint32_t nearest = (c * most + last / 2) / last, product = c * factor;
         const std::uint32_t begin = nearest << shift, end = (nearest + 1) << shift;
@@ -36,7 +37,7 @@ constexpr CodeScale scale_by(std::uint32_t factor, std::uint32_t shift, std::uin
             static_cast<std::uint16_t>(shift)};
 }
 
-/// The smallest shift that does it.
+/// The scale with the smallest shift that is exact.
 constexpr CodeScale find_scale(unsigned from, unsigned to) {
     const std::uint32_t last = (1u << from) - 1, most = (1u << to) - 1;
     for (std::uint32_t shift = 0; shift < 16; ++shift)
@@ -56,7 +57,7 @@ constexpr bool all_found(const auto& scales) {
 
 } // namespace detail
 
-/// Indexed by the bits of both codes, 1 to 8.
+/// The scales, indexed by the bits before and after, 1 to 8.
 inline constexpr auto code_scales = [] {
     std::array<std::array<CodeScale, most_code_bits + 1>, most_code_bits + 1> scales{};
     for (unsigned from = 1; from <= most_code_bits; ++from)

@@ -12,7 +12,7 @@ bool is_face(GLenum face) {
     return face == GL_FRONT || face == GL_BACK || face == GL_FRONT_AND_BACK;
 }
 
-/// Calls change(side) for each of the sides that `face` names. A build without two sides has the front's for
+/// Calls change(side) for each side that `face` names. A build without two sides uses the front side for
 /// both.
 template <class Change> void change_sides(Context& context, GLenum face, Change change) {
     if (face != GL_BACK)

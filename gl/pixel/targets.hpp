@@ -1,4 +1,4 @@
-// What is drawn into: the surface, or each sample of its multisample buffer (GL 1.3, 3.2.1).
+// The targets of drawing: the surface, or each sample of its multisample buffer (GL 1.3, 3.2.1).
 #pragma once
 
 #include "gl/context/context.hpp"
@@ -11,13 +11,13 @@ inline bool has_sample_buffer(const Context& context) {
     return raster::has_samples && context.drawable.surface.samples != nullptr;
 }
 
-/// Each sample gets what lies where it is; else all of them get what the centre gets.
+/// Whether each sample gets the fragments at its own position; if not, all samples get the pixel centre's.
 inline bool multisampling(const Context& context) {
     return has_sample_buffer(context) && context.fragment_ops.multisample;
 }
 
-/// Calls draw(surface, shift) for each surface that gets fragments: what is drawn moves by `shift`, in 1/256
-/// pixel, so that the sample comes to lie in the centre.
+/// Calls draw(surface, shift) for each target. Geometry must be moved by `shift`, in 1/256 pixel, so that the
+/// sample lies at the pixel centre.
 template <class Draw> void each_target(Context& context, Draw draw) {
     const bool moves = multisampling(context);
     raster::each_sample(context.drawable.surface, [&](const raster::Surface& target, unsigned sample) {
@@ -26,7 +26,8 @@ template <class Draw> void each_target(Context& context, Draw draw) {
     });
 }
 
-/// The same of primitives, which a record keeps once and moves when it draws them.
+/// Calls draw() for each target of a primitive. A record keeps a primitive once, and moves it when it is
+/// replayed.
 template <class Draw> void each_primitive_target(Context& context, Draw draw) {
     if (context.drawable.recording == nullptr)
         return each_target(context, draw);
@@ -36,14 +37,14 @@ template <class Draw> void each_primitive_target(Context& context, Draw draw) {
     draw(context.drawable.surface, raster::Position{});
 }
 
-/// A vertex of the rasterizer, moved.
+/// A copy of a rasterizer's vertex, moved by `by`.
 template <class Window> Window shifted(const Window& window, raster::Position by) {
     Window moved = window;
     raster::shift(moved, by);
     return moved;
 }
 
-/// The surface that is read, with all that was drawn to its samples; of a recorded one nothing is there yet.
+/// The read surface, after its samples are resolved. Of a recorded surface no row is in memory yet.
 inline const raster::Surface& read_surface(const Context& context) {
     if (context.drawable.recording == nullptr)
         raster::resolve(context.drawable.read);

@@ -22,7 +22,7 @@ std::uint32_t last_of(const PixelMap* map) {
     return map != nullptr ? static_cast<std::uint32_t>(map->size) - 1 : 0;
 }
 
-/// Sizes of maps that indices address are powers of two.
+/// The entry that an index selects; such maps' sizes are powers of two.
 std::uint32_t entry_at(const PixelMap* map, Index index) {
     return entry(map, rounded(index) & last_of(map));
 }
@@ -70,7 +70,7 @@ Index Transfer::stencil(Index index) const {
     const Index moved = shifted_by(state_, index);
     if (!state_.map_stencil)
         return moved;
-    return whole_index(entry_at(state_.map[map_s_to_s], moved)); // stored as integers
+    return whole_index(entry_at(state_.map[map_s_to_s], moved)); // map entries are integers
 }
 
 Component Transfer::depth(Component z) const {
@@ -83,7 +83,7 @@ Transfer::Transfer(const PixelModeState& state) : state_(state) {}
 
 void Transfer::change(Pixel&) const {}
 
-/// The maps as they are at first: one entry, 0.
+/// Returns what the initial maps give: each has one entry, 0.
 Pixel Transfer::color_of(Index) const {
     static_cast<void>(state_);
     const Component nothing = component(numeric::zero);

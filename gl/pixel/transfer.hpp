@@ -1,5 +1,5 @@
-// Pixel transfer: what happens to every group between unpacking and its receiver, or between the framebuffer
-// and packing (GL 1.3, 3.6.5).
+// Pixel transfer: the operations on every group between unpacking and its receiver, or between the
+// framebuffer and packing (GL 1.3, 3.6.5).
 #pragma once
 
 #include "gl/pixel/component.hpp"
@@ -8,29 +8,30 @@
 
 namespace spangle::gl {
 
-/// A colour on its way: red, green, blue, alpha.
+/// A colour during pixel transfer: red, green, blue, alpha.
 struct Pixel {
     Component value[4];
 };
 
-/// Looked at once per image. A state that changes nothing costs one test per group.
+/// Pixel transfer with the present state; set up once per image. A state that changes nothing costs one test
+/// per group.
 class Transfer {
   public:
     explicit Transfer(const PixelModeState& state);
 
-    /// Some colour component may come out other than it went in.
+    /// Whether transfer may change a colour component.
     bool changes_colors() const { return scales_ || maps_; }
 
-    /// Scale and bias, then the maps of components.
+    /// Applies scale and bias, then the maps of components.
     void apply(Pixel& color) const {
         if (changes_colors())
             change(color);
     }
-    /// Shift and offset, then the maps from indices to colours, whatever MAP_COLOR is.
+    /// Applies shift and offset, then the maps from indices to colours, whatever MAP_COLOR is.
     Pixel color_of(Index index) const;
-    /// Shift and offset, then the map of colour indices.
+    /// Applies shift and offset, then the map of colour indices if MAP_COLOR is on.
     Index index(Index index) const;
-    /// Shift and offset, then the map of stencil indices.
+    /// Applies shift and offset, then the map of stencil indices if MAP_STENCIL is on.
     Index stencil(Index index) const;
     Component depth(Component z) const;
 

@@ -1,5 +1,5 @@
-// The viewport as a box of pixels. The view volume ends at its edges (GL 1.3, 2.10.1 and 2.11), which are
-// those of pixels, so a clipped polygon covers no centre beyond it.
+// The viewport as a box of pixels. Its edges are those of the view volume (GL 1.3, 2.10.1 and 2.11) and lie
+// on pixel edges, so a clipped polygon covers no pixel centre beyond it.
 #pragma once
 
 #include "gl/pixel/targets.hpp"
@@ -7,21 +7,21 @@
 
 namespace spangle::gl {
 
-/// True where clipping by the view volume takes no pixel of the area away.
+/// Whether the viewport contains the whole area, so that clipping removes none of its pixels.
 inline bool viewport_holds(const Context& context, const Rect& area) {
     const GLint(&v)[4] = context.transform.viewport;
     return v[0] <= area.x && v[1] <= area.y && v[0] + v[2] >= area.x + area.w &&
            v[1] + v[3] >= area.y + area.h;
 }
 
-/// All pixels of the window, whichever band of it is there: what is cut must not depend on bands.
+/// Whether the viewport contains the whole window. Clipping must not depend on which band is in memory.
 inline bool viewport_holds_window(const Context& context) {
     const raster::Surface& surface = context.drawable.surface;
     return viewport_holds(context, {0, 0, surface.width, surface.height});
 }
 
-/// Aliased lines of one pixel: the fragments that clipping the line leaves are those of the whole line that
-/// lie in the viewport, so the line itself need not be cut. Others are wider than their geometry.
+/// Whether lines are aliased and one pixel wide. Of such a line, clipping leaves just the fragments that lie
+/// in the viewport, so the line itself need not be clipped. Other lines are wider than their geometry.
 inline bool lines_are_thin(const Context& context) {
     return !context.polygon.line_smooth && !multisampling(context) &&
            numeric::to_i32_round(context.polygon.line_width) <= 1;

@@ -9,10 +9,10 @@ namespace {
 
 constexpr int fraction_bits = 32;
 constexpr std::int64_t one = std::int64_t{1} << fraction_bits, half = one / 2;
-constexpr int number_bits = 58; ///< 2^26 pixels: farther away nothing is seen
+constexpr int number_bits = 58; ///< 2^26 pixels; nothing farther away is visible
 constexpr std::int64_t farthest = std::int64_t{1} << 61;
 
-/// With 32 fraction bits, saturated.
+/// A Real with 32 fraction bits, saturated to number_bits.
 std::int64_t fixed(numeric::Real v) {
     const numeric::detail::Unpacked u = numeric::detail::unpack(v);
     const std::int32_t up = u.exponent + fraction_bits;
@@ -23,7 +23,7 @@ std::int64_t fixed(numeric::Real v) {
     return u.negative ? -bounded : bounded;
 }
 
-/// a n, n >= 0, or +-farthest.
+/// The product a * n with n >= 0, saturated to +-farthest.
 std::int64_t times(std::int64_t a, std::int32_t n) {
     const std::uint64_t low = (static_cast<std::uint64_t>(a) & (one - 1)) * static_cast<std::uint32_t>(n);
     const std::int64_t high = (a >> fraction_bits) * n + static_cast<std::int64_t>(low >> fraction_bits);
@@ -53,7 +53,7 @@ std::int32_t whole_pixels(numeric::Real at, numeric::Real origin, std::int32_t a
 ZoomAxis::ZoomAxis(numeric::Real at, numeric::Real zoom, std::int32_t shift)
     : at_(fixed(at) + shift * (one >> 8)), zoom_(fixed(zoom)) {}
 
-/// The first one whose centre is not before where a group begins.
+/// The first fragment whose centre is at or after the beginning of a group.
 [[gnu::noinline]] std::int32_t ZoomAxis::first_fragment(std::int32_t group) const {
     const std::int64_t edge = at_ + times(zoom_, group);
     const std::int64_t fragment = (edge - half + (one - 1)) >> fraction_bits; // |edge| < 2^62
@@ -67,8 +67,9 @@ ZoomAxis::Range ZoomAxis::covered(std::int32_t first, std::int32_t last, std::in
     return {all.begin > low ? all.begin : low, all.end < high ? all.end : high};
 }
 
-/// d zoom groups from the raster position are at its left, or with a negative zoom d - 2^-32: floor of a
-/// quotient of positive numbers, as the fragment is covered.
+/// The walk begins with d / |zoom|, where d is the distance of the fragment's centre from the raster
+/// position, less 2^-32 for a negative zoom. Both are positive, as the fragment is covered, so the floor of
+/// the quotient is the group.
 ZoomAxis::Walk ZoomAxis::from(std::int32_t fragment) const {
     const std::int64_t center = fragment * one + half;
     const std::int64_t d = zoom_ < 0 ? at_ - center - 1 : center - at_;

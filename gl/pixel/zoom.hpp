@@ -8,12 +8,12 @@
 
 namespace spangle::gl {
 
-/// floor(at - origin + 2^-13) of window coordinates: the corner of a bitmap (GL 1.3, 3.7), at most 2^27;
-/// exact where both are less than 2^26. What a transformed raster position misses of a whole number, less
-/// than 2^-15 on the largest viewport, moves no bit. `ahead` is added, in 2^-12.
+/// The corner of a bitmap (GL 1.3, 3.7): floor(at - origin + 2^-13) in window coordinates, at most 2^27, and
+/// exact if both are below 2^26. A transformed raster position misses whole numbers by less than 2^-15 on the
+/// largest viewport, so the added 2^-13 keeps bits in place. `ahead` is added, in 2^-12.
 std::int32_t whole_pixels(numeric::Real at, numeric::Real origin, std::int32_t ahead = 0);
 
-/// Pixels or groups [begin, end); none where they are equal.
+/// Pixels or groups [begin, end); empty if they are equal.
 struct Interval {
     std::int32_t begin, end;
 };
@@ -21,24 +21,24 @@ struct Interval {
 /// The part of [at, at + size), size >= 0, that lies in [low, high).
 Interval inside(std::int32_t at, std::int32_t size, std::int32_t low, std::int32_t high);
 
-/// One axis. Group n covers the fragments whose centre lies in [at + zoom n, at + zoom (n + 1)), or with a
-/// negative zoom in [at + zoom (n + 1), at + zoom n). All numbers have 32 fraction bits: those of floats from
-/// 2^-9 on lose nothing, of smaller ones the nearest 2^-32 counts.
+/// One axis of a zoomed rectangle. Group n covers the fragments whose centre lies in [at + zoom n, at + zoom
+/// (n + 1)), or for a negative zoom in [at + zoom (n + 1), at + zoom n). All numbers have 32 fraction bits:
+/// floats from 2^-9 on are exact, smaller ones are rounded to the nearest 2^-32.
 class ZoomAxis {
   public:
-    /// `shift` moves all of it, in 1/256 pixel.
+    /// `shift` moves the whole rectangle, in 1/256 pixel.
     ZoomAxis(numeric::Real at, numeric::Real zoom, std::int32_t shift = 0);
 
-    /// Nothing is drawn.
+    /// Whether the zoom is 0, so that nothing is drawn.
     bool is_empty() const { return zoom_ == 0; }
-    /// Each group covers one fragment, in their order.
+    /// Whether the zoom is 1, so that each group covers one fragment, in order.
     bool is_one() const { return zoom_ == std::int64_t{1} << 32; }
 
-    using Range = Interval; ///< of fragments
-    /// Of groups [first, last), as far as they lie in [low, high), of coordinates that a surface has.
+    using Range = Interval; ///< a range of fragments
+    /// The fragments that groups [first, last) cover, cut to [low, high), which are coordinates of a surface.
     Range covered(std::int32_t first, std::int32_t last, std::int32_t low, std::int32_t high) const;
 
-    /// Groups of fragments that follow each other.
+    /// Steps from fragment to fragment, and says which group each belongs to.
     class Walk {
       public:
         std::int32_t group() const { return static_cast<std::int32_t>(group_); }
@@ -46,10 +46,10 @@ class ZoomAxis {
 
       private:
         friend class ZoomAxis;
-        std::int64_t group_, rest_;      ///< what is asked for, and the remainder of the division
-        std::int64_t whole_, part_, by_; ///< per fragment: groups and remainder; the divisor |zoom|
+        std::int64_t group_, rest_;      ///< the present group, and the remainder of the division
+        std::int64_t whole_, part_, by_; ///< whole and remainder: step per fragment; by: the divisor |zoom|
     };
-    /// From a fragment that is covered.
+    /// A walk that begins at a fragment, which must be covered.
     Walk from(std::int32_t fragment) const;
 
   private:
