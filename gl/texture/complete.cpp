@@ -31,7 +31,7 @@ bool follows(const LevelShape& shape, const LevelShape& base, int step) {
     return alike(shape, base);
 }
 
-/// Levels of a face to sample, the base level first; 0: incomplete.
+/// The number of levels of a face to sample, from the base level on; 0: the face is incomplete.
 int usable_levels(const TextureObject& texture, unsigned face) {
     const GLint first = texture.parameters.base_level;
     if (first >= texture_levels || texture.image(face, first) == nullptr)
@@ -39,7 +39,7 @@ int usable_levels(const TextureObject& texture, unsigned face) {
     const LevelShape& base = texture.image(face, first)->shape;
     if (base.empty())
         return 0;
-    // Mipmaps, if only some spans sample them, are looked at by none of these.
+    // Without spans that sample every kind of texture, no span samples mipmaps: the base level is enough.
     if (!raster::spans_sample_any || !has_mipmaps(texture.parameters.min_filter))
         return 1;
     if (first > texture.parameters.max_level)
@@ -57,7 +57,7 @@ int usable_levels(const TextureObject& texture, unsigned face) {
     return count;
 }
 
-/// Of all faces.
+/// The number of levels to sample in every face; 0: the texture is incomplete.
 int usable_levels(const TextureObject& texture) {
     if (there(texture.kind) == TextureKind::cube && !is_cube_complete(texture))
         return 0;
@@ -68,10 +68,10 @@ int usable_levels(const TextureObject& texture) {
     return count;
 }
 
-/// The first texel inside the border.
+/// The address of the first texel inside the border.
 const std::uint8_t* inner_texels(const LevelImage& image) {
     const LevelShape& shape = image.shape;
-    if (!raster::spans_sample_any) // nor borders
+    if (!raster::spans_sample_any) // such builds sample no borders, either
         return image.texels;
     return image.texels + shape.border_along(2) * image.slice() + shape.border_along(1) * image.stride +
            shape.border_along(0) * texel_size(shape.format);
@@ -94,7 +94,7 @@ raster::Wrap wrap_of(GLenum mode) {
 void set_filters(const TextureObject& texture, raster::Texture& view) {
     view.mag = texture.parameters.mag_filter == GL_LINEAR ? raster::Filter::linear : raster::Filter::nearest;
     const GLenum min = texture.parameters.min_filter;
-    // Bit 0 of the tokens says linear, bit 1 linear between levels.
+    // Bit 0 of a filter's token means linear within a level, bit 1 linear between levels.
     view.min = (min & 1) != 0 ? raster::Filter::linear : raster::Filter::nearest;
     view.mip = !has_mipmaps(min)                             ? raster::MipFilter::none
                : !raster::spans_sample_any || (min & 2) == 0 ? raster::MipFilter::nearest
@@ -128,7 +128,7 @@ void set_faces([[maybe_unused]] const TextureObject& texture, [[maybe_unused]] r
 
 #if SPANGLE_FEATURE_DEPTH_TEXTURES
 
-/// What a depth becomes (GL 1.4, 3.8.5 and 3.8.14).
+/// Sets how a depth texel becomes a colour, and how it is compared (GL 1.4, 3.8.5 and 3.8.14).
 void set_depth(const TextureParameters& p, raster::Texture& view) {
     view.base = p.depth_mode == GL_ALPHA       ? raster::BaseFormat::alpha
                 : p.depth_mode == GL_INTENSITY ? raster::BaseFormat::intensity
@@ -155,7 +155,7 @@ void set_format(const TextureObject& texture, const LevelImage& base, raster::Te
     static_cast<void>(texture);
 }
 
-/// As a texel of the base format would have it (GL 1.3, 3.8.8, table 3.15).
+/// Sets the border colour in the form that a texel of the base format has (GL 1.3, 3.8.8, table 3.15).
 void set_border_color(const TextureParameters& parameters, raster::Texture& view) {
     using raster::BaseFormat;
     std::uint8_t* const c = view.border_color;
@@ -189,7 +189,7 @@ void build(const TextureObject& texture) {
     set_faces(texture, view);
     set_format(texture, base, view);
     view.wrap_s = wrap_of(parameters.wrap[0]);
-    // An axis that is not there repeats its one texel.
+    // 1D textures repeat their single row.
     view.wrap_t = base.shape.sides() > 1 ? wrap_of(parameters.wrap[1]) : raster::Wrap::repeat;
     if (samples_volumes)
         view.wrap_r = wrap_of(parameters.wrap[2]);

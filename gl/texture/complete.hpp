@@ -5,14 +5,14 @@
 
 namespace spangle::gl {
 
-/// A texture ready to sample, or null when it is incomplete. Valid until it changes.
+/// A texture's view, ready to sample; null when the texture is incomplete. Valid until the texture changes.
 const raster::Texture* complete_texture(const TextureObject& texture);
 
-/// The texture of the target that a unit takes, its view ready to sample, or null: none is enabled, or it is
-/// incomplete and the unit behaves as if none were. Valid until a texture changes.
+/// The texture that a unit samples, with its view ready. Null when no target is enabled or the texture is
+/// incomplete, which act alike. Valid until a texture changes.
 const TextureObject* sampled_texture(const Context& context, int unit);
 
-/// The base levels of all faces are there and alike (GL 1.3, 3.8.10).
+/// Whether the base levels of all six faces exist and are alike (GL 1.3, 3.8.10).
 bool is_cube_complete(const TextureObject& texture);
 
 } // namespace spangle::gl

@@ -9,7 +9,7 @@ namespace spangle::gl {
 inline constexpr GLenum first_palette_format = GL_PALETTE4_RGB8_OES;
 inline constexpr unsigned palette_formats = 10, compressed_formats = palette_formats + 1;
 
-// False of every image in a build without these.
+// Builds without compressed textures answer false for every format.
 constexpr bool is_palette(GLenum internal_format) {
     return SPANGLE_FEATURE_COMPRESSED_TEXTURES && internal_format - first_palette_format < palette_formats;
 }
@@ -17,7 +17,7 @@ constexpr bool is_compressed(GLenum internal_format) {
     return SPANGLE_FEATURE_COMPRESSED_TEXTURES &&
            (is_palette(internal_format) || internal_format == GL_ETC1_RGB8_OES);
 }
-/// Of the entries.
+/// The texel format of a palette's entries.
 constexpr raster::TexelFormat palette_format_of(GLenum internal_format) {
     constexpr raster::TexelFormat of[] = {raster::TexelFormat::rgb888, raster::TexelFormat::rgba8888,
                                           raster::TexelFormat::rgb565, raster::TexelFormat::rgba4444,
@@ -34,16 +34,16 @@ constexpr raster::TexelFormat compressed_texels_of(GLenum internal_format) {
                                                 : raster::TexelFormat::p8;
 }
 
-/// The build holds its texels, and the entries of its palette.
+/// Whether the build supports the format's texels and its palette's entries.
 constexpr bool is_held(GLenum internal_format) {
     return raster::has_format(compressed_texels_of(internal_format)) &&
            (!is_palette(internal_format) || raster::has_format(palette_format_of(internal_format)));
 }
 
-/// Bytes of all entries; 0: no palette.
+/// Bytes of all palette entries; 0: the format has no palette.
 std::uint32_t palette_bytes(GLenum internal_format);
 
-/// Bytes of the image of a level, its palette not included. Indices of 4 bits go on from row to row.
+/// Bytes of the image of a level, without its palette. Rows of 4-bit indices are packed without gaps.
 std::uint32_t compressed_bytes(GLenum internal_format, std::uint32_t width, std::uint32_t height);
 
 } // namespace spangle::gl

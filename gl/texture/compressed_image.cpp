@@ -1,6 +1,6 @@
-// CompressedTexImage and CompressedTexSubImage (GL 1.3, 3.8.3): paletted images, whose levels come all at
-// once (level -n: n + 1 of them, OES_compressed_paletted_texture), and ETC1. Sampled as they are: from the
-// arena, or where they lie in the program's constant memory.
+// CompressedTexImage and CompressedTexSubImage (GL 1.3, 3.8.3), for paletted images and ETC1. A paletted
+// image brings all levels at once: level -n means n + 1 levels (OES_compressed_paletted_texture). Images are
+// sampled in compressed form, from the arena or from the program's constant memory.
 #include <cstring>
 
 #include "gl/api/generated/commands.hpp"
@@ -24,10 +24,10 @@ std::uint16_t side(std::uint32_t base, GLint step) {
 struct CompressedImage {
     GLenum internal_format;
     ImageTarget target;
-    GLint first, levels; ///< of the texture
+    GLint first, levels; ///< first level, and number of levels
     std::uint32_t width, height;
     const std::uint8_t* data;
-    bool constant; ///< data stays where it is
+    bool constant; ///< data lies in constant memory, and is not copied
 
     LevelShape shape(GLint step) const {
         LevelShape shape;
@@ -41,7 +41,7 @@ struct CompressedImage {
     std::uint32_t bytes(GLint step) const {
         return compressed_bytes(internal_format, side(width, step), side(height, step));
     }
-    /// The first level has no more texels than fit.
+    /// Bytes of the palette and all levels. The sum fits, as the size of the first level is limited.
     std::uint32_t all_bytes() const {
         std::uint32_t sum = palette_bytes(internal_format);
         for (GLint step = 0; step < levels; ++step)
@@ -50,7 +50,8 @@ struct CompressedImage {
     }
 };
 
-/// A copy has a palette of its own, so that a level does not outlive it.
+/// Makes the image of one level. A copied level has its own copy of the palette, so that no level needs
+/// another.
 LevelImage* make_level(Arena& arena, const CompressedImage& from, GLint step, const std::uint8_t* texels) {
     const std::uint32_t palette = palette_bytes(from.internal_format), bytes = from.bytes(step);
     const std::size_t kept = from.constant ? 0 : std::size_t{palette} + bytes;
@@ -68,7 +69,8 @@ LevelImage* make_level(Arena& arena, const CompressedImage& from, GLint step, co
     return image;
 }
 
-/// Levels of a paletted texture that do not come with it go: they would have another palette.
+/// Puts the new levels into the texture. Older paletted levels beyond them are discarded, because their
+/// palette differs.
 void put_levels(Context& context, const CompressedImage& from, LevelImage* const made[]) {
     TextureObject& texture = bound_texture(context, from.target.kind);
     for (GLint l = 0; l < texture_levels; ++l) {
@@ -149,7 +151,7 @@ void CompressedTexConstantImage2DSPANGLE(Context& context, GLenum target, GLint 
     compressed_image(context, target, level, internalformat, width, height, border, imageSize, data, true);
 }
 
-/// No format has one or three dimensions, and none can be changed in part.
+/// No compressed format has one or three dimensions, so these commands always fail.
 void CompressedTexImage1D(Context& context, GLenum, GLint, GLenum, GLsizei, GLint, GLsizei, const void*) {
     error(context, GL_INVALID_ENUM, SPANGLE_TEXT("no compressed format has one dimension"));
 }

@@ -1,5 +1,5 @@
-// TexConstantImage2DSPANGLE: an image that stays where it is, in the program's constant memory. Its texels
-// lie there as GL keeps them, row by row without gaps, so the internal format has to be one with sizes.
+// TexConstantImage2DSPANGLE: an image that stays in the program's constant memory. Its texels lie there in
+// the form that GL stores them, row by row without gaps, so the internal format must be a sized one.
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/arena.hpp"
 #include "gl/context/context.hpp"
@@ -11,7 +11,7 @@ namespace spangle::gl {
 
 namespace {
 
-/// Formats that are kept alike whatever the surface.
+/// Whether the format is sized, and stored in the same form whatever the surface.
 bool has_sizes(GLenum internal_format) {
     switch (internal_format) {
     case GL_ALPHA8:

@@ -1,5 +1,5 @@
-// CopyTexImage and CopyTexSubImage: texels from the framebuffer (GL 1.3, 3.8.2). Those of pixels outside the
-// surface are undefined: here they are 0 in a new image, and stay in one that is there.
+// CopyTexImage and CopyTexSubImage: texels from the framebuffer (GL 1.3, 3.8.2). GL leaves texels of pixels
+// outside of the surface undefined. Here they are 0 in a new image, and unchanged in an existing one.
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/share_group.hpp"
@@ -20,7 +20,7 @@ bool has_depth(const Context& context) {
     return context.drawable.read.depth_format != DepthFormat::none;
 }
 
-/// Pixels from (x, y) on into a box one texel deep.
+/// Copies pixels from (x, y) on into a box that is one texel deep.
 void copy_pixels(const Context& context, LevelImage& image, const TexelBox& box, GLint x, GLint y) {
     const PixelLayout texels = texel_layout(image.shape.format);
     const Content content = is_depth(image.shape.format) ? Content::depth : Content::color;
@@ -30,7 +30,7 @@ void copy_pixels(const Context& context, LevelImage& image, const TexelBox& box,
     const Interval columns = inside(x, static_cast<GLsizei>(box.size[0]), 0, all.w),
                    lines = inside(y, static_cast<GLsizei>(box.size[1]), all.y, all.y + all.h);
     if (columns.begin >= columns.end)
-        return; // The distance to x may not even be a number of 32 bits.
+        return; // The distance to x might exceed 32 bits.
     const auto row_of = [&](std::int32_t py) {
         return image.own_texels() + std::size_t{box.at[2]} * image.slice() +
                (box.at[1] + static_cast<std::uint32_t>(py - y)) * std::size_t{image.stride};
@@ -55,7 +55,8 @@ void copy_pixels(const Context& context, LevelImage& image, const TexelBox& box,
     }
 }
 
-/// Unlike TexImage, which takes component counts and calls others wrong values (GL 1.3, 3.8.2).
+/// Whether the internal format can be copied to. Unlike TexImage, CopyTexImage takes no component counts and
+/// raises INVALID_ENUM for bad formats (GL 1.3, 3.8.2).
 bool copies_to(const Context& context, GLint internal_format) {
     raster::TexelFormat unused;
     return (internal_format < 1 || internal_format > 4) &&

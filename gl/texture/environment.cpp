@@ -1,4 +1,4 @@
-// TexEnv: how a texel meets the fragment's colour (GL 1.3, 3.8.12, 3.8.13).
+// TexEnv: how a texel is combined with the fragment's colour (GL 1.3, 3.8.12, 3.8.13).
 #include <cstring>
 
 #include "gl/api/generated/commands.hpp"
@@ -13,7 +13,7 @@ namespace {
 #if SPANGLE_FEATURE_TEXTURE_COMBINE
 
 bool is_function(GLenum v, bool alpha) {
-    constexpr unsigned dot3 = 6; // the last two
+    constexpr unsigned dot3 = 6; // index of DOT3_RGB; DOT3 functions are the last two
     return place_in(combine_functions, v) < (alpha ? dot3 : dot3 + 2);
 }
 
@@ -26,13 +26,13 @@ bool is_operand(GLenum v, bool alpha) {
            (!alpha && (v == GL_SRC_COLOR || v == GL_ONE_MINUS_SRC_COLOR));
 }
 
-/// 1, 2 or 4.
+/// Whether v is 1, 2 or 4.
 bool is_scale(Real v) {
     return v.bits == numeric::one.bits || v.bits == 0x40000000 || v.bits == 0x40800000;
 }
 
-/// Where a token of a combiner is kept, or null. Of the tokens of one kind those of alpha follow those of
-/// RGB.
+/// Where a combiner's parameter with a token value is stored, or null. Within each kind of parameter, tokens
+/// for alpha follow those for RGB.
 GLenum* combiner_token(TexEnvState& env, GLenum pname) {
     for (unsigned alpha = 0; alpha < 2; ++alpha) {
         if (pname == GL_COMBINE_RGB + alpha)
@@ -57,7 +57,7 @@ bool legal_token(GLenum pname, GLenum value) {
     return pname < GL_OPERAND0_RGB ? is_source(value) : is_operand(value, pname >= GL_OPERAND0_ALPHA);
 }
 
-/// INVALID_ENUM: not a pname of combiners.
+/// Sets a parameter of a combiner. Returns the error; INVALID_ENUM also for a pname that is not one.
 GLenum set_combiner(TexEnvState& env, GLenum pname, Param value) {
     if (GLenum* const token = combiner_token(env, pname); token != nullptr) {
         if (!legal_token(pname, value.token()))
@@ -87,7 +87,8 @@ bool get_combiner(TexEnvState& env, GLenum pname, Param& value) {
 
 #endif
 
-/// A name of combiners in a build that has none: says so.
+/// Whether `pname` belongs to a system that this build leaves out; if so, raises an error that names the
+/// system.
 bool left_out(Context& context, GLenum pname) {
 #if !SPANGLE_FEATURE_TEXTURE_COMBINE
     if (pname != GL_TEXTURE_ENV_MODE && pname != GL_TEXTURE_ENV_COLOR && pname != GL_TEXTURE_LOD_BIAS &&
@@ -148,7 +149,8 @@ bool get(TexEnvState& env, GLenum pname, Params& params) {
     }
 }
 
-/// The targets of GL 1.4 and 2.0 have one parameter each, which the others do not.
+/// Whether `pname` belongs to `target`. The targets of GL 1.4 and 2.0 have one parameter each; TEXTURE_ENV
+/// has all others.
 bool legal_target(GLenum target, GLenum pname) {
     return target == (pname == GL_TEXTURE_LOD_BIAS ? GL_TEXTURE_FILTER_CONTROL
                       : pname == GL_COORD_REPLACE  ? GL_POINT_SPRITE

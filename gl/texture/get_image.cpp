@@ -12,7 +12,7 @@ namespace spangle::gl {
 
 namespace {
 
-/// The image, or null and the error is set; a level without image is an empty one.
+/// Finds the image of a level; null after an error. A level without an image gives an empty one.
 const LevelImage* find_image(Context& context, GLenum target, GLint level) {
     static constexpr LevelImage none{};
     ImageTarget of;
@@ -27,7 +27,7 @@ const LevelImage* find_image(Context& context, GLenum target, GLint level) {
     return image != nullptr ? image : &none;
 }
 
-/// What a format lacks is 0, alpha 1 (table 6.1).
+/// Writes an image to client memory. Components that the texels lack are 0, alpha is 1 (GL 1.3, table 6.1).
 void pack_image(const LevelImage& image, const PixelStore& pack, const PixelLayout& layout, void* pixels) {
     const LevelShape& shape = image.shape;
     const PixelLayout texels = texel_layout(shape.format);
@@ -67,8 +67,8 @@ void GetTexImage(Context& context, GLenum target, GLint level, GLenum format, GL
     if (image == nullptr)
         return;
     const bool depth = layout.channel[0] == Channel::depth;
-    // Luminance is red alone, not the sum that ReadPixels makes of a pixel: texels go through no conversion
-    // of RGB to L (GL 1.3, 6.1.4).
+    // Luminance is red only, not the sum of R, G and B as in ReadPixels, because texels are not converted
+    // from RGB to L (GL 1.3, 6.1.4).
     if (layout.channel[0] == Channel::luminance)
         layout.channel[0] = Channel::red;
     if (is_compressed(image->shape.internal_format) || depth != is_depth(image->shape.format))
@@ -78,7 +78,7 @@ void GetTexImage(Context& context, GLenum target, GLint level, GLenum format, GL
         return;
     if (pixels == nullptr)
         return error(context, GL_INVALID_VALUE);
-    distrust_batches(context); // the image may be a copy of the band
+    distrust_batches(context); // the image may be a copy of this band's pixels
     pack_image(*image, context.pixel_store.pack, layout, pixels);
 }
 

@@ -1,4 +1,4 @@
-// Texels of the next level from rows of this one, many at a time (GL 1.4, 3.8.8).
+// Computes rows of the next mipmap level from rows of this one, many texels at a time (GL 1.4, 3.8.8).
 #pragma once
 
 #include "gl/pixel/row_converter.hpp"
@@ -10,11 +10,11 @@ class RowHalver {
     explicit RowHalver(const PixelLayout& texels)
         : fields_(fields_of(texels, false)), reader_(fields_, bits_of(fields_)) {}
 
-    /// False: texels of the layout are no fields, and nothing else may be called.
+    /// False when the layout's components are no bit fields; halve() may not be called then.
     bool works() const { return fields_.bytes != 0; }
 
-    /// `count` means of eight texels: of two that follow each other in each of four rows. Rows of images that
-    /// are flat or thin come several times: {a, b, a, b} or {a, a, a, a}.
+    /// Writes `count` texels, each the mean of eight: two neighbours in each of four rows. Flat or thin
+    /// images pass the same rows several times: {a, b, a, b} or {a, a, a, a}.
     void halve(const std::uint8_t* const (&from)[4], std::int32_t count, std::uint8_t* to);
 
   private:

@@ -12,14 +12,14 @@ namespace spangle::gl {
 
 namespace {
 
-/// 0, the null texture, or a side that is not above the largest of the level. It need not be a power of two
-/// (GL 2.0, 3.8.1). Of sides and borders that are not negative.
+/// Whether a side is legal: 0, which is the null texture, or not above the level's largest. It need not be a
+/// power of two (GL 2.0, 3.8.1). Side and border must not be negative.
 bool legal_side(GLsizei side, std::uint32_t border, std::uint32_t most) {
     const std::uint32_t inner = static_cast<std::uint32_t>(side) - 2 * border;
     return side == 0 ? border == 0 : inner - 1 < most;
 }
 
-/// What legal_side() says of a side that is none.
+/// The message for a side that legal_side() refuses.
 const char* rule_of_side([[maybe_unused]] unsigned axis) {
     return axis == 0
                ? SPANGLE_TEXT("width is above the largest of this level (SPANGLE_TEXTURE_LEVELS), or no "
@@ -31,8 +31,8 @@ const char* rule_of_side([[maybe_unused]] unsigned axis) {
                               "more than its border");
 }
 
-/// The image, which is there: constant memory is not written, nor what recorded draws look at, so these
-/// become a copy in the arena.
+/// The existing image of a level, ready to be written. An image in constant memory, or one that recorded
+/// draws use, is first replaced by a copy in the arena.
 LevelImage* writable(Context& context, const SubImage& sub) {
     TextureObject& texture = bound_texture(context, sub.target.kind);
     LevelImage*& place = texture.image(sub.target.face, sub.level);
@@ -94,7 +94,7 @@ bool shape_of(Context& context, const ImageRequest& request, LevelShape& shape) 
         error(context, GL_INVALID_VALUE, rule);
         return false;
     }
-    if (!legal) { // an answer, all zero, and not an error (GL 1.3, 3.8.10)
+    if (!legal) { // a proxy answers with an empty shape instead of an error (GL 1.3, 3.8.10)
         const raster::TexelFormat format = shape.format;
         shape = {};
         shape.format = format;
@@ -122,7 +122,8 @@ LevelImage* find_box(Context& context, const SubImage& sub, TexelBox& out) {
         return nullptr;
     }
     for (unsigned axis = 0; axis < 3; ++axis) {
-        // From the array's first texel, which is -border; what lies before it is beyond all sizes.
+        // The offset counts from the array's first texel, whose coordinate is -border. A texel before that
+        // becomes a number beyond all sizes.
         const std::uint32_t at = static_cast<std::uint32_t>(sub.at[axis]) + image->shape.border_along(axis),
                             size = static_cast<std::uint32_t>(sub.size[axis]), all = image->shape.size[axis];
         if (at > all || size > all - at) {

@@ -1,5 +1,4 @@
-// What the arguments of TexImage, CopyTexImage and their sub-image forms have in common
-// (GL 1.3, 3.8.1, 3.8.2).
+// Checks of arguments that TexImage, CopyTexImage and their sub-image forms share (GL 1.3, 3.8.1, 3.8.2).
 #pragma once
 
 #include "gl/texture/store_texels.hpp"
@@ -7,7 +6,7 @@
 
 namespace spangle::gl {
 
-/// An image to be made. Sizes that the target does not have are 1.
+/// An image to be made. Dimensions that the target does not have are 1.
 struct ImageRequest {
     ImageTarget target;
     GLint level, internal_format;
@@ -15,11 +14,11 @@ struct ImageRequest {
     GLint border;
 };
 
-/// The shape, empty where a proxy cannot have it. False: the error is set.
+/// Computes the shape of an image; it is empty when a proxy cannot have it. Returns false after an error.
 bool shape_of(Context& context, const ImageRequest& request, LevelShape& shape);
 
-/// A box of an image that is there, counted like the arguments of TexSubImage from inside its border. What
-/// the target does not have is at 0, and 1.
+/// A box of an existing image, with offsets from inside its border, like those of TexSubImage. Dimensions
+/// that the target does not have are at 0 and 1 long.
 struct SubImage {
     ImageTarget target;
     GLint level;
@@ -27,11 +26,11 @@ struct SubImage {
     GLsizei size[3];
 };
 
-/// The image, to be written, and the box, or null and the error is set. Compressed images are refused
-/// (GL 1.3, 3.8.3), constant ones become copies.
+/// Finds the image to be written, and its box in `out`; null after an error. Compressed images are refused
+/// (GL 1.3, 3.8.3); constant images are replaced by copies.
 LevelImage* find_box(Context& context, const SubImage& sub, TexelBox& out);
 
-/// All of an image.
+/// The box of a whole image.
 TexelBox whole_box(const LevelShape& shape);
 
 } // namespace spangle::gl

@@ -33,8 +33,9 @@ void take_base_format(GLint& internal_format) {
     }
 }
 
-/// Of numbers of components, of base formats from ALPHA on, and of formats with sizes from ALPHA4 on: 4, 8,
-/// 12 and 16 bits, where there are not others. None is etc1, but that one is no format of TexImage.
+/// The texel formats of component counts 1 to 4, of base formats from ALPHA on, and of sized formats from
+/// ALPHA4 on: 4, 8, 12 and 16 bits unless said otherwise. `none` marks tokens that are no internal formats;
+/// its etc1 is no format of TexImage.
 constexpr unsigned counted = 0, unsized = 4, sized = 9, all_kept = 42;
 constexpr TexelFormat none = TexelFormat::etc1;
 constexpr TexelFormat a8 = TexelFormat::a8, l8 = TexelFormat::l8, la = TexelFormat::la88,
@@ -51,7 +52,7 @@ constexpr TexelFormat kept[all_kept] = {
     rgba4, rgba4,  rgba5,  rgba8, rgba8, rgba8, rgba8, // RGBA: 2, 4, 5 1, 8, 10 2, 12, 16
 };
 
-/// Of the table, whatever the build holds.
+/// Finds the texel format in the table, even if the build does not support it.
 bool kept_format_of(GLint internal_format, PixelFormat surface, TexelFormat& out) {
     const auto token = static_cast<GLenum>(internal_format);
     const unsigned at = token - 1 < 4                          ? token - 1 + counted
@@ -68,7 +69,7 @@ bool kept_format_of(GLint internal_format, PixelFormat surface, TexelFormat& out
     return out != none;
 }
 
-/// Texels as the groups of a client image that they are, so that there is one way to pack and to unpack.
+/// The client format and type that describe texels in memory, so that one code packs and unpacks both.
 struct Texel {
     std::uint16_t format, type;
 };
@@ -127,14 +128,15 @@ PixelLayout texel_layout(TexelFormat format) {
     PixelLayout layout;
     static_cast<void>(pixel_layout(texel.format, texel.type, layout));
     if (layout.channel[0] == Channel::luminance)
-        layout.channel[0] = Channel::red; // of texels it is red alone (table 6.1)
+        layout.channel[0] = Channel::red; // a texel's luminance is red only (GL 1.3, table 6.1)
     if (format == TexelFormat::z24)
         layout.bits[0] = 24;
     return layout;
 }
 
 unsigned texel_bits(TexelFormat format, Channel channel) {
-    if (SPANGLE_FEATURE_COMPRESSED_TEXTURES && format >= TexelFormat::p4) // palettes are asked for themselves
+    // Only ETC1 gets here: of paletted images, callers ask for the format of the palette's entries.
+    if (SPANGLE_FEATURE_COMPRESSED_TEXTURES && format >= TexelFormat::p4)
         return 8;
     const PixelLayout layout = texel_layout(format);
     for (unsigned i = 0; i < layout.components; ++i)

@@ -1,4 +1,4 @@
-// Internal formats: what was asked for and how it is kept (GL 1.3, 3.8.1, tables 3.15 and 3.16).
+// Internal formats, and the texel formats that they are stored in (GL 1.3, 3.8.1, tables 3.15 and 3.16).
 #pragma once
 
 #include <spangle/format.hpp>
@@ -8,17 +8,17 @@
 
 namespace spangle::gl {
 
-/// False: not an internal format of TexImage, or one that the build leaves out (SPANGLE_TEXTURE_FORMATS).
-/// Resolutions that are asked for are kept where the board has such texels; where none is, colours of 16-bit
-/// surfaces are kept in 16 bits: "closely" is all GL wants, and a board's memory is small. Of generic
-/// compressed formats `internal_format` becomes the base format, which is what stands in for them
+/// Finds the texel format of an internal format. Returns false if TexImage has no such format, or the build
+/// leaves it out (SPANGLE_TEXTURE_FORMATS). Sized formats keep their resolution if such texels exist. Unsized
+/// colours are stored in 16 bits for 16-bit surfaces, because boards have little memory; GL only asks for a
+/// close match. For generic compressed formats `internal_format` becomes the base format, which replaces them
 /// (GL 1.3, 3.8.1).
 bool texel_format_of(GLint& internal_format, PixelFormat surface, raster::TexelFormat& out);
 
-/// Of the table above and of CompressedTexImage.
+/// The base format of a texel format, for formats of TexImage and of CompressedTexImage.
 raster::BaseFormat base_format_of(raster::TexelFormat format, GLenum internal_format);
 
-/// False of every image in a build without these.
+/// Whether texels are depths; builds without depth textures answer false.
 constexpr bool is_depth(raster::TexelFormat format) {
     return SPANGLE_FEATURE_DEPTH_TEXTURES &&
            (format == raster::TexelFormat::z16 || format == raster::TexelFormat::z24);
@@ -26,10 +26,11 @@ constexpr bool is_depth(raster::TexelFormat format) {
 
 unsigned texel_size(raster::TexelFormat format);
 
-/// How a texel lies in memory. Luminance and intensity come from R (table 3.15). Not of compressed formats.
+/// How a texel lies in memory. Luminance and intensity come from R (GL 1.3, table 3.15). Not for compressed
+/// formats.
 PixelLayout texel_layout(raster::TexelFormat format);
 
-/// Bits that a texel keeps of a channel.
+/// Bits that a texel has for a channel; 0: it has none.
 unsigned texel_bits(raster::TexelFormat format, Channel channel);
 
 } // namespace spangle::gl

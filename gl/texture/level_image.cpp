@@ -14,7 +14,7 @@
 namespace spangle::gl {
 
 #if SPANGLE_FEATURE_TEXTURE_CUBE_MAP
-/// Asked for in too many places to stand in all of them.
+/// Not in line, because too many places call it.
 [[gnu::noinline]] LevelImage*& TextureObject::image(unsigned face, GLint l) {
     return face == 0 ? level[l] : reinterpret_cast<CubeTexture*>(this)->other[face - 1][l];
 }
@@ -97,7 +97,7 @@ void image_written(Context& context, TextureObject& texture, unsigned face, GLin
 
 raster::TexelFormat format_beside(const TextureObject& texture, GLint level, const LevelShape& shape) {
     if constexpr ((raster::color_formats & (raster::color_formats - 1)) == 0)
-        return shape.format; // of surfaces of one format
+        return shape.format; // all surfaces have one format, so texel formats agree
     for (unsigned face = 0; face < texture.faces(); ++face)
         for (GLint l = 0; l < texture_levels; ++l) {
             const LevelImage* const other = texture.image(face, l);

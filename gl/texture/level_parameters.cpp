@@ -1,4 +1,4 @@
-// GetTexLevelParameter: what an image, or one that was only asked for, is (GL 1.3, 6.1.3).
+// GetTexLevelParameter: the parameters of an image or of a proxy (GL 1.3, 6.1.3).
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/texture/compressed_format.hpp"
@@ -9,17 +9,17 @@ namespace spangle::gl {
 
 namespace {
 
-/// Bits a texel keeps of what a ..._SIZE token asks: the resolution that is there. Of paletted images that of
-/// the entries.
+/// The value of a ..._SIZE parameter: the bits that texels really have. For paletted images it is that of the
+/// palette's entries.
 unsigned size_of(const LevelShape& shape, GLenum pname) {
     using raster::BaseFormat;
-    if (shape.empty()) // a level without texels keeps no bits
+    if (shape.empty()) // a level without texels has no bits
         return 0;
     if (is_depth(shape.format) || pname == GL_TEXTURE_DEPTH_SIZE)
         return is_depth(shape.format) && pname == GL_TEXTURE_DEPTH_SIZE
                    ? texel_bits(shape.format, Channel::depth)
                    : 0;
-    // The base formats that have it.
+    // The base formats that have a component.
     const auto set = [](auto... bases) constexpr {
         return static_cast<std::uint8_t>(((1u << static_cast<unsigned>(bases)) | ...));
     };
@@ -40,7 +40,7 @@ unsigned size_of(const LevelShape& shape, GLenum pname) {
                       of < 4 ? static_cast<Channel>(of) : Channel::red);
 }
 
-/// False: not a parameter of levels.
+/// Finds a parameter of a level; returns false if it is none.
 bool value_of(const LevelShape& shape, GLenum pname, std::uint32_t& out) {
     switch (pname) {
     case GL_TEXTURE_WIDTH:

@@ -19,8 +19,8 @@ namespace {
 
 #if SPANGLE_FEATURE_MIPMAP_GENERATION
 
-/// The two texels that texel i of the next level covers, counted like i from the first inside the border:
-/// sizes halve rounded down, and a last odd texel is in no mean.
+/// The two texels that texel i of the next level covers, counted from inside the border. Sizes are halved and
+/// rounded down, so a last odd texel is in no mean.
 struct Covered {
     std::int32_t of[2];
     Covered(std::int32_t i, std::int32_t size, std::int32_t next_size) {
@@ -67,7 +67,7 @@ class Halving {
     void texel(std::int32_t x, std::int32_t y, std::int32_t z) const {
         const Covered cx(x, size_[0], next_[0]), cy(y, size_[1], next_[1]), cz(z, size_[2], next_[2]);
         const Groups texels(layout_);
-        Pixel texel; // its codes are those of the last one, then the mean
+        Pixel texel; // first the last texel read, then the mean
         std::uint32_t sum[4] = {};
         for (unsigned i = 0; i < 8; ++i) {
             texel =

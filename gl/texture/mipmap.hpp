@@ -7,9 +7,9 @@ namespace spangle::gl {
 
 struct Context;
 
-/// Levels of one face behind the base level, up to `last`, each texel the mean of those it covers. Nothing
-/// happens without a base level, or where its texels are compressed. OUT_OF_MEMORY leaves all levels as they
-/// were.
+/// Generates the levels of one face after the base level, up to `last`; each texel is the mean of those it
+/// covers. Does nothing without a base level, or if its texels are compressed. After OUT_OF_MEMORY all levels
+/// are unchanged.
 void generate_mipmaps(Context& context, TextureObject& texture, unsigned face, GLint last);
 
 } // namespace spangle::gl

@@ -24,7 +24,7 @@ void free_images(ShareGroup& share, TextureObject& texture) {
     texture.view_valid = false;
 }
 
-/// The unit goes back to the default texture. A deleted object goes with its last binding.
+/// Binds the default texture instead. A deleted object is freed with its last binding.
 void unbind(ShareGroup& share, TextureObject*& bound) {
     TextureObject* const texture = bound;
     bound = nullptr;
@@ -33,12 +33,12 @@ void unbind(ShareGroup& share, TextureObject*& bound) {
 }
 
 TextureObject* make_object(Arena& arena, TextureKind kind) {
-    static_assert(std::is_trivially_copyable_v<CubeTexture>); // bytes make one
+    static_assert(std::is_trivially_copyable_v<CubeTexture>); // so bytes make an object
     const std::size_t bytes = there(kind) == TextureKind::cube ? sizeof(CubeTexture) : sizeof(TextureObject);
     void* const memory = arena.allocate(bytes);
     if (memory == nullptr)
         return nullptr;
-    // The rest begins as 0; what is derived is not looked at before it is.
+    // All other members begin as 0; derived members are not read before they are computed.
     auto* const texture = std::launder(static_cast<TextureObject*>(std::memset(memory, 0, bytes)));
     texture->kind = kind;
     static constexpr TextureParameters initial;
@@ -46,7 +46,7 @@ TextureObject* make_object(Arena& arena, TextureKind kind) {
     return texture;
 }
 
-/// The object of a name, made when the name has none yet; null without memory.
+/// The object of a name, made if the name has none yet; null without memory.
 TextureObject* object_of(ShareGroup& share, GLuint name, TextureKind kind) {
     void** slot = share.textures.find(name);
     if (slot != nullptr && *slot != nullptr)
@@ -69,7 +69,7 @@ void delete_name(Context& context, GLuint name) {
     if (texture == nullptr)
         return;
     texture->deleted = true;
-    ++texture->bindings; // ours, so that the loop's last unbind does not free what it still compares
+    ++texture->bindings; // held here, so that the loop frees no object it still compares
     for (TextureUnitState& unit : context.texture.unit)
         if (TextureObject*& bound = unit.bound[index_of(texture->kind)]; bound == texture)
             unbind(*context.share, bound);
@@ -77,7 +77,7 @@ void delete_name(Context& context, GLuint name) {
         destroy_texture(*context.share, texture);
 }
 
-/// Takes back an object that was made a moment ago; `reserved`: GenTextures had given out its name.
+/// Undoes object_of() for an object it has just made. `reserved`: GenTextures had reserved the name before.
 void unmake(ShareGroup& share, TextureObject* texture, bool reserved) {
     if (reserved)
         *share.textures.find(texture->name) = nullptr;
@@ -188,14 +188,14 @@ GLboolean AreTexturesResident(Context& context, GLsizei n, const GLuint* texture
             error(context, GL_INVALID_VALUE, SPANGLE_TEXT("textures has a name that is no texture"));
             return GL_FALSE;
         }
-    return GL_TRUE; // there is one kind of memory; then the array stays as it is (GL 1.3, 3.8.12)
+    return GL_TRUE; // all memory is alike, and `residences` is not written then (GL 1.3, 3.8.12)
 }
 
 void PrioritizeTextures(Context& context, GLsizei n, const GLuint* textures, const GLclampf* priorities) {
     if (n < 0 || (n > 0 && (textures == nullptr || priorities == nullptr)))
         return error(context, GL_INVALID_VALUE);
     for (GLsizei i = 0; i < n; ++i)
-        if (IsTexture(context, textures[i]) != GL_FALSE) // others are ignored, 0 too
+        if (IsTexture(context, textures[i]) != GL_FALSE) // names without a texture, and 0, are ignored
             static_cast<TextureObject*>(*context.share->textures.find(textures[i]))->parameters.priority =
                 numeric::clamp01(convert::array_value({priorities, GL_FLOAT}, static_cast<std::size_t>(i)));
 }

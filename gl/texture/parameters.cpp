@@ -28,7 +28,7 @@ bool is_mag_filter(GLenum v) {
     return v == GL_LUMINANCE || v == GL_INTENSITY || v == GL_ALPHA;
 }
 
-/// What a parameter may be, or what becomes of it.
+/// Which values a parameter takes, or how they are converted.
 enum class Rule : std::uint8_t {
     min_filter,
     mag_filter,
@@ -38,14 +38,15 @@ enum class Rule : std::uint8_t {
     compare_func,
     level, ///< not negative
     real,
-    clamped, ///< to [0, 1]
+    clamped, ///< clamped to [0, 1]
     boolean,
 };
 
-/// All are words, four of BORDER_COLOR, but for the one that is a boolean.
+/// A parameter. Each is a word in TextureParameters, except BORDER_COLOR, which is four, and GENERATE_MIPMAP,
+/// a bool.
 struct Row {
     std::uint16_t name;
-    std::uint8_t at; ///< in TextureParameters
+    std::uint8_t at; ///< offset in TextureParameters, bytes
     Rule rule;
 };
 #define ROW(NAME, MEMBER, RULE)                                                                              \
@@ -100,7 +101,7 @@ bool is_token(Rule rule, GLenum v) {
     }
 }
 
-/// Table 3.19. The error, and then nothing is changed.
+/// Sets a parameter (GL 1.3, table 3.19). Returns the error, and then changes nothing.
 GLenum set_parameter(TextureParameters& p, GLenum pname, const Params& params) {
     const Row* const row = find_row(pname);
     if (row == nullptr || !is_token(row->rule, params.v[0].token()))
@@ -120,13 +121,13 @@ GLenum set_parameter(TextureParameters& p, GLenum pname, const Params& params) {
     return GL_NO_ERROR;
 }
 
-/// False: not a parameter.
+/// Reads a parameter; returns false if there is no such parameter.
 bool get_parameter(const TextureParameters& p, GLenum pname, Params& params) {
     const Row* const row = find_row(pname);
     if (row == nullptr && pname != GL_TEXTURE_RESIDENT)
         return false;
     params.count = pname == GL_TEXTURE_BORDER_COLOR ? 4 : 1;
-    if (row == nullptr || row->rule == Rule::boolean) // there is one kind of memory
+    if (row == nullptr || row->rule == Rule::boolean) // textures are always resident
         params.v[0] = Param::from_integer(row == nullptr || p.generate_mipmap ? 1 : 0);
     else
         std::memcpy(params.v, reinterpret_cast<const unsigned char*>(&p) + row->at,
@@ -134,7 +135,8 @@ bool get_parameter(const TextureParameters& p, GLenum pname, Params& params) {
     return true;
 }
 
-/// A parameter of a system that this build has left out: says so.
+/// Whether `pname` belongs to a system that this build leaves out; if so, raises an error that names the
+/// system.
 bool left_out(Context& context, GLenum pname) {
     const char* missing = nullptr;
     bool absent = false;

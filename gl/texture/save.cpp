@@ -1,5 +1,5 @@
-// What the texture attribute group saves beside the state table (GL 1.3, 6.1.12): of every unit its
-// environment, the name of its binding, and the parameters of the bound object.
+// What the texture attribute group saves beside the state table (GL 1.3, 6.1.12): the environment of every
+// unit and, for each of its targets, the bound name and the object's parameters.
 #include <cstring>
 
 #include "gl/context/context.hpp"
@@ -10,11 +10,11 @@ namespace spangle::gl {
 
 namespace {
 
-/// What is saved of a unit: its environment, and of each kind the name and the parameters.
+/// Bytes saved for a unit: its environment, and a name and parameters for each kind of texture.
 constexpr std::size_t unit_bytes =
     sizeof(TexEnvState) + texture_kinds * (sizeof(GLuint) + sizeof(TextureParameters));
 
-/// Gives `to` the bytes that were saved; true where they are others than its own.
+/// Restores `to` from saved bytes. Returns whether it has changed.
 template <class T> bool restored(T& to, const unsigned char* saved) {
     if (std::memcmp(static_cast<const void*>(&to), saved, sizeof to) == 0)
         return false;
@@ -46,7 +46,7 @@ void save_textures(const Context& context, void* to) {
 
 bool restore_textures(Context& context, const void* from) {
     const auto* const units = static_cast<const unsigned char*>(from);
-    const auto binding = [units](unsigned i) { // of kind i % texture_kinds: its name, then its parameters
+    const auto binding = [units](unsigned i) { // saved name of kind i % texture_kinds; parameters follow
         return units + i / texture_kinds * unit_bytes + sizeof(TexEnvState) +
                i % texture_kinds * (sizeof(GLuint) + sizeof(TextureParameters));
     };
@@ -54,7 +54,7 @@ bool restore_textures(Context& context, const void* from) {
     TextureObject* objects[texture_bindings];
     for (unsigned i = 0; i < texture_bindings; ++i)
         std::memcpy(&names[i], binding(i), sizeof names[i]);
-    // Objects that were deleted meanwhile are made anew. All of them are there before anything is changed.
+    // Objects that were deleted meanwhile are made again. All objects exist before anything is changed.
     if (!find_named_objects(context, names, objects))
         return false;
     for (unsigned u = 0; u < texture_units; ++u)
@@ -67,7 +67,7 @@ bool restore_textures(Context& context, const void* from) {
         bind_object(context, context.texture.unit[i / texture_kinds].bound[index_of(there(kind))],
                     objects[i]);
         if (objects[i] == nullptr && names[i] != 0)
-            continue; // the name is that of another kind of texture by now: the parameters have no object
+            continue; // the name now belongs to another kind of texture, so the parameters have no object
         TextureObject& bound = objects[i] != nullptr ? *objects[i] : context.texture.default_texture(kind);
         if (restored(bound.parameters, binding(i) + sizeof(GLuint)))
             texture_changed(context, bound);

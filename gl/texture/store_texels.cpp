@@ -10,7 +10,7 @@ namespace spangle::gl {
 
 namespace {
 
-/// Groups that are texels already: rows are copied.
+/// Whether groups in client memory have the texels' layout, so that rows can be copied.
 [[maybe_unused]] bool same_layout(PixelLayout layout, const PixelLayout& texels) {
     if (layout.channel[0] == Channel::luminance)
         layout.channel[0] = Channel::red;
@@ -18,7 +18,7 @@ namespace {
     return std::memcmp(&layout, &texels, sizeof layout) == 0;
 }
 
-/// each(from, to) for every row of the box in client memory and in the image.
+/// Calls each(from, to) for every row of the box, in client memory and in the image.
 template <class Each>
 [[gnu::always_inline]] inline void each_row(const PixelStore& unpack, LevelImage& image, const TexelBox& box,
                                             const ImageRows& rows, unsigned bytes, const void* pixels,

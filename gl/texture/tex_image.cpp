@@ -9,7 +9,7 @@ namespace spangle::gl {
 
 namespace {
 
-/// Format and type of a client image; false: the error is set.
+/// Finds the layout of a client image by its format and type; returns false after an error.
 bool find_layout(Context& context, const ImageCommand& client, PixelLayout& layout) {
     if (client.format == GL_DEPTH_COMPONENT && !SPANGLE_FEATURE_DEPTH_TEXTURES) {
         error(context, GL_INVALID_OPERATION,
@@ -23,7 +23,7 @@ bool find_layout(Context& context, const ImageCommand& client, PixelLayout& layo
     return refused == GL_NO_ERROR;
 }
 
-/// Depths come as depths (GL 1.4, 3.8.1).
+/// Whether client data fits the texels: depth textures take depths only, others none (GL 1.4, 3.8.1).
 bool goes_into(Context& context, const PixelLayout& layout, raster::TexelFormat format) {
     if ((layout.channel[0] == Channel::depth) == is_depth(format))
         return true;

@@ -1,4 +1,5 @@
-// A texture object: its images, its parameters, and what the rasterizer samples (GL 1.3, 3.8.10, 3.8.11).
+// A texture object: its images, its parameters, and the view that the rasterizer samples (GL 1.3, 3.8.10,
+// 3.8.11).
 #pragma once
 
 #include <array>
@@ -9,13 +10,14 @@
 
 namespace spangle::gl {
 
-/// Level l has at most 2^(11 - l) texels a side, without border.
+/// Number of levels. Level l has at most 2^(texture_levels - 1 - l) texels a side, without border.
 inline constexpr int texture_levels = raster::max_texture_levels;
 inline constexpr GLsizei max_texture_size = 1 << (texture_levels - 1);
 inline constexpr GLsizei max_3d_texture_size = max_texture_size < 256 ? max_texture_size : 256;
-inline constexpr std::int32_t max_texture_lod_bias = 12; ///< past either end of every chain
+inline constexpr std::int32_t max_texture_lod_bias = 12; ///< reaches past either end of every mipmap chain
 
-/// What an object is from its first binding on. A unit takes the last one that is enabled (GL 1.3, 3.8.15).
+/// The kind of a texture, fixed by its first binding. A unit samples the last kind that is enabled (GL 1.3,
+/// 3.8.15).
 enum class TextureKind : std::uint8_t { one, two, three, cube };
 inline constexpr int texture_kinds = 4;
 inline constexpr unsigned cube_faces = 6;
@@ -23,7 +25,7 @@ inline constexpr unsigned cube_faces = 6;
 constexpr std::size_t index_of(TextureKind kind) {
     return static_cast<std::size_t>(kind);
 }
-/// The kinds this build has, and how many of them come before one.
+/// Whether this build has each kind.
 inline constexpr bool texture_kind_is_there[texture_kinds] = {SPANGLE_FEATURE_TEXTURE_1D != 0, true,
                                                               SPANGLE_FEATURE_TEXTURE_3D != 0,
                                                               SPANGLE_FEATURE_TEXTURE_CUBE_MAP != 0};
@@ -33,7 +35,7 @@ inline constexpr unsigned kinds_there = [] {
         set |= texture_kind_is_there[k] ? 1u << k : 0u;
     return set;
 }();
-/// The kind of a texture there is. Where a build has one only the compiler knows it.
+/// The kind of a texture that exists: a constant in builds with one kind.
 [[gnu::always_inline]] constexpr TextureKind there(TextureKind kind) {
     return raster::one_of(kinds_there, kind);
 }
@@ -43,43 +45,43 @@ inline constexpr auto kinds_before = [] {
         before[k + 1] = static_cast<std::uint8_t>(before[k] + (texture_kind_is_there[k] ? 1u : 0u));
     return before;
 }();
-/// How many of width, height and depth an image has; the others are 1, without border.
+/// The number of dimensions of an image; the others are 1, without border.
 constexpr unsigned dimensions_of(TextureKind kind) {
     return kind == TextureKind::one ? 1 : kind == TextureKind::three ? 3 : 2;
 }
 
-/// Border included; all zero is GL's initial texture array.
+/// The shape of an image. All sizes 0 are GL's initial, empty texture array.
 struct LevelShape {
-    std::uint16_t size[3] = {};        ///< width, height, depth
-    std::uint16_t internal_format = 1; ///< as asked for; every token has 16 bits
+    std::uint16_t size[3] = {};        ///< width, height, depth in texels, border included
+    std::uint16_t internal_format = 1; ///< as the program gave it; every token fits 16 bits
     std::uint8_t border = 0;
     std::uint8_t dimensions = 2;
     raster::TexelFormat format = raster::TexelFormat::l8;
 
-    /// Where no kind has others the compiler knows them.
+    /// Dimensions: a constant in builds with 2D textures and cube maps only.
     unsigned sides() const {
         return SPANGLE_FEATURE_TEXTURE_1D || SPANGLE_FEATURE_TEXTURE_3D ? dimensions : 2;
     }
     std::uint32_t border_along(unsigned axis) const { return axis < sides() ? border : 0u; }
     std::uint32_t inner(unsigned axis) const { return size[axis] - 2 * border_along(axis); }
     bool is_volume() const { return sides() == 3; }
-    unsigned images() const { return SPANGLE_FEATURE_TEXTURE_3D ? size[2] : 1; } ///< of one not empty
+    unsigned images() const { return SPANGLE_FEATURE_TEXTURE_3D ? size[2] : 1; } ///< must not be empty
     bool empty() const { return size[0] == 0 || size[1] == 0 || size[2] == 0; }
 };
 
-/// The image of a level: a block of the share group's arena, its texels behind it, unless they are the
+/// The image of a level, a block of the share group's arena. Its texels follow in the block, or lie in the
 /// program's constant memory.
 struct LevelImage {
     LevelShape shape;
     std::uint32_t stride = 0;             ///< bytes from row to row; 0 for formats without rows
-    std::uint32_t bytes = 0;              ///< of the texels
-    const std::uint8_t* texels = nullptr; ///< the border's first, or the first block of a compressed image
+    std::uint32_t bytes = 0;              ///< bytes of the texels
+    const std::uint8_t* texels = nullptr; ///< first texel of the border, or first block of a compressed image
     union {
-        const std::uint8_t* palette = nullptr; ///< of formats that have one
-        LevelImage* next_kept;                 ///< of images that no texture has any more (ShareGroup)
+        const std::uint8_t* palette = nullptr; ///< palette of formats that have one
+        LevelImage* next_kept;                 ///< list of images that no texture has any more (ShareGroup)
     };
 #if SPANGLE_HAS_RECORDS
-    std::uint32_t frame = 0; ///< recorded draws of this frame look at it (ShareGroup)
+    std::uint32_t frame = 0; ///< recorded draws of this frame use the image (ShareGroup)
 #endif
 
     std::uint8_t* own_texels() {
@@ -90,10 +92,10 @@ struct LevelImage {
     }
 };
 
-/// What TexParameter sets.
+/// The parameters that TexParameter sets.
 struct TextureParameters {
     GLenum min_filter = GL_NEAREST_MIPMAP_LINEAR, mag_filter = GL_LINEAR;
-    GLenum wrap[3] = {GL_REPEAT, GL_REPEAT, GL_REPEAT}; ///< of S, T, R
+    GLenum wrap[3] = {GL_REPEAT, GL_REPEAT, GL_REPEAT}; ///< wrap modes of S, T, R
     Real border_color[4] = {};
     Real priority = numeric::one;
     Real min_lod{0xC47A0000}, max_lod{0x447A0000}; ///< -1000, 1000
@@ -107,13 +109,13 @@ struct TextureParameters {
 
 struct TextureObject {
     GLuint name = 0;
-    std::uint32_t bindings = 0; ///< units, of all contexts of the share group, that hold it
+    std::uint32_t bindings = 0; ///< texture units that bind it, in all contexts of the share group
     TextureKind kind = TextureKind::two;
-    bool deleted = false;                   ///< its name is free again; the last binding keeps it
-    LevelImage* level[texture_levels] = {}; ///< of a cube map: POSITIVE_X
+    bool deleted = false; ///< the name is free again, and the object is freed with its last binding
+    LevelImage* level[texture_levels] = {}; ///< images; of a cube map those of POSITIVE_X
     TextureParameters parameters;
 
-    // Derived from the above by complete_texture when a primitive needs it.
+    // These are derived from the members above by complete_texture(), when a primitive needs them.
     mutable bool view_valid = false, complete = false;
     mutable raster::Texture view;
 
@@ -125,10 +127,11 @@ struct TextureObject {
     unsigned faces() const { return there(kind) == TextureKind::cube ? cube_faces : 1; }
 };
 
-/// The object of a cube map: its first member, so that a pointer to one is a pointer to the other.
+/// A cube map. `object` is its first member, so that a pointer to one is a pointer to the other.
 struct CubeTexture {
     TextureObject object{TextureKind::cube};
-    LevelImage* other[cube_faces - 1][texture_levels] = {}; ///< in the order of their tokens, from NEGATIVE_X
+    LevelImage* other[cube_faces - 1][texture_levels] = {}; ///< images of the other faces, in token order
+                                                            ///< from NEGATIVE_X on
     mutable raster::CubeFaces view_faces;
 };
 

@@ -10,7 +10,7 @@ namespace spangle::gl {
 namespace {
 
 raster::TexEnv env_of(GLenum mode) {
-    if (raster::spans_only_modulate) // all others are errors
+    if (raster::spans_only_modulate) // other modes are refused in such builds
         return mode == GL_MODULATE ? raster::TexEnv::modulate : raster::TexEnv::replace;
     return static_cast<raster::TexEnv>(place_in(env_modes, mode));
 }
@@ -31,14 +31,15 @@ raster::Combiner combiner_of(const TexEnvState& env, unsigned alpha) {
     raster::Combiner out;
     out.func = static_cast<raster::CombineFunc>(place_in(combine_functions, env.func[alpha]));
     out.log2_scale =
-        static_cast<std::uint8_t>((env.scale[alpha].bits - numeric::one.bits) >> 23); // 1, 2 or 4
+        static_cast<std::uint8_t>((env.scale[alpha].bits - numeric::one.bits) >> 23); // of scale 1, 2 or 4
     for (unsigned i = 0; i < arguments_of(env.func[alpha]); ++i)
         out.argument[i] = {source_of(env.source[alpha][i]),
                            static_cast<raster::CombineOperand>(env.operand[alpha][i] - GL_SRC_COLOR)};
     return out;
 }
 
-/// A unit that asks for the texture of one that is off does nothing (ARB_texture_env_crossbar).
+/// Whether all texture units that a combiner reads are enabled. If not, the unit passes the colour on
+/// unchanged (ARB_texture_env_crossbar).
 bool sources_are_on(const raster::FragmentState& out, const raster::Combiner& combiner) {
     for (const raster::Combiner::Argument& argument : combiner.argument) {
         const unsigned unit =
@@ -54,12 +55,12 @@ void fill_combiners(const TexEnvState& env, raster::FragmentState& out, raster::
     unit.alpha = combiner_of(env, 1);
     if (sources_are_on(out, unit.rgb) && sources_are_on(out, unit.alpha))
         return;
-    unit.rgb = unit.alpha = {raster::CombineFunc::replace, 0, {}}; // of what was before
+    unit.rgb = unit.alpha = {raster::CombineFunc::replace, 0, {}}; // replaces by the previous unit's colour
 }
 
 #endif
 
-/// s23.8, both parts clamped as their sum (GL 1.4, 3.8.8: +-MAX_TEXTURE_LOD_BIAS).
+/// The sum of both LOD biases in s23.8, clamped to +-MAX_TEXTURE_LOD_BIAS (GL 1.4, 3.8.8).
 std::int32_t lod_bias(Real texture, Real unit) {
     constexpr std::int32_t most = max_texture_lod_bias << 8;
     return numeric::clamp(numeric::to_fixed(numeric::add(texture, unit), 8), -most, most);

@@ -1,11 +1,11 @@
-// From the state of texture units to what the rasterizer is told.
+// Derives the rasterizer's texture state from the state of texture units.
 #pragma once
 
 #include "gl/context/context.hpp"
 
 namespace spangle::gl {
 
-/// FragmentState::unit.
+/// Fills in FragmentState::unit.
 void fill_textures(const Context& context, raster::FragmentState& out);
 
 } // namespace spangle::gl

@@ -9,10 +9,10 @@ namespace spangle::gl {
 /// TexGen of one coordinate (GL 1.3, 2.10.4).
 struct TexGenState {
     GLenum mode = GL_EYE_LINEAR;
-    Real object_plane[4] = {}, eye_plane[4] = {}; ///< the latter in eye space
+    Real object_plane[4] = {}, eye_plane[4] = {}; ///< eye_plane is in eye space
 };
 
-/// What TexEnv sets (GL 1.3, 3.8.12, 3.8.13). Of combiners [0] is RGB, [1] alpha.
+/// The texture environment (GL 1.3, 3.8.12, 3.8.13). In combiners [0] is RGB, [1] is alpha.
 struct TexEnvState {
     GLenum mode = GL_MODULATE;
     Real color[4] = {};
@@ -32,7 +32,7 @@ struct TextureUnitState {
         for (int c = 0; c < 2; ++c)
             gen[c].object_plane[c] = gen[c].eye_plane[c] = numeric::one;
     }
-    bool gen_on[4] = {}; ///< of S, T, R, Q
+    bool gen_on[4] = {}; ///< TexGen is enabled for S, T, R, Q
     TexGenState gen[4];
 #endif
     bool enabled[texture_kinds] = {};
@@ -43,17 +43,17 @@ struct TextureUnitState {
     TexEnvState env;
 };
 
-/// Bits of units: bit u, unit u is on; bit u + third_coordinate, what it samples looks at r.
+/// units_in_use() has bit u when unit u is enabled, and bit u + third_coordinate when its texture needs r.
 inline constexpr int third_coordinate = 8;
 
 /// Bindings, environments and what a program has enabled.
 struct TextureState {
     TextureUnitState unit[texture_units];
     unsigned active = 0;
-    /// The same; where there is one unit only the compiler knows it.
+    /// The active unit: a constant in builds with one unit.
     unsigned active_unit() const { return texture_units > 1 ? active : 0; }
 
-    // Name 0 of each target, shared by all units.
+    // The default textures, name 0 of each target, are shared by all units.
     TextureObject default_2d{TextureKind::two};
 #if SPANGLE_FEATURE_TEXTURE_1D
     TextureObject default_1d{TextureKind::one};
@@ -66,7 +66,7 @@ struct TextureState {
 #endif
     LevelShape proxies[kinds_before[texture_kinds]][texture_levels]{};
 
-    /// What PROXY_TEXTURE_... of a kind there is was last asked.
+    /// The shape that a level of PROXY_TEXTURE_... was last given.
     LevelShape& proxy(TextureKind kind, GLint level) {
         return proxies[kinds_before[index_of(there(kind))]][level];
     }

@@ -40,7 +40,7 @@ bool is_proxy(GLenum token) {
            token == GL_PROXY_TEXTURE_CUBE_MAP;
 }
 
-/// Says what is missing when the kind is not in this build.
+/// Whether this build has the kind; if not, raises an error that names the missing system.
 bool has_kind(Context& context, TextureKind kind) {
     const char* missing = nullptr;
     if (kind == TextureKind::one && !SPANGLE_FEATURE_TEXTURE_1D)
@@ -93,7 +93,7 @@ TextureObject& bound_texture(Context& context, TextureKind kind) {
 
 void texture_changed(Context& context, TextureObject& texture) {
     texture.view_valid = false;
-    ++context.share->texture_changes; // another context's compiled state may point at the old texels
+    ++context.share->texture_changes; // compiled states of other contexts may point at the old texels
     context.changed(dirty_fragment);
 }
 

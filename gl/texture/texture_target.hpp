@@ -1,4 +1,4 @@
-// Which texture, and which of its images, a target names (GL 1.3, 3.8.1, 3.8.11).
+// Finds the texture and the image that a target names (GL 1.3, 3.8.1, 3.8.11).
 #pragma once
 
 #include "gl/texture/texture_state.hpp"
@@ -13,35 +13,38 @@ struct ImageTarget {
     bool proxy = false;
 };
 
-/// TEXTURE_1D, TEXTURE_2D, TEXTURE_3D, TEXTURE_CUBE_MAP: bindings and parameters. False, and the error is
-/// set: INVALID_ENUM, or INVALID_OPERATION for what this build has left out.
+/// Finds the kind of a target of bindings and parameters: TEXTURE_1D, TEXTURE_2D, TEXTURE_3D,
+/// TEXTURE_CUBE_MAP. Returns false after INVALID_ENUM, or INVALID_OPERATION for a kind that this build leaves
+/// out.
 bool find_texture_target(Context& context, GLenum token, TextureKind& out);
 
-/// Those of images with so many dimensions (0: any): of cube maps a face or the proxy of all.
+/// Finds the target of an image with `dimensions` dimensions (0: any), proxies included. For cube maps it is
+/// a face, or the proxy of all faces. Returns false after an error.
 bool find_image_target(Context& context, GLenum token, unsigned dimensions, ImageTarget& out);
 
-/// The same without proxies, which have no image.
+/// Finds the target of a stored image: as find_image_target(), but refuses proxies, which have no image.
 bool find_stored_target(Context& context, GLenum token, unsigned dimensions, ImageTarget& out);
 
-/// The bound object of the active unit.
+/// The object of this kind that is bound to the active unit.
 TextureObject& bound_texture(Context& context, TextureKind kind);
 
-/// What units have bound: of each unit one name of each kind.
+/// The number of bindings: each unit has one for each kind.
 inline constexpr unsigned texture_bindings = texture_units * texture_kinds;
 static_assert(texture_bindings <= 32);
 
-/// The objects of these names, in the order of units and kinds. A name without an object gets one, as
-/// BindTexture does; one of another kind, and 0, get null. False, and nothing is changed, without memory.
+/// Finds the objects of names, which are ordered by unit, then by kind. A name without an object gets one, as
+/// in BindTexture. Name 0, and names of another kind, give null. Without memory it changes nothing and
+/// returns false.
 bool find_named_objects(Context& context, const GLuint (&names)[texture_bindings],
                         TextureObject* (&found)[texture_bindings]);
 
-/// A unit has this object from now on; null: the default texture.
+/// Binds an object to a unit; null binds the default texture.
 void bind_object(Context& context, TextureObject*& bound, TextureObject* object);
 
-/// Images or parameters of an object are others now.
+/// Called when images or parameters of an object have changed: invalidates what was derived from them.
 void texture_changed(Context& context, TextureObject& texture);
 
-/// 0 to 11.
+/// Whether a level is in 0 .. texture_levels - 1.
 bool is_level(GLint level);
 
 } // namespace spangle::gl
