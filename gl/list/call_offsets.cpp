@@ -6,7 +6,7 @@ namespace spangle::gl::list {
 
 namespace {
 
-/// Toward zero; what no GLuint offset can be gives the largest.
+/// Truncates toward zero; a magnitude beyond a GLuint gives the largest one.
 GLuint truncate(Real v) {
     const numeric::detail::Unpacked u = numeric::detail::unpack(v);
     GLuint magnitude = 0xFFFFFFFF;
@@ -24,7 +24,7 @@ bool is_name_type(GLenum type) {
 }
 
 GLuint name_offset(GLenum type, const void* lists, GLsizei i) {
-    constexpr std::uint8_t bytes_of[] = {1, 1, 2, 2, 4, 4, 4, 2, 3, 4}; // in the order of the types
+    constexpr std::uint8_t bytes_of[] = {1, 1, 2, 2, 4, 4, 4, 2, 3, 4}; // bytes, in the order of types
     const unsigned count = bytes_of[type - GL_BYTE];
     const auto* const from = static_cast<const unsigned char*>(lists) + static_cast<std::size_t>(i) * count;
     const bool high_first = type >= GL_2_BYTES || std::endian::native == std::endian::big;

@@ -1,5 +1,5 @@
-// Client images in display lists: the pixels are copied while the list is compiled, through the unpack state
-// of that moment, and played with a state that describes the copy (GL 1.3, 3.6.1 and 5.4).
+// Client images in display lists: the pixels are copied by the unpack state of the compilation, and played
+// with an unpack state that describes the copy (GL 1.3, 3.6.1 and 5.4).
 #pragma once
 
 #include "gl/context/types.hpp"
@@ -8,11 +8,11 @@
 
 namespace spangle::gl::list {
 
-/// Images whose sides are above `most`, or that no command takes, are kept without their pixels: the command
-/// refuses them when it is played.
+/// Records a command with an image. An image that no command accepts, or with a side above `most`, is stored
+/// without its pixels: the command raises its error when it is played.
 void capture_image(Context& context, const Player* player, const ImageCommand& image, GLsizei most);
 
-/// Calls run(context, image) unless between Begin and End.
+/// Calls run(context, image) unless it is between Begin and End, and returns the next record.
 const Word* play_image(Context& context, const Word* words, const CommandText* text,
                        void (*run)(Context&, const ImageCommand&));
 

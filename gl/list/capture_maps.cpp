@@ -1,5 +1,5 @@
-// The maps of evaluators in display lists: control points are copied while the list is compiled, without what
-// lies between them (GL 1.3, 5.4).
+// Evaluator maps in display lists: control points are copied while the list is compiled, without the gaps of
+// the client's strides (GL 1.3, 5.4).
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_LISTS && SPANGLE_FEATURE_EVALUATORS
@@ -16,7 +16,7 @@ using list::Word;
 
 constexpr std::uint32_t side_words = 3, head_words = 1 + 2 * side_words;
 
-/// Words: target, both sides' domain and order, then the points.
+/// Plays a map. Its words are the target, domain and order of both sides, then the points.
 template <unsigned dimension> const Word* play_map(Context& context, const Word* words) {
     const GLenum target = words[0];
     const auto components =

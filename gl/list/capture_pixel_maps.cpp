@@ -21,7 +21,7 @@ std::uint32_t entry_bytes(GLenum type, GLsizei size) {
     return static_cast<std::uint32_t>(size) * (type == GL_UNSIGNED_SHORT ? 2 : 4);
 }
 
-/// Words: map, size, type, then the entries as the client had them.
+/// Plays a pixel map. Its words are map, size and type, then the entries as the client gave them.
 const Word* play_pixel_map(Context& context, const Word* words) {
     const auto size = static_cast<GLsizei>(words[1]);
     if (allowed_outside(context, family::PixelMap::text))

@@ -13,7 +13,7 @@ namespace {
 
 using list::Word;
 
-/// Of any size.
+/// Images of any size are recorded.
 [[maybe_unused]] constexpr GLsizei largest = INT32_MAX;
 
 #if SPANGLE_FEATURE_DRAW_PIXELS

@@ -1,5 +1,5 @@
-// PolygonStipple in display lists: the pattern as the unpack state of the moment of compilation makes it
-// (GL 1.3, 5.4).
+// PolygonStipple in display lists: the pattern is unpacked by the unpack state of the compilation (GL 1.3,
+// 5.4).
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_LISTS && SPANGLE_FEATURE_STIPPLE

@@ -5,11 +5,11 @@
 
 namespace spangle::gl::list {
 
-/// Records never straddle chunks. The last record of a chunk is a link to the next one, of a list the end: a
-/// null player.
+/// A part of a display list. Records never straddle chunks. The last record of a chunk links to the next
+/// chunk; in the last chunk it is a null player, which ends the list.
 struct Chunk {
     Chunk* next;
-    std::uint32_t words; ///< in `data`
+    std::uint32_t words; ///< words at data()
 
     Word* data() { return reinterpret_cast<Word*>(this + 1); }
 };
@@ -18,8 +18,7 @@ inline constexpr std::uint32_t link_words = player_words + address_words;
 
 void begin_recording(Context& context);
 
-/// Closes the list and gives its chain; null when there was not memory enough for all of it (nothing is kept
-/// then).
+/// Ends the list and returns its chain. Returns null, and keeps nothing, when memory ran out.
 Chunk* end_recording(Context& context);
 
 /// Frees a whole chain; null is an empty list.

@@ -82,14 +82,14 @@ void DeleteLists(Context& context, GLuint list, GLsizei range) {
     NameTable& names = context.share->lists;
     auto count = static_cast<GLuint>(range);
     if (list != 0 && count > 0 - list)
-        count = 0 - list; // names end at 2^32 - 1
+        count = 0 - list; // the largest name is 2^32 - 1
     if (raster::has_shortcuts && count <= names.capacity()) {
         for (GLuint i = 0; i < count; ++i)
             list::free_chain(*context.arena, static_cast<list::Chunk*>(names.remove(list + i)));
         return;
     }
-    // Of a range wider than the table this is the shorter way: walk the table. A removal may pull another
-    // entry into the slot: look again.
+    // For a range wider than the table, walking the table is shorter. A removal may move another entry into
+    // the slot, so the slot is checked again.
     for (std::uint32_t i = 0; i < names.capacity();) {
         const GLuint name = names.slot(i).name;
         if (name != 0 && name - list < count)

@@ -16,15 +16,15 @@ struct Chunk;
 struct ListRecorder {
     list::Chunk* first = nullptr;
     list::Chunk* last = nullptr;
-    list::Word* write = nullptr; ///< in `last`
-    list::Word* end = nullptr;   ///< of `last`; room for the link is behind it
-    bool out_of_memory = false;  ///< the list is lost: EndList says so and keeps the old one
+    list::Word* write = nullptr; ///< next free word in `last`
+    list::Word* end = nullptr;   ///< end of `last`, less the words of a link
+    bool out_of_memory = false;  ///< the list is lost; EndList reports that and keeps the old list
     list::Word* run = nullptr;   ///< header word of the open run, or null
 #if SPANGLE_TELLS_REACH
-    std::uint32_t vertices = 0; ///< so far
+    std::uint32_t vertices = 0; ///< vertices recorded so far
 #endif
     std::uint32_t pending = 0;              ///< attributes given since the last vertex (list::Field bits)
-    Real color[4], normal[3], tex_coord[4]; ///< their values
+    Real color[4], normal[3], tex_coord[4]; ///< values of the pending attributes
 };
 
 struct ListState {
@@ -34,7 +34,7 @@ struct ListState {
     bool execute = false; ///< mode is COMPILE_AND_EXECUTE
 #if SPANGLE_FEATURE_LISTS
     std::uint32_t depth = 0;
-    const list::Word* return_to[max_list_nesting] = {}; ///< where each called list goes on
+    const list::Word* return_to[max_list_nesting] = {}; ///< where each calling list continues
     ListRecorder recorder;
 #endif
 };

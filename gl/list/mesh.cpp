@@ -13,16 +13,16 @@ namespace spangle::gl::list {
 
 namespace {
 
-/// What a record begins with. Behind it there is an ArrayHeader for each array that is on, then the elements
-/// of each of these arrays, then the indices.
+/// The header of a mesh's record. An ArrayHeader for each enabled array follows, then the elements of these
+/// arrays, then the indices.
 struct Header {
-    Word words; ///< of the record
+    Word words; ///< words of the record
     Word mode, count;
-    Word arrays;     ///< how many are on
-    Word vertices;   ///< elements of each
-    Word index_type; ///< GL_NONE: the elements in turn
+    Word arrays;     ///< number of enabled arrays
+    Word vertices;   ///< elements of each array
+    Word index_type; ///< GL_NONE: elements are drawn in order, without indices
 };
-/// An array of the record; `slot` counts the arrays in the order of each_array().
+/// An array of the record; `slot` is its number in the order of each_array().
 struct ArrayHeader {
     Word slot, size, type;
 };
@@ -36,12 +36,12 @@ std::uint32_t rounded_words(std::size_t bytes) {
 std::size_t bytes_of_element(GLint size, GLenum type) {
     return static_cast<std::size_t>(size) * bytes_of(type);
 }
-/// Elements begin with a word.
+/// Words of an element, as each begins at a word.
 std::uint32_t words_of_element(GLint size, GLenum type) {
     return rounded_words(bytes_of_element(size, type));
 }
 
-/// Calls f(array, slot) for each array that is on.
+/// Calls f(array, slot) for each enabled array.
 template <class Arrays, class F> void each_used(Arrays& arrays, F f) {
     Word slot = 0;
     each_array(arrays, [&](auto& array) {
@@ -51,11 +51,12 @@ template <class Arrays, class F> void each_used(Arrays& arrays, F f) {
     });
 }
 
-/// How the elements are kept: those from the lowest to the highest index, or all in turn where that is less.
+/// How elements are stored: all from the lowest to the highest index, with indices, or each in drawing order
+/// without indices if that takes fewer words.
 struct Layout {
     std::uint32_t lowest = 0, vertices = 0;
     GLenum index_type = GL_NONE;
-    std::uint64_t words = 0; ///< of arrays and indices
+    std::uint64_t words = 0; ///< words of elements and indices
 
     Layout(std::uint32_t count, const Indices& indices, std::uint32_t element) : vertices(count) {
         words = std::uint64_t{count} * element;
@@ -107,7 +108,7 @@ void copy_indices(const Layout& layout, std::uint32_t count, const Indices& indi
     }
 }
 
-/// While it lives the arrays are those of a record, and nothing else.
+/// While it lives, the context's vertex arrays are those of a record.
 class RecordedArrays {
   public:
     RecordedArrays(Context& context, const Header& header, const Word* at) : context_(context) {

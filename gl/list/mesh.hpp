@@ -1,5 +1,5 @@
-// Draws of vertex arrays in display lists: their elements are copied as they lie in the arrays, each once,
-// with indices that say which comes when (GL 1.3, 2.8 and 5.4). They are drawn as the arrays are.
+// Draws of vertex arrays in display lists. Elements are copied in the arrays' own types, with indices where
+// elements repeat, and are drawn like arrays (GL 1.3, 2.8 and 5.4).
 #pragma once
 
 #include "gl/list/record.hpp"
@@ -7,11 +7,12 @@
 
 namespace spangle::gl::list {
 
-/// Records a draw of `count` elements from the arrays of this moment, which lie in memory, as one primitive.
+/// Records a draw of `count` elements from the current arrays, which must be in memory, as one primitive.
 void record_mesh(Context& context, const Player* player, GLenum mode, std::uint32_t count,
                  const Indices& indices);
 
-/// Draws it, unless between Begin and End; `text` names the command then. Returns the next record.
+/// Plays a mesh unless it is between Begin and End; `text` names the command in that error. Returns the next
+/// record.
 const Word* play_mesh(Context& context, const Word* words, const CommandText* text);
 
 } // namespace spangle::gl::list

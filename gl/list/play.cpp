@@ -1,6 +1,7 @@
-// A called list is entered by remembering where to go on, not by recursion: 64 levels cost 64 words of
-// context and no stack. Deeper calls are ignored (GL 1.3, 5.4: the nesting limit exists to bound recursion).
-// A build of fewer levels raises an error for them, since other builds may draw what it leaves out.
+// Executes display lists. A call stores where the calling list continues instead of recursing, so 64 levels
+// cost 64 pointers in the context and no stack. Deeper calls are ignored (GL 1.3, 5.4: the nesting limit
+// exists to bound recursion). Builds with fewer levels raise an error for them, because other builds may draw
+// what they leave out.
 #include "gl/list/play.hpp"
 
 #if SPANGLE_FEATURE_LISTS
@@ -15,7 +16,7 @@ namespace spangle::gl::list {
 
 namespace {
 
-/// Null for a name that is not a list, and for an empty list.
+/// The first record of a list; null for an empty list, and for a name that is no list.
 const Word* body(const Context& context, GLuint name) {
     void** const found = context.share->lists.find(name);
     return found != nullptr && *found != nullptr ? static_cast<Chunk*>(*found)->data() : nullptr;
@@ -26,7 +27,7 @@ const Word* enter(Context& context, GLuint name, const Word* next) {
     ListState& state = context.list;
     if (target == nullptr)
         return next;
-    if (state.depth >= max_list_nesting - 1) { // the list at the bottom is a level, too
+    if (state.depth >= max_list_nesting - 1) { // the outermost list counts as a level
         constexpr int of_gl = 64;
         if constexpr (max_list_nesting < of_gl)
             error(
@@ -40,14 +41,14 @@ const Word* enter(Context& context, GLuint name, const Word* next) {
 
 const Player* player_at(const Word* at) {
     const Player* player;
-    __builtin_memcpy(&player, at, sizeof player); // in line, also freestanding
+    __builtin_memcpy(&player, at, sizeof player); // compiles in line, in freestanding builds, too
     return player;
 }
 
-/// The record's words as arguments.
+/// Plays a command of any form: makes its arguments from the record's words.
 [[gnu::noinline]] const Word* play_any(Context& context, const Command& command, const Word* words) {
     Arg args[most_args] = {};
-    alignas(Params) alignas(Matrix16) unsigned char room[sizeof(Matrix16)]; // of the one that there is
+    alignas(Params) alignas(Matrix16) unsigned char room[sizeof(Matrix16)]; // for Params or Matrix16
     static_assert(sizeof(Params) <= sizeof(Matrix16));
     Arg* arg = args;
     for (unsigned left = words_of(command); left != 0; --left)
@@ -89,7 +90,7 @@ const Word* play(Context& context, const Player& player, const Word* words) {
 
 const Word* play_command(Context& context, const Command& command, const Word* words) {
     tell_watcher(context, command.text, nullptr, 0);
-    if (converts_in_line && command.args <= few_args && command.form <= Form::encoded) { // most others
+    if (converts_in_line && command.args <= few_args && command.form <= Form::encoded) { // most commands
         Arg a = 0, b = 0, c = 0;
         switch (command.args) {
         case 3:
@@ -118,7 +119,7 @@ void execute(Context& context, GLuint name) {
     for (;;) {
         const Player* player = player_at(at);
         if constexpr (converts_in_line)
-            for (; player == &list::player<&play_run>; player = player_at(at)) // most of them
+            for (; player == &list::player<&play_run>; player = player_at(at)) // most records are runs
                 at = play_run(context, at + player_words);
         if (player != nullptr) {
             at = play(context, *player, at + player_words);

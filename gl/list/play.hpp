@@ -1,20 +1,21 @@
-// Executing display lists.
+// Executes display lists.
 #pragma once
 
 #include "gl/list/record.hpp"
 
 namespace spangle::gl::list {
 
-/// Executes the list of that name, if there is one, with all it calls.
+/// Executes the list of that name, if it exists, with all lists that it calls.
 void execute(Context& context, GLuint name);
 
-/// Player of a run of vertices.
+/// Plays a run of vertices.
 const Word* play_run(Context& context, const Word* words);
 
-/// Player of a recorded CallList: argument, the name.
+/// Plays a recorded CallList; its word is the list's name.
 const Word* play_call(Context& context, const Word* words);
 
-/// Player of one element of a recorded CallLists: argument, the offset to LIST_BASE as it is at execution.
+/// Plays one element of a recorded CallLists; its word is an offset that is added to the LIST_BASE of the
+/// execution.
 const Word* play_call_offset(Context& context, const Word* words);
 
 } // namespace spangle::gl::list

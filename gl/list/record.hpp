@@ -1,6 +1,6 @@
-// How a command becomes words of a display list and how they are played. A record is the address of its
-// player and the command's canonical arguments: what a program never calls is never referenced, so the linker
-// drops it.
+// How commands become words of a display list, and how these are played. A record is the address of its
+// player, then the command's canonical arguments. Players of commands that a program never calls are never
+// referenced, so the linker drops them.
 #pragma once
 
 #include <type_traits>
@@ -11,19 +11,19 @@
 
 namespace spangle::gl::list {
 
-/// What the record of a command is made of.
+/// The form of a command's record.
 enum class Form : std::uint8_t {
-    words,   ///< one for each argument
-    encoded, ///< a function of its own makes the record of a command; what it does not make is as with words
-    params,  ///< the last one is Params: their number and so many words
-    matrix,  ///< the last one is a Matrix16
+    words,   ///< one word for each argument
+    encoded, ///< the command's encoder writes most records; others are as with `words`
+    params,  ///< the last argument is Params: a count, then that many words
+    matrix,  ///< the last argument is a Matrix16: 16 words
     own,     ///< the record has a player of its own
 };
 
-/// A constant that says how records of one kind are played.
+/// A constant that describes how records of one kind are played.
 struct Player {
-    std::uint8_t stops = 0; ///< the bits of the gate that keep a command from simply running
-    std::uint8_t args = 0;  ///< how many it has
+    std::uint8_t stops = 0; ///< bits of the gate that keep the command from simply running
+    std::uint8_t args = 0;  ///< number of the command's arguments
     Form form = Form::words;
 #if SPANGLE_MESSAGES
     const CommandText* text = nullptr;
@@ -38,7 +38,7 @@ using Play = const Word*(Context& context, const Word* words);
 struct OwnPlayer : Player {
     Play* play = nullptr;
 };
-/// `F` is the family whose command the record is, if its errors are to be explained after it was played.
+/// `F` is the command's family if errors of playing a record shall name the command; else void.
 template <class F> constexpr OwnPlayer own_player(Play* play) {
     OwnPlayer player;
     player.form = Form::own;
@@ -52,13 +52,14 @@ template <class F> constexpr OwnPlayer own_player(Play* play) {
 template <auto play, class F = void> inline constexpr OwnPlayer player = own_player<F>(play);
 
 inline constexpr std::uint32_t player_words = sizeof(Player*) / sizeof(Word);
-inline constexpr std::uint32_t address_words = sizeof(void*) / sizeof(Word); ///< of a position in a list
+inline constexpr std::uint32_t address_words = sizeof(void*) / sizeof(Word); ///< words of a list position
 
-/// Room for the arguments of a new record, or null without memory (EndList reports that). Closes an open run.
+/// Appends a record and returns where its `words` words of arguments go; closes an open run. Returns null
+/// without memory, which EndList reports.
 Word* record(Context& context, const Player* player, std::uint32_t words);
 
-/// Stores a command that is already known to fail: it raises `code` when executed, or INVALID_OPERATION
-/// between Begin and End unless it is allowed there. `rule` is as that of error().
+/// Records a command that is already known to fail. When played it raises `code`, or INVALID_OPERATION
+/// between Begin and End unless `inside` allows it there. `rule` is as for error().
 #if SPANGLE_MESSAGES
 void record_error(Context& context, GLenum code, bool inside, const char* rule = nullptr);
 #else

@@ -29,7 +29,7 @@ enum Field : std::uint32_t {
     field_normal = 2,
     field_tex2 = 4,
     field_tex4 = 8,
-    field_position_shift = 4, ///< components of the position, 2 to 4
+    field_position_shift = 4, ///< bits from here on: components of the position, 2 to 4
 };
 
 constexpr std::uint32_t count_bits = 24;
@@ -46,7 +46,7 @@ const Word* play_link(Context&, const Word* words) {
     return next;
 }
 
-/// The attributes that come with a vertex; returns where its position lies.
+/// Sets the attributes of a vertex; returns where its position begins.
 const Word* play_attributes(Context& context, std::uint32_t fields, const Word* words) {
     if (fields & field_color) {
         cmd::Color(context, {words[0]}, {words[1]}, {words[2]}, {words[3]});
@@ -72,7 +72,8 @@ const Word* play_run(Context& context, const Word* words) {
     const Word header = *words++;
     const std::uint32_t fields = header >> count_bits, components = fields >> field_position_shift;
     const bool attributes = (fields & ((1u << field_position_shift) - 1)) != 0;
-    const auto vertex = context.inside_begin_end() ? context.engine->vertex : nullptr; // as cmd::Vertex
+    // Outside of Begin and End vertices have no effect, as in cmd::Vertex.
+    const auto vertex = context.inside_begin_end() ? context.engine->vertex : nullptr;
     for (Word left = header & count_mask; left != 0; --left) {
         if (attributes)
             words = play_attributes(context, fields, words);
@@ -139,7 +140,7 @@ bool same(Real a, Real b) {
     return a.bits == b.bits;
 }
 
-/// Attributes without a vertex become records of their own.
+/// Records pending attributes that no vertex has taken.
 void flush_attributes(Context& context) {
     ListRecorder& r = context.list.recorder;
     const std::uint32_t pending = r.pending;
@@ -189,7 +190,7 @@ void write(Context& context, const Command& command, const Arg* args) {
 namespace {
 
 #if SPANGLE_MESSAGES
-/// What the sentence of a recorded error is made of.
+/// The parts of a recorded error's message.
 struct RecordedError {
     const CommandText* text;
     const char* rule;
