@@ -1,4 +1,5 @@
-// A family as a constant: what checks, records and plays its commands, whatever their arguments are.
+// Describes a command family as a constant, by which common code checks, records and plays its commands,
+// whatever their arguments are.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +11,7 @@
 namespace spangle::gl {
 
 namespace family {
-struct Vertex; // of those in generated/commands.hpp
+struct Vertex; // from generated/commands.hpp
 }
 
 inline constexpr std::size_t most_args = 10;
@@ -36,13 +37,14 @@ template <class T> struct Passed<const T&> {
     static const T& value(Arg arg) { return *reinterpret_cast<const T*>(arg); }
 };
 
-// Functions of families, for any arguments: each takes as many as it needs, of a few numbers of them.
+// Families' functions behind common types, which take 3, 6 or 10 words. A family uses the smallest that holds
+// its arguments.
 template <std::size_t> using AnyArg = Arg;
 template <class Places> struct Taking;
 template <std::size_t... I> struct Taking<std::index_sequence<I...>> {
     using Function = void(Context&, AnyArg<I>...);
 
-    /// In line, so that arguments that are known stay in registers.
+    /// In line, so that arguments stay in registers.
     [[gnu::always_inline]] static void call(Function* function, Context& context, const Arg* args) {
         function(context, args[I]...);
     }
@@ -76,11 +78,11 @@ template <auto function, class... A> constexpr Run run_of(void (*typed)(Context&
         return {.many = Many::of<function>(typed, places)};
 }
 
-/// Of so many arguments.
+/// Calls the function of a command with `count` arguments.
 void call(Context& context, const Run& run, std::size_t count, const Arg (&args)[most_args]);
 
 #if SPANGLE_MESSAGES
-/// An error of a command that has just run gets its sentence.
+/// Sends the message of an error that the command has just raised, if there is one.
 inline void explain_error(Context& context, const CommandText* text, const Arg* args, unsigned count) {
     if (context.unexplained.code != GL_NO_ERROR) [[unlikely]]
         explain(context, *text, args, count);
@@ -89,7 +91,7 @@ inline void explain_error(Context& context, const CommandText* text, const Arg* 
 inline void explain_error(Context&, const CommandText*, const Arg*, unsigned) {}
 #endif
 
-/// Explains a command whose arguments are not words yet.
+/// Sends the message of an error of a command whose arguments are not words yet.
 template <class F, class R, class... A>
 [[gnu::always_inline]] inline void explain_run([[maybe_unused]] Context& context, R (*)(Context&, A...),
                                                [[maybe_unused]] const std::type_identity_t<A>&... args) {
@@ -101,7 +103,7 @@ template <class F, class R, class... A>
 #endif
 }
 
-/// Tells who watches, on hosts.
+/// Reports a command to the context's watcher, on hosts.
 inline void tell_watcher([[maybe_unused]] Context& context, [[maybe_unused]] const CommandText* text,
                          [[maybe_unused]] const Arg* args, [[maybe_unused]] unsigned count) {
 #if SPANGLE_WATCHED
@@ -110,7 +112,7 @@ inline void tell_watcher([[maybe_unused]] Context& context, [[maybe_unused]] con
 #endif
 }
 
-/// The same for a command that runs at once, whose arguments are not words yet.
+/// Reports a command that runs at once to the watcher; its arguments are not words yet.
 template <class F, class R, class... A>
 [[gnu::always_inline]] inline void tell_run([[maybe_unused]] R (*)(Context&, A...),
                                             [[maybe_unused]] const std::type_identity_t<A>&... args) {
@@ -126,7 +128,7 @@ template <class F, class R, class... A>
 struct Command : list::Player {
     Run run;
 
-    /// The same where the number of arguments is known.
+    /// Runs the command with arguments whose number is known.
     template <class... A> void operator()(Context& context, A... args) const {
         const Arg given[most_args] = {args...};
         if constexpr (sizeof...(A) <= few_args)
@@ -139,7 +141,7 @@ struct Command : list::Player {
     }
 };
 
-/// One that lists take by a function of its own, not word by word.
+/// A command that display lists record by its own encoder, not word by word.
 struct EncodedCommand : Command {
 #if SPANGLE_FEATURE_LISTS
     Run encode;
@@ -152,7 +154,8 @@ constexpr std::uint8_t stops = static_cast<std::uint8_t>(
     (SPANGLE_FEATURE_BANDS && std::is_same_v<F, family::Vertex> ? gate_left_out : 0) |
     (SPANGLE_FEATURE_LISTS && F::listing != Listing::never ? gate_compiling : 0));
 
-/// False, and INVALID_OPERATION, for a command that Begin and End do not allow between them (GL 1.3, 2.6.3).
+/// Whether a command may run. For a command that is not allowed between Begin and End it raises
+/// INVALID_OPERATION there (GL 1.3, 2.6.3).
 bool allowed(Context& context, const list::Player& command);
 
 template <class... A> constexpr list::Form form_of(void (*)(Context&, A...)) {
@@ -186,15 +189,15 @@ template <class F> inline constexpr auto command = command_of<F>();
 
 namespace list {
 
-/// How many of a command's arguments are a word.
+/// The number of a command's arguments that are single words.
 constexpr unsigned words_of(const Command& command) {
     return command.args - (command.form > Form::encoded ? 1u : 0u);
 }
 
-/// A record of these arguments, word by word.
+/// Records a command with its arguments, word by word.
 void write(Context& context, const Command& command, const Arg* args);
 
-/// Executes one; returns the next record.
+/// Plays a record of a command; returns the next record.
 const Word* play_command(Context& context, const Command& command, const Word* words);
 
 template <class F, class... A> void record_words(Context& context, const A&... args) {

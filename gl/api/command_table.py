@@ -44,7 +44,7 @@ class Arg:
         self.pointer, self.array = "*" in self.type, self.type.startswith("array")
         self.group = accepted[1:].partition(":")[0] if accepted.startswith("@") and " " not in accepted else None
         self.accepted, self.features, self.good, self.low, self.high = [], {}, "0", None, None
-        self.count = 1 if self.array else 0  # numbers that lie at a pointer, as far as the table knows
+        self.count = 1 if self.array else 0  # how many numbers the pointer must point at; 0: unknown
         self.parse(accepted, groups)
 
     @classmethod
@@ -186,7 +186,7 @@ class Family:
         names = [a.name for a in self.args]
         sizes = [n for n in ("width", "height", "depth") if n in names]
         beside = ["static_cast<GLint>(target)"] + [n for n in names[1:] if n not in (*sizes, "format", "type", "pixels")]
-        beside += ["0"] * (5 - len(beside)) # each member has a value: no memory is cleared
+        beside += ["0"] * (5 - len(beside)) # every member gets a value, so that no memory is cleared first
         size = ", ".join(sizes + ["1"] * (3 - len(sizes)))
         volume = ", true" if len(sizes) == 3 else ", false"
         return f"ImageCommand{{{{{', '.join(beside)}}}, {{{size}}}, format, type, pixels{volume}}}"
@@ -205,7 +205,7 @@ class Family:
                 stem, c = f"gl{self.name}{size if self.data.get('digits', True) else ''}", C_TYPES[code]
                 vector = suffix.replace("x", "xv", 1) if code == "x" else suffix + "v"
                 value = Arg("real value", {})
-                # Floats, and integers one by one, are what programs with a loop of vertices call: no detour.
+                # Loops of vertices call floats, and integers as single arguments, most often: these are converted in line.
                 often = self.listing == "attribute"
                 forms = [len(pad) > 1 and ("reals" if often and code in ("fi", "f")[vectorial] else "components") for vectorial in (0, 1)]
                 kind = element(code, convert)

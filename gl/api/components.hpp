@@ -1,5 +1,5 @@
-// Vertices, colours, normals, coordinates as they lie in memory: one function for the entry points of a
-// family, whatever the type of their components.
+// Entry points that take components of vertices, colours, normals or coordinates in memory. The entry points
+// of a family share one function, whatever the type of their components.
 #pragma once
 
 #include <bit>
@@ -12,7 +12,7 @@
 
 namespace spangle::gl {
 
-/// Components of a family that its entry point does not give are those of (0, 0, 0, 1).
+/// Issues a command with loaded components. Those that the entry point does not give are from (0, 0, 0, 1).
 template <class F, class... Leading, std::size_t... I>
 inline void issue_first(const Real* v, std::index_sequence<I...>, Leading... leading) {
     issue<F>(leading..., v[I]...);
@@ -22,7 +22,8 @@ template <class... A> constexpr std::size_t count_reals(void (*)(Context&, A...)
     return (std::size_t{std::is_same_v<A, Real>} + ...);
 }
 
-/// Families share these: what stands before the components, if anything does, then those.
+/// Common code of all families: loads components and issues the command, with the leading argument `target`
+/// if it has one.
 void issue_loaded(const void* v, convert::Components kind, const Command& command, const char* null_text);
 void issue_loaded_at(GLenum target, const void* v, convert::Components kind, const Command& command,
                      const char* null_text);
@@ -45,7 +46,7 @@ template <class F>
         issue_first<F>(loaded.at, std::make_index_sequence<count_reals(F::run)>{}, target);
 }
 
-/// Two corners of two components each.
+/// Issues Rect with two corners of two components each.
 template <class F>
 [[gnu::noinline]] void issue_corners(const void* v1, const void* v2, convert::Components kind,
                                      const char* null_text) {
@@ -57,7 +58,7 @@ template <class F>
         issue<F>(first.at[0], first.at[1], second.at[0], second.at[1]);
 }
 
-/// Up to three words, as they came in registers.
+/// Issues up to three components given as words in registers.
 template <class F>
 [[gnu::noinline]] void issue_given(std::uint32_t x, std::uint32_t y, std::uint32_t z,
                                    convert::Components kind) {
@@ -79,12 +80,13 @@ template <std::size_t i, class T, std::size_t count> inline std::uint32_t word_a
     return 0;
 }
 
-/// Where the first bytes of a word are the lowest it serves for the smaller types, too.
+/// Whether components of type T are passed as words. On little-endian machines a word also holds the smaller
+/// types in its first bytes.
 template <class T>
 inline constexpr bool passed_as_words =
     !converts_in_line && (sizeof(T) == 4 || (sizeof(T) < 4 && std::endian::native == std::endian::little));
 
-/// Components given one by one.
+/// Issues components that were given as single arguments.
 template <class F, class T, std::size_t count>
 inline void issue_components(const T (&given)[count], convert::Components kind, std::nullptr_t) {
     if constexpr (sizeof(T) < 4)
@@ -114,7 +116,8 @@ template <convert::Element kind, unsigned count, std::size_t index, class T> inl
     return index == 3 ? numeric::one : numeric::zero;
 }
 
-/// What programs with a loop of vertices call, and commands of reals only.
+/// Issues components of the most frequent vertex commands, and of commands with reals only, converted in
+/// line.
 template <class F, convert::Element kind, unsigned count, class T>
 inline void issue_reals(const T* v, const char* null_text) {
     if constexpr (converts_in_line) {
@@ -141,7 +144,7 @@ inline void issue_reals(const T (&given)[count], std::nullptr_t) {
         issue_reals<F, kind, count>(static_cast<const T*>(given), static_cast<const char*>(nullptr));
 }
 
-/// An array of the client's comes last, then its type.
+/// Issues a command whose last argument is an array of the client, of the given type.
 template <class F, class A> [[gnu::noinline]] void issue_array(A a, const void* at, GLenum type) {
     issue<F>(a, Values{at, type});
 }

@@ -50,7 +50,7 @@ Real integer_at(const unsigned char* at, unsigned size_log, bool is_signed, bool
 
 namespace {
 
-// A float given for an integer is rounded (GL 1.3, 3.6.1 for PixelStore, 6.1.2); an enum or a boolean given
+// A float given for an integer is rounded (GL 1.3, 3.6.1 for PixelStore, 6.1.2). An enum or a boolean given
 // as a GLfixed is not scaled (GL_OES_fixed_point).
 Param param_real(Kind kind, Real v) {
     return kind == Kind::integer ? Param::from_integer(static_cast<std::uint32_t>(numeric::to_i32_round(v)))
@@ -72,10 +72,10 @@ template <class T> T element(const void* array, std::size_t index) {
     return value;
 }
 
-/// The bytes of an Element are 1 << of_each, in their order.
+/// log2 of the bytes of each Element, in its order.
 constexpr std::uint8_t size_logs[] = {2, 1, 2, 3, 2, 0, 0, 1, 1, 2, 2};
 
-/// Whatever the type, one way to load and to extend it.
+/// Loads a component by one common path for all integer types, which is smaller but slower.
 [[maybe_unused]] Real short_component(Element type, const void* v, std::size_t i) {
     if (type == Element::cast_d)
         return cast_d(element<GLdouble>(v, i));

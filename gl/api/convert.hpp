@@ -1,4 +1,4 @@
-// The border of the API: every scalar becomes a Real or an integer here, once (design 1).
+// The border of the API: here every scalar becomes a Real or an integer, once (design 1).
 #pragma once
 
 #include <bit>
@@ -8,7 +8,7 @@
 
 namespace spangle::gl::convert {
 
-// At face value. Floats are moves and inline; the others are functions, so that wrappers stay thin.
+// Conversions at face value. That of floats is in line; others are calls, so that entry points stay small.
 [[gnu::cold]] Real cast_special(std::uint32_t bits); ///< NaN and infinities
 inline Real cast_f(GLfloat v) {
     const auto bits = std::bit_cast<std::uint32_t>(v);
@@ -26,7 +26,7 @@ inline Real cast_ub(GLubyte v) {
     return cast_i(v);
 }
 
-// As components of colours and normals (GL 1.3, table 2.6).
+// Conversions as components of colours and normals (GL 1.3, table 2.6).
 Real unit_b(GLbyte v);
 Real unit_s(GLshort v);
 Real unit_i(GLint v);
@@ -34,11 +34,11 @@ Real unit_ub(GLubyte v);
 Real unit_us(GLushort v);
 Real unit_ui(GLuint v);
 
-/// An integer of 1 << size_log bytes as it lies in memory, at face value or as a component: the short way,
-/// whatever its type.
+/// Converts an integer of 1 << size_log bytes in memory, at face value or as a component. One function serves
+/// all integer types where code must be small.
 Real integer_at(const unsigned char* at, unsigned size_log, bool is_signed, bool fraction);
 
-/// The types above, as a number.
+/// The conversions above as an enumeration.
 enum class Element : std::uint8_t {
     cast_f,
     cast_s,
@@ -66,16 +66,17 @@ template <Element kind, class T> inline Real one(T v) {
         return cast_i(v);
 }
 
-/// A type and how many there are of it.
+/// An Element and a count, packed: the count in the low 3 bits.
 using Components = std::uint8_t;
-inline constexpr unsigned most_components = 6; ///< of Frustum and Ortho
+inline constexpr unsigned most_components = 6; ///< as Frustum and Ortho have
 constexpr Components components(Element element, unsigned count) {
     return static_cast<Components>(static_cast<unsigned>(element) << 3 | count);
 }
-/// With a type of one or two bytes: each lies at the beginning of a word of its own, as arguments come.
+/// A flag for types of one or two bytes: each component begins a word of its own, as arguments do.
 inline constexpr Components of_words = 0x80;
 
-/// Components out of memory, the missing ones of (0, 0, 0, 1). A null pointer is INVALID_VALUE, and null.
+/// Loaded components; missing ones are from (0, 0, 0, 1). A null pointer raises INVALID_VALUE and sets
+/// `null`.
 struct Loaded {
     Real at[most_components];
     bool null = false;
@@ -90,9 +91,9 @@ template <Element kind, class T> [[gnu::noinline]] Matrix16 matrix(const T* m) {
 }
 Matrix16 matrix(const void* m, Element kind);
 
-// Light, Material, Fog, TexParameter...: the pname's shape decides what the values are.
-enum class Number : std::uint8_t { f, i, d, x, b }; ///< of client memory; b, GLboolean, is only stored
-/// A single value comes in a register, whatever its type: a double as the float that is kept of it.
+// In Light, Material, Fog, TexParameter... the pname's shape says what the values are.
+enum class Number : std::uint8_t { f, i, d, x, b }; ///< types in client memory; b, GLboolean, is only stored
+/// A single value as a word, whatever its type; a double becomes a float.
 inline std::uint32_t word(GLfloat v) {
     return std::bit_cast<std::uint32_t>(v);
 }
@@ -103,19 +104,19 @@ inline std::uint32_t word(GLint v) {
     return static_cast<std::uint32_t>(v);
 }
 Params vector(Shape shape, const void* values, Number type);
-/// And back, for queries (GL 1.3, 6.1.2).
+/// Stores a value of a query in client memory (GL 1.3, 6.1.2).
 void store_value(void* array, std::size_t index, Number type, Kind kind, Param value);
-/// Nothing is written when `found.count` is 0.
+/// Stores the values of a query; writes nothing when `found.count` is 0.
 void store(Shape shape, const Params& found, void* out, Number type);
 
-// One value of a given kind, as the queries return it (GL 1.3, 6.1.2).
+// A value of a given kind, converted as queries return it (GL 1.3, 6.1.2).
 GLfloat to_float(Kind kind, Param value);
 GLdouble to_double(Kind kind, Param value);
 GLint to_int(Kind kind, Param value);
 GLfixed to_fixed(Kind kind, Param value);
 GLboolean to_boolean(Kind kind, Param value);
 
-// Arrays of the client, of the type their entry point says; they need not be aligned.
+// Elements of client arrays of the type that the entry point gives; they need not be aligned.
 Real array_value(const Values& array, std::size_t index);
 void store_array_value(const Values& array, std::size_t index, Kind kind, Param value);
 

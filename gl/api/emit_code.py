@@ -119,7 +119,7 @@ def value_of(tokens, pname):
 def shapes_header(chapters, tokens):
     out = ["// How many values a pname takes, and of what kind.\n", NOTICE,
            "#pragma once\n\n#include \"gl/api/family.hpp\"\n\nnamespace spangle::gl::shape {\n"]
-    # A command and its query have one table, with what either takes: both look at the name again.
+    # A command and its query share one table of the pnames that either takes; both check the pname again.
     families = {f.name: f for _, group in chapters for f in group if f.pnames}
     for f in families.values():
         if f.name.removeprefix("Get") != f.name and f.name.removeprefix("Get") in families:

@@ -6,7 +6,7 @@ FETCH = {"real": "{c}(a[{i}].number)", "enum": "GLenum(a[{i}].integer)", "uint":
          "int": "GLint(a[{i}].integer)", "intptr": "GLintptr(a[{i}].integer)", "sizeiptr": "GLsizeiptr(a[{i}].integer)", "sizei": "GLsizei(a[{i}].integer)", "bitfield": "GLbitfield(a[{i}].integer)",
          "boolean": "GLboolean(a[{i}].integer)", "pname": "GLenum(a[{i}].integer)", "pvalue": "{c}(a[{i}].number)"}
 
-# The letter of a number's type, as Arg::type has it; other types have none.
+# The letters of number types, as in Arg::type; other types have none.
 LETTERS = {"GLbyte": "b", "GLshort": "s", "GLint": "i", "GLsizei": "i", "GLubyte": "B", "GLushort": "S", "GLuint": "I", "GLbitfield": "I",
            "GLboolean": "B", "GLfloat": "f", "GLclampf": "f", "GLdouble": "d", "GLclampd": "d", "GLfixed": "x", "GLclampx": "x",
            "GLintptr": "l", "GLsizeiptr": "l"}

@@ -4,8 +4,8 @@ import json
 from command_table import API
 from emit_code import NOTICE
 
-MOST_NAMED = 12 # tokens; of more the sentence does not list each
-STATE_QUERIES = {"GetBooleanv", "GetIntegerv", "GetFloatv", "GetDoublev", "GetFixedvOES", "GetPointerv"} # which have a table of their own
+MOST_NAMED = 12 # tokens; a message does not list more than these
+STATE_QUERIES = {"GetBooleanv", "GetIntegerv", "GetFloatv", "GetDoublev", "GetFixedvOES", "GetPointerv"} # their tokens are in the state table
 
 
 def token_kind(family, arg):

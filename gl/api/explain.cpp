@@ -1,4 +1,4 @@
-// Sentences about errors: command, argument, rule.
+// Composes messages about errors from the command, the argument and the rule.
 #include "gl/context/command_text.hpp"
 
 #if SPANGLE_MESSAGES
@@ -27,7 +27,8 @@ const PnameText* find_pname(const CommandText& text, const ArgText& arg, GLenum 
     return nullptr;
 }
 
-/// An argument that is wrong whatever the others and the state are.
+/// Describes an argument that is wrong whatever the other arguments and the state are; returns false if it is
+/// not.
 bool name_wrong(Sentence& out, GLenum code, const CommandText& text, const ArgText& arg, Arg value) {
     const auto token = static_cast<GLenum>(value);
     const auto number = static_cast<std::int32_t>(value);
@@ -55,8 +56,8 @@ bool name_wrong(Sentence& out, GLenum code, const CommandText& text, const ArgTe
     return false;
 }
 
-/// An argument that is likely to be wrong where the command names no other rule: some commands take null, and
-/// what a parameter takes is not in the table.
+/// Describes an argument that is likely to be wrong, for commands that give no other rule. It may err: some
+/// commands take null, and the table does not know the values of pnames.
 bool name_suspect(Sentence& out, GLenum code, const CommandText& text, const ArgText& arg, Arg value) {
     if (code == GL_INVALID_VALUE && (arg.rule == ArgRule::address || arg.rule == ArgRule::array) &&
         value == 0) {
@@ -75,7 +76,7 @@ bool name_suspect(Sentence& out, GLenum code, const CommandText& text, const Arg
     return false;
 }
 
-/// The first argument of which `says` knows that it is wrong. False: it says so of none.
+/// Describes the first argument that `says` finds wrong; returns false if there is none.
 bool name_argument(Sentence& out, GLenum code, const CommandText& text, const Arg* args, unsigned count,
                    decltype(name_wrong)& says) {
     for (unsigned i = 0; i < text.count && i < count; ++i)
@@ -84,7 +85,7 @@ bool name_argument(Sentence& out, GLenum code, const CommandText& text, const Ar
     return false;
 }
 
-/// Behind this word, where the text begins with it; else null.
+/// If `text` begins with `word` and a blank, the rest from the blank on; else null.
 const char* behind(const char* text, const char* word) {
     while (*word != 0)
         if (*text++ != *word++)
@@ -92,7 +93,8 @@ const char* behind(const char* text, const char* word) {
     return *text == ' ' ? text : nullptr;
 }
 
-/// Formats are tokens, also where a number of components is one.
+/// Whether a name ends in "format". Formats are tokens, although internal formats may be numbers of
+/// components.
 bool is_format(const char* name) {
     const char* end = name;
     while (*end != 0)
@@ -104,7 +106,7 @@ bool is_format(const char* name) {
     return at == word;
 }
 
-/// A rule that begins with an argument's name has the argument's value behind it.
+/// Appends a rule. If it begins with an argument's name, the argument's value is inserted after that.
 void tell_rule(Sentence& out, const char* rule, const CommandText& text, const Arg* args, unsigned count) {
     for (unsigned i = 0; i < count && i < text.count; ++i) {
         const ArgText& arg = text.args[i];
@@ -123,7 +125,7 @@ void tell_rule(Sentence& out, const char* rule, const CommandText& text, const A
     out << rule;
 }
 
-/// Where no argument is wrong by itself.
+/// The rule for an error of which no argument is wrong by itself.
 const char* rule_of(GLenum code) {
     switch (code) {
     case GL_INVALID_ENUM:
@@ -141,7 +143,7 @@ const char* rule_of(GLenum code) {
     }
 }
 
-/// In the order that GL has.
+/// Unpacks an ImageCommand into arguments in the order of the GL command.
 void unpack_image(const CommandText& text, const ImageCommand& image, Arg (&out)[most_explained]) {
     unsigned beside = 0, sizes = 0, tokens = 0;
     for (unsigned i = 0; i < text.count; ++i)
@@ -161,7 +163,7 @@ void explain_unpacked(Context& context, const CommandText& text, const Arg* args
     const Unexplained error = context.unexplained;
     context.unexplained = {};
     Sentence out;
-    // Where a primitive is still open, a vertex before this command raised it.
+    // If a primitive is still open, an earlier vertex command raised the error.
     const CommandText& of = error.drawing && context.inside_begin_end() ? texts::Vertex : text;
     out << of.name << ": ";
     if (error.drawing || !name_argument(out, error.code, text, args, count, name_wrong)) {

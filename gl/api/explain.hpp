@@ -1,4 +1,4 @@
-// The arguments of commands as words that sentences about errors are made of.
+// Unpacks the arguments of commands into words, which messages about errors are made of.
 #pragma once
 
 #include "gl/context/command_text.hpp"
@@ -9,11 +9,11 @@ namespace spangle::gl {
 
 inline constexpr unsigned most_explained = 12;
 
-/// The arguments of a command in the order that GL has, images and arrays taken apart: of these each has a
-/// row in the text. `args` are `count` words, as the command takes them. Returns how many there are now.
+/// Unpacks `count` argument words into the arguments of the GL command, one for each ArgText. Images become
+/// their parts, and arrays their addresses. Returns the number of arguments.
 unsigned unpack(const CommandText& text, const Arg* args, unsigned count, Arg (&out)[most_explained]);
 
-/// explain(), of arguments that are unpacked.
+/// Does what explain() does, for arguments that are already unpacked.
 [[gnu::cold]] void explain_unpacked(Context& context, const CommandText& text, const Arg* args,
                                     unsigned count);
 

@@ -1,4 +1,4 @@
-// What the generated descriptors of command families are made of.
+// The types that generated descriptors of command families use.
 #pragma once
 
 #include <cstdint>
@@ -15,22 +15,22 @@ namespace spangle::gl {
 enum class Listing : std::uint8_t {
     words,       ///< arguments stored word by word
     attribute,   ///< packed into runs of vertices
-    client_data, ///< an encoder by hand, because it reads client memory now
+    client_data, ///< a handwritten encoder, because client memory is read at compilation
     never,       ///< runs at once
 };
 
-/// What the values of a pname are; decides every conversion (GL 1.3, 2.13 and 6.1.2).
+/// What the values of a pname are, which decides how they convert (GL 1.3, 2.13 and 6.1.2).
 enum class Kind : std::uint8_t { real, color, integer };
 
-/// Number of values a pname takes; 0 = unknown pname.
+/// Kind and number of the values that a pname takes; count 0: an unknown pname.
 struct Shape {
     Kind kind = Kind::real;
     std::uint8_t count = 0;
 };
 
-/// Of pnames that follow each other; a row of none ends those of a family.
+/// The shape of consecutive pnames. A row with `names` 0 ends a family's table.
 struct ShapeRow {
-    std::uint16_t name = 0; ///< the first
+    std::uint16_t name = 0; ///< first token
     std::uint8_t names = 0;
     Kind kind : 4 = Kind::real;
     std::uint8_t count : 4 = 0;
@@ -47,7 +47,7 @@ template <class R, class... A, R (*function)(Context&, A...)> struct Sharing<fun
     }
 };
 
-/// A family's function, called with the shared objects held.
+/// A family's function, which holds the lock of the shared objects while it runs.
 template <auto function> inline constexpr auto sharing = &Sharing<function>::run;
 
 #else

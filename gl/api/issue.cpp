@@ -5,7 +5,8 @@ namespace spangle::gl {
 
 namespace {
 
-/// `text` is a whole sentence: the entry point is known, not only its family.
+/// Raises an error of an entry point. `text` is a whole sentence, as the entry point is known, not only its
+/// family.
 void refuse(GLenum code, [[maybe_unused]] const char* text) {
     Context* const context = current_context();
     if (context == nullptr)
@@ -55,7 +56,7 @@ void watch(Context& context, Watcher* watcher) {
 bool admit(Context& context, const Command& command, [[maybe_unused]] const Arg (&args)[most_args]) {
     tell_watcher(context, command.text, args, command.args);
 #if SPANGLE_FEATURE_LISTS
-    if ((context.gate & gate_compiling) != 0) { // what comes here is what lists take
+    if ((context.gate & gate_compiling) != 0) { // only commands that lists record come here
 #if SPANGLE_MESSAGES
         context.compiled = {command.text, args};
 #endif
@@ -109,8 +110,8 @@ void issue_args(const Command& command, const Arg* args) {
 
 namespace {
 
-/// As many values as the pname has: none where a pname of several is given a single one, and the command then
-/// says INVALID_ENUM.
+/// Issues a command with as many values as its pname has. If a single value is given for a pname with
+/// several, the count is 0 and the command raises INVALID_ENUM.
 [[gnu::noinline]] void issue_shaped(GLenum target, GLenum pname, const void* values, convert::Number type,
                                     const ParamFamily& family, bool single) {
     Shape shape = find_shape(family.rows, pname);
@@ -118,7 +119,7 @@ namespace {
         shape.count = 0;
     const Params params = convert::vector(shape, values, type);
     const Arg last = Passed<const Params&>::arg(params);
-    const bool targets = family.command->args == few_args; // else what comes last is not taken
+    const bool targets = family.command->args == few_args; // without a target the last argument is not used
     issue_command(*family.command, Arg{targets ? target : pname}, targets ? Arg{pname} : last, last);
 }
 

@@ -1,4 +1,5 @@
-// What every wrapper does once its arguments are canonical: check Begin/End, record, or run.
+// What every entry point does once its arguments are canonical: checks Begin and End, records, or runs the
+// command.
 #pragma once
 
 #include <type_traits>
@@ -8,22 +9,24 @@
 
 namespace spangle::gl {
 
-/// A pointer that must not be null was: INVALID_VALUE instead of a crash.
+/// Raises INVALID_VALUE for a null pointer that must not be null, instead of a crash.
 void refuse_null(const char* text);
 
-/// A command of a system this build left out: INVALID_OPERATION and a message that names the feature.
+/// Raises INVALID_OPERATION for a command of a system that this build leaves out, with a message that names
+/// the feature.
 void refuse_feature(const char* text);
 
-/// The current context where Begin and End allow a command; else null, and INVALID_OPERATION if there is one.
+/// The current context if no primitive is open in it. Between Begin and End it raises INVALID_OPERATION and
+/// returns null; without a context it returns null.
 Context* outside_begin_end(const CommandText* text);
 
-/// The slow way in: records while a list is compiled, and checks Begin/End. True when the command is to run
-/// now. Errors of a recorded command are found when it is executed, not here (GL 1.3, appendix B, corollary
-/// 9).
+/// The slow path of entry points: reports to the watcher, records while a list is compiled, and checks Begin
+/// and End. Returns whether the command is to run now. Errors of a recorded command are found when it is
+/// played, not here (GL 1.3, appendix B, corollary 9).
 bool admit(Context& context, const Command& command, const Arg (&args)[most_args]);
 
-/// The band leaves out the batch that the command's vertex belongs to, so its components are not converted.
-/// `stops` are those of the command. Lists and watchers get such vertices, though.
+/// Whether the band leaves out the batch that the vertex belongs to, so that its components need no
+/// conversion. `stops` are the command's. Lists and watchers still get such vertices.
 inline bool is_left_out([[maybe_unused]] std::uint8_t stops) {
 #if SPANGLE_FEATURE_BANDS
     const Context* const context = (stops & gate_left_out) != 0 ? current_context() : nullptr;
@@ -36,14 +39,14 @@ inline bool is_left_out([[maybe_unused]] std::uint8_t stops) {
 
 #if SPANGLE_ARGUMENTS_INLINE
 
-/// Arguments come by value, so that they stay in registers on the way that does not come here.
+/// Takes arguments by value, so that they stay in registers on the path that does not call this.
 template <class... A>
 [[gnu::noinline, gnu::cold]] bool admit_given(const Command& command, Context& context, A... args) {
     const Arg given[most_args] = {args...};
     return admit(context, command, given);
 }
 
-/// Of each vertex: nothing is looked up.
+/// Issues a command that comes with every vertex: its function is called directly, without its descriptor.
 template <class F, class... A> inline void issue_attribute(const A&... args) {
     Context* context = current_context();
     if (context == nullptr) [[unlikely]]
@@ -58,11 +61,11 @@ template <class F, class... A> inline void issue_attribute(const A&... args) {
 
 #if SPANGLE_ARGUMENTS_INLINE && !SPANGLE_FEATURE_LISTS
 
-/// The current context where a command may run, else null.
+/// The current context if a command may run, else null.
 Context* admitted(const Command& command);
 
-/// Arguments lie where the family's function takes them. Commands of as many share this, whatever their
-/// types.
+/// Issues a command. Arguments lie where the family's function takes them, so all commands with as many
+/// arguments share this function, whatever their types.
 template <class... A> [[gnu::noinline]] void issue_command(const Command& command, A... args) {
     if (Context* const context = admitted(command); context != nullptr)
         command(*context, args...);
@@ -70,8 +73,8 @@ template <class... A> [[gnu::noinline]] void issue_command(const Command& comman
 
 #elif SPANGLE_ARGUMENTS_INLINE
 
-/// Arguments lie where the family's function takes them. Commands of as many share this, whatever their
-/// types.
+/// Issues a command. Arguments lie where the family's function takes them, so all commands with as many
+/// arguments share this function, whatever their types.
 template <class... A> [[gnu::noinline]] void issue_command(const Command& command, A... args) {
     Context* context = current_context();
     if (context == nullptr) [[unlikely]]
@@ -83,10 +86,10 @@ template <class... A> [[gnu::noinline]] void issue_command(const Command& comman
 
 #else
 
-/// Of as many as the command has.
+/// Issues a command whose arguments are an array of words.
 void issue_args(const Command& command, const Arg* args);
 
-/// Up to three stay in the registers that they came in.
+/// Issue a command with up to three arguments, which stay in the registers that they came in.
 void issue_few(const Command& command);
 void issue_few(Arg a, const Command& command);
 void issue_few(Arg a, Arg b, const Command& command);
@@ -108,7 +111,7 @@ inline void issue_as(void (*)(Context&, A...), const std::type_identity_t<A>&...
     issue_command(command<F>, Passed<A>::arg(args)...);
 }
 
-/// In line: arguments passed on by reference would have to lie in memory.
+/// Issues a command of any kind. In line, because arguments passed by reference would have to lie in memory.
 template <class F, class... A> [[gnu::always_inline]] inline void issue(const A&... args) {
     if constexpr (F::listing == Listing::never) {
         static_assert(!F::inside);
@@ -124,7 +127,7 @@ template <class F, class... A> [[gnu::always_inline]] inline void issue(const A&
     }
 }
 
-/// The same for commands that return a value: 0 when they may not run (GL 1.3, 2.5).
+/// Runs a command that returns a value; returns 0 when it may not run (GL 1.3, 2.5).
 template <class F, class... A>
 [[gnu::always_inline]] inline auto ask(A... args) -> decltype(F::run(*current_context(), args...)) {
     static_assert(F::listing == Listing::never && !F::inside);
@@ -137,7 +140,7 @@ template <class F, class... A>
     return answer;
 }
 
-/// The same for queries of parameters; `out` stays empty when they may not run.
+/// Runs a query of parameters; `out` stays empty when it may not run.
 template <class F, class... A> [[gnu::always_inline]] inline void fetch(Params& out, A... args) {
     static_assert(F::listing == Listing::never && !F::inside);
     const Arg given[] = {Passed<A>::arg(args)...};

@@ -1,4 +1,4 @@
-// GL's part of eglGetProcAddress.
+// Finds GL's entry points by name, for eglGetProcAddress.
 #pragma once
 
 #include "gl/context/features.hpp"
@@ -7,8 +7,8 @@ namespace spangle::gl {
 
 using EntryPoint = void (*)();
 
-/// The entry point called `name` ("glBegin"), or null; null for every name without
-/// SPANGLE_FEATURE_GET_PROC_ADDRESS.
+/// The entry point called `name` ("glBegin"), or null. Without SPANGLE_FEATURE_GET_PROC_ADDRESS it is always
+/// null.
 EntryPoint find_entry_point(const char* name);
 
 } // namespace spangle::gl

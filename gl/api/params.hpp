@@ -1,4 +1,4 @@
-// Commands of a pname and its values, and their queries: one function for the entry points of a family,
+// Commands with a pname and its values, and their queries. The entry points of a family share one function,
 // whatever the type of the values.
 #pragma once
 
@@ -7,15 +7,15 @@
 
 namespace spangle::gl {
 
-/// A command and its pnames.
+/// A command and the shapes of its pnames.
 struct ParamFamily {
     const Command* command;
     const ShapeRow* rows;
 };
 template <class F, const auto& rows> inline constexpr ParamFamily params_of{&command<F>, rows};
 
-// What families share: target is that of those that have one. The family comes last, so that the arguments of
-// an entry point stay where they are.
+// Common code of all families; `target` is unused by families without one. The family is the last argument,
+// so that an entry point's arguments stay in their registers.
 void issue_value(GLenum target, GLenum pname, std::uint32_t word, convert::Number type,
                  const ParamFamily& family);
 void issue_values(GLenum target, GLenum pname, const void* values, convert::Number type,
@@ -44,7 +44,7 @@ template <class F, const auto& rows>
     issue_values(target, pname, values, type, params_of<F, rows>, null_text);
 }
 
-/// Names of one shape need no look at the table.
+/// Whether all pnames have one shape, so that no table is searched.
 template <std::size_t count> constexpr bool all_alike(const ShapeRow (&rows)[count]) {
     for (std::size_t i = 0; i + 1 < count; ++i)
         if (rows[i].kind != rows[0].kind || rows[i].count != rows[0].count)
@@ -52,7 +52,7 @@ template <std::size_t count> constexpr bool all_alike(const ShapeRow (&rows)[cou
     return true;
 }
 
-/// What answers the queries of a family, and their pnames.
+/// The function that answers the queries of a family, and the shapes of their pnames.
 struct AnswerFamily {
     void (*answer)(Context& context, GLenum target, GLenum pname, Params& out);
     const ShapeRow* rows;

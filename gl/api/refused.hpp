@@ -1,4 +1,4 @@
-// Entry points of a system that this build left out.
+// Entry points of systems that this build leaves out.
 #pragma once
 
 #include "gl/api/issue.hpp"
@@ -9,8 +9,8 @@
         refuse_feature(SPANGLE_TEXT(text));                                                                  \
     }
 #else
-// Without texts they differ in nothing: one function has their names, whatever the arguments it does not look
-// at. (clang finds no static function by its C name.)
+// Without messages these entry points are all alike, so one function has all their names; it reads no
+// arguments. (clang does not find a static function by its C name.)
 #pragma GCC diagnostic ignored "-Wattribute-alias"
 extern "C" {
 [[maybe_unused]] static void spangle_refused() {
