@@ -1,4 +1,4 @@
-// One context: chapters of state, the door they are reached through, and what it shares.
+// One context: its state by chapters of GL, the gate that entry points test, and the objects it shares.
 #pragma once
 
 #include <cstdint>

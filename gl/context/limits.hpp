@@ -64,7 +64,7 @@
 
 namespace spangle::gl {
 
-inline constexpr std::int32_t max_viewport_dim = 2048; ///< 4 x it is raster::guard_band
+inline constexpr std::int32_t max_viewport_dim = 2048; ///< a quarter of raster::guard_band
 inline constexpr std::int32_t max_point_size = 64;     ///< sizes are whole pixels, 1 and up
 inline constexpr std::int32_t max_line_width = 64;
 inline constexpr std::int32_t modelview_stack_entries = SPANGLE_MODELVIEW_STACK,
@@ -105,7 +105,7 @@ inline constexpr unsigned vertex_cache =
 
 /// Optional primitives; triangles, triangle strips and triangle fans are always there.
 inline constexpr bool has_points = (SPANGLE_PRIMITIVES & 1) != 0, has_lines = (SPANGLE_PRIMITIVES & 2) != 0,
-                      has_polygons = (SPANGLE_PRIMITIVES & 4) != 0; ///< and quads
+                      has_polygons = (SPANGLE_PRIMITIVES & 4) != 0; ///< quads, too
 static_assert(SPANGLE_PRIMITIVES < 8);
 
 /// Whether primitives are clipped. Without clipping a primitive that crosses a plane of the view volume is an

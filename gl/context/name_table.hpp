@@ -1,4 +1,4 @@
-// Names (of textures, of display lists) to objects: one per kind in a share group.
+// A table from names, as of textures or display lists, to objects. A share group has one for each kind.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ class Arena;
 class NameTable {
   public:
     struct Entry {
-        std::uint32_t name; ///< 0: free
+        std::uint32_t name; ///< 0: the entry is free
         void* object;
     };
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-/// A build that holds programs to the ranges of its profile; cmake/Profile.cmake says when it is one.
+/// 1 in builds that hold programs to the ranges of a profile; cmake/Profile.cmake says when.
 #ifndef SPANGLE_CHECK_RANGES
 #define SPANGLE_CHECK_RANGES 0
 #endif

@@ -1,6 +1,6 @@
-// How far a program goes (ranges.inc). While `spangle profile` watches a context it is told each new number.
-// A build that checks ranges holds the program to those of its profile. All others, every firmware of a
-// release among them, have none of this: tells_reach is false there, and no code asks.
+// Reports how far a program goes in each range (ranges.inc). `spangle profile` watches a context and is told
+// each new number. A build that checks ranges stops a program that goes farther than its profile. All other
+// builds, release firmware included, have no such code: tells_reach is false there.
 #pragma once
 
 #include "gl/context/context.hpp"

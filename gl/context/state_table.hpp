@@ -114,7 +114,7 @@ using Compute = void(const Context& context, GLenum name, Param* out);
 
 inline constexpr int most_values = 16;
 
-/// The row that has `name`, or null.
+/// The row of the state `name`, or null.
 const StateRow* find_state(GLenum name);
 
 /// The switch that has `name`, or null.
@@ -147,7 +147,7 @@ constexpr std::uint32_t units_of(std::uint32_t unit_step) {
 /// the row occupies `bytes` bytes.
 std::size_t offset_of(const Context& context, const StateRow& row, GLenum name, std::size_t bytes);
 
-/// Writes row.count values.
+/// Reads the values of the state `name` of a row: row.count of them.
 void load_state(const Context& context, const StateRow& row, GLenum name, Param* out);
 
 } // namespace spangle::gl

@@ -12,7 +12,7 @@ namespace spangle::egl {
 namespace {
 
 #ifdef SPANGLE_FIRMWARE
-constexpr EGLint precision_count = 3; // no references
+constexpr EGLint precision_count = 3; // firmware has no reference policies
 #else
 constexpr EGLint precision_count = 7;
 #endif

@@ -128,7 +128,7 @@ struct Registry {
 };
 #endif
 
-/// What is current on this thread.
+/// The error and the current objects of this thread.
 struct Thread {
     EGLint error = EGL_SUCCESS;
     Display* display = nullptr;
@@ -167,7 +167,7 @@ Display* find_display(EGLDisplay handle);
 Surface* find_surface(Display& display, EGLSurface handle);
 Context* find_context(Display& display, EGLContext handle);
 
-/// The one memory of the program.
+/// The arena that all memory of the library comes from.
 gl::Arena& arena();
 
 /// Frees a surface with its planes, and closes the native window that was opened for it.

@@ -29,7 +29,7 @@ struct Drawn {
     EGLint precision;
 };
 
-/// What a host that is more than a board's display tells EGL.
+/// What a host program tells EGL about its platforms, and what EGL hands to it.
 struct Platforms {
     /// Client extensions of the platforms that `find` knows, each with a blank before it.
     const char* extensions = "";
