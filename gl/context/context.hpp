@@ -55,7 +55,7 @@ enum Gate : std::uint8_t {
 /// changed(); whoever derives state clears the bits.
 enum Dirty : std::uint8_t {
     dirty_none = 0,
-    dirty_others = 1,     ///< what vertices take beside the three below: clip planes, texgen, switches
+    dirty_others = 1,     ///< clip planes, texture coordinate generation, switches of vertices
     dirty_fragment = 2,   ///< what raster::FragmentState is filled from, the drawable included
     dirty_matrices = 4,   ///< the matrix stacks, the viewport, the depth range
     dirty_lights = 8,     ///< lights and the light model
