@@ -19,7 +19,7 @@ sys.path[:0] = [str(HERE.parents[1] / "programs")]
 import gallery  # noqa: E402
 import harness  # noqa: E402
 import programs_list  # noqa: E402
-from harness import run  # noqa: E402
+from harness import outfile, run  # noqa: E402
 
 SEEN = {"MESA_EXTENSION_MAX_YEAR": "2003", "LP_NUM_THREADS": "0", "MESA_EXTENSION_OVERRIDE": " ".join(
     f"-GL_{name}" for name in ("ARB_shader_objects", "ARB_vertex_shader", "ARB_fragment_shader", "ARB_vertex_program",
@@ -111,7 +111,7 @@ def play(program, process, environment):
 def environment_for(program, display, home):
     for name, text in program.files:
         (home / name).parent.mkdir(parents=True, exist_ok=True)
-        (home / name).write_text(text)
+        outfile.write(home / name, text)
     environment = gallery.environment_of(harness.mesa_environment("llvmpipe", **SEEN), display, home)
     if program.kind == "own":
         environment |= {"EGL_PLATFORM": "surfaceless"}
@@ -124,7 +124,7 @@ def record(program, display, to):
         home, long, kept = pathlib.Path(place), pathlib.Path(place) / "long.trace", pathlib.Path(place) / "kept.trace"
         environment = environment_for(program, display, home)
         folder = program.folder or home
-        words = (home / "words").open("w+", errors="replace")
+        words = tempfile.TemporaryFile("w+", errors="replace")
         with contextlib.ExitStack() as running:
             if program.beside:
                 running.enter_context(started(program.beside, environment, folder))
@@ -139,7 +139,7 @@ def record(program, display, to):
         if program.frames is None:
             kept = without_early_drawing(kept, pathlib.Path(place) / "quiet.trace")
         played = harness.without_refused_contexts(kept, pathlib.Path(place) / "played.trace")
-        to.write_bytes(played.read_bytes())
+        outfile.write(to, played.read_bytes())
     return ""
 
 
@@ -167,7 +167,7 @@ def without_early_drawing(trace, to):
     with subprocess.Popen(["apitrace", "dump", "--color=never", trace], stdout=subprocess.PIPE, text=True, errors="replace") as dump:
         drawing = early_drawing(dump.stdout)
     calls = to.with_suffix(".calls")
-    calls.write_text(harness.all_but(drawing).replace(",", "\n") + "\n")
+    outfile.write(calls, harness.all_but(drawing).replace(",", "\n") + "\n")
     done = run(["apitrace", "trim", f"--calls=@{calls}", "-o", to, trace], dict(os.environ))
     if done.status != 0:
         raise RuntimeError(done.words)
