@@ -11,7 +11,7 @@ bool RowEdge::enter(const OutlinePoint& from, const OutlinePoint& to, std::int32
     const std::int32_t y0 = a.y > bottom ? a.y : bottom, y1 = b.y < top ? b.y : top;
     if (y0 >= y1)
         return false;
-    // Both rows beside a boundary round alike there. |y - a.y| and |dx| < 2^27.
+    // The rows on both sides of a boundary round x alike there. |y - a.y| and |dx| < 2^27.
     const auto at = [&](std::int32_t y) {
         constexpr int up = 16 - outline_bits;
         if (y == a.y || y == b.y)
@@ -49,7 +49,7 @@ void RowEdge::add(std::int32_t begin, std::int32_t end, std::int64_t* change) co
         change[x - begin] += down_ ? before - area : area - before;
         before = area;
     };
-    if (x == first() && x == last()) // most of them
+    if (x == first() && x == last()) // most edges lie in one column
         put(whole - std::int64_t{(low_ & 0xFFFF) + (high_ & 0xFFFF)} * height_), ++x;
     else if (x < reached)
         for (std::int64_t here = beyond(x); x < reached; ++x) {

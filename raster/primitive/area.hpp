@@ -1,10 +1,10 @@
 // How much of each pixel of a row lies inside of an outline: sums of exact areas under its edges
 // (GL 1.3, 3.5.3).
 //
-// An edge gives each column the area between itself and the column's right side; edges going up count against
-// those going down. What an edge gives is a function of its two ends and the row alone, and is negated when
-// it goes the other way: outlines that share an edge cover its pixels to exactly 1 together. Off by less than
-// 2^-14.
+// Each edge contributes to each column the area between itself and the column's right side; edges going up
+// and down have opposite signs. What an edge contributes depends on its two ends and the row alone, and is
+// negated when it goes the other way: outlines that share an edge cover its pixels to exactly 1 together.
+// Coverage is off by less than 2^-14.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace spangle::raster {
 
-/// Fraction bits of outlines: corners of lines and points of circles lie between those of vertices.
+/// Fraction bits of outlines: corners of lines and points of circles lie between the grid points of vertices.
 inline constexpr int outline_bits = 12;
 inline constexpr std::int32_t outline_one = 1 << outline_bits;
 
@@ -26,22 +26,22 @@ constexpr OutlinePoint outline_point(const Position& p) {
     return {p.x * (outline_one / subpixel_one), p.y * (outline_one / subpixel_one)};
 }
 
-/// A part of an edge inside of one row, going up: x with 16 fraction bits, and how high it is.
+/// The part of an edge inside of one row, taken upwards: x with 16 fraction bits, height with outline_bits.
 class RowEdge {
   public:
     /// False: the edge does not reach the row.
     bool enter(const OutlinePoint& from, const OutlinePoint& to, std::int32_t row);
 
-    /// Columns it lies in.
+    /// The first and the last column that this part lies in.
     std::int32_t first() const { return (low_ < high_ ? low_ : high_) >> 16; }
     std::int32_t last() const { return (low_ < high_ ? high_ : low_) >> 16; }
     bool down() const { return down_; }
-    /// Adds the area right of it, of full_coverage and signed, to columns [begin, end): to each the
-    /// difference to the column before.
+    /// Adds the signed area right of this part to columns [begin, end); a whole pixel counts full_coverage.
+    /// Each column of `change` takes the difference to the column before.
     void add(std::int32_t begin, std::int32_t end, std::int64_t* change) const;
 
   private:
-    /// The integral of max(x - column, 0) over the height.
+    /// Twice the integral of max(x - column, 0) over the height.
     std::int64_t beyond(std::int32_t column) const;
 
     std::int32_t low_, high_; ///< x at the lower and at the upper end
@@ -49,7 +49,7 @@ class RowEdge {
     bool down_;
 };
 
-/// The corners of a polygon, whatever they lie in.
+/// The corners of a polygon, whatever structure holds them.
 struct Outline {
     const void* corners;
     int count;
@@ -61,25 +61,25 @@ inline Outline outline_of(const OutlinePoint* corners, int count) {
     return {corners, count, [](const void* all, int i) { return static_cast<const OutlinePoint*>(all)[i]; }};
 }
 
-/// The row of an outline, counter-clockwise or clockwise.
+/// One row of an outline that goes counter-clockwise or clockwise.
 class AreaRow {
   public:
     AreaRow(const Outline& outline, std::int32_t row);
     bool empty() const { return edges_ == 0; }
-    std::int32_t first() const { return first_; } ///< column that is reached
+    std::int32_t first() const { return first_; } ///< first column that the outline reaches
     std::int32_t last() const { return last_; }
-    /// Columns between the edges that go up and those that go down, where those lie apart: no edge reaches
-    /// them, so they have one coverage. None: begin = end.
+    /// The columns between the edges that go up and those that go down, where these lie apart. No edge
+    /// reaches them, so they have one coverage. core_begin() == core_end() if there are none.
     std::int32_t core_begin() const { return core_begin_; }
     std::int32_t core_end() const { return core_end_; }
 
-    /// Columns that are computed together, at most.
+    /// The most columns that fill() computes at once.
     static constexpr int window = 32;
-    /// The coverage of each of the columns [begin, end).
+    /// Writes the coverage of each of the columns [begin, end), `window` at most.
     void fill(std::int32_t begin, std::int32_t end, std::uint32_t* coverage) const;
 
   private:
-    /// Kept while they are looked at; more than those are found anew each time.
+    /// Edges of the row that are stored. Any further edges are computed again by each fill().
     static constexpr int kept_edges = 40;
     RowEdge edge_[kept_edges];
     int edges_ = 0;

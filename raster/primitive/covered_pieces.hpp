@@ -1,5 +1,5 @@
-// From the coverage of rows to spans. Pieces of rows wait for others of the same planes, which are set up
-// once for many rows.
+// Makes spans from the coverage of rows. Pieces of rows wait for others with the same planes, so that planes
+// are set up once for many rows.
 #pragma once
 
 #include "raster/primitive/pen.hpp"
@@ -7,7 +7,7 @@
 
 namespace spangle::raster {
 
-/// The planes that a piece takes: those of a part of its primitive, moved by some pixels.
+/// The planes that a piece takes: those of a part of its primitive, moved by (dx, dy) pixels.
 struct PieceSource {
     int part = 0;
     std::int32_t dx = 0, dy = 0;
@@ -15,13 +15,13 @@ struct PieceSource {
     bool is_before(const PieceSource& s) const { return moved() == s.moved() ? part < s.part : s.moved(); }
 };
 
-/// Pieces of which no two share a pixel, but of parts that overlap. A row adds what is not moved before what
-/// is, and both by parts.
+/// Collects pieces of rows. No two pieces share a pixel, but their parts may overlap. A row adds pieces that
+/// are not moved before those that are, and both in the order of their parts.
 template <class P> class CoveredPieces {
   public:
-    /// Gives the span the planes of a part.
+    /// Writes the planes of a part into the span.
     struct SetUp {
-        void (*run)(void* of, int part) = nullptr; ///< null: it has them already
+        void (*run)(void* of, int part) = nullptr; ///< null: the span has its planes already
         void* of = nullptr;
     };
     CoveredPieces(Pen<P>& pen, PrimitiveState& primitive, const SetUp& set_up)
@@ -35,7 +35,7 @@ template <class P> class CoveredPieces {
     CoveredPieces(const CoveredPieces&) = delete;
     CoveredPieces& operator=(const CoveredPieces&) = delete;
 
-    /// All that an outline reaches in these rows, inside the scissor rectangle's.
+    /// Adds all that an outline covers in rows [begin, end), which lie inside the scissor rectangle.
     [[gnu::noinline]] void add_rows(const Outline& outline, std::int32_t begin, std::int32_t end,
                                     const PieceSource& source) {
         for (std::int32_t y = begin; y < end; ++y)
@@ -44,7 +44,7 @@ template <class P> class CoveredPieces {
                 add(coverage, y, area.first(), area.last() + 1, source);
             }
     }
-    /// Columns [left, right) of row y.
+    /// Adds columns [left, right) of row y.
     [[gnu::noinline]] void add(RowCoverage& coverage, std::int32_t y, std::int32_t left, std::int32_t right,
                                const PieceSource& source) {
         std::int32_t x = left < coverage.begin() ? coverage.begin() : left;
@@ -60,13 +60,13 @@ template <class P> class CoveredPieces {
             row.first = x;
             if (whole) {
                 row.last = x = till;
-                (void)place(row, source, true, 0); // it has no coverages
+                (void)place(row, source, true, 0); // whole pieces have no coverages
                 continue;
             }
             std::int32_t count = till - x;
             const std::uint32_t* from = coverage.from(x, count);
             std::int32_t n = 0;
-            while (n < count && from[n] != 0) // no fragment where it is 0
+            while (n < count && from[n] != 0) // no fragment where coverage is 0
                 ++n;
             row.last = x + n;
             if (n != 0) {
@@ -84,10 +84,10 @@ template <class P> class CoveredPieces {
     static_assert(coverages >= AreaRow::window);
     struct Piece {
         Row row;
-        std::int32_t at; ///< its first coverage
+        std::int32_t at; ///< index of its first coverage
         std::int32_t next;
     };
-    /// Pieces of one source; `whole`: they have no coverages.
+    /// Pieces of one source. `whole`: their pixels are fully covered, and no coverages are stored.
     struct Group {
         PieceSource source;
         bool whole;
@@ -97,7 +97,7 @@ template <class P> class CoveredPieces {
         }
     };
 
-    /// A piece joins those of its source; where its coverages go.
+    /// Adds a piece to those of its source; returns where its n coverages go.
     std::uint32_t* place(const Row& row, const PieceSource& source, bool whole, std::int32_t n) {
         if (count_ == pieces || used_ + n > coverages)
             flush();
@@ -109,7 +109,8 @@ template <class P> class CoveredPieces {
                 flush();
                 g = 0;
             }
-            // In the order in which a row adds them: polygons that are not convex may meet a pixel twice.
+            // Groups have the order in which a row adds them: polygons that are not convex may meet a pixel
+            // twice.
             for (; g > 0 && source.is_before(group_[g - 1].source); --g)
                 group_[g] = group_[g - 1];
             group_[g] = {source, whole, count_, -1};

@@ -16,8 +16,8 @@
 
 namespace spangle::raster {
 
-/// Which fragments: L::count lines side by side, from the lower end of the major axis to the upper one. X,
-/// Up: the types of along_x and ascends, where they are known constants of these.
+/// Finds the fragments of L::count lines side by side, from the lower end of the major axis to the upper one.
+/// X and Up are the types of along_x and ascends, which may be integral constants.
 template <class L, class X = typename L::Mask, class Up = typename L::Mask> class Diamond {
   public:
     using Int = typename L::Int;
@@ -25,13 +25,13 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
 
     Int major;                        ///< of the first fragment
     Int count;                        ///< of fragments; may be negative for none
-    [[no_unique_address]] X along_x;  ///< the major axis
+    [[no_unique_address]] X along_x;  ///< the major axis is x
     [[no_unique_address]] Up ascends; ///< from the first end point to the second
     Int low, high;                    ///< ends on the major axis, subpixels
-    Int low_minor;                    ///< the lower one's other coordinate
-    Int rise;                         ///< from end to end along the minor axis
+    Int low_minor;                    ///< minor coordinate of the lower end
+    Int rise;                         ///< from the lower to the upper end along the minor axis
 
-    /// Up to which length first() is right, and above any that fits a surface.
+    /// The length, in subpixels, up to which first() is exact. No line that fits a surface is as long.
     static constexpr std::int32_t small_length = 1 << 20;
 
     /// `shift`: moves the line down its minor axis (wide lines), subpixels.
@@ -45,7 +45,7 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
         major = first_past(along_x, ascends, low, low_minor);
         count = first_past(along_x, ascends, high, high_minor) - major;
     }
-    /// Ends by major and minor coordinate; `past`: first_past() of the first of them.
+    /// Takes two ends by major and minor coordinate. `past`: first_past() of the end a.
     SPANGLE_INLINE Diamond(X x, Up up, Int a, Int a_minor, Int past, Int b, Int b_minor)
         : along_x(x), ascends(up) {
         order(a, a_minor, b, b_minor);
@@ -58,20 +58,21 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
         return L::no(L::less(absolute(bx - ax), absolute(by - ay)));
     }
 
-    /// Whether a line that goes so far along the major and minor axis may have these (one that goes nowhere
-    /// may have any).
+    /// Whether a line that advances by `along` and `aside` may have the major axis x and the direction up. A
+    /// line of no length may have any.
     SPANGLE_INLINE static Mask goes(X x, Up up, Int along, Int aside) {
         const Int forward = L::select(up, along, Int(-along)), sideways = absolute(aside);
         return L::select(x, L::no(L::less(forward, sideways)), L::less(sideways, forward));
     }
 
-    /// The first fragment along the major axis that lies past an end: of its own column, or the next where
-    /// the end has left that behind, past the centre line and outside of the diamond. Going down it is the
-    /// last but one that lies before the end. With lanes without branches: they would be taken at random.
+    /// The first fragment along the major axis that lies past an end. It is that of the end's own column, or
+    /// the next one where the end lies past the centre line and outside of the diamond. On a line that
+    /// descends, it is the last but one before the end. Lanes do without branches, which would be taken at
+    /// random.
     SPANGLE_INLINE static Int first_past(X x, Up up, Int end, Int end_minor) {
         const Int f = from_center(end);
         if constexpr (L::count == 1)
-            if ((f > 0) != up) // the diamond has no say
+            if ((f > 0) != up) // the diamond does not matter
                 return own(end) + (f > 0 ? 1 : 0);
         Int from_x = f, from_y = from_center(end_minor);
         L::exchange(L::no(x), from_x, from_y);
@@ -79,21 +80,22 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
         const Mask above = L::less(Int{}, f);
         return own(end) + L::one(L::select(up, Mask(out & above), Mask(L::no(out) | above)));
     }
-    /// That of the second end.
+    /// first_past() of the second end.
     SPANGLE_INLINE Int second_past() const { return L::select(ascends, major + count, major); }
 
     Int length() const { return high - low; }
 
-    /// A value on the boundary of two fragments belongs to the upper one only if the shifted line lies above
-    /// it: y(x + e) - e^2 on x-major lines with a rising slope. x(y + e^2) - e never does. 0, or -1: below.
+    /// The tie-break of a minor coordinate on the boundary of two fragments: 0 if it belongs to the upper
+    /// fragment, -1 if to the lower one. It belongs to the upper one only if the shifted line lies above it.
+    /// That is so for y(x + e) - e^2 on x-major lines with a rising slope, and never for x(y + e^2) - e.
     SPANGLE_INLINE Int tie() const {
         const Int not_rising = (rise - 1) >> 31;
         return L::select(along_x, not_rising, Int(~(rise ^ rise)));
     }
 
-    /// The minor coordinate of the first fragment, and the remainder of the division by 256 length. Its
-    /// centre is -128 .. 383 from the lower end: |rise| <= length makes the quotient more than -2 and less
-    /// than 3.
+    /// The minor coordinate of the first fragment, and the remainder of the division by 256 length. The
+    /// centre of that fragment is -128 .. 383 from the lower end: |rise| <= length makes the quotient more
+    /// than -2 and less than 3.
     SPANGLE_INLINE Int first(Int& remainder) const {
         constexpr std::int32_t bias = 2;
         const Int inside = low_minor & (subpixel_one - 1);
@@ -101,11 +103,11 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
         return (low_minor >> subpixel_bits) - bias + L::divide_small(remainder, length() * subpixel_one);
     }
 
-    /// Of fragment i, subpixels.
+    /// The centre of fragment i along the major axis, subpixels.
     SPANGLE_INLINE static Int center(Int i) { return i * subpixel_one + subpixel_one / 2; }
 
   private:
-    /// The upper end's other coordinate.
+    /// Puts the lower end first; returns the minor coordinate of the upper end.
     SPANGLE_INLINE Int order(Int a, Int a_minor, Int b, Int b_minor) {
         const auto descends = L::no(ascends);
         L::exchange(descends, a, b);
@@ -120,14 +122,14 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
     }
     /// The fragment a coordinate is in: floor(v - e).
     SPANGLE_INLINE static Int own(Int v) { return (v - 1) >> subpixel_bits; }
-    /// From the centre of that to it, -127 .. 128.
+    /// The distance of v from the centre of its own fragment, -127 .. 128 subpixels.
     SPANGLE_INLINE static Int from_center(Int v) {
         return ((v - 1) & (subpixel_one - 1)) - (subpixel_one / 2 - 1);
     }
 
-    /// An end is not in the diamond of its own fragment. x of a point on the diamond's edge decides which
-    /// side the shift moves it to, and points on the centre line are moved below it: where x is not above the
-    /// centre, the distance counts as one more.
+    /// Whether an end at (x, y) from the centre of its own fragment lies outside of the diamond. For a point
+    /// on the diamond's edge, x decides to which side the shift moves it, and points on the centre line are
+    /// moved below it. So where x is not above the centre, the distance counts as one more.
     SPANGLE_INLINE static Mask outside(Int x, Int y) {
         const Int before = x - 1, distance = (before ^ (before >> 31)) + absolute(y);
         return L::less(Int{} + (subpixel_one / 2 - 1), distance);
@@ -138,7 +140,7 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
 /// and rows, or rows and columns.
 class DiamondWalk {
   public:
-    std::int32_t major, minor; ///< the fragment
+    std::int32_t major, minor; ///< the current fragment
     std::int32_t count;        ///< fragments left, this one included
     bool along_x;
     bool ascends; ///< from the first end point to the second
@@ -195,7 +197,7 @@ class DiamondWalk {
     }
 
   private:
-    /// minor and remainder at the centre of `major`.
+    /// Computes minor and remainder at the centre of `major`.
     void place() {
         const std::int32_t from_low = major * subpixel_one + subpixel_one / 2 - low_;
         const std::int32_t inside = low_minor_ & (subpixel_one - 1);

@@ -34,8 +34,9 @@ template <class V>
 void draw_line(const DrawState& state, const Surface& target, const V& a, const V& b, const V& provoking,
                std::int32_t width);
 
-/// Lines from vertices i to i + 1 of n, i = 0, step, ...: 1 for a strip, 2 for lines apart. Some at a time
-/// are faster than each alone. `painted`: all of them are known to have its colour; or null.
+/// Draws lines from vertices i to i + 1 of n, i = 0, step, ...: step is 1 for a strip, 2 for separate lines.
+/// Several lines at a time are faster than each alone. `painted`: all lines are known to have its colour; or
+/// null.
 template <class V>
 void draw_lines(const DrawState& state, const Surface& target, const V* const* vertex, int n, int step,
                 const V* /*painted*/, std::int32_t width) {
@@ -48,14 +49,15 @@ void draw_lines<FixedVertex>(const DrawState& state, const Surface& target, cons
 
 struct LineStipple; // line_stipple.hpp
 
-/// Those fragments of it that the stipple leaves; it goes on where this line ends (GL 1.3, 3.4.2).
+/// Draws the fragments of a line that the stipple leaves. The stipple goes on where this line ends (GL 1.3,
+/// 3.4.2).
 template <class V>
 void draw_stippled_line(const DrawState& state, const Surface& target, const V& a, const V& b,
                         const V& provoking, std::int32_t width, LineStipple& stipple);
 
-/// Antialiased (GL 1.3, 3.3, 3.4.2, 3.5.3): fragments of every pixel that the disc, the rectangle or the
-/// convex polygon reaches, each with its area there. The state has coverage, its `primitive` is the one
-/// given. Sizes count 1/8 of a pixel, up to 64 pixels. A stipple cuts a line into parts of length 1.
+/// Antialiased primitives (GL 1.3, 3.3, 3.4.2, 3.5.3): fragments of every pixel that the disc, the rectangle
+/// or the convex polygon reaches, each with its area there. The state has coverage, and its `primitive` is
+/// the one given. Sizes count 1/8 of a pixel, up to 64 pixels. A stipple cuts a line into parts of length 1.
 template <class V>
 void draw_smooth_point(const DrawState& state, const Surface& target, PrimitiveState& primitive, const V& v,
                        std::int32_t eighths);
@@ -79,12 +81,12 @@ void draw_line_rectangle(const DrawState& state, const Surface& target, const V&
 template <class V>
 void draw_point(const DrawState& state, const Surface& target, const V& v, std::int32_t size);
 
-/// Takes fragments that somebody else has placed.
+/// Receives fragments whose positions are found elsewhere.
 struct PixelSink {
-    /// Fragments [begin, end) of row y, cut by the scissor rectangle; `pixels` holds their colours where the
-    /// state asks for them (DrawState::pixels), behind words with room for `pixel_room` more.
+    /// Draws fragments [begin, end) of row y, cut by the scissor rectangle. `pixels` holds their colours
+    /// where the state asks for them (DrawState::pixels), with room for `pixel_room` more behind them.
     void (*run)(PixelSink& sink, std::int32_t y, std::int32_t begin, std::int32_t end, const void* pixels);
-    /// Those that follow have this depth, Q0.30.
+    /// Sets the depth of the fragments that follow, Q0.30.
     void (*depth)(PixelSink& sink, std::uint32_t z);
 };
 inline constexpr int pixel_room = 16;

@@ -4,7 +4,8 @@ namespace spangle::raster {
 
 namespace {
 
-/// Small builds with stipples have one loop: a stipple that leaves all fragments. Records would keep it.
+/// Small builds with stipples draw solid lines by the stippled loop, with a stipple that leaves all
+/// fragments. Builds with records do not: records would keep that stipple.
 constexpr bool stipples_all = SPANGLE_FEATURE_STIPPLE && !SPANGLE_HAS_RECORDS && !has_shortcuts;
 
 } // namespace
@@ -36,7 +37,8 @@ DrawState::Area strip_area(const DrawState& state, std::int32_t width) {
     return state.paths;
 }
 
-/// Who has no room to keep the vertices of strips has no vectors either.
+/// Builds that have no room to keep the vertices of strips have no vectors either, so lines are set up one at
+/// a time.
 void draw_strip(const DrawState& state, const Surface& target, const LineEnd* ends, int n,
                 const FixedVertex& painted) {
     if constexpr (has_paths) {

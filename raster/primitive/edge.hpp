@@ -37,7 +37,7 @@ class Edge {
     /// The first column whose centre is on the edge or right of it.
     std::int32_t column() const { return x_; }
 
-    /// One row up: 32 bits, exact.
+    /// Moves to the centre of the next row up, exactly, in 32 bits.
     void step() {
         x_ += whole_;
         remainder_ += part_;
@@ -49,7 +49,7 @@ class Edge {
 
   private:
     std::int32_t x_;
-    std::int32_t remainder_;    ///< of that ceil division: -denominator < remainder <= 0
+    std::int32_t remainder_;    ///< of the ceil division that gave x_: -denominator < remainder <= 0
     std::int32_t whole_, part_; ///< advance per row: whole + part / denominator columns
     std::int32_t denominator_;
 };
@@ -74,8 +74,8 @@ inline Edge Edge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int
     return e;
 }
 
-/// The same within 64 pixels: columns with 32 fraction bits. An edge meets a row at a multiple of
-/// 1 / (256 dy) >= 2^-22; the slope is short of the true one by less than 2^-32, so within 64 rows the sum is
+/// An edge of at most 64 pixels in x and in y: columns have 32 fraction bits. It meets a row at a multiple of
+/// 1 / (256 dy) >= 2^-22. The slope is short of the true one by less than 2^-32, so within 64 rows the sum is
 /// short by less than 2^-26. A bias of 1 - 2^-24 then makes floor() the exact ceil().
 class SmallEdge {
   public:
@@ -86,8 +86,8 @@ class SmallEdge {
     void step() { at_ += step_; }
     Trapezoids::Side side() const { return {at_, step_}; }
 
-    /// floor(v 2^32 / dy), v < 2^29, dy <= 2^14; where words have 32 bits by digits of 18 and 14 bits after
-    /// the whole part.
+    /// floor(v 2^32 / dy), v < 2^29, dy <= 2^14. Where words have 32 bits, the fraction is computed in digits
+    /// of 18 and 14 bits.
     template <bool Wide = numeric::wide_words>
     static std::uint64_t divided(std::uint32_t v, std::uint32_t dy) {
         if constexpr (Wide) {
@@ -108,12 +108,14 @@ inline SmallEdge SmallEdge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1
                                std::int32_t row) {
     const std::int32_t dx = x1 - x0;
     const auto dy = static_cast<std::uint32_t>(y1 - y0);
-    // floor(dx 2^32 / dy); 2^14 more make the dividend positive, |dx| <= 2^14.
+    // slope is floor(dx 2^32 / dy) plus 2^14 columns, which keep the dividend from being negative: |dx| <=
+    // 2^14.
     const std::uint64_t slope = divided(static_cast<std::uint32_t>(dx) + (dy << 14), dy);
     const auto whole = static_cast<std::uint32_t>(slope >> 32), fraction = static_cast<std::uint32_t>(slope);
     SmallEdge e;
     e.step_ = std::uint64_t{whole - (1u << 14)} << 32 | fraction;
-    // From the vertex up to the row's centre, at most 64 rows of 256: above / 256 steps.
+    // The row's centre is `above` subpixels above the vertex, at most 64 rows of 256: that is above / 256
+    // steps.
     const auto above = static_cast<std::uint32_t>(row * subpixel_one + subpixel_one / 2 - y0);
     const std::uint64_t up = std::uint64_t{fraction} * above;
     const std::uint64_t whole_up = std::uint64_t{(whole - (1u << 14)) * above} << 32;
@@ -126,10 +128,11 @@ inline SmallEdge SmallEdge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1
     return e;
 }
 
-/// The same within 15 pixels, x counted from a column that near: one word, columns with 26 fraction bits. The
-/// slope is off by less than a unit, so the start, which `above` / 256 of them lie below, and 15 - above /
-/// 256 steps together by less than 15, and its two shifts by two. An edge meets a row at a multiple of 1 /
-/// (256 dy) > 2^-20, 64 units: a bias of 32 less than 1 makes floor() the exact ceil().
+/// An edge of at most 15 pixels in x and in y, with x counted from a column that near: one word, columns with
+/// 26 fraction bits. The slope is off by less than a unit. So the start, which lies above / 256 slopes up,
+/// and the 15 - above / 256 steps together are off by less than 15 units, and the two shifts of the start by
+/// two. An edge meets a row at a multiple of 1 / (256 dy) > 2^-20, 64 units: a bias of 32 units less than 1
+/// makes floor() the exact ceil().
 class LowEdge {
   public:
     static constexpr std::int32_t extent = 15 * subpixel_one; ///< largest |dx| and dy
@@ -156,8 +159,8 @@ class LowEdge {
     std::uint32_t at_, step_; ///< mod 2^32
 };
 
-/// The same where divisions are calls (numeric::divides): the column is found by walking there. Within 15
-/// pixels each call of at() and step() walks 15 columns at most, and all sums fit 32 bits.
+/// An edge of at most 15 pixels, for processors whose divisions are calls (numeric::divides): columns are
+/// found by walking. Each call of at() and step() walks at most 15 columns, and all sums fit 32 bits.
 class ShortEdge {
   public:
     static constexpr std::int32_t extent = 15 * subpixel_one; ///< largest |dx| and dy
@@ -175,7 +178,7 @@ class ShortEdge {
         return e;
     }
     SPANGLE_INLINE std::int32_t column() const { return x_; }
-    /// To a row that the edge reaches.
+    /// Moves one row up, to a row that the edge reaches.
     SPANGLE_INLINE void step() {
         remainder_ += part_;
         walk();
@@ -193,8 +196,9 @@ class ShortEdge {
     std::int32_t remainder_; ///< of the ceil division: -denominator < remainder <= 0
 };
 
-/// The rows of a triangle that hold a centre, upwards. Vertices come sorted by y; `middle_left`: the middle
-/// one lies left of the edge from the lowest to the highest. E: Edge, or SmallEdge where it may be.
+/// Walks the rows of a triangle that hold a centre, upwards. Vertices come sorted by y. `middle_left`: the
+/// middle vertex lies left of the edge from the lowest to the highest. E: Edge, or SmallEdge within its
+/// extent.
 template <class E> class TriangleRows {
   public:
     TriangleRows(const std::int32_t xs[3], const std::int32_t ys[3], bool middle_left, std::int32_t row_begin,
@@ -216,8 +220,8 @@ template <class E> class TriangleRows {
         }
     }
 
-    /// Writes rows that hold a centre between columns `begin` and `end`, cut to these, until `to` is full or
-    /// the triangle is over; returns their end.
+    /// Writes rows that hold a centre, until `to` is full or the triangle is over; returns the end of those.
+    /// Cut: rows are clipped to columns [begin, end).
     template <bool Cut> Row* fill(Row* to, int room, std::int32_t begin, std::int32_t end) {
         const Row* const full = to + room;
         while (to != full) {
@@ -227,7 +231,7 @@ template <class E> class TriangleRows {
                 set(middle_left_, E::at(xs_[1], ys_[1], xs_[2], ys_[2], row_));
                 stop_ = end_;
             }
-            // Copies stay in registers.
+            // Local copies of the edges stay in registers.
             E left = left_, right = right_;
             std::int32_t y = row_;
             const std::int32_t stop = stop_;
@@ -259,12 +263,12 @@ template <class E> class TriangleRows {
     E left_{}, right_{};
 };
 
-/// A triangle up to this high has 16 rows at most.
+/// A triangle of at most this height, in subpixels, has at most `packet` rows.
 inline constexpr std::int32_t low_extent = (packet - 1) * subpixel_one;
 
 namespace detail {
 
-/// Rows [y, stop) between two edges, columns counted from `base`.
+/// Writes rows [y, stop) between two edges, whose columns are counted from `base`; returns the end of those.
 template <bool Cut, class E>
 SPANGLE_INLINE Row* rows_between(Row* to, std::int32_t y, std::int32_t stop, E& left, E& right,
                                  std::int32_t base, const Rect& clip) {
@@ -288,7 +292,7 @@ SPANGLE_INLINE Row* rows_between(Row* to, std::int32_t y, std::int32_t stop, E& 
 
 } // namespace detail
 
-/// All rows of such a triangle at once, as TriangleRows::fill() gives them.
+/// Writes all rows of a triangle of at most low_extent at once, as TriangleRows::fill() does.
 template <class E, bool Cut>
 SPANGLE_INLINE Row* low_rows(Row* to, const std::int32_t (&xs)[3], const std::int32_t (&ys)[3],
                              bool middle_left, const Rect& clip) {

@@ -1,4 +1,4 @@
-// Which centres of rows a fan of triangles holds, and which of them each triangle.
+// Finds the pixel centres of a row that a fan of triangles covers, and those that each triangle covers.
 #pragma once
 
 #include "raster/primitive/area.hpp"
@@ -13,7 +13,7 @@ struct Columns {
     bool none() const { return begin >= end; }
 };
 
-/// The box of an outline, whole pixels.
+/// The bounding box of an outline, in whole pixels.
 struct PixelBox {
     Columns columns{INT32_MAX, INT32_MIN}, rows{INT32_MAX, INT32_MIN};
     explicit PixelBox(const Outline& outline) {
@@ -48,7 +48,7 @@ class RowCenters {
     Columns found_{INT32_MAX, INT32_MIN};
 };
 
-/// Which of them a triangle holds.
+/// The centres of a row that a triangle covers.
 template <class V> Columns centers(const Sorted<V>& t, std::int32_t row) {
     const Position a = {t.a.x, t.a.y}, b = {t.b.x, t.b.y}, c = {t.c.x, t.c.y};
     RowCenters found;
@@ -65,7 +65,7 @@ template <class V> Sorted<V> sorted(const V& a, const V& b, const V& c) {
     return {low, middle, high, area2};
 }
 
-/// An edge of a fan along rows that go up one by one.
+/// An edge of a fan, evaluated at rows that go up one by one.
 class FanEdge {
   public:
     FanEdge() = default;
@@ -76,7 +76,7 @@ class FanEdge {
         begin_ = first_center(low_.y);
         end_ = first_center(high_.y);
     }
-    /// Adds its column, if it has one there.
+    /// Adds the column where the edge meets `row` to `first` and `second`, if the edge reaches that row.
     void add(std::int32_t row, RowCenters& first, RowCenters& second) {
         if (row < begin_ || row >= end_)
             return;
@@ -96,7 +96,7 @@ class FanEdge {
     Edge edge_;
 };
 
-/// Vertices that only differ in where they lie: whatever planes go through them, they say the same there.
+/// Whether two vertices differ in position only: all planes through such vertices are constant.
 inline bool say_the_same(const FixedVertex& a, const FixedVertex& b) {
     FixedVertex moved = a;
     place(moved, position(b));
@@ -119,14 +119,14 @@ inline bool say_the_same(const ShadowVertex& a, const ShadowVertex& b) {
 
 } // namespace detail
 
-/// The centres of one row: all of the fan, and those of each triangle where they are kept.
+/// The covered centres of one row: those of the whole fan, and those of each triangle, where these are kept.
 struct FanRow {
-    static constexpr int kept = !has_shortcuts ? 0 : host_lanes > 1 ? 6 : 2; ///< triangles
+    static constexpr int kept = !has_shortcuts ? 0 : host_lanes > 1 ? 6 : 2; ///< most triangles in `own`
     std::int32_t row = 0;
     detail::Columns all, own[kept == 0 ? 1 : kept];
 };
 
-/// Corners 0, i and i + 1 are those of triangle i, from 1 on.
+/// A fan of triangles: triangle i, counted from 1, has corners 0, i and i + 1.
 template <class V> class Fan {
   public:
     Fan(const V* const* corner, int corners) : corner_(corner), corners_(corners) {
@@ -134,7 +134,7 @@ template <class V> class Fan {
             return;
         for (int i = 1; i < corners; ++i)
             side_[i] = detail::FanEdge(position(*corner[i]), position(*corner[i + 1 < corners ? i + 1 : 0]));
-        for (int i = 1; i < corners; ++i) // the first and the last are sides, too
+        for (int i = 1; i < corners; ++i) // the first and the last spoke are sides, too
             spoke_[i] = detail::FanEdge(position(*corner[0]), position(*corner[i]));
     }
 
@@ -142,7 +142,7 @@ template <class V> class Fan {
     const V& operator[](int i) const { return *corner_[i]; }
     detail::Sorted<V> part(int i) const { return detail::sorted(*corner_[0], *corner_[i], *corner_[i + 1]); }
 
-    /// A triangle with an area, if all of them have the same planes; or 0.
+    /// A triangle of non-zero area, if all triangles have the same planes; otherwise 0.
     int uniform_part() const {
         for (int i = 1; i < corners_; ++i)
             if (!detail::say_the_same(*corner_[0], *corner_[i]))
@@ -153,7 +153,7 @@ template <class V> class Fan {
         return i;
     }
 
-    /// Rows are asked for upwards.
+    /// Finds the centres of a row. It is fast where rows are asked for upwards, one by one.
     void find(FanRow& out, std::int32_t row) {
         out.row = row;
         if (!keeps()) {
@@ -169,7 +169,7 @@ template <class V> class Fan {
         for (int i = 1; i + 1 < corners_; ++i)
             out.own[i - 1] = own[i].columns();
     }
-    /// All centres of any row.
+    /// The centres of any row that the whole fan covers.
     detail::Columns centers(std::int32_t row) const {
         detail::RowCenters found;
         for (int i = 0; i < corners_; ++i) {
@@ -179,7 +179,8 @@ template <class V> class Fan {
         }
         return found.columns();
     }
-    /// The centres of triangle i in a row that find() found; `kept`: the row is still as it was.
+    /// The centres that triangle i covers in a row that was found. `kept`: find() wrote this row, so its
+    /// `own` is valid.
     detail::Columns own(const FanRow& row, int i, bool kept = true) const {
         if (row.all.none())
             return {};

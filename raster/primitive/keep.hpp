@@ -1,5 +1,4 @@
-// Primitives that somebody is told of, who keeps them or notes where they lie: what a state with a recorder
-// (DrawState::recorder) does.
+// Primitives that are handed to a recorder (DrawState::recorder), which keeps them or notes where they lie.
 #pragma once
 
 #include <cstdint>
@@ -26,11 +25,11 @@ struct Primitive {
         line_rectangle,
     };
     Shape shape;
-    int corners;           ///< of `corner`
-    std::int32_t size = 0; ///< of points and lines: pixels; 1/8 of a pixel of smooth_point and what follows
+    int corners;           ///< number of entries of `corner`
+    std::int32_t size = 0; ///< pixels of points and lines; 1/8 pixel of smooth_point and shapes after it
     const FixedVertex* const* corner;
     const FixedVertex* provoking;
-    const LineStipple* stipple = nullptr; ///< where the line begins; null: all of its fragments
+    const LineStipple* stipple = nullptr; ///< stipple at the beginning of the line; null: not stippled
 };
 
 struct Recorder {
@@ -38,7 +37,7 @@ struct Recorder {
     void (*pixels)(Recorder& self, const DrawState& state, const FixedVertex& at, PixelSource& source);
 };
 
-/// Primitives of the state reach its surface.
+/// Whether primitives of this state are drawn to its surface.
 inline bool draws(const DrawState& state) {
 #if SPANGLE_FEATURE_BANDS
     return !state.nothing || state.draws_too;
@@ -47,8 +46,8 @@ inline bool draws(const DrawState& state) {
 #endif
 }
 
-/// Of a state with DrawState::nothing: hands the primitive to its recorder, if it has one. True: the
-/// primitive is drawn as well.
+/// Hands a primitive of a state with DrawState::nothing to its recorder, if there is one. True: the primitive
+/// is to be drawn as well.
 template <class V, class... Corner>
 inline bool keep([[maybe_unused]] const DrawState& state, [[maybe_unused]] Primitive::Shape shape,
                  [[maybe_unused]] std::int32_t size, [[maybe_unused]] const LineStipple* stipple,
@@ -66,7 +65,7 @@ inline bool keep([[maybe_unused]] const DrawState& state, [[maybe_unused]] Primi
     return false;
 }
 
-/// The same of a smooth polygon.
+/// keep() for a smooth polygon.
 template <class V>
 inline bool keep_polygon([[maybe_unused]] const DrawState& state, [[maybe_unused]] const V* const* corner,
                          [[maybe_unused]] int corners, [[maybe_unused]] const V& provoking) {
@@ -81,7 +80,7 @@ inline bool keep_polygon([[maybe_unused]] const DrawState& state, [[maybe_unused
     return false;
 }
 
-/// The same of fragments of a pixel rectangle.
+/// keep() for the fragments of a pixel rectangle.
 template <class V>
 inline bool keep_pixels([[maybe_unused]] const DrawState& state, [[maybe_unused]] const V& at,
                         [[maybe_unused]] PixelSource& source) {

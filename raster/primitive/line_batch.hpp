@@ -1,4 +1,5 @@
-// Lines of width 1 as paths, where nothing is cut off: one loop draws all fragments. Others as rows.
+// Lines of width 1 of which nothing is clipped are drawn as paths: one loop draws all their fragments. Other
+// lines are drawn as rows.
 #pragma once
 
 #include <type_traits>
@@ -11,7 +12,7 @@ namespace spangle::raster {
 
 namespace detail {
 
-/// Somebody asks for rows.
+/// Whether an observer wants to be told of rows.
 inline bool observed([[maybe_unused]] const Counters* counters) {
 #ifndef SPANGLE_FIRMWARE
     return counters != nullptr && counters->observer != nullptr;
@@ -20,13 +21,13 @@ inline bool observed([[maybe_unused]] const Counters* counters) {
 #endif
 }
 
-/// As far as a path may show.
+/// Whether two vertices have the same colour, as far as a path may show it.
 SPANGLE_INLINE bool same_color(const FixedVertex& a, const FixedVertex& b) {
     return ((a.color[0] ^ b.color[0]) | (a.color[1] ^ b.color[1]) | (a.color[2] ^ b.color[2])) == 0;
 }
 
-/// Widens the touched columns by those of a line, if they are not all among them: rows between the ends', and
-/// one more pixel, hold it.
+/// Widens the touched columns by those of a line, if they do not contain them already. The rows between those
+/// of its ends, and one more pixel, hold the line.
 inline void touch_line(const Surface& target, const Position& a, const Position& b) {
     const auto low = [](std::int32_t v, std::int32_t w) {
         return ((v < w ? v : w) - subpixel_one / 2 - 1) >> subpixel_bits;
@@ -49,15 +50,17 @@ inline void touch_line(const Surface& target, const Position& a, const Position&
 
 } // namespace detail
 
-/// Lines on their way to one loop: as many as a set of paths holds. L: side by side, or one at a time.
+/// Collects lines for one loop, as many as a set of paths holds. L: the lanes that set them up, side by side
+/// or one at a time.
 template <class L> class LineBatch {
   public:
     LineBatch(const DrawState& state, const Surface& target, std::int32_t width)
         : state_(state), target_(target), width_(width),
           area_(width == 1 && !detail::observed(state.counters) ? state.paths : DrawState::Area{}) {}
 
-    /// From vertices i to i + 1, i = 0, step, ... Their colours are those of `painted`, or where that is null
-    /// of the latter when state.flat. The only line may have another provoking vertex.
+    /// Draws lines from vertices i to i + 1, i = 0, step, .... They have the colour of `painted`, or where
+    /// that is null each that of its second vertex. A line that is the only one may have another provoking
+    /// vertex.
     void draw(const FixedVertex* const* v, int n, int step, const FixedVertex* painted,
               const FixedVertex* provoking) {
         vertex_ = v;
@@ -79,7 +82,7 @@ template <class L> class LineBatch {
         set_up(state_.needs.z);
         walk(Kind::flat);
     }
-    /// As draw_strip().
+    /// Draws a strip, as draw_strip() does.
     void draw(const LineEnd* ends, int n, const FixedVertex& painted) {
         count_ = n - 1;
         set_up_.take(ends, count_);
@@ -119,7 +122,7 @@ template <class L> class LineBatch {
             draw(v + i, 2, 1, painted, nullptr);
     }
 
-    /// One colour leaves one plane, and that has one direction.
+    /// Sets up all lines. With one colour each, only depth has a plane, which varies along one axis.
     SPANGLE_INLINE PathInterval<std::int32_t> set_up(bool depth) {
         return set_up_.set_up(paths_, PathPixels::per_row(target_, state_.fragment.dither), depth);
     }
@@ -128,7 +131,7 @@ template <class L> class LineBatch {
         return provoking_ != nullptr ? *provoking_ : *vertex_[1];
     }
 
-    /// The only line, of several colours.
+    /// Sets up the only line, whose colour varies.
     [[gnu::noinline]] Kind set_up_colored() {
         const PathInterval<std::int32_t> at = set_up(false);
         Span<Fixed> span;
@@ -151,7 +154,7 @@ template <class L> class LineBatch {
         return span.kind;
     }
 
-    /// Draws what was set up.
+    /// Draws the paths that were set up, or the only line as rows where its kind has no walk.
     void walk(Kind kind) {
         const AnyFunction draw = walk_of(kind);
         if (draw == nullptr)
@@ -168,7 +171,7 @@ template <class L> class LineBatch {
         reinterpret_cast<PathFunction>(draw)(state_, target_, paths_, count_);
     }
 
-    /// The only line.
+    /// Draws the only line as rows.
     [[gnu::noinline]] void rows() const {
         draw_line_of<Fixed>(state_, target_, *vertex_[0], *vertex_[1], provoking(), width_);
     }
@@ -178,7 +181,7 @@ template <class L> class LineBatch {
     const std::int32_t width_;
     const DrawState::Area area_;
     const FixedVertex* const* vertex_ = nullptr;
-    const FixedVertex* provoking_ = nullptr; ///< of the only line; or null
+    const FixedVertex* provoking_ = nullptr; ///< provoking vertex of the only line, or null
     int step_ = 1, count_ = 0;
     std::conditional_t<L::count == 1, LinesInTurn, LinesTogether<L>> set_up_;
     Paths paths_;

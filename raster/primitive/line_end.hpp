@@ -1,4 +1,4 @@
-// What of a vertex a line of one colour depends on.
+// The part of a vertex that a line of one colour depends on.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +21,12 @@ constexpr Position position(const LineEnd& v) {
     return {v.x, v.y};
 }
 
-/// Where the ends of strips may be for draw_strip() to take them: nowhere if it draws no lines of this state.
+/// The area in which the ends of strips must lie for draw_strip(). It is empty if that draws no lines of this
+/// state.
 DrawState::Area strip_area(const DrawState& state, std::int32_t width);
 
-/// Lines of width 1 from each of n > 1 ends, at most line_batch + 1, to the next, all in the strip_area(), in
-/// the colour of `painted`.
+/// Draws lines of width 1 from each end to the next, in the colour of `painted`. There are n ends, 1 < n <=
+/// line_batch + 1, all in the strip_area().
 void draw_strip(const DrawState& state, const Surface& target, const LineEnd* ends, int n,
                 const FixedVertex& painted);
 

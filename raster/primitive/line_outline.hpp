@@ -13,8 +13,8 @@ namespace spangle::raster {
 
 namespace detail {
 
-/// floor(sqrt(v)): the inverse root of its upper half is off by less than 2^-29, and what is too much or too
-/// little of the product is walked.
+/// floor(sqrt(v)). The inverse root of the upper half of v is off by less than 2^-29; the root from it is
+/// then corrected in steps of 1.
 constexpr std::uint32_t whole_root(std::uint64_t v) {
     if (v == 0)
         return 0;
@@ -39,7 +39,7 @@ constexpr std::uint32_t whole_root(std::uint64_t v) {
     return static_cast<std::uint32_t>(root);
 }
 
-/// On the grid of vertices, inside of what they may be.
+/// Rounds a point to the grid of vertices, clamped to the guard band.
 constexpr Position snapped(const OutlinePoint& p) {
     constexpr int down = outline_bits - subpixel_bits;
     constexpr std::int32_t half = 1 << (down - 1);
@@ -62,10 +62,10 @@ class LineOutline {
                               : OutlinePoint{of_length(-dy_ * eighths * up), of_length(dx_ * eighths * up)};
     }
     bool empty() const { return length_ == 0; }
-    /// Parts of length 1, the last one shorter.
+    /// The number of parts of length 1, of which the last may be shorter.
     std::uint32_t parts() const { return static_cast<std::uint32_t>((length_ + one - 1) / one); }
     /// Calls draw(begin, end) for each stretch of parts that the stipple leaves, or for the whole line. The
-    /// stipple stays.
+    /// stipple does not advance.
     template <class Draw> void each_kept(const LineStipple* stipple, Draw draw) const {
         for (std::uint32_t begin = 0, end, n = parts(); begin < n; begin = end) {
             const bool kept = stipple == nullptr || stipple->at(stipple->position + begin);
@@ -76,17 +76,18 @@ class LineOutline {
                 draw(begin, end);
         }
     }
-    /// From the beginning of part `begin` to that of part `end`.
+    /// The corners of the rectangle from the beginning of part `begin` to that of part `end`.
     void corners(std::uint32_t begin, std::uint32_t end, OutlinePoint (&out)[4]) const {
         around(begin * one, end * one < length_ ? end * one : length_, 1, out);
     }
-    /// So much wider, and longer at the ends of the line, that only the cuts between parts bound it.
+    /// The corners of a rectangle that is twice as wide as that of corners(), and longer at the ends of the
+    /// line, so that only the cuts between parts bound it.
     void strip(std::uint32_t begin, std::uint32_t end, OutlinePoint (&out)[4]) const {
         around(begin == 0 ? -one : begin * one, end * one < length_ ? end * one : length_ + one, 2, out);
     }
 
   private:
-    static constexpr std::int64_t one = std::int64_t{subpixel_one} << 8; ///< of length_
+    static constexpr std::int64_t one = std::int64_t{subpixel_one} << 8; ///< length_ of one pixel
     void around(std::int64_t begin, std::int64_t end, std::int32_t widths, OutlinePoint (&out)[4]) const {
         const OutlinePoint a = at(begin), b = at(end), aside = {aside_.x * widths, aside_.y * widths};
         out[0] = {a.x - aside.x, a.y - aside.y};
@@ -98,14 +99,14 @@ class LineOutline {
         constexpr int up = outline_one / subpixel_one;
         return {from_.x + of_length(dx_ * up * way), from_.y + of_length(dy_ * up * way)};
     }
-    /// A part of the length, which is a word without sign.
+    /// v / length_, which is a word without sign.
     std::int32_t of_length(std::int64_t v) const {
         return static_cast<std::int32_t>(numeric::quotient(v, static_cast<std::uint32_t>(length_)));
     }
 
     OutlinePoint from_;
     std::int64_t dx_, dy_; ///< subpixels
-    std::int64_t length_;  ///< the same with 8 more bits
+    std::int64_t length_;  ///< subpixels with 8 more bits
     OutlinePoint aside_{};
 };
 

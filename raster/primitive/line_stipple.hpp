@@ -8,14 +8,14 @@
 namespace spangle::raster {
 
 struct LineStipple {
-    std::uint32_t pattern = 0xFFFF, factor = 1; ///< 16 bits; 1 .. 256
-    std::uint32_t position = 0; ///< of the next fragment; s of the specification modulo 16 factor
+    std::uint32_t pattern = 0xFFFF, factor = 1; ///< pattern has 16 bits, factor is 1 .. 256
+    std::uint32_t position = 0; ///< s of the specification for the next fragment, modulo 16 factor
 
     bool at(std::uint32_t s) const { return (pattern >> (s / factor & 15) & 1) != 0; }
     void advance(std::uint32_t fragments) { position = (position + fragments) % (16 * factor); }
 };
 
-/// All fragments.
+/// Pattern of a line without a stipple: all fragments are drawn.
 struct SolidLine {
     struct Kept {
         constexpr bool operator()(std::int32_t) const { return true; }
@@ -24,7 +24,7 @@ struct SolidLine {
     static const LineStipple* of(const Kept&) { return nullptr; }
 };
 
-/// Those a stipple leaves, counted from the first end point.
+/// Pattern of a stippled line: the fragments that the stipple leaves, counted from the first end point.
 struct StippledLine {
     LineStipple& stipple;
     struct Kept {
@@ -36,7 +36,7 @@ struct StippledLine {
                               static_cast<std::uint32_t>(ascends ? major - from : from - major));
         }
     };
-    /// Of a line that is not cut yet; the stipple moves to its end.
+    /// Takes a line before it is clipped; the stipple moves to its end.
     Kept along(const DiamondWalk& walk) {
         const Kept kept{stipple, walk.ascends ? walk.major : walk.major + walk.count - 1, walk.ascends};
         stipple.advance(static_cast<std::uint32_t>(walk.count));

@@ -1,5 +1,5 @@
-// Lines one after the other, for words of 32 bits: nothing is selected, and a strip's line knows from the one
-// before it what their common vertex says.
+// Sets up lines one after the other, for words of 32 bits. Nothing is selected by masks, and a line of a
+// strip reuses what the line before it found at their common vertex.
 #pragma once
 
 #include <type_traits>
@@ -11,12 +11,13 @@ namespace spangle::raster {
 
 class LinesInTurn {
   public:
-    /// Lines from vertex 0 to 1, from `step` to step + 1, ... True: all lie in the area.
+    /// Takes lines from vertex 0 to 1, from vertex `step` to step + 1, and so on. True: all vertices lie in
+    /// the area.
     SPANGLE_INLINE bool take(const FixedVertex* const* vertex, int n, int step, const DrawState::Area& area) {
         end_ = own_;
         step_ = step;
         count_ = step == 1 ? n - 1 : n / 2;
-        const DrawState::Area where = area; // in registers
+        const DrawState::Area where = area; // a copy stays in registers
         LineEnd* own = own_;
         for (const FixedVertex* const* const end = vertex + n; vertex != end; ++vertex, ++own) {
             *own = line_end(**vertex);
@@ -25,7 +26,7 @@ class LinesInTurn {
         }
         return true;
     }
-    /// A strip of so many, whose ends stay where they are.
+    /// Takes a strip of `count` lines; `ends` are not copied.
     void take(const LineEnd* ends, int count) {
         end_ = ends;
         step_ = 1;
@@ -34,12 +35,13 @@ class LinesInTurn {
     /// The first or second end of line i.
     Position end(int i, int second) const { return position(end_[i * step_ + second]); }
 
-    /// All that the paths of one colour need but that. Without depth: the interval of the last.
+    /// Sets up all of the paths but their colour. Without depth it returns the interval of the last line that
+    /// has fragments.
     [[gnu::noinline]] PathInterval<std::int32_t> set_up(Paths& paths, std::int32_t row, bool depth) const {
         constexpr std::true_type yes;
         constexpr std::false_type no;
         PathInterval<std::int32_t> at{};
-        numeric::LeadingZeros<> zeros; // of lengths
+        numeric::LeadingZeros<> zeros; // counts those of lengths
         for (int i = 0; i < count_;) {
             const LineEnd &a = end_[i * step_], &b = end_[i * step_ + 1];
             const auto follow = [&](auto along_x, auto ascends) __attribute__((always_inline)) {
@@ -56,7 +58,8 @@ class LinesInTurn {
   private:
     using L = LineLanes<1>;
 
-    /// Line i, which goes this way, and those of a strip that go on so. The line after them.
+    /// Sets up line i, which has this major axis and direction, and the lines of its strip that go on so.
+    /// Returns the index of the line after them.
     template <class X, class Up>
     SPANGLE_INLINE int follow(X x, Up up, int i, Paths& paths, std::int32_t row, bool depth,
                               PathInterval<std::int32_t>& at, numeric::LeadingZeros<>& zeros) const {
@@ -92,8 +95,8 @@ class LinesInTurn {
         return X::value ? v.y : v.x;
     }
 
-    /// set_path_depth(), in high words where the difference is small enough for its length: up to eight
-    /// pixels, and longer ones never.
+    /// set_path_depth() by high words of products, where a word holds the lifted difference. Lines of 8 to 16
+    /// pixels always allow that, shorter ones unless depth is too steep, longer ones never.
     template <class Up>
     SPANGLE_INLINE void set_depth(Paths& paths, int i, const LineEnd* ends,
                                   const PathInterval<std::int32_t>& at,
@@ -102,13 +105,13 @@ class LinesInTurn {
         const std::int32_t difference = half_difference(ends);
         const auto length = static_cast<std::uint32_t>(Up::value ? at.end - at.begin : at.begin - at.end);
         const int zeros = count.of(length);
-        const auto lift = static_cast<std::uint32_t>(zeros) - 20; // 32 bits less than its exponent - 1
+        const auto lift = static_cast<std::uint32_t>(zeros) - 20; // 32 less the shift of set_path_depth()
         if (numeric::loses(difference, lift)) [[unlikely]]
             return set_any_depth(paths, ends, at.begin, at.end, at.from_begin);
         const auto per_pixel = static_cast<std::int32_t>(numeric::half_reciprocal(length, zeros));
         const std::int32_t coefficient = Up::value ? per_pixel : -per_pixel;
         const std::int32_t high = lifted(difference, lift);
-        // (128 - f) coefficient / 256 = (f - 128) 2^24 (-coefficient) / 2^32, f: of begin
+        // (128 - f) coefficient / 256 = (f - 128) 2^24 (-coefficient) / 2^32, f: fraction of begin
         const auto to_center =
             static_cast<std::int32_t>((static_cast<std::uint32_t>(at.begin) << 24) ^ 0x80000000u);
         const std::int32_t step = numeric::mul_high_s32(high, coefficient);
@@ -125,14 +128,14 @@ class LinesInTurn {
         set_path_depth(paths, step_ == 1 ? from_first : from_first / 2, ends[0].depth, half_difference(ends),
                        PerPixel(begin, end), begin, from_begin);
     }
-    /// Of the codes of two ends.
+    /// Half the difference between the depth codes of two ends.
     SPANGLE_INLINE static std::int32_t half_difference(const LineEnd* ends) {
         return static_cast<std::int32_t>(ends[1].depth >> 1) - static_cast<std::int32_t>(ends[0].depth >> 1);
     }
 
     const LineEnd* end_ = nullptr;
     int step_ = 1, count_ = 0;
-    LineEnd own_[2 * Paths::size]; ///< of vertices
+    LineEnd own_[2 * Paths::size]; ///< ends of the vertices that take() was given
 };
 
 } // namespace spangle::raster

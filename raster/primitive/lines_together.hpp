@@ -1,4 +1,4 @@
-// Lines several at a time, in vectors: none waits for another.
+// Sets up several lines at a time in vectors; no line waits for another.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,15 @@ namespace spangle::raster {
 
 namespace detail {
 
-/// PerPixel::coefficient of lengths below 16 pixels, and what their exponents are less than 32.
+/// PerPixel::coefficient of each length below 16 pixels. `lift` is 32 less the shift of set_path_depth(),
+/// which is PerPixel::exponent - 1.
 struct CoefficientTable {
     static constexpr std::uint32_t size = 16 * subpixel_one;
     std::int32_t at[size];
     std::uint8_t lift[size];
     constexpr CoefficientTable() : at{}, lift{} {
         for (std::uint32_t length = 1; length < size; ++length) {
-            const int zeros = numeric::clz32(length); // 20 of the longest
+            const int zeros = numeric::clz32(length); // 20 for the longest
             at[length] = static_cast<std::int32_t>(numeric::reciprocal(length << zeros) >> 1);
             lift[length] = static_cast<std::uint8_t>(zeros - 20);
         }
@@ -29,12 +30,14 @@ inline constexpr CoefficientTable coefficient_table;
 
 template <class L> class LinesTogether {
   public:
-    /// Ends from vertex 0 to 1, from `step` to step + 1, ... True: all lie in the area.
+    /// Takes lines from vertex 0 to 1, from vertex `step` to step + 1, and so on. True: all vertices lie in
+    /// the area.
     SPANGLE_INLINE bool take(const FixedVertex* const* vertex, int n, int step, const DrawState::Area& area) {
         vertex_ = vertex;
         step_ = step;
         count_ = step == 1 ? n - 1 : n / 2;
-        // Lanes 2 and 3 hold words of any size, so all are counted without signs, which may wrap.
+        // Lanes 2 and 3 hold arbitrary words, so all lanes are counted without signs: unsigned words may
+        // wrap.
         const Word low = {static_cast<std::uint32_t>(area.x), static_cast<std::uint32_t>(area.y), 0, 0};
         const Word last = {area.w - 1, area.h - 1, 0, 0};
         Word outside{};
@@ -50,7 +53,7 @@ template <class L> class LinesTogether {
         return position(*vertex_[i * step_ + second]); // NOLINT(clang-analyzer-core.NullDereference)
     }
 
-    /// All that the paths of one colour need but that. The interval of the first.
+    /// Sets up all of the paths but their colour. Returns the interval of the first line.
     SPANGLE_INLINE PathInterval<std::int32_t> set_up(Paths& paths, std::int32_t pixels_per_row, bool depth) {
         PathInterval<std::int32_t> of_first{};
         for (int i = 0; i < count_; i += L::count) {
@@ -72,14 +75,15 @@ template <class L> class LinesTogether {
 
     static_assert(offsetof(FixedVertex, x) == 0 && offsetof(FixedVertex, y) == 4 &&
                   offsetof(FixedVertex, z) == 8);
-    /// x, y, z, and what follows.
+    /// Loads x, y, z of a vertex and the word after them.
     SPANGLE_INLINE static Int row(const FixedVertex& v) {
         Int r;
         __builtin_memcpy(&r, &v, sizeof r);
         return r;
     }
 
-    /// First or second ends of line i and those beside it. Lanes without a line have one of no length.
+    /// Loads the first or second ends of lines i to i + 3. Lanes beyond the last line get a line of no
+    /// length.
     SPANGLE_INLINE void ends(int i, int second, Int& x, Int& y, Int& z) const {
         static_assert(L::count == 4);
         Int r[4];
@@ -101,7 +105,8 @@ template <class L> class LinesTogether {
                                     __builtin_shufflevector(r[2], r[3], 2, 6, 3, 7), 0, 1, 4, 5);
     }
 
-    /// The fragments of line i and those beside it. Most go one way: then nothing is selected.
+    /// Finds the fragments of lines i to i + 3. Most often all go one way, and nothing has to be selected by
+    /// masks.
     SPANGLE_INLINE static PathInterval<Int> trace(Paths& paths, int i, const Int (&x)[2], const Int (&y)[2],
                                                   std::int32_t pixels_per_row) {
         const auto draw = [&](const auto& line) __attribute__((always_inline)) {
@@ -133,7 +138,7 @@ template <class L> class LinesTogether {
         }
     }
 
-    /// Depths of line i and those beside it; lines without fragments get some, too.
+    /// Sets the depths of lines i to i + 3, those without fragments included.
     SPANGLE_INLINE static void set_depths(Paths& paths, int i, const Int (&z)[2],
                                           const PathInterval<Int>& at) {
         const Int along = at.end - at.begin, back = along >> 31, length = (along ^ back) - back;
@@ -147,10 +152,10 @@ template <class L> class LinesTogether {
         L::store(of.length, length);
         L::store(of.back, back);
         L::store(of.to_center, Int{} + subpixel_one / 2 - (at.begin & (subpixel_one - 1)));
-        // Scalars are read from memory, not taken out of vectors one by one.
+        // The compiler is to read scalars from memory, not to take them out of vectors one by one.
         asm("" : "+m"(of)); // NOLINT(hicpp-no-assembler): no instruction
         const ShortDepth path[4] = {{of, 0}, {of, 1}, {of, 2}, {of, 3}};
-        // Whole vectors: a load does not wait for four stores.
+        // Whole vectors are stored, so that later loads do not wait for four stores.
         const Word step = {path[0].step, path[1].step, path[2].step, path[3].step},
                    start = {path[0].start, path[1].start, path[2].start, path[3].start};
         L::store(&paths.at(Paths::depth_step, i), std::bit_cast<Int>(step));
@@ -162,8 +167,8 @@ template <class L> class LinesTogether {
         std::int32_t difference[4], length[4], back[4], to_center[4];
     };
 
-    /// set_path_depth(): v 2^(32 - n) / 2^32 in place of v / 2^n, mod 2^32. Per pixel, and from the beginning
-    /// to the centre of its pixel.
+    /// Depth as set_path_depth() has it, with v 2^(32 - n) / 2^32 in place of v / 2^n, mod 2^32. `step` is
+    /// per pixel, `start` from the beginning to the centre of its pixel.
     struct ShortDepth {
         std::uint32_t step, start;
         SPANGLE_INLINE ShortDepth(const Of4& of, int k) {

@@ -1,4 +1,4 @@
-// Where rows leave a primitive: scissor, touched rows, counters, then the state's span function.
+// Takes the rows of a primitive through scissor, touched rows and counters to the span function of the state.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace spangle::raster {
 
-/// A line or a point begins.
+/// Tells the observer that a primitive which is not a triangle begins.
 inline void observe_other([[maybe_unused]] const DrawState& state) {
 #ifndef SPANGLE_FIRMWARE
     if (state.counters != nullptr && state.counters->observer != nullptr &&
@@ -29,7 +29,7 @@ template <class P> class Pen {
         span.depth = nullptr;
     }
 
-    /// Where triangles are tried as tiles first: the planes of span are there.
+    /// Whether the planes of `span` are set up. Always false where triangles are not tried as tiles first.
     bool is_set_up() const { return host_lanes > 1 && is_set_up_; }
     void set_up() {
         if constexpr (host_lanes > 1)
@@ -41,32 +41,35 @@ template <class P> class Pen {
     std::int32_t row_end() const { return clip_.y + clip_.h; }
     std::int32_t column_begin() const { return clip_.x; }
     std::int32_t column_end() const { return clip_.x + clip_.w; }
-    /// All columns of a primitive: whether some may be drawn, and whether some may have to be cut off.
+    /// Takes all columns of a primitive. True: some of them may be drawn; cuts() then says whether some may
+    /// have to be clipped.
     bool sees(std::int32_t left, std::int32_t right) {
         cuts_ = left < clip_.x || right > column_end();
         return !cuts_ || (left < column_end() && right > clip_.x);
     }
     bool cuts() const { return cuts_; }
 
-    /// Once per primitive that reaches a pixel, after its set-up.
+    /// Must be called once per primitive that reaches a pixel, after its set-up.
     void begin() {
         if (span.state->counters != nullptr)
             ++span.state->counters->triangles;
     }
 
-    /// Where rows share packets (shared_rows.hpp) enough of one fragment to fill some.
+    /// Rows that are drawn at once. Where rows share packets (shared_rows.hpp), these suffice to fill several
+    /// packets even if each has one fragment.
     static constexpr int batch = host_lanes > 1 ? 4 * packet : packet;
-    /// Room for that many rows.
+    /// Room for `batch` rows.
     Row* rows() { return rows_; }
 
-    /// Those up to `end`, one at least.
+    /// Draws rows from rows() up to `end`, one at least.
     void draw(const Row* end) {
         note(end);
         const Variant& variant = span.state->variant[static_cast<unsigned>(span.kind)];
         reinterpret_cast<RowsFunction<P>>(variant.run)(span, rows_, end);
     }
 
-    /// One row after the other: columns [left, right) of row y, y inside the scissor rectangle.
+    /// Adds columns [left, right) of row y, which is inside the scissor rectangle. Draws all rows when there
+    /// are `batch`.
     SPANGLE_INLINE void add(std::int32_t y, std::int32_t left, std::int32_t right) {
         std::int32_t first = left, last = right;
         if (cuts_) {
@@ -80,7 +83,7 @@ template <class P> class Pen {
             flush();
     }
 
-    /// After the last of them.
+    /// Draws the rows that add() left; must be called after the last.
     void flush() {
         if (count_ != 0)
             draw(rows_ + count_);
@@ -88,7 +91,7 @@ template <class P> class Pen {
     }
 
   private:
-    /// What is about to be drawn, for those who asked.
+    /// Records rows that are about to be drawn: touched columns, counters, observers.
     void note(const Row* end) {
         const Surface& target = *span.target;
         if (target.touched != nullptr)

@@ -1,4 +1,5 @@
-// Fragments whose place somebody else has found: those of pixel rectangles and bitmaps (GL 1.3, 3.6.4, 3.7).
+// Draws fragments whose positions are found elsewhere: those of pixel rectangles and bitmaps (GL 1.3, 3.6.4,
+// 3.7).
 #pragma once
 
 #include "raster/primitive/draw.hpp"
@@ -28,7 +29,7 @@ template <class P> class PixelPen : public PixelSink {
             return;
         pen.span.pixels = pixels;
         pen.add(y, begin, end);
-        if (pixels != nullptr) // the next run has others
+        if (pixels != nullptr) // the next run has other pixels
             pen.flush();
     }
     static void depth(PixelSink& sink, std::uint32_t z) {

@@ -17,7 +17,8 @@ struct PolygonOffset {
     numeric::Real factor = numeric::zero, units = numeric::zero;
 };
 
-/// That of the plane through three vertices, area2 their signed area; 0: a plane without slopes.
+/// Writes the depth offset of the plane through three vertices. area2 is twice their signed area; 0: the
+/// plane counts as level.
 template <class V>
 void set_depth_offset(PrimitiveState& out, const PolygonOffset& offset, DepthFormat format, const V& a,
                       const V& b, const V& c, std::int64_t area2);

@@ -21,7 +21,7 @@ bool in_range(std::int32_t coordinate) {
     return coordinate > -guard_band && coordinate < guard_band;
 }
 
-/// Within the ranges of vertex.hpp, which the set-up relies on.
+/// Whether a vertex is within the ranges of vertex.hpp, which set-up relies on.
 bool valid(const FixedVertex& v) {
     bool good = in_range(v.x) && in_range(v.y) && v.z <= depth_one && v.w_mantissa >> 31 != 0;
     for (const std::uint32_t c : v.color)
@@ -54,7 +54,7 @@ Rasterizer::Rasterizer(const FragmentState& state, const Surface& surface) : sur
     static_assert(std::is_trivially_copyable_v<DrawState>);
     FragmentState bounded = state;
     bounded.scissor = surface.color == nullptr ? Rect{} : cut(state.scissor, surface);
-    bounded.count = bounded.coverage = bounded.depth_offset = false; // nobody keeps what these need
+    bounded.count = bounded.coverage = bounded.depth_offset = false; // nothing here keeps what these need
     bounded.alpha_to_coverage = bounded.alpha_to_one = bounded.sample_coverage = false;
     bounded.polygon_stipple = nullptr;
     new (state_) DrawState(compile<FixedVertex>(bounded, surface));

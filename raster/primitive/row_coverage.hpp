@@ -1,4 +1,4 @@
-// The coverage of a row as those ask for it who draw it from the left to the right.
+// The coverage of a row, read from left to right.
 #pragma once
 
 #include "raster/primitive/area.hpp"
@@ -21,13 +21,15 @@ class RowCoverage {
     std::int32_t begin() const { return begin_; }
     std::int32_t end() const { return end_; }
 
-    /// Where a run of whole pixels lies that is worth one of its own; none: behind the row.
+    /// The run of fully covered pixels that is long enough to be drawn by itself. If there is none, it is
+    /// empty and lies at end().
     std::int32_t full_begin() const { return full_begin_; }
     std::int32_t full_end() const { return full_end_; }
-    /// As many pixels: less are drawn with those beside them.
+    /// Shorter runs of fully covered pixels are drawn together with their neighbours.
     static constexpr std::int32_t least_run = host_lanes > 1 ? 2 * packet : 2;
 
-    /// The coverages from column x on, `count` at most, as many as there are together.
+    /// The coverages from column x on. `count`: how many are wanted, then how many are there, which may be
+    /// fewer.
     const std::uint32_t* from(std::int32_t x, std::int32_t& count) {
         if (x < at_ || x >= till_) {
             at_ = x;

@@ -1,4 +1,4 @@
-// How far things move so that a sample comes to lie where centres are.
+// Shifts that move a sample to where pixel centres are.
 #pragma once
 
 #include "raster/numeric/bits.hpp"
@@ -7,13 +7,13 @@
 
 namespace spangle::raster {
 
-/// 1/256 pixel.
+/// The way from a sample to the centre of its pixel, in 1/256 pixel.
 constexpr Position to_center(unsigned sample) {
     constexpr std::int32_t center = subpixel_one / 2;
     return {center - sample_position[sample].x, center - sample_position[sample].y};
 }
 
-/// Of a vertex or a position; all else stays.
+/// Moves a vertex or a position; its attributes stay.
 template <class V> constexpr void shift(V& v, const Position& by) {
     const Position at = position(v);
     place(v, {at.x + by.x, at.y + by.y});

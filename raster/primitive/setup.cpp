@@ -10,7 +10,7 @@ using numeric::clz32;
 
 // --- geometry
 
-/// The anchor: the pixel that the lowest vertex (x, y) lies in.
+/// Sets the anchor: the pixel that the lowest vertex (x, y) lies in.
 SPANGLE_INLINE void Setup<Fixed>::start(std::int32_t x, std::int32_t y) {
     span_.anchor_x = x >> subpixel_bits;
     span_.anchor_y = y >> subpixel_bits;
@@ -30,7 +30,7 @@ void Setup<Fixed>::along_axis(const Vertex& from, const Vertex& to, const Axis& 
     start(axis.along_x ? axis.begin : from.x, axis.along_x ? from.y : axis.begin);
 }
 
-/// Of the box of three corners, upwards.
+/// Interpolates along the longer axis of the box of three corners, which are sorted upwards.
 void Setup<Fixed>::along_longer_axis(const Vertex& a, const Vertex& b, const Vertex& c) {
     const Vertex* left = b.x < a.x ? &b : &a;
     const Vertex* right = b.x < a.x ? &a : &b;
@@ -42,7 +42,7 @@ void Setup<Fixed>::along_longer_axis(const Vertex& a, const Vertex& b, const Ver
         along_axis(*left, *right, {left->x, right->x, true, true});
 }
 
-/// |area2| 2^zeros has its highest bit; `top` is its upper word.
+/// Computes the coefficients of planes. |area2| 2^zeros has its highest bit set; `top` is its upper word.
 SPANGLE_INLINE void Setup<Fixed>::in_plane(std::uint32_t top, int zeros, bool negative) {
     // 1 / area2 = inverse 2^(zeros - 94); 2^31 itself is off by 2^-31 of its value
     const std::uint32_t reciprocal = numeric::reciprocal(top);
@@ -64,7 +64,7 @@ SPANGLE_INLINE void Setup<Fixed>::in_plane(std::uint32_t top, int zeros, bool ne
     start(v(0).x, v(0).y);
 }
 
-/// Through the snapped vertices again (unsnap()).
+/// Makes planes go through the snapped vertices again (unsnap()).
 [[gnu::noinline]] void Setup<Fixed>::snap() {
     if (beyond_ == 0)
         return;
@@ -74,13 +74,13 @@ SPANGLE_INLINE void Setup<Fixed>::in_plane(std::uint32_t top, int zeros, bool ne
     const Vertex &a = v(0), &b = v(1), &c = v(2);
     const Area area =
         area_of(a, b, c, numeric::mul_s32(b.x - a.x, c.y - a.y) - numeric::mul_s32(c.x - a.x, b.y - a.y));
-    const int unused = clz32(area.word); // not thin: there are planes through the others
+    const int unused = clz32(area.word); // not thin: unsnapped vertices have planes
     in_plane(area.word << unused, 32 - area.exponent + unused, area.sign < 0);
 }
 
 // --- planes
 
-/// Not in line where add_lifted() is.
+/// Adds a plane that may be steep. It is not inline where add_lifted() is.
 Setup<Fixed>::Slope Setup<Fixed>::add_steep(Interpolant<std::uint32_t>& at, std::uint32_t first,
                                             std::int32_t d1, std::int32_t d2, int up) {
     const Interpolant<std::uint64_t> plane = scaled_plane(by(), d1, d2, up);
@@ -93,7 +93,8 @@ Setup<Fixed>::Slope Setup<Fixed>::add_steep(Interpolant<std::uint32_t>& at, std:
 // --- attributes
 
 SPANGLE_INLINE void Setup<Fixed>::add_depth() {
-    // k + 1/2 for a code k in the top bits; halves of differences have half of its last bit.
+    // The value is k + 1/2 for a code k in the top bits. Differences are halved to fit a word, and have half
+    // of the code's last bit.
     constexpr int bits = 16;
     const std::uint32_t z0 = depth_code(v(0).z, bits), z1 = depth_code(v(1).z, bits),
                         z2 = depth_code(v(2).z, bits);
@@ -125,7 +126,7 @@ void Setup<Fixed>::steep_steps(std::uint32_t bias) {
     });
 }
 
-/// Colours that differ in `bits`.
+/// Sets up colours that differ in `bits` (difference_bits()).
 template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::varying_colors(std::uint32_t bits) {
     if (has_full && span_.kind == Kind::full)
         projective_colors();
@@ -133,7 +134,7 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::varying_colors(std::uint32
         window_colors<Rgb>(bits, 0);
 }
 
-/// The same affine in the window, so much less.
+/// Sets up colours that are affine in the window, lower by `less`.
 template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::window_colors(std::uint32_t bits, std::uint32_t less) {
     const Variant& variant = state_.variant[static_cast<unsigned>(span_.kind)];
     const std::uint32_t bias = variant.color_bias - less;
@@ -145,7 +146,7 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::window_colors(std::uint32_
         stepped_colors_apart(bits, bias);
 }
 
-/// add(plane, first value, differences) of what is dithered: red, green and blue.
+/// Calls add(plane, first value, differences) for each component that is dithered: red, green and blue.
 template <class Steps, class F> SPANGLE_INLINE void Setup<Fixed>::each_step(Steps in_steps, F add) const {
 #pragma GCC unroll numeric::runs_inline ? 3 : 1
     for (int i = 0; i < 3; ++i) {
@@ -155,7 +156,7 @@ template <class Steps, class F> SPANGLE_INLINE void Setup<Fixed>::each_step(Step
     }
 }
 
-/// Without long products a form for each of the factors, and one for what is guessed.
+/// Without long products there is a form for each kind of factors, and one for colours that are guessed.
 template <class F> SPANGLE_INLINE void Setup<Fixed>::each_step(F add) const {
     if constexpr (numeric::long_products)
         each_step(
@@ -170,7 +171,7 @@ template <class F> SPANGLE_INLINE void Setup<Fixed>::each_step(F add) const {
         each_step(color_in_near_steps<>, add);
 }
 
-/// Their differences take no more bits than they did.
+/// Sets up colours counted in dithering steps, whose differences take no more bits than those of the colours.
 SPANGLE_INLINE void Setup<Fixed>::stepped_colors(std::uint32_t bits, std::uint32_t bias) {
     const Coefficients& by = this->by();
     const auto lift = static_cast<std::uint32_t>(32 + color_up - by.exponent);
@@ -198,9 +199,9 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::affine_colors(std::uint32_
 }
 
 /// The affine colour is off by range(c) range(q) / (4 min(q)) at most (bounded(); a 16th beyond the vertices,
-/// which unsnap() allows, changes that by less), and by what set-up loses:
-/// 2^-18 of 255 in affine colours, thrice that in planes over w where 1/w varies by no more than twice, which
-/// is 2^-8 of a 255th.
+/// which unsnap() allows, changes that by less), and by what set-up loses. That is 2^-18 of 255 in affine
+/// colours, and thrice that in planes over w where 1/w varies by no more than twice: together 2^-8 of a
+/// 255th.
 SPANGLE_INLINE void Setup<Fixed>::guessed_colors(std::uint32_t bits) {
     constexpr std::uint32_t lost = 1u << 17; // 8.24
     const std::uint64_t product = numeric::mul_u32(widest_, q_range_);
@@ -232,7 +233,7 @@ void Setup<Fixed>::constant_colors(const Vertex& painted) {
 
 // --- the cheapest kind within the tier's bounds
 
-/// In what the colours of the three vertices differ (difference_bits).
+/// The bits in which the colours of the three vertices differ (difference_bits()).
 template <bool Rgb> SPANGLE_INLINE std::uint32_t Setup<Fixed>::color_bits() const {
     std::uint32_t bits = 0;
     each_color<Rgb>([&](const ColorSource& from, int i, auto&, auto&) {
@@ -241,8 +242,8 @@ template <bool Rgb> SPANGLE_INLINE std::uint32_t Setup<Fixed>::color_bits() cons
     return bits;
 }
 
-/// Enough for colors_affine(), without weights(): a range is at most the sum of two differences, and q is
-/// 2^29 at least where all have one exponent.
+/// A condition that implies colors_affine() and does not need weights(). A range is at most the sum of two
+/// differences, and q is at least 2^29 where all vertices have one exponent.
 SPANGLE_INLINE bool Setup<Fixed>::nearly_affine(std::uint32_t bits) const {
     const Vertex &a = v(0), &b = v(1), &c = v(2);
     if (a.w_exponent != b.w_exponent || a.w_exponent != c.w_exponent)
@@ -254,14 +255,15 @@ SPANGLE_INLINE bool Setup<Fixed>::nearly_affine(std::uint32_t bits) const {
     return numeric::mul_high_u32(2 * bits, difference(b) + difference(c)) < state_.four_color_tolerances >> 3;
 }
 
-/// Colours that differ in `bits`, which is twice their range where they may be guessed.
+/// Whether colours that differ in `bits` must be divided at every fragment. `bits` is twice their range where
+/// they may be guessed.
 template <bool Rgb> SPANGLE_INLINE bool Setup<Fixed>::needs_division(std::uint32_t bits) {
     if (Rgb && state_.guesses)
         return !weights() && !bounded(widest_, state_.four_color_tolerances);
     return !(has_shortcuts && nearly_affine(bits)) && !weights() && !colors_affine(bits);
 }
 
-/// With neither textures nor fog.
+/// Sets up attributes without textures and fog.
 template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::plain(std::uint32_t bits, const Vertex& painted) {
     Kind kind = Kind::affine;
     if (bits == 0)
@@ -285,7 +287,7 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::plain(std::uint32_t bits, 
         colors(bits, painted);
 }
 
-/// No bits: one colour.
+/// Sets up colours that differ in `bits`; 0: there is one colour.
 void Setup<Fixed>::colors(std::uint32_t bits, const Vertex& painted) {
     if (bits == 0)
         constant_colors(painted);
@@ -294,11 +296,11 @@ void Setup<Fixed>::colors(std::uint32_t bits, const Vertex& painted) {
 }
 
 template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::attributes_of(const Vertex& provoking) {
-    // One colour is, in smooth shading, the one its corners share: the provoking vertex need not be a corner
-    // (quads and clipped polygons are drawn in parts).
+    // In smooth shading a single colour is the one that all corners share: the provoking vertex need not be a
+    // corner (quads and clipped polygons are drawn in parts).
     const bool flat = !Rgb && state_.fragment.flat;
     if constexpr (!Rgb)
-        span_.gray = false; // else nobody asks
+        span_.gray = false; // nothing reads it where Rgb
     const Vertex& painted = flat ? provoking : v(0);
     const std::uint32_t bits = flat                      ? 0
                                : !has_shortcuts          ? color_range<Rgb>()
@@ -324,7 +326,7 @@ void Setup<Fixed>::smooth_exactly(std::uint32_t bits) {
     plain<true>(bits, v(0));
 }
 
-/// Not in line: all but the usual triangle.
+/// Sets up all but the usual triangle, and is therefore not inline.
 void Setup<Fixed>::attributes(const Vertex& provoking) {
     attributes_of<false>(provoking);
 }
@@ -336,7 +338,7 @@ Setup<Fixed>::Area Setup<Fixed>::area_of(const Vertex& a, const Vertex& b, const
     const std::int32_t x1 = b.x - a.x, x2 = c.x - a.x;
     const auto height = static_cast<std::uint32_t>(c.y - a.y);
     const std::uint64_t area = numeric::abs_u64(area2), most = thin_aspect * area;
-    // No box is wider than the sum.
+    // No box is wider than the sum of |x1| and |x2|.
     if ((!has_shortcuts || numeric::mul_u32(abs_u32(x1) + abs_u32(x2), height) > most) &&
         numeric::mul_u32(range_of(0, x1, x2), height) > most)
         return {};

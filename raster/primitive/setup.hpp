@@ -9,31 +9,31 @@
 
 namespace spangle::raster {
 
-/// Plane equations of one primitive, for the attributes its state needs, written into a span. Each policy
-/// specialises it.
+/// Computes the plane equations of one primitive, for the attributes that its state needs, and writes them
+/// into a span. Each policy specialises this class.
 template <class P> class Setup;
 
-/// Fixed policy. All products fit 64 bits; the coefficients of gradients have 30 bits, so that an attribute
-/// is off by less than 2^-18 of its range anywhere in a triangle (thin_aspect below), 2^-27 in a compact one.
-/// Values start at the pixel of the lowest vertex: order of vertices, integer translation, scissor and bands
-/// change nothing.
+/// Set-up of the fixed policy. All products fit 64 bits. Coefficients of gradients have 30 bits, so that an
+/// attribute is off by less than 2^-18 of its range anywhere in a triangle (thin_aspect below), 2^-27 in a
+/// compact one. Values start at the pixel of the lowest vertex, so that the order of vertices, integer
+/// translation, the scissor rectangle and bands change nothing.
 ///
-/// Planes go through the vertices that coverage sees, which are snapped to 1/256 pixel, and so does depth in
-/// every tier. In the exact tier those of all other attributes go through the vertices before snapping
+/// Planes go through the vertices that coverage sees, which are snapped to 1/256 pixel. Depth does so in
+/// every tier. In the exact tier the planes of all other attributes go through the vertices before snapping
 /// (unsnap()).
 template <> class Setup<Fixed> {
   public:
     using Vertex = FixedVertex;
 
-    /// Triangle; a, b, c sorted by y (then x), area2 their signed area, not 0.
+    /// Sets up a triangle. a, b, c are sorted by y, then x; area2 is twice their signed area, not 0.
     Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& provoking,
           std::int64_t area2);
-    /// The same where the area is known by its upper bits: |area2| = word 2^exponent or a bit more.
+    /// |area2| by its upper bits: word 2^exponent, or a bit more.
     struct Area {
-        std::uint32_t word; ///< 0: it is thin
+        std::uint32_t word; ///< 0 for a thin triangle (thin_aspect)
         std::int32_t exponent;
-        std::int32_t sign; ///< below 0: negative
-        /// In a window box that fits a word.
+        std::int32_t sign; ///< < 0 if area2 is negative
+        /// For a triangle whose window box has an area `box` that fits a word, in square subpixels.
         SPANGLE_INLINE static Area in_box(std::int32_t area2, std::uint32_t box) {
             const std::uint32_t word = numeric::abs_u32(area2);
             return {(box - 1) / thin_aspect < word ? word : 0, 0, area2}; // box <= thin_aspect |area2|
@@ -41,40 +41,43 @@ template <> class Setup<Fixed> {
     };
     Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& provoking,
           const Area& area);
-    /// Line: attributes vary along its major axis, from a at coordinate `begin` to b at `end` (subpixels).
+    /// Sets up a line: attributes vary along its major axis only, from a at coordinate `begin` to b at `end`
+    /// (subpixels).
     Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& provoking, bool along_x,
           std::int32_t begin, std::int32_t end)
         : Setup(span, a, b, provoking, along_x, begin, end, along_x) {}
-    /// The same, `begin` and `end` being x or y of the vertices, whatever direction planes are to have.
+    /// Sets up a line whose planes vary along x or y (`along_x`), while `begin` and `end` are x or y of the
+    /// vertices (`of_x`).
     Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& provoking, bool along_x,
           std::int32_t begin, std::int32_t end, bool of_x);
-    /// Point: nothing varies.
+    /// Sets up a point: no attribute varies.
     Setup(Span<Fixed>& span, const Vertex& v);
 
     // A gradient's coefficient is at most 2^30, the difference of an attribute between two vertices below
     // 2^31.
 
-    /// Above this ratio of window box to area a triangle is interpolated along its longer axis only:
-    /// two-dimensional gradients would lose too much there, and its centres lie within a fraction of a pixel
-    /// of a line.
+    /// Above this ratio of window box to area, a triangle is interpolated along its longer axis only.
+    /// Two-dimensional gradients would lose too much there, and all its centres lie within a fraction of a
+    /// pixel of a line.
     static constexpr std::uint32_t thin_aspect = 1 << 10;
 
   private:
-    /// Differences with all their bits: those of an affine plane wrap with it.
+    /// The gradient of an attribute per pixel with all 64 bits, of which an affine plane keeps the low word.
     struct Slope {
         std::uint64_t dx, dy;
     };
     struct Gradient {
         std::int64_t dx, dy; ///< per pixel
-        std::int64_t center; ///< from the lowest vertex to the centre of its pixel
+        std::int64_t center; ///< change from the lowest vertex to the centre of its pixel
     };
-    /// Colours of the reference vertices, from some component on.
+    /// The primary or secondary colours of the three reference vertices; of[k] is that of vertex k.
     struct ColorSource {
         const std::uint32_t* of[3];
         std::uint32_t first(int i) const { return of[0][i]; }
         std::int32_t difference(int k, int i) const { return static_cast<std::int32_t>(of[k][i] - of[0][i]); }
     };
-    /// What is done with each of them: one walk for all, in small builds.
+    /// A function that is called for each colour component. Small builds have one loop that takes any such
+    /// function.
     struct ColorVisitor {
         void* f;
         void (*add)(void* f, const ColorSource& from, int i, Interpolant<std::uint32_t>& at,
@@ -87,12 +90,12 @@ template <> class Setup<Fixed> {
     /// s and t (or s/w, t/w, q/w) of the reference vertices of one unit.
     struct UnitValues {
         std::int32_t s[3], t[3], q[3], r[3];
-        std::int64_t s0, t0; ///< at v_[0], repeats with 32 fraction bits
+        std::int64_t s0, t0; ///< at reference vertex 0, repeats with 32 fraction bits
         int shift;           ///< s[i] counts 2^(shift - 32) repeats
         bool homogeneous;    ///< q is not 1: s and t are already over w, q is valid
     };
 
-    /// Of a line, or of a triangle that is interpolated along one axis.
+    /// The axis along which the attributes of a line, or of a thin triangle, vary.
     struct Axis {
         std::int32_t begin, end;
         bool along_x; ///< planes vary along x, else y
@@ -176,11 +179,11 @@ template <> class Setup<Fixed> {
     Span<Fixed>& span_;
     const DrawState& state_;
     Axis axis_;
-    /// Exact tier: by how much of its range an attribute may lie beyond its values at the vertices, within
-    /// coverage, in 2^-32; 0 where planes go through snapped vertices.
+    /// Exact tier: how far an attribute may lie beyond its values at the vertices, within coverage, as a part
+    /// of its range, in 2^-32. 0 where planes go through snapped vertices.
     std::uint32_t beyond_;
     std::uint32_t q_least_, q_range_;
-    std::uint32_t widest_; ///< range of a colour, where it was asked for
+    std::uint32_t widest_; ///< largest range of a colour component, where attributes_of() needed it
 };
 
 } // namespace spangle::raster

@@ -1,7 +1,6 @@
-// Depth planes of 24 bits. A code is 2^-24 of the range, and a triangle of 2048 pixels goes 4096 steps, so
-// planes have 40 bits below the code, of gradients that are within 2^-56 of their value: what fragments get
-// is the nearest code of the plane through the vertices as they were snapped, or next to a tie the one beside
-// it.
+// Depth planes of 24 bits. A code is 2^-24 of the range, and a triangle of 2048 pixels goes 4096 steps. So
+// planes have 40 bits below the code, and gradients are within 2^-56 of their value. Fragments get the
+// nearest code of the plane through the vertices as they were snapped, or next to a tie the code beside it.
 #include "raster/primitive/setup.hpp"
 
 #include "raster/numeric/wide.hpp"
@@ -17,25 +16,25 @@ using numeric::Wide;
 
 constexpr std::uint64_t half_a_code = std::uint64_t{1} << 39;
 
-/// Of a vertex' z, Q0.30: z (2^24 - 1) in 64 bits, so that 1 is 2^64 less one code.
+/// The 24-bit code of a vertex' z (Q0.30) with 40 fraction bits: z (2^24 - 1). So 1 is 2^64 less one code.
 constexpr std::uint64_t code_24(std::uint32_t z) {
     return (std::uint64_t{z} << 34) - (std::uint64_t{z} << 10);
 }
-/// What a difference in z of 2^-30 is worth there.
+/// What a difference in z of 2^-30 is worth in code_24().
 constexpr Wide codes = numeric::make_wide((1 << 24) - 1, 10);
 
-/// Rounded down, mod 2^64.
+/// v rounded down, mod 2^64.
 constexpr std::uint64_t whole(Wide v) {
     return static_cast<std::uint64_t>(numeric::times_two_to(v.m, v.e));
 }
 
-/// Triangles with a box larger than so many of their areas have gradients that wrap, and no width to speak
-/// of.
+/// Triangles whose window box is larger than 2^24 of their areas have gradients that wrap, and hardly any
+/// width.
 constexpr int most_aspect_bits = 24;
 
 } // namespace
 
-/// Along an axis, as lines and points have it.
+/// Adds depth along an axis, as lines and points have it.
 void Setup<Fixed>::add_depth_24_along() {
     const Wide difference = numeric::mul(
         numeric::make_wide(static_cast<std::int32_t>(v(1).z) - static_cast<std::int32_t>(v(0).z), 0), codes);
@@ -47,7 +46,7 @@ void Setup<Fixed>::add_depth_24_along() {
     span_.z24.dy = part(by().dy[0]);
 }
 
-/// In the plane of a triangle, from the vertex that its planes are anchored at.
+/// Adds depth in the plane of a triangle, from the vertex at which its other planes are anchored.
 void Setup<Fixed>::add_depth_24(const Vertex& a, const Vertex& b, const Vertex& c) {
     const Vertex &first = v(0), &second = &first == &a ? b : a, &third = &first == &c ? b : c;
     const std::int32_t x1 = second.x - first.x, y1 = second.y - first.y, x2 = third.x - first.x,

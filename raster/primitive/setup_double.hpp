@@ -31,7 +31,7 @@ template <> class Setup<Double> {
 
     Span<Double>& span_;
     const Vertex* v_[3];
-    Plane snapped_, exact_; ///< of depth, and of all else
+    Plane snapped_, exact_; ///< snapped_ for depth, exact_ for all else
 };
 
 } // namespace spangle::raster

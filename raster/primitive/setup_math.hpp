@@ -41,14 +41,14 @@ inline std::int64_t scaled(std::int64_t v, int n) {
     return shift(v, n);
 }
 
-/// Both words of it; for 0 < n < 32 four instructions where words have 32 bits.
+/// Both words of scaled(v, n): four instructions for 0 < n < 32 where words have 32 bits.
 SPANGLE_INLINE std::uint64_t scaled_words(std::int64_t v, int n) {
     if (!has_shortcuts || numeric::wide_words || n <= 0 || n >= 32) [[unlikely]]
         return static_cast<std::uint64_t>(scaled(v, n));
     return static_cast<std::uint64_t>(numeric::words_after(v, n));
 }
 
-/// product / 2 2^-down, rounded to nearest, where that is below 2^29; false where it may not be.
+/// out = product 2^-(down + 1), rounded to nearest, where that is below 2^29; false where it may not be.
 SPANGLE_INLINE bool half_below(std::int64_t product, int down, std::int32_t& out) {
     const auto n = static_cast<std::uint32_t>(down + 1);
     if (n - 3 > 28) [[unlikely]]
@@ -59,7 +59,7 @@ SPANGLE_INLINE bool half_below(std::int64_t product, int down, std::int32_t& out
     return (static_cast<std::uint32_t>(sum >> 32) ^ sign) >> (n - 3) == 0;
 }
 
-/// The low word of it; for 0 < n < 32 three instructions where words have 32 bits.
+/// The low word of scaled(v, n): three instructions for 0 < n < 32 where words have 32 bits.
 SPANGLE_INLINE std::uint32_t scaled_word(std::int64_t v, int n) {
     if (!has_shortcuts)
         return static_cast<std::uint32_t>(scaled_words(v, n));
@@ -82,38 +82,39 @@ SPANGLE_INLINE std::uint32_t word565(const std::uint32_t (&color)[4]) {
     return (to8(0) >> 3) << 11 | (to8(1) >> 2) << 5 | to8(2) >> 3;
 }
 
-/// The same under dithering (DitheredWord), in the numbers of the tier.
+/// A colour as dithering to 16 bits takes it (DitheredWord), in the numbers N of the tier.
 template <class N> [[gnu::noinline]] inline std::uint32_t dithered_word(const std::uint32_t (&color)[4]) {
     return N::template steps32<5>(N::from_units(color[0])) << 21 |
            N::template steps32<6>(N::from_units(color[1])) << 10 |
            N::template steps32<5>(N::from_units(color[2]));
 }
 
-/// What Kind::flat hands to the stages.
+/// The colour word that Kind::flat hands to the stages.
 SPANGLE_INLINE std::uint32_t flat_word(const DrawState& state, const std::uint32_t (&color)[4]) {
     if (!state.fragment.dither)
         return word565(color);
     return of_tier<has_exact_colors>(state) ? dithered_word<Exact>(color) : dithered_word<Balanced<1>>(color);
 }
 
-/// What a difference between two ends is worth per pixel of the axis along which they lie apart.
+/// What a difference between two ends is worth per pixel along the axis on which these lie apart.
 struct PerPixel {
     std::int32_t coefficient = 0; ///< 30 bits
     int exponent = 32;            ///< times 2^-exponent
-    /// From subpixel `begin` to `end`; nothing varies where they are the same.
+    /// The ends are at subpixels `begin` and `end`; the coefficient is 0 where these are the same.
     SPANGLE_INLINE PerPixel(std::int32_t begin, std::int32_t end) {
         if (const std::uint32_t length = numeric::abs_u32(end - begin); length != 0)
             *this = PerPixel(numeric::reciprocal(length << numeric::clz32(length)), numeric::clz32(length),
                              end < begin);
     }
-    /// The same from the reciprocal of the length, which has so many leading zeros.
+    /// Takes the reciprocal of a length with `zeros` leading zeros; `back`: the end lies before the
+    /// beginning.
     SPANGLE_INLINE PerPixel(std::uint32_t reciprocal, int zeros, bool back) {
         // 256 / length = mantissa 2^-(53 - zeros)
         const auto mantissa = static_cast<std::int32_t>(reciprocal >> 1);
         coefficient = back ? -mantissa : mantissa;
         exponent = 53 - zeros;
     }
-    /// From subpixel v to the centre of its pixel.
+    /// The coefficient of the way from subpixel v to the centre of its pixel.
     SPANGLE_INLINE std::int32_t to_center(std::int32_t v) const {
         return static_cast<std::int32_t>(
             numeric::mul_s32(coefficient, subpixel_one / 2 - (v & (subpixel_one - 1))) >> subpixel_bits);
@@ -125,15 +126,15 @@ SPANGLE_INLINE std::int32_t mul30(std::int32_t a, std::int32_t b) {
     return static_cast<std::int32_t>((numeric::mul_long(a, b) + (1 << 29)) >> 30);
 }
 
-/// The highest bit of the differences that this is the union of is the highest bit in which one of them
-/// differs from its sign: |d| <= bits, and d 2^n fits a word for n <= clz(bits). 0: there is none.
+/// Bounds two differences: |d| <= bits, and d 2^n fits a word for n <= clz(bits). The union (|) of such
+/// bounds holds for all of their differences. 0: both differences are 0.
 SPANGLE_INLINE std::uint32_t difference_bits(std::int32_t d1, std::int32_t d2) {
     const auto a = static_cast<std::uint32_t>(d1), b = static_cast<std::uint32_t>(d2);
     return (a ^ a << 1) | (b ^ b << 1);
 }
 
-/// Differences so small that their words hold them 2^lift times as large. Their products with coefficients
-/// below 2^30, shifted down by n = 32 - lift, are the high words of those: no shift is left.
+/// Whether words hold differences with these difference_bits() 2^lift times as large. Products of such words
+/// with coefficients below 2^30 need no shift by n = 32 - lift: their high words are the result.
 SPANGLE_INLINE bool liftable(std::uint32_t bits, std::uint32_t lift) {
     return has_shortcuts && lift <= static_cast<std::uint32_t>(numeric::clz32(bits | 1));
 }

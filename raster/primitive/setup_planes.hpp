@@ -1,4 +1,4 @@
-// What the files of set-up share in line: gradients, and the walk over the colours that are looked at.
+// What the files of set-up share inline: gradients, and the loop over the colours that a state needs.
 #pragma once
 
 #include "raster/primitive/setup.hpp"
@@ -8,7 +8,8 @@
 
 namespace spangle::raster {
 
-/// Differences counted in 2^(exponent - up) of the unit of d.
+/// The gradient of an attribute that differs by d1 and d2 from its value at reference vertex 0, counted in
+/// 2^-exponent of the unit of d.
 SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::gradient(const Coefficients& by, std::int32_t d1,
                                                              std::int32_t d2) {
     return {numeric::mul_long(d1, by.dx[0]) + numeric::mul_long(d2, by.dx[1]),
@@ -16,7 +17,8 @@ SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::gradient(const Coefficients&
             numeric::mul_long(d1, by.center[0]) + numeric::mul_long(d2, by.center[1])};
 }
 
-/// Their plane, but for its first value: counted in 2^-up of the unit of d.
+/// The plane of an attribute that differs by d1 and d2, without its value at reference vertex 0. It counts
+/// 2^-up of the unit of d.
 SPANGLE_RUN_INLINE Interpolant<std::uint64_t>
 Setup<Fixed>::scaled_plane(const Coefficients& by, std::int32_t d1, std::int32_t d2, int up) {
     const Gradient g = gradient(by, d1, d2);
@@ -24,7 +26,7 @@ Setup<Fixed>::scaled_plane(const Coefficients& by, std::int32_t d1, std::int32_t
     return {scaled_words(g.center, n), scaled_words(g.dx, n), scaled_words(g.dy, n)};
 }
 
-/// A plane of differences that are liftable().
+/// Makes a plane from differences that are liftable().
 SPANGLE_INLINE static void add_lifted(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t d1,
                                       std::int32_t d2, std::uint32_t lift, const Coefficients& by) {
     const std::int32_t a = lifted(d1, lift), b = lifted(d2, lift);
@@ -33,8 +35,8 @@ SPANGLE_INLINE static void add_lifted(Interpolant<std::uint32_t>& at, std::uint3
     at.value = first + lifted_word(a, b, by.center);
 }
 
-/// add(source, component, plane, projective plane) of all that are looked at. Rgb, here and below: the state
-/// is smooth_rgb.
+/// Calls add(source, component, plane, projective plane) for all colour components that the state needs. Rgb,
+/// here and below: the state is smooth_rgb.
 template <bool Rgb, class F> SPANGLE_INLINE void Setup<Fixed>::each_color(F add) const {
     if constexpr (has_shortcuts || !has_full) // or where there are few of them
         every_color<Rgb>(add);
@@ -58,8 +60,8 @@ template <bool Rgb, class F> SPANGLE_INLINE void Setup<Fixed>::every_color(F add
             add(secondary(), i, span_.secondary[i], span_.secondary_q[i]);
 }
 
-/// Largest range of the first three components of colours: of three numbers it is half the sum of how far
-/// each two of them lie apart.
+/// The largest range of the first three components of colours. The range of three numbers is half the sum of
+/// the distances between each two of them.
 SPANGLE_INLINE static std::uint32_t widest_of_three(const std::uint32_t (&a)[4], const std::uint32_t (&b)[4],
                                                     const std::uint32_t (&c)[4]) {
     using L = LineLanes<4>;
@@ -77,7 +79,7 @@ SPANGLE_INLINE static std::uint32_t widest_of_three(const std::uint32_t (&a)[4],
     return static_cast<std::uint32_t>(some > sum[2] ? some : sum[2]) >> 1;
 }
 
-/// Largest range of a colour.
+/// The largest range of a colour component.
 template <bool Rgb> SPANGLE_INLINE std::uint32_t Setup<Fixed>::color_range() const {
     if constexpr (Rgb && host_lanes > 1)
         return widest_of_three(v(0).color, v(1).color, v(2).color);
@@ -89,11 +91,11 @@ template <bool Rgb> SPANGLE_INLINE std::uint32_t Setup<Fixed>::color_range() con
     return widest;
 }
 
-/// 1/w of the reference vertices with one exponent, and its range; true when it does not vary.
+/// Loads 1/w of the reference vertices with one exponent, and its range. True: 1/w does not vary.
 SPANGLE_INLINE bool Setup<Fixed>::weights() {
     if (has_shortcuts && v(0).w_exponent == v(1).w_exponent && v(0).w_exponent == v(2).w_exponent)
         [[likely]] {
-        for (int i = 0; i < 3; ++i) // mantissas have their top bit
+        for (int i = 0; i < 3; ++i) // mantissas have their top bit set
             q(i) = static_cast<std::int32_t>(v(i).w_mantissa >> 2);
     } else {
         weights_of_several_exponents();
@@ -104,14 +106,14 @@ SPANGLE_INLINE bool Setup<Fixed>::weights() {
     return q_range_ == 0;
 }
 
-/// What varies over w, times 1/w.
+/// Multiplies the values of an attribute at the three vertices by 1/w.
 SPANGLE_RUN_INLINE void Setup<Fixed>::over_w(std::int32_t v[3]) const {
     for (int i = 0; i < 3; ++i)
         v[i] = mul30(v[i], q(i));
 }
 
-/// |error| of the affine form over a triangle is at most range(c) range(q) / (4 min(q)): the covariance of c
-/// and q under any weights, over the mean of q.
+/// Whether the affine form of an attribute is within a tolerance. Its |error| over a triangle is at most
+/// range(c) range(q) / (4 min(q)): the covariance of c and q under any weights, over the mean of q.
 SPANGLE_INLINE bool Setup<Fixed>::bounded(std::uint32_t range, std::uint64_t four_tolerances) const {
     return numeric::mul_u32(range, q_range_) <= four_tolerances * q_least_;
 }

@@ -28,7 +28,7 @@ void Setup<Fixed>::projective_colors() {
     });
 }
 
-/// Those of colours that were guessed, once one of them is asked for.
+/// Makes the planes over w of colours that were guessed, once a fragment asks for one of them.
 void Setup<Fixed>::project(Span<Fixed>& span) {
     const Basis& from = span.basis;
     projective(from.by, span.q, from.q);
@@ -40,7 +40,7 @@ void Setup<Fixed>::project(Span<Fixed>& span) {
     }
 }
 
-/// Nothing is guessed, and nothing else has planes over w.
+/// Sets up colours over w where none is guessed and nothing else has planes over w.
 void Setup<Fixed>::divided_colors() {
     if (unsnaps(state_))
         snap_where_w_ends();
@@ -54,7 +54,7 @@ void Setup<Fixed>::divided_colors() {
         plane = {};
 }
 
-/// 1/w of reference vertices that have several exponents, with the highest of these.
+/// Loads 1/w of reference vertices with several exponents, scaled to the highest of these.
 void Setup<Fixed>::weights_of_several_exponents() {
     const int e0 = v(0).w_exponent, e1 = v(1).w_exponent, e2 = v(2).w_exponent;
     const int highest = e0 > e1 ? (e0 > e2 ? e0 : e2) : (e1 > e2 ? e1 : e2);
@@ -74,7 +74,7 @@ bool Setup<Fixed>::colors_affine(std::uint32_t bits) {
     if ((any || !has_chain) && four == any_color_tolerance)
         return true;
     if constexpr (!has_shortcuts)
-        return bounded(bits, four); // their range
+        return bounded(bits, four); // `bits` is their range here
     return bounded(2 * bits, four) || bounded(color_range<false>(), four);
 }
 

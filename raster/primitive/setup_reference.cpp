@@ -12,7 +12,8 @@ double pixels(std::int32_t v) {
     return static_cast<double>(v) / subpixel_one;
 }
 
-/// A coordinate before it was snapped, where that is known: what is further away is of another vertex.
+/// A coordinate before it was snapped, where that is known. A value 0.75 subpixels or more away belongs to
+/// another vertex.
 double exact(std::int32_t snapped, double before) {
     return std::fabs(before * subpixel_one - snapped) < 0.75 ? before : pixels(snapped);
 }

@@ -20,25 +20,25 @@ std::int64_t to_fixed(std::int64_t m, int exponent, int fraction) {
     return numeric::times_two_to(m, up);
 }
 
-/// The same of a word, in line where nothing can saturate: |m| 2^30 is at most 2^61.
+/// to_fixed() of a word, with 32 fraction bits; inline where nothing can saturate: |m| 2^30 is at most 2^61.
 SPANGLE_RUN_INLINE std::int64_t to_repeats(std::int32_t m, int exponent) {
     const int up = exponent + 32;
     return has_shortcuts && up >= 0 && up <= 30 ? numeric::mul_s32(m, 1 << up) : to_fixed(m, exponent, 32);
 }
 
-/// m 2^-down, rounded to nearest; in line where words are shifted by less than their bits.
+/// m 2^-down, rounded to nearest; inline where words are shifted by less than their bits.
 SPANGLE_INLINE std::int64_t to_fixed_below(std::int64_t m, int down) {
     if (has_shortcuts && down > 0 && down < 32) [[likely]] // |m| is at most 2^61
         return static_cast<std::int64_t>(scaled_words(m + (std::int32_t{1} << (down - 1)), down));
     return to_fixed(m, -down, 0);
 }
 
-/// One coordinate of three vertices, in repeats, a whole number of which comes off: they would take bits from
-/// the fraction.
+/// One texture coordinate of three vertices, in repeats. A whole number of repeats is taken off all three: it
+/// would take bits from the fraction.
 struct Repeats {
     std::int64_t v[3];   ///< 32 fraction bits
-    std::int32_t base;   ///< no further than matters
-    std::uint32_t range; ///< of the whole ones; its highest bit is that of all of them together
+    std::int32_t base;   ///< repeats that were taken off, clamped to 4096 either way
+    std::uint32_t range; ///< of whole repeats; its highest bit is that of all three together
 
     SPANGLE_RUN_INLINE Repeats(const std::int32_t (&m)[3], const std::int32_t (&exponent)[3],
                                std::int32_t less) {
@@ -64,7 +64,7 @@ struct Repeats {
 
 void Setup<Fixed>::load_unit(int unit, UnitValues& u) const {
     const auto &a = v(0).tex[unit], &b = v(1).tex[unit], &c = v(2).tex[unit];
-    // Three coordinates are divided at every fragment.
+    // A unit with three coordinates divides at every fragment.
     u.homogeneous =
         (has_division && state_.needs.r[unit]) ||
         (has_perspective && (!has_affine_textures || a.q_is_one == 0 || b.q_is_one == 0 || c.q_is_one == 0));
@@ -137,7 +137,7 @@ SPANGLE_INLINE void Setup<Fixed>::load_fog(std::int32_t fog[3]) const {
         load_any_fog(fog);
 }
 
-/// The same wherever they are.
+/// load_fog() for coordinates of any size.
 void Setup<Fixed>::load_any_fog(std::int32_t fog[3]) const {
     std::int64_t c[3];
     std::uint64_t all = 0;
@@ -163,8 +163,8 @@ void Setup<Fixed>::load_any_fog(std::int32_t fog[3]) const {
         fog[i] = static_cast<std::int32_t>(scaled_word(c[i], shift_down));
 }
 
-/// Between 0 and 1, seen from the vertices. Ends of lines reach half a pixel further; what a step of the
-/// plane lost, at most 2^14 pixels add up, and coefficients lose 2^6.
+/// Whether fog stays between 0 and 1, seen from the vertices. Ends of lines reach half a pixel further. What
+/// a step of the plane lost, at most 2^14 pixels add up; coefficients lose 2^6.
 static bool stays_inside(const std::int32_t (&fog)[3], const Interpolant<std::uint32_t>& plane) {
     const auto step = [](std::uint32_t d) { return numeric::abs_u32(static_cast<std::int32_t>(d)); };
     const std::int64_t margin = std::int64_t{step(plane.dx)} + step(plane.dy) + (1 << 16);
@@ -188,7 +188,7 @@ bool Setup<Fixed>::unit_affine(int unit, const UnitValues& u, bool same_w) const
         return true;
     if (of_tier<[](const Knobs& k) { return k.affine_texel_bits == Knobs::never; }>(state_) || u.shift > 7)
         return false;
-    // So much of a texel of the base level: four times the error is range range(q) / min(q).
+    // The tolerance is a part of a texel of the base level; four times the error is range range(q) / min(q).
     const int four = of_straight_tier<[](const Knobs& k) { return k.affine_texel_bits - 2; }>(state_);
     const auto within = [&](const std::int32_t v[3], int log2_size) SPANGLE_RUN_LAMBDA {
         const std::uint32_t range = range_of(v[0], v[1], v[2]);
@@ -198,7 +198,7 @@ bool Setup<Fixed>::unit_affine(int unit, const UnitValues& u, bool same_w) const
     return within(u.s, state_.log2_width[unit]) && within(u.t, state_.log2_height[unit]);
 }
 
-/// add_steep(), in line where it can be lifted.
+/// add_steep() for one coordinate, inline where differences are liftable().
 void Setup<Fixed>::add_words(Interpolant<std::uint32_t>& at, std::uint32_t first, const std::int32_t v[3],
                              int up) {
     const std::int32_t d1 = v[1] - v[0], d2 = v[2] - v[0];
@@ -227,7 +227,7 @@ void Setup<Fixed>::add_unit(int unit, UnitValues& u) {
         };
         const int up_s = wraps.s ? u.shift : u.shift - less, up_t = wraps.t ? u.shift : u.shift - less;
         const std::uint32_t s0 = first(u.s0, wraps.s, at.s_base), t0 = first(u.t0, wraps.t, at.t_base);
-        // Small builds have one form, if there may be levels at all.
+        // Small builds have only the general form, if there may be levels at all.
         if ((has_shortcuts || !spans_sample_any) && !state_.needs.lod[unit]) {
             add_words(span_.s[unit], s0, u.s, up_s);
             add_words(span_.t[unit], t0, u.t, up_t);
@@ -267,7 +267,7 @@ SPANGLE_INLINE Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool sam
             return Kind::textured;
     if (!has_fog || !needs.fog)
         return has_affine_textures ? Kind::affine : Kind::textured;
-    // Four times what f may be off by. What is always affine asks nobody.
+    // Four times the tolerance of the fog factor. Nothing reads it in tiers whose fog is always affine.
     const std::uint64_t four = of_tier<[](const Knobs& k) {
         return 1u << (26 - (k.affine_fog_bits != 0 ? k.affine_fog_bits : balanced_knobs.affine_fog_bits));
     }>(state_);
@@ -277,7 +277,7 @@ SPANGLE_INLINE Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool sam
     return affine ? Kind::affine : Kind::textured;
 }
 
-/// One colour, or three.
+/// Whether red, green and blue are equal at every vertex: stages then interpolate one colour, not three.
 SPANGLE_INLINE bool Setup<Fixed>::grays(std::uint32_t color_bits, const Vertex& painted) const {
     const auto gray = [](const Vertex& v)
                           SPANGLE_RUN_LAMBDA { return v.color[0] == v.color[1] && v.color[0] == v.color[2]; };

@@ -26,17 +26,17 @@ std::int32_t to_center(std::int32_t v, std::int32_t rest) {
     return (subpixel_one / 2 - (v & (subpixel_one - 1))) * 65536 - rest;
 }
 
-/// What a vertex may lie beyond the others, at most: more, and planes say little of what lies between them.
+/// The largest beyond_ that planes may have. With more, they say little of what lies between the vertices.
 constexpr std::uint32_t most_beyond = 1u << 28; // 1/16
 
 } // namespace
 
-/// In place of by(), through three vertices. False: they are too near to one line for any other planes than
-/// those of snapped vertices.
+/// Makes by() that of planes through three unsnapped vertices. False: these are too near to one line for any
+/// planes but those of the snapped vertices.
 SPANGLE_INLINE bool Setup<Fixed>::unsnap_plane() {
     const Vertex &a = v(0), &b = v(1), &c = v(2);
     const std::int32_t y2 = c.y - a.y, y1 = a.y - b.y, x2 = a.x - c.x, x1 = b.x - a.x; // y2 >= |y1|
-    // Half a step of two vertices is one: with it |d| 2^up is less than 2^31.
+    // The rests of two vertices, half a step each, add up to one step: even so |d| 2^up is less than 2^31.
     const int up = clz32(static_cast<std::uint32_t>(y2) | abs_u32(x2) | abs_u32(x1)) - 2;
     const std::int32_t ry2 = c.y_rest - a.y_rest, ry1 = a.y_rest - b.y_rest, rx2 = a.x_rest - c.x_rest,
                        rx1 = b.x_rest - a.x_rest;
@@ -51,15 +51,16 @@ SPANGLE_INLINE bool Setup<Fixed>::unsnap_plane() {
     }
     const std::int64_t area = numeric::mul_long(d[3], d[0]) - numeric::mul_long(d[2], d[1]);
     const std::uint64_t size = numeric::abs_u64(area);
-    // One of the differences has 29 bits at least: of all but a line the upper word has some.
+    // One of the differences has at least 29 bits, so the upper word of the area is 0 only if the vertices
+    // are nearly on one line.
     const auto high = static_cast<std::uint32_t>(size >> 32);
     if (high == 0)
         return false;
     const int zeros = clz32(high);
     const std::uint32_t top = high << zeros | static_cast<std::uint32_t>(size) >> 1 >> (31 - zeros),
                         reciprocal = numeric::reciprocal(top);
-    // A fragment lies half a step beyond in x and in y at most, so half the sum of what differences are
-    // there, over the area; y1 counts as y2.
+    // A fragment lies at most half a step beyond the vertices in x and in y. So an attribute goes beyond by
+    // half the sum of these differences over the area; y1 counts as y2.
     const std::uint32_t half_sum = abs_u32(d[0]) + (1u << up) + (abs_u32(d[2]) >> 1) + (abs_u32(d[3]) >> 1);
     const int exponent = 54 - up - zeros; // 256 d / area = c 2^-exponent
     const auto down = static_cast<std::uint32_t>(exponent - 24);
@@ -83,15 +84,15 @@ SPANGLE_INLINE bool Setup<Fixed>::unsnap_plane() {
     return true;
 }
 
-/// unsnap_plane() along an axis. Ends that were moved to a fragment (detail::LineInterval) have nothing taken
-/// off.
+/// Does what unsnap_plane() does, along an axis. An end that was moved to a fragment (detail::LineInterval)
+/// has no rest.
 bool Setup<Fixed>::unsnap_axis() {
     const Vertex &a = v(0), &b = v(1);
     const bool x = axis_.of_x;
     const std::int32_t begin_rest = axis_.begin == (x ? a.x : a.y) ? (x ? a.x_rest : a.y_rest) : 0,
                        end_rest = axis_.end == (x ? b.x : b.y) ? (x ? b.x_rest : b.y_rest) : 0;
     const std::int32_t length = axis_.end - axis_.begin;
-    // A step beyond 16 of them at most; half of one at either end.
+    // Both ends together, half a step each, go beyond by at most one step in 16.
     if ((begin_rest | end_rest) == 0 || abs_u32(length) < 16)
         return false;
     const int up = clz32(abs_u32(length)) - 2;
@@ -108,9 +109,9 @@ bool Setup<Fixed>::unsnap_axis() {
     return true;
 }
 
-/// What colours may lie beyond 0 and 1, and be stored as these: where no more than the top bits of a plane
-/// counts, 1/10 of a 255th (half of one is added, or thresholds are an eighth at least); else 2^-10. `range`:
-/// no colour has more.
+/// Whether colours lie so little beyond 0 and 1 that they are stored as these. Where only the top bits of a
+/// plane count, the margin is 1/10 of a 255th (half of one is added, or thresholds are an eighth at least);
+/// else 2^-10. `range`: no colour has more.
 bool Setup<Fixed>::colors_stay_inside(std::uint32_t range) const {
     const bool tops = state_.variant[static_cast<unsigned>(Kind::affine)].color_bias != 1u << 15;
     const std::uint32_t margin = tops && !state_.textured_or_fogged ? color_one / 2550 : 1u << 10;
@@ -128,7 +129,7 @@ bool Setup<Fixed>::colors_stay_inside(std::uint32_t range) const {
     return inside;
 }
 
-/// After depth, before all else.
+/// Makes planes go through the unsnapped vertices. It is called after depth and before all else is set up.
 void Setup<Fixed>::unsnap() {
     const Vertex &a = v(0), &b = v(1), &c = v(2);
     beyond_ = 0;

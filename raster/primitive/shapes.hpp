@@ -38,7 +38,7 @@ void draw_disc_of(const DrawState& state, const Surface& target, const typename 
 
 namespace detail {
 
-/// The centres of a row in a convex quad.
+/// The centres of a row that a convex quad covers.
 inline Columns centers(const Position (&quad)[4], std::int32_t row) {
     Columns found;
     for (int i = 1; i < 3; ++i) {
@@ -51,7 +51,7 @@ inline Columns centers(const Position (&quad)[4], std::int32_t row) {
     return found;
 }
 
-/// Of a triangle, what lies in parts of a line's rectangle.
+/// Draws what of a triangle lies in those parts of a line's rectangle that the stipple leaves.
 template <class P>
 void draw_parts(const DrawState& state, const Surface& target, const Sorted<typename P::Vertex>& t,
                 const typename P::Vertex& provoking, const LineOutline& line, const LineStipple& stipple) {

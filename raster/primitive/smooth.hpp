@@ -12,7 +12,7 @@
 
 namespace spangle::raster {
 
-/// What a convex polygon paints.
+/// Draws fragments with the data of a convex polygon.
 template <class P> class SmoothFan {
   public:
     using Vertex = typename P::Vertex;
@@ -21,7 +21,7 @@ template <class P> class SmoothFan {
               const Vertex* const* corner, int corners, const Vertex& provoking)
         : pen_(state, target), primitive_(primitive), fan_(corner, corners), provoking_(provoking) {}
 
-    /// Inside of an outline that lies in the polygon.
+    /// Draws the inside of an outline that lies in the polygon.
     void draw(const Outline& outline) {
         const detail::PixelBox box(outline);
         rows_.begin = box.rows.begin < pen_.row_begin() ? pen_.row_begin() : box.rows.begin;
@@ -36,7 +36,8 @@ template <class P> class SmoothFan {
     }
 
   private:
-    /// The nearest row with centres; how far that may be away is what a pointed corner needs.
+    /// Finds the nearest row that holds centres. `farthest`: the most rows between a pointed corner and such
+    /// a row.
     void find_centers(FanRow& near) const {
         constexpr std::int32_t farthest = 64;
         const std::int32_t row = near.row;
@@ -46,7 +47,7 @@ template <class P> class SmoothFan {
         }
     }
 
-    /// Nowhere wider than a pixel: most of its rows or columns may have no centre.
+    /// Whether the polygon is nowhere wider than a pixel: most of its rows or columns may hold no centre.
     bool is_thin() const {
         std::int64_t area2 = 0;
         Position low = position(fan_[0]), high = low;
@@ -93,7 +94,7 @@ template <class P> class SmoothFan {
         CoveredPieces<P> pieces(pen_, primitive_, {&SmoothFan::set_up, this});
         if (const int part = fan_.uniform_part(); part != 0)
             return pieces.add_rows(outline, rows_.begin, rows_.end, {part, 0, 0});
-        FanRow rows[3]; // this one, that before, and the next, in turn
+        FanRow rows[3]; // the row before, this one and the next, in turn
         FanRow *before = rows, *here = rows + 1, *next = rows + 2;
         fan_.find(*before, rows_.begin - 1);
         fan_.find(*here, rows_.begin);
@@ -128,8 +129,8 @@ template <class P> class SmoothFan {
         draw_beside(pieces, coverage, y, near, false);
     }
 
-    /// Fragments whose own centre is not inside take the data of the nearest one that is. `kept`: the nearest
-    /// rows are as found.
+    /// Adds the fragments whose own centre is not inside, with the data of the nearest centre that is.
+    /// `kept`: the rows of `near` are as Fan::find() wrote them.
     void draw_beside(CoveredPieces<P>& pieces, RowCoverage& coverage, std::int32_t y,
                      const FanRow* const (&near)[3], bool kept) {
         for (std::int32_t x = coverage.begin(); x < coverage.end(); ++x) {
@@ -148,7 +149,7 @@ template <class P> class SmoothFan {
             }
             if (nearest == nullptr)
                 return;
-            if (least == 0) { // its own: up to the end of those
+            if (least == 0) { // the centre is inside: skip all such
                 x = nearest->all.end - 1;
                 continue;
             }
@@ -206,9 +207,9 @@ void draw_smooth_line_of(const DrawState& state, const Surface& target, Primitiv
         stipple->advance(line.parts());
 }
 
-/// A row of a disc: chords on either side, 12 in each half of the disc. They are about as long as each other,
-/// going in equal steps of the root of the distance from the pole: what the arcs lie beyond them is less than
-/// 1/300 of a pixel.
+/// One row of a disc, bounded by chords: 12 on either side in each half of the disc. They are about equally
+/// long, as they go in equal steps of the root of the distance from the pole. The arcs lie less than 1/300 of
+/// a pixel beyond them.
 class DiscRow {
   public:
     DiscRow(const OutlinePoint& center, std::int32_t radius, std::int32_t row)
@@ -221,7 +222,7 @@ class DiscRow {
             add(low, high < center.y ? high : center.y);
         if (low < high && high > center.y)
             add(low > center.y ? low : center.y, high);
-        for (int i = 0; i < side_; ++i) // the other side
+        for (int i = 0; i < side_; ++i) // the left side mirrors the right
             point_[2 * side_ - 1 - i] = {2 * center.x - point_[i].x, point_[i].y};
     }
     Outline outline() const { return outline_of(point_, 2 * side_); }
@@ -230,10 +231,10 @@ class DiscRow {
     static constexpr int chords = 12;
     const OutlinePoint center_;
     const std::int32_t radius_;
-    int side_ = 0; ///< points on the right
+    int side_ = 0; ///< points on the right side
     OutlinePoint point_[2 * (2 * chords + 1)];
 
-    /// From y to y, both below or both above the centre.
+    /// Adds the points on the right side between two y, both below or both above the centre.
     void add(std::int32_t from, std::int32_t to) {
         constexpr int root_bits = 10;
         const bool above = from >= center_.y;

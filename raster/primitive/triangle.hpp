@@ -1,4 +1,5 @@
-// Triangles: sorted by y, walked exactly, set up when the first row shows a pixel (GL 1.3, 3.5.1).
+// Draws triangles: corners are sorted by y, edges walked exactly, planes set up when the first row shows a
+// pixel (GL 1.3, 3.5.1).
 #pragma once
 
 #include <type_traits>
@@ -42,15 +43,15 @@ template <class V> struct Corner {
 };
 
 template <class V> struct Sorted {
-    Corner<V> a, b, c; ///< upwards
+    Corner<V> a, b, c; ///< sorted upwards
     std::int64_t area2;
 };
 
-/// Two corners in the wrong order change places, but for x; turned: how often, a mask.
+/// Swaps two corners that are in the wrong order, all but their x. Each swap inverts `turned`, 0 or all ones.
 template <class V> SPANGLE_INLINE void sort_pair(Corner<V>& low, Corner<V>& high, std::int32_t& turned) {
     if (high.y > low.y || (high.y == low.y && position(*high.vertex).x >= position(*low.vertex).x))
         return;
-    // Member by member: registers.
+    // Members are swapped one by one, so that they stay in registers.
     const auto swap = [](auto& a, auto& b) {
         const auto t = a;
         a = b;
@@ -61,8 +62,8 @@ template <class V> SPANGLE_INLINE void sort_pair(Corner<V>& low, Corner<V>& high
     turned = ~turned;
 }
 
-/// By y, then x: the order in which a triangle's corners are walked does not depend on the order they came
-/// in. No two of them are the same.
+/// Sorts corners by y, then x, so that the walk of a triangle does not depend on the order in which they
+/// came. No two corners are the same.
 template <bool Branches = numeric::cheap_branches, class V>
 SPANGLE_INLINE void sort(Corner<V>& low, Corner<V>& middle, Corner<V>& high, std::int64_t& area2) {
     if constexpr (Branches) {
@@ -75,8 +76,8 @@ SPANGLE_INLINE void sort(Corner<V>& low, Corner<V>& middle, Corner<V>& high, std
         high.x = position(*high.vertex).x;
         area2 = (area2 ^ turned) - turned;
     } else {
-        // From the outcomes of three comparisons, which branches would be taken at random for: the corners
-        // upwards, and whether their order is turned.
+        // Three comparisons select the sorted order, and whether it turns the triangle, from a table.
+        // Branches on them would be taken at random.
         struct Order {
             std::uint8_t low, middle, high, turned;
         };
@@ -95,7 +96,7 @@ SPANGLE_INLINE void sort(Corner<V>& low, Corner<V>& middle, Corner<V>& high, std
     }
 }
 
-/// Once per triangle, as soon as something of it may be seen.
+/// Sets up the planes of a triangle once, as soon as some of it may be seen.
 template <class P>
 SPANGLE_INLINE void set_up(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
                            const typename P::Vertex& provoking) {
@@ -105,7 +106,7 @@ SPANGLE_INLINE void set_up(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
     pen.set_up();
 }
 
-/// The same of one so wide, within SmallEdge::extent: its box fits a word.
+/// Sets up a triangle within SmallEdge::extent, whose box fits a word; `width` in subpixels.
 template <class P>
 SPANGLE_INLINE void set_up_small(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
                                  const typename P::Vertex& provoking, std::int32_t width) {
@@ -140,7 +141,7 @@ void draw_rows(Pen<P>& pen, const Sorted<typename P::Vertex>& t, const typename 
     } while (end == full && (end = fill()) != begin);
 }
 
-/// Within low_extent and SmallEdge::extent.
+/// Draws a triangle within low_extent and SmallEdge::extent.
 template <class P>
 SPANGLE_INLINE void draw_low(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
                              const typename P::Vertex& provoking, std::int32_t width) {
@@ -160,7 +161,8 @@ SPANGLE_INLINE void draw_low(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
     pen.draw(end);
 }
 
-/// As a tile or two, where it is that small and its state and kind draw tiles.
+/// Draws a triangle as one or two tiles, if it is small enough and its state and kind draw tiles. False:
+/// nothing was drawn.
 template <class P>
 SPANGLE_INLINE bool draw_tile(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
                               const typename P::Vertex& provoking, std::int32_t width, std::int32_t left,
@@ -191,7 +193,8 @@ SPANGLE_INLINE bool draw_tile(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
     return false;
 }
 
-/// As trapezoids, likewise.
+/// Draws a triangle as trapezoids, if it is small enough and its state and kind draw these. False: nothing
+/// was drawn.
 template <class P>
 SPANGLE_INLINE bool draw_trapezoids(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
                                     const typename P::Vertex& provoking, std::int32_t width,

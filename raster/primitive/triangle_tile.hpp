@@ -1,5 +1,5 @@
-// A small triangle as a tile: the same fragments as its rows have (edge.hpp), from the sides that their
-// centres lie on.
+// Makes a tile of a small triangle. It has the same fragments as the rows of edge.hpp, found from the sides
+// of edges on which their centres lie.
 #pragma once
 
 #include <bit>
@@ -13,8 +13,8 @@
 namespace spangle::raster {
 
 /// The edges of a triangle, corners upwards: from the lowest to the highest, from the lowest to the middle
-/// one, from there to the highest. Left edges own their centres, right ones do not; the one that lies flat on
-/// the ground, which counts as right, does.
+/// one, from there to the highest. Left edges own their centres and right edges do not. A horizontal bottom
+/// edge, which counts as right, does.
 ///
 /// Corners and centres lie within 9 columns and 13 rows, so that twice an area is at most 9 13 2^16, or
 /// within 17 and 7, or 5 and 24: differences fit 16 bits. From centre to centre the area changes by whole
@@ -56,8 +56,8 @@ SPANGLE_INLINE void set_edges(Tile& tile, const FixedVertex& a, const FixedVerte
     tile.by = (across ^ flip) - flip;
 }
 
-/// Corners upwards; columns [left, right) hold all its centres and lie inside of `clip`, as do the rows that
-/// are left. The first of `tiles` side by side; false where it takes more than two.
+/// Makes the first of `tiles` side by side; false where it takes more than two. Corners are sorted upwards.
+/// Columns [left, right) hold all centres and lie inside of `clip`, as do the rows that are left.
 SPANGLE_INLINE bool make_tile(Tile& tile, int& tiles, const FixedVertex& a, const FixedVertex& b,
                               const FixedVertex& c, bool middle_left, std::int32_t left, std::int32_t right,
                               const Rect& clip) {
@@ -82,7 +82,7 @@ SPANGLE_INLINE bool make_tile(Tile& tile, int& tiles, const FixedVertex& a, cons
     return true;
 }
 
-/// Columns [left, right) of all rows of the tile count as touched already.
+/// Whether columns [left, right) of all rows of the tile are marked as touched already.
 SPANGLE_INLINE bool is_touched(const Surface& target, const Tile& tile, std::int32_t left,
                                std::int32_t right) {
     if (target.touched == nullptr)
@@ -94,7 +94,7 @@ SPANGLE_INLINE bool is_touched(const Surface& target, const Tile& tile, std::int
     return true;
 }
 
-/// Touches what a tile covers. Not in line: once per frame and pixel or so.
+/// Marks what a tile covers as touched. It is not inline: it runs about once per frame and pixel.
 [[gnu::noinline]] inline void touch_tile(const Surface& target, const Tile& tile) {
     const std::int32_t columns = tile.narrow ? Tile::narrow_columns : Tile::columns;
     for (std::int32_t row = 0; row != tile.rows; ++row) {

@@ -1,4 +1,4 @@
-// A triangle as trapezoids: the rows of edge.hpp, not written down.
+// Makes trapezoids of a triangle: they hold the rows of edge.hpp without a list of them.
 #pragma once
 
 #include "raster/primitive/edge.hpp"
@@ -6,7 +6,8 @@
 
 namespace spangle::raster {
 
-/// Corners upwards, within SmallEdge::extent; rows [begin, end), begin < end.
+/// Corners are sorted upwards and lie within SmallEdge::extent. The trapezoids hold rows [begin, end), begin
+/// < end.
 SPANGLE_INLINE Trapezoids make_trapezoids(const std::int32_t (&xs)[3], const std::int32_t (&ys)[3],
                                           bool middle_left, std::int32_t begin, std::int32_t end) {
     const auto edge = [&](int from, int to, std::int32_t row) {
