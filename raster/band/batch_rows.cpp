@@ -24,7 +24,7 @@ void BatchRows::begin_band(std::int32_t first, std::int32_t end) {
     if (noting_)
         noted_ = number_;
     noting_ = false;
-    number_ = 0; // the same batches again
+    number_ = 0; // every band has the same batches
     band_ = {static_cast<std::uint8_t>(first >> shift_), static_cast<std::uint8_t>((end - 1) >> shift_)};
 }
 
@@ -50,7 +50,7 @@ void BatchRows::widen(Entry& entry, Entry by) {
     entry.high = by.high > entry.high ? by.high : entry.high;
 }
 
-/// While rows are noted there is room for every number.
+/// The entry of a batch or piece. While rows are noted, the table makes room for every number.
 BatchRows::Entry& BatchRows::at(std::uint32_t number) {
     while (number >> sharing_ >= entries) {
         for (std::uint32_t i = 0; i < entries / 2; ++i) {
@@ -64,7 +64,8 @@ BatchRows::Entry& BatchRows::at(std::uint32_t number) {
     return table_[number >> sharing_];
 }
 
-/// A number that the first band did not have is drawn, though the callback breaks its promise.
+/// Whether a batch or piece reaches the current band. A number that the first band did not have is drawn,
+/// too, although the callback then breaks its promise.
 bool BatchRows::meets(std::uint32_t number) {
     if (!trusted_ || number >= noted_)
         return true;
@@ -99,7 +100,7 @@ void BatchRows::end_batch() {
     left_out_ = false;
     if (!noting_)
         return;
-    add_piece(); // what was drawn without pieces
+    add_piece(); // primitives that were drawn outside of any piece
     widen(at(batch_number_), batch_);
 }
 

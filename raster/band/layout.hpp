@@ -1,4 +1,4 @@
-// How a record lies in memory: blocks one behind the other, each skipped where it has no row of a band.
+// How a record lies in memory: blocks one behind the other. A block without any row of a band is skipped.
 #pragma once
 
 #include "raster/band/record.hpp"
@@ -6,61 +6,62 @@
 
 namespace spangle::raster {
 
-/// What a block holds, behind its header.
+/// What follows the header of a block.
 enum class Record::Content : std::uint8_t {
-    data,       ///< states and what they point at
-    primitives, ///< items
-    polygon,    ///< one of more corners than an item may have
-    pixels,     ///< a vertex, then runs
+    data,       ///< states, and the data that they point to
+    primitives, ///< a sequence of Item
+    polygon,    ///< one Polygon, with more corners than an item may have
+    pixels,     ///< a vertex, followed by runs
     clear,
     accum,
-    stencil, ///< a run of values
+    stencil, ///< a run of stencil values
 };
 
 struct Record::Block {
-    std::uint32_t bytes = 0;         ///< with this header
-    std::uint32_t state = 0;         ///< of primitives and pixels
+    std::uint32_t bytes = 0;         ///< size of the block, this header included
+    std::uint32_t state = 0;         ///< place of the state of primitives and pixels
     std::int16_t first = 0, end = 0; ///< rows of the window
     Content content{};
     std::uint8_t items = 0;
-    std::uint8_t sample = every_sample; ///< of pixels and stencil
+    std::uint8_t sample = every_sample; ///< sample of pixels and stencil values
     std::uint8_t unused = 0;
 };
 
-/// A compiled state, its pointers into the record.
+/// A compiled state whose pointers lead into the record.
 struct Record::State {
     std::uint32_t next = nowhere;
-    Rect scissor;                 ///< that of `draw` is the band's part of it while the band is drawn
-    Counters* counters = nullptr; ///< likewise
+    Rect scissor; ///< as recorded; draw.scissor is the part of it in the band while a band is drawn
+    Counters* counters = nullptr; ///< as recorded; draw.counters may differ while a band is drawn
     DrawState draw;
 };
 
-/// A primitive. Behind it, where it has them: size, stipple, depth offset; then the corners and the provoking
-/// vertex, 16 bits each; then those vertices that were not there before. A corner below `fresh_corners` is
-/// one of these, one above lies as many words before the item.
+/// A primitive. It is followed, where it has them, by size, stipple and depth offset. Then come references to
+/// the corners and the provoking vertex, 16 bits each, and then the vertices that were not stored before. A
+/// reference below `fresh_corners` is the index of one of these. Any other vertex lies (reference -
+/// fresh_corners) words before the item.
 struct Record::Item {
-    static constexpr int most_corners = 20; ///< as many as clipping makes of a quad
+    static constexpr int most_corners = 20; ///< clipping a quad makes no more corners
     static constexpr std::uint32_t fresh_corners = 32, farthest = 0xFFFF - fresh_corners;
     static_assert(most_corners < fresh_corners);
 
     Primitive::Shape shape{};
     std::uint8_t corners = 0, fresh = 0;
     bool line_stippled : 1 = false, polygon_stippled : 1 = false, has_offset : 1 = false;
-    bool moved : 1 = false;          ///< so that each sample of the surface comes to lie in the centre
+    bool moved : 1 = false;          ///< moved for each sample, which then lies in the pixel's centre
     std::int16_t first = 0, end = 0; ///< rows of the window
 
     bool has_size() const {
         return shape != Primitive::Shape::triangle && shape != Primitive::Shape::smooth_polygon;
     }
-    std::uint32_t words() const { ///< without vertices
+    std::uint32_t words() const { ///< words of the item, without vertices
         constexpr std::uint32_t header = sizeof(Item) / 4, stipple = sizeof(LineStipple) / 4;
         return header + (has_size() ? 1u : 0u) + (line_stippled ? stipple : 0u) + (has_offset ? 2u : 0u) +
                (corners + 2u) / 2;
     }
 };
 
-/// An antialiased polygon of any number of corners; behind it pointers to them and to the provoking vertex,
-/// then all of these.
+/// An antialiased polygon of any number of corners. Pointers to the corners and to the provoking vertex
+/// follow, and then all of these vertices.
 struct Record::Polygon {
     std::int64_t depth_offset = 0;
     std::int32_t corners = 0;
@@ -74,21 +75,21 @@ struct Record::Polygon {
     }
 };
 
-/// Fragments side by side, with what they bring along.
+/// Adjacent fragments of a row, followed by their payload.
 struct Record::Run {
     enum class Form : std::uint8_t {
         plain,
         words, ///< R5 G6 B5
         bytes, ///< four components, whole 255ths
         units, ///< four components in colour units
-        depth, ///< no fragments: those that follow have this depth
+        depth, ///< no fragments: sets the depth of those that follow
     };
     static constexpr std::int32_t longest = 64;
 
     std::int16_t y = 0, x = 0;
     std::uint16_t count = 0;
     Form form{};
-    std::uint8_t mask = 0; ///< of stencil
+    std::uint8_t mask = 0; ///< bits of stencil values that are written
 
     std::uint32_t payload() const {
         return form == Form::plain   ? 0

@@ -14,7 +14,7 @@ struct Reach {
     std::int32_t low, high; ///< rows [low, high)
 };
 
-/// The lowest and the highest corner, in subpixels.
+/// The y of the lowest and of the highest corner, in subpixels.
 inline Reach corners_of(const Primitive& p) {
     Reach y = {p.corner[0]->y, p.corner[0]->y};
     for (int i = 1; i < p.corners; ++i) {
@@ -24,18 +24,19 @@ inline Reach corners_of(const Primitive& p) {
     return y;
 }
 
-/// Rows that fragments of the primitive can lie in: coordinates, and half of its size, rounded outwards. They
-/// hold for every sample that the primitive is moved to.
+/// The rows that fragments of a primitive can lie in: its coordinates plus half of its size, rounded
+/// outwards. They hold for every sample that the primitive is moved to.
 inline Reach reach(const Primitive& p) {
     const Reach y = corners_of(p);
     const bool smooth = p.shape >= Primitive::Shape::smooth_point;
-    // Corners are snapped to fragments, rectangles reach beyond the ends of their lines.
+    // The 2 is for corners that are snapped to fragments, and for rectangles that reach beyond the ends of
+    // their lines.
     const std::int32_t aside = (smooth ? (p.size + 7) / 8 : p.size) + 2;
     return {(y.low >> subpixel_bits) - aside, (y.high >> subpixel_bits) + 1 + aside};
 }
 
-/// Rows that fragments of a primitive lie in which is drawn where its corners are: a triangle has fragments
-/// in rows whose centres it may hold (GL 1.3, 3.5.1), a point in the rows of its square.
+/// The rows that fragments of a primitive lie in, if it is not moved to samples. A triangle has fragments in
+/// rows whose centres it may hold (GL 1.3, 3.5.1), a point in the rows of its square.
 inline Reach exact_reach(const Primitive& p) {
     if (p.shape == Primitive::Shape::point) {
         const std::int32_t low = point_begin(p.corner[0]->y, p.size);

@@ -1,4 +1,4 @@
-// What is kept: states, primitives, clears, accumulation.
+// Stores states, primitives, clears and accumulation.
 #include "raster/band/record.hpp"
 
 #include <new>
@@ -57,7 +57,7 @@ bool Record::room(std::size_t bytes) {
     return false;
 }
 
-/// There is room for it.
+/// Appends bytes, for which there must be room(), and returns their place.
 std::uint32_t Record::append(std::size_t bytes) {
     const auto place = static_cast<std::uint32_t>(used_);
     used_ += bytes;
@@ -65,7 +65,7 @@ std::uint32_t Record::append(std::size_t bytes) {
     return place;
 }
 
-/// A new block, or null without room.
+/// Opens a new block; null without room.
 Record::Block* Record::open(Content content, std::uint32_t state, Rows rows, std::size_t bytes) {
     const std::size_t all = rounded(sizeof(Block) + bytes);
     if (!room(all))
@@ -76,7 +76,7 @@ Record::Block* Record::open(Content content, std::uint32_t state, Rows rows, std
               static_cast<std::int16_t>(rows.end), content};
 }
 
-/// A copy, behind the header of a block of its own.
+/// Stores a copy in a block of its own; null without room.
 template <class T> const T* Record::store_bytes(const T& value) {
     const Block* const block = open(Content::data, 0, {0, 0}, sizeof(T));
     return block == nullptr ? nullptr : new (at<T>(block_ + sizeof(Block))) T(value);
@@ -86,7 +86,7 @@ template <class T> const T* Record::store_bytes(const T& value) {
 
 namespace {
 
-/// A texture as it was, in a list.
+/// A texture as it was when it was recorded; these form a list.
 struct KeptTexture {
     std::uint32_t next;
     Texture texture;
@@ -145,7 +145,7 @@ Record::State* Record::equal_to(const State& state) const {
     return nullptr;
 }
 
-/// Without what replay() puts in for a band.
+/// Stores a state, or finds an equal one. What replay() sets for each band is left out.
 Record::State* Record::store(const DrawState& live) {
     if (!room(rounded(sizeof(Block) + sizeof(State))))
         return nullptr;
@@ -182,7 +182,7 @@ Record::State* Record::store(const DrawState& live) {
     return new (at<State>(states_)) State(state);
 }
 
-/// The copy of a live state, made when the first primitive wants it.
+/// The stored copy of a live state, made when the first primitive needs it.
 Record::State* Record::stored(const DrawState& live) {
     for (Live& known : live_) {
         if (known.state != &live)
@@ -205,7 +205,7 @@ void Record::take(DrawState& live) {
         slot = &live_[next_live_++ % live_states];
     *slot = {&live, nowhere};
     if (live.nothing)
-        return; // in every band
+        return; // such a state draws nothing in any band
     live.nothing = true;
     live.recorder = this;
     live.paths = {};
@@ -213,7 +213,7 @@ void Record::take(DrawState& live) {
 
 void Record::counted() {
     counted_ = used_;
-    block_ = nowhere; // which may not go on
+    block_ = nowhere; // counted and uncounted primitives may not share a block
     counts_ = false;
 }
 
@@ -224,7 +224,7 @@ void Record::forget_counters() {
     counts_ = false;
 }
 
-// --- what is no primitive
+// --- clears, accumulation, stencil values
 
 void Record::clear(const ClearRequest& request) {
     const Rect& area = request.area;

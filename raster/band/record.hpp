@@ -1,4 +1,4 @@
-// A frame as a record: what would be drawn, in window space, kept until the bands of a surface ask for it.
+// A frame as a record: what is to be drawn, in window space, kept until the bands of a surface are drawn.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,18 @@ namespace spangle::raster {
 
 class VertexCode;
 
-/// Lies in memory that is handed over once. States are stored once per change, equal ones once; primitives
-/// share their vertices. What does not fit is not kept: the record is full, and of no use, until it is
-/// cleared.
+/// The record lies in memory that is handed over once. A state is stored once per change, equal states once.
+/// Primitives share their vertices. What does not fit is not stored: the record is then full, and of no use
+/// until it is cleared.
 class Record : public Recorder {
   public:
     Record();
     Record(const Record&) = delete;
     Record& operator=(const Record&) = delete;
 
-    /// `bytes` at `memory`, aligned to 8.
+    /// Takes `bytes` bytes of memory at `memory`, which is aligned to 8.
     void give(void* memory, std::size_t bytes);
-    /// Called once, by what does not fit.
+    /// Called once, when something does not fit.
     void (*on_full)() = nullptr;
 
     bool empty() const { return used_ == 0; }
@@ -34,21 +34,23 @@ class Record : public Recorder {
     std::size_t peak() const { return peak_; }
     void clear();
 
-    /// Primitives of this state are kept from now on. Its textures' texels must stay until clear().
+    /// From now on, primitives of this state are recorded. The texels of its textures must stay until
+    /// clear().
     void take(DrawState& live);
     void clear(const ClearRequest& request);
     void accum(const AccumRequest& request);
-    /// Stencil values of columns [x, x + count) of row y, under a mask, of a sample.
+    /// Records stencil values for columns [x, x + count) of row y, for one sample. Only the bits of `mask`
+    /// are written.
     void stencil(std::int32_t y, std::int32_t x, std::int32_t count, const std::uint8_t* values,
                  std::uint8_t mask, std::uint8_t sample);
 
-    /// Draws all that lies in the surface's rows. With `count`, the counters of primitives that were never
-    /// counted count; counted() says that they were.
+    /// Draws all that lies in the surface's rows. With `count`, primitives that have not been counted yet
+    /// update the counters of their states; counted() marks them as counted.
     void replay(const Surface& band, bool count);
-    /// Something was recorded whose fragments somebody counts.
+    /// Whether anything was recorded that is to be counted.
     bool counts() const { return counts_; }
     void counted();
-    /// The counters of states end.
+    /// The counters that recorded states point to are about to end.
     void forget_counters();
 
   private:
@@ -100,10 +102,10 @@ class Record : public Recorder {
 
     std::uint8_t* memory_ = nullptr;
     std::size_t size_ = 0, used_ = 0, peak_ = 0;
-    std::uint32_t block_ = nowhere;  ///< the last one, which may go on
-    std::uint32_t states_ = nowhere; ///< the last one of their list
+    std::uint32_t block_ = nowhere;  ///< the last block, which may take more items; or nowhere
+    std::uint32_t states_ = nowhere; ///< head of the list of states
     std::uint32_t texture_ = nowhere;
-    std::size_t counted_ = 0; ///< what lies before was counted
+    std::size_t counted_ = 0; ///< bytes of the record whose primitives have been counted
     bool full_ = false, counts_ = false;
     struct Live {
         const DrawState* state = nullptr;
@@ -111,7 +113,7 @@ class Record : public Recorder {
     } live_[live_states];
     unsigned next_live_ = 0;
     std::uint32_t vertex_[1u << log2_vertices];
-    PrimitiveState primitive_; ///< of the one that is drawn
+    PrimitiveState primitive_; ///< state of the primitive that is being drawn
     Counters uncounted_;
 };
 

@@ -1,4 +1,4 @@
-// A record drawn: what of it lies in the rows of a band.
+// Draws the part of a record that lies in the rows of a band.
 #include "raster/band/layout.hpp"
 #include "raster/band/vertex_code.hpp"
 #include "raster/primitive/sample_shift.hpp"
@@ -10,7 +10,7 @@ namespace spangle::raster {
 
 namespace {
 
-/// What of an area lies in a band.
+/// The part of an area that lies in a band.
 Rect cut(const Rect& area, const Rect& band) {
     const std::int32_t first = area.y > band.y ? area.y : band.y, a = area.y + area.h, b = band.y + band.h,
                        end = a < b ? a : b;
@@ -26,7 +26,7 @@ template <class T> T next(const std::uint32_t*& from) {
 
 } // namespace
 
-/// States draw no more than their part of the band.
+/// Sets the scissor rectangle of each state to the part of it that lies in the band.
 void Record::prepare(const Surface& band) {
     for (std::uint32_t place = states_; place != nowhere; place = at<State>(place)->next) {
         State& state = *at<State>(place);
@@ -44,7 +44,7 @@ void Record::replay(const Surface& band, bool count) {
             replay_block(block, band, count && place >= counted_);
         place += block.bytes;
     }
-    // As they were stored, so that equal states are found.
+    // States become as they were stored, so that equal states are found again.
     for (std::uint32_t place = states_; place != nowhere; place = at<State>(place)->next) {
         DrawState& draw = at<State>(place)->draw;
         draw.fragment.scissor = {};
@@ -182,7 +182,7 @@ void Record::draw_item(const DrawState& draw, const Surface& target, const Item&
 
 namespace {
 
-/// Runs of one block, given to a sink.
+/// The runs of one block, as a source for a sink.
 struct KeptPixels : PixelSource {
     const std::uint8_t* begin;
     const std::uint8_t* end;

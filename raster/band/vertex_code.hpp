@@ -1,4 +1,4 @@
-// Vertices as a record keeps them: what the set-up of a state looks at, in words.
+// Vertices as a record stores them: the words that the set-up of a state reads, and no others.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ class VertexCode {
     static constexpr int most_words = static_cast<int>(sizeof(FixedVertex) / 4);
 
     explicit VertexCode(const DrawState& draw) : VertexCode(draw.needs, unsnaps(draw)) {}
-    /// `rests`: set-up looks at what snapping took off.
+    /// `rests`: set-up reads what snapping took off the coordinates.
     VertexCode(const Needs& needs, bool rests) : needs_(needs), rests_(rests) {
         words_ =
             4 + (rests_ ? 1 : 0) + (needs.z ? 1 : 0) + 4 + (needs.secondary ? 3 : 0) + (needs.fog ? 1 : 0);
@@ -81,7 +81,7 @@ class VertexCode {
   private:
     static constexpr int words_of_unit = static_cast<int>(sizeof(FixedVertex::TexCoord) / 4);
 
-    /// One word: nobody else's bits lie between.
+    /// Both exponents in one word, so that no word has unused bits that differ between equal vertices.
     std::uint32_t exponents(const FixedVertex& v) const {
         return both(v.w_exponent, needs_.fog ? v.fog_exponent : std::int16_t{0});
     }
@@ -94,7 +94,7 @@ class VertexCode {
         to += sizeof(T) / 4;
     }
     template <class T> static void get(const std::uint32_t*& from, T& value) {
-        if constexpr (!std::is_const_v<T>) // else no state of this build looks at it
+        if constexpr (!std::is_const_v<T>) // a const member is one that no state of this build reads
             __builtin_memcpy(&value, from, sizeof(T));
         from += sizeof(T) / 4;
     }
@@ -102,7 +102,7 @@ class VertexCode {
     static constexpr bool has_rests = has_tier(Tier::exact);
 
     Needs needs_;
-    bool rests_; ///< set-up looks at what snapping took off
+    bool rests_; ///< set-up reads what snapping took off the coordinates
     int words_;
 };
 
