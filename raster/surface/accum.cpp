@@ -13,7 +13,7 @@ std::int16_t saturated(std::int64_t v) {
     return static_cast<std::int16_t>(v < -accum_one ? -accum_one : v > accum_one ? accum_one : v);
 }
 
-/// v / 2^bits to nearest.
+/// v / 2^bits, rounded to nearest.
 std::int64_t rounded(std::int64_t v, int bits) {
     return (v + (std::int64_t{1} << (bits - 1))) >> bits;
 }
@@ -27,19 +27,20 @@ template <class Change> void each(const Surface& s, Rect area, Change change) {
     }
 }
 
-/// Of a component with `bits` bits (none: the alpha of formats that have none is 1).
+/// The largest value of a component with `bits` bits. Without bits it is 1: formats without alpha have alpha
+/// 1.
 constexpr std::uint32_t largest(unsigned bits) {
     return bits == 0 ? 1 : (1u << bits) - 1;
 }
 
-/// value n / d towards 0; below 2^59.
+/// value n / d, rounded towards 0; below 2^59.
 std::int64_t scaled(std::int32_t value, std::uint32_t n, std::uint32_t d) {
     const std::int64_t q =
         static_cast<std::int64_t>(numeric::divide(numeric::abs_u64(std::int64_t{value} * n), d).quotient);
     return value < 0 ? -q : q;
 }
 
-/// All but clear. `colors` is what is looked at, or of give_back what becomes of it.
+/// Does any operation but clear. `colors` is the surface that is read, or that give_back writes.
 void pass(const Surface& s, const AccumRequest& r, const Rect& area, const Surface& colors) {
     using Op = AccumRequest::Op;
     constexpr int guard = 8;
@@ -47,8 +48,8 @@ void pass(const Surface& s, const AccumRequest& r, const Rect& area, const Surfa
                adds = r.op == Op::add, keeps = adds || r.op == Op::accumulate;
     const FormatInfo& info = drawn_info(colors.format);
     const unsigned bits[4] = {info.red_bits, info.green_bits, info.blue_bits, info.alpha_bits};
-    // k v 32767 / (2^bits - 1): 8 bits k, 32 bits v, 15 and 8 more of the factor. Of give_back in colour
-    // units: 15 bits A, 32 bits v, 14 bits of color_one / 32767.
+    // The product is k v 32767 / (2^bits - 1): k has 8 bits, v 32 bits, the factor 15 and 8 guard bits more.
+    // give_back works in colour units: A has 15 bits, v 32 bits, color_one / 32767 14 bits.
     std::int64_t factor[4];
     for (int c = 0; c < 4; ++c)
         factor[c] = scaled(r.value,
@@ -93,7 +94,7 @@ void clear_accum(const Surface& s, Rect area, const std::int16_t (&value)[4]) {
 
 namespace {
 
-/// What two areas have in common; empty where it is nothing.
+/// The intersection of two areas; w or h is not positive if it is empty.
 Rect common(const Rect& a, const Rect& b) {
     const auto later = [](std::int32_t v, std::int32_t w) { return v > w ? v : w; };
     const auto sooner = [](std::int32_t v, std::int32_t w) { return v < w ? v : w; };

@@ -9,19 +9,19 @@ namespace spangle::raster {
 
 inline constexpr std::int32_t accum_one = 32767;
 
-/// v with the fraction bits given, as the functions below take their values: what the buffer or a colour can
-/// still show of it.
+/// Fraction bits of `value` in an AccumRequest: as many as can still change the buffer, or a colour for
+/// give_back.
 inline constexpr int accum_value_bits = 20, accum_return_bits = 16;
 
-/// What of the functions below is to be done with a surface, and with the samples of those that have some:
-/// sums are of what is shown of them, and given back to each.
+/// An operation on the accumulation buffer of a surface. If the surface has samples, sums read the resolved
+/// colours, and give_back writes every sample.
 struct AccumRequest {
     enum class Op : std::uint8_t { clear, accumulate, load, multiply, add, give_back };
     Op op = Op::clear;
     std::uint8_t channels = 0; ///< of give_back
     bool dither = false;       ///< of give_back
-    Rect area;                 ///< inside the surface, of which the source has a part; may be empty
-    std::int32_t value = 0;    ///< of all but clear
+    Rect area;                 ///< lies inside the surface; the source may hold a part of it; may be empty
+    std::int32_t value = 0;    ///< v of all operations but clear
     std::int16_t clear[4] = {};
 };
 

@@ -11,8 +11,8 @@ namespace spangle::raster {
 
 namespace {
 
-/// The bytes of a row: a sequence of `period` bytes, repeated so often that any four words of it (twelve,
-/// where pixels have three bytes) can be read from any of its first four bytes on.
+/// The bytes of a row: a sequence of `period` bytes, repeated so often that four words (twelve for pixels of
+/// three bytes) can be read from any of its first four bytes on.
 struct Pattern {
     alignas(4) std::uint8_t byte[64];
     std::int32_t bytes = 16; ///< 16 or 48
@@ -32,7 +32,7 @@ void fill(std::uint8_t* to, const Pattern& pattern, std::int32_t bytes) {
     std::int32_t from = 0;
     for (; bytes >= 16; bytes -= 16, to += 16) {
         __builtin_memcpy(to, pattern.byte + from, 16);
-        if (has_format(PixelFormat::rgb888)) // no other has a longer one
+        if (has_format(PixelFormat::rgb888)) // only this format has a period above 16
             from = from + 16 == pattern.period() ? 0 : from + 16;
     }
     copy_bytes(to, pattern.byte + from, bytes);
@@ -40,7 +40,7 @@ void fill(std::uint8_t* to, const Pattern& pattern, std::int32_t bytes) {
 
 #elif defined(__SSE2__) || defined(__aarch64__)
 
-// Stores of sixteen bytes, at any address.
+// Vectors of sixteen bytes may be stored at any address.
 using Vector [[gnu::vector_size(16), gnu::aligned(1), gnu::may_alias]] = std::uint64_t;
 
 /// Begins fill_masked() with blocks of 48 bytes, which hold whole periods; returns how many bytes they have.
@@ -150,7 +150,7 @@ constexpr std::int32_t fill_masked_blocks(const std::uint8_t*, const Pattern&, c
 
 #endif
 
-/// Of the bytes only the bits of the mask, whose period is the same.
+/// Like fill(), but writes only the bits of the mask, which has the period of the pattern.
 void fill_masked(std::uint8_t* to, const Pattern& pattern, const Pattern& mask, std::int32_t bytes) {
     const std::int32_t done = fill_masked_blocks(to, pattern, mask, bytes);
     to += done;
@@ -177,10 +177,11 @@ void fill_masked(std::uint8_t* to, const Pattern& pattern, const Pattern& mask, 
     }
 }
 
-/// Rows of a plane: of one pattern, or of four in turn. The bits of the mask alone, unless it is null.
+/// Fills rows of a plane with one pattern, or with four in turn. Only the bits of the mask are written,
+/// unless it is null.
 void fill_rows(std::uint8_t* first, std::int32_t stride, std::int32_t rows, const Pattern* pattern,
                std::int32_t patterns, const Pattern* mask, std::int32_t bytes) {
-    // One piece where they touch.
+    // Rows that touch are filled as one piece.
     if (has_shortcuts && patterns == 1 && (stride == bytes || stride == -bytes) &&
         bytes % pattern->period() == 0) {
         if (stride < 0)
@@ -197,7 +198,7 @@ void fill_rows(std::uint8_t* first, std::int32_t stride, std::int32_t rows, cons
     }
 }
 
-/// Makes the pattern as long as `fill` wants it, of its first bytes: whole words.
+/// Repeats the first `bytes` bytes, whole words, to the length that fill() reads.
 void repeat(Pattern& p, std::int32_t bytes) {
     for (std::int32_t i = bytes; i < 64; i += 4)
         __builtin_memcpy(__builtin_assume_aligned(p.byte + i, 4),
@@ -227,13 +228,13 @@ Pixel pack(PixelFormat format, const std::uint32_t (&color)[4], bool dither, std
     }
 }
 
-/// The pixels of row y from column x on.
+/// Sets the pattern to the pixels of row y from column x on.
 void set_pattern(Pattern& p, PixelFormat format, const std::uint32_t (&color)[4], bool dither, std::int32_t x,
                  std::int32_t y) {
     const std::int32_t bytes = drawn_info(format).bytes_per_pixel;
     p.bytes = bytes == 3 ? 48 : 16;
     const std::uint32_t row = dither_row(y);
-    for (std::int32_t i = 0; i < 4; ++i) { // as wide as the thresholds are
+    for (std::int32_t i = 0; i < 4; ++i) { // the dither matrix has four columns
         const Pixel pixel = pack(format, color, dither, dither_threshold(row, x + i));
         copy_bytes(p.byte + i * bytes, pixel.byte, bytes);
     }
@@ -245,7 +246,7 @@ bool writes_all(PixelFormat format, std::uint8_t channels) {
     return (channels & needed) == needed;
 }
 
-/// The bits that the channels name are those that a colour of nothing else has.
+/// The bits of the named channels are those set in a colour that is 1 in these channels and 0 in all others.
 void set_mask(Pattern& p, PixelFormat format, std::uint8_t channels) {
     std::uint32_t color[4];
     for (unsigned c = 0; c < 4; ++c)
@@ -266,7 +267,7 @@ std::uint32_t narrow_clear_word(PixelFormat format, const ClearRequest& r, std::
                     dithered<6>(r.color[2], threshold));
 }
 
-/// Pages of mono: rows that share bytes are written at once.
+/// Clears mono surfaces, whose bytes hold eight rows each: rows that share bytes are written at once.
 void clear_pages(const Surface& s, const Rect& area, const std::uint32_t (&word)[4][4]) {
     for (std::int32_t y = area.y, end = 0; y < area.y + area.h; y = end) {
         end = (y | 7) + 1 < area.y + area.h ? (y | 7) + 1 : area.y + area.h;
@@ -283,7 +284,8 @@ void clear_pages(const Surface& s, const Rect& area, const std::uint32_t (&word)
     }
 }
 
-/// Stored components that the mask leaves out stay: they come back as the steps they are.
+/// Clears with some channels masked. A masked component is converted to colour units that are stored as the
+/// same steps again.
 void clear_narrow_masked(const Surface& s, const ClearRequest& r) {
     for (std::int32_t y = r.area.y; y < r.area.y + r.area.h; ++y) {
         const std::uint32_t thresholds = dither_row(y);
@@ -332,7 +334,8 @@ void clear_color(const Surface& s, const ClearRequest& r) {
         clear_narrow(s, r);
 }
 
-/// The depth plane, of words of one pixel or two alike: the bits of the mask.
+/// Clears the bits of the mask in the depth plane. `word` holds two equal pixels of 16 bits or one of 32;
+/// `pixel` is the size of a pixel in bytes.
 void clear_depth(const Surface& s, const Rect& area, std::uint32_t word, std::uint32_t mask,
                  std::int32_t pixel) {
     const bool all = mask == 0xFFFFFFFFu;
@@ -352,9 +355,9 @@ void clear_z24s8(const Surface& s, const ClearRequest& r) {
     clear_depth(s, r.area, depth_to_24(r.z) << 8 | r.stencil, mask, 4);
 }
 
-/// Equal exactly for equal pictures of a full clear. Pixels of 24 and 32 bits are never dithered: the pixel
-/// itself. Of 16 bits: each component summed over the sixteen thresholds, which grows with every pixel that
-/// changes (at most 31 * 16 and 63 * 16: 9, 10 and 9 bits).
+/// A value that is equal exactly for equal pictures of a full clear. Pixels of 24 and 32 bits are never
+/// dithered: it is the pixel itself. For 16 bits it sums each component over the sixteen thresholds, which
+/// grows with every pixel that changes (at most 31 * 16 and 63 * 16: 9, 10 and 9 bits).
 std::uint32_t clear_value(const Surface& s, const ClearRequest& r) {
     const FormatInfo& info = drawn_info(s.format);
     if (info.red_bits == 8) {

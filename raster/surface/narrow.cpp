@@ -13,12 +13,12 @@ std::uint8_t low_byte(std::uint32_t v) {
     return static_cast<std::uint8_t>(v);
 }
 
-/// Of two pixels in three bytes, the byte that they share is the second.
+/// The three bytes of a pair of rgb444 pixels, which share the second byte.
 std::uint8_t* pair_of(std::uint8_t* row, std::int32_t x) {
     return row + (x >> 1) * 3;
 }
 
-/// Nibbles: pixel x has the high one where x is even.
+/// The shift of a 4-bit pixel in its byte: an even x has the high nibble.
 int nibble_shift(std::int32_t x) {
     return (x & 1) != 0 ? 0 : 4;
 }

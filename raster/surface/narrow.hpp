@@ -1,5 +1,6 @@
-// Pixels as small controllers take them: six, four, three bits a component, greys, single bits. What a colour
-// becomes, and where it lies. One run-time switch for all of them: firmware that draws on none pays once.
+// Pixels as small display controllers take them: six, four or three bits a component, greys, single bits.
+// These functions give the stored bits of a colour and where they lie. One run-time switch covers all of
+// these formats, so firmware that draws on none of them pays for it once.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +11,15 @@
 
 namespace spangle::raster {
 
-/// Components as 255ths.
+/// Components in 255ths.
 struct Rgb8 {
     std::uint32_t r, g, b;
 };
 
-/// The stored bits of a pixel: without dithering the top bits (GL 1.3, 2.13.9); with it, steps are taken from
-/// the rounded 255ths, as the display does that turns a surface of eight bits a component into the same
-/// format: the same picture. Not of rgb666, whose six bits are dithered from the whole colour.
+/// The stored bits of a pixel. Without dithering they are the top bits (GL 1.3, 2.13.9). With dithering,
+/// steps are taken from the rounded 255ths. A display that converts a surface of eight bits a component to
+/// the same format does the same, and shows the same picture. Not for rgb666, whose six bits are dithered
+/// from the whole colour.
 std::uint32_t narrow_word(PixelFormat format, const Rgb8& c, bool dither, std::uint32_t threshold);
 
 constexpr std::uint32_t word_666(std::uint32_t r6, std::uint32_t g6, std::uint32_t b6) {
@@ -30,11 +32,12 @@ struct NarrowColor {
 };
 NarrowColor narrow_color(PixelFormat format, std::uint32_t word);
 
-/// The bits of a word that the mask (bit 0 red, 1 green, 2 blue) opens; of a grey all, unless it opens none.
+/// The bits of a word that the mask (bit 0 red, 1 green, 2 blue) opens. A grey is opened whole by any bit of
+/// the mask.
 std::uint32_t narrow_open(PixelFormat format, std::uint32_t mask);
 
-/// k / max in colour units, for the maxima of these formats. Rounded down by less than a step of dithering
-/// can tell: what is stored again is k.
+/// k / max in colour units, for the maxima of these formats. It is rounded down by less than dithering can
+/// tell, so that k is stored again.
 constexpr std::uint32_t narrow_units(std::uint32_t k, std::uint32_t max) {
     const std::uint32_t step = max == 63   ? color_one / 63
                                : max == 15 ? color_one / 15
@@ -44,16 +47,18 @@ constexpr std::uint32_t narrow_units(std::uint32_t k, std::uint32_t max) {
     return k == max ? color_one : k * step;
 }
 
-/// The word of column x in the stored row that holds GL row y, and a new one there: bytes that other pixels
-/// share keep these.
+/// Read and write the word of column x in the stored row that holds GL row y. Other pixels in the same bytes
+/// stay.
 std::uint32_t load_narrow(PixelFormat format, const std::uint8_t* row, std::int32_t x, std::int32_t y);
 void store_narrow(PixelFormat format, std::uint8_t* row, std::int32_t x, std::int32_t y, std::uint32_t word);
 
-/// Columns [begin, end) of GL row y: column x gets `word[x & 3]`, a period of the dither matrix.
+/// Fills columns [begin, end) of GL row y: column x gets `word[x & 3]`, as the dither matrix has four
+/// columns.
 void fill_narrow(PixelFormat format, std::uint8_t* row, std::int32_t y, std::int32_t begin, std::int32_t end,
                  const std::uint32_t (&word)[4]);
 
-/// Of mono, all rows that the bits of `rows` name at once: bit r of the bytes comes from `column[x & 3]`.
+/// Fills columns of a page of mono, in all rows whose bits are set in `rows`: bit r comes from bit r of
+/// `column[x & 3]`.
 void fill_page(std::uint8_t* page, std::uint8_t rows, std::int32_t begin, std::int32_t end,
                const std::uint8_t (&column)[4]);
 

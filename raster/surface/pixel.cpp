@@ -35,7 +35,7 @@ StoredColor read_narrow(const Surface& s, std::int32_t x, std::int32_t y) {
     return {{{c.k[0], c.max[0]}, {c.k[1], c.max[1]}, {c.k[2], c.max[2]}, {1, 1}}};
 }
 
-/// Components side by side, red highest, as the narrow words have them.
+/// Packs components next to each other, red in the highest bits, as narrow words have them.
 std::uint32_t word_of(PixelFormat format, const std::uint32_t k[4]) {
     const FormatInfo f = format_info(format);
     return f.grey ? k[0] : (k[0] << f.green_bits | k[1]) << f.blue_bits | k[2];

@@ -12,7 +12,7 @@ struct Component {
     std::uint8_t k = 0, max = 1;
     friend constexpr bool operator==(const Component&, const Component&) = default;
 
-    /// Nearest 255th.
+    /// k / max as the nearest 255th.
     constexpr std::uint8_t to_8() const { return static_cast<std::uint8_t>((k * 255u + max / 2u) / max); }
 };
 
@@ -40,7 +40,7 @@ constexpr std::uint32_t pack_pixel(PixelFormat format, const std::uint32_t k[4])
     case PixelFormat::rgba8888:
         return k[0] | k[1] << 8 | k[2] << 16 | k[3] << 24;
     default:
-        return 0; // narrow: no bytes of its own
+        return 0; // narrow formats: pixels share bytes
     }
 }
 
@@ -63,7 +63,8 @@ constexpr StoredColor unpack_pixel(PixelFormat format, std::uint32_t bytes) {
     }
 }
 
-/// Bits that the mask (bit 0 red, 1 green, 2 blue, 3 alpha) opens, in the layout of pack_pixel.
+/// The bits of a pixel that the mask (bit 0 red, 1 green, 2 blue, 3 alpha) opens, in the layout of
+/// pack_pixel().
 constexpr std::uint32_t pixel_mask(PixelFormat format, std::uint8_t color_mask) {
     const FormatInfo f = format_info(format);
     const std::uint8_t bits[4] = {f.red_bits, f.green_bits, f.blue_bits, f.alpha_bits};
@@ -73,10 +74,10 @@ constexpr std::uint32_t pixel_mask(PixelFormat format, std::uint8_t color_mask) 
     return pack_pixel(format, open);
 }
 
-/// Pixel (x, y) in GL window coordinates; it must lie in the surface.
+/// Reads pixel (x, y) in GL window coordinates, which must lie in the surface.
 StoredColor read_color(const Surface& s, std::int32_t x, std::int32_t y);
 
-/// `count` pixels from (x, y) rightwards.
+/// Reads `count` pixels of row y from column x on.
 void read_color_row(const Surface& s, std::int32_t x, std::int32_t y, std::int32_t count, StoredColor* out);
 
 /// Stored depth k / max: max is 65535, 2^24 - 1, or 1 (with k = 0) without a depth plane.
@@ -85,10 +86,10 @@ struct StoredDepth {
 };
 StoredDepth read_depth(const Surface& s, std::int32_t x, std::int32_t y);
 
-/// The stored index; 0 on a surface of colours.
+/// Reads the stored index; 0 on a surface of colours.
 std::uint8_t read_index(const Surface& s, std::int32_t x, std::int32_t y);
 
-/// 0 without a stencil plane.
+/// Reads the stored stencil value; 0 without a stencil plane.
 std::uint8_t read_stencil(const Surface& s, std::int32_t x, std::int32_t y);
 
 /// Writes stored components (0 .. 2^bits - 1 of the format; greys have red's) and records the pixel as

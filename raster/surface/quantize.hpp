@@ -40,8 +40,8 @@ template <> constexpr std::uint32_t dithered<8>(std::uint32_t c, std::uint32_t) 
     return color_to_8(c);
 }
 
-/// An index (20 fraction bits) as one of eight bits is stored: nearest, or one of its neighbours
-/// (GL 1.3, 4.1.8); the last one is the largest there is.
+/// A colour index (20 fraction bits) as a surface of 8-bit indices stores it: the nearest one, or with
+/// dithering one of its two neighbours (GL 1.3, 4.1.8). Larger indices are stored as 255.
 constexpr std::uint32_t stored_index(std::uint32_t index, bool dither, std::uint32_t threshold) {
     const std::uint32_t c = index < color_one ? index : color_one;
     return dither ? (c + (threshold << (color_fraction_bits - 5))) >> color_fraction_bits : color_to_8(c);

@@ -10,8 +10,8 @@ namespace spangle::raster {
 
 namespace {
 
-/// Means of four words, each field of which has two zero bits above it in `fields`; `halves` is a half in
-/// each, four times.
+/// The means of the fields of four words. `fields` masks fields that have two zero bits above each; `halves`
+/// has four times a half in each field.
 constexpr std::uint32_t mean(const std::uint32_t (&v)[sample_count], std::uint32_t fields,
                              std::uint32_t halves) {
     std::uint32_t sum = halves;
@@ -20,7 +20,8 @@ constexpr std::uint32_t mean(const std::uint32_t (&v)[sample_count], std::uint32
     return sum >> 2 & fields;
 }
 
-/// Two halves of a word, so that no field touches the next one.
+/// The means of R5 G6 B5 fields, which are spread over both halves of a word so that no field touches the
+/// next.
 constexpr std::uint32_t mean_565(const std::uint32_t (&v)[sample_count]) {
     std::uint32_t apart[sample_count] = {};
     for (unsigned i = 0; i < sample_count; ++i)

@@ -1,7 +1,7 @@
-// The multisample buffer (GL 1.3, 3.2.1, 4.1.10): four samples of every pixel, each kind of them a surface of
-// its own. A primitive is drawn into one after the other, moved so that the sample lies where centres are:
-// coverage, depth and colour are then those of the sample, by what draws every other surface. What the window
-// shows is resolved later, where something was drawn.
+// The multisample buffer (GL 1.3, 3.2.1, 4.1.10): four samples of every pixel; sample i of all pixels forms a
+// surface of its own. A primitive is drawn into each of these in turn, moved so that the sample lies where
+// pixel centres are. Coverage, depth and colour are then those of the sample, found by the code that draws
+// all other surfaces. The window's picture is resolved later, where something was drawn.
 #pragma once
 
 #include <cstddef>
@@ -16,16 +16,17 @@ namespace spangle::raster {
 inline constexpr unsigned sample_count = 4;
 static_assert(has_extents || !has_samples, "samples are resolved where something was drawn: SPANGLE_EXTENTS");
 
-/// Laid out as the surface's own planes. Depth and stencil of the first sample are the surface's.
+/// The planes of the samples, laid out like those of the surface. Depth and stencil of the first sample are
+/// the surface's own.
 struct Samples {
-    std::uint8_t* color = nullptr;                 ///< of the first sample, GL row 0
+    std::uint8_t* color = nullptr;                 ///< first sample, GL row 0
     std::int32_t color_stride = 0;                 ///< bytes from GL row y to y + 1
-    std::ptrdiff_t next_color = 0, next_depth = 0; ///< bytes from a sample to the next
-    RowSpan* unresolved = nullptr;                 ///< of GL row 0 and up
+    std::ptrdiff_t next_color = 0, next_depth = 0; ///< bytes from one sample to the next
+    RowSpan* unresolved = nullptr; ///< columns drawn since the last resolve(), by GL row, from row 0 up
 };
 
-/// Where a sample lies in its pixel, 1/256, from its lower left corner: no two in one row, column or
-/// quadrant.
+/// The position of a sample in its pixel, in 1/256 pixel from its lower left corner. No two samples share a
+/// row, a column or a quadrant.
 struct SamplePosition {
     std::int32_t x, y;
 };
@@ -47,12 +48,12 @@ template <class Draw> void each_sample(const Surface& s, Draw draw) {
 }
 
 #if SPANGLE_FEATURE_MULTISAMPLE
-/// Of the samples, where there are some. What is cleared whole is the same in all of them: it needs no
+/// Clears the samples, if the surface has any. After a full clear all samples are equal, so nothing needs
 /// resolving.
 void clear_samples(const Surface& s, const ClearRequest& request);
 
-/// Colours are the mean of their samples', component by component as they are stored, halves up. Nothing
-/// happens where nothing was drawn since.
+/// Sets the colours of pixels to the mean of their samples, component by component as they are stored, halves
+/// rounded up. Pixels where nothing was drawn since the last call stay as they are.
 void resolve(const Surface& s);
 #else
 inline void clear_samples(const Surface& s, const ClearRequest& request) {

@@ -1,4 +1,4 @@
-// The record of what was touched on a surface, as it is widened.
+// Keeps the record of what was touched on a surface.
 #pragma once
 
 #include <spangle/raster/surface.hpp>
