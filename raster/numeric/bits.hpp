@@ -10,7 +10,7 @@
 
 namespace spangle::numeric {
 
-/// The word whose lowest byte lies at `at`, the others behind it: one load, on machines of either byte order.
+/// Reads the little-endian word at `at`: one load, on machines of either byte order.
 template <class Word> SPANGLE_INLINE Word load_low_first(const std::uint8_t* at) {
     static_assert(sizeof(Word) == 2 || sizeof(Word) == 4);
     Word word;
@@ -28,8 +28,8 @@ SPANGLE_INLINE constexpr int clz32(std::uint32_t v) {
     return std::countl_zero(v);
 }
 
-/// Leading zeros of values that mostly have as many as the one before them: where a call counts them, that
-/// is looked at first.
+/// Leading zeros of a sequence of values, which mostly have as many as the value before them. Where a library
+/// call counts zeros, that guess is tried first.
 template <bool Counted = long_products> class LeadingZeros {
   public:
     SPANGLE_INLINE constexpr int of(std::uint32_t v) {
@@ -41,7 +41,7 @@ template <bool Counted = long_products> class LeadingZeros {
     }
 
   private:
-    int down_ = 31; ///< that leave 1 of the value before
+    int down_ = 31; ///< shift that leaves 1 of the value before
 };
 template <> class LeadingZeros<true> {
   public:
@@ -78,11 +78,11 @@ SPANGLE_INLINE constexpr bool shift_loses(std::int32_t v, std::uint32_t n) {
 
 } // namespace detail
 
-/// Whether v * 2^n has bits that a word has not.
+/// Whether v * 2^n does not fit a signed word.
 SPANGLE_INLINE constexpr bool loses(std::int32_t v, std::uint32_t n) {
     if constexpr (three_operands)
         return n >= static_cast<std::uint32_t>(clz32(static_cast<std::uint32_t>(v ^ (v >> 31))));
-    return detail::shift_loses(v, n); // zeros are counted by a call
+    return detail::shift_loses(v, n); // here clz32() is a library call
 }
 
 /// `Bits` bits of a word, from bit `At` on.
@@ -105,7 +105,7 @@ SPANGLE_INLINE constexpr std::uint32_t with_bits(std::uint32_t v, std::uint32_t 
     return (v & ~(mask << At)) | (bits & mask) << At;
 }
 
-/// floor(v / 2^n) for any n < 2^31. What ARM shifts by may be up to 255, which takes a test less.
+/// floor(v / 2^n) for any n < 2^31. ARM shifts by up to 255, which saves a test.
 SPANGLE_INLINE constexpr std::uint32_t shifted_out(std::uint32_t v, std::uint32_t n) {
 #if defined(__thumb2__)
     if (!std::is_constant_evaluated()) {
@@ -117,7 +117,7 @@ SPANGLE_INLINE constexpr std::uint32_t shifted_out(std::uint32_t v, std::uint32_
     return n > 31 ? 0 : v >> n;
 }
 
-/// The same for n < 256.
+/// floor(v / 2^n) for n < 256.
 SPANGLE_INLINE constexpr std::uint32_t shifted_some(std::uint32_t v, std::uint32_t n) {
 #if defined(__thumb2__)
     if (!std::is_constant_evaluated()) {
@@ -139,7 +139,7 @@ SPANGLE_INLINE constexpr std::uint32_t low_word_after(std::int64_t v, int n) {
         return static_cast<std::uint32_t>(v >> n);
     return static_cast<std::uint32_t>(v) >> n | static_cast<std::uint32_t>(v >> 32) << (32 - n);
 }
-/// Both of its words: four.
+/// Both words of floor(v / 2^n), 0 < n < 32: four instructions where words have 32 bits.
 SPANGLE_INLINE constexpr std::int64_t words_after(std::int64_t v, int n) {
     if constexpr (wide_words)
         return v >> n;
@@ -183,7 +183,7 @@ namespace detail {
 template <std::uint32_t D> struct ShortRemainder {
     static constexpr int bits = 15 + std::bit_width(D);
     static constexpr std::uint32_t one = 1u << bits, inverse = one / D + 1, excess = inverse * D - one;
-    static constexpr bool exact = excess <= one >> 16; ///< no quotient sees what it is too large by
+    static constexpr bool exact = excess <= one >> 16; ///< the excess changes no quotient
     SPANGLE_INLINE static constexpr std::uint32_t of(std::uint32_t n) {
         return n - (n * inverse >> bits) * D;
     }
@@ -191,7 +191,7 @@ template <std::uint32_t D> struct ShortRemainder {
 
 } // namespace detail
 
-/// n mod D. Where there are no long products, compilers divide.
+/// n mod D. Where there are no long products, compilers would divide even for n < 2^16.
 template <std::uint32_t D> SPANGLE_INLINE constexpr std::uint32_t remainder(std::uint32_t n) {
     using Short = detail::ShortRemainder<D>;
     if (!long_products && !std::has_single_bit(D) && Short::exact && n >> 16 == 0)
@@ -204,8 +204,8 @@ SPANGLE_INLINE constexpr std::int64_t shifted_up(std::int32_t v, int n) {
     const auto high = static_cast<std::uint32_t>((v >> 1) >> (31 - n));
     return static_cast<std::int64_t>(std::uint64_t{high} << 32 | static_cast<std::uint32_t>(v) << n);
 }
-/// floor(v 2^n) for any n, mod 2^64; beyond 63 either way it is 63. Code of 50 bytes where words have 32
-/// bits.
+/// floor(v 2^n) for any n, mod 2^64; an |n| beyond 63 counts as 63. The code takes 50 bytes where words have
+/// 32 bits.
 SPANGLE_RUN_INLINE constexpr std::int64_t times_two_to(std::int64_t v, int n) {
     if (n < 0)
         return v >> (n > -63 ? -n : 63);
@@ -219,7 +219,7 @@ SPANGLE_INLINE constexpr std::int32_t shift_right_round(std::int32_t v, int n) {
         return 0;
     return (v >> n) + ((v >> (n - 1)) & 1);
 }
-/// The same; n below 0, down to -63, shifts to the left.
+/// Nearest to v / 2^n, halves up; n below 0, down to -63, shifts to the left.
 SPANGLE_INLINE constexpr std::int64_t shift_right_round(std::int64_t v, int n) {
     if (n <= 0)
         return static_cast<std::int64_t>(static_cast<std::uint64_t>(v) << (-n & 63)); // any n shifts 0

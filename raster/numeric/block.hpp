@@ -44,14 +44,14 @@ SPANGLE_INLINE constexpr std::int32_t narrow(std::int32_t v, int n) {
     return r > block_max ? block_max : r;
 }
 
-/// The shift that brings a word of `width` value bits (signed_width32) to 30: right if positive.
+/// v * 2^-n as the mantissa of a block, rounded; an n below 0 shifts to the left.
 SPANGLE_INLINE constexpr std::int32_t shift_to_block(std::int32_t v, int n) {
     if (n <= 0)
         return static_cast<std::int32_t>(static_cast<std::uint32_t>(v) << -n);
     return n > 31 ? 0 : narrow(v, n);
 }
 
-/// The result, not held back, fits a word.
+/// v * 2^-n as the mantissa of a block. Before it is clamped, the result must fit a word.
 constexpr std::int32_t shift_to_block(std::int64_t v, int n) {
     if (runs_inline && n > 0 && n < 32) [[likely]] { // only faster
         const auto r = static_cast<std::int32_t>(low_word_after(v + (std::int32_t{1} << (n - 1)), n));
@@ -63,8 +63,7 @@ constexpr std::int32_t shift_to_block(std::int64_t v, int n) {
     return static_cast<std::int32_t>(clamp<std::int64_t>(r, -block_max, block_max));
 }
 
-/// Value bits of a Real at its own exponent: mantissa with sign, shifted up to 2^29 <= |m| < 2^30, e its
-/// exponent.
+/// A Real as a mantissa with sign, shifted up to 2^29 <= |m| < 2^30, and its exponent e.
 struct Scaled {
     std::int32_t m;
     std::int32_t e;
@@ -96,8 +95,7 @@ constexpr Block to_block(Real v) {
 
 namespace detail {
 
-/// Brings n values m[i] * 2^e[i] under one exponent, which comes back. The values with m = 0 have no say in
-/// it.
+/// Brings n values m[i] * 2^e[i] under one exponent, which is returned. Values with m = 0 do not affect it.
 SPANGLE_RUN_INLINE constexpr std::int32_t under_one(int n, const std::int32_t* m, const std::int32_t* e,
                                                     std::int32_t* out) {
     constexpr std::int32_t none = -0x10000;
@@ -127,7 +125,7 @@ namespace detail {
 
 inline constexpr std::int32_t no_column[4] = {};
 
-/// The same of floats, each times 2^column[i].
+/// under_one() for floats, each multiplied by 2^column[i].
 SPANGLE_RUN_INLINE constexpr std::int32_t reals_under_one(int n, const Real* v, const std::int32_t* column,
                                                           std::int32_t* out) {
     std::int32_t m[4], e[4];
@@ -198,7 +196,7 @@ constexpr Block mul(Block a, Block b) {
 
 namespace detail {
 
-/// a * 2^e_a + b * 2^e_b of magnitudes below 2^62: the one of the larger exponent keeps its bits.
+/// a * 2^e_a + b * 2^e_b of magnitudes below 2^62. The term with the larger exponent keeps its bits.
 SPANGLE_RUN_INLINE constexpr Block sum(std::int64_t a, std::int32_t e_a, std::int64_t b, std::int32_t e_b) {
     if (b == 0 || (a != 0 && e_a >= e_b))
         return make_block(a + (b == 0 ? 0 : shift_right_round(b, e_a - e_b)), e_a);
@@ -237,8 +235,8 @@ constexpr Block reciprocal(Block v) {
     return make_block(v.m < 0 ? -r : r, zeros - 62 - v.e); // 1/v = r * 2^-30 * 2^(zeros - 32) * 2^-e
 }
 
-/// a/b within half a unit, exact where the quotient is; by 0 as reciprocal(). A long division: for state, not
-/// for vertices.
+/// a / b within half a unit, exact where the quotient is exact. a / 0 is as large as reciprocal(0). This is a
+/// long division: for state, not for vertices.
 constexpr Block div(Block a, Block b) {
     if (b.m == 0 || a.m == 0)
         return a.m == 0 ? Block{} : Block{a.m < 0 ? -block_max : block_max, 16384};
@@ -283,7 +281,7 @@ constexpr Block dot(const Block4& a, const Block4& b) {
 
 namespace detail {
 
-/// N accumulators under one exponent.
+/// Makes a block of N sums under one exponent.
 template <int N, class B> constexpr B from_sums(const std::int64_t (&sum)[N], std::int32_t e) {
     std::uint64_t any = 0;
     for (const std::int64_t s : sum)
@@ -298,7 +296,7 @@ template <int N, class B> constexpr B from_sums(const std::int64_t (&sum)[N], st
     return out;
 }
 
-/// Three words that have one.
+/// Makes a block of three words that already share an exponent.
 SPANGLE_RUN_CALL constexpr Block3 from_words(const std::int32_t* m, std::int32_t e) {
     return common_exponent<3, Block3>({m[0], m[1], m[2]}, {e, e, e});
 }
@@ -365,7 +363,7 @@ SPANGLE_INLINE constexpr Unit3 normalize(const Block3& v) {
     return out;
 }
 
-/// The same with one Newton step: within 2^-17 (design 3, fast tier).
+/// normalize() with one Newton step: within 2^-17 (design 3, fast tier).
 SPANGLE_INLINE constexpr Unit3 normalize_fast(const Block3& v) {
     const std::uint64_t square = static_cast<std::uint64_t>(
         mul_s32(v.m[0], v.m[0]) + mul_s32(v.m[1], v.m[1]) + mul_s32(v.m[2], v.m[2]));

@@ -1,7 +1,7 @@
-// The matrix the vertex pipeline multiplies with, derived from the stacks when dirty: int32 mantissas scaled
-// per row and per column. Columns are what makes it right: in Ortho(0, 320, ...) 1/160 meets an x of 320 and
-// -1 a w of 1, and far from the origin large terms cancel; with one exponent for all, the small elements
-// would lose the bits that count.
+// The matrix that the vertex pipeline multiplies with, derived from the stacks when dirty: int32 mantissas
+// scaled per row and per column. The scale per column keeps the bits that count. In Ortho(0, 320, ...) 1/160
+// meets an x of 320 and -1 a w of 1, and far from the origin large terms cancel. With one exponent for all,
+// small elements would lose those bits.
 #pragma once
 
 #include <cstdint>
@@ -20,9 +20,10 @@ template <int N> struct Mantissas {
 /// Exponents that the components of a vertex are scaled by before they are brought under one.
 template <int N> struct Columns {
     std::int32_t e[N] = {};
-    /// From this exponent on, the largest component of a vertex shifts those out whose biased exponent is 0.
+    /// From this exponent of the largest component of a vertex on, components whose biased exponent is 0 are
+    /// shifted out.
     std::int32_t least = 32;
-    /// So many from there on with which all are finite, and none shifts by more than 255.
+    /// How many exponents from `least` on leave all components finite, and shift none by more than 255.
     std::uint32_t usual = 221;
 };
 
@@ -37,7 +38,7 @@ template <int N> struct BlockMatrixN {
 using BlockMatrix = BlockMatrixN<4>;
 using BlockMatrix3 = BlockMatrixN<3>; ///< for normals
 
-/// A row under the columns of a matrix, with an exponent of its own.
+/// One row of a matrix under given column exponents, with an exponent of its own.
 template <int N> struct BlockRowN {
     std::int32_t m[N] = {};
     std::int32_t e = 0;
@@ -49,13 +50,13 @@ namespace detail {
 
 inline constexpr std::int32_t no_exponent = -0x10000;
 
-/// 2^n > |v|, the least n.
+/// The least n with 2^n > |v|.
 constexpr std::int32_t width(Block v) {
     return v.e + 32 - clz32(abs_u32(v.m));
 }
 
-/// Columns (of R rows, column-major) scaled by their largest element; a column of zeros has no say and takes
-/// what the largest has.
+/// Finds the exponent of each column (of `rows` rows, column-major) from its largest element. A column of
+/// zeros takes the exponent of the largest column.
 SPANGLE_RUN_INLINE constexpr void set_columns(int n, int rows, const Block* a, std::int32_t* out,
                                               std::int32_t& least, std::uint32_t& usual) {
     std::int32_t most = no_exponent;
@@ -84,8 +85,8 @@ template <int N, int R> constexpr Columns<N> column_exponents(const Block (&a)[R
     return r;
 }
 
-/// The elements of one row, `stride` apart, under the exponents of columns and at least `exponent`: mantissas
-/// whose magnitudes stay below 2^31 together. Returns their exponent.
+/// Scales the elements of one row, `stride` apart, under the exponents of columns and an exponent of at least
+/// `exponent`. The magnitudes of the mantissas stay below 2^31 together. Returns the exponent.
 SPANGLE_RUN_INLINE constexpr std::int32_t scale_words(int n, const Block* a, int stride,
                                                       const std::int32_t* column, std::int32_t exponent,
                                                       std::int32_t* out) {
@@ -93,7 +94,7 @@ SPANGLE_RUN_INLINE constexpr std::int32_t scale_words(int n, const Block* a, int
     for (int j = 0; j < n; ++j)
         if (a[stride * j].m != 0 && width(a[stride * j]) - column[j] > own)
             own = width(a[stride * j]) - column[j];
-    if (own == no_exponent) // zeros: any will do
+    if (own == no_exponent) // all are zeros: any exponent will do
         own = exponent == no_exponent ? 0 : exponent;
     for (exponent = own > exponent ? own : exponent;; ++exponent) { // at most twice more: n <= 4
         std::uint64_t sum = 0;
@@ -112,8 +113,8 @@ constexpr std::int32_t scale_row(const Block* a, int stride, const Columns<N>& c
     return scale_words(N, a, stride, column.e, exponent, out);
 }
 
-/// All rows: of positions none finer than the last, by which they are divided; those of normals under one
-/// exponent, if that costs none of them more than 4 bits.
+/// Scales all rows. Those of positions are never finer than the last one, by which they are divided. Those of
+/// normals get one exponent, if that costs none of them more than 4 bits.
 SPANGLE_RUN_INLINE constexpr void scale_rows(int n, const Block* a, const std::int32_t* column,
                                              std::int32_t* row, std::int32_t* out) {
     std::int32_t exponent = no_exponent, most = no_exponent, least = -no_exponent;
@@ -135,8 +136,8 @@ template <int N> constexpr BlockMatrixN<N> scale_blocks(const Block (&a)[N * N])
     return r;
 }
 
-/// load() of a vertex whose components are all next to nothing beside what the columns expect: seldom, so
-/// never in line.
+/// load() of a vertex whose components are all far smaller than the columns expect. This is rare, so it is
+/// never inline.
 template <int N>
 [[gnu::noinline]] constexpr Mantissas<N> load_small(const Columns<N>& column, const Real (&v)[N]) {
     Mantissas<N> out{};
@@ -144,7 +145,8 @@ template <int N>
     return out;
 }
 
-/// Of the components by their floats' exponents alone; the largest.
+/// Finds the exponents of the components, scaled by their columns, from the exponents of floats alone.
+/// Returns the largest.
 template <int N>
 SPANGLE_INLINE constexpr std::int32_t exponents(const Columns<N>& column, const Real (&v)[N],
                                                 std::int32_t (&e)[N]) {
@@ -157,7 +159,8 @@ SPANGLE_INLINE constexpr std::int32_t exponents(const Columns<N>& column, const 
     return top;
 }
 
-/// Under two more than the largest of these, which leaves 30 bits. `shifted`: a word without sign, down.
+/// Brings the components under an exponent two above the largest, which leaves 30 bits. `shifted` shifts an
+/// unsigned word down.
 template <int N, class Shifted>
 SPANGLE_INLINE constexpr Mantissas<N> aligned(const Real (&v)[N], const std::int32_t (&e)[N],
                                               std::int32_t top, const Shifted& shifted) {
@@ -177,11 +180,11 @@ SPANGLE_INLINE constexpr Mantissas<N> aligned(const Real (&v)[N], const std::int
 
 } // namespace detail
 
-/// v[i] * 2^column.e[i] under one exponent, |m| < 2^30, within an ulp (towards 0). The largest decides, by
-/// its float exponent alone; the implicit one of a 0 or a denormal is shifted out, unless everything is that
-/// small.
+/// v[i] * 2^column.e[i] under one exponent, |m| < 2^30, within an ulp (towards 0). The largest component
+/// decides, by its float exponent alone. The implicit one of a 0 or a denormal is shifted out, unless all
+/// components are that small.
 template <int N> SPANGLE_INLINE constexpr Mantissas<N> load(const Columns<N>& column, const Real (&v)[N]) {
-    if constexpr (N == 3 && !runs_inline) { // the code for four, of which one has no say
+    if constexpr (N == 3 && !runs_inline) { // takes the code for four, the last of which has no effect
         Columns<4> wide;
         wide.e[3] = detail::no_exponent;
         wide.least = column.least;
@@ -203,8 +206,8 @@ template <int N> SPANGLE_INLINE constexpr Mantissas<N> load(const Columns<N>& co
         });
 }
 
-/// The same of floats of any bits. False: it is not known whether all are finite, or they are next to
-/// nothing, or nothing beside each other.
+/// load() of floats of any bits. False: they may not all be finite, or all are far too small, or some vanish
+/// beside others.
 template <int N>
 SPANGLE_INLINE constexpr bool load_usual(const Columns<N>& column, const Real (&v)[N], Mantissas<N>& out) {
     std::int32_t e[N];
@@ -218,7 +221,8 @@ SPANGLE_INLINE constexpr bool load_usual(const Columns<N>& column, const Real (&
     return true;
 }
 
-/// A row times v: magnitudes of 2^31 together times 2^30, |sum| < 2^61.
+/// `sum` plus a row times v. The row's magnitudes are below 2^31 together and those of v below 2^30: |row
+/// times v| < 2^61.
 template <int N, class Element>
 SPANGLE_INLINE constexpr std::int64_t row_sum(const Element* row, const std::int32_t (&v)[N],
                                               std::int64_t sum) {
@@ -230,13 +234,14 @@ SPANGLE_INLINE constexpr std::int64_t row_sum(const Element* row, const std::int
             sum += row[j] * v[j];
     return sum;
 }
-/// Its high word, rounded, below 2^29.
+/// The high word of a row times v, rounded, below 2^29.
 template <int N, class Element>
 SPANGLE_INLINE constexpr std::int32_t row_times(const Element* row, const std::int32_t (&v)[N]) {
     return high_rounded(row_sum<N>(row, v, 0));
 }
 
-/// row_times() a v whose last is 2^power, 0 <= power < 32: where there are no long products, one less.
+/// row_times() of a v whose last component is 2^power, 0 <= power < 32. It takes one product less where there
+/// are no long products.
 template <int N>
 SPANGLE_INLINE constexpr std::int32_t row_times_point(const std::int32_t* row, const std::int32_t (&v)[N],
                                                       int power) {
@@ -247,7 +252,7 @@ SPANGLE_INLINE constexpr std::int32_t row_times_point(const std::int32_t* row, c
     return high_rounded(sum);
 }
 
-/// The elements as blocks, 30 bits each, column-major: the first so many.
+/// Converts the first `count` elements to blocks of 30 bits each, column-major.
 SPANGLE_RUN_INLINE constexpr void to_blocks(const Matrix& a, Block* v, int count = 16) {
     for (int i = 0; i < count; ++i)
         v[i] = to_block(a.at(i & 3, i >> 2));
@@ -258,15 +263,15 @@ constexpr BlockMatrix to_block_matrix(const Matrix& a) {
     return detail::scale_blocks<4>(v);
 }
 
-/// Column-major.
+/// The elements come column-major.
 constexpr BlockMatrix3 to_block_matrix(const Block (&v)[9]) {
     return detail::scale_blocks<3>(v);
 }
 
-/// Row i of a for vertices loaded under columns that need not be its own.
+/// Row i of a, for vertices loaded under columns that need not be those of a.
 constexpr BlockRow to_block_row(const Matrix& a, int i, const Columns<4>& column) {
     BlockRow r;
-    if constexpr (runs_inline) { // no more than is asked for
+    if constexpr (runs_inline) { // converts this row only
         Block v[4];
         for (int j = 0; j < 4; ++j)
             v[j] = element(a, i, j);
@@ -289,7 +294,7 @@ constexpr BlockRow3 to_block_row(const Block (&v)[3], const Columns<3>& column) 
 
 namespace detail {
 
-/// A vertex in block form under the exponents of columns.
+/// Loads a vertex in block form under the exponents of columns.
 template <int N, class B> constexpr Mantissas<N> load(const Columns<N>& column, const B& v) {
     std::int32_t m[N], e[N];
     for (int i = 0; i < N; ++i) {
@@ -330,7 +335,7 @@ constexpr Block3 transform(const BlockMatrix3& a, const Real (&v)[3]) {
     return product(a, load(a.column, v));
 }
 
-/// The same of a vertex in block form, which keeps 30 bits of its own largest component.
+/// transform() of a vertex in block form, which keeps 30 bits of its own largest component.
 constexpr Block4 transform(const BlockMatrix& a, const Block4& v) {
     return product(a, detail::load<4>(a.column, v));
 }

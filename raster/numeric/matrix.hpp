@@ -19,8 +19,8 @@ struct Element {
 inline constexpr int element_bias = -22;
 inline constexpr int element_least = -149, element_most = 104;
 
-/// Column-major: element (row i, column j) is at 4 * j + i. Mantissas and exponents apart: 80 bytes, not 128.
-/// The identity unless something else is set.
+/// Column-major: element (row i, column j) is at 4 * j + i. Mantissas and exponents lie apart, in 80 bytes
+/// instead of 128. A new matrix is the identity.
 struct Matrix {
     static constexpr std::int32_t one = 1 << 30;
     static constexpr std::int8_t one_e = -30 - element_bias;
@@ -83,7 +83,7 @@ constexpr Block to_block(Element v) {
 // ------------------------------------------------------------------------------------------------------
 
 namespace detail {
-/// Not a constant: compilers would write it down wherever a matrix begins.
+/// This is not a constant: compilers would write it out wherever a matrix begins.
 [[gnu::noinline]] inline Matrix make_identity() {
     return {};
 }
@@ -148,7 +148,7 @@ SPANGLE_RUN_INLINE constexpr Element sum_of_products(const Element* a, const Ele
     return make_element(sum, top + 2 * element_bias);
 }
 
-/// n of a matrix's elements, as it holds them, `step` apart.
+/// Copies n elements of a matrix, which lie `step` apart in its arrays.
 SPANGLE_RUN_INLINE constexpr void gather(const Matrix& a, int first, int step, int n, Element* out) {
 #pragma GCC unroll runs_inline ? 4 : 1
     for (int k = 0; k < n; ++k) {
@@ -165,7 +165,7 @@ template <int N> constexpr Element sum_of_products(const Element (&a)[N], const 
     return sum_of_products(a, b, N);
 }
 
-/// Column j of the identity, and zeros: a times it is column j of a.
+/// Whether this is column j of the identity, followed by zeros: a times it is column j of a.
 SPANGLE_INLINE constexpr bool is_unit(const Element* column, int n, int j) {
     std::int32_t others = 0;
     for (int k = 0; k < n; ++k)
@@ -173,9 +173,9 @@ SPANGLE_INLINE constexpr bool is_unit(const Element* column, int n, int j) {
     return others == 0 && column[j].m == Matrix::one && column[j].e == Matrix::one_e;
 }
 
-/// Column j of a * b in r, which holds that of a. The rows and columns have `half` elements, 4; or 3, those
-/// of 3 x 3 matrices, where `rest` has as many with more bits of b's. A number decides: an address may be
-/// null for all that compilers are told.
+/// Writes column j of a * b to r, which holds that of a. Rows and columns have `half` elements: 4, or 3 for 3
+/// x 3 matrices, where `rest` has as many with more bits of b's. A number decides, not `rest`: for all that
+/// compilers are told, an address may be null.
 SPANGLE_RUN_INLINE constexpr void multiply_column(const Matrix& a, const Matrix& b, int j, int half,
                                                   const Element* rest, Matrix& r) {
     Element column[6];

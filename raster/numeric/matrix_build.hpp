@@ -25,8 +25,8 @@ constexpr Matrix scaling(Real x, Real y, Real z) {
     return r;
 }
 
-/// The upper left of a rotation to twice the bits of an Element: `rest` is what rounding took from `matrix`,
-/// so that turning by it again and again adds up no error but that of each sum.
+/// A rotation, whose upper left has twice the bits of an Element. `rest` is what rounding took from `matrix`.
+/// So turning by it again and again adds up no error but that of each sum.
 struct Rotation {
     Matrix matrix = identity();
     Element rest[3][3]; ///< column, row
@@ -58,7 +58,7 @@ constexpr Rotation rotation(Real degrees, Real x, Real y, Real z) {
     return r;
 }
 
-/// a * b: orthogonal matrices stay so within 2^-31 a product, in all directions alike.
+/// a * b. Orthogonal matrices stay orthogonal within 2^-31 per product, in all directions alike.
 constexpr Matrix multiply(const Matrix& a, const Rotation& b) {
     Matrix r = a; // the last column stays
     for (int j = 0; j < 3; ++j)
@@ -107,7 +107,7 @@ constexpr int next_axis(int i) {
     return i == 2 ? 0 : i + 1;
 }
 
-/// Of three each.
+/// The dot product of two vectors of three.
 SPANGLE_RUN_CALL constexpr Block dot(const Block* a, const Block* b) {
     return add(add(mul(a[0], b[0]), mul(a[1], b[1])), mul(a[2], b[2]));
 }
@@ -149,8 +149,8 @@ constexpr BlockMatrix3 to_block_matrix(const NormalMatrix& n) {
 
 namespace detail {
 
-/// The pairs of four columns, the three that are not one, and the minors of these without their first, second
-/// and third column.
+/// pair: the pairs of four columns. rest[i]: the three columns that are not i. minor[i]: the pairs that
+/// remain of rest[i] without its first, second and third column.
 inline constexpr std::uint8_t pair[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 inline constexpr std::uint8_t rest[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
 inline constexpr std::uint8_t minor[4][3] = {{5, 4, 3}, {5, 2, 1}, {4, 2, 0}, {3, 1, 0}};

@@ -19,7 +19,7 @@ inline constexpr std::uint32_t log2_e_q31 = 0xB8AA3B29; // 1 / ln 2
 constexpr std::uint32_t inverse_near(std::uint32_t i) {
     return ((1u << 24) / (129 + 2 * i) + 1) / 2; // 2^23 / (129 + 2i), rounded
 }
-/// That, and log2 of its inverse in Q0.32, for each.
+/// For each 64th of [1, 2): inverse_near(), and log2 of its inverse in Q0.32.
 struct Log2Table {
     std::uint32_t inverse[has_seed_tables ? 64 : 1];
     std::uint32_t log2[64];
@@ -122,7 +122,7 @@ constexpr std::int32_t pow_unit(std::int32_t x, std::uint32_t exponent) {
 
 } // namespace detail
 
-/// GL's exponents, 0 .. 128, in the form the powers take: Q8.24, clamped.
+/// GL's exponents, 0 .. 128, in the form that pow_unit() takes: Q8.24, clamped.
 constexpr std::uint32_t power_exponent(Real n) {
     const std::int32_t q = to_fixed(n, 23);
     return static_cast<std::uint32_t>(clamp<std::int32_t>(q, 0, 128 << 23)) << 1;

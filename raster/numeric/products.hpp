@@ -1,4 +1,4 @@
-// Products of words and what is left of them. Defined for every argument.
+// Products of words, and parts of these. Defined for every argument.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace spangle::numeric {
 
 namespace detail {
 
-/// v mod 2^16. Of a cast GCC 12 makes two shifts where there is an instruction.
+/// v mod 2^16. GCC 12 makes two shifts of a cast, although there is an instruction.
 SPANGLE_INLINE constexpr std::uint32_t low_half(std::uint32_t v) {
 #if defined(__thumb__) && !defined(__thumb2__)
     if (!std::is_constant_evaluated()) {
@@ -22,11 +22,11 @@ SPANGLE_INLINE constexpr std::uint32_t low_half(std::uint32_t v) {
     return v & 0xFFFF;
 }
 
-/// a * b from products of halves, where there are no long ones: 22 instructions on a Cortex-M0+, in place of
-/// 50 for 64 by 64 bits. No sum of two overflows: (2^16 - 1)^2 + 2^16 - 1 < 2^32, and of signed halves they
-/// are smaller.
+/// a * b from products of halves, where there are no long products: 22 instructions on a Cortex-M0+, in place
+/// of 50 for 64 by 64 bits. No sum of two terms overflows: (2^16 - 1)^2 + 2^16 - 1 < 2^32, and with signed
+/// halves they are smaller.
 template <class A, class B> struct HalvesOf {
-    std::uint32_t low; ///< of the lower halves
+    std::uint32_t low; ///< product of the lower halves
     B middle;
     std::uint32_t high;
     SPANGLE_INLINE constexpr HalvesOf(A a, B b) {
@@ -46,8 +46,8 @@ template <class A, class B> struct HalvesOf {
 };
 
 #if defined(__thumb__) && !defined(__thumb2__)
-/// The four products of halves of a and b, those of the lower one of a in a and b, those of the higher one in
-/// a1 and `first`. Shifts of signed factors are asrs, of others lsrs.
+/// Computes the four products of halves of a and b: a = a0 b0, b = a0 b1, first = a1 b0, a1 = a1 b1. The
+/// upper halves of signed factors are taken by asrs, of others by lsrs.
 #define SPANGLE_PRODUCTS_OF_HALVES(SHIFT_A, SHIFT_B)                                                         \
     "uxth %[b0], %[b]\n\t" SHIFT_A " %[a1], %[a], #16\n\t"                                                   \
     "uxth %[a], %[a]\n\t" SHIFT_B " %[b], %[b], #16\n\t"                                                     \
@@ -56,7 +56,7 @@ template <class A, class B> struct HalvesOf {
     "muls %[a1], %[b], %[a1]\n\t"                                                                            \
     "muls %[b], %[a], %[b]\n\t"                                                                              \
     "muls %[a], %[b0], %[a]\n\t"
-/// a * b in b and a, its lower word: 17 instructions, GCC 12 takes three more.
+/// Leaves the upper word of a * b in b, the lower one in a: 17 instructions, three less than GCC 12 takes.
 #define SPANGLE_PRODUCT_BY_HALVES(SHIFT_A, SHIFT_B)                                                          \
     asm(".syntax unified\n\t" /* NOLINT(hicpp-no-assembler) */                                               \
         SPANGLE_PRODUCTS_OF_HALVES(SHIFT_A, SHIFT_B) "lsls %[b0], %[first], #16\n\t" /**/                    \
@@ -91,7 +91,7 @@ template <class A, class B> [[gnu::noinline, gnu::const]] constexpr std::uint32_
     return HalvesOf<A, B>(a, b).high;
 }
 
-/// sum + a * b, likewise: the sum stays where it is from product to product.
+/// sum + a * b from products of halves. The sum stays in its registers from product to product.
 [[gnu::noinline, gnu::const]] constexpr std::int64_t add_halves(std::int64_t sum, std::int32_t a,
                                                                 std::int32_t b) {
 #if defined(__thumb__) && !defined(__thumb2__)
@@ -121,13 +121,13 @@ template <class A, class B> [[gnu::noinline, gnu::const]] constexpr std::uint32_
 #undef SPANGLE_PRODUCTS_OF_HALVES
 #undef SPANGLE_PRODUCT_BY_HALVES
 
-/// (0 - a * b) >> 14, mod 2^32, by halves: no carry goes from the product of the lower ones.
+/// (0 - a * b) >> 14, mod 2^32, from products of halves. No carry leaves the product of the lower halves.
 SPANGLE_INLINE constexpr std::uint32_t halves_residual(std::uint32_t a, std::uint32_t b) {
     const std::uint32_t a0 = low_half(a), b0 = low_half(b), a1 = a >> 16, b1 = b >> 16;
     return 0 - ((a1 * b1 << 18) + ((a1 * b0 + a0 * b1) << 2) + ((a0 * b0 + 0x3FFF) >> 14));
 }
 
-/// Of factors that compilers know they make shifts and sums.
+/// Whether to multiply by halves. Not if a factor is constant: compilers then make shifts and sums.
 template <class A, class B> SPANGLE_PRODUCT_INLINE constexpr bool by_halves(A a, B b) {
     return !long_products && !__builtin_constant_p(a) && !__builtin_constant_p(b);
 }
@@ -144,7 +144,7 @@ SPANGLE_PRODUCT_INLINE constexpr std::int64_t mul_s32(std::int32_t a, std::int32
         return static_cast<std::int64_t>(detail::mul_halves(a, b));
     return std::int64_t{factor32(a)} * factor32(b);
 }
-/// The same without factor32().
+/// mul_s32() without factor32().
 SPANGLE_PRODUCT_INLINE constexpr std::int64_t mul_long(std::int32_t a, std::int32_t b) {
     if (detail::by_halves(a, b))
         return static_cast<std::int64_t>(detail::mul_halves(a, b));
@@ -182,7 +182,7 @@ SPANGLE_PRODUCT_INLINE constexpr std::int32_t mul_high_s32_u32(std::int32_t a, s
 
 namespace detail {
 
-/// v * n mod 2^64, n a signed half; or 2^15, if v has no bits below 2^16.
+/// v * n mod 2^64. n is a signed half, or 2^15 if v has no bits below 2^16.
 SPANGLE_INLINE constexpr std::uint64_t times_half(std::uint64_t v, std::int32_t n) {
 #if defined(__thumb__) && !defined(__thumb2__)
     if (!std::is_constant_evaluated()) { // 11 instructions: GCC 12 takes 18
@@ -211,7 +211,7 @@ SPANGLE_INLINE constexpr std::uint64_t times_half(std::uint64_t v, std::int32_t 
     return static_cast<std::uint64_t>(first) + (static_cast<std::uint64_t>(middle) << 16) +
            (std::uint64_t{high * static_cast<std::uint32_t>(n)} << 32);
 }
-/// Any n: columns and rows of what is drawn are halves.
+/// v * n mod 2^64 for any n. It is faster for halves, which columns and rows of surfaces are.
 [[gnu::noinline, gnu::const]] constexpr std::uint64_t times_by_halves(std::uint64_t v, std::int32_t n) {
     const auto low = static_cast<std::int16_t>(n);
     const std::uint64_t product = times_half(v, low);
@@ -254,13 +254,13 @@ SPANGLE_INLINE constexpr std::uint64_t times(std::uint64_t v, std::int32_t n) {
 /// The high word of v, nearest, halves up, mod 2^32.
 SPANGLE_PRODUCT_INLINE constexpr std::int32_t high_rounded(std::int64_t v) {
     const auto u = static_cast<std::uint64_t>(v);
-    if constexpr (!wide_words) // two of them: one addition
+    if constexpr (!wide_words) // two words: one addition
         return static_cast<std::int32_t>(static_cast<std::uint32_t>(u >> 32) +
                                          (static_cast<std::uint32_t>(u) >> 31));
     return static_cast<std::int32_t>((u + (1u << 31)) >> 32);
 }
 
-/// a * b / 2^32, nearest, halves up: where there are DSP instructions, one of them.
+/// a * b / 2^32, nearest, halves up: one instruction where there are DSP instructions.
 SPANGLE_INLINE constexpr std::int32_t mul_high_rounded(std::int32_t a, std::int32_t b) {
 #if defined(__thumb2__) && defined(__ARM_FEATURE_DSP)
     if (!std::is_constant_evaluated()) {
@@ -271,7 +271,7 @@ SPANGLE_INLINE constexpr std::int32_t mul_high_rounded(std::int32_t a, std::int3
 #endif
     return high_rounded(mul_s32(a, b));
 }
-/// That and `to`, mod 2^32.
+/// to + mul_high_rounded(a, b), mod 2^32.
 SPANGLE_INLINE constexpr std::int32_t add_high_rounded(std::int32_t to, std::int32_t a, std::int32_t b) {
 #if defined(__thumb2__) && defined(__ARM_FEATURE_DSP)
     if (!std::is_constant_evaluated()) {
@@ -284,7 +284,7 @@ SPANGLE_INLINE constexpr std::int32_t add_high_rounded(std::int32_t to, std::int
                                      static_cast<std::uint32_t>(mul_high_rounded(a, b)));
 }
 
-/// to + a b / 2^16 of products below 2^32, b < 2^15.
+/// to + a b / 2^16 for products below 2^32 and b < 2^15.
 SPANGLE_INLINE constexpr std::uint32_t add_product(std::uint32_t to, std::uint32_t a, std::uint32_t b) {
 #if defined(__thumb2__) && defined(__ARM_FEATURE_DSP)
     if (!std::is_constant_evaluated()) {

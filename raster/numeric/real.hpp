@@ -74,7 +74,7 @@ constexpr Real from_double_bits(std::uint64_t bits) {
                      (biased == 0 ? 1 : biased) - 1075);
 }
 
-/// A move between registers, no arithmetic.
+/// A float is only moved between registers; there is no arithmetic.
 constexpr Real from_float(float v) {
     return from_float_bits(std::bit_cast<std::uint32_t>(v));
 }
@@ -140,7 +140,7 @@ constexpr Real normalized_short(std::int16_t c) {
 constexpr Real normalized_int(std::int32_t c) {
     return detail::signed_unit(c, 32);
 }
-/// Of 8, 16 or 32 bits.
+/// Components of 8, 16 or 32 bits.
 constexpr Real normalized_unsigned(std::uint32_t c, int bits) {
     return detail::unit_fraction(false, c, bits);
 }
@@ -300,7 +300,7 @@ constexpr std::int32_t to_i32_round(Real v) {
     return detail::with_sign(u.negative, static_cast<std::uint64_t>(rounded));
 }
 
-/// floor(clamp01(v) * most * 2), most < 2^32: one bit more than the integer below.
+/// floor(clamp01(v) * most * 2), most < 2^32: one bit more than to_steps() returns, to round with.
 constexpr std::uint64_t to_half_steps(Real v, std::uint32_t most) {
     const detail::Unpacked u = detail::unpack(clamp01(v));
     const std::int32_t drop = -u.exponent; // >= 23, because |v| <= 1
@@ -325,7 +325,7 @@ constexpr std::int32_t to_normalized_int(Real v) {
     const std::uint32_t magnitude = v.bits & 0x7FFFFFFF;
     const detail::Unpacked u = detail::unpack({magnitude < one.bits ? magnitude : one.bits});
     const std::int32_t drop = 1 - u.exponent; // >= 24
-    // What is nearest, halves up, is what is below or equal to (2^32 - 1) v / 2.
+    // ((2^32 - 1) v - 1) / 2 rounded to nearest, halves up, is floor((2^32 - 1) v / 2).
     const auto product = static_cast<std::int64_t>(u.mantissa * std::uint64_t{0xFFFFFFFF}); // 56 bits
     const std::int64_t below = (product - (negative ? 1 : 0)) >> (drop < 63 ? drop : 63);
     return static_cast<std::int32_t>(negative ? ~below : below);

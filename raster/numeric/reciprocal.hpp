@@ -41,8 +41,8 @@ inline constexpr int reciprocal_ulp_percent = 54; ///< bound of the absolute err
 /// One Newton step: Q2.30 of 1/a, a in [2^31, 2^32) standing for [1/2, 1). Relative error in [-2^-17.9,
 /// 2^-30].
 SPANGLE_INLINE constexpr std::uint32_t reciprocal_1(std::uint32_t a) {
-    // Twice the seed is the table's number 2^16, and twice what is left of 2 without the product (Q2.30, near
-    // 1) makes the 30 bits down a word.
+    // r = seed (2 - a seed). a seed has 31 fraction bits, the last of which is cleared, and 2 is 2^32, which
+    // is 0 here. r has 30.
     const std::uint32_t seed = detail::reciprocal_seed(a) >> 15;
     return mul_by_half(0 - (mul_by_half(a, seed) & ~1u), seed);
 }
@@ -51,7 +51,8 @@ SPANGLE_INLINE constexpr std::uint32_t reciprocal_1(std::uint32_t a) {
 /// 2^-30.9. The second step works on the residual 1 - a*r, of which the 31 bits that count fit one word.
 SPANGLE_INLINE constexpr std::uint32_t reciprocal(std::uint32_t a) {
     const std::uint32_t r = reciprocal_1(a);
-    // The product is Q.62, 1 - 2^-17.9 .. 1 + 2^-30, this Q.48: 2^62 has no bit among them.
+    // The product a r is Q.62, in 1 - 2^-17.9 .. 1 + 2^-30. The residual 1 - a r is Q.48, and 2^62 has no bit
+    // in that word.
     const auto residual = static_cast<std::int32_t>(mul_residual(a, r));
     // r < 2^31, |residual| < 2^30.2: the correction with 8 fraction bits, rounded to whole ulps.
     const std::int32_t step = (mul_high_s32(static_cast<std::int32_t>(r), residual) + (1 << 15)) >> 16;
@@ -60,7 +61,7 @@ SPANGLE_INLINE constexpr std::uint32_t reciprocal(std::uint32_t a) {
 
 namespace detail {
 
-/// Those of reciprocal(), whose products of a << zeros are short ones, moved.
+/// The steps of reciprocal(a << zeros). Products with a fit a word, and are shifted afterwards.
 SPANGLE_INLINE constexpr std::uint32_t half_reciprocal_in_steps(std::uint32_t a, int zeros) {
     const std::uint32_t seed = reciprocal_seed(a << zeros) >> 15;
     const std::uint32_t r = mul_by_half(0 - ((a * seed) << (zeros - 16)), seed);
@@ -71,8 +72,9 @@ SPANGLE_INLINE constexpr std::uint32_t half_reciprocal_in_steps(std::uint32_t a,
 
 } // namespace detail
 
-/// reciprocal(a << zeros) / 2 of an a below 2^12 that has so many leading zeros. Where there is an
-/// instruction it is a division by two digits, of 1 and nearly 1/4: half of what is rounded to nearest.
+/// reciprocal(a << zeros) / 2 for an a below 2^12 with `zeros` leading zeros. Where there is an instruction,
+/// this is a division in two digits. Its dividend is 1 and nearly 1/4 of a unit, which gives half of the
+/// value that is rounded to nearest.
 SPANGLE_INLINE constexpr std::uint32_t half_reciprocal(std::uint32_t a, int zeros) {
     if constexpr (!divides)
         return detail::half_reciprocal_in_steps(a, zeros);
@@ -82,22 +84,22 @@ SPANGLE_INLINE constexpr std::uint32_t half_reciprocal(std::uint32_t a, int zero
     return (first << digits) + (((one - first * a) << digits) + (a * 255 >> 10)) / a;
 }
 
-/// For those that will all be set.
+/// Says that all of some reciprocals will be set, so that none is initialised.
 struct EachIsSet {};
 inline constexpr EachIsSet each_is_set;
 
-/// N reciprocals under way together: no step waits for the one before it, as those of one alone do, and
-/// compilers make vectors of them. The same integers as reciprocal()'s.
+/// Computes N reciprocals together: no step waits for the one before it, as in reciprocal(), and compilers
+/// make vectors of them. They are the same integers as those of reciprocal().
 template <int N> class Reciprocals {
   public:
     Reciprocals() : a_{}, r_{} {}
     explicit Reciprocals(EachIsSet) {}
-    /// The i-th is to be that of a.
+    /// Reciprocal i is to be that of a.
     SPANGLE_INLINE void set(int i, std::uint32_t a) {
         a_[i] = a;
         r_[i] = in_words ? reciprocal(a) : detail::reciprocal_seed(a);
     }
-    /// After the last of them: the first so many, N or less.
+    /// Computes the first `count` reciprocals, N at most. Must be called after the last set().
     SPANGLE_INLINE void finish(int count) {
         if constexpr (in_words)
             return;
@@ -107,7 +109,7 @@ template <int N> class Reciprocals {
                 const std::uint32_t a = a_[first + i], seed = r_[first + i], product = mul_high_u32(a, seed);
                 once[i] = static_cast<std::uint32_t>(mul_u32(seed, 0x80000000u - product) >> 30);
             }
-            // A signed factor is one without a sign, 2^31 less; 48 bits down are 32 and 16.
+            // A signed factor is an unsigned one less 2^31. A shift by 48 bits is one by 32 and one by 16.
             for (int i = 0; i < block; ++i) {
                 const std::uint32_t r = once[i];
                 const auto residual =
@@ -124,7 +126,7 @@ template <int N> class Reciprocals {
 
   private:
     static constexpr bool in_words = cheap_branches || N == 1; ///< no vectors, and few registers
-    static constexpr int block = N % 4 == 0 ? 4 : 1;           ///< of a vector
+    static constexpr int block = N % 4 == 0 ? 4 : 1;           ///< lanes of a vector
     alignas(16) std::uint32_t a_[N];
     alignas(16) std::uint32_t r_[N];
 };
@@ -136,8 +138,8 @@ struct Quotient {
 
 namespace detail {
 
-/// For words of 32 bits: the quotient from reciprocal(), corrected by its remainder, so that no 64-bit
-/// division is linked.
+/// divide() for words of 32 bits: the quotient comes from reciprocal() and is corrected by its remainder, so
+/// that no 64-bit division is linked.
 constexpr Quotient divide_by_words(std::uint64_t n, std::uint32_t d) {
     const auto high = static_cast<std::uint32_t>(n >> 32);
     std::uint64_t quotient = 0;
@@ -175,7 +177,7 @@ constexpr Quotient divide(std::uint64_t n, std::uint32_t d) {
 
 namespace detail {
 
-/// Not in line: words take some 200 bytes.
+/// Not inline: with words of 32 bits this takes some 200 bytes.
 [[gnu::noinline]] constexpr std::int64_t quotient_by_words(std::int64_t n, std::uint32_t d) {
     const auto q = static_cast<std::int64_t>(divide_by_words(abs_u64(n), d).quotient);
     return n < 0 ? -q : q;
@@ -212,8 +214,8 @@ constexpr LongQuotient divide_by_bits(std::uint64_t n, std::uint64_t d) {
 
 } // namespace detail
 
-/// n / d and n % d of any d but 0. Without long words a bit at a time, for what is asked once a command: a
-/// compiler's library has some 900 bytes for it.
+/// n / d and n % d for any d but 0. Without long words it goes bit by bit, as it is needed once per command:
+/// the division of a compiler's library has some 900 bytes.
 constexpr LongQuotient divide_long(std::uint64_t n, std::uint64_t d) {
     if constexpr (wide_words)
         return {n / d, n % d};

@@ -1,5 +1,5 @@
-// Words in registers: where compilers would hold them elsewhere, or make them at another place. None changes
-// a value.
+// Makes compilers keep words in registers or in memory, or compute them at a certain place, where they would
+// not. No function here changes a value.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace spangle::numeric {
 
-/// A factor as 32 bits and nothing else. Where words have 32 bits GCC 12 would carry a sign extension that it
-/// shares among products over a branch, and then multiply 64 by 64 bits: five instructions in place of one.
+/// A factor of 32 bits and nothing else. Where words have 32 bits, GCC 12 would carry a sign extension that
+/// several products share over a branch, and then multiply 64 by 64 bits: five instructions in place of one.
 template <class T> SPANGLE_INLINE constexpr T factor32(T v) {
 #if __SIZEOF_POINTER__ == 4
     if (!std::is_constant_evaluated() && !__builtin_constant_p(v))
@@ -19,7 +19,8 @@ template <class T> SPANGLE_INLINE constexpr T factor32(T v) {
     return v;
 }
 
-/// v, of which nothing is computed before `first` is: fewer registers, where words have 32 bits.
+/// Returns v, but nothing is computed from it before `first` is known. This takes fewer registers where words
+/// have 32 bits.
 SPANGLE_INLINE std::uint32_t later(std::uint32_t v, [[maybe_unused]] std::uint32_t& first) {
 #if __SIZEOF_POINTER__ == 4
     asm("" : "+r"(v), "+r"(first)); // NOLINT(hicpp-no-assembler): no instruction
@@ -27,12 +28,12 @@ SPANGLE_INLINE std::uint32_t later(std::uint32_t v, [[maybe_unused]] std::uint32
     return v;
 }
 
-/// What follows a branch is not begun before it.
+/// Keeps compilers from beginning what follows a branch before that branch.
 SPANGLE_INLINE void begin_here() {
     asm volatile(""); // NOLINT(hicpp-no-assembler): no instruction
 }
 
-/// v in a register, where words have 32 bits: compilers do not make it anew at every use.
+/// Keeps v in a register where words have 32 bits, so that compilers do not compute it again at every use.
 template <class T> SPANGLE_INLINE constexpr T kept_in_register(T v) {
 #if __SIZEOF_POINTER__ == 4
     if (!std::is_constant_evaluated())
@@ -41,8 +42,8 @@ template <class T> SPANGLE_INLINE constexpr T kept_in_register(T v) {
     return v;
 }
 
-/// a + b mod 2^32, of words that may be in registers which nothing but moves and sums reach: the eight others
-/// of Thumb are few, and compilers would have both in them.
+/// a + b mod 2^32. Both may lie in registers of Thumb that only moves and sums reach. Compilers would hold
+/// both in the eight other registers, which are few.
 SPANGLE_INLINE constexpr std::uint32_t sum_aside(std::uint32_t a, std::uint32_t b) {
 #if defined(__thumb__) && !defined(__thumb2__)
     if (!std::is_constant_evaluated()) {
@@ -52,7 +53,8 @@ SPANGLE_INLINE constexpr std::uint32_t sum_aside(std::uint32_t a, std::uint32_t 
 #endif
     return a + b;
 }
-/// (u >> u_down << u_up) + (v >> v_down) of such u and v, all shifts below 32.
+/// (u >> u_down << u_up) + (v >> v_down), all shifts below 32. u and v may lie in registers that only moves
+/// and sums reach, as in sum_aside().
 SPANGLE_INLINE constexpr std::uint32_t joined_aside(std::uint32_t u, int u_down, int u_up, std::uint32_t v,
                                                     int v_down) {
 #if defined(__thumb__) && !defined(__thumb2__)
@@ -74,8 +76,8 @@ SPANGLE_INLINE constexpr std::uint32_t joined_aside(std::uint32_t u, int u_down,
     return (u >> u_down << u_up) + (v >> v_down);
 }
 
-/// floor(v / 2^16), taken here: where a comparison shifts for nothing, a quotient that it shares with what
-/// follows would take a register in each loop.
+/// floor(v / 2^16), computed at this place. Where comparisons shift at no cost, a quotient shared with later
+/// code would take a register in each loop.
 SPANGLE_INLINE constexpr std::uint32_t high_half_here(std::uint32_t v) {
 #if defined(__thumb2__)
     if (!std::is_constant_evaluated()) {
@@ -87,7 +89,8 @@ SPANGLE_INLINE constexpr std::uint32_t high_half_here(std::uint32_t v) {
     return v >> 16;
 }
 
-/// v without v mod 2^Bits. Where there is an instruction, a mask would take a register in each loop.
+/// v with its low `Bits` bits cleared. Where there is an instruction for that, a mask would take a register
+/// in each loop.
 template <int Bits> SPANGLE_INLINE constexpr std::uint32_t without_low(std::uint32_t v) {
 #if defined(__thumb2__)
     if (!std::is_constant_evaluated()) {
@@ -98,15 +101,15 @@ template <int Bits> SPANGLE_INLINE constexpr std::uint32_t without_low(std::uint
     return v >> Bits << Bits;
 }
 
-/// v is read where it is used, not held in registers: for loops with more words than Thumb has registers,
-/// which compilers would put aside one by one.
+/// Makes compilers read v where it is used, not hold it in registers. This is for loops with more words than
+/// Thumb has registers, which compilers would otherwise spill one by one.
 template <class T> SPANGLE_INLINE void kept_in_memory([[maybe_unused]] T& v) {
 #if defined(__thumb2__)
     asm("" : "+m"(v)); // NOLINT(hicpp-no-assembler): no instruction
 #endif
 }
 
-/// What one instruction reads, where there is one that reads two words.
+/// Two words that one instruction reads, where there is such an instruction.
 template <class A, class B> struct Two {
     A a;
     B b;
@@ -121,7 +124,7 @@ template <class A, class B> SPANGLE_INLINE Two<A, B> load_two(const Two<A, B>& f
     return from;
 #endif
 }
-/// The same, not before `first` is computed: fewer registers.
+/// load_two(), but not before `first` is computed: this takes fewer registers.
 template <class A, class B>
 SPANGLE_INLINE Two<A, B> load_two_after([[maybe_unused]] std::uint32_t& first, const Two<A, B>& from) {
 #if defined(__thumb2__)

@@ -6,7 +6,8 @@
 
 namespace spangle::numeric {
 
-/// Rounded; 0 of what is not positive. The root of a 62-bit integer has 31 bits, seven more than are kept.
+/// sqrt(v), rounded; 0 unless v is positive. The root of a 62-bit integer has 31 bits, seven more than are
+/// kept.
 constexpr Real sqrt(Real v) {
     const detail::Unpacked u = detail::unpack(v);
     if (u.mantissa == 0 || u.negative)

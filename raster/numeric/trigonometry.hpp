@@ -9,15 +9,15 @@
 
 namespace spangle::numeric {
 
-/// Q4.60, within 2^-57.
+/// Sine and cosine in Q4.60, each within 2^-57.
 struct SinCos {
     std::int64_t sin, cos;
 };
 
 namespace detail {
 
-/// 1 / (k (k + 1)), k = 1 to 18. Where guesses are looked up no division is left, which small processors
-/// would call a library for.
+/// 1 / (k (k + 1)) for k = 1 to 18. With seed tables these are looked up, too: small processors would call a
+/// library for each division.
 struct SeriesFactors {
     std::int64_t at[18];
     static constexpr std::int64_t of(std::uint32_t k) {
@@ -42,7 +42,8 @@ constexpr std::int64_t alternating_series(std::int64_t z, std::uint32_t n) {
     return sum;
 }
 
-/// A full turn removed exactly: quadrant, and degrees in [0, 90), Q56 (below 2^63).
+/// An angle without its full turns, which are taken off exactly: quadrant, and degrees in [0, 90), Q56 (below
+/// 2^63).
 struct ReducedAngle {
     std::uint32_t quadrant;
     std::uint64_t degrees;
@@ -59,7 +60,7 @@ constexpr ReducedAngle reduce_degrees(Unpacked u) {
 
 } // namespace detail
 
-/// Exact at multiples of 90 degrees; any finite argument.
+/// Sine and cosine of any finite angle; exact at multiples of 90 degrees.
 constexpr SinCos sincos_degrees(Real degrees) {
     const detail::Unpacked u = detail::unpack(degrees);
     const detail::ReducedAngle r = detail::reduce_degrees(u);

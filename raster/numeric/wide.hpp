@@ -41,14 +41,14 @@ constexpr Wide abs(Wide v) {
     return {v.m < 0 ? -v.m : v.m, v.e};
 }
 
-/// Within 2^-59 of the product, and exact where that has no more than 60 bits.
+/// a b, within 2^-59 of the product, and exact where that has no more than 60 bits.
 SPANGLE_RUN_CALL constexpr Wide mul(Wide a, Wide b) {
     const auto high = static_cast<std::int64_t>(mul_u64(abs_u64(a.m) << 3, abs_u64(b.m)).high);
     return make_wide((a.m < 0) != (b.m < 0) ? -high : high, a.e + b.e + 61);
 }
 
-/// Within 2^-60 of the larger one, and exact where exponents differ by 1 at most: only then the sum may be
-/// much smaller than both.
+/// a + b, within 2^-60 of the larger one, and exact where exponents differ by 1 at most: only then the sum
+/// may be much smaller than both.
 SPANGLE_RUN_CALL constexpr Wide add(Wide a, Wide b) {
     if (a.m == 0 || b.m == 0)
         return a.m == 0 ? b : a;
@@ -64,7 +64,7 @@ constexpr Wide sub(Wide a, Wide b) {
     return add(a, negate(b));
 }
 
-/// a < b: no rounding has a say.
+/// a < b, without any rounding.
 SPANGLE_RUN_CALL constexpr bool less(Wide a, Wide b) {
     const bool a_negative = a.m < 0, b_negative = b.m < 0;
     if (a_negative != b_negative || a.m == 0 || b.m == 0 || a.e == b.e)
@@ -72,14 +72,15 @@ SPANGLE_RUN_CALL constexpr bool less(Wide a, Wide b) {
     return (a.e < b.e) != a_negative;
 }
 
-/// 1/v of a v that is not 0, within 2^-57.
+/// 1/v within 2^-57, for a v that is not 0.
 SPANGLE_RUN_CALL constexpr Wide reciprocal(Wide v) {
     const std::uint32_t r = reciprocal(static_cast<std::uint32_t>(abs_u64(v.m) >> 29)); // 2^62 / its top word
     const Wide near = make_wide(v.m < 0 ? -std::int64_t{r} : std::int64_t{r}, -91 - v.e);
     return add(near, mul(near, sub(make_wide(1, 0), mul(near, v))));
 }
 
-/// Four of them. Exponents are held to those of blocks: beyond them a number is 0, or the largest.
+/// Four Wide numbers, with exponents limited to those of blocks. A smaller number becomes 0; a larger one
+/// gets the largest exponent.
 struct Wide4 {
     std::int64_t m[4] = {};
     std::int16_t e[4] = {};
@@ -91,7 +92,7 @@ struct Wide4 {
     }
 };
 
-/// a v, each row to 60 bits of its largest term.
+/// The matrix a times v, each row to 60 bits of its largest term.
 [[gnu::noinline]] constexpr Wide4 transform_wide(const BlockMatrix& a, const Real (&v)[4]) {
     Wide4 out;
     for (int i = 0; i < 4; ++i) {
@@ -104,7 +105,7 @@ struct Wide4 {
     }
     return out;
 }
-/// Of a plane and a point.
+/// The dot product of a plane and a point.
 [[gnu::noinline]] constexpr Wide dot(const Block4& a, const Wide4& v) {
     Wide sum;
     for (int i = 0; i < 4; ++i)
@@ -112,7 +113,7 @@ struct Wide4 {
     return sum;
 }
 
-/// In words.
+/// Converts to block form, whose mantissas are 32-bit words.
 constexpr Block to_block(Wide v) {
     return make_block(v.m, v.e);
 }
