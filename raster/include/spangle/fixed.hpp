@@ -24,7 +24,7 @@ struct fixed {
         : bits(std::cmp_greater(v, 32767) ? INT32_MAX
                : std::cmp_less(v, -32768) ? INT32_MIN
                                           : static_cast<std::int32_t>(v) * one_bits) {}
-    /// Nearest; NaN becomes 0. Constants are converted by the compiler.
+    /// Rounds to nearest; NaN becomes 0. The compiler converts constants.
     template <class F, std::enable_if_t<std::is_floating_point_v<F>, long> = 0>
     constexpr fixed(F v) : bits(from_real(v)) {}
 
@@ -41,7 +41,7 @@ struct fixed {
         return from_bits(saturate((v >> 16) + ((v >> 15) & 1)));
     }
 
-    /// Towards zero, as from the built-in types.
+    /// Conversions to integers truncate towards zero, as those of the built-in types do.
     template <class I, std::enable_if_t<std::is_integral_v<I>, int> = 0>
     explicit constexpr operator I() const {
         return static_cast<I>(bits / one_bits);
@@ -56,7 +56,7 @@ struct fixed {
         return from_bits(saturate(std::int64_t{a.bits} - b.bits));
     }
     friend constexpr fixed operator*(fixed a, fixed b) { return from_product(std::int64_t{a.bits} * b.bits); }
-    /// By 0: the largest value with the sign of a, and 0 / 0 = 0.
+    /// Division by 0 gives the largest value with the sign of a, and 0 / 0 gives 0.
     friend constexpr fixed operator/(fixed a, fixed b) {
         return from_bits(quotient(std::int64_t{a.bits} * one_bits, b.bits));
     }
@@ -211,7 +211,7 @@ constexpr fixed fmod(fixed a, fixed b) {
     return fixed::from_bits(b.bits == 0 || b.bits == -1 ? 0 : a.bits % b.bits);
 }
 
-/// 0 for negative values.
+/// The square root; 0 for negative values.
 constexpr fixed sqrt(fixed v) {
     if (v.bits <= 0)
         return fixed::from_bits(0);
@@ -219,7 +219,7 @@ constexpr fixed sqrt(fixed v) {
         fixed_detail::integer_sqrt(static_cast<std::uint64_t>(v.bits) << 18); // one bit to round with
     return fixed::from_bits(static_cast<std::int32_t>((root + 1) >> 1));
 }
-/// The largest value for v <= 0.
+/// 1 / sqrt(v); the largest value for v <= 0.
 constexpr fixed inversesqrt(fixed v) {
     if (v.bits <= 0)
         return fixed::from_bits(INT32_MAX);
@@ -265,7 +265,7 @@ constexpr fixed asin(fixed v) {
 
 } // namespace spangle
 
-/// GLM asks these; is_iec559 is how it asks whether a type may stand where it wants floating point.
+/// GLM reads these. It uses types where it wants floating point only if is_iec559 is true.
 template <> struct std::numeric_limits<spangle::fixed> {
     static constexpr bool is_specialized = true, is_signed = true, is_integer = false, is_exact = false,
                           is_iec559 = true;

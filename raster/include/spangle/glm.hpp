@@ -117,10 +117,10 @@ template <length_t L, qualifier Q, bool Aligned> struct compute_length<L, spangl
     }
 };
 
-/// (0, ..., 0) stays.
+/// v / |v|; a zero vector stays as it is.
 template <length_t L, qualifier Q, bool Aligned> struct compute_normalize<L, spangle::fixed, Q, Aligned> {
     GLM_FUNC_QUALIFIER static vec<L, spangle::fixed, Q> call(vec<L, spangle::fixed, Q> const& v) {
-        // Scaled up first, so that short vectors have a length with enough bits.
+        // The vector is scaled up first, so that short vectors have a length with enough bits.
         std::uint32_t any = 0;
         for (length_t i = 0; i < L; ++i)
             any |= static_cast<std::uint32_t>(v[i].bits < 0 ? -std::int64_t{v[i].bits} : v[i].bits);
@@ -193,7 +193,7 @@ template <qualifier Q, bool Aligned> struct compute_inverse<4, 4, spangle::fixed
     }
 
   private:
-    /// Shifts all so that the largest has 30 bits; by how much, left positive.
+    /// Shifts all values so that the largest has 30 bits. Returns the shift, positive to the left.
     static int scale(std::int64_t* v, int count) {
         std::uint64_t any = 0;
         for (int k = 0; k < count; ++k)

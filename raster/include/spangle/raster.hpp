@@ -1,5 +1,5 @@
 // The rasterizer without GL: window-space triangles, lines and points into memory a display takes. Integers
-// only, no heap, no state of its own; what a fragment goes through is what GL does to it.
+// only, no heap, no state of its own; its fragments go through the operations of GL.
 //
 //     Surface surface;                                  // memory, strides, formats
 //     clear(surface, {.area = {0, 0, 320, 240}, .channels = 0xF});

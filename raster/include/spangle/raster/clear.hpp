@@ -16,16 +16,16 @@ struct ClearRequest {
     bool dither = false;
     bool depth = false;
     std::uint8_t stencil_mask = 0; ///< bits to write; 0 = no stencil clear
-    std::uint32_t color[4] = {};   ///< colour units, RGBA; of an index surface [0] is the index, in 2^-20
+    std::uint32_t color[4] = {};   ///< RGBA, colour units; on an index surface [0] is the index, in 2^-20
     std::uint32_t z = depth_one;   ///< Q0.30
     std::uint8_t stencil = 0;
 };
 
-/// Planes the surface does not have are ignored. A clear of the whole surface with all its channels resets
-/// the record of touched rows; any other colour clear widens it.
+/// Clears the planes that the request names; those that the surface does not have are ignored. A clear of the
+/// whole surface with all its channels resets the record of touched rows; any other colour clear widens it.
 void clear(const Surface& surface, const ClearRequest& request);
 
-/// Whether it is of the whole surface with all its channels.
+/// Whether the request clears the whole surface with all its channels.
 bool clears_all(const Surface& surface, const ClearRequest& request);
 
 } // namespace spangle::raster

@@ -53,8 +53,8 @@
 namespace spangle::raster {
 
 inline constexpr bool has_fog = SPANGLE_FEATURE_FOG != 0;
-/// Secondary colours are those of lights, or of vertices. Only the chain adds them: without it that is an
-/// error.
+/// Secondary colours come from lights or from vertices. Only the chain adds them: without it such a state is
+/// an error.
 #define SPANGLE_SECONDARY_COLORS                                                                             \
     (SPANGLE_CHAIN && (SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_SECONDARY_COLOR))
 inline constexpr bool has_color_sum = SPANGLE_SECONDARY_COLORS;

@@ -89,32 +89,33 @@ enum class TexelFormat : std::uint8_t {
     rgba4444,
     rgba5551,
     rgb332,
-    z16, ///< depths, of the base format that they are to look like
-    z24, ///< the same in the low bits of a uint32_t
+    z16, ///< depths, read as components of the texture's `base` format
+    z24, ///< depths in the low 24 bits of a uint32_t
     p4,  ///< indices of a palette, without padding of rows, the first in the top bits
     p8,
     etc1, ///< blocks of 4 x 4 texels, 8 bytes each, in rows
 };
 
-/// The formats of a build that has the systems they belong to.
+/// The texel formats of this build, without those whose systems are left out.
 inline constexpr unsigned sampled_formats = [] {
     constexpr unsigned depths = 3u << static_cast<unsigned>(TexelFormat::z16),
                        compressed = 7u << static_cast<unsigned>(TexelFormat::p4);
     return texture_formats & ~(has_depth_textures ? 0 : depths) & ~(has_compressed_textures ? 0 : compressed);
 }();
-/// Textures may have it.
+/// Whether textures may have this format.
 constexpr bool has_format(TexelFormat format) {
     return (sampled_formats >> static_cast<unsigned>(format) & 1) != 0;
 }
-/// Of a texture; where a build has one format only the compiler knows it.
+/// The format of a texture; a constant in a build that has only one.
 constexpr TexelFormat sampled(TexelFormat format) {
     return one_of(sampled_formats, format);
 }
-/// Some texels have no loops of their own, or are found by their place.
+/// Whether there are formats without loops of their own (has_other_texels), or with texels that are no whole
+/// bytes of a colour (has_indirect_texels).
 inline constexpr bool has_other_texels = sampled_formats >> static_cast<unsigned>(TexelFormat::rgba4444) != 0,
                       has_indirect_texels = sampled_formats >> static_cast<unsigned>(TexelFormat::p4) != 0;
 
-/// line: one row, t is not looked at. volume: images one behind the other, as high as the first one and its
+/// line: one row, t is ignored. volume: images one behind the other, each as high as the first one with its
 /// border.
 enum class TextureShape : std::uint8_t { line, plane, volume, cube };
 
@@ -126,7 +127,7 @@ struct TextureLevel {
     friend constexpr bool operator==(const TextureLevel&, const TextureLevel&) = default;
 };
 
-/// Texels of every face and level of a cube map, in the order of GL's tokens; all else is as with the first
+/// Texels of every face and level of a cube map, in the order of GL's tokens; all else is as for the first
 /// face.
 struct CubeFaces {
     const std::uint8_t* texels[6][max_texture_levels];
@@ -146,11 +147,11 @@ struct Texture {
     TextureShape shape = TextureShape::plane;
     std::uint16_t depth = 1; ///< images of a volume's base level; level l has 1/2^l of them, at least one
     Wrap wrap_r = Wrap::repeat;
-    bool compares = false; ///< depths: r by `compare` a depth is 0 or 1
+    bool compares = false; ///< depth textures: a texel is 1 where `r compare depth` holds, else 0
     Compare compare = Compare::lequal;
     TexelFormat palette_format = TexelFormat::rgb888;
-    const std::uint8_t* palette = nullptr; ///< of p4 and p8, of every level
-    const CubeFaces* faces = nullptr;      ///< of a cube map
+    const std::uint8_t* palette = nullptr; ///< palette of p4 and p8, for all levels
+    const CubeFaces* faces = nullptr;      ///< texels of the faces of a cube map
     std::uint8_t border_texels =
         0; ///< 1 when the image has a border around [0,w) x [0,h): texel -1 is readable
     std::int32_t min_lod = -1000 * 256, max_lod = 1000 * 256; ///< s23.8
@@ -158,12 +159,12 @@ struct Texture {
     friend constexpr bool operator==(const Texture&, const Texture&) = default;
 };
 
-/// The third coordinate is looked at: it is interpolated, and every fragment divides.
+/// Whether a texture needs the third coordinate, which is then interpolated and divided at every fragment.
 constexpr bool wants_r(const Texture& texture) {
     return texture.shape >= TextureShape::volume || texture.compares;
 }
 
-/// What becomes of RGB or of alpha with COMBINE (GL 1.3, tables 3.24 to 3.26).
+/// The function that COMBINE applies to RGB or to alpha (GL 1.3, tables 3.24 to 3.26).
 struct Combiner {
     CombineFunc func = CombineFunc::modulate;
     std::uint8_t log2_scale = 0; ///< 0 to 2
@@ -178,7 +179,7 @@ struct Combiner {
 struct TextureUnit {
     const Texture* texture = nullptr; ///< null: unit off
     TexEnv env = TexEnv::modulate;
-    Combiner rgb, alpha;                       ///< of TexEnv::combine; units they name as a source are on
+    Combiner rgb, alpha;                       ///< for TexEnv::combine; units they name as a source are on
     std::int32_t lod_bias = 0;                 ///< s23.8, of the texture and of the unit
     std::uint32_t env_color[4] = {0, 0, 0, 0}; ///< Colour units (see vertex.hpp)
     friend constexpr bool operator==(const TextureUnit&, const TextureUnit&) = default;
@@ -200,7 +201,7 @@ struct Blending {
 inline constexpr Blending blend_over = {BlendFactor::src_alpha, BlendFactor::one_minus_src_alpha};
 
 struct FragmentState {
-    [[gnu::noinline]] FragmentState(); ///< long
+    [[gnu::noinline]] FragmentState(); ///< not inline, because it is long
 
     TextureUnit unit[max_texture_units];
     Colors colors = Colors::of_vertices;
@@ -222,7 +223,7 @@ struct FragmentState {
     bool blend = false;
     Blending blend_rgb, blend_alpha;
     std::uint32_t blend_color[4] = {0, 0, 0, 0}; ///< Colour units
-    bool logic = false;                          ///< instead of blending
+    bool logic = false;                          ///< a logic operation replaces blending
     LogicOp logic_op = LogicOp::copy;
     bool dither = true;
     /// Bit 0 red, 1 green, 2 blue, 3 alpha, or the bits of an index; 0 also when DrawBuffer is NONE.
@@ -236,10 +237,10 @@ struct FragmentState {
 #endif
     bool count = false; ///< count passing fragments in Counters::passed (costs time)
     // What primitives bring along beside their planes (raster/span/primitive_state.hpp); Rasterizer has none.
-    bool coverage = false;     ///< goes into alpha, or an index: antialiasing (GL 1.3, 3.11)
-    bool depth_offset = false; ///< of polygons (GL 1.3, 3.5.5)
+    bool coverage = false;     ///< coverage goes into alpha, or an index: antialiasing (GL 1.3, 3.11)
+    bool depth_offset = false; ///< a depth offset of polygons (GL 1.3, 3.5.5)
     const std::uint32_t* polygon_stipple = nullptr; ///< 32 rows, bit x: column x is drawn; null: off
-    // Of the sample that is drawn (GL 1.3, 4.1.3); Rasterizer has none.
+    // Multisample fragment operations (GL 1.3, 4.1.3); Rasterizer has none.
     bool alpha_to_coverage = false, alpha_to_one = false;
     bool sample_coverage = false, invert_sample_coverage = false;
     std::uint8_t sample_coverage_value = 255; ///< 255ths

@@ -48,7 +48,7 @@
 
 namespace spangle::raster {
 
-/// Without units nothing is textured; arrays of them have one that is never on.
+/// Without texture units nothing is textured; arrays of units then have one element, which is never on.
 inline constexpr bool has_textures = SPANGLE_TEXTURE_UNITS != 0;
 inline constexpr int max_texture_units = has_textures ? SPANGLE_TEXTURE_UNITS : 1;
 static_assert(max_texture_units == 1 || max_texture_units == 2);
@@ -59,30 +59,31 @@ static_assert(max_texture_levels >= 1 && max_texture_levels <= 12);
 
 inline constexpr unsigned tiers = SPANGLE_TIER_SET;
 static_assert(tiers != 0 && tiers < 8);
-/// Surfaces tell what was drawn.
+/// Surfaces record what was drawn (Surface::extents).
 inline constexpr bool has_extents = SPANGLE_EXTENTS != 0;
 inline constexpr bool has_fused_spans = SPANGLE_FUSED_SPANS != 0;
-/// Ways that are only faster.
+/// Code that only makes things faster is built in.
 inline constexpr bool has_shortcuts = SPANGLE_SHORTCUTS != 0;
-/// Without it a state that has no fused span is an error.
+/// The general chain of stages is built in. Without it a state that has no fused span is an error.
 inline constexpr bool has_chain = SPANGLE_CHAIN != 0;
 static_assert(has_chain || has_fused_spans);
-/// Without it coordinates of textures are divided wherever they are drawn.
+/// Texture coordinates may be affine. Otherwise they are divided wherever textures are drawn.
 inline constexpr bool has_affine_textures = SPANGLE_AFFINE_TEXTURES != 0;
-/// Without it w is 1 at every vertex, and q, too.
+/// Vertices may have any w and q. Otherwise both are 1 at every vertex.
 inline constexpr bool has_perspective = SPANGLE_PERSPECTIVE != 0;
 static_assert(has_perspective || has_affine_textures);
 
-/// Fragments between two stages of the chain, where lanes do not ask for more, and most rows that a primitive
-/// hands to its span function at once. They lie on the stack.
+/// The fragments that pass between two stages of the chain at once, unless lanes need more. Pen::batch, the
+/// most rows that a primitive hands to its span function at once, is a multiple of it. Both lie on the stack.
 inline constexpr int packet = SPANGLE_PACKET;
 static_assert(packet == 2 || packet == 4 || packet == 8 || packet == 16);
 
-/// Lines under way, even; with two they are drawn one by one. They lie on the stack, some 50 bytes each.
+/// Lines that are collected for one loop, an even number; with two, lines are drawn one by one. They lie on
+/// the stack, some 50 bytes each.
 inline constexpr int line_batch = SPANGLE_LINE_BATCH != 0 ? SPANGLE_LINE_BATCH : sizeof(void*) == 4 ? 24 : 16;
 static_assert(line_batch >= 2 && line_batch % 2 == 0);
 
-/// Bits of the formats from the first to the last.
+/// The set of formats from `first` to `last`, one bit each.
 constexpr unsigned formats_between(PixelFormat first, PixelFormat last) {
     return (2u << static_cast<unsigned>(last)) - (1u << static_cast<unsigned>(first));
 }
@@ -101,7 +102,7 @@ static_assert(color_formats != 0, "the format needs NARROW_SURFACES or COLOR_IND
 static_assert(texture_formats < 1u << 15);
 static_assert((depth_formats & 1) != 0 && depth_formats < 8, "a surface may always be without depth");
 
-/// Surfaces of it are drawn on.
+/// Whether this build draws on surfaces of this format.
 constexpr bool has_format(PixelFormat format) {
     return (color_formats >> static_cast<unsigned>(format) & 1) != 0;
 }
@@ -111,7 +112,7 @@ constexpr bool has_format(DepthFormat format) {
 inline constexpr bool has_indices = has_format(PixelFormat::index8),
                       has_narrow_formats = (color_formats & narrow_formats) != 0,
                       has_wide_formats =
-                          (color_formats & ~narrow_formats) != 0; ///< whose pixels have an address
+                          (color_formats & ~narrow_formats) != 0; ///< pixels have an address each
 
 /// The number systems of the chain (key.cpp): narrow surfaces and those of indices have the exact one in
 /// every tier, and no loops of their own.
@@ -119,19 +120,19 @@ inline constexpr bool chain_only = (color_formats & (narrow_formats | index_form
 inline constexpr bool has_exact = chain_only || (tiers & 1) != 0, has_balanced = (tiers & 6) != 0;
 static_assert(has_chain || !chain_only, "narrow surfaces and those of indices are drawn by the chain");
 
-/// The value itself; where a build has no other the compiler knows it.
+/// Returns `value`, as a constant where `set` has no other.
 template <class E> [[gnu::always_inline]] constexpr E one_of(unsigned set, E value) {
     return (set & (set - 1)) != 0 || set == 0 ? value : static_cast<E>(__builtin_ctz(set));
 }
 
-/// The format of a surface. Where a build draws on one format only the compiler knows it.
+/// The format of a surface; a constant in a build that draws on one format only.
 constexpr PixelFormat drawn(PixelFormat format) {
     return one_of(color_formats, format);
 }
 namespace detail {
 inline constexpr FormatInfo only_info = format_info(drawn(PixelFormat{}));
 }
-/// Of the format of a surface, likewise.
+/// The properties of a surface's format; constants in a build that draws on one format only.
 [[gnu::always_inline]] constexpr const FormatInfo& drawn_info(PixelFormat format) {
     if constexpr ((color_formats & (color_formats - 1)) == 0)
         return detail::only_info;

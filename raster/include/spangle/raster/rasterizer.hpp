@@ -10,7 +10,7 @@
 
 namespace spangle::raster {
 
-/// Everything off but dithering; the whole surface.
+/// A state with everything off but dithering, that draws on the whole surface.
 inline FragmentState whole(const Surface& surface) {
     FragmentState state;
     state.scissor = surface.area();
@@ -34,28 +34,28 @@ constexpr FixedVertex at(std::int32_t x, std::int32_t y) {
     return v;
 }
 
-/// Immutable; copies draw the same. The surface's planes and the state's textures must outlive it. A
-/// primitive with a vertex outside of the ranges that vertex.hpp states is not drawn. Pixels outside of the
-/// scissor box, which is cut to the surface, are not touched.
+/// An immutable rasterizer; copies draw the same. The surface's planes and the state's textures must outlive
+/// it. A primitive with a vertex outside of the ranges that vertex.hpp states is not drawn. Pixels outside of
+/// the scissor box, which is cut to the surface, are not touched.
 class Rasterizer {
   public:
     Rasterizer(const FragmentState& state, const Surface& surface);
 
-    /// Either orientation. The provoking vertex gives the colour where state.flat.
+    /// Draws a triangle of either orientation. The provoking vertex gives the colour where state.flat.
     void triangle(const FixedVertex& a, const FixedVertex& b, const FixedVertex& c,
                   const FixedVertex& provoking) const;
     void triangle(const FixedVertex& a, const FixedVertex& b, const FixedVertex& c) const {
         triangle(a, b, c, c);
     }
-    /// By the diamond-exit rule (GL 1.3, 3.4.1): without its last pixel; b provokes. Width 1 to 64 pixels,
-    /// clamped.
+    /// Draws a line by the diamond-exit rule (GL 1.3, 3.4.1), without its last pixel; b is the provoking
+    /// vertex. The width is clamped to 1 .. 64 pixels.
     void line(const FixedVertex& a, const FixedVertex& b, std::int32_t width = 1) const;
-    /// A square of 1 to 64 pixels, clamped (GL 1.3, 3.3).
+    /// Draws a square of `size` pixels, clamped to 1 .. 64 (GL 1.3, 3.3).
     void point(const FixedVertex& v, std::int32_t size = 1) const;
 
   private:
     Surface surface_;
-    /// The compiled state (raster/span/draw_state.hpp), whose parts are nobody else's business.
+    /// The compiled state (raster/span/draw_state.hpp), whose parts are private to the rasterizer.
     alignas(8) std::byte state_[320 + 112 * sizeof(void*)];
 };
 

@@ -20,8 +20,8 @@ struct Surface {
     std::int32_t depth_stride = 0; ///< bytes from GL row y to y + 1
     std::int16_t* accum = nullptr; ///< RGBA, k / 32767, from GL row 0 on without gaps; null: there is none
 #if SPANGLE_EXTENTS
-    RowExtents* extents = nullptr; ///< the same record whole, for full clears; null when nobody asks
-    RowSpan* touched = nullptr;    ///< its element of GL row 0, or null when nobody asks
+    RowExtents* extents = nullptr; ///< what was touched, and full clears; null: not kept
+    RowSpan* touched = nullptr;    ///< its rows' element for GL row 0; null: not kept
     std::int32_t touched_step = 0; ///< +1 or -1 elements from GL row y to y + 1
 #else
     static constexpr RowExtents* extents = nullptr;
@@ -30,7 +30,7 @@ struct Surface {
 #endif
     std::int32_t width = 0, height = 0;
 #if SPANGLE_FEATURE_BANDS
-    /// GL rows that are there, of a band; the pointers are those that row 0 would have.
+    /// The GL rows [first_row, end_row) that a band holds. Pointers are those that row 0 would have.
     std::int32_t first_row = 0, end_row = INT32_MAX;
 #else
     static constexpr std::int32_t first_row = 0, end_row = INT32_MAX;
@@ -43,12 +43,12 @@ struct Surface {
     static constexpr const Samples* samples = nullptr;
 #endif
 
-    /// Pixels that are there.
+    /// The pixels that the surface holds.
     constexpr Rect area() const {
         const std::int32_t end = end_row < height ? end_row : height;
         return {0, first_row, width, end - first_row};
     }
-    /// Rows of a page of PixelFormat::mono are one.
+    /// The stored row of GL row y. The eight rows of a page of PixelFormat::mono are one stored row.
     std::uint8_t* color_row(std::int32_t y) const {
         return color +
                static_cast<std::intptr_t>(drawn(format) == PixelFormat::mono ? y >> 3 : y) * color_stride;

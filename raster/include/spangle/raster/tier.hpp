@@ -6,8 +6,8 @@
 
 #include <spangle/raster/limits.hpp>
 
-/// Host builds draw in tiers that a program composed, too. CMake says so to the library and to its users;
-/// nobody else does.
+/// Host builds also draw in tiers that a program composes. Only CMake defines this, for the library and for
+/// its users.
 #ifndef SPANGLE_OWN_TIERS
 #define SPANGLE_OWN_TIERS 0
 #endif
@@ -27,20 +27,20 @@ enum class Tier : std::uint8_t { exact, balanced, fast };
 constexpr bool has_tier(Tier tier) {
     return (tiers >> static_cast<unsigned>(tier) & 1) != 0;
 }
-/// Of a draw; where a build has one tier only the compiler knows it.
+/// The tier of a draw; a constant in a build that has only one.
 constexpr Tier drawn(Tier tier) {
     return one_of(tiers, tier);
 }
 
-/// How texture coordinates go on between two divisions.
+/// How texture coordinates are interpolated between two divisions.
 enum class Runs : std::uint8_t { straight, cubic };
 
 /// Everything that makes a tier. Bounds are exponents: n stands for 2^-n.
 struct Knobs {
     /// Fraction bits of 255ths that colours are combined in: 20, or 8 in words of 16 bits.
     std::uint8_t color_bits;
-    /// SRC_ALPHA, ONE_MINUS_SRC_ALPHA into 565 count in steps of the target, alpha in 32nds. Colours of 20
-    /// bits never do.
+    /// Blending with SRC_ALPHA, ONE_MINUS_SRC_ALPHA into 565 counts colours in steps of the target, and alpha
+    /// in 32nds. Colours of 20 bits are never blended so.
     bool coarse_blend;
     /// Dithered colours are counted in exact steps of the target; else a step may be a 290th too large.
     bool exact_steps;
@@ -58,9 +58,10 @@ struct Knobs {
     /// Coordinates are affine over a primitive where they are off by 2^-n texel at most: 2 to 13, or `never`.
     std::uint8_t affine_texel_bits;
     /// Colours are affine over a primitive where they are off by 2^-n of full scale at most: 2 to 24, 0 for
-    /// always, or `never`;
+    /// always, or `never`.
     std::uint8_t affine_color_bits;
-    /// and where they are off by 2^-n step of the target, of 8 bits or of 6: 0 to 20, or `never`.
+    /// Colours are also affine where they are off by 2^-n step of the target, of 8 bits or of 6: 0 to 20, or
+    /// `never`.
     std::uint8_t affine_step_bits;
     /// Fog is affine over a primitive where its factor is off by 2^-n at most: 2 to 24, or 0 for always.
     std::uint8_t affine_fog_bits;
@@ -107,7 +108,7 @@ inline constexpr Knobs fast_knobs = {
     .shortest_run = 4,
     .longest_run = 16,
     .affine_texel_bits = 2,
-    .affine_color_bits = 4, // so far off everywhere is 24 dB, and the tier promises 22
+    .affine_color_bits = 4, // an error of 2^-4 everywhere is 24 dB, and the tier promises 22
     .affine_step_bits = Knobs::never,
     .affine_fog_bits = 4,
 };
@@ -116,7 +117,7 @@ constexpr const Knobs& knobs_of(Tier tier) {
     return tier == Tier::exact ? exact_knobs : tier == Tier::fast ? fast_knobs : balanced_knobs;
 }
 
-/// Every field is within its range.
+/// Whether every field is within its range.
 constexpr bool are_valid(const Knobs& k) {
     const auto among = [](std::uint8_t v, int least, int most) { return v >= least && v <= most; };
     return (k.color_bits == 8 || k.color_bits == 20) && k.texel_bits <= 13 && k.shortest_run <= 6 &&
@@ -130,7 +131,7 @@ constexpr bool are_valid(const Knobs& k) {
 static_assert(are_valid(exact_knobs) && are_valid(balanced_knobs) && are_valid(fast_knobs));
 
 /// Firmware may draw in one tier that its user composed. SPANGLE_KNOBS gives every field its value; then all
-/// knobs are constants, whatever tier a config or a hint asks for. `./dev firmware --tier` says it.
+/// knobs are constants, whatever tier a config or a hint asks for. `./dev firmware --tier` sets it.
 #ifdef SPANGLE_KNOBS
 inline constexpr bool has_given_knobs = true;
 inline constexpr Knobs given_knobs = {SPANGLE_KNOBS};
@@ -149,7 +150,7 @@ static_assert(!has_given_knobs || (are_valid(given_knobs) && !SPANGLE_OWN_TIERS)
 static_assert(!has_given_knobs || tiers == tiers_for(given_knobs),
               "SPANGLE_TIER_SET is not that of SPANGLE_KNOBS");
 
-/// Coordinates may have the runs of another tier than the one whose number system colours have.
+/// Whether coordinates may have the runs of another tier than the one whose number system colours have.
 inline constexpr bool has_mixed_runs =
     SPANGLE_OWN_TIERS ||
     (has_given_knobs && (given_knobs.runs == Runs::cubic) != (given_knobs.color_bits == 20));

@@ -12,8 +12,8 @@ namespace spangle::raster {
 inline constexpr int subpixel_bits = 8;
 inline constexpr std::int32_t subpixel_one = 1 << subpixel_bits;
 
-/// Fixed policy. Everything here is a pure function of the vertex's own values and the matrices. What a build
-/// never looks at is one constant of all vertices.
+/// Fixed policy. Everything here is a pure function of the vertex's own values and the matrices. Members that
+/// a build never reads are constants that all vertices share.
 struct FixedVertex {
     std::int32_t x, y; ///< window, n.8, y up; |x|, |y| within the guard band (4 x the largest viewport)
     std::uint32_t z;   ///< 0 .. depth_one
@@ -48,7 +48,8 @@ struct FixedVertex {
 #else
     static constexpr TexCoord tex[max_texture_units] = {};
 #endif
-    /// Third coordinates, with the exponent of their unit; of textures that look at them (wants_r).
+    /// Third texture coordinates, with the exponent of their unit; only for textures that read them
+    /// (wants_r()).
 #if SPANGLE_FEATURE_TEXTURE_3D || SPANGLE_FEATURE_TEXTURE_CUBE_MAP || SPANGLE_FEATURE_DEPTH_TEXTURES
     std::int32_t r[max_texture_units];
 #else
