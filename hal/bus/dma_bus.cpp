@@ -101,7 +101,7 @@ bool DmaBus::start_part(const Op& op) {
         port_.reset(part_ == 0);
     if (part_++ != 0) {
         if (op.kind == Op::Kind::wait_te)
-            tell_moment(op, port_.micros()); // the edge's interrupt
+            tell_moment(op, port_.micros()); // called from the edge's interrupt
         return false;
     }
     if (op.kind == Op::Kind::wait_te)
@@ -111,7 +111,7 @@ bool DmaBus::start_part(const Op& op) {
     return true;
 }
 
-/// Rows that touch are one piece.
+/// Starts the next rows; those that touch are one piece.
 bool DmaBus::start_pixels(const Op& op) {
     const bool whole = op.stride == static_cast<std::int64_t>(op.length);
     if (part_ >= (whole ? 1 : op.rows) || op.length == 0 || op.rows == 0)
@@ -132,7 +132,7 @@ bool DmaBus::start_repeat(const Op& op) {
     return true;
 }
 
-/// Command, answer, command, answer, until the line is there.
+/// Sends command and reads answer in turn, until the line is there.
 bool DmaBus::start_wait_line(const Op& op) {
     if (part_ == 0)
         since_ = port_.micros();

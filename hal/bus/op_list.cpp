@@ -91,7 +91,7 @@ std::uint64_t bus_cycles(const BusCaps& caps, std::uint64_t bits) {
     return (bits + width - 1) / width;
 }
 
-/// What a list asks of the bus, summed first: divisions are dear on small cores.
+/// What a list asks of the bus. It is summed before times are computed, as divisions are dear on small cores.
 struct Work {
     std::uint64_t bytes = 0, read_bits = 0, micros = 0;
     std::uint32_t commands = 0;

@@ -55,10 +55,11 @@ Fault PolledBus::run(const Op& op) {
     }
 }
 
-/// Bytes of one kind go on in the message under way, but one start byte stands for one index.
+/// Sends bytes in the message under way if it is of their kind. But every index takes a start byte of its
+/// own.
 Fault PolledBus::send(bool data, const std::uint8_t* bytes, std::uint32_t count) {
     const bool goes_on = open_ && data == data_ && (data || caps_.kind != BusKind::spi_start);
-    open_ = true; // to be ended, whatever comes of it
+    open_ = true; // must be ended, even after a fault
     data_ = data;
     if (!goes_on)
         if (const Fault fault = port_.begin(data); fault != Fault::none)
@@ -67,7 +68,7 @@ Fault PolledBus::send(bool data, const std::uint8_t* bytes, std::uint32_t count)
     return port_.write(bytes, count);
 }
 
-/// Rows that touch are one piece.
+/// Sends rows; those that touch are one piece.
 Fault PolledBus::send_pixels(const Op& op) {
     if (op.stride == static_cast<std::int64_t>(op.length))
         return send(true, op.data, op.length * op.rows);
@@ -92,7 +93,7 @@ Fault PolledBus::send_repeat(const Op& op) {
     return Fault::none;
 }
 
-/// An answer begins a message of its own and ends with it.
+/// Reads an answer in a message of its own.
 Fault PolledBus::read(const Op& op) {
     end_message();
     Fault fault = send(false, &op.command, 1);

@@ -1,4 +1,5 @@
-// Which windows a frame is sent in: one rectangle, rows, or spans, whichever costs this bus least.
+// Selects the windows that a frame is sent in: one rectangle, rows, or spans, whichever costs least on this
+// bus.
 #pragma once
 
 #include "hal/display/span_plan.hpp"
@@ -8,7 +9,7 @@ namespace spangle::hal {
 
 class FramePlan {
   public:
-    /// `spans`: of the row hash whose code is `code`; or null.
+    /// `spans`: a plan of the row hash, whose code is `code`; or null.
     FramePlan(const WindowPlan& rows, SpanPlan* spans, const RowHashCode* code)
         : rows_(rows), spans_(spans), code_(code),
           by_spans_(spans != nullptr && spans->total() < rows.total()) {}

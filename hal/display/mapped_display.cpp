@@ -49,7 +49,7 @@ Result<void> MappedDisplay::init() {
     return {};
 }
 
-/// Blocks that scan eight bits a pixel look all of them up.
+/// Display controllers that scan out eight bits a pixel look up every pixel in the palette.
 void MappedDisplay::begin_palette() {
     if (format_info(config_.format).bits != 8 || (!is_narrow(config_.format) && !is_indexed(config_.format)))
         return;
@@ -64,7 +64,7 @@ Result<void> MappedDisplay::set_palette(std::int32_t first, std::int32_t count, 
     return {};
 }
 
-/// Neither scanned nor going to be. What is free stays so until it is shown.
+/// Whether a buffer is neither scanned out nor about to be. A free buffer stays free until it is shown.
 bool MappedDisplay::is_free(std::uint8_t buffer) const {
     return buffer != asked_ && port_.scanned() != config_.buffers[buffer];
 }
@@ -90,7 +90,7 @@ Result<Frame> MappedDisplay::acquire() {
     if (!take_free_buffer()) {
         if (const auto r = wait_for_scan(); !r)
             return r.error();
-        take_free_buffer(); // all but one are
+        take_free_buffer(); // now all buffers but one are free
     }
     const std::uint32_t age = drawn_in_[back_] == 0 ? 0 : frame_ - drawn_in_[back_] + 1;
     return Frame{config_.buffers[back_], stride(), static_cast<std::int32_t>(age), &extents_};
@@ -100,7 +100,7 @@ Result<void> MappedDisplay::present() {
     if (!ready_)
         return Error{Fault::bad_argument, "memory-mapped display: present before init succeeded"};
     if (!drawing_)
-        return {}; // nothing was acquired since the last one
+        return {}; // nothing was acquired since the last present
     if (count_ > 1 && port_.scanned() != config_.buffers[asked_]) {
         if (waits_ && config_.pacing == Pacing::block) {
             if (const auto r = wait_for_scan(); !r)
@@ -123,7 +123,7 @@ Result<void> MappedDisplay::finish() {
     return ready_ ? wait_for_scan() : Result<void>{};
 }
 
-/// Of the cache, what was drawn.
+/// Cleans the cache where something was drawn.
 void MappedDisplay::clean() {
     const std::uint8_t* const first = config_.buffers[back_];
     if (extents_.cleared || extents_.rows == nullptr) {

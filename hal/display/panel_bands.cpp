@@ -1,4 +1,5 @@
-// Frames of a panel in bands: drawn in a buffer of some rows, sent while the next ones are drawn.
+// Draws frames of a panel in bands: a band is drawn in a buffer of some rows, and sent while the next one is
+// drawn.
 #include <spangle/hal/panel_display.hpp>
 
 #include "hal/display/row_spans.hpp"
@@ -24,7 +25,7 @@ Result<Frame> PanelDisplay::acquire_rows(std::int32_t first, std::int32_t rows) 
     if (pixels == nullptr)
         return Error{Fault::busy, "display: acquire while a late transfer still reads the band"};
     if (first == 0 && is_indexed(config_.format) && memory_.palette->any_stale()) {
-        forget_content(); // what shows the new colours was drawn in buffers that are gone
+        forget_content(); // pixels of the new colours were drawn in buffers that are gone
         memory_.palette->all_fresh();
     }
     band_.first = first;
@@ -50,7 +51,7 @@ Result<void> PanelDisplay::present_rows() {
     if (const auto r = settle(); !r)
         return r;
     if (band_.first == 0 && !band_.complete)
-        forget_content(); // which clear value is outside of it differs from band to band
+        forget_content(); // an incomplete frame leaves bands with different clear values
     band_.acquired = false;
     if (const auto r = (this->*parts_.send_band)(); !r) {
         forget_content();
@@ -71,7 +72,8 @@ Result<void> PanelDisplay::send_changed_rows() {
     return send();
 }
 
-/// Nobody remembers what the panel shows. Columns end where bytes do; so do bands.
+/// Sends a band whole: nothing records what the panel shows. Columns are widened to whole bytes, and bands
+/// end at whole bytes.
 Result<void> PanelDisplay::send_all_rows() {
     const std::int32_t unit = shared().width;
     begin_send();
@@ -82,8 +84,8 @@ Result<void> PanelDisplay::send_all_rows() {
     return end_send();
 }
 
-/// What differs between the panel's memory and the band: what was drawn, and what the panel shows there
-/// outside of its clear value; everything where that value changed.
+/// Collects what differs between the panel's memory and the band: what was drawn, and what the panel shows
+/// there outside of its clear value. Everything differs where that value changed.
 void PanelDisplay::collect_band_damage() {
     const RowSpan all = {0, picture_.width};
     PanelContent& shown = content_[0];
@@ -101,7 +103,7 @@ void PanelDisplay::collect_band_damage() {
         shown.clear_value = band_.clear_value;
 }
 
-/// Nobody knows what the panel shows; of whole frames `damage` tells what.
+/// Forgets what the panel shows, for frames in bands. For whole frames `damage` holds what is unknown.
 void PanelDisplay::forget_content() {
     if (config_.band == 0 || content_[0].rows == nullptr)
         return;

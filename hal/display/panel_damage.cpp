@@ -1,11 +1,11 @@
-// What the panel's memory does not hold yet.
+// Collects damage: what the panel's memory does not hold yet.
 #include <spangle/hal/panel_display.hpp>
 
 #include "hal/display/row_spans.hpp"
 
 namespace spangle::hal {
 
-/// Pixels across and down that share bytes, in the picture or on the wire.
+/// The pixels across and down that share bytes, in the picture or on the wire.
 Extent PanelDisplay::shared() const {
     const Extent wire = windows_.shared(),
                  lying = config_.wire.converts() ? Extent{1, 1} : sharing(config_.format);
@@ -13,7 +13,7 @@ Extent PanelDisplay::shared() const {
             wire.height > lying.height ? wire.height : lying.height};
 }
 
-/// Windows end where bytes do: rows that share bytes share the damage.
+/// Widens the damage, so that windows end at whole bytes: rows that share bytes share the damage.
 void PanelDisplay::widen_damage() {
     const Extent shared = this->shared();
     if (shared.width == 1 && shared.height == 1)
@@ -31,11 +31,12 @@ void PanelDisplay::widen_damage() {
     }
 }
 
-/// What differs between the panel's memory and the frame, by row:
+/// Collects what differs between the panel's memory and the frame, by row:
 ///  - what was drawn now;
 ///  - after a full clear, what the shown frame held outside its clear value, or everything when that value
 ///  changed;
-///  - without one, two buffers: what the last present changed, since this buffer is one frame older;
+///  - with two buffers and no full clear, what the last present changed, since this buffer is one frame
+///    older;
 ///  - what a failed transfer leaves unknown;
 ///  - what was sent in place, which the other buffer does not have.
 void PanelDisplay::collect_damage() {
@@ -59,7 +60,7 @@ void PanelDisplay::collect_damage() {
         drawn.clear_value = extents_.clear_value;
 }
 
-/// What differs, in the order of the scan.
+/// Copies what differs into the second buffer, in the order of the scan.
 void PanelDisplay::turn_damage() {
     std::uint8_t* const to = buffers_[1].to_draw(bus_);
     memory_.turner(scan_,

@@ -1,4 +1,4 @@
-// Frames of a panel: drawn, put off, shown; transfers and what becomes of them.
+// Frames of a panel, how they are put off and shown, and the outcomes of transfers.
 #include <spangle/hal/panel_display.hpp>
 
 #include "hal/display/row_spans.hpp"
@@ -154,14 +154,14 @@ Result<void> PanelDisplay::present_frame() {
     return {};
 }
 
-/// Sends the frame that was drawn. `in_place`: its buffer is the next one's too.
+/// Sends the frame that was drawn. `in_place`: the next frame is drawn in the same buffer.
 Result<void> PanelDisplay::show(bool in_place) {
     restore_extents();
     collect_damage();
     const bool recolored = is_indexed(config_.format) && collect_palette_damage();
     if (turns_)
         turn_damage();
-    if (hash_.enabled()) // whose reduced damage would not do for a buffer two sends behind
+    if (hash_.enabled()) // reduced damage would not suffice for a buffer two sends behind
         memory_.hash.code->reduce(hash_, sent_damage(), buffers_[turns_ ? 1 : back_].to_send(),
                                   static_cast<std::int32_t>(sent_stride()), suspect_ || behind_ || recolored);
     if (const auto r = send(); !r)
@@ -174,7 +174,7 @@ Result<void> PanelDisplay::show(bool in_place) {
     return {};
 }
 
-/// The frame is taken: the next one starts with nothing touched.
+/// The frame was handed over: the next one starts with nothing touched.
 void PanelDisplay::accept(bool in_place) {
     front_ = back_;
     behind_ = in_place && canvases() == 2;
@@ -185,7 +185,7 @@ void PanelDisplay::accept(bool in_place) {
 
 // --- Pacing ---
 
-/// The wire is busy and this present need not wait for it.
+/// Puts this present off if the wire is busy and it need not wait. True: it was put off.
 bool PanelDisplay::put_off() {
     if (!in_flight_ || bus_.done(token_) || (waits_ && config_.pacing == Pacing::block))
         return false;
@@ -196,7 +196,7 @@ bool PanelDisplay::put_off() {
     return true;
 }
 
-/// What the frame touched goes aside, so that it shows whether more is drawn.
+/// Sets aside what the frame touched, so that `touched` shows whether more is drawn.
 void PanelDisplay::hold_extents() {
     restore_extents();
     held_cleared_ = extents_.cleared;
@@ -212,7 +212,7 @@ void PanelDisplay::restore_extents() {
         return;
     owed_ = false;
     if (extents_.cleared)
-        return; // nothing is left of that frame
+        return; // a full clear leaves nothing of that frame
     extents_.cleared = held_cleared_;
     extents_.clear_value = held_clear_value_;
     for (std::int32_t y = 0; y < extents_.height; ++y)

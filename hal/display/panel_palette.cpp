@@ -1,11 +1,12 @@
-// Pixels of index surfaces are given colours while they are sent: a new colour is damage wherever it shows.
+// Pixels of index surfaces get their colours while they are sent: a new colour is damage wherever it shows.
 #include <spangle/hal/panel_display.hpp>
 
 #include "hal/display/row_spans.hpp"
 
 namespace spangle::hal {
 
-/// Black is whatever index has it: a panel that was just initialised shows no index of the buffer.
+/// Sets the initial colours. None of them is stale: a panel that was just initialised is black, and shows no
+/// index of the buffer.
 void PanelDisplay::begin_palette() {
     for (std::int32_t i = 0; i < palette_size; ++i)
         for (int c = 0; c < 3; ++c)
@@ -27,7 +28,8 @@ Result<void> PanelDisplay::set_palette(std::int32_t first, std::int32_t count, c
     return {};
 }
 
-/// From the first to the last pixel of each row whose colour is another one; false: there is none such.
+/// Adds to the damage of each row the columns from the first to the last pixel whose colour changed. False:
+/// no colour changed.
 bool PanelDisplay::collect_palette_damage() {
     Palette& palette = *memory_.palette;
     if (!palette.any_stale())

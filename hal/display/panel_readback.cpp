@@ -1,10 +1,10 @@
-// What the panel says of itself, and of the pixels it holds.
+// Reads the panel's status, and the pixels it holds.
 #include <spangle/hal/panel_display.hpp>
 
 namespace spangle::hal {
 namespace {
 
-/// Three bytes each.
+/// Reverses the order of pixels of three bytes each.
 void reverse_pixels(std::uint8_t* rgb, std::int32_t count) {
     for (std::int32_t i = 0, k = count - 1; i < k; ++i, --k)
         for (std::int32_t c = 0; c < 3; ++c) {
@@ -43,7 +43,7 @@ Result<void> PanelDisplay::read_back(const Rect& area, std::uint8_t* rgb) {
     return read_turned(area, rgb);
 }
 
-/// Row by row of the picture, each a column or a row of the memory.
+/// Reads rows of the picture one by one, each of which is a column or a row of the memory.
 Result<void> PanelDisplay::read_turned(const Rect& area, std::uint8_t* rgb) {
     if (area.x < 0 || area.w <= 0 || area.h < 0 || area.w > picture_.width - area.x || area.y < 0 ||
         area.h > picture_.height - area.y)

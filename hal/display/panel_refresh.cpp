@@ -1,4 +1,4 @@
-// How long this panel's refresh really takes.
+// Measures how long this panel's refresh takes.
 #include <spangle/hal/panel_display.hpp>
 
 namespace spangle::hal {
@@ -8,10 +8,10 @@ constexpr std::size_t most_periods = 8;
 
 } // namespace
 
-/// Panels count their lines by an oscillator that nobody trimmed: of the same kind one is some percent faster
-/// than the next, and a transfer as long as two refreshes would miss by dozens of lines. So tear-free
-/// displays look at a few refreshes once. Where nothing is seen, or what cannot be, the datasheet's time
-/// stays; the presents will tell what is wrong.
+/// Panels time their lines by an oscillator that is not trimmed: of two panels of one kind, one is some
+/// percent faster. A transfer as long as two refreshes would miss by dozens of lines. So tear-free displays
+/// time a few refreshes once. Where none is seen, or the time is implausible, the datasheet's time stays;
+/// presents then report what is wrong.
 Result<void> PanelDisplay::measure_refresh() {
     const PanelTiming& timing = config_.panel->timing;
     if (!tear_free() || timing.scan_lines == 0)
@@ -28,7 +28,7 @@ Result<void> PanelDisplay::measure_refresh() {
         std::uint32_t* const moment = i == 0 ? &moments_[0] : i == periods ? &moments_[1] : nullptr;
         if (config_.wait_te) {
             ops_.wait_te(at_most, moment);
-        } else { // a range of lines, come into from outside
+        } else { // waits until the scan enters a range of lines
             ops_.wait_line(dummies, lines / 2, lines / 4, lines, at_most);
             ops_.wait_line(dummies, 0, lines / 4, lines, at_most, moment);
         }

@@ -1,4 +1,4 @@
-// A frame on its way: windows, their pixels as the wire has them, and when they may start.
+// Sends a frame: its windows, their pixels in the wire's format, and when they may start.
 #include <spangle/hal/panel_display.hpp>
 
 #include "hal/display/frame_plan.hpp"
@@ -25,7 +25,7 @@ Result<void> PanelDisplay::send() {
         if (parts_.count_ops == nullptr || !one_list(config_) || cost.window >= dearest_window ||
             (this->*parts_.count_ops)(plan) + sync_ops <= ops_.capacity())
             return send_windows(plan);
-        cost.window = 2 * cost.window + 1; // dearer windows are fewer
+        cost.window = 2 * cost.window + 1; // the dearer a window, the fewer there are
     }
 }
 
@@ -46,7 +46,7 @@ Result<void> PanelDisplay::send_windows(FramePlan& plan) {
 }
 
 void PanelDisplay::begin_send() {
-    suspect_ = true; // until the last byte is known to be there
+    suspect_ = true; // until the last byte is known to have arrived
     ops_.clear();
     wire_end_ = 0;
 }
@@ -61,7 +61,7 @@ Result<void> PanelDisplay::end_send() {
 
 /// Calls `visit` with each window as it will be sent, and the operations that open it.
 template <class Visit> void PanelDisplay::rehearse(FramePlan& plan, Visit visit) const {
-    constexpr std::size_t most = 16; // of window_size()
+    constexpr std::size_t most = 16; // no window_size() is larger
     Op ops[most];
     OpParams params[most];
     Windows windows = windows_;
@@ -83,7 +83,7 @@ std::size_t PanelDisplay::ops_of(FramePlan& plan) const {
     return count;
 }
 
-/// When the windows may go out without a tear.
+/// Computes when the windows may be sent without tearing.
 SafeStart PanelDisplay::safe_start(FramePlan& plan) const {
     const PanelTiming& timing = config_.panel->timing;
     Refresh refresh;
@@ -106,7 +106,7 @@ SafeStart PanelDisplay::safe_start(FramePlan& plan) const {
               static_cast<std::int64_t>(opening.size()) * caps_.command_cost_ns;
         const std::int64_t row = wire_nanoseconds(caps_, wire_bytes({static_cast<std::int16_t>(w.w), 1}));
         const std::int64_t end = at + row * w.h;
-        if (swapped) { // every row of the memory is written all the time
+        if (swapped) { // all rows of the memory are written throughout
             start.write(row_of(w.x), at, end);
             start.write(row_of(w.x + w.w - 1), at, end);
         } else {
@@ -118,7 +118,8 @@ SafeStart PanelDisplay::safe_start(FramePlan& plan) const {
     return start;
 }
 
-/// Leads or lags the beam; where every start would tear, it starts in the blanking, or at once.
+/// Makes the transfer lead or lag the scan. Where every start would tear, it starts in the blanking, or at
+/// once.
 void PanelDisplay::append_sync(FramePlan& plan) {
     const SafeStart start = safe_start(plan);
     const PanelTiming& timing = config_.panel->timing;
@@ -139,7 +140,8 @@ Result<void> PanelDisplay::append_windows(const Rect& area) {
     return for_each_window(windows_, area, [this](const Rect& window) { return append_window(window); });
 }
 
-/// Turns the window's pixels into the wire's, behind those of the windows before it.
+/// Converts the window's pixels to those of the wire, behind those of the windows before it. Returns their
+/// bytes.
 std::size_t PanelDisplay::convert(const Rect& window) {
     const auto stride = static_cast<std::int32_t>(this->stride());
     const Picture picture = {buffers_[back_].to_send() - std::ptrdiff_t{band_.first} * stride,
@@ -170,7 +172,7 @@ Result<void> PanelDisplay::append_window(const Rect& window) {
     return line == sent_stride() ? append_pixels(data, line * rows, 1) : append_pixels(data, line, rows);
 }
 
-/// Operations that the window's pixels take, as append_pixels() makes them.
+/// The number of operations that the window's pixels take, as append_pixels() makes them.
 std::size_t PanelDisplay::pixel_ops(const Rect& window) const {
     const auto pieces = [](std::size_t whole, std::size_t part) { return (whole + part - 1) / part; };
     const std::size_t limit = op_limit(), line = line_bytes(window.w);
@@ -183,7 +185,7 @@ std::size_t PanelDisplay::pixel_ops(const Rect& window) const {
     return line > limit ? pieces(line, limit) * rows : pieces(rows, limit / line);
 }
 
-/// Whole rows while they fit one operation of the bus, else pieces of rows.
+/// Appends whole rows while they fit one operation of the bus, else pieces of rows.
 Result<void> PanelDisplay::append_pixels(const std::uint8_t* data, std::uint32_t row_bytes,
                                          std::uint32_t rows) {
     const std::uint32_t limit = op_limit();

@@ -1,10 +1,10 @@
-// From power-on to a black picture: what can work is checked first.
+// Initialises a panel, from power-on to a black picture. What cannot work is refused first.
 #include <spangle/hal/panel_display.hpp>
 
 namespace spangle::hal {
 namespace {
 
-/// A window and its pixels go into one list.
+/// The least room in the list: a window's commands and its pixels go into one list.
 constexpr std::size_t least_ops(const CommandSet& set) {
     const std::uint32_t window = window_size(set).commands + 1;
     return window > 8 ? window : 8;
@@ -12,7 +12,7 @@ constexpr std::size_t least_ops(const CommandSet& set) {
 
 } // namespace
 
-/// What a Board was asked for when it was compiled.
+/// Checks a description by the rules that a Board was checked by when it was compiled.
 Result<void> PanelDisplay::check_description() const {
     const PanelDesc& panel = *config_.panel;
     if (const char* rule = flaw(panel))
@@ -82,8 +82,8 @@ Result<void> PanelDisplay::check_bus() const {
     return {};
 }
 
-/// Buffers and books of a display that never was initialised: nobody knows what the panel or the buffers
-/// hold.
+/// Acquires buffers and records of a display that was never initialised: what the panel and the buffers hold
+/// is unknown.
 Result<void> PanelDisplay::take_buffers() {
     const std::size_t size =
         std::size_t{stride()} *
@@ -107,7 +107,7 @@ Result<void> PanelDisplay::take_buffers() {
     }
     if (!config_.wire.converts() || !wire_.empty())
         return {};
-    // Windows that end inside a byte round up: one a row at most.
+    // A window that ends inside a byte takes one more; there is at most one window per row.
     const Extent most = held(config_, placement_.size);
     const std::size_t wire_size = wire_bytes(most) + static_cast<std::size_t>(most.height);
     const Result<Buffer> wire = bus_.acquire(wire_size);
@@ -235,14 +235,14 @@ Result<void> PanelDisplay::append_registers() {
     return {};
 }
 
-/// The display comes on black, not with the noise its memory wakes up with.
+/// Appends black pixels: the display comes on black, not with the noise that its memory wakes up with.
 Result<void> PanelDisplay::append_black() {
     return for_each_window(windows_, {0, 0, placement_.size.width, placement_.size.height},
                            [this](const Rect& window) { return append_black_window(window); });
 }
 
 Result<void> PanelDisplay::append_black_window(const Rect& window) {
-    // Whole pixels where a pixel has whole bytes.
+    // Operations repeat whole pixels where a pixel has whole bytes.
     const std::uint32_t unit = wire_bits() % 8 == 0 ? wire_bits() / 8 : 1;
     std::size_t left =
         wire_bytes({static_cast<std::int16_t>(window.w), static_cast<std::int16_t>(window.h)}) / unit;
@@ -260,7 +260,7 @@ Result<void> PanelDisplay::append_black_window(const Rect& window) {
     return {};
 }
 
-/// Bytes of so many pixels on the wire, rounded up.
+/// The bytes of a rectangle of pixels on the wire, rounded up.
 std::size_t PanelDisplay::wire_bytes(const Extent& size) const {
     const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
     return (pixels * wire_bits() + 7) / 8;

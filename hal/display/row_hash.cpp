@@ -13,7 +13,7 @@ struct Keys {
     std::uint32_t first[most_characters + 1], second[most_characters + 1];
 };
 
-/// SplitMix64 (Steele, Lea, Flood 2014), its upper halves.
+/// Makes keys of the upper halves of SplitMix64 (Steele, Lea, Flood 2014).
 constexpr Keys make_keys() {
     Keys keys{};
     std::uint64_t state = 0x5370616E676C6531; // "Spangle1"

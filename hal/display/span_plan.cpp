@@ -56,7 +56,8 @@ std::uint32_t SpanPlan::without(std::uint32_t cells, Run run) {
     return after >= 32 ? 0 : cells >> after << after;
 }
 
-/// What the plain way pays for a window that begins with this run: nothing where the row above has the same.
+/// The cost of the window that the plain way opens for this run: nothing where the row above has the same
+/// run.
 std::int32_t SpanPlan::saved(Run run) const {
     if (row_ != 0) {
         const std::int32_t first = run.begin / cell, last = (run.end - 1) / cell;
@@ -68,7 +69,7 @@ std::int32_t SpanPlan::saved(Run run) const {
     return static_cast<std::int32_t>(cost_.window);
 }
 
-/// The cells that the window above did not take.
+/// Widens the window above by the runs that it can afford; returns the cells that it did not take.
 std::uint32_t SpanPlan::absorb(Window& above, std::uint32_t cells) const {
     std::int32_t begin = above.begin, end = above.end, pixels = 0, spare = above.spare;
     std::uint32_t taken = 0;

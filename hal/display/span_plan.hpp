@@ -1,4 +1,4 @@
-// Windows around changed cells: several in a row, where that is less than one around all of them.
+// Windows around changed cells: several in a row, where these cost less than one around all of them.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,17 @@
 
 namespace spangle::hal {
 
-/// The cells of a row form runs. The plain way is a window around each block of equal runs below each other;
-/// with windows as cheap as a bus without overhead makes them, that is what comes out. A window that takes
-/// another run in, from the row below or beside it, wastes pixels and saves the window of that run: it may
-/// waste what it saved so far. Thus a frame costs at most twice the plain way, and mostly less.
+/// The cells of a row form runs. The plain way is a window around each block of equal runs below each other.
+/// With windows as cheap as a bus without overhead makes them, the plan is that. A window that takes another
+/// run in, from the row below or beside it, wastes pixels and saves the window of that run: it may waste what
+/// it saved so far. So a frame costs at most twice the plain way, and mostly less.
 ///
-/// Windows are kept until nothing can make them longer, and handed out from the top. There is room for
-/// `room`; a long window that others wait behind is handed out early, and goes on as another.
+/// Windows are kept until nothing can make them longer, and handed out from the top. There is room for `room`
+/// windows. A long window that others wait behind is handed out early, and goes on as another window.
 class SpanPlan {
   public:
     SpanPlan() = default;
-    /// Of the cells that reduce() left, in the memory of the row hash; both must stay.
+    /// Plans windows around the cells that reduce() left, in the memory of the row hash; both must stay.
     SpanPlan(const RowHash& hash, const WindowCost& cost);
 
     /// The next window from the top, or false after the last.
@@ -48,8 +48,8 @@ class SpanPlan {
     std::int32_t width_ = 0, height_ = 0;
     WindowCost cost_;
     std::uint32_t total_ = UINT32_MAX;
-    std::int32_t row_ = 0;      ///< the next to be planned
-    Window* windows_ = nullptr; ///< a ring of `count_` from `first_` on, by their top
+    std::int32_t row_ = 0;      ///< the next row to be planned
+    Window* windows_ = nullptr; ///< a ring of `count_` windows from `first_` on, by their top
     std::int32_t first_ = 0, count_ = 0;
 };
 

@@ -15,10 +15,11 @@ struct WindowCost {
     std::uint32_t pixel = 2;
 };
 
-/// No window costs more. Keeps every sum below 2^32: 4096 windows and 4096 x 4096 pixels of 32 bits.
+/// The largest cost of a window. It keeps every sum below 2^32: 4096 windows and 4096 x 4096 pixels of 32
+/// bits.
 inline constexpr std::uint32_t dearest_window = 1u << 18;
 
-/// In bits. Where a window is no larger than one row of bytes anyway, opening it costs nothing more.
+/// The costs in bits. Where windows have one row of bytes anyway, opening one costs nothing more.
 WindowCost window_cost(const BusCaps& caps, const CommandSet& set, std::uint32_t bits_per_pixel);
 
 /// Partitions the rows that are not empty into groups; a group is sent as its bounding rectangle.

@@ -36,7 +36,7 @@ struct Of888 {
     Of888(const std::uint8_t* p, std::int32_t) : r{p[0]}, g{p[1]}, b{p[2]} {}
 };
 
-/// A row of the picture, to be asked for its pixels' values.
+/// A row of the picture, which gives the values of its pixels on the wire.
 template <class Color, class Value> class Row {
   public:
     Row() = default;
@@ -101,8 +101,8 @@ template <class Value, class Put> void for_each(const Picture& picture, const Re
     });
 }
 
-/// The bytes of formats whose pixels share one: `Count` of them, side by side, or one above the other.
-/// `join(byte, value, i)` adds the i-th.
+/// Writes formats whose pixels share a byte: `Count` of them, side by side, or one above the other.
+/// `join(byte, value, i)` adds the i-th pixel.
 template <class Value, int Count, class Join>
 std::size_t share_bytes(const Picture& picture, const Rect& area, bool side_by_side, std::uint8_t* to,
                         Join join) {
@@ -145,7 +145,7 @@ std::size_t to_rgb666(const Picture& picture, const Rect& area, std::uint8_t* to
     return static_cast<std::size_t>(to - begin);
 }
 
-/// An odd pixel at the end takes two bytes; the four bits behind it are never looked at.
+/// An odd pixel at the end takes two bytes, whose last four bits are ignored.
 std::size_t to_rgb444(const Picture& picture, const Rect& area, std::uint8_t* to) {
     std::uint8_t* const begin = to;
     bool second = false;

@@ -26,7 +26,7 @@ Result<BusCaps> readable(const Bus& bus, const PanelDesc& panel) {
     return caps;
 }
 
-/// Of the status registers and the memory, which only DCS describes.
+/// Whether status registers and memory can be read, which only DCS describes.
 Result<BusCaps> readable_as_dcs(const Bus& bus, const PanelDesc& panel) {
     if (!panel.commands->status_registers)
         return Error{Fault::unsupported, "panel: this controller has no status registers (09h to 0Fh)"};
@@ -59,7 +59,7 @@ void widen_565(std::uint8_t* rgb, std::uint32_t pixels) {
     }
 }
 
-/// What a line that floats high makes of an identity.
+/// The identity that is read from a data line that floats high.
 std::uint32_t ones(const Identity& identity) {
     return 0xFFFFFFu >> (24u - 8u * (identity.bytes < 3 ? identity.bytes : 3u));
 }
@@ -131,7 +131,7 @@ Result<void> read_pixels(Bus& bus, const PanelDesc& panel, const Placement& plac
     return {};
 }
 
-/// Of controllers without status registers.
+/// Reads the identity alone, on controllers without status registers.
 static Result<PanelStatus> read_identity_alone(Bus& bus, const PanelDesc& panel, ReadScratch& scratch) {
     const Result<BusCaps> caps = readable(bus, panel);
     if (!caps)
