@@ -16,13 +16,13 @@ using namespace mpsse;
 
 constexpr UsbId known_ids[] = {{0x0403, 0x6014}, {0x0403, 0x6010}, {0x0403, 0x6011}};
 
-/// A transfer. Bursts of 64 KB, the most a command can say, are reported to lose bytes; none is longer than
-/// this.
+/// Bytes of a transfer, which bounds bursts, too: those of 64 KB, the most that a command allows, are
+/// reported to lose bytes.
 constexpr std::size_t stage_bytes = 32768;
 constexpr std::size_t burst_header = 3;
 
-/// Levels, burst header and byte of a command, and the same for its parameters: what the engine takes for
-/// them at high speed, where 12 bytes are a third of a microsecond.
+/// What a command costs: levels, burst header and byte, and the same for its parameters. The engine takes
+/// this long for them at high speed, where 12 bytes are a third of a microsecond.
 constexpr std::uint32_t command_cost_ns = 500;
 
 /// Every packet begins with two bytes of modem status (AN_135).
@@ -38,7 +38,7 @@ using Clock = std::chrono::steady_clock;
 
 } // namespace
 
-/// The chip's end of the stream: what waits to be sent, the pins as they were told to be.
+/// The stream to the chip: bytes that wait to be sent, and the levels that pins were set to.
 struct FtdiBus::Engine {
     explicit Engine(const FtdiConfig& c) : config(c) {}
     ~Engine() { control.release(); }
@@ -49,10 +49,10 @@ struct FtdiBus::Engine {
     std::vector<std::uint8_t> stages[2]; ///< one is filled while the other is under way
     unsigned filling = 0;
     std::vector<std::uint8_t> packets;
-    unsigned outputs = 0, levels = 0; ///< of all sixteen pins
+    unsigned outputs = 0, levels = 0; ///< bits of all sixteen pins
     unsigned sent_levels = 0;
-    bool lit = true;      ///< the backlight, whatever happens to the chip
-    bool in_step = false; ///< the chip did all it was told
+    bool lit = true;      ///< the backlight is on, also after a restart
+    bool in_step = false; ///< the chip has executed all commands
 
     std::vector<std::uint8_t>& stage() { return stages[filling]; }
 
@@ -76,7 +76,8 @@ std::uint32_t FtdiBus::Engine::patience(std::size_t bytes) const {
     return config.timeout_ms + static_cast<std::uint32_t>(std::uint64_t{bytes} * 8 * 1000 / slowest);
 }
 
-/// The other stage's transfer is over when this returns: that stage is next.
+/// Sends the stage that was filled. The transfer of the other stage is over when this returns, so that one is
+/// filled next.
 Result<void> FtdiBus::Engine::send_stage() {
     if (stage().empty())
         return {};
@@ -89,7 +90,7 @@ Result<void> FtdiBus::Engine::send_stage() {
     return room;
 }
 
-/// A command, whole in one transfer.
+/// Stages a command, which lies whole in one transfer.
 Result<void> FtdiBus::Engine::say(std::initializer_list<std::uint8_t> bytes) {
     if (stage_bytes - stage().size() < bytes.size())
         if (const auto r = send_stage(); !r)
@@ -135,7 +136,7 @@ Result<void> FtdiBus::Engine::set_levels(unsigned wanted) {
                                    : Result<void>{};
 }
 
-/// The panel is selected, D/C as the bytes that follow want it.
+/// Selects the panel, and sets D/C for the bytes that follow.
 Result<void> FtdiBus::Engine::address(bool data) {
     const unsigned dc = bit_of(config.pins.data_command), select = bit_of(config.pins.select);
     return set_levels((levels & ~(dc | select)) | (data ? dc : 0));
@@ -168,7 +169,7 @@ Result<void> FtdiBus::Engine::answer(std::uint8_t* into, std::size_t count, std:
     return {};
 }
 
-/// Returns when the chip has done everything: its pins are then as they were told to be.
+/// Returns when the chip has executed everything: its pins then have the levels that were set.
 Result<void> FtdiBus::Engine::fence(std::uint32_t micros) {
     std::uint8_t pins = 0;
     if (const auto r = say({GET_LOW, SEND_IMMEDIATE}); !r)
@@ -204,7 +205,8 @@ Result<void> FtdiBus::Engine::open() {
     return start();
 }
 
-/// Also after a failure: what the chip still held is dropped, its pins float high for a moment.
+/// Starts the engine, also after a failure. What the chip still held is dropped, and its pins float high for
+/// a moment.
 Result<void> FtdiBus::Engine::start() {
     if (link.packet_bytes() <= status_bytes)
         return link.say(Fault::wrong_device, "open", "no bulk input");
@@ -230,7 +232,7 @@ Result<void> FtdiBus::Engine::start() {
         return r;
     if (const auto r = set_clock(config.write_hz); !r)
         return r;
-    sent_levels = ~levels; // all of them are news
+    sent_levels = ~levels; // so that all of them are sent
     if (const auto r = set_levels(levels); !r)
         return r;
     return fence();
@@ -312,8 +314,8 @@ Result<void> FtdiBus::flush() {
     return e.stage().empty() && e.in_step ? Result<void>{} : e.fence();
 }
 
-/// Selected from the command to the last bit of the answer; D/C stays low, the controller took it with the
-/// command.
+/// Reads an answer. The panel is selected from the command to the last bit of the answer. D/C stays low: the
+/// controller took it with the command.
 Result<void> FtdiBus::read(const Op& op) {
     Engine& e = *engine_;
     std::vector<std::uint8_t> clocked(answer_bytes(op));
@@ -371,7 +373,7 @@ Result<void> FtdiBus::set_backlight(bool on) {
     return flush();
 }
 
-/// The chip itself waits for low, then high: nothing of the host's comes between the edge and the frame.
+/// The chip itself waits for low, then high: no delay of the host comes between the edge and the frame.
 Result<std::uint64_t> FtdiBus::await_te(std::uint32_t at_most_micros) {
     Engine& e = *engine_;
     if (const auto r = e.say({WAIT_LOW, WAIT_HIGH}); !r)

@@ -5,7 +5,8 @@
 namespace spangle::hal {
 namespace {
 
-/// What waits in the chip is sent after so many milliseconds, unless the stream asks for it (87h).
+/// The latency timer, in milliseconds: after this time the chip sends what waits in it, unless the stream
+/// asks for it before (87h).
 constexpr unsigned char latency_ms = 1;
 
 } // namespace

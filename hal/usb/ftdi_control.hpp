@@ -1,4 +1,4 @@
-// What an FTDI chip is told beside its bulk pipes, through libftdi1: reset, latency, mode.
+// Controls an FTDI chip beside its bulk pipes, through libftdi1: reset, latency, mode.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ class FtdiControl {
     FtdiControl(const FtdiControl&) = delete;
     FtdiControl& operator=(const FtdiControl&) = delete;
 
-    /// The chip behind this link. It stays the link's: release() before that closes.
+    /// Controls the chip behind this link, which keeps owning it: release() must come before the link closes.
     Result<void> adopt(UsbLink& link, std::uint8_t channel);
     void release();
     /// Empties the chip's buffers and puts it into MPSSE mode: all pins inputs, the engine as after power-on.

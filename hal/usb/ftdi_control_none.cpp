@@ -1,4 +1,4 @@
-// A build without libftdi1: there is no way to an FTDI chip, and it says so.
+// A build without libftdi1: FTDI chips cannot be controlled, and errors say so.
 #include "hal/usb/ftdi_control.hpp"
 
 namespace spangle::hal {

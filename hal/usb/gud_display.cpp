@@ -24,8 +24,8 @@ bool any(const std::vector<RowSpan>& rows) {
 
 } // namespace
 
-/// What acquire() hands out, of one size. It stays where it is as long as the display lives: a program that
-/// still draws to it after another device was plugged in draws into this memory.
+/// The memory that acquire() hands out for pictures of one size. It stays where it is as long as the display
+/// lives: a program that still draws to it after another device was plugged in draws into this memory.
 struct Canvas {
     std::int32_t width = 0, height = 0;
     gud::Bytes pixels;
@@ -52,14 +52,14 @@ struct GudDisplay::State {
     std::unique_ptr<GudFrame> spare = std::make_unique<GudFrame>(); ///< null while the sender has it
 
     // --- the picture, and what the device does not have of it
-    std::vector<std::unique_ptr<Canvas>> canvases; ///< of every size so far
-    Canvas* canvas = nullptr;                      ///< of the size that the device has now
+    std::vector<std::unique_ptr<Canvas>> canvases; ///< one for every size so far
+    Canvas* canvas = nullptr;                      ///< the one for the size that the device has now
     std::vector<RowSpan> content, damage;
     std::vector<std::uint16_t> plan;
     std::uint32_t clear_value = 0;
     bool ready = false, presented = false;
-    bool owed = false; ///< a frame was put off, to be sent yet
-    bool waits = true; ///< the swap interval
+    bool owed = false; ///< a frame was put off and is still to be sent
+    bool waits = true; ///< the swap interval is not 0
 
     Result<void> connect();
     Result<void> connect_again();
@@ -91,7 +91,7 @@ Result<void> GudDisplay::State::connect() {
     return sender.alone([](GudSession& s) { return s.connect(); });
 }
 
-/// The same display, after it was gone; it has nothing of the picture.
+/// Connects to the same display after it was gone; it then holds nothing of the picture.
 Result<void> GudDisplay::State::connect_again() {
     if (const auto r = connect(); !r)
         return r;
@@ -112,7 +112,8 @@ void GudDisplay::State::take_canvas(std::int32_t width, std::int32_t height) {
     canvas->begin();
 }
 
-/// Another mode is another picture; the same one keeps what was drawn.
+/// Takes the size of the device's mode. Another size is another picture; with the same size, what was drawn
+/// stays.
 void GudDisplay::State::take_size() {
     const gud::Mode& mode = session.mode();
     const auto rows = std::size_t{mode.vertical[0]};
@@ -200,8 +201,8 @@ void GudDisplay::State::accept() {
     std::fill(canvas->touched.begin(), canvas->touched.end(), RowSpan{});
 }
 
-/// What was drawn, and after a full clear what had been there. `damage` keeps what was put off, and what a
-/// failed present left over.
+/// Collects damage: what was drawn, and after a full clear what had been there. `damage` also keeps what was
+/// put off, and what a failed present left over.
 void GudDisplay::State::collect() {
     const RowExtents& extents = canvas->extents;
     const bool everything = extents.cleared && extents.clear_value != clear_value;
@@ -217,7 +218,7 @@ void GudDisplay::State::collect() {
         clear_value = extents.clear_value;
 }
 
-/// Hands what the device lacks to the sender: what is drawn from here on is not in it.
+/// Hands what the device lacks to the sender, in a copy: later drawing does not change it.
 void GudDisplay::State::show() {
     owed = false;
     std::swap(spare->damage, damage);
@@ -227,7 +228,7 @@ void GudDisplay::State::show() {
     sender.start(std::move(spare));
 }
 
-/// Waits for the frame under way; what did not arrive is damage again.
+/// Waits for the frame under way. What did not arrive becomes damage again.
 Result<void> GudDisplay::State::settle() {
     GudSender::Sent sent = sender.wait();
     if (sent.frame == nullptr)

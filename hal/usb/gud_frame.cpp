@@ -8,8 +8,8 @@
 namespace spangle::hal {
 namespace {
 
-/// What a rectangle costs beyond its pixels: SET_BUFFER and its two turn-rounds, an eighth of a millisecond
-/// at high speed.
+/// What a rectangle costs beyond its pixels, in bytes: SET_BUFFER and its two turn-arounds take an eighth of
+/// a millisecond at high speed.
 constexpr std::uint32_t window_bytes = 2048;
 
 void add_band(GudFrame& frame, const GudPicture& picture, std::uint8_t format, const Rect& r) {
@@ -25,13 +25,13 @@ void add_band(GudFrame& frame, const GudPicture& picture, std::uint8_t format, c
     frame.bands.push_back({{u(r.x), u(r.y), u(r.w), u(r.h), length, 0}, at});
 }
 
-/// What fits the device's buffer.
+/// The size of a piece that fits the device's buffer.
 struct Piece {
     std::int32_t columns = 0, rows = 0;
 };
 
-/// The largest piece of a rectangle: rows of whole width, or of one row as many pixels as end with a byte. No
-/// rows where the buffer does not hold the pixels of a byte.
+/// The largest piece of a rectangle that fits: rows of whole width, or as many pixels of one row as end with
+/// a byte. There are no rows where the buffer does not hold the pixels of a byte.
 Piece fitting_piece(const gud::Descriptor& device, std::uint8_t format, std::int32_t width,
                     std::int32_t height) {
     const std::uint64_t most = device.max_buffer_size != 0 ? device.max_buffer_size : UINT64_MAX / 8,
@@ -43,7 +43,7 @@ Piece fitting_piece(const gud::Descriptor& device, std::uint8_t format, std::int
     return {static_cast<std::int32_t>(pixels / unit * unit), pixels >= unit ? 1 : 0};
 }
 
-/// Bands of whole rows, or pieces of rows, that fit the device's buffer.
+/// Adds bands of whole rows, or of pieces of rows, that fit the device's buffer.
 void add_rect(GudFrame& frame, const GudPicture& picture, const gud::Descriptor& device, std::uint8_t format,
               Rect r) {
     const auto unit = static_cast<std::int32_t>(gud::pixels_per_byte(format));

@@ -9,11 +9,12 @@
 
 namespace spangle::hal {
 
-/// Who holds it may read and write it: the display fills it, the sender empties it. It is never copied.
+/// Only the owner of a frame reads and writes it: first the display, which fills it, then the sender. It is
+/// never copied.
 struct GudFrame {
     struct Band {
         gud::Buffer buffer;
-        std::size_t at = 0; ///< its pixels in `wire`
+        std::size_t at = 0; ///< where its pixels begin in `wire`
     };
     std::vector<Band> bands;
     gud::Bytes wire;
@@ -26,8 +27,8 @@ struct GudPicture {
     std::int32_t width = 0, height = 0;
 };
 
-/// How many bands a whole picture takes; 0: the device's buffer does not hold the least that can be sent,
-/// which is the pixels of a byte, or, of devices of full updates, the picture.
+/// How many bands a whole picture takes. 0: the device's buffer does not hold the least that can be sent.
+/// That is the pixels of a byte, or for devices of full updates the picture.
 std::uint64_t bands_of(const gud::Descriptor& device, std::uint8_t format, std::int32_t width,
                        std::int32_t height);
 

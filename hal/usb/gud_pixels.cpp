@@ -8,7 +8,7 @@
 namespace spangle::hal::gud {
 namespace {
 
-/// k / 31, k / 63 and k / 31, and the same rounded to eight bits.
+/// A pixel of RGB565: k / 31, k / 63 and k / 31, and these rounded to eight bits.
 struct Pixel {
     std::uint32_t r, g, b;
     explicit Pixel(const std::uint8_t* pixel) {

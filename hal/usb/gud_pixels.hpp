@@ -1,5 +1,5 @@
 // Rows of RGB565, little-endian, as the pixel formats that GUD devices take. Components that keep fewer bits
-// are dithered as GL dithers, in window coordinates: what is drawn twice is sent twice the same.
+// are dithered as GL dithers, in window coordinates, so that equal pictures are sent as equal bytes.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,8 @@ std::uint32_t bits_per_pixel(std::uint8_t format);
 /// Pixels that share a byte: rectangles begin at their multiples.
 std::uint32_t pixels_per_byte(std::uint8_t format);
 std::size_t row_bytes(std::uint8_t format, std::uint32_t width);
-/// `x`: the first pixel's column in the window; `y`: the row, from the bottom.
+/// Converts `width` pixels of a row. `x`: the first pixel's column in the window; `y`: the row, from the
+/// bottom.
 void convert_row(std::uint8_t format, const std::uint8_t* rgb565, std::int32_t x, std::int32_t y,
                  std::uint32_t width, std::uint8_t* to);
 

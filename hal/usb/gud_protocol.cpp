@@ -18,7 +18,7 @@ std::uint16_t number16(const std::uint8_t* from) {
     return static_cast<std::uint16_t>(number(from, 2));
 }
 
-/// Of a detailed timing: twelve bits, the upper four in another byte (VESA E-EDID 1.4, 3.10.2).
+/// A number of a detailed timing: twelve bits, the upper four in another byte (VESA E-EDID 1.4, 3.10.2).
 std::uint16_t twelve(unsigned low, unsigned high_nibble) {
     return static_cast<std::uint16_t>(low | (high_nibble & 0xF) << 8);
 }

@@ -25,7 +25,7 @@ enum Request : std::uint8_t {
     SET_DISPLAY_ENABLE = 0x64,
 };
 const char* name_of(std::uint8_t request);
-/// The device's own word for GET_STATUS.
+/// The text for a status that GET_STATUS returned.
 const char* status_text(std::uint8_t status);
 
 inline constexpr std::uint32_t magic = 0x1d50614d;
@@ -44,7 +44,7 @@ struct Descriptor {
     std::uint8_t compression = 0;
     std::uint32_t min_width = 0, max_width = 0, min_height = 0, max_height = 0;
 };
-/// False: not a descriptor of version 1.
+/// Parses a descriptor; false if it is not one of version 1.
 bool parse(Descriptor& into, const std::uint8_t* bytes, std::size_t count);
 
 struct Mode {
@@ -54,7 +54,7 @@ struct Mode {
     std::uint32_t flags = 0;
 };
 Mode parse_mode(const std::uint8_t* bytes);
-/// The first detailed timing of an EDID: its preferred mode. No clock: there is none.
+/// The first detailed timing of an EDID, which is its preferred mode. A mode without a clock: there is none.
 Mode edid_mode(const std::uint8_t* edid, std::size_t count);
 
 struct Property {
@@ -65,14 +65,14 @@ Property parse_property(const std::uint8_t* bytes);
 
 using Bytes = std::vector<std::uint8_t>;
 void append(Bytes& to, std::uint64_t value, int bytes);
-/// SET_STATE_CHECK: mode, format, connector, every property.
+/// The data of SET_STATE_CHECK: mode, format, connector, every property.
 Bytes state(const Mode& mode, std::uint8_t format, std::uint8_t connector,
             const std::vector<Property>& properties);
 
 struct Buffer {
     std::uint32_t x = 0, y = 0, width = 0, height = 0, length = 0, compressed_length = 0;
 };
-/// `compressed_length` 0: not compressed.
+/// The data of SET_BUFFER. `compressed_length` 0: not compressed.
 Bytes buffer(const Buffer& b);
 
 } // namespace spangle::hal::gud

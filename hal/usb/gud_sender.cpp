@@ -38,7 +38,7 @@ Result<void> GudSender::send(const GudFrame& frame) {
     return {};
 }
 
-/// A frame that was started goes out, whatever else is due.
+/// The thread. A frame that was started is sent first, whatever else is due.
 void GudSender::run() {
     std::unique_lock lock(mutex_);
     while (!stopping_) {

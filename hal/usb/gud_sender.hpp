@@ -17,13 +17,13 @@ namespace spangle::hal {
 class GudSender {
   public:
     GudSender(GudSession& session, std::uint32_t poll_ms);
-    /// Nothing may be under way.
+    /// No frame may be under way.
     ~GudSender();
     GudSender(const GudSender&) = delete;
     GudSender& operator=(const GudSender&) = delete;
 
-    /// A frame has one owner: it is the sender's until wait() gives it back, and nobody else can reach it.
-    /// One at a time.
+    /// Starts to send a frame; one may be under way at a time. The frame is the sender's until wait() gives
+    /// it back, and nobody else can reach it.
     void start(std::unique_ptr<GudFrame> frame);
     bool busy() const { return under_way_; } ///< wait() would wait
     struct Sent {
@@ -32,19 +32,19 @@ class GudSender {
     };
     Sent wait();
 
-    /// Runs `use` with the session, which nobody else uses then; nothing may be under way.
+    /// Runs `use` with the session while nothing else uses it; no frame may be under way.
     template <class Use> Result<void> alone(Use use) {
         const std::lock_guard lock(mutex_);
         const Result<void> result = use(session_);
         last_poll_ = std::chrono::steady_clock::now();
-        changed_.notify_all(); // what it wants may be new
+        changed_.notify_all(); // the device may want polls now
         return result;
     }
 
   private:
     GudSession& session_;
     const std::chrono::milliseconds period_;
-    std::mutex mutex_; ///< whose holder uses the session
+    std::mutex mutex_; ///< its holder may use the session
     std::condition_variable changed_;
     bool stopping_ = false;
     std::atomic<bool> under_way_ = false;

@@ -18,13 +18,13 @@ using gud::Bytes;
 
 constexpr UsbId known_ids[] = {{0x1d50, 0x614d}, {0x16d0, 0x10a9}, {0x1209, 0x4fb3}};
 
-// What a device says of itself is not believed beyond what can be drawn and sent.
-constexpr std::int32_t most_height = 4096;      ///< of a WindowPlan
-constexpr std::uint32_t most_pixels = 1u << 24; ///< of a picture, which is there several times
-constexpr std::uint64_t most_bands = 1u
-                                     << 14; ///< of a picture: each takes an eighth of a millisecond and more
+// Limits of what is believed of a device: no more than what can be drawn and sent.
+constexpr std::int32_t most_height = 4096;      ///< a WindowPlan takes no more rows
+constexpr std::uint32_t most_pixels = 1u << 24; ///< memory holds the picture several times
+constexpr std::uint64_t most_bands = 1u << 14;  ///< each takes an eighth of a millisecond or more
 
-/// Compressed bytes when they are fewer, else 0. Devices tell by the lengths too: equal ones are no use.
+/// Compresses bytes and returns their number where they become fewer, else 0. Equal lengths are no use:
+/// devices also tell by the lengths whether bytes are compressed.
 std::size_t compress(const std::uint8_t* raw, std::size_t count, Bytes& into) {
 #if SPANGLE_HAS_LZ4
     into.resize(count);
@@ -42,7 +42,7 @@ std::size_t compress(const std::uint8_t* raw, std::size_t count, Bytes& into) {
 
 // --- Requests
 
-/// A STALL says no more than "no": the device's status does.
+/// Explains an error. A STALL gives no reason, but the device's status does.
 Error GudSession::explain(const char* operation, const Error& error) {
     if (!link_.refused())
         return error;
@@ -125,7 +125,7 @@ Result<void> GudSession::choose_format() {
     return {};
 }
 
-/// The first that is connected, or the first of all.
+/// Chooses the first connector that is connected, or else the first of all.
 Result<void> GudSession::choose_connector() {
     Bytes list, status;
     connector_ = 0;
@@ -149,7 +149,8 @@ Result<void> GudSession::choose_connector() {
     return {};
 }
 
-/// What was asked for, else the preferred mode, else the first; from the EDID where there is no list.
+/// Chooses a mode of the size that was asked for, if one was: the preferred mode, else the first. Where there
+/// is no list it comes from the EDID.
 Result<void> GudSession::choose_mode() {
     Bytes bytes;
     if (const auto r = get(gud::GET_CONNECTOR_MODES, connector_, bytes, gud::mode_bytes * gud::most_modes);
@@ -193,7 +194,7 @@ Result<void> GudSession::choose_mode() {
     return {};
 }
 
-/// In the order of the kernel's driver: state check, controller, commit, display.
+/// Enables the display in the order of the kernel's driver: state check, controller, commit, display.
 Result<void> GudSession::enable() {
     std::vector<gud::Property> properties;
     for (const std::uint8_t request : {gud::GET_PROPERTIES, gud::GET_CONNECTOR_PROPERTIES}) {
@@ -216,7 +217,7 @@ Result<void> GudSession::enable() {
     return set(gud::SET_DISPLAY_ENABLE, {1});
 }
 
-/// A device that went is looked for again by connect().
+/// Closes the link if the device is gone; connect() looks for it again.
 Result<void> GudSession::check(const Result<void>& sent) {
     if (sent.error().fault == Fault::gone) {
         alive_ = false;
@@ -246,11 +247,11 @@ Result<void> GudSession::send(gud::Buffer buffer, const std::uint8_t* bytes) {
     const auto sent = transfer(buffer, data, count);
     if (sent || sent.error().fault == Fault::gone || sent.error().fault == Fault::timeout)
         return check(sent);
-    (void)link_.clear_halt(); // once more: a halted endpoint, a buffer the device threw away
+    (void)link_.clear_halt(); // once more: the endpoint may be halted, or the buffer dropped by the device
     return check(transfer(buffer, data, count));
 }
 
-/// Devices of full updates are told of a buffer only after one that failed.
+/// Sends a buffer. Devices of full updates get SET_BUFFER only after a buffer that failed.
 Result<void> GudSession::transfer(const gud::Buffer& buffer, const std::uint8_t* bytes, std::size_t count) {
     if ((device_.flags & gud::FULL_UPDATE) == 0 || bulk_failed_)
         if (const auto r = set(gud::SET_BUFFER, gud::buffer(buffer)); !r)

@@ -1,5 +1,5 @@
-// One GUD device: how it comes up, takes pixels, and is kept company. For one thread at a time, but for what
-// says otherwise.
+// One GUD device: how it is set up, takes pixels, and is polled. One thread at a time may use it, except
+// where a function says otherwise.
 #pragma once
 
 #include <atomic>
@@ -19,15 +19,15 @@ class GudSession {
     Result<void> connect();
     /// Switches the display off.
     void disable();
-    /// A rectangle that the device's buffer holds, in its format; compressed where that is less. Once more
-    /// after a failure that may pass.
+    /// Sends a rectangle that the device's buffer holds, in its format; compressed where that is less. It is
+    /// sent once more after a failure that may pass.
     Result<void> send(gud::Buffer buffer, const std::uint8_t* bytes);
     /// Asks for the connector's status.
     void poll();
 
-    /// The device is there, as far as is known. Any thread may ask.
+    /// Whether the device is there, as far as is known. Any thread may ask.
     bool alive() const { return alive_; }
-    /// A screen is plugged into its connector, it said. Any thread may ask.
+    /// Whether a screen is plugged into the device's connector, as it last reported. Any thread may ask.
     bool plugged() const { return plugged_; }
     bool wants_polls() const { return wants_polls_; }
     const gud::Descriptor& device() const { return device_; }
@@ -48,7 +48,7 @@ class GudSession {
     std::atomic<bool> alive_ = false, plugged_ = true;
     gud::Bytes packed_;
 
-    // Requests: a refusal says why.
+    // Requests, whose errors give the device's reason for a refusal.
     Error explain(const char* name, const Error& error);
     Result<std::size_t> get(std::uint8_t request, std::uint16_t value, gud::Bytes& into, std::size_t most);
     Result<void> set(std::uint8_t request, const gud::Bytes& bytes);

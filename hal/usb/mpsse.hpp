@@ -20,13 +20,13 @@ enum Command : std::uint8_t {
     FULL_SPEED_BASE = 0x8A, ///< 60 MHz instead of 12
     THREE_PHASE_OFF = 0x8D,
     ADAPTIVE_OFF = 0x97,
-    BAD_COMMAND = 0xAA, ///< none: the engine answers ECHO and this byte (3.9)
+    BAD_COMMAND = 0xAA, ///< no command: the engine answers ECHO and this byte (3.9)
     ECHO = 0xFA,
 };
 
 inline constexpr std::uint32_t base_hz = 60'000'000, fastest_hz = base_hz / 2;
 
-/// The fastest clock that is no faster than this.
+/// The divisor for the fastest clock that is no faster than `hz`.
 constexpr std::uint16_t divisor_for(std::uint32_t hz) {
     const std::uint32_t wanted = hz < fastest_hz ? hz : fastest_hz;
     const std::uint32_t steps = wanted == 0 ? 0x10000 : (fastest_hz + wanted - 1) / wanted;

@@ -15,7 +15,7 @@ namespace {
 /// Two of these keep the wire busy while the next is handed over; a multiple of any packet size.
 constexpr std::size_t piece_bytes = 32768;
 
-/// No code of libusb's: the device took less than it was sent.
+/// Not a code of libusb: the device took less than it was sent.
 constexpr int cut_short = -1000;
 
 constexpr std::uint8_t to_interface =
@@ -93,7 +93,7 @@ struct UsbLink::Flight {
         done = 0;
         return libusb_submit_transfer(transfer);
     }
-    /// Its timeout, or its end, ends the wait.
+    /// Waits until the transfer has ended or timed out.
     int complete(libusb_context* context) {
         while (done == 0) {
             timeval patience{0, 100000};
@@ -148,7 +148,7 @@ Result<void> UsbLink::start() {
     return code == LIBUSB_SUCCESS ? Result<void>{} : failed("start libusb", code);
 }
 
-/// A vendor interface with a bulk output.
+/// Finds a vendor interface with a bulk output.
 bool UsbLink::find_pipe(libusb_device* device, int interface) {
     libusb_config_descriptor* config = nullptr;
     if (libusb_get_active_config_descriptor(device, &config) != LIBUSB_SUCCESS)
@@ -271,7 +271,7 @@ Result<void> UsbLink::clear_halt() {
     return code == LIBUSB_SUCCESS ? Result<void>{} : failed("clear halt", code);
 }
 
-/// GET_STATUS, which every device answers (USB 2.0, 9.4.5).
+/// Requests GET_STATUS, which every device answers (USB 2.0, 9.4.5).
 Result<void> UsbLink::check_alive(const char* operation) {
     std::uint8_t status[2] = {};
     const int came = libusb_control_transfer(handle_, LIBUSB_ENDPOINT_IN, LIBUSB_REQUEST_GET_STATUS, 0, 0,
@@ -281,7 +281,7 @@ Result<void> UsbLink::check_alive(const char* operation) {
 
 // --- The pipes
 
-/// Nothing is under way any more: the bytes are the caller's again.
+/// Cancels all transfers: then none is under way any more, and the bytes are the caller's again.
 void UsbLink::take_back() {
     for (unsigned i = completed_; i != submitted_; ++i)
         libusb_cancel_transfer(flights_[i % 2].transfer);

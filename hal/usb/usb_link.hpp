@@ -28,36 +28,38 @@ class UsbLink {
     UsbLink(const UsbLink&) = delete;
     UsbLink& operator=(const UsbLink&) = delete;
 
-    /// The first device of these with a vendor interface and a bulk output that can be claimed; a kernel
-    /// driver lets go of it until close().
+    /// Opens the first of these devices that has a vendor interface and a bulk output that can be claimed. A
+    /// kernel driver lets go of it until close().
     Result<void> open(const UsbId* ids, std::size_t count, int interface = any_interface);
-    /// The device behind this usbfs file.
+    /// Opens the device behind this usbfs file.
     Result<void> open_file(const char* path, int interface = any_interface);
     void close();
     bool opened() const { return handle_ != nullptr; }
     libusb_device_handle* handle() const { return handle_; }
-    /// An error of the device that went, if it did; else none: for libraries that do not tell.
+    /// Fails if the device is gone: for libraries that do not tell.
     Result<void> check_alive(const char* operation);
 
-    /// Vendor requests to the interface. `name`: what errors call it. The bytes that came.
+    /// Vendor requests to the interface. `name`: what errors call the request. get() returns how many bytes
+    /// came.
     Result<std::size_t> get(const char* name, std::uint8_t request, std::uint16_t value, std::uint8_t* into,
                             std::size_t count, std::uint32_t timeout_ms);
     Result<void> set(const char* name, std::uint8_t request, std::uint16_t value, const std::uint8_t* from,
                      std::size_t count, std::uint32_t timeout_ms);
-    /// Returns when everything is with the device, or nothing is under way any more.
+    /// Sends bytes. Returns when all are with the device, or after an error when none are under way any more.
     Result<void> send(const std::uint8_t* bytes, std::size_t count, std::uint32_t timeout_ms);
 
-    // The same in steps. An error leaves nothing under way, and may be that of an earlier step.
-    /// Hands a piece over, which must stay until make_room() was called after the next one, or settle().
+    // send() in steps. An error leaves nothing under way, and may be that of an earlier step.
+    /// Hands a piece over. It must stay until settle(), or until make_room() was called after the next piece.
     Result<void> push(const std::uint8_t* bytes, std::size_t count, std::uint32_t timeout_ms);
     /// Returns when another piece can be pushed: all but the last have left.
     Result<void> make_room();
     Result<void> settle();
 
-    /// What the device has to say, at most `count` bytes, whole packets: one that is not full ends it.
+    /// Receives what the device sends, at most `count` bytes, in whole packets: a packet that is not full
+    /// ends it.
     Result<std::size_t> receive(std::uint8_t* into, std::size_t count, std::uint32_t timeout_ms);
-    std::size_t packet_bytes() const { return packet_bytes_; } ///< of receive()
-    /// The device refused the last request: a STALL.
+    std::size_t packet_bytes() const { return packet_bytes_; } ///< packet size of receive()
+    /// Whether the device refused the last request by a STALL.
     bool refused() const { return refused_; }
     Result<void> clear_halt();
     Error say(Fault fault, const char* operation, const char* cause) {

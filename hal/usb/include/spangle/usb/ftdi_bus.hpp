@@ -49,7 +49,8 @@ class FtdiBus final : public TransferBus {
     explicit FtdiBus(const FtdiConfig& config);
     ~FtdiBus();
 
-    /// Finds the adapter and starts its engine; a kernel driver lets go of it. Again, after it came back.
+    /// Finds the adapter and starts its engine; a kernel driver lets go of it. It may be called again after
+    /// the adapter came back.
     Result<void> open();
     BusCaps caps() const override;
 

@@ -21,8 +21,8 @@ struct GudConfig {
     bool compress = true;          ///< where the device takes LZ4 and this build has it
     std::uint8_t brightness = 100; ///< where the panel has a backlight property
     std::uint32_t control_timeout_ms = 1000, bulk_timeout_ms = 3000;
-    /// Devices that ask for it are asked for their connector's status this often, or they take the host for
-    /// dead.
+    /// How often devices that ask for it are asked for their connector's status. Without that they take the
+    /// host for dead.
     std::uint32_t poll_ms = 10000;
     Pacing pacing = Pacing::block;
 };
@@ -48,7 +48,7 @@ class GudDisplay final : public Display {
     Result<void> finish() override;
     void swap_interval(std::int32_t interval) override;
 
-    /// What the device's connector said last: is a screen plugged into it?
+    /// Whether a screen is plugged into the device's connector, as that last reported.
     bool connected() const;
 
   private:
