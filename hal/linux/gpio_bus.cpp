@@ -7,7 +7,7 @@
 namespace spangle::hal {
 namespace {
 
-/// Places in the control request. CS and RD that are not wired are left out of it.
+/// Bits of the control request. CS and RD have none where they are not wired.
 enum : std::uint32_t { clock_line = 1u << 0, dc_line = 1u << 1 };
 
 bool reads_memory(std::uint8_t command) {
@@ -83,7 +83,7 @@ Result<void> GpioBus::open() {
     return opened;
 }
 
-/// Everything rests high: CS ends what may have been under way.
+/// Requests all lines at a high level: CS ends what may have been under way.
 Result<void> GpioBus::open_lines() {
     std::array<unsigned, 4 + 16> offsets{};
     unsigned count = 0;
@@ -142,7 +142,7 @@ Result<void> GpioBus::select(bool selected) {
     return set_control(selected ? levels_ & ~line : levels_ | line);
 }
 
-/// On its own: D/C has a set-up time before the clock falls (8080: tAST).
+/// Sets D/C by a call of its own, as it has a set-up time before the clock falls (8080: tAST).
 Result<void> GpioBus::set_data_command(bool data) {
     return set_control(data ? levels_ | dc_line : levels_ & ~std::uint32_t{dc_line});
 }
@@ -158,7 +158,8 @@ Result<void> GpioBus::set_data(unsigned word) {
     return {};
 }
 
-/// The data change while the clock is low and are taken when it rises. The clock rests high: SPI mode 3.
+/// Clocks one word. Data change while the clock is low and are taken when it rises. The clock rests high: SPI
+/// mode 3.
 Result<void> GpioBus::cycle(unsigned word) {
     std::uint32_t low = levels_ & ~std::uint32_t{clock_line};
     if (turns_round()) {
@@ -184,8 +185,8 @@ Result<void> GpioBus::drive_data() {
 
 // --- Writing
 
-/// After a list that failed nobody knows how the lines stand, nor how many bits of a byte the controller has:
-/// a rising CS makes it forget them.
+/// Begins a list. After one that failed, levels of lines are unknown, and so is how many bits of a byte the
+/// controller has. A rising CS makes it forget them.
 Result<void> GpioBus::begin() {
     half_word_ = false;
     if (!rests_) {
@@ -243,7 +244,8 @@ Result<void> GpioBus::end() {
 
 // --- Reading
 
-/// CS rises before, so that the controller counts bits anew, and after, so that it lets go of the line.
+/// Reads an answer. CS rises before, so that the controller counts bits anew, and after, so that it lets go
+/// of the line.
 Result<void> GpioBus::read(const Op& op) {
     if (const auto r = select(false); !r)
         return r;
@@ -283,7 +285,7 @@ Result<void> GpioBus::read_answer(const Op& op) {
     return {};
 }
 
-/// A byte of a serial answer, or one cycle of a parallel one.
+/// Reads a byte of a serial answer, or one cycle of a parallel one.
 Result<unsigned> GpioBus::read_unit() {
     if (!serial())
         return sample();
@@ -297,7 +299,7 @@ Result<unsigned> GpioBus::read_unit() {
     return byte;
 }
 
-/// The answer stands while SCK, or RD, is low.
+/// Samples the answer, which is valid while SCK, or RD, is low.
 Result<unsigned> GpioBus::sample() {
     const std::uint32_t strobe = serial() ? std::uint32_t{clock_line} : layout(config_).read;
     if (const auto r = set_control(levels_ & ~strobe); !r)

@@ -91,7 +91,7 @@ Result<void> I2cBus::put(Byte kind, const std::uint8_t* bytes, std::size_t count
     return {};
 }
 
-/// A message that was cut short goes on in another one, behind a control byte of its own.
+/// Sends the message. What was cut off goes on in another message, behind a control byte of its own.
 Result<void> I2cBus::flush() {
     while (message_.size() > 1) {
         const auto sent = persist([&] { return ::write(device_, message_.data(), message_.size()); });

@@ -8,7 +8,7 @@
 namespace spangle::hal {
 
 inline constexpr const char* line_consumer = "spangle";
-inline constexpr int most_chips = 64; ///< that are asked for their label
+inline constexpr int most_chips = 64; ///< the most chips whose labels are read
 
 inline bool is_path(const char* chip) {
     return chip[0] == '/';
@@ -26,7 +26,7 @@ void name_lines(char (&text)[N], const char* chip, std::span<const unsigned> off
                             offsets[i]);
 }
 
-/// Why a request failed: when a line is in use, by whom.
+/// Why a request failed: the program that uses the line, or null.
 inline const char* in_use(char (&text)[64], const char* consumer) {
     if (consumer == nullptr)
         return nullptr;

@@ -1,4 +1,4 @@
-// What does not depend on the major version of libgpiod.
+// The part of GPIO lines that does not depend on the major version of libgpiod.
 #include <spangle/linux/lines.hpp>
 
 #include <cerrno>
@@ -16,7 +16,7 @@ std::int64_t monotonic_now() {
     return std::int64_t{now.tv_sec} * 1000000000 + now.tv_nsec;
 }
 
-/// The kernel keeps 16 events of a line; twice as many are a line that never rests.
+/// The kernel keeps 16 events of a line; a line that has twice as many never rests.
 constexpr int most_stale_edges = 32;
 
 } // namespace
@@ -77,7 +77,7 @@ Result<std::uint64_t> EdgeLine::next_edge(std::uint32_t timeout_micros) {
     if (!opened())
         return error_.say(Fault::bad_argument, "gpio", "wait for edge", "the line was not opened");
     std::uint64_t time = 0;
-    // Edges of before would start the frame in the middle of a scan.
+    // Edges from before this call are dropped: they would start the frame in the middle of a scan.
     for (int stale = 0; stale < most_stale_edges; ++stale) {
         const int queued = persist([&] { return wait(0); });
         if (queued < 0)

@@ -42,7 +42,7 @@ Chip open_label(const char* label) {
         name_chip(path, n);
         Chip chip = open_path(path);
         if (!chip && errno != ENOENT)
-            return nullptr; // the label may be the one we may not read
+            return nullptr; // this chip may have the label, but cannot be read
         if (!chip)
             continue;
         const ChipInfo info(gpiod_chip_get_info(chip.get()));
@@ -66,7 +66,7 @@ Values values_of(std::uint32_t levels) {
 
 enum class Use { input, output, rising_edges, falling_edges };
 
-/// Null without memory, or with what libgpiod refuses; errno says which.
+/// Makes the configuration of lines. Null: there is no memory, or libgpiod refuses it; errno says which.
 LineConfig configure(std::span<const unsigned> offsets, Use use, std::uint32_t levels) {
     const Settings settings(gpiod_line_settings_new());
     LineConfig config(gpiod_line_config_new());

@@ -1,4 +1,4 @@
-// System calls that were interrupted, or asked for patience.
+// Repeats system calls that were interrupted, or whose device was not ready.
 #pragma once
 
 #include <cerrno>
@@ -12,8 +12,8 @@ void pause_micros(std::uint32_t micros);
 inline constexpr int most_interruptions = 1000;
 inline constexpr int most_patience = 100; ///< waits of 1 ms
 
-/// Makes a call again while a signal interrupted it (EINTR) or the device was not ready (EAGAIN), within
-/// these bounds; its last answer, negative on an error in errno.
+/// Repeats a call while a signal interrupts it (EINTR) or the device is not ready (EAGAIN), within these
+/// bounds. Returns its last answer, which is negative on an error in errno.
 template <class Call> auto persist(Call call) {
     int interrupted = 0, waited = 0;
     for (;;) {

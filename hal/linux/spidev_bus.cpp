@@ -15,7 +15,7 @@ namespace spangle::hal {
 namespace {
 
 /// spidev copies a message into `bufsiz` bytes, each transfer aligned to the DMA's cache line: 128 bytes at
-/// most (arm64). What is a multiple of that fits on every kernel.
+/// most (arm64). Messages of a multiple of that fit on every kernel.
 constexpr std::size_t dma_alignment = 128;
 constexpr std::size_t default_bufsiz = 4096, largest_bufsiz = 1 << 20;
 
@@ -97,7 +97,7 @@ Result<void> SpidevBus::open_rest() {
     stage_.assign(kernel_bufsiz(), 0);
     if (packed_)
         stage_.resize(stage_.size() - stage_.size() % packed_unit);
-    constexpr std::size_t whole_pixels = 6; // of two bytes, and of three
+    constexpr std::size_t whole_pixels = 6; // a multiple of pixels of two bytes, and of three
     longest_ = config_.start_bytes ? 1 + (stage_.size() - 1) / whole_pixels * whole_pixels : stage_.size();
     staged_ = bit_count_ = 0;
     dc_level_ = -1;
@@ -131,7 +131,8 @@ Result<void> SpidevBus::configure() {
     return {};
 }
 
-/// Many controllers know bytes only (Raspberry Pi): then nine-bit words go out packed.
+/// Sets the bits of a word. Many controllers know bytes only (Raspberry Pi): nine-bit words are then sent
+/// packed.
 Result<void> SpidevBus::configure_word() {
     std::uint8_t bits = three_wire() ? word_bits : byte_bits;
     packed_ = false;
@@ -164,7 +165,7 @@ Result<void> SpidevBus::put(Byte kind, const std::uint8_t* bytes, std::size_t co
     return three_wire() ? put_three_wire(data, bytes, count) : put_four_wire(data, bytes, count);
 }
 
-/// Operations of one D/C level share a message; a full message's worth needs no copy.
+/// Operations of one D/C level share a message. Bytes that fill a message are sent without a copy.
 Result<void> SpidevBus::put_four_wire(bool data, const std::uint8_t* bytes, std::size_t count) {
     if (data != staged_data_)
         if (const auto r = flush(); !r)
@@ -189,7 +190,7 @@ Result<void> SpidevBus::put_four_wire(bool data, const std::uint8_t* bytes, std:
     return {};
 }
 
-/// What stands for D/C is the first byte of a message; an index is one by itself.
+/// The first byte of a message stands for D/C; an index is a message by itself.
 Result<void> SpidevBus::put_messages(bool data, const std::uint8_t* bytes, std::size_t count) {
     constexpr std::uint8_t index = 0x70, value = 0x72;
     if (!data || !staged_data_)
@@ -211,7 +212,7 @@ Result<void> SpidevBus::put_messages(bool data, const std::uint8_t* bytes, std::
     return {};
 }
 
-/// Whole lists fit one message: the D/C level is in the words.
+/// Whole lists share a message, because the D/C level is in the words.
 Result<void> SpidevBus::put_three_wire(bool data, const std::uint8_t* bytes, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         stage_word((data ? 0x100u : 0u) | bytes[i]);
@@ -257,7 +258,7 @@ Result<void> SpidevBus::send(bool data, const std::uint8_t* bytes, std::size_t c
         if (sent < 0)
             return failed("write");
         const auto taken = static_cast<std::size_t>(sent);
-        // Where a line is D/C whole bytes may go on in another message; a cut word, or one without its start
+        // With a D/C line, whole bytes may go on in another message. A cut word, or one without its start
         // byte, may not.
         if (taken == 0 || taken > count || (!has_dc() && taken != count))
             return error_.say(Fault::short_write, config_.device, "write", "the message was cut short");
@@ -284,8 +285,8 @@ Result<void> SpidevBus::end() {
 
 // --- Reading
 
-/// Command and answer are one message, or the raised CS would end the command. D/C stays low: the controller
-/// samples it with the command's last bit.
+/// Reads an answer. Command and answer are one message, or the raised CS would end the command. D/C stays
+/// low: the controller samples it with the command's last bit.
 Result<void> SpidevBus::read(const Op& op) {
     if (!three_wire())
         if (const auto r = set_dc(false); !r)

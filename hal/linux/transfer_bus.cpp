@@ -8,7 +8,7 @@
 namespace spangle::hal {
 namespace {
 
-/// A repeated pattern is laid out this often before it is sent.
+/// Bytes of the block that a repeated pattern is written to before it is sent.
 constexpr std::size_t repeat_block = 4096;
 
 Result<void> open_pin(Lines& lines, const LineRef& ref, bool level) {
@@ -160,7 +160,7 @@ void TransferBus::finish(const Result<void>& result) {
         Outcome& outcome = outcomes_[last_token_ % outcomes_.size()];
         outcome.token = last_token_;
         outcome.error = result.error();
-        // The text of a device may change with its next failure; this one stays.
+        // The text of an error may change with the device's next failure; this copy stays.
         std::snprintf(outcome.text.data(), outcome.text.size(), "%s", result.error().rule);
         outcome.error.rule = outcome.text.data();
         running_ = false;
@@ -218,7 +218,8 @@ Result<void> TransferBus::run(const Op& op) {
     }
 }
 
-/// The calls of one read take longer than a line; nothing is gained by pausing between them.
+/// Waits for a scanned line. The calls of one read take longer than a line, so nothing is gained by pausing
+/// between them.
 Result<void> TransferBus::wait_line(const Op& op) {
     using Clock = std::chrono::steady_clock;
     std::uint8_t answer[2] = {};

@@ -13,7 +13,7 @@ enum class DeviceClass : std::uint8_t { gpio, spi, i2c, usb };
 /// Owns the text its last error points to.
 class ErrorText {
   public:
-    /// `errno_value` of `operation` on `device`. `cause` replaces the system's words for it.
+    /// Describes `errno_value` of `operation` on `device`. `cause` replaces the system's words for it.
     Error system(DeviceClass kind, const char* device, const char* operation, int errno_value,
                  const char* cause = nullptr);
     Error say(Fault fault, const char* device, const char* operation, const char* cause);

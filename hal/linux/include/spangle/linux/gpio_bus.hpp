@@ -18,15 +18,15 @@ struct GpioBusConfig {
     static constexpr unsigned none = ~0u;
 
     GpioWiring wiring = GpioWiring::parallel8;
-    const char* chip = "/dev/gpiochip0"; ///< of all lines here; the pins may be elsewhere
+    const char* chip = "/dev/gpiochip0"; ///< chip of all lines here; `pins` may be on others
     unsigned select = none;              ///< CS; none: tied low, and the panel cannot be read
     unsigned data_command = none;        ///< D/C; serial3 has none
     unsigned clock = none;               ///< WR or SCK
     unsigned answer = none;              ///< RD, or SDO; serial3: any other value, the answer comes on SDA
     unsigned data[16] = {};              ///< D0 and up; serial: SDA first
     PanelPins pins;
-    /// Cycles of WR or SCK a second, what deadlines are computed from: rather too few. Measured: 40 to 100
-    /// thousand pairs of calls in virtual machines.
+    /// Cycles of WR or SCK per second, from which deadlines are computed: better too few than too many.
+    /// Measured: 40 to 100 thousand pairs of calls in virtual machines.
     std::uint32_t cycles_per_second = 40000;
     bool asynchronous = true;
 };
@@ -36,7 +36,7 @@ class GpioBus final : public TransferBus {
     explicit GpioBus(const GpioBusConfig& config);
     ~GpioBus();
 
-    /// Requests the lines. Again, after a chip came back.
+    /// Requests the lines. It may be called again after a chip came back.
     Result<void> open();
     BusCaps caps() const override;
 
@@ -45,12 +45,12 @@ class GpioBus final : public TransferBus {
     /// Clock, D/C, CS, RD; and the data lines above them unless they must turn round.
     Lines control_;
     Lines data_;
-    std::uint32_t levels_ = 0; ///< of `control_`
-    std::uint32_t word_ = 0;   ///< on `data_`
+    std::uint32_t levels_ = 0; ///< levels of `control_`
+    std::uint32_t word_ = 0;   ///< word on `data_`
     bool levels_known_ = false, word_known_ = false;
     bool floating_ = false;   ///< the data lines are inputs
     bool rests_ = false;      ///< the last list ended as it should
-    unsigned upper_byte_ = 0; ///< of a 16-bit word whose second byte is to come
+    unsigned upper_byte_ = 0; ///< first byte of a 16-bit word whose second is to come
     bool half_word_ = false;
 
     bool serial() const {

@@ -10,7 +10,7 @@ namespace spangle::hal {
 struct I2cConfig {
     const char* device = "/dev/i2c-1";
     std::uint8_t address = 0x3C;        ///< seven bits; 3Ch or 3Dh
-    std::uint32_t clock_hz = 400000;    ///< what the adapter runs at: for deadlines, it is set elsewhere
+    std::uint32_t clock_hz = 400000;    ///< clock of the adapter, for deadlines only: it is set elsewhere
     std::uint16_t message_bytes = 1024; ///< the longest message, control byte included; some adapters take 32
     PanelPins pins;
     bool asynchronous = true;
@@ -32,14 +32,14 @@ class I2cBus final : public TransferBus {
     explicit I2cBus(const I2cConfig& config);
     ~I2cBus();
 
-    /// Opens the adapter and addresses the controller. Again, after it came back.
+    /// Opens the adapter and addresses the controller. It may be called again after the adapter came back.
     Result<void> open();
     BusCaps caps() const override;
 
   private:
     I2cConfig config_;
     int device_ = -1;
-    std::vector<std::uint8_t> message_; ///< being filled, control byte first; empty: none
+    std::vector<std::uint8_t> message_; ///< message being filled, control byte first; empty: none
     bool data_ = false;
 
     void close_device();

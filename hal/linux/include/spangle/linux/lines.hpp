@@ -54,7 +54,7 @@ class Lines {
     template <class Call> Result<void> run(const char* operation, Call call);
     Error failed(const char* operation);
 
-    // One call of the library each: negative on an error in errno.
+    // Each makes one call of the library; a negative result is an error in errno.
     int set_values(std::uint32_t levels);
     int get_values(std::uint32_t& levels);
     int make_outputs(std::uint32_t levels);

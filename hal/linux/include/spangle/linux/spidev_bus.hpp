@@ -12,8 +12,8 @@ struct SpidevConfig {
     std::uint32_t write_hz = 0;
     std::uint32_t read_hz = 0; ///< 0: the panel's data output is not wired
     std::uint8_t mode = 0;     ///< SPI mode 0 or 3
-    LineRef dc;                ///< not wired: 3-wire, nine bits a byte (DBI-C option 1), or:
-    bool start_bytes = false;  ///< each message begins with 70h, an index follows, or 72h, values do
+    LineRef dc;                ///< not wired: 3-wire, nine bits a byte (DBI-C option 1), or `start_bytes`
+    bool start_bytes = false;  ///< each message begins with 70h before an index, or 72h before values
     PanelPins pins;
     bool asynchronous = true;
     /// What a command costs beyond its bytes: two D/C changes and two messages, 10 to 30 us on a Raspberry
@@ -38,7 +38,7 @@ class SpidevBus final : public TransferBus {
     explicit SpidevBus(const SpidevConfig& config);
     ~SpidevBus();
 
-    /// Opens the device and requests the lines. Again, after a device came back.
+    /// Opens the device and requests the lines. It may be called again after a device came back.
     Result<void> open();
     BusCaps caps() const override;
     /// Bytes of one message: the kernel's `bufsiz`.
@@ -54,13 +54,13 @@ class SpidevBus final : public TransferBus {
     // Bytes that wait for their message, all with the same D/C in 4-wire mode.
     std::vector<std::uint8_t> stage_;
     std::size_t staged_ = 0;
-    std::size_t longest_ = 0; ///< message; with start bytes one that ends with whole pixels
+    std::size_t longest_ = 0; ///< longest message; with start bytes one that ends with whole pixels
     bool staged_data_ = false;
 
     // 3-wire: nine bits as the kernel's 16-bit words, or eight words in nine bytes where the controller only
     // has bytes.
     bool packed_ = false;
-    std::uint32_t bits_ = 0; ///< not yet staged
+    std::uint32_t bits_ = 0; ///< bits that are not staged yet
     unsigned bit_count_ = 0;
 
     bool has_dc() const { return config_.dc.wired(); }

@@ -53,7 +53,7 @@ class TransferBus : public Bus {
     Result<void> open_pins();
     bool busy() const;
 
-    // The pins beside the data. A bus with lines of its own answers for them.
+    // The pins beside the data. A bus that drives some of them itself overrides these.
     virtual bool has_te() const { return pins_.te.wired(); }
     virtual bool has_reset() const { return pins_.reset.wired(); }
     virtual bool has_backlight() const { return pins_.backlight.wired(); }
