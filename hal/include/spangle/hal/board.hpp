@@ -63,7 +63,7 @@ consteval Board board(Board description) {
     return description;
 }
 
-/// The bus a board describes.
+/// The capabilities of the bus that a board describes.
 constexpr BusCaps bus_caps(const Board& board) {
     BusCaps caps = board.bus == BusKind::i2c ? i2c_caps(board.write_hz) : BusCaps{};
     caps.has_te = board.has_te;
@@ -89,12 +89,12 @@ constexpr std::size_t bus_memory(const Board& board) {
     if (!c.wire.converts())
         return c.buffers * rounded(frame);
     const auto pixels = static_cast<std::size_t>(sent.width) * static_cast<std::size_t>(sent.height);
-    // Windows that end inside a byte round up: one a row at most.
+    // A window that ends inside a byte takes one more; there is at most one window per row.
     return rounded(frame) +
            rounded((pixels * wire_info(c.wire.format).bits + 7) / 8 + static_cast<std::size_t>(sent.height));
 }
 
-/// That memory, for a bus of one board: `static BusMemoryOf<my_board> frames;`
+/// The memory of bus_memory() for the bus of one board: `static BusMemoryOf<my_board> frames;`
 template <const Board& board> class BusMemoryOf {
   public:
     Buffer buffer() { return {bytes_, sizeof bytes_}; }
@@ -104,7 +104,8 @@ template <const Board& board> class BusMemoryOf {
 };
 
 /// The display of a board with exactly the memory it needs: `static BoardDisplay<my_board> display(bus);`
-/// `Ops` and what bands remember are those of PanelStorage: boards with little memory say less.
+/// `Ops` is that of PanelStorage; `Remembers`: bands record what the panel shows. Boards with little memory
+/// ask for less.
 template <const Board& board, std::size_t Ops = 64, bool Remembers = true>
 class BoardDisplay final
     : private PanelStorage<book_height(board.display), board.display.buffers, Ops,

@@ -1,4 +1,4 @@
-// The bus: who moves bytes to a display controller. A transfer is one list of operations submitted with a
+// The bus, which moves bytes to a display controller. A transfer is one list of operations submitted with a
 // token; D/C is part of the operation, so that every back end chooses how to carry it (GPIO, 9-bit words,
 // register).
 #pragma once
@@ -44,14 +44,15 @@ struct Op {
     std::uint32_t micros = 0;
 };
 
-/// A wait_line has seen what it waits for.
+/// Whether the answer is one of the lines that a wait_line waits for.
 constexpr bool line_reached(const Op& op, const std::uint8_t (&answer)[2]) {
     const std::int32_t line = answer[0] << 8 | answer[1];
     const std::int32_t past = line - static_cast<std::int32_t>(op.length);
     return (past < 0 ? past + op.stride : past) < static_cast<std::int32_t>(op.rows);
 }
 
-/// What a wait_te or wait_line waited for has come: 32 bits of microseconds of any clock, that wrap.
+/// Stores when the edge or line came that a wait_te or wait_line waited for: microseconds of any clock, in 32
+/// bits that wrap.
 inline void tell_moment(const Op& op, std::uint32_t micros) {
     if (op.into != nullptr)
         std::memcpy(op.into, &micros, sizeof micros);
@@ -66,8 +67,8 @@ struct BusCaps {
     std::uint32_t max_transfer = 0; ///< bytes of one operation; 0 = no limit
     std::uint32_t command_cost_ns =
         0; ///< overhead of one command operation beyond its bytes (D/C, ioctl, CS)
-    /// A transfer that takes twice its time and this is given up. Long where other programs share the
-    /// processor: one that is only late must not look like one that hangs.
+    /// A transfer is given up after twice its expected time and this. It is long where other programs share
+    /// the processor: a transfer that is only late must not look like one that hangs.
     std::uint32_t late_us = 100000;
 };
 

@@ -1,4 +1,4 @@
-// Memory of the bus that a transfer may be reading: who draws into it asks first.
+// Memory of the bus that a transfer may be reading: to draw into it, one must ask first.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 namespace spangle::hal {
 
 /// The bytes are reached in two ways only: to send them, always; to draw into them, while no transfer reads
-/// them. Drawing into what is on the wire cannot be written down.
+/// them. So no code can draw into what is on the wire.
 class BusBuffer {
   public:
     BusBuffer() = default;

@@ -1,4 +1,4 @@
-// The memory a bus hands out buffers of.
+// The memory from which a bus hands out buffers.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,11 @@ namespace spangle::hal {
 
 class BusMemory {
   public:
-    /// Buffers begin at multiples of this: whole lines of the data caches there are.
+    /// Buffers begin at multiples of this, which are whole lines of the data caches there are.
     static constexpr std::size_t alignment = 32;
 
     explicit BusMemory(Buffer memory) : memory_(memory) {}
-    /// The next `size` bytes, for good.
+    /// Hands out the next `size` bytes, which are never given back.
     Result<Buffer> take(std::size_t size);
 
   private:

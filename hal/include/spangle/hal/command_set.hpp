@@ -1,4 +1,4 @@
-// How a family of controllers is spoken to, as data: which commands name a window, an orientation, a pixel
+// The commands of a family of controllers, as data: which of them name a window, an orientation, a pixel
 // format, and whether their parameters travel as data or as commands.
 #pragma once
 
@@ -9,14 +9,15 @@
 
 namespace spangle::hal {
 
-/// How an axis of the window is sent. Numbers count what shares a byte: pages, pairs of columns.
+/// How an axis of the window is sent. Its numbers count groups of pixels that share a byte: pages, pairs of
+/// columns.
 struct Axis {
     enum class Code : std::uint8_t {
         pair16,    ///< the command, first and last with high bytes first
         pair8,     ///< the command, first, last
         registers, ///< four commands from this one on, a parameter each: first high, low, last high, low
         nibbles,   ///< low nibble of the first in the command, then the high one in the command 10h further
-        in_command ///< the only one, in the command itself: a window is one of them
+        in_command ///< a single number in the command itself: a window has one row or page
     };
     Code code = Code::pair16;
     std::uint8_t command = 0;
@@ -26,34 +27,34 @@ constexpr bool names_one(Axis axis) {
     return axis.code == Axis::Code::in_command;
 }
 
-/// A register that follows from orientation, colour order, inversion and pixel format. Its value is `base`
-/// with the bits of each that holds changed, and the format's code.
+/// A register that follows from orientation, colour order, inversion and pixel format. Its value is `base`,
+/// with the bits of each property that holds changed, and with the format's code.
 struct Setting {
     std::uint8_t command = 0;
     bool in_command = false; ///< the value is part of the command, else its parameter
     std::uint8_t base = 0;
-    std::uint8_t mx = 0, my = 0, mv = 0; ///< the orientation has this bit of MADCTL
+    std::uint8_t mx = 0, my = 0, mv = 0; ///< bits that MX, MY, MV of the orientation's MADCTL change
     std::uint8_t bgr = 0, inverted = 0;
     bool format = false;
 };
 
 struct CommandSet {
-    bool parameters_are_commands = false; ///< D/C stays low for them
+    bool parameters_are_commands = false; ///< D/C stays low for parameters, too
     Axis columns, rows;
     std::uint8_t memory_write = 0; ///< pixels follow it; 0: data are pixels at any time
-    bool rewinds = false;   ///< it puts the pointer at the window's start: what stays need not be sent again
+    bool rewinds = false;   ///< memory_write rewinds the pointer: an axis that stays need not be sent again
     bool axes_stay = false; ///< MV changes the order of writing, not what columns and rows name
     bool mirrors_rows_on_glass = false; ///< MY turns the scan round, rows of memory keep their numbers
-    bool status_registers = false;      ///< 09h to 0Fh answer
+    bool status_registers = false;      ///< the controller answers 09h to 0Fh
     Setting settings[4] = {};
     std::uint8_t setting_count = 0;
-    Program soft_reset{}; ///< where no reset line is; empty: there is none
-    Program tearing{};    ///< the TE output on; empty: there is none
-    Program wake{};       ///< before the first pixel; PanelTiming::sleep_out_wait_us follows
-    Program light{};      ///< the glass on
+    Program soft_reset{}; ///< sent where there is no reset line; empty: there is none
+    Program tearing{};    ///< turns the TE output on; empty: there is none
+    Program wake{};       ///< sent before the first pixel; PanelTiming::sleep_out_wait_us follows
+    Program light{};      ///< turns the glass on
 };
 
-/// Bytes and commands of a window with nothing remembered.
+/// The bytes and commands of a window whose axes are all sent.
 struct WindowSize {
     std::uint32_t bytes = 0, commands = 0;
 };

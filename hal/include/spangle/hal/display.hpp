@@ -10,9 +10,9 @@
 
 namespace spangle::hal {
 
-/// A frame is presented while the one before is still on the wire: `block` waits; `drop` does not send it,
-/// and the next one presented in time carries its changes too; `coalesce` does the same, and sends it still,
-/// at the latest at finish(), unless another is drawn over it first.
+/// What a present does while the frame before is still on the wire. `block` waits. `drop` does not send the
+/// frame; the next one presented in time carries its changes, too. `coalesce` does the same, but still sends
+/// the frame, at the latest in finish(), unless another is drawn over it first.
 enum class Pacing : std::uint8_t { block, drop, coalesce };
 
 struct DisplayInfo {
@@ -20,7 +20,7 @@ struct DisplayInfo {
     std::int32_t width = 0, height = 0;
     PixelFormat format = PixelFormat::rgb565_be;
     bool keeps_buffer = false; ///< acquire() always gives the same buffer, with what was drawn before
-    WireFormat wire = WireFormat::none; ///< what a present turns pixels into; none: they travel as they are
+    WireFormat wire = WireFormat::none; ///< what a present converts pixels to; none: they travel as they are
     /// Rows that a buffer holds: frames are acquired and presented band by band; 0: whole.
     std::int32_t band_height = 0;
     std::int32_t band_unit = 1; ///< bands begin and end at multiples of so many rows, or with the picture
@@ -46,7 +46,7 @@ class Display {
     virtual Result<void> present() = 0;
     /// Waits until the last frame presented is shown; what was drawn since stays where it is.
     virtual Result<void> finish() { return {}; }
-    /// New colours, red, green and blue bytes each, of the indices from `first` on: of displays of
+    /// Sets new colours, red, green and blue bytes each, of the indices from `first` on, on displays of
     /// PixelFormat::index8.
     virtual Result<void> set_palette(std::int32_t, std::int32_t, const std::uint8_t*) {
         return Error{Fault::unsupported, "display: it has no palette"};
@@ -54,11 +54,11 @@ class Display {
     /// 0: presents do not wait (EGL 1.4, 3.9.3); 1: as the display was set up.
     virtual void swap_interval(std::int32_t) {}
 
-    /// Where info().band_height is not 0, instead of acquire() and present(): the black buffer of rows
-    /// [first, first + rows) of a frame, whose pixels and extents begin with row `first`. Frames begin with
-    /// row 0 and go on downwards.
+    /// Replaces acquire() where info().band_height is not 0. It returns the black buffer of rows [first,
+    /// first + rows) of a frame, whose pixels and extents begin with row `first`. Frames begin with row 0 and
+    /// go on downwards.
     virtual Result<Frame> acquire_band(std::int32_t, std::int32_t) { return whole_frames(); }
-    /// Sends what differs between the panel's memory and that band.
+    /// Replaces present(): sends what differs between the panel's memory and the band that was acquired.
     virtual Result<void> present_band() { return whole_frames(); }
 
   protected:

@@ -16,18 +16,19 @@ namespace spangle::hal {
 /// never the call itself. The bytes stay where they are until then.
 class DmaPort {
   public:
-    /// The last bit is on the wire at the end: D/C may change then.
+    /// A write is over when its last bit is on the wire: D/C may change then.
     virtual void write(bool data, const std::uint8_t* bytes, std::uint32_t count) = 0;
     virtual void read(std::uint8_t dummy_bits, std::uint8_t* into, std::uint32_t count) = 0;
     virtual void pause(std::uint32_t micros) = 0;
-    /// Until the edge: step(Fault::none), or so long: step(Fault::timeout).
+    /// Waits for the edge, and ends with step(Fault::none); or after `at_most_micros`, with
+    /// step(Fault::timeout).
     virtual void wait_te(std::uint32_t at_most_micros) = 0;
 
-    // At once.
+    // The calls below are done when they return.
     virtual void select(bool selected) = 0;
     virtual void reset(bool low) = 0;
     virtual std::uint32_t micros() = 0; ///< wraps
-    virtual void sleep() {}             ///< until an interrupt, or not at all
+    virtual void sleep() {}             ///< sleeps until an interrupt, or not at all
 
   protected:
     ~DmaPort() = default;
@@ -54,7 +55,7 @@ class DmaBus final : public Bus {
     bool done(Token token) const override;
     Result<void> wait(Token token, std::uint32_t timeout_micros) override;
 
-    /// From the port's interrupt: what it was told to do is done, or failed.
+    /// Called from the port's interrupt: what was started is done, or failed.
     void step(Fault fault = Fault::none);
 
   private:
@@ -70,10 +71,10 @@ class DmaBus final : public Bus {
     DmaMemory memory_;
     BusMemory buffers_;
 
-    // Of the list under way: the interrupt's, while `running_`.
+    // The list under way. These belong to the interrupt while `running_`.
     std::size_t count_ = 0, at_ = 0;
-    std::uint32_t part_ = 0;  ///< of the operation: starts made
-    std::uint32_t since_ = 0; ///< a wait_line began
+    std::uint32_t part_ = 0;  ///< parts of the operation that were started
+    std::uint32_t since_ = 0; ///< when a wait_line began, microseconds
     std::uint8_t answer_[2] = {}, pattern_[48] = {};
     Fault outcome_ = Fault::none;
 

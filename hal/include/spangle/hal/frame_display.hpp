@@ -12,7 +12,7 @@ namespace spangle::hal {
 
 namespace detail {
 
-/// Writes a program while the compiler runs.
+/// Writes a program at compile time.
 struct ProgramWriter {
     std::array<std::uint8_t, 512> bytes{};
     std::size_t size = 0;
@@ -35,7 +35,7 @@ struct ProgramWriter {
     }
 };
 
-/// From reset to the first pixel, and from one frame's last pixel to the next one's first.
+/// The commands from reset to the first pixel, and those from one frame's last pixel to the next one's first.
 struct FramePrograms {
     ProgramWriter opening, next;
 };
@@ -70,7 +70,7 @@ consteval FramePrograms frame_programs(const Board& board) {
     return out;
 }
 
-/// The bytes that were written.
+/// A program of just the bytes that were written.
 template <ProgramWriter written> consteval ProgramBytes<written.size> trimmed() {
     ProgramBytes<written.size> bytes{};
     for (std::size_t i = 0; i < written.size; ++i)
@@ -81,7 +81,7 @@ template <const Board& board>
 inline constexpr auto opening_program = trimmed<frame_programs(board).opening>();
 template <const Board& board> inline constexpr auto next_program = trimmed<frame_programs(board).next>();
 
-/// Whether whole frames, as they are, through a port that is polled, are all that the board asks for.
+/// Whether a board asks for no more than whole frames, unconverted, through a port that is polled.
 constexpr bool sends_plain_frames(const Board& board) {
     const PanelConfig& c = board.display;
     return !c.wire.converts() && c.buffers == 1 && !c.read_back && !c.wait_te && !c.poll_line &&
@@ -90,15 +90,15 @@ constexpr bool sends_plain_frames(const Board& board) {
 
 } // namespace detail
 
-/// All but the pixels is written down when the program is compiled; on the wire it is what PanelDisplay sends
-/// of frames that changed everywhere. `Wires` has the functions of a PolledPort, and needs no table of them.
+/// All commands are constants that the compiler makes. The wire carries what PanelDisplay sends of frames
+/// that changed everywhere. `Wires` has the functions of a PolledPort, which need not be virtual.
 template <const Board& board, class Wires> class FrameDisplay final : public Display {
     static_assert(detail::sends_plain_frames(board), "display: this board asks for more than whole frames");
     static_assert(!detail::opening_program<board>.empty(),
                   "display: one window of this panel does not name a frame");
 
   public:
-    static constexpr std::size_t bytes = bus_memory(board); ///< of a frame
+    static constexpr std::size_t bytes = bus_memory(board); ///< bytes of a frame
 
     /// `frame` must stay, and is black: all zero.
     constexpr FrameDisplay(Wires& wires, std::uint8_t* frame) : wires_(wires), frame_(frame) {}
@@ -110,7 +110,7 @@ template <const Board& board, class Wires> class FrameDisplay final : public Dis
                 .format = board.display.format,
                 .keeps_buffer = true};
     }
-    /// The panel comes on with what was drawn last, if it loses its power.
+    /// Sets the panel up, also after it lost its power. It comes on with what was drawn last.
     Result<void> init() override {
         fault_ = Fault::none;
         if constexpr (board.display.reset_line) {
@@ -125,7 +125,7 @@ template <const Board& board, class Wires> class FrameDisplay final : public Dis
     Result<Frame> acquire() override {
         return Frame{frame_, row_bytes(board.display.format, size.width), age_};
     }
-    /// A panel that did not take a frame is set up anew with the next.
+    /// A panel that did not take a frame is set up again by the next present.
     Result<void> present() override {
         if (failed())
             return init();
@@ -136,11 +136,11 @@ template <const Board& board, class Wires> class FrameDisplay final : public Dis
 
   private:
     static constexpr Extent size = picture_size(board.display);
-    // Constants, so that the panel's tables stay with the compiler.
+    // These are constants, so that the panel's tables are not linked.
     static constexpr Program light = board.display.panel->commands->light;
     static constexpr bool parameters_are_data = !board.display.panel->commands->parameters_are_commands;
 
-    /// Wires on which nobody acknowledges anything say so.
+    /// Wires without any acknowledgement set their own `can_fail` to false.
     static constexpr bool can_fail = !requires { requires !Wires::can_fail; };
     bool failed() const { return can_fail && fault_ != Fault::none; }
     Result<void> ended() {
@@ -149,7 +149,7 @@ template <const Board& board, class Wires> class FrameDisplay final : public Dis
             return Error{fault_, "FrameDisplay: the port ended the transfer with a fault"};
         return {};
     }
-    /// A frame behind a program that ends with the command for its pixels.
+    /// Sends a program, which ends with the command for pixels, and a frame behind it.
     void send(Program program) {
         play(program);
         write(true, frame_,
@@ -168,7 +168,7 @@ template <const Board& board, class Wires> class FrameDisplay final : public Dis
                 write(parameters_are_data, step.params, step.count);
         }
     }
-    /// Nothing behind a fault.
+    /// Writes bytes, but nothing after a fault.
     void write(bool data, const std::uint8_t* from, std::uint32_t count) {
         if (failed())
             return;

@@ -21,7 +21,7 @@ constexpr ProgramBytes<2 + sizeof...(Params)> cmd(unsigned command, Params... pa
             static_cast<std::uint8_t>(params)...};
 }
 
-/// Rounded up to 10 ms; at most 2550 ms.
+/// A delay, rounded up to 10 ms; at most 2550 ms.
 consteval ProgramBytes<2> delay_ms(unsigned ms) {
     return {static_cast<std::uint8_t>((ms + 9) / 10), program_delay_mark};
 }

@@ -12,18 +12,20 @@ namespace spangle::hal {
 /// board's port makes it.
 class ScanOut {
   public:
-    /// From its next blanking on it reads there. One address waits at most: a later one takes its place.
+    /// The block reads at this address from its next blanking on. At most one address waits: a later one
+    /// takes its place.
     virtual void show(const std::uint8_t* pixels) = 0;
     /// The address that the refresh under way reads. It changes to the one that waits, and to no other.
     virtual const std::uint8_t* scanned() const = 0;
     virtual std::uint32_t micros() = 0; ///< wraps
-    /// What a data cache holds of these bytes goes to memory, before show().
+    /// Writes what a data cache holds of these bytes to memory. It is called before show().
     virtual void clean(const std::uint8_t*, std::size_t) {}
-    /// New colours of a palette in hardware, red, green and blue bytes each: where pixels have eight bits.
+    /// Sets colours of a palette in hardware, red, green and blue bytes each. It is called where pixels have
+    /// eight bits.
     virtual void palette(std::int32_t first, std::int32_t count, const std::uint8_t* rgb) {
         static_cast<void>(first), static_cast<void>(count), static_cast<void>(rgb);
     }
-    virtual void sleep() {} ///< until an interrupt, or not at all
+    virtual void sleep() {} ///< sleeps until an interrupt, or not at all
 
   protected:
     ~ScanOut() = default;
@@ -36,14 +38,14 @@ struct MappedConfig {
     std::int32_t width = 0, height = 0;
     PixelFormat format = PixelFormat::rgb565_le;
     std::int32_t stride = 0; ///< bytes from row to row; 0: rows without gaps
-    /// Where the block can read. One: it is drawn into while it is scanned. Two: frames are whole, and the
-    /// next one waits for the refresh. Three: and it does not.
+    /// Memory that the block can read. One buffer is drawn into while it is scanned. With two, frames are
+    /// whole, and the next one waits for the refresh. With three it does not wait.
     std::uint8_t* buffers[most_buffers] = {};
     RowSpan* touched = nullptr; ///< `height` elements of memory; null: `clean` is given whole buffers
-    /// A frame is presented while the one before waits for the refresh. Three buffers only: `coalesce` shows
-    /// the newer one instead, `drop` the older one, and the newer one is drawn over.
+    /// What a present does while the frame before waits for the refresh. Only with three buffers, `coalesce`
+    /// shows the newer frame instead; `drop` shows the older one, and the newer one is drawn over.
     Pacing pacing = Pacing::block;
-    std::uint32_t refresh_us = 100000; ///< no refresh takes longer, or the block stands still
+    std::uint32_t refresh_us = 100000; ///< longest refresh; beyond that the block stands still
 };
 
 class MappedDisplay final : public Display {
@@ -53,12 +55,12 @@ class MappedDisplay final : public Display {
     DisplayInfo info() const override;
     /// Shows black, or index 0; a palette has its initial colours, through which rgb332 looks right.
     Result<void> init() override;
-    /// A buffer that is not scanned: waits for the refresh where there is none.
+    /// Returns a buffer that is not scanned; waits for the refresh where there is none.
     Result<Frame> acquire() override;
     Result<void> present() override;
     Result<void> finish() override;
     void swap_interval(std::int32_t interval) override { waits_ = interval != 0; }
-    /// At once: the block looks colours up while it scans.
+    /// Takes effect at once: the block looks colours up while it scans.
     Result<void> set_palette(std::int32_t first, std::int32_t count, const std::uint8_t* rgb) override;
 
   private:
@@ -73,12 +75,12 @@ class MappedDisplay final : public Display {
 
     ScanOut& port_;
     MappedConfig config_;
-    std::uint8_t count_ = 0; ///< of buffers
-    std::uint8_t asked_ = 0; ///< the last one that was to be shown
-    std::uint8_t back_ = 0;  ///< the one being drawn, where `drawing_`
+    std::uint8_t count_ = 0; ///< number of buffers
+    std::uint8_t asked_ = 0; ///< the buffer that was last to be shown
+    std::uint8_t back_ = 0;  ///< the buffer being drawn, where `drawing_`
     bool drawing_ = false, ready_ = false, waits_ = true;
     std::uint32_t frame_ = 0;                                        ///< presents that succeeded
-    std::uint32_t drawn_in_[MappedConfig::most_buffers] = {0, 0, 0}; ///< the last of them; 0: none
+    std::uint32_t drawn_in_[MappedConfig::most_buffers] = {0, 0, 0}; ///< last of these per buffer; 0: none
     RowExtents extents_;
 };
 

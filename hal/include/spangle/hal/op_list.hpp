@@ -25,23 +25,23 @@ class OpList {
     std::size_t room() const { return capacity_ - size_; }
     constexpr const Op* data() const { return ops_; }
     void clear() { size_ = 0, overflow_ = false; }
-    /// Of the commands appended from here on.
+    /// Says whether parameters of the commands appended from here on travel as commands.
     constexpr void parameters_are_commands(bool so) { parameters_are_commands_ = so; }
 
     /// `params` must live until the transfer is done.
     constexpr void command(std::uint8_t code, const std::uint8_t* params = nullptr, std::uint32_t count = 0);
     constexpr void command_byte(std::uint8_t code, std::uint8_t param);
-    /// Two numbers of one byte: 15h and 75h of OLED controllers.
+    /// A command with two numbers of one byte: 15h and 75h of OLED controllers.
     constexpr void command_bytes(std::uint8_t code, std::uint8_t first, std::uint8_t last);
-    /// Two 16-bit numbers, high bytes first: CASET, RASET.
+    /// A command with two 16-bit numbers, high bytes first: CASET, RASET.
     constexpr void command_pair(std::uint8_t code, std::uint16_t first, std::uint16_t last);
     void pixels(const std::uint8_t* data, std::uint32_t row_bytes, std::uint32_t rows, std::int32_t stride);
-    /// One pixel of `bytes` <= 4 zero bytes, `count` times.
+    /// Repeats a pixel of `bytes` <= 4 zero bytes `count` times.
     void repeat_black(std::uint32_t bytes, std::uint32_t count);
     void delay(std::uint32_t micros);
     /// `moment` must live until the transfer is done.
     void wait_te(std::uint32_t at_most_micros, std::uint32_t* moment = nullptr);
-    /// RDSCANLINE (45h) answers one of `count` lines from `first` on, of a refresh of `lines`.
+    /// Waits until RDSCANLINE (45h) answers one of `count` lines from `first` on, of a refresh of `lines`.
     void wait_line(std::uint8_t dummy_bits, std::int32_t first, std::int32_t count, std::int32_t lines,
                    std::uint32_t at_most_micros, std::uint32_t* moment = nullptr);
     void read(std::uint8_t code, std::uint8_t dummy_bits, std::uint8_t* into, std::uint32_t count);
@@ -49,7 +49,7 @@ class OpList {
 
     /// Hands the list to the bus. A list that had no room for an op is refused whole.
     Result<Token> submit(Bus& bus) const;
-    /// Bytes it writes.
+    /// The bytes that the list writes.
     std::uint64_t bytes() const;
     /// How long the list takes on this bus, in microseconds.
     std::uint32_t duration(const BusCaps& caps) const;

@@ -29,7 +29,7 @@ struct Orientation {
     friend constexpr bool operator==(const Orientation&, const Orientation&) = default;
 };
 
-/// All eight, for tables and tests.
+/// All eight orientations, for tables and tests.
 inline constexpr Orientation orientations[] = {
     {Rotation::r0, false}, {Rotation::r90, false}, {Rotation::r180, false}, {Rotation::r270, false},
     {Rotation::r0, true},  {Rotation::r90, true},  {Rotation::r180, true},  {Rotation::r270, true}};

@@ -9,8 +9,8 @@ namespace spangle::hal {
 
 inline constexpr std::int32_t palette_size = 256;
 
-/// Red, green and blue of an index before anybody sets them: the index read as RRRGGGBB, k / 7, k / 7 and k
-/// / 3. A surface of rgb332 looks right through it.
+/// The colour of an index before it is set: the index read as RRRGGGBB, k / 7, k / 7 and k / 3. A surface of
+/// rgb332 looks right through it.
 struct Rgb {
     std::uint8_t c[3];
 };
@@ -21,9 +21,9 @@ constexpr Rgb initial_color(std::int32_t index) {
     return {{scaled(5, 7), scaled(2, 7), scaled(0, 3)}};
 }
 
-/// The palette of a panel that has none: presents look colours up in it.
+/// The palette for a panel that has none itself: presents look colours up in it.
 struct Palette {
-    std::uint8_t color[palette_size][4];    ///< red, green, blue and a byte that nobody looks at
+    std::uint8_t color[palette_size][4];    ///< red, green, blue and an unused byte
     std::uint32_t stale[palette_size / 32]; ///< indices whose colours the panel does not show yet
     bool is_stale(std::uint8_t index) const { return (stale[index / 32] >> index % 32 & 1) != 0; }
     bool any_stale() const {
@@ -38,7 +38,7 @@ struct Palette {
     }
 };
 
-/// Its memory, or none.
+/// The memory of a Palette, or none.
 template <bool Exists> struct PaletteStorage {
     Palette* memory() { return nullptr; }
 };

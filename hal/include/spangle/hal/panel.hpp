@@ -38,7 +38,7 @@ struct Offset {
     std::int16_t x = 0, y = 0;
 };
 
-/// What the datasheet demands of time. Cycles are the shortest allowed.
+/// Times that the datasheet demands. Cycles are the shortest allowed.
 struct PanelTiming {
     std::uint16_t reset_low_us = 10;
     std::uint32_t reset_wait_us = 120000;     ///< reset released, or SWRESET, to the first command
@@ -54,16 +54,16 @@ struct PanelTiming {
     std::uint16_t porch_lines = 0;           ///< of these, lines of vertical blanking: TE is high
 };
 
-/// What tells the controller from others, and the clocks the line needs to turn round on a serial bus.
+/// What tells the controller from others, and the dummy clocks that a serial data line takes to turn round.
 struct Identity {
     std::uint8_t command = dcs::RDDID; ///< or a register of the maker's
-    std::uint8_t bytes = 3;            ///< of its answer, 3 at most
+    std::uint8_t bytes = 3;            ///< bytes of its answer, 3 at most
     std::uint8_t dummy_bits = 1;
     std::uint8_t parallel_dummy_bits = 8; ///< dummy read cycles, eight bits each
     std::uint32_t id = 0;                 ///< the first byte highest
     std::uint32_t mask = 0xFFFFFF;
-    std::uint8_t register_dummy_bits = 1; ///< 09h 45h; the one-byte reads have none
-    std::uint8_t pixel_dummy_bits = 8;    ///< 2Eh
+    std::uint8_t register_dummy_bits = 1; ///< of 09h and 45h; the one-byte reads have none
+    std::uint8_t pixel_dummy_bits = 8;    ///< of 2Eh
 };
 
 /// The pixel format register's code of a wire format, or that the controller does not take it.
@@ -75,14 +75,14 @@ struct FormatCode {
     constexpr FormatCode(int value) : taken(true), code(static_cast<std::uint8_t>(value)) {}
 };
 
-/// Of COLMOD (3Ah) or its like; 0 where a controller has no such register.
+/// Codes of COLMOD (3Ah) or its like; 0 where a controller has no such register.
 struct WireFormats {
     FormatCode rgb565{}, rgb666{}, rgb444{}, rgb332{}, grey4{}, mono{};
 };
 
 struct Quirks {
     bool resend_window = false; ///< RAMWR does not return to the window's start: CASET and RASET each time
-    bool no_read_back = false;  ///< the data line never drives back
+    bool no_read_back = false;  ///< the controller never drives the data line
     bool reads_write_depth = false; ///< RAMRD answers in COLMOD's format, not in three bytes a pixel
 };
 
@@ -90,13 +90,13 @@ struct PanelDesc {
     const char* name = "";
     Controller controller = Controller::ili9341;
     Extent memory;          ///< the controller's frame memory, MADCTL 00h
-    Extent glass;           ///< the part of it that shows
+    Extent glass;           ///< the part of the memory that shows
     Offset offset{};        ///< of the glass in memory, MADCTL 00h
     std::uint8_t mount = 0; ///< MADCTL's MX, MY that show a picture upright on this glass
     ColorOrder order = ColorOrder::rgb;
     bool inverted = false; ///< IPS glass: INVON shows true colours
     BusKind serial_bus = BusKind::spi4;
-    WireFormats serial; ///< on that bus, and on I2C
+    WireFormats serial; ///< formats on that bus, and on I2C
     WireFormats parallel{};
     Program setup; ///< registers beyond the command set's, sent while asleep
     const CommandSet* commands = &dcs::commands;
@@ -122,14 +122,14 @@ constexpr FormatCode format_code(const PanelDesc& panel, BusKind bus, WireFormat
 enum class OnFlaw : std::uint8_t { tell, stop };
 /// Not constexpr: no constant expression gets past it.
 inline void does_not_compile() {}
-/// The compiler shows this call as it is written, the rule in it.
+/// The compiler's message shows this call as it is written, with the rule in it.
 constexpr const char* broken(const char* rule, OnFlaw on) {
     if (on == OnFlaw::stop)
         does_not_compile();
     return SPANGLE_MESSAGES != 0 ? rule : "";
 }
 
-/// Clocks, or cycles of a parallel bus, a second.
+/// The fastest clock in Hz, or cycles of a parallel bus per second.
 constexpr std::uint32_t fastest_write(const PanelDesc& panel, BusKind bus) {
     return bus == BusKind::i2c     ? panel.timing.i2c_hz
            : bus == BusKind::i8080 ? 1000000000u / panel.timing.parallel_write_ns

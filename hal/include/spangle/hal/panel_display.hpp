@@ -24,40 +24,41 @@ struct PanelConfig {
     const PanelDesc* panel = nullptr;
     Orientation orientation = {};
     PixelFormat format = PixelFormat::rgb565_be;
-    /// Another format on the wire: a present turns what it sends into it, in memory of its own, and returns
-    /// while that is on the wire. Left out: the surface's pixels travel as they are.
+    /// Another format on the wire: a present converts what it sends, in memory of its own, and returns while
+    /// that is on the wire. If it is left out, the surface's pixels travel as they are.
     Wire wire = {};
     std::uint8_t buffers =
         1; ///< 1: present() returns when the frame is on the panel; 2: while it is on the wire
     bool reset_line = true; ///< false: SWRESET instead
     bool read_back = false; ///< the panel's data line is wired back: init() checks what answers
     bool wait_te = false;   ///< tear-free: presents lead or lag the beam, which the TE line tells
-    bool poll_line = false; ///< tear-free: the same by reading the scanned line (45h)
-    /// Frames are turned into the order of the panel's scan, where the picture's rows are not: such a picture
-    /// can be free of tears. The second buffer is the turned one; presents return while it is on the wire.
+    bool poll_line = false; ///< tear-free: as `wait_te`, by reading the scanned line (45h)
+    /// Frames are turned into the order of the panel's scan where the picture's rows are not in it: only then
+    /// can such a picture be free of tears. The second buffer is the turned one; presents return while it is
+    /// on the wire.
     bool scan_order = false;
     Pacing pacing = Pacing::block;
-    bool row_hash = false; ///< cells of 16x1 pixels that were drawn again as they were are not sent
+    bool row_hash = false; ///< cells of 16x1 pixels that are drawn again unchanged are not sent
     /// Rows that a buffer holds, where memory holds no whole picture: frames are drawn band by band, and with
     /// two buffers, or another format on the wire, a band is drawn while the one above it is on the wire.
     /// 0: whole frames.
     std::int32_t band = 0;
 };
 
-/// Pixels across and down that share bytes where they travel as they are; of the picture.
+/// The picture's pixels across and down that share bytes, where they travel as they are.
 constexpr Extent sharing(PixelFormat format) {
     const FormatInfo info = format_info(format);
     return {static_cast<std::int16_t>(info.bits % 8 != 0 ? 2 : 1), info.rows};
 }
 
-/// Pixels that travel as they are travel as they lie: those that share a byte must lie together in the
-/// panel's memory, too, and rows end with bytes.
+/// Whether pixels that travel as they are fit the panel's memory: those that share a byte must lie together
+/// there, too, and rows must end with bytes.
 constexpr bool lies_as_it_travels(const PanelConfig& c) {
     const Extent share = sharing(c.format);
     if (c.wire.converts() || (share.width == 1 && share.height == 1))
         return true;
     const Placement placed = place(*c.panel, c.orientation);
-    // 12 bits are pairs of the stream; greys and pages are places in memory.
+    // Pixels of 12 bits are pairs of the stream; those of greys and pages have fixed places in memory.
     const bool turned = (placed.madctl & dcs::MV) != 0 && c.format != PixelFormat::rgb444;
     return !turned && !c.scan_order && placed.size.width % share.width == 0 &&
            placed.size.height % share.height == 0;
@@ -67,7 +68,7 @@ constexpr WireFormat wire_format(const PanelConfig& config) {
     return config.wire.converts() ? config.wire.format : same_bytes(config.format);
 }
 
-/// Rows of the picture that share bytes, as they lie or on the wire: bands end where these do.
+/// Rows of the picture that share bytes, in memory or on the wire: bands end where these do.
 constexpr std::int32_t band_unit(const PanelConfig& c) {
     const WireInfo wire = wire_info(wire_format(c));
     const bool turned = (place(*c.panel, c.orientation).madctl & dcs::MV) != 0;
@@ -87,13 +88,13 @@ constexpr const char* band_flaw(const PanelConfig& c) {
     return nullptr;
 }
 
-/// What is in one frame buffer: outside these rows, the clear value.
+/// What one frame buffer holds: outside of these spans, the clear value.
 struct PanelContent {
     RowSpan* rows = nullptr;
     std::uint32_t clear_value = 0;
 };
 
-/// The picture's size, and that of the buffer that is sent.
+/// Whether frames are turned; below, the picture's size and that of the buffer that is sent.
 constexpr bool turns(const PanelConfig& c) {
     return c.scan_order && scan_order(*c.panel, c.orientation).turns();
 }
@@ -103,11 +104,11 @@ constexpr Extent picture_size(const PanelConfig& c) {
 constexpr Extent sent_size(const PanelConfig& c) {
     return turns(c) ? scan_order(*c.panel, c.orientation).placement.size : picture_size(c);
 }
-/// What a buffer holds of either: rows of a band, or all.
+/// The part of a picture of size `whole` that a buffer holds: rows of a band, or all.
 constexpr Extent held(const PanelConfig& c, Extent whole) {
     return {whole.width, c.band != 0 ? static_cast<std::int16_t>(c.band) : whole.height};
 }
-/// Rows of either.
+/// Rows of bookkeeping: enough for the picture and for the buffer that is sent.
 constexpr std::int32_t book_height(const PanelConfig& c) {
     const std::int32_t drawn = held(c, picture_size(c)).height, sent = held(c, sent_size(c)).height;
     return drawn > sent ? drawn : sent;
@@ -119,7 +120,7 @@ struct PanelMemory {
     RowSpan* touched = nullptr;
     RowSpan* damage = nullptr;
     RowSpan* content[2] = {};
-    std::int32_t content_height = 0; ///< of the picture; of bands also 0: they are sent whole
+    std::int32_t content_height = 0; ///< rows of the picture; 0 for bands that are sent whole
     std::uint16_t* plan = nullptr;
     std::int32_t height = 0;
     std::uint8_t buffers = 0;
@@ -128,15 +129,16 @@ struct PanelMemory {
     std::size_t op_count = 0;
     RowHashMemory hash = {};
     RowSpan* turned = nullptr;        ///< for PanelConfig::scan_order
-    decltype(&turn) turner = nullptr; ///< and that it is linked
+    decltype(&turn) turner = nullptr; ///< turn(), which is linked only where it is named
     RowSpan* held = nullptr;          ///< for Pacing::coalesce; without it frames are dropped
     Palette* palette = nullptr;       ///< for PixelFormat::index8
 };
 
-/// That memory for pictures and sent buffers up to `Height` rows, and `HashedWidth` columns if they are to be
-/// hashed. A list longer than `Ops` goes out in several transfers; frames that are tear-free or sent while
-/// the next is drawn are made of as few windows as one list holds. `Content`: rows of the picture, where
-/// `Height` is that of bands; 0: nobody remembers what the panel shows, and bands are sent whole.
+/// The memory of a PanelDisplay for pictures and sent buffers up to `Height` rows, and `HashedWidth` columns
+/// if they are to be hashed. A list longer than `Ops` goes out in several transfers; frames that are
+/// tear-free or sent while the next is drawn are made of as few windows as one list holds. `Content`: rows of
+/// the picture, where `Height` is that of bands; 0: what the panel shows is not recorded, and bands are sent
+/// whole.
 template <std::int32_t Height, std::uint8_t Buffers = 1, std::size_t Ops = 64, std::int32_t HashedWidth = 0,
           bool Turned = false, bool Held = false, std::int32_t Content = Height, bool Indexed = false>
 struct PanelStorage {
@@ -171,7 +173,7 @@ struct PanelStorage {
 
 /// What became of the frames presented so far.
 struct PresentCounters {
-    std::uint32_t sent = 0;            ///< with at least one window
+    std::uint32_t sent = 0;            ///< sent with at least one window
     std::uint32_t put_off = 0;         ///< the wire was busy: dropped, or merged with the next
     std::uint32_t led = 0, lagged = 0; ///< tear-free: started in the blanking, or behind the beam
     std::uint32_t unsafe = 0;          ///< no start is free of tears
@@ -179,24 +181,24 @@ struct PresentCounters {
 
 class PanelDisplay : public Display {
   public:
-    /// Code that not every display runs. What nobody names is not linked.
+    /// Functions that not every display calls. Those that no display names are not linked.
     struct Parts {
-        Result<void> (PanelDisplay::*check)() const = nullptr; ///< the description and the memory
+        Result<void> (PanelDisplay::*check)() const = nullptr; ///< checks the description and the memory
         Result<void> (*identify)(Bus&, const PanelDesc&, ReadScratch&) = nullptr;
-        Result<void> (PanelDisplay::*measure)() = nullptr;                  ///< the refresh,
-        void (PanelDisplay::*sync)(FramePlan&) = nullptr;                   ///< to lead or lag the beam
-        std::size_t (PanelDisplay::*count_ops)(FramePlan&) const = nullptr; ///< of frames that are one list
-        Result<Frame> (PanelDisplay::*acquire)() = nullptr;                 ///< whole frames
+        Result<void> (PanelDisplay::*measure)() = nullptr; ///< measures the refresh
+        void (PanelDisplay::*sync)(FramePlan&) = nullptr;  ///< makes transfers lead or lag the beam
+        std::size_t (PanelDisplay::*count_ops)(FramePlan&) const = nullptr; ///< for frames that are one list
+        Result<Frame> (PanelDisplay::*acquire)() = nullptr;                 ///< acquires whole frames
         Result<void> (PanelDisplay::*present)() = nullptr;
-        Result<void> (PanelDisplay::*show)(bool in_place) = nullptr; ///< those that were put off
+        Result<void> (PanelDisplay::*show)(bool in_place) = nullptr; ///< shows frames that were put off
         Result<Frame> (PanelDisplay::*acquire_band)(std::int32_t first, std::int32_t rows) = nullptr;
         Result<void> (PanelDisplay::*present_band)() = nullptr;
         Result<void> (PanelDisplay::*send_band)() = nullptr;
     };
-    /// Of a display whose description and memory were checked when it was compiled. `remembers`: bands are
-    /// not sent whole.
+    /// The parts of a display whose description and memory were checked when it was compiled. `remembers`:
+    /// bands are not sent whole.
     static constexpr Parts parts_of(const PanelConfig& config, bool remembers);
-    /// Of one that is described at run time.
+    /// The parts of a display that is described at run time.
     static const Parts every_part;
 
     /// `parts` must stay.
@@ -212,29 +214,30 @@ class PanelDisplay : public Display {
     /// present(), which then sends nothing.
     Result<void> present() override;
 
-    /// Waits until everything presented is on the panel, and sends what was put off unless something was
-    /// drawn since.
     Result<Frame> acquire_band(std::int32_t first, std::int32_t rows) override;
     /// The error of a transfer is reported as by present().
     Result<void> present_band() override;
 
+    /// Waits until everything presented is on the panel, and sends what was put off unless something was
+    /// drawn since.
     Result<void> finish() override;
-    /// The same without waiting, before the next frame is acquired: for idle loops of programs that coalesce.
+    /// Does what finish() does, without waiting, before the next frame is acquired: for idle loops of
+    /// programs that coalesce.
     Result<void> poll();
     void swap_interval(std::int32_t interval) override { waits_ = interval != 0; }
-    /// The next present sends the pixels that show these indices, if their colours are other ones.
+    /// The next present sends the pixels that show these indices, if their colours changed.
     Result<void> set_palette(std::int32_t first, std::int32_t count, const std::uint8_t* rgb) override;
     const PresentCounters& counters() const { return counters_; }
     Result<PanelStatus> status();
     Result<std::uint16_t> scanline();
-    /// Pixels of the panel's memory, see read_pixels().
+    /// Reads pixels of the panel's memory; see read_pixels().
     Result<void> read_back(const Rect& area, std::uint8_t* rgb);
 
-    /// Of what is sent.
+    /// The placement of the buffer that is sent.
     const Placement& placement() const { return placement_; }
 
   private:
-    /// Beyond two refreshes the scan-out is given this long to show itself.
+    /// The time that the scan-out is given to show itself, beyond two refreshes.
     static constexpr std::uint32_t grace_us = 100000;
 
     Result<void> check_description() const;
@@ -292,12 +295,13 @@ class PanelDisplay : public Display {
     std::size_t wire_bytes(const Extent& size) const;
     static constexpr bool tear_free(const PanelConfig& c) { return c.wait_te || c.poll_line; }
     bool tear_free() const { return tear_free(config_); }
-    /// Two lists have a gap between them that nobody foresees, and the first is waited for.
+    /// Whether a frame must be one list: between two lists there is a gap of unknown length, and the first
+    /// one is waited for.
     static constexpr bool one_list(const PanelConfig& c) {
         return c.buffers == 2 || c.wire.converts() || tear_free(c);
     }
     std::uint8_t canvases() const { return turns_ || config_.band != 0 ? 1 : config_.buffers; }
-    /// Rows of what is drawn and sent at once.
+    /// Rows that are drawn and sent at once.
     std::int32_t sent_rows() const { return config_.band != 0 ? band_.rows : placement_.size.height; }
     BusBuffer& sent_buffer() { return config_.wire.converts() ? wire_ : buffers_[turns_ ? 1 : back_]; }
     RowSpan* sent_damage() const { return turns_ ? memory_.turned : memory_.damage; }
@@ -325,15 +329,15 @@ class PanelDisplay : public Display {
     ReadScratch scratch_{};
 
     BusBuffer buffers_[2];
-    BusBuffer wire_;           ///< where pixels are turned into another format
-    std::size_t wire_end_ = 0; ///< of what the list under way takes from it
+    BusBuffer wire_;           ///< pixels that were converted to another format
+    std::size_t wire_end_ = 0; ///< end of what the list under way takes from it
     PanelContent content_[2];
     RowExtents extents_;
     /// The band that is drawn or sent; of whole frames all zero.
     struct Band {
         std::int32_t first = 0, rows = 0; ///< of the picture
         std::uint32_t clear_value = 0;    ///< of this frame's bands
-        bool complete = true;             ///< the frame's last one was sent
+        bool complete = true;             ///< the frame's last band was sent
         bool acquired = false;            ///< it may be drawn to
     } band_;
     std::uint32_t frame_ = 0;        ///< presents that succeeded
@@ -341,21 +345,21 @@ class PanelDisplay : public Display {
     std::uint8_t front_ = 0;         ///< the buffer the panel shows
     std::uint8_t back_ = 0;          ///< the buffer being drawn
 
-    std::int32_t line_ns_ = 0;   ///< of the panel's scan, tear-free displays only
-    std::uint32_t moments_[2]{}; ///< of measure_refresh()
+    std::int32_t line_ns_ = 0;   ///< a line of the panel's scan, tear-free displays only
+    std::uint32_t moments_[2]{}; ///< the moments that measure_refresh() takes
 
     Token token_;
     std::uint32_t token_time_ = 0; ///< microseconds the running transfer should take
-    bool opened_ = false;          ///< the books hold what was drawn
+    bool opened_ = false;          ///< bookkeeping and buffers hold what was drawn
     bool ready_ = false;           ///< the last init() succeeded
     bool in_flight_ = false;
     bool late_ = false;    ///< the running transfer missed its deadline; its buffer may have changed since
     bool suspect_ = false; ///< what the panel holds inside `damage` is unknown
     bool behind_ = false;  ///< the other buffer, or the panel, lacks what `damage` holds
-    bool owed_ = false;    ///< a frame was put off, to be sent yet; what it touched is in `held`
+    bool owed_ = false;    ///< a frame was put off and is still to be sent; what it touched is in `held`
     bool held_cleared_ = false;
     std::uint32_t held_clear_value_ = 0;
-    bool waits_ = true; ///< the swap interval
+    bool waits_ = true; ///< the swap interval is not 0
     PresentCounters counters_;
 };
 

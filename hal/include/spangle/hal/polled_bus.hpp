@@ -1,5 +1,5 @@
-// A bus without interrupts: submit() returns when the last byte is on the wire. The simplest thing that
-// works on a new microcontroller; DmaBus draws while it sends.
+// A bus without interrupts: submit() returns when the last byte is on the wire. The simplest thing that works
+// on a new microcontroller. With DmaBus a program can draw while it sends.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +14,13 @@ namespace spangle::hal {
 /// done, or with the fault it ended with.
 class PolledPort {
   public:
-    /// Commands or data follow, until the next begin() or end(): chip select and the D/C line, a start byte
-    /// behind chip select, or an I2C message and its control byte.
+    /// Says that commands or data follow, until the next begin() or end(): by chip select and the D/C line,
+    /// by a start byte behind chip select, or by an I2C message and its control byte.
     virtual Fault begin(bool data) = 0;
     virtual Fault write(const std::uint8_t* bytes, std::uint32_t count) = 0;
-    /// Answers follow a command of the same message.
+    /// Reads the answer to a command of the same message.
     virtual Fault read(std::uint8_t dummy_bits, std::uint8_t* into, std::uint32_t count) = 0;
-    /// The last bit has left: chip select rises, STOP.
+    /// Ends the message after its last bit: chip select rises, or STOP.
     virtual void end() = 0;
     virtual void reset(bool low) = 0;
     virtual void pause(std::uint32_t micros) = 0;
@@ -29,7 +29,8 @@ class PolledPort {
     ~PolledPort() = default;
 };
 
-/// A port of a type that has these functions without a table: FrameDisplay calls them by name.
+/// Makes a port of a type that has these functions without a virtual table. FrameDisplay calls such a type
+/// itself.
 template <class Wires> class PolledPortOf final : public PolledPort, public Wires {
   public:
     using Wires::Wires;
@@ -53,7 +54,7 @@ class PolledBus final : public Bus {
 
     BusCaps caps() const override { return caps_; }
     Result<Buffer> acquire(std::size_t size) override { return buffers_.take(size); }
-    /// A list that fails half-way ends there; wait() tells.
+    /// A list that fails half-way ends there, and wait() returns the fault.
     Result<Token> submit(const Op* ops, std::size_t count) override;
     bool done(Token) const override { return true; }
     Result<void> wait(Token token, std::uint32_t timeout_micros) override;
@@ -72,10 +73,10 @@ class PolledBus final : public Bus {
     PolledPort& port_;
     BusCaps caps_;
     BusMemory buffers_;
-    bool open_ = false, data_ = false; ///< a message is under way, and which
+    bool open_ = false, data_ = false; ///< a message is under way; it carries data
     std::uint32_t last_token_ = 0;
     std::uint32_t bytes_ = 0;
-    Fault outcome_ = Fault::none; ///< of the last list
+    Fault outcome_ = Fault::none; ///< outcome of the last list
 };
 
 } // namespace spangle::hal

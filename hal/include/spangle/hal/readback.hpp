@@ -21,8 +21,8 @@ struct PanelStatus {
     std::uint8_t self_check = 0;  ///< 0Fh
 };
 
-/// Where answers arrive. Must stay as long as the bus may touch it: after a timeout, until the transfer is
-/// done.
+/// Memory in which answers arrive. It must stay as long as the bus may touch it: after a timeout, until the
+/// transfer is done.
 struct ReadScratch {
     std::uint8_t id[3], status[4], registers[6], scanline[2];
     OpParams window[3];
@@ -42,7 +42,7 @@ Result<std::uint16_t> read_scanline(Bus& bus, const PanelDesc& panel, ReadScratc
 Result<void> read_pixels(Bus& bus, const PanelDesc& panel, const Placement& placement, PixelFormat written,
                          const Rect& area, std::uint8_t* rgb, ReadScratch& scratch);
 
-/// Is this the panel it should be? The error says what answered (`detail`), or that nothing did.
+/// Checks that this is the panel it should be. The error says what answered (`detail`), or that nothing did.
 Result<void> check_identity(Bus& bus, const PanelDesc& panel, ReadScratch& scratch);
 
 } // namespace spangle::hal

@@ -7,13 +7,13 @@ namespace spangle::hal {
 
 /// Times in nanoseconds. Row 0 of the memory is scanned first; blanking follows the last.
 struct Refresh {
-    std::int32_t line = 0;   ///< time of one
-    std::int32_t lines = 0;  ///< porches included
+    std::int32_t line = 0;   ///< time of one line
+    std::int32_t lines = 0;  ///< lines of a refresh, porches included
     std::int32_t porch = 0;  ///< lines of blanking
     std::int32_t jitter = 0; ///< from the moment that is waited for to the first byte, at most
 
     std::int64_t period() const { return std::int64_t{line} * lines; }
-    /// TE rises.
+    /// When TE rises, counted from the start of the scan.
     std::int64_t blanking() const { return std::int64_t{line} * (lines - porch); }
 };
 
@@ -25,7 +25,7 @@ class SafeStart {
   public:
     explicit SafeStart(const Refresh& refresh) : refresh_(refresh) {}
 
-    /// The row is written from `begin` to `end`, counted from the start of the transfer.
+    /// Adds a row that is written from `begin` to `end`, counted from the start of the transfer.
     void write(std::int32_t row, std::int64_t begin, std::int64_t end) {
         const std::int64_t after = (std::int64_t{row} + 1) * refresh_.line - begin;
         const std::int64_t before = refresh_.period() + std::int64_t{row} * refresh_.line - end;
@@ -43,7 +43,7 @@ class SafeStart {
 
   private:
     Refresh refresh_;
-    /// After the scan of row 0 began. No row: any time.
+    /// The starts that are allowed, counted from the scan of row 0. Without rows: any time.
     std::int64_t earliest_ = INT64_MIN / 2, latest_ = INT64_MAX / 2;
 };
 

@@ -22,15 +22,15 @@ enum class Fault : std::uint8_t {
     denied,       ///< this user may not open the device
 };
 
-/// What went wrong and which rule it broke: a string that names device, operation and cause. It is static,
-/// or stays until the object that gave it fails often again or ends.
+/// What went wrong and which rule it broke: a string that names device, operation and cause. It is static, or
+/// stays until the object that gave it ends, or has failed several more times.
 struct Error {
     constexpr Error() = default;
     constexpr Error(Fault what, const char* text, std::uint32_t more = 0)
         : fault(what), rule(SPANGLE_MESSAGES != 0 ? text : ""), detail(more) {}
 
     Fault fault = Fault::none;
-    const char* rule = "";    ///< so it stays in builds without texts
+    const char* rule = "";    ///< it stays so in builds without texts
     std::uint32_t detail = 0; ///< wrong_device: the bytes that answered, first byte highest; system
                               ///< errors: errno
 };

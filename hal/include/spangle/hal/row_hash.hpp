@@ -1,5 +1,5 @@
-// The row hash: for each cell of 16 x 1 pixels a hash of what the panel's memory holds. Drawn again with the
-// same pixels, a cell is not sent again.
+// The row hash: for each cell of 16 x 1 pixels a hash of what the panel's memory holds. A cell that is drawn
+// again with the same pixels is not sent again.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct SpanWindow {
     std::int32_t spare = 0;                               ///< bits saved and not yet wasted
 };
 
-/// What only displays with a row hash link: whoever makes the memory names it.
+/// Code that only displays with a row hash link, because only the memory of a row hash names it.
 struct RowHashCode {
     void (*reduce)(RowHash&, RowSpan* damage, const std::uint8_t* pixels, std::int32_t stride, bool all);
     void (*plan)(SpanPlan&, const RowHash&, const WindowCost&);
@@ -57,10 +57,10 @@ class RowHash {
     /// After reduce(): bits of the cells that changed, by row.
     const std::uint32_t* changed() const { return memory_.changed; }
 
-    /// Cuts `damage`, row by row, to the cells whose hash differs from the panel's; `all` takes the panel's
-    /// for unknown. From then on the panel is expected to hold what `pixels` holds. The picture's cells are
-    /// looked through once in as many frames as it has cells, one a frame that sends anything: a cell that
-    /// was wrongly taken for unchanged does not stay for ever.
+    /// Cuts `damage`, row by row, to the cells whose hash differs from the panel's; `all`: the panel's hashes
+    /// are unknown. From then on the panel is expected to hold what `pixels` holds. Each frame that sends
+    /// anything also sends one further cell, all in turn: a cell that was wrongly taken for unchanged does
+    /// not stay for ever.
     void reduce(RowSpan* damage, const std::uint8_t* pixels, std::int32_t stride, bool all);
 
     /// Hash of `count` bytes of a cell, at most 64.
@@ -81,7 +81,7 @@ class RowHash {
     std::int32_t refresh_row_ = 0, refresh_cell_ = 0;
 };
 
-/// That memory for pictures up to this size; nothing for a width of 0.
+/// The memory of a row hash for pictures up to this size; nothing for a width of 0.
 template <std::int32_t Height, std::int32_t Width> struct RowHashStorage {
     static_assert(Width <= RowHash::widest, "the row hash serves pictures up to 512 columns");
     static constexpr std::int32_t cells = RowHash::cells_of(Width);

@@ -48,8 +48,8 @@ struct TurnedPicture {
     std::int32_t to_stride = 0, bytes_per_pixel = 0;
 };
 
-/// Copies the `damage` of the picture, and says where it lies in the buffer: `turned` has as many rows as the
-/// buffer.
+/// Copies the `damage` of the picture to the buffer, and writes where it lies there to `turned`, which has as
+/// many rows as the buffer.
 void turn(const ScanOrder& order, const TurnedPicture& picture, const RowSpan* damage, RowSpan* turned);
 
 } // namespace spangle::hal

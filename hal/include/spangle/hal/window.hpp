@@ -9,15 +9,15 @@
 
 namespace spangle::hal {
 
-/// Remembers the window the controller holds, so that an axis that stays is not sent again. Invalid after any
-/// transfer that did not end well, because nobody knows which of its bytes arrived.
+/// Keeps the window that the controller holds, so that an axis that stays is not sent again. It is invalid
+/// after any transfer that did not end well, because nobody knows which of its bytes arrived.
 class Windows {
   public:
     Windows() = default;
-    /// `format`: which pixels share a byte, and with it a number of the window.
+    /// `format` says which pixels share a byte, and with it a number of the window.
     constexpr Windows(const PanelDesc& panel, const Placement& placement, WireFormat format);
 
-    /// Ops of a window with nothing remembered.
+    /// The operations of a window whose axes are all sent.
     std::uint32_t commands() const { return window_size(*set_).commands; }
     /// Pixels across and down that share a byte.
     Extent shared() const { return shared_; }
@@ -27,7 +27,7 @@ class Windows {
     /// Appends the axes, as far as they change. `area` lies in the placed picture, is not empty, and ends
     /// where bytes do.
     constexpr void select(OpList& ops, const Rect& area);
-    /// The same, then the memory write: pixels may follow.
+    /// Does what select() does, then appends the memory write: pixels may follow.
     constexpr void open(OpList& ops, const Rect& area);
     void forget() { columns_ = rows_ = Interval{}; }
 
@@ -97,7 +97,7 @@ constexpr void Windows::select_axis(OpList& ops, Axis axis, Interval& held, Inte
     }
 }
 
-/// MV of DCS makes CASET name rows; others go on naming columns with it.
+/// With MV, CASET of DCS names rows; other controllers go on naming columns with it.
 constexpr void Windows::select(OpList& ops, const Rect& area) {
     const Interval across = interval(area.x + offset_.x, area.w, shared_.width);
     const Interval down = interval(area.y + offset_.y, area.h, shared_.height);
@@ -112,7 +112,7 @@ constexpr void Windows::open(OpList& ops, const Rect& area) {
         ops.command(set_->memory_write);
 }
 
-/// What follows from orientation, colour order, inversion and format.
+/// Appends the registers that follow from orientation, colour order, inversion and format.
 constexpr void append_settings(OpList& ops, const PanelDesc& panel, const Placement& placement,
                                FormatCode format) {
     for (unsigned i = 0; i < panel.commands->setting_count; ++i) {

@@ -1,4 +1,5 @@
-// What pixels look like on the wire, and who turns a surface's into them where the two differ.
+// The formats of pixels on the wire, and the functions that convert a surface's pixels where its format
+// differs.
 #pragma once
 
 #include <cstddef>
@@ -22,8 +23,8 @@ enum class WireFormat : std::uint8_t {
 };
 
 struct WireInfo {
-    std::uint8_t bits;          ///< of a pixel
-    std::uint8_t columns, rows; ///< of memory that share a byte: windows end at multiples
+    std::uint8_t bits;          ///< bits of a pixel
+    std::uint8_t columns, rows; ///< pixels of memory that share a byte: windows end at multiples
 };
 
 constexpr WireInfo wire_info(WireFormat format) {
@@ -60,15 +61,16 @@ struct Picture {
     std::int32_t height = 0;
     PixelFormat format = PixelFormat::rgb565_be;
     bool sideways = false;            ///< its rows run along the controller's memory columns
-    const Palette* palette = nullptr; ///< of PixelFormat::index8
+    const Palette* palette = nullptr; ///< for PixelFormat::index8
 };
 
 /// Writes `area` of the picture, row by row, and returns the bytes it took. Colours between two steps of the
-/// wire format are dithered in an ordered way, in GL window coordinates; steps stay. A format whose pixels
-/// share bytes asks that the area ends where these do.
+/// wire format are dithered in an ordered way, in GL window coordinates; steps stay. Where pixels share
+/// bytes, the area must end where these do.
 using Converter = std::size_t (*)(const Picture& picture, const Rect& area, std::uint8_t* to);
 
-/// A wire format apart from the surface's: only those a program names are linked.
+/// A wire format that differs from the surface's, and its conversion. Only those that a program names are
+/// linked.
 struct Wire {
     WireFormat format = WireFormat::none;
     Converter convert = nullptr;

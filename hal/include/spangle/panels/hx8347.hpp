@@ -27,10 +27,10 @@ enum : unsigned {
     PANEL = 0x36,
 };
 
-/// The gates first, two frames later the sources.
+/// Turns on the gates first, and two frames later the sources.
 inline constexpr auto light = init_program(cmd(DISPLAY, 0x38), delay_ms(40), cmd(DISPLAY, 0x3C));
 
-/// What answers 16h is DCS's MADCTL bit for bit, MV's way with the axes too.
+/// Register 16h is DCS's MADCTL bit for bit, and MV exchanges the axes as there.
 inline constexpr CommandSet commands = {
     .columns = {Axis::Code::registers, COLUMN_START},
     .rows = {Axis::Code::registers, ROW_START},

@@ -21,7 +21,8 @@ enum : unsigned {
 
 inline constexpr auto windowed_on = init_program(cmd(0xAF));
 
-/// A pair of columns a byte, the left one in the high nibble: A0h bit 1. Mirrored, the pair is exchanged too.
+/// Two columns share a byte, the left one in the high nibble: A0h bit 1. Where columns are mirrored, the pair
+/// is exchanged, too.
 inline constexpr CommandSet grey = {
     .parameters_are_commands = true,
     .columns = {Axis::Code::pair8, COLUMNS},
