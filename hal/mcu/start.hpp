@@ -15,7 +15,7 @@ int main();
 
 namespace spangle::mcu {
 
-/// Paints the stack up to a few words below its caller's frame, fills .data and .bss, runs constructors,
+/// Paints the stack up to a few words below its caller's frame, fills .data and .bss, runs constructors, then
 /// main().
 [[noreturn]] inline void start_program() {
     std::uint32_t here;

@@ -7,7 +7,7 @@
 extern "C" {
 extern char ram_begin, ram_end; // whole megabytes, by the board's linker script
 
-/// First-level table: a word a megabyte.
+/// The first-level table, with one word for each megabyte.
 alignas(16384) __attribute__((section(".noinit"))) std::uint32_t translation_table[4096];
 
 void map_memory() {

@@ -37,7 +37,7 @@ static void close_stack_guard() {}
     spangle::mcu::start_program();
 }
 
-/// `frame`: what the processor pushed: r0-r3, r12, lr, pc, xPSR (Armv7-M ARM, B1.5.6).
+/// `frame`: the registers that the processor pushed: r0-r3, r12, lr, pc, xPSR (Armv7-M ARM, B1.5.6).
 [[noreturn, gnu::used]] void spangle_fault(const std::uint32_t* frame) {
     using namespace spangle::mcu;
     std::uint32_t status = 0, stack_limit_passed = 0;

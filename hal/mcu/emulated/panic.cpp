@@ -1,5 +1,5 @@
-// The end of a program in an emulator: said by semihosting, and the exit status of the emulator: that of
-// main(), or 3.
+// Ends a program in an emulator by semihosting: it prints the cause and sets the emulator's exit status, that
+// of main() or 3.
 #include <spangle/mcu/panic.hpp>
 #include <spangle/mcu/semihosting.hpp>
 

@@ -14,11 +14,11 @@ namespace spangle::mcu {
 /// `Timer` has micros().
 template <class Timer> class BochsDisplay final : public hal::ScanOut {
   public:
-    /// Where its two windows go in the processor's memory map.
+    /// The addresses of its two windows in the processor's memory map.
     constexpr BochsDisplay(std::uintptr_t memory, std::uintptr_t registers, Timer timer)
         : memory_(memory), registers_(registers), timer_(timer) {}
 
-    /// 16 bits a pixel. False: no such device.
+    /// Sets up 16 bits a pixel. False: there is no such device.
     bool start(std::uintptr_t ecam, std::uint16_t width, std::uint16_t height) {
         const std::uintptr_t device = find_pci(ecam, 0x1234, 0x1111);
         if (device == 0)
@@ -49,7 +49,7 @@ template <class Timer> class BochsDisplay final : public hal::ScanOut {
         set(y_offset,
             static_cast<std::uint16_t>((reinterpret_cast<std::uintptr_t>(pixels) - memory_) / row_bytes_));
     }
-    /// It has no beam.
+    /// This display has no beam: the frame shown last is scanned at once.
     const std::uint8_t* scanned() const override { return shown_; }
     std::uint32_t micros() override { return timer_.micros(); }
 

@@ -11,7 +11,7 @@
 
 namespace spangle::mcu {
 
-/// Counts half the processor's clock.
+/// The global timer, which counts half the processor's clock.
 struct GlobalTimer {
     std::uint32_t clock_hz = 0;
 
@@ -28,7 +28,7 @@ struct GlobalTimer {
 };
 
 struct DataCache {
-    /// To memory, line by line.
+    /// Writes cached bytes to memory, line by line.
     void clean(const std::uint8_t* from, std::size_t bytes) const {
         constexpr std::uintptr_t line = 32;
         const std::uintptr_t end = reinterpret_cast<std::uintptr_t>(from) + bytes;

@@ -11,7 +11,7 @@ struct Fe310Gpio {
     std::uintptr_t base;
 
     void output(unsigned pin) const { set_bits(base + output_en, 1u << pin); }
-    /// Handed to the pins' first hardware function: SPI, UART.
+    /// Hands the pins to their first hardware function: SPI, UART.
     void hardware(std::uint32_t pins) const {
         clear_bits(base + iof_sel, pins);
         set_bits(base + iof_en, pins);

@@ -25,7 +25,7 @@ class Fe310Spi {
         reg(base_ + fmt) = eight_bits; // single data line, most significant bit first, receiver on
     }
 
-    /// Returns when the last bit has left: the byte that came in beside each one sent says when.
+    /// Returns when the last bit has left, which is known from the byte that came in beside each one sent.
     void write(const std::uint8_t* bytes, std::uint32_t count) const {
         std::uint32_t under_way = 0;
         for (; count != 0; --count) {

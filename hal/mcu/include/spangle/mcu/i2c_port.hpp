@@ -19,7 +19,7 @@ template <class I2c, class Timer> class I2cWires {
         data_ = data;
         return hal::Fault::none;
     }
-    /// Data are one message. Commands are a message each, Co = 1: SSD0303 takes no more in one.
+    /// Data go into one message. Each command is a message of its own, Co = 1: SSD0303 takes no more in one.
     hal::Fault write(const std::uint8_t* bytes, std::uint32_t count) {
         if (data_)
             return message(data_follow, bytes, count);
@@ -30,7 +30,7 @@ template <class I2c, class Timer> class I2cWires {
     }
     hal::Fault read(std::uint8_t, std::uint8_t*, std::uint32_t) { return hal::Fault::unsupported; }
     void end() {}
-    void reset(bool) {} ///< no line for it
+    void reset(bool) {} ///< this port has no reset line
     void pause(std::uint32_t micros) { timer_.pause(micros); }
 
   private:

@@ -9,8 +9,8 @@
 
 namespace spangle::mcu {
 
-/// One count at a time, of less than 2^32 instructions; on Cortex-M of less than 2^24 clocks, and no pause
-/// meanwhile.
+/// Only one count may run at a time, of less than 2^32 instructions. On Cortex-M it has less than 2^24
+/// clocks, and no pause may happen meanwhile.
 class InstructionCount {
   public:
     explicit InstructionCount(std::uint32_t clock_hz) : clock_hz_(clock_hz) {}

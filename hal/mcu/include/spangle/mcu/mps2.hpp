@@ -13,7 +13,7 @@
 
 namespace spangle::mcu {
 
-/// Where the FPGA image puts the blocks, and its clock.
+/// The addresses at which an FPGA image puts the blocks, and its clock.
 struct Mps2 {
     std::uintptr_t spi, fpgaio;
     std::uint32_t clock_hz;
@@ -21,7 +21,7 @@ struct Mps2 {
     constexpr RegisterPin misc(unsigned bit) const { return {fpgaio + 0x4C, bit}; }
 };
 
-/// Its lines at rest, and its light.
+/// Puts the display's lines at rest, and turns its back light on.
 inline void start_display(const Mps2& blocks) {
     blocks.misc(0).set(true); // not selected
     Pl022(blocks.spi).start({.prescale = 2, .rate = 0, .mode = 3});

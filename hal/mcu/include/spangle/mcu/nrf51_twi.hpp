@@ -22,7 +22,7 @@ class Nrf51Twi {
         reg(base_ + enable) = enabled;
     }
 
-    /// START, address, the first byte.
+    /// Sends START, the address and the first byte.
     hal::Fault begin(std::uint8_t slave, std::uint8_t first) const {
         reg(base_ + address) = slave;
         reg(base_ + event_error) = 0;
@@ -39,7 +39,7 @@ class Nrf51Twi {
             }
         return hal::Fault::none;
     }
-    /// The last byte, and STOP.
+    /// Sends the last byte, and STOP.
     hal::Fault end(std::uint8_t byte) const {
         const hal::Fault fault = write(byte);
         if (fault == hal::Fault::none)

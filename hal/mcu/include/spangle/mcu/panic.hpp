@@ -8,8 +8,8 @@ namespace spangle::mcu {
 enum class Cause : std::uint32_t {
     fault,          ///< the processor could not execute or access something
     stack_overflow, ///< the stack's lower end was passed
-    interrupt,      ///< one nobody asked for
-    returned,       ///< main() did; `status` is its value
+    interrupt,      ///< an interrupt that nothing handles
+    returned,       ///< main() returned; `status` is its value
 };
 
 struct Panic {
@@ -23,7 +23,8 @@ constexpr const char* name_of(Cause cause) {
     return names[static_cast<std::uint32_t>(cause)];
 }
 
-/// The program's own: start-up calls it, on a stack that is whole. Reset, blink, report, sleep.
+/// The program defines this, and start-up calls it on a stack that is whole. It may reset, blink, report or
+/// sleep.
 [[noreturn]] void panic(const Panic& panic);
 
 } // namespace spangle::mcu

@@ -8,7 +8,7 @@
 
 namespace spangle::mcu {
 
-/// The device's configuration space; 0: there is none.
+/// Finds the device's configuration space; 0: there is no such device.
 inline std::uintptr_t find_pci(std::uintptr_t ecam, std::uint16_t vendor, std::uint16_t device) {
     constexpr unsigned devices = 32;
     for (unsigned i = 0; i < devices; ++i)

@@ -27,7 +27,7 @@ class Pl022 {
         reg(base_ + cr1) = enable;
     }
 
-    /// Returns when the last bit has left. What comes in meanwhile is thrown away.
+    /// Returns when the last bit has left. Bytes received meanwhile are dropped.
     void write(const std::uint8_t* bytes, std::uint32_t count) const {
         while (count != 0) {
             while ((reg(base_ + sr) & empty) == 0) {
@@ -54,10 +54,10 @@ class Pl022 {
 
   private:
     static constexpr std::uintptr_t cr0 = 0x00, cr1 = 0x04, dr = 0x08, sr = 0x0C, cpsr = 0x10;
-    static constexpr std::uint32_t depth = 8; ///< of the FIFOs
+    static constexpr std::uint32_t depth = 8; ///< depth of the FIFOs, in bytes
     static constexpr std::uint32_t empty = 1u << 0, received = 1u << 2, busy = 1u << 4;
 
-    /// An overrun of the receiver harms nobody, but it would be found by who reads next.
+    /// Empties the receiver. Its overrun does no harm, but the next read would find the old bytes.
     void take() const {
         while ((reg(base_ + sr) & received) != 0) {
             [[maybe_unused]] const std::uint32_t dropped = reg(base_ + dr);

@@ -10,7 +10,7 @@
 
 namespace spangle::mcu {
 
-/// Columns, rows and clocks of a panel behind it.
+/// Columns, rows and clocks of a panel behind the controller.
 struct LcdTiming {
     std::uint16_t width, height; ///< width: a multiple of 16
     std::uint8_t h_sync, h_front, h_back, v_sync, v_front, v_back;
@@ -19,11 +19,11 @@ struct LcdTiming {
 /// `Cache` has clean(from, bytes), `Timer` micros().
 template <class Cache, class Timer> class Pl111 final : public hal::ScanOut {
   public:
-    /// `frame_bytes`: of one buffer; they lie where the controller can read.
+    /// `frame_bytes`: size of one buffer; buffers lie where the controller can read.
     constexpr Pl111(std::uintptr_t base, std::uint32_t frame_bytes, Cache cache, Timer timer)
         : base_(base), frame_bytes_(frame_bytes), cache_(cache), timer_(timer) {}
 
-    /// 16 bits a pixel, 5:6:5. The panel stays dark until the first show().
+    /// Sets up 16 bits a pixel, 5:6:5. The panel stays dark until the first show().
     void start(const LcdTiming& t) const {
         constexpr std::uint32_t tft_pads = 1u << 26; // BCD: the clock of the panel is the block's
         reg(base_ + timing0) = std::uint32_t{t.h_back} << 24 | std::uint32_t{t.h_front} << 16 |
@@ -42,7 +42,8 @@ template <class Cache, class Timer> class Pl111 final : public hal::ScanOut {
         before_ = shown_ != nullptr ? shown_ : pixels;
         shown_ = pixels;
     }
-    /// The register runs through the frame; where it does not, it is still in the one before.
+    /// The current address register runs through the frame that is scanned. Where it is not in the frame
+    /// shown last, the one before is still scanned.
     const std::uint8_t* scanned() const override {
         const std::uint32_t at = reg(base_ + upper_current), begin = address(shown_);
         return at >= begin && at - begin < frame_bytes_ ? shown_ : before_;

@@ -15,7 +15,7 @@ struct RiscvTimer {
     std::uint32_t micros() const {
         return static_cast<std::uint32_t>(std::uint64_t{ticks()} * 1000000 / clock_hz);
     }
-    /// At least so long.
+    /// Pauses at least this long.
     void pause(std::uint32_t micros) const {
         const std::uint64_t wanted = (std::uint64_t{micros} * clock_hz + 999999) / 1000000;
         std::uint64_t passed = 0;

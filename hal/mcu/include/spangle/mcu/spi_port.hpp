@@ -29,7 +29,7 @@ class SpiWires {
         spi_.write(bytes, count);
         return hal::Fault::none;
     }
-    /// Dummy clocks come in whole bytes here.
+    /// Dummy clocks are rounded down to whole bytes here.
     hal::Fault read(std::uint8_t dummy_bits, std::uint8_t* into, std::uint32_t count) {
         for (unsigned bits = 0; bits + 8 <= dummy_bits; bits += 8)
             spi_.read();

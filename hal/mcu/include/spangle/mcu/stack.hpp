@@ -9,7 +9,7 @@ namespace spangle::mcu {
 
 inline constexpr std::uint32_t stack_paint = 0x5AA5C33C;
 
-/// Bytes used at the deepest so far.
+/// The most bytes of the stack that have been used so far.
 inline std::uint32_t deepest_stack() {
     const volatile std::uint32_t* p = &stack_bottom;
     while (p != &stack_top && *p == stack_paint)

@@ -17,7 +17,7 @@ inline constexpr std::uintptr_t port_clocks = system_control + 0x108;    ///< RC
 struct Port {
     std::uintptr_t base;
 
-    /// These pins belong to a block (SSI, I2C), not to software.
+    /// Hands these pins to a block (SSI, I2C) instead of software.
     void give_away(std::uint32_t pins) const {
         set_bits(base + alternate, pins);
         set_bits(base + digital, pins);
@@ -40,13 +40,13 @@ struct Pin {
     void set(bool high) const { reg(port.base + (std::uintptr_t{1} << bit << 2)) = high ? 1u << bit : 0; }
 };
 
-/// After a block's clock is turned on it may be spoken to three clocks later.
+/// Turns on a block's clock, and waits: the block may be accessed only three clocks later.
 inline void turn_on(std::uintptr_t clocks, std::uint32_t bits) {
     set_bits(clocks, bits);
     [[maybe_unused]] const std::uint32_t settled = reg(clocks);
 }
 
-/// From a crystal of 6 MHz: the PLL's 200 MHz / 16. LM3S811 data sheet, 5.3.
+/// Sets the clock from a crystal of 6 MHz: the PLL's 200 MHz / 16. LM3S811 data sheet, 5.3.
 inline void run_at_12500_khz() {
     constexpr std::uint32_t divide_by_16 = 15u << 23, use_divider = 1u << 22, bypass_pll = 1u << 11,
                             crystal_6_mhz = 0xBu << 6, pll_locked = 1u << 6;

@@ -19,13 +19,13 @@ class StellarisI2c {
         reg(base_ + mtpr) = period;
     }
 
-    /// START, address, the first byte.
+    /// Sends START, the address and the first byte.
     hal::Fault begin(std::uint8_t address, std::uint8_t first) const {
         reg(base_ + msa) = std::uint32_t{address} << 1; // R/S 0: send
         return command(first, start_condition | run);
     }
     hal::Fault write(std::uint8_t byte) const { return command(byte, run); }
-    /// The last byte, and STOP.
+    /// Sends the last byte, and STOP.
     hal::Fault end(std::uint8_t byte) const { return command(byte, run | stop_condition); }
 
     static constexpr std::uintptr_t msa = 0x00, mcs = 0x04, mdr = 0x08, mtpr = 0x0C, mcr = 0x20;
@@ -34,7 +34,7 @@ class StellarisI2c {
     static constexpr std::uint32_t run = 1u << 0, start_condition = 1u << 1, stop_condition = 1u << 2;
     static constexpr std::uint32_t busy = 1u << 0, error = 1u << 1; // as MCS is read
 
-    /// Nobody who answered: the bus is let go, and the message is over.
+    /// Sends a byte. Without an acknowledgement the bus is released, and the message is over.
     hal::Fault command(std::uint8_t byte, std::uint32_t bits) const {
         reg(base_ + mdr) = byte;
         reg(base_ + mcs) = bits;

@@ -7,14 +7,14 @@
 
 namespace spangle::mcu {
 
-/// One port; its clock runs (RCC_AHB1ENR).
+/// A GPIO port, whose clock must run already (RCC_AHB1ENR).
 struct Stm32Gpio {
     std::uintptr_t base;
 
-    /// A push-pull output.
+    /// Makes the pin a push-pull output.
     void output(unsigned pin) const { mode(pin, 1); }
 
-    /// Handed to a block: alternate function 0 to 15, at high speed.
+    /// Hands the pin to a block: alternate function 0 to 15, at high speed.
     void alternate(unsigned pin, std::uint32_t function) const {
         field(afrl + (pin >> 3) * 4, (pin & 7) * 4, 0xF, function);
         field(ospeedr, pin * 2, 3, 2);

@@ -22,7 +22,7 @@ class Stm32Spi {
                            (setup.mode >> 1 & 1u) << 1 | (setup.mode & 1u);
     }
 
-    /// Returns when the last bit has left. What comes in meanwhile is thrown away.
+    /// Returns when the last bit has left. Bytes received meanwhile are dropped.
     void write(const std::uint8_t* bytes, std::uint32_t count) const {
         for (; count != 0; --count) {
             while ((reg(base_ + sr) & txe) == 0) {

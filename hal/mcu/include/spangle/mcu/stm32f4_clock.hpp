@@ -16,7 +16,7 @@ inline void turn_on(std::uint32_t ahb1, std::uint32_t apb2) {
     [[maybe_unused]] const std::uint32_t settled = reg(rcc + 0x44); // two clocks (7.3.1)
 }
 
-/// 168 MHz from a crystal of `mhz` MHz, APB2 84 MHz, APB1 42 MHz. False: the crystal or the PLL did not
+/// Sets 168 MHz from a crystal of `mhz` MHz, APB2 84 MHz, APB1 42 MHz. False: the crystal or the PLL did not
 /// start, and the 16 MHz oscillator goes on: everything works, ten times slower.
 inline bool run_at_168_mhz(std::uint32_t mhz) {
     constexpr std::uintptr_t cr = rcc + 0x00, pllcfgr = rcc + 0x04, cfgr = rcc + 0x08;

@@ -8,19 +8,19 @@
 namespace spangle::mcu {
 
 struct SysTick {
-    std::uint32_t clock_hz; ///< of the processor, below 4.29 GHz
+    std::uint32_t clock_hz; ///< clock of the processor, below 4.29 GHz
 
     static constexpr std::uintptr_t control = 0xE000E010, reload = 0xE000E014, current = 0xE000E018;
     static constexpr std::uint32_t most_ticks = 0xFFFFFF;
     static constexpr std::uint32_t enable = 1u << 0, processor_clock = 1u << 2, reached_zero = 1u << 16;
 
-    /// Clocks of so long at least, of a millisecond at most: words do.
+    /// The clocks of at least this time, which is a millisecond at most, so that words hold the product.
     constexpr std::uint32_t ticks_of(std::uint32_t micros) const {
         const std::uint32_t a_milli = (clock_hz + 999) / 1000; // below 2^32 / 1000
         return (micros * a_milli + 999) / 1000;
     }
 
-    /// At least so long.
+    /// Pauses at least this long.
     void pause(std::uint32_t micros) const {
         while (micros != 0) {
             const std::uint32_t step = micros < 1000 ? micros : 1000;
