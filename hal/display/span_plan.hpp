@@ -10,9 +10,9 @@
 namespace spangle::hal {
 
 /// The cells of a row form runs. The plain way is a window around each block of equal runs below each other.
-/// With windows as cheap as a bus without overhead makes them, the plan is that. A window that takes another
-/// run in, from the row below or beside it, wastes pixels and saves the window of that run: it may waste what
-/// it saved so far. So a frame costs at most twice the plain way, and mostly less.
+/// That is the plan, too, where windows are as cheap as on a bus without overhead. A window that takes
+/// another run in, from the row below or beside it, wastes pixels and saves the window of that run: it may
+/// waste what it saved so far. So a frame costs at most twice the plain way, and mostly less.
 ///
 /// Windows are kept until nothing can make them longer, and handed out from the top. There is room for `room`
 /// windows. A long window that others wait behind is handed out early, and goes on as another window.

@@ -11,7 +11,7 @@ enum Command : std::uint8_t {
     READ_BYTES = 0x20,  ///< count - 1 (3.3.5)
     SET_LOW = 0x80,     ///< levels and directions (1: output) of ADBUS (3.6.1)
     GET_LOW = 0x81,
-    SET_HIGH = 0x82, ///< of ACBUS
+    SET_HIGH = 0x82, ///< levels and directions of ACBUS
     LOOPBACK_OFF = 0x85,
     SET_DIVISOR = 0x86,    ///< 16 bits; the clock is 60 MHz / ((1 + divisor) * 2) (3.8.1)
     SEND_IMMEDIATE = 0x87, ///< what the host may read is sent at once

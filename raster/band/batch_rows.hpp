@@ -1,4 +1,4 @@
-// Bands of a frame that a callback draws once for each band: a band leaves out the batches of primitives that
+// Bands of a frame that a callback draws once for each band. A band leaves out the batches of primitives that
 // do not reach its rows, before their vertices are loaded.
 #pragma once
 

@@ -47,7 +47,7 @@ struct Record::Item {
     Primitive::Shape shape{};
     std::uint8_t corners = 0, fresh = 0;
     bool line_stippled : 1 = false, polygon_stippled : 1 = false, has_offset : 1 = false;
-    bool moved : 1 = false;          ///< moved for each sample, which then lies in the pixel's centre
+    bool moved : 1 = false;          ///< is moved for each sample, which then lies in the pixel's centre
     std::int16_t first = 0, end = 0; ///< rows of the window
 
     bool has_size() const {

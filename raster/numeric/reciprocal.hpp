@@ -41,8 +41,8 @@ inline constexpr int reciprocal_ulp_percent = 54; ///< bound of the absolute err
 /// One Newton step: Q2.30 of 1/a, a in [2^31, 2^32) standing for [1/2, 1). Relative error in [-2^-17.9,
 /// 2^-30].
 SPANGLE_INLINE constexpr std::uint32_t reciprocal_1(std::uint32_t a) {
-    // r = seed (2 - a seed). a seed has 31 fraction bits, the last of which is cleared, and 2 is 2^32, which
-    // is 0 here. r has 30.
+    // The step is r = seed (2 - a seed). The product a seed has 31 fraction bits, and its last bit is
+    // cleared. The 2 is 2^32 and so 0 here; r has 30 fraction bits.
     const std::uint32_t seed = detail::reciprocal_seed(a) >> 15;
     return mul_by_half(0 - (mul_by_half(a, seed) & ~1u), seed);
 }

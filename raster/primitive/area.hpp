@@ -3,7 +3,7 @@
 //
 // Each edge contributes to each column the area between itself and the column's right side; edges going up
 // and down have opposite signs. What an edge contributes depends on its two ends and the row alone, and is
-// negated when it goes the other way: outlines that share an edge cover its pixels to exactly 1 together.
+// negated when it goes the other way. So outlines that share an edge cover its pixels to exactly 1 together.
 // Coverage is off by less than 2^-14.
 #pragma once
 

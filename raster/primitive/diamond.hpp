@@ -23,8 +23,8 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
     using Int = typename L::Int;
     using Mask = typename L::Mask;
 
-    Int major;                        ///< of the first fragment
-    Int count;                        ///< of fragments; may be negative for none
+    Int major;                        ///< major coordinate of the first fragment
+    Int count;                        ///< number of fragments; may be negative for none
     [[no_unique_address]] X along_x;  ///< the major axis is x
     [[no_unique_address]] Up ascends; ///< from the first end point to the second
     Int low, high;                    ///< ends on the major axis, subpixels

@@ -31,7 +31,7 @@ constexpr std::int32_t first_center(std::int32_t v) {
 /// An edge going up, at the centre of one pixel row.
 class Edge {
   public:
-    /// From (x0, y0) up to (x1, y1), y1 > y0, at row `row` >= first_center(y0).
+    /// The edge from (x0, y0) up to (x1, y1), y1 > y0, at row `row` >= first_center(y0).
     static Edge at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row);
 
     /// The first column whose centre is on the edge or right of it.

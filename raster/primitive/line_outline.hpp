@@ -81,7 +81,7 @@ class LineOutline {
         around(begin * one, end * one < length_ ? end * one : length_, 1, out);
     }
     /// The corners of a rectangle that is twice as wide as that of corners(), and longer at the ends of the
-    /// line, so that only the cuts between parts bound it.
+    /// line. Only the cuts between parts bound it.
     void strip(std::uint32_t begin, std::uint32_t end, OutlinePoint (&out)[4]) const {
         around(begin == 0 ? -one : begin * one, end * one < length_ ? end * one : length_ + one, 2, out);
     }

@@ -13,10 +13,10 @@ namespace spangle::raster {
 /// into a span. Each policy specialises this class.
 template <class P> class Setup;
 
-/// Set-up of the fixed policy. All products fit 64 bits. Coefficients of gradients have 30 bits, so that an
-/// attribute is off by less than 2^-18 of its range anywhere in a triangle (thin_aspect below), 2^-27 in a
-/// compact one. Values start at the pixel of the lowest vertex, so that the order of vertices, integer
-/// translation, the scissor rectangle and bands change nothing.
+/// Set-up of the fixed policy. All products fit 64 bits. Coefficients of gradients have 30 bits: an attribute
+/// is off by less than 2^-18 of its range anywhere in a triangle (thin_aspect below), 2^-27 in a compact one.
+/// Values start at the pixel of the lowest vertex, so that the order of vertices, integer translation, the
+/// scissor rectangle and bands change nothing.
 ///
 /// Planes go through the vertices that coverage sees, which are snapped to 1/256 pixel. Depth does so in
 /// every tier. In the exact tier the planes of all other attributes go through the vertices before snapping

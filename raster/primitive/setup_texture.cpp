@@ -38,7 +38,7 @@ SPANGLE_INLINE std::int64_t to_fixed_below(std::int64_t m, int down) {
 struct Repeats {
     std::int64_t v[3];   ///< 32 fraction bits
     std::int32_t base;   ///< repeats that were taken off, clamped to 4096 either way
-    std::uint32_t range; ///< of whole repeats; its highest bit is that of all three together
+    std::uint32_t range; ///< range of whole repeats; its highest bit is that of all three together
 
     SPANGLE_RUN_INLINE Repeats(const std::int32_t (&m)[3], const std::int32_t (&exponent)[3],
                                std::int32_t less) {

@@ -21,7 +21,7 @@ std::int32_t with_rest(std::int32_t d, std::int32_t rest, int up) {
     return d * (1 << up) + fine;
 }
 
-/// From v - rest to the centre of its pixel, in 2^-16 of a step.
+/// The way from v - rest to the centre of its pixel, in 2^-16 of a step.
 std::int32_t to_center(std::int32_t v, std::int32_t rest) {
     return (subpixel_one / 2 - (v & (subpixel_one - 1))) * 65536 - rest;
 }
@@ -110,8 +110,8 @@ bool Setup<Fixed>::unsnap_axis() {
 }
 
 /// Whether colours lie so little beyond 0 and 1 that they are stored as these. Where only the top bits of a
-/// plane count, the margin is 1/10 of a 255th (half of one is added, or thresholds are an eighth at least);
-/// else 2^-10. `range`: no colour has more.
+/// plane count, the margin is 1/10 of a 255th: half of one is added, or thresholds are an eighth at least.
+/// Elsewhere it is 2^-10 of a 255th. `range`: no colour has more.
 bool Setup<Fixed>::colors_stay_inside(std::uint32_t range) const {
     const bool tops = state_.variant[static_cast<unsigned>(Kind::affine)].color_bias != 1u << 15;
     const std::uint32_t margin = tops && !state_.textured_or_fogged ? color_one / 2550 : 1u << 10;

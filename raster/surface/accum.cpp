@@ -49,7 +49,7 @@ void pass(const Surface& s, const AccumRequest& r, const Rect& area, const Surfa
     const FormatInfo& info = drawn_info(colors.format);
     const unsigned bits[4] = {info.red_bits, info.green_bits, info.blue_bits, info.alpha_bits};
     // The product is k v 32767 / (2^bits - 1): k has 8 bits, v 32 bits, the factor 15 and 8 guard bits more.
-    // give_back works in colour units: A has 15 bits, v 32 bits, color_one / 32767 14 bits.
+    // In give_back it is in colour units: A has 15 bits, v 32 bits, color_one / 32767 14 bits.
     std::int64_t factor[4];
     for (int c = 0; c < 4; ++c)
         factor[c] = scaled(r.value,

@@ -11,8 +11,8 @@ namespace spangle::raster {
 
 namespace {
 
-/// The bytes of a row: a sequence of `period` bytes, repeated so often that four words (twelve for pixels of
-/// three bytes) can be read from any of its first four bytes on.
+/// The bytes of a row: a sequence of `period` bytes, repeated. Four words (twelve for pixels of three bytes)
+/// can be read from any of its first four bytes on.
 struct Pattern {
     alignas(4) std::uint8_t byte[64];
     std::int32_t bytes = 16; ///< 16 or 48
@@ -356,7 +356,7 @@ void clear_z24s8(const Surface& s, const ClearRequest& r) {
 }
 
 /// A value that is equal exactly for equal pictures of a full clear. Pixels of 24 and 32 bits are never
-/// dithered: it is the pixel itself. For 16 bits it sums each component over the sixteen thresholds, which
+/// dithered: it is the pixel itself. For 16 bits it sums each component over the sixteen thresholds. The sum
 /// grows with every pixel that changes (at most 31 * 16 and 63 * 16: 9, 10 and 9 bits).
 std::uint32_t clear_value(const Surface& s, const ClearRequest& r) {
     const FormatInfo& info = drawn_info(s.format);

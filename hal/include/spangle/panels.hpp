@@ -288,7 +288,7 @@ inline constexpr auto setup = init_program(cmd(PWCTR3, 0x44),                   
 
 } // namespace ili9486
 
-/// With byte-wide commands; shields that shift 16 bits into a parallel bus are another bus.
+/// This panel takes byte-wide commands; shields that shift 16 bits into a parallel bus are another bus.
 inline constexpr PanelDesc ili9486_320x480 = panel({
     .name = "ILI9486 320x480",
     .controller = Controller::ili9486,
@@ -375,7 +375,7 @@ inline constexpr auto setup = init_program(
     cmd(VMCTR1, 0x18), delay_ms(120),                          //
     cmd(PGC, 0xF0, 0x09, 0x0B, 0x06, 0x04, 0x15, 0x2F, 0x54, 0x42, 0x3C, 0x17, 0x14, 0x18, 0x1B), //
     cmd(NGC, 0xE0, 0x09, 0x0B, 0x06, 0x04, 0x03, 0x2B, 0x43, 0x42, 0x3B, 0x16, 0x14, 0x17, 0x1B), //
-    delay_ms(120), cmd(CSCON, 0x3C), cmd(CSCON, 0x69)); // and closes it
+    delay_ms(120), cmd(CSCON, 0x3C), cmd(CSCON, 0x69)); // closes command table 2
 
 } // namespace st7796s
 

@@ -1,5 +1,5 @@
-// The commands of a family of controllers, as data: which of them name a window, an orientation, a pixel
-// format, and whether their parameters travel as data or as commands.
+// The commands of a family of controllers, as data. It says which of them name a window, an orientation and a
+// pixel format, and whether their parameters travel as data or as commands.
 #pragma once
 
 #include <cstdint>

@@ -51,7 +51,7 @@ struct PanelTiming {
     std::uint16_t practical_serial_mhz = 10; ///< what boards run it at; a board above this is a mistake
     std::uint32_t frame_us = 0;              ///< one refresh after `setup`
     std::uint16_t scan_lines = 0;            ///< rows and porches of one refresh
-    std::uint16_t porch_lines = 0;           ///< of these, lines of vertical blanking: TE is high
+    std::uint16_t porch_lines = 0;           ///< how many of these are vertical blanking: TE is high
 };
 
 /// What tells the controller from others, and the dummy clocks that a serial data line takes to turn round.
@@ -62,8 +62,8 @@ struct Identity {
     std::uint8_t parallel_dummy_bits = 8; ///< dummy read cycles, eight bits each
     std::uint32_t id = 0;                 ///< the first byte highest
     std::uint32_t mask = 0xFFFFFF;
-    std::uint8_t register_dummy_bits = 1; ///< of 09h and 45h; the one-byte reads have none
-    std::uint8_t pixel_dummy_bits = 8;    ///< of 2Eh
+    std::uint8_t register_dummy_bits = 1; ///< for 09h and 45h; the one-byte reads have none
+    std::uint8_t pixel_dummy_bits = 8;    ///< for 2Eh
 };
 
 /// The pixel format register's code of a wire format, or that the controller does not take it.
@@ -91,7 +91,7 @@ struct PanelDesc {
     Controller controller = Controller::ili9341;
     Extent memory;          ///< the controller's frame memory, MADCTL 00h
     Extent glass;           ///< the part of the memory that shows
-    Offset offset{};        ///< of the glass in memory, MADCTL 00h
+    Offset offset{};        ///< where the glass begins in memory, MADCTL 00h
     std::uint8_t mount = 0; ///< MADCTL's MX, MY that show a picture upright on this glass
     ColorOrder order = ColorOrder::rgb;
     bool inverted = false; ///< IPS glass: INVON shows true colours

@@ -335,8 +335,8 @@ class PanelDisplay : public Display {
     RowExtents extents_;
     /// The band that is drawn or sent; of whole frames all zero.
     struct Band {
-        std::int32_t first = 0, rows = 0; ///< of the picture
-        std::uint32_t clear_value = 0;    ///< of this frame's bands
+        std::int32_t first = 0, rows = 0; ///< rows of the picture
+        std::uint32_t clear_value = 0;    ///< clear value of this frame's bands
         bool complete = true;             ///< the frame's last band was sent
         bool acquired = false;            ///< it may be drawn to
     } band_;

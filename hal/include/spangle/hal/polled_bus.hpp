@@ -14,8 +14,8 @@ namespace spangle::hal {
 /// done, or with the fault it ended with.
 class PolledPort {
   public:
-    /// Says that commands or data follow, until the next begin() or end(): by chip select and the D/C line,
-    /// by a start byte behind chip select, or by an I2C message and its control byte.
+    /// Says that commands or data follow, until the next begin() or end(). It does so by chip select and the
+    /// D/C line, by a start byte behind chip select, or by an I2C message and its control byte.
     virtual Fault begin(bool data) = 0;
     virtual Fault write(const std::uint8_t* bytes, std::uint32_t count) = 0;
     /// Reads the answer to a command of the same message.

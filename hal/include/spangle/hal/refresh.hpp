@@ -13,7 +13,7 @@ struct Refresh {
     std::int32_t jitter = 0; ///< from the moment that is waited for to the first byte, at most
 
     std::int64_t period() const { return std::int64_t{line} * lines; }
-    /// When TE rises, counted from the start of the scan.
+    /// The time at which TE rises, counted from the start of the scan.
     std::int64_t blanking() const { return std::int64_t{line} * (lines - porch); }
 };
 

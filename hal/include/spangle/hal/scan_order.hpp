@@ -13,7 +13,7 @@ namespace spangle::hal {
 /// is in row y and column x, or with `swapped` in row x and column y; with `reversed` rows count from the
 /// last.
 struct ScanOrder {
-    Placement placement; ///< of the buffer: MADCTL without MV and MY
+    Placement placement; ///< placement of the buffer: MADCTL without MV and MY
     bool swapped = false, reversed = false;
 
     constexpr bool turns() const { return swapped || reversed; }
@@ -22,7 +22,8 @@ struct ScanOrder {
     }
 };
 
-/// The same memory cells as place() gives, without the axes exchanged (MV) and rows from the bottom (MY).
+/// A placement on the memory cells that place() gives, but without the axes exchanged (MV) and without rows
+/// from the bottom (MY).
 constexpr ScanOrder scan_order(const PanelDesc& panel, Orientation orientation) {
     const Placement placed = place(panel, orientation);
     ScanOrder out;
@@ -43,7 +44,7 @@ constexpr ScanOrder scan_order(const PanelDesc& panel, Orientation orientation) 
 /// A picture and the buffer it is turned into.
 struct TurnedPicture {
     const std::uint8_t* from = nullptr;
-    std::int32_t from_stride = 0, height = 0; ///< of the picture
+    std::int32_t from_stride = 0, height = 0; ///< stride and rows of the picture
     std::uint8_t* to = nullptr;
     std::int32_t to_stride = 0, bytes_per_pixel = 0;
 };

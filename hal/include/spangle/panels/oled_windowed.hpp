@@ -143,7 +143,7 @@ inline constexpr CommandSet commands = {
 };
 
 inline constexpr auto setup = init_program(cmd(LOCK, 0x12),             // opens the registers,
-                                           cmd(LOCK, 0xB1),             // and those of the supply
+                                           cmd(LOCK, 0xB1),             // opens the registers of the supply
                                            cmd(0xAE),                   //
                                            cmd(0xB3, 0xF1),             // clock
                                            cmd(0xCA, 0x7F),             // 128 lines

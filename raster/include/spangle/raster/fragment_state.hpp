@@ -69,7 +69,7 @@ enum class CombineFunc : std::uint8_t {
 };
 /// `texture0` + n: the texture colour of unit n, whichever unit asks for it.
 enum class CombineSource : std::uint8_t { texture, constant, primary_color, previous, texture0 };
-/// As GL's tokens stand: SRC_COLOR, ONE_MINUS_SRC_COLOR, SRC_ALPHA, ONE_MINUS_SRC_ALPHA.
+/// Operands in the order of GL's tokens: SRC_COLOR, ONE_MINUS_SRC_COLOR, SRC_ALPHA, ONE_MINUS_SRC_ALPHA.
 enum class CombineOperand : std::uint8_t { color, one_minus_color, alpha, one_minus_alpha };
 enum class BaseFormat : std::uint8_t { alpha, luminance, luminance_alpha, intensity, rgb, rgba };
 /// Where a fragment's primary colour comes from: its vertices, or the image that is drawn; with
@@ -110,8 +110,8 @@ constexpr bool has_format(TexelFormat format) {
 constexpr TexelFormat sampled(TexelFormat format) {
     return one_of(sampled_formats, format);
 }
-/// Whether there are formats without loops of their own (has_other_texels), or with texels that are no whole
-/// bytes of a colour (has_indirect_texels).
+/// Whether there are texel formats without loops of their own (has_other_texels), or whose texels are found
+/// by their place (i, j), not by an address (has_indirect_texels).
 inline constexpr bool has_other_texels = sampled_formats >> static_cast<unsigned>(TexelFormat::rgba4444) != 0,
                       has_indirect_texels = sampled_formats >> static_cast<unsigned>(TexelFormat::p4) != 0;
 
@@ -229,7 +229,7 @@ struct FragmentState {
     /// Bit 0 red, 1 green, 2 blue, 3 alpha, or the bits of an index; 0 also when DrawBuffer is NONE.
     std::uint8_t color_mask = 0xF;
     Rect scissor;                ///< already intersected with the surface; drawing never leaves it
-    Tier tier = Tier::exact;     ///< of colours and texture coordinates (PERSPECTIVE_CORRECTION_HINT)
+    Tier tier = Tier::exact;     ///< tier of colours and texture coordinates (PERSPECTIVE_CORRECTION_HINT)
     Tier fog_tier = Tier::exact; ///< FOG_HINT
 #if SPANGLE_OWN_TIERS
     bool own_tier = false; ///< `knobs` stand in place of those of `tier`

@@ -21,7 +21,7 @@ struct Surface {
     std::int16_t* accum = nullptr; ///< RGBA, k / 32767, from GL row 0 on without gaps; null: there is none
 #if SPANGLE_EXTENTS
     RowExtents* extents = nullptr; ///< what was touched, and full clears; null: not kept
-    RowSpan* touched = nullptr;    ///< its rows' element for GL row 0; null: not kept
+    RowSpan* touched = nullptr;    ///< element of its rows for GL row 0; null: not kept
     std::int32_t touched_step = 0; ///< +1 or -1 elements from GL row y to y + 1
 #else
     static constexpr RowExtents* extents = nullptr;

@@ -49,7 +49,7 @@ class SpidevBus final : public TransferBus {
     std::uint32_t actual_hz_;
     int device_ = -1;
     Lines dc_;
-    int dc_level_ = -1; ///< of the D/C line; -1: unknown
+    int dc_level_ = -1; ///< level of the D/C line; -1: unknown
 
     // Bytes that wait for their message, all with the same D/C in 4-wire mode.
     std::vector<std::uint8_t> stage_;

@@ -14,7 +14,7 @@ enum class Cause : std::uint32_t {
 
 struct Panic {
     Cause cause;
-    std::uint32_t pc;     ///< of the instruction; 0 where the stack could not take it
+    std::uint32_t pc;     ///< address of the instruction; 0 where the stack could not take it
     std::uint32_t status; ///< CFSR (Cortex-M), DFSR (Cortex-A), mcause (RISC-V)
 };
 
