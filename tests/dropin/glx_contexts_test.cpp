@@ -265,6 +265,16 @@ TEST_F(GlxContexts, AWindowThatIsGoneIsNeitherCurrentNorShown) {
     EXPECT_FALSE(eglMakeCurrent(egl, surface, surface, context));
     EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
     eglDestroySurface(egl, surface);
+    // Of this window nothing was asked between its end and the next eglMakeCurrent().
+    const Window idle = XCreateSimpleWindow(display, DefaultRootWindow(display), 0, 0, 16, 16, 0, 0, 0);
+    const EGLSurface on_idle = eglCreateWindowSurface(egl, egl_config, idle, nullptr);
+    ASSERT_TRUE(eglMakeCurrent(egl, on_idle, on_idle, context));
+    EXPECT_TRUE(eglMakeCurrent(egl, nullptr, nullptr, nullptr));
+    XDestroyWindow(display, idle);
+    XSync(display, False);
+    EXPECT_FALSE(eglMakeCurrent(egl, on_idle, on_idle, context));
+    EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
+    eglDestroySurface(egl, on_idle);
     eglDestroyContext(egl, context);
 }
 
