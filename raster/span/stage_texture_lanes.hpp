@@ -288,7 +288,7 @@ template <class N> class LaneTexture {
         // The border's colour has more bits than a word of 16.
         for (std::int32_t i = 0; i < n_; ++i) {
             const auto meets = [&](int corner) { return beyond[corner][i / lanes][i % lanes] != 0; };
-            if (meets(0) || (linear && (meets(1) || meets(2) || meets(3))))
+            if (linear ? meets(1) || meets(2) : meets(0)) // corners 1 and 2 have both columns and both rows
                 set_lane(to[i / lanes], i % lanes, one_fragment(image, first, filter, i));
         }
     }
