@@ -46,10 +46,10 @@ BOARD, SHEET_FRAMES, ACROSS, GAP, PAPER, MOST_BYTES = "ili9341", 60, 4, 8, (255,
 
 
 def build(source, *flags):
-    """Compiles a file of this folder; gives the program or library, which carries the file's first name."""
+    """Compiles a file of this folder, or of any by its whole path; gives the program or library, which carries the file's first name."""
     MADE.mkdir(parents=True, exist_ok=True)
     made = MADE / pathlib.Path(source).stem
-    ended = run(["c++" if source.endswith("pp") else "cc", "-O1", HERE / source, "-o", made, *flags], dict(os.environ))
+    ended = run(["c++" if str(source).endswith("pp") else "cc", "-O1", HERE / source, "-o", made, *flags], dict(os.environ))
     if ended.status != 0:
         sys.exit(f"{source} is not built: {ended.words[-1000:]}")
     return made

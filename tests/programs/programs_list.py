@@ -24,10 +24,6 @@ GLUT_PROGRAMS = ["billard-gl", "openuniverse", "stormbaancoureur", "cultivation"
 KNOWN = {
     "cubicgrid": "its points are 2.5 pixels wide; GL rounds that to the nearest integer, which is 3 here and 2 in Mesa; GL leaves that "
                  "open",
-    "gibson": "its ground reaches behind the eye, where Mesa takes the fog's distance without its sign before it interpolates; a "
-              "ground that ends before the eye is the same, and as the formula has it (GL 1.3, 3.10)",
-    "glsnake": "it gives the position of a light three values of four, so w is what lies behind them; where that is tiny, the light is far "
-               "away, and lengths overflow Mesa's floats; Spangle's exact tier agrees with its double reference",
     "klein": "its outlined quads are cut by the view volume; edges that clipping makes are boundary edges and are drawn (GL 1.3, 2.11), "
              "but not by Mesa",
     "molecule": "apitrace asks for GL_MAX_TEXTURE_COORDS when it records glDrawArrays, GL 1.5 has no such state, and the program ends at "
@@ -35,7 +31,7 @@ KNOWN = {
     "splitflap": "apitrace asks for GL_MAX_TEXTURE_COORDS when it records glInterleavedArrays, GL 1.5 has no such state, and the program "
                  "ends at that error of the tracer's; by itself it runs",
     "winduprobot": "its lines are smooth, and reach behind the eye into fog; without GL_LINE_SMOOTH and GL_FOG the pictures agree "
-                   "(smooth lines have a verdict of their own, and Mesa's fog behind the eye is explained at gibson)",
+                   "(smooth lines have a verdict of their own, and behind the eye Mesa takes the fog's distance without its sign)",
     "testcustomcursor": "clears the window, and shows its cursor by X alone",
     "testrendertarget": "needs framebuffer objects, which GL 1.5 does not have, and ends by itself",
 }

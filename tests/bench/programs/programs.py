@@ -22,6 +22,7 @@ import recorded  # noqa: E402
 import replayed  # noqa: E402
 import speeds  # noqa: E402
 from json_option import outfile  # noqa: E402
+from recorded import gallery  # noqa: E402
 from spread import RUNS  # noqa: E402
 
 ROOT = HERE.parents[2]
@@ -43,15 +44,6 @@ def record_page(rows):
     outfile.write(MEASURED, json.dumps(rows, indent=1) + "\n")
     outfile.write(PAGE, page_with(rows))
     print("\nwrote tests/bench/programs/measured.json and docs/programs-speed.md")
-
-
-def build(source, *flags):
-    """Compiles a file of this folder into the folder of the traces."""
-    made = TRACES / pathlib.Path(source).stem
-    ended = recorded.run(["cc", "-O1", HERE / source, "-o", made, *flags], dict(os.environ))
-    if ended.status != 0:
-        sys.exit(f"{source} is not built: {ended.words[-1000:]}")
-    return made
 
 
 def record(programs, again):
@@ -102,15 +94,15 @@ def main():
     if not (pair / "libEGL.so.1").exists():
         sys.exit(f"there is no drop-in pair in {arguments.build}")
     TRACES.mkdir(parents=True, exist_ok=True)
-    recorded.gallery.build("same_run.c", "-shared", "-fPIC")
-    programs = recorded.every(build("clients.c", "-lEGL", "-lOpenGL", "-lm"), recorded.gallery.build_imgui())
+    gallery.build("same_run.c", "-shared", "-fPIC")
+    programs = recorded.every(gallery.build(HERE / "clients.c", "-lEGL", "-lOpenGL", "-lm"), gallery.build_imgui())
     unknown = set(arguments.only or []) - {program.name for program in programs}
     if unknown:
         parser.error(f"--only: {', '.join(sorted(unknown))} not installed; there are {', '.join(p.name for p in programs)}")
     if arguments.only:
         programs = [program for program in programs if program.name in arguments.only]
     with json_option.tables(arguments.json):
-        rows = measure(record(programs, arguments.again), pair, build("frame_times.c", "-shared", "-fPIC"), arguments.rounds)
+        rows = measure(record(programs, arguments.again), pair, gallery.build(HERE / "frame_times.c", "-shared", "-fPIC"), arguments.rounds)
         print("\nProcessor time of a frame; times as fast as llvmpipe, median of the rounds and quartiles; a star where a goal is missed.")
         print("\n".join([*speeds.table(rows), "", *speeds.verdict(rows)]))
         if arguments.record:

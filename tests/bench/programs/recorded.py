@@ -120,11 +120,10 @@ def environment_for(program, display, home):
 
 def record(program, display, to):
     """Records a program; the file `to` then holds its first frames. Returns what went wrong, or nothing."""
-    with tempfile.TemporaryDirectory() as place:
+    with tempfile.TemporaryDirectory() as place, tempfile.TemporaryFile("w+", errors="replace") as words:
         home, long, kept = pathlib.Path(place), pathlib.Path(place) / "long.trace", pathlib.Path(place) / "kept.trace"
         environment = environment_for(program, display, home)
         folder = program.folder or home
-        words = tempfile.TemporaryFile("w+", errors="replace")
         with contextlib.ExitStack() as running:
             if program.beside:
                 running.enter_context(started(program.beside, environment, folder))
