@@ -283,7 +283,7 @@ bool before(const Display& display, const Wishes& wishes, const Config& a, const
         if (va != vb)
             return va < vb;
     }
-    // Of two configs that differ in nothing else, the display's own byte order comes first.
+    // The display's own byte order comes first, if two configs differ in nothing else.
     const bool own_a = fits_window(display, a), own_b = fits_window(display, b);
     if (own_a != own_b)
         return own_a;

@@ -19,7 +19,7 @@ template <int Count> struct PacketInverse {
 };
 template <> struct PacketInverse<0> {};
 
-/// The row of a packet that is of one, where it is drawn together with others: its number among RowRuns.
+/// Which of the rows that are drawn together (RowRuns) a packet of one row belongs to.
 template <bool Kept> struct RowOfPacket {
     RowRuns* runs = nullptr;
     std::int32_t number = 0;
@@ -194,22 +194,27 @@ class PacketCopy {
     } color_, depth_;
 
   public:
-    /// Not worth a call. At least one byte, of memory that does not overlap.
+    /// Copies 1 to 128 bytes between memory that does not overlap, in line.
     SPANGLE_INLINE static void copy(std::uint8_t* to, const std::uint8_t* from, std::int32_t bytes) {
-        static_assert(packet_length <= 32);
-        if (bytes >= 8)
-            bytes >= 16 ? bytes >= 32
-                              ? bytes >= 64 ? both_ends<64>(to, from, bytes) : both_ends<32>(to, from, bytes)
-                              : both_ends<16>(to, from, bytes)
-                        : both_ends<8>(to, from, bytes);
+        static_assert(4 * packet_length <= 128);
+        if (bytes < 2)
+            *to = *from;
+        else if (bytes < 4)
+            both_ends<2>(to, from, bytes);
+        else if (bytes < 8)
+            both_ends<4>(to, from, bytes);
+        else if (bytes < 16)
+            both_ends<8>(to, from, bytes);
+        else if (bytes < 32)
+            both_ends<16>(to, from, bytes);
+        else if (bytes < 64)
+            both_ends<32>(to, from, bytes);
         else
-            bytes >= 4   ? both_ends<4>(to, from, bytes)
-            : bytes >= 2 ? both_ends<2>(to, from, bytes)
-                         : void(*to = *from);
+            both_ends<64>(to, from, bytes);
     }
 
   private:
-    /// From Size to twice as many bytes: the first of them and the last, which may be some of the first.
+    /// Copies Size to 2 Size bytes: the first Size of them and the last Size, which may overlap.
     template <int Size>
     SPANGLE_INLINE static void both_ends(std::uint8_t* to, const std::uint8_t* from, std::int32_t bytes) {
         const std::int32_t last = bytes - Size;

@@ -26,12 +26,13 @@ template <class Vector> SPANGLE_INLINE auto as_signed(const Vector& v) {
     using Signed [[gnu::vector_size(sizeof(Vector))]] = std::int32_t;
     return std::bit_cast<Signed>(v);
 }
-/// All ones where a < b, both below 2^31.
+/// All ones where a < b, compared as signed numbers.
 template <class Vector> SPANGLE_INLINE Vector is_less(const Vector& a, const Vector& b) {
     return std::bit_cast<Vector>(as_signed(a) < as_signed(b));
 }
-/// The smaller ones, both below 2^31. In a loop, of which compilers make the one instruction that some sets
-/// have.
+// The loops below are what compilers make one instruction of, where the instruction set has it.
+
+/// min(a, b) of signed numbers.
 template <class Vector> SPANGLE_INLINE Vector smaller(const Vector& a, const Vector& b) {
     const auto s = as_signed(a), t = as_signed(b);
     auto r = s;
@@ -39,7 +40,15 @@ template <class Vector> SPANGLE_INLINE Vector smaller(const Vector& a, const Vec
         r[i] = s[i] < t[i] ? s[i] : t[i];
     return std::bit_cast<Vector>(r);
 }
-/// max(v, 0), v signed.
+/// max(a, b) of signed numbers.
+template <class Vector> SPANGLE_INLINE Vector larger(const Vector& a, const Vector& b) {
+    const auto s = as_signed(a), t = as_signed(b);
+    auto r = s;
+    for (unsigned i = 0; i < sizeof(Vector) / 4; ++i)
+        r[i] = s[i] < t[i] ? t[i] : s[i];
+    return std::bit_cast<Vector>(r);
+}
+/// max(v, 0) of signed numbers.
 template <class Vector> SPANGLE_INLINE Vector positive(const Vector& v) {
     auto r = as_signed(v);
     for (unsigned i = 0; i < sizeof(Vector) / 4; ++i)
@@ -49,6 +58,7 @@ template <class Vector> SPANGLE_INLINE Vector positive(const Vector& v) {
 
 } // namespace lane_words
 
+/// Two results of one operation in lanes: what came of low parts, and what came of high ones.
 template <class Words> struct LanePairs { Words low, high; };
 
 #if defined(__AVX2__)
@@ -84,7 +94,7 @@ struct LaneWords {
     /// The low and the high words of f(lane), which has 64 bits.
     template <class F> SPANGLE_INLINE static LanePairs<LaneWords> generate_pairs(F f) {
         using Pairs [[gnu::vector_size(32)]] = std::uint64_t;
-        // In this order one shuffle inside of each half gives the lanes in theirs.
+        // Lanes are loaded in an order that one shuffle, which works inside of each half, makes ascending.
         const auto a = std::bit_cast<Vector>(Pairs{f(0u), f(1u), f(4u), f(5u)}),
                    b = std::bit_cast<Vector>(Pairs{f(2u), f(3u), f(6u), f(7u)});
         const auto words = [&](auto shuffled) __attribute__((always_inline)) {
@@ -118,7 +128,7 @@ struct LaneWords {
         return {std::bit_cast<Halfwords>(_mm256_castsi256_si128(v)),
                 std::bit_cast<Halfwords>(_mm256_extracti128_si256(v, 1))};
     }
-    /// Of words that are all ones or 0.
+    /// Masks of 16 bits from words that are all ones or 0.
     SPANGLE_INLINE Halfwords mask() const {
         const auto v = std::bit_cast<__m256i>(all);
         return std::bit_cast<Halfwords>(
@@ -221,7 +231,7 @@ struct LaneWords {
         return std::bit_cast<Halfwords>((even & 0xFFFFu) | (odd << 16));
     }
     SPANGLE_INLINE LanePairs<Halfwords> halves() const { return {low_half(), high_half()}; }
-    /// Of words that are all ones or 0.
+    /// Masks of 16 bits from words that are all ones or 0.
     SPANGLE_INLINE Halfwords mask() const { return low_half(); }
     /// Not 0 if any word is.
     SPANGLE_INLINE Halfwords any_bits() const { return std::bit_cast<Halfwords>(even | odd); }

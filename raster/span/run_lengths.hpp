@@ -49,22 +49,14 @@ SPANGLE_INLINE LaneWords run_log2s(const Span<Fixed>& span, int which, const Lan
             };
             const Vector of_s = numerator(s, unit.s.dx, draw.log2_width[which]),
                          of_t = numerator(t, unit.t.dx, draw.log2_height[which]);
-            const auto signed_less = [](const Vector& a, const Vector& b) __attribute__((always_inline)) {
-                return std::bit_cast<Vector>(lane_words::as_signed(a) < lane_words::as_signed(b));
-            };
-            const auto chosen =
-                [](const Vector& mask, const Vector& a, const Vector& b) __attribute__((always_inline)) {
-                return (a & mask) | (b & ~mask);
-            };
-            const Vector least = chosen(signed_less(q0, end), q0, end),
-                         larger = chosen(signed_less(of_s, of_t), of_t, of_s),
+            const Vector least = lane_words::smaller(q0, end),
                          low = Vector{} + static_cast<std::uint32_t>(limits.shortest),
                          high = Vector{} + static_cast<std::uint32_t>(limits.longest);
-            const Vector square =
-                inner::lane_log2(inner::at_least_one(least)) * 3u - larger - static_cast<std::uint32_t>(less);
+            const Vector square = inner::lane_log2(inner::at_least_one(least)) * 3u -
+                                  lane_words::larger(of_s, of_t) - static_cast<std::uint32_t>(less);
             const auto log2 = std::bit_cast<Vector>(lane_words::as_signed(square) >> 9);
-            const Vector none = signed_less(log2, low) | signed_less(least, Vector{} + 1u);
-            return chosen(none, low, chosen(signed_less(high, log2), high, log2));
+            const Vector none = lane_words::is_less(log2, low) | lane_words::is_less(least, Vector{} + 1u);
+            return (low & none) | (lane_words::smaller(log2, high) & ~none);
         },
         PlaneInRows(unit.s).at(x, y), PlaneInRows(unit.t).at(x, y), q.at(x, y),
         q.at(x + length - LaneWords::splat(1), y));

@@ -95,7 +95,8 @@ template <class N> class SharedRows {
                 [](std::uint8_t * packet, std::uint8_t * plane, std::int32_t bytes)
                     __attribute__((always_inline)) { inner::PacketCopy::copy(plane, packet, bytes); });
     }
-    /// Where the fragments of the piece lie, and where some of the next would: that piece comes after it.
+    /// Writes where the fragments of the piece lie, in whole groups of lanes. What that writes behind the
+    /// piece is overwritten by the next one.
     SPANGLE_INLINE void place(const Piece& piece) {
         using L = typename N::L;
         const Span<Fixed>& span = rows_.span;

@@ -68,8 +68,7 @@ class LevelLanes {
         if (line_)
             return of_s;
         const Vector of_t = inner::lane_log2(dt) + static_cast<std::uint32_t>(v_);
-        const auto more = std::bit_cast<Vector>(lane_words::as_signed(of_s) > lane_words::as_signed(of_t));
-        return (of_s & more) | (of_t & ~more);
+        return lane_words::larger(of_s, of_t);
     }
     /// level_of_detail().
     template <class Vector> SPANGLE_INLINE static Vector level(const Vector& sum) {

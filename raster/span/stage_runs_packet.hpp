@@ -261,7 +261,7 @@ template <class Places> class PacketRuns {
             to_t[i] = static_cast<std::uint32_t>(t[i]);
         }
     }
-    /// The same as Inverse(n), from a table where n is small.
+    /// Gives Inverse(n), from a table where n is small.
     SPANGLE_INLINE static Inverse inverse_of(std::int32_t n) {
         if (n <= 0 || n >= std::int32_t{1} << CoordRuns::max_log2)
             return Inverse(n);

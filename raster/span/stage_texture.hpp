@@ -61,10 +61,18 @@ template <class N> struct TextureFunction {
             return level == other.level && filter == other.filter && (next == 0) == (other.next == 0);
         }
     };
-    Sampling sampling(std::int32_t lod) const {
+    /// Lambda with its bias, inside the texture's range.
+    SPANGLE_INLINE std::int32_t biased(std::int32_t lod) const {
         lod += lod_bias;
         lod = lod < texture.min_lod ? texture.min_lod : lod;
-        lod = lod > texture.max_lod ? texture.max_lod : lod;
+        return lod > texture.max_lod ? texture.max_lod : lod;
+    }
+    /// The weight of the level behind, 2^-16, where mipmaps are mixed.
+    SPANGLE_INLINE static std::uint32_t weight_behind(std::int32_t biased_lod) {
+        return (static_cast<std::uint32_t>(biased_lod) & 255) << 8;
+    }
+    Sampling sampling(std::int32_t lod) const {
+        lod = biased(lod);
         const bool late =
             texture.mag == Filter::linear && texture.min == Filter::nearest && texture.mip != MipFilter::none;
         const bool magnified = lod <= (late ? 128 : 0);
@@ -74,7 +82,7 @@ template <class N> struct TextureFunction {
         how.level = texture.mip == MipFilter::linear ? lod >> 8
                     : lod <= 128                     ? 0
                                                      : (lod + 127) >> 8; // ceil(lambda + 1/2) - 1
-        how.next = texture.mip == MipFilter::linear ? (static_cast<std::uint32_t>(lod) & 255) << 8 : 0;
+        how.next = texture.mip == MipFilter::linear ? weight_behind(lod) : 0;
         const int last = texture.level_count - 1;
         if (how.level >= last)
             how.level = last, how.next = 0;

@@ -58,12 +58,12 @@ template <class N> class LaneTexture {
         : texture_(*unit.texture), function_(unit), places_(places), n_(n), groups_((n + lanes - 1) / lanes) {
     }
 
-    /// The four texels of each fragment: all ones where one lies beyond the image, and has the border's
-    /// colour.
+    /// One mask for each of a fragment's four texels: all ones where the texel lies beyond the image and has
+    /// the border's colour.
     using Beyond = U16[4][texel_groups];
 
     /// Lanes beyond the last fragment look where that one does. Nothing that they find is stored, but stages
-    /// of one lane leave them as they were, and where they met the border that would cost time.
+    /// of one lane leave them as they were, and dead lanes that met the border would cost time.
     /// Their colours are whatever arithmetic makes of what was in memory: masks (Packet::live) keep them from
     /// every decision and from the planes.
     template <class Coord> SPANGLE_INLINE static void fill_last_group(Coord& coord, std::int32_t n) {
@@ -110,7 +110,8 @@ template <class N> class LaneTexture {
     }
     /// True where all fragments take the same levels by the same filter. The larger lambda is, the larger is
     /// the level, and the filter changes once at most (TextureFunction::sampling()); so the fragments of the
-    /// least and of the largest lambda speak for all. Of one level the weights of the one behind ascend, too.
+    /// least and of the largest lambda speak for all. Within one level, weights of the level behind ascend
+    /// with lambda, too.
     bool all_alike(Sampling& how, std::uint16_t* next) const {
         std::int32_t least = places_.lod[0], most = least;
         for (std::int32_t i = 1; i < n_; ++i) {
@@ -123,13 +124,8 @@ template <class N> class LaneTexture {
             return false;
         if (how.next == 0)
             return true;
-        const std::int32_t bias = function_.lod_bias, low = texture_.min_lod, high = texture_.max_lod;
-        for (std::int32_t i = 0; i < n_; ++i) {
-            std::int32_t lod = places_.lod[i] + bias;
-            lod = lod < low ? low : lod;
-            lod = lod > high ? high : lod;
-            next[i] = static_cast<std::uint16_t>((lod & 255) << 8);
-        }
+        for (std::int32_t i = 0; i < n_; ++i)
+            next[i] = static_cast<std::uint16_t>(function_.weight_behind(function_.biased(places_.lod[i])));
         return true;
     }
     [[gnu::noinline]] bool each_by_its_own(Color* texels) const {
@@ -160,8 +156,8 @@ template <class N> class LaneTexture {
         Filter filter;
         Color colors[texel_groups];
     };
-    /// All fragments by each level and filter that some of them take. Neighbours share a level: what lies
-    /// behind one is what the next begins with.
+    /// Filters all fragments by each level and filter that some of them take. Each level is filtered once:
+    /// two neighbouring pairs of levels share one.
     [[gnu::noinline]] bool in_kinds(const Sampling* how, const std::uint16_t* next, Color* texels) const {
         constexpr int most = 4; // more take longer than one by one
         Seen seen[2 * most];
@@ -292,6 +288,7 @@ template <class N> class LaneTexture {
                 set_lane(to[i / lanes], i % lanes, one_fragment(image, first, filter, i));
         }
     }
+    /// The colour of one fragment, as chains of one lane find it.
     [[gnu::noinline]] typename One::Color one_fragment(TextureLevel image, const std::uint32_t* first,
                                                        Filter filter, std::int32_t i) const {
         if (first != nullptr)
@@ -305,14 +302,15 @@ template <class N> class LaneTexture {
         return function_.filtered(image, wrapped_linear(texture_.wrap_s, s, w, image.width),
                                   wrapped_linear(texture_.wrap_t, t, h, image.height));
     }
+    /// The border's colour in all lanes.
     Color border() const {
         const std::uint8_t* const b = texture_.border_color;
         const auto component = [](std::uint32_t v) { return N::from8(L::splat(v)); };
         return {component(b[0]), component(b[1]), component(b[2]), component(b[3])};
     }
 
-    /// Words: of texels in lanes. The weights are those of the second column and of the second row. Texels
-    /// that are `beyond` the image have the border's colour; null: none is.
+    /// Fetches texels into `Words` and filters them. `right` and `down` are the weights of the second column
+    /// and of the second row. Texels that lie `beyond` the image get the border's colour; null: none does.
     template <class Words>
     [[gnu::noinline]] void mix(const TexelFetch& fetch, bool linear, const U16* right, const U16* down,
                                const Beyond* beyond, Color* to) const {
@@ -325,6 +323,7 @@ template <class N> class LaneTexture {
         for (std::int32_t g = 0; g < groups_; ++g)
             to[g] = linear ? mixed(c00[g], c10[g], c01[g], c11[g], right[g], down[g]) : unpacked(c00[g]);
     }
+    /// Replaces fetched texels that lie beyond the image by the border's colour.
     [[gnu::noinline]] void put_border(const Beyond& beyond, int corners, TexelFetch::Bytes& texel) const {
         const std::uint8_t* const b = texture_.border_color;
         const U16 low = L::splat(b[1] * 256U + b[0]), high = L::splat(b[3] * 256U + b[2]);

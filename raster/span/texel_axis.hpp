@@ -44,8 +44,8 @@ class AxisLanes {
         return linear ? find_linear(coord, group, groups, to) : find_nearest(coord, group, groups, to);
     }
 
-    /// Of an axis that does not repeat: moves numbers of texels beyond the image to its edge. Gives all ones
-    /// for those that were beyond it.
+    /// Moves numbers of texels beyond the image to its edge, on an axis that does not repeat. Returns all
+    /// ones in lanes whose number was moved.
     SPANGLE_INLINE U16 move_inside(U16& number) const {
         const U16 inside = L::clamped_signed(number, L::splat(0), last_), moved = ~L::equal(inside, number);
         number = inside;

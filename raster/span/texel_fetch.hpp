@@ -94,7 +94,7 @@ class TexelFetch {
     const std::int32_t groups_;
     const LaneWords steps_; ///< bytes from texel to texel and from row to row
     const bool has_pairs_;  ///< two columns are looked at, and the image has two
-    const U16 last_left_;   ///< the last column but one
+    const U16 last_left_;   ///< the last column but one: its right neighbour exists
 
     /// f(corner, group, texels along s, texels along t)
     template <class F> SPANGLE_INLINE void each_group(F f) const {
@@ -128,13 +128,14 @@ class TexelFetch {
         each_group([&](int corner, std::int32_t g, const U16& s, const U16& t)
                        __attribute__((always_inline)) { f(corner, g, places(g, s, t)); });
     }
-    /// put(corner, group, texels as they lie in memory), of texels of 1 to 4 bytes. Of two columns that lie
-    /// side by side, or are the same one, both are loaded at once; where an image repeats they are not.
+    /// Calls put(corner, group, texels as they lie in memory) for texels of `Size` bytes, 1 to 4. Two columns
+    /// that are neighbours, or the same one, are loaded together. Where an image repeats they may be neither.
     template <unsigned Size, class Put> SPANGLE_INLINE void each_texel(Put put) const {
         for (std::int32_t g = 0; g < groups_; ++g) {
             const U16 &at = s_.at[g], &next = s_.next[g];
             if (has_pairs_) {
-                // The left one of two neighbours that the image has, and of which these are one or both.
+                // `left` and the column after it both exist, and each of `at` and `next` should be one of
+                // them.
                 const U16 left = L::minimum_signed(L::minimum_signed(at, next), last_left_);
                 if (!L::any_bits(((at - left) | (next - left)) & 0xFFFE)) [[likely]] {
                     const U16 is_at = L::equal(at, left), is_next = L::equal(next, left);

@@ -265,7 +265,7 @@ TEST_F(GlxContexts, AWindowThatIsGoneIsNeitherCurrentNorShown) {
     EXPECT_FALSE(eglMakeCurrent(egl, surface, surface, context));
     EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
     eglDestroySurface(egl, surface);
-    // Of this window nothing was asked between its end and the next eglMakeCurrent().
+    // Nothing is asked of this window between its end and the next eglMakeCurrent().
     const Window idle = XCreateSimpleWindow(display, DefaultRootWindow(display), 0, 0, 16, 16, 0, 0, 0);
     const EGLSurface on_idle = eglCreateWindowSurface(egl, egl_config, idle, nullptr);
     ASSERT_TRUE(eglMakeCurrent(egl, on_idle, on_idle, context));
