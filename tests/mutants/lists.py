@@ -1,8 +1,9 @@
 """The seeded defects of tests/mutants/*.txt, and the record of those that the tests caught.
 
 tests/mutants/caught.txt has one line for each: its id, its row of the feature matrix, and since when that is known: two
-hashes and the day. The first hash is that of the file with the defect in it, the second that of the command and of the
-files with the tests that it runs. Where either differs from the tree, the record is stale: the defect must be tried again.
+hashes and the day. The first hash is that of the declaration with the defect in it (a function, most often), the second
+that of the command, of the tests that it runs and of what stands beside them in their files. Both are hashes of code:
+comments and layout do not count. Where either differs from the tree, the record is stale: the defect must be tried again.
 """
 import fnmatch
 import functools
@@ -16,6 +17,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "host_sim/tools"))
 import outfile  # noqa: E402
+from tokens import CPP, code, declaration, declarations  # noqa: E402
 HERE = ROOT / "tests/mutants"
 RECORD = HERE / "caught.txt"
 ROWS = {row["id"] for row in json.loads((ROOT / "gl/api/commands/rows.json").read_text())} | {"-"}
@@ -25,6 +27,7 @@ HEAD = "# Written by ./dev mutants --write: each mutant that the tests caught, i
 def digest(*parts):
     total = hashlib.sha256()
     for part in parts:
+        part = part.encode(errors="surrogateescape")
         total.update(len(part).to_bytes(8, "little") + part)
     return total.hexdigest()[:10]
 
@@ -55,6 +58,13 @@ class Mutant:
         """The text of the file with the defect in it."""
         return (tree / self.file).read_text().replace(self.find, self.replace)
 
+    def change(self, text):
+        """Code around the defect before and after it is put into the text of its file."""
+        suffix = pathlib.Path(self.file).suffix
+        around = declaration(text, text.find(self.find)) if suffix in CPP else text
+        around = around if self.find in around else text
+        return code(suffix, around), code(suffix, around.replace(self.find, self.replace))
+
 
 @functools.cache
 def area(program):
@@ -70,28 +80,44 @@ class Hashes:
 
     def __init__(self, tree=ROOT):
         self.tree = tree
-        self.texts = functools.cache(lambda path: path.read_bytes())
+        self.texts = functools.cache(lambda path: path.read_text(errors="surrogateescape"))
         self.folder = functools.cache(lambda name: sorted(
             p for p in (tree / "tests" / name).rglob("*") if p.is_file() and "__pycache__" not in p.parts))
         self.tests = functools.cache(lambda path: [f"{suite}.{name}" for suite, name in re.findall(
-            r"^TEST\w*\(\s*(\w+),\s*(\w+)", self.texts(path).decode(errors="replace"), re.M)])
-        self.test = functools.cache(lambda words: digest(shlex.join(words).encode(), *(
-            part for p in self.files(words) for part in (str(p.relative_to(tree)).encode(), self.texts(p)))))
+            r"^TEST\w*\(\s*(\w+),\s*(\w+)", self.texts(path), re.M)])
+        self.code = functools.cache(lambda path, patterns: code(path.suffix, self.run(path, patterns)))
+        self.test = functools.cache(lambda words: digest(shlex.join(words), *(
+            part for p in self.files(words) for part in (str(p.relative_to(tree)), self.code(p, self.patterns(words))))))
+
+    def patterns(self, words):
+        """What the filter lets run, as patterns of Suite.Name; "All/Suite.Name/0" is Suite.Name with parameters."""
+        found = [p for w in words if w.startswith("--gtest_filter=") for p in w.partition("=")[2].split("-")[0].split(":")]
+        return tuple(re.sub(r"^[^.]*/", "", p).partition("/")[0] for p in found)
+
+    def run(self, path, patterns):
+        """A file of tests without those that the filter leaves out."""
+        text = self.texts(path)
+        if path.suffix != ".cpp" or not patterns:
+            return text
+        kept = []
+        for begin, end in declarations(text):
+            test = re.match(r"(?:TYPED_)?TEST\w*\(\s*(\w+),\s*(\w+)", text[begin:end])
+            if test is None or any(fnmatch.fnmatch(f"{test[1]}.{test[2]}", pattern) for pattern in patterns):
+                kept.append(text[begin:end])
+        return "\n".join(kept)
 
     def files(self, words):
         """Those of the folder with a test that the filter lets run, and what of tests/ they include; without filter all."""
         folder = self.folder(area(words[0]))
-        patterns = [p for w in words if w.startswith("--gtest_filter=") for p in w.partition("=")[2].split("-")[0].split(":")]
-        # "All/Suite.Name/0" is Suite.Name with parameters.
-        names = [re.sub(r"^[^.]*/", "", p).partition("/")[0] for p in patterns]
+        names = self.patterns(words)
         found = [p for p in folder if p.suffix == ".cpp" and any(fnmatch.filter(self.tests(p), name) for name in names)]
         for path in found:  # grows as it is read
-            for name in re.findall(r'^#include "(tests/[^"]+)\.hpp"', self.texts(path).decode(errors="replace"), re.M):
+            for name in re.findall(r'^#include "(tests/[^"]+)\.hpp"', self.texts(path), re.M):
                 found += [p for p in (self.tree / f"{name}.hpp", self.tree / f"{name}.cpp") if p.is_file() and p not in found]
         return sorted(found) or folder
 
     def of(self, mutant):
-        return digest(mutant.seeded(self.tree).encode()), self.test(tuple(mutant.test))
+        return digest(*mutant.change(self.texts(self.tree / mutant.file))), self.test(tuple(mutant.test))
 
 
 def read_lists():
