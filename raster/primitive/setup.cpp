@@ -356,11 +356,13 @@ Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const V
                     const Vertex& provoking, const Area& area)
     : span_(span), state_(*span.state) {
     span.basis.v[0] = &a, span.basis.v[1] = &b, span.basis.v[2] = &c;
+    third_ = &c;
     if (area.word != 0) [[likely]] {
         const int zeros = clz32(area.word);
         in_plane(area.word << zeros, 32 - area.exponent + zeros, area.sign < 0);
     } else {
         along_longer_axis(a, b, c);
+        third_ = &v(0) != &a && &v(1) != &a ? &a : &v(0) != &b && &v(1) != &b ? &b : &c;
         if (has_24_bits())
             add_depth_24(a, b, c);
     }
@@ -376,6 +378,7 @@ Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const V
                     bool along_x, std::int32_t begin, std::int32_t end, bool of_x)
     : span_(span), state_(*span.state) {
     along_axis(a, b, {begin, end, along_x, of_x});
+    third_ = &a;
     if (has_24_bits()) // before attributes() unsnaps the axis: depth does not depend on what else is drawn
         add_depth_24_along();
     attributes(provoking);

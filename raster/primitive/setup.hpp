@@ -175,10 +175,15 @@ template <> class Setup<Fixed> {
     static void project(Span<Fixed>& span);
     void over_w(std::int32_t v[3]) const;
     void add_unit(int unit, UnitValues& u);
+    bool loses_texels(const UnitValues units[]) const;
+    void steepen(std::int32_t fog[3]);
 
     Span<Fixed>& span_;
     const DrawState& state_;
     Axis axis_;
+    /// The vertex of a triangle beside v(0) and v(1); v(0) of lines and points. Thin triangles have v(0) as
+    /// v(2).
+    const Vertex* third_;
     /// Exact tier: how far an attribute may lie beyond its values at the vertices, within coverage, as a part
     /// of its range, in 2^-32. 0 where planes go through snapped vertices.
     std::uint32_t beyond_;

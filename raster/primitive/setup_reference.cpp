@@ -38,7 +38,8 @@ Setup<Double>::Setup(Span<Double>& span, const Vertex& a, const Vertex& b, const
         2 * std::fabs(exact_.x1) + std::fabs(exact_.y1) + std::fabs(exact_.y2); // x1 counts as x2
     const double beyond = sum / (2 * subpixel_one);
     const auto [least, most] = std::minmax({a.inv_w, b.inv_w, c.inv_w});
-    if (!(beyond <= 1.0 / 16) || (span.state->fragment.perspective && (most - least) * beyond > least / 4))
+    if (!(beyond <= 1.0 / 16) ||
+        (span.state->fragment.perspective && (most - least) * beyond > least * 7 / 8))
         exact_ = snapped_;
     attributes(provoking);
 }

@@ -141,7 +141,7 @@ void Setup<Fixed>::unsnap() {
 /// Where 1/w would come near 0 beyond its least vertex, all planes go through snapped vertices.
 void Setup<Fixed>::snap_where_w_ends() {
     if constexpr (has_division)
-        if (beyond_ != 0 && numeric::mul_high_u32(q_range_, beyond_) > q_least_ >> 2)
+        if (beyond_ != 0 && numeric::mul_high_u32(q_range_, beyond_) > q_least_ - (q_least_ >> 3))
             snap();
 }
 

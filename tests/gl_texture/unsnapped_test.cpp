@@ -132,6 +132,90 @@ double texels_off(double largest) {
     return std::ldexp(1.0, -13) + std::ldexp(largest, -24);
 }
 
+/// A floor one below the eye, as far as `far` to all sides of it; the eye is rolled and pitched, degrees. The
+/// texture repeats every 16. Floors reach the horizon but for 1/far of their distance, and triangles of what
+/// clipping leaves of them are thin there.
+class Floor {
+  public:
+    Floor(double far, double roll, double pitch) : far_(far) {
+        glMatrixMode(GL_PROJECTION);
+        glLoadIdentity();
+        glFrustum(-1, 1, -1, 1, 0.5, 4 * far);
+        glMatrixMode(GL_MODELVIEW);
+        glLoadIdentity();
+        glRotated(roll, 0, 0, 1);
+        glRotated(pitch, 1, 0, 0);
+        GLdouble m[16];
+        glGetDoublev(GL_MODELVIEW_MATRIX, m);
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                turned_[i][j] = m[4 * j + i];
+    }
+    void draw() const {
+        const auto corner = [&](double x, double z) {
+            glTexCoord2d(coordinate(x, z), 0);
+            glVertex3d(x, -1, z);
+        };
+        glBegin(GL_QUADS);
+        corner(-far_, 0);
+        corner(far_, 0);
+        corner(far_, -far_);
+        corner(-far_, -far_);
+        glEnd();
+    }
+    /// s at a place in the window: where the ray through it meets the floor. NaN: above the horizon.
+    double at(double x, double y) const {
+        const double ray[3] = {2 * (2 * x / size - 1), 2 * (2 * y / size - 1), -1};
+        double seen[3]; // the columns of a rotation are its inverse's rows
+        for (int j = 0; j < 3; ++j)
+            seen[j] = ray[0] * turned_[0][j] + ray[1] * turned_[1][j] + ray[2] * turned_[2][j];
+        return seen[1] < 0 ? coordinate(seen[0] / -seen[1], seen[2] / -seen[1]) : std::nan("");
+    }
+    double largest() const { return coordinate(far_, -far_); }
+
+  private:
+    static double coordinate(double x, double z) { return (x - z) / 16; }
+    double far_, turned_[3][3];
+};
+
+TEST(Unsnapped, FloorsToTheHorizonTakeTheirTexels) {
+    constexpr int texels = 512;
+    TexelNumbers drawn(EGL_PRECISION_EXACT_SPANGLE, texels);
+    Random random{23};
+    long far_off = 0;
+    double worst = 0;
+    for (int n = 0; n < 120; ++n) {
+        const double far = std::pow(10.0, 1 + n % 4), roll = random.below(3600) / 10.0,
+                     pitch = random.below(240) / 10.0 - 12;
+        const Floor floor(far, roll, pitch);
+        glClear(GL_COLOR_BUFFER_BIT);
+        floor.draw();
+        std::vector<GLubyte> picture(size * size * 4);
+        glReadPixels(0, 0, size, size, GL_RGBA, GL_UNSIGNED_BYTE, picture.data());
+        for (std::size_t pixel = 0; pixel < size * size; ++pixel) {
+            const GLubyte* const at = picture.data() + 4 * pixel;
+            const double x = static_cast<double>(pixel % size) + 0.5,
+                         y = static_cast<double>(pixel / size) + 0.5;
+            const double s = floor.at(x, y),
+                         steep = std::fabs(floor.at(x + 1e-3, y) - s) + std::fabs(floor.at(x, y + 1e-3) - s);
+            if (at[3] == 0 || std::isnan(s + steep))
+                continue;
+            // Vertices lie where they should within 2^-18 pixel, which is 2^-28 of the guard band's width.
+            const double allowed = texels_off(texels * floor.largest()) + texels * steep * 1e3 * 0x1p-18,
+                         u = texels * s + 1.0 / 8192, texel = at[0] + 256 * at[1];
+            double off = std::remainder(u - texel - 0.5, texels);
+            off = std::fmax(std::fabs(off) - 0.5, 0);
+            ++drawn.fragments;
+            far_off += off > allowed ? 1 : 0;
+            worst = std::fmax(worst, off / allowed);
+        }
+    }
+    std::printf("floors: %ld of %ld texels are further off than allowed, at most %.2f times that\n", far_off,
+                drawn.fragments, worst);
+    EXPECT_GT(drawn.fragments, 1'000'000);
+    EXPECT_EQ(far_off, 0);
+}
+
 TEST(Unsnapped, AMillionRepeatsAreAsExactAsFloatsAre) {
     struct Case {
         float repeats;
