@@ -8,22 +8,22 @@
 
 namespace spangle::gl {
 
-/// Of one component.
+/// The size of one component of this type, in bytes.
 unsigned bytes_of(GLenum type);
 
-/// One array, prepared for any number of elements.
+/// One vertex array, prepared so that any number of its elements can be read.
 class ArrayReader {
   public:
     ArrayReader() = default;
-    /// Integers become fractions if `normalized` (GL 1.3, table 2.6).
+    /// `normalized`: integers become fractions (GL 1.3, table 2.6).
     ArrayReader(const ClientArray& array, bool normalized);
 
     /// The array is enabled and its pointer is not null.
     bool on() const { return base_ != nullptr; }
-    /// 0 while it is off.
+    /// Components of an element, 1 to 4; 0 while the array is off.
     unsigned components() const { return on() ? components_ : 0; }
 
-    /// Elements are so many aligned floats: words().
+    /// Elements are `count` aligned floats, which words() and word() read.
     bool is_floats(unsigned count) const {
         return has_array_type(GL_FLOAT) && aligned_floats_ && components_ == count;
     }
@@ -34,14 +34,14 @@ class ArrayReader {
         return bits;
     }
 
-    /// The three of is_floats(3).
+    /// Reads the three components of an element of an array that is_floats(3).
     SPANGLE_INLINE static void read3(const std::uint8_t* at, Real* out) {
         out[0] = float_at(at);
         out[1] = float_at(at + 4);
         out[2] = float_at(at + 8);
     }
 
-    /// Components of an element; those beyond the array's size keep what `out` holds.
+    /// Reads the components of an element. Components beyond the array's size keep what `out` holds.
     template <int N> SPANGLE_INLINE void read(std::uint32_t index, Real (&out)[N]) const {
         if constexpr (!numeric::runs_inline)
             return read_some(index, out);
@@ -66,14 +66,14 @@ class ArrayReader {
     GLenum type_ = GL_FLOAT;
     std::uint8_t components_ = 4;
     bool normalized_ = false;
-    bool aligned_floats_ = false; ///< the usual case, read in line
+    bool aligned_floats_ = false; ///< the usual case, which is read inline
 
     static Real float_at(const std::uint8_t* at) {
         const std::uint32_t bits = word(at, 0);
         return (bits >> 23 & 255) != 255 ? Real{bits} : numeric::from_float_bits(bits);
     }
     void convert(const std::uint8_t* at, Real* out) const;
-    /// What read() does, for any number of components.
+    /// Reads the components of an element, any number of them, as read() does.
     SPANGLE_RUN_CALL void read_some(std::uint32_t index, Real* out) const {
         const std::uint8_t* const at = base_ + stride_ * index;
         if (!has_array_type(GL_FLOAT) || !aligned_floats_)
@@ -83,11 +83,12 @@ class ArrayReader {
     }
 };
 
-/// What glArrayElement reads: the arrays of one moment.
+/// All arrays that glArrayElement reads, as they are when a draw begins.
 struct ElementReader {
     ArrayReader vertex, normal, color, tex_coord[texture_units];
-    bool textured = false; ///< some tex_coord is on
-    /// Those that are seldom on, or null when none of them is: index, edge_flag, fog_coord, secondary_color.
+    bool textured = false; ///< some array of tex_coord is on
+    /// The arrays that are seldom on: index, edge_flag, fog_coord, secondary_color. Null where none of them
+    /// is.
     const ArraysState* seldom;
 
     explicit ElementReader(const ArraysState& arrays)
@@ -108,9 +109,9 @@ struct ElementReader {
     }
 };
 
-/// What the elements of a draw are numbered by: consecutively from `first`, or from client memory.
+/// The indices of the elements of a draw: consecutive ones from `first` on, or ones that memory holds.
 struct Indices {
-    GLenum type = GL_NONE; ///< GL_UNSIGNED_BYTE, SHORT or INT: `data` holds them
+    GLenum type = GL_NONE; ///< GL_UNSIGNED_BYTE, SHORT or INT: `data` holds the indices; GL_NONE: consecutive
     std::uint32_t first = 0;
     const void* data = nullptr;
 
@@ -122,7 +123,7 @@ struct Indices {
         return type == GL_UNSIGNED_INT ? read<std::uint32_t>(i) : read<std::uint8_t>(i);
     }
 
-    /// The usual ones, which are aligned, or none: loops over them ask for no type.
+    /// Aligned indices of 16 bits, the usual ones: a loop over them need not ask for their type.
     struct Shorts {
         const std::uint8_t* data;
         SPANGLE_INLINE std::uint32_t at(std::uint32_t i) const {
@@ -133,12 +134,13 @@ struct Indices {
         }
         Shorts from(std::uint32_t n) const { return {data + std::size_t{n} * sizeof(std::uint16_t)}; }
     };
+    /// The indices as Shorts; `data` is null where they are of another type, or not aligned.
     Shorts shorts() const {
         const bool aligned = (reinterpret_cast<std::uintptr_t>(data) & 1) == 0;
         return {type == GL_UNSIGNED_SHORT && aligned ? static_cast<const std::uint8_t*>(data) : nullptr};
     }
 
-    /// Those behind the first n.
+    /// The indices behind the first n.
     Indices from(std::uint32_t n) const {
         Indices rest = *this;
         if (type == GL_NONE)

@@ -7,8 +7,7 @@
 
 namespace spangle::gl {
 
-/// Calls f(count, indices) for the elements between those that end a primitive and begin another
-/// (GL 3.1, 2.8).
+/// Calls f(count, indices) for each run of elements that no restart index interrupts (GL 3.1, 2.8).
 template <class F>
 void for_each_run(const ArrayBindings& bindings, std::uint32_t count, const Indices& indices, F f) {
     if (!SPANGLE_FEATURE_PRIMITIVE_RESTART || !bindings.restart)
@@ -21,22 +20,23 @@ void for_each_run(const ArrayBindings& bindings, std::uint32_t count, const Indi
         }
 }
 
-/// ArrayElement of this index is End and Begin.
+/// ArrayElement of this index ends the primitive and begins another one (GL 3.1, 2.8).
 inline bool restarts(const ArrayBindings& bindings, std::uint32_t index) {
     return SPANGLE_FEATURE_PRIMITIVE_RESTART && bindings.restart && index == bindings.restart_index;
 }
 
 #if SPANGLE_FEATURE_BUFFERS
 
-/// Element `highest` of every array that is on lies in its buffer, and no such buffer is mapped. Client
-/// memory is not ours to check.
+/// Element `highest` of every array that is on lies in the array's buffer, and no such buffer is mapped.
+/// Arrays in client memory cannot be checked.
 bool arrays_reach(const Context& context, std::uint32_t highest);
 
-/// The offset of DrawElements becomes an address. False: the indices are not all in the bound buffer, or one
-/// of them is beyond an array. Those that restart a primitive name no element.
+/// Turns the offset given to DrawElements into an address. False: some indices are not in the bound buffer,
+/// or some index is beyond an array. Indices that restart a primitive name no element and are not checked.
 bool find_indices(const Context& context, std::uint32_t count, Indices& indices);
 
-/// While it lives the offsets of arrays are addresses. They have to reach what will be read.
+/// Turns the offsets of arrays into addresses for as long as this object lives. The caller has checked with
+/// arrays_reach() or find_indices() that the buffers hold what will be read.
 class AddressedArrays {
   public:
     explicit AddressedArrays(Context& context);

@@ -32,7 +32,7 @@ void set_buffer([[maybe_unused]] Context& context, [[maybe_unused]] ClientArray&
 
 namespace {
 
-/// Client memory need not be aligned for our reads: bytes are copied.
+/// Reads a value from client memory, which need not be aligned: its bytes are copied.
 template <class T> T read(const std::uint8_t* at) {
     T value;
     __builtin_memcpy(&value, at, sizeof value);
@@ -69,7 +69,8 @@ SPANGLE_RUN_CALL Real component(const std::uint8_t* at, GLenum type, bool normal
     }
 }
 
-/// The same, shorter: types of integers follow each other from GL_BYTE on, signed and unsigned ones in turn.
+/// Does what component() does with less code: the tokens of integer types follow each other from GL_BYTE on,
+/// signed and unsigned ones in turn.
 Real short_component(const std::uint8_t* at, GLenum type, bool normalized) {
     type = array_type(type);
     if (type == GL_FLOAT)
@@ -81,23 +82,23 @@ Real short_component(const std::uint8_t* at, GLenum type, bool normalized) {
     return convert::integer_at(at, (type - GL_BYTE) / 2, type % 2 == 0, normalized);
 }
 
-/// Types as bits, that of GL_BYTE first.
+/// A set of component types as bits; bit 0 is GL_BYTE, and the others follow in the order of their tokens.
 template <class... T> constexpr std::uint16_t types_of(T... types) {
     return static_cast<std::uint16_t>(((1u << (types - GL_BYTE)) | ...));
 }
 constexpr std::uint16_t wide_types = types_of(GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE, GL_FIXED);
-/// Bytes are normals, and by OES_byte_coordinates positions and texture coordinates.
+/// GL has bytes for normals; OES_byte_coordinates adds them for positions and texture coordinates.
 constexpr std::uint16_t signed_types = wide_types | types_of(GL_BYTE);
 constexpr std::uint16_t color_types = types_of(GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_INT,
                                                GL_UNSIGNED_INT, GL_FLOAT, GL_DOUBLE);
 
-/// What an array may be made of.
+/// The types and sizes that an array may have.
 struct Allowed {
     std::uint16_t types;
-    std::uint8_t least, most; ///< components
+    std::uint8_t least, most; ///< components of an element
 };
 
-/// What its command is given.
+/// The arguments of a command that sets an array.
 struct Pointed {
     GLint size;
     GLenum type;
@@ -105,8 +106,8 @@ struct Pointed {
     const void* pointer;
 };
 
-/// The buffer that is bound now is the array's from now on (GL 1.5, 2.9.6). Arrays of objects with a name lie
-/// in buffers (GL 3.0, 2.8).
+/// Sets an array, which lies in the buffer bound to ARRAY_BUFFER now (GL 1.5, 2.9.6). The arrays of a named
+/// vertex array object must lie in buffers (GL 3.0, 2.8).
 void point(Context& context, ClientArray& array, Allowed allowed, const Pointed& to) {
     const auto& [size, type, stride, pointer] = to;
     if (size < allowed.least || size > allowed.most || stride < 0)
@@ -127,7 +128,7 @@ void point(Context& context, ClientArray& array, Allowed allowed, const Pointed&
     array.pointer = pointer;
 }
 
-/// An element of one component, if the array is on.
+/// Reads an element of an array with one component, if the array is on.
 [[maybe_unused]] void set_number(const ClientArray& array, std::uint32_t index, Real& out) {
     const ArrayReader numbers(array, false);
     if (!numbers.on())
@@ -237,7 +238,7 @@ void EdgeFlagPointer(Context& context, GLsizei stride, const void* pointer) {
 
 namespace {
 
-/// An array of a system that a build may leave out.
+/// Turns an array on or off that only some builds have; `missing` is the sentence where this build has not.
 void enable_optional(Context& context, ClientArray& array, bool on, bool present, const char* missing) {
     if (!present)
         return error(context, GL_INVALID_OPERATION, missing);

@@ -11,16 +11,16 @@ namespace spangle::gl {
 struct BufferObject;
 
 struct ClientArray {
-    /// Not in line: there are many.
+    /// Out of line: a context constructs many arrays, and each copy of the code would cost bytes.
     [[gnu::noinline]] constexpr explicit ClientArray(GLint components = 4, GLenum component = GL_FLOAT)
         : size(components), type(component) {}
 
     bool enabled = false;
     GLint size;
     GLenum type;
-    GLsizei stride = 0;             ///< as given; 0 = packed
-    const void* pointer = nullptr;  ///< in a buffer: the offset
-    BufferObject* buffer = nullptr; ///< null: client memory
+    GLsizei stride = 0;             ///< bytes from one element to the next, as given; 0: packed
+    const void* pointer = nullptr;  ///< an address, or the offset in `buffer`
+    BufferObject* buffer = nullptr; ///< null: the array lies in client memory
 
     bool on() const { return enabled && pointer != nullptr; }
 };
@@ -34,7 +34,7 @@ struct ArraysState {
     bool buffered = false; ///< some array may lie in a buffer
 };
 
-/// Calls f(array) for each.
+/// Calls f(array) for each array.
 template <class Arrays, class F> void each_array(Arrays& arrays, F f) {
     for (auto* array : {&arrays.vertex, &arrays.normal, &arrays.color, &arrays.index, &arrays.edge_flag,
                         &arrays.fog_coord, &arrays.secondary_color})
@@ -43,18 +43,18 @@ template <class Arrays, class F> void each_array(Arrays& arrays, F f) {
         f(array);
 }
 
-/// What holds for all of them.
+/// The bindings and modes that no vertex array object holds.
 struct ArrayBindings {
     BufferObject* array_buffer = nullptr;
-    GLuint client_active = 0; ///< the unit whose array commands and queries name
-    /// The same; where there is one unit only the compiler knows it.
+    GLuint client_active = 0; ///< the unit whose array commands and queries refer to
+    /// The unit of client_active; a constant 0 where the build has one unit.
     GLuint client_unit() const { return texture_units > 1 ? client_active : 0; }
     GLuint restart_index = 0;
     bool restart = false; ///< PRIMITIVE_RESTART
 #if SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS
-    GLuint vertex_array = 0; ///< its name: Context::arrays is what it holds now
-    NameTable vertex_arrays; ///< to ArraysState of those that are not bound
-    void* unnamed = nullptr; ///< the same of name 0
+    GLuint vertex_array = 0; ///< name of the bound object, whose arrays are in Context::arrays
+    NameTable vertex_arrays; ///< names to ArraysState, which is current only while the object is not bound
+    void* unnamed = nullptr; ///< ArraysState of name 0, likewise
 #endif
 };
 

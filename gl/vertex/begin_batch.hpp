@@ -1,4 +1,4 @@
-// How a primitive begins and begins anew: by the engine, and for the wrappers of vertices.
+// Begins and restarts a primitive: in the engine, and in the gate that the wrappers of vertex commands ask.
 #pragma once
 
 #include "gl/context/batches.hpp"
@@ -6,15 +6,15 @@
 
 namespace spangle::gl {
 
-/// The primitive of Context::primitive begins. Wrappers do not even read its vertices where its band leaves
-/// it out.
+/// Begins a primitive of the mode Context::primitive. Where the band at hand leaves the primitive out, the
+/// gate keeps the wrappers from reading its vertices.
 inline void begin_batch(Context& context) {
     context.engine->begin(context, context.primitive);
     const unsigned others = context.gate & ~unsigned{gate_left_out};
     context.gate = static_cast<std::uint8_t>(leaves_out(context) ? others | gate_left_out : others);
 }
 
-/// End and Begin of the same primitive.
+/// Ends the primitive and begins another one of the same mode.
 inline void restart(Context& context) {
     context.engine->end(context);
     begin_batch(context);

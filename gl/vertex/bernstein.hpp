@@ -1,6 +1,6 @@
-// Bezier curves and surfaces as sums of weighted control points, in words under one exponent: weights are off
-// by 2^-30 each, and sums round once. So a value is within (order + 2) 2^-28 of the largest control point,
-// and end points are exact (GL 1.3, 5.1).
+// Bezier curves and surfaces as sums of weighted control points, in words under one exponent (GL 1.3, 5.1).
+// Each weight is off by up to 2^-30, and each sum is rounded once. So the error of a value is at most
+// (order + 2) 2^-28 of the largest control point, and end points are exact.
 #pragma once
 
 #include "gl/vertex/eval_state.hpp"
@@ -8,7 +8,7 @@
 
 namespace spangle::gl {
 
-/// Arithmetic in one place each: maps are not worth the bytes of many copies.
+/// Each operation exists once, out of line: evaluators are not worth the bytes of many copies.
 namespace evaluation {
 
 [[gnu::noinline]] inline numeric::Block add(numeric::Block a, numeric::Block b) {
@@ -32,12 +32,13 @@ inline numeric::Block sub(numeric::Block a, numeric::Block b) {
 
 } // namespace evaluation
 
-/// A place in a domain, from 0 to 1, and what is left to 1.
+/// A place in a domain as a fraction t, from 0 to 1, and its rest, 1 - t.
 struct EvalPlace {
     numeric::Block t, rest;
 };
 
-/// 0 and 1 are exact at both ends of the domain, since quotients are that can be.
+/// The place of a coordinate in its domain. At both ends 0 and 1 are exact, since a quotient that is a block
+/// number is exact.
 [[gnu::noinline]] inline EvalPlace place_in(const EvalMap::Side& side, Real at) {
     const numeric::Block from = evaluation::load(side.from), to = evaluation::load(side.to),
                          here = evaluation::load(at), width = evaluation::sub(to, from);
@@ -45,8 +46,8 @@ struct EvalPlace {
             evaluation::div(evaluation::sub(to, here), width)};
 }
 
-/// What each control point of a curve counts for at a place: its Bernstein polynomial, and the derivative of
-/// that without its factor, the degree; w[i] 2^exponent.
+/// The weights of a curve's control points at a place, w[i] 2^exponent. `value` holds the Bernstein
+/// polynomials, `slope` their derivatives divided by the degree.
 struct EvalWeights {
     struct Words {
         std::int32_t w[max_eval_order] = {};
@@ -56,7 +57,7 @@ struct EvalWeights {
 
 namespace evaluation {
 
-/// n of them as words under one exponent, the largest of `bits` bits.
+/// Makes n weights words under one exponent; the largest has `bits` bits.
 [[gnu::noinline]] inline EvalWeights::Words words(const std::int64_t* w, GLint n, std::int32_t exponent,
                                                   int bits) {
     std::uint64_t any = 0;
@@ -71,7 +72,7 @@ namespace evaluation {
     return out;
 }
 
-/// w m / 2^30, |m| <= 2^30.
+/// The product w m / 2^30, for |m| <= 2^30.
 inline std::int64_t part(std::int64_t w, std::int32_t m) {
     constexpr std::int32_t low = (1 << 30) - 1;
     return numeric::mul_s32(static_cast<std::int32_t>(w >> 30), m) +
@@ -80,11 +81,11 @@ inline std::int64_t part(std::int64_t w, std::int32_t m) {
 
 } // namespace evaluation
 
-/// By the recurrence of the polynomials, with 15 bits more than are left at the end. Inside of the domain
-/// all weights are one together, and those of slopes at most two: sums of them and of points fit 63 bits.
-/// Outside they have two bits less.
+/// Computes weights by the recurrence of Bernstein polynomials, with 15 bits more than the result keeps.
+/// Inside the domain the weights of a value add up to 1 and those of a slope to at most 2, so that sums of
+/// weighted points fit 63 bits. Outside the domain weights have two bits less.
 [[gnu::noinline]] inline EvalWeights weights_of(GLint order, const EvalPlace& at) {
-    constexpr int start = 52; // each step is at most twice as large
+    constexpr int start = 52; // fraction bits of the first weight; a step at most doubles a weight
     std::int64_t w[max_eval_order] = {std::int64_t{1} << start};
     const std::int32_t m[2] = {at.t.m, at.rest.m}, e[2] = {at.t.e, at.rest.e};
     std::int32_t by[2] = {};
@@ -111,8 +112,8 @@ inline std::int64_t part(std::int64_t w, std::int32_t m) {
 
 namespace evaluation {
 
-/// A sum of weighted points. What has no weight has no say in it: an end is exact, and an edge of a surface
-/// is the same in all that share its points.
+/// The sum of weighted points. A point of weight 0 does not even count for the common exponent: so end points
+/// are exact, and surfaces that share the points of an edge share the edge.
 [[gnu::noinline]] inline numeric::Block combine(const numeric::Block* p, const EvalWeights::Words& by,
                                                 GLint n) {
     constexpr std::int32_t none = -0x10000;
@@ -129,19 +130,19 @@ namespace evaluation {
 
 } // namespace evaluation
 
-/// A component of a surface, and its derivatives with respect to the places, each without its degree.
+/// A component of a surface, and its derivatives in u and v by place, each divided by its degree.
 struct EvalSurface {
     numeric::Block value, u, v;
 };
 
-/// A surface at one v: of each component the curve in u that is left, and its derivative in v.
+/// A surface at one v: for each component the control points of the curve in u, and their derivatives in v.
 struct EvalRow {
     Real at{};
     bool known = false;
     numeric::Block value[4][max_eval_order], slope[4][max_eval_order];
 };
 
-/// Component c of k. A curve is a surface whose order in v is 1.
+/// Reduces component c, of k, to the curve in u at the place in v. A curve is a surface of order 1 in v.
 [[gnu::noinline]] inline void reduce(const EvalMap& map, unsigned c, unsigned k, const EvalWeights& v,
                                      bool slopes, numeric::Block (&value)[max_eval_order],
                                      numeric::Block (&slope)[max_eval_order]) {
@@ -157,7 +158,7 @@ struct EvalRow {
     }
 }
 
-/// What is left of it at u.
+/// A component of the surface at a place in u, from the curve that reduce() made.
 inline EvalSurface evaluate_row(const numeric::Block (&value)[max_eval_order],
                                 const numeric::Block (&slope)[max_eval_order], GLint order,
                                 const EvalWeights& u, bool slopes) {

@@ -11,11 +11,12 @@ struct Context;
 
 struct BufferObject {
     GLuint name = 0;
-    std::uint32_t references = 0; ///< bindings, of all contexts of the share group, that hold it
-    bool deleted = false;         ///< its name is free again; the last binding keeps it
+    std::uint32_t references = 0; ///< bindings that hold the buffer, in all contexts of the share group
+    bool deleted = false;         ///< the name is free again; the buffer goes with its last binding
     std::uint8_t* bytes = nullptr;
     std::size_t size = 0;
-    bool constant = false; ///< the program's memory, which is not written: a mesh in flash costs no copy
+    bool constant =
+        false; ///< `bytes` is the program's memory and never written: a mesh in flash needs no copy
     GLenum usage = GL_STATIC_DRAW;
     GLenum access = GL_READ_WRITE;
     bool mapped = false;
@@ -23,11 +24,11 @@ struct BufferObject {
     std::size_t map_offset = 0, map_length = 0;
 };
 
-/// Binds an object, or null. One that was deleted goes with its last binding (GL 1.5, 2.9; D.1.2).
+/// Binds a buffer object, or null. A deleted object is freed with its last binding (GL 1.5, 2.9; D.1.2).
 void bind_buffer(Context& context, BufferObject*& binding, BufferObject* object);
-/// The array lies where GL_ARRAY_BUFFER is bound now.
+/// Makes the array lie in the buffer that is bound to GL_ARRAY_BUFFER now, or in client memory.
 void set_buffer(Context& context, ClientArray& array);
-/// What an array object binds.
+/// Adds or releases one reference to each buffer that a vertex array object binds.
 void hold_buffers(ArraysState& arrays);
 void release_buffers(Context& context, ArraysState& arrays);
 

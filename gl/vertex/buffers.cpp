@@ -97,7 +97,7 @@ BufferObject** binding_of(Context& context, GLenum target) {
     return target == GL_ELEMENT_ARRAY_BUFFER ? &context.arrays.element_buffer : nullptr;
 }
 
-/// The bound object; else the error is set and null comes back.
+/// The buffer that is bound to a target. Null: there is none, and the error is set.
 BufferObject* bound(Context& context, GLenum target) {
     BufferObject* const* const binding = binding_of(context, target);
     BufferObject* const buffer = binding != nullptr ? *binding : nullptr;
@@ -112,12 +112,13 @@ bool in_range(const BufferObject& buffer, GLintptr offset, GLsizeiptr size) {
            static_cast<std::size_t>(size) <= buffer.size - static_cast<std::size_t>(offset);
 }
 
-/// The rule for people; null where a pointer is wrong instead.
+/// The sentence that explains a range which leaves the buffer; null where the range is right and a pointer is
+/// wrong.
 [[maybe_unused]] const char* why_out_of_range(const BufferObject& buffer, GLintptr offset, GLsizeiptr size) {
     return in_range(buffer, offset, size) ? nullptr : SPANGLE_TEXT("offset and size leave the buffer");
 }
 
-/// Some byte of the range, which is in_range(), is mapped.
+/// Some byte of the range is mapped; the range is in_range().
 bool is_mapped(const BufferObject& buffer, GLintptr offset, GLsizeiptr size) {
     const auto begin = static_cast<std::size_t>(offset), end = begin + static_cast<std::size_t>(size);
     const std::size_t map_end = buffer.map_offset + buffer.map_length;
@@ -125,18 +126,18 @@ bool is_mapped(const BufferObject& buffer, GLintptr offset, GLsizeiptr size) {
            (begin > buffer.map_offset ? begin : buffer.map_offset) < (end < map_end ? end : map_end);
 }
 
-/// Why a buffer cannot be mapped, for people.
+/// The sentence that explains why a buffer cannot be mapped.
 [[maybe_unused]] const char* why_not_mapped(const BufferObject& buffer) {
     return buffer.mapped             ? SPANGLE_TEXT("the buffer is mapped already")
            : buffer.bytes == nullptr ? SPANGLE_TEXT("the buffer has no data")
                                      : SPANGLE_TEXT("constant memory is mapped for reading only");
 }
 
-bool is_usage(GLenum usage) { // STREAM, STATIC, DYNAMIC; each DRAW, READ, COPY
+bool is_usage(GLenum usage) { // tokens: STREAM, STATIC, DYNAMIC, 4 apart, each with DRAW, READ, COPY
     return usage >= GL_STREAM_DRAW && usage <= GL_DYNAMIC_COPY && (usage & 3) != 3;
 }
 
-/// The new store takes the old one's place, which is unmapped.
+/// Frees the data store of the buffer and gives it a new one, which is not mapped.
 void replace(Context& context, BufferObject& buffer, std::uint8_t* bytes, GLsizeiptr size, bool constant) {
     if (!buffer.constant)
         context.arena->free(buffer.bytes);
@@ -149,7 +150,7 @@ void replace(Context& context, BufferObject& buffer, std::uint8_t* bytes, GLsize
     buffer.map_offset = buffer.map_length = 0;
 }
 
-/// A buffer that is deleted leaves the bindings of this context, also those of arrays.
+/// Takes a deleted buffer out of the bindings of this context, also those of arrays (GL 1.5, 2.9).
 void forget(Context& context, const BufferObject* buffer) {
     const auto drop = [&](BufferObject*& binding) {
         if (binding == buffer)
@@ -239,7 +240,7 @@ void BufferData(Context& context, GLenum target, GLsizeiptr size, const void* da
     BufferObject* const buffer = bound(context, target);
     if (buffer == nullptr)
         return;
-    // The new store is there before the old one goes: without memory nothing has changed.
+    // The new store is allocated before the old one is freed: without memory nothing changes.
     auto* const bytes =
         static_cast<std::uint8_t*>(context.arena->allocate(size != 0 ? static_cast<std::size_t>(size) : 1));
     if (bytes == nullptr)
@@ -258,7 +259,7 @@ void BufferConstantDataSPANGLE(Context& context, GLenum target, GLsizeiptr size,
     if (size < 0 || data == nullptr)
         return error(context, GL_INVALID_VALUE);
     if (BufferObject* const buffer = bound(context, target); buffer != nullptr) {
-        // Never written: constant buffers refuse every way that would.
+        // The cast is safe: every command that would write into a constant buffer is refused.
         replace(context, *buffer, static_cast<std::uint8_t*>(const_cast<void*>(data)), size, true);
         buffer->usage = GL_STATIC_DRAW;
     }
@@ -336,7 +337,7 @@ void* MapBufferRange(Context& context, GLenum target, GLintptr offset, GLsizeipt
                                : GL_WRITE_ONLY);
 }
 
-/// Memory is one here: what was written is there, flushed or not.
+/// Checks its arguments only: program and GL use the same memory, so writes need no flush.
 void FlushMappedBufferRange(Context& context, GLenum target, GLintptr offset, GLsizeiptr length) {
     const BufferObject* const buffer = bound(context, target);
     if (buffer == nullptr)

@@ -6,10 +6,11 @@
 
 namespace spangle::gl {
 
-/// The current colour has changed while COLOR_MATERIAL is enabled: the tracked properties follow at once.
+/// Copies the current colour, which has changed, into the tracked material properties. Only for contexts in
+/// which COLOR_MATERIAL is enabled.
 void color_changed(Context& context);
 
-/// The same for every change.
+/// Called after every change of the current colour, whether COLOR_MATERIAL is enabled or not.
 inline void follow_color([[maybe_unused]] Context& context) {
 #if SPANGLE_FEATURE_LIGHTING
     if (has_color_material && context.lighting.color_material)

@@ -16,7 +16,7 @@ inline void set_texture(CurrentState& current, const ElementReader& reader, std:
         if (!reader.tex_coord[u].on())
             continue;
         Real(&v)[4] = current.tex_coord[u].v;
-        v[1] = v[2] = numeric::zero; // what the array leaves out
+        v[1] = v[2] = numeric::zero; // the values of components that the array leaves out
         v[3] = numeric::one;
         reader.tex_coord[u].read(index, v);
     }
@@ -25,16 +25,16 @@ inline void set_texture(CurrentState& current, const ElementReader& reader, std:
 inline void set_color_and_texture(Context& context, const ElementReader& reader, std::uint32_t index) {
     CurrentState& current = context.current;
     if (reader.color.on()) {
-        current.color[3] = numeric::one; // of three components
+        current.color[3] = numeric::one; // the alpha of an array of three components
         reader.color.read(index, current.color);
         follow_color(context);
     }
     set_texture(current, reader, index);
 }
 
-/// The current attributes, put back at the end: draws of arrays leave these as they were. GL leaves those of
-/// enabled arrays undefined (GL 1.3, 2.8); drivers keep all of them, and programs rely on that. Materials
-/// that follow the colour come back with it.
+/// Saves the current attributes and restores them when a draw of arrays ends. GL leaves the attributes of
+/// enabled arrays undefined (GL 1.3, 2.8), but drivers keep all of them, and programs rely on that. Materials
+/// that track the current colour are restored, too.
 class KeptAttributes {
   public:
     explicit KeptAttributes(Context& context) : context_(context) {
@@ -49,10 +49,11 @@ class KeptAttributes {
 
   private:
     Context& context_;
-    alignas(Real) unsigned char kept_[offsetof(CurrentState, raster)]; ///< all that vertices have
+    alignas(Real) unsigned char kept_[offsetof(CurrentState, raster)]; ///< all attributes of vertices,
+                                                                       ///< without the raster position
 };
 
-/// Of the arrays in ElementReader::seldom.
+/// Sets the current attributes from element `index` of the arrays in ElementReader::seldom.
 void set_seldom(CurrentState& current, const ArraysState& arrays, std::uint32_t index);
 
 inline void set_attributes(Context& context, const ElementReader& reader, std::uint32_t index) {

@@ -11,7 +11,7 @@ struct CurrentState {
     Real secondary_color[4] = {numeric::zero, numeric::zero, numeric::zero,
                                numeric::one}; ///< alpha never changes
     Real normal[3] = {numeric::zero, numeric::zero, numeric::one};
-    Real index = numeric::one; ///< as set; masked only in use
+    Real index = numeric::one; ///< as set; masked to the framebuffer's bits where it is used
     Real fog_coord = numeric::zero;
     bool edge_flag = true;
     struct TexCoord {

@@ -1,4 +1,4 @@
-// The lighting equation in double, term by term as GL 1.3, 2.13.1 prints it. Hosts only.
+// The lighting equation in double, term by term as GL 1.3, 2.13.1 states it. Hosts only.
 #pragma once
 
 #include <cmath>
@@ -80,7 +80,8 @@ class DoubleLighting {
     unsigned index_bits_ = 0;
     double normal_[9] = {}; ///< column-major
 
-    /// Colours of light become d_l and s_l, which the three sums make together (GL 1.3, 2.13.5).
+    /// The material that stands in where colours are indices: the sums of its three components are d_l and
+    /// s_l, .30 R + .59 G + .11 B of the light (GL 1.3, 2.13.5).
     static Material weighing(const Material& material) {
         Material out;
         constexpr double weight[3] = {.30, .59, .11};

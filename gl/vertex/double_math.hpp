@@ -1,5 +1,6 @@
-// The arithmetic of the vertex pipeline in double: the reference. The formulas as GL 1.3 writes them, the
-// state as it was set, and window positions snapped to the same n.8 grid. Hosts only.
+// The arithmetic of the vertex pipeline in double, the reference that FixedMath is compared with. It takes
+// formulas as GL 1.3 states them and state as it was set, and snaps window positions to the same n.8 grid.
+// Hosts only.
 #pragma once
 
 #include <cmath>
@@ -17,10 +18,10 @@ struct DoubleMath {
     using Eye = Clip;
     using Depth = double;
     using Point = Clip;
-    /// A place on an edge: so far from its nearer end, in parts of the edge.
+    /// A place on an edge: the distance from the nearer end, as a fraction of the edge's length.
     struct Parameter {
         double part;
-        bool from_second;
+        bool from_second; ///< the nearer end is the second one
     };
     struct Matrix {
         double m[4][4]; ///< row, column
@@ -75,7 +76,7 @@ struct DoubleMath {
             out.v[i] = a.m[i][0] * v[0] + a.m[i][1] * v[1] + a.m[i][2] * v[2] + a.m[i][3] * v[3];
         return out;
     }
-    /// Vertices take the way through clip coordinates, all of them.
+    /// Never divides a vertex by itself: in this policy every vertex goes through clip coordinates.
     template <int N> struct Projections {
         void add(int, const Transforms& t, const Real (&v)[4], Window& out, bool fog) {
             if (fog)
@@ -104,7 +105,7 @@ struct DoubleMath {
 
     struct Plane {
         double at[4] = {};
-        bool turned = false; ///< the plane is its complement
+        bool turned = false; ///< `at` is the complement of the plane that was given
     };
     using Distance = double;
 
@@ -131,8 +132,8 @@ struct DoubleMath {
         b = std::fabs(b);
         return {std::fmin(a, b) / (a + b), b < a};
     }
-    /// Where the edge from a, inside, to b meets a plane of the view volume: sums of minors, as integers have
-    /// it.
+    /// The point where the edge from a, which is inside, to b meets a plane of the view volume. Its
+    /// coordinates are sums of minors, as in FixedClipping::cut().
     static Point cut(const Point& a, const Point& b, int plane, int band, const Parameter&) {
         const int c = plane >> 1;
         const double s = (plane & 1) != 0 ? -1.0 : 1.0, k = plane < 4 ? band : 1;
@@ -174,18 +175,20 @@ struct DoubleMath {
             out.secondary[c] = mix(a.secondary[c], b.secondary[c], t);
     }
 
-    // --- numbers, for what is seldom asked of a vertex
+    // --- plain numbers, for what few vertices need: generated coordinates and normals
 
     using Scalar = double;
     static Scalar scalar(Real v) { return number(v); }
     static Scalar scalar(const Eye& v, int i) { return v.v[i]; }
     static Scalar rsqrt(Scalar v) { return v > 0.0 ? 1.0 / std::sqrt(v) : 0.0; }
 
-    /// What normals are multiplied with, column-major; RESCALE_NORMAL is in it.
+    /// The matrix that normals are multiplied with, column-major; it includes RESCALE_NORMAL
+    /// (GL 1.3, 2.10.3).
     static void normal_matrix(const TransformState& state, Scalar (&out)[9]) {
         const Matrix m = matrix(state.modelview.entry[state.modelview.top]);
         for (int j = 0; j < 3; ++j)
-            for (int i = 0; i < 3; ++i) { // cofactors, cyclic: the inverse transpose times the determinant
+            for (int i = 0; i < 3;
+                 ++i) { // cofactors with cyclic indices: the inverse transpose times the determinant
                 const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
                 out[3 * j + i] = m.m[i1][j1] * m.m[i2][j2] - m.m[i1][j2] * m.m[i2][j1];
             }
@@ -268,7 +271,7 @@ struct DoubleMath {
     static Depth fog_coordinate(const Window& v) { return v.fog; }
     static Depth fog_coordinate(Real coordinate) { return number(coordinate); }
 
-    /// In 255ths, as the integers have it.
+    /// The index takes the place of red, in 255ths, as in FixedMath::set_index().
     static void set_index(double index, unsigned bits, Window& out) {
         const double range = static_cast<double>(1u << bits), part = std::fmod(index, range);
         out.color[0] = std::fmin(part < 0.0 ? part + range : part, 256.0 - 0x1p-8) / 255.0;

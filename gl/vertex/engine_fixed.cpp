@@ -32,10 +32,10 @@ FixedPipeline& pipeline(Context& context) {
 #define OF_ENGINE
 #endif
 
-/// All that is not derived before it is used begins as 0, as the memory does: constructors, run in line,
-/// would clear it member by member.
+/// Does nothing: each member is either derived before it is used or begins as 0, and the memory is 0 already.
+/// An inline constructor would clear the pipeline member by member.
 void OF_ENGINE construct(void*) {
-    static_assert(std::is_trivially_copyable_v<FixedPipeline>); // bytes make one
+    static_assert(std::is_trivially_copyable_v<FixedPipeline>); // zero bytes are a valid pipeline
 }
 
 void OF_ENGINE compile(const raster::FragmentState& fragment, const raster::Surface& target,

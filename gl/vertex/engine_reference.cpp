@@ -1,4 +1,4 @@
-// The reference engines: the same pipeline over double, and over integers with a double twin beside them.
+// The reference engines: the pipeline over double, and over integers with a double twin beside each number.
 #include <new>
 
 #include "gl/context/features.hpp"

@@ -14,7 +14,8 @@ namespace spangle::gl {
 
 namespace {
 
-/// The larger of the targets from `first` to `last` that is on, or eval_targets.
+/// The last target from `first` to `last` that is enabled, or eval_targets where none is: the map with the
+/// most components counts (GL 1.3, 5.1).
 unsigned largest(const bool (&enabled)[eval_targets], unsigned first, unsigned last) {
     for (unsigned t = last; t >= first; --t)
         if (enabled[t])
@@ -22,14 +23,14 @@ unsigned largest(const bool (&enabled)[eval_targets], unsigned first, unsigned l
     return eval_targets;
 }
 
-/// The vertices of one EvalCoord command.
+/// Evaluates all enabled maps at one place, for one EvalCoord command.
 class Evaluation {
   public:
-    /// `row`: of the map of vertices, kept from one to the next.
+    /// `row`: the vertex map reduced at this v, kept from one vertex of a row to the next; null: not kept.
     Evaluation(Context& context, unsigned dimension, Real u, Real v, EvalRow* row = nullptr)
         : context_(context), dimension_(dimension), at_{u, v}, row_(row) {}
 
-    /// A vertex with what the maps say instead of current values, which stay (GL 1.3, 5.1).
+    /// Gives a vertex with the values of the maps. The current values stay what they were (GL 1.3, 5.1).
     void run() {
         const bool(&on)[eval_targets] = context_.eval.enabled[dimension_];
         const unsigned vertex = largest(on, eval_vertex_3, eval_vertex_4);
@@ -45,7 +46,7 @@ class Evaluation {
             p[c] = evaluation::store(at[c].value);
         cmd::Vertex(context_, p[0], p[1], p[2], p[3]);
         context_.current = before;
-        if (on[eval_color]) // the material goes back, too
+        if (on[eval_color]) // a tracked material is restored, too
             follow_color(context_);
     }
 
@@ -69,13 +70,13 @@ class Evaluation {
             values(eval_normal, current.normal);
         if (const unsigned texture = largest(on, eval_texture_1, eval_texture_4); texture != eval_targets) {
             Real(&strq)[4] = current.tex_coord[0].v;
-            strq[1] = strq[2] = numeric::zero; // what smaller maps leave out
+            strq[1] = strq[2] = numeric::zero; // the values of components that smaller maps leave out
             strq[3] = numeric::one;
             values(texture, strq);
         }
     }
 
-    /// All components of a target.
+    /// Evaluates all components of a target.
     [[gnu::noinline]] void evaluate(unsigned target, EvalSurface (&out)[4], bool slopes,
                                     EvalRow* row = nullptr) const {
         const EvalMap& map = map_of(context_, dimension_, target);
@@ -113,15 +114,15 @@ class Evaluation {
             out[c] = evaluation::store(at[c].value);
     }
 
-    /// dq/du x dq/dv, normalised, with q = p, or xyz / w of four components: there the derivative of the
-    /// quotient without its positive factor 1 / w^2.
+    /// Sets the normal to dq/du x dq/dv, normalised (GL 1.3, 5.1). q is the point p, or xyz / w where p has
+    /// four components; the derivatives of that quotient go without their positive factor 1 / w^2.
     [[gnu::noinline]] void auto_normal(unsigned vertex, EvalSurface (&p)[4]) {
         for (int c = 0; c < 3 && vertex == eval_vertex_4; ++c) {
             p[c].u = quotient_slope(p[c], p[c].u, p[3], p[3].u);
             p[c].v = quotient_slope(p[c], p[c].v, p[3], p[3].v);
         }
         const EvalMap& map = map_of(context_, dimension_, vertex);
-        // Slopes are of places from 0 to 1: they turn with a domain that runs backwards.
+        // Slopes are derivatives by places from 0 to 1, so a domain that runs backwards turns their sign.
         const bool turned = (map.side[0].to < map.side[0].from) != (map.side[1].to < map.side[1].from);
         const numeric::Block3 along_u = numeric::to_block(p[0].u, p[1].u, p[2].u),
                               along_v = numeric::to_block(p[0].v, p[1].v, p[2].v);
@@ -137,7 +138,7 @@ class Evaluation {
     }
 };
 
-/// Point i of n segments over a domain; both ends are exact (GL 1.3, 5.1).
+/// The coordinate of grid point i of n segments over a domain; both ends are exact (GL 1.3, 5.1).
 [[gnu::noinline]] Real grid_point(Real from, Real to, GLint n, GLint i) {
     if (i == 0)
         return from;
@@ -161,20 +162,21 @@ void grid_vertex(Context& context, GLint i) {
         .run();
 }
 
-/// Without a map of vertices a mesh has none, however many points are asked for.
+/// A map of vertices is enabled. Without one, a mesh has no vertices, however many points it asks for.
 bool has_vertices(const Context& context, unsigned dimension) {
     return largest(context.eval.enabled[dimension], eval_vertex_3, eval_vertex_4) != eval_targets;
 }
 
-/// Two rows of a mesh beside each other, where there is room for them: a vertex is a point of a curve then.
+/// The maps of two neighbouring rows of a mesh, reduced to curves, so that each vertex is a point of a curve.
+/// Builds without shortcuts have no room for them.
 struct MeshRows {
     static constexpr int kept = raster::has_shortcuts ? 2 : 0;
     EvalRow at[kept == 0 ? 1 : kept];
     EvalRow* row(GLint j) { return kept == 0 ? nullptr : at + (j & 1); }
 };
 
-/// The points first to last of row j, each with the one of the row behind it where quads are made; or of
-/// column j. A primitive each, but all rows of points are one.
+/// Draws points `first` to `last` of row j, or of column j, as a primitive of its own. A strip of quads takes
+/// the points of row j + 1, too. All rows of points belong to one primitive, which the caller begins.
 [[gnu::noinline]] void strip(Context& context, GLenum mode, GLint first, GLint last, GLint j, bool column,
                              MeshRows& rows) {
     if (mode != GL_POINTS)

@@ -13,7 +13,8 @@ namespace spangle::gl {
 
 namespace {
 
-/// Appends one value; the client's buffer need not be aligned. Behind its end it is only counted as lost.
+/// Appends one value to the client's buffer, which need not be aligned. Sets `overflow` where the buffer is
+/// full.
 void feed(FeedbackState& f, Real value) {
     if (f.written == f.size) {
         f.overflow = true;

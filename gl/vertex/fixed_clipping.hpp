@@ -1,5 +1,6 @@
-// Where edges meet planes, in integers (GL 1.3, 2.11). Vertices that are clipped may lie anywhere that floats
-// reach, beside others that lie in the window: coordinates have exponents of their own and 60 bits here.
+// Computes where edges meet planes, in integers (GL 1.3, 2.11). A vertex that is clipped may lie anywhere
+// that floats reach, on an edge with one in the window: so each coordinate has its own exponent and 60 bits
+// here.
 #pragma once
 
 #include <cstdint>
@@ -10,21 +11,22 @@
 namespace spangle::gl {
 
 struct FixedClipping {
-    using Point = numeric::Wide4; ///< homogeneous, of a vertex while it is clipped
-    /// A place on an edge: so far from its nearer end, in parts of the edge. Attributes are mixed from that
-    /// end on, so that those which are the same at both ends stay what they are.
+    using Point = numeric::Wide4; ///< homogeneous coordinates of a vertex while it is clipped
+    /// A place on an edge: the distance from the nearer end, as a fraction of the edge's length. Attributes
+    /// are mixed starting from that end, so that a value equal at both ends stays exact.
     struct Parameter {
-        numeric::Wide part, inverse; ///< 1 / the sum of both ends' distances from the plane
-        numeric::Block t;            ///< part
-        std::int32_t q30;            ///< part, Q0.30
-        bool from_second;            ///< the nearer end is the second
+        numeric::Wide part, inverse; ///< the fraction, and 1 / the sum of both ends' distances from the plane
+        numeric::Block t;            ///< `part` as a block
+        std::int32_t q30;            ///< `part` as Q0.30
+        bool from_second;            ///< the nearer end is the second one
     };
 
-    /// Planes 0..5 are left, right, bottom, top, near, far; the first four of `band` (1 or 4) x the viewport.
+    /// Planes 0 to 5 are left, right, bottom, top, near, far. The first four bound an area of `band` (1 or 4)
+    /// times the viewport's width and height.
     static constexpr int guard_band = 4;
     static int band_bits(int plane, int band) { return plane < 4 && band != 1 ? 2 : 0; }
 
-    /// The point lies outside of a plane: w plus or minus a coordinate is negative.
+    /// The point lies outside of a plane of the view volume: w plus or minus a coordinate is negative.
     static bool beyond(const Point& c, int plane, int band) {
         const numeric::Wide v = c[plane >> 1];
         return numeric::less(numeric::scale(c[3], band_bits(plane, band)),
@@ -36,7 +38,8 @@ struct FixedClipping {
                             (plane & 1) != 0 ? numeric::negate(v) : v);
     }
 
-    /// Where an edge meets a plane from which its ends have these distances, of different signs.
+    /// The place where an edge meets a plane. Its ends have distances a and b from the plane, with different
+    /// signs.
     static Parameter intersect(numeric::Wide a, numeric::Wide b) {
         a = numeric::abs(a);
         b = numeric::abs(b);
@@ -49,10 +52,11 @@ struct FixedClipping {
         return p;
     }
 
-    /// The point in which the edge from a, inside, to b meets a plane of the view volume: (-d_b a + d_a b) /
-    /// (d_a - d_b), where d is w k + s c. Each coordinate is a sum of minors a_i b_j - b_i a_j, which lose
-    /// nothing to cancellation; with -d_b and d_a multiplied out, an end that is 2^40 times as far off as the
-    /// other would leave nothing of the direction of the edge.
+    /// The point where the edge from a, which is inside, to b meets a plane of the view volume. It is
+    /// (-d_b a + d_a b) / (d_a - d_b), where the distance d of a point is k w + s c: k is the band, s = 1 or
+    /// -1, and c the plane's coordinate. Each coordinate is computed as a sum of minors a_i b_j - b_i a_j,
+    /// which lose nothing to cancellation. In the products with d_a and d_b, an end 2^40 times as far off as
+    /// the other would leave nothing of the edge's direction.
     [[gnu::noinline]] static Point cut(const Point& a, const Point& b, int plane, int band,
                                        const Parameter& p) {
         const int c = plane >> 1, up = band_bits(plane, band);
@@ -67,7 +71,7 @@ struct FixedClipping {
         Point out;
         const numeric::Wide w = signed_minor(3);
         out.set(3, w);
-        const numeric::Wide rim = numeric::scale(w, up); // on the plane to the last bit
+        const numeric::Wide rim = numeric::scale(w, up); // the point lies on the plane to the last bit
         out.set(c, minus ? rim : numeric::negate(rim));
         for (int j = 0; j < 3; ++j)
             if (j != c)
@@ -92,12 +96,13 @@ struct FixedClipping {
             out.set(i, numeric::add(from[i], numeric::mul(numeric::sub(to[i], from[i]), p.part)));
         return out;
     }
-    /// Words of an attribute that differ by less than 2^31.
+    /// Mixes n words of an attribute; the words of both ends differ by less than 2^31.
     SPANGLE_RUN_INLINE static void mix_words(int n, const std::uint32_t* a, const std::uint32_t* b,
                                              const Parameter& p, std::uint32_t* out) {
         const std::uint32_t *const from = p.from_second ? b : a, *const to = p.from_second ? a : b;
         for (int c = 0; c < n; ++c) {
-            const auto d = static_cast<std::int32_t>(to[c] - from[c]); // 28 bits, times 30
+            const auto d =
+                static_cast<std::int32_t>(to[c] - from[c]); // colours: 28 bits, and 30 of the factor
             out[c] = static_cast<std::uint32_t>(static_cast<std::int64_t>(from[c]) +
                                                 ((numeric::mul_s32(d, p.q30) + (1 << 29)) >> 30));
         }

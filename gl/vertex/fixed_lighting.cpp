@@ -22,36 +22,36 @@ std::int32_t intensity(Real v) {
         to[c] = intensity(from[c]);
 }
 
-/// Product of two intensities, saturated.
+/// The product of two intensities, saturated.
 std::int32_t times(std::int32_t a, std::int32_t b) {
     return numeric::saturate_i32((numeric::mul_s32(a, b) + (1 << (intensity_bits - 1))) >> intensity_bits);
 }
 
-/// Intensity times a factor of Q2.30 (0 .. 4): 44 fraction bits, |result| <= 2^57, so that all terms of all
-/// lights fit.
+/// An intensity times a factor of Q2.30 (0 to 4). The product has 44 fraction bits and is at most 2^57, so
+/// that the terms of all lights fit 64 bits.
 std::int64_t weighted(std::int32_t intensity, std::uint32_t factor) {
     return (static_cast<std::int64_t>(intensity) * factor) >> 6;
 }
 
-/// Sums of a light's colours.
+/// Adds a light's colours, times a factor with 30 fraction bits, to the sums.
 SPANGLE_RUN_INLINE void add_weighted(const std::int32_t (&light)[3], std::uint32_t factor,
                                      std::int64_t (&sum)[3]) {
     for (int c = 0; c < 3; ++c)
         sum[c] += weighted(light[c], factor);
 }
 
-/// a * b of factors with 30 fraction bits, saturated below 4.
+/// The product of two factors with 30 fraction bits, saturated below 4.
 std::uint32_t scaled(std::uint32_t a, std::uint32_t b) {
     const std::uint64_t p = (numeric::mul_u32(a, b) + (1u << 29)) >> 30;
     return p > 0xFFFFFFFFu ? 0xFFFFFFFFu : static_cast<std::uint32_t>(p);
 }
 
-/// max(v, 0) of a cosine.
+/// max(cosine, 0).
 std::uint32_t positive(std::int32_t cosine) {
     return cosine < 0 ? 0u : static_cast<std::uint32_t>(cosine);
 }
 
-/// A non-negative block as factor with 30 fraction bits, below 4.
+/// A block as a factor with 30 fraction bits; 0 where it is negative, saturated below 4.
 std::uint32_t to_factor(numeric::Block v) {
     if (v.m <= 0)
         return 0;
@@ -59,14 +59,14 @@ std::uint32_t to_factor(numeric::Block v) {
     return static_cast<std::uint32_t>(half) << 1;
 }
 
-/// What attenuation and spot leave of a light: factor * 2^shift. A divisor below 1 makes a light brighter, as
-/// bright as the program likes (GL 1.3, 2.13.1).
+/// The strength factor * 2^shift that attenuation and spot leave of a light. A divisor below 1 makes a light
+/// brighter without a bound (GL 1.3, 2.13.1).
 struct Strength {
     std::uint32_t factor = 1u << factor_bits;
     int shift = 0;
 };
 
-constexpr int term_bits = 57; ///< of the largest term of a sum
+constexpr int term_bits = 57; ///< the largest term of a sum is 2^term_bits
 
 Strength to_strength(numeric::Block v) {
     if (v.m <= 0)
@@ -77,7 +77,7 @@ Strength to_strength(numeric::Block v) {
     return {to_factor(v), shift};
 }
 
-/// Adds intensities times factor * 2^shift; each term is saturated, so that all of them fit.
+/// Adds a light's colours, times factor * 2^shift, to the sums. Each term is saturated, so that the sums fit.
 void add_strong(const std::int32_t (&light)[3], std::uint32_t factor, int shift, std::int64_t (&sum)[3]) {
     if (shift == 0)
         return add_weighted(light, factor, sum);
@@ -88,13 +88,13 @@ void add_strong(const std::int32_t (&light)[3], std::uint32_t factor, int shift,
     }
 }
 
-/// A sum, clamped to 0..1, in colour units.
+/// A sum as a colour: clamped to 0..1, in colour units.
 SPANGLE_RUN_CALL std::uint32_t to_color(std::int64_t sum) {
     const std::int64_t c = numeric::clamp<std::int64_t>(sum, 0, std::int64_t{1} << sum_bits);
     return FixedMath::color_units(static_cast<std::uint32_t>((c + (1 << 13)) >> (sum_bits - 30)));
 }
 
-/// n . u with 30 fraction bits, not below 0 and below 4.
+/// max(n . u, 0) with 30 fraction bits, saturated below 4.
 std::uint32_t cosine(const std::int32_t (&n)[3], int fraction_bits, const numeric::Unit3& u) {
     const std::int64_t sum =
         numeric::mul_s32(n[0], u.m[0]) + numeric::mul_s32(n[1], u.m[1]) + numeric::mul_s32(n[2], u.m[2]);
@@ -104,7 +104,8 @@ std::uint32_t cosine(const std::int32_t (&n)[3], int fraction_bits, const numeri
     return d > 0xFFFFFFFF ? 0xFFFFFFFFu : static_cast<std::uint32_t>(d);
 }
 
-/// (n . h)^shininess; a cosine above 1 is rounding or an unnormalised normal and counts as 1.
+/// cosine^exponent, with 30 fraction bits. A cosine above 1 comes from rounding or an unnormalised normal and
+/// counts as 1. `exponent`: as numeric::power_exponent() gives it.
 std::uint32_t shine(std::uint32_t cosine, std::uint32_t exponent) {
     constexpr std::uint32_t one = 1u << factor_bits;
     return static_cast<std::uint32_t>(
@@ -115,10 +116,11 @@ numeric::Unit3 half_vector(const numeric::Unit3& to_light, const numeric::Unit3&
     return numeric::normalize(numeric::add(numeric::to_block(to_light), numeric::to_block(to_eye)));
 }
 
-/// Plain lighting: cosines with 29 fraction bits in a signed word, sums of 49.
+/// Plain lighting (see FixedLighting::Fold::plain) has cosines with 29 fraction bits in a signed word, and
+/// sums with 49 fraction bits.
 constexpr int plain_factor_bits = 29, plain_sum_bits = intensity_bits + plain_factor_bits;
 
-/// v * 2^(e + plain_factor_bits), 0 for what is not positive, below 4.
+/// v 2^e as a factor of plain lighting; 0 where v is not positive, saturated below 4.
 std::int32_t plain_factor(std::int32_t v, std::int32_t e) {
     const std::int32_t up = e + plain_factor_bits;
     if (v <= 0 || up < -31)
@@ -128,7 +130,8 @@ std::int32_t plain_factor(std::int32_t v, std::int32_t e) {
     return up < numeric::clz32(static_cast<std::uint32_t>(v)) ? v << up : 0x7FFFFFFF;
 }
 
-/// Of a sum that has half a unit already.
+/// A sum of plain lighting as a colour: clamped to 0..1, in colour units. The sum includes half a unit
+/// already.
 std::uint32_t plain_color(std::int64_t sum) {
     const auto high = static_cast<std::uint32_t>(static_cast<std::uint64_t>(sum) >> 32);
     if (high >> (plain_sum_bits - 32) != 0) // 1 and more, or negative
@@ -136,7 +139,8 @@ std::uint32_t plain_color(std::int64_t sum) {
     return FixedMath::color_units(static_cast<std::uint32_t>(sum >> (plain_sum_bits - 30)));
 }
 
-/// N^T u: n . u of normals as they are given is their product with it.
+/// N^T u, with the normal matrix N: its product with a normal as given is the product of u with the normal in
+/// eye space.
 numeric::BlockRow3 in_object_space(const numeric::NormalMatrix& normal, const numeric::Unit3& u,
                                    const numeric::Columns<3>& column) {
     numeric::Block v[3], along[3];
@@ -147,8 +151,8 @@ numeric::BlockRow3 in_object_space(const numeric::NormalMatrix& normal, const nu
     return numeric::to_block_row(v, column);
 }
 
-/// What stands in for the material where colours are indices: the sums of the colours of light are then those
-/// of d_l and s_l, .30 R + .59 G + .11 B (GL 1.3, 2.13.5).
+/// The material that stands in where colours are indices: the sums of its three components are d_l and s_l,
+/// .30 R + .59 G + .11 B of the light (GL 1.3, 2.13.5).
 Material weighing(const Material& material) {
     Material out;
     constexpr Real weight[3] = {{0x3E99999A}, {0x3F170A3D}, {0x3DE147AE}};
@@ -169,13 +173,14 @@ void FixedLighting::derive(const Context& context, unsigned dirty) {
         derive_lights(context);
     else if ((dirty & dirty_materials) != 0)
         folded_ = false;
-    // Unit normals need nothing that lies between a light and the matrix.
+    // Where normals are made unit, no product of a light and the normal matrix is kept: lights alone may
+    // change.
     const unsigned asked = dirty_matrices | dirty_others | (normalizes() ? dirty_none : dirty_lights);
     if (on_ && (dirty & asked) != 0)
         derive_normals(context.transform);
 }
 
-/// Everything that no matrix changes: lights lie in eye space.
+/// Derives everything that does not depend on the matrices. Lights do not, since they lie in eye space.
 void FixedLighting::derive_lights(const Context& context) {
     const LightingState& state = context.lighting;
     on_ = state.lighting;
@@ -202,10 +207,10 @@ void FixedLighting::derive_lights(const Context& context) {
     }
 }
 
-/// The matrix of normals, and what normals as they are given are multiplied with.
+/// Derives the normal matrix, and each light's `facing`, which normals as given are multiplied with.
 void FixedLighting::derive_normals(const TransformState& transform) {
     const numeric::NormalMatrix normal = FixedMath::normal_matrix(transform);
-    if constexpr (always_given) { // what is multiplied with normals is each light's `facing`
+    if constexpr (always_given) { // normals are multiplied with each light's `facing` only
         normal_matrix_.column = numeric::detail::column_exponents<3, 3>(normal.at);
     } else {
         normal_matrix_ = numeric::to_block_matrix(normal);
@@ -223,7 +228,7 @@ void FixedLighting::derive_source(const Light& light, Source& out) const {
     set_intensities(light.ambient, out.ambient);
     set_intensities(light.diffuse, out.diffuse);
     const Real(&p)[4] = light.position;
-    // Without w, which may be so small beside x, y and z that it would vanish in their common exponent.
+    // x, y and z get a common exponent without w, which may be so small that it would vanish under it.
     const numeric::Block3 position = numeric::to_block(p[0], p[1], p[2]);
     if (has_specular)
         set_intensities(light.specular, out.specular);
@@ -293,12 +298,12 @@ void FixedLighting::fold_side(const Material& material, Fold& out) const {
         out.plain_base[c] =
             std::int64_t{out.base[c]} * (1 << plain_factor_bits) + (std::int64_t{1} << (plain_sum_bits - 31));
     }
-    // Eight products with 31 bits each, and the base, stay below 2^63.
+    // With diffuse below 2^28 the base and eight products with factors of 31 bits stay below 2^63.
     out.plain = all_simple_ && !out.has_specular && (!normalizes() || common_rows_) && brightest < 1u << 28 &&
                 !indexed();
 }
 
-/// A light of (n . l) = factor.
+/// Adds a light's diffuse colour times n . l, which is `factor`, to the sums of plain lighting.
 SPANGLE_RUN_INLINE void FixedLighting::add_factor(const std::int32_t (&diffuse)[3], std::int32_t factor,
                                                   std::int64_t (&sum)[3]) {
 #pragma GCC unroll numeric::runs_inline ? 3 : 1
@@ -306,8 +311,7 @@ SPANGLE_RUN_INLINE void FixedLighting::add_factor(const std::int32_t (&diffuse)[
         sum[c] += numeric::mul_s32(diffuse[c], factor);
 }
 
-/// n . l of plain lighting. With normals as they are given it is (N^T l) . n, with unit normals
-/// (N n) . l / |N n|.
+/// n . l of plain lighting: (N^T l) . n with normals as given, (N n) . l / |N n| with normals made unit.
 SPANGLE_INLINE std::int32_t FixedLighting::facing(const Source& source, const PlainNormal& n, bool unit,
                                                   int side) {
     const std::int32_t along = unit ? static_cast<std::int32_t>(
@@ -319,7 +323,7 @@ SPANGLE_INLINE std::int32_t FixedLighting::facing(const Source& source, const Pl
     return plain_factor(seen, n.e + source.facing.e + 1);
 }
 
-/// base + sum of (n . l) * diffuse.
+/// Sets the colour of plain lighting: base + sum of (n . l) * diffuse over the lights.
 SPANGLE_INLINE void FixedLighting::add_plain(int side, raster::FixedVertex& out, const PlainNormal& n,
                                              bool unit) const {
     const Fold& fold = fold_[side];
@@ -346,7 +350,8 @@ void FixedLighting::light_given(const Real (&normal)[3], int side, raster::Fixed
     add_plain(side, out, {{n.m[0], n.m[1], n.m[2]}, n.e, 0}, false);
 }
 
-/// False: a normal so short beside the matrix that its direction needs more care.
+/// Plain lighting with a normal that is made unit. False: nothing was lit, since the product of matrix and
+/// normal is so short that its direction would be inexact; light_fully() does it.
 bool FixedLighting::light_unit(const Real (&normal)[3], int side, raster::FixedVertex& out) const {
     const numeric::Mantissas<3> loaded = numeric::load(normal_matrix_.column, normal);
     PlainNormal n;
@@ -356,7 +361,7 @@ bool FixedLighting::light_unit(const Real (&normal)[3], int side, raster::FixedV
         n.m[i] = numeric::row_times<3>(normal_matrix_.m + 3 * i, loaded.m);
         square += static_cast<std::uint64_t>(numeric::mul_s32(n.m[i], n.m[i]));
     }
-    const int zeros = numeric::clz64(square) & ~1; // at least 4
+    const int zeros = numeric::clz64(square) & ~1; // at least 4, even
     if (zeros > 16)
         return false;
     const std::uint32_t r = numeric::rsqrt(numeric::low_word_after(
@@ -396,8 +401,8 @@ void FixedLighting::add_directional(const Source& source, const Fold& fold, int 
                  specular);
 }
 
-/// Positional lights, spots, and every light under a local viewer. Of the others it makes what
-/// add_directional() does.
+/// Adds a light of any kind: positional lights, spots, and all lights under a local viewer need it. For other
+/// lights the result is that of add_directional().
 void FixedLighting::add_general(const Source& source, const Fold& fold, int i, const numeric::Block3& to_eye,
                                 const Direction& n, Sum (&primary)[3], Sum (&specular)[3]) const {
     numeric::Unit3 to_light = source.to_light;
@@ -441,7 +446,7 @@ void FixedLighting::light_fully(const Real (&normal)[3], const numeric::Block4& 
     Sum primary[3], specular[3] = {0, 0, 0};
     for (int c = 0; c < 3; ++c)
         primary[c] = std::int64_t{fold.base[c]} * (1 << (sum_bits - intensity_bits));
-    numeric::Block3 to_eye; // from the vertex
+    numeric::Block3 to_eye; // the vector from the vertex to the eye
     if (needs_eye())
         to_eye =
             numeric::negate(numeric::mul(numeric::xyz(eye), numeric::reciprocal(numeric::component(eye, 3))));
@@ -463,7 +468,8 @@ void FixedLighting::light_fully(const Real (&normal)[3], const numeric::Block4& 
     out.color[3] = fold.alpha;
 }
 
-/// a_m + d (1 - s') (d_m - a_m) + s' (s_m - a_m), s_m at most; s' is s, 1 at most.
+/// Sets the index a_m + d (1 - s') (d_m - a_m) + s' (s_m - a_m), at most s_m, where s' = min(s, 1) (GL 1.3,
+/// 2.13.5).
 void FixedLighting::set_index(const Fold& fold, const Sum (&primary)[3], const Sum (&specular)[3],
                               raster::FixedVertex& out) const {
     using Number = FixedMath::Scalar;

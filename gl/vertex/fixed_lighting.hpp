@@ -1,7 +1,8 @@
 // The lighting equation in integers (GL 1.3, 2.13.1).
 //
-// Intensities have 20 fraction bits (range 2^11; the spec asks 2^10 before the clamp), cosines and factors
-// 30, sums 44 in 64 bits. What does not depend on the vertex is folded when lights or materials change.
+// Intensities have 20 fraction bits (range 2^11; GL asks for 2^10 before the clamp), cosines and factors have
+// 30, and sums have 44 in 64 bits. Products that do not depend on the vertex are computed when lights or
+// materials change (Fold).
 #pragma once
 
 #include <cstdint>
@@ -15,28 +16,28 @@ namespace spangle::gl {
 class FixedLighting {
   public:
     struct Input {
-        Real normal[3]; ///< as given, in object space
+        Real normal[3]; ///< the normal as given, in object space
     };
 
-    /// `dirty`: the Dirty bits of what changed since the last time.
+    /// Takes over state that changed. `dirty`: the Dirty bits of what changed since the last call.
     void derive(const Context& context, unsigned dirty);
-    /// A material or a tracked colour changed between Begin and End.
+    /// Told when a material or a tracked colour changes between Begin and End.
     void materials_changed() { folded_ = false; }
 
     bool needs_eye() const { return has_local_lights && on_ && needs_eye_; }
     bool two_sided() const { return SPANGLE_TWO_SIDES && on_ && two_side_; }
-    /// The material follows the current colour: every vertex is lit when it is given.
+    /// The material follows the current colour, so every vertex is lit when it is given.
     bool tracks_color() const { return has_color_material && tracks_color_; }
 
     static Input input(const Real (&n)[3]) { return {{n[0], n[1], n[2]}}; }
 
-    /// Primary and secondary colour of a vertex; side 0 is the front, 1 the back. `eye`, its
-    /// position, only matters while needs_eye().
+    /// Sets primary and secondary colour of a vertex; side 0 is the front, 1 the back. `eye`, the position in
+    /// eye space, only matters while needs_eye().
     SPANGLE_INLINE void light(const Context& context, const Input& vertex, const numeric::Block4& eye,
                               int side, raster::FixedVertex& out) {
         light(context, vertex.normal, eye, side, out);
     }
-    /// The same of a normal where it lies.
+    /// Lights a vertex as above, from its normal in place.
     SPANGLE_INLINE void light(const Context& context, const Real (&normal)[3], const numeric::Block4& eye,
                               int side, raster::FixedVertex& out) {
         if (!folded_) [[unlikely]]
@@ -47,7 +48,7 @@ class FixedLighting {
             light_given(normal, side, out);
     }
 
-    /// A vertex made by clipping.
+    /// The lighting input of a vertex that clipping made at t of the edge from a to b.
     static void mix(const Input& a, const Input& b, const FixedMath::Parameter& t, Input& out);
 
   private:
@@ -55,58 +56,59 @@ class FixedLighting {
 
     struct Source {
         bool directional = true, spot = false, attenuated = false;
-        /// Reaches every vertex alike.
+        /// The light reaches every vertex with the same direction and strength.
         bool simple() const { return !has_local_lights || (directional && !spot); }
         numeric::Unit3 to_light;   ///< directional: unit vector to the light
         numeric::BlockRow3 facing; ///< directional: to_light times the normal matrix, for normals as given
         numeric::Unit3 half;       ///< directional, viewer at infinity: unit half vector
         numeric::Block3 position;  ///< positional, eye space
         numeric::Unit3 spot_axis;
-        std::int32_t spot_cosine = 0; ///< of the cutoff, Q0.30
+        std::int32_t spot_cosine = 0; ///< cosine of the cutoff angle, Q0.30
         std::uint32_t spot_exponent;  ///< as numeric::power_exponent() gives it
         numeric::Block attenuation[3];
-        std::int32_t ambient[3], diffuse[3], specular[3]; ///< 20 fraction bits
+        std::int32_t ambient[3], diffuse[3], specular[3]; ///< intensities, 20 fraction bits
     };
-    /// Products of one side's material with every light.
+    /// The products of one side's material with every light, 20 fraction bits.
     struct Fold {
         std::int64_t
-            plain_base[3];    ///< base as sums of plain lighting have it, and half a unit of their colours
-        std::int32_t base[3]; ///< emission, model ambient and the ambient light that is not attenuated
+            plain_base[3]; ///< `base` with the fraction bits of plain lighting, plus half a colour unit
+        std::int32_t
+            base[3]; ///< emission, the model's ambient light, and ambient light that is not attenuated
         std::int32_t ambient[max_lights][3], diffuse[max_lights][3], specular[max_lights][3];
         bool has_specular = false;
-        /// Light i may add to the specular sum.
+        /// Light i may contribute to the specular sum.
         bool shines(int i) const {
             const std::int32_t(&s)[3] = specular[i];
             return has_specular && (!raster::has_shortcuts || (s[0] | s[1] | s[2]) != 0);
         }
         std::uint32_t shininess; ///< as numeric::power_exponent() gives it
         std::uint32_t alpha;     ///< colour units
-        Real index[3];           ///< of an index framebuffer: ambient, diffuse, specular
-        bool plain = false;      ///< only ambient and diffuse terms of lights that reach every vertex alike
+        Real index[3];           ///< ambient, diffuse and specular index, for an index framebuffer
+        bool plain = false; ///< plain lighting: ambient and diffuse terms of lights that are simple() only
     };
     /// The normal of a vertex in eye space.
     struct Direction {
         std::int32_t m[3];
-        int fraction_bits; ///< 30 for unit vectors, 28 (range 8) for what GL leaves unnormalised
+        int fraction_bits; ///< 30 for unit vectors; 28, range 8, for normals that are not made unit
     };
 
-    /// A normal of plain lighting, and what its products are multiplied with.
+    /// A normal in plain lighting: m 2^e as given, or m `inverse` 2^e where normals are made unit.
     struct PlainNormal {
-        std::int32_t m[3], e, inverse; ///< 1 / its length, where normals are unit
+        std::int32_t m[3], e, inverse; ///< `inverse`: mantissa of 1 / the length of m
     };
 
     bool on_ = false, needs_eye_ = false, two_side_ = false, tracks_color_ = false, folded_ = false;
     bool normalize_ = false, local_viewer_ = false, separate_ = false;
-    bool all_simple_ = false;  ///< no light asks where the vertex is
-    bool common_rows_ = false; ///< of the normal matrix: their results have one exponent
-    unsigned index_bits_ = 0;  ///< of an index framebuffer; 0: colours
+    bool all_simple_ = false;  ///< all lights are simple(), and the viewer is at infinity
+    bool common_rows_ = false; ///< the rows of the normal matrix share one exponent, and so do their products
+    unsigned index_bits_ = 0;  ///< bits of an index framebuffer; 0: the framebuffer has colours
     int count_ = 0;            ///< enabled lights
     Source source_[max_lights];
     Fold fold_[SPANGLE_TWO_SIDES ? 2 : 1];
     std::int32_t model_ambient_[3] = {};
     numeric::BlockMatrix3 normal_matrix_;
 
-    /// All light is plain, and normals are as they are given.
+    /// In this build all lighting is plain, with normals as they are given.
     static constexpr bool always_given =
         !has_specular && !has_local_lights && !has_full_lighting && !raster::has_indices;
     bool normalizes() const { return has_full_lighting && normalize_; }
