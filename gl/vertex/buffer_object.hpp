@@ -15,8 +15,8 @@ struct BufferObject {
     bool deleted = false;         ///< the name is free again; the buffer goes with its last binding
     std::uint8_t* bytes = nullptr;
     std::size_t size = 0;
-    bool constant =
-        false; ///< `bytes` is the program's memory and never written: a mesh in flash needs no copy
+    /// `bytes` is the program's memory and is never written: a mesh in flash needs no copy.
+    bool constant = false;
     GLenum usage = GL_STATIC_DRAW;
     GLenum access = GL_READ_WRITE;
     bool mapped = false;

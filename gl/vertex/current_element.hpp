@@ -16,7 +16,7 @@ inline void set_texture(CurrentState& current, const ElementReader& reader, std:
         if (!reader.tex_coord[u].on())
             continue;
         Real(&v)[4] = current.tex_coord[u].v;
-        v[1] = v[2] = numeric::zero; // the values of components that the array leaves out
+        v[1] = v[2] = numeric::zero; // what the array leaves out gets the initial values (GL 1.3, 2.7)
         v[3] = numeric::one;
         reader.tex_coord[u].read(index, v);
     }
@@ -25,7 +25,7 @@ inline void set_texture(CurrentState& current, const ElementReader& reader, std:
 inline void set_color_and_texture(Context& context, const ElementReader& reader, std::uint32_t index) {
     CurrentState& current = context.current;
     if (reader.color.on()) {
-        current.color[3] = numeric::one; // the alpha of an array of three components
+        current.color[3] = numeric::one; // of three components: such an array leaves alpha 1
         reader.color.read(index, current.color);
         follow_color(context);
     }
@@ -49,8 +49,7 @@ class KeptAttributes {
 
   private:
     Context& context_;
-    alignas(Real) unsigned char kept_[offsetof(CurrentState, raster)]; ///< all attributes of vertices,
-                                                                       ///< without the raster position
+    alignas(Real) unsigned char kept_[offsetof(CurrentState, raster)]; ///< attributes of vertices
 };
 
 /// Sets the current attributes from element `index` of the arrays in ElementReader::seldom.

@@ -187,8 +187,7 @@ struct DoubleMath {
     static void normal_matrix(const TransformState& state, Scalar (&out)[9]) {
         const Matrix m = matrix(state.modelview.entry[state.modelview.top]);
         for (int j = 0; j < 3; ++j)
-            for (int i = 0; i < 3;
-                 ++i) { // cofactors with cyclic indices: the inverse transpose times the determinant
+            for (int i = 0; i < 3; ++i) { // cofactors: the inverse transpose times the determinant
                 const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
                 out[3 * j + i] = m.m[i1][j1] * m.m[i2][j2] - m.m[i1][j2] * m.m[i2][j1];
             }

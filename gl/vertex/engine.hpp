@@ -25,8 +25,7 @@ template <class F> using EngineCall = F*;
 #endif
 
 struct Engine {
-    SPANGLE_ENGINE_MEMBER const std::size_t
-        pipeline_bytes; ///< size of the memory that Context::pipeline points at
+    SPANGLE_ENGINE_MEMBER const std::size_t pipeline_bytes; ///< size of what Context::pipeline points at
     /// Constructs the pipeline in `pipeline_bytes` bytes of memory that are 0.
     SPANGLE_ENGINE_MEMBER EngineCall<void(void* memory)> construct;
     /// Compiles fragment state for primitives of this policy's vertices.

@@ -46,7 +46,7 @@ class Evaluation {
             p[c] = evaluation::store(at[c].value);
         cmd::Vertex(context_, p[0], p[1], p[2], p[3]);
         context_.current = before;
-        if (on[eval_color]) // a tracked material is restored, too
+        if (on[eval_color]) // the material goes back, too, where it tracks the colour
             follow_color(context_);
     }
 
@@ -70,7 +70,7 @@ class Evaluation {
             values(eval_normal, current.normal);
         if (const unsigned texture = largest(on, eval_texture_1, eval_texture_4); texture != eval_targets) {
             Real(&strq)[4] = current.tex_coord[0].v;
-            strq[1] = strq[2] = numeric::zero; // the values of components that smaller maps leave out
+            strq[1] = strq[2] = numeric::zero; // the defaults of components that smaller maps leave out
             strq[3] = numeric::one;
             values(texture, strq);
         }

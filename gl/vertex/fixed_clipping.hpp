@@ -71,7 +71,7 @@ struct FixedClipping {
         Point out;
         const numeric::Wide w = signed_minor(3);
         out.set(3, w);
-        const numeric::Wide rim = numeric::scale(w, up); // the point lies on the plane to the last bit
+        const numeric::Wide rim = numeric::scale(w, up); // on the plane to the last bit, however w is rounded
         out.set(c, minus ? rim : numeric::negate(rim));
         for (int j = 0; j < 3; ++j)
             if (j != c)
@@ -101,8 +101,7 @@ struct FixedClipping {
                                              const Parameter& p, std::uint32_t* out) {
         const std::uint32_t *const from = p.from_second ? b : a, *const to = p.from_second ? a : b;
         for (int c = 0; c < n; ++c) {
-            const auto d =
-                static_cast<std::int32_t>(to[c] - from[c]); // colours: 28 bits, and 30 of the factor
+            const auto d = static_cast<std::int32_t>(to[c] - from[c]); // colours: 28 bits, times 30
             out[c] = static_cast<std::uint32_t>(static_cast<std::int64_t>(from[c]) +
                                                 ((numeric::mul_s32(d, p.q30) + (1 << 29)) >> 30));
         }

@@ -70,10 +70,8 @@ class FixedLighting {
     };
     /// The products of one side's material with every light, 20 fraction bits.
     struct Fold {
-        std::int64_t
-            plain_base[3]; ///< `base` with the fraction bits of plain lighting, plus half a colour unit
-        std::int32_t
-            base[3]; ///< emission, the model's ambient light, and ambient light that is not attenuated
+        std::int64_t plain_base[3]; ///< `base` as a sum of plain lighting, plus half a colour unit
+        std::int32_t base[3];       ///< emission, model ambient, and ambient light that is not attenuated
         std::int32_t ambient[max_lights][3], diffuse[max_lights][3], specular[max_lights][3];
         bool has_specular = false;
         /// Light i may contribute to the specular sum.
