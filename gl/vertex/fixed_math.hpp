@@ -1,5 +1,5 @@
-// The arithmetic of the vertex pipeline in integers: block form up to the division, window fixed point behind
-// it. What the pipeline does with it stands in pipeline.hpp; the reference has the same operations in double.
+// The arithmetic of the vertex pipeline in integers: block form up to the perspective division, window fixed
+// point behind it. pipeline.hpp says what the pipeline does with it; DoubleMath has the same operations.
 #pragma once
 
 #include <cstddef>
@@ -20,11 +20,12 @@ namespace spangle::gl {
 
 struct FixedMath : FixedClipping {
     using Window = raster::FixedVertex;
-    using Clip = numeric::Block4; ///< homogeneous, own exponent per vertex: tests and x/w do not see it
+    using Clip =
+        numeric::Block4; ///< homogeneous; one exponent per vertex, which tests and x/w do not depend on
     using Eye = numeric::Block4;
     using Depth = numeric::Block;
 
-    /// 32 bits in a word: where that has 64 none is extended at every use.
+    /// A factor of 32 bits in a machine word, so that 64-bit machines need not extend it at every use.
     using Factor = std::conditional_t<numeric::wide_words, std::int64_t, std::int32_t>;
     SPANGLE_INLINE static std::int64_t product(Factor a, std::int32_t b) {
         if constexpr (numeric::wide_words)
@@ -32,23 +33,24 @@ struct FixedMath : FixedClipping {
         return numeric::mul_s32(static_cast<std::int32_t>(a), b);
     }
 
-    /// From a quotient, -1 .. 1, to a coordinate of the window.
+    /// Maps a quotient, -1 to 1, to a coordinate of the window: middle + half * quotient.
     struct Range {
         std::int32_t middle = 0;
         Factor minus_half = 0;
-        /// With the fraction bits of the product, and half a unit more: only faster where words have 32 bits.
+        /// `rounded_middle` holds the middle with the fraction bits of the product, plus half a unit. Where
+        /// words have 32 bits that is only faster, so builds without shortcuts do without.
         static constexpr bool keeps_rounded = numeric::wide_words || raster::has_shortcuts;
         std::conditional_t<keeps_rounded, std::int64_t, std::int32_t> rounded_middle = 0;
 
         Range() = default;
-        /// `bits`: of -half and of a quotient together.
+        /// `at` is the middle, `minus` is -half. `bits`: fraction bits of -half and of a quotient together.
         Range(std::int32_t at, std::int32_t minus, [[maybe_unused]] int bits)
             : middle(at), minus_half(minus) {
             if constexpr (keeps_rounded)
                 rounded_middle = ((std::int64_t{at} << 1) + 1) * (std::int64_t{1} << (bits - 1));
         }
 
-        /// Nearest to middle + half * q, of -q, `bits` in all.
+        /// middle + half * q, rounded to nearest, from -q. `bits`: fraction bits of half and q together.
         SPANGLE_INLINE std::int32_t place(std::int32_t minus_q, int bits) const {
             if (!numeric::wide_words && bits == 32)
                 return numeric::add_high_rounded(middle, static_cast<std::int32_t>(minus_half), minus_q);
@@ -58,24 +60,26 @@ struct FixedMath : FixedClipping {
             return static_cast<std::int32_t>(static_cast<std::uint32_t>(middle) +
                                              numeric::low_word_after(rounded, bits));
         }
-        /// The same; of a quotient that is too large anything.
+        /// The same from a wide -q; the result is undefined where -q does not fit a word.
         SPANGLE_INLINE std::int32_t place(std::int64_t minus_q, int bits) const {
             return place(static_cast<std::int32_t>(minus_q), bits);
         }
-        /// What rounding took off place() of 32 bits, in 2^-16: the upper half of the product's low word.
+        /// The part that rounding took off place() with 32 bits, in 2^-16 of the result's unit: the upper
+        /// half of the product's low word.
         SPANGLE_INLINE std::int16_t rest(Factor minus_q) const {
             const std::uint32_t low =
                 static_cast<std::uint32_t>(minus_half) * static_cast<std::uint32_t>(minus_q);
             return static_cast<std::int16_t>(low >> 16);
         }
     };
+    /// Bits that x, y and z are shifted less than w; see Projections.
     static constexpr std::int32_t lift_room[3] = {3, 3, 1};
     using Quotient = Factor;
     static constexpr int quotient_bits = 27, depth_quotient_bits = 29;
-    /// Half a viewport has more fraction bits than a place, so that the high word of the product is one.
+    /// Half a viewport has more fraction bits than a place, so that a place is the high word of the product.
     static constexpr int half_bits = 32 - quotient_bits;
 
-    /// The rows of a matrix, for vertices.
+    /// The elements of a matrix as Factors, row by row.
     struct WideRows {
         Factor m[16] = {};
         void set(const numeric::BlockMatrix& a) {
@@ -84,29 +88,31 @@ struct FixedMath : FixedClipping {
         }
         const Factor* of(const numeric::BlockMatrix&) const { return m; }
     };
+    /// Stands in for WideRows where the elements of the matrix are Factors already.
     struct Rows {
         static void set(const numeric::BlockMatrix&) {}
         static const std::int32_t* of(const numeric::BlockMatrix& a) { return a.m; }
     };
 
-    /// Block forms of the matrices and the viewport, derived when something changed.
+    /// Block forms of the matrices and the viewport, derived when a part of the transform state changed.
     struct Transforms {
-        /// Of the rows x, y, z: see Lifted.
+        /// How far the results of rows x, y and z are shifted for the division; see Lifted.
         std::int32_t lift[3] = {};
-        std::int32_t w_exponent = 0;  ///< of 1/w, without the vertex's part
-        std::uint32_t most_zeros = 0; ///< of a w that process() divides by
-        Range x, y;                   ///< the viewport, n.8
-        Range depth;                  ///< DepthRange, Q0.30
+        std::int32_t w_exponent = 0;  ///< exponent of 1/w, without the vertex's own
+        std::uint32_t most_zeros = 0; ///< most leading zeros of a w that divide() divides by
+        Range x, y;                   ///< the viewport, results n.8
+        Range depth;                  ///< the depth range, results Q0.30
         numeric::BlockMatrix to_clip, to_eye;
-        [[no_unique_address]] std::conditional_t<numeric::wide_words, WideRows, Rows> rows; ///< of to_clip
+        [[no_unique_address]] std::conditional_t<numeric::wide_words, WideRows, Rows>
+            rows; ///< rows of to_clip
 #if SPANGLE_TEXTURE_UNITS
-        numeric::BlockMatrix texture[texture_units]; ///< those that are not the identity
+        numeric::BlockMatrix texture[texture_units]; ///< set where the matrix is not the identity
 #endif
-        numeric::BlockRow eye_z; ///< row 2 of the modelview matrix, for what is loaded
+        numeric::BlockRow eye_z; ///< row 2 of the modelview matrix, for vertices loaded for to_clip
         bool texture_is_identity[texture_units];
     };
 
-    /// Somebody calls to_eye().
+    /// Some feature of this build calls to_eye().
     static constexpr bool asks_eye = (SPANGLE_FEATURE_LIGHTING && has_local_lights) ||
                                      SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_TEXGEN ||
                                      SPANGLE_FEATURE_POINT_PARAMETERS || SPANGLE_FEATURE_RASTER_POS;
@@ -120,7 +126,7 @@ struct FixedMath : FixedClipping {
         out.rows.set(out.to_clip);
         if constexpr (SPANGLE_FEATURE_FOG)
             out.eye_z = numeric::to_block_row(modelview, 2, out.to_clip.column);
-        std::int32_t lift[3]; // exponents of the rows x, y, z over that of w, less lift_room
+        std::int32_t lift[3]; // exponents of rows x, y, z less that of row w, less lift_room
         for (int i = 0; i < 3; ++i) {
             lift[i] = out.to_clip.row[i] - out.to_clip.row[3] - lift_room[i];
             out.lift[i] = numeric::wide_words ? 31 - lift[i] : lift[i];
@@ -146,8 +152,8 @@ struct FixedMath : FixedClipping {
         out.depth = {(n >> 1) + (f >> 1) + (n & f & 1), (n - f) / 2, depth_quotient_bits};
     }
 
-    /// The vertex is loaded under the exponents of the matrix's columns: large coordinates and small ones
-    /// keep their bits.
+    /// The vertex is loaded under the exponents of the matrix's columns, so that large and small coordinates
+    /// both keep their bits.
     static Clip to_clip(const Transforms& t, const Real (&v)[4]) {
         return numeric::transform(t.to_clip, v);
     }
@@ -157,7 +163,7 @@ struct FixedMath : FixedClipping {
     static Eye to_eye(const Transforms& t, const Real (&v)[4]) {
         return numeric::transform(t.to_eye, v);
     }
-    /// The same of a vertex that is clipped.
+    /// Clip and eye coordinates of a vertex that is clipped, with 60 bits each.
     static Point clip_point(const Transforms& t, const Real (&v)[4]) {
         return numeric::transform_wide(t.to_clip, v);
     }
@@ -168,11 +174,12 @@ struct FixedMath : FixedClipping {
         return numeric::to_block(v);
     }
 
-    /// N vertices on their way from the position to the window: perspective division, viewport, depth range
-    /// (GL 1.3, 2.10.1). All are added before the first is divided, so that none waits for another.
+    /// Takes N vertices from their positions to the window: perspective division, viewport, depth range
+    /// (GL 1.3, 2.10.1). All are added before the first is divided, so that no operation waits for another's
+    /// result.
     ///
-    /// x' = x * 2^(zeros + lift - 3) and w' = w * 2^zeros give x'/w' = x/w / 8, so the word x' holds what is
-    /// within 4 w at least; it is not rounded, nor is z' = z * 2^(zeros + lift - 1) (lift_room).
+    /// x' = x * 2^(zeros + lift - 3) and w' = w * 2^zeros give x'/w' = x/w / 8. So the word x' holds every x
+    /// within 4 w, without rounding; so does z' = z * 2^(zeros + lift - 1) hold z (see lift_room).
     template <int N> class Projections {
       public:
         SPANGLE_INLINE void add(int i, const Transforms& t, const Real (&position)[4], Window& out,
@@ -182,7 +189,7 @@ struct FixedMath : FixedClipping {
                 set_fog(numeric::product(t.eye_z, v), out);
             add(i, t, v);
         }
-        /// Point: its w is 2^power.
+        /// Adds a vertex whose coordinates are loaded. Point: the vertex's w is 2^power.
         template <bool Point = false>
         SPANGLE_INLINE void add(int i, const Transforms& t, numeric::Mantissas<4>& v, int power = 0) {
             const auto* const rows = t.rows.of(t.to_clip);
@@ -195,19 +202,20 @@ struct FixedMath : FixedClipping {
             if constexpr (!at_once)
                 of_w_.set(i, clip.w << (numeric::clz32(clip.w) & 31));
         }
-        /// Of the first so many.
+        /// Computes 1/w of the first `count` vertices.
         SPANGLE_INLINE void finish([[maybe_unused]] int count) {
             if constexpr (!at_once)
                 of_w_.finish(count);
         }
 
-        /// `planes` gets the planes of the view volume that the vertex is outside of, and from bit 8 on those
-        /// that it must be clipped by. False: not in front of the eye, or so far outside that the quotients
+        /// Sets window coordinates of vertex i. `planes` gets the planes of the view volume that the vertex
+        /// is outside of, and from bit 8 on the planes of the guard band, near and far that it must be
+        /// clipped by. False: the vertex is not in front of the eye, or so far outside that the quotients
         /// overflow.
         SPANGLE_INLINE bool divide(int i, const Transforms& t, const Real (&)[4], Window& out,
                                    unsigned& planes) const {
             const Clipped& clip = clip_[i];
-            const int zeros = numeric::clz32(clip.w); // 3 .. 31; 0 where w is negative, 32 where it is 0
+            const int zeros = numeric::clz32(clip.w); // 3 to 31; 0 where w is negative, 32 where w is 0
             if (static_cast<std::uint32_t>(zeros) - 1 >= t.most_zeros)
                 return false;
             const Lifted x(clip.x, zeros, t.lift[0]), y(clip.y, zeros, t.lift[1]),
@@ -220,7 +228,8 @@ struct FixedMath : FixedClipping {
             const int up = r >> 31 == 0 ? 1 : 0;       // r is 2^31 where w is a power of two
             out.w_mantissa = r << up;
             out.w_exponent = static_cast<std::int16_t>(zeros + t.w_exponent - clip.e - up);
-            const auto minus_r = static_cast<std::int32_t>(0u - r); // a signed word, also where r is 2^31
+            const auto minus_r =
+                static_cast<std::int32_t>(0u - r); // fits a signed word, also where r is 2^31
             const Quotient minus_x = x.times(minus_r), minus_y = y.times(minus_r), minus_z = z.times(minus_r);
             out.x = t.x.place(minus_x, 32);
             out.y = t.y.place(minus_y, 32);
@@ -234,8 +243,8 @@ struct FixedMath : FixedClipping {
             return true;
         }
 
-        /// The same of one that falls into an area inside_viewport(); false: any other. `out` is anything
-        /// then.
+        /// Sets the window position of vertex i as a line's end, if the vertex falls into an area that
+        /// inside_viewport() made and lies between near and far plane. Else false, and `out` is undefined.
         SPANGLE_INLINE bool place(int i, const Transforms& t, const raster::DrawState::Area& area,
                                   raster::LineEnd& out, numeric::LeadingZeros<>& count) const {
             const Clipped& clip = clip_[i];
@@ -256,17 +265,18 @@ struct FixedMath : FixedClipping {
         }
 
       private:
-        /// Words of one exponent.
+        /// Clip coordinates of a vertex: words with the common exponent e.
         struct Clipped {
             std::int32_t x, y, z, e;
             std::uint32_t w;
         } clip_[N];
-        /// Nothing is gained by several under way: divide() alone needs it.
+        /// Where branches are cheap, nothing is gained by several reciprocals under way: divide() computes
+        /// its own.
         static constexpr bool at_once = numeric::cheap_branches;
         struct None {};
         [[no_unique_address]] std::conditional_t<at_once, None, numeric::Reciprocals<N>> of_w_;
 
-        /// Without perspective w is 1.
+        /// In a build without perspective only vertices whose w is 1 are drawn.
         SPANGLE_INLINE static bool drawn(const Clipped& clip, int zeros, const Transforms& t) {
             return raster::has_perspective ||
                    (clip.w << zeros == 1u << 31 && zeros + t.w_exponent - clip.e == -31);
@@ -281,8 +291,8 @@ struct FixedMath : FixedClipping {
         }
     };
 
-    /// The part of an area in which no vertex falls that lies beyond the left, right, bottom or top plane:
-    /// rounding leaves those on the rim of the viewport at least.
+    /// The part of an area into which no vertex from beyond the left, right, bottom or top plane falls.
+    /// Rounding brings such a vertex onto the rim of the viewport at most, and the rim is left out.
     static raster::DrawState::Area inside_viewport(const Transforms& t, raster::DrawState::Area area) {
         const auto cut = [](const Range& range, std::int32_t& begin, std::uint32_t& size) {
             const auto half = static_cast<std::int32_t>(-range.minus_half) >> half_bits;
@@ -297,8 +307,8 @@ struct FixedMath : FixedClipping {
         cut(t.y, area.y, area.h);
         return area;
     }
-    /// Where a line ends, if its end is seen: in an area inside_viewport(), between the near and far planes.
-    /// Floats of any bits are a position, but w is 1. False: it is not seen, or that is not known.
+    /// Sets where a line ends, if its end is seen: in an area that inside_viewport() made, between near and
+    /// far plane. Floats with any bits are a position, but w is 1. False: not seen, or that is not known.
     SPANGLE_INLINE static bool seen(const Transforms& t, const Real (&position)[4],
                                     const raster::DrawState::Area& area, raster::LineEnd& out,
                                     numeric::LeadingZeros<>& count) {
@@ -310,7 +320,7 @@ struct FixedMath : FixedClipping {
             projection.add(0, t, v);
         } else {
             const std::int32_t power = t.to_clip.column.e[3] - v.e;
-            if (power < 0) // nothing beside the others
+            if (power < 0) // w = 1 would be less than a unit of the common exponent
                 return false;
             projection.template add<true>(0, t, v, power);
         }
@@ -318,7 +328,7 @@ struct FixedMath : FixedClipping {
         return projection.place(0, t, area, out, count);
     }
 
-    /// What Projections make of a vertex, which is how a window vertex begins.
+    /// The part of a window vertex that Projections set: all words before its colour.
     struct Place {
         std::uint32_t word[offsetof(Window, color) / sizeof(std::uint32_t)];
     };
@@ -329,24 +339,25 @@ struct FixedMath : FixedClipping {
         __builtin_memcpy(&to, &from, sizeof from);
     }
 
-    // --- clipping (GL 1.3, 2.11). Planes 0..5: left, right, bottom, top, near, far.
+    // --- clipping (GL 1.3, 2.11). Planes 0 to 5 are left, right, bottom, top, near, far.
 
     using FixedClipping::beyond;
     using FixedClipping::distance;
     using FixedClipping::mix;
-    /// w plus or minus a coordinate, in the vertex's own exponent, is negative: outside of `band` x the
-    /// viewport; near and far have no band.
+    /// The vertex lies outside of a plane: w plus or minus a coordinate is negative. The first four planes
+    /// bound `band` times the viewport; near and far have no band.
     static bool beyond(const Clip& c, int plane, int band) {
         const std::int64_t w = plane < 4 ? std::int64_t{c.m[3]} * band : c.m[3], v = c.m[plane >> 1];
         return (plane & 1) != 0 ? w < v : w < -v;
     }
-    /// w <= 0 after the near and far planes: the degenerate corner of the volume, never drawn.
+    /// w is positive. Inside of the near and far planes only the degenerate corner of the volume, which is
+    /// never drawn, has w <= 0.
     static bool in_front(const Clip& c) {
         return c.m[3] > 0;
     }
 
-    /// A user clip plane and its complement are one plane, turned: what is computed of it is the same to the
-    /// bit (GL 1.3, 2.11: each pixel belongs to one side).
+    /// A user clip plane. A plane and its complement are kept as the same plane, once `turned`: so vertices
+    /// on both are the same to the bit, and each pixel belongs to one side (GL 1.3, 2.11).
     struct Plane {
         numeric::Block4 at{};
         bool turned = false;
@@ -359,7 +370,7 @@ struct FixedMath : FixedClipping {
                 turned = numeric::is_negative(c);
                 break;
             }
-        // Turned before it is rounded: halves go up.
+        // Turned before rounding, which takes halves up: both planes get the same words.
         const auto at = [&](int i) { return turned ? -equation[i] : equation[i]; };
         return {numeric::to_block(at(0), at(1), at(2), at(3)), turned};
     }
@@ -376,8 +387,8 @@ struct FixedMath : FixedClipping {
         return p.turned ? d.m > 0 : d.m < 0;
     }
 
-    /// Associated data of a new vertex (GL 1.3, 2.13.8); bit u of `units`: texture coordinates u are in use,
-    /// bit u + third_coordinate: their r, too.
+    /// Mixes the associated data of a new vertex (GL 1.3, 2.13.8). `units`: bit u says that texture
+    /// coordinates u are in use, bit u + third_coordinate that their r is in use, too.
     static void mix(const Window& a, const Window& b, const Parameter& t, unsigned units, Window& out) {
         mix_color(a, b, t, out);
         for (int u = 0; u < texture_units; ++u) {
@@ -400,7 +411,7 @@ struct FixedMath : FixedClipping {
 #endif
     }
 
-    // --- numbers of any size, for what is seldom asked of a vertex
+    // --- numbers of any size, for what few vertices need: generated coordinates and normals
 
     struct Scalar {
         numeric::Block v;
@@ -419,7 +430,8 @@ struct FixedMath : FixedClipping {
         return {numeric::rsqrt(v.v)};
     }
 
-    /// What normals are multiplied with, column-major; RESCALE_NORMAL is in it.
+    /// The matrix that normals are multiplied with, column-major; it includes RESCALE_NORMAL
+    /// (GL 1.3, 2.10.3).
     static void normal_matrix(const TransformState& state, Scalar (&out)[9]) {
         const numeric::NormalMatrix normal = normal_matrix(state);
         for (int i = 0; i < 9; ++i)
@@ -435,19 +447,19 @@ struct FixedMath : FixedClipping {
         return normal;
     }
 
-    // --- after the division
+    // --- division and viewport of a vertex that was clipped
 
-    /// Perspective division, viewport, depth range (GL 1.3, 2.10.1). The vertex is within the guard band and
-    /// in front.
+    /// Sets window coordinates: perspective division, viewport, depth range (GL 1.3, 2.10.1). The vertex is
+    /// within the guard band and in front of the eye.
     static void project(const Transforms& t, const Clip& c, Window& out) {
         const auto w = static_cast<std::uint32_t>(c.m[3]);
         const int zeros = numeric::clz32(w);
         const std::uint32_t r = numeric::reciprocal(w << zeros); // 1/w = r * 2^(zeros - 62 - e)
-        const bool top = (r >> 31) != 0;                         // only for a power of two
+        const bool top = (r >> 31) != 0;                         // only where w is a power of two
         out.w_mantissa = top ? r : r << 1;
         out.w_exponent = static_cast<std::int16_t>(zeros - 62 - c.e - (top ? 0 : 1));
-        // A vertex that clipping made between extreme neighbours (|x| > 2^30 w) lies on its plane but for the
-        // rounding of 30-bit mantissas, which the division would blow up: held to the guard band.
+        // A vertex that clipping made between extreme ends (|x| > 2^30 w) is off its plane by the rounding of
+        // 30-bit mantissas. The division would magnify that, so x and y are held to the guard band.
         constexpr int bits = 28;
         std::int16_t x_rest, y_rest;
         out.x = limit(place(t.x, c.m[0], r, zeros, bits, bits + half_bits, &x_rest), x_rest);
@@ -459,16 +471,16 @@ struct FixedMath : FixedClipping {
 
     // --- what selection and feedback return
 
-    /// Out of line: what goes back to the program needs few bytes rather than few cycles.
+    /// Out of line: for values that go back to the program, few bytes of code matter more than few cycles.
     [[gnu::noinline]] static Real real(numeric::Block v) {
         return numeric::to_real(v);
     }
 
-    /// Window z times 2^32 - 1, nearest.
+    /// Window z times 2^32 - 1, rounded to nearest, as hit records have it.
     static std::uint32_t depth_word(const Window& v) {
         return static_cast<std::uint32_t>((std::uint64_t{v.z} * 0xFFFFFFFF + raster::depth_one / 2) >> 30);
     }
-    /// The window before snapping: x, y, z, and w of the clip coordinates.
+    /// The window coordinates x, y, z before snapping, and w of the clip coordinates.
     [[gnu::noinline]] static void window_of(const Transforms& t, const Clip& c, Real (&out)[4]) {
         const numeric::Block w = numeric::component(c, 3);
         const auto place = [&](int i, std::int32_t middle, int bits, Factor half, int more) {
@@ -487,15 +499,15 @@ struct FixedMath : FixedClipping {
         for (int c = 0; c < 4; ++c)
             out[c] = real(numeric::mul(numeric::make_block(v.color[c], 0), unit));
     }
-    /// Generated coordinates, or those of a unit that looks at r. Where q is what was given, 1 and not
-    /// generated, it stays 1.
+    /// Sets generated coordinates, or those of a unit that uses r. `q_is_one`: q was given as 1 and is not
+    /// generated, so it stays 1 under an identity matrix.
     static void set_texture(const Transforms& t, const Scalar (&strq)[4], int unit, bool q_is_one,
                             Window& out) {
         const Eye v = texture_of(t, strq, unit);
         set_texture(out, unit, v);
         set_q_is_one(out, unit, (q_is_one && t.texture_is_identity[unit]) || is_one(v.m[3], v.e));
     }
-    /// Behind the matrix of the unit, all four.
+    /// All four coordinates behind the texture matrix of the unit.
     static Eye texture_of([[maybe_unused]] const Transforms& t, const Scalar (&strq)[4],
                           [[maybe_unused]] int unit) {
         const numeric::Block4 v = numeric::to_block(strq[0].v, strq[1].v, strq[2].v, strq[3].v);
@@ -527,7 +539,7 @@ struct FixedMath : FixedClipping {
 #endif
     }
 
-    /// Of a vertex, without the rest.
+    /// The colours of a window vertex alone.
     struct Colors {
         std::uint32_t color[4];
 #if SPANGLE_SECONDARY_COLORS
@@ -537,7 +549,7 @@ struct FixedMath : FixedClipping {
     template <class From, class To> static void copy_color(const From& from, To& to) {
         const auto copy = [](const auto& words, auto& out) {
             if constexpr (numeric::wide_words)
-                __builtin_memcpy(out, words, sizeof out); // elsewhere that may be a call
+                __builtin_memcpy(out, words, sizeof out); // with narrow words this may become a call
             else
                 for (std::size_t c = 0; c < sizeof out / sizeof out[0]; ++c)
                     out[c] = words[c];
@@ -548,7 +560,7 @@ struct FixedMath : FixedClipping {
 #endif
     }
 
-    /// As they are.
+    /// Sets coordinates that no matrix changes.
     static void set_texture(const Real (&stq)[4], int unit, Window& out) {
         const numeric::Mantissas<3> v = numeric::load<3>({}, {stq[0], stq[1], stq[3]});
         set_texture(out, unit, numeric::Block3{{v.m[0], v.m[1], v.m[2]}, v.e});
@@ -568,7 +580,7 @@ struct FixedMath : FixedClipping {
         return v.tex[unit].q_is_one != 0;
     }
 
-    /// Of a corner of a point sprite: s and t are 0 or 1, r is 0, q is 1 (GL 2.0, 3.3).
+    /// Sets the coordinates of a corner of a point sprite: s and t are 0 or 1, r is 0, q is 1 (GL 2.0, 3.3).
     static void set_sprite(int unit, bool s, bool t, Window& out) {
         const auto whole = [](bool one) { return one ? numeric::one : numeric::zero; };
         const Real stq[4] = {whole(s), whole(t), numeric::zero, numeric::one};
@@ -578,17 +590,17 @@ struct FixedMath : FixedClipping {
         out.r[unit] = 0;
 #endif
     }
-    /// Alpha times a factor, 0 .. 1.
+    /// Multiplies alpha with a factor from 0 to 1.
     static void fade(Real factor, Window& out) {
         const auto f = static_cast<std::uint32_t>(numeric::to_fixed(factor, 30));
         out.color[3] = static_cast<std::uint32_t>((numeric::mul_u32(out.color[3], f) + (1u << 29)) >> 30);
     }
 
-    /// The distance of fog: |z_e| stands for the distance to the eye (GL 1.3, 3.10 allows it).
+    /// Sets the fog distance to |z_e|, which GL 1.3, 3.10 allows in place of the distance to the eye.
     static void set_fog(Depth eye_z, Window& out) {
         set_fog_coordinate({eye_z.m < 0 ? -eye_z.m : eye_z.m, eye_z.e}, out);
     }
-    /// A fog coordinate (GL 1.4, 3.10), which has a sign.
+    /// Sets the fog distance to a fog coordinate, which may be negative (GL 1.4, 3.10).
     static void set_fog_coordinate([[maybe_unused]] Depth coordinate, [[maybe_unused]] Window& out) {
 #if SPANGLE_FEATURE_FOG
         out.fog_mantissa = coordinate.m;
@@ -602,8 +614,8 @@ struct FixedMath : FixedClipping {
         return numeric::to_block(coordinate);
     }
 
-    /// A colour index of so many bits takes the place of red, in units of 2^-20: interpolation is the same.
-    /// Planes have room for what lies between the last index and 256, less what set-up may be off by.
+    /// A colour index takes the place of red, in units of 2^-20, and is interpolated like it. Colour planes
+    /// have room for values below 256, less what the set-up of a plane may be off by.
     static constexpr std::uint32_t largest_index = (256u << raster::color_fraction_bits) - (1u << 12);
     [[gnu::noinline]] static void set_index(Real index, unsigned bits, Window& out) {
         const std::uint32_t units = index_units(index, bits);
@@ -618,33 +630,35 @@ struct FixedMath : FixedClipping {
         return real(numeric::make_block(v.color[0], -raster::color_fraction_bits));
     }
 
-    /// What fragments of pixel rectangles and bitmaps have of the raster position: all but a place.
+    /// Makes a vertex of the raster position, for the fragments of pixel rectangles and bitmaps: depth,
+    /// colour and coordinates, but no place.
     static void set_raster(const RasterPosition& from, Window& out) {
         out = Window{};
         out.z = static_cast<std::uint32_t>(numeric::to_fixed(numeric::clamp01(from.position[2]), 30));
-        out.w_mantissa = 1u << 31; // 1: texture coordinates are divided by their q alone
+        out.w_mantissa = 1u << 31; // w = 1: texture coordinates are divided by q alone
         out.w_exponent = -31;
         set_fog_coordinate(fog_coordinate(from.distance), out);
         set_color(out, from.color);
         for (int u = 0; u < texture_units; ++u) {
             const Real(&v)[4] = from.tex_coord[u].v;
-            set_texture(out, u, numeric::to_block(v)); // of all four: who looks at r is not known
+            set_texture(out, u, numeric::to_block(v)); // all four coordinates: which units use r is not known
             set_q_is_one(out, u, v[3] == numeric::one);
         }
     }
 
-    /// A real component, clamped, in 255ths with 20 fraction bits. c * 255 in Q.30 is exact.
+    /// A colour component, clamped to 0..1, in 255ths with 20 fraction bits. Its product with 255 in Q.30 is
+    /// exact.
     static std::uint32_t color_units(Real component) {
         const auto c = static_cast<std::uint32_t>(numeric::to_fixed(numeric::clamp01(component), 30));
         return color_units(c);
     }
-    /// The same from Q0.30.
+    /// A colour component in Q0.30 as 255ths with 20 fraction bits.
     static std::uint32_t color_units(std::uint32_t c) {
         return static_cast<std::uint32_t>((numeric::mul_u32(c, 255) + (1u << 9)) >> 10);
     }
 
   private:
-    /// Up to which number of leading zeros of w no lifted coordinate is shifted by more than 31.
+    /// The most leading zeros of w with which no lifted coordinate is shifted by more than 31.
     static std::uint32_t most_zeros(const std::int32_t (&lift)[3]) {
         std::int32_t most = 31;
         for (int i = 0; i < 3; ++i) {
@@ -654,7 +668,8 @@ struct FixedMath : FixedClipping {
         return most < 0 ? 0 : static_cast<std::uint32_t>(most);
     }
 
-    /// Row by row: with all four under way at once the words would not fit the registers.
+    /// The product of one row and a vertex. The empty instruction at the end keeps the compiler from
+    /// computing all four rows at once, for which the registers do not suffice.
     template <bool Point, class Element>
     SPANGLE_INLINE static std::int32_t row(const Element* elements, numeric::Mantissas<4>& v,
                                            [[maybe_unused]] int power) {
@@ -670,17 +685,18 @@ struct FixedMath : FixedClipping {
         return r;
     }
 
-    /// v 2^by, by = zeros + lift, 0 <= by < 32, for the high word of a product, rounded. Where words have 64
-    /// bits it is the product that is shifted, down by 31 - by: it fits whatever v is.
+    /// A coordinate v lifted to v 2^n, n = zeros + lift, 0 <= n < 32, whose product's high word is rounded.
+    /// Where words have 64 bits, the product is shifted down by 31 - n instead, so that it fits whatever v
+    /// is.
     struct Lifted {
         std::int32_t v;
-        int by; ///< or 31 - by
+        int by; ///< n; 31 - n where words have 64 bits
         SPANGLE_INLINE Lifted(std::int32_t value, int zeros, std::int32_t lift)
             : v(value), by(static_cast<int>(numeric::wide_words ? lift - zeros : lift + zeros)) {}
         SPANGLE_INLINE std::int32_t word(int n) const {
             return static_cast<std::int32_t>(static_cast<std::uint32_t>(v) << n);
         }
-        /// Bits that the word has not.
+        /// Not 0: a word has no room for the lifted coordinate.
         SPANGLE_INLINE std::int32_t lost() const {
             const int n = numeric::wide_words ? 31 - by : by;
             return (word(n) >> n) ^ v;
@@ -688,7 +704,8 @@ struct FixedMath : FixedClipping {
         SPANGLE_INLINE Quotient times(std::int32_t factor) const {
             if constexpr (numeric::wide_words)
                 return ((numeric::mul_s32(v, factor) >> by) + 1) >> 1;
-            if (!raster::has_perspective && lost() != 0) // saturated: only planes are asked of it
+            if (!raster::has_perspective &&
+                lost() != 0) // saturated: only planes_of() is asked of such a quotient
                 return v < 0 ? INT32_MAX : INT32_MIN;
             return numeric::mul_high_rounded(word(by), factor);
         }
@@ -697,7 +714,7 @@ struct FixedMath : FixedClipping {
     static bool beyond(Quotient q, std::uint32_t most) {
         return static_cast<std::make_unsigned_t<Quotient>>(q) + most > 2 * most;
     }
-    /// The planes that quotients, negated, lie beyond.
+    /// The planes that a vertex lies beyond, from its negated quotients. `xy` and `z` are the bounds.
     static unsigned planes_of(Quotient minus_x, Quotient minus_y, Quotient minus_z, std::uint32_t xy,
                               std::uint32_t z) {
         const auto most = static_cast<std::int32_t>(xy), most_z = static_cast<std::int32_t>(z);
@@ -714,15 +731,16 @@ struct FixedMath : FixedClipping {
         return true;
     }
 
-    /// m / w in Q.`bits`, nearest; |m / w| <= 4.
+    /// m / w with `bits` fraction bits, rounded to nearest; |m / w| <= 4. r and `zeros` are those of
+    /// project().
     static std::int64_t quotient(std::int32_t m, std::uint32_t r, int zeros, int bits) {
         const int shift = 62 - zeros - bits;
         const std::int64_t product = static_cast<std::int64_t>(m) * r;
         return numeric::shift_right_round(product, shift);
     }
 
-    /// m / w of a range, by a quotient of so many bits, held to 2^30, and of so many with minus_half.
-    /// `rest` gets what rounding took off, in 2^-16.
+    /// Where m / w falls in a range. The quotient has `quotient_has` fraction bits and is held to 2^30; its
+    /// product with half the range has `bits`. `rest` gets what rounding took off, in 2^-16.
     SPANGLE_RUN_CALL static std::int64_t place(const Range& range, std::int32_t m, std::uint32_t r, int zeros,
                                                int quotient_has, int bits, std::int16_t* rest = nullptr) {
         constexpr std::int64_t most = std::int64_t{1} << 30; // the guard band of 28 bits, or 1 of 30
@@ -734,7 +752,7 @@ struct FixedMath : FixedClipping {
         return range.middle + (((std::int64_t{1} << (bits - 1)) + from_middle) >> bits);
     }
 
-    /// Into what the rasterizer accepts; only rounding in the clipper ever gets here.
+    /// Limits a coordinate to what the rasterizer accepts. Only rounding in the clipper makes others.
     static std::int32_t limit(std::int64_t v, std::int16_t& rest) {
         constexpr std::int64_t most = 4 * 2048 * raster::subpixel_one - 1;
         if (v < -most || v > most)
@@ -749,7 +767,7 @@ struct FixedMath : FixedClipping {
 #endif
     }
 
-    // A build without these has no place for them (raster/vertex.hpp).
+    // A build without texture units has no place for coordinates in its vertices (raster/span/vertex.hpp).
     static void set_texture([[maybe_unused]] Window& out, [[maybe_unused]] int unit,
                             [[maybe_unused]] const numeric::Block4& strq) {
 #if SPANGLE_TEXTURE_UNITS
@@ -768,7 +786,7 @@ struct FixedMath : FixedClipping {
         out.tex[unit].exponent = static_cast<std::int16_t>(stq.e);
 #endif
     }
-    /// A block number: a matrix that leaves q as it is leaves it 1.
+    /// m 2^e is 1, exactly: a matrix that does not change q leaves it 1.
     static bool is_one(std::int32_t m, int e) {
         return e <= 0 && e >= -30 && m == 1 << -e;
     }
