@@ -20,8 +20,7 @@ namespace spangle::gl {
 
 struct FixedMath : FixedClipping {
     using Window = raster::FixedVertex;
-    using Clip =
-        numeric::Block4; ///< homogeneous; one exponent per vertex, which tests and x/w do not depend on
+    using Clip = numeric::Block4; ///< homogeneous; a vertex has one exponent, which cancels in tests and x/w
     using Eye = numeric::Block4;
     using Depth = numeric::Block;
 
@@ -103,8 +102,7 @@ struct FixedMath : FixedClipping {
         Range x, y;                   ///< the viewport, results n.8
         Range depth;                  ///< the depth range, results Q0.30
         numeric::BlockMatrix to_clip, to_eye;
-        [[no_unique_address]] std::conditional_t<numeric::wide_words, WideRows, Rows>
-            rows; ///< rows of to_clip
+        [[no_unique_address]] std::conditional_t<numeric::wide_words, WideRows, Rows> rows; ///< of to_clip
 #if SPANGLE_TEXTURE_UNITS
         numeric::BlockMatrix texture[texture_units]; ///< set where the matrix is not the identity
 #endif
@@ -228,8 +226,7 @@ struct FixedMath : FixedClipping {
             const int up = r >> 31 == 0 ? 1 : 0;       // r is 2^31 where w is a power of two
             out.w_mantissa = r << up;
             out.w_exponent = static_cast<std::int16_t>(zeros + t.w_exponent - clip.e - up);
-            const auto minus_r =
-                static_cast<std::int32_t>(0u - r); // fits a signed word, also where r is 2^31
+            const auto minus_r = static_cast<std::int32_t>(0u - r); // signed word, also where r is 2^31
             const Quotient minus_x = x.times(minus_r), minus_y = y.times(minus_r), minus_z = z.times(minus_r);
             out.x = t.x.place(minus_x, 32);
             out.y = t.y.place(minus_y, 32);
@@ -704,8 +701,7 @@ struct FixedMath : FixedClipping {
         SPANGLE_INLINE Quotient times(std::int32_t factor) const {
             if constexpr (numeric::wide_words)
                 return ((numeric::mul_s32(v, factor) >> by) + 1) >> 1;
-            if (!raster::has_perspective &&
-                lost() != 0) // saturated: only planes_of() is asked of such a quotient
+            if (!raster::has_perspective && lost() != 0) // saturated: only planes_of() uses it
                 return v < 0 ? INT32_MAX : INT32_MIN;
             return numeric::mul_high_rounded(word(by), factor);
         }

@@ -1,9 +1,9 @@
-// From a vertex as given to primitives in window space: transform, assemble, clip, cull, light, draw. One
-// template for every numeric policy; M supplies the arithmetic and L the lighting. Here stands what the parts
-// share; what each of them does is in the file named above its declarations.
+// The vertex pipeline, from vertices as given to primitives in window space: transform, assemble, clip, cull,
+// light, draw. It is one template for all numeric policies; M supplies the arithmetic, L the lighting. This
+// file has what all parts share; the file named above a group of declarations defines them.
 //
-// Order (GL 1.3, figure 2.8) as far as it can be seen. Colours are computed late, for vertices of primitives
-// that survive culling: a vertex's colour depends on nothing that happens in between.
+// The order is that of GL 1.3, figure 2.8, as far as a program can see it. Colours are computed late, for
+// vertices of primitives that survive culling, since no step in between changes a vertex's colour.
 #pragma once
 
 #include <bit>
@@ -27,7 +27,7 @@
 
 namespace spangle::gl {
 
-/// Fragments that others place, with the values of the current raster position.
+/// Draws the fragments of `source`, which places them, with the values of the current raster position.
 template <class M>
 void draw_at_raster_position(const Context& context, const raster::DrawState& state,
                              const raster::Surface& target, raster::PixelSource& source) {
@@ -86,7 +86,7 @@ template <class M, class L> class Pipeline {
             primitive();
     }
 
-    /// Elements of the arrays that are on, as ArrayElement gives them one by one.
+    /// Takes elements of the enabled arrays, as if ArrayElement gave them one by one.
     void elements(Context& context, std::uint32_t count, const Indices& indices);
 
     void end() {
@@ -101,27 +101,28 @@ template <class M, class L> class Pipeline {
                 batches_->end_batch();
     }
 
-    /// RasterPos: a vertex that is not drawn. Outside of the clip volume only `valid` changes.
+    /// RasterPos: a vertex that is not drawn. If it is outside of the clip volume, only `valid` changes.
     void raster_position(Context& context, const Real (&position)[4]);
 
-    /// A material is about to change: vertices given so far get their colours from the old one.
+    /// Called before a material changes: vertices given so far get their colours from the old one.
     void settle_colors();
 
   private:
-    /// Vertex::flags: bits 0..5 the view-volume planes it lies outside of, from bit 8 on the planes (guard
-    /// band, near, far) it must be clipped by, then what is still to be done.
-    static constexpr int user_shift = 6; ///< the user's planes behind those of the view volume
+    /// Bits of Vertex::flags. Bits 0 to 5 are the planes of the view volume that the vertex is outside of,
+    /// bits 8 to 13 the planes (guard band, near, far) that it must be clipped by; then follow single bits.
+    static constexpr int user_shift = 6; ///< number of the first plane of the user, in sets of planes
     static constexpr unsigned outside_mask = 0x3F, beyond_shift = 8, beyond_mask = 0x3F << beyond_shift,
-                              unprojected = 1 << 14, ///< has no window coordinates yet
-        uncolored = 1 << 15,
-                              is_cut = 1 << 16, ///< it is a Cut
-        edge_flag = 1 << 17,                    ///< as the vertex was given
-        boundary = 1 << 18,   ///< of the polygon at hand: the edge that starts here is drawn in outlines
-        is_pending = 1 << 19, ///< lines that it is an end of are still to be drawn
-        back_known = 1 << 20; ///< the colour of its back was settled when its front's was
+                              unprojected = 1 << 14, ///< the vertex has no window coordinates yet
+        uncolored = 1 << 15,                         ///< the vertex is still to be lit
+        is_cut = 1 << 16,                            ///< the vertex is a Cut
+        edge_flag = 1 << 17,                         ///< the current edge flag when the vertex was given
+        boundary = 1 << 18,   ///< outlines of the polygon at hand draw the edge that starts here
+        is_pending = 1 << 19, ///< primitives of Pending that use the vertex are still to be drawn
+        back_known = 1 << 20; ///< the colour of the back was settled along with that of the front
 
-    /// Nobody asks for normals where neither lights nor generated coordinates are.
+    /// Builds with neither lighting nor generated coordinates do without normals.
     static constexpr bool has_normals = SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_TEXGEN;
+    /// A vertex as it was given, in object space.
     struct Given {
         Real position[4]{numeric::zero, numeric::zero, numeric::zero, numeric::one};
 #if SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_TEXGEN
@@ -133,65 +134,70 @@ template <class M, class L> class Pipeline {
     struct Vertex : Given {
         std::uint32_t flags = 0;
 #if SPANGLE_VERTEX_CACHE != 1
-        std::uint32_t time = 0; ///< in the cache: good while this is now_
-        Real st[2]{};           ///< what read_texture() made window.tex of
+        std::uint32_t time =
+            0; ///< value of now_ when the cached vertex was processed: it is valid while both are equal
+        Real st[2]{}; ///< the coordinates that read_texture() made window.tex of
 #endif
         Window window{};
     };
-    /// A vertex while it is clipped, or one that clipping made: what the others compute when they need it.
+    /// A vertex while it is clipped, or one that clipping made. It keeps values that other vertices compute
+    /// when they need them.
     struct Cut : Vertex {
         typename M::Point clip{};
 #if SPANGLE_FEATURE_FOG
-        typename M::Depth eye_z{}; ///< with its sign, or the fog coordinate: clipping mixes it
+        typename M::Depth eye_z{}; ///< z in eye space with its sign, or the fog coordinate
 #endif
 #if SPANGLE_TWO_SIDES || SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_POINT_PARAMETERS
         typename M::Point eye{};
 #endif
 #if SPANGLE_FEATURE_FEEDBACK
-        typename M::Eye texture{}; ///< while primitives are fed back
+        typename M::Eye texture{}; ///< set while primitives are fed back
 #endif
 #if SPANGLE_TWO_SIDES
-        typename L::Input light{}; ///< for the back; the colour of the front is there
-        typename M::Colors back{}; ///< while back_known
+        typename L::Input light{}; ///< to light the back; the front has its colour already
+        typename M::Colors back{}; ///< set where back_known
 #endif
     };
 #if SPANGLE_VERTEX_CACHE != 1
-    /// The cache keeps first_vertices elements from the start. Where it grows, a draw with more elements gets
-    /// memory for vertex_cache of them.
+    /// The vertex cache keeps first_vertices elements from the start. Where it may grow, the first draw with
+    /// more elements makes it one of vertex_cache elements.
     static constexpr bool grows_cache = SPANGLE_GROWS_CACHE != 0 && raster::has_shortcuts &&
                                         vertex_cache > 1024 && std::has_single_bit(vertex_cache);
     static constexpr std::size_t first_vertices = grows_cache ? 128 : vertex_cache;
-    /// Where a vertex given by itself fell.
+    /// Where a vertex fell that was given by itself, not as an element of arrays.
     struct Placed {
-        Real position[3]{};     ///< w was 1
-        std::uint32_t time = 0; ///< good while this is now_
+        Real position[3]{};     ///< position as given; its w was 1
+        std::uint32_t time = 0; ///< value of now_ then: valid while both are equal
         typename M::Place place{};
     };
-    static constexpr std::size_t
-        most_placed = 512, ///< the more the better; these stay in the first-level cache of hosts
+    static constexpr std::size_t most_placed = 512, ///< more would not stay in the first-level cache of hosts
         placed_count = std::bit_floor(sizeof(Vertex) * vertex_cache / sizeof(Placed) < most_placed
                                           ? sizeof(Vertex) * vertex_cache / sizeof(Placed)
                                           : most_placed),
-        placed_room = (sizeof(Placed) * placed_count + sizeof(Vertex) - 1) / sizeof(Vertex), ///< in vertices
+                                 placed_room = (sizeof(Placed) * placed_count + sizeof(Vertex) - 1) /
+                                               sizeof(Vertex), ///< size of `placed`, in vertices
         placed_overlap = placed_room < first_vertices ? placed_room : first_vertices;
-    /// Vertices that come again: elements by their index, or others by their position, in the same memory.
+    /// Vertices that may come again. Elements by their index, or vertices given by themselves by their
+    /// position, take turns in the same memory.
     union Kept {
         Vertex vertex[first_vertices];
         Placed placed[placed_count];
         Kept() : vertex{} {}
     };
 #endif
-    /// Those given by themselves are.
+    /// Vertices given by themselves are kept, too.
     static constexpr bool keeps_places = vertex_cache != 1 && raster::has_shortcuts;
-    /// Vertices of line strips are not kept: few are forgotten before the next strip asks.
+    /// Vertices of line strips are not kept: a small cache forgets them before another strip asks for them.
     static constexpr bool forgets_strips =
         vertex_cache < 1024 && raster::has_shortcuts && std::is_same_v<Window, raster::FixedVertex>;
+    /// Room of Pending for vertices; a line strip of line_batch lines has one vertex more.
     static constexpr int pending_vertices = (numeric::cheap_branches ? 1 : 4) * line_batch + 1;
-    /// Triangles and quads that are seen whole go no way of their own.
+    /// Builds without shortcuts draw all triangles and quads as polygons.
     static constexpr bool faces_are_polygons = has_polygons && !raster::has_shortcuts;
     static constexpr int slot_count = 4;
-    /// A quad gets a corner more at each plane of the volume and of the user, and room for two is asked for
-    /// at every edge. Cuts that a plane took away are those that the next one makes.
+    /// Room for the corners of a quad while it is clipped: each plane of the volume and of the user adds one,
+    /// and clip_polygon() wants room for two at every edge. A Cut that a plane took away is free for the next
+    /// plane.
     static constexpr int clip_vertices = slot_count + 6 +
                                          (SPANGLE_FEATURE_CLIP_PLANES ? max_clip_planes : 0) + 2 + clip_spare,
                          cut_count = clip_vertices + clip_spare;
@@ -201,78 +207,79 @@ template <class M, class L> class Pipeline {
                   "user's planes, outlines, selection, feedback and antialiasing need SPANGLE_CLIPPING");
     static_assert(raster::has_perspective || !has_clipping, "what SPANGLE_CLIPPING cuts has a w of its own");
 
-    /// So many elements of a long draw are drawn, or left out, together.
+    /// Number of elements of a long draw that are drawn, or left out of a band, together.
     static constexpr std::uint32_t piece = 12;
     static constexpr bool skips_batches = SPANGLE_FEATURE_BANDS != 0;
 
     Context* context_ = nullptr;
-    /// Of the drawable, while bands are drawn by callback; null where the batch is selected or fed back.
+    /// The batches of the drawable, while a callback draws its bands; null in modes SELECT and FEEDBACK.
     raster::BatchRows* batches_ = nullptr;
     const raster::DrawState* state_ = nullptr;
     GLenum mode_ = GL_POINTS;
-    int held_ = 0, full_ = 0; ///< corners held, and how many make a primitive
-    bool odd_ = false;        ///< number of triangles of the strip so far
+    int held_ = 0, full_ = 0; ///< vertices in corner_, and how many make a primitive
+    bool odd_ = false;        ///< the strip has an odd number of triangles so far
     bool fog_ = false, lit_ = false, flat_ = false, two_sided_ = false;
-    unsigned units_ = 0;          ///< bit u: texture unit u is on; bit u + third_coordinate: it looks at r
-    unsigned thirds_ = 0;         ///< the latter of the vertices that are kept
-    bool fog_given_ = false;      ///< by fog coordinates
-    bool sums_ = false;           ///< colours of vertices, without lighting: COLOR_SUM
-    unsigned index_bits_ = 0;     ///< of an index framebuffer; 0: colours
-    bool each_vertex_ = false;    ///< something more happens to vertices when they are given
-    bool whole_polygons_ = false; ///< triangles, too, go the way of polygons
-    bool outlines_ = false;       ///< PolygonMode makes lines or points of some face
+    unsigned units_ = 0;          ///< bit u: texture unit u is on; bit u + third_coordinate: it uses r
+    unsigned thirds_ = 0;         ///< the bits of units that use r, for the vertices that are kept
+    bool fog_given_ = false;      ///< fog takes its distance from fog coordinates
+    bool sums_ = false;           ///< vertices have secondary colours without lighting: COLOR_SUM
+    unsigned index_bits_ = 0;     ///< bits of an index framebuffer; 0: the framebuffer has colours
+    bool each_vertex_ = false;    ///< given() is called for each vertex
+    bool whole_polygons_ = false; ///< polygon() draws triangles and quads, too
+    bool outlines_ = false;       ///< PolygonMode makes lines or points of front or back faces
     bool stencil_sides_ = false;  ///< back faces have a DrawState of their own
     bool captures_ = false;       ///< primitives are selected or fed back, not drawn
-    bool cuts_lines_ = false;     ///< wide lines are clipped where the viewport ends, within the window
-    bool offsets_ = false;        ///< depths of polygons are offset in some mode
-    bool modal_lines_ = false;    ///< lines are stippled, antialiased, or drawn to samples
-    bool modal_points_ = false;   ///< points, likewise; or they are sprites, or have sizes of their own
-    bool fills_whole_ = false;    ///< filled polygons are antialiased, or drawn to samples
+    bool cuts_lines_ =
+        false; ///< wide lines are clipped at the edges of the viewport, which lie within the window
+    bool offsets_ = false;      ///< PolygonOffset is on for some polygon mode
+    bool modal_lines_ = false;  ///< lines are stippled, antialiased, or drawn to samples
+    bool modal_points_ = false; ///< points likewise, or they are sprites, or have sizes of their own
+    bool fills_whole_ = false;  ///< filled polygons are antialiased, or drawn to samples
     bool smooth_polygons_ = false;
     bool multisampling_ = false;
-    bool stipple_starts_ = false;               ///< no line since the pattern was to start anew
-    GLenum face_mode_[2] = {};                  ///< of front and back
-    bool front_is_ccw_ = false, culls_[2] = {}; ///< counter-clockwise ones, and clockwise ones
-    Vertex* corner_[slot_count] = {};           ///< of the primitive being assembled
-    unsigned layout_ = 0;                       ///< of the arrays that the cached vertices came from
-    Given given_;                               ///< the element at hand
-    Real given_color_[4] = {};                  ///< current during the last draw of elements
-    std::uint32_t now_ = 0; ///< of cached vertices; another one when their results would differ
-    std::int32_t point_size_ = 0, line_width_ = 0;
+    bool stipple_starts_ = false;               ///< the next line starts the stipple pattern anew
+    GLenum face_mode_[2] = {};                  ///< polygon mode of front and back
+    bool front_is_ccw_ = false, culls_[2] = {}; ///< culls_: counter-clockwise and clockwise faces
+    Vertex* corner_[slot_count] = {};           ///< vertices of the primitive being assembled
+    unsigned layout_ = 0; ///< layout of the arrays that the cached vertices came from; see arrays_begin()
+    Given given_;         ///< position and normal of the element at hand
+    Real given_color_[4] = {}; ///< current colour during the last draw of elements
+    std::uint32_t now_ = 0;    ///< cached vertices of another `time` are invalid; see forget()
+    std::int32_t point_size_ = 0, line_width_ = 0; ///< in pixels, 1 to 64
     raster::LineStipple stipple_;
     typename M::Transforms transforms_;
     L lighting_;
     UserPlanes<M> planes_;
     TexGen<M> texgen_;
-    Window unlit_{};           ///< holds the current colour in the rasterizer's units
-    Real unlit_color_[4] = {}; ///< of which this was converted
+    Window unlit_{};           ///< the current colour in the rasterizer's units
+    Real unlit_color_[4] = {}; ///< the current colour that unlit_ was converted from
     bool has_unlit_color_ = false;
 #if SPANGLE_VERTEX_CACHE != 1
-    bool keeps_placed_ = false; ///< which of kept_
-    std::uint32_t in_turn_ = 0; ///< vertices given by themselves since the last elements
+    bool keeps_placed_ = false; ///< kept_ holds `placed`, not `vertex`
+    std::uint32_t in_turn_ = 0; ///< number of vertices given by themselves since the last elements
 #endif
 #if SPANGLE_CLIPPING
-    std::uint32_t free_cuts_ = 0; ///< bit i: cut_[i] is nobody's corner
+    std::uint32_t free_cuts_ = 0; ///< bit i: cut_[i] is no corner of the polygon being clipped
 #endif
 #if SPANGLE_GATHERS_POLYGONS
-    Cut* gathered_ = nullptr; ///< corners of a polygon that is drawn when all are there, in the arena
+    Cut* gathered_ = nullptr; ///< in the arena: corners of a polygon that is drawn when it ends
     int gathered_count_ = 0, gathered_room_ = 0;
-    const Window** gathered_windows_ = nullptr; ///< room for those of what is left of it
-    bool gathering_lost_ = false;               ///< the arena had no room for all of them
+    const Window** gathered_windows_ = nullptr; ///< room for the corners that clipping leaves of that polygon
+    bool gathering_lost_ = false;               ///< the arena had no room for all corners
 #endif
     Vertex slot_[slot_count];
 #if SPANGLE_TWO_SIDES
-    typename M::Colors back_[slot_count]; ///< of slot_, while back_known
+    typename M::Colors back_[slot_count]; ///< back colours of slot_, set where back_known
 #endif
 #if SPANGLE_FEATURE_FEEDBACK
-    typename M::Eye texture_[slot_count]; ///< of slot_, while primitives are fed back
+    typename M::Eye texture_[slot_count]; ///< of slot_, set while primitives are fed back
 #endif
 #if SPANGLE_VERTEX_CACHE != 1
     Kept kept_;
     struct Grown {
-        Vertex* elements = nullptr; ///< all of vertex_cache, or null
-        Vertex* base = nullptr;     ///< of the elements that are kept now,
-        std::uint32_t mask = 0;     ///< by these bits of their indices
+        Vertex* elements = nullptr; ///< room for vertex_cache elements, or null
+        Vertex* base = nullptr;     ///< the elements that are kept now: `elements`, or kept_.vertex
+        std::uint32_t mask = 0;     ///< bits of an index that choose the place
     };
     struct NotGrown {};
     [[no_unique_address]] std::conditional_t<grows_cache, Grown, NotGrown> grown_;
@@ -281,7 +288,7 @@ template <class M, class L> class Pipeline {
     Cut cut_[cut_count];
 #endif
 
-    /// True, in a band that is drawn by callback, where nothing of the batch that begins reaches it.
+    /// A callback draws this band, and no part of the batch that begins reaches the band.
     bool begins_left_out([[maybe_unused]] const Context& context) {
         if constexpr (skips_batches) {
             batches_ = context.render.draws() ? context.drawable.batches : nullptr;
@@ -289,7 +296,7 @@ template <class M, class L> class Pipeline {
         }
         return false;
     }
-    /// From such a begin() to its end().
+    /// The batch that has begun is left out of the band; true from its begin() to its end().
     bool left_out() const {
         return skips_batches && batches_ != nullptr && batches_->leaves_out();
     }
@@ -360,7 +367,7 @@ template <class M, class L> class Pipeline {
             line_width_ = whole(polygon.line_width);
     }
 
-    /// No cached vertex is good any more.
+    /// Makes all cached vertices invalid.
     SPANGLE_RUN_CALL void forget() {
         if (++now_ != 0)
             return;
@@ -376,7 +383,7 @@ template <class M, class L> class Pipeline {
         return p.cull_face_mode == GL_FRONT_AND_BACK || (p.cull_face_mode == GL_FRONT) == front;
     }
 
-    /// Aliased sizes are rounded, 0 counts as 1 (GL 1.3, 3.3, 3.4.2); the largest is 64.
+    /// The size of aliased points and lines in pixels: rounded, 1 to 64; 0 counts as 1 (GL 1.3, 3.3, 3.4.2).
     SPANGLE_RUN_CALL static std::int32_t whole(Real size) {
         return numeric::clamp<std::int32_t>(numeric::to_i32_round(size), 1, 64);
     }
@@ -424,11 +431,11 @@ template <class M, class L> class Pipeline {
     bool fills_whole() const {
         return (SPANGLE_FEATURE_ANTIALIASING || raster::has_samples) && fills_whole_;
     }
-    /// Sizes of antialiased points and lines come in eighths of a pixel, 1 to 64 (GL 1.3, 3.3).
+    /// The size of antialiased points and lines in eighths of a pixel, for sizes from 1 to 64 (GL 1.3, 3.3).
     static std::int32_t eighths(Real size) {
         return numeric::clamp<std::int32_t>(((numeric::to_fixed(size, 16) >> 12) + 1) >> 1, 8, 512);
     }
-    /// Polygons are outlined, captured or antialiased as one; triangles of them would not do.
+    /// Polygons are outlined, captured or antialiased as a whole, so they may not be divided into triangles.
     bool stays_whole() const {
         return outlined() || captures() || fills_whole();
     }
@@ -438,12 +445,13 @@ template <class M, class L> class Pipeline {
     bool indexed() const {
         return raster::has_indices && index_bits_ != 0;
     }
-    /// The edges that the view volume cuts are seen, or what is left of the primitive is. Wide
-    /// lines end where they leave the view volume, and reach beyond it by their width alone.
+    /// Primitives are clipped to the view volume, not to the guard band: the edges made by clipping are
+    /// drawn, or its result is reported. A wide line ends where its middle leaves the view volume
+    /// (cuts_lines_).
     bool exactly_clipped() const {
         return outlined() || captures() || cuts_lines_;
     }
-    /// Of flags: the planes to clip by, by number.
+    /// The planes to clip by, bit i for plane i, for a primitive whose vertices have these flags in sum.
     unsigned clip_planes(unsigned flags) const {
         return exactly_clipped() ? flags & outside_mask : (flags & beyond_mask) >> beyond_shift;
     }
@@ -462,20 +470,20 @@ template <class M, class L> class Pipeline {
         return differ == 0;
     }
 
-    /// Lines and strips on their way: vertices, those among them that are still to be divided by w, and clip
-    /// coordinates of these.
+    /// Vertices of lines and strips that are not drawn yet. The fresh ones among them have clip coordinates,
+    /// in `projections`, but are not divided by w yet.
     struct Pending {
         Vertex *vertex[pending_vertices], *fresh[line_batch];
         typename M::template Projections<line_batch> projections;
         int count = 0, fresh_count = 0;
-        Pending() { vertex[0] = vertex[1] = nullptr; } // who asks for those need not know how many there are
+        Pending() { vertex[0] = vertex[1] = nullptr; } // may be asked for while count is 0
     };
 
     struct Corner {
         const Vertex& vertex;
-        const Window& window; ///< of the side that is seen
+        const Window& window; ///< the window vertex of the side that is seen
     };
-    /// Corners of a polygon, likewise; without windows of their own it is the front.
+    /// The corners of a polygon whose front or back is seen. Only a back has window vertices of its own.
     struct Seen {
         Vertex* const* corners;
         const Window* back = nullptr;
@@ -598,7 +606,7 @@ template <class M, class L> class Pipeline {
     SPANGLE_INLINE void usual_triangle(Vertex& a, Vertex& b, Vertex& c, bool whole);
     void quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& provoking);
     [[gnu::noinline]] void polygon(Vertex* const* corners, int n, Vertex& provoking);
-    /// `part` has room for n; `whole` has the sign of the polygon before it was cut, or is 0.
+    /// `part` has room for n areas. `whole` has the sign of the area before the polygon was cut, or is 0.
     void visible(Vertex* const* corners, int n, Vertex& provoking, std::int64_t* part, std::int64_t whole);
     SPANGLE_INLINE void draw(const Seen& at, int n, const Window& provoking, int side,
                              const std::int64_t* part);

@@ -1,4 +1,4 @@
-// From vertices to primitives (GL 1.3, 2.6.1); provoking vertices by table 2.11.
+// Assembles primitives from vertices (GL 1.3, 2.6.1); table 2.11 says which vertex is the provoking one.
 #pragma once
 
 #include "gl/vertex/pipeline.hpp"
@@ -16,8 +16,8 @@ template <class M, class L> inline void Pipeline<M, L>::swap(int i, int j) {
     corner_[j] = v;
 }
 
-/// Draws the face whose N corners are c. The triangles of a face of four share the diagonal from c[0] to
-/// c[2].
+/// Draws the triangle or quad whose N corners are c. The two triangles of a quad share the diagonal from c[0]
+/// to c[2].
 template <class M, class L>
 template <int N>
 SPANGLE_INLINE void Pipeline<M, L>::face(Vertex* const* c, int provoking) {
@@ -29,7 +29,8 @@ SPANGLE_INLINE void Pipeline<M, L>::face(Vertex* const* c, int provoking) {
         quad(*c[0], *c[1], *c[2], *c[3], *c[provoking]);
 }
 
-/// All corners are there: draws, and leaves those that the next primitive shares in front.
+/// All corners of the primitive have been given: draws it, and moves the corners that the next primitive
+/// shares to the front.
 template <class M, class L> void Pipeline<M, L>::primitive() {
     Vertex* const* const c = corner_;
     switch (mode_) {
@@ -43,7 +44,7 @@ template <class M, class L> void Pipeline<M, L>::primitive() {
         held_ = 1;
         swap(0, 1);
         return line(*c[1], *c[0]);
-    case GL_LINE_LOOP: // the first vertex stays in front
+    case GL_LINE_LOOP: // the first vertex of the loop stays in front
         held_ = 2;
         if (full_ == 2) {
             full_ = 3;
@@ -54,7 +55,7 @@ template <class M, class L> void Pipeline<M, L>::primitive() {
     case GL_TRIANGLES:
         held_ = 0;
         return face<3>(c, 2);
-    case GL_TRIANGLE_STRIP: // the newest takes the place of the oldest in turn, so all face one way
+    case GL_TRIANGLE_STRIP: // the newest takes the place of the oldest, so all face one way
         face<3>(c, 2);
         swap(odd_ ? 1 : 0, 2);
         odd_ = !odd_;
@@ -73,8 +74,8 @@ template <class M, class L> void Pipeline<M, L>::primitive() {
         polygon(c, 3, *c[0]);
         break;
     case GL_QUADS: {
-        // GL leaves the diagonal open (GL 1.3, 2.6.1). It ends at the provoking vertex, as in QUAD_STRIP and
-        // in Mesa, so quads of four colours look as they do elsewhere.
+        // GL leaves open which diagonal divides a quad (GL 1.3, 2.6.1). It ends at the provoking vertex here,
+        // as in QUAD_STRIP and in Mesa, so that quads of four colours look as they do elsewhere.
         Vertex* const from_second[4] = {c[1], c[2], c[3], c[0]};
         held_ = 0;
         return face<4>(from_second, 2);
@@ -89,12 +90,12 @@ template <class M, class L> void Pipeline<M, L>::primitive() {
     held_ = 2;
 }
 
-/// Polygons that are not filled fans.
+/// Begins a polygon that is not drawn as a fan of filled triangles.
 template <class M, class L> void Pipeline<M, L>::begin_polygon() {
     if (gathers())
         full_ = 1;
     else if (outlined())
-        full_ = 4; // the last triangle has an edge more than those before
+        full_ = 4; // the last triangle, known only at the end, has one edge more
 }
 
 template <class M, class L> void Pipeline<M, L>::end_polygon() {
@@ -104,8 +105,8 @@ template <class M, class L> void Pipeline<M, L>::end_polygon() {
         outlined_fan(true);
 }
 
-/// The oldest triangle of a polygon that may be drawn as its outline: v0, vi, vi+1. Only the edges of the
-/// polygon are drawn: v0 v1 is in the first triangle, vn v0 in the last.
+/// Draws the oldest triangle, v0, vi, vi+1, of a polygon that may be outlined. Only edges of the polygon are
+/// drawn: edge v0 v1 belongs to the first triangle, edge vn v0 to the last.
 template <class M, class L> void Pipeline<M, L>::outlined_fan(bool last) {
     const auto flag = [](Vertex& v, bool is_edge) {
         v.flags = is_edge && (v.flags & edge_flag) != 0 ? v.flags | boundary : v.flags & ~boundary;
@@ -120,13 +121,13 @@ template <class M, class L> void Pipeline<M, L>::outlined_fan(bool last) {
     held_ = 3;
 }
 
-/// Outlines and feedback begin at this one of n corners, which the caller named first: quads come with their
-/// second in front. Where a quad that is cut begins is left open by GL.
+/// The corner, of n, at which outlines and feedback begin: the vertex that was given first. Quads have their
+/// second vertex in front. GL leaves open where a quad that was clipped begins.
 template <class M, class L> inline int Pipeline<M, L>::first_corner(int n) const {
     return mode_ == GL_QUADS ? n - 1 : 0;
 }
 
-/// Which edges of any other polygon are drawn: those of strips and fans all (GL 1.3, 2.6.2).
+/// Marks the edges that outlines of a triangle or quad draw. Strips and fans draw all (GL 1.3, 2.6.2).
 template <class M, class L> inline void Pipeline<M, L>::flag_edges(Vertex* const* corners, int n) {
     if (mode_ == GL_POLYGON)
         return;

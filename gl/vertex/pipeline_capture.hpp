@@ -1,4 +1,4 @@
-// Primitives that are selected or fed back (GL 1.3, 5.2 and 5.3).
+// Captures primitives, which are then selected or fed back instead of drawn (GL 1.3, 5.2 and 5.3).
 #pragma once
 
 #include "gl/vertex/pipeline.hpp"
@@ -13,7 +13,7 @@ void Pipeline<M, L>::capture_line(const Corner& a, const Corner& b, const Window
     capture({b.vertex, flat_ ? provoking : b.window});
 }
 
-/// Of a primitive of which n corners are left after clipping, and are captured next.
+/// Begins a primitive of which clipping left n corners; capture() takes each of them next.
 template <class M, class L>
 void Pipeline<M, L>::begin_capture([[maybe_unused]] GLenum token, [[maybe_unused]] int n) {
 #if SPANGLE_FEATURE_FEEDBACK

@@ -1,4 +1,4 @@
-// Clipping (GL 1.3, 2.11).
+// Clips primitives to the view volume, the guard band and the user's planes (GL 1.3, 2.11).
 #pragma once
 
 #include <bit>
@@ -11,7 +11,7 @@ template <class M, class L> inline bool Pipeline<M, L>::needs_eye() const {
     return planes_.any() || (SPANGLE_TWO_SIDES && lit_ && lighting_.needs_eye()) || modal_points();
 }
 
-/// The vertex with all that clipping mixes; colours come first.
+/// Makes a Cut of a vertex, with all values that clipping mixes. The vertex is lit first.
 template <class M, class L> typename Pipeline<M, L>::Cut& Pipeline<M, L>::to_be_cut(Vertex& v, Cut& out) {
     color(v);
     static_cast<Vertex&>(out) = v;
@@ -37,7 +37,7 @@ template <class M, class L> typename Pipeline<M, L>::Cut& Pipeline<M, L>::to_be_
     return out;
 }
 
-/// All but the place of a vertex at t of the edge from a to b.
+/// Sets everything but the position of a new vertex at t of the edge from a to b.
 template <class M, class L>
 void Pipeline<M, L>::mix(const Cut& a, const Cut& b, const typename M::Parameter& t, Cut& out) {
     [[maybe_unused]] const auto mix_part = [&](auto Cut::*part) SPANGLE_RUN_LAMBDA {
@@ -75,8 +75,8 @@ template <class M, class L> inline int Pipeline<M, L>::band() const {
     return exactly_clipped() ? 1 : M::guard_band;
 }
 
-/// Planes are numbered: those of the view volume, from user_shift on the user's. These come last, so that
-/// they cut the same polygon as their complements do.
+/// The vertex lies inside of a plane. Planes 0 to 5 are those of the view volume; the user's planes begin at
+/// user_shift. They cut last, so that a plane and its complement cut the same polygon.
 template <class M, class L> inline bool Pipeline<M, L>::keeps(int plane, const Cut& v) const {
 #if SPANGLE_FEATURE_CLIP_PLANES
     if (plane >= user_shift) {
@@ -87,7 +87,7 @@ template <class M, class L> inline bool Pipeline<M, L>::keeps(int plane, const C
     return !M::beyond(v.clip, plane, band());
 }
 
-/// A new vertex on the edge from inside to outside; the same integers whichever polygon asks.
+/// Makes the new vertex where an edge meets a plane. Polygons that share the edge get the same integers.
 template <class M, class L>
 inline void Pipeline<M, L>::cut(int plane, const Cut& inside, const Cut& outside, Cut& out) {
 #if SPANGLE_FEATURE_CLIP_PLANES
@@ -98,14 +98,14 @@ inline void Pipeline<M, L>::cut(int plane, const Cut& inside, const Cut& outside
         M::intersect(M::distance(inside.clip, plane, band()), M::distance(outside.clip, plane, band()));
     out.clip = M::cut(inside.clip, outside.clip, plane, band(), t);
     mix(inside, outside, t, out);
-    // Rounding must not leave it outside of the plane it lies on.
+    // Rounding must not leave the new vertex outside of the plane it lies on.
     out.flags &= ~(1u << plane | 1u << (static_cast<unsigned>(plane) + beyond_shift));
 }
 
 #if SPANGLE_FEATURE_CLIP_PLANES
 
-/// From the side where distances are positive, whichever is kept: the same integers for a plane and its
-/// complement.
+/// Makes the new vertex where an edge meets a plane of the user. The edge is taken from the side where the
+/// distance is positive, whichever side is kept: a plane and its complement get the same integers.
 template <class M, class L>
 inline void Pipeline<M, L>::cut_by_user(const typename M::Plane& plane, const Cut& inside, const Cut& outside,
                                         Cut& out) {
@@ -117,12 +117,13 @@ inline void Pipeline<M, L>::cut_by_user(const typename M::Plane& plane, const Cu
 
 #endif
 
-/// Of corners: some may be beyond a plane, or have no window coordinates yet.
+/// Some corner may be beyond a plane, or has no window coordinates yet. `flags`: of all corners together.
 template <class M, class L> inline bool Pipeline<M, L>::to_be_clipped(unsigned flags) {
     return has_clipping && (flags & (beyond_mask | unprojected)) != 0;
 }
 
-/// True: these corners would have to be cut, which this build does not.
+/// True, with the error set: a primitive would have to be clipped, which this build does not do. `flags`: of
+/// all corners together.
 template <class M, class L> inline bool Pipeline<M, L>::refuses(unsigned flags) {
     if (tells_reach && has_clipping)
         reach_cut(flags);
@@ -138,7 +139,7 @@ template <class M, class L> inline bool Pipeline<M, L>::refuses(unsigned flags) 
 
 #if SPANGLE_CLIPPING
 
-/// A place for a new vertex; null: all hold corners.
+/// A place in cut_ for a new vertex; null: all places hold corners.
 template <class M, class L> inline auto Pipeline<M, L>::free_cut() -> Cut* {
     if (free_cuts_ == 0)
         return nullptr;
@@ -147,7 +148,7 @@ template <class M, class L> inline auto Pipeline<M, L>::free_cut() -> Cut* {
     return &cut_[i];
 }
 
-/// All are free but those among the n corners.
+/// Frees all places of cut_ but those of the n corners.
 template <class M, class L> void Pipeline<M, L>::keep_cuts(Vertex* const* corners, int n) {
     free_cuts_ = static_cast<std::uint32_t>((std::uint64_t{1} << cut_count) - 1);
     for (int i = 0; i < n; ++i) {
@@ -158,6 +159,7 @@ template <class M, class L> void Pipeline<M, L>::keep_cuts(Vertex* const* corner
     }
 }
 
+/// Clips a line to all planes; its ends become Cuts. False: nothing of the line is left.
 template <class M, class L> inline bool Pipeline<M, L>::clip_line(Vertex* (&ends)[2]) {
     int made = 2;
     Cut* end[2] = {&to_be_cut(*ends[0], cut_[0]), &to_be_cut(*ends[1], cut_[1])};
@@ -177,8 +179,8 @@ template <class M, class L> inline bool Pipeline<M, L>::clip_line(Vertex* (&ends
     return true;
 }
 
-/// Sutherland and Hodgman, plane by plane; what is left of the n corners, room at most, ends up in their
-/// place.
+/// Clips a polygon plane by plane, after Sutherland and Hodgman. The result takes the place of the n corners;
+/// both arrays have room for `room` corners. Returns the number of corners; 0: nothing is left.
 template <class M, class L>
 inline int Pipeline<M, L>::clip_polygon(Vertex** corners, Vertex** work, int room, int n, unsigned planes) {
     for (int plane = 0; plane < user_shift + planes_.count(); ++plane) {
@@ -202,8 +204,8 @@ inline int Pipeline<M, L>::clip_polygon(Vertex** corners, Vertex** work, int roo
             if (fresh == nullptr)
                 return 0;
             cut(plane, here_in ? here : next, here_in ? next : here, *fresh);
-            // On the way out an edge along the plane starts, a boundary; on the way in goes on what was
-            // cut (GL 1.3, 2.11).
+            // An edge that leaves the volume starts an edge along the plane, which is a boundary. An edge
+            // that enters goes on from the new vertex, a boundary if it was one before (GL 1.3, 2.11).
             fresh->flags |= here_in ? unsigned{boundary} : here.flags & boundary;
             work[m++] = fresh;
         }
