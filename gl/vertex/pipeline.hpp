@@ -134,9 +134,8 @@ template <class M, class L> class Pipeline {
     struct Vertex : Given {
         std::uint32_t flags = 0;
 #if SPANGLE_VERTEX_CACHE != 1
-        std::uint32_t time =
-            0; ///< value of now_ when the cached vertex was processed: it is valid while both are equal
-        Real st[2]{}; ///< the coordinates that read_texture() made window.tex of
+        std::uint32_t time = 0; ///< now_ when a cached vertex was processed; valid while both are equal
+        Real st[2]{};           ///< the coordinates that read_texture() made window.tex of
 #endif
         Window window{};
     };
@@ -175,7 +174,7 @@ template <class M, class L> class Pipeline {
                                           ? sizeof(Vertex) * vertex_cache / sizeof(Placed)
                                           : most_placed),
                                  placed_room = (sizeof(Placed) * placed_count + sizeof(Vertex) - 1) /
-                                               sizeof(Vertex), ///< size of `placed`, in vertices
+                                               sizeof(Vertex), ///< in vertices
         placed_overlap = placed_room < first_vertices ? placed_room : first_vertices;
     /// Vertices that may come again. Elements by their index, or vertices given by themselves by their
     /// position, take turns in the same memory.
@@ -229,12 +228,11 @@ template <class M, class L> class Pipeline {
     bool outlines_ = false;       ///< PolygonMode makes lines or points of front or back faces
     bool stencil_sides_ = false;  ///< back faces have a DrawState of their own
     bool captures_ = false;       ///< primitives are selected or fed back, not drawn
-    bool cuts_lines_ =
-        false; ///< wide lines are clipped at the edges of the viewport, which lie within the window
-    bool offsets_ = false;      ///< PolygonOffset is on for some polygon mode
-    bool modal_lines_ = false;  ///< lines are stippled, antialiased, or drawn to samples
-    bool modal_points_ = false; ///< points likewise, or they are sprites, or have sizes of their own
-    bool fills_whole_ = false;  ///< filled polygons are antialiased, or drawn to samples
+    bool cuts_lines_ = false;     ///< wide lines are clipped at viewport edges within the window
+    bool offsets_ = false;        ///< PolygonOffset is on for some polygon mode
+    bool modal_lines_ = false;    ///< lines are stippled, antialiased, or drawn to samples
+    bool modal_points_ = false;   ///< points likewise, or they are sprites, or have sizes of their own
+    bool fills_whole_ = false;    ///< filled polygons are antialiased, or drawn to samples
     bool smooth_polygons_ = false;
     bool multisampling_ = false;
     bool stipple_starts_ = false;               ///< the next line starts the stipple pattern anew

@@ -1,4 +1,4 @@
-// Elements of arrays: vertices kept by index, lines and strips of them.
+// Draws elements of arrays. Vertices are kept by index, in a cache; lines and triangle strips go in batches.
 #pragma once
 
 #include "gl/context/arena.hpp"
@@ -6,7 +6,7 @@
 
 namespace spangle::gl {
 
-/// While bands are drawn by callback: in pieces, of which those that do not reach the band are left out.
+/// While a callback draws bands, elements go in pieces, and pieces that do not reach the band are left out.
 template <class M, class L>
 inline void Pipeline<M, L>::elements(Context& context, std::uint32_t count, const Indices& indices) {
     if constexpr (skips_batches) {
@@ -23,7 +23,7 @@ inline void Pipeline<M, L>::elements(Context& context, std::uint32_t count, cons
             const std::uint32_t from = first == 0 ? 0 : first - static_cast<std::uint32_t>(repeated),
                                 end = count - first < step ? count : first + step;
             held_ = 0;
-            odd_ = false; // as in the first piece
+            odd_ = false; // as in the first piece, so that strips turn the same way
             elements_of(context, reader, end - from, indices.from(from));
             if (repeated >= 0)
                 batches_->end_piece();
@@ -33,10 +33,10 @@ inline void Pipeline<M, L>::elements(Context& context, std::uint32_t count, cons
     }
 }
 
-/// How many elements a piece repeats of the one before it: a piece of a strip is a strip of its own. -1: the
-/// mode, or a stipple that goes on from line to line, allows no pieces.
+/// The number of elements that a piece repeats of the piece before it, since a piece of a strip is a strip of
+/// its own. -1: there are no pieces in this mode, or with a stipple that goes on from line to line.
 template <class M, class L> int Pipeline<M, L>::repeated_elements() const {
-    static_assert(piece % 12 == 0); // whole primitives, and strips turn the same way in every piece
+    static_assert(piece % 12 == 0); // a piece is whole primitives, and an even number of triangles
     constexpr std::int8_t repeated[] = {0, 0, -1, 1, 0, 2, -1, 0, 2, -1}; // POINTS .. POLYGON
     const bool stippled = SPANGLE_FEATURE_STIPPLE && context_->polygon.line_stipple;
     return mode_ == GL_LINE_STRIP && stippled ? -1 : repeated[mode_];
@@ -53,7 +53,8 @@ void Pipeline<M, L>::elements_of(Context& context, const ElementReader& reader, 
     elements_in_turn(context, reader, count, indices);
 }
 
-/// Colours that materials follow, or no vertex array: element by element. Without shortcuts all others, too.
+/// Takes elements one by one. Materials that follow the colour need that, and so do draws without a vertex
+/// array. Builds without shortcuts take all elements so.
 template <class M, class L>
 void Pipeline<M, L>::elements_in_turn(Context& context, const ElementReader& reader, std::uint32_t count,
                                       const Indices& indices) {
@@ -76,9 +77,9 @@ void Pipeline<M, L>::elements_in_turn(Context& context, const ElementReader& rea
 
 #if SPANGLE_VERTEX_CACHE != 1
 
-/// The vertex of an element whose attributes are the current ones, where it falls from `kept`, if that has
-/// the same position and normal. One that is a corner keeps what else it has: another index may have brought
-/// it.
+/// Adds the vertex of an element whose attributes are current. If `kept`, its place in the cache, has the
+/// same position and normal, the window position is taken from there. A kept vertex that is a corner at the
+/// moment stays as it is, since another index may have brought it.
 template <class M, class L>
 inline void Pipeline<M, L>::next_element(const CurrentState& current, Vertex& kept,
                                          const Real (&position)[4]) {
@@ -99,6 +100,7 @@ inline void Pipeline<M, L>::next_element(const CurrentState& current, Vertex& ke
         primitive();
 }
 
+/// Draws elements from the cache of vertices.
 template <class M, class L>
 inline void Pipeline<M, L>::kept_elements(Context& context, const ElementReader& reader, std::uint32_t count,
                                           const Indices& indices) {
@@ -134,7 +136,8 @@ inline void Pipeline<M, L>::kept_elements(Context& context, const ElementReader&
 
 #if SPANGLE_GROWS_CACHE
 
-/// Where elements are kept: all of them in memory of their own, once that pays and if the arena has it.
+/// Chooses where elements are kept. The first draw with more than first_vertices elements gets a cache of
+/// vertex_cache elements in the arena, if there is room; it stays.
 template <class M, class L> inline void Pipeline<M, L>::grow_cache(Context& context, std::uint32_t count) {
     if (grown_.elements == nullptr && count > first_vertices) {
         void* const memory = context.arena->allocate(sizeof(Vertex) * vertex_cache);
@@ -149,8 +152,8 @@ template <class M, class L> inline void Pipeline<M, L>::grow_cache(Context& cont
 
 #endif
 
-/// Cached vertices do not say how many components their arrays had, nor which normal and colour, current
-/// ones, went with all.
+/// Makes cached vertices invalid where the layout of the arrays, the current normal or the current colour
+/// has changed: cached vertices do not say which they had.
 template <class M, class L>
 inline void Pipeline<M, L>::arrays_begin(const ElementReader& reader, const CurrentState& current,
                                          bool textured) {
@@ -161,7 +164,7 @@ inline void Pipeline<M, L>::arrays_begin(const ElementReader& reader, const Curr
         (!reader.normal.on() && !same<3>(given_.normal, current.normal)))
         forget();
     layout_ = layout;
-    given_.position[2] = numeric::zero; // what the array leaves out
+    given_.position[2] = numeric::zero; // components that the array leaves out
     given_.position[3] = numeric::one;
     set_normal(given_, current.normal);
     for (int c = 0; c < 4; ++c)
@@ -172,13 +175,13 @@ template <class M, class L> inline bool Pipeline<M, L>::draws_lines() const {
     return has_lines && mode_ >= GL_LINES && mode_ <= GL_LINE_STRIP;
 }
 
-/// Three floats each, and everything else, texture coordinates apart, is current.
+/// The usual arrays: positions of three floats, normals of three floats if they count, and no colours.
 template <class M, class L> inline bool Pipeline<M, L>::is_usual(const ElementReader& reader) const {
     return reader.vertex.is_floats(3) && (!lit_ || !reader.normal.on() || reader.normal.is_floats(3)) &&
            !reader.color.on();
 }
 
-/// Two floats for the first texture unit, and no other is on.
+/// The usual texture coordinates: two floats for the first unit, the only one that is on.
 template <class M, class L> inline bool Pipeline<M, L>::is_usual_texture(const ElementReader& reader) const {
     bool others = false;
     for (int u = 1; u < texture_units; ++u)
@@ -188,15 +191,15 @@ template <class M, class L> inline bool Pipeline<M, L>::is_usual_texture(const E
 
 template <class M, class L>
 inline typename Pipeline<M, L>::Vertex& Pipeline<M, L>::cached(std::uint32_t index) {
-    // One base for what is asked of it.
+    // The address stays in a register, as the base of all accesses to the vertex.
     if constexpr (grows_cache)
         return *numeric::kept_in_register(&grown_.base[index & grown_.mask]);
     else
         return *numeric::kept_in_register(&kept_.vertex[numeric::remainder<vertex_cache>(index)]);
 }
 
-/// The vertex of an element, all but its colour and texture coordinates: as it was processed before, if
-/// the arrays still say the same of it.
+/// The vertex of an element without colour and texture coordinates. If the arrays still hold the position and
+/// normal of the cached vertex, that is returned.
 template <class M, class L>
 inline typename Pipeline<M, L>::Vertex& Pipeline<M, L>::element(const ElementReader& reader,
                                                                 std::uint32_t index) {
@@ -213,8 +216,8 @@ inline typename Pipeline<M, L>::Vertex& Pipeline<M, L>::element(const ElementRea
     return fresh;
 }
 
-/// The same with its colour and texture coordinates. One that is a corner keeps those it has: another index
-/// may have brought it.
+/// The vertex of an element with colour and texture coordinates. A cached vertex that is a corner at the
+/// moment keeps its own and is copied, since another index may have brought it.
 template <class M, class L>
 SPANGLE_INLINE typename Pipeline<M, L>::Vertex&
 Pipeline<M, L>::unusual_element(Context& context, const ElementReader& reader, std::uint32_t index) {
@@ -227,9 +230,9 @@ Pipeline<M, L>::unusual_element(Context& context, const ElementReader& reader, s
     return v;
 }
 
-/// The same where is_usual(), with the coordinates of is_usual_texture(), if `textured`, and with its colour:
-/// all vertices of this time have the same where they are not lit.
-/// If it is new `place` says where it goes, and `finish` does what process_usual() does.
+/// The vertex of an element where arrays are is_usual(), with coordinates of is_usual_texture() if
+/// `textured`. Unlit vertices have the current colour, all of this `time` the same. For a new vertex `place`
+/// says where it is stored, and `finish` does the work of process_usual().
 template <class M, class L>
 template <class Place, class Finish>
 SPANGLE_INLINE typename Pipeline<M, L>::Vertex&
@@ -270,9 +273,10 @@ template <class M, class L> void Pipeline<M, L>::read_texture(const std::uint8_t
     M::set_texture(transforms_, given, 0, v.window);
 }
 
+/// Three coordinates of a vertex are those in an array.
 template <class M, class L>
 SPANGLE_INLINE bool Pipeline<M, L>::equal(const Real* v, const std::uint8_t* words) {
-    if (v[0].bits != ArrayReader::word(words, 0)) // what differs differs here
+    if (v[0].bits != ArrayReader::word(words, 0)) // most different vertices differ in x
         return false;
     return ((v[1].bits ^ ArrayReader::word(words, 1)) | (v[2].bits ^ ArrayReader::word(words, 2))) == 0;
 }
@@ -289,14 +293,14 @@ SPANGLE_INLINE void Pipeline<M, L>::add_fresh(Pending& p, Vertex& v, const std::
     p.projections.add(p.fresh_count++, transforms_, v.position, v.window, fogs());
 }
 
-/// Lines of elements, several at a time: transform, division, then what the rasterizer makes of them, so
-/// that none waits for another.
+/// Draws lines of elements, several at a time. Each step, transform, division and set-up in the rasterizer,
+/// takes all of them, so that no operation waits for another's result.
 template <class M, class L>
 template <class I>
 void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint32_t count, const I indices,
                                    bool normals) {
     Pending lines;
-    int held = 0; // as well; lines.count while others look
+    int held = 0; // lines.count, which is only set for draw_pending(): this may stay in a register
     const auto draw = [&] {
         lines.count = held;
         draw_pending(lines);
@@ -307,10 +311,10 @@ void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint32_t co
             draw();
         if ((cached.flags & is_pending) == 0) [[likely]]
             return cached;
-        return lines.vertex[0] == &slot_[0] ? slot_[1] : slot_[0]; // the one that is left has its place
+        return lines.vertex[0] == &slot_[0] ? slot_[1] : slot_[0]; // the vertex that is left has its place
     };
     const auto begin = [&](Vertex& v, const std::uint8_t* words) {
-        if constexpr (numeric::cheap_branches) // nor would one alone
+        if constexpr (numeric::cheap_branches) // where branches are cheap, a batch gains nothing
             return process_usual(v, words);
         add_fresh(lines, v, words);
     };
@@ -331,14 +335,14 @@ void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint32_t co
     if (held == 0)
         return;
     lines.vertex[0]->flags &= ~is_pending;
-    if (mode_ == GL_LINE_LOOP && count > 1) { // end() closes it
+    if (mode_ == GL_LINE_LOOP && count > 1) { // end() closes the loop
         corner_[0] = &slot_[2];
         corner_[1] = lines.vertex[0];
         held_ = 2;
     }
 }
 
-/// Lines by what their indices are.
+/// Draws lines of elements, with a loop of its own for aligned indices of 16 bits.
 template <class M, class L>
 inline void Pipeline<M, L>::lines_of(const ElementReader& reader, std::uint32_t count, const Indices& indices,
                                      bool normals) {
@@ -353,7 +357,7 @@ inline void Pipeline<M, L>::lines_of(const ElementReader& reader, std::uint32_t 
     lines(indices);
 }
 
-/// A strip by what its indices are.
+/// Draws a triangle strip of elements, with a loop of its own for aligned indices of 16 bits.
 template <class M, class L>
 inline void Pipeline<M, L>::strip_of(const ElementReader& reader, std::uint32_t count, const Indices& indices,
                                      bool normals, bool textured) {
@@ -368,13 +372,14 @@ inline void Pipeline<M, L>::strip_of(const ElementReader& reader, std::uint32_t 
     strip(indices);
 }
 
-/// Many corners at a time, then their triangles: which of them face away is known long before it is asked.
+/// Draws a triangle strip, a batch of vertices at a time and then their triangles: window positions are known
+/// long before the test for facing needs them.
 template <class M, class L>
 template <class I>
 void Pipeline<M, L>::strip_batches(const ElementReader& reader, std::uint32_t count, const I indices,
                                    bool normals, bool textured) {
     Pending corners;
-    int held = 0; // in a register
+    int held = 0; // corners.count, in a register
     std::uint32_t first = 0;
     const auto draw = [&] {
         corners.count = held;
@@ -388,7 +393,7 @@ void Pipeline<M, L>::strip_batches(const ElementReader& reader, std::uint32_t co
             draw();
         Vertex* v = &cached;
         for (Vertex* slot = slot_; taken() && (v == corners.vertex[0] || v == corners.vertex[1]); ++slot)
-            v = slot; // one of the two that are left has its place
+            v = slot; // one of the two vertices that are left has its place
         return *v;
     };
     const auto begin = [&](Vertex& v, const std::uint8_t* words) { add_fresh(corners, v, words); };
@@ -405,7 +410,8 @@ void Pipeline<M, L>::strip_batches(const ElementReader& reader, std::uint32_t co
     let_go(corners, 0);
 }
 
-/// The triangles of corners that are numbered from `first` on, and lets go of all but the last two.
+/// Draws the triangles of the pending vertices, the first of which is number `first` of the strip. The last
+/// two vertices stay pending.
 template <class M, class L> void Pipeline<M, L>::draw_strip(Pending& p, std::uint32_t first) {
     divide(p);
     for (int i = 2; i < p.count; ++i) {
@@ -415,7 +421,7 @@ template <class M, class L> void Pipeline<M, L>::draw_strip(Pending& p, std::uin
     let_go(p, p.count < 2 ? p.count : 2);
 }
 
-/// Of all vertices but so many, which the next primitive starts from.
+/// Lets go of all pending vertices but the last `left`, which the next primitive starts from.
 template <class M, class L> inline void Pipeline<M, L>::let_go(Pending& p, int left) {
     for (int i = 0; i < p.count - left; ++i)
         p.vertex[i]->flags &= ~is_pending;
@@ -426,15 +432,16 @@ template <class M, class L> inline void Pipeline<M, L>::let_go(Pending& p, int l
     p.count = left;
 }
 
-/// A strip of elements: its corners stay in registers.
+/// Draws a triangle strip, vertex by vertex. The addresses of its last two vertices stay in registers.
 template <class M, class L>
 template <class I>
 void Pipeline<M, L>::strip_elements(const ElementReader& reader, std::uint32_t count, const I indices,
                                     bool normals, bool textured) {
-    Vertex *even = nullptr, *odd = nullptr; // the last ones: in this order all triangles face one way
+    Vertex *even = nullptr, *odd = nullptr; // the last two vertices: in this order all triangles face one way
     const auto place = [&](Vertex& cached) -> Vertex& {
         Vertex* v = &cached;
-        for (Vertex* slot = slot_; v == even || v == odd; ++slot) // of three, one is free
+        for (Vertex* slot = slot_; v == even || v == odd;
+             ++slot) // of three, one is free: two vertices are held
             v = slot;
         return *v;
     };
@@ -448,6 +455,7 @@ void Pipeline<M, L>::strip_elements(const ElementReader& reader, std::uint32_t c
     }
 }
 
+/// Divides the fresh vertices by w.
 template <class M, class L> inline void Pipeline<M, L>::divide(Pending& lines) {
     lines.projections.finish(lines.fresh_count);
     for (int i = 0; i < lines.fresh_count; ++i) {
@@ -460,7 +468,8 @@ template <class M, class L> inline void Pipeline<M, L>::divide(Pending& lines) {
     lines.fresh_count = 0;
 }
 
-/// Draws the lines and lets go of their vertices, but for the last where the next line starts from it.
+/// Draws the pending lines and lets go of their vertices. The last vertex stays if the next line starts from
+/// it.
 template <class M, class L> void Pipeline<M, L>::draw_pending(Pending& p) {
     divide(p);
     const int step = mode_ == GL_LINES ? 2 : 1, left = step == 2 ? p.count & 1 : p.count != 0 ? 1 : 0;
@@ -472,18 +481,18 @@ template <class M, class L> void Pipeline<M, L>::draw_pending(Pending& p) {
     let_go(p, left);
 }
 
-/// Where a new vertex goes that belongs into `cached`.
+/// The place for a new vertex whose place in the cache is `cached`.
 template <class M, class L>
 SPANGLE_INLINE typename Pipeline<M, L>::Vertex& Pipeline<M, L>::place_of(Vertex& cached) {
     Vertex* v = &cached;
     for (int i = 0; i < held_; ++i)
         if (corner_[i] == v)
-            v = free_slot(); // another corner of this primitive has its place
+            v = free_slot(); // a corner of the primitive at hand lies there
     v->time = now_;
     return *v;
 }
 
-/// One of four that none of the corners held, three at most, is in.
+/// A slot in which none of the corners of the primitive at hand lies. At most three of the four are taken.
 template <class M, class L> typename Pipeline<M, L>::Vertex* Pipeline<M, L>::free_slot() {
     for (Vertex& v : slot_) {
         bool held = false;

@@ -1,5 +1,6 @@
-// POLYGONs that are drawn when all of their corners are there: fed back they are one polygon (GL 1.3, 5.3),
-// and antialiased a pixel's coverage is that of the polygon, not of the triangles of a fan (3.5.3).
+// Gathers the vertices of POLYGONs that must be drawn as a whole, at their end. A polygon that is fed back is
+// one polygon (GL 1.3, 5.3). An antialiased polygon covers a pixel once, not by the triangles of a fan
+// (3.5.3).
 #pragma once
 
 #include <new>
@@ -9,12 +10,13 @@
 
 namespace spangle::gl {
 
+/// Polygons are gathered in the current modes.
 template <class M, class L> inline bool Pipeline<M, L>::gathers() const {
     return captures() ? SPANGLE_FEATURE_FEEDBACK && context_->render.mode == GL_FEEDBACK
                       : SPANGLE_FEATURE_ANTIALIASING && smooth_polygons_;
 }
 
-/// The polygon at hand is one of them.
+/// The polygon at hand was gathered.
 template <class M, class L> inline bool Pipeline<M, L>::has_gathered() const {
 #if SPANGLE_GATHERS_POLYGONS
     return gathered_count_ != 0;
@@ -23,6 +25,7 @@ template <class M, class L> inline bool Pipeline<M, L>::has_gathered() const {
 #endif
 }
 
+/// Adds a vertex to the gathered polygon. Its room in the arena doubles when it is full.
 template <class M, class L> void Pipeline<M, L>::gather([[maybe_unused]] Vertex& v) {
     held_ = 0;
 #if SPANGLE_GATHERS_POLYGONS
@@ -68,7 +71,7 @@ template <class M, class L> void Pipeline<M, L>::draw_gathered() {
 #endif
 }
 
-/// `work` has room for 2 * `room` corners.
+/// Clips the gathered polygon and draws what is left. `work` has room for 2 * `room` corners.
 template <class M, class L>
 inline void Pipeline<M, L>::cut_gathered([[maybe_unused]] Vertex** work, [[maybe_unused]] int room,
                                          [[maybe_unused]] std::int64_t* part) {

@@ -1,5 +1,6 @@
-// Strips of lines in one colour, for little memory: of their vertices nothing counts but where they fall, and
-// a few kept ones would be others before a strip comes back to them. So none is looked up or kept.
+// Draws strips of lines in one colour, in builds with a small vertex cache. Only the window positions of
+// their vertices count, and the cache would forget a vertex before another strip asks for it. So the vertices
+// are neither looked up nor kept.
 #pragma once
 
 #include "gl/vertex/pipeline.hpp"
@@ -8,12 +9,12 @@
 
 namespace spangle::gl {
 
-/// Lines of this draw have one colour, are cut by no more than the view volume, and drawn as they are.
+/// The lines of this draw have one colour, no plane of the user cuts them, and no mode changes their drawing.
 template <class M, class L> inline bool Pipeline<M, L>::draws_places() const {
     return mode_ == GL_LINE_STRIP && !lit_ && !fog_ && units_ == 0 && !planes_.any() && !modal_lines();
 }
 
-/// What is not seen whole goes the way of all lines, a batch at a time.
+/// Draws a line strip. Where lines are not seen whole, a batch of them goes through line_elements().
 template <class M, class L>
 template <class I>
 void Pipeline<M, L>::line_strip(const ElementReader& reader, std::uint32_t count, const I indices) {
@@ -31,17 +32,17 @@ void Pipeline<M, L>::line_strip(const ElementReader& reader, std::uint32_t count
     }
 }
 
-/// Lines up to the first element that is not seen. The number of the last that is: from there on nothing is
-/// drawn.
+/// Draws lines up to the first element that is not seen. Returns the number of the last element that is seen:
+/// the lines from there on are not drawn.
 template <class M, class L>
 template <class I>
 std::uint32_t Pipeline<M, L>::seen_strip(const ElementReader& reader, std::uint32_t count, const I indices,
                                          const raster::DrawState::Area& area) const {
     const raster::DrawState::Area where = area;
-    // Where two operands leave little room for offsets it is an address of its own.
+    // Instructions with two operands have little room for offsets: there the address is a value of its own.
     const typename M::Transforms* const transforms =
         numeric::three_operands ? &transforms_ : numeric::factor32(&transforms_);
-    numeric::LeadingZeros<> zeros; // of w
+    numeric::LeadingZeros<> zeros; // leading zeros of w
     raster::LineEnd ends[line_batch + 1], *end = ends;
     const auto draw = [&] {
         if (end - ends < 2)
@@ -59,7 +60,7 @@ std::uint32_t Pipeline<M, L>::seen_strip(const ElementReader& reader, std::uint3
                         numeric::one},
                        where, *end, zeros);
     };
-    std::uint32_t i = 0; // `end` is to be that element's
+    std::uint32_t i = 0; // `end` is the place for element i
     for (bool all = true; all && i < count;) {
         const auto room = static_cast<std::uint32_t>(ends + line_batch + 1 - end);
         const raster::LineEnd* const last = end + (count - i < room ? count - i : room);

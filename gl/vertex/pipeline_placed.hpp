@@ -1,6 +1,6 @@
-// Vertices given by themselves, in Begin/End or lists: models give most positions several times, with another
-// normal or for the next face, and where one falls is not computed anew. What the cache of elements does by
-// index is done by position here, in the same memory.
+// Keeps vertices given by themselves, in Begin/End or lists. Models give most positions several times, with
+// another normal or for the next face, and the window position is not computed again. The cache finds
+// elements by index and these vertices by position, in the same memory.
 #pragma once
 
 #include "gl/vertex/pipeline.hpp"
@@ -9,14 +9,14 @@
 
 namespace spangle::gl {
 
-/// From now on vertices given by themselves are kept.
+/// Empties the cache; from now on it keeps vertices given by themselves.
 template <class M, class L> void Pipeline<M, L>::keep_placed() {
     for (Placed& p : kept_.placed)
         new (&p) Placed;
     keeps_placed_ = true;
 }
 
-/// From now on elements are kept: those in place of the others anew.
+/// From now on the cache keeps elements. Only the part that held vertices given by themselves is emptied.
 template <class M, class L> void Pipeline<M, L>::keep_elements() {
     const std::size_t lost = keeps_places && keeps_placed_ ? placed_overlap : first_vertices;
     for (std::size_t i = 0; i < lost; ++i)
@@ -24,7 +24,7 @@ template <class M, class L> void Pipeline<M, L>::keep_elements() {
     keeps_placed_ = false;
 }
 
-/// Vertices that were kept at a time which comes again.
+/// Empties the cache, since now_ starts again and old vertices would look valid.
 template <class M, class L> void Pipeline<M, L>::forget_all() {
     if (keeps_places && keeps_placed_)
         keep_placed();
@@ -35,15 +35,16 @@ template <class M, class L> void Pipeline<M, L>::forget_all() {
             new (&grown_.elements[i]) Vertex;
 }
 
-/// Of coordinates that are much alike: short fractions, a constant z, points and their mirror images.
+/// A place in the cache for a position. Positions are much alike: short fractions, a constant z, points and
+/// their mirror images.
 template <class M, class L> inline std::uint32_t Pipeline<M, L>::placed_index(const Real* position) {
     const std::uint32_t y = position[1].bits;
     const std::uint32_t mixed = position[0].bits + (y << 3) + (y >> 7) + (position[2].bits >> 1);
     return mixed * 0x9E3779B1u >> (32 - std::countr_zero(placed_count));
 }
 
-/// What process() does, of a position that was given before from what was kept of it. Elements are not lost
-/// to a few vertices between them.
+/// Does the work of process(); a position that was given before gets the window position kept for it. A few
+/// vertices between draws of elements do not empty the cache of elements.
 template <class M, class L> void Pipeline<M, L>::place(Vertex& v) {
     if (!keeps_placed_) {
         if (++in_turn_ < placed_count) [[unlikely]]

@@ -1,5 +1,5 @@
-// Points that are more than squares of whole pixels: discs of samples, antialiased ones, sprites, and those
-// whose size follows their distance (GL 1.3, 3.3; GL 1.4 and 2.0, 3.3).
+// Draws points that are more than squares of whole pixels: discs of samples, antialiased points, sprites, and
+// points whose size follows their distance (GL 1.3, 3.3; GL 1.4 and 2.0, 3.3).
 #pragma once
 
 #include "gl/vertex/pipeline.hpp"
@@ -37,7 +37,8 @@ void Pipeline<M, L>::draw_modal_point([[maybe_unused]] const Vertex& v, const Wi
 
 #if SPANGLE_FEATURE_POINT_PARAMETERS
 
-/// size sqrt(1 / (a + b d + c d^2)), clamped; d is the distance from the eye (GL 1.4, 3.3).
+/// The size of a point: size sqrt(1 / (a + b d + c d^2)), clamped; d is the distance from the eye (GL 1.4,
+/// 3.3).
 template <class M, class L> Real Pipeline<M, L>::attenuated(const Vertex& v) const {
     const PolygonState& p = context_->polygon;
     const auto& [a, b, c] = p.point_attenuation;
@@ -59,7 +60,8 @@ template <class M, class L> Real Pipeline<M, L>::attenuated(const Vertex& v) con
     return p.point_size_max < size ? p.point_size_max : size;
 }
 
-/// A point below the threshold is as large as that, and fainter by the area that it lacks.
+/// The size of a point, at least the fade threshold. Alpha of a smaller point is scaled by the ratio of the
+/// areas (GL 1.4, 3.3).
 template <class M, class L> Real Pipeline<M, L>::faded(Real size, Window& point) const {
     const Real threshold = context_->polygon.point_fade_threshold;
     if (!(size < threshold))
@@ -69,7 +71,8 @@ template <class M, class L> Real Pipeline<M, L>::faded(Real size, Window& point)
     return threshold;
 }
 
-/// A square around the point; s and t run from 0 to 1 over it in units that replace their coordinates.
+/// Draws a square around the point. In units that replace coordinates, s and t run from 0 to 1 over the
+/// square (GL 2.0, 3.3). `eighths`: its side in eighths of a pixel.
 template <class M, class L>
 void Pipeline<M, L>::draw_sprite(const raster::Surface& target, const Window& point, std::int32_t eighths) {
     const PolygonState& polygon = context_->polygon;

@@ -1,4 +1,4 @@
-// Points, lines and polygons: in sight or not, culled, coloured, drawn.
+// Draws points, lines and polygons: tests whether they are seen, clips, culls and colours them.
 #pragma once
 
 #include "gl/vertex/pipeline.hpp"
@@ -35,7 +35,8 @@ inline void Pipeline<M, L>::draw_line(const Vertex& a, const Window& at_a, const
     raster::draw_line(*state_, context_->drawable.surface, at_a, at_b, provoking, line_width_);
 }
 
-/// The stipple starts anew with each primitive, and with each line of LINES (GL 1.3, 3.4.2).
+/// Draws a line that is stippled, antialiased, or drawn to samples. The stipple starts anew with each
+/// primitive and each line of LINES (GL 1.3, 3.4.2).
 template <class M, class L>
 void Pipeline<M, L>::draw_modal_line(const Window& a, const Window& b, const Window& provoking) {
     if (stipple_starts_)
@@ -75,7 +76,8 @@ template <class M, class L> inline void Pipeline<M, L>::line(Vertex& a, Vertex& 
     lines(ends, 2, 1, false);
 }
 
-/// From vertices i to i + 1, with i = 0, step, ... `one_color`: they are known to have the same.
+/// Draws lines between vertices i and i + 1, for i = 0, step, 2 step, ... `one_color`: all vertices are known
+/// to have the same colour.
 template <class M, class L>
 void Pipeline<M, L>::lines(Vertex* const* vertex, int n, int step, bool one_color) {
     unsigned any = 0;
@@ -101,7 +103,7 @@ void Pipeline<M, L>::lines(Vertex* const* vertex, int n, int step, bool one_colo
                           line_width_);
 }
 
-/// A line that may be out of sight.
+/// Draws a line that may be outside of the view volume.
 template <class M, class L> void Pipeline<M, L>::seen_line(Vertex& a, Vertex& b) {
     if ((a.flags & b.flags & outside_mask) != 0)
         return;
@@ -111,7 +113,7 @@ template <class M, class L> void Pipeline<M, L>::seen_line(Vertex& a, Vertex& b)
     cut_line(a, b);
 }
 
-/// A line that may be beyond a plane, or whose ends may have no window coordinates yet.
+/// Draws a line that may be beyond a plane, or whose ends may have no window coordinates yet.
 template <class M, class L> void Pipeline<M, L>::cut_line(Vertex& a, Vertex& b) {
     Vertex* ends[2] = {&a, &b};
     if (refuses(a.flags | b.flags))
@@ -131,7 +133,7 @@ inline std::int64_t Pipeline<M, L>::area_of(const Window& a, const Window& b, co
     return raster::signed_area(at_a.x, at_a.y, at_b.x, at_b.y, at_c.x, at_c.y);
 }
 
-/// Of a polygon whose corners are in the window, twice its area.
+/// Twice the signed area of a polygon whose corners have window coordinates.
 template <class M, class L> inline std::int64_t Pipeline<M, L>::area_of(Vertex* const* corners, int n) {
     std::int64_t area = 0;
     for (int i = 1; i + 1 < n; ++i)
@@ -139,8 +141,8 @@ template <class M, class L> inline std::int64_t Pipeline<M, L>::area_of(Vertex* 
     return area;
 }
 
-/// In a band that is drawn by callback, nothing of a filled triangle or quad lies in its rows: no colours are
-/// computed.
+/// A callback draws this band, and no part of a filled triangle or quad lies in its rows: its colours need
+/// not be computed.
 template <class M, class L>
 template <class... V>
 inline bool Pipeline<M, L>::misses_band([[maybe_unused]] const V&... corner) const {
@@ -157,8 +159,8 @@ inline bool Pipeline<M, L>::misses_band([[maybe_unused]] const V&... corner) con
     }
 }
 
-/// The usual triangle, whose last corner is the provoking one; what must be clipped, or lit from behind,
-/// goes the way of polygons.
+/// Draws a triangle whose last corner is the provoking vertex. If it must be clipped or lit from behind,
+/// polygon() draws it.
 template <class M, class L> void Pipeline<M, L>::triangle(Vertex& a, Vertex& b, Vertex& c) {
     usual_triangle(a, b, c, whole_polygons());
 }
@@ -187,7 +189,7 @@ SPANGLE_INLINE void Pipeline<M, L>::usual_triangle(Vertex& a, Vertex& b, Vertex&
     raster::draw_triangle(*state_, context_->drawable.surface, a.window, b.window, c.window, c.window, area);
 }
 
-/// Two triangles with one facing: that of the whole quad.
+/// Draws a quad as two triangles, which both face the way of the whole quad.
 template <class M, class L>
 void Pipeline<M, L>::quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& provoking) {
     if constexpr (!has_polygons)
@@ -217,6 +219,7 @@ void Pipeline<M, L>::quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& pr
         raster::draw_triangle(*state_, surface, a.window, c.window, d.window, provoking.window, second);
 }
 
+/// Clips and draws a polygon of n corners, in any mode.
 template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners, int n, Vertex& provoking) {
     unsigned all = outside_mask, any = 0;
     for (int i = 0; i < n; ++i) {
@@ -239,15 +242,15 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
             return;
         planes |= any_user << user_shift;
     }
-    union { // one after the other: stacks are small
+    union { // used one after the other: stacks are small
         std::int64_t part[clip_vertices];
         Vertex* scratch[clip_vertices];
     };
     std::int64_t whole = 0;
 #if SPANGLE_CLIPPING
     Vertex* clipped[clip_vertices];
-    // A quad that is cut keeps the diagonal that it has where nothing cuts it: its colours stay where they
-    // are while it leaves the view volume.
+    // A quad that is clipped is divided by the same diagonal as a whole one, so that its colours do not move
+    // while it leaves the view volume.
     if (planes != 0 && n == 4 && !stays_whole()) {
         Vertex* const first[3] = {corners[0], corners[1], corners[2]};
         Vertex* const second[3] = {corners[0], corners[2], corners[3]};
@@ -260,8 +263,8 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
                 color_back(*corners[i]);
         for (int i = 0; i < n; ++i)
             clipped[i] = &to_be_cut(*corners[i], cut_[i]);
-        // Slivers that snapping turns over lie where the rest of the polygon, or the plane's complement, is
-        // drawn.
+        // A sliver that snapping turns over covers pixels that the rest of the polygon, or its part beyond
+        // the plane, draws as well. visible() drops it by the sign of the whole polygon's area.
         if (planes >> user_shift != 0 && (any & (beyond_mask | unprojected)) == 0)
             whole = area_of(corners, n);
         n = clip_polygon(clipped, scratch, clip_vertices, n, planes);
@@ -273,10 +276,11 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
     visible(corners, n, provoking, part, whole);
 }
 
+/// Culls, colours and draws a polygon that was clipped.
 template <class M, class L>
 inline void Pipeline<M, L>::visible(Vertex* const* corners, int n, Vertex& provoking, std::int64_t* part,
                                     std::int64_t whole) {
-    std::int64_t area = 0; // and `part` of triangle 0, i, i + 1
+    std::int64_t area = 0; // `part[i]` is that of triangle 0, i, i + 1
     for (int i = 0; i < n; ++i)
         if ((corners[i]->flags & unprojected) != 0 && !project(*corners[i]))
             return;
@@ -301,7 +305,7 @@ inline void Pipeline<M, L>::visible(Vertex* const* corners, int n, Vertex& provo
     draw({corners}, n, provoking.window, ccw == front_is_ccw_ ? 0 : 1, part);
 }
 
-/// The polygon as the mode of its side says. at(i): the window vertex of corner i, coloured.
+/// Draws a polygon in the polygon mode of its side. at(i) is the window vertex of corner i, coloured.
 template <class M, class L>
 SPANGLE_INLINE void Pipeline<M, L>::draw(const Seen& at, int n, const Window& provoking, int side,
                                          const std::int64_t* part) {
@@ -323,6 +327,7 @@ SPANGLE_INLINE void Pipeline<M, L>::draw(const Seen& at, int n, const Window& pr
                                   part[i]);
 }
 
+/// Fills a polygon that is antialiased or drawn to samples.
 template <class M, class L>
 void Pipeline<M, L>::fill_whole(const Seen& at, int n, const Window& provoking, const std::int64_t* part) {
     const Window* some[clip_vertices];
@@ -336,14 +341,15 @@ void Pipeline<M, L>::fill_whole(const Seen& at, int n, const Window& provoking, 
     fill_corners(corner, n, provoking, part);
 }
 
-/// Antialiased as a whole: the triangles of a fan would each cover a part of the pixels between them.
+/// Fills the polygon with these corners. An antialiased one is drawn as a whole, since triangles of a fan
+/// would each cover a part of the pixels on their common edges.
 template <class M, class L>
 void Pipeline<M, L>::fill_corners(const Window* const* corner, int n, const Window& provoking,
                                   const std::int64_t* part) {
     Window moved[clip_vertices];
     each_primitive_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
 #if SPANGLE_FEATURE_ANTIALIASING
-        if (smooth_polygons_) // never moved
+        if (smooth_polygons_) // only without multisampling, so never shifted
             return raster::draw_smooth_polygon(*state_, target, context_->fragments.primitive, corner, n,
                                                provoking);
 #endif
@@ -355,7 +361,8 @@ void Pipeline<M, L>::fill_corners(const Window* const* corner, int n, const Wind
     });
 }
 
-/// What all fragments of a polygon get, that of its largest part where it is not flat.
+/// Sets the depth offset that all fragments of a polygon get. Where its triangles lie in different planes,
+/// the largest one decides.
 template <class M, class L>
 void Pipeline<M, L>::set_offset(const Seen& at, int n, GLenum mode, const std::int64_t* part) {
     const PolygonState& polygon = context_->polygon;
@@ -374,11 +381,11 @@ void Pipeline<M, L>::set_offset(const Seen& at, int n, GLenum mode, const std::i
                              part[largest]);
 }
 
-/// Boundary edges as lines, or the vertices that start them as points (GL 1.3, 3.5.4).
+/// Draws the boundary edges as lines, or the vertices that start them as points (GL 1.3, 3.5.4).
 template <class M, class L>
 void Pipeline<M, L>::outline(const Seen& at, int n, const Window& provoking, GLenum mode) {
     Vertex* const* const corners = at.corners;
-    stipple_starts_ = stipple_starts_ || mode_ != GL_POLYGON; // those come in parts
+    stipple_starts_ = stipple_starts_ || mode_ != GL_POLYGON; // those come in parts, and the stipple goes on
     context_->fragments.primitive.stippled = false;
     for (int i = first_corner(n), next = 0, left = n; left > 0; i = next, --left) {
         next = i + 1 < n ? i + 1 : 0;
@@ -396,14 +403,15 @@ void Pipeline<M, L>::outline(const Seen& at, int n, const Window& provoking, GLe
     context_->fragments.primitive.stippled = true;
 }
 
-/// The same triangles lit from behind: back material, normals turned (GL 1.3, 2.13.1). A vertex that
-/// clipping made is lit from its mixed normal and position, or has a mixed colour where materials changed.
+/// Draws a polygon whose back is seen: lit with the back material and turned normals (GL 1.3, 2.13.1). A
+/// vertex that clipping made is lit from its mixed normal and position, or has a mixed colour if materials
+/// changed.
 template <class M, class L>
 void Pipeline<M, L>::draw_back(Vertex* const* corners, int n, const Vertex& provoking,
                                const std::int64_t* part) {
     Window flat = provoking.window;
     back_of(provoking, flat);
-    if (has_gathered()) { // nobody else has these
+    if (has_gathered()) { // nobody else has these corners: they can be overwritten
         for (int i = 0; i < n; ++i)
             back_of(*corners[i], corners[i]->window);
         return draw({corners}, n, flat, 1, part);

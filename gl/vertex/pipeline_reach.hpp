@@ -1,4 +1,5 @@
-// How far the primitives of a program go: for the recorder of profiles, and for builds that check its ranges.
+// Reports how far a program goes in the ranges of a profile: to the recorder of profiles, and in builds that
+// check the recorded ranges.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 
 namespace spangle::gl {
 
-/// What is known when a primitive begins.
+/// Reports the values that are known when a primitive begins.
 template <class M, class L> void Pipeline<M, L>::reach_draw() const {
     Context& context = *context_;
     const auto tell = [&](Range range, std::int32_t value) {
@@ -23,7 +24,7 @@ template <class M, class L> void Pipeline<M, L>::reach_draw() const {
         tell(Range::LINE_WIDTH, whole(context.polygon.line_width));
 }
 
-/// What a vertex brings, and where its matrices move it.
+/// Reports the position and texture coordinates of a vertex, and whether they need a division.
 template <class M, class L>
 void Pipeline<M, L>::reach_vertex(const CurrentState& current, const Vertex& v) const {
     Context& context = *context_;
@@ -43,12 +44,12 @@ void Pipeline<M, L>::reach_vertex(const CurrentState& current, const Vertex& v) 
             reach(context, Range::TEXTURE_BITS, bits_before_point(strq[c]));
         divides = divides || !(strq[3] == numeric::one);
     }
-    if constexpr (raster::has_perspective) // else it is an error
+    if constexpr (raster::has_perspective) // else a division is an error, reported elsewhere
         reach(context, Range::PERSPECTIVE, divides ? 1 : 0);
 }
 
-/// Tells of a primitive that the view volume cuts, by the flags of its corners: a build without
-/// SPANGLE_CLIPPING would refuse it.
+/// Reports a primitive that the view volume cuts, which a build without SPANGLE_CLIPPING would refuse.
+/// `flags`: of all corners together.
 template <class M, class L> inline void Pipeline<M, L>::reach_cut(unsigned flags) const {
     if ((flags & (beyond_mask | unprojected)) != 0 || clip_planes(flags) != 0)
         reach(*context_, Range::CUTS, 1);

@@ -1,4 +1,4 @@
-// One vertex: its place in the window, what goes with it, its colour.
+// Processes one vertex: its window position, its attributes and its colour.
 #pragma once
 
 #include "gl/vertex/pipeline.hpp"
@@ -29,7 +29,7 @@ inline void Pipeline<M, L>::raster_position(Context& context, const Real (&posit
         reach_vertex(current, v);
     if (lit_)
         light(v, 0, v.window);
-    if (indexed()) { // which of the two the mode does not have stays what it was
+    if (indexed()) { // only the one of index and colour that the framebuffer uses is set
         if (!lit_)
             M::set_index(current.index, index_bits_, v.window);
         out.index = M::index_of(v.window);
@@ -57,12 +57,14 @@ template <class M, class L> inline void Pipeline<M, L>::settle_colors() {
     lighting_.materials_changed();
 }
 
-/// Position and normal are set: its place in the window, or what is known of it.
+/// Computes the window position of a vertex whose position and normal are set; else, the flags say what is
+/// still to be done.
 template <class M, class L> void Pipeline<M, L>::process(Vertex& v) const {
     divide(v);
 }
 
-/// The same of a position that is_usual(): it is not read again, and its w is known.
+/// Reads a position that is_usual() and processes the vertex: w is known to be 1, and the position stays in
+/// registers.
 template <class M, class L> void Pipeline<M, L>::process_usual(Vertex& v, const std::uint8_t* words) const {
     read_position(words, v);
     divide(v);
@@ -84,14 +86,15 @@ SPANGLE_INLINE void Pipeline<M, L>::set_flags(Vertex& v, bool divided, unsigned 
         v.flags |= uncolored;
 }
 
-/// Out of line, whatever else calls it: the loops over elements have no registers for what is seldom.
+/// The flags of a vertex that was not divided. Out of line, since the loops over elements have no registers
+/// to spare for a rare case.
 template <class M, class L> unsigned Pipeline<M, L>::undivided_flags(const Vertex& v) const {
-    if constexpr (!raster::has_perspective) // whatever is beside the window was divided
+    if constexpr (!raster::has_perspective) // outside of the window, too, all with w = 1 are divided
         return unprojected;
     return flags_of(M::to_clip(transforms_, v.position));
 }
 
-/// What is current goes with the vertex.
+/// Copies the current texture coordinates to a vertex, and the current colour if it is not lit.
 template <class M, class L>
 SPANGLE_INLINE void Pipeline<M, L>::attributes(const CurrentState& current, Vertex& v) {
     if (raster::has_textures && units_ != 0)
@@ -110,10 +113,10 @@ template <class M, class L> SPANGLE_INLINE void Pipeline<M, L>::set_unlit_color(
         M::set_secondary_color(unlit_, current.secondary_color);
     for (int c = 0; c < 4; ++c)
         unlit_color_[c] = current.color[c];
-    has_unlit_color_ = !sums_; // else a second colour would have to be compared
+    has_unlit_color_ = !sums_; // else a second colour would have to be compared, too
 }
 
-/// The coordinates that a unit has behind its matrix, all four.
+/// All four coordinates of a vertex behind the texture matrix of a unit.
 template <class M, class L>
 typename M::Eye Pipeline<M, L>::texture_of(const CurrentState& current, const Vertex& v, int unit) const {
     const Real(&given)[4] = current.tex_coord[unit].v;
@@ -124,7 +127,7 @@ typename M::Eye Pipeline<M, L>::texture_of(const CurrentState& current, const Ve
     return M::texture_of(transforms_, strq, unit);
 }
 
-/// More is made of its coordinates than s, t and q as they are given.
+/// The coordinates of this unit are generated, or need r besides s, t and q.
 template <class M, class L> inline bool Pipeline<M, L>::generates(int unit) const {
     return (SPANGLE_FEATURE_TEXGEN || raster::has_third_coordinates) &&
            ((texgen_.units() | units_ >> third_coordinate) >> unit & 1) != 0;
@@ -153,19 +156,19 @@ template <class M, class L> void Pipeline<M, L>::textures(const CurrentState& cu
     }
 }
 
-/// Flags of a vertex that is to be projected only if it is seen.
+/// The flags of a vertex with these clip coordinates, which is projected only if it is seen.
 template <class M, class L> template <class Point> unsigned Pipeline<M, L>::flags_of(const Point& clip) {
     unsigned flags = unprojected;
     for (unsigned plane = 0; plane < 6; ++plane) {
         const int p = static_cast<int>(plane);
         flags |= M::beyond(clip, p, 1) ? 1u << plane : 0u;
-        if constexpr (has_clipping) // else it is refused as it is
+        if constexpr (has_clipping) // else it is refused by its missing projection alone
             flags |= M::beyond(clip, p, M::guard_band) ? 1u << (plane + beyond_shift) : 0u;
     }
     return flags;
 }
 
-/// Side 0 is the front, 1 the back.
+/// Sets the colours of a vertex in `out` by lighting; side 0 is the front, 1 the back.
 template <class M, class L> void Pipeline<M, L>::light(const Vertex& v, int side, Window& out) {
 #if SPANGLE_TWO_SIDES
     if ((v.flags & is_cut) != 0) {
@@ -179,8 +182,8 @@ template <class M, class L> void Pipeline<M, L>::light(const Vertex& v, int side
     lighting_.light(*context_, v.normal, eye, side, out);
 }
 
-/// What is known only now: the edge flag, what else few programs give, and the colour where the material is
-/// the current colour.
+/// Takes what few programs use from the current state when a vertex is given: edge flag, fog coordinate,
+/// index. If the material follows the current colour, the vertex is lit at once.
 template <class M, class L> void Pipeline<M, L>::given(const CurrentState& current, Vertex& v) {
     if (tells_reach && is_told(*context_))
         reach_vertex(current, v);
@@ -200,11 +203,12 @@ template <class M, class L> void Pipeline<M, L>::given(const CurrentState& curre
     }
 }
 
-/// The user's planes that a vertex, as it was given, is outside of.
+/// The planes of the user that a vertex is outside of, as bits. The vertex is not one that clipping made.
 template <class M, class L> unsigned Pipeline<M, L>::outside(const Vertex& v) const {
     return planes_.outside(M::to_eye(transforms_, v.position));
 }
 
+/// Lights the vertex, if that is still to be done.
 template <class M, class L> inline void Pipeline<M, L>::color(Vertex& v) {
     if ((v.flags & uncolored) != 0)
         light(v);
@@ -219,7 +223,7 @@ template <class M, class L> void Pipeline<M, L>::light(Vertex& v) {
     v.flags &= ~uncolored;
 }
 
-/// The colour of the other side, too, while the material is that of now. The vertex is one of slot_.
+/// Lights the back of a vertex of slot_ as well, before the material changes.
 template <class M, class L> inline void Pipeline<M, L>::color_back([[maybe_unused]] Vertex& v) {
 #if SPANGLE_TWO_SIDES
     if (!two_sided_ || (v.flags & (back_known | is_cut)) != 0)
@@ -231,6 +235,7 @@ template <class M, class L> inline void Pipeline<M, L>::color_back([[maybe_unuse
 #endif
 }
 
+/// Sets the colours of the back of a vertex in `out`.
 template <class M, class L> inline void Pipeline<M, L>::back_of(const Vertex& v, Window& out) {
 #if SPANGLE_TWO_SIDES
     if ((v.flags & back_known) != 0)
@@ -240,11 +245,12 @@ template <class M, class L> inline void Pipeline<M, L>::back_of(const Vertex& v,
     light(v, 1, out);
 }
 
-/// False: not in front, never drawn.
+/// Sets the window coordinates of a vertex that has none yet. False: the vertex is not in front of the eye
+/// and is never drawn.
 template <class M, class L> bool Pipeline<M, L>::project(Vertex& v) {
-    if (!has_clipping || (v.flags & unprojected) == 0) // others are refused
+    if (!has_clipping || (v.flags & unprojected) == 0) // builds without clipping refuse other vertices
         return true;
-    // The same place whether a polygon that it belongs to is clipped or not.
+    // The place must be the same whether a polygon that the vertex belongs to is clipped or not.
     const typename M::Clip clip = M::narrow((v.flags & is_cut) != 0 ? static_cast<const Cut&>(v).clip
                                                                     : M::clip_point(transforms_, v.position));
     if (!M::in_front(clip))
