@@ -1,4 +1,4 @@
-// Begin, End, vertices and current attributes, and what draws arrays (GL 1.3, 2.6 to 2.9).
+// Begin, End, vertices, current attributes, and the commands that draw arrays (GL 1.3, 2.6 to 2.9).
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/share_group.hpp"
@@ -29,7 +29,7 @@ void set_tex_coord(Context& context, std::uint32_t unit, Real s, Real t, Real r,
     v[3] = q;
 }
 
-/// ArrayElement: sets the attributes whose arrays are on, then gives the vertex (GL 1.3, 2.8).
+/// ArrayElement: sets the attributes whose arrays are enabled, then gives the vertex (GL 1.3, 2.8).
 void element(Context& context, std::uint32_t index) {
     if (context.inside_begin_end() && restarts(context.array_bindings, index))
         return restart(context);
@@ -45,7 +45,7 @@ void element(Context& context, std::uint32_t index) {
     context.engine->vertex(context, v[0], v[1], v[2], v[3]);
 }
 
-/// A primitive that this build draws; else the error is set.
+/// This build draws primitives of this mode; else the error is set.
 bool takes(Context& context, GLenum mode) {
     const bool known = mode <= GL_POLYGON;
     if (known && (mode == GL_POINTS       ? has_points
@@ -57,7 +57,7 @@ bool takes(Context& context, GLenum mode) {
     return false;
 }
 
-/// Draws `count` elements as one primitive, or as those between restarts.
+/// Draws `count` elements as one primitive, or as several where restart indices separate them.
 void draw(Context& context, GLenum mode, GLsizei count, const Indices& indices) {
     const KeptAttributes kept(context);
     const AddressedArrays addressed(context);
@@ -76,7 +76,7 @@ namespace cmd {
 void Begin(Context& context, GLenum mode) {
     if (!takes(context, mode))
         return;
-    context.share->lock.take(); // until End: no other thread changes the textures of this primitive
+    context.share->lock.take(); // until End, no other thread changes textures of this primitive
     set_gate(context, true);
     context.primitive = mode;
     begin_batch(context);
@@ -190,10 +190,10 @@ void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, 
         return;
     if (end < start)
         return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("end is less than start"));
-    DrawElements(context, mode, count, type, indices); // the range is a promise we do not need
+    DrawElements(context, mode, count, type, indices); // the range is only a promise of the program
 }
 
-/// A loop of draws; those without vertices are left out (GL 1.4, 2.8).
+/// Loops over draws, and leaves out draws without vertices (GL 1.4, 2.8).
 void MultiDrawArrays(Context& context, GLenum mode, const GLint* first, const GLsizei* count,
                      GLsizei primcount) {
     if (!takes(context, mode))

@@ -8,14 +8,14 @@ namespace spangle::gl::cmd {
 
 namespace {
 
-/// One row of the table: texture coordinates, colour, normal, position; sizes (0 = absent) and byte offsets,
-/// and the default stride.
+/// One row of table 2.5. Order of arrays: texture coordinates, colour, normal, position. `size`: components,
+/// 0 where the array is absent; `at` and `stride` in bytes.
 struct Format {
     std::uint8_t size[4], at[4], stride;
     bool color_bytes;
 };
 
-/// In the order of the tokens, V2F first.
+/// The formats in the order of their tokens, V2F first.
 constexpr Format formats[] = {
     {{0, 0, 0, 2}, {0, 0, 0, 0}, 8, false},     // V2F
     {{0, 0, 0, 3}, {0, 0, 0, 0}, 12, false},    // V3F

@@ -12,7 +12,7 @@ struct Light {
     Real position[4] = {numeric::zero, numeric::zero, numeric::one, numeric::zero}; ///< in eye space
     Real spot_direction[3] = {numeric::zero, numeric::zero, {0xBF800000}};          ///< in eye space
     Real spot_exponent = numeric::zero;
-    Real spot_cutoff = {0x43340000}; // 180
+    Real spot_cutoff = {0x43340000}; ///< 180 degrees
     Real attenuation[3] = {numeric::one, numeric::zero, numeric::zero};
 };
 
@@ -41,7 +41,7 @@ struct LightingState {
     bool local_viewer = false;
     bool two_side = false;
     GLenum color_control = GL_SINGLE_COLOR;
-    bool color_sum = false; ///< COLOR_SUM: without lighting secondary colours are added, too
+    bool color_sum = false; ///< COLOR_SUM: secondary colours are added without lighting, too
     Light light[max_lights];
     Material material[2]; ///< front, back
 };
@@ -53,7 +53,8 @@ struct LightingState {
 };
 #endif
 
-/// The secondary colour is added: that of lighting, which may be zero, or that of the vertices (GL 1.4, 3.9).
+/// A secondary colour is added to fragments: that of lighting, which may be zero, or that of the vertices
+/// (GL 1.4, 3.9).
 inline bool sums_colors(const LightingState& state) {
     return state.lighting ? state.color_control == GL_SEPARATE_SPECULAR_COLOR : state.color_sum;
 }

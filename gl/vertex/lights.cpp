@@ -1,4 +1,4 @@
-// Lights, materials, the light model, ColorMaterial (GL 1.3, 2.13.1 to 2.13.3).
+// The commands of lights, materials, the light model and ColorMaterial (GL 1.3, 2.13.1 to 2.13.3).
 #include <cstddef>
 #include <cstring>
 #include <initializer_list>
@@ -23,7 +23,7 @@ bool in_range(Real v, Real high) {
     return !(v < numeric::zero) && !(high < v);
 }
 
-/// Bit 0: the front material, bit 1: the back one; 0: not a face.
+/// The materials that a face names. Bit 0: front, bit 1: back; 0: the token is not a face.
 unsigned sides_of(GLenum face) {
     return face == GL_FRONT ? 1u : face == GL_BACK ? 2u : face == GL_FRONT_AND_BACK ? 3u : 0u;
 }
@@ -44,26 +44,26 @@ void give(Params& to, const Real* from, std::uint32_t count) {
     std::memcpy(static_cast<void*>(to.v), from, count * sizeof(Real));
 }
 
-/// Vertices already given keep the colours of the old material (GL 1.3, 2.13.2: Material is legal inside
-/// Begin/End).
+/// Called before a material changes, which is legal inside Begin/End: vertices already given keep the colours
+/// of the old material (GL 1.3, 2.13.2).
 void materials_change(Context& context) {
     if (context.inside_begin_end())
         context.engine->settle_colors(context);
     context.changed(dirty_materials);
 }
 
-/// The sentence about a light that GL has and this build has not. Other arguments that are wrong are
-/// explained without it.
+/// The sentence about a light that GL has and this build has not. Other wrong arguments get none.
 constexpr const char* beyond_lights =
     SPANGLE_TEXT("light is beyond the lights of this build (SPANGLE_LIGHTS)");
 
-/// What this build's lights do not do (SPANGLE_LIGHT_KINDS, SPANGLE_FULL_LIGHTING).
+/// Sets the error of a kind of lighting that this build does not have.
 void refuse(Context& context) {
     error(context, GL_INVALID_OPERATION,
           SPANGLE_TEXT("this build has no such lighting (SPANGLE_LIGHT_KINDS, SPANGLE_FULL_LIGHTING)"));
 }
 
-/// Diffuse light, or what reflects it, that this build does not compute with (SPANGLE_FULL_LIGHTING).
+/// Diffuse light, or a diffuse material, is too bright for a build without SPANGLE_FULL_LIGHTING: a component
+/// is 16 or more.
 bool too_bright(const Params& v) {
     constexpr std::uint32_t sixteen = 0x41800000;
     bool bright = false;
@@ -72,24 +72,24 @@ bool too_bright(const Params& v) {
     return bright;
 }
 
-/// Where in a material, in Reals, lie what the tokens from AMBIENT and from EMISSION on name; then its end.
-/// AMBIENT_AND_DIFFUSE has no place of its own.
+/// Offsets in a Material, in Reals, of the properties named by the tokens from AMBIENT and from EMISSION on;
+/// the last one is the end. AMBIENT_AND_DIFFUSE has no place of its own.
 constexpr std::uint8_t material_place[] = {0, 4, 8, 12, 16, 17, 17, 20};
 static_assert(offsetof(Material, emission) == 12 * sizeof(Real) &&
               offsetof(Material, indexes) == 17 * sizeof(Real) && sizeof(Material) == 20 * sizeof(Real));
 
-/// 7 and more: none of them.
+/// The index of a property in material_place; 7 or more: the token names no property of materials.
 constexpr GLenum material_property(GLenum pname) {
     return pname - GL_AMBIENT < 3 ? pname - GL_AMBIENT : pname - GL_EMISSION + 3;
 }
 
-/// Sets a property; those that Material and ColorMaterial name.
+/// Sets a property of a material, which Material or ColorMaterial names.
 void set_property(Material& m, GLenum pname, const void* v, std::uint32_t count) {
     std::memcpy(reinterpret_cast<Real*>(&m) + material_place[material_property(pname)], v,
                 count * sizeof(Real));
 }
 
-/// A property tracked by ColorMaterial cannot be set by Material (GL 1.3, corollary 11).
+/// ColorMaterial tracks this property, so Material does not set it (GL 1.3, corollary 11).
 bool tracked(const LightingState& state, unsigned side, GLenum pname) {
     if (!has_color_material || !state.color_material ||
         (sides_of(state.color_material_face) & (1u << side)) == 0)
@@ -111,7 +111,7 @@ void track(Context& context) {
         }
 }
 
-/// Position and direction are stored in eye space: multiplied when they are specified (GL 1.3, 2.13.1).
+/// Transforms a position or direction to eye space, in which lights are stored (GL 1.3, 2.13.1).
 void to_eye(const Context& context, const Real (&v)[4], Real* out, int components) {
     const numeric::Matrix& m = context.transform.modelview.entry[context.transform.modelview.top];
     for (int i = 0; i < components; ++i) {
@@ -122,7 +122,8 @@ void to_eye(const Context& context, const Real (&v)[4], Real* out, int component
     }
 }
 
-/// Where in a light, in Reals, lie what the tokens from AMBIENT on name; then its end.
+/// Offsets in a Light, in Reals, of the properties named by the tokens from AMBIENT on; the last one is the
+/// end.
 constexpr std::uint8_t property_place[] = {0, 4, 8, 12, 16, 19, 20, 21, 22, 23, 24};
 static_assert(std::size(property_place) == GL_QUADRATIC_ATTENUATION - GL_AMBIENT + 2);
 static_assert(offsetof(Light, position) == 12 * sizeof(Real) &&
@@ -207,7 +208,7 @@ void LightModel(Context& context, GLenum pname, const Params& params) {
         return error(context, GL_INVALID_ENUM);
     }
     context.changed(dirty_lights);
-    context.changed(dirty_fragment); // separate specular needs the colour sum
+    context.changed(dirty_fragment); // a separate specular colour needs the colour sum
 }
 
 void Material(Context& context, GLenum face, GLenum pname, const Params& params) {

@@ -1,5 +1,4 @@
-// What stands in for lighting in a build without it: LIGHTING cannot be enabled, so nothing here is ever
-// asked for light.
+// Stands in for lighting in a build without it. LIGHTING cannot be enabled there, so light() is never called.
 #pragma once
 
 #include "gl/context/context.hpp"

@@ -169,12 +169,12 @@ template <class M, class L> class Pipeline {
         std::uint32_t time = 0; ///< value of now_ then: valid while both are equal
         typename M::Place place{};
     };
-    static constexpr std::size_t most_placed = 512, ///< more would not stay in the first-level cache of hosts
+    static constexpr std::size_t
+        most_placed = 512, ///< the more the better, as far as the first-level cache of hosts reaches
         placed_count = std::bit_floor(sizeof(Vertex) * vertex_cache / sizeof(Placed) < most_placed
                                           ? sizeof(Vertex) * vertex_cache / sizeof(Placed)
                                           : most_placed),
-                                 placed_room = (sizeof(Placed) * placed_count + sizeof(Vertex) - 1) /
-                                               sizeof(Vertex), ///< in vertices
+        placed_room = (sizeof(Placed) * placed_count + sizeof(Vertex) - 1) / sizeof(Vertex), ///< in vertices
         placed_overlap = placed_room < first_vertices ? placed_room : first_vertices;
     /// Vertices that may come again. Elements by their index, or vertices given by themselves by their
     /// position, take turns in the same memory.

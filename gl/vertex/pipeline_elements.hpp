@@ -440,8 +440,7 @@ void Pipeline<M, L>::strip_elements(const ElementReader& reader, std::uint32_t c
     Vertex *even = nullptr, *odd = nullptr; // the last two vertices: in this order all triangles face one way
     const auto place = [&](Vertex& cached) -> Vertex& {
         Vertex* v = &cached;
-        for (Vertex* slot = slot_; v == even || v == odd;
-             ++slot) // of three, one is free: two vertices are held
+        for (Vertex* slot = slot_; v == even || v == odd; ++slot) // of three, one is free
             v = slot;
         return *v;
     };

@@ -7,8 +7,8 @@ namespace spangle::gl {
 
 struct RasterPosition {
     Real position[4] = {numeric::zero, numeric::zero, numeric::zero,
-                        numeric::one}; ///< window x, y, z; clip w
-    Real distance = numeric::zero;     ///< to the eye, for fog
+                        numeric::one}; ///< window x, y, z; w of clip coordinates
+    Real distance = numeric::zero;     ///< distance from the eye, for fog
     Real color[4] = {numeric::one, numeric::one, numeric::one, numeric::one};
     Real index = numeric::one;
     struct TexCoord {

@@ -1,4 +1,4 @@
-// The engines of the reference precisions, for hosts.
+// The reference engines, for hosts: double, and integers with a double twin.
 #pragma once
 
 #include "gl/vertex/engine.hpp"

@@ -1,4 +1,4 @@
-// RenderMode: where primitives go, and what the mode before has found (GL 1.3, 5.2 and 5.3).
+// RenderMode chooses where primitives go, and returns what the mode before has found (GL 1.3, 5.2 and 5.3).
 #include "gl/vertex/render_mode.hpp"
 
 #if SPANGLE_FEATURE_SELECTION || SPANGLE_FEATURE_FEEDBACK
@@ -10,7 +10,7 @@ namespace spangle::gl {
 
 namespace {
 
-/// Sets the error of a mode that cannot begin.
+/// The mode can begin; else the error is set.
 bool may_begin(Context& context, GLenum mode) {
     switch (mode) {
     case GL_RENDER:

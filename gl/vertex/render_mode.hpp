@@ -1,11 +1,11 @@
-// What RenderMode asks of selection when it leaves it.
+// The part of selection that RenderMode calls when it leaves mode SELECT.
 #pragma once
 
 #include "gl/vertex/render_state.hpp"
 
 namespace spangle::gl {
 
-/// Writes the record of the hits since the last one, if there were any.
+/// Writes a record of the hits since the last record, if there were any (GL 1.3, 5.2).
 void end_hit_record(SelectState& select);
 
 } // namespace spangle::gl

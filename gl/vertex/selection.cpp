@@ -14,7 +14,7 @@ namespace spangle::gl {
 
 namespace {
 
-/// Appends one word; the client's buffer need not be aligned.
+/// Appends one word to the client's buffer, which need not be aligned. Sets `overflow` where it is full.
 void put(SelectState& s, GLuint word) {
     if (s.written == s.size) {
         s.overflow = true;
@@ -26,7 +26,7 @@ void put(SelectState& s, GLuint word) {
     ++s.written;
 }
 
-/// The name stack; null in every mode but SELECT, where names mean nothing.
+/// The state with the name stack. Null in all modes but SELECT: names mean nothing there.
 SelectState* names(Context& context) {
     return context.render.mode == GL_SELECT ? &context.render.select : nullptr;
 }
@@ -67,7 +67,7 @@ void SelectBuffer(Context& context, GLsizei size, GLuint* buffer) {
     s.given = true;
 }
 
-// What changes the stack ends the record of the hits before.
+// Each command that changes the name stack ends the record of the hits before it (GL 1.3, 5.2).
 
 void InitNames(Context& context) {
     SelectState* const s = names(context);

@@ -1,4 +1,4 @@
-// Both lightings at once. Hosts only.
+// Lights each vertex twice, in integers and in double, and reports the difference. Hosts only.
 #pragma once
 
 #include "gl/vertex/double_lighting.hpp"
@@ -20,7 +20,7 @@ class ShadowLighting {
         fixed_.materials_changed();
         twin_.materials_changed();
     }
-    /// The twin looks at the position also where the integers need not.
+    /// The double twin uses the position also where the integers do not need it.
     bool needs_eye() const { return fixed_.needs_eye() || twin_.needs_eye(); }
     bool two_sided() const { return fixed_.two_sided(); }
     bool tracks_color() const { return fixed_.tracks_color(); }

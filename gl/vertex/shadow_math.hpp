@@ -1,5 +1,5 @@
-// Both arithmetics of the vertex pipeline at once: the integers decide and draw, their double twin is held
-// against them (design 2). Hosts only.
+// Runs both arithmetics of the vertex pipeline at once: the integers decide and draw, and a double twin of
+// each number is compared with them (design 2). Hosts only.
 #pragma once
 
 #include "gl/vertex/double_math.hpp"
@@ -8,6 +8,7 @@
 
 namespace spangle::gl {
 
+/// A number in integers and its twin in double.
 template <class F, class D> struct Both {
     F fixed;
     D twin;
@@ -37,7 +38,7 @@ struct ShadowMath {
         bool divide(int i, const Transforms& t, const Real (&v)[4], Window& out, unsigned& planes) const {
             if (!fixed_.divide(i, t.fixed, v, out.fixed, planes))
                 return false;
-            if (planes >> 8 == 0) // the others are cut, never drawn
+            if (planes >> 8 == 0) // other vertices are clipped, never drawn
                 project_twin(t, DoubleMath::to_clip(t.twin, v), out);
             return true;
         }
@@ -65,7 +66,7 @@ struct ShadowMath {
     }
     static Clip narrow(const Point& v) { return {FixedMath::narrow(v.fixed), v.twin}; }
 
-    // What is decided, the integers decide.
+    // The integers make all decisions.
     static constexpr int guard_band = FixedMath::guard_band;
     template <class C> static bool beyond(const C& c, int plane, int band) {
         return FixedMath::beyond(c.fixed, plane, band);
@@ -92,7 +93,8 @@ struct ShadowMath {
         return FixedMath::outside(p.fixed, d.fixed);
     }
 
-    /// Where the twin does not cross the plane, being another number, it takes the integers' place.
+    /// The place where an edge meets a plane. The twin of an edge may not cross the plane, since its numbers
+    /// differ a little; then it takes the place of the integers.
     static Parameter intersect(const Distance& a, const Distance& b) {
         const FixedMath::Parameter fixed = FixedMath::intersect(a.fixed, b.fixed);
         if ((a.twin < 0) != (b.twin < 0))
@@ -164,13 +166,14 @@ struct ShadowMath {
         FixedMath::project(t.fixed, c.fixed, out.fixed);
         project_twin(t, c.twin, out);
     }
-    /// The twin goes on from the integers' snapped position: beyond it, only arithmetic differs.
+    /// The twin continues with the snapped position of the integers, so that from here on only the arithmetic
+    /// differs.
     static void project_twin(const Transforms& t, const DoubleMath::Clip& c, Window& out) {
         const bool sound = c.v[3] > 0.0;
         if (sound) {
             DoubleMath::project(t.twin, c, out.twin);
             report_position(out);
-        } else { // the twin of a vertex at the very edge of the eye's plane
+        } else { // a vertex almost in the plane of the eye, whose twin lies behind it
             out.twin.x_exact = out.fixed.x / double{raster::subpixel_one};
             out.twin.y_exact = out.fixed.y / double{raster::subpixel_one};
             out.twin.z = out.fixed.z / double{raster::depth_one};
@@ -180,7 +183,7 @@ struct ShadowMath {
         out.twin.y = out.fixed.y;
     }
 
-    // What goes back to the program is the integers'.
+    // Values that go back to the program are those of the integers.
     static std::uint32_t depth_word(const Window& v) { return FixedMath::depth_word(v.fixed); }
     static void window_of(const Transforms& t, const Clip& c, Real (&out)[4]) {
         FixedMath::window_of(t.fixed, c.fixed, out);
@@ -249,7 +252,7 @@ struct ShadowMath {
     }
     static Real index_of(const Window& v) { return FixedMath::index_of(v.fixed); }
 
-    /// Primary and secondary colour, once they are set.
+    /// Reports the difference of primary and secondary colour, once they are set.
     static void report_color(const Window& v) {
         raster::ShadowReport* const report = raster::shadow_report();
         if (report == nullptr)

@@ -1,4 +1,4 @@
-// Texture coordinates made from positions and normals (GL 1.3, 2.10.4), for every numeric policy.
+// Generates texture coordinates from positions and normals (GL 1.3, 2.10.4), for every numeric policy.
 #pragma once
 
 #include "gl/context/context.hpp"
@@ -38,11 +38,13 @@ template <class M> class TexGen {
             M::normal_matrix(context.transform, normal_);
     }
 
-    /// Bit u: unit u has coordinates that are generated.
+    /// Bit u: some coordinate of unit u is generated.
     unsigned units() const { return units_; }
+    /// The q of this unit is not generated.
     bool keeps_q(int unit) const { return unit_[unit].mode[3] == GL_NONE; }
 
-    /// Those of a vertex before the texture matrix. `current` stand where nothing is generated.
+    /// Sets the coordinates of a vertex before the texture matrix. Coordinates that are not generated are
+    /// those of `current`.
     [[gnu::noinline]] void generate(const typename M::Transforms& transforms, int unit,
                                     const Real (&position)[4], const Real (&normal)[3],
                                     const Real (&current)[4], Scalar (&out)[4]) const {
@@ -65,7 +67,7 @@ template <class M> class TexGen {
             case GL_EYE_LINEAR:
                 out[c] = dot(gen.plane[c], eye, 4);
                 break;
-            case GL_SPHERE_MAP: // errors keep it, and those below, to coordinates that it has
+            case GL_SPHERE_MAP: // cmd::TexGen() sets modes only for coordinates that have them
                 out[c] = sphere(r, c);
                 break;
             case GL_REFLECTION_MAP:
@@ -82,7 +84,7 @@ template <class M> class TexGen {
   private:
     struct Unit {
         GLenum mode[4] = {};
-        bool mapped = false; ///< some coordinate asks for the normal
+        bool mapped = false; ///< some coordinate needs the normal
         Scalar plane[4][4];
     };
     unsigned units_ = 0;
@@ -90,7 +92,7 @@ template <class M> class TexGen {
     Unit unit_[texture_units];
     Scalar normal_[9]; ///< column-major
 
-    /// Of n components, those of `a` being `step` apart.
+    /// The scalar product of n components; the components of `a` are `step` apart.
     static Scalar dot(const Scalar* a, const Scalar* b, int n, int step = 1) {
         Scalar sum = a[0] * b[0];
         for (int k = 1; k < n; ++k)
@@ -112,16 +114,16 @@ template <class M> class TexGen {
             make_unit(n);
     }
 
-    /// r = u - 2 n (n . u), u from the eye to the vertex.
+    /// The reflection vector r = u - 2 n (n . u), where u is the unit vector from the eye to the vertex.
     static void reflect(const Scalar (&eye)[4], const Scalar (&n)[3], Scalar (&r)[3]) {
-        Scalar u[3] = {eye[0] * eye[3], eye[1] * eye[3], eye[2] * eye[3]}; // w may be negative
+        Scalar u[3] = {eye[0] * eye[3], eye[1] * eye[3], eye[2] * eye[3]}; // w may be < 0
         make_unit(u);
         const Scalar along = dot(n, u, 3), twice = along + along;
         for (int i = 0; i < 3; ++i)
             r[i] = u[i] - n[i] * twice;
     }
 
-    /// r / m + 1/2, m = 2 sqrt(rx rx + ry ry + (rz + 1)(rz + 1)).
+    /// The sphere map's coordinate c: r / m + 1/2, where m = 2 sqrt(rx rx + ry ry + (rz + 1)(rz + 1)).
     static Scalar sphere(const Scalar (&r)[3], int c) {
         const Scalar half = M::scalar(Real{0x3F000000});
         const Scalar high[3] = {r[0], r[1], r[2] + M::scalar(numeric::one)};
@@ -131,7 +133,7 @@ template <class M> class TexGen {
 
 #else
 
-/// A build without it: nothing is ever generated.
+/// In a build without generated coordinates, every coordinate is the current one.
 template <class M> class TexGen {
   public:
     using Scalar = typename M::Scalar;

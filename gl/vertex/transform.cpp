@@ -1,4 +1,4 @@
-// Matrix stacks and matrix commands, viewport, depth range (GL 1.3, 2.10.1, 2.10.2).
+// Commands of matrices and their stacks, of the viewport and the depth range (GL 1.3, 2.10.1, 2.10.2).
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/hooks.hpp"
@@ -11,7 +11,7 @@ namespace spangle::gl {
 
 namespace {
 
-/// The stack a token names: its entries, how many it may hold, and which is the top.
+/// A matrix stack: its entries, its capacity, and the index of the top.
 struct StackRef {
     numeric::Matrix* entry;
     int depth;
@@ -33,7 +33,8 @@ StackRef current_stack(Context& context) {
     return modelview_stack(t);
 }
 
-/// Profiles size each stack by itself, so that a program that needs more learns which one is too small.
+/// The sentence for a full stack. Profiles size each stack by itself, so it names the stack that is too
+/// small.
 const char* stack_is_full([[maybe_unused]] GLenum mode) {
     return mode == GL_PROJECTION ? SPANGLE_TEXT("the stack is full (SPANGLE_PROJECTION_STACK)")
            : mode == GL_TEXTURE  ? SPANGLE_TEXT("the stack is full (SPANGLE_TEXTURE_STACK)")
@@ -46,7 +47,7 @@ numeric::Matrix& current_matrix(Context& context) {
     return stack.entry[*stack.top];
 }
 
-/// By a matrix, or a rotation.
+/// Multiplies the current matrix by a matrix, or by a rotation.
 template <class R> void multiply_current(Context& context, const R& right) {
     numeric::Matrix& top = current_matrix(context);
     top = numeric::multiply(top, right);
@@ -168,10 +169,10 @@ void Viewport(Context& context, GLint x, GLint y, GLsizei width, GLsizei height)
     v[3] = silently(height, 0, max_viewport_dim);
     context.changed(dirty_matrices);
     if (!held_window || !viewport_holds_window(context))
-        context.changed(dirty_fragment); // where polygons end
+        context.changed(dirty_fragment); // fragments may have to end at the viewport
 #if SPANGLE_HAS_PLATFORMS
     if (context.drawable.follow != nullptr)
-        context.drawable.follow(); // this is how programs answer when their window has another size
+        context.drawable.follow(); // programs call glViewport when their window has another size
 #endif
 }
 

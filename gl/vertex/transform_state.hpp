@@ -6,7 +6,7 @@
 
 namespace spangle::gl {
 
-/// A stack of matrices (GL 1.3, table 6.11).
+/// A stack of matrices of `Depth` entries (GL 1.3, table 6.11).
 template <int Depth> struct MatrixStack {
     int top = 0;
     numeric::Matrix entry[Depth];
@@ -24,7 +24,7 @@ struct TransformState {
 #endif
     MatrixStack<projection_stack_entries> projection;
     MatrixStack<texture_stack_entries> texture[texture_units];
-    MatrixStack<modelview_stack_entries> modelview; ///< the longest last, as in Context
+    MatrixStack<modelview_stack_entries> modelview; ///< the largest member comes last, as in Context
 };
 
 } // namespace spangle::gl

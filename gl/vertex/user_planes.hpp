@@ -1,4 +1,4 @@
-// User clip planes, those that are on (GL 1.3, 2.11).
+// The user clip planes that are enabled (GL 1.3, 2.11).
 #pragma once
 
 #include "gl/context/features.hpp"
@@ -36,7 +36,7 @@ template <class M> class UserPlanes {
 
 #else
 
-/// A build without them: nothing is ever outside.
+/// In a build without user clip planes, no point is outside of one.
 template <class M> class UserPlanes {
   public:
     void derive(const TransformState&) {}

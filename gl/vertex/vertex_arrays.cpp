@@ -1,4 +1,5 @@
-// Vertex array objects: what VertexPointer and its like set, by name (GL 3.0, 2.10). They are not shared.
+// Vertex array objects, which hold what VertexPointer and its like set (GL 3.0, 2.10). Contexts do not share
+// them.
 #include "gl/context/hooks.hpp"
 
 #if SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS
@@ -14,6 +15,7 @@ namespace spangle::gl {
 
 namespace {
 
+/// Allocates the ArraysState of an array object that has none yet. False: no room in the arena.
 bool make(Context& context, void*& object) {
     if (object != nullptr)
         return true;
@@ -23,7 +25,8 @@ bool make(Context& context, void*& object) {
     return memory != nullptr;
 }
 
-/// Where the arrays of a name lie while it is not bound: null as long as they were never needed.
+/// The pointer to the ArraysState of an array object that is not bound: it is null until it is needed. Null
+/// instead of the pointer: GenVertexArrays did not return this name.
 void** place_of(ArrayBindings& bindings, GLuint name) {
     return name != 0 ? bindings.vertex_arrays.find(name) : &bindings.unnamed;
 }
@@ -40,7 +43,8 @@ GLuint bound_vertex_array(const Context& context) {
     return context.array_bindings.vertex_array;
 }
 
-/// What is bound is in the context, where draws find it; the others lie in the arena.
+/// Binds an array object, or 0 for an unknown name. The bound object's arrays are in the context, where draws
+/// find them; those of other objects lie in the arena. False: no room in the arena.
 bool bind_vertex_array(Context& context, GLuint name) {
     ArrayBindings& bindings = context.array_bindings;
     void **const from = place_of(bindings, bindings.vertex_array), **to = place_of(bindings, name);
@@ -62,7 +66,7 @@ void release_vertex_arrays(Context& context) {
     release_arrays(context);
     ArrayBindings& bindings = context.array_bindings;
     if (void** const bound = place_of(bindings, bindings.vertex_array); *bound != nullptr)
-        *static_cast<ArraysState*>(*bound) = ArraysState(); // its buffers were the context's
+        *static_cast<ArraysState*>(*bound) = ArraysState(); // release_arrays() released its buffers
     destroy(context, bindings.unnamed);
     for (std::uint32_t i = 0; i < bindings.vertex_arrays.capacity(); ++i)
         if (bindings.vertex_arrays.slot(i).name != 0)
