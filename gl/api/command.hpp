@@ -16,6 +16,7 @@ struct Vertex; // from generated/commands.hpp
 
 inline constexpr std::size_t most_args = 10;
 
+/// How a canonical argument of type T is passed as a word, and taken back.
 template <class T> struct Passed {
     static constexpr Arg arg(T value) { return static_cast<Arg>(value); }
     static constexpr T value(Arg arg) { return static_cast<T>(arg); }

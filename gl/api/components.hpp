@@ -12,7 +12,8 @@
 
 namespace spangle::gl {
 
-/// Issues a command with loaded components. Those that the entry point does not give are from (0, 0, 0, 1).
+/// Issues a command with loaded components. Components that the entry point does not give are from
+/// (0, 0, 0, 1).
 template <class F, class... Leading, std::size_t... I>
 inline void issue_first(const Real* v, std::index_sequence<I...>, Leading... leading) {
     issue<F>(leading..., v[I]...);

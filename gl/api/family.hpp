@@ -19,7 +19,7 @@ enum class Listing : std::uint8_t {
     never,       ///< runs at once
 };
 
-/// What the values of a pname are, which decides how they convert (GL 1.3, 2.13 and 6.1.2).
+/// The kind of a pname's values, which decides how they are converted (GL 1.3, 2.13 and 6.1.2).
 enum class Kind : std::uint8_t { real, color, integer };
 
 /// Kind and number of the values that a pname takes; count 0: an unknown pname.

@@ -12,7 +12,8 @@ namespace spangle::gl::list {
 /// without its pixels: the command raises its error when it is played.
 void capture_image(Context& context, const Player* player, const ImageCommand& image, GLsizei most);
 
-/// Calls run(context, image) unless it is between Begin and End, and returns the next record.
+/// Plays an image: calls run(context, image), or raises an error between Begin and End, in which `text` names
+/// the command. Returns the next record.
 const Word* play_image(Context& context, const Word* words, const CommandText* text,
                        void (*run)(Context&, const ImageCommand&));
 

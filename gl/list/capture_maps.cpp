@@ -16,7 +16,7 @@ using list::Word;
 
 constexpr std::uint32_t side_words = 3, head_words = 1 + 2 * side_words;
 
-/// Plays a map. Its words are the target, domain and order of both sides, then the points.
+/// Plays a map. Its words are the target, then domain and order of each side, then the control points.
 template <unsigned dimension> const Word* play_map(Context& context, const Word* words) {
     const GLenum target = words[0];
     const auto components =

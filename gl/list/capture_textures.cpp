@@ -16,7 +16,7 @@ namespace {
 
 using list::Word;
 
-constexpr GLsizei most = max_texture_size + 2; // border included
+constexpr GLsizei most = max_texture_size + 2; // texels of the largest side, border included
 
 /// Whether a target is a proxy. Commands with proxies are queries, which run at once and are not stored (GL
 /// 1.3, 5.4). If the list is also executed, the entry point has run them already.

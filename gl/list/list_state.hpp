@@ -29,7 +29,7 @@ struct ListRecorder {
 
 struct ListState {
     GLuint base = 0;
-    GLuint index = 0;     ///< name of the list being compiled, or 0
+    GLuint index = 0;     ///< name of the list being compiled; 0: none
     GLenum mode = 0;      ///< COMPILE, COMPILE_AND_EXECUTE, or 0
     bool execute = false; ///< mode is COMPILE_AND_EXECUTE
 #if SPANGLE_FEATURE_LISTS

@@ -36,7 +36,7 @@ std::uint32_t rounded_words(std::size_t bytes) {
 std::size_t bytes_of_element(GLint size, GLenum type) {
     return static_cast<std::size_t>(size) * bytes_of(type);
 }
-/// Words of an element, as each begins at a word.
+/// The words of an element; each element begins at a word.
 std::uint32_t words_of_element(GLint size, GLenum type) {
     return rounded_words(bytes_of_element(size, type));
 }
@@ -108,7 +108,7 @@ void copy_indices(const Layout& layout, std::uint32_t count, const Indices& indi
     }
 }
 
-/// While it lives, the context's vertex arrays are those of a record.
+/// Makes the context's vertex arrays those of a record, for as long as this object lives.
 class RecordedArrays {
   public:
     RecordedArrays(Context& context, const Header& header, const Word* at) : context_(context) {

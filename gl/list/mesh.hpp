@@ -11,7 +11,7 @@ namespace spangle::gl::list {
 void record_mesh(Context& context, const Player* player, GLenum mode, std::uint32_t count,
                  const Indices& indices);
 
-/// Plays a mesh unless it is between Begin and End; `text` names the command in that error. Returns the next
+/// Plays a mesh. Between Begin and End that is an error, in which `text` names the command. Returns the next
 /// record.
 const Word* play_mesh(Context& context, const Word* words, const CommandText* text);
 

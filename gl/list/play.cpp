@@ -22,6 +22,7 @@ const Word* body(const Context& context, GLuint name) {
     return found != nullptr && *found != nullptr ? static_cast<Chunk*>(*found)->data() : nullptr;
 }
 
+/// Calls a list: returns the first record to play, which is `next` where there is nothing to call.
 const Word* enter(Context& context, GLuint name, const Word* next) {
     const Word* const target = body(context, name);
     ListState& state = context.list;

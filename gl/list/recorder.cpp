@@ -40,6 +40,7 @@ constexpr std::uint32_t words_per_vertex(std::uint32_t fields) {
            (fields & field_tex4 ? 4 : 0) + (fields >> field_position_shift);
 }
 
+/// Plays the link at the end of a chunk: goes on in the next chunk.
 const Word* play_link(Context&, const Word* words) {
     const Word* next;
     std::memcpy(&next, words, sizeof next);
@@ -91,6 +92,7 @@ void store_player(Word* to, const Player* player) {
     std::memcpy(to, &player, sizeof player);
 }
 
+/// Appends a chunk with room for a record of so many `words`. False: the arena has no room.
 bool grow(Context& context, std::uint32_t words) {
     ListRecorder& r = context.list.recorder;
     constexpr std::uint32_t first_words = 64, most_words = 4096;
@@ -119,6 +121,7 @@ bool grow(Context& context, std::uint32_t words) {
     return true;
 }
 
+/// Appends a record and returns where its arguments go; null without memory.
 Word* append(Context& context, const Player* player, std::uint32_t words) {
     ListRecorder& r = context.list.recorder;
     r.run = nullptr;

@@ -1,57 +1,60 @@
-// What `spangle bake` writes: models and pictures as constants that GL reads where they lie, in flash, and
-// the few calls that draw them. Not a byte of them is copied.
+// Types of the constants that `spangle bake` writes from models and pictures, and the few calls that draw
+// them. Spangle reads the constants where they lie, in flash, and copies no byte of them. GL errors are those
+// of the GL commands that a function calls.
 #pragma once
 
-#ifndef GL_NO_ERROR // behind the header of another GL: that one
+#ifndef GL_NO_ERROR // where the header of another GL comes first, that GL is used
 #include <spangle/GL/gl.h>
 #endif
 
 namespace spangle::baked {
 
-/// An image of a texture: rows from t = 0 upwards, without gaps. Of a palette: its entries, then all levels.
+/// An image of a texture: rows of texels from t = 0 upwards, without gaps. The image of a texture with a
+/// palette has the palette's entries first, then the indices of all levels.
 struct Level {
-    GLsizei width, height, bytes;
+    GLsizei width, height, bytes; ///< size in texels, and of `texels` in bytes
     const void* texels;
 };
 
 struct Texture {
     GLenum internal_format;
-    GLenum format, type; ///< of TexImage, for other GLs; 0, 0: compressed
-    GLint first;         ///< level of the first image; 1 - n where one image holds the n levels of a palette
-    GLsizei images;
+    GLenum format, type; ///< arguments of glTexImage2D, for other GLs; 0, 0: a compressed format
+    GLint first;         ///< level of the first image; 1 - n where one image has all n levels and a palette
+    GLsizei images;      ///< number of images in `image`
     const Level* image;
-    bool mipmaps;     ///< the chain is whole
-    bool translucent; ///< the picture it was made of has alpha below 1
+    bool mipmaps;     ///< the texture has a whole chain of levels, down to 1x1
+    bool translucent; ///< the baked picture had alpha below 1
 };
 
-/// An array in interleaved vertices; null: the part has none.
+/// One array of a part's interleaved vertices. `first` is null where the part has no such array.
 struct Array {
-    GLenum type;
-    const void* first;
+    GLenum type;       ///< type of a component, such as GL_SHORT
+    const void* first; ///< the first element
 };
 
-/// Elements of one material.
+/// A part of a model: elements with one material.
 struct Part {
-    GLenum mode;
-    GLsizei indices;
-    GLenum index_type;
+    GLenum mode;       ///< mode of glDrawElements
+    GLsizei indices;   ///< number of indices
+    GLenum index_type; ///< GL_UNSIGNED_BYTE, SHORT or INT
     const void* index;
-    GLsizei stride; ///< of the arrays
+    GLsizei stride; ///< bytes from one vertex to the next, in all arrays
     Array position, normal, texcoord, color;
-    GLfloat diffuse[4], specular[4], emission[4]; ///< diffuse is ambient, too
-    GLfloat shininess;
-    const Texture* texture; ///< null: none
+    GLfloat diffuse[4], specular[4], emission[4]; ///< RGBA, 1 is full; `diffuse` is the ambient colour, too
+    GLfloat shininess;                            ///< exponent, 0 to 128
+    const Texture* texture;                       ///< null: the part has no texture
 };
 
+/// A model, which has radius 1, as `spangle bake` writes it.
 struct Mesh {
-    GLfloat position_scale; ///< of what the arrays hold to the model, which has radius 1; 1: none
-    GLfloat texcoord_scale;
-    GLsizei parts;
+    GLfloat position_scale; ///< model units per unit of the position arrays; 1: not scaled
+    GLfloat texcoord_scale; ///< coordinate units per unit of the texture coordinate arrays; 1: not scaled
+    GLsizei parts;          ///< number of parts in `part`
     const Part* part;
 };
 
-/// Gives the images to the bound two-dimensional texture and sets its filters: NEAREST, and the nearest level
-/// where there is a chain.
+/// Gives the images to the bound two-dimensional texture, and sets its filters: GL_NEAREST, and the nearest
+/// level where the texture has mipmaps.
 inline void load(const Texture& texture) {
     for (GLsizei i = 0; i < texture.images; ++i) {
         const Level& level = texture.image[i];
@@ -73,14 +76,15 @@ inline void load(const Texture& texture) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-/// Multiplies the current matrix (the modelview, mostly) with what makes the model of the arrays. Normals
-/// then have another length: GL_RESCALE_NORMAL or GL_NORMALIZE.
+/// Scales the current matrix, mostly the modelview, so that the position arrays have the size of the model.
+/// Normals change their length with it: enable GL_RESCALE_NORMAL or GL_NORMALIZE for lighting.
 inline void scale_positions(const Mesh& mesh) {
     if (mesh.position_scale != 1.0f)
         glScalef(mesh.position_scale, mesh.position_scale, mesh.position_scale);
 }
 
-/// Sets the texture matrix; the modelview is current afterwards.
+/// Sets the texture matrix to scale the texture coordinate arrays. Afterwards the matrix mode is
+/// GL_MODELVIEW.
 inline void scale_texcoords(const Mesh& mesh) {
     glMatrixMode(GL_TEXTURE);
     glLoadIdentity();
@@ -89,7 +93,8 @@ inline void scale_texcoords(const Mesh& mesh) {
     glMatrixMode(GL_MODELVIEW);
 }
 
-/// The part's material, where lighting is on; parts with colours of their own want GL_COLOR_MATERIAL instead.
+/// Sets the part's material for both faces, for use with lighting. A part with a colour array needs
+/// GL_COLOR_MATERIAL instead.
 inline void material(const Part& part) {
     glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, part.diffuse);
     glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, part.specular);
@@ -97,7 +102,8 @@ inline void material(const Part& part) {
     glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, part.shininess);
 }
 
-/// Points the arrays at the part and enables those that it has, of the client's first texture unit.
+/// Sets the vertex arrays to those of the part. Enables the arrays that the part has and disables the others.
+/// Texture coordinates go to the unit that glClientActiveTexture has set.
 inline void point_arrays(const Part& part) {
     const auto enable = [](GLenum array, const void* has) {
         if (has != nullptr)
@@ -118,7 +124,7 @@ inline void point_arrays(const Part& part) {
     enable(GL_COLOR_ARRAY, part.color.first);
 }
 
-/// Draws the elements of the arrays as they are pointed at.
+/// Draws the part's elements from the arrays that point_arrays() has set.
 inline void draw(const Part& part) {
     glDrawElements(part.mode, part.indices, part.index_type, part.index);
 }

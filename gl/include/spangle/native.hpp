@@ -1,4 +1,4 @@
-// What a board hands to EGL: its display, and memory.
+// The display and the memory that a board hands to EGL.
 #pragma once
 
 #include <cstddef>
@@ -8,18 +8,19 @@
 
 namespace spangle {
 
-/// A HAL display as eglGetDisplay takes it. eglInitialize initialises the panel; its one window covers the
-/// whole display: eglCreateWindowSurface(dpy, config, 0, nullptr). The display outlives eglTerminate.
+/// A HAL display in the form that eglGetDisplay takes. eglInitialize initialises the panel. The display has
+/// one window, which covers all of it: eglCreateWindowSurface(dpy, config, 0, nullptr). `display` must
+/// outlive eglTerminate.
 inline EGLNativeDisplayType native(hal::Display& display) {
     return &display;
 }
 
-/// Hands memory to Spangle for good: contexts, depth buffers, pbuffers, textures and display lists lie in it.
-/// Call it before eglInitialize. Without it a host uses SPANGLE_HOST_MEMORY_MB of its own (64 unless the
-/// build says otherwise), and a board has none: EGL_BAD_ALLOC.
+/// Hands `bytes` bytes of memory to Spangle for good, before eglInitialize. Contexts, depth buffers,
+/// pbuffers, textures and display lists lie in it. Without this call a host uses SPANGLE_HOST_MEMORY_MB
+/// mebibytes of its own (64 by default), and a board has no memory: EGL_BAD_ALLOC.
 void memory(void* begin, std::size_t bytes);
 
-/// Bytes of that memory in use, and the most that ever were.
+/// Bytes of Spangle's memory that are in use, the most that ever were in use, and all bytes there are.
 struct MemoryUse {
     std::size_t used, peak, capacity;
 };

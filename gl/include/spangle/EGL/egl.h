@@ -1,5 +1,5 @@
-/* EGL 1.4 as Spangle has it: the door between a rendering context and a display. Types as in Khronos' headers
- * with EGL_NO_X11. C89 and C++ compatible. */
+/* EGL 1.4 as Spangle has it: it connects rendering contexts with displays. Types are those of Khronos'
+ * headers with EGL_NO_X11. For C89 and up, and C++. */
 #ifndef SPANGLE_EGL_EGL_H
 #define SPANGLE_EGL_EGL_H
 
@@ -28,7 +28,7 @@ typedef void* EGLContext;
 typedef void* EGLDisplay;
 typedef void* EGLSurface;
 typedef void* EGLClientBuffer;
-typedef intptr_t EGLAttrib; /* of EGL 1.5 */
+typedef intptr_t EGLAttrib; /* a type of EGL 1.5 */
 typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 
 #define EGL_VERSION_1_0 1
@@ -168,9 +168,9 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 /* EGL_EXT_buffer_age */
 #define EGL_BUFFER_AGE_EXT 0x313D
 
-/* EGL_SPANGLE_precision: the accuracy tier of a config. Contexts made with it draw in that tier where no hint
- * says otherwise. DOUBLE is the reference picture, SHADOW, SHADOW_BALANCED and SHADOW_FAST are the tiers with
- * a double beside every number; they exist on hosts only. */
+/* EGL_SPANGLE_precision: a config attribute, the tier of accuracy. Contexts of the config draw in that tier
+ * where no hint says otherwise. DOUBLE is the reference picture. SHADOW, SHADOW_BALANCED and SHADOW_FAST are
+ * the tiers with a double beside every number. DOUBLE and SHADOW configs exist on hosts only. */
 #define EGL_PRECISION_SPANGLE 0x3F00
 #define EGL_PRECISION_EXACT_SPANGLE 0x3F01
 #define EGL_PRECISION_BALANCED_SPANGLE 0x3F02
@@ -180,30 +180,33 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 #define EGL_PRECISION_SHADOW_BALANCED_SPANGLE 0x3F06
 #define EGL_PRECISION_SHADOW_FAST_SPANGLE 0x3F07
 
-/* EGL_SPANGLE_accum: an attribute of eglCreateWindowSurface, eglCreatePbufferSurface and eglQuerySurface,
- * bits of a component of the accumulation buffer. There are 0 or 16: a wish gets at least what it asks for.
- */
+/* EGL_SPANGLE_accum: an attribute of eglCreateWindowSurface, eglCreatePbufferSurface and eglQuerySurface: the
+ * bits of a component of the accumulation buffer, 0 or 16. A request for 1 to 16 bits gives 16; other values
+ * are EGL_BAD_MATCH. */
 #define EGL_ACCUM_SIZE_SPANGLE 0x3F08
 
-/* EGL_SPANGLE_bands: an attribute of eglCreateWindowSurface and eglQuerySurface, rows of the depth, stencil
- * and accumulation buffers, and of a colour buffer that is no larger; 0: all. Such a window is drawn band by
- * band, by spangle::frame (spangle/frame.hpp). A wish is rounded up to where bytes end. */
+/* EGL_SPANGLE_bands: an attribute of eglCreateWindowSurface and eglQuerySurface: the rows of the depth,
+ * stencil and accumulation buffers, and of the colour buffer where the display holds no whole frame; 0: all
+ * rows. Such a window is drawn band by band, by spangle::frame (spangle/frame.hpp). Where a byte holds pixels
+ * of several rows, the number is rounded up to whole bytes. */
 #define EGL_BAND_HEIGHT_SPANGLE 0x3F09
-/* Of such a window on a display that holds no whole frame: bytes of memory for the record of a frame, which
- * eglSwapBuffers draws band by band; 0: there is none. Configs with samples have none. A frame that does not
- * fit is GL_OUT_OF_MEMORY and is not shown; spangle::frame draws it by callback instead. */
+/* An attribute of a window with bands, on a display that holds no whole frame: bytes of memory for the record
+ * of a frame, which eglSwapBuffers draws band by band; 0: no record. Configs with samples have no record. A
+ * frame that does not fit is GL_OUT_OF_MEMORY and is not shown; spangle::frame draws such frames by callback.
+ */
 #define EGL_BAND_RECORD_SPANGLE 0x3F0C
-/* Of eglQuerySurface: bytes that the longest frame so far took of it. */
+/* An attribute of eglQuerySurface: bytes of the record that the longest frame so far has taken. */
 #define EGL_BAND_RECORD_PEAK_SPANGLE 0x3F0D
 
-/* EGL_SPANGLE_color_index: configs whose EGL_COLOR_BUFFER_TYPE is INDEX_BUFFER hold indices of INDEX_SIZE
- * bits and no colours; contexts made with them are in GL's color index mode (INDEX_MODE is TRUE). A wish must
- * name the type: RGB_BUFFER is what is wished where nothing is said.
+/* EGL_SPANGLE_color_index: configs whose EGL_COLOR_BUFFER_TYPE is EGL_INDEX_BUFFER_SPANGLE hold indices of
+ * EGL_INDEX_SIZE_SPANGLE bits and no colours. Their contexts are in GL's color index mode (GL_INDEX_MODE is
+ * TRUE). eglChooseConfig returns them only if its list names the type, since EGL_RGB_BUFFER is the default.
  *
- * A window of such a config has a palette. SetPalette gives the indices from `first` on `count` colours, red,
- * green and blue bytes each. A palette in hardware shows them at once; else the next eglSwapBuffers sends
- * what shows them. At first index RRRGGGBB has the colour that these bits are, k / 7, k / 7, k / 3. Errors:
- * BAD_SURFACE no window, BAD_MATCH no INDEX_BUFFER, BAD_PARAMETER indices beyond 0 .. 255, or no colours. */
+ * A window of such a config has a palette. eglSetPaletteSPANGLE sets the colours of `count` indices from
+ * `first` on; `rgb` holds bytes of red, green and blue for each. A palette in hardware shows them at once;
+ * else the next eglSwapBuffers sends the pixels that they change. At first index RRRGGGBB has the colour of
+ * these bits: R / 7, G / 7, B / 3. Errors: EGL_BAD_SURFACE: not a window. EGL_BAD_MATCH: the surface has
+ * colours. EGL_BAD_PARAMETER: indices outside of 0 to 255, or `rgb` is null. */
 #define EGL_INDEX_BUFFER_SPANGLE 0x3F0A
 #define EGL_INDEX_SIZE_SPANGLE 0x3F0B
 
@@ -235,8 +238,8 @@ EGLAPI EGLBoolean EGLAPIENTRY eglCopyBuffers(EGLDisplay dpy, EGLSurface surface,
 EGLAPI EGLBoolean EGLAPIENTRY eglDestroySurface(EGLDisplay dpy, EGLSurface surface);
 EGLAPI EGLBoolean EGLAPIENTRY eglQuerySurface(EGLDisplay dpy, EGLSurface surface, EGLint attribute,
                                               EGLint* value);
-/* EGL_OPENGL_API is current from the start, bound or not: there is no other (EGL 1.4, 3.7 begins with
-   EGL_NONE where there is no OpenGL ES). */
+/* EGL_OPENGL_API is current from the start and is the only API. (By EGL 1.4, 3.7 EGL_NONE would be current at
+   first where there is no OpenGL ES.) */
 EGLAPI EGLBoolean EGLAPIENTRY eglBindAPI(EGLenum api);
 EGLAPI EGLenum EGLAPIENTRY eglQueryAPI(void);
 EGLAPI EGLBoolean EGLAPIENTRY eglSwapInterval(EGLDisplay dpy, EGLint interval);
@@ -259,7 +262,7 @@ EGLAPI EGLBoolean EGLAPIENTRY eglSetPaletteSPANGLE(EGLDisplay dpy, EGLSurface su
 EGLAPI EGLBoolean EGLAPIENTRY eglSwapBuffers(EGLDisplay dpy, EGLSurface surface);
 EGLAPI __eglMustCastToProperFunctionPointerType EGLAPIENTRY eglGetProcAddress(const char* procname);
 
-/* EGL_EXT_platform_base, and the names that EGL 1.5 has for it; hosts only. */
+/* The commands of EGL_EXT_platform_base, and the same commands by their names in EGL 1.5; hosts only. */
 EGLAPI EGLDisplay EGLAPIENTRY eglGetPlatformDisplayEXT(EGLenum platform, void* native_display,
                                                        const EGLint* attrib_list);
 EGLAPI EGLSurface EGLAPIENTRY eglCreatePlatformWindowSurfaceEXT(EGLDisplay dpy, EGLConfig config,
