@@ -49,7 +49,7 @@ class Arg:
 
     @classmethod
     def vector(cls, text, count):
-        """An argument that points at so many numbers."""
+        """An argument that points at `count` numbers."""
         arg = cls(text, {})
         arg.count = count
         return arg
@@ -146,7 +146,7 @@ class Family:
     # --- entry points ------------------------------------------------------------------------------------------
 
     def entry(self, name, params, call, tries, null=None, body=None):
-        """`call` are the canonical arguments; `null` names a pointer that must not be null; `body` stands instead of both."""
+        """One entry point. `call`: its canonical arguments; `null`: a pointer that must not be null; `body`: replaces both."""
         text = ", ".join(call)
         guard = self.null_guard(name, null) if null else ""
         verb = "return ask" if self.returns != "void" else "issue"
@@ -182,7 +182,7 @@ class Family:
                                  body=self.reals_at(code, len(params), self.null_text("gl" + self.name + vector)) if reals else None)
 
     def image_command(self):
-        """The arguments of a texture image, the same for any number of dimensions."""
+        """The ImageCommand of a texture image, which has the same members for any number of dimensions."""
         names = [a.name for a in self.args]
         sizes = [n for n in ("width", "height", "depth") if n in names]
         beside = ["static_cast<GLint>(target)"] + [n for n in names[1:] if n not in (*sizes, "format", "type", "pixels")]
@@ -205,7 +205,7 @@ class Family:
                 stem, c = f"gl{self.name}{size if self.data.get('digits', True) else ''}", C_TYPES[code]
                 vector = suffix.replace("x", "xv", 1) if code == "x" else suffix + "v"
                 value = Arg("real value", {})
-                # Loops of vertices call floats, and integers as single arguments, most often: these are converted in line.
+                # Loops of vertices mostly call entry points of floats, or of single integers: these convert their arguments in line.
                 often = self.listing == "attribute"
                 forms = [len(pad) > 1 and ("reals" if often and code in ("fi", "f")[vectorial] else "components") for vectorial in (0, 1)]
                 kind = element(code, convert)
@@ -217,7 +217,7 @@ class Family:
                                  body=forms[1] and self.components_at(forms[1], first, kind, size, self.null_text(stem + vector)))
 
     def components_at(self, form, first, kind, size, null):
-        """One call for components that lie at v, or were given one by one."""
+        """The call for components that lie in memory at v, or, where `null` is "nullptr", were given one by one."""
         place = "v" if null != "nullptr" else "given"
         if form == "reals":
             return f"    issue_reals<family::{self.name}, {kind}, {size}>({place}, {null});\n"
@@ -235,7 +235,7 @@ class Family:
         return f'SPANGLE_TEXT("{name}: {arg} is a null pointer")'
 
     def reals_at(self, code, count, null):
-        """One call for all arguments of a family of reals, which lie at v."""
+        """The call for a family of reals whose arguments all lie in memory at v."""
         return self.components_at("reals", [], element(code), count, null)
 
     def entries_flag(self):
@@ -305,7 +305,7 @@ class Family:
 
     @property
     def canonical(self):
-        """Parameter list of cmd::Name after the context."""
+        """The parameters of cmd::Name, without the context."""
         if self.kind == "components":
             return [(a.c_type, a.name) for a in self.args] + [("Real", n) for n in self.component_names]
         if self.kind == "flag":
@@ -340,12 +340,12 @@ def normalize(code, name):
 
 
 def element(code, convert=cast):
-    """The type of an array's elements and what becomes of them."""
+    """The convert::Element of an array: the type of its elements and their conversion."""
     return "convert::Element::" + convert(code, "").removeprefix("convert::").removesuffix("()")
 
 
 def widened(code, convert=cast):
-    """As which type an argument is put in an array: registers hold words, which are stored as they are."""
+    """The type with which an argument is stored in an array. Registers hold words, so shorts are stored as words."""
     return "i" if code == "s" and convert is cast else code
 
 

@@ -96,12 +96,12 @@ def commands_header(chapters, _tokens):
 
 
 def held(family, function):
-    """A family that reads or writes objects of the share group runs with these held."""
+    """The function of a family, which holds the lock of the share group's objects if the family uses them."""
     return f"sharing<{function}>" if family.shares else function
 
 
 def shape_rows(pnames, tokens):
-    """Rows of names that follow each other and have the same shape."""
+    """Rows of the shape table; names with consecutive values and the same shape share a row."""
     runs = []
     for p in sorted(pnames, key=lambda p: value_of(tokens, p)):
         if runs and value_of(tokens, p) == value_of(tokens, runs[-1][0]) + len(runs[-1]) and (p.kind, p.count) == (runs[-1][0].kind, runs[-1][0].count):
@@ -151,12 +151,12 @@ def wrappers(data, families):
 
 
 def both(needs):
-    """One condition of several."""
+    """Joins conditions of the preprocessor into one that needs all of them."""
     return " && ".join(f"({need})" if "||" in need and len(needs) > 1 else need for need in needs)
 
 
 def refusals(entries):
-    """What the entry points of a feature do in a build without it."""
+    """Entry points for builds without their feature, which raise an error that names the feature."""
     out = []
     for needs in sorted({e.needs for e in entries if e.needs}):
         for i, need in enumerate(needs):

@@ -1,4 +1,4 @@
-"""What tests and fuzzers walk: every entry point, with arguments to try."""
+"""The table of all entry points, with arguments to try, for tests and fuzzers."""
 from command_table import Pname
 from emit_code import NOTICE, both
 
@@ -13,7 +13,7 @@ LETTERS = {"GLbyte": "b", "GLshort": "s", "GLint": "i", "GLsizei": "i", "GLubyte
 
 
 def accepted_token(arg, token):
-    """A token of a system that is not in the build is none that is accepted: another stands for it."""
+    """A token to try. A build without the token's optional system does not accept it and tries another one."""
     feature = arg.features.get(token)
     return f"SPANGLE_FEATURE_{feature} ? GL_{token} : {arg.good}" if feature else f"GL_{token}"
 

@@ -1,4 +1,4 @@
-"""What messages say of each command: names of arguments, their rules, the section of the specification."""
+"""The parts of messages about each command: names of arguments, their rules, the section of the specification."""
 import json
 
 from command_table import API
@@ -9,7 +9,7 @@ STATE_QUERIES = {"GetBooleanv", "GetIntegerv", "GetFloatv", "GetDoublev", "GetFi
 
 
 def token_kind(family, arg):
-    """What a token has to be, in words."""
+    """What a token has to be, in words for a message."""
     if family.name in STATE_QUERIES:
         return "a state that the command returns"
     if arg.name == "cap":
@@ -47,7 +47,7 @@ def arg_rows(family, pool, out):
 
 
 def longest_sentence(family, section):
-    """Characters of the longest one about a token of this command (gl/api/explain.cpp)."""
+    """The number of characters of the longest message about a token of this command (gl/api/explain.cpp)."""
     return max((len(f"gl{family.name}: {arg.name} 0xFFFFFFFF is not {token_kind(family, arg)} ({section})")
                 for arg in family.args if arg.type == "enum" and arg.accepted), default=0)
 

@@ -40,7 +40,7 @@ class Extension:
 
     @property
     def condition(self):
-        """What a build must have to name it; names with a suffix are found by eglGetProcAddress alone."""
+        """The conditions under which a build names the extension. Only eglGetProcAddress finds names with a suffix."""
         return both(sorted(self.needs | ({"SPANGLE_FEATURE_GET_PROC_ADDRESS"} if self.aliases else set())))
 
 

@@ -9,7 +9,7 @@ README_MATRIX = re.compile(r"(<!-- feature matrix: .*? -->\n).*?(<!-- end of the
 
 
 def matrix(chapters):
-    """Of each row: id, name, commands, state, note."""
+    """For each row of the matrix: id, name, commands, state, note."""
     rows = json.loads((API / "commands" / "rows.json").read_text())
     entries = {}
     for _, families in chapters:

@@ -22,7 +22,7 @@ struct Texture {
     GLint first;         ///< level of the first image; 1 - n where one image has all n levels and a palette
     GLsizei images;      ///< number of images in `image`
     const Level* image;
-    bool mipmaps;     ///< the texture has a whole chain of levels, down to 1x1
+    bool mipmaps;     ///< the texture has its whole chain of levels
     bool translucent; ///< the baked picture had alpha below 1
 };
 

@@ -188,7 +188,8 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 /* EGL_SPANGLE_bands: an attribute of eglCreateWindowSurface and eglQuerySurface: the rows of the depth,
  * stencil and accumulation buffers, and of the colour buffer where the display holds no whole frame; 0: all
  * rows. Such a window is drawn band by band, by spangle::frame (spangle/frame.hpp). Where a byte holds pixels
- * of several rows, the number is rounded up to whole bytes. */
+ * of several rows, the number is rounded up to whole bytes. EGL_BAD_PARAMETER: the number is negative;
+ * EGL_BAD_MATCH: the display's own buffer has fewer rows. */
 #define EGL_BAND_HEIGHT_SPANGLE 0x3F09
 /* An attribute of a window with bands, on a display that holds no whole frame: bytes of memory for the record
  * of a frame, which eglSwapBuffers draws band by band; 0: no record. Configs with samples have no record. A
