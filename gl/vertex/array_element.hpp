@@ -1,4 +1,4 @@
-// Elements of the enabled vertex arrays, as canonical values (GL 1.3, 2.8).
+// Reads the elements of the enabled vertex arrays as canonical values (GL 1.3, 2.8).
 #pragma once
 
 #include <cstddef>

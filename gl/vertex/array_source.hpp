@@ -1,5 +1,5 @@
-// Where arrays and indices lie: in client memory, or in buffer objects that say how long they are (GL 1.5,
-// 2.9.6).
+// Arrays and indices lie in client memory, or in buffer objects, whose size is known and checked
+// (GL 1.5, 2.9.6).
 #pragma once
 
 #include "gl/context/context.hpp"

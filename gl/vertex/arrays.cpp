@@ -1,4 +1,5 @@
-// Vertex arrays: where they are, which are on, and how their elements become canonical values (GL 1.3, 2.8).
+// The commands that set and enable vertex arrays, and the conversion of elements to canonical values (GL 1.3,
+// 2.8).
 #include "gl/api/convert.hpp"
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
@@ -39,8 +40,8 @@ template <class T> T read(const std::uint8_t* at) {
     return value;
 }
 
-/// A component as a number (vertices, texture coordinates) or as a fraction (colours, normals: GL 1.3,
-/// table 2.6).
+/// Converts a component to a number, for vertices and texture coordinates, or to a fraction, for colours and
+/// normals (GL 1.3, table 2.6).
 SPANGLE_RUN_CALL Real component(const std::uint8_t* at, GLenum type, bool normalized) {
     switch (array_type(type)) {
     case GL_FLOAT:
@@ -87,7 +88,7 @@ template <class... T> constexpr std::uint16_t types_of(T... types) {
     return static_cast<std::uint16_t>(((1u << (types - GL_BYTE)) | ...));
 }
 constexpr std::uint16_t wide_types = types_of(GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE, GL_FIXED);
-/// GL has bytes for normals; OES_byte_coordinates adds them for positions and texture coordinates.
+/// GL allows bytes for normals; OES_byte_coordinates allows them for positions and texture coordinates.
 constexpr std::uint16_t signed_types = wide_types | types_of(GL_BYTE);
 constexpr std::uint16_t color_types = types_of(GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_INT,
                                                GL_UNSIGNED_INT, GL_FLOAT, GL_DOUBLE);
@@ -238,7 +239,8 @@ void EdgeFlagPointer(Context& context, GLsizei stride, const void* pointer) {
 
 namespace {
 
-/// Turns an array on or off that only some builds have; `missing` is the sentence where this build has not.
+/// Enables or disables an array that only some builds have. Other builds set the error, with the sentence
+/// `missing`.
 void enable_optional(Context& context, ClientArray& array, bool on, bool present, const char* missing) {
     if (!present)
         return error(context, GL_INVALID_OPERATION, missing);

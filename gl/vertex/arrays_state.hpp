@@ -1,4 +1,4 @@
-// Vertex arrays: where they are and which are on (GL 1.3, 2.8). Client state.
+// The client state of vertex arrays: where they lie and which are enabled (GL 1.3, 2.8).
 #pragma once
 
 #include <initializer_list>

@@ -130,7 +130,7 @@ namespace evaluation {
 
 } // namespace evaluation
 
-/// A component of a surface, and its derivatives in u and v by place, each divided by its degree.
+/// A component of a surface, and its derivatives by the places in u and v, each divided by its degree.
 struct EvalSurface {
     numeric::Block value, u, v;
 };

@@ -34,7 +34,7 @@ struct EvalMap {
 
 struct EvalState {
 #if SPANGLE_FEATURE_EVALUATORS
-    bool enabled[2][eval_targets] = {}; ///< MAP1_..., MAP2_...
+    bool enabled[2][eval_targets] = {}; ///< by dimension and target: MAP1_..., MAP2_...
     bool auto_normal = false;
     EvalMap* map[2][eval_targets] = {}; ///< by dimension and target; null: the initial map
     GLint segments_1 = 1, segments_2[2] = {1, 1};

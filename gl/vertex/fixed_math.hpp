@@ -176,6 +176,7 @@ struct FixedMath : FixedClipping {
     /// (GL 1.3, 2.10.1). All are added before the first is divided, so that no operation waits for another's
     /// result.
     ///
+    /// Let `zeros` be the leading zeros of w, and `lift` the shift of a row (see Transforms).
     /// x' = x * 2^(zeros + lift - 3) and w' = w * 2^zeros give x'/w' = x/w / 8. So the word x' holds every x
     /// within 4 w, without rounding; so does z' = z * 2^(zeros + lift - 1) hold z (see lift_room).
     template <int N> class Projections {
@@ -739,7 +740,7 @@ struct FixedMath : FixedClipping {
     /// product with half the range has `bits`. `rest` gets what rounding took off, in 2^-16.
     SPANGLE_RUN_CALL static std::int64_t place(const Range& range, std::int32_t m, std::uint32_t r, int zeros,
                                                int quotient_has, int bits, std::int16_t* rest = nullptr) {
-        constexpr std::int64_t most = std::int64_t{1} << 30; // the guard band of 28 bits, or 1 of 30
+        constexpr std::int64_t most = std::int64_t{1} << 30; // 4 with 28 fraction bits, 1 with 30
         const auto q = static_cast<std::int32_t>(
             numeric::clamp<std::int64_t>(quotient(m, r, zeros, quotient_has), -most, most));
         const std::int64_t from_middle = -product(range.minus_half, q);

@@ -190,7 +190,7 @@ void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, 
         return;
     if (end < start)
         return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("end is less than start"));
-    DrawElements(context, mode, count, type, indices); // the range is only a promise of the program
+    DrawElements(context, mode, count, type, indices); // the range is a promise that is not needed
 }
 
 /// Loops over draws, and leaves out draws without vertices (GL 1.4, 2.8).

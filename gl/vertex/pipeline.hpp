@@ -166,7 +166,7 @@ template <class M, class L> class Pipeline {
     /// Where a vertex fell that was given by itself, not as an element of arrays.
     struct Placed {
         Real position[3]{};     ///< position as given; its w was 1
-        std::uint32_t time = 0; ///< value of now_ then: valid while both are equal
+        std::uint32_t time = 0; ///< now_ when the place was kept; valid while both are equal
         typename M::Place place{};
     };
     static constexpr std::size_t
@@ -184,7 +184,7 @@ template <class M, class L> class Pipeline {
         Kept() : vertex{} {}
     };
 #endif
-    /// Vertices given by themselves are kept, too.
+    /// This build keeps the window positions of vertices given by themselves.
     static constexpr bool keeps_places = vertex_cache != 1 && raster::has_shortcuts;
     /// Vertices of line strips are not kept: a small cache forgets them before another strip asks for them.
     static constexpr bool forgets_strips =
@@ -219,7 +219,7 @@ template <class M, class L> class Pipeline {
     bool odd_ = false;        ///< the strip has an odd number of triangles so far
     bool fog_ = false, lit_ = false, flat_ = false, two_sided_ = false;
     unsigned units_ = 0;          ///< bit u: texture unit u is on; bit u + third_coordinate: it uses r
-    unsigned thirds_ = 0;         ///< the bits of units that use r, for the vertices that are kept
+    unsigned thirds_ = 0;         ///< bit u: unit u uses r; as it was when the cached vertices were made
     bool fog_given_ = false;      ///< fog takes its distance from fog coordinates
     bool sums_ = false;           ///< vertices have secondary colours without lighting: COLOR_SUM
     unsigned index_bits_ = 0;     ///< bits of an index framebuffer; 0: the framebuffer has colours
@@ -449,7 +449,7 @@ template <class M, class L> class Pipeline {
     bool exactly_clipped() const {
         return outlined() || captures() || cuts_lines_;
     }
-    /// The planes to clip by, bit i for plane i, for a primitive whose vertices have these flags in sum.
+    /// The planes to clip by; bit i: plane i. `flags`: the flags of all corners of a primitive, together.
     unsigned clip_planes(unsigned flags) const {
         return exactly_clipped() ? flags & outside_mask : (flags & beyond_mask) >> beyond_shift;
     }

@@ -311,7 +311,7 @@ void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint32_t co
             draw();
         if ((cached.flags & is_pending) == 0) [[likely]]
             return cached;
-        return lines.vertex[0] == &slot_[0] ? slot_[1] : slot_[0]; // the vertex that is left has its place
+        return lines.vertex[0] == &slot_[0] ? slot_[1] : slot_[0]; // the vertex left over lies in `cached`
     };
     const auto begin = [&](Vertex& v, const std::uint8_t* words) {
         if constexpr (numeric::cheap_branches) // where branches are cheap, a batch gains nothing
@@ -393,7 +393,7 @@ void Pipeline<M, L>::strip_batches(const ElementReader& reader, std::uint32_t co
             draw();
         Vertex* v = &cached;
         for (Vertex* slot = slot_; taken() && (v == corners.vertex[0] || v == corners.vertex[1]); ++slot)
-            v = slot; // one of the two vertices that are left has its place
+            v = slot; // one of the two vertices left over lies there
         return *v;
     };
     const auto begin = [&](Vertex& v, const std::uint8_t* words) { add_fresh(corners, v, words); };

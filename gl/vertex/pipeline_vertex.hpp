@@ -29,7 +29,7 @@ inline void Pipeline<M, L>::raster_position(Context& context, const Real (&posit
         reach_vertex(current, v);
     if (lit_)
         light(v, 0, v.window);
-    if (indexed()) { // only the one of index and colour that the framebuffer uses is set
+    if (indexed()) { // the framebuffer has either indices or colours: the other value stays
         if (!lit_)
             M::set_index(current.index, index_bits_, v.window);
         out.index = M::index_of(v.window);
@@ -89,7 +89,7 @@ SPANGLE_INLINE void Pipeline<M, L>::set_flags(Vertex& v, bool divided, unsigned 
 /// The flags of a vertex that was not divided. Out of line, since the loops over elements have no registers
 /// to spare for a rare case.
 template <class M, class L> unsigned Pipeline<M, L>::undivided_flags(const Vertex& v) const {
-    if constexpr (!raster::has_perspective) // outside of the window, too, all with w = 1 are divided
+    if constexpr (!raster::has_perspective) // all vertices with w = 1 were divided: this w is another
         return unprojected;
     return flags_of(M::to_clip(transforms_, v.position));
 }

@@ -116,7 +116,8 @@ template <class M> class TexGen {
 
     /// The reflection vector r = u - 2 n (n . u), where u is the unit vector from the eye to the vertex.
     static void reflect(const Scalar (&eye)[4], const Scalar (&n)[3], Scalar (&r)[3]) {
-        Scalar u[3] = {eye[0] * eye[3], eye[1] * eye[3], eye[2] * eye[3]}; // w may be < 0
+        // The product with w has the direction of the quotient, also where w is negative.
+        Scalar u[3] = {eye[0] * eye[3], eye[1] * eye[3], eye[2] * eye[3]};
         make_unit(u);
         const Scalar along = dot(n, u, 3), twice = along + along;
         for (int i = 0; i < 3; ++i)
