@@ -38,8 +38,8 @@ template <class T> struct Passed<const T&> {
     static const T& value(Arg arg) { return *reinterpret_cast<const T*>(arg); }
 };
 
-// Families' functions behind common types, which take 3, 6 or 10 words. A family uses the smallest that holds
-// its arguments.
+// The functions of families are called through common types, which take 3, 6 or 10 words. A family uses the
+// smallest type that holds its arguments.
 template <std::size_t> using AnyArg = Arg;
 template <class Places> struct Taking;
 template <std::size_t... I> struct Taking<std::index_sequence<I...>> {
@@ -155,8 +155,8 @@ constexpr std::uint8_t stops = static_cast<std::uint8_t>(
     (SPANGLE_FEATURE_BANDS && std::is_same_v<F, family::Vertex> ? gate_left_out : 0) |
     (SPANGLE_FEATURE_LISTS && F::listing != Listing::never ? gate_compiling : 0));
 
-/// Whether a command may run. For a command that is not allowed between Begin and End it raises
-/// INVALID_OPERATION there (GL 1.3, 2.6.3).
+/// Whether a command may run. A command that is not allowed between Begin and End raises INVALID_OPERATION
+/// there (GL 1.3, 2.6.3).
 bool allowed(Context& context, const list::Player& command);
 
 template <class... A> constexpr list::Form form_of(void (*)(Context&, A...)) {

@@ -85,7 +85,7 @@ bool name_argument(Sentence& out, GLenum code, const CommandText& text, const Ar
     return false;
 }
 
-/// If `text` begins with `word` and a blank, the rest from the blank on; else null.
+/// If `text` begins with `word` and a blank, returns the rest from the blank on; else null.
 const char* behind(const char* text, const char* word) {
     while (*word != 0)
         if (*text++ != *word++)

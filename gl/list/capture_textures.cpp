@@ -103,7 +103,8 @@ void capture_compressed(Context& context, const list::Player* player, const GLin
         std::memcpy(to, data, bytes);
 }
 
-/// Calls run(arguments, data) and returns the next record.
+/// Plays a compressed image: calls run(arguments, data), or raises an error between Begin and End. Returns
+/// the next record.
 template <class Run>
 const Word* play_compressed(Context& context, const Word* words, const CommandText* text, Run run) {
     const bool data = words[7] != UINT32_MAX;

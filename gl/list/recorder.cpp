@@ -1,4 +1,4 @@
-// Writing a display list: records into chunks, vertices into runs.
+// Writes display lists: records go into chunks, vertices into runs.
 //
 // A run is one record for any number of vertices that carry the same attributes: header, then per vertex the
 // given ones of colour (4 words), normal (3), texture coordinates (2 or 4) and the position (2, 3 or 4).

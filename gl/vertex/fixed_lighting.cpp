@@ -173,8 +173,8 @@ void FixedLighting::derive(const Context& context, unsigned dirty) {
         derive_lights(context);
     else if ((dirty & dirty_materials) != 0)
         folded_ = false;
-    // Where normals are made unit, no product of a light and the normal matrix is kept: lights alone may
-    // change.
+    // Where normals are made unit, derive_normals() keeps no product of a light and the normal matrix, so a
+    // change of lights alone does not concern it.
     const unsigned asked = dirty_matrices | dirty_others | (normalizes() ? dirty_none : dirty_lights);
     if (on_ && (dirty & asked) != 0)
         derive_normals(context.transform);

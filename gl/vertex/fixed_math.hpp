@@ -36,8 +36,8 @@ struct FixedMath : FixedClipping {
     struct Range {
         std::int32_t middle = 0;
         Factor minus_half = 0;
-        /// `rounded_middle` holds the middle with the fraction bits of the product, plus half a unit. Where
-        /// words have 32 bits that is only faster, so builds without shortcuts do without.
+        /// `rounded_middle` holds the middle with the fraction bits of the product, plus half a unit. On
+        /// machines with words of 32 bits this only saves time, so builds without shortcuts do without.
         static constexpr bool keeps_rounded = numeric::wide_words || raster::has_shortcuts;
         std::conditional_t<keeps_rounded, std::int64_t, std::int32_t> rounded_middle = 0;
 

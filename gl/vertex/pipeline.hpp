@@ -443,9 +443,8 @@ template <class M, class L> class Pipeline {
     bool indexed() const {
         return raster::has_indices && index_bits_ != 0;
     }
-    /// Primitives are clipped to the view volume, not to the guard band: the edges made by clipping are
-    /// drawn, or its result is reported. A wide line ends where its middle leaves the view volume
-    /// (cuts_lines_).
+    /// Primitives are clipped to the view volume itself, not to the guard band. Outlines draw the edges that
+    /// clipping makes, and captures report its result. A wide line ends where its middle leaves the volume.
     bool exactly_clipped() const {
         return outlined() || captures() || cuts_lines_;
     }

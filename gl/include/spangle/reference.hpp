@@ -7,7 +7,7 @@
 //   EGL_PRECISION_DOUBLE_SPANGLE: the reference picture;
 //   EGL_PRECISION_SHADOW_SPANGLE, ..._SHADOW_BALANCED_SPANGLE, ..._SHADOW_FAST_SPANGLE: the picture of a
 //   tier, computed with a double beside every number.
-// Configs of the last two lines exist once use_reference_engines() has been called.
+// DOUBLE and SHADOW configs exist once use_reference_engines() has been called.
 #pragma once
 
 #include <cstdint>
