@@ -8,7 +8,8 @@
 
 namespace spangle::gl::convert {
 
-// Conversions at face value. That of floats is in line; others are calls, so that entry points stay small.
+// Conversions at face value. The conversion of floats is inline; the others are calls, so that entry points
+// stay small.
 [[gnu::cold]] Real cast_special(std::uint32_t bits); ///< NaN and infinities
 inline Real cast_f(GLfloat v) {
     const auto bits = std::bit_cast<std::uint32_t>(v);

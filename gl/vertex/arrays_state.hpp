@@ -50,7 +50,7 @@ struct ArrayBindings {
     /// The unit of client_active; a constant 0 where the build has one unit.
     GLuint client_unit() const { return texture_units > 1 ? client_active : 0; }
     GLuint restart_index = 0;
-    bool restart = false; ///< PRIMITIVE_RESTART
+    bool restart = false; ///< PRIMITIVE_RESTART is enabled
 #if SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS
     GLuint vertex_array = 0; ///< name of the bound object, whose arrays are in Context::arrays
     NameTable vertex_arrays; ///< names to ArraysState, which is current only while the object is not bound

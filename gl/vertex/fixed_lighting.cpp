@@ -46,7 +46,7 @@ std::uint32_t scaled(std::uint32_t a, std::uint32_t b) {
     return p > 0xFFFFFFFFu ? 0xFFFFFFFFu : static_cast<std::uint32_t>(p);
 }
 
-/// max(cosine, 0).
+/// The cosine, or 0 where it is negative.
 std::uint32_t positive(std::int32_t cosine) {
     return cosine < 0 ? 0u : static_cast<std::uint32_t>(cosine);
 }

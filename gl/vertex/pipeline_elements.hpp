@@ -231,8 +231,8 @@ Pipeline<M, L>::unusual_element(Context& context, const ElementReader& reader, s
 }
 
 /// The vertex of an element where arrays are is_usual(), with coordinates of is_usual_texture() if
-/// `textured`. Unlit vertices have the current colour, all of this `time` the same. For a new vertex `place`
-/// says where it is stored, and `finish` does the work of process_usual().
+/// `textured`. Unlit vertices take the current colour, which all vertices with this `time` share. For a new
+/// vertex `place` says where it is stored, and `finish` does the work of process_usual().
 template <class M, class L>
 template <class Place, class Finish>
 SPANGLE_INLINE typename Pipeline<M, L>::Vertex&

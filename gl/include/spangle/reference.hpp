@@ -40,7 +40,8 @@ class StageReport {
     StageReport(const StageReport&) = delete;
     StageReport& operator=(const StageReport&) = delete;
 
-    /// The stages with values since construction or the last clear(), in the order of the pipeline.
+    /// The stages that compared any value since construction or the last clear(), in the order of the
+    /// pipeline.
     std::vector<StageError> stages() const;
     void clear();
 
