@@ -1,4 +1,4 @@
-// From a key to its chain: the stages in GL's order (Red Book, appendix E), one line each. Every policy uses
+// Makes the chain of a key: the stages in GL's order (Red Book, appendix E), one line each. Every policy uses
 // it.
 #pragma once
 
@@ -32,7 +32,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// A chain that grows, of any number system.
+/// A chain to which stages are appended, of any number system.
 class ChainEnd {
   protected:
     explicit ChainEnd(Variant& variant) : variant_(variant) {}
@@ -54,7 +54,7 @@ template <class N> class ChainBuilder : ChainEnd {
         if constexpr (N::lanes > 1)
             variant.shares = true;
     }
-    /// Another way to run it than chain_rows().
+    /// Runs the chain by another function than chain_rows().
     void runs(RowsFunction<typename N::Policy> run) {
         variant_.run = reinterpret_cast<AnyFunction>(run);
         not_shared();
@@ -62,7 +62,7 @@ template <class N> class ChainBuilder : ChainEnd {
     template <class S> void add() {
         add(&chain_stage<std::conditional_t<uses_color<S>, N, Colorless<N>>, S>, inner::is_shared<S>);
     }
-    /// `shared`: packets that rows share can be drawn by it.
+    /// `shared`: the stage can draw packets that rows share.
     SPANGLE_INLINE void add(ChainStage<N> stage, bool shared) {
         append(reinterpret_cast<AnyFunction>(stage));
         if (!shared)
@@ -72,24 +72,24 @@ template <class N> class ChainBuilder : ChainEnd {
         if constexpr (there)
             add<S>();
     }
-    /// One of two, decided at run time.
+    /// Adds one of two stages, decided at run time.
     template <class WhenTrue, class WhenFalse> void choose(bool condition) {
         condition ? add<WhenTrue>() : add<WhenFalse>();
     }
 
   private:
     void not_shared() {
-        if constexpr (N::lanes > 1) // others never are
+        if constexpr (N::lanes > 1) // chains of one lane never share packets
             variant_.shares = false;
     }
 };
 
-/// The depth test may go first when nothing after it can drop the fragment: same bytes, less work.
+/// The depth test may go first when no stage after it can drop the fragment: the same bytes with less work.
 constexpr bool early_tests(const Key& key) {
     return key.alpha == Compare::always && !key.samples;
 }
 
-/// The stage of the depth buffer there is.
+/// Adds the depth stage of the format that the key names.
 template <class N, class When16, class When24> void add_depth(ChainBuilder<N>& chain, const Key& key) {
     if constexpr (has_format(DepthFormat::z16))
         if (key.depth_format == DepthFormat::z16)
@@ -105,7 +105,7 @@ template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
     using Offset24 = OffsetDepthValue<One, DepthValueOf<One, DepthFormat::z24s8>>;
     if (SPANGLE_FEATURE_STIPPLE && key.polygon_stipple)
         chain.template add<PolygonStipple<One>>();
-    // Without shortcuts all depths have an offset, if only of 0.
+    // In builds without shortcuts all depths have an offset, if only of 0.
     const bool offset = SPANGLE_FEATURE_POLYGON_OFFSET && (key.depth_offset || !has_shortcuts);
     bool depth = key.depth_offset || key.depth != Compare::always || key.depth_write;
     if constexpr (has_format(DepthFormat::z24s8)) {
@@ -126,13 +126,13 @@ template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
 
 template <class N> inline constexpr bool is_fixed = std::is_same_v<typename N::Policy, Fixed>;
 
-/// Textures of a packet at once; else a stage of single fragments, with the same bytes.
+/// Textures are sampled a packet at a time; otherwise by a stage of single fragments, with the same bytes.
 template <class N> inline constexpr bool by_packets = is_fixed<N>;
 
-/// Small builds have one function for stages that differ by a parameter.
+/// Stages that differ by a parameter are separate functions; small builds have one function for all of them.
 template <class N> inline constexpr bool by_stages = !is_fixed<N> || has_shortcuts;
 
-/// The runs of another tier than this number system's.
+/// Whether texture coordinates have the runs of another tier than this number system's.
 template <class N> constexpr bool has_other_runs([[maybe_unused]] const Key& key) {
 #if SPANGLE_MIXES_RUNS
     return has_mixed_runs && is_fixed<N> && key.other_runs;
@@ -140,7 +140,7 @@ template <class N> constexpr bool has_other_runs([[maybe_unused]] const Key& key
     return false;
 #endif
 }
-/// What is divided by w is divided in lanes, by one 1/w.
+/// Attributes over w are divided in lanes, all by one 1/w.
 template <class N> inline constexpr bool by_lanes = is_fixed<N> && (N::lanes > 1);
 template <class N> void add_inverses(ChainBuilder<N>& chain, const Key& key) {
     if constexpr (by_lanes<N>) {
@@ -152,7 +152,7 @@ template <class N> void add_inverses(ChainBuilder<N>& chain, const Key& key) {
     }
 }
 
-/// Straight runs of coordinates; `One`: in one lane.
+/// Adds straight runs of coordinates; `One` is their stage with one lane.
 template <class N, int Unit, class One> void add_straight_runs(ChainBuilder<N>& chain) {
     if constexpr (by_lanes<N> && divides_in_lanes)
         chain.add(&PacketRuns<PlacesOf<N>>::template run<Unit>, true);
@@ -170,14 +170,15 @@ template <class N, class One, int Unit> void add_other_runs([[maybe_unused]] Cha
 #endif
 }
 
-/// The texture function of a unit finds its coordinates itself, along rows: packets cannot be shared.
+/// Whether the texture function of a unit finds its coordinates itself, along rows: packets cannot be shared
+/// then.
 template <class N, int Unit> bool has_volume([[maybe_unused]] const FragmentState& state) {
     if constexpr (N::lanes > 1 && has_third_coordinates && Unit < max_texture_units)
         return state.unit[Unit].texture != nullptr && wants_r(*state.unit[Unit].texture);
     return false;
 }
 
-/// Of the exact tier, where what is divided by w is divided in lanes.
+/// Adds coordinates of the exact tier, where attributes over w are divided in lanes.
 template <class N, int Unit> void add_exact_coordinates(ChainBuilder<N>& chain, const Key& key) {
     if (divides(key.kind, key.fog))
         chain.add(&PacketDivided<N>::template coordinates<Unit>, true);
@@ -187,12 +188,13 @@ template <class N, int Unit> void add_exact_coordinates(ChainBuilder<N>& chain, 
         chain.template add<Coord<Exact, Unit, true>>();
 }
 
-/// Where a unit looks, and how closely.
+/// Adds the stages of a unit's coordinates and of its level of detail.
 template <class N, int Unit>
 void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
-    using One = std::conditional_t<is_exact<N>, Exact, OneLane<Colorless<N>>>; // exact runs are others
+    using One =
+        std::conditional_t<is_exact<N>, Exact, OneLane<Colorless<N>>>; // the exact tier has other runs
     if (has_third_coordinates && wants_r(*state.unit[Unit].texture))
-        return; // the texture function finds them itself
+        return; // the texture function finds its coordinates itself
     if constexpr (is_balanced<N> && !by_stages<N>)
         return chain.add(&PacketCoordinates<PlacesOf<N>>::template run<Unit>, false);
     if (key.kind < Kind::textured)
@@ -221,14 +223,14 @@ void add_unit(ChainBuilder<N>& chain, const Key& key, const FragmentState& state
     add_coordinates<N, Unit>(chain, key, state);
     using One = OneLane<N>;
     if (has_combine && key.combine)
-        return; // one stage for all
+        return; // one stage combines all units
     if constexpr (by_packets<N>)
         chain.add(&PacketTexture<N>::template run<Unit>, !has_volume<N, Unit>(state));
     else
         chain.template choose<Texture2D<One, Unit, true>, Texture2D<One, Unit, false>>(
             wants_lod(*state.unit[Unit].texture));
 }
-/// counts_steps(): unit 0, which has no levels.
+/// Adds unit 0, which has no levels of detail here, with texels counted in steps (counts_steps()).
 template <class N>
 void add_unit_in_steps(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
     add_coordinates<N, 0>(chain, key, state);
@@ -266,7 +268,8 @@ template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, c
     if constexpr (is_balanced<N> && has_textures && has_fog && is_565(Format))
         if (counts_steps(key))
             return chain.template add<StoreSteps<N, Format>>();
-    constexpr bool only_merged = is_fixed<N> && !has_shortcuts && !has_tier(Tier::fast); // it can do all
+    constexpr bool only_merged =
+        is_fixed<N> && !has_shortcuts && !has_tier(Tier::fast); // it can do everything that the others do
     if (only_merged || key.masked || key.logic)
         chain.template add<StoreMerged<N, Format>>();
     if constexpr (!only_merged)
@@ -274,7 +277,7 @@ template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, c
             chain.template choose<StoreDithered<N, Format>, Store<N, Format>>(key.dither && !key.coarse);
 }
 
-/// The one of these formats that the key names.
+/// Adds the output of the one of these formats that the key names.
 template <class N, PixelFormat... Format> void add_wide_output(ChainBuilder<N>& chain, const Key& key) {
     const auto add = [&]<PixelFormat F>() {
         if constexpr (has_format(F))
@@ -284,7 +287,7 @@ template <class N, PixelFormat... Format> void add_wide_output(ChainBuilder<N>& 
     (add.template operator()<Format>(), ...);
 }
 
-/// Fragments whose colour is all there is to them.
+/// Whether colour is all there is to the fragments.
 constexpr bool only_color(const Key& key) {
     return key.kind == Kind::affine && key.color && !key.unit[0].on && !key.second_unit() && !key.color_sum &&
            !key.fog && key.alpha == Compare::always && !key.stencil && key.depth == Compare::always &&
@@ -313,7 +316,7 @@ template <class N> void add_divided_primary(ChainBuilder<N>& chain, bool alpha) 
         chain.template choose<GouraudQ<One, true>, GouraudQ<One, false>>(alpha);
 }
 
-/// The primary colour of vertices or images; an index stands in its red.
+/// Adds the primary colour, of vertices or images. An index stands in its red.
 template <class N> void add_primary(ChainBuilder<N>& chain, const Key& key) {
     using One = OneLane<N>;
     if (has_pixel_colors && key.pixels)
@@ -347,7 +350,7 @@ template <class N> void add_fog_coordinate(ChainBuilder<N>& chain, const Key& ke
         chain.template choose<FogCoord<OneLane<N>, true>, FogCoord<N, false>>(key.kind >= Kind::textured);
 }
 
-/// Fog around the texture (fogs_light()).
+/// Adds fog in two parts, before and after the texture unit (fogs_light()).
 template <class N> void add_fogged_unit(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
     add_fog_coordinate(chain, key);
     chain.template add<FogLight<N>>();
@@ -356,7 +359,7 @@ template <class N> void add_fogged_unit(ChainBuilder<N>& chain, const Key& key, 
     chain.template choose<FogShare<N, true>, FogShare<N>>(steps);
 }
 
-/// On a surface of indices.
+/// Assembles the chain for a surface of indices.
 template <class N> void assemble_index(ChainBuilder<N>& chain, const Key& key) {
     using One = OneLane<N>;
     add_tests(chain, key);
@@ -371,11 +374,12 @@ template <class N> void assemble_index(ChainBuilder<N>& chain, const Key& key) {
     chain.template add<StoreIndex<One>>();
 }
 
-/// Everything there is, modes at run time.
+/// Assembles every stage that the key asks for; modes are decided at run time.
 template <class N> void assemble(Variant& variant, const Key& key, const FragmentState& state) {
     using One = OneLane<N>;
     ChainBuilder<N> chain(variant);
-    if constexpr (has_format(PixelFormat::index8) && !is_balanced<N>) // key.cpp
+    if constexpr (has_format(PixelFormat::index8) &&
+                  !is_balanced<N>) // balanced numbers never draw indices (key.cpp)
         if (drawn_indexed(key.format))
             return assemble_index(chain, key);
     const bool early = early_tests(key);
@@ -409,7 +413,8 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
         chain.template add<AlphaTest<N>>();
     if (!early)
         add_tests(chain, key);
-    if constexpr (!std::is_same_v<N, Balanced<host_lanes>> && has_narrow_formats) // key.cpp
+    if constexpr (!std::is_same_v<N, Balanced<host_lanes>> &&
+                  has_narrow_formats) // balanced numbers never draw narrow formats (key.cpp)
         if (drawn_narrow(key.format))
             return add_narrow_output<N>(chain, key);
     add_wide_output<N, PixelFormat::rgb565_be, PixelFormat::rgb565_le, PixelFormat::rgb888,

@@ -1,4 +1,4 @@
-// The chain of any state, for one instruction set: raster/span/draw_state.cpp and chain_avx2.cpp.
+// Assembles the chain of any state for one instruction set; draw_state.cpp and chain_avx2.cpp include it.
 #pragma once
 
 #include "raster/span/assemble.hpp"
@@ -21,7 +21,7 @@ template <PixelFormat Format> void assemble_raw(Variant& variant, const Key& key
         chain.add<PixelWord<host_lanes>>();
         return chain.add<Store>();
     }
-    // In one loop, or two that others share.
+    // Filling and storing are one loop, or in small builds two stages that other chains share.
     const auto fill = [&]<class Fill> {
         if constexpr (has_shortcuts)
             return chain.add<Seq<Raw, Fill, Store>>();
@@ -49,7 +49,7 @@ template <PixelFormat Format> void assemble_raw(Variant& variant, const Key& key
     chain.add<Store>();
 }
 
-/// The stages one after the other, in builds with a chain.
+/// Assembles the chain, stage after stage, in builds with a chain.
 SPANGLE_INLINE void assemble_any(Variant& variant, const Key& key, const FragmentState& state) {
     switch (key.number) {
     case Number::raw565:
@@ -69,10 +69,10 @@ SPANGLE_INLINE void assemble_any(Variant& variant, const Key& key, const Fragmen
     }
 }
 
-/// What runs a chain's stages along rows.
+/// The function that runs a chain's stages along rows.
 SPANGLE_INLINE AnyFunction runner_of(Number number, [[maybe_unused]] bool narrow) {
     if constexpr (has_narrow_formats)
-        if (narrow) // key.cpp
+        if (narrow) // narrow surfaces have exact colours (key.cpp)
             return reinterpret_cast<AnyFunction>(&by_narrow_row<Fixed, &chain_span<ExactChain>>);
     switch (number) {
     case Number::raw565:

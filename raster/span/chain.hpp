@@ -1,5 +1,5 @@
-// The chain: any list of stages, run over packets of fragments through one function pointer per stage. It
-// is what a state draws with when no fused span exists, and what every fused span is compared with.
+// A chain is any list of stages, run over packets of fragments through one function pointer per stage. A
+// state draws with its chain when no fused span exists. Every fused span is compared with the chain.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// 1/w of the fragments of a packet (inverse.hpp), where there are lanes: stage_divided_packet.hpp.
+/// 1/w of the fragments of a packet (inverse.hpp), where there are lanes (stage_divided_packet.hpp).
 template <int Count> struct PacketInverse {
-    std::uint32_t q[Count], mantissa[Count], power[Count]; ///< 2^zeros
+    std::uint32_t q[Count], mantissa[Count], power[Count]; ///< as in Inverse; power is 2^zeros
 };
 template <> struct PacketInverse<0> {};
 
-/// Which of the rows that are drawn together (RowRuns) a packet of one row belongs to.
+/// Says which of the rows that are drawn together (RowRuns) a packet of one row belongs to.
 template <bool Kept> struct RowOfPacket {
     RowRuns* runs = nullptr;
     std::int32_t number = 0;
@@ -30,23 +30,23 @@ template <> struct RowOfPacket<false> {
 };
 template <int Lanes> using RowIn = RowOfPacket<(Lanes > 1 && divides_in_lanes)>;
 
-/// Fragments between two stages, in groups of lanes, without their colours: what the number systems have in
+/// The fragments of a packet, in groups of lanes, without their colours: the part that number systems have in
 /// common. Packets of one lane start at multiples of their length from the anchor.
 template <class Lanes, class Coord, class Fog> struct PacketPlaces {
     using L = Lanes;
     static constexpr int lanes = L::count, groups = packet_length / lanes;
     std::uint8_t *color_plane,
-        *depth_plane; ///< where fragment 0 lies, or a copy of a packet that is not full
+        *depth_plane; ///< addresses of fragment 0, or of a copy of a packet that is not full
     std::int32_t x;   ///< first pixel, counted from the anchor of the span
     std::int32_t n;   ///< fragments, 1 .. packet_length; lanes beyond them are dead
-    bool alive;       ///< some fragment
-    bool some_dead;   ///< some fragment of the n
+    bool alive;       ///< some fragment is alive
+    bool some_dead;   ///< some fragment of the n is dead
     typename L::Mask live[groups];
     Coord coord[max_texture_units][groups];
     std::int32_t lod[max_texture_units][packet_length];
     Fog fog[groups];
     [[no_unique_address]] PacketInverse<(lanes > 1 ? packet_length : 0)> inverse;
-    /// Null where the packet is of one row.
+    /// Null where all fragments of the packet lie in one row.
     [[no_unique_address]] std::conditional_t<(lanes > 1), const PacketRows*, std::nullptr_t> rows;
     [[no_unique_address]] RowIn<lanes> row;
 };
@@ -56,7 +56,8 @@ template <class N> struct Packet : PlacesOf<N> { typename N::Color color[PlacesO
 
 template <class N> using ChainStage = void (*)(PlacesOf<N>&, const Span<typename N::Policy>&);
 
-/// Of systems with the same places one, which stages that no colour comes to are made for.
+/// Names one of the number systems whose packets have the same places. Stages that touch no colour are
+/// compiled for that system alone.
 template <class N> struct WithoutColor { using Type = N; };
 template <> struct WithoutColor<Exact> { using Type = Raw565<1>; };
 template <> struct WithoutColor<ExactLanes> { using Type = Raw565<8>; };
@@ -65,12 +66,12 @@ template <class N> using Colorless = typename WithoutColor<N>::Type;
 
 namespace inner {
 
-/// The number system of a stage: that of the packet, or one lane of it.
+/// The number system that a stage is made for: that of the packet, or the same with one lane.
 template <class S, class M> M system_of(bool (S::*)(Px<M>&));
 template <class S, class M> M system_of(bool (S::*)(Px<M>&) const);
 
-/// Calls move(field in Px<M>, of the packet) for fragments [i, i + M::lanes), one(...) where the packet has
-/// more lanes.
+/// Calls move(field in Px<M>, field of the packet) for fragments [i, i + M::lanes), or one(...) with the lane
+/// where the packet has more lanes.
 template <unsigned Fields, class M, class K, class Move, class One>
 SPANGLE_INLINE void for_fields(Px<M>& p, K& k, std::int32_t i, Move move, One one) {
     const std::int32_t g = i / K::lanes, lane = i % K::lanes;
@@ -97,7 +98,7 @@ SPANGLE_INLINE void for_fields(Px<M>& p, K& k, std::int32_t i, Move move, One on
         field(p.fog, k.fog[g]);
 }
 
-/// What a stage that kills left.
+/// What a stage that kills has left of a packet.
 struct Outcome {
     bool any = false, died = false;
     template <class S, class K> SPANGLE_INLINE void tell(K& k) const {
@@ -108,7 +109,7 @@ struct Outcome {
     }
 };
 
-/// Fragments [i, i + M::lanes) of a packet.
+/// Runs a stage on fragments [i, i + M::lanes) of a packet.
 template <class M, class K, class S>
 SPANGLE_INLINE void run_group(K& k, S& s, std::int32_t i, Outcome& outcome) {
     using L = typename K::L;
@@ -141,7 +142,7 @@ SPANGLE_INLINE void run_group(K& k, S& s, std::int32_t i, Outcome& outcome) {
     }
 }
 
-/// Fragments [from, to); fragment i is in column x0 + i. `Check`: some may be dead.
+/// Runs a stage on fragments [from, to); fragment i is in column x0 + i. `Check`: some of them may be dead.
 template <bool Check, class M, class K, class S>
 SPANGLE_INLINE void run_stage(K& k, S& s, std::int32_t from, std::int32_t to, std::int32_t x0,
                               Outcome& outcome) {
@@ -160,11 +161,11 @@ SPANGLE_INLINE void run_stage(K& k, S& s, std::int32_t from, std::int32_t to, st
     }
 }
 
-/// What lies in a plane beyond a packet that is not full is not touched: lanes, which load and store whole
-/// groups of pixels, work on a copy.
+/// Copies of a packet that is not full, in both planes. Lanes load and store whole groups of pixels, so they
+/// work on the copy: pixels beyond the packet are not touched.
 class PacketCopy {
   public:
-    /// Bytes of a pixel; 0: no stage finds one by its number.
+    /// `color` and `depth` are bytes of a pixel; 0: no stage finds a pixel by its number.
     template <class N> SPANGLE_INLINE void enter(Packet<N>& k, std::int32_t color, std::int32_t depth) {
         color_.enter(k.color_plane, color * k.n);
         depth_.enter(k.depth_plane, depth * k.n);
@@ -214,7 +215,7 @@ class PacketCopy {
     }
 
   private:
-    /// Copies Size to 2 Size bytes: the first Size of them and the last Size, which may overlap.
+    /// Copies Size to 2 Size bytes: the first Size bytes and the last Size bytes, which may overlap.
     template <int Size>
     SPANGLE_INLINE static void both_ends(std::uint8_t* to, const std::uint8_t* from, std::int32_t bytes) {
         const std::int32_t last = bytes - Size;
@@ -223,7 +224,8 @@ class PacketCopy {
     }
 };
 
-/// Until something died, everything lives, and stages before the first test never ask. Lanes are masked.
+/// Runs a stage of one lane without looking who is alive until some fragment has died. Lanes are masked
+/// instead.
 template <class M, class K, class S>
 SPANGLE_INLINE void run_asking(K& k, S& s, std::int32_t from, std::int32_t to, std::int32_t x0,
                                Outcome& outcome) {
@@ -234,13 +236,14 @@ SPANGLE_INLINE void run_asking(K& k, S& s, std::int32_t from, std::int32_t to, s
         run_stage<false, M>(k, s, from, to, x0, outcome);
 }
 
-/// Packets that rows share can be drawn by it: it has one lane, or is told where each lane lies.
+/// True where a stage can draw packets that rows share: it has one lane, or it is told where each lane lies.
 template <class S>
 inline constexpr bool is_shared =
     S::anywhere || decltype(system_of(&S::operator()))::lanes == 1 ||
     std::is_constructible_v<S, const PlaneLanes<Lanes<host_lanes>>&, std::int32_t>;
 
-/// A packet that rows share: lanes know where each of them lies, and stages of one lane go along the pieces.
+/// Runs a stage on a packet that rows share. Lanes know where each of them lies, and stages of one lane go
+/// along the pieces of rows.
 template <class M, class S, class K> [[gnu::noinline]] void run_in_rows(K& k) {
     Outcome outcome;
     if constexpr (M::lanes > 1) {
@@ -268,7 +271,7 @@ template <class M, class S, class K> [[gnu::noinline]] void run_in_rows(K& k) {
 
 template <class S> inline constexpr bool uses_color = ((S::in | S::out) & field_color) != 0;
 
-/// One stage (or a Seq of them) over a packet.
+/// Runs one stage (or a Seq of stages) on a packet.
 template <class N, class S> void chain_stage(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
     using M = decltype(inner::system_of(&S::operator()));
     static_assert(M::lanes == N::lanes || M::lanes == 1);
@@ -282,7 +285,7 @@ template <class N, class S> void chain_stage(PlacesOf<N>& places, const Span<typ
     outcome.tell<S>(k);
 }
 
-/// Runs the chain of the span's kind.
+/// Draws one row of the span with the chain of its kind.
 template <class N>
 SPANGLE_INLINE void chain_row(const Span<typename N::Policy>& span, const RowIn<N::lanes>& row) {
     const AnyFunction* const stages = span.state->variant[static_cast<unsigned>(span.kind)].chain;
@@ -293,7 +296,8 @@ SPANGLE_INLINE void chain_row(const Span<typename N::Policy>& span, const RowIn<
     if constexpr (N::lanes > 1)
         k.rows = nullptr;
     for (k.x = span.begin; k.x < span.end; k.x += k.n) {
-        // Lanes of a packet that is not full cost as much.
+        // A packet of lanes that is not full costs as much as a full one, so packets start at the span's
+        // first pixel.
         const std::int32_t start = N::lanes > 1 ? k.x : k.x & -packet_length;
         const std::int32_t boundary = start + packet_length, i = k.x - span.begin;
         k.n = (boundary < span.end ? boundary : span.end) - k.x;

@@ -1,5 +1,5 @@
-// The chain for processors with AVX2: the same stages and bytes. CMake gives this file alone the compiler's
-// option for them, so its functions lie in a namespace of their own (instructions.hpp).
+// The chain for processors with AVX2: the same stages and bytes as the base chain. CMake gives this file
+// alone the compiler's option for AVX2, so its functions lie in a namespace of their own (instructions.hpp).
 #if SPANGLE_AVX2 && SPANGLE_CHAIN
 
 #define SPANGLE_INSTRUCTIONS avx2

@@ -1,4 +1,4 @@
-// Factors that count a colour in steps of the component that is stored.
+// Factors that turn a colour into steps of the component that is stored.
 #pragma once
 
 #include <cstdint>
@@ -7,14 +7,15 @@
 
 namespace spangle::raster {
 
-/// Parts of 2^32 that make a colour one in steps of its component of 5, 6 or 5 bits, 8 or 4 of its 255ths
-/// each.
+/// Factors, in parts of 2^32, that turn a colour counted in 255ths into steps of its component of 5, 6 or 5
+/// bits. Of the result 8 make a step of 5 bits, and 4 a step of 6 bits.
 struct StepFactors {
     std::uint32_t five, six;
     SPANGLE_INLINE constexpr std::uint32_t of(int component) const { return component == 1 ? six : five; }
 };
-/// 31 8 / 255 and 63 4 / 255, and where colours may be off by more: 249 and 253 / 256, a 290th of a step too
-/// large at most. Thresholds are 1/32 to 31/32 of a step, so that with either k steps stay k.
+/// The exact factors are 31 8 / 255 and 63 4 / 255. Where colours may be off by more they are 249 / 256 and
+/// 253 / 256, which makes steps a 290th of a step too large at most. Thresholds are 1/32 to 31/32 of a step,
+/// so that with either pair a colour of k whole steps stays at k.
 inline constexpr StepFactors exact_steps{0xF8F8F8F9, 0xFCFCFCFD}, near_steps{0xF9000000, 0xFD000000};
 
 } // namespace spangle::raster

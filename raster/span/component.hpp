@@ -8,7 +8,7 @@ namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 namespace component {
 
-/// How a function that is not inlined takes one: in a register, or where it lies.
+/// How a function that is not inlined takes a component: one lane in a register, several lanes by reference.
 template <class N> using Argument = std::conditional_t<N::lanes == 1, typename N::T, const typename N::T&>;
 
 /// A constant as a component.
@@ -20,7 +20,7 @@ template <class N> SPANGLE_INLINE typename N::T constant(std::uint32_t v) {
     else
         return N::L::splat(v);
 }
-/// 1, which is not a whole number of units in the double reference.
+/// The component that stands for 1. In the double reference 1 is not a whole number of units.
 template <class N> SPANGLE_INLINE typename N::T one() {
     return N::from_units(color_one);
 }

@@ -17,9 +17,9 @@ namespace {
 
 using numeric::Real;
 
-/// Fog coordinates of vertices (FogConstants). GL divides by END - START (GL 1.3, 3.10). Where both are equal
-/// the divisor is 1, as Mesa has it: fog begins a unit before END. The limit of the formula for a START below
-/// END is a step at END, which is the same outside of this unit.
+/// The constants of fog coordinates of vertices (FogConstants). GL divides by END - START (GL 1.3, 3.10).
+/// Where both are equal the divisor is 1, as Mesa has it: fog begins a unit before END. The limit of the
+/// formula for a START below END is a step at END, which is the same outside of this unit.
 FogConstants fog_constants(const FragmentState& state) {
     constexpr Real log2_e{0x3FB8AA3B}, sqrt_log2_e{0x3F99BE60};
     FogConstants fog;
@@ -48,7 +48,7 @@ bool draws_nothing(const FragmentState& state, const Key& key) {
            (key.depth == Compare::never && !key.stencil);
 }
 
-/// With the largest instructions that this processor has.
+/// Assembles the chain with the largest instructions that this processor has.
 [[maybe_unused]] void assemble_best_chain(Variant& variant, const Key& key, const FragmentState& state) {
 #if SPANGLE_AVX2 && SPANGLE_CHAIN
     if (uses_avx2())
@@ -57,7 +57,7 @@ bool draws_nothing(const FragmentState& state, const Key& key) {
     assemble_any(variant, key, state);
 }
 
-/// True where colours are guessed.
+/// Chooses the functions of a variant. Returns true where its colours are guessed.
 bool choose_span(Variant& variant, const Key& key, const FragmentState& state) {
     variant.steps = key.number == Number::raw565 && key.dither;
     variant.color_bias = key.number != Number::raw565 ? 1u << 15 : variant.steps ? 0 : 1u << 23;
@@ -90,8 +90,8 @@ void set_knobs([[maybe_unused]] DrawState& draw, [[maybe_unused]] const Fragment
 #endif
 }
 
-/// Where one offset finds a fragment in both planes, and the pixels beside those of the ends, which a line
-/// may reach, are inside of the scissor rectangle.
+/// The area of lines that may be paths. One offset finds a fragment in both planes, and the pixels beside
+/// those of the ends, which a line may reach, lie inside of the scissor rectangle.
 DrawState::Area area_of_paths(const Rect& scissor, const Surface& target) {
     if ((target.depth != nullptr && target.depth_stride != target.color_stride) || scissor.w <= 2 ||
         scissor.h <= 2)
@@ -111,7 +111,7 @@ AnyFunction chain_runner(Number number, bool narrow) {
     return runner_of(number, narrow);
 }
 
-/// Four times what affine colours may be off by, in colour units, where a step of the target is that many
+/// Four times what affine colours may be off by, in colour units, where a step of the target is `Step`
 /// 255ths.
 template <std::uint32_t Step>
 constexpr auto four_color_tolerances = [](const Knobs& k) {
@@ -129,7 +129,7 @@ constexpr auto depends_on_step = [](const Knobs& k) {
 };
 
 Key prepare(DrawState& draw, const FragmentState& state, const Surface& target) {
-    static_assert(std::is_trivially_copyable_v<DrawState>); // bytes make one
+    static_assert(std::is_trivially_copyable_v<DrawState>); // so that bytes of 0 make one
     std::memset(static_cast<void*>(&draw), 0, sizeof draw);
     draw.fragment = state;
     draw.tier = state.tier;
@@ -137,7 +137,7 @@ Key prepare(DrawState& draw, const FragmentState& state, const Surface& target) 
     set_knobs(draw, state);
     draw.step_factors =
         of_tier<[](const Knobs& k) { return k.exact_steps; }>(draw) ? exact_steps : near_steps;
-    // A step of indices and of 8 bits is a unit.
+    // Where the target stores indices or 8 bits, a step of it is one unit (a 255th).
     const bool units = drawn_info(target.format).green_bits == 8 || drawn_indexed(target.format);
     draw.four_color_tolerances = of_tier<four_color_tolerances<1>>(draw);
     if (!units && of_tier<depends_on_step>(draw))
@@ -186,10 +186,10 @@ void scissor_changed(DrawState& draw, const Surface& target) {
     draw.paths = walks ? area_of_paths(draw.fragment.scissor, target) : DrawState::Area{};
 }
 
-/// Those that some state may ask for.
+/// True for the kinds that some state of this build may ask for.
 constexpr bool is_possible(Kind kind) {
     switch (kind) {
-    case Kind::flat: // of 16 bits
+    case Kind::flat: // only colours of 16 bits are ever flat
         return spans_are_raw;
     case Kind::affine:
         return true;
@@ -210,7 +210,7 @@ template <> void compile<FixedVertex>(const FragmentState& state, const Surface&
         const auto kind = static_cast<Kind>(i);
         const Key key = key_of_kind(any, state, kind);
         const bool plain = !draw.needs.any_unit() && !draw.needs.fog;
-        // A list of its own for one colour is worth it where the colour is stored as it is.
+        // A list of its own for a flat colour is worth it where the colour is stored as it is.
         if (kind == Kind::flat && !(plain && key.number == Number::raw565))
             continue;
         if (kind == Kind::textured && plain)
@@ -225,7 +225,7 @@ template <> void compile<FixedVertex>(const FragmentState& state, const Surface&
             const bool may_be_affine = kind == Kind::full && drawn(state.tier) == Tier::fast;
             if (may_be_affine && draw.variant[i].run == nullptr)
                 draw.four_color_tolerances = any_color_tolerance;
-            // One colour is drawn as affine ones are where it has no span of its own.
+            // A flat colour is drawn as affine colours are where it has no span of its own.
             const bool optional =
                 may_be_affine ||
                 (first == 0 &&

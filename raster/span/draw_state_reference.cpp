@@ -1,4 +1,4 @@
-// The chain of the reference policy.
+// Compiles draws of the reference policy, which are always chains.
 #include "raster/span/stage_index_reference.hpp"
 #include "raster/span/stage_reference.hpp"
 
@@ -8,7 +8,7 @@ namespace spangle::raster {
 
 template <> void compile<DoubleVertex>(const FragmentState& state, const Surface& target, DrawState& draw) {
     prepare(draw, state, target);
-    draw.words = false; // colours are combined, always
+    draw.words = false; // the reference policy always combines colours
     if (!draw.nothing)
         assemble<Reference>(draw.variant[static_cast<unsigned>(Kind::full)],
                             make_key(state, target, Kind::full), state);

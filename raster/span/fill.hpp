@@ -1,4 +1,4 @@
-// Rows of one 16-bit word: 32 bits at a time.
+// Fills parts of rows with 16-bit words, 32 bits at a time.
 #pragma once
 
 #include <bit>
@@ -19,12 +19,13 @@ SPANGLE_INLINE bool between_pairs(const std::uint8_t* at) {
     return (reinterpret_cast<std::uintptr_t>(at) & 2) != 0;
 }
 
-/// Two words as they follow each other in memory.
+/// Two 16-bit words as one 32-bit word, in their order in memory.
 SPANGLE_INLINE constexpr std::uint32_t in_turn(std::uint32_t first, std::uint32_t second) {
     return std::endian::native == std::endian::little ? first | second << 16 : second | first << 16;
 }
 
-/// `count` >= 0 words from `at`, which is 4-aligned: two pairs in turn. What is left of a pair.
+/// Fills `count` >= 0 words from `at`, which is 4-aligned, with two pairs in turn. Returns where an odd word
+/// goes.
 SPANGLE_INLINE Half* fill_pairs(std::uint8_t* at, std::uint32_t first, std::uint32_t second,
                                 std::int32_t count) {
     Pair* to = reinterpret_cast<Pair*>(at);
@@ -38,7 +39,7 @@ SPANGLE_INLINE Half* fill_pairs(std::uint8_t* at, std::uint32_t first, std::uint
 
 } // namespace inner
 
-/// `count` > 0 words from `at`, which is 2-aligned.
+/// Fills `count` > 0 words from `at`, which is 2-aligned.
 SPANGLE_INLINE void fill16(std::uint8_t* at, std::uint32_t word, std::int32_t count) {
     const auto half = static_cast<std::uint16_t>(word);
     if (inner::between_pairs(at)) {
@@ -52,7 +53,7 @@ SPANGLE_INLINE void fill16(std::uint8_t* at, std::uint32_t word, std::int32_t co
         *last = half;
 }
 
-/// The same of four words in turn, of which eight are given.
+/// Fills `count` > 0 words from `at` with four words in turn; `words` holds these four twice.
 SPANGLE_INLINE void fill_columns(std::uint8_t* at, const inner::Half* words, std::int32_t count) {
     if (inner::between_pairs(at)) {
         *reinterpret_cast<inner::Half*>(at) = *words++;

@@ -9,7 +9,7 @@
 namespace spangle::raster {
 
 bool uses_avx2() {
-    static constinit std::atomic<signed char> known{-1}; // threads that ask at once find the same
+    static constinit std::atomic<signed char> known{-1}; // threads that ask at once find the same answer
     signed char found = known.load(std::memory_order_relaxed);
     if (found < 0) {
         const char* const wanted = std::getenv("SPANGLE_INSTRUCTIONS");

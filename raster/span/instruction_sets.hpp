@@ -12,9 +12,9 @@ namespace spangle::raster {
 /// answer stays what it was the first time: draws that are compiled hold functions of one set.
 bool uses_avx2();
 
-namespace avx2 { // chain_avx2.cpp
+namespace avx2 { // defined in chain_avx2.cpp
 
-/// As assemble_any() and runner_of() of raster/span/assemble_chain.hpp.
+/// These do what assemble_any() and runner_of() of raster/span/assemble_chain.hpp do.
 void assemble_chain(Variant& variant, const Key& key, const FragmentState& state);
 AnyFunction chain_runner(Number number, bool narrow);
 

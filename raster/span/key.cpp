@@ -1,4 +1,4 @@
-// From GL's state to the canonical key.
+// Makes the canonical key from GL's state.
 #include "raster/span/draw_state.hpp"
 #include "raster/span/fused_keys.hpp"
 #include "raster/span/of_tier.hpp"
@@ -14,7 +14,7 @@ bool unit_on(const TextureUnit& unit) {
     return has_textures && unit.texture != nullptr;
 }
 
-/// Modes a fused loop can have: one image, its rows packed, no border, both wraps REPEAT.
+/// Sets the modes that a fused loop can have: one image, its rows packed, no border, both wraps REPEAT.
 void set_unit(UnitKey& key, const TextureUnit& unit) {
     if (!unit_on(unit))
         return;
@@ -36,7 +36,7 @@ void set_unit(UnitKey& key, const TextureUnit& unit) {
     key.env = unit.env;
 }
 
-/// Does the primary colour (or its alpha) get past the texture units? (GL 1.3, tables 3.21 and 3.22)
+/// Whether the primary colour (or its alpha) gets past the texture units (GL 1.3, tables 3.21 and 3.22).
 bool color_survives(const FragmentState& state, bool alpha) {
     if (spans_only_modulate)
         return true;
@@ -76,7 +76,7 @@ void blend_key(Key& key, const FragmentState& state) {
         key.blending = rgb;
 }
 
-/// Something after the texture units looks at alpha, in a span there is.
+/// Whether something after the texture units reads alpha, and this build has such spans.
 bool alpha_is_read(const Key& key, const FragmentState& state) {
     return (spans_test_alpha && key.alpha != Compare::always) || has_alpha(key.format) ||
            (has_samples && state.alpha_to_coverage) ||
@@ -84,7 +84,7 @@ bool alpha_is_read(const Key& key, const FragmentState& state) {
             (source_alpha(state.blend_rgb.src) || source_alpha(state.blend_rgb.dst)));
 }
 
-/// The colour is 16 bits from its source to the surface.
+/// Whether the colour is 16 bits from its source to the surface.
 bool raw(const Key& key, const FragmentState& state) {
     if (!spans_are_raw || (!has_format(PixelFormat::rgb565_be) && !has_format(PixelFormat::rgb565_le)))
         return false;
@@ -105,7 +105,7 @@ bool raw(const Key& key, const FragmentState& state) {
     return unit.texels == TexelFormat::rgb565 || (unit.texels == TexelFormat::rgb888 && !state.dither);
 }
 
-/// What colours and indices have in common.
+/// Sets what the keys of surfaces of colours and of indices have in common.
 void common_key(Key& key, const FragmentState& state, const Surface& target) {
     key.fog = has_fog && state.fog;
     if (key.fog)
@@ -127,8 +127,8 @@ void common_key(Key& key, const FragmentState& state, const Surface& target) {
         SPANGLE_FEATURE_POLYGON_OFFSET && state.depth_offset && key.depth_format != DepthFormat::none;
 }
 
-/// Indices are neither textured nor added to, tested as alpha or blended (GL 1.3, 3.8, 3.9, 4.1.4, 4.1.7).
-/// One number system serves them.
+/// Sets the key of a surface of indices. Indices are neither textured nor added to, tested as alpha or
+/// blended (GL 1.3, 3.8, 3.9, 4.1.4, 4.1.7). One number system serves them.
 void index_key(Key& key, const FragmentState& state) {
     key.number = Number::exact;
     key.pixels = has_pixel_colors && state.colors != Colors::of_vertices;
@@ -150,7 +150,7 @@ Key key_of_any_kind(const FragmentState& state, const Surface& target) {
     }
     for (int i = 0; i < max_texture_units; ++i)
         set_unit(key.unit[i], state.unit[i]);
-    key.color_sum = (has_color_sum || !has_chain) && state.color_sum; // without chain, of no span
+    key.color_sum = (has_color_sum || !has_chain) && state.color_sum; // without a chain no span has it
     key.samples = has_samples && (state.alpha_to_coverage || state.alpha_to_one || state.sample_coverage);
     if (state.alpha_test)
         key.alpha = state.alpha_func;
@@ -159,7 +159,7 @@ Key key_of_any_kind(const FragmentState& state, const Surface& target) {
     key.masked = (state.color_mask & channels) != channels;
     key.coverage = SPANGLE_FEATURE_ANTIALIASING && state.coverage && alpha_is_read(key, state);
     key.combine = combines(state);
-    // Combiners may ask for the primary colour behind any unit, and for alpha as a colour.
+    // Combiners may ask for the primary colour in any unit, and for alpha as a colour.
     key.color = color_survives(state, false);
     key.color_alpha = key.combine || (color_survives(state, true) && alpha_is_read(key, state));
     key.color = key.color || key.color_alpha;
@@ -178,10 +178,10 @@ Key key_of_kind(const Key& any, const FragmentState& state, Kind kind) {
     if (raw(key, state)) {
         key.number = Number::raw565;
         key.color_alpha = false;
-        key.dither = state.dither && key.color; // else dithering changes nothing
+        key.dither = state.dither && key.color; // without a colour of vertices dithering changes nothing
         key.cubic = key.unit[0].on && key.kind == Kind::textured && of_tier<has_cubic_runs>(state);
     } else {
-        // One copy of the code for narrow formats, which are those of small displays: the exact one.
+        // Narrow formats, which are those of small displays, have one copy of the code: the exact one.
         const bool exact = !has_balanced || of_tier<has_exact_colors>(state) || drawn_narrow(key.format);
         key.number = has_exact && exact ? Number::exact : Number::balanced;
         key.dither = state.dither && is_565(key.format);

@@ -1,5 +1,5 @@
-// The state key: which stages and modes a draw needs, canonical (two states that draw the same bytes by the
-// same stages have one key). Fused spans are found by it.
+// The state key says which stages and modes a draw needs. It is canonical: two states that draw the same
+// bytes by the same stages have one key. Fused spans are found by their key.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,11 @@
 
 namespace spangle::raster {
 
-/// Number system of the list (number.hpp).
+/// The number system of a list of stages (number.hpp).
 enum class Number : std::uint8_t { raw565, balanced, exact, reference };
 
-/// One texture unit. `general`: modes are read from the state while drawing, and the fields behind it are 0.
+/// The key of one texture unit. `general`: modes are read from the state while drawing, and the later fields
+/// are 0.
 struct UnitKey {
     bool on = false, general = false;
     TexelFormat texels{};
@@ -34,10 +35,10 @@ struct Key {
     PixelFormat format{};
     DepthFormat depth_format{}; ///< none unless depth or stencil is used
     UnitKey unit[max_texture_units];
-    bool combine = false;     ///< some unit combines: all of them are sampled first
-    bool pixels = false;      ///< the primary colour is that of an image, and looked at
-    bool color = true;        ///< a primary colour of vertices is looked at
-    bool color_alpha = false; ///< and its alpha
+    bool combine = false;     ///< some unit combines: all units are sampled first
+    bool pixels = false;      ///< the primary colour is that of an image, and some stage reads it
+    bool color = true;        ///< the primary colour is that of vertices, and some stage reads it
+    bool color_alpha = false; ///< some stage reads the alpha of this colour, too
     bool color_sum = false;
     bool fog = false;
     FogMode fog_mode{};
@@ -46,9 +47,11 @@ struct Key {
     Compare depth = Compare::always;
     bool depth_write = false;
     bool blend = false;
-    bool cubic = false;  ///< texture coordinates of the exact tier; said where the number does not say it
-    bool coarse = false; ///< blended in steps of the target, alpha in 32nds
-    bool blend_general = false; ///< read from the state while drawing; `blending` is its default then
+    bool cubic =
+        false; ///< texture coordinates are those of the exact tier; set only where `number` does not say so
+    bool coarse = false; ///< blended in steps of the target, with alpha in 32nds
+    bool blend_general =
+        false; ///< blend modes are read from the state while drawing; `blending` is its default then
     Blending blending;
     bool dither = false;
     bool masked = false; ///< some colour channel is not written
@@ -57,7 +60,7 @@ struct Key {
     bool coverage = false;
     bool polygon_stipple = false;
     bool depth_offset = false;
-    bool samples = false; ///< alpha or a value decides which samples are covered
+    bool samples = false; ///< alpha or a given value decides which samples are covered
 #if SPANGLE_MIXES_RUNS
     /// Texture coordinates have the runs of another tier than the one that has this number system.
     bool other_runs = false;
@@ -72,27 +75,27 @@ struct Key {
     }
 };
 
-/// Depths are looked at, or written.
+/// True where depths are tested or written.
 constexpr bool needs_depth(const Key& key) {
     return key.depth != Compare::always || key.depth_write;
 }
 
-/// Something but texture coordinates varies over 1/w: every fragment divides. In the exact tier coordinates,
-/// too, are divided then.
+/// True where something other than texture coordinates varies over 1/w, so that every fragment divides. In
+/// the exact tier texture coordinates, too, are divided then.
 constexpr bool divides(Kind kind, bool fog) {
     return kind == Kind::full || (kind == Kind::textured && fog);
 }
 
-/// MODULATE and fog's factor are products, in any order: light times factor comes first, and is one for all
-/// components where light is gray.
+/// True where light is multiplied by the fog factor before it meets the texel. MODULATE and fog's factor are
+/// products, in any order; where light is gray, light times factor is one product for all components.
 constexpr bool fogs_light(const Key& key) {
     return key.number == Number::balanced && key.fog && key.fog_mode == FogMode::linear && key.unit[0].on &&
            !key.unit[0].general && key.unit[0].env == TexEnv::modulate && !key.second_unit() &&
            !key.color_sum;
 }
 
-/// Dithered, nothing but sums follows MODULATE: texels and the fog's colour are counted in steps of the
-/// target, so that thresholds are one more of them.
+/// True where texels and the fog's colour are counted in steps of the target, so that a threshold is one more
+/// summand. This holds where colours are dithered and nothing but sums follows MODULATE.
 constexpr bool counts_steps(const Key& key) {
     return fogs_light(key) && key.dither && key.unit[0].base != BaseFormat::alpha && !key.blend &&
            !key.masked && !key.logic;

@@ -1,4 +1,4 @@
-// The kinds of spans: which attributes vary how over a primitive.
+// The kinds of spans: which attributes vary in which way over a primitive.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ enum class Kind : std::uint8_t {
     full,     ///< everything projective
 };
 inline constexpr int kind_count = 4;
-/// Some fragments divide: by 1/w, or where what they have lies too far away for affine forms.
+/// True where some fragments divide: by 1/w, or because an attribute lies too far away for affine forms.
 inline constexpr bool has_division = has_perspective || has_chain || has_fog;
 
 } // namespace spangle::raster

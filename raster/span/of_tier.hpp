@@ -1,9 +1,9 @@
-// What a draw's tier says, where a line of code asks for it.
+// Answers what a draw's tier says, where a line of code asks for it.
 //
-// `Of` makes a value of knobs: a formula without captures, such as [](const Knobs& k) { return k.unsnapped;
-// }. Where programs compose tiers it is applied to the knobs of the draw. Elsewhere each tier's value is a
-// constant, and what is left is one comparison of tiers, or nothing where a build has given knobs: firmware
-// holds no knobs.
+// `Of` is a formula without captures that makes a value of knobs, such as [](const Knobs& k) { return
+// k.unsnapped; }. Where programs compose tiers it is applied to the knobs of the draw. Elsewhere each tier's
+// value is a constant. What is left is one comparison of tiers, or nothing where a build has given knobs:
+// firmware holds no knobs.
 #pragma once
 
 #include "raster/span/draw_state.hpp"
@@ -19,7 +19,7 @@ template <auto Of> SPANGLE_INLINE auto of_tier(const DrawState& draw) {
 template <auto Of> SPANGLE_INLINE auto of_tier(const FragmentState& state) {
     return Of(state.own_tier ? state.knobs : knobs_of(state.tier));
 }
-/// The same where only tiers come whose runs are straight, or cubic.
+/// As of_tier(), for code that only tiers with straight runs, or only tiers with cubic runs, reach.
 template <auto Of> SPANGLE_INLINE auto of_straight_tier(const DrawState& draw) {
     return Of(draw.knobs);
 }
@@ -30,7 +30,8 @@ template <auto Of> SPANGLE_INLINE auto of_cubic_tier(const DrawState& draw) {
 template <auto Of, class State> SPANGLE_INLINE constexpr auto of_tier(const State&) {
     return Of(given_knobs);
 }
-/// Runs that the given knobs do not have are those of a tier of the library: narrow surfaces have cubic ones.
+/// Given knobs have one form of runs. Runs of the other form are those of a tier of the library: narrow
+/// surfaces have cubic runs.
 template <auto Of> SPANGLE_INLINE constexpr auto of_straight_tier(const DrawState&) {
     return Of(given_knobs.runs == Runs::straight ? given_knobs : balanced_knobs);
 }
@@ -57,11 +58,11 @@ template <auto Of> SPANGLE_INLINE constexpr auto of_cubic_tier(const DrawState&)
 }
 #endif
 
-/// Colours are combined in 20 bits below a 255th.
+/// Whether colours are combined in 20 bits below a 255th.
 inline constexpr auto has_exact_colors = [](const Knobs& k) { return k.color_bits == 20; };
 inline constexpr auto has_cubic_runs = [](const Knobs& k) { return k.runs == Runs::cubic; };
 
-/// Attributes go through the vertices as they were before snapping.
+/// Whether attributes go through the vertices as they were before snapping.
 SPANGLE_INLINE bool unsnaps(const DrawState& draw) {
     return has_tier(Tier::exact) && of_tier<[](const Knobs& k) { return k.unsnapped; }>(draw);
 }

@@ -1,5 +1,6 @@
-// Paths: what lines of width 1 hand to a loop of their own, one fragment per step along the major axis.
-// Several at a time, so that what finds them and what draws them each run without waiting for the other.
+// Paths are what lines of width 1 hand to a loop of their own, one fragment per step along the major axis.
+// They come several at a time, so that neither the code that finds them nor the code that draws them waits
+// for the other.
 #pragma once
 
 #include <bit>
@@ -12,61 +13,63 @@
 
 namespace spangle::raster {
 
-/// A loop draws paths, and they are worth their code.
+/// True where some loop draws paths, and paths are worth their code.
 inline constexpr bool has_paths = has_fused_spans && has_shortcuts;
 
-/// Pixels counted from that of window (0, 0), and where a dithered colour asks for it, row & 3 in the two
-/// bits above: mod 2^32 it grows with every step to another row.
+/// The number of a pixel, counted from that of window (0, 0). Where a dithered colour asks for it, the two
+/// bits above hold row & 3: adding per_row() mod 2^32 steps to the next row.
 struct PathPixels {
     static constexpr std::uint32_t row = 1u << 30;
     static std::int32_t per_row(const Surface& target, bool dithers) {
         return target.color_stride / 2 + static_cast<std::int32_t>(dithers ? row : 0);
     }
-    /// What rows below that of window (0, 0) in memory take for the pixels not to be negative: whole groups
-    /// of four columns.
+    /// What is added to pixel numbers so that none is negative where rows go down in memory from that of
+    /// window (0, 0): whole groups of four columns.
     static std::uint32_t before(const Surface& target) {
         const std::int32_t back = target.color_stride < 0 ? -target.color_stride / 2 * target.height : 0;
         return static_cast<std::uint32_t>(back + 3) & ~3u;
     }
-    /// Of DitherCells.
+    /// The cell of DitherCells at this place.
     SPANGLE_INLINE static std::uint32_t cell(std::uint32_t at) { return std::rotl(at, 2) & 15; }
     SPANGLE_INLINE static std::uint32_t pixel(std::uint32_t at) { return at & (row - 1); }
 };
 
-/// Each fragment is `along` from the one before it, and `aside` further whenever `rest`, grown by `rise`, is
-/// no longer negative; then `denominator` is taken off. Pixels, in planes whose rows have the same stride.
+/// Several paths. Each fragment lies `along` pixels from the one before it, and `aside` further whenever
+/// `rest`, grown by `rise`, is no longer negative; then `denominator` is taken off `rest`. The rows of both
+/// planes have the same stride, so that one pixel number serves both.
 class Paths {
   public:
-    /// Vectors of them are stored whole.
+    /// The most paths at once; where there are vectors, whole vectors of their words are stored.
     static constexpr int size = !numeric::cheap_branches ? 16 : line_batch > 2 ? line_batch : 1;
     enum Word {
-        /// Of fragments; none if not positive.
+        /// The number of fragments; none are drawn if it is not positive.
         count,
-        /// PathPixels, as `along` and `aside`.
+        /// The PathPixels of the first fragment; `along` and `aside` are differences of PathPixels.
         first,
         along,
         aside,
-        /// -denominator <= rest < 0 <= rise <= denominator
+        /// The walk aside: -denominator <= rest < 0 <= rise <= denominator.
         rest,
         rise,
         denominator,
-        /// The word of Kind::flat.
+        /// The colour as the word of Kind::flat.
         flat,
-        /// At the first fragment, and from one to the next.
+        /// Depth at the first fragment, and its difference from one fragment to the next.
         depth,
         depth_step,
         words
     };
-    /// The word of path i; where there are vectors, those of the paths after it follow.
+    /// The word of path i. Where there are vectors, the same words of the paths after it follow.
     SPANGLE_INLINE std::int32_t& at(Word word, int i) { return words_[place_of(word, i)]; }
     SPANGLE_INLINE std::int32_t at(Word word, int i) const { return words_[place_of(word, i)]; }
     SPANGLE_INLINE const std::int32_t* lanes(Word word, int i) const { return words_ + place_of(word, i); }
-    bool one_color = false; ///< of all paths
-    /// Of the only path whose colour varies, as its depth is given.
+    bool one_color = false; ///< all paths have the same colour
+    /// The colour of the only path whose colour varies, and its difference per fragment, in the form of its
+    /// depth.
     Fixed::Affine color[3], color_step[3];
 
   private:
-    /// Without vectors the words of a path lie together, and are loaded by two.
+    /// Without vectors the words of a path lie together, so that they are loaded in pairs.
     static constexpr std::ptrdiff_t place_of(Word word, std::ptrdiff_t i) {
         return numeric::cheap_branches ? i * words + word : static_cast<std::ptrdiff_t>(word) * size + i;
     }

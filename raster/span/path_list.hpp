@@ -1,5 +1,5 @@
-// Paths of flat colours as one list of fragments, where there are vectors: four paths walk side by side, and
-// no branch of the loop over the list depends on the picture.
+// Draws paths of flat colours as one list of fragments, where there are vectors. Four paths walk side by
+// side, and no branch of the loop over the list depends on the picture.
 #pragma once
 
 #include "raster/span/lanes.hpp"
@@ -10,11 +10,11 @@
 
 namespace spangle::raster {
 
-/// Fragments of short paths, in the order of the paths. Case: as of fused_paths().
+/// The fragments of short paths, in the order of the paths. Case is a case of fused_paths().
 template <class Case> class PathList {
   public:
     static constexpr bool dithers = Case::key.dither;
-    /// A path of more fragments is not listed.
+    /// The most fragments of a path that is listed.
     static constexpr int longest = 16;
 
     PathList(const Surface& target, const Paths& paths, int count)
@@ -24,7 +24,7 @@ template <class Case> class PathList {
             cells_[i].make(static_cast<std::uint32_t>(paths.at(Paths::flat, i)), target.color_stride / 2);
     }
 
-    /// Paths i to i + 3. False: one of them is too long.
+    /// Adds paths i to i + 3. Returns false if one of them is too long.
     SPANGLE_INLINE bool add(int i) {
         const Int count = L::load(paths_.lanes(Paths::count, i));
         const Int n = count & ~(count >> 31) & L::less(lane, Int{} + (count_ - i));
@@ -41,16 +41,17 @@ template <class Case> class PathList {
         return true;
     }
 
-    /// Of path i, where dithered.
+    /// The dithered words of the colour of path i.
     const inner::Half* cells([[maybe_unused]] int i) const {
         return cells_[dithers && !paths_.one_color ? i : 0].words();
     }
 
-    /// Those that were added, and forgets them.
+    /// Draws the fragments that were added, and forgets them.
     SPANGLE_INLINE void draw() {
         const auto back = static_cast<std::ptrdiff_t>(before_) * 2;
         std::uint8_t* const color = target_.color - back;
-        std::uint8_t* const depth = Case::tested ? target_.depth - back : nullptr; // there may be none
+        std::uint8_t* const depth =
+            Case::tested ? target_.depth - back : nullptr; // there may be no depth plane
         using One = Lanes<1>;
         for (const std::int32_t *f = fragment_, *const end = next_; f != end; f += 2) {
             const std::ptrdiff_t offset = f[0];
@@ -77,8 +78,9 @@ template <class Case> class PathList {
     using Word = L::Word;
     static constexpr Int lane = {0, 1, 2, 3};
     static constexpr bool little = std::endian::native == std::endian::little;
-    static constexpr std::int32_t scale = dithers ? 1 : 2; ///< bytes, where that leaves no row out
-    /// What colours of paths i to i + 3 add to a fragment.
+    static constexpr std::int32_t scale =
+        dithers ? 1 : 2; ///< bytes per step of the pixel number, where the two top bits hold no row
+    /// What the colours of paths i to i + 3 add to the word of a fragment.
     SPANGLE_INLINE Word colors(int i) const {
         if constexpr (dithers)
             return paths_.one_color ? Word{} : std::bit_cast<Word>((lane + i) * 16);
@@ -86,14 +88,15 @@ template <class Case> class PathList {
         return Case::swaps ? (word << 8 & 0xFF00) | (word >> 8 & 0xFF) : word;
     }
 
-    /// So many times four fragments of four paths; what a path has not is written over by the next one.
+    /// Writes Blocks times four fragments of each of four paths. The next path writes over what a path does
+    /// not have.
     template <int Blocks> SPANGLE_INLINE void walk(int i, const std::int32_t (&own)[4]) {
         const auto load = [&](Paths::Word word) { return L::load(paths_.lanes(word, i)); };
         const auto load_word = [&](Paths::Word word) { return std::bit_cast<Word>(load(word)); };
         const Int rise = load(Paths::rise), denominator = load(Paths::denominator),
                   along = load(Paths::along) * scale, aside = load(Paths::aside) * scale;
         Int at = (load(Paths::first) + static_cast<std::int32_t>(before_)) * scale,
-            left = ~load(Paths::rest); // whose sign is a mask
+            left = ~load(Paths::rest); // its sign, shifted down, is a mask
         Word depth{}, depth_step{};
         if constexpr (Case::tested)
             depth = load_word(Paths::depth), depth_step = load_word(Paths::depth_step);
@@ -117,7 +120,7 @@ template <class Case> class PathList {
             at += along + (aside & over);
             depth += depth_step;
         }
-        std::int32_t* out = next_; // in a register
+        std::int32_t* out = next_; // kept in a register
 #pragma GCC unroll 4
         for (int path = 0; path < 4; ++path) {
             const Int* const from = path < 2 ? low : high;
@@ -135,7 +138,8 @@ template <class Case> class PathList {
     const Paths& paths_;
     const int count_;
     const std::uint32_t before_;
-    /// Where it lies, bytes; the code of its depth above its colour, or the number of its dithered colour.
+    /// Two words per fragment: its offset in bytes, and its depth code above its colour or the number of its
+    /// dithered colour.
     alignas(16) std::int32_t fragment_[2 * (Paths::size + 1) * longest];
     std::int32_t* next_ = fragment_;
     DitherCells<Case::swaps> cells_[dithers ? Paths::size : 1];

@@ -1,4 +1,4 @@
-// Rows: what a primitive hands to a span function, several at a time, so that the walk of its edges and the
+// Rows are what a primitive hands to a span function, several at a time. So the walk along its edges and the
 // drawing of its fragments each keep their own registers.
 #pragma once
 
@@ -20,7 +20,7 @@ struct Row {
 /// Draws rows of the primitive whose planes the span holds.
 template <class P> using RowsFunction = void (*)(Span<P>&, const Row* row, const Row* end);
 
-/// Where column `x` of the span's row is in memory.
+/// Finds the addresses of column `x` of row `y` in the colour plane and, if there is one, in the depth plane.
 SPANGLE_INLINE void point_at(std::uint8_t*& color, std::uint8_t*& depth, const Surface& target,
                              std::int32_t x, std::int32_t y, std::int32_t bytes, int depth_shift) {
     color = target.color + std::ptrdiff_t{y} * target.color_stride + std::ptrdiff_t{x} * bytes;
@@ -28,19 +28,19 @@ SPANGLE_INLINE void point_at(std::uint8_t*& color, std::uint8_t*& depth, const S
         depth = target.depth + std::ptrdiff_t{y} * target.depth_stride + (std::ptrdiff_t{x} << depth_shift);
 }
 
-/// Where a row begins or ends in memory.
+/// The addresses in both planes where a row begins or ends.
 struct RowPlace {
     std::uint8_t *color, *depth;
 };
 
-/// A row as the stages of a list see it that works in no runs: the planes are the span's, the place is in
-/// registers.
+/// A row as the stages of a list without runs see it. The planes are those of the span; the place of the row
+/// is kept in registers.
 struct PlaneRow {
     Span<Fixed>& planes;
-    std::uint8_t *color, *depth;        ///< of the fragment that the list counts from
+    std::uint8_t *color, *depth;        ///< addresses of the fragment from which the list counts
     std::int32_t x, y;                  ///< window position of pixel 0
-    std::int32_t counted_from;          ///< and column of the fragment that the list counts from
-    const inner::Half* words = nullptr; ///< the row of DitherRows
+    std::int32_t counted_from;          ///< column of the fragment from which the list counts
+    const inner::Half* words = nullptr; ///< the words of this row in DitherRows
     const Span<Fixed>::Affine& z = planes.z;
     const Span<Fixed>::Affine (&color_value)[4] = planes.color_value;
     const Span<Fixed>::Affine& fog = planes.fog;
@@ -52,14 +52,14 @@ struct PlaneRow {
     const Span<Fixed>::Unit (&unit)[max_texture_units] = planes.unit;
     const DrawState* state = planes.state;
     std::uint32_t flat_word = planes.flat_word;
-    const bool& fog_inside = planes.fog_inside; // set where there is fog
+    const bool& fog_inside = planes.fog_inside; // set where there is fog; a reference, as it may change
 
     template <class T> T at(std::int32_t column, const Interpolant<T>& plane) const {
         return plane.at(column + (x - planes.anchor_x), y - planes.anchor_y);
     }
 };
 
-/// The span becomes this row, whatever the state is.
+/// Makes the span describe this row, whatever the state is.
 template <class P> SPANGLE_INLINE void enter(Span<P>& span, const Row& row) {
     span.x = row.left;
     span.y = row.y;
@@ -70,7 +70,7 @@ template <class P> SPANGLE_INLINE void enter(Span<P>& span, const Row& row) {
              span.state->depth_bytes >> 1);
 }
 
-/// A function of one row as one of many.
+/// Makes a function that draws many rows from a function that draws one.
 template <class P, void (*Draw)(const Span<P>&)> void by_row(Span<P>& span, const Row* row, const Row* end) {
     for (; row != end; ++row) {
         enter(span, *row);

@@ -1,4 +1,4 @@
-// The shadow policy: the product draws, and beside it every stage is recomputed in double and the two are
+// The shadow policy: the product draws, and beside it every stage is computed again in double and the two are
 // compared (design 2: diagnosis and profiling). Hosts only.
 #pragma once
 
@@ -44,14 +44,14 @@ const char* unit_of(ShadowStage stage);
 
 struct ShadowRecord {
     std::uint64_t count = 0;
-    std::uint64_t saturated = 0;    ///< of these, fixed values at a limit of their range (0 is none)
+    std::uint64_t saturated = 0;    ///< fixed values among these at a limit of their range (0 does not count)
     double worst = 0;               ///< largest |fixed - double|
     double squares = 0;             ///< sum of (fixed - double)^2
     double least = 0, greatest = 0; ///< range of the double values
-    std::uint64_t flips = 0;        ///< of coordinates: fragments whose NEAREST texel is another one
+    std::uint64_t flips = 0;        ///< for coordinates: fragments whose NEAREST texel is another one
 
     void add(double fixed, double exact) { add_difference(fixed - exact, exact); }
-    /// The same where the fixed value cannot lie beyond +-limit.
+    /// Adds a comparison in which the fixed value cannot lie beyond +-limit.
     void add(double fixed, double exact, double limit);
     void add_difference(double difference, double exact);
     double rms() const;
@@ -65,7 +65,7 @@ struct ShadowReport {
 /// Where shadow draws of this thread report to; null (the initial state) draws only. Returns the old one.
 ShadowReport* report_shadow(ShadowReport* report);
 
-/// That report, or null: for the stages before the fragments.
+/// The report that report_shadow() has set, or null, for the stages before the fragments.
 ShadowReport* shadow_report();
 
 } // namespace spangle::raster

@@ -7,8 +7,9 @@
 
 namespace spangle::raster {
 
-/// Reference policy: same snapped x, y, for coverage and depth; everything else in double, in GL's own units
-/// (colours and depth 0..1), on planes through the position before snapping.
+/// A vertex of the reference policy. Its x and y are the snapped ones of the product, for coverage and depth.
+/// All else is double in GL's own units (colours and depth 0 .. 1), on planes through the position before
+/// snapping.
 struct DoubleVertex {
     std::int32_t x, y;
     double z, inv_w, fog;
@@ -19,13 +20,14 @@ struct DoubleVertex {
     double x_exact, y_exact; ///< window position before snapping
 };
 
-/// Both at once, every step recorded (design 2: diagnosis and profiling). The picture comes from `fixed`.
+/// A vertex of the shadow policy: one of each other policy, so that every step is recorded (design 2:
+/// diagnosis and profiling). The picture comes from `fixed`.
 struct ShadowVertex {
     FixedVertex fixed;
     DoubleVertex twin;
 };
 
-/// Another depth, Q0.30.
+/// Gives a vertex another depth, z in Q0.30.
 inline void set_depth(FixedVertex& v, std::uint32_t z) {
     v.z = z;
 }
@@ -37,7 +39,7 @@ inline void set_depth(ShadowVertex& v, std::uint32_t z) {
     set_depth(v.twin, z);
 }
 
-/// Where coverage sees a vertex, whatever the policy.
+/// The snapped position of a vertex (n.8), as coverage sees it in every policy.
 struct Position {
     std::int32_t x, y;
 };
@@ -54,7 +56,7 @@ constexpr Position position(const ShadowVertex& v) {
     return {v.fixed.x, v.fixed.y};
 }
 
-/// Moves a vertex there; all else stays.
+/// Moves a vertex to the position p; its other attributes stay.
 constexpr void place(FixedVertex& v, const Position& p) {
     v.x = p.x;
     v.y = p.y;
@@ -70,7 +72,7 @@ constexpr void place(ShadowVertex& v, const Position& p) {
     place(v.twin, p);
 }
 
-/// Where it was before snapping, pixels; policies that know.
+/// The position of a vertex before snapping, in pixels. Only some policies keep it.
 struct ExactPosition {
     double x, y;
 };
