@@ -1,4 +1,4 @@
-// Texture coordinates of the balanced and fast tiers: between two divisions, a straight line.
+// Texture coordinates of the balanced and fast tiers: a straight line between two divisions.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -24,9 +24,9 @@ struct HomogeneousRow {
     SPANGLE_INLINE std::int32_t s(std::int32_t x) const { return at(x, s0, ds); }
     SPANGLE_INLINE std::int32_t t(std::int32_t x) const { return at(x, t0, dt); }
     SPANGLE_INLINE std::int32_t q(std::int32_t x) const { return at(x, q0, dq); }
-    /// Pixel x is the one it begins at.
+    /// Makes pixel x the pixel at which the row begins.
     SPANGLE_RUN_INLINE void begin_at(std::int32_t x) {
-        if (x == 0) // rows that nothing clips
+        if (x == 0) // rows that nothing clips begin at 0
             return;
         s0 += numeric::times(ds, x);
         t0 += numeric::times(dt, x);
@@ -39,8 +39,8 @@ struct HomogeneousRow {
     }
 };
 
-/// s / q in repeats with 32 fraction bits, from the 61-bit product. The result is taken mod 2^64 where the
-/// shift is to the left: |s| is beyond 2^10 repeats then, and the low bits of its fraction are 0.
+/// s / q in repeats with 32 fraction bits, from the 61-bit product. The result is mod 2^64 where the shift is
+/// to the left: |s| is beyond 2^10 repeats then, and the low bits of its fraction are 0.
 SPANGLE_RUN_INLINE std::int64_t to_repeats(std::int32_t s, const Inverse& inverse, int exponent) {
     const std::int64_t product = numeric::mul_s32_u32(s, inverse.mantissa);
     const int down = 30 - inverse.zeros - exponent;
@@ -50,7 +50,7 @@ SPANGLE_RUN_INLINE std::int64_t to_repeats(std::int32_t s, const Inverse& invers
     return numeric::times_two_to(product, -down);
 }
 
-/// What wraps of it.
+/// The low word of to_repeats(): the fraction of a repeat, which is what wraps.
 SPANGLE_INLINE std::uint32_t repeat_fraction(std::int32_t s, const Inverse& inverse, int exponent) {
     if constexpr (!numeric::wide_words) {
         const int down = 30 - inverse.zeros - exponent;
@@ -60,7 +60,8 @@ SPANGLE_INLINE std::uint32_t repeat_fraction(std::int32_t s, const Inverse& inve
     return static_cast<std::uint32_t>(to_repeats(s, inverse, exponent));
 }
 
-/// As the texture stage wants it (TexCoords): wrapping, or saturated with the whole repeats added back.
+/// A coordinate as the texture stage takes it (TexCoords): wrapping, or saturated with the whole repeats
+/// added back.
 SPANGLE_INLINE std::uint32_t to_coord(std::int64_t repeats, bool wraps, std::int32_t base) {
     if (wraps)
         return static_cast<std::uint32_t>(repeats);
@@ -69,7 +70,8 @@ SPANGLE_INLINE std::uint32_t to_coord(std::int64_t repeats, bool wraps, std::int
     return static_cast<std::uint32_t>(numeric::saturate_i32(v));
 }
 
-/// d / n, n that of `length`, off by 2^-30 of itself and 1; mod 2^32. 0 for n <= 0.
+/// d / n mod 2^32, where `length` is the Inverse of n; off by 2^-30 of itself plus 1. The result is 0 for n
+/// <= 0.
 inline std::uint32_t slope(std::int64_t d, std::int32_t n, const Inverse& length) {
     if (n <= 0 || d == 0)
         return 0;
@@ -87,13 +89,13 @@ inline std::uint32_t slope(std::int64_t d, std::int32_t n, const Inverse& length
 
 /// What bounds the length of runs: logarithms with 8 fraction bits, within 1/256 each.
 struct RunBound {
-    std::int32_t n;       ///< of |N|, N = dS Q - S dQ, in texels: the larger of both axes
-    std::int32_t dq;      ///< of |dQ|
-    std::int32_t repeats; ///< of |N| in repeats
+    std::int32_t n;       ///< logarithm of |N|, N = dS Q - S dQ, in texels: the larger of both axes
+    std::int32_t dq;      ///< logarithm of |dQ|
+    std::int32_t repeats; ///< logarithm of |N| in repeats
     RunBound(const Span<Fixed>& span, int unit, const HomogeneousRow& row) {
         const std::int32_t s0 = row.s(0), t0 = row.t(0), q0 = row.q(0);
         const std::int32_t by = unguarded(row.dq);
-        // What the gradients lost below their last bit is at most Q + |S| in N.
+        // What the gradients lost below their last bit makes at most Q + |S| in N.
         const auto numerator = [&](std::uint64_t dv, std::int32_t v) SPANGLE_RUN_LAMBDA {
             return numeric::abs_u64(numeric::mul_s32(unguarded(dv), q0) - numeric::mul_s32(v, by)) +
                    (std::uint64_t{1} << 31);
@@ -101,7 +103,8 @@ struct RunBound {
         const std::uint64_t ns = numerator(row.ds, s0), nt = numerator(row.dt, t0);
         const std::int32_t width = span.state->log2_width[unit] << 8,
                            height = span.state->log2_height[unit] << 8;
-        repeats = log2_fraction8(ns > nt ? ns : nt); // it does not fall
+        // Log2_fraction8() never falls, so the larger argument is enough.
+        repeats = log2_fraction8(ns > nt ? ns : nt);
         n = repeats + (ns > nt ? width : height);
         if (width != height) {
             const std::int32_t other = ns > nt ? log2_fraction8(nt) + height : log2_fraction8(ns) + width;
@@ -113,23 +116,24 @@ struct RunBound {
 
 } // namespace inner
 
-/// Balanced and fast tiers: affine between the ends of runs, which start at multiples of their length from
-/// the anchor.
+/// Coordinates that are affine between the ends of runs, which start at multiples of their length from the
+/// anchor (balanced and fast tiers).
 ///
 /// The length is a power of two, chosen per span so that the error of the affine form is proven to be at most
 /// 2^-texel_bits texel of the base level (Knobs): a quarter in the balanced tier. In one row N = dS Q - S dQ
-/// is constant and du/dx = N / Q^2, so a run of L pixels has |du| <= L |N| / min(Q)^2, |dq| = L |dQ|, and an
+/// is constant and du/dx = N / Q^2. So a run of L pixels has |du| <= L |N| / min(Q)^2, |dq| = L |dQ|, and an
 /// error of at most |du| |dq| / (4 min(Q)) (numerics.md 1.2): L^2 <= min(Q)^3 / (|N| |dQ|) for a quarter. The
-/// fast tier takes at least 16, and as many more as are proven to be off by half a texel. Where 1/w does not
-/// change along the row, the row is one run; so it is where it is short and |du| |dq| / (4 min(Q)) of its
-/// ends is at most half the error.
+/// fast tier takes runs of at least 16 pixels, and longer ones as long as they are proven to be off by at
+/// most half a texel. Where 1/w does not change along the row, the row is one run. A short row is one run,
+/// too, where |du| |dq| / (4 min(Q)) of its ends is at most half the error.
 class CoordRuns {
   public:
-    std::uint32_t s; ///< at the current pixel, and per pixel (TexCoords)
+    std::uint32_t s; ///< at the current pixel; ds is the difference per pixel (TexCoords)
 
   private:
-    std::int32_t
-        next_; ///< between them, lest a compiler store four words as one, which narrower loads wait for
+    /// next_ lies between s and t, lest a compiler store four words as one, which narrower loads would wait
+    /// for.
+    std::int32_t next_;
 
   public:
     std::uint32_t t, ds;
@@ -143,7 +147,7 @@ class CoordRuns {
     SPANGLE_INLINE CoordRuns(const Span<Fixed>& span, std::int32_t x, int unit)
         : next_(x), log2_(-1), row_(span, unit), unit_(unit), span_(&span) {}
 
-    /// Makes them valid at pixel x; returns the end of its run.
+    /// Makes s and t valid at pixel x; returns the end of its run.
     SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return x < next_ ? next_ : start_run(x); }
     SPANGLE_INLINE void step() {
         s += ds;
@@ -162,7 +166,7 @@ class CoordRuns {
         if (has_shortcuts && next_ <= last_whole_) [[likely]] {
             row_.q0 += run_.q;
             const Inverse inverse(row_.q(0), zeros_);
-            // One after the other: few registers.
+            // The coordinates are done one after the other: few registers.
             const auto along = [&](std::uint64_t& row, std::uint64_t run, std::int64_t& last,
                                    std::uint32_t& v, std::uint32_t& dv) SPANGLE_RUN_INLINE_LAMBDA {
                 row += run;
@@ -182,8 +186,8 @@ class CoordRuns {
         }
         return next_;
     }
-    /// A short row is looked at as a whole: its ends cost less than logarithms, and say more. False: it takes
-    /// several runs, or coordinates that saturate.
+    /// Looks at a short row as a whole: its ends cost less than logarithms, and say more. False: the row
+    /// takes several runs, or its coordinates saturate.
     SPANGLE_RUN_SELDOM bool one_run(std::int32_t x) {
         const auto& wraps = span_->state->wraps[unit_];
         if (!(wraps.s && wraps.t))
@@ -198,7 +202,8 @@ class CoordRuns {
             return false;
         const std::uint32_t least = first.q < last.q ? first.q : last.q,
                             range = first.q < last.q ? last.q - first.q : first.q - last.q;
-        // Half of the error, so four times that is 2^(1 - texel_bits); no matter where nobody asks.
+        // Half of the allowed error, so that four times that is 2^(1 - texel_bits). It does not matter where
+        // `asks` is false.
         const int up = of_straight_tier<[](const Knobs& k) {
             return 33 - (1 << k.shortest_run < short_row ? k.texel_bits : balanced_knobs.texel_bits);
         }>(*span_->state);
@@ -218,7 +223,7 @@ class CoordRuns {
         next_ = span_->length;
         return true;
     }
-    /// The start of the first one.
+    /// Makes the start of the first run of a row.
     SPANGLE_RUN_SELDOM void first_run(std::int32_t x) {
         log2_ = choose_log2();
         next_ = x & -(std::int32_t{1} << log2_);
@@ -231,7 +236,7 @@ class CoordRuns {
         const auto& wraps = span_->state->wraps[unit_];
         last_whole_ = wraps.s && wraps.t ? span_->length - 1 : 0;
     }
-    /// Any: also one cut short by the end of the row, or of coordinates that do not wrap.
+    /// Makes any run: also one cut short by the end of the row, or one of coordinates that do not wrap.
     SPANGLE_RUN_SELDOM void other_run(std::int32_t from) {
         const auto& unit = span_->unit[unit_];
         const std::int32_t limit = span_->length - 1, to = next_ < limit ? next_ : limit;
@@ -249,13 +254,13 @@ class CoordRuns {
         };
         along(last_.s, end.s, span_->state->wraps[unit_].s, unit.s_base, s, ds);
         along(last_.t, end.t, span_->state->wraps[unit_].t, unit.t_base, t, dt);
-        last_.s = end.s; // compilers call memcpy() for both
+        last_.s = end.s; // written out, because compilers call memcpy() for both
         last_.t = end.t;
     }
 
   public: // for packets, which find several runs at once
     static constexpr std::int32_t short_row = 16;
-    static constexpr int max_log2 = 6, row_log2 = 16; ///< 64 pixels; the whole row
+    static constexpr int max_log2 = 6, row_log2 = 16; ///< log2 of 64 pixels; stands for the whole row
 
   private:
     struct Sample {
@@ -270,7 +275,7 @@ class CoordRuns {
         }
     };
 
-    /// The difference of a run's ends over its length.
+    /// The difference of a run's ends, divided by its length.
     SPANGLE_INLINE std::uint32_t per_pixel(std::int64_t d) const {
         if constexpr (numeric::wide_words)
             return static_cast<std::uint32_t>(d >> log2_);
@@ -295,7 +300,7 @@ class CoordRuns {
         const bool any_length =
             of_straight_tier<[](const Knobs& k) { return max_log2 < k.longest_run; }>(draw);
         const std::int32_t longest =
-            any_length && wraps.s && wraps.t // others saturate
+            any_length && wraps.s && wraps.t // coordinates that do not wrap saturate
                 ? of_straight_tier<[](const Knobs& k) { return std::int32_t{k.longest_run}; }>(draw)
                 : of_straight_tier<[](const Knobs& k) {
                       return std::int32_t{k.longest_run < max_log2 ? k.longest_run : max_log2};
@@ -305,7 +310,7 @@ class CoordRuns {
         if (least <= 0)
             return shortest;
         const inner::RunBound bound(*span_, unit_, row_);
-        // Of three logarithms; the square of a length is as large as four times the error.
+        // The margin is for three logarithms; the square of a length is as large as four times the error.
         const std::int32_t margin =
             of_straight_tier<[](const Knobs& k) { return 6 + 256 * (k.texel_bits - 2); }>(draw);
         const std::int32_t square = 3 * log2_fraction8(static_cast<std::uint64_t>(least)) - bound.n -
@@ -315,14 +320,15 @@ class CoordRuns {
     }
 
   private:
-    // What each run takes comes first: short loads reach 128 bytes.
-    inner::HomogeneousRow row_; ///< begins where the last sample is taken
+    // The members that each run takes come first: short loads reach 128 bytes.
+    inner::HomogeneousRow row_; ///< begins where the last sample was taken
     struct {
         std::uint64_t s, t, q;
-    } run_; ///< from run to run
+    } run_; ///< differences from run to run
     Sample last_;
-    std::int32_t last_whole_; ///< where runs may end that are not cut short; 0 if coordinates do not wrap
-    [[no_unique_address]] numeric::LeadingZeros<> zeros_; ///< of w where runs end
+    /// Last pixel at which a run may end that is not cut short; 0 if coordinates do not wrap.
+    std::int32_t last_whole_;
+    [[no_unique_address]] numeric::LeadingZeros<> zeros_; ///< leading zeros of w at the ends of runs
     int exponent_, unit_;
     const Span<Fixed>* span_;
 };

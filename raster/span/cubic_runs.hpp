@@ -1,4 +1,4 @@
-// Texture coordinates of the exact tier: between two divisions, a cubic.
+// Texture coordinates of the exact tier: a cubic between two divisions.
 #pragma once
 
 #include "raster/numeric/reciprocal.hpp"
@@ -17,8 +17,8 @@ struct Differences {
         second += third;
     }
     SPANGLE_INLINE bool straight() const { return (second | third) == 0; }
-    /// v, n pixels on or back. A row that is one run may be wider than the square of n fits a word: all is
-    /// mod 2^32.
+    /// The value n pixels after v, or before it. A row that is one run may be so wide that the square of n
+    /// does not fit a word: all of this is mod 2^32.
     SPANGLE_INLINE constexpr std::uint32_t ahead(std::uint32_t v, std::int32_t n) const {
         return v + static_cast<std::uint32_t>(n) * first + pairs(n) * second + triples(n) * third;
     }
@@ -41,7 +41,7 @@ struct Differences {
     }
 };
 
-/// Divided at every fragment.
+/// Coordinates that are divided at every fragment.
 class DividedCoords {
   public:
     std::uint32_t s, t; ///< at the current pixel (TexCoords)
@@ -54,7 +54,7 @@ class DividedCoords {
     }
     SPANGLE_INLINE void step() {}
 
-    /// s and t of pixel x.
+    /// Finds s and t at pixel x.
     SPANGLE_INLINE static void divide(const Span<Fixed>& span, const inner::HomogeneousRow& row,
                                       int unit_index, std::int32_t x, std::uint32_t& s, std::uint32_t& t) {
         const auto& unit = span.unit[unit_index];
@@ -70,15 +70,16 @@ class DividedCoords {
     int unit_;
 };
 
-/// Cubics between the ends of runs, which start at multiples of their length from the anchor.
+/// Coordinates on cubics between the ends of runs, which start at multiples of their length from the anchor.
 ///
-/// In one row u = S / Q has u' = N / Q^2 with N = dS Q - S dQ constant, so that its difference D over a run
-/// of L pixels gives both slopes: L u' is D Q1 / Q0 at the start and D Q0 / Q1 at the end. Hermite's cubic
-/// through them is off by at most L^4 max |u| / 384, u = 24 N dQ^3 / Q^5. The length is the power of two,
-/// chosen per span, that keeps this at most 2^-texel_bits texel of the base level (Knobs): in the exact tier
-/// 2^-13, which is what NEAREST leaves open by definition (nearest_bias_bits). 1 means one division per
-/// fragment. Where 1/w changes so little along the row that a straight line is as good, the row is one run.
-/// Coordinates that do not wrap divide at every fragment: they saturate.
+/// In one row u = S / Q has u' = N / Q^2 with N = dS Q - S dQ constant. So its difference D over a run of L
+/// pixels gives both slopes: L u' is D Q1 / Q0 at the start and D Q0 / Q1 at the end. Hermite's cubic through
+/// them is off by at most L^4 max |u''''| / 384, with u'''' = 24 N dQ^3 / Q^5. The length is the power of
+/// two, chosen per span, that keeps this at most 2^-texel_bits texel of the base level (Knobs). In the exact
+/// tier that is 2^-13, which is what NEAREST leaves open by definition (nearest_bias_bits). A length of 1
+/// means one division per fragment. Where 1/w changes so little along the row that a straight line is as
+/// good, the row is one run. Coordinates that do not wrap are divided at every fragment, because they
+/// saturate.
 class CubicRuns {
   public:
     std::uint32_t s, t; ///< at the current pixel (TexCoords)
@@ -86,7 +87,7 @@ class CubicRuns {
     SPANGLE_INLINE CubicRuns(const Span<Fixed>& span, std::int32_t x, int unit)
         : span_(&span), row_(span, unit), unit_(unit), next_(x), log2_(unknown) {}
 
-    /// Makes them valid at pixel x; returns the end of its run.
+    /// Makes s and t valid at pixel x; returns the end of its run.
     SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return x < next_ ? next_ : start_run(x); }
     SPANGLE_INLINE void step() {
         ds.step(s);
@@ -95,7 +96,7 @@ class CubicRuns {
 
     Differences ds, dt; ///< from pixel to pixel
 
-    /// Asked before the first run: there are none, but a division for each fragment of the row.
+    /// Asked before the first run. True where the row has no runs, but a division for each of its fragments.
     template <int lanes = host_lanes> SPANGLE_INLINE bool divides() {
         static_assert(lanes > 1, "the length stays known until start_run()");
         const int log2 = choose_log2();
@@ -104,8 +105,9 @@ class CubicRuns {
     }
 
   private:
-    static constexpr int unknown = -1;                ///< length; less: begin() has yet to start with it
-    static constexpr int max_log2 = 4, row_log2 = 16; ///< 16 pixels; the whole row
+    /// No length is known; less: the length is known, but begin() has yet to start with it.
+    static constexpr int unknown = -1;
+    static constexpr int max_log2 = 4, row_log2 = 16; ///< log2 of 16 pixels; stands for the whole row
     static constexpr int ratio_bits = 26;
 
     struct Sample {
@@ -120,13 +122,13 @@ class CubicRuns {
             s = inner::to_repeats(row.s(x), inverse, exponent);
             t = inner::to_repeats(row.t(x), inverse, exponent);
         }
-        /// d / q.
+        /// d / q with ratio_bits fraction bits.
         SPANGLE_INLINE std::int32_t ratio(std::int32_t d) const {
             return static_cast<std::int32_t>(numeric::mul_s32_u32(d, mantissa) >> (62 - ratio_bits - zeros));
         }
     };
 
-    /// Mod 2^64, as to_repeats() has coordinates that are far outside of the texture.
+    /// The difference mod 2^64, as to_repeats() has coordinates that are far outside of the texture.
     SPANGLE_INLINE static std::int64_t difference(std::int64_t a, std::int64_t b) {
         return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b));
     }
@@ -170,8 +172,8 @@ class CubicRuns {
         return next_;
     }
 
-    /// Of a + b + c per L pixels, where a = D (1 + e0), b = D (e1 - 2 e0), c = D (e0 - e1): the cubic with
-    /// slopes D (1 + e0) and D / (1 + e0) = D (1 - e1).
+    /// The differences of a + b + c per L pixels, where a = D (1 + e0), b = D (e1 - 2 e0), c = D (e0 - e1):
+    /// the cubic with slopes D (1 + e0) and D / (1 + e0) = D (1 - e1).
     Differences through(std::int64_t d, std::int32_t e0, std::int32_t e1) const {
         const std::int64_t d0 = d * e0 >> ratio_bits, d1 = d * e1 >> ratio_bits;
         const std::int64_t length = std::uint32_t{1} << log2_; // known not to be negative
@@ -201,17 +203,17 @@ class CubicRuns {
         const inner::RunBound bound(*span_, unit_, row_);
         const std::int32_t q = log2_fraction8(static_cast<std::uint64_t>(least)),
                            exponent = unit.exponent << 8;
-        // `through` takes differences of at most 16 repeats and ratios of 1/q of at most 2.
+        // through() takes differences of at most 16 repeats and ratios of 1/q of at most 2.
         if (bound.repeats + exponent > 2 * q)
             return 0;
-        // A straight row is off by at most L^2 |N| |dQ| / (4 Q^3); three logarithms have a margin.
+        // A straight row is off by at most L^2 |N| |dQ| / (4 Q^3). The margin is for three logarithms.
         const std::int32_t straight_margin =
             of_cubic_tier<[](const Knobs& k) { return 6 + ((k.texel_bits - 2) << 8); }>(*span_->state);
         const std::int32_t square = 3 * q - bound.n - bound.dq - exponent - straight_margin;
         if (square >> 8 >= 2 * (32 - numeric::clz32(static_cast<std::uint32_t>(span_->length))))
             return row_log2;
         const std::int32_t doubled = (q - bound.dq - 2) >> 8;
-        // Of nine logarithms; 384 / 24 = 16 times the error.
+        // The margin is for nine logarithms; 384 / 24 = 16 times the error.
         const std::int32_t margin =
             of_cubic_tier<[](const Knobs& k) { return 10 + ((k.texel_bits - 4) * 256); }>(*span_->state);
         const std::int32_t fourth = (5 * q - bound.n - 3 * bound.dq - exponent - margin) >> 10;

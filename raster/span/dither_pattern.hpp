@@ -1,4 +1,5 @@
-// One colour as it is stored, dithered: a word, or 4x4 of them, made once for all fragments that have it.
+// One dithered colour as it is stored: a word, or 4x4 words, made once for all fragments that have this
+// colour.
 #pragma once
 
 #include <bit>
@@ -12,7 +13,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
-/// One threshold added to all three components of a DitheredWord, by y & 3, x & 3.
+/// Sums of one threshold for all three components of a DitheredWord, indexed by y & 3 and x & 3.
 struct DitherSums {
     std::uint32_t at[16];
     constexpr DitherSums() : at{} {
@@ -24,19 +25,20 @@ inline constexpr DitherSums dither_sums;
 
 } // namespace inner
 
-/// One colour, dithered. Its components are given in 32nds of a step, whole ones, 10 bits at 21, 11 at 10 and
-/// 10 at 0: no more of them tells, thresholds being whole 32nds.
+/// One colour that is to be dithered. Its components are given in whole 32nds of a step: 10 bits from bit 21,
+/// 11 bits from bit 10 and 10 bits from bit 0. More bits would change nothing, because thresholds are whole
+/// 32nds.
 struct DitheredWord {
     std::uint32_t components;
-    /// Of the whole steps.
+    /// The stored word of the whole steps.
     SPANGLE_INLINE constexpr std::uint32_t word() const {
         return ((components >> 15) & 0xF800) | ((components >> 10) & 0x07E0) | ((components >> 5) & 0x1F);
     }
-    /// Of the fragment in that place: y + (x << 30), mod 2^32.
+    /// The stored word of the fragment at a place, which is y + (x << 30), mod 2^32.
     SPANGLE_INLINE std::uint32_t at(std::uint32_t place) const {
         return DitheredWord{components + inner::dither_sums.at[std::rotl(place, 2) & 15]}.word();
     }
-    static constexpr std::uint32_t column = 1u << 30; ///< from place to place
+    static constexpr std::uint32_t column = 1u << 30; ///< difference of places from column to column
     static constexpr std::uint32_t place(std::int32_t x, std::int32_t y) {
         return static_cast<std::uint32_t>(y) + static_cast<std::uint32_t>(x) * column;
     }
@@ -44,11 +46,11 @@ struct DitheredWord {
 
 namespace inner {
 
-/// k of thresholds (2 k + 1) / 32, once for each component of a word, two words at a time as they follow in
-/// memory.
+/// The k of thresholds (2 k + 1) / 32, once for each component of a word. Two words at a time follow each
+/// other as in memory.
 struct PatternThresholds {
     std::uint32_t at[8];
-    /// Of a place in rows of four: its row & 3 and column & 3.
+    /// `row` and `column` give the row & 3 and the column & 3 of place i.
     template <class Row, class Column> constexpr PatternThresholds(Row row, Column column) : at{} {
         const auto one = [&](int i) {
             return (dither_threshold(dither_row(row(i)), column(i)) >> 1) * (1u << 11 | 1u << 5 | 1u);
@@ -58,16 +60,16 @@ struct PatternThresholds {
     }
 };
 inline constexpr PatternThresholds row_thresholds([](int i) { return i >> 2; }, [](int i) { return i; });
-/// Of cells, by pixels per row & 3.
+/// Thresholds of cells (DitherCells), by the pixels of a row & 3.
 inline constexpr PatternThresholds cell_thresholds[4] = {
     {[](int i) { return i; }, [](int i) { return i >> 2; }},
     {[](int i) { return i; }, [](int i) { return (i >> 2) - i; }},
     {[](int i) { return i; }, [](int i) { return (i >> 2) - 2 * i; }},
     {[](int i) { return i; }, [](int i) { return (i >> 2) - 3 * i; }}};
 
-/// The components of a DitheredWord as words of two fragments. A fraction of f 32nds and a threshold are a
-/// step where floor((f + 1) / 2) + k >= 16: five bits for each sum, whose highest lies 4 above the least of
-/// its component.
+/// The components of a DitheredWord as the words of two fragments. A fraction of f 32nds and a threshold make
+/// a step where floor((f + 1) / 2) + k >= 16. Each sum takes five bits, whose highest lies 4 above the least
+/// bit of its component.
 template <bool SwapsBytes> class DitheredPair {
   public:
     SPANGLE_INLINE explicit DitheredPair(std::uint32_t components)
@@ -86,7 +88,7 @@ template <bool SwapsBytes> class DitheredPair {
 
 } // namespace inner
 
-/// Rows of the window, of two periods.
+/// The words of the four rows of a pattern, two periods of four columns each.
 template <bool SwapsBytes> class DitherRows {
   public:
     SPANGLE_INLINE explicit DitherRows(std::uint32_t components) {
@@ -104,12 +106,13 @@ template <bool SwapsBytes> class DitherRows {
     std::uint32_t pairs_[4][4];
 };
 
-/// In place of them, where nothing is dithered.
+/// Takes the place of a pattern where nothing is dithered.
 struct NoPattern {
     SPANGLE_INLINE explicit NoPattern(std::uint32_t) {}
 };
 
-/// Cell 4 i + y is the word of row y & 3 in every pixel i & 3 of a surface, as many of which make a row.
+/// Cell 4 i + y is the word of row y & 3 in every pixel i & 3 of a surface, where pixels are numbered row
+/// after row.
 template <bool SwapsBytes> class DitherCells {
   public:
     [[gnu::noinline]] void make(std::uint32_t components, std::int32_t pixels_per_row) {

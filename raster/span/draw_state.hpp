@@ -33,8 +33,7 @@ struct Observer {
 struct Counters {
     std::uint32_t triangles = 0; ///< triangles, lines and points that reached a pixel
     std::uint32_t fragments = 0; ///< fragments inside the scissor rectangle
-    std::uint32_t passed =
-        0; ///< fragments that passed all tests; counted only where FragmentState::count is set
+    std::uint32_t passed = 0;    ///< fragments past all tests; counted where FragmentState::count is set
 #ifndef SPANGLE_FIRMWARE
     Observer* observer = nullptr;
 #endif
@@ -107,8 +106,8 @@ constexpr Needs needs_of(const Key& key) {
     return needs;
 }
 
-/// Makes the fog coordinate c of a vertex at eye distance d, as a number with 24 fraction bits: c = offset +
-/// d * scale * 2^scale_exponent. The fog stage makes the factor f of c:
+/// The constants that make the fog coordinate c of a vertex at eye distance d, as a number with 24 fraction
+/// bits: c = offset + d * scale * 2^scale_exponent. The fog stage makes the factor f of c:
 ///   LINEAR: c = (end - d) / (end - start), f = c;
 ///   EXP: c = density d log2 e, f = 2^-c;
 ///   EXP2: c = density d sqrt(log2 e), f = 2^-(c c).
@@ -129,32 +128,30 @@ struct DrawState {
     FragmentState fragment; ///< as GL gave it; texture pointers must stay valid
     FogConstants fog;
     Needs needs;
-    Flag<spans_with_coordinates> textured_or_fogged =
-        false; ///< some attribute is neither a colour nor a depth
-    bool smooth_rgb =
-        false;           ///< red, green and blue are shaded smoothly, and depth is the only other attribute
-    bool shapes = false; ///< some variant draws shapes (Shapes)
-    bool tiles = false;  ///< some variant draws tiles
-    bool pixels =
-        false; ///< colours come with the fragments, four components in colour units each, unless `words`
-    bool words = false;   ///< these colours are the 16 bits R5 G6 B5 that are stored, in host order
+    /// Some attribute is neither a colour nor a depth.
+    Flag<spans_with_coordinates> textured_or_fogged = false;
+    bool smooth_rgb = false; ///< attributes are smooth red, green and blue, and depth
+    bool shapes = false;     ///< some variant draws shapes (Shapes)
+    bool tiles = false;      ///< some variant draws tiles
+    bool pixels = false;     ///< colours come with the fragments, as four components in colour units
+    bool words = false;   ///< with `pixels`: they come as the R5 G6 B5 words that are stored, in host order
     bool guesses = false; ///< colours of Kind::full may be guessed (Span::guess)
     Tier tier = Tier::exact;
 #if SPANGLE_OWN_TIERS
     Knobs knobs{}; ///< knobs of the draw's tier, as far as its format leaves them
 #endif
     StepFactors step_factors{}; ///< for affine colours that count steps (Variant::steps)
-    std::uint32_t four_color_tolerances =
-        0; ///< four times what affine colours may be off by, in colour units
+    /// Four times what affine colours may be off by, in colour units.
+    std::uint32_t four_color_tolerances = 0;
     PixelFormat format{};
     DepthFormat depth_format{};
-    std::uint8_t color_bytes =
-        0; ///< bytes of a pixel; 0: a narrow format, whose stages find a pixel by its column
+    /// Bytes of a pixel; 0: a narrow format, whose stages find a pixel by its column.
+    std::uint8_t color_bytes = 0;
     std::uint8_t depth_bytes = 0; ///< bytes of a depth value; 0: depth is not used
+    /// True where a coordinate repeats, which decides the form of texture coordinates (number.hpp,
+    /// TexCoords).
     struct Wraps {
         Flag<Among{true, !spans_sample_any}> s = true, t = true;
-        /// True where a coordinate repeats. It decides the form of texture coordinates (number.hpp,
-        /// TexCoords).
     } wraps[max_texture_units];
     /// True for MIRRORED_REPEAT: set-up counts in two repeats, so that the word wraps as the texture does.
     struct Halves {

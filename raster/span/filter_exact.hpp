@@ -1,4 +1,5 @@
-// LINEAR of the exact tier in lanes, of texels with components of 8 bits: the bits of bilinear<Exact>().
+// The LINEAR filter of the exact tier in lanes, for texels with components of 8 bits: the bits of
+// bilinear<Exact>().
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -8,11 +9,11 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Four texels by weights in 256ths, of column i + 1 and of row j + 1.
+/// Filters four texels by weights of column i + 1 and of row j + 1, in 256ths.
 ///
-/// A component is k 2^20 and its weights add up to 2^16, so that the weighted sum of all k, times 2^4, is the
-/// filtered component and nothing is rounded. Two texels of a row fit 16 bits. The products of both rows are
-/// signed ones: a row is taken 2^15 less, and the sum of both is therefore 2^23 less.
+/// A component is k 2^20 and the weights add up to 2^16, so that the weighted sum of all k, times 2^4, is the
+/// filtered component and nothing is rounded. The sum along a row fits 16 bits. Products of both rows are
+/// signed: a row is taken 2^15 less, and the sum of both rows is therefore 2^23 less.
 class ExactFilter {
     using L = Lanes<8>;
     using U16 = L::U16;
@@ -31,7 +32,7 @@ class ExactFilter {
 
   private:
     U16 right_;
-    LaneWords down_; ///< of rows j and j + 1
+    LaneWords down_; ///< weights of rows j and j + 1, 256ths
 
     SPANGLE_INLINE U16 row(const U16& c, const U16& next) const {
         return ((c << 8) + (next - c) * right_) ^ 0x8000;

@@ -1,5 +1,5 @@
-// LINEAR of the exact tier where words R5 G6 B5 become words again: of the colour, only the bits that are
-// stored are looked for.
+// The LINEAR filter of the exact tier where words R5 G6 B5 become words again: only the bits of the colour
+// that are stored are computed.
 #pragma once
 
 #include <type_traits>
@@ -13,14 +13,14 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
-/// What is stored of n = sum of weight k, weights adding up to 2^16, k / (2^Bits - 1) the components of
-/// texels.
+/// Finds the step that is stored for n = sum of weight k. The weights add up to 2^16, and k / (2^Bits - 1)
+/// are the components of texels.
 ///
-/// The chain adds weight c(k), c(k) being k C / (2^Bits - 1) rounded up, C = 255 2^20, and rounds the sum up
-/// (Exact::weighted): n C / (2^Bits - 1) or less than 2^17 more. Step j is stored from a sum of T = j 2^(44 -
-/// Bits) - 2^35 on, so from n = T (2^Bits - 1) / C on: a multiple of 1/255 (1/85 for 6 bits). What the chain
-/// has too much is less than 1/63 (1/32) of n. Of 5 bits no n is so near below a step, so n decides; of 6
-/// bits the last n below a step may be, and is left to the chain.
+/// The chain adds weight c(k), where c(k) is k C / (2^Bits - 1) rounded up, C = 255 2^20, and rounds the sum
+/// up (Exact::weighted). The sum is n C / (2^Bits - 1) or less than 2^17 more. Step j is stored from a sum of
+/// T = j 2^(44 - Bits) - 2^35 on, so from n = T (2^Bits - 1) / C on, a multiple of 1/255 (1/85 for 6 bits).
+/// What the chain has too much is less than 1/63 (1/32) of n. With 5 bits no n is so near below a step, so n
+/// decides; with 6 bits the last n below a step may be, and is left to the chain.
 template <int Bits> struct StoredSteps {
     static constexpr std::uint32_t most = (1u << Bits) - 1;
     std::uint32_t from[most + 1]; ///< the least n of step j + 1
@@ -32,25 +32,26 @@ template <int Bits> struct StoredSteps {
         }
         from[most] = ~0u;
     }
-    /// Without the sixteenth (eighth) of a step that rounding to 8 bits adds, and 2^-11 too small, so at most
-    /// one too few.
+    /// The step of n. The product omits the sixteenth (eighth) of a step that rounding to 8 bits adds and is
+    /// 2^-11 too small, so it is at most one step too few.
     SPANGLE_INLINE constexpr std::uint32_t at(std::uint32_t n) const {
         constexpr std::uint32_t factor = Bits == 5 ? 2105 : 1036, down = Bits == 5 ? 27 : 26;
         const std::uint32_t step = n * factor >> down;
         return step + (n >= from[step] ? 1u : 0u);
     }
-    /// n, of which at() makes this step, is left to the chain.
+    /// True where n, of which at() makes this step, is left to the chain.
     SPANGLE_INLINE constexpr bool open(std::uint32_t n, std::uint32_t step) const {
         return Bits == 6 && n + 1 == from[step];
     }
 };
 template <int Bits> inline constexpr StoredSteps<Bits> stored_steps;
 
-/// The same from n / 2^(Bits + 2) rounded down: at least that many steps, with 15 - Bits fraction bits, and
-/// at most `range` of them more. Nothing is rounded up, so that what is left to the chain is between both.
+/// Steps from n / 2^(Bits + 2) rounded down: least() is at most the number of steps, with 15 - Bits fraction
+/// bits, and the true number is at most `range` units more. Nothing is rounded up: the chain's results lie
+/// between both.
 template <int Bits> struct GuessedSteps {
     static constexpr std::uint32_t most = (1u << Bits) - 1, range = 4;
-    /// Of a quarter of that n, in 2^-16; and what half a unit is.
+    /// `factor` converts a quarter of that n, in 2^-16; `half_unit` is half a unit.
     static constexpr std::uint32_t factor = (color_one >> (13 - Bits)) / most,
                                    half_unit = (most << (15 - Bits)) / 255;
     template <class U16> SPANGLE_INLINE static U16 least(const U16& n) {
@@ -60,14 +61,14 @@ template <int Bits> struct GuessedSteps {
 
 } // namespace inner
 
-/// The word that truncated565() or dithered565() makes of what bilinear() of the exact tier does.
+/// The word that truncated565() or dithered565() makes of a color from bilinear() of the exact tier.
 template <int Count> struct FilterWords;
 
 template <> struct FilterWords<1> {
-    std::uint32_t b; ///< of row j + 1, in 256ths
+    std::uint32_t b; ///< weight of row j + 1, in 256ths
     SPANGLE_INLINE explicit FilterWords(std::uint32_t weight) : b(weight) {}
 
-    /// a: of column i + 1, in 256ths.
+    /// a is the weight of column i + 1, in 256ths.
     SPANGLE_INLINE std::uint32_t operator()(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01,
                                             std::uint32_t c11, std::uint32_t a) const {
         const Sums n = sums(c00, c10, c01, c11, a);
@@ -76,8 +77,8 @@ template <> struct FilterWords<1> {
             return added(c00, c10, c01, c11, a, b);
         return inner::stored_steps<5>.at(n.r) << 11 | g << 5 | inner::stored_steps<5>.at(n.b);
     }
-    /// Dithered: n are steps, with 16 fraction bits. What the chain adds up is never less, and less than
-    /// 2^-20 of a step more: they decide. A sum with the threshold that is a whole step is that step.
+    /// The dithered word. Sums n are steps with 16 fraction bits. The chain's sum is never less, and less
+    /// than 2^-20 of a step more, so n decides. A sum with the threshold that is a whole step is that step.
     SPANGLE_INLINE std::uint32_t operator()(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01,
                                             std::uint32_t c11, std::uint32_t a,
                                             std::uint32_t threshold32) const {
@@ -86,7 +87,7 @@ template <> struct FilterWords<1> {
         return (n.r + t) >> 16 << 11 | (n.g + t) >> 16 << 5 | (n.b + t) >> 16;
     }
 
-    /// As the chain does.
+    /// The stored word as the chain makes it, for the rare n that do not decide.
     [[gnu::noinline]] static std::uint32_t added(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01,
                                                  std::uint32_t c11, std::uint32_t a, std::uint32_t b) {
         const auto color = [](std::uint32_t c) {
@@ -99,7 +100,7 @@ template <> struct FilterWords<1> {
     }
 
   private:
-    /// Of weight and component, weights adding up to 2^16.
+    /// Sums of weight and component; the weights add up to 2^16.
     struct Sums {
         std::uint32_t r, g, b;
     };
@@ -117,8 +118,8 @@ template <> struct FilterWords<1> {
     }
 };
 
-/// Eight lanes: products of 16 bits leave the top bits of n. Where the rest of them could change what is
-/// stored, words are added up one by one.
+/// Eight lanes: products of 16 bits leave the top bits of n. Where the rest of n could change what is stored,
+/// the words of these lanes are computed one by one.
 template <> struct FilterWords<8> {
     using L = Lanes<8>;
     using U16 = L::U16;
@@ -137,7 +138,8 @@ template <> struct FilterWords<8> {
         const U16 word = joined(c00, c10, c01, c11, a, steps);
         return L::any(open) ? redone(word, open, {c00, c10, c01, c11}, a, b) : word;
     }
-    /// Dithered: thresholds count in the bits that are left, so that those that are not say nothing.
+    /// The dithered words. Thresholds count in the bits that are left, so that the dropped bits change
+    /// nothing.
     SPANGLE_INLINE U16 operator()(U16 c00, U16 c10, U16 c01, U16 c11, U16 a, U16 threshold32) const {
         const auto steps = [&]<int Bits>(std::integral_constant<int, Bits>, U16 n)
             __attribute__((always_inline)) {
@@ -150,7 +152,7 @@ template <> struct FilterWords<8> {
     struct Texels {
         U16 c00, c10, c01, c11;
     };
-    /// n / 2^(Bits + 2), rounded down: 14 bits. Differences along s have Bits + 8 and their sign.
+    /// n / 2^(Bits + 2), rounded down: 14 bits. Differences along s have Bits + 8 bits and a sign.
     template <int Bits>
     SPANGLE_INLINE U16 sum(const U16& c00, const U16& c10, const U16& c01, const U16& c11,
                            const U16& a) const {

@@ -1,4 +1,4 @@
-// 1/w of a fragment.
+// The inverse 1/w of a fragment.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 struct Inverse {
     std::uint32_t q;
     std::uint32_t mantissa; ///< 1/q = mantissa * 2^(zeros - 62)
-    int zeros;              ///< of q
+    int zeros;              ///< leading zero bits of q
     Inverse() = default;
     SPANGLE_INLINE Inverse(std::int32_t value, numeric::LeadingZeros<true>&) : Inverse(value) {}
     SPANGLE_INLINE Inverse(std::int32_t value, numeric::LeadingZeros<false>& count)

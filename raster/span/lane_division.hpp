@@ -1,5 +1,5 @@
-// Divisions by w of eight fragments at once: the integers of Inverse, to_repeats() and to_coord(). For
-// instruction sets that shift each word by a number of its own.
+// Divides by w for eight fragments at once, with the integers of Inverse, to_repeats() and to_coord(). It is
+// for instruction sets that shift each word by a number of its own.
 #pragma once
 
 #include "raster/span/coord_runs.hpp"
@@ -12,14 +12,14 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
-/// A word of 64 bits for each word of a vector: those of its even words, and those of its odd ones.
+/// A word of 64 bits for each word of a vector: one vector for its even words, one for its odd words.
 template <class Vector> struct LongPair {
     using Long = Longs<Vector>;
     Long even, odd;
 
-    /// v m, v signed.
+    /// The products v m, where v is signed.
     SPANGLE_INLINE static LongPair products(const Vector& v, const Vector& m) {
-        // As an unsigned word a negative one is 2^32 larger.
+        // A negative word, taken as unsigned, is 2^32 larger.
         const auto more = std::bit_cast<Long>(m & std::bit_cast<Vector>(lane_words::as_signed(v) >> 31));
         return {even_products(v, m) - (more << 32),
                 even_products(odd_words(v), odd_words(m)) - (more & 0xFFFFFFFF00000000u)};
@@ -31,7 +31,7 @@ template <class Vector> struct LongPair {
         };
         return {one(even), one(odd)};
     }
-    /// numeric::times_two_to(v, -down), each word by its own.
+    /// numeric::times_two_to(v, -down), where each word has its own `down`.
     SPANGLE_INLINE LongPair after(const Vector& down) const {
         const Vector most = Vector{} + 63u;
         const auto n = lane_words::as_signed(down);
@@ -45,7 +45,7 @@ template <class Vector> struct LongPair {
         const Long by = Long{} + static_cast<std::uint64_t>(n);
         return {even + by, odd + by};
     }
-    /// One after the other, n words from one to the next.
+    /// Stores the words in the order of their lanes, n words from one to the next.
     template <int n> SPANGLE_INLINE void store(std::int64_t* to) const {
         if constexpr (n == 1 && sizeof(Vector) == 32) {
             const Long low = __builtin_shufflevector(even, odd, 0, 4, 1, 5),
@@ -62,7 +62,7 @@ template <class Vector> struct LongPair {
     SPANGLE_INLINE Vector low_words() const {
         return std::bit_cast<Vector>((even & 0xFFFFFFFFu) | (odd << 32));
     }
-    /// numeric::saturate_i32().
+    /// Each word as numeric::saturate_i32() makes it.
     SPANGLE_INLINE LongPair saturated() const {
         const auto one = [](const Long& v) __attribute__((always_inline)) {
             using Signed [[gnu::vector_size(sizeof(Vector))]] = std::int64_t;
@@ -79,12 +79,12 @@ template <class Vector> struct LongPair {
     SPANGLE_INLINE static Vector even_words(const Vector& v) {
         return std::bit_cast<Vector>(std::bit_cast<Long>(v) & 0xFFFFFFFFu);
     }
-    /// To the right, or to the left: one of both numbers is negative, or both are 0.
+    /// Shifts to the right, or to the left. Either one of both numbers is negative, or both are 0.
     SPANGLE_INLINE static Long shifted(const Long& v, const Vector& right, const Vector& left) {
         const auto r = std::bit_cast<Long>(right), l = std::bit_cast<Long>(left);
         return (whole(v ^ sign, r, false) - whole(Long{} + sign, r, false)) | whole(v, l, true);
     }
-    /// 0 where n is 64 or more.
+    /// Shifts by n; the result is 0 where n, unsigned, is 64 or more.
     SPANGLE_INLINE static Long whole(const Long& v, const Long& n, bool up) {
 #if defined(__AVX2__)
         if constexpr (sizeof(Vector) == 32) {
@@ -97,22 +97,22 @@ template <class Vector> struct LongPair {
     }
 };
 
-/// Words below 2^31 as floats.
+/// Converts words below 2^31 to floats.
 template <class Vector> SPANGLE_INLINE auto to_floats(const Vector& v) {
     using Floats [[gnu::vector_size(sizeof(Vector))]] = float;
     return __builtin_convertvector(lane_words::as_signed(v), Floats);
 }
-/// Floats below 2^31, rounded towards 0.
+/// Converts floats below 2^31 to words, rounding towards 0.
 template <class Vector, class Floats> SPANGLE_INLINE Vector to_words(const Floats& v) {
     using Words [[gnu::vector_size(sizeof(Vector))]] = std::int32_t;
     return std::bit_cast<Vector>(__builtin_convertvector(v, Words));
 }
 
-/// reciprocal() of words that have their highest bit.
+/// reciprocal() for words whose highest bit is set.
 template <class Vector> SPANGLE_INLINE Vector lane_reciprocals(const Vector& a) {
     using Long = Longs<Vector>;
-    // The table's number is 2^25 / n to nearest, n = 513 + 2i. A quotient of floats is that number or one too
-    // small, in every mode of rounding; twice the rest of the division tells.
+    // The table of reciprocal() holds 2^25 / n to nearest, n = 513 + 2i. A quotient of floats is that number
+    // or one too small, in every mode of rounding. Twice the rest of the division tells which.
     const Vector n = (a >> 22) | 1u;
     const auto near = to_words<Vector>(static_cast<float>(1u << 25) / to_floats(n));
     const Vector rest = ((1u << 26) + n) - near * n * 2u;
@@ -122,7 +122,7 @@ template <class Vector> SPANGLE_INLINE Vector lane_reciprocals(const Vector& a) 
     const Vector r = LongPair<Vector>{even_products(seed, left) >> 30,
                                       even_products(odd_words(seed), odd_words(left)) >> 30}
                          .low_words();
-    // What is left of 1, signed, of which a product takes the low words.
+    // The rest that is left of 1 is signed; a product takes its low words.
     const auto step = [](const Long& product, const Vector& of) __attribute__((always_inline)) {
         const Long residual = ((std::uint64_t{1} << 62) - product) >> 14;
         const auto word = std::bit_cast<Vector>(residual);
@@ -138,11 +138,11 @@ template <class Vector> SPANGLE_INLINE Vector lane_reciprocals(const Vector& a) 
 
 } // namespace inner
 
-/// Inverse of eight fragments.
+/// The Inverse of eight fragments at once.
 struct InverseLanes {
     LaneWords q, mantissa, zeros;
 
-    /// `value`: unguarded, signed.
+    /// `value` is signed and has no guard bits.
     SPANGLE_INLINE explicit InverseLanes(const LaneWords& value)
         : q(LaneWords::mapped(
               [](const auto& v) __attribute__((always_inline)) {
@@ -157,17 +157,17 @@ struct InverseLanes {
                 __attribute__((always_inline)) { return inner::lane_reciprocals(v << n); },
             q, zeros);
     }
-    /// The inverse is known: `of` was inverted to `found` before.
+    /// For a q that was inverted before: `of` is q and `found` is its mantissa.
     SPANGLE_INLINE InverseLanes(const LaneWords& of, const LaneWords& found)
         : q(of), mantissa(found), zeros(leading_zeros(of)) {}
-    /// 2^zeros.
+    /// 2^zeros for each lane.
     SPANGLE_INLINE LaneWords power() const {
         return LaneWords::mapped(
             [](const auto& n)
                 __attribute__((always_inline)) { return (std::remove_cvref_t<decltype(n)>{} + 1u) << n; },
             zeros);
     }
-    /// to_coord() of to_repeats().
+    /// The coordinates that to_coord() makes of to_repeats().
     SPANGLE_INLINE LaneWords coord(const LaneWords& v, int exponent, bool wraps, std::int32_t base) const {
         return LaneWords::mapped(
             [&](const auto& of, const auto& m, const auto& n) __attribute__((always_inline)) {
@@ -178,7 +178,7 @@ struct InverseLanes {
             },
             v, mantissa, zeros);
     }
-    /// to_repeats(), or to_coord() where they do not wrap.
+    /// Stores to_repeats(), or to_coord() of it where the coordinates do not wrap.
     SPANGLE_INLINE void repeats(const LaneWords& v, int exponent, bool wraps, std::int32_t base,
                                 std::int64_t* to) const {
         LaneWords::each(
@@ -190,7 +190,7 @@ struct InverseLanes {
             },
             v, mantissa, zeros);
     }
-    /// projective_fog(), of fragments whose products are all shifted to the right.
+    /// projective_fog() for fragments whose products are all shifted to the right.
     SPANGLE_INLINE LaneWords fog(const LaneWords& over_w, int exponent) const {
         return LaneWords::mapped(
             [&](const auto& of, const auto& m, const auto& n) __attribute__((always_inline)) {
@@ -210,11 +210,12 @@ struct InverseLanes {
         return (repeats.after(32 - clamped_coord_bits) + (std::int64_t{base} << clamped_coord_bits))
             .saturated();
     }
-    /// Of words from 1 to 2^31 - 1.
+    /// Counts leading zeros of words from 1 to 2^31 - 1.
     SPANGLE_INLINE static LaneWords leading_zeros(const LaneWords& words) {
         return LaneWords::mapped(
             [](const auto& v) __attribute__((always_inline)) {
-                // Without the bit below its highest one, no rounding takes a word to the next power of two.
+                // The bit below the highest one is cleared, so that no rounding takes a word to the next
+                // power of two.
                 return 158u -
                        (std::bit_cast<std::remove_cvref_t<decltype(v)>>(inner::to_floats(v & ~(v >> 1))) >>
                         23);
@@ -223,12 +224,12 @@ struct InverseLanes {
     }
 };
 
-/// A plane with guard bits at the fragments of a packet that rows share.
+/// A plane with guard bits, evaluated at the fragments of a packet that rows share.
 class PlaneInRows {
   public:
     SPANGLE_INLINE explicit PlaneInRows(const Span<Fixed>::Projective& plane)
         : value_(plane.value), dx_(plane.dx), dy_(plane.dy) {}
-    /// Without its guard bits, signed. Places are signed, too.
+    /// The value without its guard bits, signed. Places, counted from the anchor, are signed, too.
     SPANGLE_INLINE LaneWords at(const LaneWords& x, const LaneWords& y) const {
         return LaneWords::mapped(
             [this](const auto& columns, const auto& lines) __attribute__((always_inline)) {
@@ -249,7 +250,7 @@ class PlaneInRows {
     }
 
   private:
-    /// Words of a factor, of which the lower one counts as signed.
+    /// A factor of 64 bits as two words, of which the lower one counts as signed.
     struct Factor {
         std::uint32_t low, high;
         SPANGLE_INLINE explicit Factor(std::uint64_t v)

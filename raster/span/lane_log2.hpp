@@ -1,6 +1,6 @@
 // Logarithms of eight fragments at once: the integers of log2_fraction8(). A number becomes a float of its
-// leading bits, which no mode of rounding changes; its exponent and mantissa are what a count of leading
-// zeros and a shift would find.
+// leading bits, which no mode of rounding changes. The exponent and the mantissa of the float are what a
+// count of leading zeros and a shift would find.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -22,7 +22,7 @@ template <class Vector> SPANGLE_INLINE Vector log2_of_parts(const Vector& parts,
 /// The parts that log2_of_parts() takes, of numbers of 64 bits. The parts of 0 are less than those of 1.
 template <class Long> SPANGLE_INLINE Long parts_of(const Long& v) {
     using Doubles [[gnu::vector_size(sizeof(Long))]] = double;
-    const Long beyond = ((v >> 53) + 0x7FFu) >> 11; // 1 where more bits than a double's are taken
+    const Long beyond = ((v >> 53) + 0x7FFu) >> 11; // 1 where v has more bits than a double takes
     const Long kept = v & ~((beyond << 11) - beyond);
     constexpr std::uint64_t two_52 = std::uint64_t{0x433} << 52, two_84 = std::uint64_t{0x453} << 52;
     const auto high = std::bit_cast<Doubles>((kept >> 32) | two_84) - (0x1p84 + 0x1p52),
@@ -39,7 +39,7 @@ template <class Vector> SPANGLE_INLINE Vector lane_log2(const LongPair<Vector>& 
 }
 /// log2_fraction8() of words from 1 to 2^31 - 1.
 template <class Vector> SPANGLE_INLINE Vector lane_log2(const Vector& v) {
-    const Vector beyond = ((v >> 24) + 0x7Fu) >> 7; // 1 where more bits than a float's are taken
+    const Vector beyond = ((v >> 24) + 0x7Fu) >> 7; // 1 where v has more bits than a float takes
     const Vector kept = v & ~((beyond << 7) - beyond);
     return log2_of_parts<Vector>(std::bit_cast<Vector>(to_floats(kept)) >> 7, 127);
 }
@@ -49,7 +49,7 @@ template <class Vector> SPANGLE_INLINE Vector at_least_one(const Vector& v) {
     return (v & positive) | (1u & ~positive);
 }
 
-/// |dv q - v dq|: what the derivative of v / q is over q^2.
+/// |dv q - v dq|: the derivative of v / q, times q^2.
 template <class Vector>
 SPANGLE_INLINE LongPair<Vector> derivative(std::int32_t dv, const Vector& v, std::int32_t dq,
                                            const Vector& q) {

@@ -1,4 +1,4 @@
-// High halves of the products of four words at once: hosts have an instruction for two of them.
+// High halves of the products of four words at once; hosts have an instruction that multiplies two of them.
 #pragma once
 
 #include <bit>
@@ -20,11 +20,11 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
-/// As many words of 64 bits as a vector holds.
+/// A vector of words of 64 bits, as many as a vector of this size holds.
 template <class Vector> struct LongsOf { using Type [[gnu::vector_size(sizeof(Vector))]] = std::uint64_t; };
 template <class Vector> using Longs = typename LongsOf<Vector>::Type;
 
-/// The products of words 0 and 2 (and 4 and 6), 64 bits each.
+/// The products of words 0 and 2 (and 4 and 6 of eight), 64 bits each.
 template <class Vector> SPANGLE_INLINE Longs<Vector> even_products(const Vector& a, const Vector& b) {
     // GCC 12 multiplies a vector of 64-bit words by three instructions; these are one.
 #if defined(__AVX2__)
@@ -52,17 +52,17 @@ template <class Vector> SPANGLE_INLINE Longs<Vector> even_products_signed(const 
     else
 #endif
     {
-        // As an unsigned word a negative one is 2^32 larger.
+        // A negative word, taken as unsigned, is 2^32 larger.
         const auto more = (b & std::bit_cast<Vector>(lane_words::as_signed(a) >> 31)) +
                           (a & std::bit_cast<Vector>(lane_words::as_signed(b) >> 31));
         return even_products(a, b) - (std::bit_cast<Longs<Vector>>(more) << 32);
     }
 }
-/// Odd words in the places of even ones. Big-endian hosts have no lanes.
+/// Moves the odd words to the places of the even ones. Big-endian hosts have no lanes.
 template <class Vector> SPANGLE_INLINE Vector odd_words(const Vector& v) {
     return std::bit_cast<Vector>(std::bit_cast<Longs<Vector>>(v) >> 32);
 }
-/// The high words of the products of even and of odd words.
+/// Joins the high words of the products of even words and of odd words.
 template <class Vector>
 SPANGLE_INLINE Vector high_words(const Longs<Vector>& even, const Longs<Vector>& odd) {
     return std::bit_cast<Vector>((even >> 32) | (odd & 0xFFFFFFFF00000000u));
@@ -70,23 +70,23 @@ SPANGLE_INLINE Vector high_words(const Longs<Vector>& even, const Longs<Vector>&
 
 } // namespace inner
 
-/// floor(a b / 2^32).
+/// floor(a b / 2^32), word by word.
 template <class Vector> SPANGLE_INLINE Vector lane_product_high(const Vector& a, const Vector& b) {
     return inner::high_words<Vector>(inner::even_products(a, b),
                                      inner::even_products(inner::odd_words(a), inner::odd_words(b)));
 }
-/// a b / 2^32 to nearest, halves up, of a below 2^31.
+/// a b / 2^32 to nearest, halves up, for a below 2^31.
 template <class Vector> SPANGLE_INLINE Vector lane_product_rounded(const Vector& a, const Vector& b) {
     constexpr std::uint64_t half = std::uint64_t{1} << 31;
     return inner::high_words<Vector>(inner::even_products(a, b) + half,
                                      inner::even_products(inner::odd_words(a), inner::odd_words(b)) + half);
 }
-/// floor(a b / 2^32), a signed, b below 2^31.
+/// floor(a b / 2^32), where a is signed and b is below 2^31.
 template <class Vector> SPANGLE_INLINE Vector lane_product_high_signed(const Vector& a, const Vector& b) {
-    // As an unsigned word a negative one is 2^32 larger.
+    // A negative word, taken as unsigned, is 2^32 larger.
     return lane_product_high(a, b) - (b & std::bit_cast<Vector>(lane_words::as_signed(a) >> 31));
 }
-/// The products above, of all eight lanes.
+/// The products above for all eight lanes.
 SPANGLE_INLINE LaneWords lane_product_high(const LaneWords& a, const LaneWords& b) {
     return LaneWords::mapped(
         [](const auto& v, const auto& w) __attribute__((always_inline)) { return lane_product_high(v, w); },

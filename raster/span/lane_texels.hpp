@@ -1,4 +1,4 @@
-// What eight lanes of texels take beside Lanes<8>: pairs of halves in words, and bytes.
+// What eight lanes of texels need beside Lanes<8>: pairs of half-words in words, and bytes.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -8,11 +8,11 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// A word of these halves in each lane.
+/// Joins a low and a high half-word to one word in each lane.
 SPANGLE_INLINE LaneWords lane_joined(const Lanes<8>::U16& low, const Lanes<8>::U16& high) {
     return LaneWords::widened(low) | (LaneWords::widened(high) << 16);
 }
-/// floor(v / 2^n), v signed.
+/// floor(v / 2^n), v signed, word by word.
 SPANGLE_INLINE LaneWords lane_shifted_signed(const LaneWords& v, int n) {
     return LaneWords::mapped(
         [n](const auto& w) __attribute__((always_inline)) {
@@ -23,9 +23,9 @@ SPANGLE_INLINE LaneWords lane_shifted_signed(const LaneWords& v, int n) {
 
 namespace inner {
 
-/// Of both halves of each word, signed: the sum of their products.
+/// The products of the signed halves of each word, added: low a low b + high a high b.
 template <class Vector> SPANGLE_INLINE Vector products_added(const Vector& a, const Vector& b) {
-    // Both compilers make six instructions or more of the products below; these are one.
+    // Both compilers make six instructions or more of the products below; these intrinsics are one.
 #if defined(__AVX2__)
     if constexpr (sizeof(Vector) == 32)
         return std::bit_cast<Vector>(_mm256_madd_epi16(std::bit_cast<__m256i>(a), std::bit_cast<__m256i>(b)));
@@ -48,7 +48,7 @@ SPANGLE_INLINE LaneWords lane_products_added(const LaneWords& a, const LaneWords
         a, b);
 }
 
-/// Four bytes per lane: 0 and 1, 2 and 3.
+/// Four bytes per lane: `low` holds bytes 0 and 1, `high` bytes 2 and 3.
 struct LaneBytes {
     Lanes<8>::U16 low, high;
     SPANGLE_INLINE static LaneBytes of(const LaneWords& words) {

@@ -1,5 +1,5 @@
-// Eight words of 32 bits, one per lane: a vector of 256 bits where the instruction set has them, or two of
-// 128.
+// Eight words of 32 bits, one per lane: one vector of 256 bits where the instruction set has them, or two
+// vectors of 128 bits.
 #pragma once
 
 #include <bit>
@@ -21,7 +21,7 @@ namespace lane_words {
 using Half [[gnu::vector_size(16)]] = std::uint32_t; ///< four words
 using Halfwords [[gnu::vector_size(16)]] = std::uint16_t;
 
-/// The same bits, signed.
+/// The bits of v as signed words.
 template <class Vector> SPANGLE_INLINE auto as_signed(const Vector& v) {
     using Signed [[gnu::vector_size(sizeof(Vector))]] = std::int32_t;
     return std::bit_cast<Signed>(v);
@@ -58,23 +58,23 @@ template <class Vector> SPANGLE_INLINE Vector positive(const Vector& v) {
 
 } // namespace lane_words
 
-/// Two results of one operation in lanes: what came of low parts, and what came of high ones.
+/// Two results of one operation in lanes: one from the low parts, one from the high parts.
 template <class Words> struct LanePairs { Words low, high; };
 
 #if defined(__AVX2__)
 
-/// In the order of the lanes.
+/// Eight words in one vector, in the order of the lanes.
 struct LaneWords {
     using Vector [[gnu::vector_size(32)]] = std::uint32_t;
     using Halfwords = lane_words::Halfwords;
     Vector all;
 
     SPANGLE_INLINE static LaneWords splat(std::uint32_t v) { return {Vector{v, v, v, v, v, v, v, v}}; }
-    /// start, start + step, ...
+    /// One word per lane: start, start + step, and so on.
     SPANGLE_INLINE static LaneWords ramp(std::uint32_t start, std::uint32_t step) {
         return {splat(start).all + splat(step).all * Vector{0, 1, 2, 3, 4, 5, 6, 7}};
     }
-    /// Four columns of two rows.
+    /// Offsets of lanes that are four columns of two rows.
     SPANGLE_INLINE static LaneWords two_rows(std::uint32_t dx, std::uint32_t dy) {
         return {splat(dx).all * Vector{0, 1, 2, 3, 0, 1, 2, 3} +
                 splat(dy).all * Vector{0, 0, 0, 0, 1, 1, 1, 1}};
@@ -108,11 +108,12 @@ struct LaneWords {
         return {std::bit_cast<Vector>(
             _mm256_blendv_epi8(std::bit_cast<__m256i>(b.all), std::bit_cast<__m256i>(a.all), wide))};
     }
-    /// f of vectors of words, whatever lanes they hold.
+    /// Applies f to vectors of words, whatever lanes they hold.
     template <class F, class... Words> SPANGLE_INLINE static LaneWords mapped(F f, const Words&... v) {
         return {f(v.all...)};
     }
-    /// f(lane, vectors): lanes `apart` from each other, the first that one.
+    /// Calls f(lane, vectors...) once for each vector: its words are lanes `apart` from each other, from
+    /// `lane` on.
     static constexpr int apart = 1;
     template <class F, class... Words> SPANGLE_INLINE static void each(F f, const Words&... v) {
         f(0, v.all...);
@@ -134,7 +135,7 @@ struct LaneWords {
         return std::bit_cast<Halfwords>(
             _mm_packs_epi32(_mm256_castsi256_si128(v), _mm256_extracti128_si256(v, 1)));
     }
-    /// Not 0 if any word is.
+    /// Some bits are set if any word is not 0.
     SPANGLE_INLINE Halfwords any_bits() const {
         const auto v = std::bit_cast<__m256i>(all);
         return std::bit_cast<Halfwords>(_mm256_castsi256_si128(v) | _mm256_extracti128_si256(v, 1));
@@ -143,7 +144,7 @@ struct LaneWords {
     SPANGLE_INLINE void set_lane(int i, std::uint32_t v) { all[i] = v; }
 
   private:
-    /// Words below 2^16.
+    /// Half-words of words below 2^16.
     SPANGLE_INLINE Halfwords narrowed() const {
         const auto v = std::bit_cast<__m256i>(all);
         return std::bit_cast<Halfwords>(
@@ -153,7 +154,8 @@ struct LaneWords {
 
 #else
 
-/// Even and odd lanes lie in two vectors, so that the high halves of all eight are a shift, a mask and an or.
+/// Eight words in two vectors, of even and of odd lanes: the high halves of all eight are a shift, a mask and
+/// an or.
 struct LaneWords {
     using Vector = lane_words::Half;
     using Halfwords = lane_words::Halfwords;
@@ -163,14 +165,15 @@ struct LaneWords {
         const Vector w = {v, v, v, v};
         return {w, w};
     }
-    /// start, start + step, ... By masks: words put together one by one would take twice as long.
+    /// One word per lane: start, start + step, and so on. Masks make it: words put together one by one would
+    /// take twice as long.
     SPANGLE_INLINE static LaneWords ramp(std::uint32_t start, std::uint32_t step) {
         constexpr std::uint32_t on = 0xFFFFFFFF;
         const Vector by = splat(step).even, one = by & Vector{0, on, 0, on}, two = by & Vector{0, 0, on, on};
         const Vector first = splat(start).even + (one + one) + (two << 2);
         return {first, first + by};
     }
-    /// Four columns of two rows.
+    /// Offsets of lanes that are four columns of two rows.
     SPANGLE_INLINE static LaneWords two_rows(std::uint32_t dx, std::uint32_t dy) {
         constexpr std::uint32_t on = 0xFFFFFFFF;
         const Vector by = splat(dx).even;
@@ -208,11 +211,12 @@ struct LaneWords {
                    second = std::bit_cast<Vector>(halves >> 16);
         return {(first & a.even) | (~first & b.even), (second & a.odd) | (~second & b.odd)};
     }
-    /// f of vectors of words, whatever lanes they hold.
+    /// Applies f to vectors of words, whatever lanes they hold.
     template <class F, class... Words> SPANGLE_INLINE static LaneWords mapped(F f, const Words&... v) {
         return {f(v.even...), f(v.odd...)};
     }
-    /// f(lane, vectors): lanes `apart` from each other, the first that one.
+    /// Calls f(lane, vectors...) once for each vector: its words are lanes `apart` from each other, from
+    /// `lane` on.
     static constexpr int apart = 2;
     template <class F, class... Words> SPANGLE_INLINE static void each(F f, const Words&... v) {
         f(0, v.even...);
@@ -233,11 +237,11 @@ struct LaneWords {
     SPANGLE_INLINE LanePairs<Halfwords> halves() const { return {low_half(), high_half()}; }
     /// Masks of 16 bits from words that are all ones or 0.
     SPANGLE_INLINE Halfwords mask() const { return low_half(); }
-    /// Not 0 if any word is.
+    /// Some bits are set if any word is not 0.
     SPANGLE_INLINE Halfwords any_bits() const { return std::bit_cast<Halfwords>(even | odd); }
     SPANGLE_INLINE std::uint32_t lane(int i) const { return (i & 1) != 0 ? odd[i >> 1] : even[i >> 1]; }
     SPANGLE_INLINE void set_lane(int i, std::uint32_t v) {
-        // Not an element of a conditional expression: under UBSan gcc 12 writes into a copy of that.
+        // This is no element of a conditional expression: under UBSan gcc 12 writes into a copy of that.
         if ((i & 1) != 0)
             odd[i >> 1] = v;
         else

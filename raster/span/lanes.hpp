@@ -1,6 +1,6 @@
-// How many fragments a stage handles at once: 1 on microcontrollers, in the chain and for tails; 8 in fused
-// spans on hosts, through vector extensions of gcc and clang. A U16 holds values below 2^16, so both give the
-// same bits.
+// How many fragments a stage handles at once: one on microcontrollers and for tails, eight in fused spans and
+// in the chain on hosts, through vector extensions of gcc and clang. A U16 holds values below 2^16, so both
+// give the same bits.
 #pragma once
 
 #include <bit>
@@ -16,15 +16,15 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 template <int Count> struct Lanes;
 
-/// Lanes of fused spans and of the chain in this build.
+/// The number of lanes of fused spans and of the chain in this build.
 #if defined(__SSE2__) || defined(__ARM_NEON)
 inline constexpr int host_lanes = std::endian::native == std::endian::little ? 8 : 1;
 #else
 inline constexpr int host_lanes = 1;
 #endif
 
-/// The instruction set shifts each word by a number of its own (lane_division.hpp). Elsewhere fragments are
-/// divided one after the other.
+/// True where the instruction set shifts each word by a number of its own (lane_division.hpp). Elsewhere
+/// fragments are divided one after the other.
 #if defined(__AVX2__)
 inline constexpr bool divides_in_lanes = true;
 #else
@@ -33,7 +33,7 @@ inline constexpr bool divides_in_lanes = false;
 
 template <> struct Lanes<1> {
     static constexpr int count = 1, rows = 1;
-    using Place = std::uint8_t*; ///< of the first lane's pixel
+    using Place = std::uint8_t*; ///< address of the first lane's pixel
     using U16 = std::uint32_t;
     using U32 = std::uint32_t;
     using Mask = bool;
@@ -41,9 +41,9 @@ template <> struct Lanes<1> {
     static constexpr Mask all = true;
     SPANGLE_INLINE static U16 splat(std::uint32_t v) { return v; }
     SPANGLE_INLINE static U32 splat32(std::uint32_t v) { return v; }
-    /// start, start + step, ... one per lane.
+    /// One word per lane: start, start + step, and so on.
     SPANGLE_INLINE static U32 ramp(std::uint32_t start, std::uint32_t) { return start; }
-    /// What a plane has more than in the first lane.
+    /// What a plane has in each lane more than in the first lane.
     SPANGLE_INLINE static U32 offsets(std::uint32_t, std::uint32_t) { return 0; }
     SPANGLE_INLINE static U16 high_half(U32 v) { return v >> 16; }
     SPANGLE_INLINE static U16 low_half(U32 v) { return v & 0xFFFF; }
@@ -51,8 +51,8 @@ template <> struct Lanes<1> {
     SPANGLE_INLINE static U16 mul_high(U16 a, U16 b) { return (a * b) >> 16; }
     /// floor(a b / 2^8), a < 2^8.
     SPANGLE_INLINE static U16 mul_256(U16 a, U16 b) { return (a * b) >> 8; }
-    /// floor(a b / 2^9), a signed (of its bits 0 .. 15), b < 2^8; to be added to something that makes it
-    /// positive.
+    /// floor(a b / 2^9), a signed (its bits 0 .. 15), b < 2^8. The result is to be added to a value that
+    /// makes it positive.
     SPANGLE_INLINE static U16 mul_signed_512(U16 a, U16 b) {
         return static_cast<std::uint32_t>(static_cast<std::int32_t>(a) * static_cast<std::int32_t>(b) >> 9);
     }
@@ -66,7 +66,7 @@ template <> struct Lanes<1> {
     SPANGLE_INLINE static Mask equal(U16 a, U16 b) { return a == b; }
     SPANGLE_INLINE static Mask both(Mask a, Mask b) { return a && b; }
     SPANGLE_INLINE static Mask negate(Mask m) { return !m; }
-    /// 16-bit words in memory, host order, one per lane; `p` is 2-aligned.
+    /// Loads 16-bit words from memory, in host order, one per lane; `p` is 2-aligned.
     SPANGLE_INLINE static U16 load(const std::uint8_t* p) {
         std::uint16_t v;
         __builtin_memcpy(&v, __builtin_assume_aligned(p, 2), 2);
@@ -80,20 +80,20 @@ template <> struct Lanes<1> {
     SPANGLE_INLINE static U16 clamped_24_to_16(U32 v) {
         return numeric::saturated_after<8, 16>(static_cast<std::int32_t>(v));
     }
-    /// One element per lane.
+    /// Loads one element per lane.
     SPANGLE_INLINE static U32 gather(const std::uint32_t* v) { return v[0]; }
     template <class F> SPANGLE_INLINE static auto generate(F f) { return f(0u); }
     SPANGLE_INLINE static U16 gather(const std::uint16_t* v) { return v[0]; }
     SPANGLE_INLINE static void scatter(U16 v, std::uint16_t* to) { to[0] = static_cast<std::uint16_t>(v); }
-    /// Byte `n`.
+    /// Byte `n` of a word, 0 the lowest.
     SPANGLE_INLINE static U16 byte(U32 v, int n) { return (v >> (8 * n)) & 0xFF; }
     SPANGLE_INLINE static bool lane(Mask m, int) { return m; }
     SPANGLE_INLINE static void kill(Mask& m, int) { m = false; }
-    /// The first n lanes, any n.
+    /// The mask of the first n lanes, for any n.
     SPANGLE_INLINE static Mask first(std::int32_t n) { return n > 0; }
 };
 
-/// Little-endian hosts only (draw_state.hpp decides).
+/// Eight lanes, on little-endian hosts only (host_lanes decides).
 template <> struct Lanes<8> {
     static constexpr int count = 8, columns = 8, rows = 1;
     using Place = std::uint8_t*;
@@ -101,7 +101,7 @@ template <> struct Lanes<8> {
     using Words [[gnu::vector_size(16)]] = std::uint32_t;
     using Signed [[gnu::vector_size(16)]] = std::int16_t;
     using SignedWords [[gnu::vector_size(16)]] = std::int32_t;
-    using Mask = U16; ///< all ones: the lane lives
+    using Mask = U16; ///< all ones: the lane is alive
 
     using U32 = LaneWords; ///< one word of 32 bits per lane
 
@@ -111,11 +111,11 @@ template <> struct Lanes<8> {
         return U16{w, w, w, w, w, w, w, w};
     }
     SPANGLE_INLINE static U32 splat32(std::uint32_t v) { return U32::splat(v); }
-    /// Lane I in all of them.
+    /// The value of lane I in all lanes.
     template <int I> SPANGLE_INLINE static U16 spread(U16 v) {
         return __builtin_shufflevector(v, v, I, I, I, I, I, I, I, I);
     }
-    /// Lanes 0 to 3 of both in turn, or 4 to 7.
+    /// Lanes 0 to 3 of a and b in turn, or lanes 4 to 7.
     SPANGLE_INLINE static U16 mixed_low(U16 a, U16 b) {
         return __builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11);
     }
@@ -135,7 +135,8 @@ template <> struct Lanes<8> {
                    [](const auto& w) __attribute__((always_inline)) {
                        using Vector = std::remove_cvref_t<decltype(w)>;
                        const auto s = lane_words::as_signed(w);
-                       const auto over = std::bit_cast<Vector>(s > (1 << 24) - 1); // 16 ones are left
+                       // 16 ones are left of the shift.
+                       const auto over = std::bit_cast<Vector>(s > (1 << 24) - 1);
                        return (std::bit_cast<Vector>(s & ~(s >> 31)) | over) >> 8;
                    },
                    v)
@@ -148,7 +149,7 @@ template <> struct Lanes<8> {
         return r;
     }
     SPANGLE_INLINE static U16 mul_256(U16 a, U16 b) { return mul_high(a << 8, b); }
-    /// floor(a b / 2^16), both signed.
+    /// floor(a b / 2^16), a and b signed.
     SPANGLE_INLINE static U16 mul_high_signed(U16 a, U16 b) {
         const auto s = std::bit_cast<Signed>(a), t = std::bit_cast<Signed>(b);
         Signed r;
@@ -177,12 +178,12 @@ template <> struct Lanes<8> {
     SPANGLE_INLINE static Mask less_signed(U16 a, U16 b) {
         return std::bit_cast<Mask>(std::bit_cast<Signed>(a) < std::bit_cast<Signed>(b));
     }
-    /// Modulo 2^32, n the same of 16 bits in all lanes.
+    /// v n modulo 2^32, where n holds one number of 16 bits in all lanes.
     SPANGLE_INLINE static Words times(const Words& v, const U16& n) {
         const auto halves = std::bit_cast<U16>(v);
         return std::bit_cast<Words>(halves * n) + (std::bit_cast<Words>(mul_high(halves, n)) << 16);
     }
-    /// One half of a word in all lanes.
+    /// The half-word I of the vector, in all lanes.
     template <int I> SPANGLE_INLINE static U16 splat_half(const Words& v) {
         const auto halves = std::bit_cast<U16>(v);
         return __builtin_shufflevector(halves, halves, I, I, I, I, I, I, I, I);
@@ -208,7 +209,7 @@ template <> struct Lanes<8> {
         return (m & a) | (~m & b);
 #endif
     }
-    /// Words of 32 bits, all below 2^31.
+    /// These compare words of 32 bits, all below 2^31.
     SPANGLE_INLINE static U32 minimum(const U32& a, const U32& b) {
         return U32::mapped(
             [](const auto& v, const auto& w)
@@ -245,14 +246,14 @@ template <> struct Lanes<8> {
         return (halves[0] | halves[1]) != 0;
 #endif
     }
-    /// Some lane is not 0.
+    /// True if some lane is not 0.
     SPANGLE_INLINE static bool any_bits(const U16& v) {
         return any(v);
     }
     SPANGLE_INLINE static bool any_bits(const U32& v) {
         return any(v.any_bits());
     }
-    /// A byte per lane, all ones where any bit is one.
+    /// One byte per lane, which is all ones where any bit of the lane is one.
     SPANGLE_INLINE static std::uint64_t nonzero_bytes(const U16& v) {
         using Bytes [[gnu::vector_size(8)]] = std::int8_t;
         return std::bit_cast<std::uint64_t>(__builtin_convertvector(v != 0, Bytes));
@@ -280,7 +281,7 @@ template <> struct Lanes<8> {
     SPANGLE_INLINE static void store(std::uint8_t* p, U16 v) {
         __builtin_memcpy(p, &v, 16);
     }
-    /// Lanes 0 to 3 and 4 to 7.
+    /// Joins lanes 0 to 3 and lanes 4 to 7.
     SPANGLE_INLINE static U16 halves(std::uint64_t low, std::uint64_t high) {
         using Halves [[gnu::vector_size(16)]] = std::uint64_t;
         return std::bit_cast<U16>(Halves{low, high});
@@ -289,7 +290,7 @@ template <> struct Lanes<8> {
         using Halves [[gnu::vector_size(16)]] = std::uint64_t;
         return std::bit_cast<Halves>(v)[n];
     }
-    /// Eight words of 32 bits in a row.
+    /// Loads eight words of 32 bits that lie one after the other.
     SPANGLE_INLINE static U32 load32(const std::uint8_t* p) {
         return U32::load(p);
     }
@@ -299,7 +300,7 @@ template <> struct Lanes<8> {
     SPANGLE_INLINE static U32 gather(const std::uint32_t* v) {
         return load32(reinterpret_cast<const std::uint8_t*>(v));
     }
-    /// f(0) .. f(7), from register to register: a vector load of eight stored words would wait for the
+    /// f(0) .. f(7), moved from register to register: a vector load of eight stored words would wait for the
     /// stores.
     template <class F> SPANGLE_INLINE static auto generate(F f) {
         if constexpr (sizeof(f(0u)) == 2)
@@ -309,7 +310,8 @@ template <> struct Lanes<8> {
     }
     /// Byte `n` of every lane.
     SPANGLE_INLINE static U16 byte(const U32& v, int n) {
-        const U16 two = n < 2 ? low_half(v) : high_half(v); // which the other byte shares
+        // The half-word that holds byte `n` and its neighbour.
+        const U16 two = n < 2 ? low_half(v) : high_half(v);
         return n % 2 == 0 ? two & 0xFF : two >> 8;
     }
     SPANGLE_INLINE static U16 gather(const std::uint16_t* v) {
@@ -329,7 +331,7 @@ template <> struct Lanes<8> {
     }
 };
 
-/// f(i) for the lanes that a guess left open: those with any bit.
+/// Calls f(i) for each lane i that a guess left open: those with any bit set.
 template <class F> SPANGLE_INLINE void each_open(const Lanes<8>::Mask& open, F f) {
     for (std::uint64_t left = Lanes<8>::nonzero_bytes(open); left != 0;) {
         const int lane = std::countr_zero(left) / 8;
@@ -338,14 +340,15 @@ template <class F> SPANGLE_INLINE void each_open(const Lanes<8>::Mask& open, F f
     }
 }
 
-/// Eight lanes that are four columns of two rows: what Lanes<> is asked for, and how many there are, differ.
+/// Names the eight lanes that are four columns of two rows. It is only the argument of Lanes<>, not their
+/// number.
 inline constexpr int two_rows = 42;
 
 template <> struct Lanes<two_rows> : Lanes<8> {
     static constexpr int columns = 4, rows = 2;
     struct Place {
         std::uint8_t* first;
-        std::ptrdiff_t stride; ///< to the second row
+        std::ptrdiff_t stride; ///< bytes from the first row to the second
         SPANGLE_INLINE Place& operator+=(std::ptrdiff_t bytes) {
             first += bytes;
             return *this;
@@ -374,7 +377,7 @@ template <> struct Lanes<two_rows> : Lanes<8> {
     }
 };
 
-/// One lane of eight, out and in.
+/// These read and write one lane of eight.
 SPANGLE_INLINE void lane_of(const Lanes<8>::U16& v, int i, std::uint32_t& to) {
     to = v[i];
 }
@@ -387,7 +390,7 @@ SPANGLE_INLINE void lane_of(const Lanes<8>::U32& v, int i, std::uint32_t& to) {
 SPANGLE_INLINE void set_lane(Lanes<8>::U32& v, int i, std::uint32_t from) {
     v.set_lane(i, from);
 }
-/// A number is its only lane.
+/// A plain number is its own only lane.
 SPANGLE_INLINE void lane_of(std::uint32_t v, int, std::uint32_t& to) {
     to = v;
 }

@@ -1,5 +1,5 @@
-// Lines side by side: signed words of 32 bits, one line each. One where the processor has no vectors, four in
-// the vectors of gcc and clang where it has.
+// Lines side by side: signed words of 32 bits, one per line. There is one line where the processor has no
+// vectors, and four in the vectors of gcc and clang where it has.
 #pragma once
 
 #include <bit>
@@ -27,14 +27,14 @@ template <> struct LineLanes<1> {
     SPANGLE_INLINE static bool any(Mask m) { return m; }
     SPANGLE_INLINE static Int one(Mask m) { return static_cast<Int>(m); }
     template <class T> SPANGLE_INLINE static T select(Mask m, T a, T b) { return m ? a : b; }
-    /// Each becomes the other.
+    /// Exchanges a and b where m is true.
     SPANGLE_INLINE static void exchange(Mask m, Int& a, Int& b) {
         const Int first = m ? b : a;
         b = m ? a : b;
         a = first;
     }
     SPANGLE_INLINE static Int negate(Mask m, Int v) { return m ? -v : v; }
-    /// n / d and the remainder, of 0 <= n < 5 d.
+    /// Divides n by d: returns the quotient and leaves the remainder in n. 0 <= n < 5 d.
     SPANGLE_INLINE static Int divide_small(Int& n, Int d) {
         Int whole = 0;
         if constexpr (numeric::divides) {
@@ -52,7 +52,7 @@ template <> struct LineLanes<4> {
     static constexpr int count = 4;
     using Int [[gnu::vector_size(16)]] = std::int32_t;
     using Word [[gnu::vector_size(16)]] = std::uint32_t;
-    using Mask = Int; ///< all ones: yes
+    using Mask = Int; ///< all ones: true
     SPANGLE_INLINE static Int load(const std::int32_t* at) {
         Int v;
         __builtin_memcpy(&v, at, sizeof v);
@@ -62,7 +62,7 @@ template <> struct LineLanes<4> {
     SPANGLE_INLINE static std::int32_t first(Int v) { return v[0]; }
     SPANGLE_INLINE static Mask less(Int a, Int b) { return a < b; }
     SPANGLE_INLINE static Mask no(Mask m) { return ~m; }
-    /// The same of what is known of all lanes.
+    /// The functions above for masks that are known to be the same in all lanes.
     template <bool Known> SPANGLE_INLINE static std::bool_constant<!Known> no(std::bool_constant<Known>) {
         return {};
     }
@@ -76,7 +76,7 @@ template <> struct LineLanes<4> {
             b = first;
         }
     }
-    /// All lanes of two masks are alike: bit 0 is that of the first, bit 1 of the other; else 4.
+    /// Bit 0 is that of all lanes of a, bit 1 that of all lanes of b. 4: the lanes of a or of b differ.
     SPANGLE_INLINE static unsigned alike(Mask a, Mask b) {
         using Halves [[gnu::vector_size(16)]] = std::uint64_t;
         const auto halves = std::bit_cast<Halves>((a & 1) | (b & 2));
@@ -91,15 +91,16 @@ template <> struct LineLanes<4> {
     }
     SPANGLE_INLINE static Int one(Mask m) { return -m; }
     SPANGLE_INLINE static Int select(Mask m, Int a, Int b) { return (m & a) | (~m & b); }
-    /// Where m: each becomes the other.
+    /// Exchanges a and b in the lanes where m is true.
     SPANGLE_INLINE static void exchange(Mask m, Int& a, Int& b) {
         const Int difference = (a ^ b) & m;
         a ^= difference;
         b ^= difference;
     }
-    /// Where m.
+    /// Negates v in the lanes where m is true.
     SPANGLE_INLINE static Int negate(Mask m, Int v) { return (v ^ m) - m; }
-    /// n / d and the remainder, of 0 <= n < 5 d; anything where d is 0.
+    /// Divides n by d: returns the quotient and leaves the remainder in n. 0 <= n < 5 d; the results are
+    /// undefined where d is 0.
     SPANGLE_INLINE static Int divide_small(Int& n, Int d) {
         Int whole = n ^ n;
 #pragma GCC unroll 4
@@ -112,7 +113,7 @@ template <> struct LineLanes<4> {
     }
 };
 
-/// In this build.
+/// The lanes of lines in this build.
 #if defined(__SSE2__) || defined(__ARM_NEON)
 using HostLines = std::conditional_t<numeric::cheap_branches, LineLanes<1>, LineLanes<4>>;
 #else

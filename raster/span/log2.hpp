@@ -1,4 +1,4 @@
-// Logarithms where 1/256 is enough: level of detail, lengths of runs.
+// Logarithms that need no more than 1/256, for levels of detail and lengths of runs.
 #pragma once
 
 #include <cstdint>
@@ -23,9 +23,9 @@ SPANGLE_RUN_CALL inline std::int32_t log2_fraction8(std::uint64_t v) {
     return ((63 - zeros) << 8) + ((fraction + 128) >> 8);
 }
 
-/// Lambda with 8 fraction bits, from up to four logarithms, which are off by less than 3/256 together. One
-/// that is no further from 0 is 0 by definition, in every policy: an image drawn one texel to a pixel takes
-/// nothing of the level behind its own.
+/// Lambda with 8 fraction bits, from up to four logarithms that together are off by less than 3/256. A lambda
+/// within 3/256 of 0 is 0 by definition, in every policy: an image drawn one texel to a pixel takes nothing
+/// of its next level.
 SPANGLE_INLINE constexpr std::int32_t level_of_detail(std::int32_t sum) {
     constexpr std::int32_t lost = 3;
     return sum < -lost || sum > lost ? sum : 0;

@@ -1,8 +1,8 @@
-// What is divided by w, near a place: quotients of planes of which 16 bits are enough.
+// Divides by w near a place in the window: quotients of planes for which 16 bits are enough.
 //
-// With q = m (1 - u), where m is 1/w at the place, a/q = A + d (1 + u + u^2 + ...): d = (a - A q) / m is a
-// plane, u is one, and both are small where A is about a/q there. Two multiplications of few bits make the
-// quotient of d and u.
+// With q = m (1 - u), where m is the value of q at the place, a/q = A + d (1 + u + u^2 + ...). Here d = (a -
+// A q) / m is a plane and u is a plane, and both are small where A is about a/q there. Two multiplications of
+// few bits make the quotient of d and u.
 #pragma once
 
 #include <cstdint>
@@ -18,21 +18,22 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Fragments within so many columns and rows of a place in the window.
+/// Fragments within `columns` and `rows` of the place (x, y) in the window.
 struct Patch {
     std::int32_t x, y, columns, rows;
     static constexpr std::int32_t most_columns = 128, most_rows = 16;
 };
 
-/// One quotient: what NearInverse::of(), or NearWords::of(), gives is at most the true one, which is less
-/// than `window` more.
+/// One quotient. What NearInverse::of(), or NearWords::of(), gives is at most the true quotient, which is
+/// less than `window` more.
 struct NearQuotient {
     Interpolant<std::uint32_t> d; ///< 16 fraction bits
-    std::int32_t base = 0;        ///< A
-    std::uint32_t window = 0;     ///< with the fraction bits of the products
+    std::int32_t base = 0;        ///< A, a whole number
+    /// What the quotient may be too small by, in the fraction bits of the products.
+    std::uint32_t window = 0;
 
-    /// What of(), limited to it, adds to the base so that the sum is in [0, most]; the base is at most 2^15 -
-    /// 1 less than 0 and 2^15 more than `most`.
+    /// Limits for what of() adds to the base, so that the sum is in [0, most]. The base is at least -(2^15 -
+    /// 1) and at most `most` + 2^15.
     SPANGLE_INLINE std::uint32_t least() const { return static_cast<std::uint32_t>(within(0)); }
     SPANGLE_INLINE std::uint32_t largest(std::int32_t most) const {
         return static_cast<std::uint32_t>(within(most));
@@ -44,23 +45,25 @@ struct NearQuotient {
     }
 };
 
-/// Products of 16 bits: for lanes, and where there are none longer than a word.
+/// Products of 16 bits, for lanes, and for single fragments where the processor has no product of more than a
+/// word.
 struct NearHalves {
-    static constexpr int fraction_bits = 0; ///< of quotients
-    /// Of 1/q, in 2^-16, where u is at most `most` 2^-32, below 2^30. What the series leaves out is below 8/7
-    /// u^4; u is rounded down twice, its powers once each.
+    static constexpr int fraction_bits = 0; ///< fraction bits of quotients
+    /// The inaccuracy of 1/q, in 2^-16, where |u| is at most `most` 2^-32, below 2^30. What the series leaves
+    /// out is below 8/7 u^4; u is rounded down twice, and its powers once each.
     SPANGLE_INLINE static std::uint32_t inaccuracy(std::uint32_t most) {
         const std::uint32_t size = (most >> 16) + 1, square = (size * size >> 16) + 1,
                             fourth = (square * square >> 16) + 1;
         return 4 + fourth + (fourth >> 2);
     }
-    /// That of a quotient of which so much is whole, in 2^-16.
+    /// The inaccuracy of a quotient whose whole part is at most `size`, in 2^-16.
     SPANGLE_INLINE static std::uint32_t of_quotient(std::uint32_t size, std::uint32_t inaccuracy) {
         return size * inaccuracy;
     }
-    /// Lanes round d down twice and its product once, which makes up to 3.
+    /// The window of a quotient that is off by `off`. Lanes round d down twice and its product once, which
+    /// makes up to 3.
     SPANGLE_INLINE static std::uint32_t window(std::uint32_t off) { return ((2 * off + 0xFFFF) >> 16) + 3; }
-    /// NearInverse, of one fragment.
+    /// NearInverse for one fragment.
     SPANGLE_INLINE static std::int32_t inverse(std::uint32_t plane) {
         const std::int32_t u = static_cast<std::int32_t>(plane) >> 16;
         return u + (u * (u + (u * u >> 16)) >> 16);
@@ -74,8 +77,8 @@ struct NearHalves {
 /// Products of 32 bits, for one fragment at a time.
 struct NearWords {
     static constexpr int fraction_bits = 14;
-    /// In 2^-32. The plane of u is off by less than 2^8 over a patch, which 1/q is by a third more; its
-    /// powers are rounded down once each, and the sum to 30 bits.
+    /// The inaccuracy of 1/q in 2^-32. The plane of u is off by less than 2^8 over a patch, by which 1/q is
+    /// off a third more. The powers of u are rounded down once each, and the sum to 30 bits.
     SPANGLE_INLINE static std::uint32_t inaccuracy(std::uint32_t most) {
         const std::uint32_t square = numeric::mul_high_u32(most, most) + 1,
                             fourth = numeric::mul_high_u32(square, square) + 1;
@@ -83,7 +86,7 @@ struct NearWords {
     }
     SPANGLE_INLINE static std::uint32_t of_quotient(std::uint32_t size, std::uint32_t inaccuracy) {
         return static_cast<std::uint32_t>(numeric::mul_u32(size, inaccuracy) >> 16) + 1 +
-               (1u << (16 - fraction_bits)); // of()
+               (1u << (16 - fraction_bits)); // for what of() drops
     }
     SPANGLE_INLINE static std::uint32_t window(std::uint32_t off) { return (2 * off >> 2) + 3; }
     /// 1 + u + u^2 + u^3 with 30 fraction bits.
@@ -92,8 +95,8 @@ struct NearWords {
         const std::int32_t more = u + numeric::mul_high_s32(u, u + numeric::mul_high_s32(u, u));
         return (1 << 30) + (more >> 2);
     }
-    /// The quotient, whose base has its fraction bits. The low word of a sum of long products may be any: it
-    /// adds less than one, and is not worth an instruction to clear it.
+    /// The quotient; `base` has the fraction bits of the quotient. The low word of the sum of long products
+    /// may be anything: it adds less than one, and clearing it is not worth an instruction.
     SPANGLE_INLINE static std::uint32_t of(std::uint32_t base, std::uint32_t d, std::int32_t inverse) {
         const std::int64_t product = numeric::mul_long(static_cast<std::int32_t>(d), inverse);
         return static_cast<std::uint32_t>(
@@ -101,15 +104,15 @@ struct NearWords {
     }
 };
 
-/// What one fragment is guessed by.
+/// The products by which one fragment is guessed.
 using NearProducts = std::conditional_t<numeric::long_products, NearWords, NearHalves>;
 
-/// 1/w near a place.
+/// Divides by w near a place.
 template <class Products> class NearDivisionOf {
   public:
     using Projective = Span<Fixed>::Projective;
-    Interpolant<std::uint32_t> u{}; ///< of 2^-16, 16 fraction bits
-    bool serves = false;            ///< 1/w is not too small, and differs by an eighth at most
+    Interpolant<std::uint32_t> u{}; ///< the plane of u in 2^-16, with 16 fraction bits
+    bool serves = false;            ///< true where 1/w is not too small, and differs by an eighth at most
 
     SPANGLE_INLINE NearDivisionOf(const Span<Fixed>& span, const Patch& patch)
         : patch_(patch), column_(patch.x - span.anchor_x), row_(patch.y - span.anchor_y),
@@ -128,13 +131,14 @@ template <class Products> class NearDivisionOf {
         inaccuracy_ = Products::inaccuracy(static_cast<std::uint32_t>(most));
     }
 
-    /// a/q 2^(exponent + 16), and `more` / 2^16. False where 16 bits do not hold it.
+    /// Makes the quotient a/q 2^(exponent + 16), plus `more` / 2^16. False where 16 bits do not hold it.
     ///
-    /// A is a/m rounded down, so that d = a/m - A + A u is what that left and changes by the slopes of a/m
-    /// and those of u times A. These lose less than 2^8 2^-32 of A over a patch. d is multiplied by a factor
-    /// that is off by `inaccuracy_`. An eighth is for what planes lose else, for what the bits that divided
-    /// values are made of lose (2^-6), and for `more`, of which below 1 is multiplied. All of it is taken off
-    /// d: a fourth more than it is, because that is multiplied, too.
+    /// A is a/m rounded down, so that d = a/m - A + A u is what rounding left, and changes by the slopes of
+    /// a/m and those of u times A. These slopes lose less than 2^8 2^-32 of A over a patch. d is multiplied
+    /// by a factor that is off by `inaccuracy_`. An eighth is reserved for what else planes lose, for what
+    /// the bits lose of which divided values are made (2^-6), and for `more`, whose part below 1 is
+    /// multiplied. All of these losses are taken off d, a fourth more than they are, because that is
+    /// multiplied, too.
     SPANGLE_INLINE bool quotient(NearQuotient& to, const Projective& plane_of, int exponent,
                                  std::uint32_t more = 0) const {
         constexpr std::int64_t most_base = 1 << 19;
@@ -174,15 +178,16 @@ template <class Products> class NearDivisionOf {
         SPANGLE_INLINE Slopes(std::int64_t x, std::int64_t y)
             : dx(static_cast<std::int32_t>(x)), dy(static_cast<std::int32_t>(y)), fit(dx == x && dy == y) {}
     };
-    /// v 2^(exponent + 32) / m of a plane with its guard bits.
+    /// v 2^(exponent + 32) / m, where v is a value of a plane with its guard bits.
     SPANGLE_INLINE std::int64_t over_m(std::uint64_t v, int exponent) const {
         const auto top = static_cast<std::int32_t>(static_cast<std::uint32_t>(v >> 32));
         const std::uint32_t low = numeric::mul_high_u32(static_cast<std::uint32_t>(v), mantissa_);
         return numeric::words_after(numeric::mul_s32_u32(top, mantissa_) + low,
-                                    14 - zeros_ - exponent); // 5 .. 21
+                                    14 - zeros_ - exponent); // shift is 5 .. 21
     }
-    /// How far from 0 a plane is at most: all over the patch, or, where that is more than `enough`, between
-    /// the corners of the primitive. The centres of a line's fragments lie up to a pixel beyond those.
+    /// How far from 0 a plane gets at most: over the whole patch, or, where that is more than `enough`,
+    /// between the vertices of the primitive. The centres of a line's fragments lie up to a pixel beyond
+    /// those vertices.
     SPANGLE_INLINE std::uint64_t spread(std::int32_t center, std::int32_t dx, std::int32_t dy,
                                         std::uint32_t enough) const {
         const std::uint32_t x = numeric::abs_u32(dx), y = numeric::abs_u32(dy);
@@ -204,7 +209,7 @@ template <class Products> class NearDivisionOf {
         }
         return most + 1;
     }
-    /// From the value at the place.
+    /// The plane that has the value `center` at the place.
     SPANGLE_INLINE Interpolant<std::uint32_t> plane(std::int32_t center, std::int32_t dx,
                                                     std::int32_t dy) const {
         const auto x = static_cast<std::uint32_t>(dx), y = static_cast<std::uint32_t>(dy);
@@ -218,11 +223,11 @@ template <class Products> class NearDivisionOf {
     const FixedVertex* const (&vertices_)[3]; ///< of the primitive
     int zeros_ = 1;
     std::uint32_t mantissa_ = 0;
-    std::uint32_t inaccuracy_ = 0; ///< of 1/q
+    std::uint32_t inaccuracy_ = 0; ///< of 1/q, in the unit of Products::inaccuracy()
 };
 using NearDivision = NearDivisionOf<NearHalves>;
 
-/// Planes in eight lanes, as far as 16 bits tell.
+/// Planes in eight lanes, as exact as 16 bits tell.
 template <int Count> class NearPlanes : public RowPlanes<Count> {
     static_assert(Count <= 4);
 
@@ -239,13 +244,13 @@ template <int Count> class NearPlanes : public RowPlanes<Count> {
         RowPlanes<Count>::start(x);
     }
     SPANGLE_INLINE void step() { this->at_[0] += this->dx_[0] << 3; }
-    /// Whole parts, up to 2 less than they are.
+    /// The whole part of plane I in each lane, at most 2 too small.
     template <int I> SPANGLE_INLINE L::U16 whole() const {
         return L::splat_half<2 * I + 1>(this->at_[0]) + offset_[I];
     }
 
   private:
-    /// What a plane has more than in the first lane, whole parts.
+    /// Sets what a plane has in each lane more than in the first lane, whole parts.
     template <int... I> SPANGLE_INLINE void set_offsets(std::integer_sequence<int, I...>) {
         const L::U16 columns = L::offsets16(L::splat(1), L::splat(0));
         const auto offset = [&](auto whole, auto fraction) __attribute__((always_inline)) {
@@ -258,7 +263,7 @@ template <int Count> class NearPlanes : public RowPlanes<Count> {
     L::U16 offset_[Count];
 };
 
-/// Eight fragments: u + u^2 + u^3.
+/// The inverse near a place for eight fragments: u + u^2 + u^3.
 class NearInverse {
   public:
     using L = Lanes<8>;

@@ -8,7 +8,8 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Two components in a word, the bits of Balanced<1>.
+/// Two components in a word, with the bits of Balanced<1>. This is the number system of sprites in the
+/// balanced tier.
 struct Packed {
     using Policy = Fixed;
     static constexpr int lanes = 1;
@@ -28,24 +29,24 @@ struct Packed {
     SPANGLE_INLINE static std::uint32_t opaque(const Color& s) {
         return ((s.word << 8) & 0xF800) | ((s.word >> 5) & 0x07E0) | (s.word >> 19 & 0x1F);
     }
-    /// Stores what is stored; stores the colour.
+    /// True where blending leaves what is stored (clear), or stores the colour itself (solid).
     SPANGLE_INLINE static bool clear(const Color& s) { return s.a() == 0; }
     SPANGLE_INLINE static bool solid(const Color& s) { return s.a() == 255; }
-    /// Balanced<1>::over, to8 and the top bits.
+    /// The stored word that Balanced<1>::over and to8 make.
     SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under) {
         const Rounded x(s, under);
         return (x.rb & 0xF800) | ((x.g >> 5) & 0x07E0) | x.rb >> 27;
     }
-    /// In 2^-27 of a step of five bits.
+    /// A threshold of dithering, in 2^-27 of a step of five bits.
     struct Threshold {
         std::uint32_t five;
         constexpr Threshold(std::uint32_t threshold32 = 0) : five(threshold32 << 22) {}
     };
-    /// Balanced<1>::over and dithered, the top bits of products.
+    /// The stored word that Balanced<1>::over and dithered() make, as the top bits of products.
     SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under, const Threshold& t) {
-        // Factors, not the sums of shifts that compilers make of them.
-        std::uint32_t by5 = numeric::kept_in_register(by_five), // a constant would be known
-            by6 = numeric::kept_in_register(by_six);
+        // These stay factors: compilers would make sums of shifts of them.
+        // A constant would be known to the compiler.
+        std::uint32_t by5 = numeric::kept_in_register(by_five), by6 = numeric::kept_in_register(by_six);
         Sums x(s, under);
         x.rb += ((x.rb + 0x00800080) >> 8) & 0x00FF00FF;
         x.g += (x.g + 0x80) >> 8;
@@ -56,7 +57,8 @@ struct Packed {
 
   private:
     static constexpr std::uint32_t by_five = Balanced<1>::step_scale(5), by_six = Balanced<1>::step_scale(6);
-    /// In 255ths of 255ths, as Balanced<1>::over has them before it divides.
+    /// The blended components in 65025ths (255ths of 255ths), as Balanced<1>::over has them before it
+    /// divides.
     struct Sums {
         std::uint32_t rb, g;
         SPANGLE_INLINE Sums(const Color& s, std::uint32_t under) {
@@ -65,7 +67,7 @@ struct Packed {
             g = numeric::bit_field<8, 8>(s.word) * a + ((under >> 5) & 63) * weight<6>(rest);
         }
     };
-    /// Balanced<1>::over and 128.
+    /// Balanced<1>::over with 128 added, so that the top bits are rounded.
     struct Rounded : Sums {
         SPANGLE_INLINE Rounded(const Color& s, std::uint32_t under) : Sums(s, under) {
             rb += 0x00800080;
@@ -74,17 +76,18 @@ struct Packed {
             g += g >> 8;
         }
     };
-    /// Balanced<1>::over_weight of a whole number of 255ths.
+    /// Balanced<1>::over_weight for a whole number of 255ths.
     template <unsigned Bits> SPANGLE_INLINE static std::uint32_t weight(std::uint32_t rest) {
         constexpr std::uint32_t scale = Balanced<1>::over_scale(Bits);
         return (rest * scale + (Balanced<1>::over_half(Bits) * scale >> 8)) >> 8;
     }
 };
 
-/// The same of the exact tier: the bits of Exact, which rounds to 8 bits what nothing but the quotient
-/// decides. With k of m = 31 or 63 steps stored, v = s a + (255 - a) 255 k / m in 65025ths is a multiple of
-/// 1 / m, m being odd: never halfway between two whole numbers, and at least 1 / (2 m) from there. It is
-/// rounded to one of them, which is on the same side of every halfway point between two 255ths.
+/// Packed for the exact tier: the bits of Exact, which rounds to 8 bits what the exact quotient alone
+/// decides. Let k of m = 31 or 63 steps be stored. Then v = s a + (255 - a) 255 k / m in 65025ths is a
+/// multiple of 1 / m. As m is odd, v is never halfway between two whole numbers, but at least 1 / (2 m) from
+/// there. v is rounded to a whole number, which is on the same side of every halfway point between two
+/// 255ths.
 struct PackedExact : Packed {
     SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under) {
         const std::uint32_t rest = 255 - s.a(), a = s.a() << fraction, w5 = weight<5>(rest),
@@ -98,10 +101,11 @@ struct PackedExact : Packed {
         std::uint32_t more;
         constexpr Threshold(std::uint32_t threshold32 = 0) : more((threshold32 * 65025 >> 5) + 511) {}
     };
-    /// Dithered: v is a whole number of 65025ths of a step, so that floor(v + t) is one of the whole numbers
-    /// of them. Thresholds are odd 32nds: nothing is nearer to a step than 2^-21, more than Exact is off by.
+    /// Dithered blending. v is a whole number of 65025ths of a step, so that floor(v + t) is decided by whole
+    /// numbers. Thresholds are odd 32nds: no sum is nearer to a step than 2^-21, which is more than Exact is
+    /// off by.
     SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under, const Threshold& t) {
-        // Of m s a + 255 (255 - a) k, which is below 2^22 with the threshold.
+        // The steps of v = m s a + 255 (255 - a) k, which is below 2^22 with the threshold.
         const auto steps = [more = t.more](std::uint32_t v) {
             return (v + more + 511 * ((v + more) >> 16)) >> 16;
         };
@@ -114,14 +118,14 @@ struct PackedExact : Packed {
 
   private:
     static constexpr unsigned fraction = 13;
-    /// rest 255 / m in 2^-13, less than 2 too small.
+    /// The weight rest 255 / m in 2^-13, less than 2 too small.
     template <unsigned Bits> SPANGLE_INLINE static std::uint32_t weight(std::uint32_t rest) {
         constexpr unsigned more = Bits + 2; // rest scale < 2^32
         constexpr std::uint32_t m = (1u << Bits) - 1, scale = (255u << (fraction + more)) / m;
         return (rest * scale) >> more;
     }
-    /// Of v in 2^-13, less than 2 m too small, m being added: what is left is less than 1 / (2 m). 256 times
-    /// v / 255, to 8 bits.
+    /// Rounds v, in 2^-13 and less than 2 m too small, to 8 bits. m is added, and what is left of the error
+    /// is less than 1 / (2 m). The result is 256 v / 255, of which the top 8 bits count.
     template <unsigned Bits> SPANGLE_INLINE static std::uint32_t rounded(std::uint32_t v) {
         constexpr std::uint32_t m = (1u << Bits) - 1, half = (128u << fraction) + (1u << (fraction - 1)) + m;
         const std::uint32_t x = (v + half) >> fraction;
@@ -129,11 +133,11 @@ struct PackedExact : Packed {
     }
 };
 
-/// The same of the fast tier (Coarse): all three components at once.
+/// Packed for the fast tier (Coarse): all three components are blended at once.
 struct PackedCoarse : Packed {
-    SPANGLE_INLINE static bool clear(const Color& s) { return s.word < 4u << 24; }    // 0 of 32
-    SPANGLE_INLINE static bool solid(const Color& s) { return s.word >= 252u << 24; } // all of them
-    /// Of 32; 0 of both, too.
+    SPANGLE_INLINE static bool clear(const Color& s) { return s.word < 4u << 24; }    // alpha is 0 of 32
+    SPANGLE_INLINE static bool solid(const Color& s) { return s.word >= 252u << 24; } // alpha is 32 of 32
+    /// Alpha in 32nds, where both 0 and 32 give 0.
     SPANGLE_INLINE static std::uint32_t weight(const Color& s) { return (s.word + (4u << 24)) >> 27; }
     SPANGLE_INLINE static bool whole(const Color& s) { return weight(s) == 0; }
     SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under) {
@@ -144,15 +148,15 @@ struct PackedCoarse : Packed {
         constexpr Threshold(std::uint32_t threshold32 = 0)
             : bytes((threshold32 >> 2) * 0x00010001 + (threshold32 >> 3 << 8)) {}
     };
-    /// Coarse::dithered: what stays above the bits of its steps is what is blended, or stored. No byte
-    /// reaches the next.
+    /// Coarse::dithered for all components: the bits above those of its steps are blended, or stored. No byte
+    /// carries into the next.
     SPANGLE_INLINE static Color dithered(const Color& s, const Threshold& t) {
         return {s.word - (s.word >> 5 & 0x00070007) - (s.word >> 6 & 0x00000300) + t.bytes};
     }
-    /// What is stored, twice. Of a colour that is not solid. Every sum is below 2^10 or, of six bits, 2^11:
-    /// none reaches the next.
+    /// The blended word, twice, for a colour that is not solid. Every sum is below 2^10 or, for six bits,
+    /// 2^11, so that none carries into the next component.
     SPANGLE_INLINE static std::uint32_t over_both(const Color& s, std::uint32_t a, std::uint32_t both) {
-        // Taken out before they are put in: five instructions of ARM.
+        // Fields are extracted before they are inserted: five instructions of ARM.
         const std::uint32_t r = numeric::factor32(numeric::bit_field<3, 5>(s.word)),
                             g = numeric::factor32(numeric::bit_field<10, 6>(s.word));
         const std::uint32_t source = numeric::bit_field<19, 5>(s.word) | r << 11 | g << 21;
@@ -167,7 +171,7 @@ struct PackedCoarse : Packed {
 };
 template <class N> inline constexpr bool is_packed = std::is_base_of_v<Packed, N>;
 
-/// In lanes of 16 bits components are whole 255ths.
+/// A number system of sprites in lanes of 16 bits: components are whole 255ths.
 template <int Count> struct Bytes {
     using Policy = Fixed;
     static constexpr int lanes = Count;
@@ -182,7 +186,7 @@ template <int Count> struct Bytes {
     SPANGLE_INLINE static T from_units(std::uint32_t c) { return L::splat(c >> color_fraction_bits); }
 };
 
-/// The bits of PackedCoarse.
+/// CoarseBytes has the bits of PackedCoarse.
 template <int Count> struct CoarseBytes : Bytes<Count> {
     using T = typename Bytes<Count>::T;
     struct Threshold {
@@ -198,12 +202,13 @@ template <int Count> struct CoarseBytes : Bytes<Count> {
     }
 };
 
-/// The bits of Exact.
+/// ExactBytes has the bits of Exact.
 template <int Count> struct ExactBytes : Bytes<Count> {
     using typename Bytes<Count>::L, typename Bytes<Count>::T;
-    /// v (PackedExact) in 65025ths is s a + (255 - a) k 255 / m. With 255 = whole m + rest the second product
-    /// is `parts`, a whole number, and parts rest / (whole m), which is never halfway between two. Rounded to
-    /// a whole number the sum is on the same side of every halfway point between two 255ths.
+    /// v (see PackedExact) in 65025ths is s a + (255 - a) k 255 / m. With 255 = whole m + rest the second
+    /// product is `parts`, a whole number, plus parts rest / (whole m), which is never halfway between two
+    /// whole numbers. Rounded to a whole number the sum is on the same side of every halfway point between
+    /// two 255ths.
     template <unsigned Bits> SPANGLE_INLINE static T over(T s, T a, T k) {
         constexpr std::uint32_t m = (1u << Bits) - 1, whole = 255 / m, rest = 255 % m, unit = whole * m;
         constexpr std::uint32_t scale = ((rest << (16 + Bits)) + unit / 2) / unit;
@@ -211,7 +216,8 @@ template <int Count> struct ExactBytes : Bytes<Count> {
         const T more = (L::mul_high(parts, L::splat(scale)) + (1u << (Bits - 1))) >> Bits;
         return by_256ths(s * a + parts + more + 128);
     }
-    /// floor(65025 t) in 255ths and what is left of them, one more of each for the quotients.
+    /// floor(65025 t) in two words: whole 255ths, and the rest. Each is one more than that, for the
+    /// quotients.
     struct Threshold {
         static constexpr int words = 2;
         static constexpr std::uint32_t word(int i, std::uint32_t threshold32) {
@@ -219,8 +225,8 @@ template <int Count> struct ExactBytes : Bytes<Count> {
             return (i == 0 ? t / 255 : t % 255) + 1;
         }
     };
-    /// PackedExact's steps, floor((m s a + 255 (255 - a) k + T) / 65025): divided by 255 twice, of which 256
-    /// is one and 1.
+    /// The steps of PackedExact, floor((m s a + 255 (255 - a) k + T) / 65025), by two divisions by 255. A
+    /// product is taken in 256ths, and 256 is 255 and 1.
     template <unsigned Bits, class Thresholds>
     SPANGLE_INLINE static T dithered(T s, T a, T k, const Thresholds& t) {
         constexpr std::uint32_t m = (1u << Bits) - 1;
@@ -230,7 +236,7 @@ template <int Count> struct ExactBytes : Bytes<Count> {
     }
 
   private:
-    /// floor((v + floor(v / 256)) / 256); of v + 1 it is floor(v / 255), v + 1 < 2^16.
+    /// floor((v + floor(v / 256)) / 256). For v + 1 in place of v this is floor(v / 255), where v + 1 < 2^16.
     SPANGLE_INLINE static T by_256ths(T v) { return L::mul_high(v, L::splat(257)); }
 };
 

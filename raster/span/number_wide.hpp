@@ -1,4 +1,4 @@
-// The exact tier in eight lanes: the bits of Exact, of eight fragments at once.
+// The number system of the exact tier in eight lanes: the bits of Exact, for eight fragments at once.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -30,7 +30,7 @@ struct ExactLanes {
     SPANGLE_INLINE static T texel6(const L::U16& k) { return step<63>(L::widened(k), 62); }
     SPANGLE_INLINE static T from_units(std::uint32_t c) { return L::splat32(c); }
     SPANGLE_INLINE static T from_affine(const L::U32& v) {
-        // Words below half a unit are 0: rounding took them there.
+        // Words below the bias of half a unit become 0: rounding took them below it.
         const auto unbiased = [](const auto& w) __attribute__((always_inline)) {
             return (w - (1u << 15)) & std::bit_cast<std::remove_cvref_t<decltype(w)>>((w >> 15) != 0);
         };
@@ -49,23 +49,25 @@ struct ExactLanes {
         const T d = Bits == 5 ? from5(k) : Bits == 6 ? from6(k) : from8(k);
         return add(mul(s, a), mul(d, one - a));
     }
-    /// Weights below 2^16, of two components. Products of halves are 32 bits long.
+    /// As Exact::weighted(), for two components and weights below 2^16. The products of half-words fit 32
+    /// bits.
     SPANGLE_INLINE static T weighted(const T& a, const L::U16& wa, const T& b, const L::U16& wb) {
         const T x = L::widened(wa), y = L::widened(wb);
         const T high = (a >> 16) * x + (b >> 16) * y, low = (a & 0xFFFFu) * x + (b & 0xFFFFu) * y;
         return high + ((low + L::splat32(65535)) >> 16);
     }
-    /// Four texels, weighted: of column i + 1 and of row j + 1 in 256ths.
+    /// Weights of four texels, for LINEAR: those of column i + 1 and of row j + 1 are given in 256ths.
     class Weights {
       public:
         SPANGLE_INLINE explicit Weights(const L::U16& b) : near_(256u - L::widened(b)), far_(L::widened(b)) {}
-        /// Components of 8 bits each, k / 255: nothing is rounded.
+        /// The weighted component of four texels whose components have 8 bits, k / 255: nothing is rounded.
         SPANGLE_INLINE T bytes(const L::U16& c00, const L::U16& c10, const L::U16& c01, const L::U16& c11,
                                const T& right) const {
             return sum(L::widened(c00), L::widened(c10), L::widened(c01), L::widened(c11), right)
                    << (color_fraction_bits - 16);
         }
-        /// Components as they are, 28 bits in two halves of 14: a row of texels has 22, both rows have 30.
+        /// The weighted component of four components of 28 bits, taken as two halves of 14: a row of texels
+        /// has 22 bits, both rows have 30.
         SPANGLE_INLINE T components(const T& c00, const T& c10, const T& c01, const T& c11,
                                     const T& right) const {
             constexpr std::uint32_t low_bits = (1u << 14) - 1;
@@ -75,7 +77,7 @@ struct ExactLanes {
         }
 
       private:
-        T near_, far_; ///< of rows j and j + 1
+        T near_, far_; ///< weights of rows j and j + 1, 256ths
         SPANGLE_INLINE T sum(const T& c00, const T& c10, const T& c01, const T& c11, const T& right) const {
             const T left = 256u - right;
             return (c00 * left + c10 * right) * near_ + (c01 * left + c11 * right) * far_;
@@ -87,14 +89,15 @@ struct ExactLanes {
     SPANGLE_INLINE static T mix(const T& a, const T& b, const T& f) {
         return a + lane_product_high_signed((b - a) << 2, f);
     }
-    /// In lanes thresholds are those of steps of 2^11.
+    /// A threshold of dithering. In lanes it counts in steps of 2^11.
     struct Threshold {
         static constexpr int words = 1;
         static constexpr std::uint32_t word(int, std::uint32_t threshold32) { return threshold32 << 6; }
     };
-    /// The dithered steps in the top bits of 16.
+    /// The dithered colour as a word of 16 bits with its steps in the top bits.
     template <unsigned Bits> SPANGLE_INLINE static L::U16 tops(const T& v, const L::U16& threshold) {
-        // Steps are 2^(28 - Bits) of 28 bits; thresholds 2^(16 - 5 - 5) of 16.
+        // Of the 28 bits of the colour a step is 2^(28 - Bits). Of the 16 of a threshold a 32nd of a step is
+        // 2^(16 - 5 - 5).
         return L::low_half((steps<Bits>(v) + (L::widened(threshold) << (17 - Bits))) >> 12);
     }
     template <unsigned Bits> SPANGLE_INLINE static L::U16 dithered(const T& v, const L::U16& threshold32) {
@@ -102,10 +105,10 @@ struct ExactLanes {
     }
 
   private:
-    /// (k one + More) / Most, rounded down: one / Most is a whole number and a rest.
+    /// (k one + more) / Most, rounded down: one / Most is taken as a whole number and a rest.
     template <std::uint32_t Most> SPANGLE_INLINE static T step(const T& k, std::uint32_t more) {
         constexpr std::uint32_t whole = one / Most, rest = one % Most;
-        // (k rest + more) / Most for values below Most (Most + 1): exact with 20 fraction bits.
+        // (k rest + more) / Most, for numerators below Most (Most + 1): exact with 20 fraction bits.
         constexpr std::uint32_t inverse = ((1u << 20) + Most - 1) / Most;
         return k * whole + (((k * rest + L::splat32(more)) * inverse) >> 20);
     }
@@ -117,10 +120,10 @@ struct ExactLanes {
 
 template <> struct WithOneLane<ExactLanes> { using Type = Exact; };
 
-/// The exact tier, in whatever number of lanes.
+/// True for number systems of the exact tier, whatever their number of lanes.
 template <class N> inline constexpr bool is_exact = std::is_same_v<OneLane<N>, Exact>;
 
-/// The exact tier of the chain in this build.
+/// The number system of the exact tier that the chain of this build uses.
 using ExactChain = std::conditional_t<host_lanes == 8, ExactLanes, Exact>;
 
 } // namespace SPANGLE_INSTRUCTIONS

@@ -1,4 +1,4 @@
-// Packets that short rows of a primitive share: each fragment has a place of its own.
+// Packets that short rows of a primitive share: each of their fragments has a place of its own.
 #pragma once
 
 #include "raster/span/draw_state.hpp"
@@ -10,19 +10,20 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// A power of two, four groups of lanes where there are any.
+/// Fragments of a packet, a power of two: four groups of lanes where there are any.
 inline constexpr std::int32_t packet_length = host_lanes > 1 ? 4 * host_lanes : packet;
 
-/// How long the runs of texture coordinates are in rows that are drawn together (run_lengths.hpp): each
-/// packet of a row asks.
+/// How long the runs of texture coordinates are in rows that are drawn together (run_lengths.hpp), kept for
+/// the packets that ask for it.
 struct RowRuns {
     const Row* rows;
     std::int32_t count;
     struct Group {
-        std::int32_t number;               ///< of eight rows
-        alignas(32) std::uint32_t log2[8]; ///< of the length
+        std::int32_t number;               ///< number of the group of eight rows; -1: none
+        alignas(32) std::uint32_t log2[8]; ///< log2 of the length of runs in each row
     };
-    Group known[max_texture_units][2]; ///< the last two: packets of one group meet those of the next
+    /// The last two groups: packets of one group alternate with packets of the next.
+    Group known[max_texture_units][2];
 
     RowRuns(const Row* of, std::int32_t n) : rows(of), count(n) {
         for (auto& unit : known)
@@ -30,25 +31,25 @@ struct RowRuns {
     }
 };
 
-/// Where no packet asks.
+/// Takes the place of RowRuns where no packet asks.
 struct NoRowRuns {
     NoRowRuns(const Row*, std::int32_t) {}
 };
 
 /// A part of a row in a packet that rows share.
 struct Piece {
-    Row row;             ///< [first, last) are the part's
-    std::int32_t number; ///< of the row, in RowRuns
-    std::int32_t at;     ///< fragment of the packet that its first is
+    Row row;             ///< its columns [first, last) are those of the part
+    std::int32_t number; ///< number of the row in RowRuns
+    std::int32_t at;     ///< index in the packet of the first fragment of the part
     std::uint8_t *color, *depth;
 };
 
-/// Where the fragments of such a packet lie.
+/// Where the fragments of a packet lie that rows share.
 struct PacketRows {
     Span<Fixed>& span;
     std::int32_t pieces = 0;
     Piece piece[packet_length];
-    /// From the anchor, to the right and up; of lanes beyond the last fragment the same as of that.
+    /// Columns to the right of the anchor and rows above it. Lanes beyond the last fragment repeat its place.
     alignas(32) std::uint32_t x[packet_length + host_lanes], y[packet_length + host_lanes];
     explicit PacketRows(Span<Fixed>& of) : span(of) {}
 };
@@ -59,12 +60,12 @@ template <class L> struct LanePlaces {
     SPANGLE_INLINE friend LanePlaces operator+(const LanePlaces& at, std::int32_t) { return at; }
 };
 
-/// A group of lanes of such a packet as the stages of a list see it, in place of a span: what they ask of a
-/// column they are told of each lane.
+/// A group of lanes of a packet that rows share, as stages see it in place of a span. Where a stage asks for
+/// the value at a column, it gets the value at the place of each lane.
 template <class L> struct PlaneLanes {
     static constexpr int lanes = L::count;
     const Span<Fixed>& planes;
-    typename L::U32 columns, lines; ///< from the anchor
+    typename L::U32 columns, lines; ///< places counted from the anchor
     LanePlaces<L> x = {columns + L::splat32(static_cast<std::uint32_t>(planes.anchor_x))},
                   y = {lines + L::splat32(static_cast<std::uint32_t>(planes.anchor_y))};
     const DrawState* state = planes.state;
@@ -82,7 +83,7 @@ template <class L> struct PlaneLanes {
     SPANGLE_INLINE typename L::U32 at(std::int32_t, const Span<Fixed>::Affine& plane) const {
         return L::splat32(plane.value) + columns * plane.dx + lines * plane.dy;
     }
-    /// The top words of a plane of 64 bits.
+    /// The top words of the values of a plane of 64 bits.
     SPANGLE_INLINE typename L::U32 tops(const Interpolant<std::uint64_t>& plane) const {
         return L::generate([&](std::uint32_t lane) __attribute__((always_inline)) {
             const auto i = static_cast<int>(lane);

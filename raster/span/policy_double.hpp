@@ -19,12 +19,12 @@ inline double clamp01(double v) {
     return v > 0 ? (v < 1 ? v : 1) : 0;
 }
 
-/// v, or 0 where it is no number an int32 could hold the texels of (1/w or q not positive: undefined in GL).
+/// v, or 0 where the texels of v do not fit an int32 (1/w or q are not positive, which GL leaves undefined).
 inline double tame(double v) {
     return std::fabs(v) < 1 << 20 ? v : 0;
 }
 
-/// Number system of the reference: components 0 .. 1.
+/// The number system of the reference: components are 0 .. 1.
 struct Reference {
     using Policy = Double;
     static constexpr int lanes = 1;
@@ -41,10 +41,10 @@ struct Reference {
     static T texel5(std::uint32_t k) { return from5(k); }
     static T texel6(std::uint32_t k) { return from6(k); }
     static T from_units(std::uint32_t c) { return static_cast<double>(c) / color_one; }
-    /// Nearest k of k / 255 (GL 1.3, 2.13.9). Halves round up, also where double missed them by its own
+    /// The nearest k of k / 255 (GL 1.3, 2.13.9). Halves round up, also where double missed them by its own
     /// error.
     static std::uint32_t to8(T v) { return static_cast<std::uint32_t>(v * 255 + (0.5 + 1e-9)); }
-    /// What lies on a threshold is the step above it, likewise.
+    /// A colour that lies on a threshold becomes the step above it, also where double missed it.
     template <unsigned Bits> static std::uint32_t dithered(T v, std::uint32_t threshold32) {
         return static_cast<std::uint32_t>(v * ((1 << Bits) - 1) + (threshold32 / 32.0 + 1e-9));
     }

@@ -1,4 +1,4 @@
-// The planes of a primitive side by side, so that a row starts all of them at once.
+// The planes of a primitive side by side in vectors, so that a row starts all of them at once.
 #pragma once
 
 #include <utility>
@@ -10,12 +10,13 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Four of them in a vector. What is constant lies in lanes: a store to the surface might change anything
-/// else.
+/// Planes of which a vector holds four. Constants are kept in lanes of registers: a store to the surface
+/// might change anything in memory.
 template <int Count> class RowPlanes {
   public:
     using L = Lanes<8>;
-    /// From this row up and its column x to the right, in this row.
+    /// Starts the planes at column x of this row. They are valid from this row up and from this column to the
+    /// right.
     template <class S, class... Plane>
     SPANGLE_INLINE explicit RowPlanes(const S& row, std::int32_t x, const Plane&... of)
         : x_(row.x + x), y_(row.y) {
@@ -25,7 +26,7 @@ template <int Count> class RowPlanes {
         set(origin_, row.at(x, of)...);
         each([&](int k) __attribute__((always_inline)) { row_[k] = origin_[k]; });
     }
-    /// Window columns from x on, less than 2^16 further than where these were made.
+    /// Starts at window column x, less than 2^16 columns right of where the planes were made.
     SPANGLE_INLINE void start(std::int32_t x) {
         const L::U16 columns = splat(x - x_);
         each([&](int k) __attribute__((always_inline)) { at_[k] = row_[k] + L::times(dx_[k], columns); });
@@ -33,12 +34,12 @@ template <int Count> class RowPlanes {
     SPANGLE_INLINE void next_row() {
         each([&](int k) __attribute__((always_inline)) { row_[k] += dy_[k]; });
     }
-    /// Less than 2^16 rows further up than where these were made.
+    /// Goes to window row y, less than 2^16 rows above the one where the planes were made.
     SPANGLE_INLINE void to_row(std::int32_t y) {
         const L::U16 rows = splat(y - y_);
         each([&](int k) __attribute__((always_inline)) { row_[k] = origin_[k] + L::times(dy_[k], rows); });
     }
-    /// Of the first lane, in all.
+    /// Plane I in the first lane, repeated in all lanes.
     template <int I> SPANGLE_INLINE L::U32 first() const {
         constexpr int k = I / 4, lane = I % 4;
         const L::Words v = __builtin_shufflevector(at_[k], at_[k], lane, lane, lane, lane);
@@ -50,9 +51,9 @@ template <int Count> class RowPlanes {
     static_assert(vectors <= 2);
     using Planes = L::Words[vectors];
     const std::int32_t x_, y_;
-    Planes dx_, dy_, origin_, row_, at_; ///< origin_, row_: at x_
+    Planes dx_, dy_, origin_, row_, at_; ///< origin_ and row_ are values at column x_
 
-    /// Not a loop, whose index would keep all of it in memory.
+    /// Written out instead of a loop, whose index would keep all planes in memory.
     template <class F> SPANGLE_INLINE static void each(F f) {
         f(0);
         if constexpr (vectors > 1)
@@ -69,8 +70,8 @@ template <int Count> class RowPlanes {
     }
 };
 
-/// And their high halves, exactly, in eight lanes. Nothing but the four of the first lane is kept from group
-/// to group: registers are few.
+/// Planes and the exact high halves of their values in eight lanes. Only the four values of the first lane
+/// are kept from group to group: registers are few.
 template <int Count> class LanePlanes : public RowPlanes<Count> {
   public:
     using L = Lanes<8>;
@@ -82,7 +83,7 @@ template <int Count> class LanePlanes : public RowPlanes<Count> {
     SPANGLE_INLINE void step() {
         this->each([&](int k) __attribute__((always_inline)) { this->at_[k] += this->dx_[k] << 3; });
     }
-    /// Where the sum of low halves wraps, it carries.
+    /// The high half of plane I in each lane. Where the sum of low halves wraps, it carries.
     template <int I> SPANGLE_INLINE L::U16 high() const {
         const L::Words& at = this->at_[I / 4];
         return L::splat_half<I % 4 * 2 + 1>(at) + above_[I] +
@@ -103,8 +104,8 @@ template <int Count> class LanePlanes : public RowPlanes<Count> {
         room_[I] = ~(low * columns);
         above_[I] = high * columns + L::mul_high(low, columns) + 1;
     }
-    /// What a plane has more than in the first lane: its high half and 1, what its low half leaves to 2^16
-    /// - 1.
+    /// What a plane has in each lane more than in the first: its high half plus 1 (above_), and 2^16 - 1 less
+    /// its low half (room_).
     L::U16 above_[Count], room_[Count];
 };
 

@@ -1,4 +1,5 @@
-// How long the runs of texture coordinates are, eight rows at once: the integers of CoordRuns::choose_log2().
+// Finds how long the runs of texture coordinates are, for eight rows at once: the integers of
+// CoordRuns::choose_log2().
 #pragma once
 
 #include "raster/span/coord_runs.hpp"
@@ -9,22 +10,23 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// What CoordRuns asks of a draw. It has formulas of its own, so that its code in firmware stays as it is.
+/// What a draw allows CoordRuns. The formulas are repeated here, so that the code of CoordRuns in firmware
+/// stays as it is.
 struct RunLimits {
-    std::int32_t shortest, longest; ///< logarithms of lengths
-    std::int32_t margin;            ///< of three logarithms, and the error that is left
+    std::int32_t shortest, longest; ///< logarithms to base 2 of lengths in pixels
+    std::int32_t margin; ///< of three logarithms, and of the error that is allowed (8 fraction bits)
     RunLimits(const DrawState& draw, int unit)
         : shortest(of_straight_tier<[](const Knobs& k) { return std::int32_t{k.shortest_run}; }>(draw)),
           longest(of_straight_tier<[](const Knobs& k) { return std::int32_t{k.longest_run}; }>(draw)),
           margin(of_straight_tier<[](const Knobs& k) { return 256 * k.texel_bits - 506; }>(draw)) {
         const auto& wraps = draw.wraps[unit];
-        if (longest > CoordRuns::max_log2 && !(wraps.s && wraps.t)) // these saturate
+        if (longest > CoordRuns::max_log2 && !(wraps.s && wraps.t)) // the other coordinates saturate
             longest = CoordRuns::max_log2;
     }
 };
 
-/// Logarithms of the lengths of runs in rows that begin at these places, counted from the anchor. Nobody asks
-/// about a row that is no longer than the shortest runs.
+/// Logarithms of the lengths of runs in rows that begin at these places, counted from the anchor. Rows that
+/// are no longer than the shortest runs are never asked about.
 SPANGLE_INLINE LaneWords run_log2s(const Span<Fixed>& span, int which, const LaneWords& x, const LaneWords& y,
                                    const LaneWords& length) {
     const auto& unit = span.unit[which];
@@ -42,7 +44,7 @@ SPANGLE_INLINE LaneWords run_log2s(const Span<Fixed>& span, int which, const Lan
             using Vector = std::remove_cvref_t<decltype(s)>;
             const auto numerator = [&](const Vector& v, std::uint64_t dv, int log2_size)
                 __attribute__((always_inline)) {
-                // What RunBound adds.
+                // The 2^31 is what RunBound adds, too.
                 return inner::lane_log2(inner::derivative(unguarded(dv), v, by, q0) +
                                         (std::int64_t{1} << 31)) +
                        (static_cast<std::uint32_t>(log2_size) << 8);

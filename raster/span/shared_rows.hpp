@@ -1,5 +1,5 @@
-// The chain along the rows of a primitive. Where there are lanes, short rows share packets: a stage is called
-// once for all of them, and no lane is left without a fragment but in the last packet.
+// Runs the chain along the rows of a primitive. Where there are lanes, short rows share packets: a stage is
+// called once for all of them, and only the last packet has lanes without a fragment.
 #pragma once
 
 #include "raster/span/chain.hpp"
@@ -10,7 +10,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Rows of one primitive, none of which share a pixel. The chain is the one of the span's kind.
+/// Draws rows of one primitive, no two of which share a pixel, with the chain of the span's kind.
 template <class N> class SharedRows {
   public:
     SharedRows(Span<Fixed>& span, const Row* row, const Row* end)
@@ -45,7 +45,7 @@ template <class N> class SharedRows {
                 draw();
         }
     }
-    /// What is left.
+    /// Draws the pieces that are left.
     void draw() {
         if (rows_.pieces == 1)
             alone(rows_.piece[0].row, rows_.piece[0].number);
@@ -60,7 +60,8 @@ template <class N> class SharedRows {
     void together() {
         const Span<Fixed>& span = rows_.span;
         const DrawState& state = *span.state;
-        enter(rows_.span, rows_.piece[0].row); // for stages that look along a row before they ask for places
+        // For stages that look along a row before they ask for places.
+        enter(rows_.span, rows_.piece[0].row);
         Packet<N> k;
         k.rows = &rows_;
         k.row = {&runs_, 0};
@@ -95,8 +96,8 @@ template <class N> class SharedRows {
                 [](std::uint8_t * packet, std::uint8_t * plane, std::int32_t bytes)
                     __attribute__((always_inline)) { inner::PacketCopy::copy(plane, packet, bytes); });
     }
-    /// Writes where the fragments of the piece lie, in whole groups of lanes. What that writes behind the
-    /// piece is overwritten by the next one.
+    /// Writes where the fragments of the piece lie, in whole groups of lanes. What is written behind the
+    /// piece is overwritten by the next piece.
     SPANGLE_INLINE void place(const Piece& piece) {
         using L = typename N::L;
         const Span<Fixed>& span = rows_.span;
@@ -108,7 +109,7 @@ template <class N> class SharedRows {
             L::store32(reinterpret_cast<std::uint8_t*>(rows_.y + i), y);
         }
     }
-    /// Between the planes and the packet's copy of them.
+    /// Moves pixels of a piece between the planes and the packet's copy of them.
     template <class Move> SPANGLE_INLINE void move(const Piece& piece, Move move) {
         const DrawState& state = *rows_.span.state;
         const std::int32_t n = piece.row.last - piece.row.first;
@@ -119,14 +120,15 @@ template <class N> class SharedRows {
     }
 };
 
-/// Where pixels have a coverage it counts from the row's first: such rows stay whole.
+/// Whether rows of this span may share packets. A coverage counts from the first pixel of a row: such rows
+/// stay whole.
 template <class P> SPANGLE_INLINE bool may_share(const Span<P>& span) {
     const PrimitiveState* const primitive = span.state->primitive;
     return span.state->variant[static_cast<unsigned>(span.kind)].shares &&
            (primitive == nullptr || primitive->coverage == nullptr);
 }
 
-/// As RowsFunction.
+/// A RowsFunction that draws with the chain.
 template <class N> void chain_rows(Span<typename N::Policy>& span, const Row* row, const Row* end) {
     if constexpr (N::lanes > 1) {
         if (may_share(span)) {

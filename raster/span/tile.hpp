@@ -1,5 +1,5 @@
-// Tiles: what a small triangle hands to a loop of its own where there are eight lanes. Its rows are not found
-// first: lanes are alive where three edges say so, and nothing is divided.
+// A tile is what a small triangle hands to a loop of its own where there are eight lanes. Its rows are not
+// found first: lanes are alive where three edges say so, and nothing is divided.
 #pragma once
 
 #include <bit>
@@ -10,30 +10,31 @@
 
 namespace spangle::raster {
 
-/// Eight columns of a few rows, all of them inside of the scissor rectangle: lanes that are dead keep what
-/// they hold. Triangles of more columns are two of them side by side. Narrow ones have four columns, of which
-/// eight lanes are two rows, and an even number of rows.
+/// Eight columns of a few rows, all of them inside of the scissor rectangle: pixels under dead lanes keep
+/// what they hold. A triangle of more columns is two tiles side by side. A narrow tile has four columns, so
+/// that eight lanes are two rows, and an even number of rows.
 struct Tile {
     static constexpr std::int32_t columns = 8, most_rows = 12, most_rows_of_two = 6;
     static constexpr std::int32_t narrow_columns = 4, most_narrow_rows = 22;
 
     std::int32_t x, y; ///< window position of lane 0 of the first row
     std::int32_t rows;
-    std::int32_t dead_rows; ///< the first ones, that make them even
+    std::int32_t dead_rows; ///< first rows that are dead, so that the number of rows is even
     bool narrow;
-    /// Three edges, k = 0, 1, 2. Twice the signed area that the centre of a lane spans with one of them, in
-    /// units of 2^-8 pixels, rounded down, is negative outside: in the first lane value[2 k]. A pixel further
-    /// it is by[k] more, a row further by[k + 4].
+    /// Three edges, k = 0, 1, 2. Twice the signed area that the centre of a lane spans with an edge, in units
+    /// of 2^-8 pixels, rounded down, is negative outside. Its value in the first lane is value[2 k]; a pixel
+    /// further right it is by[k] more, and a row further up by[k + 4] more.
     Lanes<8>::U16 value, by;
 
-    /// On to the one right of it.
+    /// Moves on to the tile right of this one.
     void move_right() {
         x += columns;
         value += Lanes<8>::mixed_low(by, by) * columns;
     }
 };
 
-/// The lanes of a tile that its edges leave, row by row or by two of them. L: Lanes<8> or Lanes<two_rows>.
+/// The lanes of a tile that its edges leave alive, by rows or by pairs of rows. L: Lanes<8> or
+/// Lanes<two_rows>.
 template <class L> class TileLanes {
   public:
     SPANGLE_INLINE explicit TileLanes(const Tile& tile)

@@ -1,4 +1,4 @@
-// Trapezoids: what a triangle of moderate size hands to a loop of its own where there are eight lanes. The
+// Trapezoids are what a triangle of moderate size hands to a loop of its own where there are eight lanes. The
 // loop walks the sides itself: no row is written down, to be read back for a handful of fragments.
 #pragma once
 
@@ -6,11 +6,11 @@
 
 namespace spangle::raster {
 
-/// A triangle cut at its middle corner, upwards. Its columns, and seven more, lie inside of the scissor
-/// rectangle, as do its rows: lanes that are dead keep what they hold.
+/// A triangle that is cut at its middle vertex, from the lowest row upwards. Its columns, and seven columns
+/// more, lie inside of the scissor rectangle, as do its rows: pixels under dead lanes keep what they hold.
 struct Trapezoids {
-    /// Columns with 32 fraction bits, mod 2^64: the first whose centre is on the side or right of it. `step`
-    /// leads to the next row.
+    /// A side, as columns with 32 fraction bits, mod 2^64: the first column whose centre is on the side or
+    /// right of it. `step` leads to the next row.
     struct Side {
         std::uint64_t at, step;
         std::int32_t column() const { return static_cast<std::int32_t>(at >> 32); }
@@ -19,10 +19,10 @@ struct Trapezoids {
         }
     };
     struct Part {
-        std::int32_t end; ///< the row behind its last
-        Side left, right; ///< [left, right) are covered
+        std::int32_t end; ///< the row behind the last row of the part
+        Side left, right; ///< columns [left, right) are covered
     };
-    std::int32_t y; ///< first row
+    std::int32_t y; ///< first row, window coordinate
     Part part[2];
 };
 
