@@ -1,4 +1,4 @@
-// Antialiasing (GL 1.3, 3.11): alpha times coverage, and the stipple of polygons (3.5.2).
+// Antialiasing (GL 1.3, 3.11) multiplies alpha by coverage. Polygons are stippled here, too (3.5.2).
 #pragma once
 
 #include <bit>
@@ -14,7 +14,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 template <class N> struct Coverage : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned in = field_color, out = field_color;
-    const std::uint32_t* at; ///< of this pixel; null: 1
+    const std::uint32_t* at; ///< coverage of this pixel; null: 1
     SPANGLE_INLINE Coverage(const Span<typename N::Policy>& s, std::int32_t x)
         : at(s.state->primitive->coverage) {
         if (at != nullptr)
@@ -40,11 +40,11 @@ template <class N> struct Coverage : StageBase {
     }
 };
 
-/// Bit (x mod 32, y mod 32) of window coordinates.
+/// Keeps fragments where bit (x mod 32, y mod 32) of the stipple, in window coordinates, is set.
 template <class N> struct PolygonStipple : StageBase {
     static_assert(N::lanes == 1);
     static constexpr bool kill = true;
-    std::uint32_t pattern; ///< bit 0: this column
+    std::uint32_t pattern; ///< bit 0 is this column's
     SPANGLE_INLINE PolygonStipple(const Span<typename N::Policy>& s, std::int32_t x)
         : pattern(s.state->primitive->stippled
                       ? std::rotr(s.state->fragment.polygon_stipple[s.y & 31], (s.x + x) & 31)

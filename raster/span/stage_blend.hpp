@@ -1,5 +1,5 @@
-// Blending with the stored colour (GL 1.3, 4.1.7): C = Cs S + Cd D, clamped. No destination alpha counts
-// as 1.
+// Blends with the stored colour (GL 1.3, 4.1.7): C = Cs S + Cd D, clamped. Where a format has no alpha,
+// destination alpha counts as 1.
 #pragma once
 
 #include "raster/span/component.hpp"
@@ -10,7 +10,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// The colour under a group of fragments: k/31, k/63 or k/255 exactly.
+/// The colour that is stored under a group of fragments: exactly k/31, k/63 or k/255.
 template <class N, PixelFormat Format>
 SPANGLE_INLINE typename N::Color load_color(const std::uint8_t* plane, std::int32_t i) {
     using L = typename N::L;
@@ -26,7 +26,7 @@ SPANGLE_INLINE typename N::Color load_color(const std::uint8_t* plane, std::int3
     }
 }
 
-/// What a fragment blends with, of a format known when it is compiled.
+/// The colour that a fragment blends with, in a format known when it is compiled.
 template <class N, PixelFormat Format> struct Stored {
     static constexpr bool anywhere = true;
     SPANGLE_INLINE Stored(const Span<typename N::Policy>&, std::int32_t) {}
@@ -36,7 +36,7 @@ template <class N, PixelFormat Format> struct Stored {
     SPANGLE_INLINE void step() {}
 };
 
-/// SRC_ALPHA, ONE_MINUS_SRC_ALPHA.
+/// Blends by SRC_ALPHA, ONE_MINUS_SRC_ALPHA.
 template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
     static constexpr unsigned in = field_color, out = field_color;
     static constexpr bool kill = true, anywhere = true;
@@ -45,8 +45,8 @@ template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         typename N::Color& s = p.color;
         const typename N::T a = s.a;
-        // Alpha 0 stores what is stored already (k/31, k/63, k/255 come back as k, dithered or not): nothing
-        // to do.
+        // Alpha 0 would store again what is stored (k/31, k/63 and k/255 come back as k, dithered or not), so
+        // there is nothing to do.
         if constexpr (N::lanes == 1) {
             if (a == 0)
                 return false;
@@ -71,8 +71,8 @@ template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
     }
 };
 
-/// The same of the fast tier, into 565: what is stored afterwards is exact, and no bits below are left.
-/// Dithering is that of what is blended.
+/// Blends by SRC_ALPHA, ONE_MINUS_SRC_ALPHA in the fast tier, into 565. The result is exactly the steps to
+/// store, with no bits below. Dithering applies to the colour that is blended.
 template <class N, PixelFormat Format, bool Dither> struct BlendCoarse : StageBase {
     static_assert(is_balanced<N> && is_565(Format));
     static constexpr unsigned in = field_color, out = field_color;
@@ -104,7 +104,7 @@ template <class N, PixelFormat Format, bool Dither> struct BlendCoarse : StageBa
 
 namespace inner {
 
-/// N::Threshold by y & 3, and x from any of a period's columns on.
+/// Tables of N::Threshold, by y & 3, and by x from any column of a period on.
 template <class N> struct Thresholds {
     typename N::Threshold at[4][7];
     constexpr Thresholds() : at{} {
@@ -115,7 +115,7 @@ template <class N> struct Thresholds {
 };
 template <class N> inline constexpr Thresholds<N> thresholds_of;
 
-/// A row of them, by the index of fragments: nothing to walk.
+/// The thresholds of a row, by the index of fragments: there is nothing to walk.
 template <class N> class ThresholdRow {
   public:
     SPANGLE_INLINE explicit ThresholdRow(const Span<Fixed>& s)
@@ -131,7 +131,7 @@ struct NoThresholds {
 
 } // namespace inner
 
-/// BlendAlpha and Store, or StoreDithered, of the packed systems.
+/// Does what BlendAlpha and Store, or StoreDithered, do, for the packed systems.
 template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBase {
     static_assert(is_packed<N>);
     static constexpr unsigned in = field_color;
@@ -153,7 +153,7 @@ template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBa
         if (N::clear(p.color))
             return false;
         std::uint8_t* const at = p.color_plane + p.bytes();
-        // What follows a branch is not begun before it.
+        // The code after a branch is not to begin before the branch.
         auto s = p.color;
         asm("" : "+r"(s.word));
         if constexpr (Dither) {
@@ -167,14 +167,14 @@ template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBa
         }
         return true;
     }
-    /// What is blended.
+    /// The colour that is blended, dithered where dithering is on.
     SPANGLE_INLINE typename N::Color source(const Px<N>& p) const {
         if constexpr (Dither)
             return N::dithered(p.color, dither.at(p.i));
         else
             return p.color;
     }
-    /// One test for clear and solid texels; loops end with the others.
+    /// One test finds clear and solid texels; loops end with all other texels.
     SPANGLE_INLINE bool blend_coarse(const Px<N>& p) const {
         const typename N::Color s = p.color;
         if (N::whole(s)) [[unlikely]] {
@@ -191,7 +191,7 @@ template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBa
     }
 };
 
-/// BlendAlpha and StoreDithered of Bytes.
+/// Does what BlendAlpha and StoreDithered do, for the systems of Bytes.
 template <class N, PixelFormat Format> struct BlendBytesDithered : StageBase {
     static constexpr unsigned in = field_color;
     static constexpr bool kill = true, effect = true;
@@ -216,7 +216,7 @@ template <class N, PixelFormat Format> struct BlendBytesDithered : StageBase {
     }
 };
 
-/// The equations, whatever the format.
+/// The equations of blending, for any format.
 template <class N> struct BlendEquations {
     using T = typename N::T;
     using Color = typename N::Color;
@@ -224,7 +224,7 @@ template <class N> struct BlendEquations {
     const FragmentState& state;
     SPANGLE_INLINE explicit BlendEquations(const FragmentState& of) : state(of) {}
 
-    /// GL 1.4, 4.1.7: MIN and MAX look at no factor.
+    /// One component of the result. MIN and MAX read no factor (GL 1.4, 4.1.7).
     [[gnu::noinline]] T combine(const Blending& by, const Color& s, const Color& d, Argument cs, Argument cd,
                                 Argument cc) const {
         if (by.equation == BlendEquation::min)
@@ -237,7 +237,7 @@ template <class N> struct BlendEquations {
         return by.equation == BlendEquation::subtract ? N::subtract(source, stored)
                                                       : N::subtract(stored, source);
     }
-    /// value * factor; 0 and 1 are exact (GL 1.3, 4.1.7).
+    /// The product value * factor; the factors 0 and 1 are exact (GL 1.3, 4.1.7).
     [[gnu::noinline]] T times(Argument value, BlendFactor factor, const Color& s, const Color& d, Argument cs,
                               Argument cd, Argument cc) const {
         const T one = N::from_units(color_one);
@@ -277,7 +277,7 @@ template <class N> struct BlendEquations {
     }
 };
 
-/// All equations and factors, chosen at run time.
+/// Blending by any equation and factors, chosen at run time.
 template <class N, class From> struct Blend : StageBase, BlendEquations<N> {
     static constexpr unsigned in = field_color, out = field_color;
     static constexpr bool anywhere = From::anywhere;
@@ -301,7 +301,7 @@ template <class N, class From> struct Blend : StageBase, BlendEquations<N> {
     SPANGLE_INLINE void step() { from.step(); }
 
   private:
-    /// Of alpha the saturating factor is 1.
+    /// The factor SRC_ALPHA_SATURATE is 1 for alpha.
     static Blending of_alpha(Blending b) {
         if (b.src == BlendFactor::src_alpha_saturate)
             b.src = BlendFactor::one;

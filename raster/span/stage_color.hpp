@@ -8,12 +8,12 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// A projective accumulator without its guard bits.
+/// The value of a projective plane without its guard bits.
 SPANGLE_INLINE std::int32_t unguarded(std::uint64_t v) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(v >> guard_bits));
 }
 
-/// Colour affine in the window (or constant). Alpha: it is looked at.
+/// A colour that is affine in the window (or constant). Alpha: some stage reads alpha.
 template <class N, bool Alpha> struct Gouraud : StageBase {
     static constexpr unsigned out = field_color;
     Ramp<typename N::L> r, g, b;
@@ -56,7 +56,7 @@ template <class N, bool Alpha> struct Gouraud : StageBase {
     }
 };
 
-/// Red, green and blue are one plane, alpha is 1: white light, or none.
+/// Red, green and blue are one plane and alpha is 1: white light, or none.
 template <class N> struct GouraudGray : StageBase {
     static constexpr unsigned out = field_color;
     Ramp<typename N::L> v;
@@ -72,7 +72,7 @@ template <class N> struct GouraudGray : StageBase {
     }
 };
 
-/// In place of a primary colour that a texture replaces.
+/// Stands in place of a primary colour that a texture replaces.
 template <class N> struct White : StageBase {
     static constexpr unsigned out = field_color;
     static constexpr bool anywhere = true;
@@ -84,7 +84,7 @@ template <class N> struct White : StageBase {
     }
 };
 
-/// Affine colour of which nothing but the top bits is stored.
+/// An affine colour of which only the top bits are stored.
 template <int Count> struct Gouraud<Raw565<Count>, false> : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<Count>;
@@ -116,10 +116,11 @@ template <int Count> struct Gouraud<Raw565<Count>, false> : StageBase {
 
 namespace inner {
 
-/// A colour from colour * q and 1/q, colour units. A colour that rounding made more than one is the number
-/// below it.
+/// A colour from colour * q and 1/q, in colour units. A colour that rounding made more than one becomes the
+/// number below one.
 SPANGLE_INLINE std::uint32_t projective_color(std::int32_t over_w, const Inverse& inverse) {
-    const auto most = static_cast<std::int32_t>(inverse.q - (inverse.q >> 8) - 1); // 255/256 are one
+    // 255/256 of q stand for one.
+    const auto most = static_cast<std::int32_t>(inverse.q - (inverse.q >> 8) - 1);
     const std::int32_t least = over_w < 0 ? 0 : over_w, v = least < most ? least : most;
     // v / q 2^28 = v mantissa 2^(zeros - 34), v < 2^(32 - zeros)
     return numeric::mul_high_u32(static_cast<std::uint32_t>(v) << inverse.zeros, inverse.mantissa) >> 2;
@@ -155,7 +156,7 @@ template <class N, bool Alpha> struct GouraudQ : StageBase {
     }
 };
 
-/// Adds the secondary colour, componentwise, clamped.
+/// Adds the secondary colour, component by component, clamped to 1.
 template <class N, bool Projective> struct ColorSum : StageBase {
     static constexpr unsigned in = field_color, out = field_color;
     using Word = std::conditional_t<Projective, std::uint64_t, std::uint32_t>;
@@ -199,7 +200,7 @@ template <class N, bool Projective> struct ColorSum : StageBase {
 
 namespace inner {
 
-/// The fog coordinate from fog * q and 1/q.
+/// The fog coordinate (s7.24) from fog * q and 1/q.
 inline std::uint32_t projective_fog(std::int32_t over_w, int exponent, const Inverse& inverse) {
     const std::int64_t product = numeric::mul_s32_u32(over_w, inverse.mantissa); // f/q 2^(62 - zeros)
     const int down = 38 - inverse.zeros - exponent;
@@ -209,7 +210,7 @@ inline std::uint32_t projective_fog(std::int32_t over_w, int exponent, const Inv
 
 } // namespace inner
 
-/// The fog coordinate, s7.24.
+/// Finds the fog coordinate, s7.24.
 template <class N, bool Projective> struct FogCoord;
 
 template <class N> struct FogCoord<N, false> : StageBase {

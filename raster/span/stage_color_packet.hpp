@@ -8,7 +8,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// N: of the packet.
+/// Colours of packets of number system N.
 template <class N> class PacketColors {
     using One = OneLane<N>;
     using Affine = Span<Fixed>::Affine;
@@ -23,13 +23,14 @@ template <class N> class PacketColors {
     }
 
   private:
-    /// Channels: 0 is three, which are added to what is there.
+    /// `channels` is 3 or 4 for a new colour. 0 stands for three channels that are added to the colour that
+    /// is there.
     [[gnu::noinline]] static void fill(PlacesOf<N>& places, const Span<Fixed>& span, const Affine* affine,
                                        const Projective* over_w, int channels) {
         auto& k = static_cast<Packet<N>&>(places);
         const bool adds = channels == 0, divides = span.kind == Kind::full;
         channels = adds ? 3 : channels;
-        std::uint64_t at[4], by[4], q = 0; // of affine colours the low words
+        std::uint64_t at[4], by[4], q = 0; // affine colours are in the low words
         for (int c = 0; c < channels; ++c) {
             at[c] = divides ? span.at(k.x, over_w[c]) : span.at(k.x, affine[c]);
             by[c] = divides ? over_w[c].dx : affine[c].dx;

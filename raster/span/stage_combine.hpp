@@ -1,5 +1,5 @@
-// All texture units of one fragment, when one of them combines: the colours of textures first, since any unit
-// may ask for that of another.
+// All texture units of one fragment, when one of them combines. Textures are sampled first, since any unit
+// may ask for the texture colour of another.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -9,7 +9,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Behind the coordinates and levels of detail of both units.
+/// Combines both units; it follows the stages of their coordinates and levels of detail.
 template <class N> struct CombineUnits : StageBase {
     static constexpr unsigned second = max_texture_units > 1 ? field_coord << 1 | field_lod << 1 : 0;
     static constexpr unsigned in = field_color | field_coord | field_lod | second;

@@ -10,7 +10,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 template <class N, int Unit, bool Projective> struct Coord;
 
-/// Affine over the primitive.
+/// Coordinates that are affine over the primitive.
 template <class N, int Unit> struct Coord<N, Unit, false> : StageBase {
     static constexpr unsigned out = field_coord << Unit;
     std::uint32_t s, t, ds, dt;
@@ -51,7 +51,7 @@ requires(N::lanes > 1) struct Coord<N, Unit, false> : StageBase {
     }
 };
 
-/// In place of runs where a primitive is one.
+/// Stands in place of runs where the whole primitive is one affine run.
 struct NoRuns {
     SPANGLE_INLINE NoRuns(const Span<Fixed>&, std::int32_t, int) {}
 };
@@ -59,7 +59,7 @@ template <class Runs> inline constexpr bool is_cubic = requires(Runs r) {
     r.ds.third;
 };
 
-/// A coordinate on its way.
+/// A coordinate that steps along a row, on a straight line or a cubic.
 template <bool Cubic> struct CoordWalk {
     std::uint32_t at;
     std::conditional_t<Cubic, Differences, std::uint32_t> by;
@@ -91,17 +91,18 @@ template <bool Cubic> struct CoordWalk {
             return true;
     }
     SPANGLE_INLINE void step_straight(std::uint32_t steps) { at = straight_ahead(steps); }
-    /// n steps go one way, not round the texture, and leave at >> shift as it is.
+    /// True where n steps go one way, not round the texture, and leave at >> shift as it is.
     SPANGLE_INLINE bool constant(std::uint32_t n, int shift) const {
         const auto down = static_cast<std::int32_t>(slope());
-        if (straight() && down == 0) // sprites: no product
+        if (straight() && down == 0) // sprites are decided without a product
             return true;
-        return straight() && at >> shift == straight_ahead(n) >> shift && // mostly not: no long product
+        // Most fail here, before the long product.
+        return straight() && at >> shift == straight_ahead(n) >> shift &&
                numeric::mul_u32(numeric::abs_u32(down), n) < 1u << 31;
     }
 };
 
-/// How texture coordinates of a tier go on between two divisions.
+/// The form in which texture coordinates of a tier go on between two divisions.
 template <class N> using RunsOf = std::conditional_t<std::is_same_v<N, Exact>, CubicRuns, CoordRuns>;
 
 template <class N, int Unit, class Runs> struct CoordAlong : StageBase {

@@ -1,5 +1,5 @@
-// Where a unit of the balanced and fast tiers looks, and how closely, a packet at a time: Coord and Lod of
-// any unit and kind in one piece of code, for small builds.
+// Finds coordinates and levels of detail of units of the balanced and fast tiers, a packet at a time. For
+// small builds this is Coord and Lod of any unit and kind in one piece of code.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -9,7 +9,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Of all systems with such places.
+/// The same code serves all number systems whose packets have these places.
 template <class Places> class PacketCoordinates {
   public:
     template <int Unit> static void run(Places& k, const Span<Fixed>& span) {

@@ -1,4 +1,4 @@
-// Depth: the code of a fragment, the test (GL 1.3, 4.1.6).
+// The depth of a fragment as a code, and the depth test (GL 1.3, 4.1.6).
 #pragma once
 
 #include <cstring>
@@ -10,7 +10,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Compare as GL writes it: incoming OP stored.
+/// Compares as GL writes it: incoming OP stored.
 template <Compare Func, class T> SPANGLE_INLINE constexpr bool compare(T incoming, T stored) {
     switch (Func) {
     case Compare::never:
@@ -33,7 +33,7 @@ template <Compare Func, class T> SPANGLE_INLINE constexpr bool compare(T incomin
     return true;
 }
 
-/// The same, mode at run time.
+/// Compares in a mode that is known at run time.
 template <class T> SPANGLE_INLINE constexpr bool compare(Compare func, T incoming, T stored) {
     // GL's order makes an enumerator the set of outcomes it lets pass: less 1, equal 2, greater 4.
     const unsigned outcome = incoming < stored ? 1u : incoming == stored ? 2u : 4u;
@@ -44,7 +44,7 @@ template <class T> SPANGLE_INLINE constexpr bool compare(Compare func, T incomin
 template <class N> struct DepthValue : StageBase {
     Ramp<typename N::L> z;
     template <class S> SPANGLE_INLINE DepthValue(const S& s, std::int32_t x) : z(s, x, s.z) {}
-    /// All bits (one lane).
+    /// All 32 bits of the depth, whose top bits are the code (one lane).
     SPANGLE_INLINE std::uint32_t word() const { return z.at; }
     SPANGLE_INLINE void step() {
         if constexpr (is_raw<N>)
@@ -55,17 +55,17 @@ template <class N> struct DepthValue : StageBase {
     SPANGLE_INLINE void next_row() { z.next_row(); }
 };
 
-/// The same for depth buffers of 24 bits.
+/// The interpolated depth of the fixed policy, for depth buffers of 24 bits.
 template <class N> struct DepthValue24 : StageBase {
     std::uint64_t z, dx;
-    bool of_lanes = false; ///< each has a place of its own, and `given` is its depth
+    bool of_lanes = false; ///< each lane has a place of its own, and `given` holds its depth
     typename N::L::U32 given;
     SPANGLE_INLINE DepthValue24(const Span<typename N::Policy>& s, std::int32_t x)
         : z(s.at(x, s.z24)), dx(s.z24.dx) {}
     SPANGLE_INLINE DepthValue24(const PlaneLanes<typename N::L>& s, std::int32_t)
         : z(0), dx(0), of_lanes(true), given(s.tops(s.planes.z24)) {}
     SPANGLE_INLINE std::uint32_t word() const { return static_cast<std::uint32_t>(z >> 32); }
-    /// word() of each lane.
+    /// The word() of each lane.
     SPANGLE_INLINE typename N::L::U32 words() const {
         if (of_lanes)
             return given;
@@ -76,13 +76,14 @@ template <class N> struct DepthValue24 : StageBase {
     SPANGLE_INLINE void step() { z += std::uint64_t{N::lanes} * dx; }
 };
 
-/// Of a number system and a format. The reference has one for both, and so have builds without 24 bits.
+/// The depth value of a number system and a depth format. The reference has one for both formats, and so have
+/// builds without 24 bits.
 template <class N, DepthFormat Format>
 using DepthValueOf = std::conditional_t<has_format(DepthFormat::z24s8) && Format == DepthFormat::z24s8 &&
                                             std::is_same_v<typename N::Policy, Fixed>,
                                         DepthValue24<N>, DepthValue<N>>;
 
-/// The same with the offset of polygons (GL 1.3, 3.5.5), clamped.
+/// A depth value with the offset of polygons added (GL 1.3, 3.5.5), clamped.
 template <class N, class Value = DepthValue<N>> struct OffsetDepthValue : Value {
     static_assert(N::lanes == 1);
     std::int64_t offset;
@@ -96,7 +97,7 @@ template <class N, class Value = DepthValue<N>> struct OffsetDepthValue : Value 
 
 template <class N, DepthFormat Format, Compare Func, bool Write> struct Depth;
 
-/// 16 bits.
+/// The depth test of buffers of 16 bits.
 template <class N, Compare Func, bool Write> struct Depth<N, DepthFormat::z16, Func, Write> : DepthValue<N> {
     static constexpr bool kill = true, effect = Write;
     using L = typename N::L;
@@ -126,7 +127,8 @@ template <class N, Compare Func, bool Write> struct Depth<N, DepthFormat::z16, F
             return test(p.live, at, incoming);
         }
     }
-    /// Lanes that live, codes that come in and those that lie there.
+    /// Tests the codes of lanes. `live` loses lanes that fail; codes of lanes that pass are stored if the
+    /// stage writes.
     template <class Place>
     SPANGLE_INLINE static bool test(typename L::Mask& live, const Place& at,
                                     const typename L::U16& incoming) {
@@ -161,7 +163,7 @@ template <class N, Compare Func, bool Write> struct Depth<N, DepthFormat::z16, F
     }
 };
 
-/// 24 bits above 8 of stencil, which stay.
+/// The depth test of buffers with 24 bits of depth above 8 bits of stencil, which stay as they are.
 template <class N, Compare Func, bool Write>
 struct Depth<N, DepthFormat::z24s8, Func, Write> : DepthValueOf<N, DepthFormat::z24s8> {
     static_assert(N::lanes == 1);
@@ -182,10 +184,10 @@ struct Depth<N, DepthFormat::z24s8, Func, Write> : DepthValueOf<N, DepthFormat::
     }
 };
 
-/// Lanes that pass, of a comparison whose mode is known at run time.
+/// The lanes that pass a comparison whose mode is known at run time.
 template <class L, class V>
 SPANGLE_INLINE typename L::Mask passing(Compare func, const V& incoming, const V& stored) {
-    // An enumerator is the set of outcomes that it lets pass (see compare).
+    // An enumerator is the set of outcomes that it lets pass (see compare()).
     const auto when = [func](unsigned outcome) {
         return (static_cast<unsigned>(func) & outcome) != 0 ? L::all : L::negate(L::all);
     };
@@ -193,7 +195,7 @@ SPANGLE_INLINE typename L::Mask passing(Compare func, const V& incoming, const V
     return (less & when(1)) | (greater & when(4)) | (~(less | greater) & when(2));
 }
 
-/// Function and write mask at run time: the depth test of the chain.
+/// The depth test of the chain: function and write mask are known at run time.
 template <class N, DepthFormat Format, class Value = DepthValueOf<N, Format>> struct DepthGeneral : Value {
     static constexpr bool kill = true, effect = true;
     using L = typename N::L;
@@ -238,7 +240,7 @@ template <class N, DepthFormat Format, class Value = DepthValueOf<N, Format>> st
     }
 };
 
-/// Counts what passed all tests (occlusion, statistics).
+/// Counts fragments that passed all tests (occlusion, statistics).
 template <class N> struct Count : StageBase {
     static constexpr bool effect = true, anywhere = true;
     std::uint32_t* passed;

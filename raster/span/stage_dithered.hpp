@@ -1,4 +1,4 @@
-// Smooth colours of which nothing but five and six dithered bits is stored.
+// Smooth colours of which only five and six dithered bits are stored.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -9,14 +9,15 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Thresholds of fragments as Raw565::fraction5: walked,
+/// Thresholds of fragments in the form of Raw565::fraction5, walked along the row.
 template <class N> struct WalkedFractions : inner::DitherPlace<typename N::L> {
     template <class S>
     SPANGLE_INLINE WalkedFractions(const S& s, std::int32_t x)
         : inner::DitherPlace<typename N::L>(s.x + x, s.y) {}
     SPANGLE_INLINE typename N::T of(const Px<N>&) const { return N::fraction5(this->threshold()); }
 };
-/// or found by their number, where masks are no operands and a rotation takes a register.
+/// The thresholds of WalkedFractions, found by the fragment's number. This is for processors where masks are
+/// no operands and a rotation takes a register.
 template <class N> class NumberedFractions {
   public:
     SPANGLE_INLINE NumberedFractions(const PlaneRow& row, std::int32_t)
@@ -34,19 +35,19 @@ template <class N> class NumberedFractions {
   private:
     const std::uint32_t* from_;
 };
-/// or none.
+/// Stands in place of thresholds where nothing is dithered.
 template <class N> struct NoFractions {
     template <class S> SPANGLE_INLINE NoFractions(const S&, std::int32_t) {}
     SPANGLE_INLINE void step() {}
     SPANGLE_INLINE void next_row() {}
 };
 
-/// Of a list over rows, each of which has its own.
+/// The thresholds of a list over rows, each of which has its own.
 template <int Count>
 using RowFractions = std::conditional_t<Count == 1 && !numeric::three_operands,
                                         NumberedFractions<Raw565<Count>>, WalkedFractions<Raw565<Count>>>;
 
-/// Smooth colours as the bits that are stored of them. Dithered, they are counted in steps by set-up
+/// Smooth colours as the bits that are stored. Where they are dithered, set-up counts them in steps
 /// (Variant::steps), so that floor(step + t) is one sum.
 template <int Count, class Fractions> struct GouraudTops : Gouraud<Raw565<Count>, false> {
     using N = Raw565<Count>;
@@ -56,7 +57,8 @@ template <int Count, class Fractions> struct GouraudTops : Gouraud<Raw565<Count>
 
     template <class S> SPANGLE_INLINE GouraudTops(const S& s, std::int32_t x) : Base(s, x), fractions(s, x) {}
     SPANGLE_INLINE typename N::Tops tops(const Px<N>& p) const {
-        if constexpr (dithers && Count == 1) // sums before a test of depth, and its code, take registers
+        // Sums made before the depth test, and its code, would take registers.
+        if constexpr (dithers && Count == 1)
             numeric::begin_here();
         const typename N::Tops v = N::tops(this->r.at, this->g.at, this->b.at);
         if constexpr (dithers)
@@ -89,8 +91,8 @@ struct GouraudDithered : GouraudTops<Count, Fractions> {
     }
 };
 
-/// Rows of eight lanes at a time: two periods of the pattern, so that the thresholds are part of the ramps
-/// from where these start.
+/// Dithered colours in rows of eight lanes. Eight columns are two periods of the pattern, so that the
+/// thresholds are added once, where the ramps start.
 struct GouraudDitheredRow : Gouraud<Raw565<8>, false> {
     using N = Raw565<8>;
     using Base = Gouraud<N, false>;

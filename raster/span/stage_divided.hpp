@@ -1,5 +1,5 @@
-// What varies over 1/w along a row, where every fragment divides: one division, which all attributes share.
-// Fused spans only; the bits of the stages of the chain, which divide each for itself.
+// Attributes that vary over 1/w along a row, where every fragment divides: one division serves all of them.
+// Fused spans only. The bits are those of the chain's stages, each of which divides for itself.
 #pragma once
 
 #include "raster/span/coord_runs.hpp"
@@ -10,8 +10,8 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// A projective interpolant along a row: unguarded(), i fragments from where it started. With words of 64
-/// bits it steps, and i is not looked at.
+/// A projective plane along a row, evaluated by unguarded() at fragment i from its start. With words of 64
+/// bits it steps, and i is not read.
 template <bool Numbered> class GuardedRampOf {
   public:
     SPANGLE_INLINE GuardedRampOf(const Span<Fixed>& span, std::int32_t x,
@@ -32,9 +32,9 @@ template <bool Numbered> class GuardedRampOf {
     std::uint64_t at_, by_;
 };
 
-/// With words of 32 bits a step would fetch four of them and put back two: the number of the fragment times
-/// two, value and guard bits, is less. The latter are summed with whatever they carry: columns and rows from
-/// the anchor are below 2^14 (clip guard band and surface), so a sum is below 2^31.
+/// With words of 32 bits a step would load four words and store two. Two products with the number of the
+/// fragment, of value and of guard bits, are less. Guard bits are summed with whatever they carry: columns
+/// and rows from the anchor are below 2^14 (clip guard band and surface), so a sum is below 2^31.
 template <> class GuardedRampOf<true> {
   public:
     SPANGLE_INLINE GuardedRampOf(const Span<Fixed>& span, std::int32_t x,
@@ -42,7 +42,7 @@ template <> class GuardedRampOf<true> {
         : origin_(plane.value), by_(plane.dx), down_(plane.dy) {
         start(span, x, plane);
     }
-    /// Of the plane it was made of.
+    /// Starts again on the plane that the ramp was made of.
     SPANGLE_INLINE void start(const Span<Fixed>& span, std::int32_t x, const Span<Fixed>::Projective&) {
         const auto columns = static_cast<std::uint32_t>(x + (span.x - span.anchor_x)),
                    rows = static_cast<std::uint32_t>(span.y - span.anchor_y);
@@ -71,7 +71,7 @@ template <> class GuardedRampOf<true> {
 };
 using GuardedRamp = GuardedRampOf<!numeric::wide_words>;
 
-/// 1/w, for the stages behind it.
+/// Finds 1/w for the stages that follow.
 template <class N> struct Divide : StageBase {
     GuardedRamp q;
     SPANGLE_INLINE Divide(const Span<Fixed>& s, std::int32_t x) : q(s, x, s.q) {}
@@ -83,7 +83,7 @@ template <class N> struct Divide : StageBase {
     SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) { q.start(s, x, s.q); }
 };
 
-/// GouraudGray.
+/// GouraudGray with a divided colour.
 template <class N> struct GouraudGrayDivided : StageBase {
     static constexpr unsigned out = field_color;
     GuardedRamp v;
@@ -97,7 +97,7 @@ template <class N> struct GouraudGrayDivided : StageBase {
     SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) { v.start(s, x, s.color_q[0]); }
 };
 
-/// GouraudQ.
+/// GouraudQ with the shared 1/w.
 template <class N, bool Alpha> struct GouraudDivided : StageBase {
     static constexpr unsigned out = field_color;
     GuardedRamp r, g, b;
@@ -139,12 +139,13 @@ template <class N, bool Alpha> struct GouraudDivided : StageBase {
     }
 };
 
-/// FogCoord, as far as LINEAR can tell: below 0 it is 0, and beyond 2 anything more than 1.
+/// FogCoord as far as LINEAR can tell: a coordinate below 0 becomes 0, and one beyond 2 becomes anything
+/// above 1.
 template <class N> struct FogCoordDivided : StageBase {
     static constexpr unsigned out = field_fog;
     GuardedRamp f;
     SPANGLE_INLINE FogCoordDivided(const Span<Fixed>& s, std::int32_t x) : f(s, x, s.fog_q) {}
-    /// All fog coordinates of the primitive fit s7.24.
+    /// True where all fog coordinates of the primitive fit s7.24.
     SPANGLE_INLINE static bool serves(const Span<Fixed>& s) { return s.fog_exponent == exponent; }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         p.fog = coordinate(f.value(p.i), p.inverse);
@@ -160,13 +161,13 @@ template <class N> struct FogCoordDivided : StageBase {
         const std::int32_t least = over_w < 0 ? 0 : over_w, v = least < most ? least : most;
         const std::uint32_t c =
             numeric::mul_high_u32(static_cast<std::uint32_t>(v) << inverse.zeros, inverse.mantissa);
-        if (c >> (32 - exponent) != 0) // 2^(37 - zeros) is more than 32 v, and a mantissa 2^31 at most
+        if (c >> (32 - exponent) != 0) // 2^(37 - zeros) is more than 32 v, and a mantissa at most 2^31
             __builtin_unreachable();
         return c;
     }
 };
 
-/// NEAREST of one REPEAT image, T a TextureFixed.
+/// NEAREST of one REPEAT image, with the shared 1/w; T is a TextureFixed.
 template <class T, int Unit> class NearestDivided : public T {
   public:
     using N = typename T::System;
@@ -178,7 +179,7 @@ template <class T, int Unit> class NearestDivided : public T {
           most_(19 - (this->log2_width > this->log2_height ? this->log2_width : this->log2_height)),
           width_(numeric::factor32(1u << this->log2_width)), bias_{nearest_bias(this->log2_width),
                                                                    nearest_bias(this->log2_height)} {}
-    /// 1/w divides these coordinates, and there is more than one texel along each axis.
+    /// True where 1/w divides these coordinates, and there is more than one texel along each axis.
     SPANGLE_INLINE static bool serves(const Span<Fixed>& span) {
         return span.unit[Unit].shares_q && span.state->log2_width[Unit] != 0 &&
                span.state->log2_height[Unit] != 0;
@@ -198,11 +199,12 @@ template <class T, int Unit> class NearestDivided : public T {
 
   private:
     GuardedRamp s_, t_;
-    int up_, most_; ///< least shift but for the zeros of 1/w; most in which the low word does not count
+    /// Shift besides the zeros of 1/w; largest shift at which the low word does not count.
+    int up_, most_;
     std::uint32_t width_, bias_[2];
 
-    /// The texel's number. Of repeat_fraction() the high word of the product alone counts, where the low one
-    /// lies below the bias: `up` bits are all that the shift brings in.
+    /// The number of the texel. Only the high word of the product in repeat_fraction() counts, where its low
+    /// word lies below the bias: the shift brings in no more than `up` bits.
     SPANGLE_INLINE std::uint32_t place(std::int32_t s, std::int32_t t, const Inverse& inverse) const {
         const int up = inverse.zeros + up_;
         if (up > most_) [[unlikely]]
@@ -217,7 +219,7 @@ template <class T, int Unit> class NearestDivided : public T {
             return (row << this->log2_width) + (column >> (32 - this->log2_width));
         return row * width_ + numeric::mul_high_u32(column, width_);
     }
-    /// Many repeats, or little 1/w.
+    /// The number of the texel where coordinates are many repeats, or 1/w is small.
     [[gnu::noinline]] static std::uint32_t far_place(std::int32_t s, std::int32_t t, std::uint32_t mantissa,
                                                      int zeros, int exponent, int log2_width,
                                                      int log2_height) {

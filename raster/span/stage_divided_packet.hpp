@@ -1,5 +1,5 @@
-// What is divided by w, a packet at a time: 1/w of each fragment is found once, for colours, fog and
-// coordinates. Lanes only; the bytes of GouraudQ, ColorSum, FogCoord and DividedCoords.
+// Divides by w, a packet at a time: 1/w of each fragment is found once, for colours, fog and coordinates.
+// Lanes only. The bytes are those of GouraudQ, ColorSum, FogCoord and DividedCoords.
 #pragma once
 
 #include "raster/span/chain.hpp"
@@ -13,7 +13,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
-/// A plane with guard bits in eight lanes: as many vectors of words of 64 bits as they take.
+/// A plane with guard bits in eight lanes, in as many vectors of words of 64 bits as they take.
 template <class Vector = LaneWords::Vector> class GuardedLanes {
   public:
     GuardedLanes() : at_{}, by_{} {}
@@ -30,7 +30,7 @@ template <class Vector = LaneWords::Vector> class GuardedLanes {
             at_[3] = at_[1] + plane.dx;
         }
     }
-    /// Without its guard bits, signed.
+    /// The values without guard bits, signed.
     SPANGLE_INLINE LaneWords value() const {
         if constexpr (vectors == 2)
             return {std::bit_cast<Vector>((at_[0] >> guard_bits & 0xFFFFFFFFu) | at_[1] >> guard_bits << 32)};
@@ -45,7 +45,7 @@ template <class Vector = LaneWords::Vector> class GuardedLanes {
   private:
     using Long = Longs<Vector>;
     static constexpr int vectors = sizeof(Vector) == 32 ? 2 : 4;
-    /// Lanes 0, 2, 4 and 6 in one half of the vectors, the others in the other half.
+    /// Lanes 0, 2, 4 and 6 are in one half of the vectors, the other lanes in the other half.
     Long at_[vectors], by_;
     SPANGLE_INLINE static Vector low_words(const Long& a, const Long& b) {
         return __builtin_shufflevector(std::bit_cast<Vector>(a >> guard_bits),
@@ -53,7 +53,7 @@ template <class Vector = LaneWords::Vector> class GuardedLanes {
     }
 };
 
-/// A plane at the fragments of a packet, of one row or of several.
+/// A plane at the fragments of a packet, which lie in one row or in several.
 template <class Places> class PlaneOf {
   public:
     SPANGLE_INLINE PlaneOf(const Places& k, const Span<Fixed>& span, const Span<Fixed>::Projective& plane)
@@ -72,7 +72,7 @@ template <class Places> class PlaneOf {
 
 } // namespace inner
 
-/// A plane at the fragments of a packet, of one row or of several, in lanes.
+/// A plane at the fragments of a packet, which lie in one row or in several, in lanes.
 template <class Places> class PlaneLanesOf {
   public:
     SPANGLE_INLINE PlaneLanesOf(const Places& k, const Span<Fixed>& span,
@@ -81,7 +81,7 @@ template <class Places> class PlaneLanesOf {
         if (rows_ == nullptr)
             along_ = inner::GuardedLanes<>(span, k.x, plane);
     }
-    /// Of eight fragments without guard bits, signed; then of the next eight.
+    /// The values at the next eight fragments, without guard bits, signed.
     SPANGLE_INLINE LaneWords next() {
         const std::int32_t i = first_;
         first_ += 8;
@@ -99,7 +99,7 @@ template <class Places> class PlaneLanesOf {
     inner::GuardedLanes<> along_;
 };
 
-/// N: of the packet.
+/// Divided attributes of packets of number system N.
 template <class N> class PacketDivided {
     using L = typename N::L;
     using U32 = typename L::U32;
@@ -109,7 +109,7 @@ template <class N> class PacketDivided {
     static constexpr int lanes = N::lanes;
 
   public:
-    /// 1/w of the primitive, which the others read.
+    /// Finds the primitive's 1/w at each fragment, which the other functions read.
     static void inverses(Places& k, const Span<Fixed>& span) {
         if constexpr (divides_in_lanes)
             return inverses_in_lanes(k, span);
@@ -118,7 +118,8 @@ template <class N> class PacketDivided {
             numeric::Reciprocals<lanes> mantissa(numeric::each_is_set);
             for (std::int32_t i = first; i < first + lanes; ++i) {
                 const std::int32_t value = unguarded(plane.at(i));
-                const std::uint32_t q = value > 0 ? static_cast<std::uint32_t>(value) : 1u; // Inverse
+                // As in Inverse.
+                const std::uint32_t q = value > 0 ? static_cast<std::uint32_t>(value) : 1u;
                 const int zeros = numeric::clz32(q);
                 mantissa.set(i - first, q << zeros);
                 k.inverse.q[i] = q;
@@ -159,7 +160,7 @@ template <class N> class PacketDivided {
         for (std::int32_t i = 0; i < whole(k); i += lanes)
             k.fog[i / lanes] = L::gather(fog + i);
     }
-    /// Texture coordinates of a unit, whether or not it shares the primitive's 1/w.
+    /// Finds texture coordinates of a unit, whether or not it shares the primitive's 1/w.
     template <int Unit> static void coordinates(Places& k, const Span<Fixed>& span) {
         if constexpr (divides_in_lanes)
             return coordinates_in_lanes(k, span, Unit, span.unit[Unit].shares_q, k.coord[Unit]);
@@ -176,8 +177,8 @@ template <class N> class PacketDivided {
         }
     }
 
-    /// Texture coordinates of the exact tier, along cubics where rows have any. Those that divide at every
-    /// fragment are divided in lanes.
+    /// Finds texture coordinates of the exact tier, along cubics where rows have any. Coordinates that are
+    /// divided at every fragment are divided in lanes.
     template <int Unit> static void along_cubics(Places& k, const Span<Fixed>& span) {
         along_cubics(k, span, Unit);
     }
@@ -194,9 +195,9 @@ template <class N> class PacketDivided {
             store(k.inverse.power + i, inverse.power());
         }
     }
-    /// False: some product is shifted to the left.
+    /// False: some product would be shifted to the left.
     static bool fog_in_lanes(Places& k, const Span<Fixed>& span) {
-        if (span.fog_exponent > 38 - 31) // w has that many leading zeros at most
+        if (span.fog_exponent > 38 - 31) // 1/w has at most 31 leading zeros
             return false;
         PlaneLanesOf<Places> f(k, span, span.fog_q);
         for (std::int32_t i = 0; i < k.n; i += lanes)
@@ -223,7 +224,7 @@ template <class N> class PacketDivided {
             return;
         }
         const PacketRows& rows = *k.rows;
-        std::uint32_t divided = 0; // a bit per piece
+        std::uint32_t divided = 0; // one bit per piece
         for (std::int32_t n = 0; n < rows.pieces; ++n) {
             const Piece& piece = rows.piece[n];
             enter(rows.span, piece.row);
@@ -244,7 +245,7 @@ template <class N> class PacketDivided {
     SPANGLE_INLINE static std::int32_t end_of(const Piece& piece) {
         return piece.at + piece.row.last - piece.row.first;
     }
-    /// Fragments [from, end) of the row that the span is in, the first in column x. False: they divide.
+    /// Fragments [from, end) of the row of the span, the first in column x. False: each fragment divides.
     [[gnu::noinline]] static bool along_cubic(const Span<Fixed>& span, int unit, std::int32_t x,
                                               std::int32_t from, std::int32_t end, Coord* to) {
         CubicRuns run(span, x, unit);
@@ -271,7 +272,7 @@ template <class N> class PacketDivided {
     SPANGLE_INLINE static InverseLanes inverse_lanes(const Places& k, std::int32_t i) {
         return {L::gather(k.inverse.q + i), L::gather(k.inverse.mantissa + i)};
     }
-    /// Fragments and what is left of their last group, whose lanes beyond the packet nobody looks at.
+    /// The number of fragments, up to whole groups. Lanes beyond the packet are never read.
     static std::int32_t whole(const Places& k) { return (k.n + lanes - 1) & -lanes; }
     SPANGLE_INLINE static Inverse inverse_of(const Places& k, std::int32_t i) {
         Inverse inverse;
@@ -280,14 +281,14 @@ template <class N> class PacketDivided {
         inverse.zeros = std::countr_zero(k.inverse.power[i]);
         return inverse;
     }
-    /// Colour units as a component.
+    /// A component from colour units.
     SPANGLE_INLINE static typename N::T component(const U32& units) {
         if constexpr (is_exact<N>)
             return units;
         else
             return L::low_half((units + L::splat32(1u << 11)) >> 12);
     }
-    /// f(group, colour units) of a colour plane, each fragment divided (inner::projective_color).
+    /// Calls f(group, colour units) for a colour plane, divided at each fragment (inner::projective_color).
     template <class F>
     SPANGLE_INLINE static void each(const Places& k, const Span<Fixed>& span, const Plane& plane, F f) {
         PlaneLanesOf<Places> over_w(k, span, plane);
@@ -311,7 +312,7 @@ template <class N> class PacketDivided {
     }
 };
 
-/// The affine secondary colour in lanes, added.
+/// Adds the affine secondary colour, in lanes.
 template <class N> struct ColorSumLanes : StageBase {
     static constexpr unsigned in = field_color, out = field_color;
     Ramp<typename N::L> r, g, b;

@@ -1,4 +1,5 @@
-// Fog (GL 1.3, 3.10): the factor from the fog coordinate (draw_state.hpp, FogConstants), and the blend.
+// Fog (GL 1.3, 3.10): makes the factor of the fog coordinate (draw_state.hpp, FogConstants) and blends with
+// it.
 #pragma once
 
 #include "raster/numeric/power.hpp"
@@ -9,7 +10,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// f with 24 fraction bits, 0 .. 2^24, of a coordinate in s7.24.
+/// The fog factor f with 24 fraction bits, 0 .. 2^24, of a coordinate in s7.24.
 inline std::uint32_t fog_factor(FogMode mode, std::uint32_t coordinate) {
     if (mode == FogMode::linear) {
         constexpr std::int32_t one = 1 << 24;
@@ -24,7 +25,7 @@ inline std::uint32_t fog_factor(FogMode mode, std::uint32_t coordinate) {
            6;
 }
 
-/// Mode at run time.
+/// Fog whose mode is known at run time.
 template <class N> struct Fog : StageBase {
     static constexpr unsigned in = field_color | field_fog, out = field_color;
     static constexpr bool anywhere = true;
@@ -55,13 +56,13 @@ template <class N> struct Fog : StageBase {
     }
 };
 
-/// FOG_MODE LINEAR.
+/// Fog of FOG_MODE LINEAR.
 template <class N> struct FogLinear : Fog<N> {
     using Fog<N>::Fog;
     SPANGLE_INLINE bool operator()(Px<N>& p) const { return this->blend(p, N::clamped_fraction(p.fog)); }
 };
 
-/// FOG_MODE LINEAR around MODULATE (fogs_light()): first what light keeps, then the fog's share.
+/// The first half of fog around MODULATE (fogs_light()), FOG_MODE LINEAR: dims light by the fog factor.
 template <class N> struct FogLight : StageBase {
     static constexpr unsigned in = field_color | field_fog, out = field_color;
     static constexpr bool anywhere = true;
@@ -74,7 +75,8 @@ template <class N> struct FogLight : StageBase {
         return true;
     }
 };
-/// Steps: of a texel that is counted in steps (counts_steps()).
+/// The second half of fog around MODULATE: adds the fog's share. Steps: the texel is counted in steps
+/// (counts_steps()).
 template <class N, bool Steps = false> struct FogShare : Fog<N> {
     template <class S> SPANGLE_INLINE FogShare(const S& s, std::int32_t x) : Fog<N>(s, x) {
         if constexpr (Steps) {
@@ -93,13 +95,14 @@ template <class N, bool Steps = false> struct FogShare : Fog<N> {
     }
 };
 
-/// The factor of many lanes with the coordinate, which is affine: not clamped where set-up saw that it need
-/// not (Span::fog_inside), so that its bits are in place.
+/// The fog factor in lanes, together with the coordinate, which is affine. The coordinate is not clamped
+/// where set-up saw that all of it lies inside [0, 1) (Span::fog_inside); it is scaled then so that its bits
+/// are in place.
 template <class N> struct FogFactorLanes : StageBase {
     using L = typename N::L;
     static constexpr int up = 8;
     bool inside;
-    Span<Fixed>::Affine plane; ///< with 24 fraction bits, or 32
+    Span<Fixed>::Affine plane; ///< 32 fraction bits if `inside`, otherwise 24
     Ramp<L> v;
     template <class S>
     SPANGLE_INLINE FogFactorLanes(const S& s, std::int32_t x)

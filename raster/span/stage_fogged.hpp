@@ -1,5 +1,5 @@
-// Fog and the store behind it as one stage of the exact tier: the bytes of FogLinear and Store, which round
-// once each. Fused spans of one lane only.
+// Fog and the store that follows it as one stage of the exact tier. It makes the bytes of FogLinear and
+// Store, which round once each. Fused spans of one lane only.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -9,8 +9,9 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Half a 255th comes with the fog's colour, unless it is dithered; four times the fog's colour is subtracted
-/// from four times the other.
+/// Blends with the fog's colour and stores. The fog's colour includes half a 255th, unless colours are
+/// dithered. Four times the fog's colour is subtracted from four times the fragment's, because the factor has
+/// 30 fraction bits.
 template <PixelFormat Format, bool Dither> struct FoggedStore : StageBase {
     using N = Exact;
     static constexpr unsigned in = field_color | field_fog;

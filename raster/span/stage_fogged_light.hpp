@@ -1,5 +1,5 @@
-// MODULATE, fog's share and the store of the balanced tier as one stage: the bytes of the three, whose
-// products are rounded down one by one. Fused spans of one lane only.
+// MODULATE, the fog's share and the store of the balanced tier as one stage. It makes the bytes of these
+// three, whose products are rounded down one by one. Fused spans of one lane only.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -10,7 +10,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Components are Balanced's; MODULATE waits for the store, with its texel.
+/// Components are those of Balanced. MODULATE waits for the store, which gets the texel.
 struct BalancedLit : Balanced<1> {
     struct Color {
         T r, g, b, a;
@@ -18,24 +18,25 @@ struct BalancedLit : Balanced<1> {
     };
 };
 
-/// What becomes of light that fog has dimmed, of a texel and of fog's factor. Dithered, all of it is counted
-/// in steps (counts_steps()). Low: sums are made in low halves, not in high ones; the same bits.
+/// Makes the stored word of light that fog has dimmed, of a texel and of the fog factor. Where it is
+/// dithered, all components are counted in steps (counts_steps()). Low: sums are made in low half-words, not
+/// in high ones, with the same bits.
 template <PixelFormat Format, bool Is565, bool Dither,
           bool Low = Dither && (numeric::adds_products || !numeric::long_products)>
 class FoggedTexel {
-    /// 15 bits, which in a high half end one higher.
+    /// Steps have 15 bits, which in a high half-word end one bit higher.
     static constexpr int steps = !Dither ? 0 : Low ? 1 : 2;
 
   public:
     using N = BalancedLit;
     template <class S>
     SPANGLE_INLINE explicit FoggedTexel(const S& s) : FoggedTexel(FogShare<Balanced<1>, Dither>(s, 0)) {}
-    /// What a texel R5 G6 B5 multiplies green by, and red and blue.
+    /// Tables of the factors by which a texel R5 G6 B5 multiplies green (sixths), and red and blue (fifths).
     using Factors = const std::uint16_t*;
     static constexpr Factors sixths = texel_factors<Balanced<1>, steps>.of6,
                              fifths = texel_factors<Balanced<1>, steps>.of5;
-    static constexpr int threshold_bits = Low ? 10 : 27; ///< of a step
-    /// Fog's shares, with thresholds.
+    static constexpr int threshold_bits = Low ? 10 : 27; ///< log2 of a step of five bits
+    /// The fog's shares of the components, with their thresholds added.
     struct Shares {
         std::uint32_t g, r, b;
     };
@@ -44,7 +45,7 @@ class FoggedTexel {
         return {g_.of_fog(factor, threshold >> 1), r_.of_fog(factor, threshold),
                 b_.of_fog(factor, threshold)};
     }
-    /// As stored; what is above 16 bits is not. From light and fog.
+    /// The stored word, made of light and the fog factor. Bits above the low 16 are not to be stored.
     SPANGLE_INLINE std::uint32_t word(const N::Color& light, std::uint32_t f, Factors of6,
                                       Factors of5) const {
         std::uint32_t texel = light.texel;
@@ -58,7 +59,7 @@ class FoggedTexel {
         std::uint32_t b = Share::sum(b_.of_fog(f, 0), light.b, Is565 ? of5[texel & 31] : Scales::blue(texel));
         return joined_high(r, g, b);
     }
-    /// The same, dithered.
+    /// The dithered word, made of light and the fog's shares.
     SPANGLE_INLINE static std::uint32_t word(const N::Color& light, const Shares& shares, Factors of6,
                                              Factors of5) {
         std::uint32_t texel = light.texel;
@@ -77,7 +78,8 @@ class FoggedTexel {
         : g_(fog.g), r_(fog.r), b_(fog.b) {}
 
     SPANGLE_INLINE static std::uint32_t joined_high(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
-        if constexpr (numeric::inserts_bits) { // in the high half, of which a byte swap leaves the low one
+        // Made in the high half-word, which a swap of bytes moves to the low one.
+        if constexpr (numeric::inserts_bits) {
             const std::uint32_t high = numeric::with_bits<16, 5>((r & 0xF8000000) | g >> 5, b >> 27);
             return Words::swaps ? __builtin_bswap32(high) : high >> 16;
         }
@@ -85,7 +87,7 @@ class FoggedTexel {
         return Words::swaps ? N::L::swap_bytes(word) : word;
     }
     SPANGLE_INLINE static std::uint32_t joined_low(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
-        if constexpr (numeric::inserts_bits) { // likewise
+        if constexpr (numeric::inserts_bits) { // as in joined_high()
             const std::uint32_t high = numeric::with_bits<16, 5>((r << 17 & 0xF8000000) | g << 12, b >> 10);
             return Words::swaps ? __builtin_bswap32(high) : high >> 16;
         }
@@ -93,12 +95,12 @@ class FoggedTexel {
         return Words::swaps ? N::L::swap_bytes(word) : word;
     }
 
-    /// The fog's share is 65535 - f times its colour; what rounds the sum to 255ths comes with it.
+    /// The fog's share is 65535 - f times its colour. The half that rounds the sum to 255ths is part of it.
     class HighShare {
       public:
         SPANGLE_INLINE explicit HighShare(std::uint32_t color) : HighShare(color << (lowest - 16), 0) {}
         SPANGLE_INLINE static std::uint32_t of(std::uint32_t f) { return f; }
-        /// No bits below those of the sum, no carry: both products are rounded down.
+        /// Bits below those of the sum are cleared, so that none carries: both products are rounded down.
         SPANGLE_INLINE std::uint32_t of_fog(std::uint32_t f, [[maybe_unused]] std::uint32_t threshold) const {
             const auto [color, whole] = numeric::load_two(color_whole_);
             const std::uint32_t share = numeric::without_low<lowest>(whole - color * f);
@@ -112,9 +114,10 @@ class FoggedTexel {
         static constexpr int lowest = Dither ? 17 : 16;
         SPANGLE_INLINE HighShare(std::uint32_t color, int)
             : color_whole_{color, numeric::factor32(color * 0xFFFF + (Dither ? 0 : 128u << 16))} {}
-        numeric::Two<std::uint32_t, std::uint32_t> color_whole_; ///< whole: the share where f is 0
+        /// The fog's colour, and its share where f is 0.
+        numeric::Two<std::uint32_t, std::uint32_t> color_whole_;
     };
-    /// Of the fog's share; products end in the low half.
+    /// The fog's share where products end in the low half-word.
     class LowShare {
       public:
         SPANGLE_INLINE explicit LowShare(std::uint32_t color) : color_(color) {}
@@ -134,7 +137,7 @@ class FoggedTexel {
     Share g_, r_, b_; ///< in the order in which they are read
 };
 
-/// Behind FogLight.
+/// Stores fragments whose light FogLight has dimmed.
 template <PixelFormat Format, bool Is565, bool Dither> class FoggedLightStore : public StageBase {
   public:
     using N = BalancedLit;
@@ -163,7 +166,8 @@ template <PixelFormat Format, bool Is565, bool Dither> class FoggedLightStore : 
     using Thresholds =
         std::conditional_t<Dither, inner::NumberedThresholds<Texel::threshold_bits>, inner::NoThreshold>;
     Texel texel_;
-    [[no_unique_address]] Thresholds thresholds_; ///< from the fragment on that the list counts from
+    /// From the fragment on at which the list starts to count.
+    [[no_unique_address]] Thresholds thresholds_;
 };
 
 } // namespace SPANGLE_INSTRUCTIONS

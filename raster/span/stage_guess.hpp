@@ -1,5 +1,5 @@
-// Perspective-correct colour of the exact tier where nothing but its top bits is stored: these are those of
-// the affine colour unless a step lies between the two.
+// Perspective-correct colour of the exact tier where only its top bits are stored. They are the top bits of
+// the affine colour, unless a step lies between the two colours.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -10,12 +10,13 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// The colour of the fragment at window (x, y), divided: what GouraudQ<Exact, false> gives, as it is stored.
+/// The stored word of the divided colour at window (x, y), which is what GouraudQ<Exact, false> gives.
 std::uint32_t divided_word(Span<Fixed>& span, std::int32_t x, std::int32_t y);
 
 /// Span::guess says where a step may lie between the affine colour and the divided one. Eight lanes look at
-/// sixteen bits of it and leave it to others to divide (Px::open, divide_open): a loop that calls keeps
-/// nothing in registers. Dithered colours are counted in steps (Variant::steps), and a threshold moves both.
+/// sixteen bits of the colour and leave division to other code (Px::open, divide_open), because a loop that
+/// calls functions keeps nothing in registers. Dithered colours are counted in steps (Variant::steps), and a
+/// threshold moves both colours.
 template <int Count, bool Dither>
 using GuessedTops =
     GouraudTops<Count, std::conditional_t<Dither, RowFractions<Count>, NoFractions<Raw565<Count>>>>;
@@ -42,7 +43,7 @@ template <int Count, bool Dither> struct GouraudGuessed : GuessedTops<Count, Dit
     }
 
   private:
-    /// Who divides at once must know where.
+    /// With one lane the stage divides at once, and must know where it is.
     struct Here {
         const PlaneRow& row;
     };
@@ -50,8 +51,8 @@ template <int Count, bool Dither> struct GouraudGuessed : GuessedTops<Count, Dit
         template <class S> SPANGLE_INLINE explicit Nowhere(const S&) {}
     };
     [[no_unique_address]] std::conditional_t<Count == 1, Here, Nowhere> here_;
-    /// Eight lanes: a component with ones in place of its step is what it lacks of the next one, negated. The
-    /// doubt is the same for steps of five bits and of six.
+    /// The test in eight lanes. A component with ones in place of its step bits is, negated, what it lacks of
+    /// the next step. The doubt is the same for steps of five bits and of six.
     class Missing {
       public:
         SPANGLE_INLINE explicit Missing(const Span<Fixed>::Guess& guess)
@@ -71,7 +72,7 @@ template <int Count, bool Dither> struct GouraudGuessed : GuessedTops<Count, Dit
     std::conditional_t<Count == 1, Span<Fixed>::Guess, Missing> limit_;
 };
 
-/// Writes the colours of open lanes of eight fragments, from the one at (x, y) on.
+/// Divides and stores the colours of the open lanes of eight fragments, the first of which is at (x, y).
 template <PixelFormat Format, class L = Lanes<8>>
 [[gnu::noinline]] void divide_open(Span<Fixed>& span, typename L::Place color, const Lanes<8>::Mask& open,
                                    std::int32_t x, std::int32_t y) {

@@ -1,5 +1,5 @@
-// Fragments of index surfaces (GL 1.3, 3.10, 3.11, 4.1.8, 4.1.9): the index stands in the place of red.
-// 255ths and indices are the same numbers, so interpolation, packets and read-back are those of colours.
+// Stages of index surfaces (GL 1.3, 3.10, 3.11, 4.1.8, 4.1.9): the index stands in the place of red. An index
+// is counted as a 255th is, so that interpolation, packets and read-back are those of colours.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -9,12 +9,13 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Nearest index there is.
+/// The index nearest to v, at most the last one.
 template <class N> SPANGLE_INLINE std::uint32_t nearest_index(typename N::T v) {
     return N::to8(v < N::one ? v : N::one);
 }
 
-/// I = i_r + (1 - f) i_f, whole numbers beyond the last index masked (GL 1.3, 3.10).
+/// Fog of an index: I = i_r + (1 - f) i_f, where whole numbers beyond the last index are masked (GL 1.3,
+/// 3.10).
 template <class N> struct FogIndex : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned in = field_color | field_fog, out = field_color;
@@ -30,14 +31,14 @@ template <class N> struct FogIndex : StageBase {
     }
 };
 
-/// The low four bits say how much is covered: none of them nothing, all of them everything (GL 1.3, 3.2). A
-/// fraction would carry into them, and is rounded away before.
+/// The low four bits of an index say how much is covered: 0 is nothing, 15 is everything (GL 1.3, 3.2). A
+/// fraction of the index would carry into them, so it is rounded away before.
 template <class N> struct IndexCoverage : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned in = field_color, out = field_color;
     static constexpr std::uint32_t bits = 15;
     bool antialiased;
-    const std::uint32_t* at; ///< of this pixel; null: 1
+    const std::uint32_t* at; ///< coverage of this pixel; null: 1
     IndexCoverage(const Span<typename N::Policy>& s, std::int32_t x)
         : antialiased(s.state->primitive->antialiased), at(s.state->primitive->coverage) {
         if (at != nullptr)
@@ -59,7 +60,7 @@ template <class N> struct IndexCoverage : StageBase {
     }
 };
 
-/// Dithers, combines and masks as the state says.
+/// Stores an index, dithered, combined and masked as the state says.
 template <class N> struct StoreIndex : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned in = field_color;

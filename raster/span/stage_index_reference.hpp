@@ -1,4 +1,4 @@
-// What of the index stages is not the same formula in double. Hosts only.
+// Index stages of the reference policy whose formula differs from the product's. Hosts only.
 #pragma once
 
 #include <cmath>

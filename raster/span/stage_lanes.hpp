@@ -1,4 +1,4 @@
-// NEAREST of one REPEAT image in eight lanes, wherever in it these look. Fused spans only.
+// NEAREST of one REPEAT image in eight lanes, which may look anywhere in it. Fused spans only.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -7,7 +7,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// The texels of eight fragments from their coordinates, T a TextureFixed.
+/// Finds the texels of eight fragments from their coordinates; T is a TextureFixed.
 template <class T> class TexelLanes : public T {
   public:
     using N = typename T::System;
@@ -17,17 +17,17 @@ template <class T> class TexelLanes : public T {
     SPANGLE_INLINE TexelLanes(const S& span, std::int32_t x)
         : T(span, x), width_(size(this->log2_width)), height_(size(this->log2_height)) {}
 
-    /// Images of at most 2^16 texels: 16 bits of a coordinate tell them.
+    /// True for images of at most 2^16 texels, whose texels 16 bits of a coordinate tell apart.
     SPANGLE_INLINE bool is_small() const {
         return this->log2_width < 16 && this->log2_height < 16 && this->log2_width + this->log2_height <= 16;
     }
-    /// The words of texels that lie so many behind the first.
+    /// The words of the texels with these numbers, counted from the first texel of the image.
     SPANGLE_INLINE auto words_of(const std::uint16_t* index) const {
         return T::words([&](std::uint32_t k)
                             __attribute__((always_inline)) { return T::texel(this->texels, index[k]); });
     }
 
-    /// How far they lie behind the first, of high halves, where 16 bits tell.
+    /// Numbers of texels, counted from the first, from the high halves of s and t, where 16 bits are enough.
     SPANGLE_INLINE typename L::U16 index_at(const typename L::U16& s, const typename L::U16& t) const {
         return L::mul_high(t, height_) * width_ + L::mul_high(s, width_);
     }
@@ -40,9 +40,9 @@ template <class T> class TexelLanes : public T {
     }
 
   protected:
-    /// The words of texels that lie so many behind the first.
+    /// The words of the texels with these numbers, counted from the first texel of the image.
     SPANGLE_INLINE auto words_of(const typename L::U32& index) const {
-        // Addresses are scalars: what was stored at once is read again word by word.
+        // Addresses are scalars: numbers that were stored as vectors are read again word by word.
         alignas(16) std::uint32_t at[2][4];
         __builtin_memcpy(at[0], &index.even, 16);
         __builtin_memcpy(at[1], &index.odd, 16);
@@ -50,27 +50,28 @@ template <class T> class TexelLanes : public T {
             return T::texel(this->texels, at[k & 1][k >> 1]);
         });
     }
-    /// The same of images of up to 2^16 texels.
+    /// The words of the texels with these numbers, in images of up to 2^16 texels.
     SPANGLE_INLINE auto words_of(const typename L::U16& index) const {
         return T::words([&](std::uint32_t k)
                             __attribute__((always_inline)) { return T::texel(this->texels, index[k]); });
     }
-    /// The same by s and t of repeats, nearest_bias() added; any value is inside.
+    /// The words of the texels at s and t in repeats, with nearest_bias() added; every value lies inside of
+    /// the image.
     SPANGLE_INLINE auto words_at(const typename L::U32& s, const typename L::U32& t) const {
         return words_of((texel(t, this->log2_height) << this->log2_width) | texel(s, this->log2_width));
     }
 
   private:
     typename L::U16 width_, height_;
-    /// Unused where it does not fit.
+    /// A size of 2^16 does not fit and is not used then.
     SPANGLE_INLINE static typename L::U16 size(int log2_size) { return L::splat(1u << (log2_size & 15)); }
-    /// The shift is below 32 with one texel, too.
+    /// The shift stays below 32, also where the axis has one texel.
     SPANGLE_INLINE static typename L::U32 texel(const typename L::U32& v, int log2_size) {
         return v >> 1 >> (31 - log2_size);
     }
 };
 
-/// Coordinates affine over the primitive.
+/// NEAREST with coordinates that are affine over the primitive.
 template <class T, int Unit> class NearestLanes : public TexelLanes<T> {
   public:
     using N = typename T::System;

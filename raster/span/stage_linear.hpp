@@ -1,4 +1,4 @@
-// LINEAR of one REPEAT image along a span.
+// The LINEAR filter of one REPEAT image along a span.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -8,13 +8,14 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Weights of the next texel have 8 bits, to nearest; half a texel into the texture the first one has none.
+/// Weights of the next texel have 8 bits, to nearest. Half a texel into the texture the weight of the next
+/// texel is 0.
 struct LinearPosition {
     static constexpr int fraction_bits = 8;
     static constexpr std::uint32_t origin(int log2_size) { return linear_origin(log2_size); }
 };
 
-/// T is a TextureFixed with Filter::linear. Dither: of FilterWords.
+/// T is a TextureFixed with Filter::linear. Dither: FilterWords dithers its words.
 template <class T, int Unit, class Runs, bool Dither = false>
 class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
     using Base = TexelWalk<T, Unit, Runs, LinearPosition>;
@@ -40,7 +41,7 @@ class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
     }
     SPANGLE_INLINE void jump(std::int32_t pixels) {
         Base::jump(pixels);
-        if constexpr (Dither) // groups of eight do not move it
+        if constexpr (Dither) // groups of eight lanes are whole periods
             dither_ = Thresholds(dither_.x + pixels, dither_.y);
     }
 
@@ -69,10 +70,10 @@ class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
                                           std::conditional_t<N::lanes == 1, inner::DitherRow<typename N::L>,
                                                              inner::DitherPlace<typename N::L>>>;
     [[no_unique_address]] Thresholds dither_;
-    const std::uint8_t *near_, *far_; ///< texels of the two rows
+    const std::uint8_t *near_, *far_; ///< addresses of the two rows of texels
     Weights across_{N::L::splat(0)};
 
-    /// Row(k) is where the row of texels of lane k lies.
+    /// `near` and `far` give the address of the row of texels of a lane.
     template <class Along, class Near, class Far>
     SPANGLE_INLINE bool filter(Px<N>& p, const Along& along, const Weights& weights, Near near,
                                Far far) const {
@@ -86,7 +87,7 @@ class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
             return T::words([&](std::uint32_t k)
                                 __attribute__((always_inline)) { return this->texel(row(k), column(k)); });
         };
-        // the texels as arguments: named before, lanes would be spilled
+        // Texels are arguments: if they were named before, lanes would be spilled.
         if constexpr (Dither)
             return this->environment(
                 p, {weights(texels(near, i), texels(near, next), texels(far, i), texels(far, next),

@@ -1,6 +1,6 @@
-// Lit textures of the exact tier, eight fragments at a time: everything is guessed in 16 bits, as far as
-// these decide the texel and the bits that are stored. The others, one in thirty, are left open (Px::open)
-// and redone with one lane. Fused spans only.
+// Lit textures of the exact tier, eight fragments at a time. Everything is guessed in 16 bits, as far as
+// these decide the texel and the bits that are stored. All other fragments, one in thirty, are left open
+// (Px::open) and drawn again with one lane. Fused spans only.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -12,26 +12,26 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// What is guessed of a component, and by how much that may be wrong, where its colour and fog are not.
+/// By how much a guessed component may be wrong where its colour and fog factor are exact.
 ///
-/// In 256ths of 255ths: the colour, rounded to these, is off by 1/2; a factor F of 16 bits stands for (F + e)
-/// / 2^16, 0 <= e <= 1, and products are rounded down, so the modulated colour is up to 1/2 less than the
-/// guess and up to 5/2 more. Fog adds two products, again with factors whose sum is one less than 2^16: up to
-/// 3 more. What the exact tier rounds away is less than 2^-10. 1/2 is added to round to 255ths. Dithered,
-/// steps of 5 or 6 bits are made of it by one product, rounded down, which makes errors no larger.
+/// The unit is a 256th of a 255th. A colour, rounded to it, is off by 1/2. A factor F of 16 bits stands for
+/// (F + e) / 2^16, 0 <= e <= 1, and products are rounded down. So the modulated colour is up to 1/2 less than
+/// the guess and up to 5/2 more. Fog adds two products, again with factors whose sum is one less than 2^16:
+/// up to 3 more. What the exact tier rounds away is less than 2^-10. 1/2 is added to round to 255ths. Where
+/// colours are dithered, one product, rounded down, makes steps of 5 or 6 bits, which makes errors no larger.
 template <bool Fog> struct LitGuess { static constexpr std::uint32_t under = 1, over = Fog ? 5 : 2; };
 
-/// The attributes of a lit texture near a place. Full: colours are projective; Gray: red stands for all
-/// three.
+/// The attributes of a lit texture near a place. Full: colours are projective. Gray: red stands for all three
+/// components.
 template <bool Full, bool Gray, bool Fog, class Products = NearHalves> struct LitPatch {
     static constexpr int unit = 0, colors = Gray ? 1 : 3;
     Interpolant<std::uint32_t> u;
     NearQuotient s, t, color[3], fog;
-    /// How much less or more than guessed a component may be but for what its products leave out: 256ths of
-    /// 255ths, with the fraction bits of these.
+    /// How much less (under) or more (over) than guessed a component may be, besides what its products leave
+    /// out. The unit is a 256th of a 255th, with the fraction bits of the products.
     std::uint32_t under, over;
 
-    /// False where 16 bits do not do.
+    /// Returns false where 16 bits are not enough.
     [[gnu::noinline]] bool set(const Span<Fixed>& span, const Patch& patch) {
         const NearDivisionOf<Products> by(span, patch);
         const DrawState& state = *span.state;
@@ -56,25 +56,28 @@ template <bool Full, bool Gray, bool Fog, class Products = NearHalves> struct Li
             fog_off = fog.window - 1 - (static_cast<std::uint32_t>(half) << Products::fraction_bits);
         }
         u = by.u;
-        // A colour is off by `window`. Where the factor of fog is off by -f .. f + 1, so is the sum.
+        // A colour is off by its window. Where the fog factor is off by -f .. f + 1, the sum is off by as
+        // much.
         under = fog_off;
         over = color_window - 1 + fog_off;
         return true;
     }
 
   private:
-    static constexpr int usual_fog = 6, most_log2_size = 10; ///< more has few bits within a texel
+    /// Larger images leave few bits within a texel.
+    static constexpr int usual_fog = 6, most_log2_size = 10;
 
-    /// Where even the least or the largest of() leaves it beyond 0 and 1, so does the next base.
+    /// Limits a base. Where even least() or largest() leaves the sum beyond 0 and 1, the limited base does
+    /// so, too.
     SPANGLE_INLINE static std::int32_t limited(std::int32_t base) {
         return numeric::clamp<std::int32_t>(base, -INT16_MAX, 0xFFFF - INT16_MIN);
     }
 };
 
-/// A row of a patch.
+/// A row of fragments inside of a patch.
 template <class Patch> struct LitRow : PlaneRow { const Patch& patch; };
 
-/// A coordinate in 2^-16 of the image, NEAREST.
+/// A coordinate in 2^-16 of the image, for NEAREST; lanes whose texel is in doubt become open.
 class LitAxis {
   public:
     using L = Lanes<8>;
@@ -91,7 +94,7 @@ class LitAxis {
     L::U16 base_, window_, whole_;
 };
 
-/// A quotient, limited to what it can be.
+/// A quotient, limited to the range of its attribute.
 class LitRatio {
   public:
     using L = Lanes<8>;
@@ -106,8 +109,8 @@ class LitRatio {
     L::U16 base_, least_, largest_;
 };
 
-/// Test of depth, MODULATE, fog and truncation, T a TextureFixed. A component is rounded to 255ths: 1/2 is
-/// added; or it is dithered.
+/// The depth test, MODULATE, fog and truncation or dithering; T is a TextureFixed. A component that is not
+/// dithered is rounded to 255ths: 1/2 is added.
 template <class Test, class T, bool Full, bool Gray, bool HasFog, bool Dither>
 class LitGuessed : public TexelLanes<T> {
   public:
@@ -178,12 +181,12 @@ class LitGuessed : public TexelLanes<T> {
 
   private:
     static constexpr bool is_565 = T::texel_format == TexelFormat::rgb565;
-    /// A colour, affine or not, in 256ths of 255ths. Half of one was added to affine ones in set-up.
+    /// A colour, divided or affine, in 256ths of 255ths. Set-up added half of such a unit to affine colours.
     using Color = std::conditional_t<Full, LitRatio, Ramp<L>>;
     using Guess = LitGuess<HasFog>;
     using Thresholds = std::conditional_t<Dither, inner::DitherRow<L>, inner::NoThreshold>;
 
-    /// u, and what it divides but for colours.
+    /// The planes of u and of the attributes that it divides, but for colours.
     SPANGLE_INLINE static auto planes(const LitRow<Patch>& row, std::int32_t x) {
         const Patch& of = row.patch;
         if constexpr (HasFog)
@@ -191,7 +194,7 @@ class LitGuessed : public TexelLanes<T> {
         else
             return NearPlanes<3>(row, x, of.u, of.s.d, of.t.d);
     }
-    /// Depth, where it is tested, and colours.
+    /// The planes of depth, where it is tested, and of colours.
     SPANGLE_INLINE static auto values(const LitRow<Patch>& row, std::int32_t x) {
         const auto depth = Test::kill ? row.z : Interpolant<std::uint32_t>{};
         const auto value = [&](int i) __attribute__((always_inline)) {
@@ -209,7 +212,7 @@ class LitGuessed : public TexelLanes<T> {
         else
             return Ramp<L>(row, x, row.color_value[i]);
     }
-    /// Component I, what fog leaves of it.
+    /// Component I of light, or what fog leaves of it.
     template <int I>
     SPANGLE_INLINE L::U16 share(const Color& c, const L::U16& f, const NearInverse& inverse) const {
         L::U16 v;
@@ -239,7 +242,7 @@ class LitGuessed : public TexelLanes<T> {
             return this->words_of(this->index_at(s, t));
         return this->words_at(L::widened(s) << 16, L::widened(t) << 16);
     }
-    /// k / (2^bits - 1), to be multiplied by in 16 bits (LitPatch::set): their bits over and over.
+    /// Factors of 16 bits that stand for k / (2^bits - 1) (see LitGuess): the bits of k over and over.
     SPANGLE_INLINE static Factors factors_of(const auto& texels) {
         if constexpr (is_565)
             return {repeated<5>(texels & 0xF800), repeated<6>((texels << 5) & 0xFC00),
@@ -257,7 +260,8 @@ class LitGuessed : public TexelLanes<T> {
         const L::U16 v = L::mul_high(c, factor);
         return HasFog ? v + L::mul_high(fog_color_[i], rest) : v;
     }
-    /// Top bits of a component, and whether an error could change any.
+    /// The least value of a component, whose top bits are stored. Lanes where an error could change these
+    /// become open.
     template <unsigned Bits> SPANGLE_INLINE L::U16 bits(L::U16& open, L::U16 v) const {
         L::U16 least = v + from_;
         if constexpr (Dither)

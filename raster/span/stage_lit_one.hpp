@@ -1,5 +1,5 @@
-// Lit textures of the exact tier, one fragment at a time: as stage_lit.hpp, in words of 32 bits where there
-// are long products, which leave one fragment in some thousand open. Fused spans of one lane only.
+// Lit textures of the exact tier, one fragment at a time. This is stage_lit.hpp in words of 32 bits where
+// there are long products, which leave one fragment in some thousand open. Fused spans of one lane only.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -9,7 +9,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// A plane by the number of the fragment in its row: nothing steps.
+/// A plane that is evaluated by the number of the fragment in its row, so that nothing steps.
 class NumberedRamp {
   public:
     template <class S>
@@ -29,8 +29,9 @@ class NumberedRamp {
     std::uint32_t at_, by_;
 };
 
-/// What is made of quotients: colours and fog with the fraction bits of the products. A component that is
-/// `Whole` where it is 1 is the product of one of a texel, of which `Most` are 1, and of light, and fog's.
+/// What is made of quotients. Colours and fog have the fraction bits of the products. A component, which is
+/// `Whole` where it is 1, is the product of a texel's component, of which `Most` is 1, of light and of the
+/// fog factor.
 template <class Products> struct LitNumbers;
 
 /// Light has the bits of the exact tier.
@@ -53,27 +54,28 @@ template <> struct LitNumbers<NearWords> {
         return static_cast<std::uint32_t>(numeric::mul_u32(units, static_cast<std::uint32_t>(scale >> 2)) >>
                                           27);
     }
-    /// The low word is any (NearWords).
+    /// The low word of the sum may be anything (NearWords).
     SPANGLE_INLINE static std::uint32_t fogged(std::uint32_t c, std::uint32_t fog_color, std::uint32_t rest) {
         return static_cast<std::uint32_t>(
             ((std::uint64_t{c} << 32 | fog_color) + numeric::mul_u32(fog_color, rest)) >> 32);
     }
-    /// What a component may be off by, 2^22 or less a 255th: there by what a patch is, ...
+    /// These bound what a component may be off by, where a 255th is 2^22 or less. of_patch(): the errors of
+    /// the patch.
     SPANGLE_INLINE static std::uint32_t of_patch(std::uint32_t off) { return off; }
-    /// ... where what the chain rounds takes less than 3 off in its bits, which are 4 here, and its steps
-    /// less than 1, affine colours have half a 256th of a 255th added, and a low word adds 1;
+    /// under: what the chain rounds takes less than 3 off in its bits, which are 4 here, and its steps less
+    /// than 1. Affine colours have half a 256th of a 255th added, and a low word adds 1.
     template <bool Full> static constexpr std::uint32_t under = 3 * 4 + (Full ? 0 : 1u << 13) + 2;
-    /// ... where the chain adds less than 1, light is rounded down before it is multiplied by `Whole`, and
-    /// again before it is by a texel's component, and fog's colour and sum are.
+    /// over: the chain adds less than 1. Light is rounded down before it is multiplied by `Whole` and again
+    /// before it meets a texel's component. The fog's colour and the sum are rounded down, too.
     template <std::uint32_t, std::uint32_t Most, bool>
     static constexpr std::uint32_t over = 2 * 4 + 2 * Most + 2;
 };
 
-/// Light has 8 bits, and 8 below them.
+/// Light has 8 bits, and 8 bits below them.
 template <> struct LitNumbers<NearHalves> {
     static constexpr int top = 32;
     static constexpr std::uint32_t one = 255 << 8;
-    /// Whole / (one Most) as 16 bits and a shift, rounded down.
+    /// Whole / (one Most) as a factor of 16 bits and a shift, rounded down.
     template <std::uint32_t Whole, std::uint32_t Most> struct Factor {
         static constexpr std::uint64_t of = std::uint64_t{one} * Most;
         static constexpr int bits = [] {
@@ -83,7 +85,7 @@ template <> struct LitNumbers<NearHalves> {
             return bits;
         }();
         static constexpr auto scale = static_cast<std::uint32_t>((std::uint64_t{Whole} << bits) / of);
-        /// Of Most times light: nothing where it is a shift.
+        /// What the factor loses of Most times light: nothing where it is only a shift.
         static constexpr auto lost =
             scale == 1u << bits ? 0 : static_cast<std::uint32_t>(Whole - (of * scale >> bits) + Most);
     };
@@ -104,17 +106,19 @@ template <> struct LitNumbers<NearHalves> {
     SPANGLE_INLINE static std::uint32_t fogged(std::uint32_t c, std::uint32_t fog_color, std::uint32_t rest) {
         return c + fog_color * rest;
     }
-    /// What a component may be off by, 2^16 or less a 256th of a 255th. Light and fog's colour, rounded to
-    /// these, are off by 1/2, and what the exact tier rounds away is less than 2^-10.
+    /// These bound what a component may be off by, where a 256th of a 255th is 2^16 or less. Light and the
+    /// fog's colour, rounded to such units, are off by 1/2, and what the exact tier rounds away is less than
+    /// 2^-10.
     SPANGLE_INLINE static std::uint32_t of_patch(std::uint32_t off) { return off << 16; }
     template <bool> static constexpr std::uint32_t under = (1u << 15) + (1u << 6);
-    /// What `light` loses, and with fog, whose factors' sum is 1 less than 2^16, its share and its colour.
+    /// What light() loses. With fog, whose factors add up to 1 less than 2^16, its share and its colour lose
+    /// more.
     template <std::uint32_t Whole, std::uint32_t Most, bool Fog>
     static constexpr std::uint32_t over = (1u << 15) + (1u << 6) + Factor<Whole, Most>::lost +
                                           (Fog ? (2 + Factor<(Whole >> 16), 1>::lost) << 16 : 0);
 };
 
-/// A texel's number along one axis.
+/// Finds the number of a texel along one axis.
 template <class Products> class LitAxisOne {
   public:
     SPANGLE_INLINE LitAxisOne(const PlaneRow& row, std::int32_t x, const NearQuotient& of, int log2_size)
@@ -134,8 +138,9 @@ template <class Products> class LitAxisOne {
     }
 
   private:
-    static constexpr int unused_bits = 16 - Products::fraction_bits; ///< of whole repeats
-    /// Of an axis: a factor, or how far there are shifts.
+    /// Top bits of a word, which hold whole repeats.
+    static constexpr int unused_bits = 16 - Products::fraction_bits;
+    /// The size of an axis: as a factor, or as two shifts.
     struct Factor {
         std::uint32_t texels;
         SPANGLE_INLINE static Factor of(int log2_size) { return {numeric::factor32(1u << log2_size)}; }
@@ -157,10 +162,10 @@ template <class Products> class LitAxisOne {
 
   private:
     NumberedRamp d_;
-    std::uint32_t base_, undecided_; ///< fractions of a texel that may reach the next
+    std::uint32_t base_, undecided_; ///< fractions of a texel from this one on may reach the next texel
 };
 
-/// A quotient.
+/// A quotient at one fragment.
 template <class Products> class LitRatioOne {
   public:
     SPANGLE_INLINE LitRatioOne(const PlaneRow& row, std::int32_t x, const NearQuotient& of)
@@ -168,7 +173,7 @@ template <class Products> class LitRatioOne {
     SPANGLE_INLINE void start(const PlaneRow& row, std::int32_t x, const NearQuotient& of) {
         d_.start(row, x, of.d);
     }
-    /// LitPatch has limited the base, so that sums fit.
+    /// The sum fits a word, because LitPatch has limited the base.
     SPANGLE_INLINE std::int32_t at(std::int32_t i, std::int32_t inverse) const {
         return static_cast<std::int32_t>(Products::of(base_, d_.value(i), inverse));
     }
@@ -178,7 +183,7 @@ template <class Products> class LitRatioOne {
     std::uint32_t base_;
 };
 
-/// A colour.
+/// A component of the primary colour at one fragment.
 template <class Products, bool Full> class LitColorOne {
   public:
     template <class Patch>
@@ -209,7 +214,7 @@ template <class Products, bool Full> class LitColorOne {
     V v_;
 };
 
-/// MODULATE, fog, truncation or dithering, and the store, T a TextureFixed.
+/// MODULATE, fog, truncation or dithering, and the store; T is a TextureFixed.
 template <class Products, class T, bool Full, bool Gray, bool HasFog, PixelFormat Format, bool Dither>
 class LitOne : public T {
   public:
@@ -225,7 +230,7 @@ class LitOne : public T {
         const std::uint32_t under = Numbers::of_patch(row.patch.under) + Numbers::template under<Full>;
         constexpr std::uint32_t over5 = Numbers::template over<whole<5>, most<5>, HasFog>,
                                 over6 = Numbers::template over<whole<6>, most<6>, HasFog>;
-        from_ = (Dither ? 0 : 1u << (top - 9)) - under; // which rounds to 255ths
+        from_ = (Dither ? 0 : 1u << (top - 9)) - under; // the first part rounds to 255ths
         range_ = under + Numbers::of_patch(row.patch.over) + (over5 > over6 ? over5 : over6);
         const std::uint32_t* const fog_color = row.state->fragment.fog_color;
         fog_color_[0] = Numbers::template fog_color<whole<5>>(fog_color[0]);
@@ -246,7 +251,7 @@ class LitOne : public T {
             b_.start(row, x, patch, 2);
         }
     }
-    /// False: it is open.
+    /// Draws fragment i. False: the guess leaves the fragment open.
     SPANGLE_INLINE bool draw(std::int32_t i, std::uint8_t* color_plane) const {
         const std::int32_t inverse = Products::inverse(u_.value(i));
         const auto s = s_.texel(i, inverse), t = t_.texel(i, inverse);
@@ -267,7 +272,7 @@ class LitOne : public T {
             blue = share(b_);
         }
         const std::uint32_t rest = Numbers::rest(f), from = thresholds_.threshold(i) + from_;
-        // The least that it may be.
+        // The least that a component may be.
         const auto lit = [&](std::uint32_t light, std::uint32_t k, int component)
             __attribute__((always_inline)) {
             const std::uint32_t v = light * k + from;
@@ -294,14 +299,14 @@ class LitOne : public T {
     using Color = LitColorOne<Products, Full>;
     static constexpr int top = Numbers::top;
     using Thresholds = std::conditional_t<Dither, inner::NumberedThresholds<top - 6>, inner::NoThreshold>;
-    /// Of a texel's component, and of one that is stored in so many bits: steps that thresholds were added
-    /// to, all of them as high as those of 6 bits, or 255ths.
+    /// `most` is 1 in a texel's component. `whole` is 1 in a component that is stored in so many bits. It is
+    /// counted in steps to which thresholds were added, all of them as high as steps of 6 bits, or in 255ths.
     template <unsigned Bits> static constexpr std::uint32_t most = is_565 ? (1u << Bits) - 1 : 255;
     template <unsigned Bits>
     static constexpr std::uint32_t whole = Dither ? ((1u << Bits) - 1) << (top - 6) : 255u << (top - 8);
     template <unsigned Bits> static constexpr int step = top - (Dither ? 6 : static_cast<int>(Bits));
 
-    /// The bits that are stored of a component, were it as large as may be.
+    /// The stored bits that would change if a component were as large as it may be.
     template <unsigned Bits> SPANGLE_INLINE std::uint32_t changed(std::uint32_t v) const {
         return ((v + range_) ^ v) >> step<Bits>;
     }

@@ -1,6 +1,6 @@
-// Lit textures of the exact tier where there are no long products: what is divided is exact, and what
-// MODULATE and fog make of it is guessed by products of halves, as far as these decide the bits that are
-// stored. The others, one in eighty, are done again. Fused spans of one lane only.
+// Lit textures of the exact tier where there are no long products. Divided attributes are exact. MODULATE and
+// fog are guessed by products of half-words, as far as these decide the bits that are stored. All other
+// fragments, one in eighty, are done again. Fused spans of one lane only.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -10,7 +10,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Components and fog are Exact's; MODULATE waits for the store, with its texel.
+/// Components and fog are those of Exact. MODULATE waits for the store, which gets the texel.
 struct ExactLit {
     using Policy = Fixed;
     static constexpr int lanes = 1;
@@ -28,7 +28,7 @@ struct ExactLit {
 
 namespace inner {
 
-/// k / Most as F / 2^16, at most 1 too small (LitGuess).
+/// k / Most as F / 2^16, where F is at most 1 too small (LitGuess).
 template <std::uint32_t Most> struct LitFactors {
     std::uint16_t of[Most + 1];
     constexpr LitFactors() : of{} {
@@ -40,14 +40,14 @@ template <std::uint32_t Most> inline constexpr LitFactors<Most> lit_factors;
 
 } // namespace inner
 
-/// Factors of 16 bits, for products of halves.
+/// Factors of 16 bits, for products of half-words.
 struct HalfFactors {
     SPANGLE_INLINE static std::uint32_t factor5(std::uint32_t k) { return inner::lit_factors<31>.of[k]; }
     SPANGLE_INLINE static std::uint32_t factor6(std::uint32_t k) { return inner::lit_factors<63>.of[k]; }
     SPANGLE_INLINE static std::uint32_t factor8(std::uint32_t k) { return inner::lit_factors<255>.of[k]; }
 };
 
-/// What LitFragments makes of a fragment and its texel, a word 565 or bytes.
+/// Makes the stored word of a lit fragment and its texel, which is a word 565 or bytes.
 template <PixelFormat Format, bool Is565, bool HasFog, bool Dither> class LitStore : public StageBase {
   public:
     using N = ExactLit;
@@ -67,7 +67,7 @@ template <PixelFormat Format, bool Is565, bool HasFog, bool Dither> class LitSto
     template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
         thresholds_ = Thresholds(s.x + x, s.y);
     }
-    /// fog: as FogLinear has it.
+    /// fog is the coordinate as FogLinear takes it.
     SPANGLE_INLINE std::uint32_t word(const N::Color& c, std::uint32_t fog) const {
         const std::uint32_t f = HasFog ? N::L::clamped_24_to_16(fog) : 0, t = c.texel;
         const std::uint32_t r = least<5>(lit(c.r, Scales::red(t), f, 0)),
@@ -75,11 +75,11 @@ template <PixelFormat Format, bool Is565, bool HasFog, bool Dither> class LitSto
                             b = least<5>(lit(c.b, Scales::blue(t), f, 2));
         constexpr std::uint32_t five = 0xF8u << (top - 8), six = 0xFCu << (top - 8);
         if (((((r + range) ^ r) | ((b + range) ^ b)) & five) != 0 || (((g + range) ^ g) & six) != 0)
-            [[unlikely]] // a copy, or p would have an address
+            [[unlikely]] // a copy is passed, or p would have an address
             return done_again(N::Color(c), fog, fog_color_, thresholds_.threshold());
         return (r >> (top - 16) & 0xF800) | (g >> (top - 11) & 0x07E0) | b >> (top - 5);
     }
-    /// What the chain does.
+    /// The stored word as the chain makes it.
     [[gnu::noinline]] static std::uint32_t done_again(const N::Color& lit, std::uint32_t fog,
                                                       const std::uint32_t* fog_color,
                                                       std::uint32_t threshold) {
@@ -97,8 +97,8 @@ template <PixelFormat Format, bool Is565, bool HasFog, bool Dither> class LitSto
   private:
     using Scales = TexelScales<HalfFactors, Is565>;
     using Thresholds = std::conditional_t<Dither, inner::DitherRow<N::L>, inner::NoThreshold>;
-    static constexpr int top = Dither ? 32 : 16; ///< where components end
-    /// Of steps nothing below 256ths is dropped, which is one more.
+    static constexpr int top = Dither ? 32 : 16; ///< components end below this bit
+    /// With dithering the range is one more: nothing below 256ths is dropped from steps.
     static constexpr std::uint32_t under = LitGuess<HasFog>::under << (top - 16),
                                    range = under + ((LitGuess<HasFog>::over + Dither) << (top - 16));
 
@@ -107,7 +107,7 @@ template <PixelFormat Format, bool Is565, bool HasFog, bool Dither> class LitSto
         const std::uint32_t v = rounded(c) * factor >> 16;
         return HasFog ? (fog_[i] * (65535 - f) >> 16) + (v * f >> 16) : v;
     }
-    /// The least that the component, rounded to 255ths or dithered, may be.
+    /// The least that a component, rounded to 255ths or dithered, may be.
     template <unsigned Bits> SPANGLE_INLINE std::uint32_t least(std::uint32_t v) const {
         if constexpr (Dither)
             return v * Balanced<1>::step_scale(Bits) + (thresholds_.threshold() << (27 - Bits)) - under;

@@ -1,4 +1,4 @@
-// Levels of detail of a unit, a packet at a time, in lanes: the integers of LevelOfDetail.
+// Finds levels of detail of a unit, a packet at a time, in lanes: the integers of LevelOfDetail.
 #pragma once
 
 #include "raster/span/chain.hpp"
@@ -30,7 +30,7 @@ class LevelLanes {
         u_ = (together_ ? width << 8 : log2_fraction8(base.width) + (halves.s << 8)) + exponent;
         v_ = together_ ? 0 : log2_fraction8(base.height) + (halves.t << 8) + exponent;
     }
-    /// s, t and q without guard bits.
+    /// The levels at fragments with these s, t and q, which have no guard bits.
     SPANGLE_INLINE LaneWords at(const LaneWords& s, const LaneWords& t, const LaneWords& q) const {
         return LaneWords::mapped(
             [this](const auto& at_s, const auto& at_t, const auto& over_w) __attribute__((always_inline)) {
@@ -47,9 +47,9 @@ class LevelLanes {
     };
     Slopes s_, t_, q_;
     bool line_;          ///< only s counts
-    bool together_;      ///< sides are powers of two: one logarithm says both
-    int up_;             ///< of the height over the width
-    std::int32_t u_, v_; ///< what comes to the logarithms
+    bool together_;      ///< both sides are powers of two: one logarithm serves both axes
+    int up_;             ///< log2 of height / width
+    std::int32_t u_, v_; ///< constants that are added to the logarithms
 
     template <class Vector>
     SPANGLE_INLINE inner::LongPair<Vector> along(const Slopes& of, const Vector& v, const Vector& q) const {
@@ -70,7 +70,7 @@ class LevelLanes {
         const Vector of_t = inner::lane_log2(dt) + static_cast<std::uint32_t>(v_);
         return lane_words::larger(of_s, of_t);
     }
-    /// level_of_detail().
+    /// level_of_detail() in lanes.
     template <class Vector> SPANGLE_INLINE static Vector level(const Vector& sum) {
         constexpr std::uint32_t lost = 3;
         static_assert(level_of_detail(lost) == 0 && level_of_detail(lost + 1) != 0);

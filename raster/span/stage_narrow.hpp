@@ -1,4 +1,4 @@
-// The end of every list on a surface of a narrow format: one stage for all of them.
+// The last stages of every list on a surface of a narrow format: one set of stages serves all narrow formats.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -8,7 +8,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// What a colour becomes at a threshold.
+/// The stored word of a colour, dithered with a threshold if `dither` is set.
 template <class N>
 [[gnu::noinline]] std::uint32_t narrow_word_of(PixelFormat format, const typename N::Color& c, bool dither,
                                                std::uint32_t threshold) {
@@ -21,7 +21,8 @@ template <class N>
                     N::template dithered<6>(c.b, threshold));
 }
 
-/// Where the fragments of a list lie: the span's plane is the stored row, whatever its first column.
+/// The place of the fragments of a list: the span's plane address is the stored row, whatever the span's
+/// first column.
 struct NarrowPlace {
     PixelFormat format;
     std::int32_t x, y;
@@ -29,7 +30,7 @@ struct NarrowPlace {
     NarrowPlace(const S& s, std::int32_t column) : format(s.state->format), x(s.x + column), y(s.y) {}
 };
 
-/// What a fragment blends with.
+/// The colour that a fragment blends with.
 template <class N> struct StoredNarrow : NarrowPlace {
     static constexpr bool anywhere = false;
     StoredNarrow(const Span<typename N::Policy>& s, std::int32_t column) : NarrowPlace(s, column) {}
@@ -59,8 +60,7 @@ template <class N> struct StoreNarrow : StageBase {
     bool operator()(Px<N>& p) const {
         typename N::Color c = p.color;
         if (mask != 7 && format_info(place.format).grey) {
-            const typename N::Color old =
-                place.load(p); // a grey is the luma of what is written and what stays
+            const typename N::Color old = place.load(p); // a grey is the luma of written and kept channels
             c = {(mask & 1) != 0 ? c.r : old.r, (mask & 2) != 0 ? c.g : old.g, (mask & 4) != 0 ? c.b : old.b,
                  c.a};
         }
@@ -77,7 +77,7 @@ template <class N> struct StoreNarrow : StageBase {
     }
 };
 
-/// Rows of one colour without tests: bytes instead of fragments.
+/// Fills rows of one colour without tests, by bytes instead of fragments.
 template <class N> void fill_narrow_rows(const Span<Fixed>& span, const Row* row, const Row* end) {
     const DrawState& state = *span.state;
     const auto of = [&](int i) { return N::from_affine(span.color_value[i].value); };
@@ -94,7 +94,7 @@ template <class N> void fill_narrow_rows(const Span<Fixed>& span, const Row* row
     }
 }
 
-/// The chain's rows: the plane is the stored row.
+/// Draws rows by the chain; the address of the colour plane is that of the stored row.
 template <class P, void (*Draw)(const Span<P>&)>
 void by_narrow_row(Span<P>& span, const Row* row, const Row* end) {
     for (; row != end; ++row) {
@@ -104,7 +104,7 @@ void by_narrow_row(Span<P>& span, const Row* row, const Row* end) {
     }
 }
 
-/// Of affine colours, which may be one.
+/// Draws rows of affine colours; where the colour is constant, rows are filled.
 template <class N, void (*Draw)(const Span<Fixed>&)>
 void narrow_rows(Span<Fixed>& span, const Row* row, const Row* end) {
     bool one_color = true;

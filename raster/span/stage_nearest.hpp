@@ -1,4 +1,4 @@
-// NEAREST of one REPEAT image along a span.
+// The NEAREST filter of one REPEAT image along a span.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -18,12 +18,14 @@ template <class T, int Unit, class Runs>
 class NearestWalk : public TexelWalk<T, Unit, Runs, NearestPosition> {
     using Base = TexelWalk<T, Unit, Runs, NearestPosition>;
     using Base::s, Base::t;
-    /// Sprites: such a row is texel after texel. Fragments are counted up to 0 (fused.hpp), so are they.
+    /// Sprites: the texels of such a row follow each other. Fragments are counted up to 0 (fused.hpp), and so
+    /// are texels.
     static constexpr bool in_order = is_packed<typename Base::N> && !Base::runs;
 
   public:
     using N = typename Base::N;
-    /// With lanes only whole rows of words gain from it; with one, texels that little is done with.
+    /// With several lanes only whole rows of words gain from row(). With one lane, texels that little else is
+    /// done with do.
     static constexpr bool rows = N::lanes == 1 ? T::stores_texels : T::loads_words;
 
     SPANGLE_INLINE NearestWalk(const Span<Fixed>& span, std::int32_t x)
@@ -70,7 +72,7 @@ class NearestWalk : public TexelWalk<T, Unit, Runs, NearestPosition> {
     }
 
   private:
-    /// A coordinate times the width begins with the column, and one factor serves rows and columns.
+    /// A coordinate times the width has the column in its high word, and one factor serves rows and columns.
     static constexpr bool by_product = N::lanes == 1 && !rows && numeric::long_products;
     struct Width {
         std::uint32_t v;
@@ -83,7 +85,7 @@ class NearestWalk : public TexelWalk<T, Unit, Runs, NearestPosition> {
     const std::uint8_t* row_at_;
     bool one_to_one_;
 
-    /// n texels are left in the row.
+    /// True where n texels are left in the row.
     SPANGLE_INLINE bool inside(std::int32_t n) const {
         return static_cast<std::int32_t>(s.texel()) + n <= 1 << this->log2_width;
     }

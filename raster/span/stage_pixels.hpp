@@ -1,4 +1,4 @@
-// Colours that come with their fragments: those of a pixel rectangle (GL 1.3, 3.6.4).
+// Colours that come with their fragments: the pixels of a pixel rectangle (GL 1.3, 3.6.4).
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -7,7 +7,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Four components in colour units for each pixel of the span.
+/// Reads four components in colour units for each pixel of the span.
 template <class N> struct PixelColor : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned out = field_color;
@@ -21,7 +21,7 @@ template <class N> struct PixelColor : StageBase {
     SPANGLE_INLINE void step() { at += 4; }
 };
 
-/// The words that are stored. Behind the last one there is room for those of a whole group.
+/// Reads the words that are stored. Behind the last word there is room for a whole group.
 template <int Count> struct PixelWord : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<Count>;

@@ -1,4 +1,4 @@
-// Lists whose colour is 16 bits from its source to the surface: the two ends of them.
+// The first and the last stages of lists whose colour is 16 bits from its source to the surface.
 #pragma once
 
 #include "raster/span/dither_pattern.hpp"
@@ -15,7 +15,7 @@ namespace inner {
 /// A DitheredWord in lanes.
 template <class L> struct DitheredLanes {
     using U16 = typename L::U16;
-    U16 whole, r, g, b; ///< the word, and fractions of its components
+    U16 whole, r, g, b; ///< the word of whole steps; fractions of r, g and b in 32nds of a step
     SPANGLE_INLINE explicit DitheredLanes(std::uint32_t components)
         : whole(L::splat(DitheredWord{components}.word())), r(L::splat(components >> 21 & 31)),
           g(L::splat(components >> 10 & 31)), b(L::splat(components & 31)) {}
@@ -26,8 +26,8 @@ template <class L> struct DitheredLanes {
 
 } // namespace inner
 
-/// Rows of the window in one colour, dithered, as they are stored: eight columns from any of a period's
-/// first.
+/// Rows of the window in one dithered colour, as they are stored: eight columns, starting at any of the four
+/// columns of a period.
 template <PixelFormat Format> class DitherLaneRows {
   public:
     SPANGLE_INLINE explicit DitherLaneRows(std::uint32_t components) {
@@ -57,7 +57,8 @@ template <int Count> struct FlatWord : StageBase {
     }
 };
 
-/// One colour, dithered, from row to row of a tile: eight columns are two periods, nothing to walk.
+/// One dithered colour, from row to row of a tile: eight columns are two periods, so nothing walks along a
+/// row.
 template <int Count> struct FlatDithered : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<Count>;
@@ -76,12 +77,13 @@ template <int Count> struct FlatDithered : StageBase {
         words = lanes.at(dither.threshold());
     }
 };
-/// And along rows of eight lanes: words of DitherLaneRows.
+/// One dithered colour along rows of eight lanes: reads words of DitherLaneRows.
 struct FlatDitheredRows : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<8>;
     N::T words{};
-    template <class S> SPANGLE_INLINE FlatDitheredRows(const S&, std::int32_t) {} // no row yet
+    // Rows set the words by start().
+    template <class S> SPANGLE_INLINE FlatDitheredRows(const S&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         p.color.word = words;
         return true;
@@ -107,11 +109,11 @@ template <> struct FlatDithered<1> : StageBase {
         place = DitheredWord::place(s.x + x, s.y);
     }
 };
-/// Words of DitherRows, as they are stored.
+/// Reads words of DitherRows, as they are stored.
 struct RowPattern : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<1>;
-    const inner::Half* words; ///< from the fragment on that the list counts from
+    const inner::Half* words; ///< words from the fragment on at which the list starts to count
     SPANGLE_INLINE RowPattern(const PlaneRow& row, std::int32_t)
         : words(numeric::factor32(row.words + (row.counted_from & 3))) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
@@ -119,7 +121,7 @@ struct RowPattern : StageBase {
         return true;
     }
 };
-/// And of DitherCells, along paths.
+/// Reads words of DitherCells, along paths.
 struct PathPattern : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<1>;
@@ -132,7 +134,7 @@ struct PathPattern : StageBase {
     }
 };
 
-/// The word, in the byte order of the surface or swapped to it.
+/// Stores the word. Host: it has the host's byte order and is brought into that of the surface.
 template <int Count, PixelFormat Format, bool Host = true> struct StoreRaw : StageBase {
     static_assert(Format == PixelFormat::rgb565_be || Format == PixelFormat::rgb565_le);
     static constexpr unsigned in = field_color;

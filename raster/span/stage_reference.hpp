@@ -1,4 +1,4 @@
-// The stages of the reference policy that differ from the product's in more than their numbers. Hosts only.
+// Stages of the reference policy that differ from the product's in more than their number system. Hosts only.
 #pragma once
 
 #include <bit>
@@ -16,17 +16,17 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// A stage of the reference: interpolants are evaluated anew at every pixel.
+/// A stage of the reference, which evaluates its planes anew at every pixel.
 struct ReferenceStage : StageBase {
     const Span<Double>& span;
     std::int32_t x;
     ReferenceStage(const Span<Double>& s, std::int32_t first) : span(s), x(first) {}
     void step() { ++x; }
-    /// Perspective-correct (GL 1.3, equation 3.6).
+    /// The perspective-correct value of a plane (GL 1.3, equation 3.6).
     double divided(const Interpolant<double>& v) const { return span.at(x, v) / span.at(x, span.q); }
 };
 
-/// Nearest code k of k / (2^m - 1), in the top bits as DepthGeneral and StencilDepth take it.
+/// The depth code: the nearest k of k / (2^m - 1), in the top bits as DepthGeneral and StencilDepth take it.
 template <> struct DepthValue<Reference> : StageBase {
     const Span<Double>& span;
     std::int32_t x;
@@ -99,7 +99,7 @@ template <> struct FogCoord<Reference, false> : ReferenceFogCoord {
     using ReferenceFogCoord::ReferenceFogCoord;
 };
 
-/// f of an eye distance (GL 1.3, 3.10).
+/// The fog factor f of an eye distance (GL 1.3, 3.10).
 inline double reference_fog(const FragmentState& state, double distance) {
     const double density = std::bit_cast<float>(state.fog_density);
     const double start = std::bit_cast<float>(state.fog_start), end = std::bit_cast<float>(state.fog_end);
@@ -109,7 +109,7 @@ inline double reference_fog(const FragmentState& state, double distance) {
     case FogMode::exp2:
         return clamp01(std::exp(-density * distance * density * distance));
     case FogMode::linear:
-        return clamp01((end - distance) / (end != start ? end - start : 1)); // FogConstants say why
+        return clamp01((end - distance) / (end != start ? end - start : 1)); // FogConstants explain the 1
     }
     return 1;
 }
@@ -145,8 +145,8 @@ template <int Unit> struct Coord<Reference, Unit, false> : ReferenceCoord<Unit> 
     using ReferenceCoord<Unit>::ReferenceCoord;
 };
 
-/// lambda = log2 max(|du/dx|, |dv/dx|, |du/dy|, |dv/dy|): a legal f, and the one of every policy. 8 fraction
-/// bits by definition.
+/// lambda = log2 max(|du/dx|, |dv/dx|, |du/dy|, |dv/dy|). This is a legal f of GL, and every policy uses it.
+/// Lambda has 8 fraction bits by definition.
 template <int Unit> struct Lod<Reference, Unit> : ReferenceStage {
     static constexpr unsigned out = field_lod << Unit;
     using ReferenceStage::ReferenceStage;
@@ -168,13 +168,13 @@ template <int Unit> struct Lod<Reference, Unit> : ReferenceStage {
     }
 };
 
-/// Sampling by the formulas of GL 1.3, 3.8.7 to 3.8.9; filter weights and lambda have 8 bits by definition.
+/// Samples by the formulas of GL 1.3, 3.8.7 to 3.8.9; filter weights and lambda have 8 bits by definition.
 struct ReferenceSampler {
     using Color = Reference::Color;
     const Texture& texture;
 
     unsigned face = 0; ///< of a cube map
-    double r = 0;      ///< of a volume, or what depths are compared with
+    double r = 0;      ///< third coordinate of a volume, or the value that depths are compared with
 
     Color sample(double s, double t, std::int32_t lod8) const {
         const double lambda = std::fmin(std::fmax(lod8, texture.min_lod), texture.max_lod) / 256;
@@ -204,7 +204,7 @@ struct ReferenceSampler {
     }
 
   private:
-    /// MIRRORED_REPEAT counts two repeats, of which the second runs backwards.
+    /// The wrapped coordinate. MIRRORED_REPEAT counts two repeats, of which the second runs backwards.
     static double wrapped(Wrap wrap, double s, double n) {
         const auto between = [&](double low, double high) { return s < low ? low : s > high ? high : s; };
         switch (wrap) {
@@ -221,8 +221,8 @@ struct ReferenceSampler {
         }
         return 0;
     }
-    /// The texel that stands for i (GL 2.0, 3.8.8). CLAMP_TO_EDGE samples edge texels only: what lies behind
-    /// them has the weight 0.
+    /// The texel that stands for texel i (GL 2.0, 3.8.8). CLAMP_TO_EDGE samples edge texels only: texels
+    /// behind them have the weight 0.
     static int equivalent(Wrap wrap, int i, int n) {
         switch (wrap) {
         case Wrap::repeat:
@@ -262,7 +262,7 @@ struct ReferenceSampler {
             k * static_cast<std::ptrdiff_t>(image.stride) * (image.height + 2 * texture.border_texels);
         return image_at(image, filter, s, t);
     }
-    /// In 256ths of a texel from the centre of the first one, to nearest.
+    /// The place in 256ths of a texel from the centre of the first texel, to nearest.
     static int place_between(double at) { return static_cast<int>(std::floor((at - 0.5) * 256 + 0.5)); }
     static int index(Wrap wrap, double at, int n) {
         const int i = static_cast<int>(std::floor(at + 1.0 / (1 << nearest_bias_bits)));
@@ -295,7 +295,7 @@ struct ReferenceSampler {
             return compared(outside && texture.border_texels == 0 ? border().r : stored(image, i, j).r);
         return outside && texture.border_texels == 0 ? border() : stored(image, i, j);
     }
-    /// r counts in the steps of the depth.
+    /// The result of comparing r with a depth; both are counted in the steps of the depth's format.
     Color compared(double depth) const {
         const double most = texture.format == TexelFormat::z16 ? 65535 : 16777215;
         const auto code = [&](double v) { return static_cast<std::uint32_t>(clamp01(v) * most + 0.5); };
@@ -335,7 +335,8 @@ template <int Unit, bool HasLod> struct Texture2D<Reference, Unit, HasLod> : Ref
     Reference::Color in_volume(const TextureUnit& unit) const;
 };
 
-/// Three coordinates, divided, and lambda of all of them, by the formulas of GL 1.3, 3.8.6 and 3.8.8.
+/// Samples by three divided coordinates and the lambda of all of them, by the formulas of GL 1.3, 3.8.6 and
+/// 3.8.8.
 template <int Unit, bool HasLod>
 Reference::Color Texture2D<Reference, Unit, HasLod>::in_volume(const TextureUnit& unit) const {
     const Texture& texture = *unit.texture;

@@ -1,5 +1,5 @@
 // Texture coordinates of the balanced and fast tiers, a packet at a time: the integers of CoordRuns. The ends
-// of all runs are divided together, in lanes, and the fragments between two of them are a ramp. For
+// of all runs are divided together, in lanes, and the fragments between two ends are a ramp. It is for
 // instruction sets that divide in lanes.
 #pragma once
 
@@ -14,7 +14,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
-/// Inverse of the numbers of pixels that are less than the length of most runs.
+/// Mantissas of the Inverse of n pixels, for all n that are shorter than the longest common run (max_log2).
 struct ShortRuns {
     std::uint32_t mantissa[1 << CoordRuns::max_log2];
     constexpr ShortRuns() : mantissa{} {
@@ -39,25 +39,26 @@ template <class Places> class PacketRuns {
     }
 
   private:
-    static constexpr std::int32_t short_row = 8; ///< fragments of one row that take longer in lanes
+    /// At most so many fragments of one row take longer in lanes.
+    static constexpr std::int32_t short_row = 8;
 
     [[gnu::noinline]] static void run(Places& k, const Span<Fixed>& span, int unit) {
         PacketRuns(k, span, unit).find(k.coord[unit]);
     }
 
-    /// Fragments of one row.
+    /// The fragments of one row in the packet.
     struct Part {
-        std::uint32_t left, y; ///< pixel 0 of the row, from the anchor
+        std::uint32_t left, y; ///< pixel 0 of the row, counted from the anchor
         std::int32_t length, number;
-        std::int32_t x, at, n; ///< pixel and fragment of the first; how many
+        std::int32_t x, at, n; ///< pixel and packet index of the first fragment; number of fragments
         std::int32_t first_end;
-        std::int32_t log2; ///< of the length of runs, or `whole`
+        std::int32_t log2; ///< log2 of the length of runs, or `whole`
     };
     static constexpr std::int32_t whole = -1;
 
-    /// One more than the fragments of each part.
+    /// Ends of runs in a packet: each part has at most one more than it has fragments.
     static constexpr std::int32_t most_ends = 2 * packet_length;
-    static constexpr std::int32_t few = 2; ///< ends that take longer in lanes than one by one
+    static constexpr std::int32_t few = 2; ///< at most so many ends take longer in lanes than one by one
 
     PacketRuns(const Places& k, const Span<Fixed>& span, int unit)
         : k_(k), span_(span), unit_(span.unit[unit]), wraps_s_(span.state->wraps[unit].s),
@@ -94,7 +95,7 @@ template <class Places> class PacketRuns {
 
     template <class Coord> SPANGLE_INLINE void find(Coord* to) {
         divide();
-        std::uint32_t open = 0; // parts whose row is more than one run, a bit each
+        std::uint32_t open = 0; // one bit for each part whose row is more than one run
         for (std::int32_t n = 0; n < parts_; ++n) {
             if (part_[n].log2 != whole)
                 put_runs(part_[n]);
@@ -116,14 +117,15 @@ template <class Places> class PacketRuns {
         for (std::uint32_t left = open; left != 0; left &= left - 1) {
             const Part& part = part_[std::countr_zero(left)];
             std::uint32_t *const s = s_ + part.at + part.n, *const t = t_ + part.at + part.n;
-            const auto behind_s = Lanes<8>::gather(s), behind_t = Lanes<8>::gather(t); // ramps reach there
+            // Ramps write there, too.
+            const auto behind_s = Lanes<8>::gather(s), behind_t = Lanes<8>::gather(t);
             put_runs(part);
             store(s, behind_s);
             store(t, behind_t);
         }
     }
 
-    // Which ends there are.
+    // These find which ends there are.
 
     SPANGLE_INLINE void plan_whole(Part& part) {
         part.log2 = whole;
@@ -143,7 +145,7 @@ template <class Places> class PacketRuns {
              runs);
         fill(y_ + ends_, part.y, 0, runs);
         ends_ += runs;
-        if (step == 1) // these do not go on to their end
+        if (step == 1) // runs of one pixel do not go on to their end
             return;
         x_[ends_] = part.left + static_cast<std::uint32_t>(end < last ? end : last);
         y_[ends_++] = part.y;
@@ -159,7 +161,7 @@ template <class Places> class PacketRuns {
         return CoordRuns(span_, 0, which_).choose_log2();
     }
 
-    // What there is at each of them: w, and s and t in repeats, or as they are stored where they do not wrap.
+    // These find w at each end, and s and t in repeats, or as they are stored where they do not wrap.
 
     SPANGLE_INLINE void divide() {
         const auto& q_plane = unit_.shares_q ? span_.q : unit_.q;
@@ -184,7 +186,7 @@ template <class Places> class PacketRuns {
         return wraps ? repeats : static_cast<std::int32_t>(inner::to_coord(repeats, false, base));
     }
     [[gnu::noinline]] void divide_in_lanes(const Span<Fixed>::Projective& q_plane) {
-        store(x_ + ends_, LaneWords::splat(x_[0])); // lanes beyond the last
+        store(x_ + ends_, LaneWords::splat(x_[0])); // lanes beyond the last end
         store(y_ + ends_, LaneWords::splat(y_[0]));
         const PlaneInRows s(unit_.s), t(unit_.t), q(q_plane);
         for (std::int32_t i = 0; i < ends_; i += lanes) {
@@ -196,7 +198,7 @@ template <class Places> class PacketRuns {
         }
     }
 
-    // The fragments between them.
+    // These write the fragments between the ends.
 
     /// False: the row takes several runs (CoordRuns::one_run()).
     SPANGLE_INLINE bool put_whole(const Part& part) {
@@ -210,7 +212,7 @@ template <class Places> class PacketRuns {
         if (1 << shortest_ < CoordRuns::short_row) {
             const std::uint32_t q0 = q_at_[begin], q1 = q_at_[end], least = q0 < q1 ? q0 : q1,
                                 range = q0 < q1 ? q1 - q0 : q0 - q1;
-            // Half of the error, so four times that is 2^(1 - texel_bits).
+            // Half of the allowed error, so that four times that is 2^(1 - texel_bits).
             const int up = of_straight_tier<[](const Knobs& k) { return 33 - k.texel_bits; }>(draw);
             const auto is_within = [&](std::int32_t v, int log2_size) __attribute__((always_inline)) {
                 return numeric::mul_u32(numeric::abs_u32(v), range) <= std::uint64_t{least}
@@ -271,7 +273,7 @@ template <class Places> class PacketRuns {
         inverse.mantissa = inner::short_runs.mantissa[n];
         return inverse;
     }
-    /// Writes v, v + by, ... for n fragments, and goes on to a multiple of the lanes.
+    /// Writes v, v + by, ... for n fragments, and goes on to the next multiple of the lanes.
     SPANGLE_INLINE static void fill(std::uint32_t* to, std::uint32_t v, std::uint32_t by, std::int32_t n) {
         LaneWords at = LaneWords::ramp(v, by);
         store(to, at);
@@ -292,13 +294,14 @@ template <class Places> class PacketRuns {
     const Span<Fixed>::Unit& unit_;
     const bool wraps_s_, wraps_t_;
     const int which_;
-    const std::int32_t shortest_, short_length_; ///< rows up to that are runs of at least the shortest length
+    /// Log2 of the shortest runs; rows of up to short_length_ pixels have such runs.
+    const std::int32_t shortest_, short_length_;
     std::int32_t parts_ = 0, ends_ = 0;
     Part part_[packet_length];
-    std::uint32_t x_[most_ends + lanes], y_[most_ends + lanes]; ///< of the ends, from the anchor
+    std::uint32_t x_[most_ends + lanes], y_[most_ends + lanes]; ///< places of the ends, from the anchor
     std::uint32_t q_at_[most_ends + lanes];
     std::int64_t s_at_[most_ends + lanes], t_at_[most_ends + lanes];
-    std::uint32_t s_[packet_length + lanes], t_[packet_length + lanes]; ///< of the fragments
+    std::uint32_t s_[packet_length + lanes], t_[packet_length + lanes]; ///< coordinates of the fragments
 };
 
 } // namespace SPANGLE_INSTRUCTIONS

@@ -1,5 +1,5 @@
 // Multisample fragment operations (GL 1.3, 4.1.3): alpha, or a value of the state, says which of a pixel's
-// samples are covered. The list draws one sample; the fragment it drops is that sample's.
+// samples are covered. A list draws one sample, so dropping a fragment drops its sample.
 #pragma once
 
 #include "raster/span/draw_state.hpp"
@@ -11,13 +11,14 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Of value k / 255 at a pixel whose dither threshold is t / 32: 4 k / 255 samples, rounded up where the rest
-/// is more than the threshold. So 0 covers none and 255 all, and what a pixel cannot show its neighbours do.
+/// Whether a value k / 255 covers a sample at a pixel whose dither threshold is t / 32. The value covers 4 k
+/// / 255 samples, rounded up where the rest is more than the threshold. So 0 covers none and 255 all.
+/// Neighbouring pixels show what one pixel cannot.
 constexpr bool covers_sample(std::uint32_t k, unsigned sample, std::uint32_t threshold) {
     return k * (sample_count * 32) > 255 * (32 * sample + threshold);
 }
 
-/// The temporary coverage of alpha, then alpha := 1, then the coverage of the value.
+/// Applies the temporary coverage of alpha, then sets alpha to 1, then applies the coverage of the value.
 template <class N> struct SampleCoverage : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned in = field_color, out = field_color;

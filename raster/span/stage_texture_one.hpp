@@ -1,4 +1,4 @@
-// The texture function of one unit, a fragment at a time.
+// The texture function of one unit, one fragment at a time.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -7,8 +7,8 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Of three coordinates, or of two and a level that stages before it have found (HasLod: a level, too).
-/// Steps: MODULATE, by N::in_steps().
+/// Samples by three coordinates, or by two coordinates that stages before it have found (HasLod: and a level
+/// of detail). Steps: MODULATE is done with texels in steps, N::in_steps().
 template <class N, int Unit, bool HasLod, bool Steps = false> struct Texture2D : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned in = field_color | field_coord << Unit | (HasLod ? field_lod << Unit : 0u);
