@@ -1,4 +1,4 @@
-// A list of stages as one loop: eight lanes at a time where the host has them, one lane for the rest.
+// Runs a list of stages as one loop: eight lanes at a time where the host has them, one lane for the rest.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,12 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Along rows of texels pointers are better, but where registers are left for addresses of two.
+/// True where loops along rows of texels count one index in bytes. Elsewhere pointers are better, because no
+/// registers are left for addresses that are sums of two.
 template <class N>
 inline constexpr bool walks_bytes = !numeric::three_operands && std::is_same_v<N, PackedCoarse>;
 
-/// Fragments [i, stop), i < stop, one by one.
+/// Draws fragments [i, stop), i < stop, one by one.
 template <bool Row, class N, class List, class Place>
 SPANGLE_INLINE void fused_loop(List& list, const Place& span, std::int32_t i, std::int32_t stop) {
     Px<N> p(span);
@@ -28,7 +29,7 @@ SPANGLE_INLINE void fused_loop(List& list, const Place& span, std::int32_t i, st
     p.row = Row;
     if constexpr (!List::runs && (List::rows ? Row && walks_bytes<N> : !numeric::scales_indices)) {
         p.twice = 2 * i;
-        do { // one index for all planes, not a pointer for each
+        do { // one index serves all planes, not a pointer for each
             p.twice = numeric::factor32(p.twice);
             p.i = p.twice >> 1;
             list(p);
@@ -48,11 +49,11 @@ SPANGLE_INLINE void fused_loop(List& list, const Place& span, std::int32_t i, st
         else
             list.step();
         if constexpr (!List::runs && (!List::rows || numeric::scales_indices))
-            i = numeric::factor32(i); // one index for all planes, not a pointer for each
+            i = numeric::factor32(i); // one index serves all planes, not a pointer for each
     } while (++i != stop);
 }
 
-/// n pixels from `begin`, one lane. The list is at the first of them.
+/// Draws n pixels from `begin` with one lane. The list is at the first pixel.
 template <class N, class List>
 SPANGLE_INLINE void fused_narrow(List& list, const Span<typename N::Policy>& span, std::int32_t begin,
                                  std::int32_t n) {
@@ -72,8 +73,9 @@ SPANGLE_INLINE void fused_narrow(List& list, const Span<typename N::Policy>& spa
     } while (List::runs && i != n);
 }
 
-/// n pixels from `begin`, eight at a time. What is left of a run is a group of its own in which other lanes
-/// are dead; it stays inside of the span, unless that has fewer than eight. The list is at the first of them.
+/// Draws n pixels from `begin`, eight at a time. The rest of a run is a group of its own whose other lanes
+/// are dead. That group stays inside of the span, unless the span has fewer than eight pixels. The list is at
+/// the first pixel.
 template <class N, class List>
 SPANGLE_INLINE void fused_wide(List& list, const Span<typename N::Policy>& span, std::int32_t begin,
                                std::int32_t n) {
@@ -107,8 +109,8 @@ SPANGLE_INLINE void fused_wide(List& list, const Span<typename N::Policy>& span,
 
 namespace inner {
 
-/// n < 8 words of 16 bits in eight lanes, without a byte behind them, and back. Words that two loads or
-/// stores share are the same in both.
+/// Load n < 8 words of 16 bits into eight lanes, and store them, without touching a byte behind them. Words
+/// that two loads or two stores share are the same in both.
 SPANGLE_INLINE Lanes<8>::U16 load_words(const std::uint8_t* at, std::int32_t n) {
     std::uint64_t low = 0, high = 0;
     if (n >= 4) {
@@ -142,9 +144,9 @@ SPANGLE_INLINE void store_words(std::uint8_t* at, Lanes<8>::U16 v, std::int32_t 
 
 } // namespace inner
 
-/// Pixels [first, last) of a row are next.
+/// Makes the span describe pixels [first, last) of a row.
 template <class Case> SPANGLE_INLINE void enter_fused(Span<Fixed>& span, const Row& row) {
-    // Where no run is anchored, pixel 0 is the first one drawn.
+    // Where no run is anchored, pixel 0 is the first pixel that is drawn.
     span.x = row.first;
     if constexpr (Case::template List<1>::runs) {
         span.x = row.left;
@@ -160,14 +162,14 @@ template <class Case> SPANGLE_INLINE void enter_fused(Span<Fixed>& span, const R
 template <class Case>
 SPANGLE_INLINE RowPlace place_of(const Surface& target, const Row& row, std::int32_t column) {
     const auto place = [&](std::uint8_t* base, std::int32_t stride, std::int32_t bytes) {
-        // One word before the loop, not a sum in it.
+        // The address is one word before the loop, not a sum in the loop.
         return numeric::factor32(base + (std::ptrdiff_t{row.y} * stride + std::ptrdiff_t{column} * bytes));
     };
     return {place(target.color, target.color_stride, format_info(Case::key.format).bytes_per_pixel),
             Case::tested ? place(target.depth, target.depth_stride, 2) : nullptr};
 }
 
-/// The place that fragments are counted from; pixel 0 of the span becomes the first that is drawn.
+/// The place from which fragments are counted. Pixel 0 of the span becomes the first pixel that is drawn.
 template <class Case> SPANGLE_INLINE RowPlace enter_counted(Span<Fixed>& span, const Row& row) {
     const std::int32_t counted_from = Case::numbered ? row.first : row.last;
     span.x = row.first;
@@ -177,7 +179,7 @@ template <class Case> SPANGLE_INLINE RowPlace enter_counted(Span<Fixed>& span, c
     return place_of<Case>(*span.target, row, counted_from);
 }
 
-/// The fragments of a row one by one, counted up to 0: the last index needs no register.
+/// Draws the fragments of a row one by one, counted up to 0: the last index needs no register.
 template <class Case>
 SPANGLE_INLINE void fused_plain_row(Span<Fixed>& span, const Row& row,
                                     [[maybe_unused]] const typename Case::Pattern& pattern) {
@@ -197,10 +199,10 @@ SPANGLE_INLINE void fused_narrow_plain_rows(Span<Fixed>& span, const Row* row, c
     while (++row != end);
 }
 
-/// Lists that ask for rows of texels, along the whole of a row.
+/// True for lists that ask whether fragments lie in one row of texels, along the whole of a row.
 template <class List> inline constexpr bool takes_rows = List::rows && !List::runs;
 
-/// n fragments before `end`, counted up to 0.
+/// Draws n fragments before `end`, counted up to 0.
 template <class N, class List>
 SPANGLE_INLINE void fused_texels(List& list, const RowPlace& end, std::int32_t n) {
     if (list.row(n))
@@ -221,13 +223,13 @@ template <class Case> SPANGLE_INLINE void fused_narrow_row(Span<Fixed>& span, co
         fused_narrow<N>(list, span, row.first - span.x, row.last - row.first);
 }
 
-/// One list for all rows.
+/// Draws rows with one list for all rows, one lane.
 template <class Case>
 SPANGLE_INLINE void fused_narrow_rows(Span<Fixed>& span, const Row* row, const Row* end) {
     using N = typename Case::template System<1>;
     using List = typename Case::template List<1>;
     if constexpr (!List::runs && !List::rows) {
-        // Counted up to 0: the last index needs no register.
+        // Fragments are counted up to 0: the last index needs no register.
         const RowPlace first = enter_counted<Case>(span, *row);
         List list(span, 0);
         for (RowPlace at = first;; at = enter_counted<Case>(span, *row), list.start(span, 0)) {
@@ -260,7 +262,7 @@ SPANGLE_INLINE void fused_narrow_rows(Span<Fixed>& span, const Row* row, const R
     }
 }
 
-/// The fragments that guesses left open.
+/// Draws the fragments that guesses have left open.
 template <class Case>
 SPANGLE_INLINE void fused_open(Span<Fixed>& span, const OpenGroup* open, const OpenGroup* end) {
     using N = typename Case::template System<1>;
@@ -273,8 +275,8 @@ SPANGLE_INLINE void fused_open(Span<Fixed>& span, const OpenGroup* open, const O
         });
 }
 
-/// One list for all rows: what it has of the primitive is found once. Fewer than eight pixels are one group
-/// that works on copies: nothing outside is touched.
+/// Draws rows with one list for all rows, in eight lanes: its values of the primitive are found once. Fewer
+/// than eight pixels are one group that works on copies, so that nothing outside is touched.
 template <class Case> SPANGLE_INLINE void fused_rows(Span<Fixed>& span, const Row* row, const Row* end) {
     using N = typename Case::template System<8>;
     using List = typename Case::template List<8>;
@@ -296,7 +298,7 @@ template <class Case> SPANGLE_INLINE void fused_rows(Span<Fixed>& span, const Ro
     };
     enter();
     List list(span, row->first - span.x);
-    // Runs of less than a group leave most lanes dead.
+    // Runs of less than a group would leave most lanes dead.
     const auto lanes_pay = [&] {
         const std::int32_t x = row->first - span.x;
         return copied || (n >= 8 && (!List::runs || list.begin(x) - x >= 8));
@@ -333,13 +335,13 @@ SPANGLE_INLINE bool gathered_rows([[maybe_unused]] Span<Fixed>& span, [[maybe_un
     return false;
 }
 
-/// What patches do not serve: one loop for all of it.
+/// Draws rows that patches do not serve: one function for all callers.
 template <class Case>
 [[gnu::noinline]] void fused_patchless_rows(Span<Fixed>& span, const Row* row, const Row* end) {
     fused_narrow_rows<Case>(span, row, end);
 }
 
-/// One fragment at a time.
+/// Draws lit rows, one fragment at a time.
 template <class Case, class Products>
 SPANGLE_INLINE void fused_lit_rows(Span<Fixed>& span, const Row* row, const Row* end) {
     if (PatchOfRows::are_many(row, end, PatchOfRows::few_for_one))
@@ -348,8 +350,9 @@ SPANGLE_INLINE void fused_lit_rows(Span<Fixed>& span, const Row* row, const Row*
         fused_patchless_rows<Case>(span, row, end);
 }
 
-/// Case has: template <int Lanes> using System, List; static constexpr key, tested, wide, heavy, plain, lit,
-/// apart (the stages have no start()), numbered (they ask for the number of the fragment in its row).
+/// Draws rows of a case. Case has: template <int Lanes> using System, List; static constexpr key, tested,
+/// wide, heavy, plain, lit, apart (the stages have no start()), numbered (they ask for the number of the
+/// fragment in its row).
 template <class Case, int Wide = host_lanes>
 [[gnu::noinline]] void fused(Span<Fixed>& span, const Row* row, const Row* end) {
     if constexpr (Case::lit && Wide == 8) {
@@ -401,7 +404,7 @@ template <class Case, int Wide = host_lanes>
     }
 }
 
-/// The fragments of path i; the list is at the first.
+/// Draws the fragments of path i. The list is at the first fragment.
 template <bool Dithered, class List, class N>
 SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i,
                               [[maybe_unused]] std::uint32_t before) {
@@ -427,15 +430,15 @@ SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i,
                 at += aside;
             }
         } else {
-            rest += rise - denominator;               // which is 0 <= rest < denominator here
-            const std::int32_t straight = rest >> 31; // all ones: not yet
+            rest += rise - denominator;               // 0 <= rest < denominator holds here
+            const std::int32_t straight = rest >> 31; // all ones: no step aside yet
             rest += denominator & straight;
             at += along + (aside & ~static_cast<std::uint32_t>(straight));
         }
     } while (--count != 0);
 }
 
-/// Pixels are counted from window (0, 0).
+/// Draws paths of a case. Pixels are counted from window (0, 0).
 template <class Case>
 [[gnu::noinline]] void fused_paths(const DrawState& state, const Surface& target, const Paths& paths,
                                    int count) {
@@ -454,7 +457,8 @@ template <class Case>
     const std::uint32_t before = PathPixels::before(target);
     if constexpr (Case::patterned) {
         const auto back = static_cast<std::ptrdiff_t>(before) * 2;
-        p.color_plane = numeric::factor32(p.color_plane - back); // one word, not a sum in the loop
+        // One word before the loop, not a sum in it.
+        p.color_plane = numeric::factor32(p.color_plane - back);
         if constexpr (Case::tested)
             p.depth_plane = numeric::factor32(p.depth_plane - back);
     }
@@ -486,7 +490,7 @@ template <class Case>
         const int together = paths.one_color ? count : 1;
         for (int first = 0; first < count; first += together) {
             cells.make(static_cast<std::uint32_t>(paths.at(Paths::flat, first)), target.color_stride / 2);
-            for (int left = together, i = first; left > 0; --left, ++i) // one bound, not two
+            for (int left = together, i = first; left > 0; --left, ++i) // one bound of the loop, not two
                 walk(i);
         }
     } else {

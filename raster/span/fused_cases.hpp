@@ -1,4 +1,4 @@
-// From a key to a loop of its own: the same stages as the chain's, with the modes known to the compiler.
+// Makes a loop of its own from a key: the same stages as the chain's, with the modes known to the compiler.
 #pragma once
 
 #include "raster/span/fill.hpp"
@@ -30,13 +30,13 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// In place of a stage that a key does without; I keeps the bases of a Seq distinct.
+/// Takes the place of a stage that a key does without; I keeps the bases of a Seq distinct.
 template <class N, int I> struct None : StageBase {
     template <class S> SPANGLE_INLINE None(const S&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>&) const { return true; }
 };
 
-/// What fused lists can do. Everything else is the chain's.
+/// Whether fused lists can draw a key. The chain draws everything else.
 constexpr bool fusible(const Key& key) {
     return !key.second_unit() && !key.unit[0].general && !key.color_sum && !key.stencil && !key.masked &&
            !key.logic && !key.count && key.alpha == Compare::always &&
@@ -45,14 +45,14 @@ constexpr bool fusible(const Key& key) {
            key.depth_format != DepthFormat::z24s8;
 }
 
-/// Perspective-correct colours that nothing else is done with.
+/// Whether colours are perspective-correct and stored without any further stage.
 constexpr bool is_guessed(const Key& key) {
     return key.number == Number::exact && key.kind == Kind::full && !key.unit[0].on && !key.fog &&
            !key.blend && is_565(key.format);
 }
 
-/// Four words of a texture become one (filter_words.hpp). One by one, steps are found where branches and
-/// tables are cheap; dithered, they are there already.
+/// Whether four words of a texture become one word (filter_words.hpp). With one lane, steps are found only
+/// where branches and tables are cheap; dithered, they are there already.
 constexpr bool filters_words(const Key& key) {
     return (numeric::cheap_branches || key.dither || host_lanes == 8) && key.number == Number::exact &&
            !key.fog && !key.blend && is_565(key.format) &&
@@ -60,56 +60,58 @@ constexpr bool filters_words(const Key& key) {
                UnitKey{true, false, TexelFormat::rgb565, BaseFormat::rgb, Filter::linear, TexEnv::replace};
 }
 
-/// Gray: for primitives whose colours are, only. Apart: every attribute over w divides for itself, as in the
-/// chain, for primitives that the stages of stage_divided.hpp do not serve.
+/// The functions that draw the tiles and the trapezoids of a case.
 template <class Case> inline constexpr Shapes shapes_of = {&fused_tile<Case>, &fused_trapezoids<Case>};
 template <void (*Draw)(Span<Fixed>&, const Trapezoids&)>
 inline constexpr Shapes trapezoids_of = {nullptr, Draw};
 
+/// The fused loops of a key. Gray: only for primitives whose colours are gray. Apart: every attribute over w
+/// divides for itself, as in the chain, for primitives that the stages of stage_divided.hpp do not serve.
 template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static_assert(fusible(K));
     static constexpr bool textured = K.unit[0].on;
     template <class N>
     using Image = TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env,
                                counts_steps(K)>;
-    /// What texels that light is multiplied by are loaded as.
+    /// The form in which texels are loaded that light is multiplied by.
     static constexpr bool words_565 = K.unit[0].texels == TexelFormat::rgb565,
                           loads_rgb = words_565 || K.unit[0].texels == TexelFormat::rgb888;
     static constexpr bool raw = K.number == Number::raw565 || is_guessed(K) || filters_words(K),
                           exact = K.number == Number::exact && !raw;
-    /// The texel is the colour until it is blended.
+    /// Whether the texel is the colour until it is blended.
     static constexpr bool packed =
         K.unit[0] ==
             UnitKey{true, false, TexelFormat::rgba8888, BaseFormat::rgba, Filter::nearest, TexEnv::replace} &&
         K.blend && !K.fog && is_565(K.format);
-    /// Kinds whose colours, or texture coordinates and fog, are projective.
+    /// Kinds whose colours are projective (full), or also texture coordinates and fog (projective).
     static constexpr bool full = K.kind == Kind::full, projective = full || K.kind == Kind::textured;
     static constexpr bool divided = divides(K.kind, K.fog) && !is_guessed(K);
-    /// Fog is what comes before the store, where MODULATE may come between.
+    /// Whether the store includes fog (stores_fogged), or fog and MODULATE before it (stores_light).
     template <int L>
     static constexpr bool stores_fogged = L == 1 && exact&& K.fog && !K.blend && is_565(K.format);
     template <int L>
     static constexpr bool stores_light = L == 1 && fogs_light(K) && !K.blend &&
                                          is_565(K.format) && K.unit[0].filter == Filter::nearest && loads_rgb;
-    /// Coordinates, too, divide by what the fragment has been divided by.
+    /// Whether coordinates, too, are divided by the one 1/w of the fragment.
     static constexpr bool shares_division =
         textured && divides(K.kind, K.fog) && exact && K.unit[0].filter == Filter::nearest;
 
   public:
-    /// There are lanes for what is divided, which end in 16 bits.
+    /// Whether divided attributes are drawn in patches: there are lanes of 16 bits for them.
     static constexpr bool lit = exact && divided && textured && K.unit[0].filter == Filter::nearest &&
                                 K.unit[0].env == TexEnv::modulate && loads_rgb && K.color && !K.color_alpha &&
                                 !K.blend && is_565(K.format) && !Apart;
-    /// There is no lane for it that has long products.
+    /// Whether such fragments have no loop of one lane with long products, but use products of halves.
     static constexpr bool halved = lit && !numeric::long_products;
 
     static constexpr bool tested = K.depth != Compare::always || K.depth_write;
-    /// Depth and colours, nothing else: rows are PlaneRows.
+    /// Whether there are depth and colours only: rows are PlaneRows then.
     static constexpr bool plain = raw && !textured;
     static constexpr bool patterned = plain && K.kind == Kind::flat && K.dither;
 
   private:
-    /// There are lanes for it: not for 64 bits, which Exact needs, nor for one division per fragment.
+    /// Whether there are lanes for the key: there are none for 64 bits, which Exact needs, nor for a division
+    /// per fragment.
     static constexpr bool laned = (!exact || packed) && !divided && is_565(K.format);
     using Runs = std::conditional_t<
         !projective, NoRuns,
@@ -121,14 +123,14 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     template <int L>
     using CoarseSystem =
         std::conditional_t<packed, std::conditional_t<L == 1, PackedCoarse, CoarseBytes<L>>, Balanced<L>>;
-    /// Blended and dithered by one stage, as packed ones are.
+    /// Whether one stage blends and dithers, as for packed colours.
     template <class N>
     static constexpr bool bytes_dithered = packed&& K.dither && (std::is_same_v<N, ExactBytes<8>> ||
                                                                  std::is_same_v<N, CoarseBytes<8>>);
     template <class N>
     using Test = std::conditional_t<tested, Depth<N, DepthFormat::z16, K.depth, K.depth_write>, None<N, 0>>;
     enum class Walk { rows, few, paths, tiles };
-    /// Colours come as they are stored.
+    /// Whether colours come from a pattern, as they are stored.
     template <int L, Walk By>
     static constexpr bool in_pattern = patterned &&
                                        ((L == 1 && By != Walk::few) || (L == 8 && By == Walk::rows));
@@ -250,7 +252,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     };
 
   public:
-    /// Its stages serve the primitive.
+    /// Whether the stages of this case serve the primitive.
     static bool serves(const Span<Fixed>& span) {
         if constexpr (shares_division) {
             return NearestDivided<Image<Exact>, 0>::serves(span) &&
@@ -259,7 +261,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         return true;
     }
 
-    /// Nothing but a loop of its own (fused_fogged.hpp).
+    /// fogged: the case has only a loop of its own (fused_fogged.hpp).
     static constexpr bool fogged = numeric::long_products && stores_light<1> && K.kind == Kind::affine &&
                                    !K.color_alpha && K.unit[0].texels == TexelFormat::rgb565,
                           gray = Gray;
@@ -268,10 +270,10 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static constexpr bool apart = Apart, numbered = divided && !Apart;
     static constexpr bool guessed = is_guessed(K);
     static constexpr bool swaps = Words565<Lanes<1>, K.format>::swaps;
-    /// The words of its fragments, as they are stored, and those of paths.
+    /// The stored words of the fragments of rows (Pattern) and of rows in lanes (LanePattern).
     using Pattern = std::conditional_t<patterned, DitherRows<swaps>, NoPattern>;
     using LanePattern = std::conditional_t<patterned, DitherLaneRows<K.format>, NoPattern>;
-    /// So few that a pattern of their colour costs more than their words.
+    /// The case for so few fragments that a pattern of their colour costs more than their words.
     struct Few {
         static constexpr Key key = K;
         static constexpr bool tested = FusedCase::tested, patterned = false;
@@ -280,16 +282,16 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         template <int> using System = Raw565<1>;
         template <int> using List = typename Stages<1, Walk::few>::List;
     };
-    /// Few fragments cost more one by one than eight with copies of what is stored.
+    /// Whether few fragments cost more one by one than as eight lanes with copies of what is stored.
     static constexpr bool heavy = laned && (!raw || filters_words(K)) && (textured || K.blend || K.fog);
-    /// Where a loop of its own pays for gray colours: two ramps less, or two divisions.
+    /// Whether a loop of its own pays for gray colours: it saves two ramps, or two divisions.
     static constexpr bool splits_gray =
         K.fog && K.color && !K.color_alpha && textured && K.unit[0].env == TexEnv::modulate && words_565;
-    /// Fetching texels gains nothing from lanes, combining them does.
+    /// Whether lanes pay: fetching texels gains nothing from lanes, combining them does.
     static constexpr bool wide = heavy || (laned && !(raw && textured));
     template <int L> using System = typename Stages<L>::N;
     template <int L> using List = typename Stages<L>::List;
-    /// Its eight lanes where `lit`.
+    /// The eight lanes of a `lit` case.
     struct Lit {
         static constexpr Key key = K;
         static constexpr bool plain = false, tested = FusedCase::tested;
@@ -315,14 +317,14 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             fused_open<FusedCase<untested(), Gray>>(span, open, end);
         }
     };
-    /// And its one lane.
+    /// The one lane of a `lit` case.
     template <class Products> struct One {
         using N = ExactLit;
         using Test = FusedCase::Test<N>;
         using Draw = LitOne<Products, Image<N>, full, Gray, K.fog, K.format, K.dither>;
         using Patch = typename Draw::Patch;
     };
-    /// Parts of a GatheredPacket.
+    /// Whether fragments are gathered in a GatheredPacket; Gathered has the parts of that packet.
     static constexpr bool gathered =
         heavy && !exact && tested && textured && !projective && K.unit[0].filter == Filter::nearest &&
         K.unit[0].env == TexEnv::modulate && K.unit[0].base == BaseFormat::rgb && !K.color_alpha && !K.blend;
@@ -337,11 +339,12 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     };
     using PathStages = typename Stages<1, Walk::paths>::List;
     template <int L> using TileList = typename Stages<L, Walk::tiles>::List;
-    /// Paths become a list (PathList).
+    /// Whether paths become a list (PathList).
     static constexpr bool listed =
         plain && K.kind == Kind::flat && host_lanes == 8 && !numeric::cheap_branches;
 
-    /// Loops over paths are for what lines are drawn with. Nothing there asks for the window's columns.
+    /// The loop over paths, for what lines are drawn with; it has no stage that asks for the window's
+    /// columns.
     static constexpr PathFunction walk() {
         if constexpr (has_paths && plain && !guessed && !(K.dither && K.kind == Kind::affine))
             return &fused_paths<FusedCase>;
@@ -360,7 +363,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             return nullptr;
     }
 
-    /// Chained: primitives that a shared division does not serve are the chain's.
+    /// Chained: the chain draws primitives that a shared division does not serve.
     template <int Wide, bool Chained = false>
     static void run_lanes(Span<Fixed>& span, const Row* row, const Row* end) {
         if constexpr (shares_division)
@@ -388,7 +391,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
 
   private:
     template <bool Chained> static void run_apart(Span<Fixed>& span, const Row* row, const Row* end) {
-        if (splits_gray && span.gray) { // the one plane that there is
+        if (splits_gray && span.gray) { // copies the one plane that there is
             const auto copy = [](auto& planes) { planes[1] = planes[2] = planes[0]; };
             copy(span.color_value);
             copy(span.color_q);
@@ -398,7 +401,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         else
             fused<FusedCase<K, false, true>, 1>(span, row, end);
     }
-    /// A row of one colour, the span points to its first pixel.
+    /// Fills a row with one colour; the span points to its first pixel.
     SPANGLE_INLINE static void fill(const Span<Fixed>& span, const Row& row,
                                     [[maybe_unused]] const Pattern& pattern) {
         using Words = Words565<Lanes<1>, K.format>;

@@ -1,4 +1,4 @@
-// Rows of which every fragment divides: pieces of a primitive over which 16 bits are enough.
+// Draws rows whose fragments all divide, in patches: pieces of a primitive over which 16 bits are enough.
 #pragma once
 
 #include "raster/span/fused_groups.hpp"
@@ -8,12 +8,13 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Around the fragments of rows, from one amidst them: planes of thin triangles are steep beside these.
+/// A patch around the fragments of rows, measured from a fragment in their middle: planes of thin triangles
+/// are steep beside the fragments.
 struct PatchOfRows {
     Patch patch;
     bool fits;
-    std::int32_t count; ///< of fragments
-    /// One by one they take less than a patch, of eight lanes or of one.
+    std::int32_t count; ///< number of fragments
+    /// Fewer fragments than this take less one by one than a patch, of eight lanes or of one lane.
     static constexpr std::int32_t few = 6, few_for_one = 14;
     SPANGLE_INLINE PatchOfRows(const Row* row, const Row* end) {
         std::int32_t first = row->first, last = row->last;
@@ -32,7 +33,7 @@ struct PatchOfRows {
         patch.rows = below > above ? below : above;
         fits = patch.columns <= Patch::most_columns && patch.rows <= Patch::most_rows;
     }
-    /// Worth patches.
+    /// Whether there are at least `least` fragments, so that patches are worth it.
     SPANGLE_INLINE static bool are_many(const Row* row, const Row* end, std::int32_t least) {
         std::int32_t count = 0;
         for (; row != end && count < least; ++row)
@@ -41,29 +42,32 @@ struct PatchOfRows {
     }
 };
 
-/// Eight columns from x on in row y, of which a guess left some open, to be drawn again together with others.
+/// Eight columns from x on in row y, some of which a guess left open. They are drawn again together with
+/// others.
 struct OpenGroup {
     Lanes<8>::Mask open;
     std::int32_t x, y;
-    static constexpr int of_row = 2 * Patch::most_columns / 8 + 2; ///< at most in a row of a patch
+    /// The most groups in a row of a patch.
+    static constexpr int of_row = 2 * Patch::most_columns / 8 + 2;
 };
 
-/// f(x, y) of each fragment.
+/// Calls f(x, y) for each open fragment.
 template <class F> SPANGLE_INLINE void each_open(const OpenGroup* group, const OpenGroup* end, F f) {
     for (; group != end; ++group)
         each_open(
             group->open, [&](int i) __attribute__((always_inline)) { f(group->x + i, group->y); });
 }
 
-/// Those of a patch, or false. Case::Lit has: what LaneRows ask for, Patch; redo_open(span, open, end), which
-/// draws with one lane, without a test of depth.
+/// Draws the fragments of a patch; false: 16 bits are not enough, or a patch is not worth it. Case::Lit has:
+/// what LaneRows ask for; Patch; redo_open(span, open, end), which draws with one lane and without a test of
+/// depth.
 template <class Case>
 [[gnu::noinline]] bool draw_patch(Span<Fixed>& span, const Row* row, const Row* end, std::int32_t room) {
     using Lit = typename Case::Lit;
     struct Collect {
         using Row = LitRow<typename Lit::Patch>;
         OpenGroup* end;
-        /// No branch depends on what is open.
+        /// Every group is written, so that no branch depends on what is open.
         SPANGLE_INLINE void operator()(const Row& at, const Px<typename Lit::N>& p, std::int32_t x) {
             const Lanes<8>::Mask open = p.open & p.live;
             *end = {open, x, at.y};
@@ -80,7 +84,7 @@ template <class Case>
     const std::int32_t left = rows.patch.x - rows.patch.columns - 7;
     const NoPattern none(0);
     LaneRows<Lit, Collect> lanes({{span, nullptr, nullptr, left, row->y, left}, patch}, {open}, none);
-    const Surface target = *span.target; // in registers
+    const Surface target = *span.target; // kept in registers
     do {
         lanes.draw(target, *row, room);
         if (OpenGroup*& last = lanes.open().end; last - open > most - OpenGroup::of_row) [[unlikely]] {
@@ -93,7 +97,7 @@ template <class Case>
     return true;
 }
 
-/// The same one by one. Case has One: Patch, N, Test, Draw.
+/// draw_patch() with one fragment at a time. Case has One: Patch, N, Test, Draw.
 template <class Case, class Products>
 [[gnu::noinline]] bool draw_patch_one(Span<Fixed>& span, const Row* row, const Row* end) {
     using Lit = typename Case::template One<Products>;
@@ -113,7 +117,7 @@ template <class Case, class Products>
             if (test(p) && !fragment.draw(p.i, place.color)) [[unlikely]]
                 Case::Lit::redo(span, {at.y, at.x + p.i, at.x + p.i + 1, at.x + p.i, at.x + p.i + 1});
             test.step();
-            p.go_to(numeric::factor32(p.i + 1)); // one index for all planes, not a pointer for each
+            p.go_to(numeric::factor32(p.i + 1)); // one index serves all planes, not a pointer for each
         } while (p.i != n);
         if (++row == end)
             return true;
@@ -124,7 +128,8 @@ template <class Case, class Products>
     }
 }
 
-/// `draw` draws a patch, or says that there are more than one in its rows; `narrow` what there is none for.
+/// `draw` draws rows as a patch, or returns false if they need several patches. `narrow` draws pieces for
+/// which there is no patch.
 template <class Draw, class Narrow>
 SPANGLE_INLINE void fused_divided_rows(Span<Fixed>& span, const Row* row, const Row* end, Draw draw,
                                        Narrow narrow) {

@@ -1,5 +1,5 @@
-// Rows of texels in light and fog of the balanced tier, affine, one lane: a loop that needs twice as many
-// words as there are registers. What stays lies in memory by twos, in the order in which it is read.
+// Rows of texels in light and fog of the balanced tier, affine, with one lane. The loop needs twice as many
+// words as there are registers. Words that stay lie in memory by twos, in the order in which they are read.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -50,7 +50,8 @@ template <class Case> class FoggedRows {
             thresholds_ = inner::dither_numbered<Combine::threshold_bits>.from(last, row.y);
         end_step_z_.a = place(color_, row.y, last);
         std::uint8_t* const depth = place(depth_, row.y, last);
-        std::int32_t i = 2 * (first - last); // in bytes, counted up to 0: the last index needs no register
+        // In bytes, counted up to 0: the last index needs no register.
+        std::int32_t i = 2 * (first - last);
         do {
             numeric::kept_in_memory(*this);
             const std::uint32_t z16 = z >> 16;
@@ -93,7 +94,7 @@ template <class Case> class FoggedRows {
     static constexpr int lights = Case::gray ? 1 : 3;
     static constexpr bool dithers = Case::key.dither;
     using Combine = FoggedTexel<Case::key.format, true, dithers>;
-    /// At column 0 of row 0 of the window, and from row to row.
+    /// A plane's value at column 0 of row 0 of the window, and its difference from row to row.
     using Origin = numeric::Two<std::uint32_t, std::uint32_t>;
     using Plane = numeric::Two<std::uint8_t*, std::int32_t>;
 
@@ -121,7 +122,7 @@ template <class Case> class FoggedRows {
         }
         return true;
     }
-    /// Where it lies, from the first on.
+    /// The number of the texel, counted from the first texel of the image.
     SPANGLE_INLINE std::uint32_t texel(std::uint32_t s, std::uint32_t t) const {
         const auto [width, height] = numeric::load_two(image_);
         const auto column = static_cast<std::uint32_t>(std::uint64_t{s} * width >> 32),
@@ -140,12 +141,14 @@ template <class Case> class FoggedRows {
         return color;
     }
 
-    numeric::Two<std::uint32_t, std::uint32_t> image_;                    ///< width and height
-    numeric::Two<const std::uint8_t*, typename Combine::Factors> tables_; ///< texels, and what they stand for
+    numeric::Two<std::uint32_t, std::uint32_t> image_; ///< width and height
+    /// Texels, and the factors of their green.
+    numeric::Two<const std::uint8_t*, typename Combine::Factors> tables_;
     typename Combine::Factors fifths_ = Combine::fifths;
     const std::uint32_t* thresholds_ = nullptr;
     Combine combine_;
-    numeric::Two<std::uint8_t*, std::uint32_t> end_step_z_; ///< of the row in the colour plane
+    /// End of the row in the colour plane; step of depth.
+    numeric::Two<std::uint8_t*, std::uint32_t> end_step_z_;
     numeric::Two<std::uint32_t, std::uint32_t> step_coord_, step_light_[lights];
     Origin z_, s_, t_, fog_, light_[lights];
     Plane color_, depth_;

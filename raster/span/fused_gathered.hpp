@@ -1,5 +1,5 @@
-// Rows of textured fragments whose planes are affine: those of many rows side by side, so that few lanes are
-// idle, and the texels of many are fetched at a time.
+// Gathers the fragments of many rows whose planes are affine and textured, side by side, so that few lanes
+// are idle and the texels of many fragments are fetched at a time.
 #pragma once
 
 #include "raster/span/fused_groups.hpp"
@@ -12,13 +12,14 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Fragments that passed the depth test, on their way to the surface. Case has: Test, Texture, Fog, FogColor
+/// Fragments that have passed the depth test and wait to be stored. Case has: Test, Texture, Fog, FogColor
 /// (or None), fogged, gray, tested, key.
 template <class Case> class GatheredPacket {
   public:
     using N = typename Case::N;
     using L = typename N::L;
-    static constexpr std::int32_t most = 120, size = most + 16; ///< what is held between two groups
+    /// Fragments that may be held between two groups.
+    static constexpr std::int32_t most = 120, size = most + 16;
     using Values = std::uint16_t[size];
 
     SPANGLE_INLINE explicit GatheredPacket(const PlaneRow& at) : texture_(at, 0), fog_(at, 0) {}
@@ -26,7 +27,8 @@ template <class Case> class GatheredPacket {
     SPANGLE_INLINE static void store(Values& to, std::ptrdiff_t i, const typename L::U16& v) {
         __builtin_memcpy(to + i, &v, 16);
     }
-    /// Eight fragments of the packet, from the first on, those that live: where they go.
+    /// A group of eight fragments of the packet, `first` being the number of its first: live lanes and their
+    /// address.
     struct Group {
         typename L::Mask live;
         std::uint8_t* color;
@@ -34,7 +36,7 @@ template <class Case> class GatheredPacket {
     };
     Group groups[size];
 
-    /// All `count` fragments to the surface, by groups up to `end`.
+    /// Stores all `count` fragments, by groups up to `end`.
     [[gnu::noinline]] void flush(std::ptrdiff_t count, const Group* end) {
         pad(count);
         for (std::ptrdiff_t i = 0; i < count; i += 8)
@@ -51,7 +53,7 @@ template <class Case> class GatheredPacket {
         __builtin_memcpy(&v, from + i, 16);
         return v;
     }
-    /// Fragments behind the last one look at the first texel.
+    /// Fragments behind the last one look at the first texel of the image.
     SPANGLE_INLINE void pad(std::ptrdiff_t count) {
         const typename L::U16 none = L::splat(0);
         store(index, count, none);
@@ -83,31 +85,31 @@ template <class Case> class GatheredPacket {
 
     typename Case::Texture texture_;
     typename Case::FogColor fog_;
-    alignas(16) Values words_; ///< as they are stored
+    alignas(16) Values words_; ///< words as the surface stores them
 };
 
-/// What is interpolated.
+/// The planes of gathered fragments.
 template <class Case> class GatheredPlanes {
   public:
     using N = typename Case::N;
     using L = typename N::L;
     using Packet = GatheredPacket<Case>;
 
-    /// For rows from this one up, and columns from its first to the right.
+    /// The planes are valid from this row up, and from its first column to the right.
     SPANGLE_INLINE explicit GatheredPlanes(const PlaneRow& at)
         : texture_(at, 0), fog_inside_(Case::fogged && at.fog_inside), planes_(planes(at)),
           thresholds_(at.x, at.y) {}
     SPANGLE_INLINE bool takes() const { return texture_.is_small(); }
     SPANGLE_INLINE void next_row() { planes_.next_row(); }
     SPANGLE_INLINE void to_row(std::int32_t y) { planes_.to_row(y); }
-    /// In the row that they are in.
+    /// Starts at a column of the row that the planes are in.
     SPANGLE_INLINE void start(const PlaneRow& at, std::int32_t x) { start(at.x + x, at.y); }
     SPANGLE_INLINE void start(std::int32_t x, std::int32_t y) {
         planes_.start(x);
         thresholds_ = Thresholds(x, y);
     }
     SPANGLE_INLINE void step() { planes_.step(); }
-    /// To the i-th place of the packet; false where no fragment passed.
+    /// Puts eight fragments at the i-th place of the packet; false where no fragment passed.
     SPANGLE_INLINE bool put(Packet& to, Px<N>& p, std::ptrdiff_t i, typename Packet::Group& group) {
         if (!Case::Test::test(p.live, p.depth_plane + p.bytes(), planes_.template high<0>()))
             return false;
@@ -130,7 +132,7 @@ template <class Case> class GatheredPlanes {
     using Thresholds = std::conditional_t<Case::key.dither, inner::KeptThresholds<N>, inner::NoThreshold>;
     using Planes = LanePlanes<fog + (Case::fogged ? 1 : 0)>;
 
-    /// As FogFactorLanes.
+    /// The fog factor as FogFactorLanes makes it.
     SPANGLE_INLINE typename L::U16 fog_factor() const {
         return fog_inside_ ? planes_.template high<fog>()
                            : N::clamped_fraction(planes_.template words<fog>());
@@ -151,10 +153,11 @@ template <class Case> class GatheredPlanes {
     typename Case::Texture texture_;
     const bool fog_inside_;
     Planes planes_;
-    [[no_unique_address]] Thresholds thresholds_; ///< eight columns are two periods
+    [[no_unique_address]] Thresholds thresholds_; ///< nothing to walk: eight columns are two periods
 };
 
-/// Rows of a primitive on their way through a packet. All but that, which has an address, is in registers.
+/// Draws rows of a primitive through a packet. Everything but the packet, which has an address, is kept in
+/// registers.
 template <class Case> class GatheredRows {
   public:
     using Packet = GatheredPacket<Case>;
@@ -162,8 +165,8 @@ template <class Case> class GatheredRows {
         : planes_(at), p_(at), packet_(packet), end_(packet.groups) {}
     SPANGLE_INLINE bool takes() const { return planes_.takes(); }
 
-    /// Columns [first, last) of row y, which begins there and comes after the last one. Seven more lie inside
-    /// of the scissor rectangle.
+    /// Draws columns [first, last) of row y, whose address is `row`. The row comes after the last one drawn.
+    /// Seven more columns lie inside of the scissor rectangle.
     SPANGLE_INLINE void draw(const RowPlace& row, std::int32_t y, std::int32_t first, std::int32_t last) {
         planes_.start(first, y);
         each_whole_group<true>(
@@ -171,7 +174,7 @@ template <class Case> class GatheredRows {
             last, [&](std::int32_t n) __attribute__((always_inline)) { group(n < 8 ? n : 8); });
     }
     SPANGLE_INLINE void next_row() { planes_.next_row(); }
-    /// A row of a primitive. The last group in the scissor rectangle starts at column `room`.
+    /// Draws a row of a primitive. The last group in the scissor rectangle starts at column `room`.
     SPANGLE_INLINE void draw(PlaneRow& at, const Surface& target, const Row& row, std::int32_t room) {
         planes_.to_row(row.y);
         if (row.last <= room) [[likely]]
@@ -187,7 +190,7 @@ template <class Case> class GatheredRows {
     }
 
   private:
-    /// The first n lanes, or some of them.
+    /// Puts a group into the packet whose live lanes are among its first n.
     SPANGLE_INLINE void group(std::int32_t n) {
         if (!planes_.put(packet_, p_, count_, *end_))
             return;
@@ -201,10 +204,10 @@ template <class Case> class GatheredRows {
     Px<typename Case::N> p_;
     Packet& packet_;
     typename Packet::Group* end_;
-    std::ptrdiff_t count_ = 0; ///< of fragments in the packet
+    std::ptrdiff_t count_ = 0; ///< fragments in the packet
 };
 
-/// Rows in any order. False: nothing is drawn, there is too large an image for it.
+/// Draws rows in any order. False: nothing is drawn, because the image is too large for it.
 template <class Case>
 SPANGLE_INLINE bool fused_gathered_rows(Span<Fixed>& span, const Row* row, const Row* end) {
     const Rect& clip = span.state->fragment.scissor;
@@ -214,7 +217,7 @@ SPANGLE_INLINE bool fused_gathered_rows(Span<Fixed>& span, const Row* row, const
     GatheredRows<Case> rows(at, packet);
     if (!rows.takes()) [[unlikely]]
         return false;
-    const Surface target = *span.target; // in registers
+    const Surface target = *span.target; // kept in registers
     do
         rows.draw(at, target, *row, room);
     while (++row != end);

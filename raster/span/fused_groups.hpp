@@ -1,4 +1,4 @@
-// Rows in groups of eight lanes, as far as scissor rectangles have eight columns.
+// Draws rows in groups of eight lanes, where scissor rectangles have at least eight columns.
 #pragma once
 
 #include <bit>
@@ -12,7 +12,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Lanes [first, last) live.
+/// The mask in which lanes [first, last) are alive.
 SPANGLE_INLINE Lanes<8>::Mask some_lanes(std::int32_t first, std::int32_t last) {
     constexpr std::uint16_t on = 0xFFFF;
     static constexpr std::uint16_t at[24] = {0, 0, 0, 0, 0, 0, 0, 0, on, on, on, on, on, on, on, on};
@@ -23,9 +23,9 @@ SPANGLE_INLINE Lanes<8>::Mask some_lanes(std::int32_t first, std::int32_t last) 
     return from(8 - first) & ~from(8 - last);
 }
 
-/// Columns [row.first, row.last) in groups of eight lanes, the last of them with lanes that are dead: these
-/// keep what they hold, and lie inside of the scissor rectangle, whose last group starts at column `room`.
-/// draw(n): the list is at a group of which lanes from n on are dead.
+/// Goes along columns [row.first, row.last) in groups of eight lanes. The last group has dead lanes: pixels
+/// under them keep what they hold, and lie inside of the scissor rectangle, whose last group starts at column
+/// `room`. Calls draw(n) with the list at a group of which lanes from n on are dead.
 template <PixelFormat Format, class N, class List, class At, class Draw>
 SPANGLE_INLINE void each_group(List& list, Px<N>& p, At& at, const Surface& target, const Row& row,
                                std::int32_t room, Draw draw) {
@@ -54,15 +54,15 @@ SPANGLE_INLINE void each_group(List& list, Px<N>& p, At& at, const Surface& targ
     }
 }
 
-/// The first n lanes, 0 < n < 2^15; all where there are fewer.
+/// The mask of the first n lanes, 0 < n < 2^15; all lanes where n is 8 or more.
 SPANGLE_INLINE Lanes<8>::Mask first_lanes(std::int32_t n) {
     using L = Lanes<8>;
     return L::less_signed(L::offsets16(L::splat(1), L::splat(0)), L::splat(static_cast<std::uint32_t>(n)));
 }
 
-/// Columns [first, last) of the row that begins there, in groups of eight lanes; seven more lie inside of the
-/// scissor rectangle. The list is at the first. draw(n): it is at a group of which the first n lanes are
-/// alive, or all of fewer.
+/// Goes along columns [first, last) of the row at `row`, in groups of eight lanes; seven more columns lie
+/// inside of the scissor rectangle. The list is at the first column. Calls draw(n) with the list at a group
+/// of which the first n lanes are alive; n may be more than eight.
 template <bool Tested, class N, class List, class Draw>
 SPANGLE_INLINE void each_whole_group(List& list, Px<N>& p, const RowPlace& row, std::int32_t first,
                                      std::int32_t last, Draw draw) {
@@ -83,13 +83,14 @@ SPANGLE_INLINE void each_whole_group(List& list, Px<N>& p, const RowPlace& row, 
     }
 }
 
-/// Where a row begins.
+/// The addresses of column 0 of a row.
 template <class Case> SPANGLE_INLINE RowPlace row_of(const Surface& target, std::int32_t y) {
     return {target.color + std::ptrdiff_t{y} * target.color_stride,
             Case::tested ? target.depth + std::ptrdiff_t{y} * target.depth_stride : nullptr};
 }
 
-/// A row as stages of depth and colours see it. Copies stay in registers: pixels may lie anywhere.
+/// A row as stages of depth and colours see it. Its planes are copies that stay in registers: a store of
+/// pixels may change any memory.
 struct PlainRow {
     Span<Fixed>& planes;
     std::uint8_t *color, *depth;
@@ -98,17 +99,17 @@ struct PlainRow {
     Span<Fixed>::Affine z = planes.z, color_value[3] = {planes.color_value[0], planes.color_value[1],
                                                         planes.color_value[2]};
     std::uint32_t flat_word = planes.flat_word;
-    const inner::Half* words = nullptr; ///< of DitherLaneRows
+    const inner::Half* words = nullptr; ///< the row of DitherLaneRows
 
     template <class T> SPANGLE_INLINE T at(std::int32_t column, const Interpolant<T>& plane) const {
         return plane.at(column + (x - anchor_x), y - anchor_y);
     }
 };
 
-/// What becomes of fragments that a guess left open: they are divided at once.
+/// Handles the fragments that a guess left open: they are divided at once.
 template <class Case> struct DivideOpen {
     using Row = std::conditional_t<Case::plain, PlainRow, PlaneRow>;
-    /// p is at column x.
+    /// p is at column x of the row.
     template <class P> SPANGLE_INLINE void operator()(Row& row, P& p, std::int32_t x) const {
         if constexpr (Case::guessed)
             if (p.open &= p.live; Lanes<8>::any(p.open)) [[unlikely]]
@@ -116,8 +117,8 @@ template <class Case> struct DivideOpen {
     }
 };
 
-/// Rows group by group. Most of most primitives are one group: little is done per row, and where fragments
-/// cost little no branch depends on the picture.
+/// Draws rows group by group. Most rows of most primitives are one group, so little is done per row. Where
+/// fragments cost little no branch depends on the picture.
 template <class Case, class Open = DivideOpen<Case>> class LaneRows {
   public:
     using At = typename Open::Row;
@@ -127,7 +128,8 @@ template <class Case, class Open = DivideOpen<Case>> class LaneRows {
     SPANGLE_INLINE LaneRows(const At& at, const Open& open, const Pattern& pattern)
         : at_(at), list_(at_, 0), p_(at_), open_(open), pattern_(pattern) {}
 
-    /// Columns [first, last) of row y, which begins there. Seven more lie inside of the scissor rectangle.
+    /// Draws columns [first, last) of row y, whose address is `row`. Seven more columns lie inside of the
+    /// scissor rectangle.
     SPANGLE_INLINE void draw(const RowPlace& row, std::int32_t y, std::int32_t first, std::int32_t last) {
         enter(y);
         at_.x = first;
@@ -138,7 +140,7 @@ template <class Case, class Open = DivideOpen<Case>> class LaneRows {
     }
     SPANGLE_INLINE void next_row() {}
 
-    /// A row of a primitive. The last group in the scissor rectangle starts at column `room`.
+    /// Draws a row of a primitive. The last group in the scissor rectangle starts at column `room`.
     SPANGLE_INLINE void draw(const Surface& target, const Row& row, std::int32_t room) {
         if (row.last <= room) [[likely]]
             return draw(row_of<Case>(target, row.y), row.y, row.first, row.last);
@@ -156,7 +158,7 @@ template <class Case, class Open = DivideOpen<Case>> class LaneRows {
         if constexpr (!std::is_same_v<Pattern, NoPattern>)
             at_.words = pattern_.row(y);
     }
-    /// At column x.
+    /// Runs the list on a group that starts at column x.
     SPANGLE_INLINE void group(std::int32_t x) {
         if constexpr (Case::plain)
             list_.all(p_);
@@ -176,7 +178,7 @@ template <class Case>
 SPANGLE_INLINE void fused_plain_rows(Span<Fixed>& span, const Row* row, const Row* end) {
     const Rect& clip = span.state->fragment.scissor;
     const std::int32_t room = clip.x + clip.w - 8;
-    const Surface target = *span.target; // in registers
+    const Surface target = *span.target; // kept in registers
     const typename Case::LanePattern pattern(span.flat_word);
     LaneRows<Case> rows(span, row->y, pattern);
     do

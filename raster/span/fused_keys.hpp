@@ -1,5 +1,5 @@
-// The words in which a table of fused spans is written, and what none of a build's spans looks at, or all of
-// them do: where there is no chain, too, the compiler knows it.
+// The words in which a table of fused spans is written. Also what none of a build's spans looks at, or all of
+// them do: where there is no chain, the compiler then knows it, too.
 #pragma once
 
 #include <type_traits>
@@ -8,7 +8,7 @@
 
 namespace spangle::raster {
 
-/// What a key says beyond its defaults.
+/// A key under construction: each function sets what differs from the defaults.
 struct Say {
     Key key;
     constexpr Say(Number number, Kind kind) {
@@ -100,7 +100,8 @@ inline constexpr Key keys[] = {
 
 } // namespace fused_list
 
-/// Which of a build's spans have a property: maybe some and maybe all of them.
+/// Whether some, and whether all, of a build's spans have a property; without a closed list: maybe some, not
+/// all.
 struct Among {
     bool some = true, all = false;
 };
@@ -122,7 +123,8 @@ inline constexpr Among spans_with_depth = among_spans([](const Key&k) { return n
                        spans_of_full = among_spans([](const Key&k) { return k.kind == Kind::full; }),
                        spans_with_coordinates =
                            among_spans([](const Key&k) { return k.unit[0].on || k.second_unit() || k.fog; });
-inline constexpr Among spans_by_gray = {has_fog, false}; ///< fused ones of fog have loops of their own
+/// Fused spans with fog have loops for gray colours.
+inline constexpr Among spans_by_gray = {has_fog, false};
 inline constexpr bool spans_are_raw =
                           among_spans([](const Key&k) { return k.number == Number::raw565; }).some,
                       spans_test_alpha =
@@ -142,7 +144,7 @@ inline constexpr bool spans_are_raw =
                       spans_sample_any =
                           among_spans([](const Key&k) { return k.unit[0].general || k.combine; }).some;
 
-/// A truth about a draw: a bool, unless the spans leave no choice. States that differ are not drawn.
+/// A truth about a draw: a bool, unless the spans leave no choice. States with the other value are not drawn.
 template <bool Value> struct Known {
     constexpr Known(bool = Value) {}
     constexpr operator bool() const { return Value; }

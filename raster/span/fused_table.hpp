@@ -1,4 +1,4 @@
-// Keys that have a loop of their own.
+// The table of fused spans: keys that have a loop of their own.
 #pragma once
 
 #include <cstddef>
@@ -19,9 +19,9 @@ struct FusedSpan {
     Key key;
     RowsFunction<Fixed> run;
     bool gray;                  ///< Variant::gray
-    PathFunction walk;          ///< null where paths are drawn as rows
-    const Shapes* shapes;       ///< null where all is drawn as rows
-    bool guesses;               ///< colours are (Span::guess)
+    PathFunction walk;          ///< null: paths are drawn as rows
+    const Shapes* shapes;       ///< null: all is drawn as rows
+    bool guesses;               ///< colours are guessed (Span::guess)
     RowsFunction<Fixed> narrow; ///< `run` with one lane only, for the tests; null in firmware
 };
 
@@ -64,7 +64,7 @@ inline const FusedSpan* part_of(std::size_t part, std::index_sequence<Part...>) 
 
 } // namespace inner
 
-/// null: draw with the chain. A build without fused spans names none of them.
+/// The fused span of a key; null: draw with the chain. A build without fused spans names none of them.
 inline const FusedSpan* find_fused(const Key& key) {
     if constexpr (has_fused_spans)
         return inner::find_fused(key, std::make_index_sequence<fused_parts>());

@@ -1,4 +1,4 @@
-// A list of stages over a tile: one group of eight lanes per row, or per two rows of a narrow one.
+// Runs a list of stages over a tile: one group of eight lanes per row, or per two rows of a narrow tile.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -10,7 +10,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Wide: 8 or two_rows.
+/// Draws a tile in lanes; `Wide` is 8 or two_rows.
 template <class Case, int Wide> SPANGLE_INLINE void tile_in_lanes(Span<Fixed>& span, const Tile& tile) {
     using N = typename Case::template System<Wide>;
     using L = Lanes<Wide>;

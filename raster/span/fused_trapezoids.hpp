@@ -1,4 +1,4 @@
-// A list of stages over trapezoids: groups of eight lanes from the left side of each row on.
+// Runs a list of stages over trapezoids, in groups of eight lanes from the left side of each row on.
 #pragma once
 
 #include "raster/span/fused_gathered.hpp"
@@ -30,7 +30,7 @@ SPANGLE_INLINE void draw_trapezoids(Rows& rows, const Surface& target, const Tra
         }
 }
 
-/// False: nothing is drawn, there is too large an image for it.
+/// Draws trapezoids by a GatheredPacket. False: nothing is drawn, because the image is too large for it.
 template <class Case> SPANGLE_INLINE bool gathered_trapezoids(Span<Fixed>& span, const Trapezoids& shape) {
     const std::int32_t left = span.state->fragment.scissor.x;
     const PlaneRow at{span, nullptr, nullptr, left, shape.y, left};
@@ -38,7 +38,7 @@ template <class Case> SPANGLE_INLINE bool gathered_trapezoids(Span<Fixed>& span,
     GatheredRows<Case> rows(at, packet);
     if (!rows.takes()) [[unlikely]]
         return false;
-    const Surface target = *span.target; // in registers
+    const Surface target = *span.target; // kept in registers
     draw_trapezoids<Case>(rows, target, shape);
     rows.flush();
     return true;
@@ -50,11 +50,11 @@ template <class Case> [[gnu::noinline]] void fused_trapezoids(Span<Fixed>& span,
             return;
     const typename Case::LanePattern pattern(span.flat_word);
     LaneRows<Case> rows(span, shape.y, pattern);
-    const Surface target = *span.target; // in registers
+    const Surface target = *span.target; // kept in registers
     draw_trapezoids<Case>(rows, target, shape);
 }
 
-/// For primitives whose colours are gray, and others.
+/// Draws trapezoids by the case for gray colours, or by the case for all colours.
 template <class Case, class Gray> void fused_trapezoids_by_gray(Span<Fixed>& span, const Trapezoids& shape) {
     if (span.gray)
         fused_trapezoids<Gray>(span, shape);

@@ -11,7 +11,7 @@ namespace {
 
 thread_local ShadowReport* current_report = nullptr;
 
-/// One fragment, twice.
+/// One fragment, computed by both policies.
 template <class N> class Fragment {
   public:
     Fragment(const Span<Fixed>& fixed, const Span<Double>& twin, std::int32_t x, ShadowReport& report)
@@ -33,7 +33,7 @@ template <class N> class Fragment {
             rest(state);
         } else if (state.needs.unit[0]) {
             coord<0>(state, ShadowStage::coord0);
-        } else if (fixed_.kind == Kind::affine) { // of one colour there is nothing to compare
+        } else if (fixed_.kind == Kind::affine) { // a flat colour has nothing to compare
             raw_primary();
         }
     }
@@ -46,7 +46,7 @@ template <class N> class Fragment {
     Px<N> f_;
     Px<Reference> d_;
 
-    /// Both, or false: one of them dropped the fragment.
+    /// Runs a stage in both policies. False: one of them dropped the fragment.
     template <class FixedStage, class DoubleStage> bool run() {
         FixedStage fixed(fixed_, x_);
         if constexpr (FixedStage::runs)
@@ -93,7 +93,8 @@ template <class N> class Fragment {
         colors(ShadowStage::primary);
     }
 
-    /// Before the low bits go: steps, or 8.24 with the half that rounds to 8 bits.
+    /// Compares colours before their low bits are dropped: counted in steps, or 8.24 with the half that
+    /// rounds to 8 bits.
     void raw_primary() {
         const Gouraud<N, false> fixed(fixed_, x_);
         run<Gouraud<N, false>, Gouraud<Reference, false>>();
@@ -108,7 +109,7 @@ template <class N> class Fragment {
     }
 
     template <int Unit> void coord(const DrawState& state, ShadowStage stage) {
-        // As the chain chooses.
+        // The choice is that of the chain.
         const bool cubic = of_tier<has_cubic_runs>(state);
         if (fixed_.kind < Kind::textured)
             run<Coord<N, Unit, false>, Coord<Reference, Unit, false>>();
@@ -118,7 +119,7 @@ template <class N> class Fragment {
             run<CoordAlong<N, Unit, DividedCoords>, Coord<Reference, Unit, true>>();
         else
             run<CoordAlong<N, Unit, CubicRuns>, Coord<Reference, Unit, true>>();
-        /// Whether both lie in one texel.
+        /// Compares one axis. True where both coordinates lie in one texel.
         const auto axis = [&](std::uint32_t fixed, double coordinate, bool wraps, int log2_size,
                               bool halved) {
             const double exact = halved ? coordinate / 2 : coordinate;
@@ -129,7 +130,8 @@ template <class N> class Fragment {
             if (wraps)
                 difference -= std::floor(difference + 0.5);
             report_[stage].add_difference(difference * size, exact * size);
-            const double place = exact * size + 0x1p-13; // the bias of NEAREST, in every policy
+            // The bias of NEAREST is the same in every policy.
+            const double place = exact * size + 0x1p-13;
             return std::floor(place) == std::floor(place + difference * size);
         };
         const bool same_s = axis(f_.coord[Unit].s[0], d_.coord[Unit].s[0], state.wraps[Unit].s,
@@ -146,7 +148,7 @@ template <class N> class Fragment {
         if (!wants_lod(*state.fragment.unit[Unit].texture))
             return;
         run<Lod<N, Unit>, Lod<Reference, Unit>>();
-        // Below 0 texels are magnified, however much.
+        // Below 0 texels are magnified; by how much makes no difference.
         report_[lod].add(std::fmax(f_.lod[Unit][0] / 256.0, 0), std::fmax(d_.lod[Unit][0] / 256.0, 0));
     }
     template <int Unit>
@@ -211,7 +213,7 @@ template <class N> class Fragment {
         }
     }
     void fog(const DrawState& state) {
-        if constexpr (!is_balanced<N>) // key.cpp
+        if constexpr (!is_balanced<N>) // balanced numbers never draw indices (key.cpp)
             if (is_indexed(state.format))
                 return static_cast<void>(run<FogIndex>());
         run<Fog>();
@@ -232,7 +234,7 @@ template <class N> class Fragment {
     }
 };
 
-/// Compares before anything is drawn: the destination of blending is still the old one.
+/// Compares a row before anything is drawn: the destination of blending still holds the old colours.
 template <class N> void compare_row(const Span<Shadow>& span) {
     ShadowReport* const report = current_report;
     if (report == nullptr)
@@ -248,7 +250,8 @@ template <class N> void compare_row(const Span<Shadow>& span) {
         Fragment<N>(span, twin, x, *report).compare_all();
 }
 
-/// Chain: what the chain of a row counts in. It draws with the instructions that it was assembled for.
+/// Compares and draws rows. Chain is the number system of the chain that draws; it runs with the instructions
+/// that it was assembled for.
 template <class N, Number Chain> void shadow_rows(Span<Shadow>& span, const Row* row, const Row* end) {
     const bool narrow = is_narrow(span.target->format);
     const auto run = reinterpret_cast<RowsFunction<Fixed>>(chain_runner(Chain, narrow));
@@ -336,7 +339,7 @@ ShadowReport* shadow_report() {
 
 template <> void compile<ShadowVertex>(const FragmentState& state, const Surface& target, DrawState& draw) {
     compile<FixedVertex>(state, target, draw);
-    draw.guesses = false; // set-up must leave the planes that the chain divides
+    draw.guesses = false; // set-up must make the planes that the chain divides
     for (int i = 0; i < kind_count; ++i)
         if (Variant& variant = draw.variant[i]; variant.run != nullptr) {
             variant.run = shadow_runner(make_key(state, target, static_cast<Kind>(i)).number);

@@ -1,4 +1,4 @@
-// The end of every list: a colour becomes bits of the surface (docs/architecture.md, "Numbers").
+// The last stages of every list: a colour becomes bits of the surface (docs/architecture.md, "Numbers").
 #pragma once
 
 #include <cstring>
@@ -11,7 +11,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// 16-bit words of a 565 surface, host order.
+/// Loads and stores 16-bit words of a 565 surface; their values are in host order.
 template <class L, PixelFormat Format> struct Words565 {
     static constexpr bool swaps =
         (Format == PixelFormat::rgb565_be) == (std::endian::native == std::endian::little);
@@ -19,17 +19,17 @@ template <class L, PixelFormat Format> struct Words565 {
         const typename L::U16 word = L::load(at);
         return swaps ? L::swap_bytes(word) : word;
     }
-    /// As it lies in memory.
+    /// The word in the byte order of the surface.
     SPANGLE_INLINE static typename L::U16 ordered(typename L::U16 word) {
         return swaps ? L::swap_bytes(word) : word;
     }
-    /// The word in both halves of one of 32 bits. One lane.
+    /// Loads a word into both halves of 32 bits (one lane).
     SPANGLE_INLINE static std::uint32_t load_both(const std::uint8_t* at) {
         const std::uint32_t word = L::load(at), other = swaps ? __builtin_bswap32(word) : word << 16;
         return other | (swaps ? other >> 16 : word);
     }
     SPANGLE_INLINE static void store(std::uint8_t* at, typename L::U16 word) { L::store(at, ordered(word)); }
-    /// Other lanes keep what they hold.
+    /// Stores words of live lanes; memory under the other lanes stays as it is.
     SPANGLE_INLINE static void store_where(typename L::Mask live, std::uint8_t* at, typename L::U16 word) {
         L::store(at, L::select(live, ordered(word), L::load(at)));
     }
@@ -55,7 +55,7 @@ template <class L, int Bytes> struct Bytes888 {
             if (L::lane(live, lane))
                 store_one(at + Bytes * lane, word.lane(lane));
     }
-    /// The components of a colour as such words; alpha is left out where a pixel has none.
+    /// The components of a colour as a word of such a pixel; alpha is left out where a pixel has none.
     template <class N> SPANGLE_INLINE static typename L::U32 pack(const typename N::Color& c) {
         const auto byte = [](const typename N::T& v) { return L::widened(N::to8(v)); };
         const auto rgb = byte(c.r) | byte(c.g) << 8 | byte(c.b) << 16;
@@ -69,7 +69,7 @@ template <class L, int Bytes> struct Bytes888 {
     }
 };
 
-/// The components of such pixels, one at a time: bytes of memory where there is one lane.
+/// The components of such pixels, one at a time. With one lane they are read as bytes of memory.
 template <class L, int Bytes> class Components888 {
   public:
     SPANGLE_INLINE explicit Components888(const std::uint8_t* at) : word_(Bytes888<L, Bytes>::load(at)) {}
@@ -87,24 +87,25 @@ template <int Bytes> class Components888<Lanes<1>, Bytes> {
     const std::uint8_t* at_;
 };
 
-/// 5, 6 and 5 bits of a colour in one word; without dither the top bits of the rounded 8-bit value.
+/// Joins 5, 6 and 5 bits of a colour to one word. Without dither these are the top bits of the rounded 8-bit
+/// value.
 template <class N>
 SPANGLE_INLINE typename N::L::U16 pack565(typename N::L::U16 r5, typename N::L::U16 g6,
                                           typename N::L::U16 b5) {
     return (r5 << 11) | (g6 << 5) | b5;
 }
 template <class N> SPANGLE_INLINE typename N::L::U16 truncated565(const typename N::Color& c) {
-    if constexpr (is_balanced<N>) // rounded, and cut where it lies
+    if constexpr (is_balanced<N>) // rounded and cut in place
         return ((c.r + 128) & 0xF800) | (((c.g + 128) >> 5) & 0x07E0) | ((c.b + 128) >> 11);
     return ((N::to8(c.r) & 0xF8) << 8) | ((N::to8(c.g) & 0xFC) << 3) | (N::to8(c.b) >> 3);
 }
-/// One lane; thresholds in 32nds.
+/// The dithered word of a colour (one lane); thresholds are in 32nds.
 template <class N>
 SPANGLE_INLINE typename N::L::U16 dithered565(const typename N::Color& c, typename N::L::U16 threshold32) {
     return pack565<N>(N::template dithered<5>(c.r, threshold32), N::template dithered<6>(c.g, threshold32),
                       N::template dithered<5>(c.b, threshold32));
 }
-/// The word of N::Threshold.
+/// The dithered words of colours in lanes; thresholds have the form of N::Threshold.
 template <class N>
 SPANGLE_INLINE typename N::L::U16 dithered565_lanes(const typename N::Color& c,
                                                     typename N::L::U16 threshold) {
@@ -112,14 +113,15 @@ SPANGLE_INLINE typename N::L::U16 dithered565_lanes(const typename N::Color& c,
                                    N::template tops<5>(c.b, threshold)})
         .word;
 }
-/// Of components counted in steps (Balanced::in_steps), thresholds in those of five bits.
+/// The dithered word of components in steps (Balanced::in_steps); thresholds are fractions of a step of five
+/// bits.
 template <class N>
 SPANGLE_INLINE typename N::L::U16 steps565(const typename N::Color& c, typename N::L::U16 threshold) {
     const typename N::L::U16 r = c.r + threshold, g = c.g + (threshold >> 1), b = c.b + threshold;
     return ((r & 0x7C00) << 1) | ((g >> 4) & 0x07E0) | (b >> 10);
 }
 
-/// Dithering off, all channels written.
+/// Stores colours without dithering, in all channels.
 template <class N, PixelFormat Format> struct Store : StageBase {
     static constexpr unsigned in = field_color;
     static constexpr bool effect = true;
@@ -153,7 +155,8 @@ template <class N, PixelFormat Format> struct Store : StageBase {
     }
 };
 
-/// Ordered dithering on window coordinates (GL 1.3, 4.1.10); components of 8 bits are stored as they are.
+/// Stores colours with ordered dithering on window coordinates (GL 1.3, 4.1.10). Components of 8 bits are
+/// stored undithered.
 template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
     using L = typename N::L;
     static constexpr bool anywhere = !is_565(Format);
@@ -170,7 +173,8 @@ template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
             return Store<N, Format>::operator()(p);
         } else {
             std::uint8_t* const at = p.color_plane + p.bytes();
-            if constexpr (N::lanes == 1 && numeric::three_operands) // thresholds and factors take registers
+            // Otherwise thresholds and factors would take registers.
+            if constexpr (N::lanes == 1 && numeric::three_operands)
                 numeric::begin_here();
             if constexpr (N::lanes > 1)
                 Words565<L, Format>::store_where(p.live, at, dithered565_lanes<N>(p.color, dither.word(0)));
@@ -182,7 +186,7 @@ template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
     SPANGLE_INLINE void step() { dither.step(); }
 };
 
-/// The same of what is counted in steps (counts_steps()).
+/// Stores dithered colours whose components are counted in steps (counts_steps()).
 template <class N, PixelFormat Format> struct StoreSteps : StageBase {
     static constexpr unsigned in = field_color;
     static constexpr bool effect = true;
@@ -204,19 +208,21 @@ template <class N, PixelFormat Format> struct StoreSteps : StageBase {
     SPANGLE_INLINE void step() { dither.step(); }
 };
 
-/// A logical operation on stored bits, and those that stay (GL 1.3, 4.1.9, 4.2.2).
+/// Merges a colour with stored bits: by a logical operation and a mask of bits that are written (GL 1.3,
+/// 4.1.9, 4.2.2).
 struct LogicTable {
-    std::uint32_t truth[4]; ///< all ones where it gives 1: of both, the colour, the stored, neither
+    /// All ones where the operation gives 1: where the colour's bit and the stored bit are 11, 10, 01 and 00.
+    std::uint32_t truth[4];
     explicit LogicTable(const FragmentState& state) {
         const auto op = static_cast<unsigned>(state.logic ? state.logic_op : LogicOp::copy);
         for (unsigned i = 0; i < 4; ++i)
             truth[i] = 0u - (op >> i & 1u);
     }
-    /// The colour's bits `s` over the stored `d`, where `bits` has ones.
+    /// The colour's bits `s`, merged with the stored bits `d` where `bits` has ones.
     std::uint32_t merged(std::uint32_t s, std::uint32_t d, std::uint32_t bits) const {
         return merged(s, d, bits, truth);
     }
-    /// The same of words in lanes; `of` has the truths in all of them.
+    /// merged() for words in lanes; `of` holds `truth` in all lanes.
     template <class Word>
     SPANGLE_INLINE static Word merged(const Word& s, const Word& d, const Word& bits, const Word (&of)[4]) {
         const Word result = (of[0] & s & d) | (of[1] & s & ~d) | (of[2] & ~s & d) | (of[3] & ~s & ~d);
@@ -224,8 +230,8 @@ struct LogicTable {
     }
 };
 
-/// Bits come from the logical operation with what is stored, or stay, where a channel is masked; dithers when
-/// the state says so (GL 1.3, 4.1.9, 4.2.2).
+/// Stores the result of the logical operation with the stored bits. Masked channels keep their bits. Dithers
+/// when the state says so (GL 1.3, 4.1.9, 4.2.2).
 template <class N, PixelFormat Format> struct StoreMerged : StageBase {
     static constexpr unsigned in = field_color;
     static constexpr bool effect = true;

@@ -1,4 +1,5 @@
-// Tests of a fragment: alpha (GL 1.3, 4.1.4), stencil with depth (4.1.5, 4.1.6).
+// Tests of a fragment: the alpha test (GL 1.3, 4.1.4), and the stencil test with the depth test (4.1.5,
+// 4.1.6).
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -7,7 +8,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Alpha rounds to 8 bits, as the reference value did.
+/// The alpha test. Alpha is rounded to 8 bits, as the reference value was.
 template <class N> struct AlphaTest : StageBase {
     static constexpr unsigned in = field_color;
     static constexpr bool kill = true, anywhere = true;
@@ -26,7 +27,7 @@ template <class N> struct AlphaTest : StageBase {
     }
 };
 
-/// What an operation makes of a stored stencil value.
+/// The value that an operation makes of a stored stencil value.
 constexpr std::uint32_t stencil_result(StencilOp op, std::uint32_t stored, std::uint32_t ref) {
     switch (op) {
     case StencilOp::keep:
@@ -49,7 +50,7 @@ constexpr std::uint32_t stencil_result(StencilOp op, std::uint32_t stored, std::
     return stored;
 }
 
-/// The same of eight values at once.
+/// stencil_result() for eight values at once.
 template <class L>
 SPANGLE_INLINE typename L::U16 stencil_results(StencilOp op, const typename L::U16& stored,
                                                std::uint32_t ref) {
@@ -74,7 +75,8 @@ SPANGLE_INLINE typename L::U16 stencil_results(StencilOp op, const typename L::U
     return stored;
 }
 
-/// Stencil test and, when it is on, the depth test behind it; 24 bits of depth above 8 of stencil.
+/// The stencil test and, when it is on, the depth test after it. Words hold 24 bits of depth above 8 of
+/// stencil.
 template <class N, class Value = DepthValueOf<N, DepthFormat::z24s8>> struct StencilDepth : Value {
     static constexpr bool kill = true, effect = true;
     const FragmentState& state;

@@ -1,4 +1,4 @@
-// The texture function of one unit: fetch, filter, environment.
+// The texture function of one unit: it fetches texels, filters them and applies the environment.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Of two levels, `next` / 2^16 of the one behind; not 0.
+/// Mixes two levels; the second has the weight `next` / 2^16, which is not 0.
 template <class N>
 SPANGLE_INLINE typename N::Color between_levels(const typename N::Color& a, const typename N::Color& b,
                                                 typename N::L::U16 next) {
@@ -28,12 +28,13 @@ SPANGLE_INLINE typename N::Color between_levels(const typename N::Color& a, cons
     return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), mix(a.a, b.a)};
 }
 
-/// Mipmaps, or filters that differ.
+/// Whether a level of detail is needed: for mipmaps, or for filters that differ.
 inline bool wants_lod(const Texture& texture) {
     return texture.mip != MipFilter::none || texture.mag != texture.min;
 }
 
-/// A texture, all modes at run time. Out of line, because the chain calls it from two units.
+/// Samples a texture with all modes at run time. It is out of line, because the chain calls it from two
+/// units.
 template <class N> struct TextureFunction {
     using Color = typename N::Color;
     const Texture& texture;
@@ -47,27 +48,27 @@ template <class N> struct TextureFunction {
         border = {N::from8(b[0]), N::from8(b[1]), N::from8(b[2]), N::from8(b[3])};
     }
 
-    /// The texture's colour.
+    /// The colour of the texture at s and t.
     [[gnu::noinline]] Color sample(std::uint32_t s, std::uint32_t t, std::int32_t lod) const {
         return wants_lod ? minified(lod, s, t) : filtered(0, texture.mag, s, t);
     }
 
-    /// Level and filter by lambda (GL 1.3, 3.8.8).
+    /// The level and the filter that lambda selects (GL 1.3, 3.8.8).
     struct Sampling {
         int level;
         Filter filter;
-        std::uint32_t next; ///< weight of the level behind, 2^-16
+        std::uint32_t next; ///< weight of the level behind, in 2^-16; 0: only `level`
         bool alike(const Sampling& other) const {
             return level == other.level && filter == other.filter && (next == 0) == (other.next == 0);
         }
     };
-    /// Lambda with its bias, inside the texture's range.
+    /// Lambda with its bias added, limited to the texture's range.
     SPANGLE_INLINE std::int32_t biased(std::int32_t lod) const {
         lod += lod_bias;
         lod = lod < texture.min_lod ? texture.min_lod : lod;
         return lod > texture.max_lod ? texture.max_lod : lod;
     }
-    /// The weight of the level behind, 2^-16, where mipmaps are mixed.
+    /// The weight of the level behind, in 2^-16, where mipmaps are mixed.
     SPANGLE_INLINE static std::uint32_t weight_behind(std::int32_t biased_lod) {
         return (static_cast<std::uint32_t>(biased_lod) & 255) << 8;
     }
@@ -89,7 +90,7 @@ template <class N> struct TextureFunction {
         return how;
     }
 
-    // Of one level; also what is behind three coordinates (stage_texture_volume.hpp).
+    // Sampling of one level, which textures of three coordinates use, too (stage_texture_volume.hpp).
     [[gnu::noinline]] Color minified(std::int32_t lod, std::uint32_t s, std::uint32_t t) const {
         const Sampling how = sampling(lod);
         const Color a = filtered(how.level, how.filter, s, t);
@@ -128,7 +129,7 @@ template <class N> struct TextureFunction {
             c[k] = texel(image, (k & 1) != 0 ? i1 : i0, (k & 2) != 0 ? j1 : j0);
         const Color &c00 = c[0], &c10 = c[1], &c01 = c[2], &c11 = c[3];
         if constexpr (is_balanced<N> && !has_shortcuts) {
-            // The colour of a word has its bits at the top.
+            // The colour of a texel 565 has the bits of its word at the top.
             const auto word = [](const Color& of) -> std::uint32_t {
                 return of.r >> 11 << 11 | of.g >> 10 << 5 | of.b >> 11;
             };
@@ -154,7 +155,7 @@ template <class N> struct TextureFunction {
         return image.texels + static_cast<std::ptrdiff_t>(j) * static_cast<std::ptrdiff_t>(image.stride) +
                i * texel_bytes(sampled(texture.format));
     }
-    /// A texel of the image, of its border, or the border colour.
+    /// A texel of the image or of its border, or the border colour.
     Color texel(const TextureLevel& image, std::int32_t i, std::int32_t j) const {
         if (!stored(image, i, j))
             return border;
@@ -165,8 +166,8 @@ template <class N> struct TextureFunction {
     }
 };
 
-/// One image, REPEAT, one filter, all known, rows packed: the same bytes as Texture2D. Steps: MODULATE, by
-/// N::in_steps().
+/// A texture of one image, REPEAT, with one filter, packed rows and all modes known: the same bytes as
+/// Texture2D. Steps: MODULATE is done with texels in steps, N::in_steps().
 template <class N, int Unit, TexelFormat Texels, BaseFormat Base, Filter F, TexEnv Env, bool Steps = false>
 struct TextureFixed : StageBase {
     static constexpr unsigned in = field_color | field_coord << Unit, out = field_color;
@@ -197,7 +198,7 @@ struct TextureFixed : StageBase {
         });
     }
 
-    /// With the texel at `address(k)` for lane k.
+    /// Combines the fragments with the texel at `address(k)` for lane k.
     template <class Address> SPANGLE_INLINE bool combine(Px<N>& p, Address address) const {
         if constexpr (requires { p.color.texel; }) {
             p.color.texel = word_at(address(0));
@@ -218,12 +219,12 @@ struct TextureFixed : StageBase {
             return environment(p, Colors::unpack(words(address)));
         }
     }
-    /// With the texels of all lanes, as words.
+    /// combine_words() takes the texels of all lanes as words.
     static constexpr bool loads_words = Texels == TexelFormat::rgba8888 && N::lanes > 1;
     template <class Words> SPANGLE_INLINE bool combine_words(Px<N>& p, const Words& words) const {
         return environment(p, Colors::unpack(words));
     }
-    /// Sprites, text, floors: little else is done with a texel than to fetch it.
+    /// Sprites, text and floors: little else is done with a texel than to fetch it.
     static constexpr bool stores_texels = Env == TexEnv::replace || Texels == TexelFormat::rgba8888;
 
   protected:
@@ -236,14 +237,15 @@ struct TextureFixed : StageBase {
     SPANGLE_INLINE static const std::uint8_t* texel(const std::uint8_t* row, std::uint32_t i) {
         return row + std::size_t{i} * bytes;
     }
-    /// Texels as they lie in memory, one per lane: scalar loads, then everything else in lanes.
+    /// Texels as they lie in memory, one per lane. Loads are scalar; everything else is done in lanes.
     using Word = std::conditional_t<Texels == TexelFormat::rgb565, std::uint16_t, std::uint32_t>;
     SPANGLE_INLINE static Word word_at(const std::uint8_t* texel) {
         if constexpr (Texels == TexelFormat::rgb565)
             return static_cast<Word>(Lanes<1>::load(texel));
         else if constexpr (Texels == TexelFormat::rgba8888)
             return texel_word<Texels>(
-                static_cast<const std::uint8_t*>(__builtin_assume_aligned(texel, 4))); // TextureLevel
+                // TextureLevel aligns such texels.
+                static_cast<const std::uint8_t*>(__builtin_assume_aligned(texel, 4)));
         else
             return texel_word<Texels>(texel);
     }
@@ -253,7 +255,7 @@ struct TextureFixed : StageBase {
     }
     static constexpr bool by_fractions =
         Env == TexEnv::modulate && Base == BaseFormat::rgb && Texels == TexelFormat::rgb565;
-    /// Factors by table: what `environment` would make of the texel.
+    /// MODULATE with factors from tables, which are those that environment() would compute from the texel.
     SPANGLE_INLINE static bool modulate(Px<N>& p, const std::uint8_t* texel) {
         const std::uint32_t word = Lanes<1>::load(texel);
         p.color.r = N::scaled(p.color.r, texel_factor<5, N, Steps>(word >> 11));
@@ -263,7 +265,7 @@ struct TextureFixed : StageBase {
     }
     SPANGLE_INLINE bool environment(Px<N>& p, const Color& s) const {
         if constexpr (is_raw<N> || (Env == TexEnv::replace && Base == BaseFormat::rgba))
-            p.color = s; // of systems that combine nothing but this with what is stored, too
+            p.color = s; // also for systems that combine colours only with what is stored
         else if constexpr (Env == TexEnv::blend)
             apply_env<N>(Env, Base, p.color, s, constant);
         else if constexpr (Steps)

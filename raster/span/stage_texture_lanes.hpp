@@ -1,6 +1,6 @@
-// The texels of one unit in the chain of hosts: a packet at a time, in lanes from the coordinates to the
-// filtered colours. The bytes of TextureFunction and VolumeFunction, which fragments that need one of them
-// alone get.
+// The texels of one unit in the chain of hosts, a packet at a time, in lanes from the coordinates to the
+// filtered colours. The bytes are those of TextureFunction and VolumeFunction; single fragments that need one
+// of these get it.
 #pragma once
 
 #include "raster/span/filter_exact.hpp"
@@ -11,7 +11,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// N: of the packet, eight lanes.
+/// Samples textures for packets of number system N, which has eight lanes.
 template <class N> class LaneTexture {
     using One = OneLane<N>;
     using L = typename N::L;
@@ -41,13 +41,13 @@ template <class N> class LaneTexture {
     }
 
   private:
-    /// Where the fragments look.
+    /// Where the fragments of a packet look.
     struct Places {
         const std::uint32_t *s, *t;
         std::int32_t group; ///< words from eight of them to the next eight
         const std::int32_t* lod;
-        const std::uint32_t* r; ///< of a volume
-        const unsigned* face;   ///< of a cube
+        const std::uint32_t* r; ///< third coordinate in a volume
+        const unsigned* face;   ///< face of a cube map
     };
     const Texture& texture_;
     const TextureFunction<One> function_;
@@ -62,10 +62,10 @@ template <class N> class LaneTexture {
     /// the border's colour.
     using Beyond = U16[4][texel_groups];
 
-    /// Lanes beyond the last fragment look where that one does. Nothing that they find is stored, but stages
-    /// of one lane leave them as they were, and dead lanes that met the border would cost time.
-    /// Their colours are whatever arithmetic makes of what was in memory: masks (Packet::live) keep them from
-    /// every decision and from the planes.
+    /// Lanes beyond the last fragment look where that fragment does. Nothing that they find is stored, but
+    /// stages of one lane leave their coordinates as they were, and dead lanes that met the border would cost
+    /// time. Their colours are whatever arithmetic makes of what was in memory: masks (Packet::live) keep
+    /// them from every decision and from the planes.
     template <class Coord> SPANGLE_INLINE static void fill_last_group(Coord& coord, std::int32_t n) {
         const std::int32_t end = n % lanes;
         if (end == 0)
@@ -99,7 +99,7 @@ template <class N> class LaneTexture {
             set_lane(texels[i / lanes], i % lanes, function.sample(places[i]));
     }
 
-    /// False: fragments take too many levels or filters, or an image that lanes cannot read.
+    /// False: fragments take too many levels or filters, or the image is one that lanes cannot read.
     [[gnu::noinline]] bool together(Color* texels) const {
         if (!function_.wants_lod)
             return filtered(0, texture_.mag, texels);
@@ -137,7 +137,7 @@ template <class N> class LaneTexture {
         }
         return in_kinds(how, next, texels);
     }
-    /// All fragments by one level and filter, or by one pair of levels.
+    /// Samples all fragments by one level and filter, or by one pair of levels.
     bool sampled_by(const Sampling& how, const std::uint16_t* next, Color* texels) const {
         if (!filtered(how.level, how.filter, texels))
             return false;
@@ -150,7 +150,7 @@ template <class N> class LaneTexture {
             texels[g] = between_levels<N>(texels[g], behind[g], L::gather(next + g * lanes));
         return true;
     }
-    /// A level as all fragments see it through a filter.
+    /// The colours of a level as all fragments see it through a filter.
     struct Seen {
         int level;
         Filter filter;
@@ -159,7 +159,7 @@ template <class N> class LaneTexture {
     /// Filters all fragments by each level and filter that some of them take. Each level is filtered once:
     /// two neighbouring pairs of levels share one.
     [[gnu::noinline]] bool in_kinds(const Sampling* how, const std::uint16_t* next, Color* texels) const {
-        constexpr int most = 4; // more take longer than one by one
+        constexpr int most = 4; // more kinds take longer than one by one
         Seen seen[2 * most];
         int count = 0;
         const auto seen_by = [&](int level, Filter filter) -> const Color* {
@@ -200,7 +200,7 @@ template <class N> class LaneTexture {
                 L::select(m, a.a, b.a)};
     }
 
-    /// One level. False: by TextureFunction.
+    /// Samples one level. False: TextureFunction must do it.
     [[gnu::noinline]] bool filtered(int level, Filter filter, Color* to) const {
         TextureLevel image = texture_.level[level];
         if (image.width >= AxisLanes::size_limit || image.height >= AxisLanes::size_limit ||
@@ -218,7 +218,7 @@ template <class N> class LaneTexture {
         return true;
     }
 
-    /// LINEAR mixes two images of a volume.
+    /// Samples a volume; LINEAR mixes two of its images.
     bool in_slices(const TextureLevel& image, int level, Filter filter, Color* to) const {
         const std::int32_t deep = texture_.depth >> level, depth = deep > 1 ? deep : 1;
         const std::int64_t bytes = std::int64_t{image.stride} * (image.height + 2 * texture_.border_texels);
@@ -255,7 +255,8 @@ template <class N> class LaneTexture {
         return true;
     }
 
-    /// `first`: bytes from the texels of the image to those that a fragment looks at.
+    /// Samples one image. `first` holds bytes from the texels of the image to those that a fragment looks at;
+    /// null: 0.
     void in_image(const TextureLevel& image, const std::uint32_t* first, Filter filter, Color* to) const {
         const bool linear = filter == Filter::linear;
         TexelNumbers s, t;

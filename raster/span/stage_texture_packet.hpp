@@ -1,4 +1,4 @@
-// The texture function of one unit in the chain: a packet at a time, so that modes are looked at once, and
+// The texture function of one unit in the chain, a packet at a time: modes are looked at once per packet, and
 // texels are combined in lanes.
 #pragma once
 
@@ -10,7 +10,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// N: of the packet. The same bytes as Texture2D.
+/// The texture function for packets of number system N. It makes the same bytes as Texture2D.
 template <class N> class PacketTexture {
     using One = OneLane<N>;
     using L = typename N::L;
@@ -21,11 +21,11 @@ template <class N> class PacketTexture {
     template <int Unit> static void run(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
         apply(static_cast<Packet<N>&>(places), span, Unit, false);
     }
-    /// MODULATE by N::in_steps() of the texels of unit 0.
+    /// Texels of unit 0 in steps, N::in_steps(), multiplied by MODULATE.
     static void run_steps(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
         apply(static_cast<Packet<N>&>(places), span, 0, true);
     }
-    /// All units that are on, when one of them combines.
+    /// Samples and combines all units that are on, when one of them combines.
     static void combined(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
         auto& k = static_cast<Packet<N>&>(places);
         const FragmentState& state = span.state->fragment;
@@ -46,7 +46,7 @@ template <class N> class PacketTexture {
     const TextureUnit& unit_;
     const Texture& texture_;
     const TextureFunction<One> function_;
-    const std::int32_t n_; ///< whole groups
+    const std::int32_t n_; ///< fragments, up to whole groups
     const int which_;
 
     PacketTexture(Packet<N>& k, const TextureUnit& unit, int which)
@@ -89,7 +89,7 @@ template <class N> class PacketTexture {
             set_lane(texels[i / lanes], i % lanes, function.sample(coords.at(k.x + i)));
     }
 
-    /// False: not all fragments take the same levels by the same filter, or some see the border colour.
+    /// False: fragments take different levels or filters, or some see the border colour.
     bool together(Color* texels) const {
         using Sampling = typename TextureFunction<One>::Sampling;
         Sampling how = {0, texture_.mag, 0};
@@ -131,7 +131,8 @@ template <class N> class PacketTexture {
         const auto& coord = k_.coord[which_][0];
         constexpr std::int32_t group = sizeof coord / sizeof coord.s[0];
         const bool linear = filter == Filter::linear, border = texture_.border_texels != 0;
-        const bool indirect = is_indirect(texture_.format); // found by texel and row, not by bytes
+        // Such texels are found by column and row, not by bytes.
+        const bool indirect = is_indirect(texture_.format);
         const std::int32_t bytes = indirect ? 1 : texel_bytes(sampled(texture_.format)),
                            stride = indirect ? 1 : static_cast<std::int32_t>(image.stride);
         TexelOffsets s, t;
@@ -148,7 +149,7 @@ template <class N> class PacketTexture {
         return true;
     }
 
-    /// Word: of a texel in lanes.
+    /// Combines texels of type Word, one per lane.
     template <class Word>
     void combine(const TextureLevel& image, bool linear, const TexelOffsets& s, const TexelOffsets& t,
                  Color* to) const {

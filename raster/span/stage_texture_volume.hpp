@@ -1,5 +1,5 @@
-// Textures that look at three coordinates: volumes, cube maps, depths that are compared with r (GL 1.3, 3.8.6
-// to 3.8.8; GL 1.4, 3.8.14). Every fragment divides, in every tier.
+// Textures that look at three coordinates: volumes, cube maps, and depths that are compared with r (GL 1.3,
+// 3.8.6 to 3.8.8; GL 1.4, 3.8.14). Every fragment divides, in every tier.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -10,19 +10,19 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Where one fragment looks: words as TexCoords has them, a face of a cube, lambda.
+/// The place that one fragment looks at: words as TexCoords has them, a face of a cube, and lambda.
 struct VolumePlace {
     std::uint32_t s, t, r;
     unsigned face;
     std::int32_t lod;
 };
 
-/// The face of a direction, and how s and t lie in it (GL 1.3, table 3.20). With equal components z goes
-/// before y before x.
+/// The face of a direction, and how s and t lie in it (GL 1.3, table 3.20). Where components are equal, z
+/// goes before y, and y before x.
 template <class T> struct CubeFace {
     unsigned face;
-    int s, t, major;     ///< which component
-    bool s_back, t_back; ///< it runs backwards
+    int s, t, major;     ///< number of the component of the direction
+    bool s_back, t_back; ///< the component runs backwards
     CubeFace(T x, T y, T z) {
         const T ax = x < 0 ? -x : x, ay = y < 0 ? -y : y, az = z < 0 ? -z : z;
         if (az >= ax && az >= ay) {
@@ -42,7 +42,7 @@ template <class T> struct CubeFace {
         : face(f), s(s_of), t(t_of), major(m), s_back(s_negative), t_back(t_negative) {}
 };
 
-/// Of one unit, along a span.
+/// The places that the fragments of a span look at in one unit.
 class VolumeCoords {
   public:
     VolumeCoords(const Span<Fixed>& span, int unit)
@@ -56,7 +56,8 @@ class VolumeCoords {
         VolumePlace place;
         place.face = cube ? face(s, t, r) : 0;
         const Planes q =
-            cube ? r : Planes(span_.at(x, at_.q), at_.q.dx, at_.q_dy); // what the others are divided by
+            // The coordinate that the others are divided by.
+            cube ? r : Planes(span_.at(x, at_.q), at_.q.dx, at_.q_dy);
         const Inverse inverse(positive(q.v));
         const int exponent = cube ? 0 : at_.exponent;
         const auto repeats = [&](std::int32_t v) SPANGLE_RUN_LAMBDA {
@@ -66,7 +67,7 @@ class VolumeCoords {
         place.s = word(repeats(s.v), texture_.wrap_s);
         place.t = word(repeats(t.v), texture_.wrap_t);
         const bool volume = texture_.shape == TextureShape::volume;
-        const std::int64_t third = repeats(r.v); // of a cube nobody looks at it
+        const std::int64_t third = repeats(r.v); // unused for a cube
         place.r = volume ? word(third, texture_.wrap_r)
                          : static_cast<std::uint32_t>(numeric::clamp<std::int64_t>(third >> 2, 0, 1 << 30));
         place.lod = 0;
@@ -85,7 +86,7 @@ class VolumeCoords {
     }
 
   private:
-    /// A projective value and what it changes by.
+    /// A projective value and its differences from column to column and from row to row.
     struct Planes {
         std::int32_t v, dx, dy;
         Planes(std::uint64_t value, std::uint64_t across, std::uint64_t up)
@@ -107,11 +108,12 @@ class VolumeCoords {
     static std::int32_t positive(std::int32_t q) { return q > 0 ? q : 1; }
 
     static std::uint32_t word(std::int64_t repeats, Wrap wrap) {
-        const bool mirrored = wrap == Wrap::mirrored_repeat; // counts in two repeats
+        // Set-up of such coordinates counts two repeats.
+        const bool mirrored = wrap == Wrap::mirrored_repeat;
         return inner::to_coord(mirrored ? repeats >> 1 : repeats, mirrored || wrap == Wrap::repeat, 0);
     }
 
-    /// log2 of the steps of v / q, times q^2: the larger of both directions.
+    /// log2 of the steps of v / q, times q^2: that of the larger of both directions.
     static std::int32_t steps(const Planes& v, const Planes& q, std::uint32_t size) {
         const auto step = [&](std::int32_t dv, std::int32_t dq) {
             return numeric::abs_u64(numeric::mul_s32(dv, q.v) - numeric::mul_s32(v.v, dq));
@@ -120,7 +122,8 @@ class VolumeCoords {
         return log2_fraction8(dx > dy ? dx : dy) + log2_fraction8(size);
     }
 
-    /// The face of a direction; s and t as they lie in it, r along it. What they are multiplied by cancels.
+    /// Finds the face of a direction. s and t become those of the face, r the coordinate along it. Common
+    /// factors cancel.
     static unsigned face(Planes& s, Planes& t, Planes& r) {
         const Planes planes[3] = {s, t, r};
         const CubeFace<std::int64_t> face(s.v, t.v, r.v);
@@ -131,7 +134,7 @@ class VolumeCoords {
     }
 };
 
-/// A texture with all modes at run time, of one fragment.
+/// Samples a texture with all modes at run time, for one fragment.
 template <class N> class VolumeFunction {
     using Color = typename N::Color;
 
@@ -203,7 +206,8 @@ template <class N> class VolumeFunction {
         return in_image(place, image, filter);
     }
 
-    /// Compared with r in the steps of the depth: what a depth buffer would hold (GL 1.4, 3.8.14).
+    /// A depth texel becomes the result of its comparison with r. r has the steps of a depth buffer (GL 1.4,
+    /// 3.8.14).
     Color texel(const VolumePlace& place, const TextureLevel& image, std::int32_t i, std::int32_t j) const {
         if (!has_depth_textures || !texture_.compares)
             return plane_.texel(image, i, j);
@@ -215,7 +219,7 @@ template <class N> class VolumeFunction {
     }
     std::uint32_t depth_of(const TextureLevel& image, std::int32_t i, std::int32_t j,
                            std::uint32_t most) const {
-        if (!plane_.stored(image, i, j)) // red of the border's colour
+        if (!plane_.stored(image, i, j)) // the red of the border's colour is compared
             return static_cast<std::uint32_t>(std::uint64_t{texture_.border_color[0]} * most / 255);
         const std::uint8_t* const at = plane_.address(image, i, j);
         if (most == 0xFFFF)

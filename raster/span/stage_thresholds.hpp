@@ -15,8 +15,8 @@ namespace inner {
 /// Thresholds of the fragments of a group, in 32nds of a step, and the walk along the row.
 template <class L> struct DitherRow;
 
-/// Rows of the matrix from each column of it on, its threshold in those five bits where sums of 32 steps in a
-/// word have it: one mask; where masks are no operands, one shift.
+/// The rows of the matrix, rotated to start at each column. A threshold takes the five bits at which sums of
+/// 32 steps in a word have it, so that one mask extracts it. Where masks are no operands, one shift does.
 struct DitherWords {
     static constexpr int place = numeric::three_operands ? 22 : 27;
     std::uint32_t of[16];
@@ -37,7 +37,7 @@ template <> struct DitherRow<Lanes<1>> {
     SPANGLE_INLINE void step() { row = std::rotr(row, 8); }
 };
 
-/// Thresholds of rows' fragments by number, in 2^-Bits of a step.
+/// Thresholds by the number of a fragment in its row, in 2^-Bits of a step.
 template <int Bits> struct DitherNumbered {
     std::uint32_t of[4 * 8];
     constexpr DitherNumbered() : of{} {
@@ -48,7 +48,7 @@ template <int Bits> struct DitherNumbered {
     SPANGLE_INLINE const std::uint32_t* from(std::int32_t x, std::int32_t y) const {
         if constexpr (Masks)
             return of + (y & 3) * 8 + (x & 3);
-        // Bytes: two shifts for each.
+        // Both terms are bytes; each takes two shifts.
         const auto low2 = [](std::int32_t v, int up) {
             return numeric::factor32(static_cast<std::uint32_t>(v) << 30) >> (30 - up);
         };
@@ -68,12 +68,12 @@ template <int Bits> class NumberedThresholds {
     const std::uint32_t* from_;
 };
 
-/// Thresholds as they are.
+/// Thresholds as they are, in 32nds of a step.
 struct ThresholdWord {
     static constexpr int words = 1;
     static constexpr std::uint32_t word(int, std::uint32_t threshold32) { return threshold32; }
 };
-/// Words of the thresholds of groups whose first fragment is in each of the places of a period.
+/// Words of thresholds of a group of lanes, for each place of the pattern at which its first fragment may be.
 template <class L, class Threshold> struct DitherGroups {
     alignas(16) std::uint16_t of[16][Threshold::words][8];
     constexpr DitherGroups() : of{} {
@@ -87,7 +87,8 @@ template <class L, class Threshold> struct DitherGroups {
 };
 template <class L, class Threshold> inline constexpr DitherGroups<L, Threshold> dither_groups;
 
-/// Eight columns, as four of two rows, are whole periods: nothing to walk.
+/// The thresholds of a group of lanes. Eight columns, or four columns of two rows, are whole periods: nothing
+/// walks.
 template <class L, class Threshold> class DitherGroup {
   public:
     SPANGLE_INLINE DitherGroup(std::int32_t x, std::int32_t y) {
@@ -98,7 +99,7 @@ template <class L, class Threshold> class DitherGroup {
     }
     SPANGLE_INLINE typename L::U16 word(int i) const { return word_[i]; }
 
-    /// Each lane at a place of its own.
+    /// The thresholds of lanes that each have a place of their own.
     template <class Lanes>
     SPANGLE_INLINE DitherGroup(const LanePlaces<Lanes>& x, const LanePlaces<Lanes>& y) {
         const auto place = (y.of & 3u) << 2 | (x.of & 3u);
@@ -118,17 +119,17 @@ template <int Count> struct DitherRow<Lanes<Count>> : DitherGroup<Lanes<Count>, 
     SPANGLE_INLINE void step() {}
 };
 
-/// The same that knows where it is, for stages that walk from row to row.
+/// A DitherRow that knows its place, for stages that walk from row to row.
 template <class L> struct DitherPlace : DitherRow<L> {
     std::int32_t x, y;
     SPANGLE_INLINE DitherPlace(std::int32_t column, std::int32_t line)
         : DitherRow<L>(column, line), x(column), y(line) {}
     SPANGLE_INLINE DitherPlace(const LanePlaces<L>& columns, const LanePlaces<L>& lines)
-        : DitherRow<L>(columns, lines), x(0), y(0) {} // which do not walk
+        : DitherRow<L>(columns, lines), x(0), y(0) {} // such lanes do not walk
     SPANGLE_INLINE void next_row() { *this = DitherPlace(x, y + L::rows); }
 };
 
-/// Thresholds of a group as a system of numbers adds them.
+/// Thresholds of a group in the form in which number system N adds them.
 template <class N> struct KeptThresholds : DitherGroup<typename N::L, typename N::Threshold> {
     using KeptThresholds::DitherGroup::DitherGroup;
     SPANGLE_INLINE const KeptThresholds& threshold() const { return *this; }
@@ -137,7 +138,7 @@ template <class N> struct KeptThresholds : DitherGroup<typename N::L, typename N
 template <class N>
 using ThresholdsOf = std::conditional_t<(N::lanes > 1), KeptThresholds<N>, DitherRow<typename N::L>>;
 
-/// In place of either, where nothing is dithered.
+/// Takes the place of thresholds where nothing is dithered.
 struct NoThreshold {
     template <class X, class Y> SPANGLE_INLINE NoThreshold(const X&, const Y&) {}
     SPANGLE_INLINE static std::uint32_t threshold(std::int32_t = 0) { return 0; }

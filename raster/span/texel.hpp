@@ -1,4 +1,4 @@
-// Texels: how they lie in memory, wrapping, filters (GL 1.3, 3.8.7).
+// How texels lie in memory, how coordinates wrap, and how texels are filtered (GL 1.3, 3.8.7).
 #pragma once
 
 #include <cstring>
@@ -12,16 +12,17 @@ namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
 constexpr int texel_bytes(TexelFormat format) {
-    constexpr std::uint8_t bytes[] = {1, 1, 1, 2, 2, 3, 4, 2, 2, 1, 2, 4, 0, 0, 0}; // 0: no place of its own
+    // Bytes by format; 0: its texels have no address of their own.
+    constexpr std::uint8_t bytes[] = {1, 1, 1, 2, 2, 3, 4, 2, 2, 1, 2, 4, 0, 0, 0};
     return bytes[static_cast<unsigned>(format)];
 }
 
-/// Formats whose loops are made for them; the others go through stage_texture_sampler.hpp.
+/// Formats that fused loops are made for. read_other_texel() and texel_other.hpp read the others.
 constexpr bool is_common(TexelFormat format) {
     return format <= TexelFormat::rgba8888;
 }
 
-/// The components of one texel; what a format lacks is 1 (alpha) or luminance in all three.
+/// The components of one texel. A missing alpha is 1; luminance stands for all three colours.
 template <class N, TexelFormat Format> SPANGLE_INLINE typename N::Color read_texel(const std::uint8_t* at) {
     static_assert(N::lanes == 1);
     const typename N::T one = N::from_units(color_one);
@@ -47,7 +48,8 @@ template <class N, TexelFormat Format> SPANGLE_INLINE typename N::Color read_tex
     }
 }
 
-/// k / (2^bits - 1), rounded up as texels are (Exact::weighted). Bits of 1, 2 and 4 are whole 255ths.
+/// k / Most as a component, rounded up as texels are (Exact::weighted). For 1, 2 and 4 bits it is a whole
+/// number of 255ths.
 template <class N, std::uint32_t Most> SPANGLE_INLINE typename N::T from_steps(std::uint32_t k) {
     if constexpr (255 % Most == 0) {
         return N::from8(static_cast<typename N::L::U16>(k * (255 / Most)));
@@ -56,13 +58,13 @@ template <class N, std::uint32_t Most> SPANGLE_INLINE typename N::T from_steps(s
         if constexpr (of >= 1u << (32 - color_fraction_bits))
             return N::from_units(
                 static_cast<std::uint32_t>(numeric::quotient(std::int64_t{k} * color_one + Most - 1, Most)));
-        else // k parts / of: the whole ones and the rest apart, which words hold
+        else // k parts / of: whole 255ths and the rest are taken apart, so that words hold them
             return N::from_units((k * parts / of << color_fraction_bits) +
                                  ((k * parts % of << color_fraction_bits) + of - 1) / of);
     }
 }
 
-/// The rest of the formats whose texels have places of their own. A depth is what it is in all components.
+/// A texel of the other formats that have addresses. A depth stands for all four components.
 template <class N>
 [[gnu::noinline]] typename N::Color read_other_texel(TexelFormat format, const std::uint8_t* at) {
     const typename N::T one = N::from_units(color_one);
@@ -92,7 +94,7 @@ template <class N>
     return {};
 }
 
-/// The same of a format that the build may not have.
+/// A texel of a format that the build may not have.
 template <class N, TexelFormat Format>
 SPANGLE_INLINE typename N::Color read_texel_of(const std::uint8_t* at) {
     if constexpr (has_format(Format))
@@ -101,7 +103,7 @@ SPANGLE_INLINE typename N::Color read_texel_of(const std::uint8_t* at) {
         return {};
 }
 
-/// Format at run time.
+/// A texel of a format that is known at run time.
 template <class N>
 [[gnu::noinline]] typename N::Color read_texel(TexelFormat format, const std::uint8_t* at) {
     switch (sampled(format)) {
@@ -127,19 +129,19 @@ template <class N>
     }
 }
 
-/// Position along one axis: texel index and 8-bit weight of the next one.
+/// A position along one axis: the index of a texel and the weight of the next texel, in 256ths.
 struct TexelIndex {
     std::int32_t i;
     std::uint32_t weight;
 };
 
-/// From a coordinate that wraps (2^32 = one repeat).
+/// The texel index of a coordinate that wraps (2^32 = one repeat).
 SPANGLE_INLINE std::int32_t repeat_index(std::uint32_t s, int log2_size) {
     return static_cast<std::int32_t>((s >> 1) >> (31 - log2_size));
 }
-/// LINEAR rounds the place between two texels to the nearest 256th by definition, in every policy: a texel
-/// whose centre a coordinate meets, but for what arithmetic loses, has all of the weight. In half a texel
-/// less half a 256th lies the place that is rounded down to 0.
+/// LINEAR rounds the place between two texels to the nearest 256th by definition, in every policy. So a texel
+/// whose centre a coordinate meets, but for what arithmetic loses, has all of the weight. The place that is
+/// rounded down to 0 lies half a texel less half a 256th into the image.
 SPANGLE_INLINE constexpr std::uint32_t linear_origin(int log2_size) {
     return ((1u << 31) - (1u << 23)) >> log2_size;
 }
@@ -148,8 +150,8 @@ SPANGLE_INLINE TexelIndex repeat_linear(std::uint32_t s, int log2_size) {
     return {repeat_index(u, log2_size), (u << log2_size) >> 24};
 }
 
-/// NEAREST is floor(u + 2^-13 texel) by definition, in every policy: sprites whose texels meet pixel centres
-/// exactly then do not depend on the last bit of u.
+/// NEAREST is floor(u + 2^-13 texel) by definition, in every policy. Sprites whose texels meet pixel centres
+/// exactly do therefore not depend on the last bit of u.
 inline constexpr int nearest_bias_bits = 13;
 SPANGLE_INLINE constexpr std::uint32_t nearest_bias(int log2_size) {
     return 1u << (32 - nearest_bias_bits - log2_size);
@@ -158,7 +160,7 @@ SPANGLE_INLINE std::int32_t repeat_nearest(std::uint32_t s, int log2_size) {
     return repeat_index(s + nearest_bias(log2_size), log2_size);
 }
 
-/// From a coordinate that does not wrap (s3.28).
+/// The texel index of a coordinate that does not wrap (s3.28).
 SPANGLE_INLINE std::int32_t clamped_nearest(std::int32_t s, int log2_size) {
     const std::int64_t u =
         numeric::shifted_up(s, log2_size) + (1 << (clamped_coord_bits - nearest_bias_bits));
@@ -168,15 +170,16 @@ SPANGLE_INLINE std::int32_t clamped_nearest(std::int32_t s, int log2_size) {
 }
 SPANGLE_INLINE TexelIndex clamped_linear(Wrap wrap, std::int32_t s, int log2_size) {
     constexpr std::int32_t one = 1 << clamped_coord_bits;
-    if (wrap == Wrap::clamp) // to [0, 1] first: at the edge half of the border mixes in
+    if (wrap == Wrap::clamp) // CLAMP limits s to [0, 1] first: at the edge half of the border mixes in
         s = s < 0 ? 0 : s > one ? one : s;
     const std::int64_t u = numeric::shifted_up(s, log2_size) - (one / 2 - one / 512);
     const auto fixed = static_cast<std::int32_t>(u >> (clamped_coord_bits - 8));
     return {fixed >> 8, static_cast<std::uint32_t>(fixed) & 255};
 }
 
-/// The equivalent texel of a wrap mode, for a texel at most one beyond the image: REPEAT i mod size;
-/// MIRRORED_REPEAT counts both halves of two repeats; CLAMP_TO_EDGE 0 .. size - 1; the others -1 .. size.
+/// The texel that stands for texel i in a wrap mode, where i is at most one beyond the image. REPEAT: i mod
+/// size; MIRRORED_REPEAT: i counts both halves of two repeats; CLAMP_TO_EDGE: 0 .. size - 1; the others: -1
+/// .. size.
 SPANGLE_INLINE std::int32_t wrap_texel(Wrap wrap, std::int32_t i, std::int32_t size) {
     if (wrap == Wrap::repeat)
         return i < 0 ? i + size : i >= size ? i - size : i;
@@ -193,13 +196,13 @@ constexpr bool is_power_of_two(std::int32_t size) {
     return (size & (size - 1)) == 0;
 }
 
-/// Coordinates of these axes are read with shifts, which is only faster.
+/// True for axes whose coordinates are read with shifts, which is only faster.
 constexpr bool is_plain_axis(Wrap wrap, std::int32_t size) {
     return has_shortcuts && wrap != Wrap::mirrored_repeat && is_power_of_two(size);
 }
 
-/// Any size and wrap mode: 2^fraction texels in one, before wrapping, `half` of one taken off. A mirrored
-/// image is one of twice the size that repeats.
+/// The position of a coordinate in 2^-Fraction texels, before wrapping, for any size and wrap mode. A
+/// mirrored image counts as one of twice the size that repeats.
 template <int Fraction> constexpr std::int64_t axis_position(Wrap wrap, std::uint32_t s, std::int32_t size) {
     if (wrap == Wrap::repeat || wrap == Wrap::mirrored_repeat) {
         const std::uint32_t whole = static_cast<std::uint32_t>(wrap == Wrap::repeat ? size : 2 * size);
@@ -223,14 +226,15 @@ inline TexelIndex general_linear(Wrap wrap, std::uint32_t s, std::int32_t size) 
     return {fixed >> 8, static_cast<std::uint32_t>(fixed) & 255};
 }
 
-/// The texel of a coordinate, and where it lies between two, in any wrap mode.
+/// The texel of a coordinate (NEAREST), or its place between two texels (LINEAR), in any wrap mode.
 inline std::int32_t wrapped_nearest(Wrap wrap, std::uint32_t s, int log2_size, std::int32_t size) {
     if (!is_plain_axis(wrap, size))
         return general_nearest(wrap, s, size);
     if (wrap == Wrap::repeat)
         return repeat_nearest(s, log2_size);
     const std::int32_t i = clamped_nearest(static_cast<std::int32_t>(s), log2_size);
-    return wrap_texel(wrap == Wrap::clamp ? Wrap::clamp_to_edge : wrap, i, size); // CLAMP is to [0, 1]
+    // CLAMP limits to [0, 1].
+    return wrap_texel(wrap == Wrap::clamp ? Wrap::clamp_to_edge : wrap, i, size);
 }
 inline TexelIndex wrapped_linear(Wrap wrap, std::uint32_t s, int log2_size, std::int32_t size) {
     if (!is_plain_axis(wrap, size))
@@ -242,12 +246,12 @@ constexpr std::uint8_t log2_of(std::int32_t size) {
     return static_cast<std::uint8_t>(31 - numeric::clz32(static_cast<std::uint32_t>(size) | 1));
 }
 
-/// The least power of two that is not below the size.
+/// log2 of the least power of two that is not below the size.
 constexpr std::uint8_t ceil_log2_of(std::int32_t size) {
     return static_cast<std::uint8_t>(log2_of(size) + (is_power_of_two(size) ? 0 : 1));
 }
 
-/// The bytes of an 8-bit texel in one word, R lowest; for lanes.
+/// The bytes of an 8-bit texel in one word, R lowest, for lanes.
 template <TexelFormat Format> SPANGLE_INLINE std::uint32_t texel_word(const std::uint8_t* at) {
     static_assert(Format == TexelFormat::rgb888 || Format == TexelFormat::rgba8888);
     if constexpr (Format == TexelFormat::rgba8888)
@@ -256,7 +260,8 @@ template <TexelFormat Format> SPANGLE_INLINE std::uint32_t texel_word(const std:
         return numeric::load_low_first<std::uint16_t>(at) | std::uint32_t{at[2]} << 16;
 }
 
-/// The same of every format of 8-bit components, with what a format lacks.
+/// The four bytes R, G, B, A of a texel of any format of 8-bit components, R lowest; missing components are
+/// filled in.
 template <TexelFormat Format> SPANGLE_INLINE std::uint32_t rgba_word(const std::uint8_t* at) {
     constexpr std::uint32_t gray = 0x00010101, opaque = 0xFF000000;
     if constexpr (Format == TexelFormat::a8)
@@ -273,12 +278,12 @@ template <TexelFormat Format> SPANGLE_INLINE std::uint32_t rgba_word(const std::
         return texel_word<Format>(at);
 }
 
-/// Four texels by 8-bit weights a (along s) and b (along t).
+/// Mixes four texels by 8-bit weights: a of the next column (along s) and b of the next row (along t).
 template <class N>
 SPANGLE_INLINE typename N::Color bilinear(const typename N::Color& c00, const typename N::Color& c10,
                                           const typename N::Color& c01, const typename N::Color& c11,
                                           std::uint32_t a, std::uint32_t b) {
-    if constexpr (is_balanced<N>) // whose weights leave a bit of a texel that has all of the weight
+    if constexpr (is_balanced<N>) // whose weights lose a bit of a texel that has all of the weight
         if ((a | b) == 0)
             return c00;
     const std::uint32_t w11 = a * b, w10 = a * (256 - b), w01 = (256 - a) * b,

@@ -1,4 +1,4 @@
-// Which texels the fragments of a packet meet along one axis of an image, in lanes: wrap modes of
+// Finds which texels the fragments of a packet meet along one axis of an image, in lanes: the wrap modes of
 // GL 1.3, 3.8.7 for images of any size.
 #pragma once
 
@@ -28,7 +28,7 @@ class AxisLanes {
     using U32 = L::U32;
 
   public:
-    /// Places of larger axes do not fit: coordinates that do not wrap reach 8 images to both sides.
+    /// Places on larger axes do not fit 32 bits: coordinates that do not wrap reach 8 images to both sides.
     static constexpr std::int32_t size_limit = 4096;
 
     AxisLanes(Wrap wrap, std::int32_t size)
@@ -37,8 +37,8 @@ class AxisLanes {
           shift_(is_power_of_two(size) ? (repeats_ ? 16 : clamped_coord_bits - 16) - log2_of(whole_) : -1),
           size_(L::splat(static_cast<std::uint32_t>(whole_))), last_(size_ - 1) {}
 
-    /// `coord`: words in groups of eight that are `group` words apart. False: some fragment meets a texel
-    /// beyond the image.
+    /// `coord` holds words in groups of eight that are `group` words apart. False: some fragment meets a
+    /// texel beyond the image.
     bool find(bool linear, const std::uint32_t* coord, std::int32_t group, std::int32_t groups,
               TexelNumbers& to) const {
         return linear ? find_linear(coord, group, groups, to) : find_nearest(coord, group, groups, to);
@@ -55,12 +55,13 @@ class AxisLanes {
   private:
     Wrap wrap_;
     bool repeats_;
-    std::int32_t whole_; ///< texels of what repeats, or of the image
-    int shift_;          ///< from a coordinate to a place; -1: by a product
+    std::int32_t whole_; ///< texels of one period of a repeating axis, or of the image
+    int shift_;          ///< shift from a coordinate to a place; -1: a product makes it
     U16 size_, last_;
 
     static constexpr std::uint32_t bias = 1u << (16 - nearest_bias_bits),
-                                   origin = (1u << 15) - (1u << 7); ///< nearest_bias and linear_origin
+                                   /// Nearest_bias and linear_origin, in 2^-16 texel.
+        origin = (1u << 15) - (1u << 7);
 
     SPANGLE_INLINE U32 place(const U32& v) const {
         if (shift_ >= 0)
@@ -71,7 +72,7 @@ class AxisLanes {
         return (lane_joined(high * size_, L::mul_high_signed(high, size_)) << (32 - clamped_coord_bits)) +
                (lane_joined(low * size_, L::mul_high(low, size_)) >> (clamped_coord_bits - 16));
     }
-    /// f(group, coordinates)
+    /// Calls f(group, coordinates) for all groups.
     template <class F>
     SPANGLE_INLINE static void each(const std::uint32_t* coord, std::int32_t group, std::int32_t groups,
                                     F f) {
@@ -79,12 +80,12 @@ class AxisLanes {
             f(g, L::gather(coord));
     }
 
-    /// The number of a texel at most one beyond what repeats, at its end or at its beginning.
+    /// Wraps the number of a texel that is at most one beyond the period, at its end or at its beginning.
     SPANGLE_INLINE U16 from_end(const U16& i) const { return i - (L::less_signed(last_, i) & size_); }
     SPANGLE_INLINE U16 from_beginning(const U16& i) const {
         return i + (L::less_signed(i, L::splat(0)) & size_);
     }
-    /// The second half of what repeats is the image backwards.
+    /// Mirrors the second half of the period, which is the image backwards.
     SPANGLE_INLINE U16 mirrored(const U16& i) const { return last_ - L::maximum_signed(i, last_ - i); }
 
     [[gnu::noinline]] bool find_nearest(const std::uint32_t* coord, std::int32_t group, std::int32_t groups,
@@ -159,7 +160,7 @@ class AxisLanes {
         };
         if (wrap_ == Wrap::clamp_to_border)
             each_place(as_it_is, into_border);
-        else // to [0, 1] first: at the edge half of the border mixes in
+        else // CLAMP limits to [0, 1] first: at the edge half of the border mixes in
             each_place(
                 [&](const U32& v) __attribute__((always_inline)) {
                     return L::minimum(L::positive(v), L::splat32(static_cast<std::uint32_t>(whole_) << 16));

@@ -1,4 +1,4 @@
-// Texels as they lie in memory, one word per lane, become colours: alone, or four of them filtered.
+// Texels as they lie in memory, one word per lane, become colours: single ones, or four filtered ones.
 #pragma once
 
 #include "raster/span/filter.hpp"
@@ -9,7 +9,8 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// N::fraction of k/31 and k/63, by k: what MODULATE multiplies by; or `Steps` times that of N::in_steps().
+/// Tables of the factors by which MODULATE multiplies: N::fraction of k/31 and k/63, by k; or, if not 0,
+/// `Steps` times the factor of N::in_steps().
 template <class N, class Word, int Steps> struct TexelFactors {
     Word of5[32], of6[64];
     constexpr TexelFactors() : of5{}, of6{} {
@@ -37,7 +38,7 @@ template <class N, int Steps = 0>
 inline constexpr TexelFactors<N, std::conditional_t<is_balanced<N>, std::uint16_t, std::uint32_t>, Steps>
     texel_factors;
 
-/// One of them: looked up, or, where that is only faster, computed.
+/// One factor of TexelFactors: looked up, or computed in builds without shortcuts.
 template <unsigned Bits, class N, int Steps> SPANGLE_INLINE std::uint32_t texel_factor(std::uint32_t k) {
     using Factors = std::remove_const_t<decltype(texel_factors<N, Steps>)>;
     if constexpr (!has_shortcuts)
@@ -46,8 +47,8 @@ template <unsigned Bits, class N, int Steps> SPANGLE_INLINE std::uint32_t texel_
         return Bits == 5 ? texel_factors<N, Steps>.of5[k] : texel_factors<N, Steps>.of6[k];
 }
 
-/// What MODULATE multiplies by, of a texel: R5 G6 B5, or 8-bit components with R in the lowest byte. Factors
-/// has factor5(), factor6(), factor8().
+/// The factors by which MODULATE multiplies, of a texel R5 G6 B5, or of 8-bit components with R in the lowest
+/// byte. Factors has factor5(), factor6(), factor8().
 template <class Factors, bool Is565> struct TexelScales {
     SPANGLE_INLINE static std::uint32_t red(std::uint32_t t) {
         return Is565 ? Factors::factor5(t >> 11) : Factors::factor8(t & 255);
@@ -60,14 +61,14 @@ template <class Factors, bool Is565> struct TexelScales {
     }
 };
 
-/// A component as it is.
+/// Factors for TexelScales that are the components themselves.
 struct TexelComponents {
     SPANGLE_INLINE static std::uint32_t factor5(std::uint32_t k) { return k; }
     SPANGLE_INLINE static std::uint32_t factor6(std::uint32_t k) { return k; }
     SPANGLE_INLINE static std::uint32_t factor8(std::uint32_t k) { return k; }
 };
 
-/// Those of the chain: texels 565 are by table.
+/// The factors of TexelScales as the chain has them; those of texels 565 come from tables.
 template <class N, bool Is565, int Steps> struct ChainScales {
     SPANGLE_INLINE static std::uint32_t red(std::uint32_t t) {
         return Is565 ? texel_factor<5, N, Steps>(t >> 11) : of<5>(t & 255);
@@ -88,7 +89,8 @@ template <class N, bool Is565, int Steps> struct ChainScales {
     }
 };
 
-/// Words R5 G6 B5, or of 8-bit components with R in the lowest byte. Alpha: there is one.
+/// Colours of texels that are words R5 G6 B5, or 8-bit components with R in the lowest byte. Alpha: texels
+/// have one.
 template <class N, bool Is565, bool Alpha> struct TexelColors {
     using Color = typename N::Color;
     using L = typename N::L;
@@ -101,7 +103,7 @@ template <class N, bool Is565, bool Alpha> struct TexelColors {
             return {N::from8(L::byte(v, 0)), N::from8(L::byte(v, 1)), N::from8(L::byte(v, 2)),
                     Alpha ? N::from8(L::byte(v, 3)) : N::from_units(color_one)};
     }
-    /// LINEAR of the exact tier, weight of row j + 1.
+    /// The LINEAR filter of the exact tier with one lane; b is the weight of row j + 1, in 256ths.
     struct Exactly {
         std::uint32_t b;
         SPANGLE_INLINE explicit Exactly(std::uint32_t weight) : b(weight) {}
@@ -128,7 +130,7 @@ template <class N, bool Is565, bool Alpha> struct TexelColors {
     }
 
   private:
-    /// Of the exact tier. Where there is no alpha it is 1, whatever the weights are.
+    /// Mixes four texels in the exact tier. Where texels have no alpha it is 1, whatever the weights are.
     template <class V, class W>
     SPANGLE_INLINE static Color mix_lanes(const Weights& weights, const V& c00, const V& c10, const V& c01,
                                           const V& c11, const W& right) {

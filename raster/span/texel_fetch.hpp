@@ -1,5 +1,5 @@
-// The words of the texels that the fragments of a packet meet, in lanes: formats are looked at once per
-// packet.
+// Fetches the words of the texels that the fragments of a packet meet, in lanes. Formats are looked at once
+// per packet.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -17,14 +17,14 @@ class TexelFetch {
     using U32 = L::U32;
 
   public:
-    using Words = U16[4][texel_groups]; ///< R5 G6 B5
+    using Words = U16[4][texel_groups]; ///< words R5 G6 B5
     using Bytes =
-        LaneBytes[4][texel_groups]; ///< components of 8 bits, R lowest, whatever a format has of them
+        LaneBytes[4][texel_groups]; ///< components of 8 bits, R lowest, missing components filled in
 
-    /// Offsets are sums of products of 16 bits.
+    /// Strides must be below this, because offsets are sums of products of 16 bits.
     static constexpr std::uint32_t stride_limit = 1u << 15;
 
-    /// `first`: bytes from the texels of the image to those that a fragment looks at, null for 0.
+    /// `first` holds bytes from the texels of the image to those that a fragment looks at; null stands for 0.
     TexelFetch(const Texture& texture, const TextureLevel& image, const std::uint32_t* first, bool linear,
                const TexelNumbers& s, const TexelNumbers& t, std::int32_t groups)
         : texture_(texture), image_(image), first_(first), s_(s), t_(t), corners_(linear ? 4 : 1),
@@ -93,10 +93,10 @@ class TexelFetch {
     const int corners_;
     const std::int32_t groups_;
     const LaneWords steps_; ///< bytes from texel to texel and from row to row
-    const bool has_pairs_;  ///< two columns are looked at, and the image has two
-    const U16 last_left_;   ///< the last column but one: its right neighbour exists
+    const bool has_pairs_;  ///< two columns are looked at, and the image has at least two
+    const U16 last_left_;   ///< the last column but one, which still has a right neighbour
 
-    /// f(corner, group, texels along s, texels along t)
+    /// Calls f(corner, group, texels along s, texels along t).
     template <class F> SPANGLE_INLINE void each_group(F f) const {
         for (int corner = 0; corner < corners_; ++corner) {
             const U16* const s = (corner & 1) != 0 ? s_.next : s_.at;
@@ -105,7 +105,7 @@ class TexelFetch {
                 f(corner, g, s[g], t[g]);
         }
     }
-    /// Where the texels of one group lie in memory.
+    /// The addresses of the texels of one group.
     struct Places {
         const std::uint8_t* texels;
         std::int32_t offset[8];
@@ -119,23 +119,24 @@ class TexelFetch {
             offsets += L::gather(first_ + 8 * g);
         Places to{image_.texels, {}};
         L::store32(reinterpret_cast<std::uint8_t*>(to.offset), offsets);
-        // Through memory: GCC 12 would take lanes out of vectors, which is longer.
+        // The offsets go through memory: GCC 12 would take lanes out of vectors, which is longer.
         asm("" : "+m"(to.offset)); // NOLINT(hicpp-no-assembler)
         return to;
     }
-    /// f(corner, group, places)
+    /// Calls f(corner, group, places).
     template <class F> SPANGLE_INLINE void each_place(F f) const {
         each_group([&](int corner, std::int32_t g, const U16& s, const U16& t)
                        __attribute__((always_inline)) { f(corner, g, places(g, s, t)); });
     }
     /// Calls put(corner, group, texels as they lie in memory) for texels of `Size` bytes, 1 to 4. Two columns
-    /// that are neighbours, or the same one, are loaded together. Where an image repeats they may be neither.
+    /// that are neighbours, or the same column, are loaded together. Where an image repeats, columns may be
+    /// neither.
     template <unsigned Size, class Put> SPANGLE_INLINE void each_texel(Put put) const {
         for (std::int32_t g = 0; g < groups_; ++g) {
             const U16 &at = s_.at[g], &next = s_.next[g];
             if (has_pairs_) {
-                // `left` and the column after it both exist, and each of `at` and `next` should be one of
-                // them.
+                // `left` and the column after it both exist. `at` and `next` should each be one of these two
+                // columns.
                 const U16 left = L::minimum_signed(L::minimum_signed(at, next), last_left_);
                 if (!L::any_bits(((at - left) | (next - left)) & 0xFFFE)) [[likely]] {
                     const U16 is_at = L::equal(at, left), is_next = L::equal(next, left);
@@ -175,7 +176,7 @@ class TexelFetch {
                 return word_of<std::uint32_t, 2>(at(lane));
             });
             return both.halves();
-        } else if constexpr (Size == 3) { // of six bytes the first four and the last four
+        } else if constexpr (Size == 3) { // the first four and the last four of six bytes
             const auto word = [&](int from) __attribute__((always_inline)) {
                 return L::generate([&](std::uint32_t lane) __attribute__((always_inline)) {
                     return word_of<std::uint32_t, 1>(at(lane) + from);
@@ -188,7 +189,8 @@ class TexelFetch {
             });
         }
     }
-    /// f(corner, group, numbers(lane)): what along s and along t.
+    /// Calls f(corner, group, numbers(lane)), where numbers(lane) are the texel's numbers along s and along
+    /// t.
     template <class F> SPANGLE_INLINE void each_number(F f) const {
         each_group([&](int corner, std::int32_t g, const U16& s,
                        const U16& t) __attribute__((always_inline)) {
@@ -205,7 +207,7 @@ class TexelFetch {
         return L::generate([&](std::uint32_t lane)
                                __attribute__((always_inline)) { return std::uint16_t{at(lane)[n]}; });
     }
-    /// The lowest byte first, as lanes have it.
+    /// Loads a word, the lowest byte first, as lanes take it.
     template <class Word, int Aligned> SPANGLE_INLINE static Word word_of(const std::uint8_t* at) {
         Word v;
         __builtin_memcpy(&v, __builtin_assume_aligned(at, Aligned), sizeof v);
@@ -216,7 +218,7 @@ class TexelFetch {
             return word_of<std::uint16_t, Aligned>(at(lane));
         });
     }
-    /// Palettes and blocks are found by numbers, other formats by bytes.
+    /// Fetches texels of other formats. Palettes and blocks are found by numbers, other texels by bytes.
     [[gnu::noinline]] void fetch_others(Bytes& to) const {
         const auto words = [&](int corner, std::int32_t g, auto word) {
             to[corner][g] = LaneBytes::of(L::generate(word));

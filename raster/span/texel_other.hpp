@@ -1,5 +1,5 @@
-// Texels of the formats that have no loops of their own: 16-bit colours with alpha, palettes, ETC1 blocks.
-// Sampled where they lie, without expansion.
+// Texels of formats that have no loops of their own: 16-bit colours with alpha, palettes, ETC1 blocks. They
+// are sampled where they lie, without expansion.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -8,16 +8,16 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Texels that are found by their place (i, j), not by an address.
+/// True for formats whose texels are found by their place (i, j), not by an address.
 constexpr bool is_indirect(TexelFormat format) {
     return has_indirect_texels && format >= TexelFormat::p4;
 }
 
-/// As what a texel comes into lanes.
+/// The form in which texels come into lanes.
 enum class TexelWords : std::uint8_t {
     rgb565,
     bytes, ///< components of 8 bits, exactly
-    none,  ///< one by one
+    none,  ///< not in lanes, but one by one
 };
 constexpr TexelWords words_of(TexelFormat format) {
     switch (sampled(format)) {
@@ -90,7 +90,8 @@ inline std::uint32_t word_4444(const std::uint8_t* at) {
     return (w >> 12 | (w & 0xF00) | (w & 0xF0) << 12 | (w & 15) << 24) * 17;
 }
 
-/// RGBA bytes of a texel of TexelWords::bytes that is not common; s and t as find_texels left them.
+/// The RGBA bytes of a texel of TexelWords::bytes whose format is not common; s and t are as find_texels()
+/// left them.
 inline std::uint32_t other_word(const Texture& texture, const TextureLevel& image, std::int32_t s,
                                 std::int32_t t) {
     constexpr std::uint32_t opaque = 0xFF000000;

@@ -1,4 +1,4 @@
-// Texels for the fragments of a packet: where they lie, and their words. Modes are looked at once per packet.
+// Texels for the fragments of a packet: their addresses and their words. Modes are looked at once per packet.
 #pragma once
 
 #include "raster/span/chain.hpp"
@@ -8,7 +8,8 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// One axis: offsets of texels and, with LINEAR, of their neighbours, in bytes; weights of these.
+/// One axis: byte offsets of texels and, with LINEAR, of their neighbours; weights of the neighbours in
+/// 256ths.
 struct TexelOffsets {
     std::int32_t at[packet_length], next[packet_length];
     std::uint16_t weight[packet_length];
@@ -17,11 +18,11 @@ struct TexelOffsets {
 /// An axis of an image.
 struct TexelScale {
     Wrap wrap;
-    std::int32_t size, bytes; ///< from texel to texel
-    bool border;              ///< the image has one
+    std::int32_t size, bytes; ///< texels; bytes from texel to texel
+    bool border;              ///< the image has border texels
 };
 
-/// Of any size and wrap mode, as find_texels.
+/// find_texels() for any size and wrap mode.
 template <int Lanes>
 [[gnu::noinline]] bool find_general_texels(TexelOffsets& to, bool linear, const TexelScale& axis,
                                            const std::uint32_t* coord, std::int32_t group, std::int32_t n) {
@@ -43,8 +44,8 @@ template <int Lanes>
     return axis.border || stored;
 }
 
-/// `coord`: one axis of the coordinates, in groups that are `group` words apart. False: some texel is of a
-/// border that is a colour.
+/// Finds the texels along one axis. `coord` holds coordinates in groups that are `group` words apart. False:
+/// some texel belongs to a border that is only a colour.
 template <int Lanes>
 [[gnu::noinline]] bool find_texels(TexelOffsets& to, bool linear, const TexelScale& axis,
                                    const std::uint32_t* coord, std::int32_t group, std::int32_t n) {
@@ -89,7 +90,7 @@ template <int Lanes>
     return axis.border || (least >= 0 && most < axis.size);
 }
 
-/// n words R5 G6 B5.
+/// Fetches n texels as words R5 G6 B5.
 inline void fetch_texels(const Texture& texture, const TextureLevel& image, const std::int32_t* s,
                          const std::int32_t* t, std::int32_t n, std::uint16_t* to) {
     if (is_indirect(texture.format)) {
@@ -100,7 +101,7 @@ inline void fetch_texels(const Texture& texture, const TextureLevel& image, cons
     for (std::int32_t i = 0; i < n; ++i)
         to[i] = static_cast<std::uint16_t>(Lanes<1>::load(image.texels + t[i] + s[i]));
 }
-/// n words of 8-bit components, whatever the format has of them.
+/// Fetches n texels as words of 8-bit components, and fills in the components that a format lacks.
 [[gnu::noinline]] inline void fetch_texels(const Texture& texture, const TextureLevel& image,
                                            const std::int32_t* s, const std::int32_t* t, std::int32_t n,
                                            std::uint32_t* to) {

@@ -1,5 +1,5 @@
-// A walk over the texels of one REPEAT image along a span, in place of coordinates and what the chain makes
-// of each: what NEAREST and LINEAR have in common. Fused spans only.
+// Walks over the texels of one REPEAT image along a span, in place of coordinates and what the chain makes of
+// each of them. NEAREST and LINEAR share this part. Fused spans only.
 #pragma once
 
 #include "raster/span/instructions.hpp"
@@ -9,14 +9,14 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Position along one axis, in 2^-FractionBits texels, by one shift of a word that wraps as the texture does.
-/// Lanes find theirs in scalars, which is where addresses are.
+/// The position along one axis, in 2^-FractionBits texels: one shift of a word that wraps as the texture
+/// does. Lanes find their positions in scalars, because addresses are scalars.
 template <bool Cubic, int FractionBits, bool Aside> class TexelAxis {
   public:
     using Step = decltype(CoordWalk<Cubic>::by);
     TexelAxis() = default;
-    /// Position 0 lies `origin` into the texture. Along an axis of one texel whole texels are nothing to
-    /// walk.
+    /// Position 0 lies `origin` into the texture. Along an axis of one texel there is nothing to walk in
+    /// whole texels.
     SPANGLE_INLINE TexelAxis(int log2_size, std::uint32_t v, std::uint32_t origin, const Step& dv)
         : log2_(log2_size), shift_(32 - FractionBits - log2_size), v_{v - origin, dv} {
         if (FractionBits == 0 && log2_size == 0) {
@@ -27,12 +27,12 @@ template <bool Cubic, int FractionBits, bool Aside> class TexelAxis {
     SPANGLE_INLINE std::uint32_t position(std::uint32_t lane = 0) const {
         return v_.ahead(static_cast<std::int32_t>(lane)) >> shift_;
     }
-    /// Where lane 0 has its texel in the image, of which this is the row.
+    /// The number of lane 0's texel in the image, where this axis gives its row and `column` its column.
     SPANGLE_INLINE std::uint32_t place(const TexelAxis& column) const {
         static_assert(FractionBits == 0);
         return numeric::joined_aside(v_.at, shift_, column.log2_, column.v_.at, column.shift_);
     }
-    /// The same from the size, a factor32(); lane 0, no fraction.
+    /// texel() of lane 0 by a product with the size, which is a factor32(); positions have no fraction here.
     SPANGLE_INLINE std::uint32_t texel_of(std::uint32_t size) const {
         static_assert(FractionBits == 0 && numeric::long_products);
         return static_cast<std::uint32_t>(std::uint64_t{v_.at} * size >> 32);
@@ -43,7 +43,7 @@ template <bool Cubic, int FractionBits, bool Aside> class TexelAxis {
     SPANGLE_INLINE std::uint32_t next_texel(std::uint32_t lane = 0) const {
         return (texel(lane) + 1) & ((1u << log2_) - 1);
     }
-    /// The fraction of every lane.
+    /// The fraction of the position of every lane.
     template <class L> SPANGLE_INLINE typename L::U16 fractions() const {
         constexpr std::uint32_t mask = (1u << FractionBits) - 1;
         if constexpr (L::count == 1)
@@ -55,7 +55,7 @@ template <bool Cubic, int FractionBits, bool Aside> class TexelAxis {
         else
             return L::low_half(L::ramp(v_.at, v_.by) >> shift_) & mask;
     }
-    /// The same where it is straight.
+    /// This axis as a straight line, where it is straight.
     SPANGLE_INLINE TexelAxis<false, FractionBits, Aside> line() const {
         return {log2_, shift_, {v_.at, v_.slope()}};
     }
@@ -67,13 +67,14 @@ template <bool Cubic, int FractionBits, bool Aside> class TexelAxis {
     }
     SPANGLE_INLINE void step_straight(std::uint32_t pixels) { v_.step_straight(pixels); }
     SPANGLE_INLINE bool straight() const { return v_.straight(); }
-    /// n steps stay where they are.
+    /// True where n steps stay in one position.
     SPANGLE_INLINE bool constant(std::uint32_t n) const { return v_.constant(n, shift_); }
-    /// n pixels have one position each, in order: the step is one, or so nearly that none is met twice.
+    /// True where n pixels have one position each, in order: the step is one, or so nearly that no position
+    /// is met twice.
     SPANGLE_INLINE bool one_to_one(std::uint32_t n) const {
         static_assert(!Cubic);
         const auto excess = static_cast<std::int32_t>(v_.by - (1u << shift_));
-        if (excess == 0) // sprites: no product
+        if (excess == 0) // sprites are decided without a product
             return true;
         const std::int64_t last = std::int64_t{v_.at & ((1u << shift_) - 1)} + std::int64_t{excess} * (n - 1);
         return last >= 0 && last >> shift_ == 0;
@@ -87,8 +88,8 @@ template <bool Cubic, int FractionBits, bool Aside> class TexelAxis {
         : log2_(log2_size), shift_(shift), v_(v) {}
 };
 
-/// T is a TextureFixed; positions have F::fraction_bits, and 0 lies F::origin(log2 of the size) into the
-/// texture.
+/// The walk for T, a TextureFixed. Positions have F::fraction_bits, and position 0 lies F::origin(log2 of the
+/// size) into the texture.
 template <class T, int Unit, class Runs, class F> class TexelWalk : public T {
   public:
     using N = typename T::System;
@@ -118,13 +119,13 @@ template <class T, int Unit, class Runs, class F> class TexelWalk : public T {
     SPANGLE_INLINE void step_row() { s.step_straight(N::lanes); }
 
   protected:
-    /// Where shifts reach few registers, and little else is done with a texel than to fetch it: coordinates
-    /// leave those to addresses.
+    /// True where shifts reach few registers and little else is done with a texel than to fetch it.
+    /// Coordinates then leave those registers to addresses.
     static constexpr bool aside = !numeric::long_products && is_raw<N> && N::lanes == 1;
     using Axis = TexelAxis<is_cubic<Runs>, F::fraction_bits, aside>;
     Axis s, t;
 
-    /// n pixels lie in one row.
+    /// True where the next n pixels lie in one row of texels.
     SPANGLE_INLINE bool in_row(std::int32_t n) const {
         return s.straight() && t.constant(static_cast<std::uint32_t>(n) - 1);
     }

@@ -1,5 +1,5 @@
-// COMBINE: what a texture unit makes of up to three arguments (GL 1.3, 3.8.13, tables 3.24 to 3.26; sources
-// of other units are GL 1.4).
+// COMBINE: the result that a texture unit makes of up to three arguments (GL 1.3, 3.8.13, tables 3.24 to
+// 3.26). Sources from other units are GL 1.4.
 #pragma once
 
 #include "raster/span/component.hpp"
@@ -9,7 +9,8 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// 1/2, the scales and the scalar product, which leave [0, 1] on the way.
+/// Constants and functions of COMBINE whose intermediate results leave [0, 1]: 1/2, the scales, the scalar
+/// product.
 template <class N> struct CombineMath {
     using T = typename N::T;
     using L = typename N::L;
@@ -23,7 +24,7 @@ template <class N> struct CombineMath {
             doubled = doubled + doubled;
         return doubled;
     }
-    /// 4 (a - 1/2) . (b - 1/2)
+    /// The scalar product 4 (a - 1/2) . (b - 1/2), clamped to [0, 1].
     SPANGLE_INLINE static T dot3(const typename N::Color& a, const typename N::Color& b) {
         if constexpr (N::lanes == 1) {
             const std::int64_t sum = product(a.r, b.r) + product(a.g, b.g) + product(a.b, b.b);
@@ -65,7 +66,8 @@ template <class N> class TextureCombine {
     using Math = CombineMath<N>;
 
   public:
-    /// `texel[n]`: of unit n, where it is on. `color`: the primary colour, becomes the result of all units.
+    /// `texel[n]` is the texture colour of unit n, where it is on. `color` is the primary colour and becomes
+    /// the result of all units.
     static void units(const FragmentState& state, const Color* texel, Color& color) {
         const Color primary = color;
         for (int u = 0; u < max_texture_units; ++u) {
@@ -101,7 +103,7 @@ template <class N> class TextureCombine {
                 return texture(static_cast<int>(source) - static_cast<int>(CombineSource::texture0));
             }
         }
-        /// With what its base format lacks (GL 1.3, table 3.21).
+        /// A texture colour, with the components that its base format lacks filled in (GL 1.3, table 3.21).
         Color texture(int from) const {
             Color c = texel[from];
             const Texture* const image = state.unit[from].texture;
@@ -133,7 +135,8 @@ template <class N> class TextureCombine {
         return {rest, rest, rest, rest};
     }
 
-    /// Clamping to [0, 1] before the scale changes nothing: that is 1 or more.
+    /// Results are clamped to [0, 1] before they are scaled, too. This changes nothing, because scales are 1
+    /// or more.
     using Component = component::Argument<N>;
     static T result(CombineFunc func, Component a, Component b, Component c) {
         switch (func) {
@@ -179,7 +182,7 @@ template <class N> class TextureCombine {
     }
 };
 
-/// Some unit combines: then all of them are sampled before.
+/// Whether some unit combines; then all units are sampled before.
 inline bool combines(const FragmentState& state) {
     bool any = false;
     for (const TextureUnit& unit : state.unit)

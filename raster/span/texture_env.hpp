@@ -8,13 +8,14 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// TEXTURE_ENV_COLOR.
+/// TEXTURE_ENV_COLOR as a colour of number system N.
 template <class N> SPANGLE_INLINE typename N::Color env_color(const TextureUnit& unit) {
     const std::uint32_t* const c = unit.env_color;
     return {N::from_units(c[0]), N::from_units(c[1]), N::from_units(c[2]), N::from_units(c[3])};
 }
 
-/// f: the colour so far, becomes the result; s: the texture's; c: TEXTURE_ENV_COLOR.
+/// Applies an environment. f is the colour so far and becomes the result; s is the texture's colour; c is
+/// TEXTURE_ENV_COLOR.
 template <class N>
 SPANGLE_INLINE void apply_env(TexEnv env, BaseFormat base, typename N::Color& f, const typename N::Color& s,
                               const typename N::Color& c) {
@@ -33,7 +34,7 @@ SPANGLE_INLINE void apply_env(TexEnv env, BaseFormat base, typename N::Color& f,
         if (alpha)
             f.a = N::mul(f.a, s.a);
         return;
-    case TexEnv::decal: // undefined but for RGB and RGBA; alpha stays
+    case TexEnv::decal: // undefined but for RGB and RGBA; alpha is kept
         if (base == BaseFormat::rgba)
             f.r = N::lerp(f.r, s.r, s.a), f.g = N::lerp(f.g, s.g, s.a), f.b = N::lerp(f.b, s.b, s.a);
         else if (color)
@@ -55,7 +56,7 @@ SPANGLE_INLINE void apply_env(TexEnv env, BaseFormat base, typename N::Color& f,
         else if (alpha)
             f.a = N::mul(f.a, s.a);
         return;
-    case TexEnv::combine: // of all units at once: texture_combine.hpp
+    case TexEnv::combine: // texture_combine.hpp combines all units at once
         return;
     }
 }
