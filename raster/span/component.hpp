@@ -11,7 +11,7 @@ namespace component {
 /// How a function that is not inlined takes a component: one lane in a register, several lanes by reference.
 template <class N> using Argument = std::conditional_t<N::lanes == 1, typename N::T, const typename N::T&>;
 
-/// A constant as a component.
+/// The component with the value v, in all lanes.
 template <class N> SPANGLE_INLINE typename N::T constant(std::uint32_t v) {
     if constexpr (N::lanes == 1)
         return static_cast<typename N::T>(v);
@@ -36,7 +36,7 @@ template <class N> SPANGLE_INLINE typename N::T larger(const typename N::T& a, c
     else
         return N::L::maximum(a, b);
 }
-/// a < b ? x : y, lane by lane.
+/// Chooses lane by lane: x where a < b, else y.
 template <class N>
 SPANGLE_INLINE typename N::T where_less(const typename N::T& a, const typename N::T& b,
                                         const typename N::T& x, const typename N::T& y) {

@@ -11,7 +11,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
-/// The projective interpolants of one unit along a span.
+/// The projective planes of one unit's coordinates along a span.
 struct HomogeneousRow {
     std::uint64_t s0, t0, q0, ds, dt, dq;
     SPANGLE_INLINE HomogeneousRow(const Span<Fixed>& span, int unit)
@@ -103,7 +103,7 @@ struct RunBound {
         const std::uint64_t ns = numerator(row.ds, s0), nt = numerator(row.dt, t0);
         const std::int32_t width = span.state->log2_width[unit] << 8,
                            height = span.state->log2_height[unit] << 8;
-        // Log2_fraction8() never falls, so the larger argument is enough.
+        // The logarithm never falls, so that of the larger numerator is enough.
         repeats = log2_fraction8(ns > nt ? ns : nt);
         n = repeats + (ns > nt ? width : height);
         if (width != height) {

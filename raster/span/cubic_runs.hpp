@@ -94,7 +94,7 @@ class CubicRuns {
         dt.step(t);
     }
 
-    Differences ds, dt; ///< from pixel to pixel
+    Differences ds, dt; ///< differences from pixel to pixel
 
     /// Asked before the first run. True where the row has no runs, but a division for each of its fragments.
     template <int lanes = host_lanes> SPANGLE_INLINE bool divides() {
@@ -105,7 +105,8 @@ class CubicRuns {
     }
 
   private:
-    /// No length is known; less: the length is known, but begin() has yet to start with it.
+    /// Stands for a length that is not known. Numbers below it: the length is known, but begin() has yet to
+    /// start with it.
     static constexpr int unknown = -1;
     static constexpr int max_log2 = 4, row_log2 = 16; ///< log2 of 16 pixels; stands for the whole row
     static constexpr int ratio_bits = 26;
@@ -164,7 +165,7 @@ class CubicRuns {
         return next_;
     }
 
-    /// The division of one fragment.
+    /// Divides at one fragment, which is a run of its own.
     std::int32_t one_pixel(std::int32_t x) {
         DividedCoords::divide(*span_, row_, unit_, x, s, t);
         ds = dt = {};
@@ -176,7 +177,8 @@ class CubicRuns {
     /// the cubic with slopes D (1 + e0) and D / (1 + e0) = D (1 - e1).
     Differences through(std::int64_t d, std::int32_t e0, std::int32_t e1) const {
         const std::int64_t d0 = d * e0 >> ratio_bits, d1 = d * e1 >> ratio_bits;
-        const std::int64_t length = std::uint32_t{1} << log2_; // known not to be negative
+        const std::int64_t length = std::uint32_t{1}
+                                    << log2_; // unsigned first, so that the compiler knows it is not negative
         const std::int64_t c = d0 - d1, b = (d1 - 2 * d0) * length, a = (d + d0) * length * length;
         const int bits = 3 * log2_;
         const auto down = [bits, half = std::uint32_t{1} << (bits - 1)](std::int64_t v) {

@@ -125,7 +125,7 @@ struct Recorder; // raster/primitive/keep.hpp
 struct DrawState {
     [[gnu::noinline]] DrawState() = default; ///< not inline, because it is long
 
-    FragmentState fragment; ///< as GL gave it; texture pointers must stay valid
+    FragmentState fragment; ///< the state as GL gave it; its texture pointers must stay valid
     FogConstants fog;
     Needs needs;
     /// Some attribute is neither a colour nor a depth.
@@ -160,12 +160,12 @@ struct DrawState {
     /// log2 of the texels around which a coordinate wraps, rounded up: two images where the coordinate is
     /// halved.
     std::uint8_t log2_width[max_texture_units] = {}, log2_height[max_texture_units] = {};
-    Counters* counters = nullptr; ///< may be null; not null where FragmentState::count
+    Counters* counters = nullptr; ///< may be null, but not where FragmentState::count is set
     /// Not null where the fragment state has coverage, a polygon stipple, a depth offset, or modes of
     /// samples.
     const PrimitiveState* primitive = nullptr;
     Variant variant[kind_count];
-    /// Lines of width 1 with both ends here may be drawn as paths.
+    /// Lines of width 1 with both ends inside of this area may be drawn as paths.
     struct Area {
         std::int32_t x = 0, y = 0; ///< subpixels, as are w and h
         std::uint32_t w = 0, h = 0;

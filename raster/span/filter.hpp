@@ -41,7 +41,7 @@ template <int Count> struct Filter565 {
             numeric::begin_here();
         U16 g = six.mix(green(c00), green(c10), green(c01), green(c11), a, L::splat(less6));
         if constexpr (Count == 1) {
-            // Red and blue do not begin before green is done: few registers.
+            // Few registers: red and blue do not begin before green is done.
             if constexpr (!numeric::three_operands)
                 g = numeric::factor32(g);
             const auto both = [](U16 c) { return numeric::with_bits<16, 5>(c >> 11, c); };

@@ -421,7 +421,7 @@ SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i,
         list(p);
         list.step();
         if constexpr (Dithered)
-            at = numeric::factor32(at); // no step before the word was found: one register less
+            at = numeric::factor32(at); // steps only after the word was found: one register less
         if constexpr (numeric::cheap_branches) {
             rest += rise;
             at += along;
@@ -453,11 +453,11 @@ template <class Case>
     span.x = span.y = span.anchor_x = span.anchor_y = 0;
     Px<N> p(span);
     p.live = true;
-    p.selects = !numeric::cheap_branches; // a test goes either way, at random
+    p.selects = !numeric::cheap_branches; // a depth test passes or fails at random
     const std::uint32_t before = PathPixels::before(target);
     if constexpr (Case::patterned) {
         const auto back = static_cast<std::ptrdiff_t>(before) * 2;
-        // One word before the loop, not a sum in it.
+        // The address is one word before the loop, not a sum in the loop.
         p.color_plane = numeric::factor32(p.color_plane - back);
         if constexpr (Case::tested)
             p.depth_plane = numeric::factor32(p.depth_plane - back);

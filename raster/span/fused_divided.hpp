@@ -47,7 +47,7 @@ struct PatchOfRows {
 struct OpenGroup {
     Lanes<8>::Mask open;
     std::int32_t x, y;
-    /// The most groups in a row of a patch.
+    /// The most groups that a row of a patch may have.
     static constexpr int of_row = 2 * Patch::most_columns / 8 + 2;
 };
 

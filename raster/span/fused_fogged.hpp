@@ -50,7 +50,7 @@ template <class Case> class FoggedRows {
             thresholds_ = inner::dither_numbered<Combine::threshold_bits>.from(last, row.y);
         end_step_z_.a = place(color_, row.y, last);
         std::uint8_t* const depth = place(depth_, row.y, last);
-        // In bytes, counted up to 0: the last index needs no register.
+        // The index counts bytes up to 0: the last index needs no register.
         std::int32_t i = 2 * (first - last);
         do {
             numeric::kept_in_memory(*this);
@@ -142,12 +142,12 @@ template <class Case> class FoggedRows {
     }
 
     numeric::Two<std::uint32_t, std::uint32_t> image_; ///< width and height
-    /// Texels, and the factors of their green.
+    /// The texels, and the table of factors of their green.
     numeric::Two<const std::uint8_t*, typename Combine::Factors> tables_;
     typename Combine::Factors fifths_ = Combine::fifths;
     const std::uint32_t* thresholds_ = nullptr;
     Combine combine_;
-    /// End of the row in the colour plane; step of depth.
+    /// The end of the row in the colour plane, and the step of depth.
     numeric::Two<std::uint8_t*, std::uint32_t> end_step_z_;
     numeric::Two<std::uint32_t, std::uint32_t> step_coord_, step_light_[lights];
     Origin z_, s_, t_, fog_, light_[lights];

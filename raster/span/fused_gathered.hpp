@@ -18,7 +18,7 @@ template <class Case> class GatheredPacket {
   public:
     using N = typename Case::N;
     using L = typename N::L;
-    /// Fragments that may be held between two groups.
+    /// `most` fragments may be held when a group is added; `size` is the room for them.
     static constexpr std::int32_t most = 120, size = most + 16;
     using Values = std::uint16_t[size];
 

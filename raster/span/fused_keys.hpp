@@ -123,7 +123,7 @@ inline constexpr Among spans_with_depth = among_spans([](const Key&k) { return n
                        spans_of_full = among_spans([](const Key&k) { return k.kind == Kind::full; }),
                        spans_with_coordinates =
                            among_spans([](const Key&k) { return k.unit[0].on || k.second_unit() || k.fog; });
-/// Fused spans with fog have loops for gray colours.
+/// Whether `run` reads Span::gray: fused spans with fog have loops of their own for gray colours.
 inline constexpr Among spans_by_gray = {has_fog, false};
 inline constexpr bool spans_are_raw =
                           among_spans([](const Key&k) { return k.number == Number::raw565; }).some,

@@ -18,7 +18,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 struct FusedSpan {
     Key key;
     RowsFunction<Fixed> run;
-    bool gray;                  ///< Variant::gray
+    bool gray;                  ///< as Variant::gray
     PathFunction walk;          ///< null: paths are drawn as rows
     const Shapes* shapes;       ///< null: all is drawn as rows
     bool guesses;               ///< colours are guessed (Span::guess)

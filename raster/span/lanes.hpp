@@ -135,7 +135,7 @@ template <> struct Lanes<8> {
                    [](const auto& w) __attribute__((always_inline)) {
                        using Vector = std::remove_cvref_t<decltype(w)>;
                        const auto s = lane_words::as_signed(w);
-                       // 16 ones are left of the shift.
+                       // Where v is too large, all ones leave 16 ones after the shift.
                        const auto over = std::bit_cast<Vector>(s > (1 << 24) - 1);
                        return (std::bit_cast<Vector>(s & ~(s >> 31)) | over) >> 8;
                    },
@@ -310,7 +310,7 @@ template <> struct Lanes<8> {
     }
     /// Byte `n` of every lane.
     SPANGLE_INLINE static U16 byte(const U32& v, int n) {
-        // The half-word that holds byte `n` and its neighbour.
+        // This half-word holds byte `n` and one other byte.
         const U16 two = n < 2 ? low_half(v) : high_half(v);
         return n % 2 == 0 ? two & 0xFF : two >> 8;
     }

@@ -13,7 +13,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 SPANGLE_RUN_CALL inline std::int32_t log2_fraction8(std::uint64_t v) {
     v = v == 0 ? 1 : v;
     const int zeros = numeric::clz64(v);
-    const std::uint32_t mantissa = numeric::high_word_before(v, zeros); // [2^31, 2^32)
+    const std::uint32_t mantissa = numeric::high_word_before(v, zeros); // in [2^31, 2^32)
     // log2(1 + x) = x + x (1 - x) (0.4227 - 0.1587 x), within 0.0009.
     const std::uint32_t x = (mantissa << 1) >> 16; // 16 fraction bits
     const std::uint32_t bulge = (x * (65536 - x)) >> 16;

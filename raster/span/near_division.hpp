@@ -27,9 +27,9 @@ struct Patch {
 /// One quotient. What NearInverse::of(), or NearWords::of(), gives is at most the true quotient, which is
 /// less than `window` more.
 struct NearQuotient {
-    Interpolant<std::uint32_t> d; ///< 16 fraction bits
+    Interpolant<std::uint32_t> d; ///< the plane of d, with 16 fraction bits
     std::int32_t base = 0;        ///< A, a whole number
-    /// What the quotient may be too small by, in the fraction bits of the products.
+    /// The guess is too small by less than this; it has the fraction bits of the products.
     std::uint32_t window = 0;
 
     /// Limits for what of() adds to the base, so that the sum is in [0, most]. The base is at least -(2^15 -
@@ -220,7 +220,7 @@ template <class Products> class NearDivisionOf {
 
     const Patch& patch_;
     std::int32_t column_, row_;
-    const FixedVertex* const (&vertices_)[3]; ///< of the primitive
+    const FixedVertex* const (&vertices_)[3]; ///< vertices of the primitive
     int zeros_ = 1;
     std::uint32_t mantissa_ = 0;
     std::uint32_t inaccuracy_ = 0; ///< of 1/q, in the unit of Products::inaccuracy()

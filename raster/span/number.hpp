@@ -63,7 +63,7 @@ SPANGLE_INLINE std::uint32_t color_in_near_steps(std::uint32_t c, int component)
 }
 /// A colour counted in steps as by exact_steps, but for up to 2^-12 of a 255th too much.
 SPANGLE_INLINE std::uint32_t color_in_guessed_steps(std::uint32_t c, int component) {
-    const auto rest = numeric::kept_in_register(component == 1 ? 771u : 1799u); // of 2^16
+    const auto rest = numeric::kept_in_register(component == 1 ? 771u : 1799u); // parts of 2^16
     return c - ((c >> 8) * rest >> 8);
 }
 
@@ -90,11 +90,11 @@ struct Exact {
     /// for (weighted()).
     SPANGLE_INLINE static constexpr T texel5(L::U16 k) { return texels5.at[k]; }
     SPANGLE_INLINE static constexpr T texel6(L::U16 k) { return texels6.at[k]; }
-    /// A constant in colour units (vertex.hpp).
+    /// The component of a constant in colour units (vertex.hpp).
     SPANGLE_INLINE static T from_units(std::uint32_t c) { return c; }
     /// A component of an interpolated colour of a span (8.24).
     SPANGLE_INLINE static T from_affine(L::U32 v) {
-        // Set-up added it; a value that rounding took below it is 0.
+        // Set-up added this bias; a value that rounding took below it counts as 0.
         constexpr std::uint32_t bias = 1u << 15;
         const std::uint32_t c = v < bias ? 0 : (v - bias) >> (24 - color_fraction_bits);
         return c < one ? c : one;
@@ -189,7 +189,7 @@ template <int Count> struct Balanced {
     SPANGLE_INLINE static constexpr T from6(T k) {
         if constexpr (Count == 1)
             return k * 1036 + (k >> 3);
-        // 12 / 2^10 of it are added; compilers make seven instructions of the product above.
+        // 12 / 2^10 of `top` are added: compilers would make seven instructions of the product above.
         const T top = k << 10;
         return top + L::mul_high(top, L::splat(12u << 6)) + (top >> 13);
     }
@@ -243,7 +243,7 @@ template <int Count> struct Balanced {
         // The whole product is taken: 1 and the last threshold stay below 2^32.
         if constexpr (Count == 1) {
             std::uint32_t factor = step_scale(Bits);
-            // Thumb: not the sum of shifts that it makes of a constant.
+            // Thumb compilers would make a sum of shifts of a constant factor.
             if constexpr (!numeric::long_products)
                 factor = numeric::kept_in_register(factor);
             // All components use one mask of thresholds.

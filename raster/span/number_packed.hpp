@@ -50,7 +50,7 @@ struct Packed {
         Sums x(s, under);
         x.rb += ((x.rb + 0x00800080) >> 8) & 0x00FF00FF;
         x.g += (x.g + 0x80) >> 8;
-        const std::uint32_t five = numeric::factor32(t.five); // read once
+        const std::uint32_t five = numeric::factor32(t.five); // the threshold is read once
         return ((x.rb & 0xFFFF) * by5 + five) >> 27 << 11 | (x.g * by6 + (five >> 1)) >> 26 << 5 |
                ((x.rb >> 16) * by5 + five) >> 27;
     }
@@ -162,7 +162,8 @@ struct PackedCoarse : Packed {
         const std::uint32_t source = numeric::bit_field<19, 5>(s.word) | r << 11 | g << 21;
         const std::uint32_t stored = both & components;
         constexpr std::uint32_t halves = 16u << 21 | 16u << 11 | 16u;
-        const std::uint32_t sum = (stored + (((source - stored) * a + halves) >> 5)) & components; // mod 2^27
+        const std::uint32_t sum =
+            (stored + (((source - stored) * a + halves) >> 5)) & components; // the sum is mod 2^27
         return (sum | sum >> 16) & 0xFFFF;
     }
 

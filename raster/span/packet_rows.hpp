@@ -22,7 +22,7 @@ struct RowRuns {
         std::int32_t number;               ///< number of the group of eight rows; -1: none
         alignas(32) std::uint32_t log2[8]; ///< log2 of the length of runs in each row
     };
-    /// The last two groups: packets of one group alternate with packets of the next.
+    /// The last two groups of each unit: packets of one group may alternate with packets of the next.
     Group known[max_texture_units][2];
 
     RowRuns(const Row* of, std::int32_t n) : rows(of), count(n) {

@@ -60,7 +60,7 @@ template <class N> class SharedRows {
     void together() {
         const Span<Fixed>& span = rows_.span;
         const DrawState& state = *span.state;
-        // For stages that look along a row before they ask for places.
+        // Some stages look along a row before they ask for places.
         enter(rows_.span, rows_.piece[0].row);
         Packet<N> k;
         k.rows = &rows_;

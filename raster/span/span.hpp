@@ -114,8 +114,8 @@ template <class P> struct Span {
     [[no_unique_address]] std::conditional_t<!all && has_format(DepthFormat::z24s8),
                                              Interpolant<std::uint64_t>, Absent>
         z24;
-    Affine color_value[4];         ///< RGBA
-    Affine secondary[secondaries]; ///< RGB
+    Affine color_value[4];         ///< planes of R, G, B and A
+    Affine secondary[secondaries]; ///< planes of R, G and B
     Affine fog;
     bool
         fog_inside; ///< the fog coordinates of all fragments lie in [0, 1) (known only where there are lanes)

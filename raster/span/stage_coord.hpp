@@ -96,7 +96,7 @@ template <bool Cubic> struct CoordWalk {
         const auto down = static_cast<std::int32_t>(slope());
         if (straight() && down == 0) // sprites are decided without a product
             return true;
-        // Most fail here, before the long product.
+        // Most coordinates fail here, before the long product.
         return straight() && at >> shift == straight_ahead(n) >> shift &&
                numeric::mul_u32(numeric::abs_u32(down), n) < 1u << 31;
     }

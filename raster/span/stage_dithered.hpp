@@ -57,7 +57,7 @@ template <int Count, class Fractions> struct GouraudTops : Gouraud<Raw565<Count>
 
     template <class S> SPANGLE_INLINE GouraudTops(const S& s, std::int32_t x) : Base(s, x), fractions(s, x) {}
     SPANGLE_INLINE typename N::Tops tops(const Px<N>& p) const {
-        // Sums made before the depth test, and its code, would take registers.
+        // The sums are not made before the depth test, because they would take its registers.
         if constexpr (dithers && Count == 1)
             numeric::begin_here();
         const typename N::Tops v = N::tops(this->r.at, this->g.at, this->b.at);

@@ -199,7 +199,7 @@ template <class T, int Unit> class NearestDivided : public T {
 
   private:
     GuardedRamp s_, t_;
-    /// Shift besides the zeros of 1/w; largest shift at which the low word does not count.
+    /// `up_` is the shift without the zeros of 1/w; at shifts of up to `most_` the low word does not count.
     int up_, most_;
     std::uint32_t width_, bias_[2];
 

@@ -118,7 +118,7 @@ template <class N> class PacketDivided {
             numeric::Reciprocals<lanes> mantissa(numeric::each_is_set);
             for (std::int32_t i = first; i < first + lanes; ++i) {
                 const std::int32_t value = unguarded(plane.at(i));
-                // As in Inverse.
+                // This is what Inverse does.
                 const std::uint32_t q = value > 0 ? static_cast<std::uint32_t>(value) : 1u;
                 const int zeros = numeric::clz32(q);
                 mantissa.set(i - first, q << zeros);

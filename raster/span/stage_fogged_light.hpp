@@ -78,7 +78,7 @@ class FoggedTexel {
         : g_(fog.g), r_(fog.r), b_(fog.b) {}
 
     SPANGLE_INLINE static std::uint32_t joined_high(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
-        // Made in the high half-word, which a swap of bytes moves to the low one.
+        // The word is made in the high half, which a swap of bytes moves to the low half.
         if constexpr (numeric::inserts_bits) {
             const std::uint32_t high = numeric::with_bits<16, 5>((r & 0xF8000000) | g >> 5, b >> 27);
             return Words::swaps ? __builtin_bswap32(high) : high >> 16;
@@ -166,7 +166,7 @@ template <PixelFormat Format, bool Is565, bool Dither> class FoggedLightStore : 
     using Thresholds =
         std::conditional_t<Dither, inner::NumberedThresholds<Texel::threshold_bits>, inner::NoThreshold>;
     Texel texel_;
-    /// From the fragment on at which the list starts to count.
+    /// The thresholds from the fragment on at which the list starts to count.
     [[no_unique_address]] Thresholds thresholds_;
 };
 

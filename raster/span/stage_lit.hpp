@@ -64,7 +64,7 @@ template <bool Full, bool Gray, bool Fog, class Products = NearHalves> struct Li
     }
 
   private:
-    /// Larger images leave few bits within a texel.
+    /// Images larger than 2^most_log2_size leave few bits within a texel.
     static constexpr int usual_fog = 6, most_log2_size = 10;
 
     /// Limits a base. Where even least() or largest() leaves the sum beyond 0 and 1, the limited base does

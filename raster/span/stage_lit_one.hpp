@@ -36,7 +36,7 @@ template <class Products> struct LitNumbers;
 
 /// Light has the bits of the exact tier.
 template <> struct LitNumbers<NearWords> {
-    static constexpr int top = 30; ///< where components end
+    static constexpr int top = 30; ///< components end below this bit
     SPANGLE_INLINE static std::uint32_t affine(std::uint32_t v) { return v >> 2; }
     SPANGLE_INLINE static std::uint32_t fog(std::int32_t v) { return numeric::saturated_after<0, 30>(v); }
     SPANGLE_INLINE static std::uint32_t rest(std::uint32_t f) { return (1u << 30) - f; }
@@ -50,7 +50,7 @@ template <> struct LitNumbers<NearWords> {
         return numeric::mul_high_u32(share, static_cast<std::uint32_t>(scale));
     }
     template <std::uint32_t Whole> SPANGLE_INLINE static std::uint32_t fog_color(std::uint32_t units) {
-        constexpr std::uint64_t scale = (std::uint64_t{Whole} << 31) / color_one; // below 8
+        constexpr std::uint64_t scale = (std::uint64_t{Whole} << 31) / color_one; // the scale is below 8
         return static_cast<std::uint32_t>(numeric::mul_u32(units, static_cast<std::uint32_t>(scale >> 2)) >>
                                           27);
     }
@@ -138,7 +138,7 @@ template <class Products> class LitAxisOne {
     }
 
   private:
-    /// Top bits of a word, which hold whole repeats.
+    /// The top bits of a word, which hold whole repeats and are shifted out.
     static constexpr int unused_bits = 16 - Products::fraction_bits;
     /// The size of an axis: as a factor, or as two shifts.
     struct Factor {

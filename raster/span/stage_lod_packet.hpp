@@ -46,7 +46,7 @@ class LevelLanes {
         std::int32_t dx, dy; ///< from pixel to pixel, and from row to row
     };
     Slopes s_, t_, q_;
-    bool line_;          ///< only s counts
+    bool line_;          ///< 1D textures: only s counts
     bool together_;      ///< both sides are powers of two: one logarithm serves both axes
     int up_;             ///< log2 of height / width
     std::int32_t u_, v_; ///< constants that are added to the logarithms

@@ -45,7 +45,7 @@ template <PixelFormat Format> class DitherLaneRows {
     inner::Half of_[4][12];
 };
 
-/// One colour for the whole primitive.
+/// Gives all fragments of the primitive one colour, as a word.
 template <int Count> struct FlatWord : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<Count>;
@@ -82,7 +82,7 @@ struct FlatDitheredRows : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<8>;
     N::T words{};
-    // Rows set the words by start().
+    // start() sets the words of each row.
     template <class S> SPANGLE_INLINE FlatDitheredRows(const S&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         p.color.word = words;

@@ -173,7 +173,7 @@ struct ReferenceSampler {
     using Color = Reference::Color;
     const Texture& texture;
 
-    unsigned face = 0; ///< of a cube map
+    unsigned face = 0; ///< face of a cube map
     double r = 0;      ///< third coordinate of a volume, or the value that depths are compared with
 
     Color sample(double s, double t, std::int32_t lod8) const {

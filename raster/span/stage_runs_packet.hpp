@@ -39,7 +39,7 @@ template <class Places> class PacketRuns {
     }
 
   private:
-    /// At most so many fragments of one row take longer in lanes.
+    /// Up to so many fragments of one row take longer in lanes than one by one.
     static constexpr std::int32_t short_row = 8;
 
     [[gnu::noinline]] static void run(Places& k, const Span<Fixed>& span, int unit) {
@@ -117,7 +117,7 @@ template <class Places> class PacketRuns {
         for (std::uint32_t left = open; left != 0; left &= left - 1) {
             const Part& part = part_[std::countr_zero(left)];
             std::uint32_t *const s = s_ + part.at + part.n, *const t = t_ + part.at + part.n;
-            // Ramps write there, too.
+            // Ramps also write behind the part, so that these groups are restored below.
             const auto behind_s = Lanes<8>::gather(s), behind_t = Lanes<8>::gather(t);
             put_runs(part);
             store(s, behind_s);
@@ -243,7 +243,7 @@ template <class Places> class PacketRuns {
             if (next <= limit) {
                 ds = static_cast<std::uint32_t>(by_s >> log2);
                 dt = static_cast<std::uint32_t>(by_t >> log2);
-            } else { // cut short by the end of the row
+            } else { // the end of the row cuts this run short
                 const Inverse length = inverse_of(limit - from);
                 ds = inner::slope(by_s, limit - from, length);
                 dt = inner::slope(by_t, limit - from, length);
@@ -294,7 +294,7 @@ template <class Places> class PacketRuns {
     const Span<Fixed>::Unit& unit_;
     const bool wraps_s_, wraps_t_;
     const int which_;
-    /// Log2 of the shortest runs; rows of up to short_length_ pixels have such runs.
+    /// log2 of the length of the shortest runs; rows of up to short_length_ pixels have runs of that length.
     const std::int32_t shortest_, short_length_;
     std::int32_t parts_ = 0, ends_ = 0;
     Part part_[packet_length];

@@ -244,7 +244,7 @@ struct TextureFixed : StageBase {
             return static_cast<Word>(Lanes<1>::load(texel));
         else if constexpr (Texels == TexelFormat::rgba8888)
             return texel_word<Texels>(
-                // TextureLevel aligns such texels.
+                // TextureLevel says that such texels are aligned.
                 static_cast<const std::uint8_t*>(__builtin_assume_aligned(texel, 4)));
         else
             return texel_word<Texels>(texel);

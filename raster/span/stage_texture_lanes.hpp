@@ -44,7 +44,7 @@ template <class N> class LaneTexture {
     /// Where the fragments of a packet look.
     struct Places {
         const std::uint32_t *s, *t;
-        std::int32_t group; ///< words from eight of them to the next eight
+        std::int32_t group; ///< words from the coordinates of eight fragments to those of the next eight
         const std::int32_t* lod;
         const std::uint32_t* r; ///< third coordinate in a volume
         const unsigned* face;   ///< face of a cube map

@@ -56,7 +56,7 @@ class VolumeCoords {
         VolumePlace place;
         place.face = cube ? face(s, t, r) : 0;
         const Planes q =
-            // The coordinate that the others are divided by.
+            // The other coordinates are divided by q.
             cube ? r : Planes(span_.at(x, at_.q), at_.q.dx, at_.q_dy);
         const Inverse inverse(positive(q.v));
         const int exponent = cube ? 0 : at_.exponent;

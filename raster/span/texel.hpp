@@ -233,7 +233,7 @@ inline std::int32_t wrapped_nearest(Wrap wrap, std::uint32_t s, int log2_size, s
     if (wrap == Wrap::repeat)
         return repeat_nearest(s, log2_size);
     const std::int32_t i = clamped_nearest(static_cast<std::int32_t>(s), log2_size);
-    // CLAMP limits to [0, 1].
+    // CLAMP limits coordinates to [0, 1], so its texels are those of CLAMP_TO_EDGE.
     return wrap_texel(wrap == Wrap::clamp ? Wrap::clamp_to_edge : wrap, i, size);
 }
 inline TexelIndex wrapped_linear(Wrap wrap, std::uint32_t s, int log2_size, std::int32_t size) {

@@ -60,7 +60,7 @@ class AxisLanes {
     U16 size_, last_;
 
     static constexpr std::uint32_t bias = 1u << (16 - nearest_bias_bits),
-                                   /// Nearest_bias and linear_origin, in 2^-16 texel.
+                                   /// These are nearest_bias() and linear_origin() in 2^-16 texel.
         origin = (1u << 15) - (1u << 7);
 
     SPANGLE_INLINE U32 place(const U32& v) const {
