@@ -32,7 +32,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// A chain to which stages are appended, of any number system.
+/// A chain of any number system to which stages are appended.
 class ChainEnd {
   protected:
     explicit ChainEnd(Variant& variant) : variant_(variant) {}
@@ -269,7 +269,8 @@ template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, c
         if (counts_steps(key))
             return chain.template add<StoreSteps<N, Format>>();
     constexpr bool only_merged =
-        is_fixed<N> && !has_shortcuts && !has_tier(Tier::fast); // it can do everything that the others do
+        // StoreMerged can do all that the other stores do.
+        is_fixed<N> && !has_shortcuts && !has_tier(Tier::fast);
     if (only_merged || key.masked || key.logic)
         chain.template add<StoreMerged<N, Format>>();
     if constexpr (!only_merged)
@@ -287,7 +288,7 @@ template <class N, PixelFormat... Format> void add_wide_output(ChainBuilder<N>& 
     (add.template operator()<Format>(), ...);
 }
 
-/// Whether colour is all there is to the fragments.
+/// Whether the fragments have nothing but a colour.
 constexpr bool only_color(const Key& key) {
     return key.kind == Kind::affine && key.color && !key.unit[0].on && !key.second_unit() && !key.color_sum &&
            !key.fog && key.alpha == Compare::always && !key.stencil && key.depth == Compare::always &&

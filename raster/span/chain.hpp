@@ -224,8 +224,8 @@ class PacketCopy {
     }
 };
 
-/// Runs a stage of one lane without looking who is alive until some fragment has died. Lanes are masked
-/// instead.
+/// Runs a stage. With one lane it looks which fragments are alive only after some fragment has died; lanes
+/// are masked instead.
 template <class M, class K, class S>
 SPANGLE_INLINE void run_asking(K& k, S& s, std::int32_t from, std::int32_t to, std::int32_t x0,
                                Outcome& outcome) {

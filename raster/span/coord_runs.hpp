@@ -95,7 +95,7 @@ struct RunBound {
     RunBound(const Span<Fixed>& span, int unit, const HomogeneousRow& row) {
         const std::int32_t s0 = row.s(0), t0 = row.t(0), q0 = row.q(0);
         const std::int32_t by = unguarded(row.dq);
-        // What the gradients lost below their last bit makes at most Q + |S| in N.
+        // N is off by at most Q + |S| because of what the gradients lost below their last bit.
         const auto numerator = [&](std::uint64_t dv, std::int32_t v) SPANGLE_RUN_LAMBDA {
             return numeric::abs_u64(numeric::mul_s32(unguarded(dv), q0) - numeric::mul_s32(v, by)) +
                    (std::uint64_t{1} << 31);
@@ -202,8 +202,8 @@ class CoordRuns {
             return false;
         const std::uint32_t least = first.q < last.q ? first.q : last.q,
                             range = first.q < last.q ? last.q - first.q : first.q - last.q;
-        // Half of the allowed error, so that four times that is 2^(1 - texel_bits). It does not matter where
-        // `asks` is false.
+        // Half of the allowed error, of which four times is 2^(1 - texel_bits). Where `asks` is false the
+        // value is unused.
         const int up = of_straight_tier<[](const Knobs& k) {
             return 33 - (1 << k.shortest_run < short_row ? k.texel_bits : balanced_knobs.texel_bits);
         }>(*span_->state);
@@ -258,7 +258,7 @@ class CoordRuns {
         last_.t = end.t;
     }
 
-  public: // for packets, which find several runs at once
+  public: // public for packets, which find several runs at once
     static constexpr std::int32_t short_row = 16;
     static constexpr int max_log2 = 6, row_log2 = 16; ///< log2 of 64 pixels; stands for the whole row
 

@@ -74,7 +74,7 @@ class DividedCoords {
 ///
 /// In one row u = S / Q has u' = N / Q^2 with N = dS Q - S dQ constant. So its difference D over a run of L
 /// pixels gives both slopes: L u' is D Q1 / Q0 at the start and D Q0 / Q1 at the end. Hermite's cubic through
-/// them is off by at most L^4 max |u''''| / 384, with u'''' = 24 N dQ^3 / Q^5. The length is the power of
+/// them is off by at most L^4 max |u''''| / 384, with |u''''| = 24 |N dQ^3 / Q^5|. The length is the power of
 /// two, chosen per span, that keeps this at most 2^-texel_bits texel of the base level (Knobs). In the exact
 /// tier that is 2^-13, which is what NEAREST leaves open by definition (nearest_bias_bits). A length of 1
 /// means one division per fragment. Where 1/w changes so little along the row that a straight line is as
@@ -173,8 +173,9 @@ class CubicRuns {
         return next_;
     }
 
-    /// The differences of a + b + c per L pixels, where a = D (1 + e0), b = D (e1 - 2 e0), c = D (e0 - e1):
-    /// the cubic with slopes D (1 + e0) and D / (1 + e0) = D (1 - e1).
+    /// Forward differences of the cubic a x + b x^2 + c x^3, where x counts runs of L pixels: a = D (1 + e0),
+    /// b = D (e1 - 2 e0), c = D (e0 - e1). Its slopes at the ends are D (1 + e0) and D / (1 + e0) = D (1 -
+    /// e1).
     Differences through(std::int64_t d, std::int32_t e0, std::int32_t e1) const {
         const std::int64_t d0 = d * e0 >> ratio_bits, d1 = d * e1 >> ratio_bits;
         const std::int64_t length = std::uint32_t{1}

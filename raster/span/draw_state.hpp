@@ -120,7 +120,7 @@ struct FogConstants {
 /// A tolerance of colours that allows any error: colours are always affine then.
 inline constexpr std::uint32_t any_color_tolerance = UINT32_MAX;
 
-struct Recorder; // raster/primitive/keep.hpp
+struct Recorder; // defined in raster/primitive/keep.hpp
 
 struct DrawState {
     [[gnu::noinline]] DrawState() = default; ///< not inline, because it is long
@@ -130,7 +130,7 @@ struct DrawState {
     Needs needs;
     /// Some attribute is neither a colour nor a depth.
     Flag<spans_with_coordinates> textured_or_fogged = false;
-    bool smooth_rgb = false; ///< attributes are smooth red, green and blue, and depth
+    bool smooth_rgb = false; ///< the only attributes are smooth red, green and blue, and depth
     bool shapes = false;     ///< some variant draws shapes (Shapes)
     bool tiles = false;      ///< some variant draws tiles
     bool pixels = false;     ///< colours come with the fragments, as four components in colour units
@@ -180,8 +180,8 @@ struct DrawState {
     /// none is drawn here and now (Recorder).
     bool nothing = false;
 #if SPANGLE_FEATURE_BANDS
-    /// Is told of every primitive. `nothing` is set then, so that drawing looks at `nothing` alone in the
-    /// common case.
+    /// Is told of every primitive. `nothing` is set then, so that drawing asks for this pointer only where
+    /// `nothing` is set.
     Recorder* recorder = nullptr;
     bool draws_too = false; ///< the surface gets the recorded primitives as well
 #endif
@@ -199,7 +199,7 @@ template <class V> DrawState compile(const FragmentState& fragment, const Surfac
 /// former contents of `draw` do not matter. Returns key_of_any_kind().
 Key prepare(DrawState& draw, const FragmentState& fragment, const Surface& target);
 
-/// Follows a change of the scissor rectangle in the fragment state of `draw`.
+/// Follows a change of the scissor rectangle in the fragment state of `draw`: finds `paths` again.
 void scissor_changed(DrawState& draw, const Surface& target);
 
 /// The function that runs the chain of a number system of the fixed policy along rows; `narrow`: on a narrow

@@ -46,12 +46,12 @@ template <int Bits> struct StoredSteps {
 };
 template <int Bits> inline constexpr StoredSteps<Bits> stored_steps;
 
-/// Steps from n / 2^(Bits + 2) rounded down: least() is at most the number of steps, with 15 - Bits fraction
-/// bits, and the true number is at most `range` units more. Nothing is rounded up: the chain's results lie
-/// between both.
+/// Guesses steps from n / 2^(Bits + 2) rounded down. least() has 15 - Bits fraction bits; the true number of
+/// steps is at least that, and at most `range` of its units more. Nothing is rounded up, so that numbers that
+/// are left to the chain lie between both.
 template <int Bits> struct GuessedSteps {
     static constexpr std::uint32_t most = (1u << Bits) - 1, range = 4;
-    /// `factor` converts a quarter of that n, in 2^-16; `half_unit` is half a unit.
+    /// `factor` is that of a quarter of this n, in 2^-16; `half_unit` is half a 255th.
     static constexpr std::uint32_t factor = (color_one >> (13 - Bits)) / most,
                                    half_unit = (most << (15 - Bits)) / 255;
     template <class U16> SPANGLE_INLINE static U16 least(const U16& n) {
@@ -61,7 +61,7 @@ template <int Bits> struct GuessedSteps {
 
 } // namespace inner
 
-/// The word that truncated565() or dithered565() makes of a color from bilinear() of the exact tier.
+/// The word that truncated565() or dithered565() makes of a colour that bilinear() of the exact tier makes.
 template <int Count> struct FilterWords;
 
 template <> struct FilterWords<1> {
@@ -77,8 +77,9 @@ template <> struct FilterWords<1> {
             return added(c00, c10, c01, c11, a, b);
         return inner::stored_steps<5>.at(n.r) << 11 | g << 5 | inner::stored_steps<5>.at(n.b);
     }
-    /// The dithered word. Sums n are steps with 16 fraction bits. The chain's sum is never less, and less
-    /// than 2^-20 of a step more, so n decides. A sum with the threshold that is a whole step is that step.
+    /// The dithered word. The sums n are steps with 16 fraction bits. The sum of the chain is at least n, and
+    /// less than 2^-20 of a step more, so n decides. Where n and the threshold add up to a whole step, that
+    /// step is stored.
     SPANGLE_INLINE std::uint32_t operator()(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01,
                                             std::uint32_t c11, std::uint32_t a,
                                             std::uint32_t threshold32) const {

@@ -16,8 +16,8 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// True where loops along rows of texels count one index in bytes. Elsewhere pointers are better, because no
-/// registers are left for addresses that are sums of two.
+/// True where loops along rows of texels count one index in bytes. Elsewhere pointers are better, because
+/// registers are lacking for addresses that are sums of two.
 template <class N>
 inline constexpr bool walks_bytes = !numeric::three_operands && std::is_same_v<N, PackedCoarse>;
 
@@ -335,7 +335,7 @@ SPANGLE_INLINE bool gathered_rows([[maybe_unused]] Span<Fixed>& span, [[maybe_un
     return false;
 }
 
-/// Draws rows that patches do not serve: one function for all callers.
+/// Draws rows that patches do not serve, out of line: one copy of the loop serves all callers.
 template <class Case>
 [[gnu::noinline]] void fused_patchless_rows(Span<Fixed>& span, const Row* row, const Row* end) {
     fused_narrow_rows<Case>(span, row, end);
@@ -430,8 +430,8 @@ SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i,
                 at += aside;
             }
         } else {
-            rest += rise - denominator;               // 0 <= rest < denominator holds here
-            const std::int32_t straight = rest >> 31; // all ones: no step aside yet
+            rest += rise - denominator;               // as 0 <= rest < denominator holds in this branch
+            const std::int32_t straight = rest >> 31; // all ones where the path does not step aside
             rest += denominator & straight;
             at += along + (aside & ~static_cast<std::uint32_t>(straight));
         }
@@ -490,7 +490,7 @@ template <class Case>
         const int together = paths.one_color ? count : 1;
         for (int first = 0; first < count; first += together) {
             cells.make(static_cast<std::uint32_t>(paths.at(Paths::flat, first)), target.color_stride / 2);
-            for (int left = together, i = first; left > 0; --left, ++i) // one bound of the loop, not two
+            for (int left = together, i = first; left > 0; --left, ++i) // the loop has one bound, not two
                 walk(i);
         }
     } else {

@@ -60,7 +60,7 @@ constexpr bool filters_words(const Key& key) {
                UnitKey{true, false, TexelFormat::rgb565, BaseFormat::rgb, Filter::linear, TexEnv::replace};
 }
 
-/// The functions that draw the tiles and the trapezoids of a case.
+/// The functions that draw the tiles and the trapezoids of a case, or its trapezoids only.
 template <class Case> inline constexpr Shapes shapes_of = {&fused_tile<Case>, &fused_trapezoids<Case>};
 template <void (*Draw)(Span<Fixed>&, const Trapezoids&)>
 inline constexpr Shapes trapezoids_of = {nullptr, Draw};
@@ -73,7 +73,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     template <class N>
     using Image = TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env,
                                counts_steps(K)>;
-    /// The form in which texels are loaded that light is multiplied by.
+    /// The form in which texels are loaded that light is multiplied by (MODULATE).
     static constexpr bool words_565 = K.unit[0].texels == TexelFormat::rgb565,
                           loads_rgb = words_565 || K.unit[0].texels == TexelFormat::rgb888;
     static constexpr bool raw = K.number == Number::raw565 || is_guessed(K) || filters_words(K),
@@ -101,7 +101,8 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static constexpr bool lit = exact && divided && textured && K.unit[0].filter == Filter::nearest &&
                                 K.unit[0].env == TexEnv::modulate && loads_rgb && K.color && !K.color_alpha &&
                                 !K.blend && is_565(K.format) && !Apart;
-    /// Whether such fragments have no loop of one lane with long products, but use products of halves.
+    /// Whether such fragments are drawn by products of half-words in the loop of one lane, for lack of long
+    /// products.
     static constexpr bool halved = lit && !numeric::long_products;
 
     static constexpr bool tested = K.depth != Compare::always || K.depth_write;
@@ -261,7 +262,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         return true;
     }
 
-    /// fogged: the case has only a loop of its own (fused_fogged.hpp).
+    /// fogged: the case is drawn by a loop of its own (fused_fogged.hpp).
     static constexpr bool fogged = numeric::long_products && stores_light<1> && K.kind == Kind::affine &&
                                    !K.color_alpha && K.unit[0].texels == TexelFormat::rgb565,
                           gray = Gray;
@@ -391,7 +392,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
 
   private:
     template <bool Chained> static void run_apart(Span<Fixed>& span, const Row* row, const Row* end) {
-        if (splits_gray && span.gray) { // copies the one plane that there is
+        if (splits_gray && span.gray) { // all three take the one plane that exists
             const auto copy = [](auto& planes) { planes[1] = planes[2] = planes[0]; };
             copy(span.color_value);
             copy(span.color_q);

@@ -57,7 +57,7 @@ template <class Case> class FoggedRows {
             const std::uint32_t z16 = z >> 16;
             if (test(depth + i, z16)) {
                 std::uint32_t word;
-                if constexpr (dithers) { // in the order that takes the fewest registers
+                if constexpr (dithers) { // this order takes the fewest registers
                     std::uint32_t at = texel(s, t);
                     const std::uint32_t f = numeric::later(N::clamped_fraction(fog), at);
                     typename Combine::Shares shares = combine_.shares(f, thresholds_[i >> 1 & 3]);

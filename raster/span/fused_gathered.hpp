@@ -27,8 +27,8 @@ template <class Case> class GatheredPacket {
     SPANGLE_INLINE static void store(Values& to, std::ptrdiff_t i, const typename L::U16& v) {
         __builtin_memcpy(to + i, &v, 16);
     }
-    /// A group of eight fragments of the packet, `first` being the number of its first: live lanes and their
-    /// address.
+    /// A group of eight lanes in the packet: which live, where they are stored, and the number of its first
+    /// fragment.
     struct Group {
         typename L::Mask live;
         std::uint8_t* color;

@@ -54,7 +54,7 @@ SPANGLE_INLINE void each_group(List& list, Px<N>& p, At& at, const Surface& targ
     }
 }
 
-/// The mask of the first n lanes, 0 < n < 2^15; all lanes where n is 8 or more.
+/// The mask of the first n lanes, 0 < n < 2^15; n of 8 or more gives all lanes.
 SPANGLE_INLINE Lanes<8>::Mask first_lanes(std::int32_t n) {
     using L = Lanes<8>;
     return L::less_signed(L::offsets16(L::splat(1), L::splat(0)), L::splat(static_cast<std::uint32_t>(n)));
@@ -89,8 +89,8 @@ template <class Case> SPANGLE_INLINE RowPlace row_of(const Surface& target, std:
             Case::tested ? target.depth + std::ptrdiff_t{y} * target.depth_stride : nullptr};
 }
 
-/// A row as stages of depth and colours see it. Its planes are copies that stay in registers: a store of
-/// pixels may change any memory.
+/// A row as stages of depth and colours see it. It holds copies of planes, which stay in registers: a store
+/// of pixels might change the originals.
 struct PlainRow {
     Span<Fixed>& planes;
     std::uint8_t *color, *depth;

@@ -1,5 +1,5 @@
-// The words in which a table of fused spans is written. Also what none of a build's spans looks at, or all of
-// them do: where there is no chain, the compiler then knows it, too.
+// The words in which a table of fused spans is written. The list also says which features none, or all, of a
+// build's spans use: where there is no chain, the compiler then knows it.
 #pragma once
 
 #include <type_traits>
@@ -85,7 +85,7 @@ constexpr Say fine_bent = bent.cubic();
 namespace fused_list {
 
 #ifdef SPANGLE_FUSED
-inline constexpr bool is_all = !has_chain; // no other key is drawn
+inline constexpr bool is_all = !has_chain; // true: this build draws no key that is not listed
 #else
 inline constexpr bool is_all = false;
 #define SPANGLE_FUSED "raster/span/fused_list.inc"

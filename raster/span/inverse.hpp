@@ -9,8 +9,8 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// 1 / q at a fragment, q the 30-bit value of a projective interpolant; q <= 0 (outside of GL's domain)
-/// counts as the least positive one.
+/// 1 / q at a fragment, where q is the 30-bit value of a projective plane. q <= 0 (outside of GL's domain)
+/// counts as the least positive value.
 struct Inverse {
     std::uint32_t q;
     std::uint32_t mantissa; ///< 1/q = mantissa * 2^(zeros - 62)

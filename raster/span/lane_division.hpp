@@ -62,7 +62,7 @@ template <class Vector> struct LongPair {
     SPANGLE_INLINE Vector low_words() const {
         return std::bit_cast<Vector>((even & 0xFFFFFFFFu) | (odd << 32));
     }
-    /// Each word as numeric::saturate_i32() makes it.
+    /// Each word limited to 32 bits, as numeric::saturate_i32() does.
     SPANGLE_INLINE LongPair saturated() const {
         const auto one = [](const Long& v) __attribute__((always_inline)) {
             using Signed [[gnu::vector_size(sizeof(Vector))]] = std::int64_t;
@@ -79,7 +79,8 @@ template <class Vector> struct LongPair {
     SPANGLE_INLINE static Vector even_words(const Vector& v) {
         return std::bit_cast<Vector>(std::bit_cast<Long>(v) & 0xFFFFFFFFu);
     }
-    /// Shifts to the right, or to the left. Either one of both numbers is negative, or both are 0.
+    /// Shifts v to the right or to the left: one of both numbers is negative and counts as no shift, or both
+    /// are 0.
     SPANGLE_INLINE static Long shifted(const Long& v, const Vector& right, const Vector& left) {
         const auto r = std::bit_cast<Long>(right), l = std::bit_cast<Long>(left);
         return (whole(v ^ sign, r, false) - whole(Long{} + sign, r, false)) | whole(v, l, true);
@@ -112,7 +113,8 @@ template <class Vector, class Floats> SPANGLE_INLINE Vector to_words(const Float
 template <class Vector> SPANGLE_INLINE Vector lane_reciprocals(const Vector& a) {
     using Long = Longs<Vector>;
     // The table of reciprocal() holds 2^25 / n to nearest, n = 513 + 2i. A quotient of floats is that number
-    // or one too small, in every mode of rounding. Twice the rest of the division tells which.
+    // or one too small, in every mode of rounding. Twice the rest of the division tells which of the two it
+    // is.
     const Vector n = (a >> 22) | 1u;
     const auto near = to_words<Vector>(static_cast<float>(1u << 25) / to_floats(n));
     const Vector rest = ((1u << 26) + n) - near * n * 2u;

@@ -30,7 +30,7 @@ template <class Vector> SPANGLE_INLINE auto as_signed(const Vector& v) {
 template <class Vector> SPANGLE_INLINE Vector is_less(const Vector& a, const Vector& b) {
     return std::bit_cast<Vector>(as_signed(a) < as_signed(b));
 }
-// The loops below are what compilers make one instruction of, where the instruction set has it.
+// Compilers make one instruction of each of the loops below, where the instruction set has it.
 
 /// min(a, b) of signed numbers.
 template <class Vector> SPANGLE_INLINE Vector smaller(const Vector& a, const Vector& b) {

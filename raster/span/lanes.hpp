@@ -43,7 +43,7 @@ template <> struct Lanes<1> {
     SPANGLE_INLINE static U32 splat32(std::uint32_t v) { return v; }
     /// One word per lane: start, start + step, and so on.
     SPANGLE_INLINE static U32 ramp(std::uint32_t start, std::uint32_t) { return start; }
-    /// What a plane has in each lane more than in the first lane.
+    /// The difference of a plane between each lane and the first lane.
     SPANGLE_INLINE static U32 offsets(std::uint32_t, std::uint32_t) { return 0; }
     SPANGLE_INLINE static U16 high_half(U32 v) { return v >> 16; }
     SPANGLE_INLINE static U16 low_half(U32 v) { return v & 0xFFFF; }

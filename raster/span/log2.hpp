@@ -23,9 +23,9 @@ SPANGLE_RUN_CALL inline std::int32_t log2_fraction8(std::uint64_t v) {
     return ((63 - zeros) << 8) + ((fraction + 128) >> 8);
 }
 
-/// Lambda with 8 fraction bits, from up to four logarithms that together are off by less than 3/256. A lambda
-/// within 3/256 of 0 is 0 by definition, in every policy: an image drawn one texel to a pixel takes nothing
-/// of its next level.
+/// Lambda with 8 fraction bits, from the sum of up to four logarithms, which together are off by less than
+/// 3/256. A lambda within 3/256 of 0 is 0 by definition, in every policy: an image drawn one texel to a pixel
+/// takes nothing of its next level.
 SPANGLE_INLINE constexpr std::int32_t level_of_detail(std::int32_t sum) {
     constexpr std::int32_t lost = 3;
     return sum < -lost || sum > lost ? sum : 0;

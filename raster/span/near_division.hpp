@@ -24,8 +24,8 @@ struct Patch {
     static constexpr std::int32_t most_columns = 128, most_rows = 16;
 };
 
-/// One quotient. What NearInverse::of(), or NearWords::of(), gives is at most the true quotient, which is
-/// less than `window` more.
+/// One quotient. The guess of NearInverse::of(), or NearWords::of(), is at most the true quotient, which is
+/// less than `window` above it.
 struct NearQuotient {
     Interpolant<std::uint32_t> d; ///< the plane of d, with 16 fraction bits
     std::int32_t base = 0;        ///< A, a whole number
@@ -63,7 +63,7 @@ struct NearHalves {
     /// The window of a quotient that is off by `off`. Lanes round d down twice and its product once, which
     /// makes up to 3.
     SPANGLE_INLINE static std::uint32_t window(std::uint32_t off) { return ((2 * off + 0xFFFF) >> 16) + 3; }
-    /// NearInverse for one fragment.
+    /// Makes u + u^2 + u^3 for one fragment, as NearInverse does for eight.
     SPANGLE_INLINE static std::int32_t inverse(std::uint32_t plane) {
         const std::int32_t u = static_cast<std::int32_t>(plane) >> 16;
         return u + (u * (u + (u * u >> 16)) >> 16);
@@ -77,8 +77,8 @@ struct NearHalves {
 /// Products of 32 bits, for one fragment at a time.
 struct NearWords {
     static constexpr int fraction_bits = 14;
-    /// The inaccuracy of 1/q in 2^-32. The plane of u is off by less than 2^8 over a patch, by which 1/q is
-    /// off a third more. The powers of u are rounded down once each, and the sum to 30 bits.
+    /// The inaccuracy of 1/q in 2^-32. Over a patch the plane of u is off by less than 2^8, and 1/q by a
+    /// third more. The powers of u are rounded down once each, and the sum is rounded to 30 bits.
     SPANGLE_INLINE static std::uint32_t inaccuracy(std::uint32_t most) {
         const std::uint32_t square = numeric::mul_high_u32(most, most) + 1,
                             fourth = numeric::mul_high_u32(square, square) + 1;
@@ -86,7 +86,7 @@ struct NearWords {
     }
     SPANGLE_INLINE static std::uint32_t of_quotient(std::uint32_t size, std::uint32_t inaccuracy) {
         return static_cast<std::uint32_t>(numeric::mul_u32(size, inaccuracy) >> 16) + 1 +
-               (1u << (16 - fraction_bits)); // for what of() drops
+               (1u << (16 - fraction_bits)); // what of() drops
     }
     SPANGLE_INLINE static std::uint32_t window(std::uint32_t off) { return (2 * off >> 2) + 3; }
     /// 1 + u + u^2 + u^3 with 30 fraction bits.
@@ -223,7 +223,7 @@ template <class Products> class NearDivisionOf {
     const FixedVertex* const (&vertices_)[3]; ///< vertices of the primitive
     int zeros_ = 1;
     std::uint32_t mantissa_ = 0;
-    std::uint32_t inaccuracy_ = 0; ///< of 1/q, in the unit of Products::inaccuracy()
+    std::uint32_t inaccuracy_ = 0; ///< inaccuracy of 1/q, in the unit of Products::inaccuracy()
 };
 using NearDivision = NearDivisionOf<NearHalves>;
 
@@ -250,7 +250,7 @@ template <int Count> class NearPlanes : public RowPlanes<Count> {
     }
 
   private:
-    /// Sets what a plane has in each lane more than in the first lane, whole parts.
+    /// Sets, in whole parts, the difference of each plane between each lane and the first lane.
     template <int... I> SPANGLE_INLINE void set_offsets(std::integer_sequence<int, I...>) {
         const L::U16 columns = L::offsets16(L::splat(1), L::splat(0));
         const auto offset = [&](auto whole, auto fraction) __attribute__((always_inline)) {
@@ -269,7 +269,7 @@ class NearInverse {
     using L = Lanes<8>;
     SPANGLE_INLINE explicit NearInverse(const L::U16& u)
         : more_(u + L::mul_high_signed(u, u + L::mul_high_signed(u, u))) {}
-    /// The quotient less its base.
+    /// The quotient without its base.
     SPANGLE_INLINE L::U16 of(const L::U16& d) const { return d + L::mul_high_signed(d, more_); }
 
   private:

@@ -44,7 +44,7 @@ SPANGLE_INLINE std::uint32_t color_in_steps(std::uint32_t c, int component) {
     if constexpr (Long) {
         return numeric::mul_high_u32(c, exact_steps.of(component));
     } else {
-        // 2^32 less the factor is one half-word twice: two products in place of four.
+        // 2^32 less a factor is the same half-word twice, so two products take the place of four.
         const auto rest =
             static_cast<std::int32_t>(numeric::kept_in_register((0 - exact_steps.of(component)) >> 16));
         const auto less = -static_cast<std::int32_t>(c);
@@ -53,7 +53,8 @@ SPANGLE_INLINE std::uint32_t color_in_steps(std::uint32_t c, int component) {
         return c + static_cast<std::uint32_t>(high + ((high + low + (low >> 16)) >> 16));
     }
 }
-/// A colour counted in steps by near_steps. 256 less the factors' 249 and 253 are shifts and a difference.
+/// A colour counted in steps by near_steps, 249 and 253 of 256: the 7 and 3 that these lack are shifts and a
+/// difference.
 template <bool Long = numeric::long_products>
 SPANGLE_INLINE std::uint32_t color_in_near_steps(std::uint32_t c, int component) {
     if constexpr (Long)
@@ -61,9 +62,10 @@ SPANGLE_INLINE std::uint32_t color_in_near_steps(std::uint32_t c, int component)
     else
         return c - (((component == 1 ? c + (c << 1) : (c << 3) - c) + 255) >> 8);
 }
-/// A colour counted in steps as by exact_steps, but for up to 2^-12 of a 255th too much.
+/// A colour counted in steps as by exact_steps, but for up to 2^-12 of a 255th too much. `rest` is what such
+/// a factor lacks of 1.
 SPANGLE_INLINE std::uint32_t color_in_guessed_steps(std::uint32_t c, int component) {
-    const auto rest = numeric::kept_in_register(component == 1 ? 771u : 1799u); // parts of 2^16
+    const auto rest = numeric::kept_in_register(component == 1 ? 771u : 1799u); // of 2^16
     return c - ((c >> 8) * rest >> 8);
 }
 
@@ -101,7 +103,8 @@ struct Exact {
     }
     /// The product a b, with 1 as the neutral element; off by less than 2^-28 of one.
     SPANGLE_INLINE static T mul(T a, T b) { return scaled(a, fraction(b)); }
-    /// The factor for many products with one v, 0 .. 2^32 - 1: v 4096 / 255, at most 3 too small.
+    /// v as the factor of scaled(), which many products may share: v 4096 / 255, 0 .. 2^32 - 1, at most 3 too
+    /// small.
     SPANGLE_INLINE static constexpr std::uint32_t fraction(T v) {
         return (v << 4) + (v >> 4) + (v >> 12) + (v >> 20);
     }
@@ -201,7 +204,7 @@ template <int Count> struct Balanced {
     SPANGLE_INLINE static T from_affine(const typename L::U32& v) { return L::high_half(v); }
     /// The product a b, at most 3 256ths of a 255th too small, or 2 where a and b have 8 bits.
     SPANGLE_INLINE static T mul(T a, T b) { return scaled(a, fraction(b)); }
-    /// The factor of scaled() and mix(): 0 .. one becomes 0 .. 65535.
+    /// v as the factor of scaled() and mix(): 0 .. one becomes 0 .. 65535.
     SPANGLE_INLINE static constexpr T fraction(T v) { return v + (v >> 8); }
     SPANGLE_INLINE static T scaled(T a, T factor) { return L::mul_high(a, factor); }
     SPANGLE_INLINE static T lerp(T a, T b, T k) { return mix(a, b, fraction(k)); }
@@ -240,7 +243,7 @@ template <int Count> struct Balanced {
         return steps<Bits>(v) + (threshold >> (Bits - 5));
     }
     template <unsigned Bits> SPANGLE_INLINE static T dithered(T v, T threshold32) {
-        // The whole product is taken: 1 and the last threshold stay below 2^32.
+        // The whole product is used: 1 plus the last threshold stays below 2^32.
         if constexpr (Count == 1) {
             std::uint32_t factor = step_scale(Bits);
             // Thumb compilers would make a sum of shifts of a constant factor.

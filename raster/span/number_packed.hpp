@@ -44,8 +44,7 @@ struct Packed {
     };
     /// The stored word that Balanced<1>::over and dithered() make, as the top bits of products.
     SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under, const Threshold& t) {
-        // These stay factors: compilers would make sums of shifts of them.
-        // A constant would be known to the compiler.
+        // Both are kept as factors: compilers would make sums of shifts of constants.
         std::uint32_t by5 = numeric::kept_in_register(by_five), by6 = numeric::kept_in_register(by_six);
         Sums x(s, under);
         x.rb += ((x.rb + 0x00800080) >> 8) & 0x00FF00FF;
@@ -217,8 +216,8 @@ template <int Count> struct ExactBytes : Bytes<Count> {
         const T more = (L::mul_high(parts, L::splat(scale)) + (1u << (Bits - 1))) >> Bits;
         return by_256ths(s * a + parts + more + 128);
     }
-    /// floor(65025 t) in two words: whole 255ths, and the rest. Each is one more than that, for the
-    /// quotients.
+    /// floor(65025 t) split into whole 255ths and the rest. Each word is one larger, which the quotients
+    /// need.
     struct Threshold {
         static constexpr int words = 2;
         static constexpr std::uint32_t word(int i, std::uint32_t threshold32) {
@@ -226,8 +225,8 @@ template <int Count> struct ExactBytes : Bytes<Count> {
             return (i == 0 ? t / 255 : t % 255) + 1;
         }
     };
-    /// The steps of PackedExact, floor((m s a + 255 (255 - a) k + T) / 65025), by two divisions by 255. A
-    /// product is taken in 256ths, and 256 is 255 and 1.
+    /// The steps of PackedExact, floor((m s a + 255 (255 - a) k + T) / 65025), by two divisions by 255. 256
+    /// is 255 and 1, so the product is taken as high 256 + low.
     template <unsigned Bits, class Thresholds>
     SPANGLE_INLINE static T dithered(T s, T a, T k, const Thresholds& t) {
         constexpr std::uint32_t m = (1u << Bits) - 1;

@@ -66,8 +66,8 @@ struct ExactLanes {
             return sum(L::widened(c00), L::widened(c10), L::widened(c01), L::widened(c11), right)
                    << (color_fraction_bits - 16);
         }
-        /// The weighted component of four components of 28 bits, taken as two halves of 14: a row of texels
-        /// has 22 bits, both rows have 30.
+        /// The weighted component of four texels of 28 bits. They are taken as two halves of 14 bits: a row
+        /// of texels then has 22 bits, and both rows have 30.
         SPANGLE_INLINE T components(const T& c00, const T& c10, const T& c01, const T& c11,
                                     const T& right) const {
             constexpr std::uint32_t low_bits = (1u << 14) - 1;
@@ -96,8 +96,8 @@ struct ExactLanes {
     };
     /// The dithered colour as a word of 16 bits with its steps in the top bits.
     template <unsigned Bits> SPANGLE_INLINE static L::U16 tops(const T& v, const L::U16& threshold) {
-        // Of the 28 bits of the colour a step is 2^(28 - Bits). Of the 16 of a threshold a 32nd of a step is
-        // 2^(16 - 5 - 5).
+        // A step is 2^(28 - Bits) of the 28 bits of `steps`. A 32nd of a step of five bits is 2^(16 - 5 - 5)
+        // of a threshold.
         return L::low_half((steps<Bits>(v) + (L::widened(threshold) << (17 - Bits))) >> 12);
     }
     template <unsigned Bits> SPANGLE_INLINE static L::U16 dithered(const T& v, const L::U16& threshold32) {

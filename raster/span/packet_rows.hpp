@@ -44,7 +44,7 @@ struct Piece {
     std::uint8_t *color, *depth;
 };
 
-/// Where the fragments of a packet lie that rows share.
+/// The places of the fragments in a packet that rows share.
 struct PacketRows {
     Span<Fixed>& span;
     std::int32_t pieces = 0;

@@ -13,7 +13,7 @@
 
 namespace spangle::raster {
 
-/// True where some loop draws paths, and paths are worth their code.
+/// True where some fused loop draws paths, and paths are worth their code size.
 inline constexpr bool has_paths = has_fused_spans && has_shortcuts;
 
 /// The number of a pixel, counted from that of window (0, 0). Where a dithered colour asks for it, the two

@@ -51,7 +51,8 @@ template <class Case> class PathList {
         const auto back = static_cast<std::ptrdiff_t>(before_) * 2;
         std::uint8_t* const color = target_.color - back;
         std::uint8_t* const depth =
-            Case::tested ? target_.depth - back : nullptr; // there may be no depth plane
+            // Null would do no harm: there may be no depth plane.
+            Case::tested ? target_.depth - back : nullptr;
         using One = Lanes<1>;
         for (const std::int32_t *f = fragment_, *const end = next_; f != end; f += 2) {
             const std::ptrdiff_t offset = f[0];
@@ -79,7 +80,8 @@ template <class Case> class PathList {
     static constexpr Int lane = {0, 1, 2, 3};
     static constexpr bool little = std::endian::native == std::endian::little;
     static constexpr std::int32_t scale =
-        dithers ? 1 : 2; ///< bytes per step of the pixel number, where the two top bits hold no row
+        /// Bytes per unit of `at`; dithered, its two top bits hold the row, so it counts pixels.
+        dithers ? 1 : 2;
     /// What the colours of paths i to i + 3 add to the word of a fragment.
     SPANGLE_INLINE Word colors(int i) const {
         if constexpr (dithers)
@@ -96,7 +98,7 @@ template <class Case> class PathList {
         const Int rise = load(Paths::rise), denominator = load(Paths::denominator),
                   along = load(Paths::along) * scale, aside = load(Paths::aside) * scale;
         Int at = (load(Paths::first) + static_cast<std::int32_t>(before_)) * scale,
-            left = ~load(Paths::rest); // its sign, shifted down, is a mask
+            left = ~load(Paths::rest); // its sign becomes the mask `over`
         Word depth{}, depth_step{};
         if constexpr (Case::tested)
             depth = load_word(Paths::depth), depth_step = load_word(Paths::depth_step);

@@ -11,7 +11,7 @@ namespace spangle::raster {
 inline constexpr int coverage_bits = 29;
 inline constexpr std::uint32_t full_coverage = 1u << coverage_bits;
 
-/// The sample number of recorded primitives that are drawn to all samples.
+/// Stands for all samples in recorded primitives.
 inline constexpr std::uint8_t every_sample = 0xFF;
 
 struct PrimitiveState {
@@ -26,7 +26,8 @@ struct PrimitiveState {
 #endif
     bool stippled = false; ///< FragmentState::polygon_stipple applies
     bool antialiased =
-        false; ///< the primitive has a coverage, null or not; other primitives of the same state have none
+        /// The primitive has a coverage, even if it is null; other primitives of the same state have none.
+        false;
     std::uint8_t sample = 0; ///< number of the sample that is drawn
     bool moved = false;      ///< for recorded primitives: each sample gets what lies at its own place
 };

@@ -10,8 +10,8 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Planes of which a vector holds four. Constants are kept in lanes of registers: a store to the surface
-/// might change anything in memory.
+/// Up to eight planes, four in a vector. Constants are kept in registers as lanes, because a store to the
+/// surface might change anything in memory.
 template <int Count> class RowPlanes {
   public:
     using L = Lanes<8>;
@@ -104,8 +104,8 @@ template <int Count> class LanePlanes : public RowPlanes<Count> {
         room_[I] = ~(low * columns);
         above_[I] = high * columns + L::mul_high(low, columns) + 1;
     }
-    /// What a plane has in each lane more than in the first: its high half plus 1 (above_), and 2^16 - 1 less
-    /// its low half (room_).
+    /// The difference of a plane between each lane and the first: its high half plus 1 (above_), and 2^16 - 1
+    /// less its low half (room_).
     L::U16 above_[Count], room_[Count];
 };
 

@@ -52,7 +52,8 @@ struct PlaneRow {
     const Span<Fixed>::Unit (&unit)[max_texture_units] = planes.unit;
     const DrawState* state = planes.state;
     std::uint32_t flat_word = planes.flat_word;
-    const bool& fog_inside = planes.fog_inside; // set where there is fog; a reference, as it may change
+    // Set where there is fog; a reference, because it is set later.
+    const bool& fog_inside = planes.fog_inside;
 
     template <class T> T at(std::int32_t column, const Interpolant<T>& plane) const {
         return plane.at(column + (x - planes.anchor_x), y - planes.anchor_y);

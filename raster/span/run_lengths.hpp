@@ -14,7 +14,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 /// stays as it is.
 struct RunLimits {
     std::int32_t shortest, longest; ///< logarithms to base 2 of lengths in pixels
-    std::int32_t margin; ///< of three logarithms, and of the error that is allowed (8 fraction bits)
+    std::int32_t margin;            ///< allowance for three logarithms and the error, 8 fraction bits
     RunLimits(const DrawState& draw, int unit)
         : shortest(of_straight_tier<[](const Knobs& k) { return std::int32_t{k.shortest_run}; }>(draw)),
           longest(of_straight_tier<[](const Knobs& k) { return std::int32_t{k.longest_run}; }>(draw)),

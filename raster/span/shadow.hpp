@@ -22,11 +22,11 @@ enum class ShadowStage : std::uint8_t {
     vertex_fog,   ///< eye distance, relative
     window_x,     ///< pixels, against the unsnapped position: half a step of n.8 is 0.00195
     window_y,
-    snapping,  ///< steps of n.8 from the double position snapped to nearest, x and y
+    snapping,  ///< difference to the double position snapped to nearest, in steps of n.8, x and y
     window_z,  ///< 0 .. 1
     inverse_w, ///< relative
     depth,     ///< 0 .. 1
-    primary,   ///< component, 0 .. 1; so are all colours
+    primary,   ///< difference of a component, 0 .. 1; so are all colours
     coord0,    ///< texels of the base level; repeats are equal
     lod0,      ///< levels
     texture0,  ///< colour after the unit

@@ -109,7 +109,7 @@ template <class N> class Fragment {
     }
 
     template <int Unit> void coord(const DrawState& state, ShadowStage stage) {
-        // The choice is that of the chain.
+        // This choice of runs is that of the chain.
         const bool cubic = of_tier<has_cubic_runs>(state);
         if (fixed_.kind < Kind::textured)
             run<Coord<N, Unit, false>, Coord<Reference, Unit, false>>();

@@ -144,8 +144,8 @@ template <class P> struct Span {
     /// the exact colour is at most a doubt more. The projective planes of colours exist when `project` is
     /// null; until then `project` makes them from `basis`.
     struct Guess {
-        /// The bits below a step of 5 or 6 bits, moved to the top: from this value on the doubt may reach the
-        /// next step.
+        /// Compared with the bits of a component below a step of 5 or 6 bits, moved to the top: from this
+        /// value on the doubt may reach the next step.
         std::uint32_t open5, open6;
         void (*project)(Span&);
         void doubt(std::uint32_t most) { // most > 0

@@ -47,9 +47,8 @@ template <class N> struct Px {
     std::int32_t i;                                ///< first pixel of the group
     std::int32_t twice;                            ///< 2 i, where addressing does not scale an index
     typename N::L::Mask live;
-    typename N::L::Mask
-        open;         ///< lanes, dead ones among them, whose colour a guess did not decide (stage_guess.hpp)
-    bool row = false; ///< what Seq::row() said; a constant of the loop
+    typename N::L::Mask open; ///< lanes, possibly dead, whose colour a guess did not decide (stage_guess.hpp)
+    bool row = false;         ///< what Seq::row() said; a constant of the loop
     /// Stages of one lane, too, write back what was stored where a fragment is not alive. A constant of the
     /// loop, all of whose stages can do so.
     bool selects = false;
@@ -59,8 +58,9 @@ template <class N> struct Px {
     typename N::Coord coord[max_texture_units];
     std::int32_t lod[max_texture_units][N::lanes]; ///< lambda, s23.8
     typename N::Fog fog;                           ///< fog coordinate (draw_state.hpp)
-    Inverse inverse;                               ///< 1/w that GouraudQ found, for stages fused behind it
-    typename N::L::U16 fog_factor; ///< the fog factor that FogLightLanes found, for stages fused behind it
+    Inverse inverse;                               ///< 1/w that Divide found, for the stages fused behind it
+    /// The fog factor that FogLightLanes found, for the stages fused behind it.
+    typename N::L::U16 fog_factor;
 
     Px() = default;
     SPANGLE_INLINE void go_to(std::int32_t first) {
@@ -115,7 +115,7 @@ template <class L> class Ramp {
     /// `first` holds the value of the first lane, in all lanes.
     SPANGLE_INLINE void start(const typename L::U32& first) { at = first + offset_; }
     SPANGLE_INLINE void step() { at += by_; }
-    /// As step(), for lists whose planes alone are more words than Thumb's first eight registers.
+    /// Steps as step() does, in lists whose planes alone are more words than Thumb's first eight registers.
     SPANGLE_INLINE void step_aside() {
         if constexpr (L::count == 1)
             at = numeric::sum_aside(at, by_);

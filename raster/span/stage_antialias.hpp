@@ -44,7 +44,7 @@ template <class N> struct Coverage : StageBase {
 template <class N> struct PolygonStipple : StageBase {
     static_assert(N::lanes == 1);
     static constexpr bool kill = true;
-    std::uint32_t pattern; ///< bit 0 is this column's
+    std::uint32_t pattern; ///< bit 0 decides this column
     SPANGLE_INLINE PolygonStipple(const Span<typename N::Policy>& s, std::int32_t x)
         : pattern(s.state->primitive->stippled
                       ? std::rotr(s.state->fragment.polygon_stipple[s.y & 31], (s.x + x) & 31)

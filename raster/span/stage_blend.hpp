@@ -115,7 +115,7 @@ template <class N> struct Thresholds {
 };
 template <class N> inline constexpr Thresholds<N> thresholds_of;
 
-/// The thresholds of a row, by the index of fragments: there is nothing to walk.
+/// The thresholds of a row, found by the index of a fragment: nothing has to walk.
 template <class N> class ThresholdRow {
   public:
     SPANGLE_INLINE explicit ThresholdRow(const Span<Fixed>& s)

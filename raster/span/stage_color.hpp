@@ -56,7 +56,7 @@ template <class N, bool Alpha> struct Gouraud : StageBase {
     }
 };
 
-/// Red, green and blue are one plane and alpha is 1: white light, or none.
+/// A colour whose red, green and blue are one plane and whose alpha is 1: white light, or none.
 template <class N> struct GouraudGray : StageBase {
     static constexpr unsigned out = field_color;
     Ramp<typename N::L> v;

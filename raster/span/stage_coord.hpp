@@ -94,7 +94,7 @@ template <bool Cubic> struct CoordWalk {
     /// True where n steps go one way, not round the texture, and leave at >> shift as it is.
     SPANGLE_INLINE bool constant(std::uint32_t n, int shift) const {
         const auto down = static_cast<std::int32_t>(slope());
-        if (straight() && down == 0) // sprites are decided without a product
+        if (straight() && down == 0) // sprites: the step is 0, and no product is needed
             return true;
         // Most coordinates fail here, before the long product.
         return straight() && at >> shift == straight_ahead(n) >> shift &&

@@ -127,8 +127,8 @@ template <class N, Compare Func, bool Write> struct Depth<N, DepthFormat::z16, F
             return test(p.live, at, incoming);
         }
     }
-    /// Tests the codes of lanes. `live` loses lanes that fail; codes of lanes that pass are stored if the
-    /// stage writes.
+    /// Tests the codes of lanes. `live` loses the lanes that fail. Codes of lanes that pass are stored if the
+    /// stage writes depth.
     template <class Place>
     SPANGLE_INLINE static bool test(typename L::Mask& live, const Place& at,
                                     const typename L::U16& incoming) {

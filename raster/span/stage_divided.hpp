@@ -32,9 +32,9 @@ template <bool Numbered> class GuardedRampOf {
     std::uint64_t at_, by_;
 };
 
-/// With words of 32 bits a step would load four words and store two. Two products with the number of the
-/// fragment, of value and of guard bits, are less. Guard bits are summed with whatever they carry: columns
-/// and rows from the anchor are below 2^14 (clip guard band and surface), so a sum is below 2^31.
+/// With words of 32 bits a step would load four words and store two. It costs less to multiply the value and
+/// the guard bits by the number of the fragment. Guard bits are summed with whatever they carry: columns and
+/// rows from the anchor are below 2^14 (clip guard band and surface), so a sum is below 2^31.
 template <> class GuardedRampOf<true> {
   public:
     SPANGLE_INLINE GuardedRampOf(const Span<Fixed>& span, std::int32_t x,

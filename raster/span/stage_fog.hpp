@@ -95,9 +95,8 @@ template <class N, bool Steps = false> struct FogShare : Fog<N> {
     }
 };
 
-/// The fog factor in lanes, together with the coordinate, which is affine. The coordinate is not clamped
-/// where set-up saw that all of it lies inside [0, 1) (Span::fog_inside); it is scaled then so that its bits
-/// are in place.
+/// The fog factor in lanes, from an affine coordinate. The coordinate is not clamped where set-up saw that
+/// all of it lies inside [0, 1) (Span::fog_inside); it is then scaled so that the factor is its high half.
 template <class N> struct FogFactorLanes : StageBase {
     using L = typename N::L;
     static constexpr int up = 8;

@@ -24,7 +24,7 @@ struct BalancedLit : Balanced<1> {
 template <PixelFormat Format, bool Is565, bool Dither,
           bool Low = Dither && (numeric::adds_products || !numeric::long_products)>
 class FoggedTexel {
-    /// Steps have 15 bits, which in a high half-word end one bit higher.
+    /// Factors count steps of 15 bits, which in a high half-word end one bit higher.
     static constexpr int steps = !Dither ? 0 : Low ? 1 : 2;
 
   public:
@@ -100,7 +100,8 @@ class FoggedTexel {
       public:
         SPANGLE_INLINE explicit HighShare(std::uint32_t color) : HighShare(color << (lowest - 16), 0) {}
         SPANGLE_INLINE static std::uint32_t of(std::uint32_t f) { return f; }
-        /// Bits below those of the sum are cleared, so that none carries: both products are rounded down.
+        /// Bits below those of the sum are cleared, so that none of them carries into it: both products are
+        /// rounded down.
         SPANGLE_INLINE std::uint32_t of_fog(std::uint32_t f, [[maybe_unused]] std::uint32_t threshold) const {
             const auto [color, whole] = numeric::load_two(color_whole_);
             const std::uint32_t share = numeric::without_low<lowest>(whole - color * f);

@@ -51,7 +51,7 @@ template <int Count, bool Dither> struct GouraudGuessed : GuessedTops<Count, Dit
         template <class S> SPANGLE_INLINE explicit Nowhere(const S&) {}
     };
     [[no_unique_address]] std::conditional_t<Count == 1, Here, Nowhere> here_;
-    /// The test in eight lanes. A component with ones in place of its step bits is, negated, what it lacks of
+    /// The test in eight lanes. A component with ones in place of its step bits, negated, is what it lacks of
     /// the next step. The doubt is the same for steps of five bits and of six.
     class Missing {
       public:

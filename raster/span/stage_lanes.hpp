@@ -63,7 +63,7 @@ template <class T> class TexelLanes : public T {
 
   private:
     typename L::U16 width_, height_;
-    /// A size of 2^16 does not fit and is not used then.
+    /// A size of 2^16 does not fit 16 bits, and is not used.
     SPANGLE_INLINE static typename L::U16 size(int log2_size) { return L::splat(1u << (log2_size & 15)); }
     /// The shift stays below 32, also where the axis has one texel.
     SPANGLE_INLINE static typename L::U32 texel(const typename L::U32& v, int log2_size) {

@@ -8,8 +8,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Weights of the next texel have 8 bits, to nearest. Half a texel into the texture the weight of the next
-/// texel is 0.
+/// The weight of the next texel has 8 bits, to nearest. At the centre of a texel it is 0.
 struct LinearPosition {
     static constexpr int fraction_bits = 8;
     static constexpr std::uint32_t origin(int log2_size) { return linear_origin(log2_size); }

@@ -67,8 +67,8 @@ template <bool Full, bool Gray, bool Fog, class Products = NearHalves> struct Li
     /// Images larger than 2^most_log2_size leave few bits within a texel.
     static constexpr int usual_fog = 6, most_log2_size = 10;
 
-    /// Limits a base. Where even least() or largest() leaves the sum beyond 0 and 1, the limited base does
-    /// so, too.
+    /// Limits a base. A base beyond the limits leaves the sum outside of 0 and 1 whatever of() adds, and so
+    /// does the limit.
     SPANGLE_INLINE static std::int32_t limited(std::int32_t base) {
         return numeric::clamp<std::int32_t>(base, -INT16_MAX, 0xFFFF - INT16_MIN);
     }

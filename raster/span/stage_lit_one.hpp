@@ -59,14 +59,16 @@ template <> struct LitNumbers<NearWords> {
         return static_cast<std::uint32_t>(
             ((std::uint64_t{c} << 32 | fog_color) + numeric::mul_u32(fog_color, rest)) >> 32);
     }
-    /// These bound what a component may be off by, where a 255th is 2^22 or less. of_patch(): the errors of
+    /// Bounds of what a component may be off by, where a 255th is 2^22 or less. of_patch() is the part from
     /// the patch.
     SPANGLE_INLINE static std::uint32_t of_patch(std::uint32_t off) { return off; }
-    /// under: what the chain rounds takes less than 3 off in its bits, which are 4 here, and its steps less
-    /// than 1. Affine colours have half a 256th of a 255th added, and a low word adds 1.
+    /// `under` bounds how far a component may be below the guess. What the chain rounds takes less than 3 off
+    /// in its bits, which are 4 here, and its steps less than 1. Affine colours have half a 256th of a 255th
+    /// added, and a low word adds 1.
     template <bool Full> static constexpr std::uint32_t under = 3 * 4 + (Full ? 0 : 1u << 13) + 2;
-    /// over: the chain adds less than 1. Light is rounded down before it is multiplied by `Whole` and again
-    /// before it meets a texel's component. The fog's colour and the sum are rounded down, too.
+    /// `over` bounds how far a component may be above the guess. The chain adds less than 1. Light is rounded
+    /// down before it is multiplied by `Whole` and again before it meets a texel's component. The fog's
+    /// colour and the sum are rounded down, too.
     template <std::uint32_t, std::uint32_t Most, bool>
     static constexpr std::uint32_t over = 2 * 4 + 2 * Most + 2;
 };
@@ -106,13 +108,13 @@ template <> struct LitNumbers<NearHalves> {
     SPANGLE_INLINE static std::uint32_t fogged(std::uint32_t c, std::uint32_t fog_color, std::uint32_t rest) {
         return c + fog_color * rest;
     }
-    /// These bound what a component may be off by, where a 256th of a 255th is 2^16 or less. Light and the
+    /// Bounds of what a component may be off by, where a 256th of a 255th is 2^16 or less. Light and the
     /// fog's colour, rounded to such units, are off by 1/2, and what the exact tier rounds away is less than
     /// 2^-10.
     SPANGLE_INLINE static std::uint32_t of_patch(std::uint32_t off) { return off << 16; }
     template <bool> static constexpr std::uint32_t under = (1u << 15) + (1u << 6);
-    /// What light() loses. With fog, whose factors add up to 1 less than 2^16, its share and its colour lose
-    /// more.
+    /// `over` includes what light() loses. With fog, whose factors add up to 1 less than 2^16, its share and
+    /// its colour lose more.
     template <std::uint32_t Whole, std::uint32_t Most, bool Fog>
     static constexpr std::uint32_t over = (1u << 15) + (1u << 6) + Factor<Whole, Most>::lost +
                                           (Fog ? (2 + Factor<(Whole >> 16), 1>::lost) << 16 : 0);
@@ -230,7 +232,7 @@ class LitOne : public T {
         const std::uint32_t under = Numbers::of_patch(row.patch.under) + Numbers::template under<Full>;
         constexpr std::uint32_t over5 = Numbers::template over<whole<5>, most<5>, HasFog>,
                                 over6 = Numbers::template over<whole<6>, most<6>, HasFog>;
-        from_ = (Dither ? 0 : 1u << (top - 9)) - under; // the first part rounds to 255ths
+        from_ = (Dither ? 0 : 1u << (top - 9)) - under; // 1 << (top - 9) rounds to 255ths
         range_ = under + Numbers::of_patch(row.patch.over) + (over5 > over6 ? over5 : over6);
         const std::uint32_t* const fog_color = row.state->fragment.fog_color;
         fog_color_[0] = Numbers::template fog_color<whole<5>>(fog_color[0]);

@@ -33,7 +33,7 @@ template <std::uint32_t Most> struct LitFactors {
     std::uint16_t of[Most + 1];
     constexpr LitFactors() : of{} {
         for (std::uint32_t k = 1; k <= Most; ++k)
-            of[k] = static_cast<std::uint16_t>((k * 65536 - 1) / Most); // 65535 for 1
+            of[k] = static_cast<std::uint16_t>((k * 65536 - 1) / Most); // 65535 stands for 1
     }
 };
 template <std::uint32_t Most> inline constexpr LitFactors<Most> lit_factors;

@@ -43,12 +43,12 @@ class LevelLanes {
 
   private:
     struct Slopes {
-        std::int32_t dx, dy; ///< from pixel to pixel, and from row to row
+        std::int32_t dx, dy; ///< differences from pixel to pixel, and from row to row
     };
     Slopes s_, t_, q_;
     bool line_;          ///< 1D textures: only s counts
     bool together_;      ///< both sides are powers of two: one logarithm serves both axes
-    int up_;             ///< log2 of height / width
+    int up_;             ///< log2 of the height less log2 of the width
     std::int32_t u_, v_; ///< constants that are added to the logarithms
 
     template <class Vector>

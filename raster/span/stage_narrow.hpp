@@ -21,8 +21,8 @@ template <class N>
                     N::template dithered<6>(c.b, threshold));
 }
 
-/// The place of the fragments of a list: the span's plane address is the stored row, whatever the span's
-/// first column.
+/// The place of the fragments of a list. The address in the colour plane is that of the stored row, not of a
+/// pixel.
 struct NarrowPlace {
     PixelFormat format;
     std::int32_t x, y;

@@ -24,8 +24,8 @@ class NearestWalk : public TexelWalk<T, Unit, Runs, NearestPosition> {
 
   public:
     using N = typename Base::N;
-    /// With several lanes only whole rows of words gain from row(). With one lane, texels that little else is
-    /// done with do.
+    /// With several lanes only whole rows of words gain from row(). With one lane texels gain if little else
+    /// is done with them.
     static constexpr bool rows = N::lanes == 1 ? T::stores_texels : T::loads_words;
 
     SPANGLE_INLINE NearestWalk(const Span<Fixed>& span, std::int32_t x)

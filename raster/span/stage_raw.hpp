@@ -12,7 +12,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
-/// A DitheredWord in lanes.
+/// A DitheredWord for eight lanes at once.
 template <class L> struct DitheredLanes {
     using U16 = typename L::U16;
     U16 whole, r, g, b; ///< the word of whole steps; fractions of r, g and b in 32nds of a step

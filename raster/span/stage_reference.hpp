@@ -109,7 +109,8 @@ inline double reference_fog(const FragmentState& state, double distance) {
     case FogMode::exp2:
         return clamp01(std::exp(-density * distance * density * distance));
     case FogMode::linear:
-        return clamp01((end - distance) / (end != start ? end - start : 1)); // FogConstants explain the 1
+        // FogConstants say why the divisor is 1.
+        return clamp01((end - distance) / (end != start ? end - start : 1));
     }
     return 1;
 }

@@ -56,7 +56,7 @@ template <class Places> class PacketRuns {
     };
     static constexpr std::int32_t whole = -1;
 
-    /// Ends of runs in a packet: each part has at most one more than it has fragments.
+    /// The most ends in a packet: a part has at most one more end than fragments.
     static constexpr std::int32_t most_ends = 2 * packet_length;
     static constexpr std::int32_t few = 2; ///< at most so many ends take longer in lanes than one by one
 
@@ -125,7 +125,7 @@ template <class Places> class PacketRuns {
         }
     }
 
-    // These find which ends there are.
+    // The next three functions find which ends there are.
 
     SPANGLE_INLINE void plan_whole(Part& part) {
         part.log2 = whole;
@@ -161,7 +161,8 @@ template <class Places> class PacketRuns {
         return CoordRuns(span_, 0, which_).choose_log2();
     }
 
-    // These find w at each end, and s and t in repeats, or as they are stored where they do not wrap.
+    // The next functions find w at each end, and s and t in repeats, or as they are stored where they do not
+    // wrap.
 
     SPANGLE_INLINE void divide() {
         const auto& q_plane = unit_.shares_q ? span_.q : unit_.q;
@@ -186,7 +187,7 @@ template <class Places> class PacketRuns {
         return wraps ? repeats : static_cast<std::int32_t>(inner::to_coord(repeats, false, base));
     }
     [[gnu::noinline]] void divide_in_lanes(const Span<Fixed>::Projective& q_plane) {
-        store(x_ + ends_, LaneWords::splat(x_[0])); // lanes beyond the last end
+        store(x_ + ends_, LaneWords::splat(x_[0])); // for the lanes beyond the last end
         store(y_ + ends_, LaneWords::splat(y_[0]));
         const PlaneInRows s(unit_.s), t(unit_.t), q(q_plane);
         for (std::int32_t i = 0; i < ends_; i += lanes) {
@@ -198,7 +199,7 @@ template <class Places> class PacketRuns {
         }
     }
 
-    // These write the fragments between the ends.
+    // The next functions write the fragments between the ends.
 
     /// False: the row takes several runs (CoordRuns::one_run()).
     SPANGLE_INLINE bool put_whole(const Part& part) {

@@ -12,8 +12,8 @@ namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Whether a value k / 255 covers a sample at a pixel whose dither threshold is t / 32. The value covers 4 k
-/// / 255 samples, rounded up where the rest is more than the threshold. So 0 covers none and 255 all.
-/// Neighbouring pixels show what one pixel cannot.
+/// / 255 samples, rounded up where the rest is more than the threshold. So 0 covers no sample and 255 covers
+/// all four; the rest is spread over neighbouring pixels.
 constexpr bool covers_sample(std::uint32_t k, unsigned sample, std::uint32_t threshold) {
     return k * (sample_count * 32) > 255 * (32 * sample + threshold);
 }

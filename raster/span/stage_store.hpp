@@ -173,7 +173,7 @@ template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
             return Store<N, Format>::operator()(p);
         } else {
             std::uint8_t* const at = p.color_plane + p.bytes();
-            // Thresholds and factors would take registers before.
+            // Thresholds and factors would take registers if they were loaded earlier.
             if constexpr (N::lanes == 1 && numeric::three_operands)
                 numeric::begin_here();
             if constexpr (N::lanes > 1)

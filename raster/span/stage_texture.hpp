@@ -53,7 +53,7 @@ template <class N> struct TextureFunction {
         return wants_lod ? minified(lod, s, t) : filtered(0, texture.mag, s, t);
     }
 
-    /// The level and the filter that lambda selects (GL 1.3, 3.8.8).
+    /// How a texture is sampled: the level and the filter that lambda selects (GL 1.3, 3.8.8).
     struct Sampling {
         int level;
         Filter filter;
@@ -82,7 +82,7 @@ template <class N> struct TextureFunction {
             return how;
         how.level = texture.mip == MipFilter::linear ? lod >> 8
                     : lod <= 128                     ? 0
-                                                     : (lod + 127) >> 8; // ceil(lambda + 1/2) - 1
+                                                     : (lod + 127) >> 8; // this is ceil(lambda + 1/2) - 1
         how.next = texture.mip == MipFilter::linear ? weight_behind(lod) : 0;
         const int last = texture.level_count - 1;
         if (how.level >= last)

@@ -1,6 +1,6 @@
 // The texels of one unit in the chain of hosts, a packet at a time, in lanes from the coordinates to the
-// filtered colours. The bytes are those of TextureFunction and VolumeFunction; single fragments that need one
-// of these get it.
+// filtered colours. The bytes are those of TextureFunction and VolumeFunction, which sample the fragments
+// that lanes do not.
 #pragma once
 
 #include "raster/span/filter_exact.hpp"

@@ -21,7 +21,7 @@ template <class N> class PacketTexture {
     template <int Unit> static void run(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
         apply(static_cast<Packet<N>&>(places), span, Unit, false);
     }
-    /// Texels of unit 0 in steps, N::in_steps(), multiplied by MODULATE.
+    /// Samples unit 0 and does MODULATE with texels in steps, N::in_steps().
     static void run_steps(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
         apply(static_cast<Packet<N>&>(places), span, 0, true);
     }

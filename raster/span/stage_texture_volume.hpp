@@ -62,7 +62,8 @@ class VolumeCoords {
         const int exponent = cube ? 0 : at_.exponent;
         const auto repeats = [&](std::int32_t v) SPANGLE_RUN_LAMBDA {
             const std::int64_t of = inner::to_repeats(v, inverse, exponent);
-            return cube ? (of + (std::int64_t{1} << 32)) >> 1 : of; // s = (sc / |ma| + 1) / 2
+            // Maps -1 .. 1 to 0 .. 1: s = (sc / |ma| + 1) / 2.
+            return cube ? (of + (std::int64_t{1} << 32)) >> 1 : of;
         };
         place.s = word(repeats(s.v), texture_.wrap_s);
         place.t = word(repeats(t.v), texture_.wrap_t);
@@ -122,8 +123,8 @@ class VolumeCoords {
         return log2_fraction8(dx > dy ? dx : dy) + log2_fraction8(size);
     }
 
-    /// Finds the face of a direction. s and t become those of the face, r the coordinate along it. Common
-    /// factors cancel.
+    /// Finds the face of a direction. s and t become the coordinates in that face, r the one along the
+    /// direction. Factors that all three have in common cancel.
     static unsigned face(Planes& s, Planes& t, Planes& r) {
         const Planes planes[3] = {s, t, r};
         const CubeFace<std::int64_t> face(s.v, t.v, r.v);

@@ -12,11 +12,12 @@ namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 namespace inner {
 
-/// Thresholds of the fragments of a group, in 32nds of a step, and the walk along the row.
+/// The thresholds of the fragments of a group, in 32nds of a step; step() walks along the row.
 template <class L> struct DitherRow;
 
-/// The rows of the matrix, rotated to start at each column. A threshold takes the five bits at which sums of
-/// 32 steps in a word have it, so that one mask extracts it. Where masks are no operands, one shift does.
+/// Rows of the matrix, rotated to start at each of their columns. The current threshold lies in the five bits
+/// in which 32nds of a step are added, so that one mask extracts it. Where masks are no operands, one shift
+/// does.
 struct DitherWords {
     static constexpr int place = numeric::three_operands ? 22 : 27;
     std::uint32_t of[16];
@@ -48,7 +49,7 @@ template <int Bits> struct DitherNumbered {
     SPANGLE_INLINE const std::uint32_t* from(std::int32_t x, std::int32_t y) const {
         if constexpr (Masks)
             return of + (y & 3) * 8 + (x & 3);
-        // Both terms are bytes; each takes two shifts.
+        // An offset in bytes, so that each term takes two shifts.
         const auto low2 = [](std::int32_t v, int up) {
             return numeric::factor32(static_cast<std::uint32_t>(v) << 30) >> (30 - up);
         };

@@ -12,7 +12,7 @@ namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
 constexpr int texel_bytes(TexelFormat format) {
-    // Bytes by format; 0: its texels have no address of their own.
+    // Bytes of a texel, by format; 0: texels have no address of their own.
     constexpr std::uint8_t bytes[] = {1, 1, 1, 2, 2, 3, 4, 2, 2, 1, 2, 4, 0, 0, 0};
     return bytes[static_cast<unsigned>(format)];
 }

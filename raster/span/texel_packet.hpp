@@ -18,7 +18,7 @@ struct TexelOffsets {
 /// An axis of an image.
 struct TexelScale {
     Wrap wrap;
-    std::int32_t size, bytes; ///< texels; bytes from texel to texel
+    std::int32_t size, bytes; ///< texels of the axis; bytes from texel to texel
     bool border;              ///< the image has border texels
 };
 

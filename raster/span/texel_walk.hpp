@@ -74,7 +74,7 @@ template <bool Cubic, int FractionBits, bool Aside> class TexelAxis {
     SPANGLE_INLINE bool one_to_one(std::uint32_t n) const {
         static_assert(!Cubic);
         const auto excess = static_cast<std::int32_t>(v_.by - (1u << shift_));
-        if (excess == 0) // sprites are decided without a product
+        if (excess == 0) // sprites: the step is one texel, and no product is needed
             return true;
         const std::int64_t last = std::int64_t{v_.at & ((1u << shift_) - 1)} + std::int64_t{excess} * (n - 1);
         return last >= 0 && last >> shift_ == 0;

@@ -66,8 +66,8 @@ template <class N> class TextureCombine {
     using Math = CombineMath<N>;
 
   public:
-    /// `texel[n]` is the texture colour of unit n, where it is on. `color` is the primary colour and becomes
-    /// the result of all units.
+    /// `texel[n]` is the texture colour of unit n, if the unit is on. `color` is the primary colour and
+    /// becomes the result of all units.
     static void units(const FragmentState& state, const Color* texel, Color& color) {
         const Color primary = color;
         for (int u = 0; u < max_texture_units; ++u) {
@@ -135,8 +135,8 @@ template <class N> class TextureCombine {
         return {rest, rest, rest, rest};
     }
 
-    /// Results are clamped to [0, 1] before they are scaled, too. This changes nothing, because scales are 1
-    /// or more.
+    /// Results are clamped to [0, 1] before they are scaled as well as after. That changes nothing, as scales
+    /// are at least 1.
     using Component = component::Argument<N>;
     static T result(CombineFunc func, Component a, Component b, Component c) {
         switch (func) {

@@ -9,8 +9,8 @@ namespace spangle::raster {
 /// A triangle that is cut at its middle vertex, from the lowest row upwards. Its columns, and seven columns
 /// more, lie inside of the scissor rectangle, as do its rows: pixels under dead lanes keep what they hold.
 struct Trapezoids {
-    /// A side, as columns with 32 fraction bits, mod 2^64: the first column whose centre is on the side or
-    /// right of it. `step` leads to the next row.
+    /// A side of a part: in columns with 32 fraction bits, mod 2^64. The whole part of `at` is the first
+    /// column whose centre is on the side or right of it. `step` leads to the next row.
     struct Side {
         std::uint64_t at, step;
         std::int32_t column() const { return static_cast<std::int32_t>(at >> 32); }
