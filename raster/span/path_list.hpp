@@ -51,7 +51,7 @@ template <class Case> class PathList {
         const auto back = static_cast<std::ptrdiff_t>(before_) * 2;
         std::uint8_t* const color = target_.color - back;
         std::uint8_t* const depth =
-            // Null would do no harm: there may be no depth plane.
+            // There may be no depth plane.
             Case::tested ? target_.depth - back : nullptr;
         using One = Lanes<1>;
         for (const std::int32_t *f = fragment_, *const end = next_; f != end; f += 2) {

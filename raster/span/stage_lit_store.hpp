@@ -28,12 +28,12 @@ struct ExactLit {
 
 namespace inner {
 
-/// k / Most as F / 2^16, where F is at most 1 too small (LitGuess).
+/// k / Most as F / 2^16, where F is at most 1 too small (LitGuess); F is 65535 for the component 1.
 template <std::uint32_t Most> struct LitFactors {
     std::uint16_t of[Most + 1];
     constexpr LitFactors() : of{} {
         for (std::uint32_t k = 1; k <= Most; ++k)
-            of[k] = static_cast<std::uint16_t>((k * 65536 - 1) / Most); // 65535 stands for 1
+            of[k] = static_cast<std::uint16_t>((k * 65536 - 1) / Most); // 65535 for 1
     }
 };
 template <std::uint32_t Most> inline constexpr LitFactors<Most> lit_factors;
