@@ -50,9 +50,8 @@ template <class Case> class PathList {
     SPANGLE_INLINE void draw() {
         const auto back = static_cast<std::ptrdiff_t>(before_) * 2;
         std::uint8_t* const color = target_.color - back;
-        std::uint8_t* const depth =
-            // There may be no depth plane.
-            Case::tested ? target_.depth - back : nullptr;
+        // There may be no depth plane.
+        std::uint8_t* const depth = Case::tested ? target_.depth - back : nullptr;
         using One = Lanes<1>;
         for (const std::int32_t *f = fragment_, *const end = next_; f != end; f += 2) {
             const std::ptrdiff_t offset = f[0];

@@ -155,7 +155,7 @@ template <class N, PixelFormat Format> struct Store : StageBase {
     }
 };
 
-/// Stores colours with ordered dithering on window coordinates (GL 1.3, 4.1.10). Components of 8 bits are
+/// Stores colours with ordered dithering on window coordinates (GL 1.3, 4.1.8). Components of 8 bits are
 /// stored undithered.
 template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
     using L = typename N::L;

@@ -1,4 +1,4 @@
-// Thresholds of ordered dithering along rows of the window (GL 1.3, 4.1.10).
+// Thresholds of ordered dithering along rows of the window (GL 1.3, 4.1.8).
 #pragma once
 
 #include <bit>
