@@ -79,8 +79,8 @@ template <class Vector> struct LongPair {
     SPANGLE_INLINE static Vector even_words(const Vector& v) {
         return std::bit_cast<Vector>(std::bit_cast<Long>(v) & 0xFFFFFFFFu);
     }
-    /// Shifts v to the right or to the left: one of both numbers is negative and counts as no shift, or both
-    /// are 0.
+    /// Shifts v to the right or to the left. Either one of both numbers is negative, and its shift gives 0,
+    /// or both are 0.
     SPANGLE_INLINE static Long shifted(const Long& v, const Vector& right, const Vector& left) {
         const auto r = std::bit_cast<Long>(right), l = std::bit_cast<Long>(left);
         return (whole(v ^ sign, r, false) - whole(Long{} + sign, r, false)) | whole(v, l, true);

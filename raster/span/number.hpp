@@ -65,7 +65,7 @@ SPANGLE_INLINE std::uint32_t color_in_near_steps(std::uint32_t c, int component)
 /// A colour counted in steps as by exact_steps, but for up to 2^-12 of a 255th too much. `rest` is what such
 /// a factor lacks of 1.
 SPANGLE_INLINE std::uint32_t color_in_guessed_steps(std::uint32_t c, int component) {
-    const auto rest = numeric::kept_in_register(component == 1 ? 771u : 1799u); // of 2^16
+    const auto rest = numeric::kept_in_register(component == 1 ? 771u : 1799u); // of 2^16, which stands for 1
     return c - ((c >> 8) * rest >> 8);
 }
 
