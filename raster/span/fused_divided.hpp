@@ -9,7 +9,7 @@ namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
 /// A patch around the fragments of rows, measured from a fragment amid them, because planes of thin triangles
-/// are steep at vertices that lie beside the fragments.
+/// are steep beside the fragments.
 struct PatchOfRows {
     Patch patch;
     bool fits;

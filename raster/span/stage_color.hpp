@@ -120,8 +120,7 @@ namespace inner {
 /// number below one.
 SPANGLE_INLINE std::uint32_t projective_color(std::int32_t over_w, const Inverse& inverse) {
     // The quotient has 28 fraction bits, and color_one is 255/256 of 2^28.
-    const auto most =
-        static_cast<std::int32_t>(inverse.q - (inverse.q >> 8) - 1); // 255/256 are one in colour units
+    const auto most = static_cast<std::int32_t>(inverse.q - (inverse.q >> 8) - 1); // 255/256 are one
     const std::int32_t least = over_w < 0 ? 0 : over_w, v = least < most ? least : most;
     // v / q 2^28 = v mantissa 2^(zeros - 34), v < 2^(32 - zeros)
     return numeric::mul_high_u32(static_cast<std::uint32_t>(v) << inverse.zeros, inverse.mantissa) >> 2;
