@@ -1,4 +1,4 @@
-// The DCS controllers that are modelled, as data from their datasheets.
+// The DCS controllers that the simulator models, as data from their datasheets.
 #pragma once
 
 #include <array>
@@ -9,23 +9,23 @@
 
 namespace spangle::sim {
 
-/// A command with these parameters opens the maker's registers, or, where several are named, the next of
-/// them does. The same command with other parameters locks them again.
+/// A command whose parameters open the maker's registers. Where a chip has several keys, the registers open
+/// after all of them, in their order. The same command with other parameters locks the registers again.
 struct Key {
     std::uint8_t command = 0;
     std::array<std::uint8_t, 3> parameters{};
     std::uint8_t count = 0;
 };
 
-/// An answer beside 04h by which the controller is told from others.
+/// The answer to a read command other than 04h, which tells this controller from others.
 struct MakerId {
-    std::uint8_t command = 0; ///< 0: none
+    std::uint8_t command = 0; ///< the read command; 0: the chip has none
     std::array<std::uint8_t, 3> bytes{};
     std::uint8_t count = 0;
-    std::uint8_t dummy_bits = 0; ///< on a serial bus
+    std::uint8_t dummy_bits = 0; ///< clocks before the answer on a serial bus
 };
 
-/// Sets of COLMOD values (3Ah, bits 2..0).
+/// A set of COLMOD values (3Ah, bits 2..0), a bit 1 << value each.
 constexpr std::uint8_t depths(std::initializer_list<int> values) {
     unsigned set = 0;
     for (const int v : values)
@@ -35,29 +35,29 @@ constexpr std::uint8_t depths(std::initializer_list<int> values) {
 
 struct Chip {
     const char* name;
-    int width, height;                       ///< of the frame memory, MADCTL 00h
-    std::array<MemorySize, 2> other_sizes{}; ///< which pins of the chip choose instead
-    std::array<std::uint8_t, 3> id{};        ///< 04h
+    int width, height;                       ///< of the frame memory in cells, as MADCTL 00h addresses it
+    std::array<MemorySize, 2> other_sizes{}; ///< further memories that pins of the chip select
+    std::array<std::uint8_t, 3> id{};        ///< answer to 04h
     MakerId maker_id{};
-    std::array<std::uint8_t, 4> status{0x00, 0x61, 0x00, 0x00}; ///< 09h after reset
-    unsigned reset_to_command_ms = 120;                         ///< after a hardware reset
-    unsigned line_ns; ///< of the scan, with the registers' reset values
-    int porch_lines;  ///< vertical blanking, TE is high
+    std::array<std::uint8_t, 4> status{0x00, 0x61, 0x00, 0x00}; ///< answer to 09h after reset
+    unsigned reset_to_command_ms = 120; ///< ms from a hardware reset to the first command
+    unsigned line_ns;                   ///< ns of one scanned line, with the registers' reset values
+    int porch_lines;                    ///< lines of vertical blanking, during which TE is high
     unsigned serial_write_ns,
-        serial_write_got_ns; ///< shortest clock: rated, and what modules are known to take
+        serial_write_got_ns; ///< shortest clock period, ns: as rated, and as modules are known to take
     unsigned serial_read_ns = 150;
     unsigned parallel_write_ns = 66, parallel_read_ns = 450;
-    int register_dummy_bits = 1, pixel_dummy_bits = 8; ///< of 04h and 09h, and of 2Eh
-    bool out_of_range_clamps = false; ///< XE, YE beyond the memory: clamped, else pixels there are ignored
-    bool low_bit_from_green = false;  ///< reset value of EPF: the missing low bit of R and B is green's
-    bool reads_write_depth = false;   ///< 2Eh answers in COLMOD's format, else three bytes a pixel
-    std::uint8_t serial_depths = depths({5, 6}), parallel_depths = depths({5, 6}); ///< what COLMOD may say
-    std::array<Key, 2> keys{}; ///< in this order; none: the maker's registers are always open
+    int register_dummy_bits = 1, pixel_dummy_bits = 8; ///< dummy clocks: of 04h and 09h; of 2Eh
+    bool out_of_range_clamps = false; ///< XE, YE beyond the memory are clamped, else pixels there are ignored
+    bool low_bit_from_green = false;  ///< reset value of EPF: green gives R and B their missing low bit
+    bool reads_write_depth = false;   ///< 2Eh answers in COLMOD's format, else in three bytes a pixel
+    std::uint8_t serial_depths = depths({5, 6}), parallel_depths = depths({5, 6}); ///< COLMOD values taken
+    std::array<Key, 2> keys{}; ///< turned in this order; without keys the maker's registers are always open
     int key_count = 0;
 };
 
 inline constexpr Chip chips[] = {
-    // fosc 615 kHz, 27 clocks a line, 320 + 2 + 2 lines: 70.3 Hz.
+    // The oscillator has 615 kHz, a line 27 clocks, and a frame 320 + 2 + 2 lines: 70.3 Hz.
     {.name = "ILI9341",
      .width = 240,
      .height = 320,
@@ -67,7 +67,7 @@ inline constexpr Chip chips[] = {
      .porch_lines = 4,
      .serial_write_ns = 100,
      .serial_write_got_ns = 12},
-    // 10 MHz / ((250 + 16 * 15) * (320 + 24)): 59 Hz.
+    // The refresh rate is 10 MHz / ((250 + 16 * 15) * (320 + 24)), which is 59 Hz.
     {.name = "ST7789",
      .width = 240,
      .height = 320,
@@ -81,7 +81,8 @@ inline constexpr Chip chips[] = {
      .low_bit_from_green = true,
      .serial_depths = depths({3, 5, 6}),
      .parallel_depths = depths({3, 5, 6})},
-    // fosc 850 kHz / ((1 * 2 + 40) * (162 + 44 + 45)). The GM pins choose the memory.
+    // The refresh rate is 850 kHz / ((1 * 2 + 40) * (162 + 44 + 45)). The GM pins select the size of the
+    // memory.
     {.name = "ST7735",
      .width = 132,
      .height = 162,
@@ -94,7 +95,8 @@ inline constexpr Chip chips[] = {
      .pixel_dummy_bits = 9,
      .serial_depths = depths({3, 5, 6}),
      .parallel_depths = depths({3, 5, 6})},
-    // An ILI9341 whose memory lies on its side: as many clocks a line, 240 + 2 + 2 lines.
+    // The ILI9342C is an ILI9341 whose memory lies on its side: a line has as many clocks, and a frame 240 +
+    // 2 + 2 lines.
     {.name = "ILI9342C",
      .width = 320,
      .height = 240,
@@ -104,7 +106,8 @@ inline constexpr Chip chips[] = {
      .porch_lines = 4,
      .serial_write_ns = 100,
      .serial_write_got_ns = 25},
-    // Where no figures of the scan are known: 60 Hz and 8 lines of blanking, here and below.
+    // The datasheets of the chips from here on give no figures of the scan: 60 Hz and 8 lines of blanking are
+    // assumed.
     {.name = "ILI9486",
      .width = 320,
      .height = 480,
@@ -162,7 +165,8 @@ inline constexpr Chip chips[] = {
      .key_count = 1},
 };
 
-/// The chip with the memory its pins are strapped to; width 0 when it has no such memory.
+/// Returns the chip with a memory of the wanted size, as its pins select it. The width is 0 where the chip
+/// has no such memory.
 constexpr Chip strapped(const Chip& chip, MemorySize wanted) {
     Chip out = chip;
     bool known = wanted.width == chip.width && wanted.height == chip.height;

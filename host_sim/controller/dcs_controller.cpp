@@ -1,4 +1,4 @@
-// How does a DCS controller take commands, and which rules did they break?
+// The decoder of commands of a DCS controller, which reports the rules that they break.
 #include "host_sim/controller/dcs_controller.hpp"
 
 #include <algorithm>
@@ -9,7 +9,8 @@ namespace {
 
 constexpr Time us = 1000, ms = 1000 * us;
 
-/// Parameters of the commands of the standard; -1: not checked (pixels, reads, makers' own).
+/// The number of parameters of a standard command. -1 stands for commands that are not checked: pixels, reads
+/// and the maker's own.
 int expected_parameters(std::uint8_t command) {
     switch (command) {
     case 0x00:
@@ -99,8 +100,8 @@ void DcsController::reset(bool low, Time now) {
     sleep_out_allowed_at_ = now + 120 * ms;
 }
 
-/// Between bytes a raised CS ends no command (a fact of these controllers): parameters and pixels may go on.
-/// It does end an answer: the line is let go.
+/// Raising CS between bytes ends no command (a fact of these controllers): parameters and pixels may go on
+/// afterwards. It does end an answer, because the controller lets go of the data line.
 void DcsController::select(bool chip_select, Time now) {
     selected_ = chip_select;
     if (chip_select)
@@ -127,7 +128,7 @@ void DcsController::write(std::uint8_t byte, bool data, Time now, unsigned perio
         parameter(byte, now);
 }
 
-/// Once a command: a frame at the wrong clock is one mistake.
+/// Reports a clock that is too fast once per command: a frame at the wrong clock is one mistake.
 void DcsController::check_write_clock(Time now, unsigned period_ns) {
     const unsigned shortest = parallel_ ? chip_.parallel_write_ns : chip_.serial_write_got_ns;
     if (period_ns >= shortest || write_too_fast_)
@@ -159,7 +160,7 @@ void DcsController::begin_command(std::uint8_t command, Time now) {
     prepare_read(now);
 }
 
-/// The next command ends the one before: what it left unfinished shows now.
+/// Checks the previous command when the next one begins: only then it shows what was left unfinished.
 void DcsController::end_command(Time now) {
     if (!has_command_)
         return;
@@ -175,7 +176,7 @@ void DcsController::end_command(Time now) {
     turn_key();
 }
 
-/// Keys count in their order; one that is turned again changes nothing.
+/// Notes a key of the maker's registers. Keys count only in their order; turning a key again changes nothing.
 void DcsController::turn_key() {
     bool wrong = false;
     for (int i = 0; i < chip_.key_count; ++i) {
@@ -193,7 +194,8 @@ void DcsController::turn_key() {
         keys_turned_ = 0;
 }
 
-/// From 60h on commands are the maker's; behind a lock they are lost.
+/// Keeps the parameters of a command from 60h on in the maker's register, or reports that the register is
+/// locked.
 void DcsController::end_maker_register(Time now) {
     if (command_ < 0x60 || parameters_.empty())
         return;
@@ -224,7 +226,7 @@ void DcsController::execute(Time now) {
     const auto& p = parameters_;
     const auto word = [&p](std::size_t i) { return p[i] << 8 | p[i + 1]; };
     switch (command_) {
-    case 0x01: // SWRESET: registers only; the memory stays
+    case 0x01: // SWRESET resets registers only; the memory stays
         if (!awake_)
             sleep_out_allowed_at_ = std::max(sleep_out_allowed_at_, now + 5 * ms);
         else

@@ -1,6 +1,6 @@
-// A MIPI DCS display controller at the level of bytes on its bus: command decoder, frame memory, scan-out,
-// read-back, and the rules of the protocol it watches. Written from the datasheets' facts alone; no driver of
-// ours is known here.
+// A MIPI DCS display controller at the level of bytes on its bus: command decoder, frame memory, scan,
+// read-back, and the rules of its protocol. It is written from the datasheets' facts alone and uses nothing
+// of Spangle's drivers.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ class DcsController final : public Controller {
   public:
     DcsController(const Chip& chip, const GlassMount& glass, bool parallel);
 
-    // --- the pins
+    // --- pins
     void reset(bool low, Time now) override;
     void select(bool chip_select, Time now) override;
     void write(std::uint8_t byte, bool data, Time now, unsigned period_ns) override;
@@ -28,7 +28,7 @@ class DcsController final : public Controller {
     bool te(Time now) override;
 
     // --- views
-    /// After scanning up to `now`.
+    /// Scans up to `now` before it takes the picture.
     std::vector<Rgb666> glass(Time now) override;
     std::vector<Rgb666> cells() const override { return memory_; }
     MemorySize memory_size() const override { return {chip_.width, chip_.height}; }
@@ -36,7 +36,7 @@ class DcsController final : public Controller {
     Time refresh_time() const override {
         return Time(chip_.line_ns) * Time(chip_.height + chip_.porch_lines);
     }
-    /// The frame memory as MADCTL 00h addresses it.
+    /// The frame memory, in the order in which MADCTL 00h addresses it.
     const std::vector<Rgb666>& memory() const { return memory_; }
     const Chip& chip() const { return chip_; }
     int scan_line(Time now) const;
@@ -44,19 +44,19 @@ class DcsController final : public Controller {
     bool awake() const { return awake_; }
     bool display_on() const { return on_; }
     std::uint8_t madctl() const { return madctl_; }
-    /// What was last written to one of the maker's registers; empty after reset.
+    /// The parameters last written to one of the maker's registers; empty after reset.
     std::vector<std::uint8_t> maker_register(std::uint8_t command) const;
 
     std::uint64_t pixels_written() const { return pixels_written_; }
 
-    /// Called at the end of each refresh with what it showed, in the order of the memory. Of a series between
-    /// which nothing was written some may be left out.
+    /// Is called at the end of each refresh with the picture that it showed, in the order of the memory. Of
+    /// several refreshes without a write in between some may be left out.
     std::function<void(const std::vector<Rgb666>& shown)> watch_refreshes;
 
   private:
     Chip chip_;
     bool parallel_;
-    std::vector<Rgb666> memory_, shown_; ///< frame memory; what the last scan put on the glass
+    std::vector<Rgb666> memory_, shown_; ///< the frame memory, and what the last scan put on the glass
 
     // registers
     bool awake_ = false, on_ = false, inverted_ = false, idle_ = false, partial_ = false, scrolling_ = false,
@@ -68,7 +68,7 @@ class DcsController final : public Controller {
     int xs_ = 0, xe_ = 0, ys_ = 0, ye_ = 0;
     int partial_start_ = 0, partial_end_ = 0;
     int scroll_top_ = 0, scroll_height_ = 0, scroll_start_ = 0;
-    /// The modes of the frame being scanned: changes wait for the next one.
+    /// The modes of the frame that is being scanned. Changes of a mode wait for the next frame.
     struct Modes {
         bool visible = false, partial = false, scrolling = false, idle = false;
         int partial_start = 0, partial_end = 0, scroll_start = 0;
@@ -85,7 +85,7 @@ class DcsController final : public Controller {
     bool stream_tore_ = false, write_too_fast_ = false;
     std::vector<bool> read_bits_;
     std::size_t read_at_ = 0, read_dummies_ = 0;
-    std::uint64_t read_clocks_ = 0; ///< bits the host took
+    std::uint64_t read_clocks_ = 0; ///< bits that the host has taken
     bool answering_ = false, read_too_fast_ = false;
     int read_x_ = 0, read_y_ = 0;
 

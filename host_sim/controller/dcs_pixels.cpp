@@ -1,12 +1,12 @@
-// Which cell does a pixel go to, and which colour do its bytes hold?
+// How bytes of pixels become colours in the cells of a DCS controller's memory.
 #include "host_sim/controller/dcs_controller.hpp"
 
 #include <algorithm>
 
 namespace spangle::sim {
 
-/// COLMOD values that name no format have been reported; the model goes on with 16 bits, or with 18 where
-/// this bus has no other.
+/// The pixel format that COLMOD selects. For a value that names no format, which execute() has reported, the
+/// model goes on with 16 bits a pixel, or with 18 where this bus has no 16.
 DcsController::Format DcsController::format() const {
     const unsigned takes = parallel_ ? chip_.parallel_depths : chip_.serial_depths, asked = colmod_ & 7u;
     if ((takes >> asked & 1u) != 0)
@@ -31,7 +31,8 @@ std::uint64_t DcsController::window_pixels() const {
                : static_cast<std::uint64_t>(xe_ - xs_ + 1) * static_cast<std::uint64_t>(ye_ - ys_ + 1);
 }
 
-/// Host address to memory cell (ST7735R datasheet 9.11; the others alike).
+/// Finds the memory cell of a host address, if there is one (ST7735R datasheet, 9.11; the other chips do the
+/// same).
 bool DcsController::locate(int x, int y, int& column, int& row) const {
     const int c = (madctl_ & 0x20) != 0 ? y : x, r = (madctl_ & 0x20) != 0 ? x : y;
     column = (madctl_ & 0x40) != 0 ? chip_.width - 1 - c : c;
@@ -50,7 +51,7 @@ void DcsController::begin_write(bool restart, Time now) {
     int c0, r0, c1, r1;
     const bool inside = locate(xs_, ys_, c0, r0) && locate(xe_, ye_, c1, r1);
     if (!inside)
-        return; // CASET or RASET has been reported
+        return; // the command that set the window has reported it
     const auto [left, right] = std::minmax(c0, c1);
     const auto [top, bottom] = std::minmax(r0, r1);
     if (left < glass_.x || right >= glass_.x + glass_.width || top < glass_.y ||
@@ -74,7 +75,7 @@ void DcsController::pixel_byte(std::uint8_t byte, Time now) {
     put_pixel(decode(3), now);
 }
 
-/// `nibble`: where the red of a 12-bit pixel stands.
+/// Decodes the pixel in pixel_bytes_. `nibble` is the place of the red of a 12-bit pixel, in nibbles.
 Rgb666 DcsController::decode(int nibble) const {
     const auto six = [](int v) { return static_cast<std::uint8_t>(v & 63); };
     if (format() == Format::rgb666)
@@ -95,7 +96,7 @@ void DcsController::put_pixel(Rgb666 color, Time now) {
     int column, row;
     if (locate(x_, y_, column, row)) {
         if (te_on_ && !stream_tore_ && on_ && stream_pixels_ != 0) {
-            // The beam stands in this row: above it is new, below it old.
+            // The scan stands in this row: the rows above show the new picture, and those below the old one.
             const int line = scan_line(now);
             if (line == row && line > 0 && x_ == xs_) {
                 stream_tore_ = true;
@@ -105,7 +106,7 @@ void DcsController::put_pixel(Rgb666 color, Time now) {
                        now);
             }
         }
-        if (now >= next_row_at_) // a row is shown as it is when its scan begins, to the pixel
+        if (now >= next_row_at_) // a row is shown as it was when its scan began
             scan_until(now);
         memory_[static_cast<std::size_t>(row * chip_.width + column)] = color;
         ++pixels_written_;
@@ -130,7 +131,8 @@ void DcsController::end_write(Time now) {
                    now);
             return;
         }
-    // Two bytes of 12-bit pixels are one pixel and the latched half of a pair: the end of an odd count.
+    // A stream of 12-bit pixels with an odd count ends with two bytes, the second of which is half used; that
+    // is no fault.
     const bool half = format() == Format::rgb444 ? pixel_fill_ == 1 : pixel_fill_ != 0;
     if (half)
         report(Rule::half_pixel, "the pixel stream ended inside a pixel: one byte slipped", now);

@@ -1,11 +1,11 @@
-// What does a DCS controller answer?
+// What a DCS controller answers to read commands.
 #include "host_sim/controller/dcs_controller.hpp"
 
 namespace spangle::sim {
 
 void DcsController::push_read(std::initializer_list<std::uint8_t> bytes, int dummy_bits) {
-    // On a parallel bus one dummy byte, on a serial one as many clocks as the chip takes to turn the line
-    // round.
+    // A parallel bus has one dummy byte. A serial bus has as many clocks as the chip takes to turn the data
+    // line round.
     const int dummies = parallel_ ? 8 : dummy_bits;
     answering_ = true;
     read_dummies_ = static_cast<std::size_t>(dummies);
@@ -92,7 +92,8 @@ void DcsController::prepare_read(Time now) {
     }
 }
 
-/// Three bytes a pixel, six bits left aligned, whatever COLMOD says; some answer as they were written.
+/// Appends the next pixel of the window to the answer. Most chips answer three bytes a pixel, six bits
+/// left-aligned, whatever COLMOD says; some answer in the format that pixels are written in.
 void DcsController::push_pixels() {
     int column, row;
     Rgb666 p;
@@ -134,8 +135,8 @@ void DcsController::read_clock(Time now, unsigned period_ns) {
            now);
 }
 
-/// Exactly the dummy clocks are missing: the host took the first of them for data. (More clocks than an
-/// answer has are no fault: some hosts read whole bytes and shift.)
+/// Reports an answer of which exactly the dummy clocks are missing: the host took the first of them for data.
+/// More clocks than an answer has are no fault, because some hosts read whole bytes and shift.
 void DcsController::end_read(Time now) {
     if (!answering_ || read_dummies_ == 0 || read_clocks_ == 0)
         return;

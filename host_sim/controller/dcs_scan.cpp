@@ -1,11 +1,11 @@
-// What is on the glass, and where is the beam?
+// The scan of a DCS controller: which picture the glass shows, and which row is scanned at a time.
 #include "host_sim/controller/dcs_controller.hpp"
 
 #include <algorithm>
 
 namespace spangle::sim {
 
-/// The native row being scanned; rows from chip height on are blanking.
+/// The row of the memory that is being scanned. Rows from the chip's height on are blanking.
 int DcsController::scan_line(Time now) const {
     return static_cast<int>(now % refresh_time() / chip_.line_ns);
 }
@@ -65,8 +65,7 @@ void DcsController::scan_until(Time now) {
     const Time lines = Time(chip_.height + chip_.porch_lines);
     Time next = scanned_to_ / chip_.line_ns + 1;
     const Time end = now / chip_.line_ns + 1;
-    if (end - next >
-        2 * lines) { // the refresh under way, and the last one that begins: all between are alike
+    if (end - next > 2 * lines) { // every refresh is alike but the one under way and the last begun
         for (; next % lines != 0; ++next)
             begin_line(next);
         next = (end / lines - 1) * lines;

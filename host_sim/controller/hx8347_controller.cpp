@@ -40,7 +40,7 @@ void Hx8347Controller::power_on() {
     registers_[9] = (height - 1) & 0xFF;
     registers_[PIXELS] = 0x06;
     index_ = 0;
-    values_ = 1; // nothing is left unwritten
+    values_ = 1; // no register waits for its value
     pixel_fill_ = 0;
     stream_ = 0;
     answering_ = false;
@@ -60,7 +60,8 @@ void Hx8347Controller::reset(bool low, Time now) {
     ready_at_ = now + 5 * ms;
 }
 
-/// A start byte follows each falling CS. The index stays; a pixel that was cut does not.
+/// On a serial bus, a start byte follows each falling CS. The index of the register stays; a pixel that was
+/// cut off does not.
 void Hx8347Controller::select(bool chip_select, Time now) {
     selected_ = chip_select;
     started_ = false;
@@ -90,7 +91,7 @@ void Hx8347Controller::write(std::uint8_t byte, bool data, Time now, unsigned pe
         store(byte, now);
 }
 
-/// 0111 0 ID RS RW: RS = 1 a value, RW = 1 read.
+/// Takes the start byte 0111 0 ID RS RW. RS = 1 announces a value, RS = 0 an index; RW = 1 announces a read.
 void Hx8347Controller::start(std::uint8_t byte, Time now) {
     started_ = true;
     index_follows_ = (byte & 0x02) == 0;
@@ -186,7 +187,7 @@ void Hx8347Controller::put(Rgb666 color, Time now) {
         y_ = word(WINDOW + 4);
 }
 
-/// A register is read as it was written, with no dummy cycle in front.
+/// A register is read as it was written, without a dummy cycle before the answer.
 bool Hx8347Controller::drive_bit() {
     return answering_ && (registers_[index_] >> (7 - answer_bit_++ % 8) & 1) != 0;
 }
@@ -199,7 +200,7 @@ void Hx8347Controller::read_clock(Time now, unsigned period_ns) {
                now);
 }
 
-/// GON, DTE and both D bits of 28h light the glass.
+/// The glass is lit while GON, DTE and both D bits of register 28h are set.
 std::vector<Rgb666> Hx8347Controller::glass(Time) {
     std::vector<Rgb666> picture;
     const bool on = (registers_[DISPLAY] & 0x3C) == 0x3C;

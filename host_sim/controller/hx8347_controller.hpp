@@ -1,5 +1,5 @@
-// HX8347: a colour TFT controller of registers, each with an index and a value of one byte. Written from the
-// datasheet's facts alone.
+// HX8347: a controller of colour TFT glass with registers, each with an index and a value of one byte. The
+// model is written from the datasheet's facts alone.
 #pragma once
 
 #include <array>
@@ -8,7 +8,8 @@
 
 namespace spangle::sim {
 
-/// On a parallel bus D/C tells index from value; on a serial one the first byte behind CS does: 70h, 72h.
+/// On a parallel bus D/C tells an index from a value. On a serial bus the first byte after CS does: 70h or
+/// 72h.
 enum class RegisterBus : std::uint8_t { parallel, start_byte };
 
 class Hx8347Controller final : public Controller {
@@ -27,7 +28,7 @@ class Hx8347Controller final : public Controller {
     std::vector<Rgb666> glass(Time now) override;
     std::vector<Rgb666> cells() const override { return memory_; }
     MemorySize memory_size() const override { return {width, height}; }
-    // TE is not wired on its modules; what is seen follows the memory at once.
+    // TE is not wired on modules of this chip, so a viewer sees the memory at once.
     Time line_time() const override { return 1; }
     Time refresh_time() const override { return 0; }
 
@@ -40,12 +41,12 @@ class Hx8347Controller final : public Controller {
     std::uint8_t index_ = 0;
     bool selected_ = false, in_reset_ = false, started_ = false, index_follows_ = false;
     bool answering_ = false, too_fast_ = false;
-    int values_ = 0; ///< written behind the index
+    int values_ = 0; ///< number of values written since the index
     int answer_bit_ = 0;
     Time reset_fell_at_ = 0, ready_at_ = 0;
     std::array<std::uint8_t, 3> pixel_{};
     int pixel_fill_ = 0, x_ = 0, y_ = 0;
-    std::uint64_t stream_ = 0; ///< pixels since index 22h
+    std::uint64_t stream_ = 0; ///< pixels since index 22h was chosen
 
     void power_on();
     void start(std::uint8_t byte, Time now);

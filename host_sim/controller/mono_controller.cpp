@@ -20,7 +20,7 @@ constexpr OledCommand sh1106_commands[] = {
     {0xD3, 1, 1},  {0xD5, 1, 1}, {0xD9, 1, 1},  {0xDA, 2, 1}, //
     {0xE0, 1, 0},  {0xE3, 1, 0}, {0xEE, 1, 0},                // read-modify-write, NOP, its end
 };
-/// The registers QEMU's model knows and those of its family.
+/// The commands that QEMU's model of the SSD0303 knows, and those of its family.
 constexpr OledCommand ssd0303_commands[] = {
     {0x00, 32, 0}, {0x40, 64, 0}, {0x81, 1, 1}, {0xA0, 2, 0}, //
     {0xA4, 4, 0},  {0xA8, 1, 1},  {0xAD, 1, 1}, {0xAE, 2, 0}, //
@@ -40,7 +40,7 @@ const MonoChip ssd1306 = {.chip = {.name = "SSD1306",
                                    .i2c_ns = 1000},
                           .pump_command = 0x8D,
                           .pump_bit = 0x04};
-/// The converter comes on with the panel: AD 8A turns it off.
+/// The converter of the SH1106 comes on with the panel; AD 8A turns it off.
 const MonoChip sh1106 = {.chip = {.name = "SH1106",
                                   .width = 132,
                                   .height = 64,
@@ -185,7 +185,7 @@ void MonoController::execute_with(std::uint8_t command, std::span<const std::uin
     }
 }
 
-/// Bytes from the pointer until it is back.
+/// The number of bytes until the memory pointer is back where it began.
 std::uint64_t MonoController::window() const {
     if (mode_ == Mode::page)
         return static_cast<std::uint64_t>(chip_.width);
@@ -193,7 +193,7 @@ std::uint64_t MonoController::window() const {
            static_cast<std::uint64_t>(last_page_ - first_page_ + 1);
 }
 
-/// A1h changes where later bytes go; what is in memory stays.
+/// Writes a byte of eight pixels. The remap of A1h changes where later bytes go, and moves nothing in memory.
 void MonoController::data(std::uint8_t byte, Time now) {
     if (scrolling_)
         report_once(Rule::busy, "the memory is written while it scrolls", now);
@@ -217,7 +217,7 @@ void MonoController::data(std::uint8_t byte, Time now) {
 void MonoController::advance() {
     switch (mode_) {
     case Mode::page:
-        ++column_; // beyond the last column: seen when another byte comes
+        ++column_; // a column beyond the last is reported when another byte comes
         return;
     case Mode::horizontal:
         if (++column_ <= last_column_)
@@ -234,7 +234,8 @@ void MonoController::advance() {
     }
 }
 
-/// A stream that filled a part of its window leaves the pointer in its middle: a byte was lost.
+/// Reports a stream that filled only a part of its window. It leaves the pointer in the middle of the window,
+/// so a byte was lost.
 void MonoController::end_data(Time now) {
     if (mode_ != Mode::page && stream_ != 0 && (column_ != first_column_ || page_ != first_page_))
         report_once(Rule::pixel_count,
@@ -251,8 +252,8 @@ Rgb666 MonoController::cell(int column, int row) const {
     return bit(column, row) ? Rgb666{63, 63, 63} : Rgb666{};
 }
 
-/// Glass of more than 32 rows has its even rows on the lower half of the COM pins and its odd ones on the
-/// upper (DAh bit 4); driven otherwise its rows come shuffled.
+/// The state of a pixel of the glass. Glass of more than 32 rows has its even rows on the lower half of the
+/// COM pins and its odd rows on the upper half. Where DAh bit 4 says otherwise, the rows appear shuffled.
 OledController::Lit MonoController::lit(int column, int line) const {
     const bool alternating = glass_.height > 32;
     if (com_alternating_ != alternating)

@@ -1,5 +1,6 @@
-// Controllers of one-bit OLED glass: SSD1306, SH1106, SSD0303. A byte is eight pixels one above the other,
-// the uppermost in bit 0; eight rows are a page. Written from the datasheets' facts alone.
+// Controllers of one-bit OLED glass: SSD1306, SH1106, SSD0303. A byte holds eight pixels, one above the
+// other, the uppermost in bit 0; eight rows are a page. The models are written from the datasheets' facts
+// alone.
 #pragma once
 
 #include "host_sim/controller/oled.hpp"
@@ -8,9 +9,9 @@ namespace spangle::sim {
 
 struct MonoChip {
     OledChip chip;
-    bool page_mode_only = false; ///< no 20h, 21h, 22h
-    /// What lights the glass up: a converter of its own, switched by this bit of this register; 0: none
-    /// needed.
+    bool page_mode_only = false; ///< the chip lacks commands 20h, 21h, 22h
+    /// The converter that lights the glass, and the bit of the command that switches it on. 0: the glass
+    /// needs no converter.
     std::uint8_t pump_command = 0, pump_bit = 0;
     bool pump_at_reset = false;
 };
@@ -26,13 +27,13 @@ class MonoController final : public OledController {
 
   private:
     const MonoChip mono_;
-    std::vector<std::uint8_t> memory_; ///< by page, then column
+    std::vector<std::uint8_t> memory_; ///< bytes, by page, then column
 
     enum class Mode : std::uint8_t { horizontal, vertical, page };
     Mode mode_ = Mode::page;
     int column_ = 0, page_ = 0;
     int first_column_ = 0, last_column_ = 0, first_page_ = 0, last_page_ = 0;
-    int kept_column_ = 0; ///< of read-modify-write (E0h)
+    int kept_column_ = 0; ///< column at which read-modify-write (E0h) began
     bool modifying_ = false;
     int start_line_ = 0, offset_ = 0, multiplex_ = 64;
     bool remap_ = false, com_reversed_ = false, com_alternating_ = true, all_on_ = false, inverted_ = false,

@@ -21,7 +21,7 @@ void OledController::reset(bool low, Time now) {
     power_on();
 }
 
-/// CS between bytes ends nothing: parameters and data may go on.
+/// Raising CS between bytes ends nothing: parameters and data may go on afterwards.
 void OledController::select(bool chip_select, Time) {
     selected_ = chip_select;
 }
@@ -70,7 +70,7 @@ void OledController::parameter(std::uint8_t byte, Time now) {
         execute(command_, parameters_, now);
 }
 
-/// Once a command: a frame at the wrong clock is one mistake.
+/// Reports a clock that is too fast once per command: a frame at the wrong clock is one mistake.
 void OledController::check_clock(Time now, unsigned period_ns) {
     const unsigned shortest = bus_ == OledBus::serial     ? chip_.serial_write_got_ns
                               : bus_ == OledBus::parallel ? chip_.parallel_write_ns

@@ -1,5 +1,5 @@
-// What the controllers of OLED glass share: command bytes that are followed by so many parameters, a memory
-// of cells, and lines of glass that are driven from it. What a command does is each family's own.
+// What the controllers of OLED glass share: commands with a fixed number of parameters, a memory of cells,
+// and lines of glass that are driven from it. Each family adds what its commands do.
 #pragma once
 
 #include <span>
@@ -8,26 +8,26 @@
 
 namespace spangle::sim {
 
-/// A command, `count` of them from `first` on, and the parameters that follow.
+/// `count` commands from `first` on, each of which takes `parameters` bytes of parameters.
 struct OledCommand {
     std::uint8_t first = 0, count = 1, parameters = 0;
 };
 
-/// What a chip is, as data.
+/// The properties of a controller chip, as data.
 struct OledChip {
     const char* name;
     int width, height; ///< of the memory, in cells
     std::span<const OledCommand> commands{};
-    bool parameters_are_data = false; ///< D/C is high for parameters, else low as for the command
+    bool parameters_are_data = false; ///< D/C is high for parameters, else low as for commands
     unsigned reset_low_us = 3;
     unsigned reset_to_command_us = 0;
     unsigned serial_write_ns,
-        serial_write_got_ns; ///< shortest clock: rated, and what modules are known to take
+        serial_write_got_ns; ///< shortest clock period, ns: as rated, and as modules are known to take
     unsigned parallel_write_ns = 300;
-    unsigned i2c_ns = 0; ///< 0: has no I2C
+    unsigned i2c_ns = 0; ///< shortest clock period of I2C, ns; 0: the chip has no I2C
 };
 
-/// How its bytes arrive.
+/// The kind of bus on which bytes arrive.
 enum class OledBus : std::uint8_t { serial, parallel, i2c };
 
 class OledController : public Controller {
@@ -41,36 +41,36 @@ class OledController : public Controller {
     std::vector<Rgb666> glass(Time now) final;
     std::vector<Rgb666> cells() const final;
     MemorySize memory_size() const final { return {chip_.width, chip_.height}; }
-    // These chips tell nobody where they scan; what is seen follows the memory at once.
+    // These chips do not tell the host which row they scan; a viewer sees the memory at once.
     Time line_time() const final { return 1; }
     Time refresh_time() const final { return 0; }
 
   protected:
     const OledChip chip_;
 
-    // What a family adds.
+    // --- what a family adds
     virtual void power_on() = 0;
     virtual void execute(std::uint8_t command, std::span<const std::uint8_t> parameters, Time now) = 0;
     virtual void data(std::uint8_t byte, Time now) = 0;
-    /// The next command, or the end of the look: what the stream of data left unfinished shows now.
+    /// Reports what the stream of data left unfinished, when the next command begins or the picture is taken.
     virtual void end_data(Time) {}
-    /// The cell that lights this place of the glass; null: none does.
+    /// How a place of the glass is lit.
     struct Lit {
-        bool dark = false; ///< nothing drives it
+        bool dark = false; ///< no line drives this place
         Rgb666 color;
     };
     virtual Lit lit(int column, int line) const = 0;
     virtual Rgb666 cell(int column, int row) const = 0;
 
-    /// A range of columns, rows or pages below `bound`, as commands give it; the pointer goes to its start.
+    /// Takes the range of a command, columns, rows or pages below `bound`, and sets the pointer to its start.
     void set_range(int& first, int& last, int& at, std::span<const std::uint8_t> p, int bound, Time now);
-    /// The first of a rule only, until the next command.
+    /// Reports only the first violation of a rule until the next command.
     void report_once(Rule rule, const std::string& text, Time at);
 
   private:
     OledBus bus_;
     bool selected_ = false, in_reset_ = false, write_too_fast_ = false;
-    std::uint32_t reported_ = 0; ///< rules, a bit each
+    std::uint32_t reported_ = 0; ///< rules already reported, bit 1 << rule each
     Time reset_fell_at_ = 0, ready_at_ = 0;
     std::uint8_t command_ = 0, missing_ = 0;
     std::vector<std::uint8_t> parameters_;

@@ -190,7 +190,7 @@ std::uint64_t WindowedController::window() const {
 }
 
 void WindowedController::clear(std::span<const std::uint8_t> p, Time now) {
-    constexpr Time engine_ns = 1'000'000; // what drivers wait; the datasheet names none
+    constexpr Time engine_ns = 1'000'000; // what drivers wait; the datasheet names no time
     busy_until_ = now + engine_ns;
     for (int row = p[1]; row <= p[3] && row < chip_.height; ++row)
         for (int column = p[0]; column <= p[2] && column < chip_.width; ++column)
@@ -214,7 +214,7 @@ void WindowedController::data(std::uint8_t byte, Time now) {
     put(static_cast<unsigned>(pixel_[0] << 8 | pixel_[1]), now);
 }
 
-/// What a column address takes: two greys, or one colour.
+/// Writes the value of one column address: two greys, or one colour.
 void WindowedController::put(unsigned value, Time now) {
     if (++stream_ > window())
         report_once(Rule::pixel_count,
@@ -226,11 +226,12 @@ void WindowedController::put(unsigned value, Time now) {
         report_once(Rule::window,
                     "no glass at column " + std::to_string(left) + " of row " + std::to_string(row_), now);
     if (windowed_.grey) {
-        const bool swapped = bit(windowed_.remap.nibbles); // else the low nibble is the lower segment's
+        const bool swapped = bit(windowed_.remap.nibbles); // else the low nibble belongs to the lower segment
         memory_[index(left, row_)] = static_cast<std::uint16_t>(swapped ? value >> 4 : value & 15);
         memory_[index(left + 1, row_)] = static_cast<std::uint16_t>(swapped ? value & 15 : value >> 4);
     } else {
-        // RRRGGGBB keeps the upper bits; what fills the lower ones is the upper again.
+        // A pixel RRRGGGBB gives the upper bits of a component; its upper bits are repeated in the lower
+        // ones.
         const unsigned r = value >> 5 & 7, g = value >> 2 & 7, b = value & 3;
         const unsigned wide = (r << 2 | r >> 1) << 11 | (g << 3 | g) << 5 | (b << 3 | b << 1 | b >> 1);
         memory_[index(left, row_)] = static_cast<std::uint16_t>(two_bytes() ? value : wide);
@@ -251,8 +252,8 @@ void WindowedController::advance() {
     }
 }
 
-/// A stream that filled a part of its window, or of a pixel, leaves the pointer in its middle: a byte was
-/// lost.
+/// Reports a stream that filled only a part of its window, or of a pixel. It leaves the pointer in the
+/// middle, so a byte was lost.
 void WindowedController::end_data(Time now) {
     if (pixel_fill_ != 0)
         report(Rule::half_pixel, "the pixel stream ended inside a pixel: one byte slipped", now);
@@ -275,7 +276,8 @@ Rgb666 WindowedController::cell(int column, int row) const {
     return {six(v >> 11 << 1 | v >> 15), six(v >> 5 & 63), six((v & 31) << 1 | (v >> 4 & 1))};
 }
 
-/// The glass has its even lines on one side's COM pins and its odd ones on the other's.
+/// The state of a pixel of the glass, whose even lines are on the COM pins of one side, and odd lines on
+/// those of the other side.
 OledController::Lit WindowedController::lit(int column, int line) const {
     if (!bit(windowed_.remap.com_split))
         line = line / 2 + line % 2 * (glass_.height / 2);

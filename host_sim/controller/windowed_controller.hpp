@@ -1,5 +1,5 @@
 // Controllers of grey and colour OLED glass whose memory is written through a window of columns (15h) and
-// rows (75h): SSD1327, SSD0323; SSD1351, SSD1331. Written from the datasheets' facts alone.
+// rows (75h): SSD1327, SSD0323, SSD1351, SSD1331. The models are written from the datasheets' facts alone.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace spangle::sim {
 
-/// Bits of A0h; 0: the chip has none.
+/// The bits of A0h with their meanings; 0: the chip has no such bit.
 struct RemapBits {
     std::uint8_t vertical, columns, nibbles, order, com_reversed, com_split;
 };
@@ -18,16 +18,17 @@ enum class Shown : std::uint8_t { memory, all_on, all_off, inverse };
 struct WindowedChip {
     OledChip chip;
     RemapBits remap;
-    bool grey = false; ///< two pixels a byte and a column address; else A0h bits 7..6 name the depth
-    bool order_set_is_rgb = false;   ///< else a set order bit stands for blue, green, red
-    std::uint8_t stream_command = 0; ///< pixels follow this one only; 0: data are pixels at any time
+    bool grey = false; ///< two pixels a byte and column address; else A0h bits 7..6 select the depth
+    bool order_set_is_rgb = false;   ///< else a set order bit means blue, green, red
+    std::uint8_t stream_command = 0; ///< the command that takes pixels; 0: data are pixels at any time
     std::uint8_t multiplex_command = 0xA8;
-    std::array<Shown, 4> shown{Shown::memory, Shown::all_on, Shown::all_off, Shown::inverse}; ///< A4h to A7h
+    std::array<Shown, 4> shown{Shown::memory, Shown::all_on, Shown::all_off,
+                               Shown::inverse}; ///< effects of A4h to A7h
     std::uint8_t offset_at_reset = 0;
-    int first_com = 0;                             ///< where the glass begins: A2h makes up for it
-    std::uint8_t lock_command = 0, unlock_all = 0; ///< what opens the registers below
+    int first_com = 0; ///< COM line at which the glass begins; A2h makes up for it
+    std::uint8_t lock_command = 0, unlock_all = 0; ///< the key that opens `locked`
     std::span<const std::uint8_t> locked{};
-    std::uint8_t clear_command = 0; ///< the drawing engine's, four corners
+    std::uint8_t clear_command = 0; ///< command of the drawing engine that clears a rectangle; 0: none
 };
 
 extern const WindowedChip ssd1327, ssd0323, ssd1351, ssd1331;
@@ -38,7 +39,7 @@ class WindowedController final : public OledController {
 
     bool display_on() const { return on_; }
     std::uint8_t remap() const { return remap_; }
-    /// Row by row: 0..15 of grey chips, else 16 bits as RGB565.
+    /// A cell of the memory: 0..15 on grey chips, else 16 bits as RGB565.
     unsigned value(int column, int row) const { return memory_[index(column, row)]; }
 
   private:
@@ -63,7 +64,9 @@ class WindowedController final : public OledController {
     bool locks(std::uint8_t command) const;
     bool bit(std::uint8_t mask) const { return (remap_ & mask) != 0; }
     bool two_bytes() const { return !windowed_.grey && (remap_ & 0xC0) != 0; }
-    int addresses() const { return windowed_.grey ? chip_.width / 2 : chip_.width; } ///< of columns
+    int addresses() const {
+        return windowed_.grey ? chip_.width / 2 : chip_.width;
+    } ///< number of column addresses
     std::uint64_t window() const;
     std::size_t index(int column, int row) const {
         return static_cast<std::size_t>(row * chip_.width + column);
