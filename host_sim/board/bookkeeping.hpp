@@ -1,4 +1,4 @@
-// The memory a PanelDisplay asks its owner for, of a display that is described at run time.
+// The memory that a PanelDisplay asks of its owner, for a display that is described at run time.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 namespace spangle::sim {
 
 struct Bookkeeping {
-    static constexpr std::size_t list = 2048; ///< one for any frame
+    static constexpr std::size_t list = 2048; ///< ops, enough for any frame
     std::vector<RowSpan> touched, damage, turned, held, content[2];
     std::vector<std::uint16_t> plan;
     std::vector<hal::Op> ops = std::vector<hal::Op>(list);

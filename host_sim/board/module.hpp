@@ -1,4 +1,4 @@
-// What a display module is made of, from the panel's data, and what is seen on it.
+// Builds the model of a display module from the data of its panel, and takes pictures of its glass.
 #pragma once
 
 #include <memory>
@@ -12,19 +12,19 @@
 
 namespace spangle::sim {
 
-/// The panel's controller as the module is built, on this bus.
+/// Returns a model of the panel's controller as the module uses it on this bus.
 std::unique_ptr<Controller> make_controller(const hal::PanelDesc& panel, hal::BusKind bus);
-/// A DCS panel's chip, its memory as the module straps it.
+/// The chip of a DCS panel, with the memory size that the module straps.
 Chip chip_of(const hal::PanelDesc& panel);
-/// How the module is built.
+/// The part of the frame memory that the module's glass covers, and how the glass is mounted.
 GlassMount mount_of(const hal::PanelDesc& panel);
 Image picture_of(const std::vector<Rgb666>& pixels, int width, int height);
-/// What the glass shows now, as the module is held with its controller's first row up. Around round glass the
-/// picture is transparent.
+/// What the glass shows now, when the module is held with its controller's first row up. The picture is
+/// transparent outside round glass.
 Image seen(Controller& controller, Time now);
-/// Transparent black where a disc that fills the picture does not reach.
+/// Makes the pixels transparent black that a disc which fills the picture does not reach.
 void hide_corners(Image& glass);
-/// The picture as it was drawn: turned back, then mirrored back.
+/// Turns a picture of the glass back to the picture that was drawn: first rotation, then mirroring is undone.
 Image upright(const Image& glass, hal::Orientation o);
 
 } // namespace spangle::sim

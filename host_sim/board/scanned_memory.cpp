@@ -5,7 +5,7 @@
 namespace spangle::sim {
 namespace {
 
-/// A pixel's components as bytes, from the format's own words.
+/// Reads a pixel of the format, and writes its red, green and blue as bytes.
 void widen(PixelFormat format, const std::uint8_t* p, std::uint8_t* rgb) {
     if (format == PixelFormat::rgb888 || format == PixelFormat::rgba8888) {
         for (int c = 0; c < 3; ++c)
@@ -20,7 +20,8 @@ void widen(PixelFormat format, const std::uint8_t* p, std::uint8_t* rgb) {
 
 } // namespace
 
-/// The first address is taken at once: before it nothing is scanned.
+/// Sets the address of the picture that the next refresh scans. The first address counts at once, because
+/// nothing was scanned before.
 void ScannedMemory::show(const std::uint8_t* pixels) {
     next_ = pixels;
     if (address_ == nullptr)

@@ -1,5 +1,5 @@
-// A display that scans a picture out of memory, in virtual time: what a port of a microcontroller's block
-// does, and what one sees.
+// A display that scans a picture out of memory, in virtual time. It stands for the scan-out block of a
+// microcontroller's port and for the glass behind it.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 namespace spangle::sim {
 
 struct ScanTiming {
-    int lines = 0, blanking = 0; ///< of a refresh: visible ones, and those behind them
+    int lines = 0, blanking = 0; ///< lines of a refresh: visible ones, and blanking behind them
     std::uint32_t line_ns = 0;
 };
 
@@ -19,12 +19,12 @@ class ScannedMemory final : public hal::ScanOut {
     ScannedMemory(int width, PixelFormat format, int stride, const ScanTiming& timing)
         : format_(format), stride_(stride), timing_(timing), glass_(width, timing.lines) {}
 
-    /// Called with each refresh that ended.
+    /// Is called with the picture of each refresh that ended.
     std::function<void(const Image&)> on_refresh;
     std::function<void(const std::uint8_t* from, std::size_t bytes)> on_clean;
-    bool stands_still = false; ///< its clock stopped: nothing is scanned any more
+    bool stands_still = false; ///< the clock of the scan has stopped: no line is scanned any more
 
-    /// Time goes by: lines are read as it passes over them.
+    /// Lets time go by. Each line is read when its time of scanning has passed.
     void advance(std::uint64_t ns);
     std::uint64_t now() const { return now_; }
     std::uint64_t period() const {
@@ -38,7 +38,7 @@ class ScannedMemory final : public hal::ScanOut {
         if (on_clean)
             on_clean(from, bytes);
     }
-    /// Looked up while lines are read, where a pixel has a byte.
+    /// Sets entries of the palette, in which bytes of pixels are looked up while lines are read.
     void palette(std::int32_t first, std::int32_t count, const std::uint8_t* rgb) override;
     void sleep() override { advance(timing_.line_ns); }
 
@@ -49,7 +49,7 @@ class ScannedMemory final : public hal::ScanOut {
     Image glass_;
     std::uint8_t palette_[hal::palette_size][3] = {};
     const std::uint8_t *address_ = nullptr, *next_ = nullptr;
-    std::uint64_t now_ = 0, scanned_to_ = 0; ///< lines began before
+    std::uint64_t now_ = 0, scanned_to_ = 0; ///< ns: the present; the lines before were scanned
     int line_ = 0;
 
     void scan_line();

@@ -44,7 +44,7 @@ Image SimBoard::glass() const {
 Image SimBoard::scan_out() const {
     Controller& c = *parts_->controller;
     parts_->bus.settle();
-    // Two refreshes later the glass shows what the memory holds.
+    // After two refreshes the glass surely shows what the memory holds.
     parts_->bus.pass(2 * c.refresh_time());
     const Image scanned = picture_of(c.glass(parts_->bus.now()), c.mount().width, c.mount().height);
     return upright(scanned, parts_->board.display.orientation);

@@ -5,7 +5,8 @@
 namespace spangle::sim {
 
 void I2cPins::set(bool scl, bool sda, Time now) {
-    const bool condition = scl && sda != sda_; // data stand still while SCL is high
+    const bool condition =
+        scl && sda != sda_; // SDA may not change while SCL is high, except for START and STOP
     const bool clocked = scl && !scl_;
     scl_ = scl;
     sda_ = sda;
@@ -15,13 +16,13 @@ void I2cPins::set(bool scl, bool sda, Time now) {
         rise(now);
 }
 
-/// A repeated one ends the message before it.
+/// Begins a message. A repeated START ends the message before it.
 void I2cPins::start(Time now) {
     stop(now);
     phase_ = Phase::address;
 }
 
-/// Its own clock was the first of a byte that does not come.
+/// Ends a message. The clock of the STOP itself counts as the first bit of a byte that does not come.
 void I2cPins::stop(Time now) {
     if (phase_ != Phase::idle && bits_ > 1)
         ++strays_;

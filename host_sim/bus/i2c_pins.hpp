@@ -1,5 +1,5 @@
-// An I2C target at its two lines: START, address, bytes and STOP out of their levels (UM10204, 3.1.4
-// to 3.1.10). It only listens: its acknowledge is taken for granted.
+// An I2C target at its two lines: it finds START, address, bytes and STOP in their levels (UM10204, 3.1.4 to
+// 3.1.10). The model only listens; it takes for granted that the target acknowledges.
 #pragma once
 
 #include "host_sim/bus/i2c_target.hpp"
@@ -9,11 +9,11 @@ namespace spangle::sim {
 
 class I2cPins {
   public:
-    /// `address`: seven bits.
+    /// `address` is the target's address of seven bits.
     I2cPins(I2cTarget& target, unsigned address) : target_(target), address_(address) {}
-    /// Both start high. Times never go back; one line changes at a time.
+    /// Sets the levels of both lines, which start high. Times never go back, and one line changes at a time.
     void set(bool scl, bool sda, Time now);
-    /// Messages to other addresses, reads, and bytes that a START or a STOP cut short.
+    /// The number of messages to other addresses, of reads, and of bytes that a START or a STOP cut short.
     unsigned strays() const { return strays_; }
 
   private:

@@ -1,5 +1,5 @@
-// A display controller at an I2C address: messages in, whose control bytes say whether commands or data
-// follow (SSD1306 datasheet, 8.1.5.2: Co = 1 one byte, Co = 0 the rest of the message).
+// A display controller at an I2C address. Control bytes in each message say whether commands or data follow
+// (SSD1306 datasheet, 8.1.5.2: Co = 1 announces one byte, Co = 0 the rest of the message).
 #pragma once
 
 #include "host_sim/controller/controller.hpp"
@@ -9,9 +9,9 @@ namespace spangle::sim {
 class I2cTarget {
   public:
     explicit I2cTarget(Controller& controller) : controller_(controller) {}
-    /// START and the address that is its own.
+    /// Begins a message: START and the target's own address were received.
     void start(Time now);
-    /// A byte of the message behind the address; `period_ns` of SCL.
+    /// Takes a byte of the message after its address; `period_ns` is the period of SCL.
     void byte(std::uint8_t value, Time now, unsigned period_ns);
     void stop(Time now);
 

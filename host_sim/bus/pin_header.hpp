@@ -1,4 +1,4 @@
-// Where a module is plugged in: numbered lines, whatever drives them.
+// The numbered lines at which a display module is plugged in, whatever drives them.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 namespace spangle::sim {
 
 struct PinHeader {
-    /// Told after each change: bit n is the level of line n. Lines that are not driven are high, unless the
-    /// module pulls them down.
+    /// Is called after each change; bit n is the level of line n. Lines that are not driven are high, unless
+    /// the module pulls them down.
     std::function<void(std::uint64_t levels, Time now)> on_change;
-    /// The level of an input at a time, asked with times that do not fall.
+    /// Returns the level of an input line at a time. Callers ask with times that do not fall.
     std::function<bool(unsigned line, Time now)> input;
-    /// Bit n: the module has a resistor that pulls line n down while it is not driven.
+    /// Bit n says that the module has a resistor which pulls line n down while nobody drives it.
     std::uint64_t pulled_down = 0;
 };
 

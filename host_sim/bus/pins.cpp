@@ -13,7 +13,7 @@ void SerialPins::set(Pin pin, bool high, Time now) {
         controller_.reset(!high, now);
         begin_byte();
         break;
-    case Pin::select: // raised inside a byte it drops what came of it
+    case Pin::select: // raising CS inside a byte drops the bits of that byte
         controller_.select(!high, now);
         begin_byte();
         period_.restart();

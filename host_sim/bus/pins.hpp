@@ -1,5 +1,5 @@
-// A controller at its pins: levels in, at virtual times; bits and bytes to the model. What drives pins is
-// held to one rule more than what hands over bytes: D/C may not change while a byte is under way.
+// A controller at its pins: takes levels at virtual times, and hands bits and bytes to the model. Pins are
+// held to a rule that bytes cannot break: D/C may not change while a byte is under way.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace spangle::sim {
 
-/// Times between edges of a clock; the first edge after a pause of unknown length has no period.
+/// Measures the time between edges of a clock. The first edge after a pause of unknown length has no period.
 class ClockPeriod {
   public:
     void restart() { running_ = false; }
@@ -27,9 +27,9 @@ class ClockPeriod {
     bool running_ = false;
 };
 
-/// 4-wire SPI with a D/C pin (MIPI DBI type C, option 3): bits are taken at rising clocks, D/C with the last
-/// bit of a byte, answers change at falling clocks. That is SPI mode 0 and mode 3 alike; they differ in where
-/// the clock rests. 3-wire SPI (option 1) has words of nine bits, D/C first. While the controller answers it
+/// 4-wire SPI with a D/C pin (MIPI DBI type C, option 3). Bits are taken at rising clocks, D/C with the last
+/// bit of a byte; answers change at falling clocks. SPI modes 0 and 3 both do so, and differ only in where
+/// the clock rests. 3-wire SPI (option 1) has words of nine bits, D/C first. While the controller answers, it
 /// takes no bits.
 class SerialPins {
   public:
@@ -37,9 +37,10 @@ class SerialPins {
 
     explicit SerialPins(Controller& controller, bool three_wire = false)
         : controller_(controller), three_wire_(three_wire) {}
-    /// Times never go back. Reset and select are low when active; both start high, the others low.
+    /// Sets the level of a pin; times never go back. Reset and select are low when active, and both start
+    /// high; the other pins start low.
     void set(Pin pin, bool level, Time now);
-    /// The answer line; low while nothing is driven onto it.
+    /// The level of the answer line, which is low while nobody drives it.
     bool miso() const { return miso_; }
 
   private:
@@ -56,9 +57,9 @@ class SerialPins {
     void fall();
 };
 
-/// The 8080 bus (MIPI DBI type B) of 8 or 16 lines: bytes are taken at rising WRX, answers stand on the lines
+/// The 8080 bus (MIPI DBI type B) of 8 or 16 lines. Bytes are taken at rising WRX; answers stand on the lines
 /// from falling to rising RDX. On 16 lines a cycle carries two bytes of pixels, the first on D[15:8], or one
-/// of anything else; the dummy cycle of an answer is one of eight bits.
+/// byte of anything else. The dummy cycle of an answer counts as one of eight bits.
 class ParallelPins {
   public:
     enum class Pin : std::uint8_t { reset, select, data, write, read };
@@ -66,9 +67,9 @@ class ParallelPins {
     explicit ParallelPins(Controller& controller, unsigned lines = 8)
         : controller_(controller), wide_(lines == 16) {}
     void set(Pin pin, bool level, Time now);
-    /// What the host drives onto the data lines.
+    /// Sets the value that the host drives onto the data lines.
     void drive(unsigned value) { lines_ = value; }
-    /// What the controller drives onto them; 0 while RDX is high.
+    /// The value that the controller drives onto the data lines; 0 while RDX is high.
     unsigned answer() const { return answer_; }
 
   private:
@@ -76,8 +77,8 @@ class ParallelPins {
     bool levels_[5] = {true, true, false, true, true};
     bool wide_;
     unsigned lines_ = 0, answer_ = 0;
-    std::uint8_t command_ = 0; ///< the last one
-    bool dummy_ = false;       ///< the next read cycle is the answer's first
+    std::uint8_t command_ = 0; ///< the last command
+    bool dummy_ = false;       ///< the next read cycle is the first of an answer
     ClockPeriod write_cycle_, read_cycle_;
 
     bool level(Pin pin) const { return levels_[static_cast<unsigned>(pin)]; }

@@ -54,7 +54,7 @@ hal::Result<void> SimBus::wait(hal::Token token, std::uint32_t timeout_micros) {
         return hal::Error{hal::Fault::bad_argument, "SimBus: wait for a token that was never given"};
     if (failure_ == hal::Fault::short_write) {
         failure_ = hal::Fault::none;
-        now_ = std::max(now_, token_end_); // it is over, with half of it lost
+        now_ = std::max(now_, token_end_); // the transfer is over, and half of it was lost
         return hal::Error{hal::Fault::short_write, "SimBus: half of the transfer was made to be lost"};
     }
     if (std::exchange(unheard_, false)) {
@@ -64,7 +64,7 @@ hal::Result<void> SimBus::wait(hal::Token token, std::uint32_t timeout_micros) {
     const Time deadline = now_ + static_cast<Time>(timeout_micros) * 1000;
     if (failure_ == hal::Fault::timeout || (token.id == last_token_ && token_end_ > deadline)) {
         if (failure_ == hal::Fault::timeout)
-            token_end_ = deadline + 1'000'000'000; // it hangs for another second
+            token_end_ = deadline + 1'000'000'000; // the transfer hangs for another second
         failure_ = hal::Fault::none;
         now_ = deadline;
         return hal::Error{hal::Fault::timeout, "SimBus: the transfer did not end in time"};
@@ -88,14 +88,15 @@ void SimBus::chip_select(bool selected) {
         listener_->chip_select(wire_, false);
 }
 
-/// A message holds commands, or data; one of start bytes holds one index, or data.
+/// Begins a message unless one of this kind is open. An I2C message holds commands or data; a message that a
+/// start byte opens holds one index, or data.
 void SimBus::begin_message(bool data) {
     if (in_message_ && data == message_data_ && (data || is_i2c()))
         return;
     end_message();
     in_message_ = true;
     message_data_ = data;
-    if (!is_i2c()) { // an index ends with CS
+    if (!is_i2c()) { // an index ends when CS rises
         constexpr std::uint8_t index = 0x70, value = 0x72;
         chip_select(true);
         carry(data ? value : index, data);
@@ -123,7 +124,8 @@ void SimBus::end_message() {
         chip_select(false);
 }
 
-/// START and STOP of I2C: what UM10204 (table 10) asks to pass around them is a period of the clock each.
+/// Puts START or STOP of I2C on the wire. UM10204 (table 10) asks for times around them that take one period
+/// of the clock each.
 void SimBus::condition(void (Listener::*which)(Time, unsigned)) {
     const unsigned period = period_ns();
     if (listener_ != nullptr)
@@ -138,11 +140,13 @@ void SimBus::send(std::uint8_t byte, bool data) {
     carry(byte, data);
 }
 
-/// One byte on the wire; false when the wire lost it.
+/// Puts one byte on the wire. Returns false if the wire lost the byte.
 bool SimBus::carry(std::uint8_t byte, bool data) {
-    // An I2C bus's `write_hz` counts the eight bits of a byte only: its nine clocks take as long.
+    // The `write_hz` of an I2C bus counts the eight bits of a byte only, so that its nine clocks take as
+    // long.
     const unsigned period = period_ns(), cycles = 8u / caps_.bits_per_cycle;
-    // Exact over a whole transfer: a clock's period is seldom a whole number of nanoseconds.
+    // Times are exact over a whole transfer, although a clock's period is seldom a whole number of
+    // nanoseconds.
     owed_ += Time(1'000'000'000) * cycles;
     const Time length = owed_ / caps_.write_hz;
     owed_ %= caps_.write_hz;
@@ -164,7 +168,7 @@ void SimBus::run(const hal::Op& op) {
     switch (op.kind) {
     case Kind::command:
         ++counters_.commands;
-        if (!is_i2c()) { // whose messages cost what they are made of
+        if (!is_i2c()) { // on I2C a command costs only the bytes of its message
             wire_ += caps_.command_cost_ns;
             counters_.busy_ns += caps_.command_cost_ns;
         }
@@ -252,10 +256,10 @@ void SimBus::wait_line(const hal::Op& op) {
 
 void SimBus::wait_te(const hal::Op& op) {
     const Time step = controller_.line_time(), deadline = wire_ + static_cast<Time>(op.micros) * 1000;
-    // No command comes while the bus waits: an edge that two refreshes do not bring never comes.
+    // No command comes while the bus waits, so an edge that two refreshes do not bring never comes.
     const Time last_look = std::min(deadline, wire_ + 2 * controller_.refresh_time());
     while (wire_ < last_look && controller_.te(wire_))
-        wire_ += step; // an edge, not a level
+        wire_ += step; // waits for the next rising edge of TE; TE may be high already
     while (wire_ < last_look && !controller_.te(wire_))
         wire_ += step;
     if (wire_ >= last_look)

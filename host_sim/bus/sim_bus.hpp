@@ -1,5 +1,5 @@
-// A hal::Bus whose wires end in a controller model. Virtual time: the processor's and the wire's clocks run
-// apart, so that a transfer can be under way while the next frame is drawn.
+// A hal::Bus whose wires end in a model of a controller, in virtual time. The clocks of processor and wire
+// run apart, so that a transfer can be under way while the next frame is drawn.
 #pragma once
 
 #include <memory>
@@ -18,7 +18,7 @@ struct BusCounters {
     std::uint64_t commands = 0;
     std::uint64_t pixel_bytes = 0;
     std::uint64_t transfers = 0;
-    Time busy_ns = 0; ///< the wire was in use, delays and waits not counted
+    Time busy_ns = 0; ///< ns in which the wire was in use, without delays and waits
 };
 
 class SimBus final : public hal::Bus {
@@ -33,15 +33,15 @@ class SimBus final : public hal::Bus {
 
     const BusCounters& counters() const { return counters_; }
     Time now() const { return now_; }
-    /// The processor does something else for a while: drawing, mostly.
+    /// Lets time pass in which the processor does something else, mostly drawing.
     void pass(Time ns) { now_ += ns; }
-    /// Until the wire has nothing left to carry.
+    /// Lets time pass until the wire has nothing left to carry.
     void settle() { now_ = wire_ > now_ ? wire_ : now_; }
     void listen(Listener* listener) { listener_ = listener; }
 
-    /// The next transfer fails this way; short_write loses its second half.
+    /// Makes the next transfer fail this way; short_write loses its second half.
     void fail_next(hal::Fault fault) { failure_ = fault; }
-    /// The wire loses byte `n` counted from now.
+    /// Makes the wire lose byte `n`, counted from now.
     void drop_byte(std::uint64_t n) { drop_at_ = counters_.bytes + n; }
 
   private:
@@ -58,7 +58,7 @@ class SimBus final : public hal::Bus {
     std::vector<std::unique_ptr<std::uint8_t[]>> buffers_;
     BusCounters counters_;
     Listener* listener_ = nullptr;
-    Time now_ = 0, wire_ = 0; ///< processor; end of what the wire was given
+    Time now_ = 0, wire_ = 0; ///< ns: the processor's time; end of what the wire was given
     Time owed_ = 0;           ///< time of the wire not yet passed, in nanoseconds / write_hz
     std::uint32_t last_token_ = 0;
     Time token_end_ = 0;
@@ -66,15 +66,15 @@ class SimBus final : public hal::Bus {
     hal::Fault failure_ = hal::Fault::none;
     std::uint64_t drop_at_ = ~std::uint64_t{0};
     bool in_message_ = false, message_data_ = false;
-    bool unheard_ = false; ///< nobody acknowledged an address
+    bool unheard_ = false; ///< no target acknowledged an address
 
-    /// Of SCK, WRX, or SCL, which clocks each byte's acknowledge too.
+    /// Period of SCK, WRX or SCL in ns; an I2C byte takes a ninth clock for its acknowledge.
     unsigned period_ns() const {
         const std::uint64_t second = is_i2c() ? 1'000'000'000ull * 8 / 9 : 1'000'000'000ull;
         return static_cast<unsigned>((second + caps_.write_hz / 2) / caps_.write_hz);
     }
     bool is_i2c() const { return caps_.kind == hal::BusKind::i2c; }
-    /// Bytes travel in messages that begin with what stands for D/C.
+    /// Whether bytes travel in messages that begin with a byte in the place of D/C.
     bool is_framed() const { return is_i2c() || caps_.kind == hal::BusKind::spi_start; }
     void send(std::uint8_t byte, bool data);
     bool carry(std::uint8_t byte, bool data);

@@ -6,7 +6,7 @@
 namespace spangle::sim {
 namespace {
 
-/// No byte, message or edge takes more of the file than this, and the sentence that ends it fits in, too.
+/// No byte, message or edge takes more bytes of the file, nor does the comment that ends a full dump.
 constexpr std::uint64_t longest_entry = 1024;
 
 } // namespace
@@ -18,7 +18,7 @@ VcdFile::VcdFile(const std::string& path, hal::BusKind bus, std::uint64_t most_b
     if (!problem_.empty())
         return;
     write("$timescale 1ns $end\n$scope module display $end\n");
-    // All wires are declared before the first of them has a level.
+    // All wires are declared before the first level of a wire is written.
     struct Named {
         char wire;
         const char* name;
@@ -56,7 +56,8 @@ VcdFile::VcdFile(const std::string& path, hal::BusKind bus, std::uint64_t most_b
     }
 }
 
-/// Whether another entry fits; the first that does not ends the dump with a sentence in it.
+/// Whether another entry fits into the file. The first entry that does not fit ends the dump with a comment
+/// that says so.
 bool VcdFile::room() {
     if (full_ || !file_.is_open())
         return false;
@@ -66,7 +67,8 @@ bool VcdFile::room() {
     return !full_;
 }
 
-/// Times never go back: of clocks whose period is no whole number of nanoseconds it is rounded.
+/// Writes a moment that is later than the last one. Moments never go back, though clocks are rounded whose
+/// period is no whole number of nanoseconds.
 void VcdFile::at(Time t) {
     if (t <= last_)
         return;
@@ -83,11 +85,11 @@ void VcdFile::set(char wire, bool high) {
     write({text, sizeof text});
 }
 
-/// One bit: the line changes while the clock is low, and stands still while it is high.
+/// Writes one bit: the line changes while the clock is low, and stands still while the clock is high.
 void VcdFile::clocked(Time begin, unsigned period_ns, bool high) {
     at(begin);
     set(clock, false);
-    if (is_i2c()) // not with the clock's edge, or it could look like the end of a message
+    if (is_i2c()) // a change at the clock's edge could look like the end of a message
         at(begin + period_ns / 8);
     set(line, high);
     at(begin + period_ns / 2);
@@ -112,11 +114,11 @@ void VcdFile::byte(Time begin, unsigned period_ns, bool data, std::uint8_t value
         return parallel(begin, period_ns, value);
     for (int bit = 7; bit >= 0; --bit)
         clocked(begin + static_cast<Time>(7 - bit) * period_ns, period_ns, (value >> bit & 1) != 0);
-    if (is_i2c()) // who heard the byte pulls the line low
+    if (is_i2c()) // the target that heard the byte pulls the line low
         clocked(begin + Time{8} * period_ns, period_ns, !heard);
 }
 
-/// The line falls while the clock is high (UM10204, 3.1.4).
+/// Writes START: the line falls while the clock is high (UM10204, 3.1.4).
 void VcdFile::start(Time begin, unsigned period_ns) {
     if (!room())
         return;
@@ -124,7 +126,7 @@ void VcdFile::start(Time begin, unsigned period_ns) {
     set(line, false);
 }
 
-/// The line rises while the clock is high.
+/// Writes STOP: the line rises while the clock is high.
 void VcdFile::stop(Time begin, unsigned period_ns) {
     if (!room())
         return;
@@ -149,7 +151,8 @@ void VcdFile::reset(Time t, bool low) {
     set(rst, !low);
 }
 
-/// Readers take a level for one that lasts until the next moment: without one the last edge would be none.
+/// Readers take a level for one that lasts until the next moment. Without a last moment they would not see
+/// the last edge.
 std::string VcdFile::commit() {
     constexpr Time moment = 1000;
     if (file_.is_open())

@@ -1,4 +1,4 @@
-// Who listens to the wires, and the file for those who look at them.
+// Listeners to the wires of a simulated bus, and the dump of the wires in a file.
 #pragma once
 
 #include <cstdint>
@@ -15,31 +15,32 @@ namespace spangle::sim {
 class Listener {
   public:
     virtual ~Listener() = default;
-    /// I2C: `data` is what the bus makes of the bytes, no wire; eight bits, and the acknowledge of `heard`.
+    /// A byte was on the wire. On I2C the bus knows `data` from the bytes before, as there is no such wire;
+    /// eight bits and the acknowledge `heard` are on the wire.
     virtual void byte(Time begin, unsigned period_ns, bool data, std::uint8_t value, bool heard) = 0;
-    /// I2C: a message begins, and ends, one period long each.
+    /// A message begins, and ends, on I2C; each takes one period.
     virtual void start(Time begin, unsigned period_ns) = 0;
     virtual void stop(Time begin, unsigned period_ns) = 0;
     virtual void chip_select(Time at, bool selected) = 0;
     virtual void reset(Time at, bool low) = 0;
 };
 
-/// Value change dump for GTKWave, PulseView and sigrok. 4-wire serial: CS DC SCK SDA RST; with start bytes:
-/// CS SCK SDA RST; parallel: CS DC WR D0 to D7 RST; I2C: SCL SDA RST.
+/// A value change dump for GTKWave, PulseView and sigrok. Wires of 4-wire serial: CS DC SCK SDA RST; of
+/// serial with start bytes: CS SCK SDA RST; of parallel: CS DC WR D0 to D7 RST; of I2C: SCL SDA RST.
 class VcdFile final : public Listener {
   public:
-    /// Where a dump ends unless asked otherwise: some ten whole frames of 320x240.
+    /// The most bytes of a dump unless asked otherwise, which hold some ten whole frames of 320x240.
     static constexpr std::uint64_t usual_limit = std::uint64_t{512} << 20;
 
     /// The dump ends before it is longer than `most_bytes`.
     VcdFile(const std::string& path, hal::BusKind bus, std::uint64_t most_bytes = usual_limit);
-    /// Empty, or why nothing can be written there.
+    /// Why nothing can be written to the file; empty if it can.
     const std::string& problem() const { return problem_; }
-    /// The limit was reached, and then nothing more was written.
+    /// Whether the limit was reached; nothing more was written from then on.
     bool is_full() const { return full_; }
-    /// The last moment that something happened, before commit().
+    /// The last moment at which something happened, in ns, before commit().
     Time end() const { return last_; }
-    /// The file has its name from here on. Empty, or what went wrong.
+    /// Gives the file its name. Returns what went wrong, or an empty string.
     std::string commit();
 
     void byte(Time begin, unsigned period_ns, bool data, std::uint8_t value, bool heard) override;
@@ -49,7 +50,7 @@ class VcdFile final : public Listener {
     void reset(Time at, bool low) override;
 
   private:
-    /// The wires by the character that names each in the file.
+    /// The wires, by the character that stands for each in the file.
     enum Wire : char { cs = 'c', dc = 'd', rst = 'r', clock = 'k', line = 's', first_line = 'A' };
 
     Output file_;
@@ -58,7 +59,7 @@ class VcdFile final : public Listener {
     std::string problem_;
     bool full_ = false;
     Time last_ = 0;
-    signed char levels_[128]; ///< of each wire; -1: not told yet
+    signed char levels_[128]; ///< level of each wire, 0 or 1; -1: not written yet
 
     bool is_i2c() const { return bus_ == hal::BusKind::i2c; }
     bool room();

@@ -106,7 +106,7 @@ inline constexpr Chip chips[] = {
      .porch_lines = 4,
      .serial_write_ns = 100,
      .serial_write_got_ns = 25},
-    // The datasheets of the chips from here on give no figures of the scan: 60 Hz and 8 lines of blanking are
+    // For chips whose figures of the scan are not known, here and below, 60 Hz and 8 lines of blanking are
     // assumed.
     {.name = "ILI9486",
      .width = 320,
