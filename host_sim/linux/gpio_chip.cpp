@@ -12,9 +12,10 @@ namespace {
 
 constexpr unsigned gpio_major = 254;
 
-/// An edge is looked for this often: a tenth of the shortest pulse that counts.
+/// The interval at which input lines are sampled for edges: a tenth of the shortest pulse that counts, in ns.
 constexpr Time edge_step = 15'000;
-/// What the kernel keeps of a line nobody reads (v1: 16; v2: 16 a line unless asked otherwise).
+/// The events that the kernel keeps of a line nobody reads: 16 in v1, and 16 a line in v2 unless asked
+/// otherwise.
 constexpr std::size_t event_queue = 16;
 
 void copy_text(char (&to)[GPIO_MAX_NAME_SIZE], const std::string& text) {
@@ -25,7 +26,7 @@ enum class Edges { none, rising, falling };
 
 } // namespace
 
-/// The lines of one request: v1 line handles and events, v2 line requests.
+/// The lines of one request: a line handle or event of v1, or a line request of v2.
 class RequestFile final : public OpenFile {
   public:
     RequestFile(GpioChip& chip, std::vector<unsigned> offsets, Edges edges, bool v2)
@@ -147,7 +148,7 @@ class RequestFile final : public OpenFile {
         return 0;
     }
 
-    /// Records the edges up to `now`.
+    /// Records the edges up to `now`, of the last second at most.
     void look(Time now) {
         if (edges_ == Edges::none)
             return;
@@ -163,7 +164,7 @@ class RequestFile final : public OpenFile {
     }
 };
 
-/// The chip itself: who it is, and requests.
+/// The open chip, which tells what it is and takes requests of lines.
 class ChipFile final : public OpenFile {
   public:
     explicit ChipFile(GpioChip& chip) : chip_(chip) {}
@@ -265,8 +266,8 @@ void GpioChip::attach(Kernel& kernel, unsigned number) {
     const std::string id = std::to_string(gpio_major) + ":" + std::to_string(number);
     kernel.add_device(path(number), *this, gpio_major, number);
     kernel.add_link("/sys/bus/gpio/devices/" + name_, "/sys/devices/" + name_);
-    kernel.add_text("/sys/bus/gpio/devices/" + name_ + "/dev", id + "\n");  // read by libgpiod 1.x
-    kernel.add_link("/sys/dev/char/" + id + "/subsystem", "/sys/bus/gpio"); // by 2.x
+    kernel.add_text("/sys/bus/gpio/devices/" + name_ + "/dev", id + "\n");  // libgpiod 1.x reads it
+    kernel.add_link("/sys/dev/char/" + id + "/subsystem", "/sys/bus/gpio"); // libgpiod 2.x reads it
 }
 
 std::string GpioChip::node() const {

@@ -1,5 +1,5 @@
-// A GPIO chip behind its character device, in both uAPIs the kernel has: v1 (libgpiod 1.x) and v2 (2.x).
-// From include/uapi/linux/gpio.h.
+// A model of a GPIO chip behind its character device, with both uAPIs of the kernel: v1 (libgpiod 1.x) and v2
+// (libgpiod 2.x). It is written from include/uapi/linux/gpio.h.
 #pragma once
 
 #include <array>
@@ -15,22 +15,22 @@ class GpioChip final : public Device, public PinHeader {
   public:
     static constexpr unsigned most_lines = 64;
 
-    /// How the lines of one request reach their pins: controllers without a set register change them one by
+    /// How the values of one request reach the pins. A controller without a set register changes lines one by
     /// one.
     enum class Settling { together, ascending, descending };
 
     GpioChip(std::string label, unsigned lines);
-    /// Makes /dev/gpiochip<number> and what libgpiod looks up in /sys.
+    /// Makes /dev/gpiochip<number> and the entries of /sys that libgpiod looks up.
     void attach(Kernel& kernel, unsigned number);
     static std::string path(unsigned number) { return "/dev/gpiochip" + std::to_string(number); }
 
-    // --- the pins' other end
+    // --- what hangs on the pins
     Settling settling = Settling::together;
-    /// Somebody else has this line.
+    /// Gives the line to another consumer, so that requests of it fail.
     void occupy(unsigned line, const std::string& consumer);
     void vacate(unsigned line);
 
-    /// Bit n is the level of line n.
+    /// The levels of all lines: bit n is that of line n.
     std::uint64_t levels() const;
     bool is_output(unsigned line) const { return (outputs_ >> line & 1) != 0; }
     bool requested(unsigned line) const { return !lines_[line].consumer.empty(); }
@@ -42,7 +42,7 @@ class GpioChip final : public Device, public PinHeader {
     friend class ChipFile;
     friend class RequestFile;
     struct Line {
-        std::string consumer; ///< empty: free
+        std::string consumer; ///< name of who holds the line; empty: the line is free
     };
 
     std::string label_, name_;
@@ -50,7 +50,7 @@ class GpioChip final : public Device, public PinHeader {
     unsigned count_;
     std::array<Line, most_lines> lines_;
     std::uint64_t outputs_ = 0;
-    std::uint64_t levels_ = ~std::uint64_t{0}; ///< of outputs; all others have a one
+    std::uint64_t levels_ = ~std::uint64_t{0}; ///< driven levels of outputs; 1 for all other lines
 
     void drive(const std::vector<unsigned>& offsets, std::uint64_t values, std::uint64_t mask);
     void set_direction(const std::vector<unsigned>& offsets, bool output);

@@ -58,7 +58,7 @@ void I2cAdapter::Recorder::write(std::uint8_t byte, bool data, Time now, unsigne
         panel->write(byte, data, now, period_ns);
 }
 
-/// Nine clocks a byte, the address's first.
+/// Carries a message. The address and each byte take nine clocks.
 void I2cAdapter::take(const std::uint8_t* bytes, std::size_t count) {
     const unsigned period = 1'000'000'000u / hz;
     kernel_->advance(Time{9} * period);

@@ -1,4 +1,4 @@
-// An I2C adapter behind i2c-dev with one display controller on it.
+// A model of an I2C adapter behind i2c-dev, with one display controller on its bus.
 #pragma once
 
 #include <string>
@@ -11,20 +11,20 @@ namespace spangle::sim {
 
 class I2cAdapter final : public Device {
   public:
-    /// What reaches the controller.
+    /// A byte that reached the controller, as command or as data.
     struct Received {
         std::uint8_t byte;
         bool data;
         friend bool operator==(const Received&, const Received&) = default;
     };
 
-    /// `panel`: what hangs there; null: only the record below.
+    /// `panel` is the controller at the address; null: bytes are only recorded.
     explicit I2cAdapter(unsigned address, Controller* panel = nullptr)
         : address_(address), recorder_(panel) {}
     void attach(Kernel& kernel, const std::string& path);
 
-    bool powered = true; ///< else nobody acknowledges
-    bool taken = false;  ///< a kernel driver has the address
+    bool powered = true; ///< false: nobody acknowledges the address
+    bool taken = false;  ///< a kernel driver has the address, so that I2C_SLAVE fails
     std::size_t longest_message = 8192;
     std::uint32_t hz = 400000;
 
@@ -34,9 +34,9 @@ class I2cAdapter final : public Device {
         recorder_.forget_violations();
         messages_ = 0;
     }
-    /// What came without its control byte, or with one that says nothing.
+    /// The bytes that came without a control byte, or after a control byte without a meaning.
     std::string wrong() const { return recorder_.violations_text(); }
-    /// Another panel was soldered on; null: none.
+    /// Replaces the controller on the bus; null removes it.
     void replace(Controller* panel) { recorder_.panel = panel; }
     std::uint64_t messages() const { return messages_; }
 
@@ -46,7 +46,7 @@ class I2cAdapter final : public Device {
   private:
     friend class I2cFile;
 
-    /// Writes down what the controller is sent, and passes it on.
+    /// Records what the controller is sent, and passes it on.
     struct Recorder final : Controller {
         explicit Recorder(Controller* to) : Controller("I2C", {}), panel(to) {}
         Controller* panel;

@@ -1,5 +1,6 @@
-// The system calls that libgpiod and our buses make, defined in the program itself: the dynamic linker looks
-// there first, so the unmodified libraries call these. What is not modelled goes on to the C library.
+// The system calls that libgpiod and Spangle's buses make, defined in the program itself. The dynamic linker
+// looks there first, so the unmodified libraries call these functions. Calls on files that are not modelled
+// go on to the C library.
 #include <cerrno>
 #include <cstdint>
 #include <cstdlib>
@@ -27,7 +28,7 @@ template <class Function> Function next(const char* name) {
     return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
 }
 
-/// As system calls answer: -1 and errno.
+/// Turns an answer of the kernel into the form of the C library: -1, and the error in errno.
 template <class T = int> T user_answer(long answer) {
     if (answer >= 0)
         return static_cast<T>(answer);
@@ -55,7 +56,8 @@ bool fake_stat(const char* path, struct stat* status) {
 
 } // namespace
 
-// Other names with the C library's symbols: its headers declare these functions with attributes of their own.
+// These functions have other names with the C library's symbols, because its headers declare the usual names
+// with attributes of their own.
 #define SPANGLE_SYMBOL(name) __asm__(name) __attribute__((visibility("default"), used))
 
 extern "C" {
@@ -79,8 +81,8 @@ int spangle_clock_nanosleep(clockid_t clock, int flags, const timespec* wanted, 
 int spangle_cond_clockwait(pthread_cond_t* condition, pthread_mutex_t* mutex, clockid_t clock,
                            const timespec* deadline) SPANGLE_SYMBOL("pthread_cond_clockwait");
 
-// open() and ioctl() take a last argument or not. Whatever stands in its register when none was passed goes
-// on to the C library, which does not look at it then either.
+// open() and ioctl() have an optional last argument. Where none was passed, whatever stands in its register
+// goes on to the C library, which does not look at it in that case.
 int spangle_open(const char* path, int flags, mode_t mode) {
     return open_file(path, flags, mode);
 }
@@ -101,7 +103,8 @@ int spangle_close(int file) {
 
 int spangle_ioctl(int file, unsigned long request, void* argument) {
     long answer = 0;
-    // The kernel looks at 32 bits; libgpiod 2 keeps some requests in an int.
+    // The kernel looks at 32 bits of a request; libgpiod 2 keeps some requests in an int, which extends the
+    // sign.
     if (Kernel::instance().ioctl(file, static_cast<std::uint32_t>(request), argument, answer))
         return user_answer(answer);
     static const auto real = next<int (*)(int, unsigned long, ...)>("ioctl");
@@ -175,7 +178,7 @@ char* spangle_realpath(const char* path, char* resolved) {
     return real(path, resolved);
 }
 
-/// Sleep passes at once, on the virtual clock.
+/// Lets a sleep pass at once, on the virtual clock.
 int spangle_clock_nanosleep(clockid_t, int, const timespec* wanted, timespec* left) {
     constexpr spangle::sim::Time second = 1000000000;
     const auto whole = static_cast<spangle::sim::Time>(wanted->tv_sec) * second;
@@ -187,8 +190,8 @@ int spangle_clock_nanosleep(clockid_t, int, const timespec* wanted, timespec* le
     return EINTR;
 }
 
-/// A modelled transfer takes what its model takes, on a busy machine and under a sanitizer many times the
-/// real one: who waits for one is as patient, while calls are answered and none hangs.
+/// Extends the deadline of a wait while system calls are answered and none hangs. A modelled transfer may
+/// take many times the real one's time, on a busy machine or under a sanitizer.
 int spangle_cond_clockwait(pthread_cond_t* condition, pthread_mutex_t* mutex, clockid_t clock,
                            const timespec* deadline) {
     using Wait = int (*)(pthread_cond_t*, pthread_mutex_t*, clockid_t, const timespec*);

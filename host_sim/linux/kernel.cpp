@@ -9,7 +9,7 @@
 namespace spangle::sim {
 namespace {
 
-/// What a system call costs a program: the virtual clock never stands still.
+/// The virtual time that a system call costs a program, in ns; thus the clock never stands still.
 constexpr Time call_ns = 500;
 
 Time thread_cpu() {
@@ -57,7 +57,8 @@ Time OpenFile::readable(Time) {
 }
 
 Kernel& Kernel::instance() {
-    static Kernel& kernel = *new Kernel; // files are closed after the last destructor of the program
+    static Kernel& kernel =
+        *new Kernel; // never destroyed: files are closed after the last destructor of the program
     return kernel;
 }
 
@@ -186,7 +187,7 @@ Verdict Kernel::judge(const Call& call) {
         ++stalled_;
         const std::uint64_t before = releases_;
         std::unique_lock lock(mutex_);
-        mutex_.unlock(); // the one of the call itself
+        mutex_.unlock(); // releases the lock that the call itself holds
         released_.wait(lock, [&] { return releases_ != before; });
         mutex_.lock();
         --stalled_;
@@ -217,7 +218,10 @@ bool Kernel::open(const char* path, long& answer) {
 int Kernel::install(std::unique_ptr<OpenFile> file, const std::string& path) {
     const std::lock_guard lock(mutex_);
     const int own = file->descriptor();
-    const int number = own >= 0 ? own : eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK); // a number nobody else gets
+    const int number =
+        own >= 0
+            ? own
+            : eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK); // an eventfd reserves a number that nobody else gets
     if (number < 0)
         return -errno;
     files_[number] = {std::move(file), path};

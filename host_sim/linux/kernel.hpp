@@ -1,6 +1,6 @@
-// The part of a Linux kernel that display programs talk to, inside the program itself: device files that are
-// answered by models, and a clock that runs when they sleep. Programs linked with `spangle_linux_doubles`
-// open these instead of the machine's own (interpose.cpp).
+// The part of a Linux kernel that display programs talk to, inside the program itself: device files that
+// models answer, and a clock that runs while programs sleep. Programs linked with `spangle_linux_doubles`
+// open these files instead of the machine's own (interpose.cpp).
 #pragma once
 
 #include <climits>
@@ -21,32 +21,33 @@ namespace spangle::sim {
 struct Call {
     enum class Kind { open, ioctl, read, write, poll, sleep };
     Kind kind;
-    const std::string& path;   ///< of the device file; empty: sleep
-    unsigned long request = 0; ///< of an ioctl
+    const std::string& path;   ///< path of the device file; empty for a sleep
+    unsigned long request = 0; ///< request number of an ioctl
 };
 
-/// What the kernel does to a call before the device sees it.
+/// What the kernel does to a call before it reaches the device.
 struct Verdict {
-    int error = 0;                ///< errno it fails with; 0: the device answers
+    int error = 0;                ///< errno with which the call fails; 0: the device answers
     std::size_t limit = SIZE_MAX; ///< bytes of a transfer that still go out
-    bool stall = false;           ///< it returns no sooner than Kernel::release()
+    bool stall = false;           ///< the call returns no sooner than Kernel::release()
     bool late = false;            ///< the device acts before the call fails
 };
 
-/// An open file of a device. Answers are as the kernel gives them inside: negative errno on failure.
+/// An open file of a device. Its functions answer as functions inside the kernel do: negative errno on
+/// failure.
 class OpenFile {
   public:
     virtual ~OpenFile() = default;
-    /// `limit`: bytes of a transfer after which it is cut short.
+    /// `limit` is the number of bytes of a transfer after which it is cut short.
     virtual long ioctl(unsigned long request, void* argument, std::size_t limit);
     virtual long read(void* into, std::size_t count);
     virtual long write(const void* from, std::size_t count, std::size_t limit);
     /// The first time from now to `until` at which there is something to read, or `never`.
     virtual Time readable(Time until);
     virtual long seek(long offset);
-    /// A real file to poll in its place, which the kernel then owns; negative: none.
+    /// A real file that callers poll in place of this one, and that the kernel then owns; negative: none.
     virtual int descriptor() { return -1; }
-    /// Requests that the device's end does not end.
+    /// Whether a request is answered even after the device went.
     virtual bool answers_when_dead(unsigned long) const { return false; }
 
     static constexpr Time never = ~Time{0};
@@ -56,34 +57,35 @@ class Device {
   public:
     virtual ~Device() = default;
     virtual std::unique_ptr<OpenFile> open() = 0;
-    /// errno of calls on files that were open when the device went.
+    /// The errno of calls on files that were open when the device went.
     virtual int gone_error() const = 0;
 };
 
 class Kernel {
   public:
-    /// The one the interposed system calls reach.
+    /// The kernel that the interposed system calls reach.
     static Kernel& instance();
 
-    // --- what there is
-    /// The device stays the caller's and must outlive the kernel's interest: forget_all().
+    // --- files
+    /// Makes a device file. The device stays the caller's, and must live until forget_all().
     void add_device(const std::string& path, Device& device, unsigned major, unsigned minor);
     void add_text(const std::string& path, const std::string& text);
     void add_link(const std::string& path, const std::string& target);
     void forget_all();
-    /// As when the adapter is pulled: open files die, the path is no more, until plug().
+    /// Removes a device as when its adapter is pulled. Open files are dead, and the path is gone until
+    /// plug().
     void unplug(const std::string& path);
     void plug(const std::string& path);
     int open_files() const;
 
-    /// While it is locked no call of another thread is under way: std::lock_guard lock(kernel).
+    /// Keeps calls of other threads from running while the lock is held: std::lock_guard lock(kernel).
     void lock() { mutex_.lock(); }
     void unlock() { mutex_.unlock(); }
 
     // --- time
     Time now() const;
     void advance(Time ns);
-    /// Sleeps `ns`, or as long as a signal lets it: what is left.
+    /// Sleeps `ns`, or until a signal interrupts. Returns the time that is left.
     Time sleep(Time ns);
 
     // --- faults
@@ -93,23 +95,25 @@ class Kernel {
     void release();
     bool stalled() const;
     std::uint64_t calls() const;
-    /// Processor time that the devices took to answer: what a program's own work is told apart from.
+    /// Processor time that the devices took to answer, by which a program's own work can be told from theirs.
     Time device_cpu() const;
 
-    // --- the system calls: false when the path or file is not ours. `answer` is negative errno on failure.
+    // --- the system calls. They return false when the path or file is not modelled; `answer` is negative
+    // errno on failure.
     bool open(const char* path, long& answer);
     bool close(int file);
     bool ioctl(int file, unsigned long request, void* argument, long& answer);
     bool read(int file, void* into, std::size_t count, long& answer);
     bool write(int file, const void* from, std::size_t count, long& answer);
     bool seek(int file, long offset, long& answer);
-    /// `timeout` in nanoseconds, negative: for ever.
+    /// `timeout` is in nanoseconds; a negative one lasts for ever.
     bool poll(int file, std::int64_t timeout, long& answer);
     bool device_number(const char* path, unsigned& major, unsigned& minor) const;
     bool text_exists(const char* path) const;
     bool link_target(const char* path, std::string& target) const;
 
-    /// For devices that answer with another open file. A file number, or negative errno.
+    /// Opens a file on behalf of a device that answers with another file. Returns its number, or negative
+    /// errno.
     int install(std::unique_ptr<OpenFile> file, const std::string& path);
 
   private:
@@ -124,7 +128,7 @@ class Kernel {
         bool dead = false;
     };
 
-    mutable std::recursive_mutex mutex_; ///< guards all of it: one call at a time
+    mutable std::recursive_mutex mutex_; ///< guards all members, so that one call runs at a time
     std::condition_variable_any released_;
     std::map<std::string, Node> nodes_;
     std::map<std::string, std::string> texts_, links_;

@@ -22,7 +22,8 @@ PanelModule::PanelModule(const hal::PanelDesc& panel, const ModuleWiring& wiring
     header.on_change = [this](std::uint64_t levels, Time now) { lines_changed(levels, now); };
     header.input = [this](unsigned line, Time now) { return input(line, now); };
     if (wired(wiring_.backlight))
-        header.pulled_down |= std::uint64_t{1} << wiring_.backlight; // a light that nobody turns on is off
+        header.pulled_down |= std::uint64_t{1}
+                              << wiring_.backlight; // a backlight that nobody turns on is off
 }
 
 void PanelModule::power_cycle() {
@@ -35,8 +36,8 @@ void PanelModule::power_cycle() {
         serial_->set(SerialPins::Pin::select, false, kernel_.now());
 }
 
-/// Data before clocks: one system call that changes both is the host's promise that the order does not
-/// matter.
+/// Passes changed lines on to the pins, data lines before clocks. By changing both in one system call the
+/// host promises that their order does not matter.
 void PanelModule::lines_changed(std::uint64_t levels, Time now) {
     if (wired(wiring_.backlight))
         backlit_ = high(levels, wiring_.backlight);

@@ -1,4 +1,4 @@
-// A display module wired to a machine: which of its pins hangs on which line of a GPIO chip or an adapter.
+// A display module wired to a machine: tells which of its pins hangs on which line of a GPIO chip or adapter.
 #pragma once
 
 #include <array>
@@ -15,39 +15,39 @@
 
 namespace spangle::sim {
 
-/// Lines by pin; `open`: nothing is soldered there.
+/// The line of each pin; `open` means that nothing is soldered there.
 struct ModuleWiring {
     static constexpr unsigned open = ~0u;
 
     enum class Bus { spi4, spi3, parallel8, parallel16 };
     Bus bus = Bus::spi4;
     unsigned reset = open, backlight = open, te = open;
-    unsigned select = open; ///< open: always selected, unless an SPI controller drives it
+    unsigned select = open; ///< if open, always selected unless an SPI controller drives it
     unsigned data_command = open;
-    unsigned clock = open;              ///< SCK, or WRX
-    unsigned answer = open;             ///< SDO, or RDX
-    std::array<unsigned, 16> data = {}; ///< D0 and up; serial: SDA in the first
+    unsigned clock = open;              ///< SCK, or WRX on a parallel bus
+    unsigned answer = open;             ///< SDO, or RDX on a parallel bus
+    std::array<unsigned, 16> data = {}; ///< D0 and up; on a serial bus the first is SDA
 };
 
 class PanelModule {
   public:
-    /// The lines of `header` end at this module's pins.
+    /// Connects the lines of `header` with this module's pins.
     PanelModule(const hal::PanelDesc& panel, const ModuleWiring& wiring, PinHeader& header, Kernel& kernel);
     PanelModule(const PanelModule&) = delete;
     PanelModule& operator=(const PanelModule&) = delete;
 
     Controller& controller() { return *controller_; }
-    /// A DCS panel's, which tells more.
+    /// The controller of a DCS panel, which tells more than others.
     DcsController& dcs() { return dynamic_cast<DcsController&>(*controller_); }
-    /// For an SPI controller that drives clock, select and data itself.
+    /// The serial pins, for an SPI controller that drives clock, select and data itself.
     SerialPins& serial() { return *serial_; }
     bool backlit() const { return backlit_; }
 
-    /// Everything forgotten, noise in the memory.
+    /// Turns the power off and on: all state is lost, and the memory holds noise.
     void power_cycle();
-    /// The TE line is broken, or whole again.
+    /// Breaks the TE line, or mends it.
     void cut_te(bool cut) { te_cut_ = cut; }
-    /// What is seen, upright, two refreshes from now.
+    /// Returns the picture that a viewer sees two refreshes from now, upright.
     Image glass(hal::Orientation orientation);
     std::string violations_text() const;
 

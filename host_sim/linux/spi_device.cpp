@@ -58,11 +58,11 @@ class SpiFile final : public OpenFile {
 
   private:
     SpiDevice& device_;
-    Time now_ = 0; ///< inside a message
+    Time now_ = 0; ///< virtual time inside a message, ns
 
     bool takes(unsigned bits) const { return bits == 8 || (bits == 9 && device_.nine_bit_words); }
 
-    /// The message is checked whole before its first bit.
+    /// Checks a whole message before its first bit is sent. Returns 0 or negative errno.
     long check(const spi_ioc_transfer* transfers, std::size_t count) const {
         std::size_t total = 0;
         for (std::size_t i = 0; i < count; ++i) {
@@ -117,7 +117,8 @@ class SpiFile final : public OpenFile {
         return value;
     }
 
-    /// Bits change at falling clocks and are taken at rising ones, in mode 0 and mode 3 alike.
+    /// Exchanges one word. Bits change at falling clocks and are taken at rising clocks, in modes 0 and 3
+    /// alike.
     unsigned word(unsigned out, unsigned bits, unsigned period) {
         using Pin = SerialPins::Pin;
         SerialPins& pins = device_.pins_;

@@ -1,5 +1,5 @@
-// A device behind spidev: messages become clocked bits. From include/uapi/linux/spi/spidev.h and
-// drivers/spi/spidev.c.
+// A model of a device behind spidev, which turns messages into clocked bits. It is written from
+// include/uapi/linux/spi/spidev.h and drivers/spi/spidev.c.
 #pragma once
 
 #include <string>
@@ -13,16 +13,16 @@ class SpiDevice final : public Device {
   public:
     /// Messages are clocked into `pins`.
     explicit SpiDevice(SerialPins& pins) : pins_(pins) {}
-    /// Makes the device file, and the module's bufsiz in /sys.
+    /// Makes the device file, and the entry of /sys that tells the module's bufsiz.
     void attach(Kernel& kernel, const std::string& path);
 
-    // --- the controller of the bus
-    std::size_t bufsiz = 4096;        ///< of the module; before attach()
-    std::size_t alignment = 128;      ///< of each transfer inside bufsiz (arm64)
-    bool nine_bit_words = true;       ///< else bytes only, as a Raspberry Pi
-    std::uint32_t max_hz = 125000000; ///< faster is slowed down to this
-    std::uint32_t min_hz = 1;         ///< slower is refused
-    Time message_ns = 10000;          ///< what a message costs beyond its bits
+    // --- properties of the SPI controller
+    std::size_t bufsiz = 4096;        ///< most bytes of a message; set before attach()
+    std::size_t alignment = 128;      ///< multiple to which bufsiz counts a transfer's bytes (arm64)
+    bool nine_bit_words = true;       ///< false: only words of 8 bits, as on a Raspberry Pi
+    std::uint32_t max_hz = 125000000; ///< higher clock rates are lowered to this one
+    std::uint32_t min_hz = 1;         ///< lower clock rates are refused
+    Time message_ns = 10000;          ///< ns that a message costs beyond its bits
 
     struct Settings {
         std::uint32_t mode = 0, hz = 0;

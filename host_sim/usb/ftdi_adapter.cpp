@@ -5,7 +5,7 @@
 namespace spangle::sim {
 namespace {
 
-constexpr std::size_t packet_bytes = 512; // high speed
+constexpr std::size_t packet_bytes = 512; // at high speed
 constexpr std::uint8_t modem_status[] = {0x32, 0x60};
 
 enum Request : std::uint8_t { RESET = 0, SET_LATENCY_TIMER = 9, SET_BITMODE = 11 };
@@ -55,14 +55,14 @@ bool FtdiAdapter::control(const UsbSetup& setup, const std::uint8_t*, std::vecto
     return setup.type == 0x40 && vendor(setup);
 }
 
-/// The low byte of wIndex is the channel, from 1.
+/// Answers a vendor request. The low byte of wIndex is the channel, counted from 1.
 bool FtdiAdapter::vendor(const UsbSetup& setup) {
     if ((setup.index & 0xFF) != channel + 1) {
         violations_ += "request " + std::to_string(setup.request) + " to the other channel\n";
         return true;
     }
     switch (setup.request) {
-    case RESET: // 0: everything; 1: what came from the host; 2: what goes to it
+    case RESET: // value 0 clears both directions, 1 what came from the host, 2 what goes to the host
         engine.purge(setup.value != 2, setup.value != 1);
         return setup.value <= 2;
     case SET_LATENCY_TIMER:
@@ -87,8 +87,8 @@ bool FtdiAdapter::bulk_out(std::uint8_t endpoint, const std::uint8_t* bytes, std
     return true;
 }
 
-/// Full packets, then one that is not, each with two bytes of status: at least those, when the latency timer
-/// ends.
+/// Sends full packets, then one that is not full, each of which begins with two bytes of status. When the
+/// latency timer ends, at least these two are sent.
 bool FtdiAdapter::bulk_in(std::uint8_t endpoint, std::size_t most, std::vector<std::uint8_t>& in) {
     if (endpoint != in_endpoint())
         return false;

@@ -1,5 +1,5 @@
-// An FT232H or FT2232H on USB: FTDI's vendor requests and packets (AN_232B-04, AN_135) around the engine of
-// one channel.
+// A model of an FT232H or FT2232H on USB: FTDI's vendor requests and packets (AN_232B-04, AN_135) around the
+// MPSSE engine of one channel.
 #pragma once
 
 #include "host_sim/usb/mpsse_engine.hpp"
@@ -11,26 +11,26 @@ class FtdiAdapter final : public UsbFunction {
   public:
     explicit FtdiAdapter(Kernel& clock) : engine(clock) {}
 
-    // --- what it is
-    bool two_channels = false; ///< an FT2232H
-    unsigned channel = 0;      ///< of the engine, where the panel hangs
-    bool has_mpsse = true;     ///< else an FT232R: the mode is taken, and does nothing
+    // --- properties of the chip
+    bool two_channels = false; ///< the chip is an FT2232H
+    unsigned channel = 0;      ///< channel of the engine, on which the panel hangs
+    bool has_mpsse = true;     ///< false: an FT232R, which takes the mode but does nothing in it
 
     MpsseEngine engine;
 
-    // --- what it does
+    // --- behaviour
     std::vector<std::uint8_t> descriptors() const override;
     bool control(const UsbSetup& setup, const std::uint8_t* out, std::vector<std::uint8_t>& in) override;
     bool bulk_out(std::uint8_t endpoint, const std::uint8_t* bytes, std::size_t count) override;
     bool bulk_in(std::uint8_t endpoint, std::size_t most, std::vector<std::uint8_t>& in) override;
     void clear_halt() override {}
     void power_cycle();
-    /// The next request of this number is refused.
+    /// Makes the next request of this number fail.
     void refuse(std::uint8_t request) { refused_ = request; }
-    /// The next answer has a bit that is not so.
+    /// Flips bits in the next answer.
     void garble_answer() { garble_ = true; }
 
-    /// Bytes of the stream, where a test wants to see them.
+    /// Receives the bytes of the stream, where a test wants to see them.
     std::vector<std::uint8_t>* log = nullptr;
     std::string violations() const { return violations_ + engine.violations(); }
     unsigned latency_ms() const { return latency_ms_; }

@@ -8,7 +8,7 @@
 namespace spangle::sim {
 namespace {
 
-// include/drm/gud.h
+// Numbers of requests, from include/drm/gud.h.
 enum Request : std::uint8_t {
     get_status = 0x00,
     get_descriptor = 0x01,
@@ -70,7 +70,7 @@ int bits_per_pixel(std::uint8_t format) {
     }
 }
 
-/// Timings without porches, as USB panels report them.
+/// Writes a display mode without porches, as USB panels report theirs.
 void put_mode(Bytes& to, const GudMode& mode) {
     put(to, mode.clock_khz, 4);
     for (int i = 0; i < 4; ++i)
@@ -158,10 +158,10 @@ bool GudDevice::control(const UsbSetup& setup, const std::uint8_t* out, Bytes& i
         return answered;
     }
     status_ = set(setup, out);
-    return status_ == ok || status_on_set; // such a device cannot stall late
+    return status_ == ok || status_on_set; // a device with a status stage cannot stall late
 }
 
-/// What the operating system asks of any device.
+/// Answers the standard requests that the operating system sends to any device.
 bool GudDevice::standard(const UsbSetup& setup, Bytes& in) const {
     if ((setup.type & 0x80) != 0 && setup.request == 8) // GET_CONFIGURATION
         in = {1};
@@ -197,7 +197,7 @@ bool GudDevice::get(const UsbSetup& setup, Bytes& in) {
         return true;
     case get_connectors:
         for (int i = 0; i < connectors; ++i) {
-            put(in, 0, 1); // a panel
+            put(in, 0, 1); // the connector is a panel
             put(in, poll_status ? 1 : 0, 4);
         }
         return true;
@@ -237,7 +237,7 @@ std::uint8_t GudDevice::set(const UsbSetup& setup, const std::uint8_t* out) {
         }
         committed_ = true;
         picture_ = Image(mode_.width, mode_.height);
-        for (std::size_t i = 0; i < picture_.rgba.size(); ++i) // noise: a forgotten frame is seen
+        for (std::size_t i = 0; i < picture_.rgba.size(); ++i) // noise makes a forgotten frame visible
             picture_.rgba[i] = i % 4 == 3 ? 255 : static_cast<std::uint8_t>(i * 2654435761u >> 24);
         return ok;
     case set_controller_enable:
@@ -253,7 +253,7 @@ std::uint8_t GudDevice::set(const UsbSetup& setup, const std::uint8_t* out) {
     }
 }
 
-/// The state holds a mode, a format, a connector, and all properties of both lists.
+/// Checks the state that the host wants: a mode, a format, a connector, and all properties of both lists.
 std::uint8_t GudDevice::check_state(const std::uint8_t* bytes, std::size_t count) {
     checked_ = false;
     if (count < state_bytes || (count - state_bytes) % property_bytes != 0)
@@ -383,8 +383,8 @@ void GudDevice::draw(const Bytes& pixels) {
             put_pixel(buffer_.x + x, buffer_.y + y, pixels, x, y * pitch);
 }
 
-/// Components widened by repeating their high bits; formats are little-endian words, or packed with the left
-/// pixel in the high bits.
+/// Draws a pixel of the buffer into the picture. Components are widened to a byte. Formats are little-endian
+/// words, or packed bits with the left pixel in the high bits.
 void GudDevice::put_pixel(std::uint32_t x, std::uint32_t y, const Bytes& pixels, std::uint32_t column,
                           std::size_t row) {
     const auto bits = static_cast<unsigned>(bits_per_pixel(format_));

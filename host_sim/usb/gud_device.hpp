@@ -1,5 +1,5 @@
-// A GUD display (Generic USB Display): the device side of include/drm/gud.h, as the Linux gadget and gud-pico
-// behave. Strict: what a lenient device would forgive is a violation.
+// A model of a GUD display (Generic USB Display): the device side of include/drm/gud.h, as the Linux gadget
+// and gud-pico behave. The model is strict: what a lenient device would forgive is a violation.
 #pragma once
 
 #include <array>
@@ -19,48 +19,49 @@ struct GudMode {
 
 class GudDevice final : public UsbFunction {
   public:
-    // --- what it is
+    // --- properties of the device
     std::uint16_t vendor = 0x1d50, product = 0x614d;
     bool high_speed = true;
     bool lz4 = true;
     bool status_on_set = false, full_update = false;
-    bool poll_status = false;          ///< wants GET_CONNECTOR_STATUS every 10 s
-    std::uint32_t max_buffer_size = 0; ///< 0: any
-    bool tells_by_length = true;       ///< a buffer is compressed when it is shorter: gud-pico
+    bool poll_status = false;          ///< asks for GET_CONNECTOR_STATUS every 10 s
+    std::uint32_t max_buffer_size = 0; ///< bytes; 0: any size
+    bool tells_by_length = true;       ///< a shorter buffer is taken as compressed, as gud-pico does
     std::vector<std::uint8_t> formats = {0x40};
     std::vector<GudMode> modes = {{6000, 320, 240, true}};
-    std::array<std::uint16_t, 4> limits = {320, 320, 240, 240}; ///< width and height, least and most
-    std::vector<std::uint8_t> edid;                             ///< where there are no modes
+    std::array<std::uint16_t, 4> limits = {320, 320, 240,
+                                           240}; ///< pixels: least and most width, least and most height
+    std::vector<std::uint8_t> edid;              ///< read where there are no modes
     struct Property {
         std::uint16_t id;
         std::uint64_t value;
     };
-    std::vector<Property> properties, connector_properties = {{12, 100}}; ///< backlight
+    std::vector<Property> properties, connector_properties = {{12, 100}}; ///< the default is a backlight
     int connectors = 1;
     bool connected = true;
 
-    // --- what it does
+    // --- behaviour
     std::vector<std::uint8_t> descriptors() const override;
     bool control(const UsbSetup& setup, const std::uint8_t* out, std::vector<std::uint8_t>& in) override;
     bool bulk_out(std::uint8_t endpoint, const std::uint8_t* bytes, std::size_t count) override;
     bool bulk_in(std::uint8_t, std::size_t, std::vector<std::uint8_t>&) override { return false; }
     void clear_halt() override { halted_ = false, received_.clear(); }
     void power_cycle();
-    /// The next request fails with this GUD status; the next bulk stalls.
+    /// Makes the next request of this number fail with this GUD status.
     void refuse(std::uint8_t request, std::uint8_t status) {
         refused_request_ = request, refused_status_ = status;
     }
     void stall_bulk() { stall_bulk_ = true; }
-    /// Every reply to this request has no bytes.
+    /// Makes every reply to this request have no bytes.
     void empty(std::uint8_t request) { empty_request_ = request; }
-    /// After this request, GET_STATUS has no bytes.
+    /// Makes GET_STATUS after this request have no bytes.
     void hide_status_of(std::uint8_t request) { hidden_request_ = request; }
-    /// GET_STATUS is refused, as by a device that is lost in its own affairs.
+    /// GET_STATUS is refused, as by a device that has failed.
     bool refuses_status = false;
 
-    // --- what is seen
+    // --- the picture
     bool enabled() const { return controller_enabled_ && display_enabled_ && committed_; }
-    /// The glass: black unless enabled.
+    /// The picture on the glass, black unless the display is enabled.
     Image glass() const;
     std::uint64_t value_of(std::uint16_t property) const;
     const std::string& violations() const { return violations_; }
@@ -83,7 +84,7 @@ class GudDevice final : public UsbFunction {
     int empty_request_ = -1, hidden_request_ = -1, last_request_ = -1;
     int connector_ = -1;
     GudMode mode_;
-    std::vector<Property> values_; ///< of the state that was checked
+    std::vector<Property> values_; ///< values of the state that was checked
     bool checked_ = false, committed_ = false, controller_enabled_ = false, display_enabled_ = false;
     bool halted_ = false, stall_bulk_ = false, buffer_set_ = false;
     Buffer buffer_;

@@ -7,11 +7,11 @@ namespace {
 
 constexpr Time second = 1'000'000'000;
 
-/// A stream that waits for a pin looks this far ahead, this often (the chip's latency timer is a
-/// millisecond).
+/// How far ahead, and at which interval, a stream looks that waits for a pin, in ns. The chip's latency timer
+/// is a millisecond.
 constexpr Time patience = 1'000'000, look = 1000;
 
-/// Bytes of a command with its parameters; 0: there is no such command.
+/// The number of bytes of a command with its parameters; 0: there is no such command.
 std::size_t length_of(std::uint8_t command) {
     switch (command) {
     case 0x11:
@@ -42,7 +42,7 @@ std::size_t length_of(std::uint8_t command) {
 void MpsseEngine::restart() {
     outputs_ = values_ = divisor_ = 0;
     full_base_ = false;
-    loopback_ = true; // a driver may not rely on it
+    loopback_ = true; // the chip starts in this mode; drivers must turn loopback off
     changed();
 }
 
@@ -118,7 +118,7 @@ std::size_t MpsseEngine::run(std::size_t at) {
     case 0x8B:
         full_base_ = command == 0x8A;
         break;
-    default: // what it sends and how it clocks besides: as here anyway
+    default: // the settings of these commands change nothing in the model
         break;
     }
     return length;
@@ -131,7 +131,8 @@ std::uint32_t MpsseEngine::clock_hz() const {
 // --- Pins
 
 std::uint64_t MpsseEngine::levels() const {
-    return (values_ & outputs_) | (~outputs_ & 0xFFFFu & ~pulled_down); // pulled up (FT232H datasheet, 3.4)
+    return (values_ & outputs_) |
+           (~outputs_ & 0xFFFFu & ~pulled_down); // inputs are pulled up (FT232H datasheet, 3.4)
 }
 
 void MpsseEngine::changed() {
@@ -190,7 +191,8 @@ void MpsseEngine::read_bytes(std::size_t at) {
         answers_.push_back(exchange(out ? 0xFF : 0x00));
 }
 
-/// Data out at falling clocks, in at rising ones. The data pin stays as the last bit left it.
+/// Exchanges a byte: data change at falling clocks, and are taken at rising clocks. Afterwards the data pin
+/// keeps the last bit.
 std::uint8_t MpsseEngine::exchange(std::uint8_t out) {
     constexpr unsigned driven = 1u << clock_pin | 1u << out_pin;
     if ((outputs_ & driven) != driven || (outputs_ >> in_pin & 1) != 0)

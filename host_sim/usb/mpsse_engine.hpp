@@ -1,6 +1,6 @@
-// FTDI's Multi-Protocol Synchronous Serial Engine: a stream of bytes becomes levels of sixteen pins, and
-// answers. From FTDI's AN_108, the part that SPI in mode 0 takes; commands beyond it are answered as bad
-// ones.
+// A model of FTDI's Multi-Protocol Synchronous Serial Engine, which turns a stream of bytes into levels of
+// sixteen pins and answers. It knows the part of FTDI's AN_108 that SPI in mode 0 takes, and answers other
+// commands as bad ones.
 #pragma once
 
 #include <string>
@@ -16,28 +16,29 @@ class MpsseEngine : public PinHeader {
     static constexpr unsigned pins = 16; ///< ADBUS0 to 7, ACBUS0 to 7
     static constexpr unsigned clock_pin = 0, out_pin = 1, in_pin = 2, wait_pin = 5;
 
-    /// Bits take time of this clock.
+    /// `clock` is the clock on which bits take time.
     explicit MpsseEngine(Kernel& clock) : clock_(clock) {}
 
-    /// As when the mode is set: pins are inputs, clocks as at first. What waits in the buffers stays.
+    /// Starts the engine as when its mode is set: pins are inputs, and clocks have their first rates. Bytes
+    /// that wait in the buffers stay.
     void restart();
     void purge(bool stream, bool answers);
     void feed(const std::uint8_t* bytes, std::size_t count);
-    /// At most `most` bytes of what the host may read now.
+    /// Takes at most `most` bytes of the answers that the host may read now.
     std::vector<std::uint8_t> take_answers(std::size_t most);
-    /// Time passes for a stream that waits for its pin.
+    /// Lets a stream that waits for its pin look again.
     void idle();
 
     std::uint32_t clock_hz() const;
     std::uint64_t levels() const;
-    /// What no SPI panel can make sense of.
+    /// Sequences that no SPI panel can understand, one a line.
     const std::string& violations() const { return violations_; }
     std::size_t longest_burst() const { return longest_burst_; }
     std::uint64_t bad_commands() const { return bad_commands_; }
 
   private:
     Kernel& clock_;
-    std::vector<std::uint8_t> stream_; ///< not yet done
+    std::vector<std::uint8_t> stream_; ///< bytes of commands not yet run
     std::vector<std::uint8_t> answers_;
     unsigned outputs_ = 0, values_ = 0;
     unsigned divisor_ = 0;
@@ -46,7 +47,8 @@ class MpsseEngine : public PinHeader {
     std::uint64_t bad_commands_ = 0;
     std::string violations_;
 
-    /// Bytes that the command at `at` takes, or 0: it must wait, for bytes or for its pin.
+    /// Runs the command at `at` and returns the number of its bytes. Returns 0 if it must wait, for bytes or
+    /// for its pin.
     std::size_t run(std::size_t at);
     void run_all();
     bool wait_for(bool high);

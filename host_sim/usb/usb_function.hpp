@@ -1,5 +1,5 @@
-// A USB device as its firmware sees it: descriptors, control requests, bulk pipes. Nothing of how packets
-// travel.
+// A USB device as its firmware sees it: descriptors, control requests and bulk pipes. How packets travel is
+// left to others.
 #pragma once
 
 #include <cstddef>
@@ -13,27 +13,27 @@ struct UsbSetup {
     std::uint16_t value = 0, index = 0, length = 0;
 };
 
-/// What becomes of a bulk transfer on its way to a device.
+/// What happens to a bulk transfer on its way to a device.
 enum class UsbFate {
     normal,
-    cut,    ///< half of it arrives, and the controller calls that done
+    cut,    ///< half of the transfer arrives, and the controller reports success
     stall,  ///< the endpoint halts
-    silent, ///< never done: the host's timeout ends it
-    unplug, ///< the device goes, with the transfer under way
+    silent, ///< never done: the timeout of the host ends the transfer
+    unplug, ///< the device goes away during the transfer
     error,  ///< the controller reports a protocol error
 };
 
 class UsbFunction {
   public:
     virtual ~UsbFunction() = default;
-    /// Device descriptor, then the one configuration.
+    /// The device descriptor, followed by the only configuration.
     virtual std::vector<std::uint8_t> descriptors() const = 0;
-    /// `out`: the data stage of a request to the device; `in`: of one from it, at most `setup.length` bytes.
-    /// False: STALL.
+    /// Answers a control request. `out` is the data stage of a request to the device; `in` takes that of a
+    /// request from the device, at most `setup.length` bytes. Returns false to stall.
     virtual bool control(const UsbSetup& setup, const std::uint8_t* out, std::vector<std::uint8_t>& in) = 0;
-    /// False: STALL, until the halt is cleared.
+    /// Takes a bulk transfer. Returns false to stall, until the halt is cleared.
     virtual bool bulk_out(std::uint8_t endpoint, const std::uint8_t* bytes, std::size_t count) = 0;
-    /// What the device sends now, at most `most` bytes. False: STALL.
+    /// Puts what the device sends now into `in`, at most `most` bytes. Returns false to stall.
     virtual bool bulk_in(std::uint8_t endpoint, std::size_t most, std::vector<std::uint8_t>& in) = 0;
     virtual void clear_halt() = 0;
 };

@@ -69,13 +69,13 @@ class UsbfsFile final : public OpenFile {
             *static_cast<std::uint32_t*>(argument) = capabilities;
             return 0;
         case USBDEVFS_GET_SPEED:
-            return 3; // high
+            return 3; // high speed
         case USBDEVFS_GETDRIVER:
             if (!device_.kernel_driver)
                 return -ENODATA;
             std::memcpy(static_cast<usbdevfs_getdriver*>(argument)->driver, "gud", 4);
             return 0;
-        case USBDEVFS_IOCTL: // disconnect and connect of the kernel's driver
+        case USBDEVFS_IOCTL: // disconnects or connects the kernel's driver
             return set_driver(static_cast<const usbdevfs_ioctl*>(argument)->ioctl_code ==
                               static_cast<int>(USBDEVFS_CONNECT));
         case USBDEVFS_DISCONNECT_CLAIM:
@@ -110,11 +110,11 @@ class UsbfsFile final : public OpenFile {
     std::size_t at_ = 0;
     int read_end_ = -1, write_end_ = -1;
     bool gone_ = false;
-    std::deque<usbdevfs_urb*> waiting_, done_; ///< with the device; to be reaped
+    std::deque<usbdevfs_urb*> waiting_, done_; ///< transfers that the device has; transfers to be reaped
 
     void fill() {
         const char zeros[page] = {};
-        // Not write(): to the program this file is a device.
+        // The program's own write() is interposed, and would take this file for a device.
         while (syscall(SYS_write, write_end_, zeros, page) > 0) {
         }
     }
@@ -174,7 +174,7 @@ class UsbfsFile final : public OpenFile {
         drain();
     }
 
-    /// The pipe is worked off in order, until something stays with the device.
+    /// Works off the transfers in order, until the device keeps one.
     void run() {
         while (!waiting_.empty()) {
             usbdevfs_urb* const urb = waiting_.front();
@@ -248,7 +248,8 @@ void UsbfsDevice::attach(Kernel& kernel, const std::string& path) {
 }
 
 void UsbfsDevice::unplug() {
-    // No call on a file of the device may run meanwhile: it would write into a pipe that nobody reads.
+    // No call on a file of the device may run meanwhile, because it would write into a pipe that nobody
+    // reads.
     const std::lock_guard lock(*kernel_);
     kernel_->unplug(path_);
     for (UsbfsFile* file : files_)

@@ -1,7 +1,7 @@
-// A USB device behind usbfs (/dev/bus/usb/BBB/DDD): what libusb does to it reaches a UsbFunction. From
-// include/uapi/linux/usbdevice_fs.h and drivers/usb/core/devio.c. The file is the write end of a small pipe,
-// because libusb polls it: room in the pipe means that a transfer is done, a closed pipe that the device
-// went.
+// A USB device behind usbfs (/dev/bus/usb/BBB/DDD), which passes what libusb does on to a UsbFunction. It is
+// written from include/uapi/linux/usbdevice_fs.h and drivers/usb/core/devio.c. The file is the write end of a
+// small pipe, because libusb polls it. Room in the pipe means that a transfer is done, and a closed pipe that
+// the device is gone.
 #pragma once
 
 #include <deque>
@@ -22,13 +22,13 @@ class UsbfsDevice final : public Device {
     void attach(Kernel& kernel, const std::string& path);
 
     using Fate = UsbFate;
-    /// Of a transfer of `count` bytes.
+    /// Decides what happens to a transfer of `count` bytes.
     std::function<Fate(std::size_t count)> fate;
-    bool kernel_driver = false; ///< somebody has the interface, and is asked to let go
+    bool kernel_driver = false; ///< a kernel driver has the interface, and is asked to let go
     bool claimed_elsewhere = false;
-    int most_under_way = 0; ///< bulk transfers at a time, so far
+    int most_under_way = 0; ///< most bulk transfers at the same time, so far
 
-    /// As when the plug is pulled: open files hang up.
+    /// Removes the device as when its plug is pulled: open files hang up.
     void unplug();
     void plug();
 

@@ -17,7 +17,7 @@ constexpr char attach_file[] = "/sys/devices/platform/vhci_hcd.0/attach";
 constexpr unsigned device_id = 0x10002;
 constexpr int most_tries = 2000;
 
-// Words of a packet, big-endian; the rest differs.
+// Offsets of words in a packet. They are big-endian; the setup bytes are not.
 enum Word : std::size_t {
     command = 0,
     sequence = 4,
@@ -25,9 +25,9 @@ enum Word : std::size_t {
     endpoint = 16,
     buffer_length = 24,
     setup_bytes = 40,
-    victim = 20,        // CMD_UNLINK
+    victim = 20,        // of CMD_UNLINK
     status = 20,        // of answers
-    actual_length = 24, // RET_SUBMIT
+    actual_length = 24, // of RET_SUBMIT
 };
 enum Command : std::uint32_t { cmd_submit = 1, cmd_unlink = 2, ret_submit = 3, ret_unlink = 4 };
 
@@ -41,7 +41,7 @@ template <class Packet> void put_word(Packet& packet, std::size_t at, std::uint3
         packet[at + static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(value >> (24 - 8 * i));
 }
 
-/// As on the wire of USB: little-endian.
+/// Reads the setup bytes, which are little-endian as on the wire of USB.
 template <class Packet> UsbSetup setup_of(const Packet& p) {
     const auto half = [&](std::size_t at) {
         return static_cast<std::uint16_t>(p[setup_bytes + at] | p[setup_bytes + at + 1] << 8);
@@ -71,7 +71,8 @@ bool UsbipDevice::plug() {
     return true;
 }
 
-/// A port that was used a moment ago is still taken for a while.
+/// Attaches the socket to the first port. A port that was used a moment ago stays taken for a while, so this
+/// tries again.
 bool UsbipDevice::attach(int socket) {
     const int file = ::open(attach_file, O_WRONLY | O_CLOEXEC);
     if (file < 0)
@@ -109,9 +110,9 @@ bool UsbipDevice::send(const void* from, std::size_t count) {
     return ::send(socket_, from, count, MSG_NOSIGNAL) == static_cast<ssize_t>(count);
 }
 
-// --- What the host says
+// --- Packets of the host
 
-/// Until one of both ends hangs up.
+/// Serves the host until one of both ends hangs up.
 void UsbipDevice::serve() {
     Packet packet;
     bool there = true;
@@ -146,7 +147,7 @@ bool UsbipDevice::submitted(const Packet& packet) {
     return run();
 }
 
-/// The host takes a transfer back. 0: it was done before.
+/// The host takes a transfer back. Answers with status 0 if the transfer was done before.
 bool UsbipDevice::unlinked(const Packet& packet) {
     const std::lock_guard lock(mutex_);
     const auto it = std::find_if(waiting_.begin(), waiting_.end(),
@@ -163,7 +164,8 @@ bool UsbipDevice::unlinked(const Packet& packet) {
 
 // --- The bulk pipe
 
-/// In order, until something stays with the device.
+/// Works off the waiting transfers in order, until the device keeps one. Returns false when the connection
+/// ends.
 bool UsbipDevice::run() {
     while (!waiting_.empty()) {
         Transfer& next = waiting_.front();
@@ -212,8 +214,8 @@ int UsbipDevice::control(Transfer& t) {
     return answered ? 0 : -EPIPE;
 }
 
-/// What a device's USB engine answers without its firmware (USB 2.0, 9.4): it is where the plug is, it has
-/// one configuration, one setting of each interface, no strings and no other speed.
+/// Answers what a device's USB engine answers without its firmware (USB 2.0, 9.4). The device has one
+/// configuration, one setting of each interface, no strings and no other speed.
 bool UsbipDevice::standard(const UsbSetup& setup, std::vector<std::uint8_t>& in) {
     constexpr std::size_t device_bytes = 18;
     constexpr unsigned get_status = 0, clear_feature = 1, get_descriptor = 6, of_endpoint = 2;

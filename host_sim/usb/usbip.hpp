@@ -1,5 +1,5 @@
 // A USB device at a port of the kernel's virtual host controller (vhci-hcd), over USB/IP through a pair of
-// sockets: the real usbcore, its drivers and usbfs reach a UsbFunction. From
+// sockets. The real usbcore, its drivers and usbfs reach a UsbFunction. It is written from
 // Documentation/usb/usbip_protocol.rst.
 #pragma once
 
@@ -23,15 +23,15 @@ class UsbipDevice {
     UsbipDevice(const UsbipDevice&) = delete;
     UsbipDevice& operator=(const UsbipDevice&) = delete;
 
-    /// Into the first port, when what was there has gone. False, and errno says why: there is no vhci-hcd, or
-    /// no right to it.
+    /// Plugs the device into the first port, once the device before is gone. Returns false where that fails;
+    /// errno says why: there is no vhci-hcd, or the process may not use it.
     bool plug();
-    /// As when the plug is pulled: transfers under way die.
+    /// Removes the device as when its plug is pulled: transfers under way die.
     void unplug();
 
-    /// Of a bulk transfer of `count` bytes to the device.
+    /// Decides what happens to a bulk transfer of `count` bytes to the device.
     std::function<Fate(std::size_t count)> fate;
-    /// While it is locked the device does nothing: std::lock_guard lock(device).
+    /// Keeps the device from doing anything while the lock is held: std::lock_guard lock(device).
     void lock() { mutex_.lock(); }
     void unlock() { mutex_.unlock(); }
 
@@ -39,10 +39,10 @@ class UsbipDevice {
     /// A transfer that the host submitted.
     struct Transfer {
         std::uint32_t sequence = 0, length = 0;
-        std::uint8_t endpoint = 0; ///< its address, direction included
+        std::uint8_t endpoint = 0; ///< address of the endpoint, direction included
         bool to_host = false;
         UsbSetup setup;
-        std::vector<std::uint8_t> bytes; ///< of the host; then of the device
+        std::vector<std::uint8_t> bytes; ///< bytes from the host; then those of the device
     };
     using Packet = std::array<std::uint8_t, 48>;
 
@@ -50,8 +50,8 @@ class UsbipDevice {
     bool high_speed_;
     int socket_ = -1;
     std::thread thread_;
-    std::mutex mutex_;             ///< guards the function and what follows
-    std::deque<Transfer> waiting_; ///< for the bulk pipe, which is worked off in order
+    std::mutex mutex_;             ///< guards the function and the members below
+    std::deque<Transfer> waiting_; ///< transfers of the bulk pipe, which is worked off in order
 
     bool attach(int socket);
     void serve();
