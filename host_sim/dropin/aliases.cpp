@@ -1,4 +1,4 @@
-// Names with a suffix, by which extensions call core commands, for programs that link them.
+// Core commands under the suffixed names of extensions, for programs that link those names.
 #include <spangle/GL/gl.h>
 
 #define ALIAS(returns, name, command, parameters, arguments)                                                 \

@@ -22,7 +22,7 @@ void check(const std::string& problem) {
 }
 
 bool asked = false;
-Capture* the_capture = nullptr; // lives as long as the program may draw
+Capture* the_capture = nullptr; // never freed: it lives as long as the program may draw
 
 } // namespace
 

@@ -1,5 +1,5 @@
-// What `spangle trade` asks of a program's frames: each whole, with its depth, its coverage and its time, and
-// at the end how far the stages were off.
+// Writes the file from which `spangle trade` judges a program: each whole frame with its depth, coverage and
+// time, and at the end how far the stages were off.
 #pragma once
 
 #include <cstdint>
@@ -19,17 +19,17 @@ namespace spangle::dropin {
 
 class Capture {
   public:
-    /// The program's only one; null where nobody asked for a capture.
+    /// The only capture of the program; null where nobody asked for one.
     static Capture* get();
-    /// Writes the file, where there is one.
+    /// Completes the file, if a capture was asked for.
     static void finish_if_any();
 
-    /// A context that was made now: what it draws is watched. Stages are those of the thread that makes it.
+    /// Watches what a new context draws. The stages are those of the thread that makes the context.
     void watch(gl::Context& context);
-    /// A picture is finished. It is a frame where anything was drawn to it since the last; the program ends
-    /// after the last frame that was asked for.
+    /// Takes a finished picture. It counts as a frame if anything was drawn since the picture before. The
+    /// program ends after the last frame that was asked for.
     void take(const raster::Surface& picture);
-    /// A function was called that Spangle does not have.
+    /// Notes that the program called a function which Spangle does not have.
     void miss() { missed_ = true; }
 
   private:
@@ -41,7 +41,7 @@ class Capture {
     raster::Counters counters_;
     std::unique_ptr<StageReport> stages_;
     std::uint64_t taken_ = 0;
-    double begun_ = 0; ///< microseconds of this thread when the last frame was taken
+    double begun_ = 0; ///< us of this thread's time, when the last frame was taken
     bool missed_ = false, finished_ = false;
 };
 

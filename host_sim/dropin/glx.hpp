@@ -1,5 +1,5 @@
-// GLX 1.4 as the pair has it: types and tokens, which are those of every GLX (Khronos' registry), for its own
-// sources.
+// GLX 1.4 for the drop-in pair's own sources. The types and tokens have the values of every GLX (Khronos'
+// registry).
 #pragma once
 
 #include <X11/Xlib.h>
@@ -85,18 +85,18 @@ enum Token : int {
 };
 
 inline constexpr int WINDOW_BIT = 1, PIXMAP_BIT = 2, PBUFFER_BIT = 4, RGBA_BIT = 1;
-inline constexpr int CONTEXT_DEBUG_BIT = 1, CONTEXT_FORWARD_COMPATIBLE_BIT = 2; // of CONTEXT_FLAGS
+inline constexpr int CONTEXT_DEBUG_BIT = 1, CONTEXT_FORWARD_COMPATIBLE_BIT = 2; // bits of CONTEXT_FLAGS
 inline constexpr int CONTEXT_CORE_PROFILE_BIT = 1, CONTEXT_COMPATIBILITY_PROFILE_BIT = 2;
 inline constexpr unsigned DONT_CARE = 0xFFFFFFFF;
 
-/// Of glXGetConfig.
+/// Errors that glXGetConfig returns.
 inline constexpr int BAD_SCREEN = 1, BAD_ATTRIBUTE = 2, NO_EXTENSION = 3, BAD_VISUAL = 4, BAD_CONTEXT = 5,
                      BAD_VALUE = 6, BAD_ENUM = 7;
 
-/// Of glXGetClientString.
+/// Names of strings that glXGetClientString knows.
 inline constexpr int VENDOR = 1, VERSION = 2, EXTENSIONS = 3;
 
-/// Errors of the X extension, less its first.
+/// Errors of the X extension GLX, counted from its first.
 enum class Problem : int {
     context = 0,
     context_state = 1,
@@ -114,7 +114,7 @@ enum class Problem : int {
     profile = 13,
 };
 
-/// Requests of the X extension that an error names.
+/// Requests of the X extension GLX that an error names.
 enum class Request : int {
     create_context = 3,
     make_current = 5,
@@ -131,7 +131,8 @@ enum class Request : int {
     create_context_attribs = 34,
 };
 
-/// Reports an error as the server would have: the program's error handler is called. GLX's own, and X's.
+/// Calls the program's error handler, as the server would have done: report() for errors of GLX,
+/// report_core() for errors of X.
 void report(Display* display, Problem problem, Request request, XID resource);
 void report_core(Display* display, int error, Request request, XID resource);
 

@@ -1,5 +1,5 @@
-// Choosing and asking: visuals and framebuffer configurations (GLX 1.4, 3.3.3), versions and extensions
-// (3.3.1, 3.3.2).
+// The functions of GLX that choose visuals and framebuffer configurations (GLX 1.4, 3.3.3), and those that
+// tell versions and extensions (3.3.1, 3.3.2).
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -23,7 +23,8 @@ constexpr const char* extension_list =
     "GLX_EXT_swap_control GLX_EXT_visual_info GLX_EXT_visual_rating GLX_MESA_swap_control GLX_SGIX_fbconfig "
     "GLX_SGI_make_current_read GLX_SGI_swap_control ";
 
-/// GLX 1.4, table 3.4: how a wish is held against a value, and what is wished where nothing is said.
+/// How a wish is compared with a value of a configuration. `defaults` holds the wishes of attributes that the
+/// program does not name (GLX 1.4, table 3.4).
 enum class Rule { at_least, exact, mask, ignored };
 struct Wish {
     int name;
@@ -78,7 +79,7 @@ bool holds(const SpangleFbConfig& config, const Wish& wish) {
                                        : (value & wish.value) == wish.value;
 }
 
-/// False when the list names an attribute that does not exist.
+/// Reads a list of attributes and values. Returns false when the list names an attribute that does not exist.
 bool read_wishes(const int* list, std::vector<Wish>& out) {
     out.assign(std::begin(defaults), std::end(defaults));
     for (; list != nullptr && *list != 0; list += 2) {
@@ -91,8 +92,8 @@ bool read_wishes(const int* list, std::vector<Wish>& out) {
     return true;
 }
 
-/// The configurations that fulfil all wishes, in memory that the program frees with XFree (GLX 1.4, 3.3.3);
-/// null when there is none.
+/// Returns the configurations that fulfil all wishes, in memory that the program frees with XFree (GLX 1.4,
+/// 3.3.3). Null: there are none.
 GLXFBConfig* list_of(const std::vector<SpangleFbConfig>& all, const std::vector<Wish>& wishes, int& count) {
     std::vector<GLXFBConfig> chosen;
     for (const SpangleFbConfig& config : all)
@@ -115,7 +116,7 @@ XVisualInfo* visual_info(Display* display, const SpangleFbConfig& config) {
     return XGetVisualInfo(display, VisualIDMask, &wish, &count);
 }
 
-/// The attributes of glXChooseVisual: booleans stand alone (GLX 1.4, 3.3.4). False: an unknown one.
+/// The attributes of glXChooseVisual, whose booleans stand without a value (GLX 1.4, 3.3.4).
 struct VisualWish {
     std::vector<Wish> wishes;
     bool rgba = false;
@@ -141,8 +142,8 @@ bool read_visual_wish(const int* list, VisualWish& out) {
     return true;
 }
 
-/// Of two that are wished the same colours and planes, glXChooseVisual takes the smaller accumulation and the
-/// deeper depth buffer where one is wished, else the smallest (GLX 1.4, 3.3.4).
+/// Whether glXChooseVisual prefers `a` where both fulfil its wishes (GLX 1.4, 3.3.4). Fewer samples and a
+/// smaller accumulation buffer come first; then the deeper depth buffer if one is wished, else the flatter.
 bool smaller(const SpangleFbConfig& a, const SpangleFbConfig& b, bool wants_depth) {
     const auto key = [wants_depth](const SpangleFbConfig& c) {
         return std::tuple(c.samples, c.accum, wants_depth ? -c.depth : c.depth, c.stencil, c.id);
@@ -156,7 +157,8 @@ namespace spangle::dropin::glx {
 
 namespace {
 
-/// Numbers of the server's own GLX; where it has none, numbers that no extension of a server is given.
+/// Numbers that a GLX extension of the server would have. They stand in where the server has none, and no
+/// extension of a server is given them.
 constexpr int no_extension_error = 200, no_extension_event = 120, no_extension_opcode = 127;
 
 XExtCodes codes_of(Display* display) {
@@ -263,7 +265,7 @@ XVisualInfo* glXGetVisualFromFBConfig(Display* display, GLXFBConfig config) {
 XVisualInfo* glXChooseVisual(Display* display, int screen, int* list) {
     VisualWish wish;
     if (!read_visual_wish(list, wish) || !wish.rgba)
-        return nullptr; // there are no visuals of colour indices
+        return nullptr; // Spangle has no visuals of colour indices
     bool wants_depth = false;
     for (const Wish& w : wish.wishes)
         wants_depth = wants_depth || (w.name == DEPTH_SIZE && w.value != 0);

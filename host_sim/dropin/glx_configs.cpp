@@ -20,7 +20,7 @@ std::recursive_mutex mutex;
 
 struct Screen {
     std::vector<SpangleFbConfig> configs;
-    std::map<VisualID, int> chosen; ///< id of the configuration that was last chosen for a visual
+    std::map<VisualID, int> chosen; ///< id of the configuration last chosen for each visual
 };
 
 std::map<std::pair<Display*, int>, std::unique_ptr<Screen>>& screens() {
@@ -28,7 +28,7 @@ std::map<std::pair<Display*, int>, std::unique_ptr<Screen>>& screens() {
     return *all;
 }
 
-/// Visuals of true colours in the depth of the root window, its own first.
+/// The TrueColor visuals of the root window's depth; the root window's own visual comes first.
 std::vector<XVisualInfo> visuals_of(Display* display, int screen) {
     XVisualInfo wish = {};
     wish.screen = screen;
@@ -52,7 +52,7 @@ int of_egl(EGLDisplay display, EGLConfig config, EGLint name) {
     return value;
 }
 
-/// EGL's config of windows with these planes; null where there is none.
+/// The config of EGL that has these planes and can draw to windows; null where there is none.
 EGLConfig egl_config(EGLDisplay display, int depth, int stencil, int samples) {
     const EGLint wish[] = {EGL_RENDERABLE_TYPE,
                            EGL_OPENGL_BIT,
@@ -78,7 +78,8 @@ EGLConfig egl_config(EGLDisplay display, int depth, int stencil, int samples) {
     return nullptr;
 }
 
-/// The commonest wishes first: these get visuals of their own where there are not enough for all.
+/// All combinations of planes that EGL has, the commonest first. Those get visuals of their own where there
+/// are not enough visuals for all.
 std::vector<SpangleFbConfig> planes_of(EGLDisplay display) {
     std::vector<SpangleFbConfig> out;
     struct Planes {
@@ -107,8 +108,8 @@ std::vector<SpangleFbConfig> planes_of(EGLDisplay display) {
     return out;
 }
 
-/// GLX 1.4, table 3.4: smaller samples before more, single before double, deep before flat, no stencil and no
-/// accumulation before these. All have equal colours.
+/// The order in which GLX lists configurations (GLX 1.4, table 3.4): single buffers first, then fewer
+/// samples, deeper depth, less stencil and less accumulation. All configurations have equal colours.
 bool before(const SpangleFbConfig& a, const SpangleFbConfig& b) {
     const auto key = [](const SpangleFbConfig& c) {
         return std::tuple(c.double_buffered, c.samples, -c.depth, c.stencil, c.accum, c.id);

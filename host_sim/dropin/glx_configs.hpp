@@ -1,5 +1,5 @@
-// The framebuffer configurations of GLX: what EGL's configs say, times what GLX counts in: one or two
-// buffers, accumulation.
+// The framebuffer configurations of GLX: each config of EGL, with each combination of what only GLX counts:
+// one or two buffers, and accumulation.
 #pragma once
 
 #include <vector>
@@ -21,24 +21,25 @@ struct SpangleFbConfig {
 
 namespace spangle::dropin::glx {
 
-/// EGL's display of this connection, initialised; EGL_NO_DISPLAY where that is not possible.
+/// The initialised EGL display of this connection; EGL_NO_DISPLAY where that is not possible.
 EGLDisplay egl_display(Display* display);
 
-/// All configurations of a screen, in the order in which GLX prefers them; none: no such screen.
+/// All configurations of a screen, in the order in which GLX prefers them. The list is empty for no such
+/// screen.
 const std::vector<SpangleFbConfig>& configs(Display* display, int screen);
 
-/// The value of an attribute; false where there is no such attribute.
+/// Reads the value of an attribute. Returns false where there is no such attribute.
 bool attribute(const SpangleFbConfig& config, int name, int& value);
 
-/// The configuration that windows of this visual have: the one that was last chosen for it, where several
-/// share it.
+/// The configuration of windows with this visual. Where several configurations share the visual, it is the
+/// one last chosen.
 GLXFBConfig of_visual(Display* display, int screen, VisualID visual);
 void remember_choice(const SpangleFbConfig& config);
 
 /// Drops the configurations of a connection that is closed.
 void forget_configs(Display* display);
 
-/// A handle that a program gave; null where it is none of ours.
+/// The configuration that a program's handle stands for; null where the handle is not from this library.
 GLXFBConfig checked(Display* display, GLXFBConfig config);
 
 } // namespace spangle::dropin::glx

@@ -1,4 +1,4 @@
-// Contexts of GLX, which one is current, and swapping (GLX 1.4, 3.3.7 to 3.3.10).
+// The contexts of GLX, which of them is current, and swapping of buffers (GLX 1.4, 3.3.7 to 3.3.10).
 #include <set>
 
 #include <spangle/GL/gl.h>
@@ -11,16 +11,16 @@ using namespace spangle::dropin::glx;
 struct SpangleGlxContext {
     Display* display = nullptr;
     GLXFBConfig config = nullptr;
-    EGLDisplay egl_display = EGL_NO_DISPLAY; ///< stays when the connection is closed
+    EGLDisplay egl_display = EGL_NO_DISPLAY; ///< kept when the connection is closed
     EGLContext egl = EGL_NO_CONTEXT;
     GLXContextID id = 0;
-    bool destroyed = false; ///< freed when it is current no more
-    int users = 0;          ///< threads it is current to: one at most
+    bool destroyed = false; ///< the context is freed once no thread has it current
+    int users = 0;          ///< number of threads to which the context is current: 0 or 1
 };
 
 namespace {
 
-/// What is current on this thread.
+/// The context that is current on this thread, and its drawables.
 struct Current {
     GLXContext context = nullptr;
     Display* display = nullptr;
@@ -47,7 +47,7 @@ void free_if_unused(GLXContext context) {
     delete context;
 }
 
-/// The error that a refusal of EGL is called in GLX.
+/// Reports the last error of EGL as the error that GLX has for it.
 void report_refusal(Display* display, Request request, GLXDrawable drawable) {
     switch (eglGetError()) {
     case EGL_BAD_ACCESS:
@@ -63,10 +63,10 @@ void report_refusal(Display* display, Request request, GLXDrawable drawable) {
     }
 }
 
-/// What glXCreateContextAttribsARB is asked for.
+/// The attributes with which glXCreateContextAttribsARB is called.
 struct ContextWish {
     int major = 1, minor = 0, flags = 0;
-    int error = Success;        ///< X's error that the list is refused with
+    int error = Success;        ///< X's error with which the list is refused
     bool profile_error = false; ///< the list is refused with GLXBadProfileARB
 };
 
@@ -75,14 +75,15 @@ bool is_defined_version(int major, int minor) {
     return major >= 1 && major <= 4 && minor >= 0 && minor <= last_minor[major];
 }
 
-/// Profiles exist from OpenGL 3.2 on, but a mask that names none or several of them is refused for every
-/// version.
+/// Whether the mask names exactly one profile. Profiles exist from OpenGL 3.2 on, but a mask that names none
+/// or several is refused for every version.
 bool is_profile(int mask) {
     return mask == CONTEXT_CORE_PROFILE_BIT || mask == CONTEXT_COMPATIBILITY_PROFILE_BIT;
 }
 
-/// Values that no version knows are BadValue; a version that does not exist, or lacks what is asked for with
-/// it, is BadMatch (GLX_ARB_create_context, GLX_ARB_create_context_profile).
+/// Reads and checks the attributes. A value that no version knows is BadValue. A version that does not exist,
+/// or that lacks what is asked for with it, is BadMatch (GLX_ARB_create_context,
+/// GLX_ARB_create_context_profile).
 ContextWish context_wish(const int* list) {
     ContextWish wish;
     bool color_index = false;
@@ -153,7 +154,7 @@ Bool release() {
     const std::lock_guard<std::recursive_mutex> guard(lock());
     if (current.context == nullptr)
         return True;
-    if (eglReleaseThread() == EGL_FALSE) { // names no display: the connection may be closed
+    if (eglReleaseThread() == EGL_FALSE) { // names no display, because the connection may be closed
         report_refusal(current.display, Request::make_current, 0);
         return False;
     }
@@ -206,8 +207,9 @@ Bool make_current(Display* display, GLXDrawable draw, GLXDrawable read, GLXConte
 
 } // namespace
 
-/// Programs may close a connection with a primitive begun and a context current, which GL and EGL refuse to
-/// let go in between (EGL 1.4, 3.7.3).
+/// Releases what belongs to a connection before it is closed. Programs may do so with a primitive begun and a
+/// context current. GL and EGL do not release a context inside a primitive (EGL 1.4, 3.7.3), so the primitive
+/// is ended first.
 void spangle::dropin::glx::forget_connection(Display* display) {
     const EGLDisplay egl = eglGetPlatformDisplayEXT(EGL_PLATFORM_X11_KHR, display, nullptr);
     if (egl == EGL_NO_DISPLAY)
@@ -219,7 +221,7 @@ void spangle::dropin::glx::forget_connection(Display* display) {
         release();
         eglReleaseThread(); // a context that EGL itself made current
     }
-    eglTerminate(egl); // what is current to another thread stays until that lets it go
+    eglTerminate(egl); // contexts current to other threads stay until released
     const std::lock_guard<std::recursive_mutex> guard(lock());
     for (auto at = contexts().begin(); at != contexts().end();) {
         const GLXContext context = *at++;
@@ -369,7 +371,7 @@ void glXSwapBuffers(Display* display, GLXDrawable id) {
             report(display, Problem::current_window, Request::swap_buffers, id);
         return;
     }
-    // Of a drawable that is not current there is nothing new to show; only its name can be wrong.
+    // A drawable that is not current has nothing new to show, so that only its name can be wrong.
     if (made_drawable(display, id) == nullptr)
         report(display, Problem::drawable, Request::swap_buffers, id);
 }

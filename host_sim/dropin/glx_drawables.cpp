@@ -20,7 +20,8 @@ Targets& drawables() {
     return *all;
 }
 
-/// EGL lets a context draw to surfaces that have its planes (EGL 1.4, 2.2).
+/// Whether EGL lets a context of one configuration draw to surfaces of the other: both have the same planes
+/// (EGL 1.4, 2.2).
 bool same_planes(const SpangleFbConfig& a, const SpangleFbConfig& b) {
     return a.egl == b.egl;
 }
@@ -54,7 +55,8 @@ void destroy_surface(Display* display, Target& drawable) {
     drawable.surface = EGL_NO_SURFACE;
 }
 
-/// GLX is not told when a plain window is destroyed: its surface goes when another one is made.
+/// Drops plain windows that were destroyed, with their surfaces. X does not tell GLX when they are, so this
+/// looks when another drawable is made.
 void forget_gone_windows(Display* display) {
     XWindows* const windows = XWindows::of(display);
     Targets& all = drawables();
@@ -81,7 +83,7 @@ void destroy(Display* display, XID id, Kind kind, Problem problem, Request reque
     const auto at = drawables().find({display, id});
     if (at == drawables().end() || at->second->kind != kind)
         return report(display, problem, request, id);
-    // A window of GLX goes with its window of X (GLX 1.4, 3.3.4): its name is none any more.
+    // A window of GLX ends with its window of X (GLX 1.4, 3.3.4), so its name is an error from then on.
     const bool gone = kind == Kind::window && XWindows::of(display)->is_gone(at->second->native);
     destroy_surface(display, *at->second);
     drawables().erase(at);
@@ -262,7 +264,7 @@ void glXQueryDrawable(Display* display, GLXDrawable id, int name, unsigned int* 
         *value = static_cast<unsigned>(found);
 }
 
-/// No pbuffer of ours is ever clobbered: the mask is kept, the event never comes.
+/// A pbuffer of Spangle is never clobbered: the mask is kept, but the event never comes.
 void glXSelectEvent(Display* display, GLXDrawable id, unsigned long mask) {
     if (const std::shared_ptr<Target> drawable = made_drawable(display, id))
         drawable->events = mask;

@@ -1,4 +1,4 @@
-// glXUseXFont: glyphs of an X font as display lists of Bitmap (GLX 1.4, 3.3.11).
+// glXUseXFont: makes display lists of Bitmap commands from the glyphs of an X font (GLX 1.4, 3.3.11).
 #include <vector>
 
 #include <spangle/GL/gl.h>
@@ -14,7 +14,7 @@ class Glyphs {
   public:
     Glyphs(Display* display, Font font) : display_(display), font_(font) {}
 
-    /// Rows of bits, the lowest first, as Bitmap takes them.
+    /// The glyph as rows of bits, the lowest row first, as Bitmap takes them.
     std::vector<GLubyte> bits(int character, int left, int ascent, int width, int height) const {
         const Window root = DefaultRootWindow(display_);
         const auto w = static_cast<unsigned>(width), h = static_cast<unsigned>(height);
@@ -48,7 +48,7 @@ class Glyphs {
     Font font_;
 };
 
-/// The metrics of a character; all zero where the font has none.
+/// The metrics of a character; all are zero where the font lacks the character.
 XCharStruct metrics(XFontStruct& font, int character) {
     const auto c = static_cast<unsigned>(character);
     const unsigned row = c >> 8, column = c & 255;

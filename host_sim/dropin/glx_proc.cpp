@@ -1,4 +1,4 @@
-// glXGetProcAddress: every function of GLX and of GL (GLX 1.4, 3.3.12).
+// glXGetProcAddress: finds every function of GLX and of GL (GLX 1.4, 3.3.12).
 #include <cstring>
 
 #include <spangle/EGL/egl.h>

@@ -1,6 +1,6 @@
-// Functions of later versions of OpenGL. A program that is linked to be bound at once starts only where all
-// it names exists, called or not. A call raises INVALID_OPERATION; eglGetProcAddress and glXGetProcAddress do
-// not find them.
+// Stands in for functions of later versions of OpenGL. A program that is linked to be bound at once starts
+// only where all functions it names exist, called or not. A call raises INVALID_OPERATION; eglGetProcAddress
+// and glXGetProcAddress do not find these functions.
 #include <cstdint>
 
 #include <spangle/GL/gl.h>

@@ -1,2 +1,2 @@
-// libGL.so.1, libEGL.so.1, libOpenGL.so.0 and libGLX.so.0 hold nothing: each loads libspangle-dropin.so.0,
-// whose functions are found through it.
+// libGL.so.1, libEGL.so.1, libOpenGL.so.0 and libGLX.so.0 are built from this empty file. Each loads
+// libspangle-dropin.so.0, and programs find its functions through them.

@@ -14,14 +14,14 @@ namespace {
 
 constexpr int bad_input = 2;
 constexpr std::size_t megabyte = 1u << 20;
-constexpr long usual_memory = 1024, most_memory = 1 << 16; ///< megabytes; pages are taken as they are used
+constexpr long usual_memory = 1024, most_memory = 1 << 16; ///< megabytes; pages are taken when first used
 
 [[noreturn]] void refuse(const char* variable, const char* value, const char* takes) {
     std::fprintf(stderr, "spangle: %s=%s: it takes %s\n", variable, value, takes);
     std::_Exit(bad_input);
 }
 
-/// The variable's value; null where it is not set, or empty.
+/// The value of an environment variable; null where it is not set, or empty.
 const char* value_of(const char* variable) {
     const char* const value = std::getenv(variable);
     return value == nullptr || *value == '\0' ? nullptr : value;
@@ -32,7 +32,8 @@ std::string text_of(const char* variable) {
     return value == nullptr ? "" : value;
 }
 
-/// `base`: of the digits; 0: they say it themselves, as 0x3C does.
+/// The number in an environment variable; `usual` where it is not set. `base` is that of the digits; 0: a
+/// prefix tells it, as in 0x3C.
 long number_of(const char* variable, long least, long most, long usual, int base = 10) {
     const char* const value = value_of(variable);
     if (value == nullptr)
@@ -51,7 +52,7 @@ bool flag_of(const char* variable) {
     return number_of(variable, 0, 1, 0) == 1;
 }
 
-/// The value that a variable names; `usual` where it is not set.
+/// The value whose name an environment variable holds; `usual` where it is not set.
 template <class Row, unsigned Count, class Value>
 Value named(const char* variable, const Row (&table)[Count], Value usual) {
     const char* const value = value_of(variable);
@@ -95,7 +96,7 @@ std::optional<PixelFormat> format_of(const char* variable) {
     return named(variable, names::formats, std::optional<PixelFormat>());
 }
 
-/// Which real display there is, if any.
+/// The bus of a real display, as the environment describes it.
 bringup::BusOptions bus_of_environment() {
     constexpr long first_address = 0x03, usual_address = 0x3C, last_address = 0x77, most_hz = 1000000000;
     bringup::BusOptions out;
@@ -115,7 +116,7 @@ bringup::BusOptions bus_of_environment() {
     return out;
 }
 
-/// The board, and the real display that hangs there instead.
+/// Sets the board, and the bus of a real display that replaces its simulation.
 void read_board(Options& out) {
     out.board = board_of("SPANGLE_BOARD");
     out.bus = bus_of_environment();
@@ -155,7 +156,8 @@ Options read() {
 } // namespace
 
 const Options& options() {
-    static const Options* const read_once = new Options(read()); // asked for until the library is unloaded
+    static const Options* const read_once =
+        new Options(read()); // never freed: used until the library is unloaded
     return *read_once;
 }
 

@@ -4,7 +4,7 @@ namespace spangle::dropin {
 
 namespace {
 
-/// k / (2^m - 1) of 255, rounded, as a stored component is defined.
+/// Widens a component of `most` + 1 = 2^m values to eight bits: value / (2^m - 1) of 255, rounded.
 std::uint8_t widened(unsigned value, unsigned most) {
     return static_cast<std::uint8_t>((value * 255 + most / 2) / most);
 }

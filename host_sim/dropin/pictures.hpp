@@ -1,4 +1,4 @@
-// Pixels of surfaces as colours of eight bits, and back.
+// Converts pixels of surfaces to colours of eight bits a component, and back.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,16 @@
 
 namespace spangle::dropin {
 
-/// Formats whose pixels are whole bytes that hold colours: what a picture can be copied to.
+/// Whether a picture can be copied to the format: its pixels are whole bytes that hold colours, not indices.
 constexpr bool is_copied(PixelFormat format) {
     return format_info(format).bytes_per_pixel != 0 && format_info(format).index_bits == 0;
 }
 
-/// What is in a frame of such a format, opaque.
+/// The opaque picture in a frame of a format that is_copied() accepts.
 sim::Image picture_of(const hal::Frame& frame, const hal::DisplayInfo& info);
 
-/// One pixel of such a format, of red, green and blue: the upper bits (GL 1.3, 2.13.9).
+/// Stores red, green and blue as one pixel of a format that is_copied() accepts. Components lose their lower
+/// bits (GL 1.3, 2.13.9).
 void put_pixel(PixelFormat format, const std::uint8_t* rgb, std::uint8_t* to);
 
 } // namespace spangle::dropin

@@ -12,7 +12,7 @@ namespace spangle::dropin {
 
 namespace {
 
-/// Lives as long as the program may draw.
+/// The program's recorder, which is never freed: it lives as long as the program may draw.
 profile::Recorder& recorder() {
     static profile::Recorder* const made =
         options().record_format ? new profile::Recorder(*options().record_format) : new profile::Recorder;

@@ -1,4 +1,4 @@
-// What the program asks of GL, written down for `spangle profile`: SPANGLE_RECORD names the file.
+// Records what the program asks of GL, for `spangle profile`; SPANGLE_RECORD names the file.
 #pragma once
 
 #include <string>
@@ -9,10 +9,11 @@ struct Context;
 
 namespace spangle::dropin {
 
-/// Records the context to its end, where a record was asked for.
+/// Records the context until its end, if a record was asked for.
 void record(gl::Context& context);
 
-/// Writes what was recorded up to now, where a record was asked for. Empty, or what went wrong.
+/// Writes what was recorded up to now, if a record was asked for. Returns what went wrong, or an empty
+/// string.
 std::string write_recording();
 
 } // namespace spangle::dropin

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int bad_end = 1;
 
-/// The wire of a board whose surface has the bytes of its wire.
+/// The conversion for a board whose surface holds the bytes of its wire format.
 hal::Wire wire_of(hal::WireFormat format) {
     switch (format) {
     case hal::WireFormat::rgb565:
@@ -38,7 +38,8 @@ hal::Wire wire_of(hal::WireFormat format) {
     }
 }
 
-/// The board with surfaces of eight bits a component: a present turns them into what the panel takes.
+/// The same board with surfaces of eight bits a component, which a present converts to the format of the
+/// panel.
 hal::Board with_full_colors(hal::Board board) {
     hal::PanelConfig& display = board.display;
     if (!display.wire.converts())
@@ -49,7 +50,7 @@ hal::Board with_full_colors(hal::Board board) {
     return board;
 }
 
-/// The columns of a row that differ, from first to last; empty where none does.
+/// The columns from the first to the last in which two rows differ; empty where none differs.
 RowSpan differing(const std::uint8_t* a, const std::uint8_t* b, std::int32_t width, std::int32_t step) {
     const auto bytes = static_cast<std::size_t>(step);
     const auto differs = [&](std::int32_t x) { return std::memcmp(a + x * step, b + x * step, bytes) != 0; };
@@ -67,7 +68,8 @@ void widen(RowSpan& span, const RowSpan& by) {
     span.end = std::max(span.end, by.end);
 }
 
-/// Where a picture lies on a glass of another size: in the middle; what is larger is cut on both sides.
+/// Where a picture lies on a glass of another size, along one axis, in pixels. It is centred, and cut on both
+/// sides if it is larger.
 struct Side {
     std::int32_t from, to, length;
 };
@@ -75,7 +77,7 @@ Side middle(std::int32_t picture, std::int32_t glass) {
     return {std::max((picture - glass) / 2, 0), std::max((glass - picture) / 2, 0), std::min(picture, glass)};
 }
 
-/// Copies the picture, tells which columns changed.
+/// Copies the picture to the frame, and tells which columns of each row changed.
 void copy(const sim::Image& picture, const hal::DisplayInfo& glass, const hal::Frame& to) {
     const Side across = middle(picture.width, glass.width), down = middle(picture.height, glass.height);
     const std::int32_t step = format_info(glass.format).bytes_per_pixel;
@@ -107,7 +109,7 @@ void copy(const sim::Image& picture, const hal::DisplayInfo& glass, const hal::F
 
 namespace {
 std::once_flag made;
-Stage* the_stage = nullptr; // lives as long as the program may draw
+Stage* the_stage = nullptr; // never freed: it lives as long as the program may draw
 } // namespace
 
 Stage& Stage::get() {
@@ -158,7 +160,7 @@ void Stage::show(const hal::Frame& frame, const hal::DisplayInfo& info) {
         finish();
         if (!options().end_by_signal)
             std::_Exit(0);
-        std::raise(SIGTERM); // a program that catches it ends by itself
+        std::raise(SIGTERM); // a program that catches SIGTERM ends by itself
     }
 }
 
@@ -190,11 +192,12 @@ void Stage::finish() {
         if (const std::string problem = sim::write_png(picture(), wish.shot); !problem.empty())
             stop(problem.c_str());
     if (!wish.report.empty())
-        write_report(); // the last: whoever finds figures knows that all else was written
+        write_report(); // written last: whoever finds figures knows that the rest is there
     target_.close();
 }
 
-/// One figure a line: name, blank, value; then what the bus did wrong, if anything. `spangle exec` reads it.
+/// Writes the report that `spangle exec` reads. Each line is a figure: name, blank, value. Rules that the bus
+/// broke follow, if any.
 void Stage::write_report() const {
     std::string text;
     const auto number = [&text](const char* name, auto value) {

@@ -1,5 +1,5 @@
-// Where frames go: to a simulated board, to a real display, or nowhere; and what is told about them when the
-// program ends.
+// Sends frames to a simulated board, to a real display, or nowhere, and reports about them when the program
+// ends.
 #pragma once
 
 #include <cstdint>
@@ -17,20 +17,21 @@ class Stage {
     struct Size {
         std::int32_t width = 0, height = 0;
     };
-    /// The program's only one, made when it is first asked for.
+    /// The only stage of the program, made when it is first asked for.
     static Stage& get();
-    /// What finish() does, where there is one.
+    /// Does what finish() does, if there is a stage.
     static void finish_if_any();
 
     bool has_board() const { return target_.display() != nullptr; }
-    /// What windows get: SPANGLE_SIZE, or the glass's size; 0: they keep theirs.
+    /// The size in pixels that windows get: SPANGLE_SIZE, or that of the glass. 0: windows keep their own
+    /// size.
     Size window_size() const;
-    /// Pixels that windows have.
+    /// The pixel format of windows.
     PixelFormat format() const { return format_; }
-    /// A frame of a window or of a pbuffer was swapped. After the last one that was asked for the program
-    /// ends.
+    /// Takes a frame of a window or pbuffer that was swapped. The program ends after the last frame that was
+    /// asked for.
     void show(const hal::Frame& frame, const hal::DisplayInfo& info);
-    /// What is to be seen: the simulated glass, or the last frame.
+    /// The picture on the simulated glass, or else the last frame.
     sim::Image picture() const;
     /// Writes the picture and the figures that were asked for.
     void finish();

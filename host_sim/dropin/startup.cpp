@@ -1,4 +1,4 @@
-// What the pair tells EGL when it is loaded: memory, platforms, where pictures go.
+// Tells EGL what it needs when the pair is loaded: memory, platforms, and where pictures go.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -22,7 +22,7 @@ namespace spangle::dropin {
 
 namespace {
 
-/// Pages of it are taken from the machine when something is stored there.
+/// Gives EGL its memory, whose pages are taken from the machine only when something is stored there.
 void give_memory() {
     void* const begin = mmap(nullptr, options().memory, PROT_READ | PROT_WRITE,
                              MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
@@ -30,7 +30,8 @@ void give_memory() {
         memory(begin, options().memory);
 }
 
-/// EGL_PLATFORM says what EGL_DEFAULT_DISPLAY means, as Mesa has it; else there is X where DISPLAY names one.
+/// Whether EGL_DEFAULT_DISPLAY means X. EGL_PLATFORM says so, as with Mesa; without it X is meant if DISPLAY
+/// names a server.
 bool default_is_x11() {
     const char* const platform = std::getenv("EGL_PLATFORM");
     if (platform != nullptr && *platform != '\0')
@@ -49,7 +50,7 @@ egl::NativeDisplay find(EGLenum platform, void* native) {
 }
 
 void swapped(const hal::Frame& picture, const hal::DisplayInfo& info) {
-    if (Capture::get() == nullptr) // which counts frames otherwise
+    if (Capture::get() == nullptr) // a capture counts frames in another way
         Stage::get().show(picture, info);
 }
 

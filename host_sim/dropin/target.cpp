@@ -8,7 +8,8 @@ namespace spangle::dropin {
 
 namespace {
 
-/// Threads that are made meanwhile take no signals: those are the program's.
+/// Blocks signals while it lives, so that threads made meanwhile take none: signals are meant for the
+/// program.
 class WithoutSignals {
   public:
     WithoutSignals() {

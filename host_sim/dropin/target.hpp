@@ -1,5 +1,5 @@
-// What frames are sent to: a simulated board, a panel behind a real bus, or a display on USB; and what it was
-// given.
+// The display that frames are sent to: a simulated board, a panel behind a real bus, or a display on USB. It
+// counts what the display was sent.
 #pragma once
 
 #include <chrono>
@@ -17,14 +17,14 @@ namespace spangle::dropin {
 
 class Target {
   public:
-    /// Opens it and starts its display. Empty, or why not.
+    /// Opens the target and starts its display. Returns what went wrong, or an empty string.
     std::string open(const bringup::BusOptions& bus, const hal::Board& board);
-    /// A real one is let go: a display on USB goes dark. Figures and pictures were asked for before.
+    /// Releases a real display; a display on USB goes dark. Figures and pictures must be asked for before.
     void close();
 
-    /// Null: none is open.
+    /// The display; null while none is open.
     hal::Display* display() const { return display_; }
-    /// Null: it is real.
+    /// The simulated board; null for a real display.
     const sim::SimBoard* simulated() const { return attached_.simulated.get(); }
     /// A figure a line, then the rules that a simulated bus saw broken.
     std::string figures() const;
@@ -34,10 +34,10 @@ class Target {
 
     bringup::Attached attached_;
     std::optional<bringup::CountedBus> counted_;
-    std::optional<bringup::Stand> stand_; ///< of a real panel
+    std::optional<bringup::Stand> stand_; ///< the display of a real panel
     hal::Display* display_ = nullptr;
     Clock::time_point started_;
-    sim::BoardCounters before_; ///< what starting the display took
+    sim::BoardCounters before_; ///< counters after the display was started
 
     sim::BoardCounters counters() const;
 };

@@ -17,19 +17,19 @@ namespace spangle::dropin {
 
 namespace {
 
-constexpr std::size_t longest_request = 1u << 16; ///< bytes of an image that any server takes at once
+constexpr std::size_t longest_request = 1u << 16; ///< bytes of an image that any server takes in one request
 
-/// Errors of this request are nobody's.
+/// Drops the errors of a request, so that nobody sees them.
 void forget(xcb_connection_t* connection, xcb_void_cookie_t cookie) {
     xcb_discard_reply(connection, cookie.sequence);
 }
 
-/// Waits until the server has done all that was asked before.
+/// Waits until the server has done all requests before this one.
 void wait_for_server(xcb_connection_t* connection) {
     std::free(xcb_get_input_focus_reply(connection, xcb_get_input_focus(connection), nullptr));
 }
 
-/// One component as a mask has it.
+/// A component of eight bits, moved and sized to the bits of the mask.
 std::uint32_t component(std::uint32_t mask, std::uint32_t eight_bits) {
     if (mask == 0)
         return 0;
@@ -72,7 +72,7 @@ std::uint8_t* XImage::resize(std::size_t bytes) {
             xcb_generic_error_t* const problem =
                 xcb_request_check(connection(), xcb_shm_attach_checked(connection(), segment_,
                                                                        static_cast<std::uint32_t>(id), 0));
-            shared_ = problem == nullptr; // a server elsewhere shares nothing
+            shared_ = problem == nullptr; // a server on another machine cannot share memory
             std::free(problem);
             if (shared_) {
                 mapped_ = static_cast<std::uint8_t*>(memory);
@@ -84,7 +84,7 @@ std::uint8_t* XImage::resize(std::size_t bytes) {
             shared_ = false;
         }
         if (id >= 0)
-            shmctl(id, IPC_RMID, nullptr); // it goes with the last who has it
+            shmctl(id, IPC_RMID, nullptr); // the memory is freed when the last process detaches it
     }
     if (shared_)
         return mapped_;
@@ -141,7 +141,8 @@ XWindow::~XWindow() {
     xcb_flush(c);
 }
 
-/// A panel is as large as it is: the program is told by its window, as when a user resizes it.
+/// Resizes the window to the size of the panel, which cannot change. The program learns of it as when a user
+/// resizes the window.
 void XWindow::wish_size() const {
     const Stage::Size wish = Stage::get().window_size();
     if (wish.width == 0)
@@ -154,7 +155,8 @@ void XWindow::wish_size() const {
     xcb_flush(c);
 }
 
-/// False when it is gone: the size stays what it was.
+/// Asks the server for the size of the drawable. Returns false when the drawable is gone, and keeps the last
+/// size.
 bool XWindow::ask_size() const {
     xcb_connection_t* const c = windows_.connection();
     xcb_generic_error_t* problem = nullptr;
@@ -170,7 +172,7 @@ bool XWindow::ask_size() const {
 }
 
 hal::DisplayInfo XWindow::info() const {
-    const bool lives = ask_size() || pixmap_; // pixmaps live as long as somebody uses them
+    const bool lives = ask_size() || pixmap_; // pixmaps live as long as anybody uses them
     hal::DisplayInfo out;
     out.name = pixmap_ ? "X pixmap" : "X window";
     out.width = lives ? width_ : 0;

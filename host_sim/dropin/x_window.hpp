@@ -1,4 +1,5 @@
-// One window or pixmap of X: a buffer of the size that the server says, and an image that is put there.
+// A window or pixmap of X as a display: a buffer of the size that the server says, and an image that is sent
+// to it.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@
 
 namespace spangle::dropin {
 
-/// An image in memory that the server sees too, where it can; else it is sent.
+/// An image in memory that the server shares, where it can; otherwise the image is sent.
 class XImage {
   public:
     explicit XImage(const XWindows& windows);
@@ -22,7 +23,8 @@ class XImage {
     XImage(const XImage&) = delete;
     XImage& operator=(const XImage&) = delete;
 
-    /// Room for rows of so many bytes; what was put before has been taken.
+    /// Makes room for rows of so many bytes in all. Before that, the server must have taken the image that
+    /// was put last.
     std::uint8_t* resize(std::size_t bytes);
     void put(xcb_drawable_t to, xcb_gcontext_t gc, int width, int height, int depth, int row_bytes);
 
@@ -45,10 +47,10 @@ class XWindow final : public hal::Display {
     XWindow(const XWindow&) = delete;
     XWindow& operator=(const XWindow&) = delete;
 
-    /// The server knows it, and pixels of its depth can be made.
+    /// Whether the server knows the drawable, and pixels of its depth can be made.
     bool usable() const { return pixels_.bytes != 0; }
 
-    /// Asks the server for the size, which a window that is gone does not have.
+    /// Asks the server for the size. A window that is gone has the size 0.
     hal::DisplayInfo info() const override;
     hal::Result<void> init() override { return {}; }
     hal::Result<hal::Frame> acquire() override;
@@ -57,7 +59,7 @@ class XWindow final : public hal::Display {
   private:
     bool ask_size() const;
     void wish_size() const;
-    /// Rows of R G B A, from the top.
+    /// Shows rows of R G B A bytes, the uppermost first.
     void put(const std::uint8_t* rgba, int width, int height);
 
     XWindows& windows_;
@@ -67,7 +69,7 @@ class XWindow final : public hal::Display {
     int depth_ = 0;
     XPixels pixels_;
     xcb_gcontext_t gc_ = 0;
-    mutable std::int32_t width_ = 1, height_ = 1; ///< as the server said last
+    mutable std::int32_t width_ = 1, height_ = 1; ///< pixels, as the server told last
     std::int32_t buffer_width_ = 0, buffer_height_ = 0;
     std::vector<std::uint8_t> buffer_;
     bool presented_ = false;

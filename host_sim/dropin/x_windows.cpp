@@ -14,7 +14,8 @@
 
 #include "host_sim/dropin/x_window.hpp"
 
-// Xlib's function for extensions (Xlib, appendix C), whose header, Xlibint.h, defines min and max as macros.
+// Xlib declares this function for extensions (Xlib, appendix C) in Xlibint.h, which defines min and max as
+// macros and is not included.
 extern "C" int (*XESetCloseDisplay(Display*, int, int (*)(Display*, XExtCodes*)))(Display*, XExtCodes*);
 
 namespace spangle::dropin {
@@ -41,7 +42,7 @@ const xcb_visualtype_t* true_color(const xcb_screen_t& screen, int depth) {
     return nullptr;
 }
 
-/// The server lies on this machine and shares memory.
+/// Whether the server offers the extension for shared memory.
 bool shares_memory(xcb_connection_t* connection) {
     const xcb_query_extension_reply_t* const there = xcb_get_extension_data(connection, &xcb_shm_id);
     if (there == nullptr || there->present == 0)
@@ -51,7 +52,8 @@ bool shares_memory(xcb_connection_t* connection) {
     return version != nullptr;
 }
 
-/// Windows by the address of their connection, which one that is opened later may have again.
+/// The windows of each connection, by its address. A connection that is opened later may have the address of
+/// a closed one.
 std::map<_XDisplay*, XWindows*>& known_windows() {
     static auto* const all = new std::map<_XDisplay*, XWindows*>;
     return *all;
@@ -60,7 +62,7 @@ std::map<_XDisplay*, XWindows*>& known_windows() {
 std::mutex known_mutex;
 void (*closing_listener)(_XDisplay*) = nullptr;
 
-/// A connection on which XCB does nothing and answers nothing: no server has this name.
+/// A connection on which XCB neither sends nor answers anything. No server has the name it is made with.
 xcb_connection_t* closed_connection() {
     static xcb_connection_t* const none = xcb_connect("none", nullptr);
     return none;
@@ -72,7 +74,7 @@ void XWindows::on_close(void (*closing)(_XDisplay* display)) {
     closing_listener = closing;
 }
 
-/// Xlib calls an extension before it closes the connection (Xlib, appendix C).
+/// Arranges to be called before the connection is closed, as Xlib does for its extensions (Xlib, appendix C).
 void XWindows::watch_connection() {
     XExtCodes* const codes = XAddExtension(display_);
     if (codes == nullptr)
@@ -84,7 +86,7 @@ void XWindows::watch_connection() {
         const std::lock_guard<std::mutex> lock(known_mutex);
         XWindows& windows = *known_windows()[closed];
         windows.is_watched_ = false;
-        windows.connection_ = closed_connection(); // windows that are current to other threads ask it in vain
+        windows.connection_ = closed_connection(); // windows current to other threads then get no answers
         return 0;
     });
 }
@@ -101,7 +103,7 @@ XWindows* XWindows::of(_XDisplay* display) {
     XWindows*& windows = known_windows()[display];
     if (windows == nullptr)
         windows = new XWindows(display);
-    windows->connection_ = XGetXCBConnection(display); // a connection may be opened where a closed one lay
+    windows->connection_ = XGetXCBConnection(display); // a new connection may lie where a closed one lay
     if (!windows->is_watched_)
         windows->watch_connection();
     return windows;

@@ -1,6 +1,6 @@
 // Windows and pixmaps of an X server as displays of EGL. Requests go over the program's own connection, so
-// that they come after those that made the window, and by XCB, so that an error of a window that is gone ends
-// no program.
+// that they come after the requests that made the window. They are made by XCB, so that an error about a
+// window that is gone does not end the program.
 #pragma once
 
 #include <cstdint>
@@ -17,21 +17,22 @@ namespace spangle::dropin {
 
 class XWindow;
 
-/// Where red, green and blue lie in a pixel of X.
+/// The place of red, green and blue in a pixel of X.
 struct XPixels {
-    std::uint32_t red = 0, green = 0, blue = 0; ///< masks
-    int bytes = 0;                              ///< of a pixel; 0: drawables of this depth cannot be drawn to
-    int row_unit = 4;                           ///< rows are multiples of so many bytes
+    std::uint32_t red = 0, green = 0, blue = 0; ///< masks of bits in the pixel
+    int bytes = 0;    ///< bytes of a pixel; 0: drawables of this depth cannot be drawn to
+    int row_unit = 4; ///< bytes of which a row is a multiple
     bool big_endian = false;
 };
 
 class XWindows final : public hal::WindowSystem {
   public:
-    /// That of a connection, the same each time; of null: of the display that DISPLAY names. Null: there is
-    /// none.
+    /// The windows of a connection, the same object each time. Null stands for the display that DISPLAY
+    /// names. Returns null if there is no such display.
     static XWindows* of(_XDisplay* display);
 
-    /// The function is told of each connection that is closed, while requests can still be sent over it.
+    /// Sets a function that is called for each connection about to be closed, while requests can still be
+    /// sent over it.
     static void on_close(void (*closing)(_XDisplay* display));
 
     hal::Result<void> init() override;
@@ -44,7 +45,7 @@ class XWindows final : public hal::WindowSystem {
     xcb_connection_t* connection() const { return connection_; }
     XPixels pixels_of_depth(int depth) const;
     bool has_shared_memory() const { return shared_memory_; }
-    /// The window's surface of that handle is of one that the server does not have any more.
+    /// Whether the server no longer has the window with this handle.
     bool is_gone(std::uintptr_t handle);
 
   private:
@@ -52,7 +53,7 @@ class XWindows final : public hal::WindowSystem {
     void watch_connection();
 
     _XDisplay* display_;
-    bool is_watched_ = false; ///< Xlib tells when this connection is closed
+    bool is_watched_ = false; ///< Xlib will tell when this connection is closed
     xcb_connection_t* connection_;
     bool shared_memory_ = false;
     std::uint32_t visual_ = 0;
