@@ -35,10 +35,11 @@ bake::MeshOptions mesh_options(const BakeOptions& o) {
     return out;
 }
 
-/// Without folders, so that it says the same on every machine; what is as usual is left out.
+/// The command as the header names it: without folders, so that it is the same on every machine, and without
+/// options that have their usual value.
 std::string command_of(const BakeOptions& o) {
     const BakeOptions usual;
-    // Names of files may hold line breaks; in the header this is a comment of one line.
+    // Names of files may hold line breaks, but in the header this is a comment of one line.
     std::string out = fmt::format("spangle bake {} -o {}", one_line(fs::path(o.input).filename().string()),
                                   one_line(fs::path(o.output).filename().string()));
     const auto add = [&out](const char* option, const auto& value, const auto& normally) {

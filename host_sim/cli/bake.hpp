@@ -1,4 +1,4 @@
-// spangle bake: models and pictures as constants for flash.
+// spangle bake: writes models and pictures as constants for flash.
 #pragma once
 
 #include <string>
@@ -20,10 +20,10 @@ struct BakeOptions {
     unsigned cache = 80;
 };
 
-/// The command with its options.
+/// Adds the command with its options.
 CLI::App* add_bake(CLI::App& app, BakeOptions& options);
 
-/// Writes the header and prints what it took: the exit status.
+/// Writes the header and prints its size. Returns the exit status.
 int bake(const BakeOptions& options);
 
 } // namespace spangle::cli

@@ -18,7 +18,7 @@ namespace {
 constexpr int width = 320, height = 240, batches = 15;
 constexpr std::chrono::milliseconds batch_time(10);
 
-/// Of the times of a frame, in microseconds: half of the batches lie between the quartiles.
+/// Microseconds a frame, of all batches. Half of the batches lie between the quartiles.
 struct Spread {
     double lower, median, upper;
 };
@@ -28,8 +28,8 @@ Spread spread_of(std::array<double, batches> times) {
     return {times[batches / 4], times[batches / 2], times[batches - 1 - batches / 4]};
 }
 
-/// The scene is warm when the first batch begins. Nothing where this build lacks the precision, or what is
-/// drawn.
+/// Times the scene, after a few frames that warm it up. Returns nothing where this build lacks the precision,
+/// or what the scene draws.
 std::optional<Spread> time_of(const scenes::Scene& scene, Precision precision) {
     using Clock = std::chrono::steady_clock;
     Session session;
@@ -39,7 +39,7 @@ std::optional<Spread> time_of(const scenes::Scene& scene, Precision precision) {
     int frame = 0;
     while (frame < 3)
         scene.draw(frame++);
-    if (glGetError() != GL_NO_ERROR) // of a scene that this build leaves out parts of
+    if (glGetError() != GL_NO_ERROR) // this build leaves out parts of what the scene draws
         return {};
     std::array<double, batches> times{};
     for (double& time : times) {

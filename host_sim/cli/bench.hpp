@@ -1,4 +1,4 @@
-// spangle bench: how long frames take on this machine.
+// spangle bench: measures how long frames take on this machine.
 #pragma once
 
 namespace spangle::cli {

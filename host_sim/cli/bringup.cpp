@@ -27,7 +27,8 @@ hal::PanelConfig config_of(const bringup::Attached& on, const bringup::Guess& gu
     return config;
 }
 
-/// Sets up a display and shows the card on it, with this much wrong; empty, or why not.
+/// Sets up a display and shows the card on it, with what `wrong` spoils. Returns what failed, or an empty
+/// string.
 std::string show_on(hal::Display& display, bool round, const bringup::Wrong& wrong) {
     if (const auto ready = display.init(); !ready)
         return ready.error().rule;
@@ -37,7 +38,7 @@ std::string show_on(hal::Display& display, bool round, const bringup::Wrong& wro
     return shown ? "" : shown.error().rule;
 }
 
-/// The card as `guess` has it; empty, or why not.
+/// Shows the card on a display with the settings of `guess`. Returns what failed, or an empty string.
 std::string show_card(const bringup::Attached& on, const bringup::Guess& guess, const bringup::Wrong& wrong) {
     if (on.display != nullptr)
         return show_on(*on.display, false, wrong);
@@ -46,14 +47,14 @@ std::string show_card(const bringup::Attached& on, const bringup::Guess& guess, 
     return show_on(stand.display(), guess.panel.round, wrong);
 }
 
-/// Only a simulated glass can be looked at.
+/// Why --shot cannot be used: only simulated glass has a picture.
 const char* shot_flaw(const BringupOptions& options) {
     return !options.shot.empty() && options.bus.real()
                ? "--shot writes the simulated glass; a real one is for your eyes"
                : nullptr;
 }
 
-/// A display on USB goes dark with the program that shows something on it.
+/// Waits, because a display on USB goes dark when the program ends that shows something on it.
 void wait_for_enter(const char* what) {
     if (isatty(STDIN_FILENO) == 0)
         return;
@@ -62,7 +63,7 @@ void wait_for_enter(const char* what) {
     std::getline(std::cin, line);
 }
 
-/// What a display on USB says of itself.
+/// Prints what a display on USB tells of itself.
 int probe_gud(const bringup::Attached& on) {
     if (const auto ready = on.display->init(); !ready)
         return refuse(ready.error().rule);
@@ -72,7 +73,8 @@ int probe_gud(const bringup::Attached& on) {
     return 0;
 }
 
-/// Controllers on I2C are not read; whether one is there its acknowledge tells.
+/// Asks the I2C addresses of displays. Controllers on I2C are not read; only their acknowledge tells that
+/// they are there.
 int probe_i2c(const BringupOptions& options) {
     bool heard = false;
     for (const unsigned address : {0x3Cu, 0x3Du}) {
@@ -86,7 +88,7 @@ int probe_i2c(const BringupOptions& options) {
     return heard ? 0 : not_done;
 }
 
-/// A display on USB has no settings to find: the card is shown, and what a program needs is printed.
+/// Shows the card on a display on USB, which has no settings to find, and prints what a program needs.
 int wizard_gud(const bringup::Attached& on) {
     if (const std::string problem = show_card(on, {}, bringup::nothing_wrong); !problem.empty())
         return refuse(problem);

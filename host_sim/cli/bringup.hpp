@@ -1,4 +1,4 @@
-// spangle probe, card and wizard: bringing up a panel, simulated or real.
+// spangle probe, card and wizard: bring up a panel, simulated or real.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@ namespace spangle::cli {
 
 struct BringupOptions {
     bringup::BusOptions bus;
-    std::string wrong;       ///< card: one setting that is not as it should be
-    std::string shot;        ///< PNG of the simulated glass
-    std::string glass;       ///< wizard: WIDTHxHEIGHT of the glass
-    bool list_wrong = false; ///< card: the table of what can be wrong
+    std::string wrong;       ///< card: the one setting that is made wrong
+    std::string shot;        ///< file for a PNG of the simulated glass
+    std::string glass;       ///< wizard: WIDTHxHEIGHT of the glass, pixels
+    bool list_wrong = false; ///< card: prints the table of what can be wrong
 };
 
-/// Each prints what it found, or one line on standard error: the exit status.
+/// Each prints what it found, or one line on standard error, and returns the exit status.
 int probe(const BringupOptions& options);
 int card(const BringupOptions& options);
 int wizard(const BringupOptions& options);

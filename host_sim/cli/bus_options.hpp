@@ -1,4 +1,4 @@
-// The options that name a display, alike in every command that has them.
+// The options that name a display, which are the same for every command that has them.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,8 +7,8 @@
 
 namespace spangle::cli {
 
-/// What names the display: a simulated board, or a real one. `more` is added to what --board says of itself.
-/// The option --board.
+/// Adds the options that name a display, simulated or real. `more` is appended to the help text of --board.
+/// Returns the option --board.
 CLI::Option* add_bus_options(CLI::App& command, bringup::BusOptions& bus, const char* more = "");
 
 } // namespace spangle::cli

@@ -13,13 +13,14 @@ namespace {
 
 constexpr int more_frames = 4;
 
-/// What callgrind collected while this program ran so; 0 and `problem` on failure.
+/// The number of instructions that callgrind collects while this program runs with those words and frames.
+/// Returns 0 on failure, and sets `problem`.
 std::uint64_t collected(std::vector<std::string> words, int frames, std::string& problem) {
     words.insert(words.begin(),
                  {"valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", "/proc/self/exe"});
     char self[4096] = {};
     if (readlink("/proc/self/exe", self, sizeof self - 1) > 0)
-        words[3] = self; // of this program, not of valgrind
+        words[3] = self; // the path of this program; /proc/self/exe would be valgrind's
     words.insert(words.end(), {"--frames", std::to_string(frames)});
     const process::Scratch said;
     if (said.descriptor() < 0) {

@@ -1,4 +1,4 @@
-// How many instructions a frame takes on this machine, as valgrind's callgrind counts them.
+// Counts the instructions of a frame on this machine, with valgrind's callgrind.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace spangle::cli {
 
-/// This program with those words, drawing one frame and then more: the difference, for each frame. 0 and
-/// `problem`, where valgrind is not installed or failed.
+/// Runs this program with those words, once for one frame and once for more; the difference gives the
+/// instructions of a frame. Returns 0 and sets `problem` where valgrind is not installed or failed.
 std::uint64_t instructions_of_frame(const std::vector<std::string>& words, std::string& problem);
 
 } // namespace spangle::cli

@@ -24,7 +24,7 @@ constexpr std::size_t longest_line = 400;
 
 enum Exit : int { handed_over = 0, out_of_memory = 1, thrown = 2, lost = 3 };
 
-// AddressSanitizer's own memory is beyond every limit.
+// AddressSanitizer reserves more memory than any limit here.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool sanitized = true;
 #elif defined(__has_feature)
@@ -40,11 +40,11 @@ void lower(int resource, rlim_t most) {
     setrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
 }
 
-/// A few bytes of a broken file can ask for all memory there is, and the system would end other programs for
-/// it. The processor's time is limited too, in case the process that waits is stopped.
+/// Sets the limits of the child. A few bytes of a broken file can ask for all memory there is, and the system
+/// would end other programs for it. Processor time is limited too, in case the waiting parent is stopped.
 void confine(const ReadLimits& limits, pid_t parent) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) // it ended before that
+    if (getppid() != parent) // the parent ended before prctl() took effect
         _exit(lost);
     std::signal(SIGPIPE, SIG_IGN);
     if (!sanitized)
@@ -56,7 +56,7 @@ void confine(const ReadLimits& limits, pid_t parent) {
     if (nowhere < 0)
         return;
     dup2(nowhere, STDOUT_FILENO);
-    if (!sanitized) // a sanitizer's report is what its user waits for
+    if (!sanitized) // the user of a sanitizer build waits for its report
         dup2(nowhere, STDERR_FILENO);
 }
 
@@ -72,7 +72,8 @@ bool put(int pipe, const std::string& bytes) {
     return true;
 }
 
-/// The child's whole life. Nothing of the parent's is cleaned up: it is the parent's.
+/// Runs the reader in the child and exits. Nothing of the parent's is cleaned up, because it belongs to the
+/// parent.
 [[noreturn]] void serve(const std::function<std::string()>& read, int pipe) {
     int status = thrown;
     try {
@@ -85,7 +86,7 @@ bool put(int pipe, const std::string& bytes) {
     _exit(status);
 }
 
-/// Takes what comes until the child closes its end. Empty, or what limit was met.
+/// Takes what the child sends until it closes its end. Returns which limit was met, or an empty string.
 std::string take(int pipe, const ReadLimits& limits, std::string& answer) {
     using Clock = std::chrono::steady_clock;
     const auto end = Clock::now() + std::chrono::seconds(limits.seconds);

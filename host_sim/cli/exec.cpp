@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* no_board = "none";
 
-/// Names and values, a line each, as the pair writes them (host_sim/dropin/stage.cpp); the rest is text.
+/// Reads the report of the drop-in pair: names and values, a line each (host_sim/dropin/stage.cpp), then
+/// violations as text.
 std::map<std::string, std::string> read_figures(const fs::path& path, std::string& violations) {
     std::map<std::string, std::string> out;
     std::ifstream file(path);
@@ -36,7 +37,7 @@ std::map<std::string, std::string> read_figures(const fs::path& path, std::strin
     return out;
 }
 
-/// What the pair reads; docs/programs.md lists the variables.
+/// Sets the variables that the drop-in pair reads; docs/programs.md lists them.
 void set_environment(const ExecOptions& options, const std::string& report) {
     const bringup::BusOptions& bus = options.bus;
     const auto number = [](std::uint32_t value) { return value != 0 ? std::to_string(value) : ""; };
@@ -100,7 +101,7 @@ Report report_of(const ExecOptions& options, const std::map<std::string, std::st
 
 namespace {
 
-/// What of the options cannot be, before anything is run; or nothing.
+/// Why the options cannot be used, found before anything is run; empty if they can.
 std::string flaw(const ExecOptions& options) {
     const bringup::BusOptions& bus = options.bus;
     if (int width = 0, height = 0; !options.size.empty())

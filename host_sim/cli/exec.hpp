@@ -1,4 +1,4 @@
-// `spangle exec` and `spangle replay`: programs that others linked, drawn by the drop-in pair.
+// `spangle exec` and `spangle replay`: run programs that others linked, for which the drop-in pair draws.
 #pragma once
 
 #include <string>
@@ -15,13 +15,13 @@ struct ExecOptions {
     std::string precision = "exact", size, format = "rgba", shot;
     long frames = 0;
     bool stats = false, json = false;
-    std::vector<std::string> program; ///< and its arguments; of replay: the trace
+    std::vector<std::string> program; ///< the program and its arguments; of replay: the trace
 };
 
 CLI::App* add_exec(CLI::App& app, ExecOptions& options);
 CLI::App* add_replay(CLI::App& app, ExecOptions& options);
 
-/// Runs it to its end. The status to exit with: the program's own, where it began.
+/// Runs the program to its end. Returns the exit status, which is the program's own if it began.
 int exec(const ExecOptions& options);
 int replay(ExecOptions options);
 

@@ -16,7 +16,8 @@ namespace {
 
 constexpr int cell_width = 160, cell_height = 120, gap = 4, columns = 5;
 
-/// The palette of the indexed cell: a sky, a torus from shade to highlight, and a bar of hues.
+/// First indices of the three ramps of the palette: a sky, a torus from shade to highlight, and a bar of
+/// hues.
 constexpr int sky = 0, body = 64, hues = 192;
 
 struct Color {
@@ -27,7 +28,7 @@ Color sky_color(float t) {
     return {{0.05f + 0.35f * t, 0.08f + 0.52f * t, 0.25f + 0.65f * t}};
 }
 
-/// From red around to red again.
+/// The hue at t in 0..1, which goes around from red to red.
 Color hue_color(float t) {
     const auto part = [t](float peak) {
         const float away = t > peak ? t - peak : peak - t, near = away > 0.5f ? 1 - away : away;
@@ -38,7 +39,8 @@ Color hue_color(float t) {
 
 constexpr Color shade = {{0.15f, 0.05f, 0.02f}}, lit = {{1, 0.55f, 0.1f}};
 
-/// Half of the body's ramp is diffuse light, the other half the highlight.
+/// The colour of the torus at t in 0..1. The lower half of the ramp is diffuse light, the upper half the
+/// highlight.
 Color body_color(float t) {
     Color out{};
     for (int c = 0; c < 3; ++c)
@@ -53,7 +55,7 @@ Color palette_color(int index) {
                           : hue_color(static_cast<float>(index - hues) / (255 - hues));
 }
 
-/// The same colour in either mode.
+/// Sets the colour for both modes: as a colour for RGBA, and as the index of the same colour.
 void set(const Color& color, float index) {
     glColor3fv(color.c);
     glIndexf(index);
@@ -112,7 +114,7 @@ void draw_torus() {
         glDrawElements(GL_QUAD_STRIP, static_cast<GLsizei>(strip.size()), GL_UNSIGNED_SHORT, strip.data());
 }
 
-/// Colours that are read from indices are the palette's.
+/// Makes pixels that are read from indices have the colours of the palette.
 void set_pixel_maps() {
     const GLenum names[3] = {GL_PIXEL_MAP_I_TO_R, GL_PIXEL_MAP_I_TO_G, GL_PIXEL_MAP_I_TO_B};
     for (int c = 0; c < 3; ++c) {
@@ -141,7 +143,8 @@ EGLConfig config_of(EGLDisplay display, PixelFormat format) {
     return nullptr;
 }
 
-/// False where this build has no such surfaces: the cell stays black.
+/// Draws one cell. Returns false where this build has no surfaces of the format, so that the cell stays
+/// black.
 bool draw_cell(EGLDisplay display, PixelFormat format, sim::Image& out, int left, int top) {
     const EGLConfig config = config_of(display, format);
     const std::vector<GLubyte> rgba = drawn_offscreen(display, config, cell_width, cell_height, [] {

@@ -1,4 +1,4 @@
-// One scene on every format of surfaces: what each of them keeps.
+// Draws one scene on surfaces of every format, which shows what each format keeps.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace spangle::cli {
 
-/// Cells of 160x120 in rows of five, in the order of PixelFormat. Empty, or why it could not be drawn.
+/// Draws cells of 160x120 pixels in rows of five, in the order of PixelFormat. Returns why they could not be
+/// drawn, or an empty string.
 std::string draw_formats(sim::Image& out);
 
 } // namespace spangle::cli

@@ -1,4 +1,4 @@
-// spangle: draws scenes and models on simulated boards and says what it cost.
+// spangle: draws scenes and models on simulated boards, and tells what the frames cost.
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
@@ -48,7 +48,7 @@ Precision precision_of(const std::string& name) {
     return found != nullptr ? static_cast<Precision>(found->value) : Precision::exact;
 }
 
-/// The most accurate one of this build.
+/// The name of the most accurate tier of this build.
 const char* first_tier() {
     constexpr unsigned exact = 1, balanced = 2;
     return (SPANGLE_TIER_SET & exact) != 0      ? "exact"
@@ -56,7 +56,7 @@ const char* first_tier() {
                                                 : "fast";
 }
 
-/// The files that a run writes are opened before anything is drawn.
+/// The files that a run writes. They are opened before anything is drawn.
 struct RunFiles {
     sim::Output shot, difference;
 
@@ -121,7 +121,7 @@ int list_boards() {
     return 0;
 }
 
-/// The gears, the torus with everything on, and a model nobody here made, on one board.
+/// Draws the gears, the torus with all features on, and a model from elsewhere, on one board.
 int demo(const std::string& folder) {
     std::error_code problem;
     std::filesystem::create_directories(folder, problem);
@@ -151,7 +151,7 @@ int demo(const std::string& folder) {
     return 0;
 }
 
-/// A picture of a document.
+/// Draws a picture for the documents and writes it to a file.
 int draw_sheet(std::string (&draw)(sim::Image&), const std::string& path) {
     sim::Output file;
     if (const std::string problem = cli::open(file, "--shot", path); !problem.empty())
@@ -165,7 +165,7 @@ int draw_sheet(std::string (&draw)(sim::Image&), const std::string& path) {
     return 0;
 }
 
-/// The program, but for what nobody can foresee.
+/// The whole program, without the handling of unforeseen exceptions.
 int spangle_main(int argc, char** argv) {
     CLI::App app{"Spangle: OpenGL for small display boards. Draws scenes and models on simulated boards."};
     app.require_subcommand(1);
@@ -309,7 +309,8 @@ int spangle_main(int argc, char** argv) {
 
     cli::TradeOptions to_trade;
     CLI::App* const trade = cli::add_trade(app, to_trade);
-    if (argc > 1 && argv[1] == std::string_view("trade")) { // what follows -- are no words of ours
+    if (argc > 1 &&
+        argv[1] == std::string_view("trade")) { // words after -- belong to the program, not to spangle
         char** const dashes = std::find(argv, argv + argc, std::string_view("--"));
         if (dashes != argv + argc)
             to_trade.program.assign(dashes + 1, argv + argc);
@@ -366,17 +367,18 @@ int spangle_main(int argc, char** argv) {
     return run_command(options, size, dither);
 }
 
-/// Where a standard stream is closed, the next file that is opened would take its number and what is meant
-/// for it.
+/// Opens /dev/null for each standard stream that is closed. Otherwise the next file opened would take the
+/// stream's number, and what is written to the stream.
 void hold_standard_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (fcntl(stream, F_GETFD) < 0)
-            (void)open("/dev/null", O_RDONLY); // writing to it is an error, as it should be
+            (void)open("/dev/null", O_RDONLY); // read-only, so that writing to the stream is an error
 }
 
 } // namespace
 
-/// A reader that goes away, or a file that may not grow, is an error like any other: it is told, not died of.
+/// Ignores the signals for a reader that goes away and for a file that may not grow, so that both are
+/// reported as errors like any other.
 int main(int argc, char** argv) {
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);

@@ -1,4 +1,4 @@
-// A 3D model that somebody else made, read by libassimp and flattened to what GL 1.x draws.
+// A 3D model from a file, read by libassimp and flattened to what GL 1.x draws.
 #pragma once
 
 #include <array>
@@ -14,12 +14,12 @@ struct ModelVertex {
     float position[3];
     float normal[3];
     float texcoord[2];
-    float color[4]; ///< of ModelPart::colored parts
+    float color[4]; ///< used where ModelPart::colored
 };
 
 struct ModelImage {
-    int width = 0, height = 0;      ///< powers of two
-    std::vector<std::uint8_t> rgba; ///< row 0 is t = 0
+    int width = 0, height = 0;      ///< pixels; powers of two
+    std::vector<std::uint8_t> rgba; ///< rows of R G B A bytes; row 0 is t = 0
     bool translucent = false;
 };
 
@@ -56,23 +56,23 @@ struct ImageResult {
     std::string error; ///< empty on success
 };
 
-/// The longest side of a texture, unless asked otherwise: what a display board would hold.
+/// The longest side of a texture in texels unless asked otherwise, which a display board could hold.
 inline constexpr int usual_texture_size = 256;
 
-/// Reads a file of any format libassimp knows and scales it into the unit sphere around the origin. Textures
-/// become powers of two no larger than that. Whatever the file holds, what comes out can be drawn: see
-/// unpack().
+/// Reads a file of any format that libassimp knows, and scales the model into the unit sphere around the
+/// origin. Textures become powers of two no larger than `largest_texture`. Whatever the file holds, the model
+/// can be drawn: see unpack().
 ModelResult load_model(const std::string& path, int largest_texture = usual_texture_size,
                        const ReadLimits& limits = {});
 
-/// A picture by itself, of any format SDL_image knows.
+/// Reads a single picture of any format that SDL_image knows.
 ImageResult load_image(const std::string& path, int largest = usual_texture_size,
                        const ReadLimits& limits = {});
 
 /// Whether libassimp reads files whose names end like this one.
 bool is_model_name(const std::string& path);
 
-/// Sets up GL for the model in a fresh context, then draws frame f of its turn (360 frames, 2 degrees each).
+/// Sets up GL for the model in a fresh context.
 void setup_model(const Model& model, int width, int height);
 void draw_model(const Model& model, int frame);
 

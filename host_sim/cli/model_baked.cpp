@@ -35,9 +35,9 @@ GLenum index_token(const bake::BakedPart& part) {
     return bytes == 1 ? GL_UNSIGNED_BYTE : bytes == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
 }
 
-constexpr std::size_t word = 4; ///< every array of a vertex begins at a multiple of this
+constexpr std::size_t word = 4; ///< bytes; each array of a vertex begins at a multiple
 
-/// The low bytes of numbers, one behind the other, and up to the next word.
+/// Appends the low bytes of numbers, and pads to the next word.
 template <class T>
 void append(std::vector<std::uint8_t>& out, const T* first, std::size_t count, unsigned bytes) {
     for (std::size_t i = 0; i < count; ++i)
@@ -55,7 +55,7 @@ void BakedModel::add_texture(const ModelImage& image) {
     for (const bake::BakedLevel& level : made.levels)
         levels.push_back(
             {level.width, level.height, static_cast<GLsizei>(level.bytes.size()), level.bytes.data()});
-    // The usual formats are two; only one of them has alpha.
+    // Two formats are usual, of which only one has alpha.
     const bool alpha = made.format == bake::find_format("rgba4444");
     textures_.push_back(
         {alpha ? GLenum{GL_RGBA4} : GLenum{GL_RGB565}, alpha ? GLenum{GL_RGBA} : GLenum{GL_RGB},
@@ -102,7 +102,7 @@ void BakedModel::add_part(const bake::BakedPart& part) {
 }
 
 BakedModel::BakedModel(const Model& model) : arrays_(bake::bake_mesh(model, {})) {
-    images_.reserve(model.images.size()); // levels point into them
+    images_.reserve(model.images.size()); // levels point into the images, which must not move
     for (const ModelImage& image : model.images)
         add_texture(image);
     for (const bake::BakedPart& part : arrays_.parts)

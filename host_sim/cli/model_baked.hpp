@@ -1,5 +1,5 @@
-// What the image of a model draws, on this machine: the arrays and textures that `spangle bake` writes, in
-// memory.
+// The arrays and textures that `spangle bake` writes for a model, in this machine's memory. Drawing from
+// these gives what the image of a firmware draws.
 #pragma once
 
 #include <deque>
@@ -14,17 +14,17 @@
 
 namespace spangle::cli {
 
-/// A model as the header of `spangle bake MODEL -o FILE`, with its usual options, describes it. Pointers go
-/// from one member to another: it stays where it was made.
+/// A model as the header of `spangle bake MODEL -o FILE` describes it, with the usual options. Its members
+/// point to each other, so it cannot be copied.
 class BakedModel {
   public:
-    /// The model outlives it.
+    /// `model` must live longer than this object.
     explicit BakedModel(const Model& model);
     BakedModel(const BakedModel&) = delete;
     BakedModel& operator=(const BakedModel&) = delete;
 
     const baked::Mesh& mesh() const { return mesh_; }
-    /// The text of that header, with this name of its namespace.
+    /// The text of the header, whose namespace has this name.
     std::string header(const std::string& name) const;
 
   private:
@@ -33,7 +33,7 @@ class BakedModel {
 
     bake::BakedMesh arrays_;
     std::vector<bake::BakedTexture> images_;
-    std::vector<bool> translucent_; ///< of the images
+    std::vector<bool> translucent_; ///< of the images, in their order
     std::deque<std::vector<baked::Level>> levels_;
     std::deque<baked::Texture> textures_; ///< in the order of the model's images
     std::deque<std::vector<std::uint8_t>> bytes_;

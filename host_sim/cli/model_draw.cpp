@@ -51,7 +51,7 @@ void draw_part(const ModelPart& part) {
 
 void setup_model(const Model& model, int width, int height) {
     const double h = static_cast<double>(height) / width;
-    const double narrow = h < 1.0 ? h : 1.0; // the sphere fits the shorter side
+    const double narrow = h < 1.0 ? h : 1.0; // the unit sphere fits the shorter side
     glViewport(0, 0, width, height);
     glMatrixMode(GL_PROJECTION);
     glLoadIdentity();

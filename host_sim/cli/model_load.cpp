@@ -21,9 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr float sharpest_smooth_edge = 66.0f; // degrees; cubes stay cubes where a file has no normals
+constexpr float sharpest_smooth_edge =
+    66.0f; // degrees; edges of a cube stay sharp where a file has no normals
 
-/// What is no number is 0, so that a broken file has a picture all the same.
+/// Replaces what is no number by 0, so that a broken file still has a picture.
 float tame(float v) {
     return std::isfinite(v) ? v : 0.0f;
 }
@@ -55,14 +56,14 @@ class Reader {
 
     void node(const aiNode& n, const aiMatrix4x4& parent) {
         const aiMatrix4x4 world = parent * n.mTransformation;
-        // A few nodes can repeat a mesh without end: stop as soon as there is too much.
+        // A few nodes can repeat a mesh without end, so this stops as soon as there is too much.
         for (unsigned i = 0; i < n.mNumMeshes && !too_much(); ++i)
             mesh(*scene_.mMeshes[n.mMeshes[i]], world);
         for (unsigned i = 0; i < n.mNumChildren && !too_much(); ++i)
             node(*n.mChildren[i], world);
     }
 
-    /// Has colours of its own. Old exporters write an empty, black layer that was never shown.
+    /// Whether a mesh has colours of its own. Old exporters write an empty, black layer that was never shown.
     static bool painted(const aiMesh& m) {
         return m.HasVertexColors(0) &&
                std::any_of(m.mColors[0], m.mColors[0] + m.mNumVertices,
@@ -106,7 +107,7 @@ class Reader {
                 part.indices = std::move(by_kind[kind]);
                 vertices_ += part.vertices.size();
                 indices_ += part.indices.size();
-                if (too_much()) // before they are copied
+                if (too_much()) // before the vertices are copied
                     return;
                 model_.parts.push_back(part);
             }
@@ -159,7 +160,7 @@ class Reader {
         });
     }
 
-    /// The file at `path` from `folder` on whatever the case of its letters; empty when there is none.
+    /// The file at `path` below `folder`, whatever the case of its letters; empty when there is none.
     static fs::path find(fs::path folder, const fs::path& path) {
         std::error_code ignored;
         for (const fs::path& step : path) {
@@ -181,8 +182,8 @@ class Reader {
     bool decode(const std::string& name, ModelImage& out) const {
         if (const aiTexture* t = scene_.GetEmbeddedTexture(name.c_str()))
             return embedded(*t, out);
-        // Exporters leave Windows paths, absolute paths and odd case behind: look for what they name, then
-        // for the bare name near the model.
+        // Exporters leave Windows paths, absolute paths and odd case behind. This looks first for the path
+        // itself, then for the bare name near the model.
         std::string bare = name.substr(
             name.find_first_not_of("\\/") == std::string::npos ? 0 : name.find_first_not_of("\\/"));
         std::replace(bare.begin(), bare.end(), '\\', '/');
@@ -194,7 +195,7 @@ class Reader {
         return false;
     }
 
-    /// A picture within the model's file: in a format of pictures, or as texels.
+    /// Reads a picture within the model's file, which is in a format of pictures, or plain texels.
     bool embedded(const aiTexture& t, ModelImage& out) const {
         return (t.mHeight == 0 ? read_picture(t.pcData, t.mWidth, largest_texture_, out)
                                : read_texels(t.pcData, t.mWidth, t.mHeight, largest_texture_, out))
@@ -206,7 +207,7 @@ bool finite(const ModelVertex& v) {
     return std::isfinite(v.position[0]) && std::isfinite(v.position[1]) && std::isfinite(v.position[2]);
 }
 
-/// Moves and scales the model into the unit sphere; false when it has no extent at all.
+/// Moves and scales the model into the unit sphere. Returns false when the model has no extent.
 bool fit(Model& model) {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     for (const ModelPart& part : model.parts)
@@ -232,7 +233,7 @@ bool fit(Model& model) {
     return true;
 }
 
-/// What the process that reads the file does.
+/// Reads the file, in a process of its own.
 std::string read_scene(const std::string& path, int largest_texture, Model& model) {
     Assimp::Importer importer;
     importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, sharpest_smooth_edge);

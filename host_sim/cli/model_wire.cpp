@@ -14,7 +14,7 @@ namespace spangle::cli {
 
 namespace {
 
-constexpr std::size_t most_listed = std::size_t{1} << 20; // notes, parts, pictures
+constexpr std::size_t most_listed = std::size_t{1} << 20; // entries of notes, parts, pictures
 constexpr std::size_t longest_text = std::size_t{1} << 20;
 
 class Packer {
@@ -42,7 +42,7 @@ class Packer {
     void kind(ModelPart::Kind value) { number(static_cast<std::uint8_t>(value)); }
 };
 
-/// Nothing is allocated before the bytes that fill it are seen to be there.
+/// Reads fields from bytes. It allocates nothing before it has seen that the bytes to fill it are there.
 class Unpacker {
   public:
     explicit Unpacker(std::string_view bytes) : left_(bytes) {}
@@ -82,7 +82,7 @@ class Unpacker {
         number(n);
         value = static_cast<ModelPart::Kind>(std::min<std::uint8_t>(n, 2));
     }
-    /// A bool of any other value than 0 and 1 would be undefined.
+    /// Reads a bool. A byte other than 0 and 1 is refused, because such a bool would be undefined.
     void flag(bool& value) {
         std::uint8_t byte = 0;
         number(byte);
@@ -135,7 +135,7 @@ bool drawable(const ModelImage& image) {
                std::size_t{4} * static_cast<unsigned>(image.width) * static_cast<unsigned>(image.height);
 }
 
-/// The fields of an image on the wire, in their order, for both directions.
+/// Visits the fields of an image in their order, for packing and unpacking alike.
 template <class Wire, class Image> void image_fields(Wire& wire, Image& image) {
     wire.number(image.width);
     wire.number(image.height);

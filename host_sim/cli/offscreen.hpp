@@ -1,4 +1,4 @@
-// A picture that no display shows: what the documents' contact sheets are made of.
+// Draws a picture off screen, for the contact sheets of the documents.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace spangle::cli {
 
-/// What draw() leaves in a pbuffer of that size, R G B A in bytes from the bottom row on; nothing where this
-/// build has no such surface.
+/// Calls draw() on a pbuffer of that size and returns its pixels: R G B A bytes from the bottom row on.
+/// Returns nothing where this build has no such surface.
 template <class Draw>
 std::vector<GLubyte> drawn_offscreen(EGLDisplay display, EGLConfig config, int width, int height, Draw draw) {
     const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};

@@ -1,4 +1,4 @@
-// What the command line asked for.
+// The options of the command line.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace spangle::cli {
 
-/// EGL_PRECISION_SPANGLE; host_sim/capture/names.hpp has their names.
+/// Values of EGL_PRECISION_SPANGLE; host_sim/capture/names.hpp has their names.
 enum class Precision : EGLint {
     exact = EGL_PRECISION_EXACT_SPANGLE,
     balanced = EGL_PRECISION_BALANCED_SPANGLE,
@@ -21,22 +21,22 @@ enum class Precision : EGLint {
     shadow = EGL_PRECISION_SHADOW_SPANGLE,
 };
 
-/// How the board presents; what is left as it is stays as the board has it.
+/// How the board presents frames. Options that are left at these values leave the board's own settings.
 struct PresentOptions {
-    std::string tear_free = "off"; ///< te, poll
-    std::string pacing = "block";  ///< drop, coalesce
+    std::string tear_free = "off"; ///< or te, poll
+    std::string pacing = "block";  ///< or drop, coalesce
     int buffers = 0;
-    int draw_ms = 0; ///< what the processor takes for a frame, in virtual time
+    int draw_ms = 0; ///< ms that the processor takes for a frame, in virtual time
     bool row_hash = false;
     bool any() const {
         return tear_free != "off" || pacing != "block" || buffers != 0 || draw_ms != 0 || row_hash;
     }
 };
 
-/// How a board that holds no whole frame draws.
+/// How a board draws that has no memory for a whole frame.
 struct BandOptions {
-    int height = 0;      ///< rows; 0: whole frames
-    bool record = false; ///< drawn once, from a record; else by callback
+    int height = 0;      ///< rows of a band; 0: whole frames
+    bool record = false; ///< bands are drawn from a record of the frame; else by callback
     int record_bytes = 1 << 20;
 };
 
@@ -46,17 +46,17 @@ struct RunOptions {
     bool baked = false;      ///< the model is drawn as images of firmware hold it (`spangle bake`)
     bringup::BusOptions bus; ///< the board, simulated or real
     int frames = 1;
-    int width = 0, height = 0; ///< 0: the board's glass; else an off-screen picture of this size
+    int width = 0, height = 0; ///< pixels of an off-screen picture; 0: the board's glass
     Precision precision = Precision::exact;
-    std::optional<raster::Knobs> knobs; ///< of a tier that the user composed
+    std::optional<raster::Knobs> knobs; ///< knobs of a tier that the user composed
     bool dither = true;
     PresentOptions present;
     BandOptions bands;
     std::string shot;            ///< PNG file of the last frame
-    std::string vcd;             ///< trace of the wires
-    std::uint64_t vcd_limit = 0; ///< its most bytes; 0: the usual
-    bool compare = false;        ///< draw with the double reference too
-    std::string difference;      ///< PNG file of what differs from it
+    std::string vcd;             ///< file for a trace of the wires
+    std::uint64_t vcd_limit = 0; ///< most bytes of the trace; 0: the usual limit
+    bool compare = false;        ///< also draw with the double reference
+    std::string difference;      ///< PNG file of what differs from the reference
     bool stats = false;
     bool window = false;
     bool json = false;

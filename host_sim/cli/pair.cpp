@@ -18,8 +18,8 @@ namespace {
 
 constexpr const char* core_library = "libspangle-dropin.so.0";
 
-/// The folder of the pair: beside this program where it was built, below lib where it was installed. Empty:
-/// neither.
+/// The folder of the drop-in pair: beside this program where it was built, below lib where it was installed.
+/// Empty if neither is there.
 fs::path pair_folder() {
     if (const char* const named = std::getenv("SPANGLE_DROPIN"); named != nullptr && *named != '\0')
         return fs::path(named);
@@ -68,7 +68,7 @@ int run(const std::vector<std::string>& program, const fs::path& words) {
     return ended.status;
 }
 
-/// A reader of traces ends by a signal where it is given something else.
+/// Checks the trace with apitrace first, because a retracer that is given something else ends by a signal.
 std::string trace_problem(const std::string& trace) {
     std::error_code ignored;
     if (!fs::exists(trace, ignored))

@@ -1,4 +1,4 @@
-// The drop-in pair as the command line uses it: programs that others linked, in processes of their own.
+// Runs programs that others linked with the drop-in pair, in processes of their own.
 #pragma once
 
 #include <filesystem>
@@ -7,32 +7,34 @@
 
 namespace spangle::cli::pair {
 
-/// Programs that are run from here on find the pair before the system's GL. Empty, or why there is none.
+/// Makes programs that are run from here on find the pair before the system's GL. Returns why that fails, or
+/// an empty string.
 std::string use();
 
-/// Sets a variable that the pair reads (docs/programs.md); empty: it is not set.
+/// Sets an environment variable that the pair reads (docs/programs.md). An empty value unsets it.
 void set(const char* variable, const std::string& value);
 
-/// Runs a program to its end: its status, as process::run() has it. `words` names a file that takes what the
-/// program prints; empty: nothing is taken.
+/// Runs a program to its end and returns its status, as process::run() does. `words` names a file that takes
+/// what the program prints; empty: the output is not redirected.
 int run(const std::vector<std::string>& program, const std::filesystem::path& words = {});
 
-/// Why this file cannot be replayed, as a sentence without a name in front; empty: apitrace can read it.
+/// Why this file cannot be replayed, as a sentence without a name in front; empty if apitrace can read it.
 std::string trace_problem(const std::string& trace);
 
-/// Makes a retracer draw to pbuffers, of which each that it swaps is shown. The command that replays a trace.
+/// Prepares a retracer that draws to pbuffers; each swapped pbuffer is shown. Returns the command that
+/// replays the trace.
 std::vector<std::string> retrace(const std::string& trace);
 
-/// A folder for files, which is gone when this is.
+/// A temporary folder for files, which is removed with this object.
 class Folder {
   public:
     Folder();
     ~Folder();
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
-    /// Empty: none could be made.
+    /// The path; empty if no folder could be made.
     const std::filesystem::path& path() const { return path_; }
-    /// Why not, as a sentence.
+    /// Why no folder could be made, as a sentence.
     static std::string problem();
 
   private:

@@ -35,7 +35,7 @@ ModelImage shrink(const SDL_Surface& s, int largest) {
                     for (int c = 0; c < 4; ++c)
                         sum[c] += pixels[v * s.pitch + 4 * u + c];
             const auto n = static_cast<std::uint64_t>((x1 - x0) * (y1 - y0));
-            // GL's t runs upwards, image files downwards.
+            // In GL, t runs upwards; in image files, rows run downwards.
             std::uint8_t* to =
                 &out.rgba[static_cast<std::size_t>(((out.height - 1 - y) * out.width + x) * 4)];
             for (int c = 0; c < 4; ++c)
@@ -45,7 +45,7 @@ ModelImage shrink(const SDL_Surface& s, int largest) {
     return out;
 }
 
-/// Why a picture of this size is not read; empty: it is.
+/// Why a picture of this size is not read; empty if it is.
 std::string beyond(std::uint64_t width, std::uint64_t height) {
     if (width <= sim::longest_side && height <= sim::longest_side && width * height <= sim::most_pixels)
         return "";
@@ -54,7 +54,8 @@ std::string beyond(std::uint64_t width, std::uint64_t height) {
            std::to_string(sim::most_pixels >> 20) + " Mi together are read";
 }
 
-/// The size that a PNG file says it has (PNG, 11.2.2: IHDR comes first), before anything is decoded.
+/// Why a PNG file is too large, by the size in its head (PNG, 11.2.2: IHDR comes first), before anything is
+/// decoded; empty if it is not, or is no PNG.
 std::string too_large_png(SDL_RWops* file) {
     std::uint8_t head[24] = {};
     const bool png = SDL_RWread(file, head, 1, sizeof head) == sizeof head &&
@@ -67,7 +68,8 @@ std::string too_large_png(SDL_RWops* file) {
     return png ? beyond(word(16), word(20)) : "";
 }
 
-/// Decodes what SDL_image knows, in bytes of RGBA; takes the file and the surface. Empty, or why not.
+/// Converts a surface that SDL_image decoded to RGBA bytes, shrinks the picture, and frees the surface.
+/// Returns why that fails, or an empty string.
 std::string take(SDL_Surface* raw, int largest, ModelImage& out) {
     if (raw == nullptr)
         return IMG_GetError();

@@ -1,5 +1,5 @@
-// A picture that somebody else made, read by SDL_image and scaled to what GL 1.x takes as a texture. Files
-// are not trusted: these run within confined().
+// Reads pictures with SDL_image, and scales them to what GL 1.x takes as a texture. The files are not
+// trusted: these functions run within confined().
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,12 @@
 
 namespace spangle::cli {
 
-/// Sides become powers of two no larger than `largest`. Empty, or why there is no picture.
+/// Reads a picture file. Its sides become powers of two no larger than `largest`. Returns why there is no
+/// picture, or an empty string.
 std::string read_picture(const std::string& path, int largest, ModelImage& out);
-/// The bytes of such a file.
+/// Reads the bytes of a picture file, as above.
 std::string read_picture(const void* bytes, std::size_t size, int largest, ModelImage& out);
-/// Texels of B, G, R, A bytes, top row first.
+/// Reads texels of B, G, R, A bytes, top row first, as above.
 std::string read_texels(void* bgra, std::size_t width, std::size_t height, int largest, ModelImage& out);
 
 } // namespace spangle::cli
