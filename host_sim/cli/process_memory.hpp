@@ -1,4 +1,4 @@
-// How much memory this process ever had at once.
+// Tells how much memory this process ever had at once.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace spangle::cli {
 
-/// Largest resident size in bytes, as Linux counts it (VmHWM; getrusage counts the shell before exec, too); 0
-/// where it does not.
+/// The largest resident size in bytes, as Linux counts it (VmHWM; getrusage would count the shell before
+/// exec, too). 0 where Linux does not tell it.
 inline std::size_t process_peak() {
     std::FILE* const status = std::fopen("/proc/self/status", "r");
     if (status == nullptr)

@@ -23,10 +23,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* tier_names[] = {"exact", "balanced", "fast"}; ///< the cheapest last
-constexpr int usual_frames = 60; ///< of a program, which needs some to show what it does
+constexpr const char* tier_names[] = {"exact", "balanced",
+                                      "fast"}; ///< from the most accurate to the cheapest
+constexpr int usual_frames = 60;               ///< frames of a program, which needs some to show what it does
 
-/// The cheapest within the bound, or the most accurate where there is none; null: none is within it.
+/// Returns the cheapest tier within the bound, or the most accurate where no bound is asked. Null: no tier is
+/// within the bound.
 const Recorded* choose(const std::vector<Recorded>& all, double max_error) {
     if (max_error < 0.0)
         return &all.front();
@@ -35,7 +37,7 @@ const Recorded* choose(const std::vector<Recorded>& all, double max_error) {
     return at == all.rend() ? nullptr : &*at;
 }
 
-/// Sorts out what is recorded. Empty, or the rule that is broken.
+/// Finds out what is to be recorded. Returns the rule that the options break, or an empty string.
 std::string take_words(ProfileOptions& options) {
     RunOptions& run = options.run;
     if (!options.program && options.words.size() > 1)
@@ -55,7 +57,7 @@ std::string take_words(ProfileOptions& options) {
         return "--size takes WIDTHxHEIGHT, each 1 to 2048, not '" + options.size + "'";
     if (run.frames == 0 && options.trace.empty())
         run.frames = options.program ? usual_frames : 1;
-    // From the most accurate to the cheapest, each once.
+    // The tiers are put in order, from the most accurate to the cheapest, each once.
     std::vector<std::string> tiers;
     for (const char* const tier : tier_names)
         if (std::find(options.tiers.begin(), options.tiers.end(), tier) != options.tiers.end())

@@ -51,7 +51,7 @@ std::string record(ProfileOptions& options, const std::string& tier, Recorded& o
     if (const GLenum error = glGetError(); error != GL_NO_ERROR)
         return fmt::format("{} raised GL error 0x{:04X}{}{}", program.name, error,
                            Session::complaint().empty() ? "" : ": ", Session::complaint());
-    options.run.dither = glIsEnabled(GL_DITHER) != GL_FALSE; // the reference does as the program did
+    options.run.dither = glIsEnabled(GL_DITHER) != GL_FALSE; // the reference dithers as the program did
     out.tier = tier;
     out.frames = options.run.frames;
     out.picture_hash = sim::hash(session.read());

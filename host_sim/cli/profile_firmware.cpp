@@ -21,10 +21,10 @@ namespace fs = std::filesystem;
 
 constexpr const char* tool = "host_sim/profile/firmware/measure.py";
 constexpr const char* model_header = "host_sim/profile/firmware/model.hpp";
-constexpr int most_frames = 3; ///< an emulated board needs seconds for each
+constexpr int most_frames = 3; ///< an emulated board needs seconds for each frame
 
-/// The tool in the source folder that this program was built in, or that SPANGLE_SOURCES names; empty:
-/// neither.
+/// The measuring tool, in the source folder that SPANGLE_SOURCES names or that this program was built in.
+/// Empty if neither has it.
 fs::path find_tool() {
     std::error_code ignored;
     if (const char* const named = std::getenv("SPANGLE_SOURCES"); named != nullptr && *named != '\0')
@@ -36,7 +36,7 @@ fs::path find_tool() {
     return {};
 }
 
-/// What the tool said, without the line break at its end.
+/// What the tool printed, without the line break at its end.
 std::string last_words(const fs::path& path) {
     std::ifstream file(path);
     std::string said{std::istreambuf_iterator<char>(file), {}};
@@ -44,7 +44,8 @@ std::string last_words(const fs::path& path) {
     return said;
 }
 
-/// What is drawn on. The windows of a program and of a trace have sizes of their own.
+/// The size of the picture as WIDTHxHEIGHT. The windows of a trace have sizes of their own, of which the
+/// largest counts.
 std::string size_of(const ProfileOptions& options, const Recorded& chosen) {
     const bool drawn = options.trace.empty();
     return drawn ? options.size
@@ -52,7 +53,7 @@ std::string size_of(const ProfileOptions& options, const Recorded& chosen) {
                                chosen.record.reach(gl::Range::SURFACE_HEIGHT));
 }
 
-/// The model that was recorded, as constants. Empty, or what went wrong.
+/// Writes the recorded model as constants. Returns what went wrong, or an empty string.
 std::string write_model(const std::string& model, const fs::path& path) {
     const ModelResult loaded = load_model(model);
     if (!loaded.error.empty())
@@ -79,7 +80,7 @@ std::string measure_firmware(const ProfileOptions& options, const Recorded& chos
         std::string names;
         for (const auto& [name, count] : chosen.record.commands)
             names += (names.empty() ? "" : ",") + name;
-        // What the first frame does once is not counted.
+        // Work that only the first frame does is not counted.
         command.insert(command.end(), {"--trace", options.trace, "--commands", names, "--first", "1", "--end",
                                        std::to_string(most_frames + 1)});
     } else {
@@ -98,7 +99,7 @@ std::string measure_firmware(const ProfileOptions& options, const Recorded& chos
     const int status = pair::run(command, words);
     if (status == process::no_program)
         return "--report needs python3";
-    constexpr int missing = 3; // as the tool has it
+    constexpr int missing = 3; // the exit status of measure.py for a tool that is missing
     if (status != 0)
         return fmt::format("--report {}: {}", status == missing ? "builds firmware" : "failed",
                            last_words(words));

@@ -1,4 +1,4 @@
-// The program as firmware for an emulated Cortex-M4: the whole library held against the profile.
+// Measures the program as firmware for an emulated Cortex-M4, with the whole library and with the profile.
 #pragma once
 
 #include <filesystem>
@@ -10,10 +10,10 @@
 
 namespace spangle::cli {
 
-/// Runs host_sim/profile/firmware/measure.py, with files of its own in the folder; `out` is the object that
-/// it prints. Scenes and models are measured as they are, and traces as programs that make the same calls. Of
-/// a trace that firmware cannot replay the size is measured of an image that holds its commands. Empty, or
-/// what went wrong.
+/// Runs host_sim/profile/firmware/measure.py, which keeps its own files in the folder; `out` is the object
+/// that it prints. Scenes and models are measured as they are, and traces as programs that make the same
+/// calls. If firmware cannot replay a trace, only the size of an image with its commands is measured. Returns
+/// what went wrong, or an empty string.
 std::string measure_firmware(const ProfileOptions& options, const Recorded& chosen,
                              const std::filesystem::path& folder, nlohmann::json& out);
 

@@ -33,7 +33,7 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
-/// 1234567 as 1,234,567.
+/// Writes a number in groups of three digits: 1234567 as 1,234,567.
 std::string grouped(std::int64_t number) {
     std::string digits = std::to_string(number);
     for (std::ptrdiff_t at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > (number < 0 ? 1 : 0);
@@ -58,7 +58,7 @@ std::string tiers(const ProfileReport& report) {
            "</table>\n<p>Held against the same frames drawn in double. The profile's tier is bold.</p>\n";
 }
 
-/// One row of whole against profiled.
+/// One row of a table that compares the whole library with the profile.
 std::string versus(const char* what, const nlohmann::json& whole, const nlohmann::json& profiled) {
     const auto a = whole.get<std::int64_t>(), b = profiled.get<std::int64_t>();
     return fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{:+.1f} %</td></tr>\n", what, grouped(a),
@@ -99,7 +99,7 @@ std::string builds(const nlohmann::json& firmware) {
     return out + "</table>\n";
 }
 
-/// What was measured of a key, or a dash.
+/// A measured figure of a key, or a dash where there is none.
 std::string cost(const nlohmann::json& key, const char* name) {
     return key.contains(name) ? fmt::format("{:.1f}", key[name].get<double>()) : "-";
 }

@@ -1,4 +1,4 @@
-// The report of a profile as one page that needs no other file.
+// The report of a profile as one HTML page that needs no other file.
 #pragma once
 
 #include <string>

@@ -25,7 +25,8 @@ std::string text_of(const fs::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Runs a tool of apitrace; its words are told only where it fails. Empty, or what went wrong.
+/// Runs a tool of apitrace. What it prints is reported only if it fails. Returns what went wrong, or an empty
+/// string.
 std::string run_tool(const std::vector<std::string>& command, const fs::path& words,
                      bool any_status = false) {
     const int status = pair::run(command, words);
@@ -38,7 +39,7 @@ std::string run_tool(const std::vector<std::string>& command, const fs::path& wo
     return fmt::format("{} ended with {}: {}", command[0], status, said.substr(said.rfind('\n') + 1));
 }
 
-/// The pictures of a trace's frames, in order.
+/// Makes pictures of a trace's frames, in their order. Returns what went wrong, or an empty string.
 std::string pictures_of(const std::string& trace, const fs::path& folder, std::vector<fs::path>& out) {
     std::error_code ignored;
     fs::create_directories(folder, ignored);
@@ -80,8 +81,8 @@ std::string compare(const std::vector<fs::path>& ours, const std::vector<fs::pat
     return "";
 }
 
-/// Replays the trace while the pair records. A run for pictures cannot do both: the retracer reads them by
-/// commands, which the program never called.
+/// Replays the trace while the drop-in pair records. A run for pictures cannot record as well: its retracer
+/// reads the pictures by commands that the program never called.
 std::string record(const std::string& trace, const std::string& format, const fs::path& folder,
                    Recorded& out) {
     const fs::path file = folder / ("record-" + out.tier);
@@ -96,7 +97,7 @@ std::string record(const std::string& trace, const std::string& format, const fs
     return profile::from_text(text_of(file), out.record);
 }
 
-/// Whether some frame of a trace ends; one that holds other calls only has none.
+/// Whether any frame of a trace ends. A trace that holds only calls of the other API has none.
 bool shows_frames(const std::string& trace, const fs::path& folder) {
     const fs::path calls = folder / "calls";
     pair::run({"apitrace", "dump", "--color=never", "--grep=SwapBuffers", trace}, calls);
@@ -116,12 +117,12 @@ std::string record_replayed(ProfileOptions& options, const fs::path& folder, std
         pair::set(variable, "");
     std::string& trace = options.trace;
     if (options.program) {
-        // The window of a program comes from GLX or from EGL, and tracers see one of them.
+        // The window of a program comes from GLX or from EGL, and a tracer sees only one of these.
         for (const char* const api : {"gl", "egl"}) {
             trace = (folder / (api + std::string(".trace"))).string();
             problem = record_trace(options.words, api, options.run.width, options.run.height,
                                    options.run.frames, folder, trace);
-            pair::set("SPANGLE_FRAMES", ""); // a retracer is to show them all
+            pair::set("SPANGLE_FRAMES", ""); // a retracer shows all frames
             if (!problem.empty())
                 problem = fmt::format("apitrace recorded nothing of {}: {}", options.words[0], problem);
             if (!problem.empty() || shows_frames(trace, folder))

@@ -17,7 +17,7 @@ double percent(std::uint64_t part, std::uint64_t all) {
     return all == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(all);
 }
 
-/// Percent of the pixels that no loop serves.
+/// Percent of the pixels that no fused span draws.
 double chain_percent(const ProfileReport& report) {
     std::uint64_t chain = 0;
     for (const profile::KeyUse& use : report.chosen->record.keys)
@@ -25,14 +25,14 @@ double chain_percent(const ProfileReport& report) {
     return percent(chain, report.chosen->record.pixels());
 }
 
-/// Instructions that a build needs for a pixel of a key; 0: they were not measured.
+/// Instructions that a build needs for a pixel of a key; 0: not measured.
 double cost_of(const nlohmann::json& firmware, const char* build, const std::string& key) {
     if (!firmware.is_object() || !firmware[build].contains("keys") || !firmware[build]["keys"].contains(key))
         return 0.0;
     return firmware[build]["keys"][key]["instructions_a_pixel"].get<double>();
 }
 
-/// Whole against profiled, and the lines that cost most.
+/// Compares the whole library with the profile, and lists the lines that cost most.
 std::string firmware_text(const nlohmann::json& firmware) {
     constexpr std::size_t most_lines = 20;
     const nlohmann::json &whole = firmware["whole"], &profiled = firmware["profiled"];

@@ -1,4 +1,4 @@
-// What a recorded program asks for, and what its profile is: for people, and for programs.
+// Reports what a recorded program asks for and what its profile holds, for people and for programs.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@ namespace spangle::cli {
 struct ProfileReport {
     std::string title;
     const std::vector<Recorded>* all;
-    const Recorded* chosen; ///< of them, the profile's
+    const Recorded* chosen; ///< the element of `all` that the profile is made for
     const profile::Profile* made;
-    nlohmann::json firmware; ///< of the two builds on the emulated board
-                             ///< (host_sim/profile/firmware/measure.py); null: none
+    nlohmann::json firmware; ///< figures of both builds on the emulated board
+                             ///< (host_sim/profile/firmware/measure.py); null: not measured
 };
 
 nlohmann::json to_json(const ProfileReport& report);

@@ -1,4 +1,4 @@
-// What is drawn, scene or model, as every command draws it.
+// Finds the scene or model that a command draws, so that all commands draw it alike.
 #pragma once
 
 #include <string>
@@ -12,7 +12,8 @@ namespace spangle::cli {
 
 using trade::Program;
 
-/// Finds what the options name; `model` keeps what is drawn of one. Empty, or what to do about it.
+/// Finds what the options name; `model` keeps the model that `out` draws, if any. Returns what to do about a
+/// problem, or an empty string.
 std::string make_program(const RunOptions& options, Model& model, Program& out);
 
 /// Sets the program up in the session that is current.

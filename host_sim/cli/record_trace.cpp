@@ -17,14 +17,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int longest = 600;               ///< seconds that a tool may take
-constexpr int timed_out = 124, killed = 9; ///< what timeout(1) says of a program that took longer
-constexpr const char* grace = "10";        ///< seconds from its first signal to its last
+constexpr int timed_out = 124, killed = 9; ///< statuses of timeout(1) for a program that took longer
+constexpr const char* grace = "10";        ///< seconds from the first signal to the last
 
 bool found(const std::string& program) {
     return pair::run({"sh", "-c", "command -v \"$0\"", program}, "/dev/null") == 0;
 }
 
-/// The last words of a program that ended before it drew; the tracer's own lines are none.
+/// The last line that a program printed which ended before it drew. Lines of the tracer do not count.
 std::string last_words(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::string last = "it says nothing";
@@ -34,7 +34,8 @@ std::string last_words(const fs::path& file) {
     return one_line(last);
 }
 
-/// The calls of a trace that EGL refused a context for. A retracer ends at the first of them.
+/// The numbers of the calls for which EGL refused a context; `last` is the number of the last call. A
+/// retracer ends at the first refused context.
 std::vector<long> refused_contexts(const fs::path& trace, const fs::path& folder, long& last) {
     std::vector<long> out;
     const fs::path words = folder / "dump";
@@ -56,7 +57,7 @@ std::vector<long> refused_contexts(const fs::path& trace, const fs::path& folder
     return out;
 }
 
-/// Leaves the refused contexts out. Empty, or what went wrong.
+/// Removes the refused contexts from the trace. Returns what went wrong, or an empty string.
 std::string without_refused_contexts(const fs::path& trace, const fs::path& folder) {
     long last = 0;
     const std::vector<long> refused = refused_contexts(trace, folder, last);
@@ -111,7 +112,8 @@ std::string record_trace(const std::vector<std::string>& program, const std::str
         pair::set(variable, "");
     pair::set("SPANGLE_SIZE", fmt::format("{}x{}", width, height));
     pair::set("SPANGLE_FRAMES", std::to_string(frames));
-    pair::set("SPANGLE_SIGNAL", "1"); // the tracer writes what it has then
+    pair::set("SPANGLE_SIGNAL",
+              "1"); // makes the program end by a signal, on which the tracer writes its file
     std::error_code ignored;
     fs::remove(to, ignored);
     std::vector<std::string> command = {"apitrace", "trace", "-a", api, "-o", to.string()};

@@ -1,4 +1,4 @@
-// Runs the tools of apitrace: the tracer that records a program, and others, for a bounded time.
+// Runs the tools of apitrace for a bounded time: the tracer that records a program, and others.
 #pragma once
 
 #include <filesystem>
@@ -7,20 +7,22 @@
 
 namespace spangle::cli {
 
-/// What became of a tool. `problem`: it is not installed, or took too long; then the status means nothing.
+/// How a tool ended. A `problem` says that the tool is not installed, or took too long; then the status means
+/// nothing.
 struct Ended {
     int status = 0;
     std::string problem;
 };
 
-/// Runs one to its end; `words` takes what it prints.
+/// Runs a tool to its end; `words` takes what it prints.
 Ended run_bounded(const std::vector<std::string>& command, const std::filesystem::path& words);
 
-/// The first function that a tracer or retracer found nowhere, of what it printed; empty: it found all.
+/// The first function that a tracer or retracer could not find, according to what it printed. Empty if it
+/// found all.
 std::string unavailable_function(const std::filesystem::path& words);
 
 /// Runs a program on the drop-in pair with windows of that size, for so many frames, and records its calls of
-/// "gl" (with GLX) or "egl" into a file. Empty, or why there is none.
+/// "gl" (with GLX) or "egl" into a file. Returns why there is no file, or an empty string.
 std::string record_trace(const std::vector<std::string>& program, const std::string& api, int width,
                          int height, int frames, const std::filesystem::path& folder,
                          const std::filesystem::path& to);

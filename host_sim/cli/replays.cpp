@@ -23,13 +23,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the pair shall not do while it draws for us.
+/// Variables that are unset, because the pair shall draw nothing but the frames to be measured.
 constexpr const char* other_variables[] = {"SPANGLE_BOARD", "SPANGLE_SIZE",   "SPANGLE_FORMAT",
                                            "SPANGLE_SHOT",  "SPANGLE_REPORT", "SPANGLE_SIGNAL"};
 
 constexpr const char* no_frame = "it shows no frame";
 
-/// Functions that the pair has by name alone.
+/// Functions of later versions of OpenGL, which the pair has by name alone.
 constexpr std::string_view later_functions[] = {
 #define LATER(name) #name,
 #include "host_sim/dropin/later_functions.inc"
@@ -49,7 +49,7 @@ std::string reason_in(const fs::path& file) {
     return one_line(last);
 }
 
-/// A variable that is what it was when this ends.
+/// Restores an environment variable to its old value at the end of a scope.
 class Kept {
   public:
     explicit Kept(const char* variable) : variable_(variable) {
@@ -65,9 +65,9 @@ class Kept {
     std::string value_;
 };
 
-/// Lines of a retracer that name calls which it could not make or which raised errors.
+/// What a retracer printed about calls that it could not make, or that raised errors.
 struct Complaints {
-    std::string unavailable; ///< the first function that there is not
+    std::string unavailable; ///< name of the first function that does not exist
     std::string first_error;
     int errors = 0;
 };
@@ -108,10 +108,10 @@ class Replays final : public trade::Recording {
     using Key = std::pair<PixelFormat, EGLint>;
 
     pair::Folder folder_;
-    std::string trace_;                ///< empty: the program was not recorded yet
-    std::vector<std::string> program_; ///< empty: there is a trace
-    std::map<Key, fs::path> kept_;     ///< captures that are asked for again
-    std::string told_;                 ///< what was said of the trace's errors
+    std::string trace_;                ///< file; empty: the program is not yet recorded
+    std::vector<std::string> program_; ///< words of the program; empty: a trace is given
+    std::map<Key, fs::path> kept_;     ///< captures that will be asked for again
+    std::string told_;                 ///< message about the trace's errors; empty: not printed yet
     int files_ = 0;
 
     std::string replay(PixelFormat format, EGLint precision, const trade::Setting& setting, bool times_only,
@@ -125,7 +125,7 @@ std::string Replays::replay(PixelFormat format, EGLint precision, const trade::S
     std::string problem = folder_.path().empty() ? pair::Folder::problem() : pair::use();
     if (!problem.empty())
         return problem;
-    const Kept display("DISPLAY"); // a retracer does without, a program that is recorded next needs it
+    const Kept display("DISPLAY"); // the retracer unsets DISPLAY, which a program recorded next needs
     for (const char* const variable : other_variables)
         pair::set(variable, "");
     pair::set("SPANGLE_CAPTURE", file.string());
@@ -136,7 +136,8 @@ std::string Replays::replay(PixelFormat format, EGLint precision, const trade::S
     pair::set("SPANGLE_FRAMES", std::to_string(setting.frames));
     std::vector<std::string> command = pair::retrace(trace_);
     if (times_only)
-        command.insert(command.end() - 1, "--benchmark"); // else it asks for errors after each call
+        command.insert(command.end() - 1,
+                       "--benchmark"); // without --benchmark the retracer asks for errors after each call
     const fs::path words = folder_.path() / "words";
     const Ended ended = run_bounded(command, words);
     pair::set("SPANGLE_CAPTURE", "");
@@ -147,13 +148,14 @@ std::string Replays::replay(PixelFormat format, EGLint precision, const trade::S
         return fmt::format("the replay misses the function {}; Spangle is OpenGL 1.5", found.unavailable);
     if (ended.status != 0)
         return fmt::format("{} cannot replay it: {}", command[0], reason_in(words));
-    if (!fs::exists(file)) // no context was made
+    if (!fs::exists(file)) // the program made no context
         return no_frame;
     tell_errors(found);
     return "";
 }
 
-/// Errors are the program's own: it goes on as it did where it was recorded.
+/// Prints once how many calls raise errors. These are the program's own, which went on after them where it
+/// was recorded, too.
 void Replays::tell_errors(const Complaints& found) {
     if (found.errors == 0 || !told_.empty())
         return;
@@ -164,7 +166,7 @@ void Replays::tell_errors(const Complaints& found) {
 
 std::string Replays::capture(PixelFormat format, EGLint precision, const trade::Setting& setting,
                              trade::CaptureReader& out) {
-    // Every tier is held against these two.
+    // Every tier is compared with the captures in double, so these are kept.
     const bool again = precision == EGL_PRECISION_DOUBLE_SPANGLE;
     const Key key{format, precision};
     fs::path file = folder_.path() / fmt::format("{}.capture", files_);
@@ -181,11 +183,12 @@ std::string Replays::capture(PixelFormat format, EGLint precision, const trade::
     if (again)
         kept_[key] = file;
     else
-        fs::remove(file, ignored); // it is open
+        fs::remove(file, ignored); // the file stays readable while it is open
     return "";
 }
 
-/// Reads how large the frames are, and how many. Empty, or why there is nothing to judge.
+/// Reads how large the frames are, and how many they are. Returns why there is nothing to judge, or an empty
+/// string.
 std::string Replays::draws(trade::Setting& setting) {
     trade::CaptureReader frames;
     std::string problem = capture(PixelFormat::rgba8888, EGL_PRECISION_DOUBLE_SPANGLE, setting, frames);
@@ -219,7 +222,7 @@ std::string Replays::settle(trade::Setting& setting) {
         return draws(setting);
     const fs::path file = folder_.path() / "program.trace";
     std::string problem;
-    // A tracer sees one way to windows: programs use GLX mostly, and EGL else.
+    // A tracer sees only one way to windows. Most programs use GLX, others EGL.
     for (const char* const api : {"gl", "egl"}) {
         trade::Setting own = setting;
         kept_.clear();
@@ -253,7 +256,8 @@ std::vector<double> Replays::times(const std::vector<trade::Tier>& chosen, const
             double time = 0, spent = 0;
             int count = 0;
             while (frames.next(frame, time))
-                if (count++ != 0 || setting.frames == 1) // the first has what a program makes when it begins
+                if (count++ != 0 ||
+                    setting.frames == 1) // the first frame includes what a program makes when it begins
                     spent += time;
             const double mean = spent / std::max(1, setting.frames - 1);
             if (count == setting.frames && (out[i] < 0 || mean < out[i]))

@@ -1,4 +1,4 @@
-// Programs that others linked, as `spangle trade` measures them: traces, drawn by a retracer on the drop-in
+// Programs that others linked, as `spangle trade` measures them: a retracer draws their traces on the drop-in
 // pair.
 #pragma once
 
@@ -10,11 +10,11 @@
 
 namespace spangle::cli {
 
-/// A trace of apitrace. Empty, or why there is none.
+/// Opens a trace of apitrace. Returns what went wrong, or an empty string.
 std::string open_trace(const std::string& file, std::shared_ptr<trade::Recording>& out);
 
-/// A program and its arguments, which is run once, when it is first drawn: what it draws by the clock is the
-/// same then in every tier. `out` draws the trace of that run.
+/// Takes a program and its arguments. The program runs once, when it is first drawn; `out` draws the trace of
+/// that run. So drawing that depends on the clock is the same in every tier.
 std::string open_program(const std::vector<std::string>& words, std::shared_ptr<trade::Recording>& out);
 
 } // namespace spangle::cli

@@ -1,4 +1,4 @@
-// What a run found out, over all its frames.
+// The figures of a run, over all its frames.
 #pragma once
 
 #include <cstddef>
@@ -11,25 +11,26 @@
 
 namespace spangle::cli {
 
-/// One stage of the pipeline in integers, held against its double twin (raster/span/shadow.hpp).
+/// The error of one stage of the pipeline in integers, compared with its double twin
+/// (raster/span/shadow.hpp).
 struct StageError {
     std::string stage, unit;
     std::uint64_t count;     ///< values compared
-    double max, rms;         ///< of |fixed - double|
+    double max, rms;         ///< of |fixed - double|, in `unit`
     double least, greatest;  ///< range of the double values
     std::uint64_t saturated; ///< fixed values at a limit of their range
 };
 
-/// Bytes. The first three lie in the memory of spangle::memory; a window's colour buffer belongs to the
-/// display.
+/// Memory in bytes. The first three lie in the memory of spangle::memory; a window's colour buffer belongs to
+/// the display.
 struct Memory {
     std::size_t context, surface;
-    std::size_t
-        peak; ///< of all Spangle took: context, surface, textures, lists; the reference's with --compare
-    std::size_t process; ///< of the program with its simulator; 0 where it is not known
+    std::size_t peak; ///< all that Spangle took: context, surface, textures, lists; with --compare also the
+                      ///< reference's
+    std::size_t process; ///< the program with its simulator; 0 where it is not known
 };
 
-/// Bytes that a window in bands takes.
+/// Bytes of a window that is drawn in bands.
 struct BandMemory {
     std::size_t buffers; ///< of the display: pixels as they lie, and as they travel
     std::size_t planes;  ///< depth, without the record
@@ -40,21 +41,20 @@ struct Report {
     std::string scene, board, precision;
     int frames = 0;
     std::uint64_t fragments = 0, triangles = 0;
-    double identical_565_percent = 100.0;  ///< of covered pixels, against the double reference
+    double identical_565_percent = 100.0;  ///< percent of covered pixels, against the double reference
     int max_lsb = 0;                       ///< largest difference of a channel, in steps of RGB565
-    double psnr_565_db = 99.0;             ///< 99 when identical
-    std::uint64_t coverage_mismatches = 0; ///< pixels, against brute force on our own snapped vertices
+    double psnr_565_db = 99.0;             ///< dB; 99 when identical
+    std::uint64_t coverage_mismatches = 0; ///< pixels, against brute force on the tier's own snapped vertices
     std::uint64_t coverage_unsnapped = 0;  ///< pixels, against unsnapped vertices in double
-    std::uint64_t coverage_snapping =
-        0;                     ///< the same of vertices in double, ideally snapped: no n.8 does better
-    std::uint64_t covered = 0; ///< pixel samples the coverage counts looked at
-    bool compared = false;     ///< the six above were measured
+    std::uint64_t coverage_snapping = 0;   ///< pixels, against vertices in double, ideally snapped to n.8
+    std::uint64_t covered = 0;             ///< pixel samples that the coverage was compared in
+    bool compared = false; ///< with --compare: the figures from identical_565_percent on are measured
     std::uint64_t bus_bytes = 0, bus_commands = 0;
-    std::uint64_t bus_pixel_bytes = 0;            ///< of bus_bytes, what no command is
-    std::uint64_t full_frame_bytes = 0;           ///< of one whole frame without commands
-    double fps_at_bus_clock = 0.0;                ///< 0 without a board
-    double virtual_fps = 0.0;                     ///< of drawing and sending; with `presents`
-    std::optional<double> measured_fps;           ///< of a real display: drawing, sending, and all else
+    std::uint64_t bus_pixel_bytes = 0;            ///< of bus_bytes, those that are no commands
+    std::uint64_t full_frame_bytes = 0;           ///< bytes of one whole frame without commands
+    double fps_at_bus_clock = 0.0;                ///< frames a second; 0 without a board
+    double virtual_fps = 0.0;                     ///< frames a second of drawing and sending, in virtual time
+    std::optional<double> measured_fps;           ///< frames a second of a real display, all included
     std::optional<hal::PresentCounters> presents; ///< when the command line said how to present
     std::string picture_hash;                     ///< of the last frame
     std::optional<Memory> memory;                 ///< with --stats
@@ -62,7 +62,7 @@ struct Report {
     std::vector<StageError> stages; ///< of a run in shadow precision, in the order of the pipeline
 };
 
-/// One JSON object, keys as the fields are called.
+/// One JSON object, whose keys are named as the fields.
 std::string to_json(const Report& report);
 
 /// A table for people.

@@ -36,7 +36,7 @@ bool is_shadow(Precision p) {
     return p >= Precision::shadow;
 }
 
-/// The same frames in double, held against ours.
+/// Draws the same frames in double, and compares them with those of the run.
 class Comparison {
   public:
     std::string open(const Session& ours, const Program& program, bool dither) {
@@ -115,15 +115,16 @@ class ShadowSession {
     raster::ShadowReport* old_;
 };
 
-/// A line that is rewritten, on terminals and for runs that take a while.
+/// Shows progress in a line that is rewritten, on terminals and for long runs only.
 void progress(int frame, int frames) {
     if (frames < 30 || isatty(STDERR_FILENO) == 0)
         return;
     tell(fmt::format("\rframe {} of {}{}", frame + 1, frames, frame + 1 == frames ? "\r\033[K" : ""));
 }
 
-/// Triangles that reach a pixel, over frames that were drawn in bands. A band counts those that reach it, so
-/// that the bands of a frame count many of them again and again; the frames are drawn once more as wholes.
+/// Counts the triangles that reach a pixel, over frames that were drawn in bands. Each band counts the
+/// triangles that reach the band, so that a triangle counts several times in a frame. The frames are
+/// therefore drawn once more as wholes.
 std::string count_whole(const RunOptions& options, const Program& program, int width, int height,
                         Report& report) {
     Session session;
@@ -141,7 +142,7 @@ std::string count_whole(const RunOptions& options, const Program& program, int w
     return "";
 }
 
-/// What became of the dump of the wires, or nothing.
+/// Ends the dump of the wires, if there is one, and notes what became of it.
 void end_vcd(const RunOptions& options, sim::SimBoard& board, RunResult& result) {
     const sim::SimBoard::Recorded dump = board.end_vcd();
     result.unwritten = dump.error;
@@ -264,7 +265,7 @@ RunResult run(const RunOptions& options) {
     if (options.bands.height != 0 && result.error.empty())
         result.error = count_whole(options, program, session.width(), session.height(), report);
 
-    // The frames that were asked for are reported; now the scene goes on for whoever looks at it.
+    // The frames that were asked for are reported. Now the scene goes on while the window is open.
     session.make_current();
     session.observe(nullptr);
     for (int f = report.frames; result.error.empty() && window.can_be_closed() && !window.closed(); ++f) {

@@ -1,5 +1,5 @@
-// One run: a scene or a model, some frames, on a simulated board, a real display or off screen; with
-// everything that was asked for.
+// Runs a scene or a model for some frames, on a simulated board, on a real display or off screen, and reports
+// what the options ask for.
 #pragma once
 
 #include <functional>
@@ -13,13 +13,14 @@
 namespace spangle::cli {
 
 struct RunResult {
-    std::string error; ///< empty on success: else one line that says what to do
+    std::string error; ///< empty on success, else one line that says what to do
     Report report;
-    std::string unwritten; ///< empty: the dump of the wires is in its file, if one was asked for
-    sim::Image picture;    ///< the last frame: the glass of a simulated board, or the picture as it was drawn
-    sim::Image difference; ///< with --compare
-    std::string violations; ///< rules the bus broke; none is normal
-    std::string notes;      ///< what a model was drawn without
+    std::string
+        unwritten;      ///< why the dump of the wires is not in its file; empty: it is, or none was asked for
+    sim::Image picture; ///< the last frame: the glass of a simulated board, or the picture as drawn
+    sim::Image difference;  ///< with --compare: what differs from the reference
+    std::string violations; ///< rules that the bus broke; normally empty
+    std::string notes;      ///< parts of a model that were left out
 };
 
 RunResult run(const RunOptions& options);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int cell_width = 80, cell_height = 60, scale = 3, gap = 4, columns = 3, rows = 2;
 
-/// A place at `angle` (turns) and `radius` (pixels) from another.
+/// Sets a vertex at `angle` (turns) and `radius` (pixels) from a point.
 void vertex_around(float x, float y, float angle, float radius) {
     const float at = 2 * std::numbers::pi_v<float> * angle;
     glVertex2f(x + radius * std::cos(at), y + radius * std::sin(at));
@@ -28,7 +28,7 @@ void draw_polygon(float x, float y, float radius, float turned, int corners) {
     glEnd();
 }
 
-/// Polygons, lines of two widths, points of three sizes.
+/// Draws polygons, lines of two widths, and points of several sizes.
 void draw_edges() {
     glColor4f(0.2f, 0.45f, 0.8f, 1);
     draw_polygon(18, 39, 16, 0.03f, 7);
@@ -51,7 +51,7 @@ void draw_edges() {
     }
 }
 
-/// Discs whose alpha falls from 1 in the middle to 0 on the rim, one before the other.
+/// Draws overlapping discs whose alpha falls from 1 in the middle to 0 on the rim.
 void draw_fading() {
     constexpr int corners = 24;
     for (int n = 0; n < 6; ++n) {
@@ -74,7 +74,8 @@ struct Cell {
     EGLint samples;
     void (*draw)();
 };
-/// The alpha test or samples; samples and their coverage; antialiasing and blending.
+/// The cells of the sheet: edges plain, with four samples, and antialiased; discs by alpha test, coverage and
+/// blending.
 constexpr Cell cells[rows * columns] = {
     {0, draw_edges},
     {4, draw_edges},
@@ -112,7 +113,7 @@ void enlarge(const std::vector<GLubyte>& rgba, sim::Image& out, int left, int to
                 3, out.at(left + x, top + y));
 }
 
-/// False where this build has no such surfaces.
+/// Draws one cell. Returns false where this build has no surfaces of that many samples.
 bool draw_cell(EGLDisplay display, const Cell& cell, sim::Image& out, int left, int top) {
     const EGLint wish[] = {EGL_SURFACE_TYPE,
                            EGL_PBUFFER_BIT,

@@ -1,4 +1,4 @@
-// Edges and translucent things with one sample a pixel, with four, and antialiased.
+// Draws edges and translucent discs with one sample a pixel, with four, and antialiased.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace spangle::cli {
 
-/// Cells in two rows of three, enlarged. Empty, or why it could not be drawn.
+/// Draws enlarged cells in two rows of three. Returns why they could not be drawn, or an empty string.
 std::string draw_samples(sim::Image& out);
 
 } // namespace spangle::cli

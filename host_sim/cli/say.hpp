@@ -1,4 +1,4 @@
-// What the command line says, and to whom: words on standard output, problems on standard error.
+// Where the output of the command line goes: words to standard output, problems to standard error.
 #pragma once
 
 #include <string>
@@ -12,28 +12,30 @@
 
 namespace spangle::cli {
 
-/// Exit statuses: what was asked for makes no sense; and it was done, but could not be written or shown.
+/// Exit statuses. bad_input: what was asked for makes no sense. not_done: it could not be done, written or
+/// shown.
 inline constexpr int bad_input = 2, not_done = 1;
 
-/// On standard error. Where nobody takes that there is nobody to tell.
+/// Prints on standard error. Failures are ignored, because there is nobody to tell them to.
 void tell(const std::string& text);
-/// "spangle: WHY", and the status to exit with.
+/// Prints "spangle: WHY" on standard error, and returns the status to exit with.
 int refuse(const std::string& why, int status = bad_input);
 
-/// Words for people, and figures for programs: on standard output, unless a file takes it.
+/// Prints words for people, and figures for programs. They go to standard output, or to standard error where
+/// a file takes standard output.
 void print_text(const std::string& text);
 template <class... Values> void print(fmt::format_string<Values...> format, Values&&... values) {
     print_text(fmt::format(format, std::forward<Values>(values)...));
 }
 
-/// A file that an option names. Where that is standard output, no other file may be, and words go to standard
-/// error from then on. Empty, or the rule that is broken.
+/// Notes a file that an option names. Only one file may be standard output, and words go to standard error
+/// from then on. Returns the rule that is broken, or an empty string.
 std::string claim(const char* option, const std::string& path);
-/// What took standard output, as an option; empty: nothing.
+/// The option whose file is standard output; empty: none is.
 const std::string& claimed();
-/// Opens it as well, unless `path` is empty.
+/// Notes the file and opens it, unless `path` is empty.
 std::string open(sim::Output& file, const char* option, const std::string& path);
-/// The file is this picture, as PNG. Empty, or what went wrong.
+/// Writes the picture into the file, as PNG. Returns what went wrong, or an empty string.
 std::string finish(sim::Output& file, const sim::Image& picture);
 
 } // namespace spangle::cli

@@ -5,7 +5,7 @@
 namespace spangle::cli {
 namespace {
 
-/// The board with other ways to present, or the rule that this breaks.
+/// Changes how the board presents frames. Returns the rule that this breaks, or an empty string.
 std::string present_as(const PresentOptions& options, hal::Board& board) {
     hal::PanelConfig& display = board.display;
     display.row_hash = options.row_hash || display.row_hash;
@@ -28,7 +28,7 @@ std::string present_as(const PresentOptions& options, hal::Board& board) {
     return rule == nullptr ? "" : std::string(board.name) + ": " + rule;
 }
 
-/// A whole frame as it travels, without commands.
+/// The bytes of a whole frame as it travels, without commands.
 std::uint64_t frame_bytes(const hal::PanelConfig& display) {
     const hal::Extent size = hal::sent_size(display);
     if (!display.wire.converts())
@@ -38,7 +38,7 @@ std::uint64_t frame_bytes(const hal::PanelConfig& display) {
     return (pixels * hal::wire_info(display.wire.format).bits + 7) / 8;
 }
 
-/// What only a panel has, asked of a display that brings its own.
+/// Why the options cannot be used with a display that is not a panel of Spangle's; empty if they can.
 std::string without_panel(const RunOptions& options) {
     if (options.present.any())
         return "--gud presents as its display does; leave out the options of presenting";

@@ -1,5 +1,5 @@
-// What a run draws on: a simulated board, a real panel, a display on USB, or a picture off screen; and what
-// that counted.
+// What a run draws on: a simulated board, a real panel, a display on USB, or a picture off screen. It also
+// counts what it was sent.
 #pragma once
 
 #include <chrono>
@@ -22,18 +22,19 @@ namespace spangle::cli {
 
 class Screen {
   public:
-    /// Finds what the options name, and opens a session on it. Empty, or what to do about it.
+    /// Finds what the options name, and opens a session on it. Returns what to do about a problem, or an
+    /// empty string.
     std::string open(const RunOptions& options, Session& session);
 
-    /// Null: real, or off screen.
+    /// The simulated board; null for a real display, and off screen.
     sim::SimBoard* simulated() { return attached_.simulated.get(); }
-    /// Frames are presented; else they are drawn only.
+    /// Whether frames are presented; off screen they are only drawn.
     bool presents() const { return display_ != nullptr; }
-    /// Counts and clocks begin here.
+    /// Starts the counters and clocks.
     void start();
-    /// Everything that was presented is shown. Empty, or why not.
+    /// Waits until everything that was presented is shown. Returns what went wrong, or an empty string.
     std::string finish();
-    /// What is told of it, after finish().
+    /// Fills the report with what was counted; call it after finish().
     void describe(const RunOptions& options, const Session& session, Report& report) const;
 
   private:
@@ -45,8 +46,8 @@ class Screen {
 
     bringup::Attached attached_;
     std::optional<bringup::CountedBus> counted_;
-    std::optional<bringup::Stand> stand_; ///< of a real panel
-    std::optional<WholeFrames> whole_;    ///< where this build does not tell what was drawn
+    std::optional<bringup::Stand> stand_; ///< the display of a real panel
+    std::optional<WholeFrames> whole_;    ///< used where this build does not tell what was drawn
     hal::Display* display_ = nullptr;
     Counts before_;
     Clock::time_point started_, finished_;

@@ -14,7 +14,7 @@ namespace spangle::cli {
 
 namespace {
 
-/// The first and the last sentence the library said, for error messages.
+/// The first and the last message of the library, for the messages about errors.
 std::string& first_message() {
     static std::string text;
     return text;
@@ -36,7 +36,7 @@ void listen() {
 std::string egl_problem(const char* call) {
     char code[16];
     std::snprintf(code, sizeof code, "0x%04X", static_cast<unsigned>(eglGetError()));
-    // The sentence begins with the command, which need not be named twice.
+    // The message begins with the command, which need not be named twice.
     const std::string named = std::string(call) + ": ", &told = last_message();
     const std::string rule = told.starts_with(named) ? told.substr(named.size()) : told;
     return std::string(call) + " failed (" + code + ")" + (rule.empty() ? "" : ": " + rule);
@@ -52,8 +52,8 @@ Session::~Session() {
         eglDestroyContext(display_, context_);
     if (surface_ != EGL_NO_SURFACE)
         eglDestroySurface(display_, surface_);
-    // The display of a board goes with its board, and another may come to lie where it was. Sessions without
-    // a board share the default display.
+    // The display of a board ends with its board, and another board may come to lie at its address. Sessions
+    // without a board share the default display.
     if (has_board_)
         eglTerminate(display_);
 }

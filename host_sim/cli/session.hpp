@@ -21,15 +21,16 @@ class Session {
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
-    /// Empty, or why it could not be opened.
+    /// Opens a session. Returns why that failed, or an empty string.
     std::string open_display(hal::Display& display, Precision precision, const BandOptions& bands = {});
     std::string open_picture(int width, int height, Precision precision);
 
     bool make_current() const;
-    /// Draws a frame and presents it, in bands by a call for each; false with `error()` when that failed.
+    /// Draws a frame and presents it, calling draw() once for each band. Returns false when that failed;
+    /// error() says why.
     bool frame(const std::function<void()>& draw);
     const std::string& error() const { return error_; }
-    /// The first sentence that the library said since a session was opened; empty: it had no reason to.
+    /// The first message of the library since a session was opened; empty if there is none.
     static const std::string& complaint();
     int width() const { return width_; }
     int height() const { return height_; }
@@ -37,10 +38,10 @@ class Session {
     std::size_t surface_bytes() const { return surface_bytes_; }
     std::size_t context_bytes() const { return context_bytes_; }
 
-    /// What is in the drawing buffer now; rows of other bands stay as they are in `image`.
+    /// Reads the drawing buffer. When frames are drawn in bands, other rows of `image` stay as they are.
     void read(sim::Image& image) const;
     sim::Image read() const;
-    /// Bytes that the longest frame took of the record.
+    /// The most bytes of the record that a frame took.
     std::size_t record_peak() const;
     /// Counts what is drawn from here on.
     void observe(raster::Counters* counters);
@@ -49,7 +50,7 @@ class Session {
     EGLDisplay display_ = EGL_NO_DISPLAY;
     EGLSurface surface_ = EGL_NO_SURFACE;
     EGLContext context_ = EGL_NO_CONTEXT;
-    bool has_board_ = false; ///< the display is a board's
+    bool has_board_ = false; ///< the display is that of a board
     int width_ = 0, height_ = 0;
     std::size_t surface_bytes_ = 0, context_bytes_ = 0;
     std::string error_;

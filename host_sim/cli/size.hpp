@@ -1,4 +1,4 @@
-// What --size takes.
+// Reads the value of the option --size.
 #pragma once
 
 #include <cstdio>
@@ -6,7 +6,7 @@
 
 namespace spangle::cli {
 
-/// "320x240", both sides 1 to 2048. Empty, or what is wrong with it.
+/// Reads "320x240", both sides 1 to 2048. Returns what is wrong with the text, or an empty string.
 inline std::string read_size(const std::string& text, int& width, int& height) {
     constexpr int largest = 2048;
     char rest = 0;

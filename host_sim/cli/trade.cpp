@@ -35,7 +35,7 @@ template <unsigned Count, class Named> std::vector<std::string> names_of(const N
     return names;
 }
 
-/// Everything a sweep draws, and what keeps it alive.
+/// Everything that a sweep draws, and the models that must live as long.
 struct Corpus {
     std::deque<Model> models;
     std::deque<BakedModel> baked;
@@ -50,7 +50,7 @@ struct Corpus {
         programs.push_back({scene->id, scene->setup, scene->draw, trade::needs_stencil(*scene)});
         return "";
     }
-    /// What images of a model draw.
+    /// The program that draws a model as images of firmware do.
     std::shared_ptr<const trade::Program> on_board(const Model& model) {
         const baked::Mesh& mesh = baked.emplace_back(model).mesh();
         return std::make_shared<trade::Program>(
@@ -102,7 +102,7 @@ struct Corpus {
     }
 };
 
-/// Puts them behind the tiers that are there.
+/// Appends the tiers that the user composed to those already there.
 std::string read_own_tiers(const TradeOptions& options, std::vector<trade::Tier>& out) {
     for (const std::string& words : options.own_tiers) {
         trade::Tier own;
@@ -126,7 +126,7 @@ std::string read_setting(const TradeOptions& options, trade::Sweep& out) {
     s.frames = options.frames;
     s.dither = options.dither == "on";
     out.times = !options.no_times;
-    for (const trade::Tier& tier : trade::tiers) // in their own order
+    for (const trade::Tier& tier : trade::tiers) // in the order of the table
         for (const std::string& name : options.tiers)
             if (name == tier.name)
                 out.tiers.push_back(tier);
@@ -135,7 +135,7 @@ std::string read_setting(const TradeOptions& options, trade::Sweep& out) {
     return read_own_tiers(options, out.tiers);
 }
 
-/// Counts with callgrind; what goes wrong is told once.
+/// Returns a function that counts instructions with callgrind. It reports a problem once.
 auto counter(const TradeOptions& options) {
     return [&options, told = false](const trade::Program& program, const trade::Tier& tier,
                                     const trade::Format& format) mutable -> std::uint64_t {
@@ -164,7 +164,7 @@ auto counter(const TradeOptions& options) {
     };
 }
 
-/// The bytes of each job and tier as a line, in the order of the alphabet.
+/// Prints a hash of the frames of each job and tier, a line each, in alphabetical order.
 int print_bytes(const trade::Sweep& what) {
     std::vector<std::string> lines;
     int number = 0;
@@ -187,7 +187,7 @@ int print_bytes(const trade::Sweep& what) {
     return 0;
 }
 
-/// What was found out, and the page of it unless it is a part of more.
+/// Prints what was found out. Writes the page too, unless the sweep is only a part of a larger one.
 int report(const TradeOptions& options, const trade::Swept& swept, bool whole) {
     int missed = 0;
     for (const trade::Table::Row& row : swept.accuracy.rows)
@@ -238,7 +238,7 @@ CLI::App* add_trade(CLI::App& app, TradeOptions& o) {
         "  spangle trade --shard 1/4 --out part1        and 2/4 ... elsewhere, then\n"
         "  spangle trade merge part1 part2 part3 part4 --out all");
     for (const trade::Tier& tier : trade::tiers)
-        if ((SPANGLE_TIER_SET >> (&tier - trade::tiers) & 1) != 0) // of this build
+        if ((SPANGLE_TIER_SET >> (&tier - trade::tiers) & 1) != 0) // is in this build
             o.tiers.emplace_back(tier.name);
     o.formats = {"565"};
     command->add_option(

@@ -1,4 +1,4 @@
-// What `spangle trade --targets` asks of firmware: the folder of images, and a count on each of them.
+// What `spangle trade --targets` needs of firmware: the folder of images, and a count on each of them.
 #pragma once
 
 #include <functional>
@@ -12,11 +12,12 @@ namespace spangle::cli {
 
 bool is_asked(const TradeOptions& options, const std::string& target);
 
-/// Every target that is asked for has its folder of images. Empty, or what to do.
+/// Finds the targets that are asked for, and checks that each has its folder of images. Returns what to do
+/// about a problem, or an empty string.
 std::string read_targets(const TradeOptions& options, trade::Sweep& out);
 
-/// Counts on boards (Sweep::count_board). What goes wrong is told once for each target, and a program without
-/// images is told once.
+/// Returns a function that counts on boards (Sweep::count_board). It reports a problem once for each target,
+/// and a program without images once.
 std::function<std::optional<trade::BoardCost>(const trade::Target&, const trade::Program&, const trade::Tier&,
                                               const trade::Format&, const trade::Work&)>
 board_counter(const TradeOptions& options, const trade::Setting& setting);

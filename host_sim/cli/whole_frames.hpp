@@ -1,5 +1,4 @@
-// A display that is sent whole frames, in front of one that keeps books: for builds that do not tell what was
-// drawn.
+// Passes whole frames to a display that keeps track of damage, for builds that do not tell what was drawn.
 #pragma once
 
 #include <spangle/hal/display.hpp>
@@ -12,7 +11,7 @@ class WholeFrames final : public hal::Display {
 
     hal::DisplayInfo info() const override { return display_.info(); }
     hal::Result<void> init() override { return display_.init(); }
-    /// All of a frame counts as drawn, whatever the program draws of it.
+    /// Marks the whole frame as drawn, whatever the program draws of it.
     hal::Result<hal::Frame> acquire() override {
         hal::Result<hal::Frame> frame = display_.acquire();
         if (!frame || frame.value().extents == nullptr)

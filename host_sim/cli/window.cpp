@@ -21,7 +21,7 @@ void Window::open(const std::string& title, int width, int height) {
     scale_ = width <= 400 ? 2 : 1;
     SDL_SetMainReady();
     // SDL's own choice ends at drivers that show nothing, and Wayland's library complains without this
-    // variable. SDL_VIDEODRIVER wins.
+    // variable. SDL_VIDEODRIVER has precedence over the hint.
     SDL_SetHintWithPriority(SDL_HINT_VIDEODRIVER,
                             std::getenv("XDG_RUNTIME_DIR") != nullptr ? "x11,wayland,KMSDRM" : "x11,KMSDRM",
                             SDL_HINT_DEFAULT);
@@ -41,7 +41,7 @@ bool Window::can_be_closed() const {
 
 namespace {
 
-/// Draws a picture into a rectangle of the window, each pixel `scale` wide.
+/// Draws a picture into a rectangle of the window, as large as fits with the picture's proportions.
 void blit(const sim::Image& image, SDL_Surface* to, int x, int room_width, int room_height) {
     if (image.width == 0)
         return;
@@ -52,7 +52,7 @@ void blit(const sim::Image& image, SDL_Surface* to, int x, int room_width, int r
         return;
     const int scale_1000 = std::min(room_width * 1000 / image.width, room_height * 1000 / image.height);
     SDL_Rect area{x, 0, image.width * scale_1000 / 1000, image.height * scale_1000 / 1000};
-    SDL_SetSurfaceBlendMode(from, SDL_BLENDMODE_BLEND); // beside round glass the picture is transparent
+    SDL_SetSurfaceBlendMode(from, SDL_BLENDMODE_BLEND); // outside round glass the picture is transparent
     SDL_BlitScaled(from, nullptr, to, &area);
     SDL_FreeSurface(from);
 }

@@ -1,5 +1,5 @@
-// A window for people: the glass, the controller's memory, the bus counters. It stays open until it is
-// closed. Without a screen it says so once and the run goes on.
+// A window that shows the glass, the controller's memory and the bus counters. It stays open until the user
+// closes it. Without a screen, a message says so once and the run goes on.
 #pragma once
 
 #include <string>
@@ -20,9 +20,9 @@ class Window {
 
     void open(const std::string& title, int width, int height);
     bool is_open() const { return window_ != nullptr; }
-    /// Somebody sees it: drivers that show nothing open windows that nobody can close.
+    /// Whether the user sees the window. Drivers that show nothing open windows that nobody can close.
     bool can_be_closed() const;
-    /// The user closed it.
+    /// Whether the user has closed the window.
     bool closed() const { return closed_; }
     void show(const sim::Image& glass, const sim::Image& memory, const sim::BoardCounters& counters);
 
