@@ -12,12 +12,13 @@ namespace spangle::trade {
 
 namespace {
 
-/// A tier pays where it takes so much less, in parts of the time; less than that is noise of the measurement.
+/// The part of the time by which a tier must be cheaper to pay; smaller differences are noise of the
+/// measurement.
 constexpr double worth = 0.05;
-/// Decibels in 565, above which a picture passes for the reference; the balanced tier's own promise.
+/// The PSNR in decibels in 565 above which a picture passes for the reference; the balanced tier promises it.
 constexpr double passes = 33;
 
-/// The name of a tier at the beginning of a sentence.
+/// The name of a tier, as the first word of a sentence.
 std::string capital(std::string tier) {
     if (tier[0] >= 'a' && tier[0] <= 'z')
         tier[0] = static_cast<char>(tier[0] - 'a' + 'A');
@@ -43,15 +44,15 @@ std::string gain(double relative, const Axis& by) {
                     : fmt::format("{} % more {}", -less, by.name);
 }
 
-/// A tier that was measured, with what it takes relative to the first.
+/// A tier that was measured, and its cost relative to the first tier.
 struct Candidate {
     std::string tier;
     const Table::Row* row;
     double relative;
-    std::string also; ///< other figures that differ
+    std::string also; ///< other figures that differ, in words
 };
 
-/// What each tier takes, relative to the first; false where a figure is missing.
+/// Sets the cost of each tier relative to the first. Returns false where a figure is missing.
 bool fill_in(const Table& cost, const std::string& job, const char* column, std::vector<Candidate>& all) {
     std::vector<double> figures;
     for (const Candidate& c : all)
@@ -65,7 +66,7 @@ bool fill_in(const Table& cost, const std::string& job, const char* column, std:
     return true;
 }
 
-/// A figure of two rows, where both have it.
+/// A figure of two rows, where both rows have it.
 struct Pair {
     double first, other;
 };
@@ -77,8 +78,8 @@ std::optional<Pair> pair_of(const Table& table, const Table::Row* first, const T
     return a && b && *a > 0 ? std::optional<Pair>({*a, *b}) : std::nullopt;
 }
 
-/// Other targets that do not gain as much or as little, bytes of flash and RAM, and bytes on the bus. Nothing
-/// is said of what differs by less than is worth it.
+/// Tells of other targets that gain clearly more or less, of flash and RAM, and of bytes on the bus.
+/// Differences below `worth` are not told.
 std::string other_figures(const Table& accuracy, const Table& cost, const Candidate& first,
                           const Candidate& other, const std::string& job, const Axis* by) {
     const Table::Row *const a = find_row(cost, job, first.tier), *const b = find_row(cost, job, other.tier);
@@ -154,7 +155,7 @@ std::vector<Advice> advise(const Table& accuracy, const Table& cost) {
         std::vector<Candidate> all;
         for (; i < accuracy.rows.size() && accuracy.text(accuracy.rows[i], "job") == job; ++i)
             all.push_back({accuracy.text(accuracy.rows[i], "tier"), &accuracy.rows[i], 1, ""});
-        const Axis* by = nullptr; // the first that all tiers have
+        const Axis* by = nullptr; // the first axis for which all tiers have figures
         for (const Axis& axis : axes)
             if (by == nullptr && axis.of_frame && fill_in(cost, job, axis.column.c_str(), all))
                 by = &axis;

@@ -1,4 +1,4 @@
-// What to choose, in words, from the numbers.
+// Advice in words on which tier to choose, from the numbers of a sweep.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace spangle::trade {
 
-/// The figures of one program in one format.
+/// Advice for one program in one format.
 struct Advice {
     std::string scene, format;
-    std::string take; ///< a tier
+    std::string take; ///< name of a tier
     std::string why;  ///< a sentence or two
 };
 
-/// One for each job of accuracy.csv; cost.csv may lack rows, or all of them.
+/// Advice for each job of accuracy.csv; cost.csv may lack rows, or all of them.
 std::vector<Advice> advise(const Table& accuracy, const Table& cost);
 
 /// The row of `table` with that job and tier, or null.

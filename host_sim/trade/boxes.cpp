@@ -15,7 +15,8 @@ std::vector<std::string> missed_boxes(const Table& table, const Table::Row& row)
             out.push_back(fmt::format("{} is {:g}, not {:g} at least", what, *v, bound));
     };
     most("off_own", 0, "coverage off brute force");
-    // Of coverage against vertices in double the part that n.8 does not cost by itself is ours.
+    // The grid of n.8 costs some coverage against vertices in double by itself; the bound is for the whole
+    // difference.
     const double covered = table.number(row, "covered").value_or(0);
     if (const auto off = table.number(row, "off_unsnapped"); off && *off > 5e-5 * covered)
         out.push_back(fmt::format("coverage off unsnapped is {:.4f} %, not 0.005 at most (n.8 costs {})",

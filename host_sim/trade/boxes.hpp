@@ -1,4 +1,4 @@
-// What a tier promises, and which promises a measured row breaks.
+// Compares measured figures with what each tier promises.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace spangle::trade {
 
-/// A sentence for each promise that this row of accuracy.csv breaks. Promises are those of undithered
-/// pictures; a tier that the user composed promises its coverage and depth only.
+/// A sentence for each promise that this row of accuracy.csv breaks. Promises are about undithered pictures.
+/// A tier that the user composed promises its coverage and depth only.
 std::vector<std::string> missed_boxes(const Table& table, const Table::Row& row);
 
 } // namespace spangle::trade

@@ -11,7 +11,7 @@ namespace spangle::trade {
 
 namespace {
 
-/// FNV-1a of 64 bits.
+/// The hash FNV-1a of 64 bits.
 struct Hash {
     std::uint64_t value = 0xCBF29CE484222325;
 

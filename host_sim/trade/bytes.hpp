@@ -1,4 +1,4 @@
-// The bytes that a program draws, as a number: where any changes, so does that.
+// A hash of the bytes that a program draws, which changes when any of them does.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace spangle::trade {
 
-/// Draws all frames, and makes a hash of their colours and depths, in their order. The result is empty, or
-/// why they cannot be drawn.
+/// Draws all frames, and hashes their colours and depths, in their order. Returns why they cannot be drawn,
+/// or an empty string.
 std::string hash_frames(const Program& program, const Tier& tier, const Format& format,
                         const Setting& setting, std::uint64_t& out);
 

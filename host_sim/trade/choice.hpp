@@ -1,4 +1,4 @@
-// What can be chosen: tiers and formats, by name.
+// The tiers and formats that can be chosen, by name.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ struct Tier {
     std::string name;
     EGLint precision, shadow;
     std::optional<raster::Knobs> knobs = {}; ///< of a tier that the user composed
-    std::string words = {};                  ///< of which those were read
+    std::string words = {};                  ///< text from which the knobs were read
 };
 /// The knobs of a tier that the user composed; null for the three tiers of the library.
 inline const raster::Knobs* own_knobs(const Tier& tier) {
@@ -35,7 +35,7 @@ inline constexpr Format formats[] = {{"565", PixelFormat::rgb565_be}, {"888", Pi
                                      {"444", PixelFormat::rgb444},    {"332", PixelFormat::rgb332},
                                      {"grey4", PixelFormat::grey4},   {"mono", PixelFormat::mono}};
 
-/// The one of that name, or null.
+/// The entry of that name, or null.
 template <class Named, unsigned Count> const Named* find(const Named (&all)[Count], std::string_view name) {
     for (const Named& one : all)
         if (name == one.name)

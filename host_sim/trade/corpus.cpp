@@ -12,7 +12,7 @@ namespace spangle::trade {
 
 namespace {
 
-/// Every level of an image has a colour of its own.
+/// Makes a texture in which every level has a colour of its own.
 void make_levels(GLenum filter) {
     std::vector<GLubyte> texels;
     for (int level = 0, size = 64; size != 0; ++level, size /= 2) {
@@ -141,7 +141,7 @@ void offset_draw(int f) {
     clear();
     glRotatef(static_cast<float>(9 * f), 0, 0, 1);
     glEnable(GL_POLYGON_OFFSET_FILL);
-    for (int i = 0; i < 4; ++i) { // four sheets in one plane, each nearer by its offset alone
+    for (int i = 0; i < 4; ++i) { // four sheets in one plane; only their offsets make each nearer
         const float at = static_cast<float>(i) * 0.7f - 2;
         glPolygonOffset(static_cast<float>(-i), static_cast<float>(-i));
         glPushMatrix();

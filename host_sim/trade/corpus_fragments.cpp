@@ -1,4 +1,4 @@
-// Programs of the corpus whose subject is what becomes of a fragment: stencil, tests, blending, patterns.
+// Programs of the corpus about what happens to a fragment: stencil, tests, blending, patterns.
 #include "host_sim/trade/corpus_parts.hpp"
 
 #include <cmath>
@@ -12,9 +12,9 @@ namespace spangle::trade {
 
 namespace {
 
-constexpr float light[] = {1.5f, 3, -1}; ///< of the shadows
+constexpr float light[] = {1.5f, 3, -1}; ///< position of the light that casts shadows
 
-/// A box whose faces look outwards, with corners at -size and size.
+/// Draws a box whose faces look outwards, with vertices at -size and size.
 void box(float size) {
     constexpr float corners[6][4][3] = {{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}},
                                         {{1, -1, -1}, {-1, -1, -1}, {-1, 1, -1}, {1, 1, -1}},
@@ -31,8 +31,8 @@ void box(float size) {
     glEnd();
 }
 
-/// The sides of the volume that a triangle keeps from the light, which stands high enough for lids to be out
-/// of the view.
+/// Draws the sides of the volume that a triangle keeps from the light. The light stands so high that lids of
+/// the volume would be out of the view.
 void shadow_sides(const float (&corners)[3][3]) {
     glBegin(GL_QUADS);
     for (int i = 0; i < 3; ++i) {
@@ -78,8 +78,8 @@ void shadow_draw(int f) {
     glDepthMask(GL_FALSE);
     glStencilFunc(GL_ALWAYS, 0, 0xFF);
     glEnable(GL_CULL_FACE);
-    for (const GLenum hidden :
-         std::initializer_list<GLenum>{GL_BACK, GL_FRONT}) { // sides that look here count up, the others down
+    for (const GLenum hidden : std::initializer_list<GLenum>{
+             GL_BACK, GL_FRONT}) { // sides that face the viewer count up, the others down
         glCullFace(hidden);
         glStencilOp(GL_KEEP, GL_KEEP, hidden == GL_BACK ? GL_INCR : GL_DECR);
         shadow_sides(corners);

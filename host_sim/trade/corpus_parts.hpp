@@ -1,23 +1,23 @@
-// What several programs of the corpus draw: a view, a sheet, a plane to the horizon, a sphere.
+// Parts that several programs of the corpus draw: a view, a sheet, a plane to the horizon, a sphere.
 #pragma once
 
 #include "boards/scenes/scene.hpp"
 
 namespace spangle::trade {
 
-/// Looks along -z from the origin, 90 degrees wide, and turns the depth test on.
+/// Sets a view along -z from the origin, 90 degrees wide, and turns the depth test on.
 void look(int width, int height, float nearest, float farthest);
 
 /// Clears all planes and loads the identity.
 void clear();
 
-/// A rectangle across the view at depth z, one colour a corner.
+/// Draws a rectangle across the view at depth z, with another colour at each vertex.
 void sheet(float left, float bottom, float right, float top, float z, float alpha);
 
-/// A plane from under the eye to the horizon, a texture a metre.
+/// Draws a plane from under the eye to the horizon, with a texture that repeats every metre.
 void ground();
 
-/// A sphere of radius 1, that many rings of quads, with normals and texture coordinates.
+/// Draws a sphere of radius 1 with normals and texture coordinates, from that many rings of quads.
 void sphere(int rings);
 
 /// The programs of corpus_fragments.cpp and corpus_textures.cpp.

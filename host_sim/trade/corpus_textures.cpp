@@ -1,5 +1,5 @@
-// Programs of the corpus whose subject is what colours a fragment: environments, generated coordinates,
-// wraps, images of other shapes, lights.
+// Programs of the corpus about what colours a fragment: environments, generated coordinates, wraps, images of
+// other shapes, lights.
 #include "host_sim/trade/corpus_parts.hpp"
 
 #include <initializer_list>
@@ -13,7 +13,7 @@ namespace spangle::trade {
 
 namespace {
 
-/// An image of normals, as DOT3 reads them: a bump in the middle of each eighth.
+/// Makes an image of normals, as DOT3 reads them, with a bump in the middle of each cell of 8 texels.
 void make_bumps() {
     constexpr int size = 32, bump = 8;
     std::vector<GLubyte> texels;

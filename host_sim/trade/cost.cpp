@@ -18,9 +18,9 @@ namespace spangle::trade {
 namespace {
 
 constexpr int rounds = 15;
-constexpr double round_time = 4000; ///< microseconds
+constexpr double round_time = 4000; ///< us
 
-/// Of whole frames, for at least the time of a round.
+/// The mean time of whole frames, in microseconds, over at least the time of a round.
 double microseconds_of_frame(const Program& program, int frames) {
     const double start = thread_microseconds();
     int drawn = 0;
@@ -52,7 +52,7 @@ std::vector<double> frame_times(const Program& program, const std::vector<Tier>&
             if (drawn[i]) {
                 screens[i].make_current();
                 const double time = microseconds_of_frame(program, s.frames);
-                if (round != 0) // the first one warms up
+                if (round != 0) // the first round warms up
                     times[i].push_back(time);
             }
     std::vector<double> out;
@@ -65,7 +65,7 @@ std::vector<double> frame_times(const Program& program, const std::vector<Tier>&
 Work work_of_frames(const Program& program, const Tier& tier, const Format& format, const Setting& s) {
     Offscreen screen;
     Work out;
-    if (program.recording != nullptr || // another process draws it
+    if (program.recording != nullptr || // another process draws a recorded program
         !screen.open(program, s.width, s.height, format.format, tier.precision, s.dither, own_knobs(tier))
              .empty())
         return out;
@@ -90,7 +90,7 @@ std::string target_column(const std::string& target, const std::string& figure) 
 
 namespace {
 
-/// Instructions, and what they are for each pixel and triangle.
+/// Appends the instructions, in all and for each pixel and triangle. Missing figures are empty cells.
 void append_instructions(Table::Row& out, std::uint64_t instructions, const Work& work) {
     const auto per = [&](double n) {
         return instructions != 0 && n > 0 ? fmt::format("{:.1f}", static_cast<double>(instructions) / n) : "";
@@ -107,7 +107,8 @@ Table::Row cost_columns() {
                       "microseconds", "relative", "triangles", "fragments"};
     for (const std::string& target : target_names())
         for (const char* figure : {"instructions", "per_pixel", "per_triangle", "flash", "ram"})
-            if (target != host_target || figure[0] == 'i' || figure[0] == 'p') // a host has no image
+            if (target != host_target || figure[0] == 'i' ||
+                figure[0] == 'p') // the host has no image whose flash and RAM could be told
                 out.push_back(target_column(target, figure));
     return out;
 }

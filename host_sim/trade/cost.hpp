@@ -1,4 +1,4 @@
-// What does a frame cost in each tier, compared in one run on this machine?
+// What a frame costs in each tier, compared in one run on this machine.
 #pragma once
 
 #include <map>
@@ -13,36 +13,37 @@
 
 namespace spangle::trade {
 
-/// Instructions are counted of these frames, once frame 0 was drawn, on every target.
+/// The frames whose instructions are counted on every target, after frame 0 was drawn.
 inline constexpr int first_counted = 1, counted_frames = 4;
 
-/// Microseconds of the processor for a frame of each tier: the least of rounds that take the tiers by turns,
-/// so that all of them see the same machine; negative where the tier cannot be drawn.
+/// Microseconds of processor time for a frame in each tier: the least of several rounds. Rounds take the
+/// tiers by turns, so that all tiers see the same machine. A negative time stands for a tier that cannot be
+/// drawn.
 std::vector<double> frame_times(const Program& program, const std::vector<Tier>& chosen, const Format& format,
                                 const Setting& setting);
 
-/// What is drawn in the frames whose instructions are counted.
+/// The work in the frames whose instructions are counted.
 struct Work {
-    double triangles = 0;   ///< of a frame that reach a pixel, lines and points among them
-    double fragments = 0;   ///< of a frame: covered, hidden or not
-    std::uint32_t hash = 0; ///< FNV-1a of the last one's RGBA, as tests/bench/picture_hash.hpp has it
+    double triangles = 0;   ///< of a frame, that reach a pixel; lines and points count, too
+    double fragments = 0;   ///< of a frame, that are covered, hidden or not
+    std::uint32_t hash = 0; ///< FNV-1a of the last frame's RGBA, as in tests/bench/picture_hash.hpp
 };
 Work work_of_frames(const Program& program, const Tier& tier, const Format& format, const Setting& setting);
 
-/// All that a row of cost.csv says.
+/// The figures of a row of cost.csv.
 struct Cost {
     double microseconds = -1, first = -1; ///< of this tier and of the first; negative: not measured
     Work work;
-    std::uint64_t instructions = 0;          ///< on this machine; 0: not counted
-    Work board_work;                         ///< what images draw
-    std::map<std::string, BoardCost> boards; ///< by the target's name
+    std::uint64_t instructions = 0;          ///< of a frame on this machine; 0: not counted
+    Work board_work;                         ///< work of the images of firmware
+    std::map<std::string, BoardCost> boards; ///< by name of the target
 };
 
-/// The columns of cost.csv, and a row of it: times are those of this machine, and relative to the first tier.
+/// The columns of cost.csv, and a row of it. Times are those of this machine, and relative to the first tier.
 Table::Row cost_columns();
 Table::Row cost_row(const Job& job, const Tier& tier, const Cost& cost);
 
-/// The column of a target's figure: "instructions", "per_pixel", "per_triangle", "flash", "ram".
+/// The name of the column of a target's figure: "instructions", "per_pixel", "per_triangle", "flash", "ram".
 std::string target_column(const std::string& target, const std::string& figure);
 
 } // namespace spangle::trade

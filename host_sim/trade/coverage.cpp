@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::int64_t one = raster::subpixel_one;
 
-/// Left and bottom edges own the centres on them (raster/primitive/edge.hpp); counter-clockwise corners, y
-/// up.
+/// Whether an edge owns the centres on it: left and bottom edges do (raster/primitive/edge.hpp). Vertices are
+/// counter-clockwise, y points up.
 bool owns(std::int64_t dx, std::int64_t dy) {
     return dy < 0 || (dy == 0 && dx > 0);
 }
@@ -45,7 +45,7 @@ void Coverage::begin(const std::int32_t x[3], const std::int32_t y[3], const dou
     triangle_.has_exact = exact_x != nullptr;
     const std::int64_t area = (std::int64_t{x[1]} - x[0]) * (std::int64_t{y[2]} - y[0]) -
                               (std::int64_t{x[2]} - x[0]) * (std::int64_t{y[1]} - y[0]);
-    for (int i = 0; i < 3; ++i) { // counter-clockwise
+    for (int i = 0; i < 3; ++i) { // makes the vertices counter-clockwise
         const int from = area < 0 ? 2 - i : i;
         triangle_.x[i] = x[from];
         triangle_.y[i] = y[from];
@@ -81,7 +81,8 @@ bool Coverage::inside_exact(double px, double py) const {
         const double dx = triangle_.exact_x[j] - triangle_.exact_x[i],
                      dy = triangle_.exact_y[j] - triangle_.exact_y[i];
         const double e = dx * (py - triangle_.exact_y[i]) - dy * (px - triangle_.exact_x[i]);
-        const double on_edge = 1e-9 * (std::fabs(dx) + std::fabs(dy)); // a centre this close is on it
+        const double on_edge =
+            1e-9 * (std::fabs(dx) + std::fabs(dy)); // a centre this close to the edge counts as on it
         if (e < -on_edge || (e <= on_edge && !(dy < 0.0 || (dy == 0.0 && dx > 0.0))))
             return false;
     }

@@ -1,5 +1,5 @@
-// Which pixels were covered, and whether they were the right ones: every triangle is held against brute force
-// on its own snapped vertices, and where the policy knows them, on the unsnapped ones.
+// Counts the covered pixels, and checks that they are the right ones. Every triangle is compared with brute
+// force on its own snapped vertices and, where the policy knows them, on the unsnapped vertices.
 #pragma once
 
 #include <cstdint>
@@ -9,24 +9,26 @@
 
 namespace spangle::trade {
 
-/// What the triangles of one frame cover: one flag per pixel, rows from the bottom.
+/// The pixels that the triangles of one frame cover: one flag per pixel, rows from the bottom.
 struct FrameCoverage {
-    std::vector<bool> snapped; ///< their vertices on the n.8 grid, as the policy snapped them
+    std::vector<bool> snapped; ///< by vertices on the n.8 grid, as the policy snapped them
     std::vector<bool>
-        exact; ///< where the policy knows them, their vertices as they were before; else snapped
+        exact; ///< by vertices before snapping, where the policy knows them; else by snapped ones
 };
-/// Pixels that only one of the two covers.
+/// The number of pixels that only one of the two covers.
 std::uint64_t differences(const std::vector<bool>& a, const std::vector<bool>& b);
 
 class Coverage : public raster::Observer {
   public:
     Coverage(int width, int height);
 
-    /// Call at the end of each frame.
+    /// Ends the frame and returns its coverage; call it after each frame.
     FrameCoverage end_frame();
 
-    std::uint64_t mismatches() const { return mismatches_; } ///< pixels, on snapped vertices
-    /// Pixels anything was drawn to since the last call, top row first.
+    std::uint64_t mismatches() const {
+        return mismatches_;
+    } ///< pixels whose coverage is not brute force's, on snapped vertices
+    /// The pixels that anything was drawn to since the last call, top row first.
     std::vector<bool> take_mask();
 
   private:

@@ -1,4 +1,4 @@
-// What an image takes of flash and RAM, from its sections.
+// The flash and RAM that an ELF image takes, from its sections.
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -11,7 +11,7 @@ namespace spangle::trade {
 
 namespace {
 
-/// A structure of the file, or false where the file ends before.
+/// Reads a structure of the file. Returns false where the file ends too early.
 template <class T> bool take(const std::string& bytes, std::uint64_t at, T& out) {
     if (at > bytes.size() || bytes.size() - at < sizeof out)
         return false;
@@ -44,7 +44,8 @@ std::string read_sizes(const std::string& image, ImageSizes& out) {
             return "'" + image + "' is cut off";
         if ((s.sh_flags & SHF_ALLOC) == 0)
             continue;
-        // Stored is what has bytes; writable it is copied to RAM first. The stack is measured, not reserved.
+        // Sections with bytes are stored in flash; writable sections are copied to RAM first. The stack is
+        // measured, not reserved, so that its section does not count.
         const std::uint64_t name = std::uint64_t{names.sh_offset} + s.sh_name;
         const bool stack = name < bytes.size() && std::strcmp(bytes.c_str() + name, ".stack") == 0;
         out.flash += s.sh_type != SHT_NOBITS ? s.sh_size : 0;

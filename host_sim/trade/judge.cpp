@@ -14,7 +14,7 @@ sim::Image image_of(const DrawnPicture& drawn) {
         std::copy_n(drawn.rgba.begin() + static_cast<std::ptrdiff_t>(row) * (drawn.height - 1 - y), row,
                     out.rgba.begin() + static_cast<std::ptrdiff_t>(row) * y);
     for (std::size_t i = 3; i < out.rgba.size(); i += 4)
-        out.rgba[i] = 255; // alpha is no part of what is seen
+        out.rgba[i] = 255; // alpha is not seen
     return out;
 }
 

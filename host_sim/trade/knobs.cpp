@@ -34,7 +34,7 @@ bool is_name(std::string_view name) {
     });
 }
 
-/// Value of one knob; false: it has no such value.
+/// Reads the value of a knob. Returns false if the knob has no such value.
 bool read_value(const Knob& knob, std::string_view text, std::uint8_t& out) {
     for (const Knob::Word& word : knob.words)
         if (text == word.text) {

@@ -1,4 +1,4 @@
-// The knobs of a tier by name, and tiers that a user composes of them.
+// The knobs of a tier by name, and tiers that a user composes of knobs.
 #pragma once
 
 #include <cstdint>
@@ -17,27 +17,28 @@ struct Knob {
         std::uint8_t value;
     };
     const char* name;
-    int least, most;         ///< numbers it takes; none where most is below
-    std::vector<Word> words; ///< and words
-    const char* trades;      ///< a sentence
+    int least, most;         ///< numbers that the knob takes; none if most < least
+    std::vector<Word> words; ///< words that it takes beside numbers
+    const char* trades;      ///< what the knob trades, as a sentence
     std::uint8_t (*get)(const raster::Knobs&);
     void (*set)(raster::Knobs&, std::uint8_t);
 
-    std::string text(const raster::Knobs& knobs) const; ///< its value, as it is read
+    std::string text(const raster::Knobs& knobs) const; ///< the value, in the form in which it is read
     std::string range() const;                          ///< "2 to 13, or never"
 };
 
-/// Every field, in the order of the struct.
+/// A knob for every field, in the order of the struct.
 const std::vector<Knob>& knobs();
 
-/// Reads "BASE[,KNOB=VALUE...]", BASE a tier. Empty, or what is wrong with it.
+/// Reads "BASE[,KNOB=VALUE...]", where BASE is the name of a tier. Returns what is wrong with the text, or an
+/// empty string.
 std::string read_knobs(std::string_view words, Tier& out);
-/// Reads "NAME=BASE[,KNOB=VALUE...]". A name has letters, digits and '-', and is none of `taken`. Empty, or
-/// what is wrong with it.
+/// Reads "NAME=BASE[,KNOB=VALUE...]". A name has letters, digits and '-', and is no name in `taken`. Returns
+/// what is wrong with the text, or an empty string.
 std::string read_tier(std::string_view words, const std::vector<Tier>& taken, Tier& out);
 
-/// A table of all knobs: ranges, values of the three tiers and of a user's own ones, what each trades. At
-/// least two spaces lie between columns.
+/// A table of all knobs: their ranges, their values in the three tiers and in a user's own tiers, and what
+/// each trades. At least two spaces lie between columns.
 std::string knob_table(const std::vector<Tier>& own = {});
 
 } // namespace spangle::trade

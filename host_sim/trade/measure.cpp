@@ -21,7 +21,7 @@ namespace spangle::trade {
 
 namespace {
 
-/// A context that is drawn with and watched.
+/// A context whose drawing is counted and watched.
 struct Watched {
     Offscreen screen;
     std::optional<Coverage> coverage;
@@ -73,7 +73,7 @@ void measure_pictures(const Program& program, const Tier& tier, const Format& fo
     out.off_own = ours.coverage ? ours.coverage->mismatches() : 0;
 }
 
-/// What the format costs, too.
+/// Measures the whole difference, of tier and format together, against double in eight bits.
 void measure_against_plain(const Program& program, const Setting& s, Measured& out) {
     Offscreen plain;
     Setting undithered = s;
@@ -102,7 +102,8 @@ void measure_stages(const Program& program, const Tier& tier, const Format& form
         out.problem = program.name + ": the shadow draws another picture";
 }
 
-/// Frames on a simulated ILI9341, each sent as far as it differs from what the panel holds.
+/// Sends frames to a simulated ILI9341. Of each frame only those parts are sent that differ from what the
+/// panel holds.
 void measure_bus(const Program& program, const Tier& tier, const Setting& s, Measured& out) {
     sim::SimBoard board(boards::ili9341_spi);
     const EGLDisplay display = eglGetDisplay(native(board.display()));

@@ -13,7 +13,8 @@ namespace spangle::trade {
 
 namespace {
 
-/// Reads frame after frame of a capture. False, and `problem`, where one is missing or has another size.
+/// Reads the next frame of a capture. Returns false, and sets `problem`, where it is missing or has another
+/// size.
 bool read(CaptureReader& from, int frame, const Setting& s, DrawnFrame& out, std::string& problem) {
     double time = 0;
     if (!from.next(out, time))
@@ -24,14 +25,14 @@ bool read(CaptureReader& from, int frame, const Setting& s, DrawnFrame& out, std
     return problem.empty();
 }
 
-/// The figures that follow the last frame.
+/// Checks that the figures follow the last frame. Returns what is wrong, or an empty string.
 std::string read_end(CaptureReader& from) {
     DrawnFrame none;
     double time = 0;
     return !from.next(none, time) && from.whole() ? "" : "the replay left no figures";
 }
 
-/// The columns of a row that differ, from the first to the last.
+/// The columns from the first to the last in which two rows differ.
 RowSpan differing(const std::uint8_t* a, const std::uint8_t* b, std::int32_t width) {
     constexpr int bytes = 2;
     const auto differs = [&](std::int32_t x) {
@@ -45,7 +46,8 @@ RowSpan differing(const std::uint8_t* a, const std::uint8_t* b, std::int32_t wid
     return {static_cast<std::int16_t>(first), static_cast<std::int16_t>(last)};
 }
 
-/// Frames on a simulated ILI9341, each sent as far as it differs from the one before.
+/// Sends frames to a simulated ILI9341. Of each frame only those parts are sent that differ from the frame
+/// before.
 class Bus {
   public:
     Bus() { usable_ = board_.display().init().ok(); }

@@ -9,8 +9,8 @@ namespace spangle::trade {
 
 namespace {
 
-/// The least config of that kind with a depth buffer, or null. Pbuffers say in the low byte of the visual how
-/// their pixels lie.
+/// Returns the first config of that kind with a depth buffer, or null. The low byte of a pbuffer's visual
+/// tells the layout of its pixels.
 EGLConfig choose(EGLDisplay display, PixelFormat format, EGLint precision, bool stencil) {
     const EGLint wish[] = {EGL_RENDERABLE_TYPE,
                            EGL_OPENGL_BIT,
@@ -67,7 +67,8 @@ std::string Offscreen::open(const Program& program, int width, int height, Pixel
                            static_cast<unsigned>(eglGetError()));
     if (knobs != nullptr && !use_tier(*knobs))
         return "this build has no tiers of your own: it lacks one of the three";
-    // Programs that draw without these buffers, or without clearing them, leave what was there before.
+    // A program that draws without these buffers, or without clearing them, would leave what was there
+    // before.
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     program.setup(width, height);
     (dither ? glEnable : glDisable)(GL_DITHER);

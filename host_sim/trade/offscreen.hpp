@@ -19,8 +19,8 @@ class Offscreen {
     Offscreen(const Offscreen&) = delete;
     Offscreen& operator=(const Offscreen&) = delete;
 
-    /// Makes it current and sets the program up. Empty, or why it cannot be.
-    /// `knobs`: of an own tier, or null.
+    /// Makes the context, makes it current, and sets the program up. `knobs` are those of a tier that the
+    /// user composed, or null. Returns why it cannot be drawn, or an empty string.
     std::string open(const Program& program, int width, int height, PixelFormat format, EGLint precision,
                      bool dither, const raster::Knobs* knobs = nullptr);
     void make_current() const;

@@ -34,7 +34,7 @@ label{display:block;margin-bottom:.6em}input[type=range]{width:320px;vertical-al
 </style></head><body>
 )";
 
-/// The slider of a program shows the pictures of one tier.
+/// The script of the page. The slider of a program shows the pictures of one tier.
 constexpr const char* foot = R"(<script>
 for (const scene of document.querySelectorAll('.scene')) {
   const slider = scene.querySelector('input');
@@ -112,7 +112,7 @@ class Page {
     const Table &accuracy_, &cost_;
     std::string html_, problem_, note_;
 
-    /// A plot for each axis that has figures; a list chooses which one is shown.
+    /// Adds a plot for each axis that has figures; a list selects which plot is shown.
     void tier_plots() {
         const std::vector<Axis> axes = axes_of(cost_);
         if (axes.empty())
@@ -129,7 +129,7 @@ class Page {
                  "Higher is nearer to double, further left is quicker. A name without room is left out.",
                  fmt::format(" data-axis={}", i));
             if (!tiers.problem.empty())
-                return; // the others have the same
+                return; // the other axes have the same problem
         }
     }
 
@@ -231,7 +231,7 @@ class Page {
                            base64(bytes.str()));
     }
 
-    /// The rows of one program in one format: its tiers.
+    /// Adds the rows of one program in one format, one for each tier.
     void scene(const std::vector<const Table::Row*>& rows) {
         const std::string &job = accuracy_.text(*rows.front(), "job"),
                           &name = accuracy_.text(*rows.front(), "scene"),

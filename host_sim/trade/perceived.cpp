@@ -8,10 +8,10 @@ namespace spangle::trade {
 
 namespace {
 
-/// Three planes of numbers.
+/// Three planes of numbers, a number for each pixel.
 using Planes = std::array<std::vector<double>, 3>;
 
-/// Reference white of sRGB, D65.
+/// The reference white of sRGB, D65, as X, Y, Z.
 constexpr double white[3] = {0.950428545, 1.0, 1.088900371};
 
 double linear(std::uint8_t v) {
@@ -27,7 +27,7 @@ void to_xyz(const double rgb[3], double xyz[3]) {
         xyz[i] = (m[i][0] * rgb[0] + m[i][1] * rgb[1] + m[i][2] * rgb[2]) / white[i];
 }
 
-/// CIELab of X, Y, Z over those of white.
+/// The CIELab colour of X, Y, Z, each relative to that of white.
 std::array<double, 3> lab(const double v[3]) {
     const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116; };
     const double x = f(v[0]), y = f(v[1]), z = f(v[2]);
@@ -52,7 +52,7 @@ Planes opponents(const sim::Image& image) {
     return out;
 }
 
-/// A Gaussian of that deviation in pixels along one axis; beyond the border the last value goes on.
+/// A Gaussian along one axis, of that deviation in pixels. Beyond the border the last value continues.
 std::vector<double> blurred(const std::vector<double>& from, int width, int height, int step_x, int step_y,
                             double deviation) {
     const int reach = static_cast<int>(std::ceil(3 * deviation));
@@ -74,7 +74,7 @@ std::vector<double> blurred(const std::vector<double>& from, int width, int heig
     return out;
 }
 
-/// What the eye makes of a picture: FLIP's contrast sensitivity, as one Gaussian for each channel.
+/// The picture as the eye sees it: FLIP's contrast sensitivity, as one Gaussian for each channel.
 Planes seen(const sim::Image& image) {
     constexpr double deviation[3] = {0.72, 1.1, 1.9}; // luminance, red-green, blue-yellow
     Planes planes = opponents(image);
@@ -99,7 +99,8 @@ double hyab(const std::array<double, 3>& a, const std::array<double, 3>& b) {
     return std::fabs(a[0] - b[0]) + std::hypot(a[1] - b[1], a[2] - b[2]);
 }
 
-/// FLIP's exponent, and its map of errors into 0 .. 1: most of the range is for errors that are not extreme.
+/// FLIP's exponent, and its map of errors into 0 .. 1, which gives most of the range to errors that are not
+/// extreme.
 double squeezed(double distance, double largest) {
     constexpr double exponent = 0.7, knee = 0.4, at_knee = 0.95;
     const double error = std::pow(distance, exponent), most = std::pow(largest, exponent), bend = knee * most;

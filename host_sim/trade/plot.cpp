@@ -17,7 +17,7 @@ namespace spangle::trade {
 
 namespace {
 
-/// What gnuplot makes of a script.
+/// Lets gnuplot draw a script.
 Plot drawn(const std::string& script) {
     process::Scratch in;
     const process::Scratch out;
@@ -33,13 +33,13 @@ Plot drawn(const std::string& script) {
     else
         plot.svg = out.text();
     if (const std::size_t start = plot.svg.find("<svg"); start != std::string::npos)
-        plot.svg.erase(0, start); // a page has a head of its own
+        plot.svg.erase(0, start); // the page has a head of its own
     else if (plot.problem.empty())
         plot.problem = "gnuplot drew nothing";
     return plot;
 }
 
-/// A word that gnuplot reads as it is.
+/// The text as a string that gnuplot reads as it is; characters that it would interpret become '_'.
 std::string word(const std::string& text) {
     std::string out = "\"";
     for (const char c : text)
@@ -47,7 +47,7 @@ std::string word(const std::string& text) {
     return out + '"';
 }
 
-/// The area of a plot, in pixels of a picture of 760x420: names are placed by it.
+/// The place of the plot's area in a picture of 760x420 pixels. The places of names depend on it.
 constexpr double picture_width = 760, picture_height = 420;
 constexpr double area_left = 68, area_right = 650, area_bottom = 60, area_top = 410;
 constexpr double area_width = area_right - area_left, area_height = area_top - area_bottom;
@@ -55,13 +55,13 @@ constexpr double area_width = area_right - area_left, area_height = area_top - a
 struct Dot {
     std::string tier;
     double x, y;
-    std::string name; ///< empty: it has none
+    std::string name; ///< name beside the point; empty: none
 };
 
-/// An axis from the least to the most of its values, and a little beyond.
+/// The range of an axis, from the least to the most of its values and a little beyond.
 struct Scale {
     double least, most;
-    bool by_octaves; ///< logarithms to the base of 2
+    bool by_octaves; ///< logarithmic, to the base of 2
 
     double place(double v) const {
         const auto at = [&](double x) { return by_octaves ? std::log2(x) : x; };
@@ -82,7 +82,7 @@ template <class Get> Scale scale_of(const std::vector<Dot>& dots, bool by_octave
     return {least - beyond, most + beyond, false};
 }
 
-/// Every tier has a colour, its points, and their names.
+/// The plot of the dots. Each tier has its own colour, for its points and their names.
 std::string plotted(const std::vector<Dot>& dots, const std::vector<std::string>& tiers, bool by_octaves) {
     constexpr const char* colors[] = {"#1b6ca8", "#e08e0b", "#c0392b", "#2e8b57", "#7d3c98", "#555555"};
     const Scale across = scale_of(dots, by_octaves, [](const Dot&dot) { return dot.x; }),
@@ -130,7 +130,7 @@ std::string look() {
         area_bottom / picture_height, area_top / picture_height);
 }
 
-/// In the order of their rows.
+/// The names of the tiers, in the order of their rows.
 std::vector<std::string> tier_names(const Table& accuracy) {
     std::vector<std::string> names;
     for (const Table::Row& row : accuracy.rows)
@@ -140,7 +140,8 @@ std::vector<std::string> tier_names(const Table& accuracy) {
     return names;
 }
 
-/// Where all that is the same as the reference and costs the same lies: there names would cover each other.
+/// Whether a point lies where all tiers meet that equal the reference and cost the same. Names would cover
+/// each other there.
 bool is_crowded(double relative, double psnr) {
     return psnr == PictureError::alike && relative > 0.9 && relative < 1.1;
 }

@@ -1,4 +1,4 @@
-// Figures as pictures: gnuplot draws, as SVG.
+// Plots of figures as SVG, which gnuplot draws.
 #pragma once
 
 #include <string>
@@ -8,23 +8,24 @@
 
 namespace spangle::trade {
 
-/// An SVG element, or why there is none: gnuplot (Debian: gnuplot-nox) is asked for as a program.
+/// An SVG element, or the problem why there is none. gnuplot (Debian: gnuplot-nox) runs as a program.
 struct Plot {
     std::string svg, problem;
 };
 
-/// What frames of all tiers may be compared by: a column of cost.csv.
+/// A figure by which frames of all tiers may be compared: a column of cost.csv.
 struct Axis {
     std::string column;   ///< "microseconds", "m4_instructions", ...
     std::string name;     ///< "time", "instructions on m4", "flash on m4", ...
-    bool of_frame = true; ///< else it is one of the whole image
+    bool of_frame = true; ///< false: a figure of the whole image
 };
 /// The axes that have figures: instructions on boards and on this machine, time, flash and RAM.
 std::vector<Axis> axes_of(const Table& cost);
 
-/// A figure relative to that of the first tier against decibels in 565, a point for each program and tier.
+/// Plots a figure relative to that of the first tier against PSNR in 565, with a point for each program and
+/// tier.
 Plot plot_tiers(const Table& accuracy, const Table& cost, const Axis& axis);
-/// Bytes of a frame against how different it looks from one in eight bits, of the first tier.
+/// Plots the bytes of a frame against how different it looks from a frame in eight bits, for the first tier.
 Plot plot_formats(const Table& accuracy);
 
 } // namespace spangle::trade

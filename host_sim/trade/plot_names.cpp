@@ -27,7 +27,7 @@ Box box_of_name(const NamePlace& place, double length) {
     return {place.x, place.y - letter_height / 2, place.x + length, place.y + letter_height / 2};
 }
 
-/// In the order in which they are tried.
+/// The places for a name around its point, in the order in which they are tried.
 std::vector<NamePlace> places_around(const NamedPoint& point, double length) {
     std::vector<NamePlace> out;
     for (const double away : {radius + 2, 2 * radius + 4, 4 * radius}) {

@@ -1,4 +1,4 @@
-// Where the names of a plot's points stand, so that none covers another.
+// Finds places for the names of a plot's points, so that no name covers another.
 #pragma once
 
 #include <optional>
@@ -13,13 +13,13 @@ struct NamedPoint {
     std::string name;
 };
 
-/// Where a name begins, at half of its height.
+/// The place of a name: its left end, at half of its height.
 struct NamePlace {
     double x, y;
 };
 
-/// Names stand right of their points, left, above or below, nearer before further, inside of the area and
-/// clear of all points and of names placed before. A name that finds no room has no place.
+/// Places each name right of its point, left, above or below, nearer before further. A name lies inside the
+/// area, and clear of all points and of names placed before. A name without room has no place.
 std::vector<std::optional<NamePlace>> place_names(const std::vector<NamedPoint>& points, double width,
                                                   double height);
 

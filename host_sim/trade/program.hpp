@@ -1,4 +1,5 @@
-// What is measured: anything that draws numbered frames with public GL, as often as it is asked to.
+// A program that can be measured: anything that draws numbered frames with public GL, as often as it is asked
+// to.
 #pragma once
 
 #include <functional>
@@ -11,12 +12,13 @@ class Recording;
 
 struct Program {
     std::string name;
-    std::function<void(int width, int height)> setup; ///< in a fresh context
-    std::function<void(int frame)> draw;              ///< frames do not depend on each other
-    bool stencil = false;                             ///< it needs a stencil buffer
-    /// Not null: a process of its own draws it, and the functions are empty (recording.hpp).
+    std::function<void(int width, int height)> setup; ///< called in a fresh context
+    std::function<void(int frame)> draw;              ///< draws a frame, which depends on no other
+    bool stencil = false;                             ///< needs a stencil buffer
+    /// If not null, a process of its own draws the program, and the functions above are empty
+    /// (recording.hpp).
     std::shared_ptr<Recording> recording{};
-    /// What images of firmware draw, where that is not the same: a model as it was baked.
+    /// What images of firmware draw, where that differs: a model as it was baked.
     std::shared_ptr<const Program> on_board{};
 };
 

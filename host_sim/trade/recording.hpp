@@ -1,5 +1,5 @@
-// A program that is known by its calls alone, as a trace has them: a process of its own draws them, the same
-// ones each time, in any format and precision.
+// A program that is known by its calls alone, as a trace has them. A process of its own makes the same calls
+// each time, in any format and precision.
 #pragma once
 
 #include <string>
@@ -14,18 +14,18 @@ class Recording {
   public:
     virtual ~Recording() = default;
 
-    /// Size and frames become those that it has: frames are the first of it, as many as were wished if there
-    /// are so many. Empty, or why it cannot be drawn.
+    /// Sets the size to that of the program, and the number of frames to at most the number it has. The first
+    /// frames are used. Returns why it cannot be drawn, or an empty string.
     virtual std::string settle(Setting& setting) = 0;
-    /// Draws it. Empty, or why not.
+    /// Draws the program into a capture. Returns what went wrong, or an empty string.
     virtual std::string capture(PixelFormat format, EGLint precision, const Setting& setting,
                                 CaptureReader& out) = 0;
-    /// As frame_times().
+    /// Microseconds of a frame in each tier, as frame_times() returns them.
     virtual std::vector<double> times(const std::vector<Tier>& chosen, const Format& format,
                                       const Setting& setting) = 0;
 };
 
-/// What measure() does with one.
+/// Does what measure() does, for a recorded program.
 Measured measure_recording(const Program& program, const Tier& tier, const Format& format,
                            const Setting& setting);
 

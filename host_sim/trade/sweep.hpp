@@ -1,4 +1,5 @@
-// Every program in every format and tier, or a part of them: the figures and pictures of a folder.
+// Measures every program in every format and tier, or a part of them, and writes figures and pictures into a
+// folder.
 #pragma once
 
 #include <functional>
@@ -19,28 +20,29 @@ struct Sweep {
     std::vector<Tier> tiers;
     std::vector<Format> formats;
     Setting setting;
-    int shard = 1, shards = 1; ///< jobs whose number mod shards is shard - 1
+    int shard = 1, shards = 1; ///< this sweep takes jobs whose number mod shards is shard - 1
     bool times = true;
-    /// Instructions of a frame, or 0 where nobody counts them.
+    /// Counts the instructions of a frame; returns 0 where nobody counts them.
     std::function<std::uint64_t(const Program&, const Tier&, const Format&)> count;
-    /// The targets beside this machine, and what counts on them: nothing where it cannot.
+    /// The targets beside this machine, and the function that counts on them. It returns nothing where it
+    /// cannot.
     std::vector<Target> targets;
     std::function<std::optional<BoardCost>(const Target&, const Program&, const Tier&, const Format&,
                                            const Work&)>
         count_board;
-    /// Told before each job.
+    /// Is called before each job.
     std::function<void(const Job&)> progress = [](const Job&) {};
 };
 
 struct Swept {
     Table accuracy, cost;
-    std::string problem; ///< empty: everything was measured and written
+    std::string problem; ///< empty if everything was measured and written
 };
 
 /// Makes the folder, measures, and writes accuracy.csv, cost.csv and the pictures.
 Swept sweep(const Sweep& what, const std::string& folder);
 
-/// Puts the folders of shards together: CSV files and pictures, as one sweep would have written them.
+/// Merges the folders of shards: CSV files and pictures become those that one sweep would have written.
 Swept merge_folders(const std::vector<std::string>& parts, const std::string& folder);
 
 } // namespace spangle::trade

@@ -20,7 +20,7 @@ std::string quoted(const std::string& cell) {
     return out + '"';
 }
 
-/// "vertex_color" of "vertex color".
+/// The name of a column: "vertex_color" of "vertex color".
 std::string column_of(const char* stage) {
     std::string out = stage;
     for (char& c : out)
@@ -32,7 +32,7 @@ std::string figure(double v) {
     return fmt::format("{:.6g}", v);
 }
 
-/// Cells of one line, which ends behind it.
+/// Reads the cells of one line; `at` moves to the next line. Returns false where quotes are wrong.
 bool read_line(std::string_view text, std::size_t& at, Table::Row& row) {
     for (std::string cell;; cell.clear()) {
         if (at < text.size() && text[at] == '"') {

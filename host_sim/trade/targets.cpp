@@ -13,10 +13,10 @@ namespace spangle::trade {
 
 namespace {
 
-constexpr const char* most_seconds = "600"; ///< of an image
+constexpr const char* most_seconds = "600"; ///< s that an image may run
 
 std::vector<std::string> command_of(const Target& target, const std::string& image, const Setting& s) {
-    // Words of the program come by semihosting; the first one stands for its name.
+    // The program's arguments come by semihosting; the first one stands for the program's name.
     std::string arguments;
     for (const std::string& word :
          {std::string("spangle"), std::to_string(s.width), std::to_string(s.height),
@@ -33,8 +33,8 @@ std::vector<std::string> command_of(const Target& target, const std::string& ima
 } // namespace
 
 const std::vector<Target>& targets() {
-    // No emulated board with a Cortex-M0+ has the memory: its code runs on the M3, whose instructions contain
-    // the M0+'s.
+    // No emulated board with a Cortex-M0+ has enough memory. Its code runs on the Cortex-M3, whose
+    // instructions contain those of the M0+.
     static const std::vector<Target> all = {
         {"m0plus", "Cortex-M0+", {"qemu-system-arm", "-M", "mps2-an385"}},
         {"m3", "Cortex-M3", {"qemu-system-arm", "-M", "mps2-an385"}},
