@@ -11,7 +11,7 @@ namespace {
 using Color = std::array<int, 3>;
 
 constexpr int tables = 8, candidates = 27;
-/// Table 3.17.2: what a texel's two bits, most significant first, add to the base colour.
+/// What the two bits of a texel, most significant first, add to the base colour (table 3.17.2).
 constexpr int steps[tables][4] = {{2, 8, -2, -8},       {5, 17, -5, -17},    {9, 29, -9, -29},
                                   {13, 42, -13, -42},   {18, 60, -18, -60},  {24, 80, -24, -80},
                                   {33, 106, -33, -106}, {47, 183, -47, -183}};
@@ -20,18 +20,19 @@ int moved(int base, int step) {
     return std::clamp(base + step, 0, 255);
 }
 
-/// Which half of a block texel (x, y) is in: side by side, or flipped, one above the other.
+/// Whether texel (x, y) lies in the second half of a block. The halves lie side by side or, flipped, one
+/// above the other.
 bool in_second(bool flip, int x, int y) {
     return (flip ? y : x) >= 2;
 }
 
 struct Texels {
-    Color color[16]; ///< texel x * 4 + y, the order of their bits
+    Color color[16]; ///< texel x * 4 + y, in the order of their bits
 };
 
-/// Half a block around one base colour: its best table and error.
+/// Half a block around one base colour, with its best table and its error.
 struct Half {
-    Color code{}; ///< of the base, in 4 or 5 bits
+    Color code{}; ///< base colour, in 4 or 5 bits a component
     int table = 0;
     long error = LONG_MAX;
 };
@@ -40,7 +41,7 @@ int expanded(int code, int bits) {
     return bits == 4 ? code * 17 : code << 3 | code >> 2;
 }
 
-/// The texel's best step of a table.
+/// The step of a table that comes nearest to the texel.
 int best_step(const Color& base, const Color& texel, int table, long& error) {
     int best = 0;
     error = LONG_MAX;
@@ -79,7 +80,7 @@ Half fit(const Texels& texels, bool flip, bool second, const Color& code, int bi
     return half;
 }
 
-/// Base colours around the mean of the half.
+/// Fits half a block with base colours around its mean.
 std::array<Half, candidates> fits(const Texels& texels, bool flip, bool second, int bits) {
     const int most = (1 << bits) - 1;
     Color sum{};
@@ -104,7 +105,8 @@ struct Block {
     long error = LONG_MAX;
 };
 
-/// The second base is at most three steps above and four below the first.
+/// Whether the difference of two base codes can be stored: per component, the second is at most three above
+/// and four below the first.
 bool is_near(const Color& a, const Color& b) {
     for (std::size_t c = 0; c < 3; ++c)
         if (b[c] - a[c] < -4 || b[c] - a[c] > 3)

@@ -12,7 +12,7 @@ using Kind = cli::ModelPart::Kind;
 
 constexpr std::size_t widest = 116;
 
-/// Values in rows.
+/// Writes values into rows of text, each followed by a comma.
 std::string list_of(const std::vector<std::string>& values) {
     std::string out, line = "   ";
     for (const std::string& value : values) {
@@ -41,7 +41,7 @@ const char* token_of(Number number) {
     return names[static_cast<unsigned>(number)];
 }
 
-/// Floats as C++ reads them back to the bit.
+/// A float as text that C++ reads back to the bit.
 std::string real(double v) {
     std::string text = fmt::format("{}", static_cast<float>(v));
     if (text.find_first_of(".e") == std::string::npos)
@@ -53,7 +53,8 @@ std::string reals(const std::array<float, 4>& v) {
                        real(static_cast<double>(v[2])), real(static_cast<double>(v[3])));
 }
 
-/// Bytes, or words where texels are words: then they are aligned, whatever the linker does.
+/// The texels of a level as an array of bytes. Texels of 16 bits make an array of words, which is aligned
+/// whatever the linker does.
 std::string texels(const std::string& name, const TextureFormat& format, const BakedLevel& level) {
     std::vector<std::string> values;
     const bool words = format.kind == TexelKind::packed && format.texel_bytes == 2;

@@ -1,4 +1,4 @@
-// What was baked as a C++ header of constants (spangle/baked.hpp).
+// Writes what was baked as a C++ header of constants (spangle/baked.hpp).
 #pragma once
 
 #include <string>
@@ -10,16 +10,17 @@
 namespace spangle::bake {
 
 struct HeaderInput {
-    std::string name;      ///< of the namespace, inside of spangle::baked
-    std::string command;   ///< that writes it again
+    std::string name;      ///< name of the namespace inside of spangle::baked
+    std::string command;   ///< command that writes the header again
     const BakedMesh* mesh; ///< null: textures only
     const std::vector<BakedTexture>* textures;
-    const std::vector<bool>* translucent; ///< of the pictures
+    const std::vector<bool>* translucent; ///< of the pictures, in their order
 };
 
 std::string write_header(const HeaderInput& input);
 
-/// Letters, digits and underscores, not a digit first; empty: nothing of it can be kept.
+/// The text as an identifier: letters, digits and underscores, not beginning with a digit. Empty if nothing
+/// of the text can be kept.
 std::string identifier_of(const std::string& text);
 
 } // namespace spangle::bake

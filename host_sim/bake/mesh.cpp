@@ -34,7 +34,7 @@ template <class Get> double largest(const cli::Model& model, const Get& get) {
     return most;
 }
 
-/// What a normal's component reads as in GL (GL 1.3, table 2.6): (2 c + 1) / (2^b - 1).
+/// The value that GL reads from a normal's component (GL 1.3, table 2.6): (2 c + 1) / (2^b - 1).
 double normal_of(std::int32_t c, Number number) {
     return number == Number::fixed ? c / fixed_one : (2.0 * c + 1.0) / (2.0 * most_of(number) + 1.0);
 }
@@ -86,7 +86,7 @@ class Quantizer {
             given += n * n;
             kept += k * k;
         }
-        if (!(given > 0.0) || !(kept > 0.0)) // no direction to lose
+        if (!(given > 0.0) || !(kept > 0.0)) // a normal without a direction has none to lose
             return;
         const double cosine = std::clamp(dot / std::sqrt(given * kept), -1.0, 1.0);
         report_.normal_error = std::max(report_.normal_error, std::acos(cosine) * 180.0 / std::numbers::pi);
@@ -104,7 +104,8 @@ struct ByValue {
     bool operator()(const BakedVertex& a, const BakedVertex& b) const { return words(a) < words(b); }
 };
 
-/// Vertices that have become the same are one; triangles that have lost a corner cover nothing.
+/// Quantizes the vertices of a part. Vertices that become equal are merged; triangles that lose a vertex
+/// cover nothing and are dropped.
 void take_vertices(const Quantizer& quantizer, const cli::ModelPart& from, BakedPart& part) {
     std::map<BakedVertex, std::uint32_t, ByValue> known;
     std::vector<std::uint32_t> place;
@@ -143,7 +144,8 @@ void number_by_first_use(BakedPart& part) {
         index = place[index];
 }
 
-/// What the cache processes once vertices are numbered as they come.
+/// The number of vertices that the cache processes, once vertices are numbered in the order of their first
+/// use.
 std::size_t renumbered_misses(IndexList indices, std::size_t vertices, unsigned cache) {
     const std::vector<std::uint32_t> place = first_use_order(indices, vertices);
     for (std::uint32_t& index : indices)
@@ -151,7 +153,8 @@ std::size_t renumbered_misses(IndexList indices, std::size_t vertices, unsigned 
     return cache_misses(indices, cache);
 }
 
-/// The shortest strip that has the cache process hardly more vertices than the list would.
+/// The shortest strip for which the cache processes hardly more vertices than for the list (at most 5
+/// percent).
 IndexList best_strip(const IndexList& triangles, std::size_t vertices, const MeshOptions& options) {
     const std::size_t allowed = renumbered_misses(triangles, vertices, options.cache) * 105 / 100;
     IndexList best;
@@ -164,7 +167,7 @@ IndexList best_strip(const IndexList& triangles, std::size_t vertices, const Mes
     return best;
 }
 
-/// Grids come in good order as they are.
+/// The better of the given order and the computed one: grids often come in good order already.
 IndexList best_list(const IndexList& given, std::size_t vertices, const MeshOptions& options) {
     IndexList ordered = order_triangles(given, vertices, options.cache);
     const auto misses = [&](const IndexList& list) {
@@ -250,10 +253,11 @@ BakedMesh bake_mesh(const cli::Model& model, const MeshOptions& options) {
     mesh.texcoord_step =
         step(options.texcoord,
              largest(model, [](const cli::ModelVertex& v) { return std::to_array(v.texcoord); }));
-    // GL is given floats: what they undo is what was measured.
+    // GL is given the steps as floats, so errors are measured with the floats.
     const auto as_float = [](double step) {
         const auto kept = static_cast<float>(step);
-        return kept > 0.0f ? static_cast<double>(kept) : 1.0; // what is below every float is nothing
+        return kept > 0.0f ? static_cast<double>(kept)
+                           : 1.0; // a step below every float means that all values are 0
     };
     mesh.position_step = as_float(mesh.position_step);
     mesh.texcoord_step = as_float(mesh.texcoord_step);

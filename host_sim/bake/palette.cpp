@@ -34,7 +34,7 @@ int square_distance(const Rgba& a, const Rgba& b) {
 struct Box {
     std::span<Weighted> colors;
     std::size_t axis = 0;
-    double spread = 0.0; ///< of its widest axis, weighted
+    double spread = 0.0; ///< squared deviations along the widest axis, weighted by pixels
 
     explicit Box(std::span<Weighted> of) : colors(of) {
         for (std::size_t c = 0; c < 4; ++c) {
@@ -53,7 +53,8 @@ struct Box {
         }
     }
 
-    /// Sorts along the widest axis; where the halves meet, with colours on both sides.
+    /// Sorts the colours along the widest axis, and returns the index of the median, where the box is cut.
+    /// Both halves have colours.
     std::size_t median() const {
         std::sort(colors.begin(), colors.end(), [this](const Weighted& a, const Weighted& b) {
             return a.color[axis] != b.color[axis] ? a.color[axis] < b.color[axis] : a.color < b.color;
@@ -68,7 +69,7 @@ struct Box {
     }
 };
 
-/// Sums of colours and how many.
+/// The sum of colours, weighted by pixels, and the number of pixels.
 struct Mean {
     std::uint64_t sum[4] = {}, pixels = 0;
     void add(const Weighted& w) {

@@ -60,7 +60,7 @@ int halved(int side) {
     return side > 1 ? side / 2 : 1;
 }
 
-/// The next level: means of 2 x 2, as GENERATE_MIPMAP makes them.
+/// The next level: means of 2 x 2 texels, as GENERATE_MIPMAP makes them.
 Picture half_of(const Picture& from) {
     Picture to{halved(from.width), halved(from.height), {}};
     to.rgba.resize(static_cast<std::size_t>(to.width * to.height) * 4);
@@ -79,7 +79,8 @@ Picture half_of(const Picture& from) {
     return to;
 }
 
-/// Luminance formats keep that of Rec. 601; greys stay what they are.
+/// The picture that a format can store. Luminance formats take the luminance of Rec. 601; greys stay what
+/// they are.
 Picture seen_as(const TextureFormat& format, const cli::ModelImage& image) {
     Picture picture{image.width, image.height, image.rgba};
     for (std::size_t i = 0; format.luminance && i < picture.rgba.size(); i += 4) {
@@ -94,7 +95,7 @@ std::uint32_t code_of(std::uint8_t byte, unsigned bits) {
     return (byte * most + 127) / 255;
 }
 
-/// A texel or an entry of a palette, least significant byte first.
+/// Appends a texel or an entry of a palette, least significant byte first.
 void append_texel(const TextureFormat& format, const std::uint8_t* rgba, Bytes& to) {
     if (format.kind == Kind::bytes || format.texel_bytes > 2) {
         for (int c = 0; c < 4; ++c)
@@ -129,7 +130,8 @@ void load_texel(const TextureFormat& format, const std::uint8_t* from, std::uint
         rgba[1] = rgba[2] = rgba[0];
 }
 
-/// Indices of 4 bits go on from row to row, the first in the high half; a level starts at a byte.
+/// Appends the indices of a level. Indices of 4 bits continue from row to row, the first in the high half of
+/// a byte; a level starts at a byte.
 void append_indices(const std::vector<Rgba>& palette, unsigned bits, const Bytes& rgba, Bytes& to) {
     for (std::size_t i = 0; i < rgba.size() / 4; ++i) {
         const std::uint8_t* const p = &rgba[4 * i];
@@ -159,7 +161,7 @@ BakedLevel encode_palette(const TextureFormat& format, const std::vector<Picture
     std::vector<Rgba> palette = choose_palette(chain[0].rgba, entries, format.bits);
     for (const Rgba& entry : palette)
         append_texel(format, entry.data(), level.bytes);
-    level.bytes.resize(entries * format.texel_bytes); // those that are left over
+    level.bytes.resize(entries * format.texel_bytes); // entries of the palette that are not used
     for (const Picture& picture : chain)
         append_indices(palette, format.index_bits, picture.rgba, level.bytes);
     return level;

@@ -1,4 +1,4 @@
-// A picture as the texels that GL keeps, in every format that it reads where they lie.
+// A picture as the texels that GL reads in place, in every format for which it can.
 #pragma once
 
 #include <cstdint>
@@ -9,22 +9,22 @@
 
 namespace spangle::bake {
 
-/// How a texel's word holds R, G, B, A, or what else it is.
+/// How a texel is stored: R, G, B, A in a word, or in bytes, as an index of a palette, or in blocks.
 enum class TexelKind : std::uint8_t { packed, bytes, palette, etc1 };
 
 struct TextureFormat {
-    const char* name; ///< what the command line calls it
+    const char* name; ///< name on the command line
     TexelKind kind;
-    std::uint8_t bits[4];        ///< of R, G, B, A as a texel or an entry of the palette keeps them
+    std::uint8_t bits[4];        ///< of R, G, B, A in a texel or an entry of the palette
     bool luminance;              ///< R is the luminance
     unsigned texel_bytes;        ///< of a texel, or an entry of the palette; 0 for blocks
-    unsigned index_bits;         ///< of a palette
+    unsigned index_bits;         ///< of an index of a palette; else 0
     const char* internal_format; ///< tokens of GL, by name
     const char* format;          ///< of TexImage, for other GLs; null: compressed
     const char* type;
 };
 
-/// All of them; the first is that of opaque pictures.
+/// All formats; the first is that of opaque pictures.
 struct FormatList {
     const TextureFormat* first;
     std::size_t count;
@@ -46,15 +46,15 @@ struct BakedLevel {
 
 struct BakedTexture {
     const TextureFormat* format = nullptr;
-    int chain = 0;                  ///< levels of the mip chain
-    std::vector<BakedLevel> levels; ///< one for palettes, whose levels lie behind each other
+    int chain = 0;                  ///< number of levels of the mip chain
+    std::vector<BakedLevel> levels; ///< a single entry for palettes, whose levels lie one behind the other
     double psnr_db = 0.0;           ///< of level 0, over the components that the format keeps; 99: exact
     std::size_t bytes() const;
 };
 
 BakedTexture bake_texture(const cli::ModelImage& image, const TextureOptions& options);
 
-/// What GL samples of a level of the chain: RGBA bytes.
+/// The texels that GL samples of a level of the chain, as RGBA bytes.
 std::vector<std::uint8_t> decode_level(const BakedTexture& texture, int level);
 
 } // namespace spangle::bake

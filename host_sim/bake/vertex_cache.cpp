@@ -18,7 +18,7 @@ std::size_t cache_misses(const IndexList& indices, unsigned entries) {
 
 namespace {
 
-/// The triangles at each vertex.
+/// Lists the triangles at each vertex.
 struct Fans {
     std::vector<std::size_t> first;
     std::vector<std::size_t> triangle;
@@ -71,7 +71,8 @@ class TriangleOrder {
         }
     }
 
-    /// The oldest of the last fan that is still there when its triangles are done; else one seen lately.
+    /// The next vertex around which triangles are drawn: of the last fan, the one that came first into the
+    /// cache and will still be there when its triangles are done. Otherwise it is a vertex seen lately.
     std::uint32_t next_vertex() {
         std::uint32_t best = unused;
         std::size_t best_age = 0;
@@ -101,14 +102,14 @@ class TriangleOrder {
     Fans fans_;
     unsigned entries_;
     std::vector<std::uint32_t> live_; ///< triangles at a vertex that are not drawn yet
-    std::vector<std::size_t> time_;   ///< when a vertex came into the cache
+    std::vector<std::size_t> time_;   ///< moment at which a vertex came into the cache
     std::vector<bool> emitted_;
     std::size_t now_, cursor_ = 0;
     std::vector<std::uint32_t> candidates_, dead_ends_;
     IndexList out_;
 };
 
-/// Strips that go on from triangle to triangle across the edge that a strip leaves by.
+/// Builds strips that continue from triangle to triangle across the edge through which the strip leaves.
 class StripBuilder {
     static constexpr std::size_t most_asked = 32;
 
@@ -139,10 +140,10 @@ class StripBuilder {
 
     std::uint32_t corner(std::size_t t, std::size_t c) const { return triangles_[3 * t + c % 3]; }
 
-    /// The unused triangle up to `last` whose edge runs from `from` to `to`, and its third corner.
+    /// The unused triangle up to `last` whose edge runs from `from` to `to`, and its third vertex `apex`.
     std::size_t across(std::uint32_t from, std::uint32_t to, std::size_t last, std::uint32_t& apex) const {
-        // Surfaces have one triangle at an edge and direction. Where thousands share one, only the first few
-        // are asked, or time would grow with the square of their number.
+        // A surface has one triangle at an edge and direction. Where thousands share one, only the first few
+        // are looked at, or time would grow with the square of their number.
         std::size_t asked = 0;
         for (auto e = std::lower_bound(edges_.begin(), edges_.end(), Edge{from, to, 0});
              e != edges_.end() && e->from == from && e->to == to && e->triangle <= last && asked < most_asked;
@@ -156,14 +157,15 @@ class StripBuilder {
         return used_.size();
     }
 
-    /// From this corner on, as long as there is an unused neighbour; its triangles are used then.
+    /// Builds a strip from this corner on, as long as there is an unused neighbour, and marks its triangles
+    /// as used.
     IndexList follow(std::size_t t, std::size_t c, std::vector<std::size_t>& taken) {
         IndexList strip{corner(t, c), corner(t, c + 1), corner(t, c + 2)};
         taken.assign(1, t);
         used_[t] = true;
         for (;;) {
             const std::uint32_t a = strip[strip.size() - 2], b = strip.back();
-            const bool odd = (strip.size() & 1) != 0; // the next triangle's number in the strip
+            const bool odd = (strip.size() & 1) != 0; // the next triangle has an odd number in the strip
             std::uint32_t apex = 0;
             const std::size_t next = odd ? across(b, a, t + reach_, apex) : across(a, b, t + reach_, apex);
             if (next == used_.size())
@@ -191,7 +193,8 @@ class StripBuilder {
         return best;
     }
 
-    /// An even number of indices stands before a strip, so that its first triangle keeps its winding.
+    /// Appends a strip. An even number of indices stands before it, so that its first triangle keeps its
+    /// winding.
     void append(const IndexList& strip) {
         if (!out_.empty()) {
             out_.push_back(out_.back());

@@ -1,4 +1,4 @@
-// The first bytes of a frame's traffic, as commands with what follows them.
+// The first bytes of a frame on the bus, as commands with the bytes that follow each.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ class BusLog final : public sim::Listener {
 
     struct Entry {
         std::uint8_t command;
-        bool has_command; ///< false: pixels of displays that take them without one
+        bool has_command; ///< false: pixels of a display that takes them without a command
         std::uint32_t bytes;
         std::uint8_t first[most_bytes];
     };

@@ -1,5 +1,5 @@
-// What the page compares itself with: the pictures and the bus traffic of the checked choices, drawn
-// natively. JSON.
+// Prints, as JSON, what the page compares itself with: digests of the pictures and the bus traffic of the
+// checked choices, drawn natively.
 #include <cstdio>
 
 #include "host_sim/page/view.hpp"

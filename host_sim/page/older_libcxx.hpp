@@ -1,5 +1,5 @@
-// What the C++20 library of Debian's emscripten (3.1.6) lacks and Spangle uses; put before every source of
-// the page.
+// Adds what Spangle uses of C++20 and the library of Debian's emscripten (3.1.6) lacks. The build includes it
+// before every source of the page.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// What the page's script calls. One view is shown; the choices to be compared with native ones have views of
-// their own.
+// The functions that the page's script calls. One view is shown; choices that are compared with native ones
+// have views of their own.
 #include <cstdio>
 #include <string>
 
@@ -13,7 +13,7 @@ namespace {
 
 page::View shown;
 sim::Image picture;
-std::string text; // what was returned last stays until the next call
+std::string text; // the last returned text, valid until the next call
 
 const char* keep(std::string words) {
     text = std::move(words);
@@ -36,7 +36,7 @@ std::string lines(int count, const char* (*name)(int), const char* (*title)(int)
 
 extern "C" {
 
-/// A line each: name, tab, title.
+/// The functions for lists return a line for each entry: name, tab, title.
 EMSCRIPTEN_KEEPALIVE const char* page_scenes() {
     return keep(lines(
         scenes::all().count, [](int i) { return scenes::all().first[i].id; },
@@ -63,7 +63,7 @@ EMSCRIPTEN_KEEPALIVE int page_has_camera() {
 EMSCRIPTEN_KEEPALIVE void page_orbit(float yaw, float pitch) {
     shown.orbit(yaw, pitch);
 }
-/// The next frame, or the last one again.
+/// Draws the next frame, or the last one again.
 EMSCRIPTEN_KEEPALIVE const char* page_draw(int next) {
     return keep(shown.draw(next != 0));
 }
@@ -97,7 +97,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_violations() {
     return keep(shown.violations());
 }
 
-/// A line for each command of the last frame: its byte, and the first of the bytes that follow.
+/// Returns a line for each command of the last frame: its byte, and the first of the bytes that follow.
 EMSCRIPTEN_KEEPALIVE const char* page_bus() {
     std::string list;
     char word[32];

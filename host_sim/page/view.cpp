@@ -126,13 +126,14 @@ std::string View::open(const Choice& choice) {
     eglQuerySurface(display_, surface_, EGL_HEIGHT, &height);
     scene_ = scenes::all().begin() + choice.scene;
     scene_->setup(width, height);
-    glDisable(GL_DITHER); // as `spangle run` draws unless it is asked to dither
+    glDisable(GL_DITHER); // `spangle run` does the same unless it is asked to dither
     frame_ = -1;
     find_camera();
     return "";
 }
 
-/// In a perspective w is the distance from the eye: row 3 of the projection is (0, 0, -1, 0).
+/// Finds out whether the scene has a perspective. In a perspective w is the distance from the eye: row 3 of
+/// the projection is (0, 0, -1, 0).
 void View::find_camera() {
     float projection[16];
     glGetFloatv(GL_PROJECTION_MATRIX, projection);
@@ -145,8 +146,9 @@ void View::orbit(float yaw, float pitch) {
     pitch_ = pitch;
 }
 
-/// Scenes set their modelview matrix anew in each frame, so the viewer walks in the projection. What the
-/// frame before left in the modelview matrix tells how far away the scene's object is.
+/// Draws the scene as a viewer sees it who walks around its object. Scenes set their modelview matrix anew in
+/// each frame, so the viewer's place goes into the projection. The modelview matrix that the frame before
+/// left tells how far away the object is.
 void View::draw_from_aside() {
     glMatrixMode(GL_PROJECTION);
     glPushMatrix();

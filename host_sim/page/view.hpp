@@ -1,4 +1,5 @@
-// One scene on one simulated board, as the page shows it and as the native program of its hashes draws it.
+// One scene on one simulated board, as the page shows it. The native program of the page's hashes draws it,
+// too.
 #pragma once
 
 #include <memory>
@@ -13,14 +14,14 @@
 
 namespace spangle::page {
 
-/// What the surface holds, and what goes over the bus if that is something else.
+/// The format of the surface, and the format on the bus if that differs.
 struct Format {
     const char* name;
     PixelFormat surface;
     hal::Wire wire;
 };
 
-/// Indices of what the page offers; `format` counts those that this board takes (formats_of).
+/// Indices of what the page offers; `format` counts the formats that this board takes (formats_of).
 struct Choice {
     int board = 0, scene = 0, tier = 0, format = 0;
 };
@@ -29,7 +30,7 @@ inline constexpr const char* tiers[] = {"exact", "balanced", "fast"};
 
 int board_count();
 const hal::Board& board_of(int index);
-/// The format that the board is described with comes first.
+/// The formats that the board takes; the format of its description comes first.
 std::vector<Format> formats_of(const hal::Board& board);
 
 class View {
@@ -39,13 +40,14 @@ class View {
     View(const View&) = delete;
     View& operator=(const View&) = delete;
 
-    /// Builds the board and sets the scene up. Empty, or what the choice lacks.
+    /// Builds the board and sets the scene up. Returns what the choice lacks, or an empty string.
     std::string open(const Choice& choice);
-    /// Draws the next frame, or the last one again; `present` then sends it.
+    /// Draws the next frame, or the last one again; present() then sends it.
     std::string draw(bool next = true);
     std::string present();
 
-    /// Whether the scene has a perspective, for a viewer who walks around what it shows; degrees.
+    /// Whether the scene has a perspective, so that a viewer can walk around its object. orbit() takes
+    /// degrees.
     bool has_camera() const { return camera_; }
     void orbit(float yaw, float pitch);
 
@@ -55,7 +57,8 @@ class View {
     std::string violations() const { return board_->violations_text(); }
     /// The first bytes that the last frame put on the bus.
     const BusLog& log() const { return log_; }
-    /// Glass, controller memory and bytes on the bus so far: equal texts mean equal pictures and traffic.
+    /// A text made of glass, controller memory and bytes on the bus so far. Equal texts mean equal pictures
+    /// and traffic.
     std::string digest() const;
 
   private:
@@ -66,9 +69,9 @@ class View {
     EGLSurface surface_ = EGL_NO_SURFACE;
     EGLContext context_ = EGL_NO_CONTEXT;
     float yaw_ = 0.0f, pitch_ = 0.0f;
-    float distance_ = 0.0f; ///< from the eye to what the scene shows
+    float distance_ = 0.0f; ///< from the eye to the object of the scene
     bool camera_ = false;
-    int frame_ = -1; ///< that was drawn last
+    int frame_ = -1; ///< the frame drawn last
 
     void close();
     void find_camera();
@@ -78,7 +81,7 @@ class View {
 /// The choices that are compared with native ones: each scene in each tier on the first board, then each
 /// board in each of its formats.
 std::vector<Choice> checked_choices();
-/// Draws so many frames and returns the digest, or "error: " and why there is none.
+/// Draws checked_frames frames and returns the digest, or "error: " and why there is none.
 std::string digest_of(const Choice& choice);
 inline constexpr int checked_frames = 3;
 

@@ -13,7 +13,7 @@ using namespace key_names;
 
 namespace {
 
-/// What lists of fused spans can say of a key; all else is as it is by default.
+/// The part of a key that lists of fused spans can express; everything else has its default value.
 Key sayable(const Key& key) {
     Key k;
     k.number = key.number;
@@ -21,7 +21,7 @@ Key sayable(const Key& key) {
     k.depth = key.depth;
     k.depth_write = key.depth_write;
     k.depth_format = key.depth != Compare::always || key.depth_write ? DepthFormat::z16 : DepthFormat::none;
-    // Loops load texels as words of 16 and 32 bits; those of other formats are the chain's.
+    // Fused spans load texels as words of 16 and 32 bits. Texels of other formats are left to the chain.
     const TexelFormat format = key.unit[0].texels;
     const bool loads =
         format == TexelFormat::rgb565 || format == TexelFormat::rgb888 || format == TexelFormat::rgba8888;
@@ -56,7 +56,8 @@ RangeText text_of(gl::Range range) {
 }
 
 bool is_fusible(const Key& key) {
-    // No loop of the exact tier filters between four texels whose coordinates every fragment divides.
+    // The exact tier has no fused span that filters between four texels whose coordinates every fragment
+    // divides.
     if (key.number == Number::exact && divides(key.kind, key.fog) && key.unit[0].on &&
         key.unit[0].filter == Filter::linear)
         return false;
@@ -65,7 +66,7 @@ bool is_fusible(const Key& key) {
 
 namespace {
 
-/// Text that grows.
+/// Text to which words and numbers are appended.
 struct Words {
     std::string text;
     Words& operator<<(const char* more) {
@@ -88,7 +89,7 @@ std::string words(const Key& key) {
 
 namespace {
 
-/// Systems that draw what they cut (gl/vertex/pipeline.hpp).
+/// Optional systems whose primitives are cut (gl/vertex/pipeline.hpp).
 constexpr const char* cutting[] = {"CLIP_PLANES", "POLYGON_MODE", "SELECTION", "FEEDBACK", "ANTIALIASING"};
 
 } // namespace
@@ -96,8 +97,8 @@ constexpr const char* cutting[] = {"CLIP_PLANES", "POLYGON_MODE", "SELECTION", "
 Profile make(const Record& record, const Choice& choice) {
     Profile out;
     const auto has = [&](const char* feature) { return record.features.count(feature) != 0; };
-    // Entry points of fixed-point numbers that nobody calls are not linked; which a program calls is not
-    // recorded.
+    // Entry points of fixed-point numbers that nobody calls are not linked. Which of them a program calls is
+    // not recorded.
     out.features.assign(record.features.begin(), record.features.end());
     if (!has("FIXED_POINT"))
         out.features.emplace_back("FIXED_POINT");
@@ -106,8 +107,8 @@ Profile make(const Record& record, const Choice& choice) {
     if ((record.color_formats & index_formats) != 0 && !has("COLOR_INDEX"))
         out.features.emplace_back("COLOR_INDEX");
 
-    // The chain goes where every key that a draw may need has a loop of its own; else those stay that many
-    // pixels have.
+    // The chain is left out if every key that a draw may need can have a fused span. Otherwise only keys with
+    // many pixels get one.
     out.chain =
         record.keys.empty() || std::any_of(record.keys.begin(), record.keys.end(), [](const KeyUse& use) {
             return (use.needed || use.pixels != 0) && !is_fusible(use.key);
@@ -122,7 +123,7 @@ Profile make(const Record& record, const Choice& choice) {
     const auto set = [&](const char* limit, auto value) {
         out.limits.emplace_back(limit, fmt::format("{}", value));
     };
-    // What is cut has a distance of its own, so clipping keeps perspective.
+    // Clipping makes vertices with a w of their own, so a build that clips keeps perspective.
     const bool cuts =
         record.reach(gl::Range::CUTS) != 0 || std::any_of(std::begin(cutting), std::end(cutting), has);
     if (choice.unclipped && !cuts) {

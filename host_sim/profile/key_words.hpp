@@ -1,5 +1,5 @@
-// State keys in words: for reports, and for images of firmware that count what each key costs. Both say the
-// same words of the same key.
+// State keys in words, for reports, and for images of firmware that count what each key costs. Both use these
+// words, so that they can be matched.
 #pragma once
 
 #include "raster/span/key.hpp"
@@ -25,8 +25,8 @@ template <class E> const char* name(const char* const* of, E value) {
 
 } // namespace key_names
 
-/// What is on in a key: "balanced full depth(less) texture(rgb565 rgb nearest modulate)". Out takes texts and
-/// numbers by <<.
+/// Writes what is on in a key: "balanced full depth(less) texture(rgb565 rgb nearest modulate)". `out` takes
+/// texts and numbers by <<.
 template <class Out> void say(Out& out, const raster::Key& key) {
     using namespace key_names;
     out << name(numbers, key.number) << " " << name(kinds, key.kind);

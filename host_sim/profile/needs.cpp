@@ -19,7 +19,7 @@ constexpr CommandNeed command_needs[] = {
 #undef TOKEN
 };
 
-/// From one token to another.
+/// The optional system that tokens from `first` to `last` need.
 struct TokenNeed {
     std::uint32_t first, last;
     const char* feature;
@@ -30,7 +30,7 @@ constexpr TokenNeed token_needs[] = {
 #include "host_sim/profile/needs.inc"
 #undef COMMAND
 #undef TOKEN
-    // What the state table has no row of its own for, and values of parameters.
+    // Tokens without a row of their own in the state table, and values of parameters.
     {GL_LIGHTING, GL_LIGHTING, "LIGHTING"},
     {GL_LIGHT0, GL_LIGHT7, "LIGHTING"},
     {GL_COLOR_MATERIAL, GL_COLOR_MATERIAL, "LIGHTING"},

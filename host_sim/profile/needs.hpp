@@ -1,4 +1,4 @@
-// Which optional systems commands and tokens ask for.
+// Tells which optional systems commands and tokens ask for.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,10 @@
 
 namespace spangle::profile {
 
-/// Of a family, as commands are named in messages.
+/// The optional systems of a command. `command` is the name of its family, as in messages.
 const std::vector<const char*>& features_of(const std::string& command);
 
-/// Null where a token needs none.
+/// The optional system that a token needs, or null.
 const char* feature_of(std::uint32_t token);
 
 } // namespace spangle::profile

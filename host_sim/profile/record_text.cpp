@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char *first_line = "spangle record 2", *last_line = "end";
 
-/// Calls f with every field of a key, in an order that both directions share.
+/// Calls f with every field of a key, in the same order for writing and reading.
 template <class K, class F> void each_field(K& key, F f) {
     f(key.number), f(key.kind), f(key.format), f(key.depth_format);
     for (auto& unit : key.unit)

@@ -1,5 +1,5 @@
-// A record as text, a line for each thing that was recorded: the drop-in pair writes it in the process of a
-// program, and the command line reads it.
+// A record as text, with a line for each thing that was recorded. The drop-in pair writes the text in the
+// process of a program, and the command line reads it.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace spangle::profile {
 
 std::string to_text(const Record& record);
 
-/// Reads what to_text() wrote. Empty, or why the text is no record of this version.
+/// Reads what to_text() wrote. Returns why the text is no record of this version, or an empty string.
 std::string from_text(const std::string& text, Record& out);
 
 } // namespace spangle::profile

@@ -27,7 +27,7 @@ bool is(const char* name, std::initializer_list<const char*> names) {
                        [&](const char* one) { return std::strcmp(name, one) == 0; });
 }
 
-/// What SPANGLE_PRIMITIVES calls what a mode of Begin draws.
+/// The bit of SPANGLE_PRIMITIVES for what a mode of Begin draws.
 unsigned primitives_of(GLenum mode) {
     constexpr unsigned points = 1, lines = 2, polygons = 4;
     return mode == GL_POINTS                        ? points
@@ -38,7 +38,7 @@ unsigned primitives_of(GLenum mode) {
 
 } // namespace
 
-/// Counts pixels on their way to the span that draws them.
+/// Counts pixels, and passes them on to the span that draws them.
 struct Spans {
     template <int K>
     static void run(raster::Span<raster::Fixed>& span, const raster::Row* row, const raster::Row* end) {
@@ -76,7 +76,7 @@ void Recorder::add(gl::Context& context) {
     gl::watch(context, this);
 }
 
-/// The surface that keys are made for.
+/// The surface that keys are made for: the program's own, or one of the formats asked for.
 raster::Surface Recorder::target(const gl::Context& context) const {
     raster::Surface surface = context.drawable.surface;
     if (!colors_)
@@ -104,8 +104,9 @@ std::size_t Recorder::place_of(const raster::Key& key) {
     return record_.keys.size() - 1;
 }
 
-/// Surfaces that are recorded for others may have no loop for one colour where those have one. Which pixels
-/// it would draw is not known, so it is needed: dithered, a smooth one may draw other bytes.
+/// Notes the key of one flat colour. A surface in whose place another is recorded may lack the span that the
+/// other has for one colour. How many pixels that span would draw is not known, so the key counts as needed:
+/// with dithering, a smooth span may draw other bytes.
 void Recorder::keep_one_color(const raster::FragmentState& fragment, const raster::Surface& surface,
                               const raster::DrawState& state) {
     const raster::Key key = raster::make_key(fragment, surface, Kind::flat);
@@ -113,10 +114,10 @@ void Recorder::keep_one_color(const raster::FragmentState& fragment, const raste
         record_.keys[place_of(key)].needed = true;
 }
 
-/// The same bytes are drawn by rows alone, which are counted. A kind is needed unless another draws what it
-/// would: one colour is drawn by the affine kind, too, and FLAT shading without textures or fog has nothing
-/// else. Divided colours of the fast tier are affine where no span divides them; they are listed where some
-/// were drawn.
+/// Notes the keys of a state, and makes its spans count. Shapes, tiles and paths are turned off: rows draw
+/// the same bytes, and are counted. A kind is needed unless another kind draws the same. The affine kind
+/// draws one colour, too; FLAT shading without textures or fog needs the flat kind only. In the fast tier
+/// divided colours are drawn as affine ones, so that the full kind is listed only with its pixels.
 void Recorder::compiled(gl::Context& context, const raster::FragmentState& fragment,
                         raster::DrawState& state) {
     const std::lock_guard lock(mutex_);
@@ -151,13 +152,14 @@ void Recorder::reached(gl::Range range, std::uint32_t value) {
     most = std::max(most, value);
 }
 
-/// Tokens that ask for a system wherever they come.
+/// Notes the optional system that a token asks for, wherever the token comes.
 void Recorder::value(std::uint32_t word) {
     if (const char* const feature = feature_of(word); feature != nullptr)
         record_.features.insert(feature);
 }
 
-/// Switches of lighting that are limits, no systems: a program that only turns them off names them, too.
+/// Notes switches of lighting that are limits, not optional systems. A program that only turns them off names
+/// them, too.
 void Recorder::switched(std::uint32_t word) {
     if (word == GL_COLOR_MATERIAL)
         record_.light_kinds |= light_follows_colors;
@@ -226,7 +228,7 @@ const Record& Recorder::finish() {
     const std::lock_guard lock(mutex_);
     if (context_ != nullptr)
         inspect(*context_);
-    // A surface with stencils has depths of 24 bits for every draw.
+    // A surface with a stencil buffer has depths of 24 bits for every draw.
     if (colors_ && stencil_) {
         for (KeyUse& use : record_.keys)
             if (use.key.depth_format != DepthFormat::none)

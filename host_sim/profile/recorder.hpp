@@ -1,4 +1,4 @@
-// Listens to contexts and writes down what the program asks them for.
+// Listens to contexts, and records what the program asks them for.
 #pragma once
 
 #include <map>
@@ -15,18 +15,19 @@
 
 namespace spangle::profile {
 
-/// One at a time: spans have no place to say who counts them. Contexts may be current to several threads.
+/// Records contexts, which may be current to several threads. There is one recorder at a time, because spans
+/// have no place to say who counts them.
 class Recorder final : public gl::Watcher {
   public:
-    /// Records keys and formats as those of the surfaces that the program draws to.
+    /// Records keys and formats of the surfaces that the program draws to.
     Recorder();
-    /// Records them as if the surfaces had these colours, and depths of 16 bits, or 24 where the program asks
-    /// for stencils: programs for PCs take the largest formats that a machine offers.
+    /// Records keys and formats as if the surfaces had these colours, and depths of 16 bits, or 24 where the
+    /// program asks for stencils. Programs for PCs take the largest formats that a machine offers.
     explicit Recorder(PixelFormat colors);
-    /// Records one context, as long as this lives.
+    /// Records one context while this object lives.
     explicit Recorder(gl::Context& context);
     ~Recorder();
-    /// Records this context, too, to its end.
+    /// Records another context until its end.
     void add(gl::Context& context);
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
@@ -38,7 +39,7 @@ class Recorder final : public gl::Watcher {
 
     void reached(gl::Range range, std::uint32_t value) override;
 
-    /// All that was asked for up to now.
+    /// Ends the record of everything that was asked for up to now.
     const Record& finish();
 
   private:
@@ -51,19 +52,19 @@ class Recorder final : public gl::Watcher {
     void arguments(gl::Context& context, const gl::CommandText& text, const gl::Arg* args, unsigned count);
     void value(std::uint32_t word);
     void switched(std::uint32_t word);
-    /// Counts pixels for the key of a variant; what draws them.
+    /// Counts pixels for the key of a variant. Returns the function that draws them.
     raster::AnyFunction count(const std::pair<const raster::DrawState*, int>& variant, std::uint64_t pixels);
 
     raster::Surface target(const gl::Context& context) const;
 
-    gl::Context* context_ = nullptr; ///< that outlives this
+    gl::Context* context_ = nullptr; ///< a context that outlives this object
     std::optional<PixelFormat> colors_;
     bool stencil_ = false;
     std::mutex mutex_;
     Record record_;
-    /// How many changes of a share group's textures have been looked at, by its address.
+    /// The number of changes of textures that were looked at, by address of the share group.
     std::map<const void*, std::uint32_t> textures_seen_;
-    /// What a state draws each kind with, and the key it counts for.
+    /// The function that draws a kind in a state, and the index of the key for which it counts.
     struct Counted {
         raster::AnyFunction run;
         std::size_t key;

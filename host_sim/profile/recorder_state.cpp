@@ -51,7 +51,7 @@ void Recorder::inspect_textures(gl::Context& context) {
         look(&context.texture.default_texture(kind));
 }
 
-/// What the commands before have made of the state.
+/// Notes the limits that the state has reached through the commands before.
 void Recorder::inspect(gl::Context& context) {
     Record& r = record_;
     if (context.drawable.surface.color != nullptr) {
@@ -69,7 +69,7 @@ void Recorder::inspect(gl::Context& context) {
 
     const gl::LightingState& lighting = context.lighting;
     const auto kind = [&](unsigned bit, bool used) { r.light_kinds |= used ? bit : 0u; };
-    constexpr unsigned specular = 1, local = 2, sides = 4; // of SPANGLE_LIGHT_KINDS
+    constexpr unsigned specular = 1, local = 2, sides = 4; // bits of SPANGLE_LIGHT_KINDS
     kind(local, lighting.local_viewer);
     kind(sides, lighting.two_side);
     kind(light_follows_colors, lighting.color_material);

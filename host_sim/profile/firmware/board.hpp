@@ -1,4 +1,4 @@
-// The clock and the voice of an emulated board, for what counts.
+// The clock and the output of an emulated board, for code that counts.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ inline std::uint32_t now() {
     return mcu::reg(mcu::SysTick::current);
 }
 
-/// The timer counts down.
+/// The ticks from `begin` to `end` of the timer, which counts down.
 inline std::uint32_t ticks_between(std::uint32_t begin, std::uint32_t end) {
     return (begin - end) & mcu::SysTick::most_ticks;
 }

@@ -1,5 +1,5 @@
-// Counts what is drawn with each state key, in the loops that draw rows and paths. Prints a line
-// "key CALLS PIXELS TICKS WORDS" for each key; the first one has no words, and tells what counting takes.
+// Counts what is drawn with each state key, in the functions that draw rows and paths. Prints a line "key
+// CALLS PIXELS TICKS WORDS" for each key. The first line has no words, and tells what counting itself takes.
 #include "host_sim/profile/firmware/counting.hpp"
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace raster;
 
-/// What was drawn with a key while frames were counted.
+/// The figures of a key while frames were counted.
 struct Drawn {
     Key key;
     std::uint32_t calls;
@@ -23,19 +23,20 @@ struct Drawn {
 };
 constexpr std::uint32_t most_keys = 128, most_states = 4;
 
-/// A state, what its kinds of primitives are drawn with, and the keys they count for.
+/// A state, the functions that draw its kinds of primitives, and the keys they count for.
 struct Watched {
     const DrawState* state;
     AnyFunction run[kind_count], walk[kind_count];
     std::uint32_t key[kind_count];
 };
 
-Drawn drawn[most_keys]; ///< the first is of no key: a call that draws nothing
+Drawn drawn[most_keys]; ///< the first has no key: it counts a call that draws nothing
 std::uint32_t keys = 1;
 Watched watched[most_states];
 bool on;
 
-/// One state too many, or one that nobody compiled, would be counted for another: the program stops.
+/// The record of a state. The program stops at one state too many, and at a state that nobody compiled: such
+/// a state would be counted for another.
 Watched& of_state(const DrawState* state, bool make) {
     for (Watched& one : watched)
         if (one.state == state || (make && one.state == nullptr)) {
@@ -92,7 +93,7 @@ constexpr PathFunction path_counters[kind_count] = {&paths<0>, &paths<1>, &paths
     asm volatile("");
 }
 
-/// Writes words where who runs this reads them.
+/// Prints words on the output of the board.
 struct Printed {
     Printed& operator<<(const char* text) {
         print(text);
@@ -153,14 +154,14 @@ void count_state(const FragmentState& fragment, const Surface& target, DrawState
         if (variant.walk != nullptr)
             variant.walk = reinterpret_cast<AnyFunction>(path_counters[i]);
     }
-    out.shapes = out.tiles = false; // rows draw the same, and are counted
+    out.shapes = out.tiles = false; // rows draw the same bytes, and are counted
 }
 
 } // namespace spangle::measure
 
 #ifdef MEASURE_COMPILE
-// measure.py names the function that compiles a state (Engine::compile, as the linker knows it): calls of it
-// come here.
+// Calls of the function that compiles a state come here: measure.py wraps it (Engine::compile, as the linker
+// knows it).
 extern "C" {
 void measure_real_compile(const spangle::raster::FragmentState&, const spangle::raster::Surface&,
                           spangle::raster::DrawState&) asm("__real_" MEASURE_COMPILE);

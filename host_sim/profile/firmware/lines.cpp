@@ -1,6 +1,5 @@
-// Counts every call of GL for the address that it returns to. Prints a line "line ADDRESS COMMAND CALLS
-// TICKS" for each address that commands returned to, and "line 0 0 CALLS TICKS" for those that found no
-// place.
+// Counts every call of GL by the address that it returns to. Prints a line "line ADDRESS COMMAND CALLS TICKS"
+// for each such address, and "line 0 0 CALLS TICKS" for calls that found no place in the table.
 #include "host_sim/profile/firmware/counting.hpp"
 
 #include <cstdint>
@@ -8,7 +7,7 @@
 
 #include MEASURE_BOARD
 
-extern "C" void measure_nothing(); // nothing_called.cpp, behind a trampoline like a command
+extern "C" void measure_nothing(); // defined in nothing_called.cpp, behind a trampoline like a command
 
 namespace spangle::measure {
 
@@ -18,7 +17,8 @@ struct Line {
     std::uint32_t address, command, calls;
     std::uint64_t ticks;
 };
-constexpr std::uint32_t places = 8192, deepest = 16; ///< a power of two; calls within calls
+constexpr std::uint32_t places = 8192,
+                        deepest = 16; ///< entries of the table, a power of two; most calls within calls
 
 struct Call {
     std::uint32_t address, command, begin;
@@ -28,12 +28,12 @@ struct Counts {
     Line line[places];
     Call call[deepest];
     std::uint32_t depth;
-    Line lost; ///< those that found no place
+    Line lost; ///< calls that found no place in the table
     bool on;
 };
 Counts counts;
 
-/// The line of an address and a command, or null where there is no place for one more.
+/// The line of an address and a command, or null where the table has no more place.
 Line* find(std::uint32_t address, std::uint32_t command) {
     for (std::uint32_t i = 0; i < places; ++i) {
         Line& line = counts.line[((address >> 1) * 2654435761u + command + i) % places];
@@ -81,7 +81,7 @@ std::size_t counting_bytes() {
 
 } // namespace spangle::measure
 
-// The trampolines that measure.py writes call these around each command.
+// The trampolines that measure.py writes call these two functions around each command.
 extern "C" {
 
 void measure_begin(std::uint32_t address, std::uint32_t command) {
@@ -93,7 +93,8 @@ void measure_begin(std::uint32_t address, std::uint32_t command) {
     call.begin = now();
 }
 
-/// Where the command returns to. Commands that call others count for themselves alone.
+/// Returns the address to which the command returns. A command that calls others counts alone, the others
+/// included.
 std::uint32_t measure_end() {
     using namespace spangle::measure;
     const std::uint32_t end = now();

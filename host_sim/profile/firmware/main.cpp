@@ -1,8 +1,8 @@
-// A program on the emulated Cortex-M4, for host_sim/profile/firmware/measure.py: frames that are counted, and
-// what memory they take. Prints by semihosting a line "frame INSTRUCTIONS HASH" for each frame, and a line
-// "NAME BYTES" for each kind of memory. MEASURE_SIZE leaves out what measures, so that the image is as large
-// as the program's own. MEASURE_REPLAYS: each frame goes on from the one before, so that none is drawn twice.
-// Run with -icount shift=0.
+// Runs a program on the emulated Cortex-M4, for host_sim/profile/firmware/measure.py, and counts its frames
+// and its memory. Prints by semihosting a line "frame INSTRUCTIONS HASH" for each frame, and a line "NAME
+// BYTES" for each kind of memory. MEASURE_SIZE leaves out all measuring, so that the image is as large as the
+// program's own. MEASURE_REPLAYS says that each frame continues the one before, so that none is drawn twice.
+// Run the image with -icount shift=0.
 #include <cstdint>
 
 #include <spangle/EGL/egl.h>
@@ -26,7 +26,7 @@ using namespace spangle;
 namespace semihosting = mcu::semihosting;
 
 constexpr int width = MEASURE_WIDTH, height = MEASURE_HEIGHT;
-constexpr std::uint32_t clock_hz = 25'000'000; ///< of these boards
+constexpr std::uint32_t clock_hz = 25'000'000; ///< clock rate of these boards
 alignas(8) unsigned char memory_pool[MEASURE_POOL];
 
 std::size_t surface_bytes = 0;
@@ -55,7 +55,7 @@ bool open() {
 
 GLubyte row[width * 4];
 
-/// A name for the picture: FNV-1a over its components, row by row.
+/// A hash of the picture: FNV-1a over its components, row by row.
 std::uint32_t picture_hash() {
     std::uint32_t hash = 2166136261u;
     for (int y = 0; y < height; ++y) {
@@ -84,7 +84,7 @@ void print_frame(std::uint32_t instructions) {
 void print_memory() {
     print("surface", surface_bytes);
     print("peak", memory_use().peak);
-    // without what this program itself needs: the pool, the row of picture_hash() and what it counts
+    // without what measuring itself needs: the pool, the row of picture_hash() and the counters
     print("static", static_cast<std::size_t>((&data_end - &data_begin) + (&bss_end - &bss_begin)) -
                         sizeof memory_pool - sizeof row - measure::counting_bytes());
     print("stack", mcu::deepest_stack());
@@ -108,7 +108,7 @@ int main() {
         return 1;
     program.setup(width, height);
     if (!MEASURE_REPLAYS)
-        program.draw(MEASURE_FIRST); // what is done once is not counted
+        program.draw(MEASURE_FIRST); // work that is done once is not counted
 #ifdef MEASURE_SIZE
     for (int frame = MEASURE_FIRST;; ++frame)
         program.draw(frame);

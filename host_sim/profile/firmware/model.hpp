@@ -1,4 +1,4 @@
-// A baked model as a program; `spangle profile` writes the constants.
+// A baked model as a program; `spangle profile` writes its constants.
 #pragma once
 
 #include <spangle/baked.hpp>

@@ -1,4 +1,4 @@
-// A program that draws nothing: what is measured is the image, which holds the commands that were recorded.
+// A program that draws nothing. It serves to measure the size of an image that holds the recorded commands.
 #pragma once
 
 namespace spangle::measure {

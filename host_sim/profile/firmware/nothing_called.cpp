@@ -1,2 +1,2 @@
-// What counting a call takes by itself, which is no part of any command.
+// A call that does nothing; what counting takes for it is no part of any command.
 extern "C" void measure_nothing() {}

@@ -5,7 +5,8 @@ namespace spangle::measure {
 
 void replay_frame(int frame);
 
-/// All frames before the first one that is measured are drawn, too: each goes on from the one before.
+/// Draws the frames of the trace. Each frame continues the one before, so setup() draws all frames before the
+/// first that is measured.
 struct Replay {
     static void setup(int, int) {
         for (int frame = 0; frame < MEASURE_FIRST; ++frame)
