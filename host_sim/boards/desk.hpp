@@ -1,5 +1,4 @@
-// A display on the desk that is not there, whatever its kind: a panel behind a bus, or memory that is
-// scanned.
+// A simulated display of any kind: a panel behind a bus, or memory that is scanned.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +16,12 @@ class Desk {
     virtual ~Desk() = default;
     virtual hal::Display& display() = 0;
     virtual Image glass() = 0;
-    /// Rules of the bus that were broken, a line each.
+    /// The rules of the bus that were broken, a line each.
     virtual std::string violations() const { return ""; }
 };
 
 std::unique_ptr<Desk> make_desk(const hal::Board& board);
-/// With two buffers of its own.
+/// The display has two buffers of its own.
 std::unique_ptr<Desk> make_desk(const hal::MappedConfig& config);
 
 } // namespace spangle::sim

@@ -1,16 +1,16 @@
-// The simulated twin of a board: plays the board's scenes on the model of its display and holds what an
-// emulator did against it.
+// The simulated twin of a board. It plays the board's scenes on the model of its display, and compares the
+// result with what an emulator did.
 //
 // usage: spangle_twin play BOARD FRAMES SCENE...
 //        spangle_twin replay BOARD FRAMES TRACE PICTURES WIRE... -- SCENE...
 //        spangle_twin screens BOARD FRAMES FOLDER PICTURES SCALE SCENE...
 //
 // play prints "scene ID" and for each frame "frame HASH FRAGMENTS".
-// replay feeds a model of the display's controller with what a program sent: TRACE is QEMU's trace of
-// register writes, WIRE says where the lines are (wires.hpp); how many bytes had been sent at the end of each
-// frame comes from standard input, a number a line. screens looks at QEMU's own display: FOLDER/1.ppm, 2.ppm,
-// ... Both print what differs from the twin's glass and write the last frame of each scene to
-// PICTURES-SCENE.png ("": nowhere).
+// replay sends to a model of the display's controller what a program sent. TRACE is QEMU's trace of register
+// writes; WIRE says where the lines are (wires.hpp). Standard input has, a number a line, how many bytes had
+// been sent at the end of each frame. screens looks at QEMU's own display: FOLDER/1.ppm, 2.ppm, ... Both
+// print what differs from the twin's glass, and write the last frame of each scene to PICTURES-SCENE.png ("":
+// nowhere).
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
@@ -29,7 +29,7 @@ namespace {
 using namespace spangle;
 using Words = std::vector<std::string>;
 
-/// A board as its display.hpp describes it. `panel`: null where it scans memory.
+/// A board as its display.hpp describes it. `panel` is null for a board that scans memory.
 struct Twin {
     const char* name;
     std::unique_ptr<sim::Desk> (*make)();
@@ -75,13 +75,14 @@ int play(const Twin& twin, int frames, const Words& scenes) {
     return problem.empty() ? 0 : fail(problem);
 }
 
-/// Frames as somebody saw them, held against the twin's glass.
+/// Compares frames as an emulator showed them with the glass of the twin.
 class Comparison {
   public:
     Comparison(const Twin& twin, int frames, std::string pictures)
         : desk_(twin.make()), frames_(frames), pictures_(std::move(pictures)) {}
 
-    /// `look` gives the n-th frame, counted from 1; false: it was not seen. `same` compares.
+    /// `look` gives the n-th frame, counted from 1, or returns false if it was not seen. `same` compares two
+    /// pictures.
     template <class Look, class Same> int run(const Words& scenes, Look look, Same same) {
         int seen = 0, wrong = 0;
         const std::string problem = sim::play(*desk_, scenes, frames_, [&](const sim::PlayedFrame& frame) {

@@ -1,4 +1,4 @@
-// Plays a board's scenes on its simulated display and hands each frame that was presented to whoever asks.
+// Plays a board's scenes on its simulated display, and hands each presented frame to a function.
 #pragma once
 
 #include <functional>
@@ -12,12 +12,12 @@ namespace spangle::sim {
 
 struct PlayedFrame {
     const scenes::Scene& scene;
-    int index;          ///< of the scene's frames
-    std::uint32_t hash; ///< of what was drawn
+    int index;          ///< index in the frames of its scene
+    std::uint32_t hash; ///< hash of what was drawn
     std::uint32_t fragments;
 };
 
-/// Empty, or what went wrong.
+/// Plays the scenes. Returns what went wrong, or an empty string.
 std::string play(Desk& desk, const std::vector<std::string>& ids, int frames,
                  const std::function<void(const PlayedFrame&)>& presented);
 

@@ -23,7 +23,7 @@ ChannelBits bits_of(PixelFormat format) {
     }
 }
 
-/// Scales that reach 255 and those that leave low bits zero agree in the high bits.
+/// The high bits of a component. There, scales that reach 255 agree with those that leave low bits zero.
 int step(int value, int bits) {
     return value >> (8 - bits);
 }

@@ -1,4 +1,5 @@
-// A screen as an emulator drew it: QEMU's screendump, and whether it shows what the simulated glass does.
+// A screen as an emulator drew it: reads QEMU's screendump, and tells whether it shows what the simulated
+// glass does.
 #pragma once
 
 #include <string>
@@ -8,14 +9,15 @@
 
 namespace spangle::sim {
 
-/// A binary PPM of eight bits. Empty on success, else what went wrong.
+/// Reads a binary PPM of eight bits. Returns what went wrong, or an empty string.
 std::string read_ppm(const std::string& path, Image& out);
 
-/// A screen that shows each pixel as `scale` by `scale` equal ones, without them. Empty when it does not.
+/// The screen without magnification, if each of its pixels is drawn as `scale` by `scale` equal pixels; else
+/// empty.
 Image reduced(const Image& screen, int scale);
 
-/// Each pixel shows the same step of the format as the glass. Emulators spread steps over 255ths in their own
-/// way.
+/// Whether each pixel of the screen shows the same step of the format as the glass. Emulators spread steps
+/// over 255ths in their own way.
 bool shows(const Image& screen, const Image& glass, PixelFormat format);
 
 } // namespace spangle::sim

@@ -12,12 +12,12 @@ namespace spangle::sim {
 
 namespace {
 
-/// What a pin's register was given last; no level before the first write.
+/// The level of a pin, as its register was last written. It has no level before the first write.
 class PinLevel {
   public:
     explicit PinLevel(const WirePin& pin) : pin_(pin) {}
 
-    /// True when the write changed the level, or gave it the first.
+    /// Returns true when the write changed the level, or was the first.
     bool write(std::uint64_t address, std::uint32_t value) {
         if (pin_.address == 0 || address != pin_.address)
             return false;
@@ -73,7 +73,7 @@ bool parse_wiring(const std::string& word, Wiring& wiring) {
 
 std::vector<WireEvent> read_trace(std::istream& trace, const Wiring& wiring) {
     using Kind = WireEvent::Kind;
-    // The counter of instructions is no pause: it is told to run as far as it can.
+    // A timer that counts instructions is set to run as far as it can; such a write is no pause.
     constexpr std::uint32_t free_running = 0xFFFFFF;
     PinLevel select(wiring.select), data(wiring.data_command), reset(wiring.reset);
     std::vector<WireEvent> events;
@@ -139,7 +139,7 @@ void WiredPanel::take(const WireEvent& event) {
 bool WiredPanel::advance(std::uint64_t payload) {
     while (payload_ < payload && next_ < events_.size())
         take(events_[next_++]);
-    // What lets the panel go belongs to what it was sent.
+    // Events that deselect the panel belong to what it was sent.
     while (payload_ == payload && next_ < events_.size() && events_[next_].kind != WireEvent::Kind::byte)
         take(events_[next_++]);
     return payload_ == payload;

@@ -15,47 +15,49 @@
 
 namespace spangle::sim {
 
-/// A line that is a bit of a register: its level, or, in a set-reset register, that bit sets it and the one
-/// 16 higher clears it.
+/// A line that is a bit of a register. In a set-reset register the bit sets the line, and the bit 16 places
+/// higher clears it; in others the bit is its level.
 struct WirePin {
     std::uint64_t address = 0; ///< 0: not wired
     unsigned bit = 0;
     bool set_reset = false;
 };
 
-/// Where a board's lines are in its memory map; levels are as wired, selected and reset low.
+/// The place of a board's lines in its memory map. Levels are as wired; selected and reset are low.
 struct Wiring {
-    std::uint64_t data_register = 0; ///< what is written here is sent
+    std::uint64_t data_register = 0; ///< register whose writes are sent
     WirePin select, data_command, reset;
     bool select_high = false;
-    std::uint64_t pause_register = 0; ///< ticks that the program waits; 0: pauses are not seen
+    std::uint64_t pause_register = 0; ///< register of ticks that the program waits; 0: pauses are not seen
     std::uint64_t pause_hz = 1;
 };
 
-/// "spi=0x40021008", "select=0x4002804c:0", "data=...", "reset=ADDRESS:BIT:set_reset", "select_high=1",
-/// "pause=0xe000e014:25000000". False: it is none of these.
+/// Reads one word of a wiring: "spi=0x40021008", "select=0x4002804c:0", "data=...",
+/// "reset=ADDRESS:BIT:set_reset", "select_high=1", "pause=0xe000e014:25000000". Returns false for any other
+/// word.
 bool parse_wiring(const std::string& word, Wiring& wiring);
 
 /// An event on the wires.
 struct WireEvent {
     enum class Kind : std::uint8_t { byte, select, release, data, command, reset_low, reset_high, pause };
     Kind kind;
-    std::uint32_t value; ///< the byte; nanoseconds
+    std::uint32_t value; ///< the byte, or nanoseconds of a pause
 };
 
 std::vector<WireEvent> read_trace(std::istream& trace, const Wiring& wiring);
 
-/// The controller that the events end in.
+/// The model of the controller that receives the events.
 class WiredPanel {
   public:
     WiredPanel(const hal::Board& board, const Wiring& wiring, std::vector<WireEvent> events);
 
-    /// Until so many bytes were sent, start bytes not counted. False: the events end before.
+    /// Takes events until so many bytes were sent, start bytes not counted. Returns false if the events end
+    /// before.
     bool advance(std::uint64_t payload);
-    /// All that was sent was taken.
+    /// Whether all events were taken.
     bool at_end() const;
     Image glass();
-    /// A line each; without pauses, what asks for times is not held.
+    /// The violations, a line each. Without pauses, rules about times are left out.
     std::string violations() const;
 
   private:
@@ -66,7 +68,7 @@ class WiredPanel {
     std::unique_ptr<Controller> controller_;
     std::vector<WireEvent> events_;
     std::size_t next_ = 0;
-    Time now_ = 1000000; ///< power-on was a while ago
+    Time now_ = 1000000; ///< ns; power-on was a while ago
     bool selected_ = false, data_ = false, started_ = false;
     std::uint64_t payload_ = 0;
 };

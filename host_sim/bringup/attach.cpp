@@ -20,7 +20,8 @@ namespace spangle::bringup {
 namespace {
 
 #if SPANGLE_HAS_LINUX
-/// "gpiochip0:24", "/dev/gpiochip0:24" or "pinctrl-bcm2711:24"; the chip's name stays with the caller.
+/// Reads a line as "gpiochip0:24", "/dev/gpiochip0:24" or "pinctrl-bcm2711:24". `chip` keeps the chip's name,
+/// to which `line` points.
 bool read_line(const std::string& text, std::string& chip, hal::LineRef& line) {
     if (text.empty())
         return true;
@@ -36,7 +37,7 @@ bool read_line(const std::string& text, std::string& chip, hal::LineRef& line) {
     return *end == '\0';
 }
 
-/// A bus of Linux, the lines beside it, and the names that its configuration points to.
+/// A bus of Linux with the lines beside it, and the names to which its configuration points.
 template <class Bus> struct WithLines {
     BusOptions options;
     std::string chips[4];
@@ -52,7 +53,7 @@ template <class Bus> struct WithLines {
 };
 constexpr const char* bad_line = "lines are CHIP:NUMBER, as gpiochip0:24";
 
-/// Opens the bus that `held` has and hands it over.
+/// Opens the bus of `held`, and hands both over to `out`.
 template <class Held> void open(const std::shared_ptr<Held>& held, Attached& out) {
     if (const auto opened = held->bus->open(); !opened)
         out.error = opened.error().rule;
@@ -203,7 +204,8 @@ Attached attach(const BusOptions& options) {
     return out;
 }
 
-/// E3h does nothing on any of these controllers (SSD1306 datasheet, 9; SH1106, SSD1327 and SSD0303 alike).
+/// Asks an I2C address with E3h, which does nothing on any of these controllers (SSD1306 datasheet, 9;
+/// SH1106, SSD1327 and SSD0303 alike).
 I2cAnswer ask_i2c(const BusOptions& options, unsigned address) {
     constexpr std::uint8_t no_operation = 0xE3;
     constexpr std::uint32_t patience_us = 1000000;

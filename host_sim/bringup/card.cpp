@@ -22,7 +22,7 @@ void fill(sim::Image& image, int x, int y, int w, int h, Color c) {
         }
 }
 
-/// Five columns, seven rows.
+/// Draws a letter of five columns and seven rows.
 void letter(sim::Image& image, int x, int y, int scale, std::string_view shape) {
     for (int i = 0; i < 35; ++i)
         if (shape[static_cast<std::size_t>(i)] == '#')
@@ -33,14 +33,14 @@ constexpr std::string_view letters[] = {
     "####.#...##...#####.#.#..#..#.#...#", ".###.#...##....#.####...##...#.####",
     "####.#...##...#####.#...##...#####.", "######....#....####.#....#....#...."};
 
-/// What a format of the frame's memory makes of a colour.
+/// Stores a colour in the format of the frame's memory.
 void put(std::uint8_t* at, PixelFormat format, const std::uint8_t* rgb, bool swapped) {
     if (format_info(format).bytes_per_pixel != 2) {
         std::copy_n(rgb, 3, at);
         return;
     }
     const unsigned r = rgb[0], g = rgb[1], b = rgb[2];
-    if (is_indexed(format)) { // as the initial palette has it
+    if (is_indexed(format)) { // the index in the initial palette
         *at = static_cast<std::uint8_t>((r >> 5) << 5 | (g >> 5) << 2 | b >> 6);
         return;
     }
@@ -50,7 +50,7 @@ void put(std::uint8_t* at, PixelFormat format, const std::uint8_t* rgb, bool swa
     at[high_first ? 1 : 0] = static_cast<std::uint8_t>(word);
 }
 
-/// Narrow formats have no bytes to swap.
+/// Stores the picture in a format whose pixels share bytes; such formats have no bytes to swap.
 void put_narrow(const hal::Frame& frame, PixelFormat format, const sim::Image& picture) {
     const int lowest = stored_rows(format, picture.height) - 1;
     for (int y = 0; y < picture.height; ++y)
@@ -65,7 +65,7 @@ void put_narrow(const hal::Frame& frame, PixelFormat format, const sim::Image& p
         }
 }
 
-/// The outermost pixels that are seen.
+/// Draws a white frame of the outermost pixels that are seen.
 void frame(sim::Image& image, bool round) {
     const auto is_seen = [&](int x, int y) {
         const bool inside = x >= 0 && y >= 0 && x < image.width && y < image.height;
@@ -86,11 +86,12 @@ sim::Image card(int width, int height, bool round) {
     sim::Image image(width, height);
     fill(image, 0, 0, width, height, black);
     frame(image, round);
-    // Seven tenths of a disc's width are within its square.
+    // Seven tenths of a disc's width lie within the square inside it.
     const int w = round ? width * 7 / 10 : width, h = round ? height * 7 / 10 : height;
     const int left = (width - w) / 2, top = (height - h) / 2;
     const int row = h / 8, scale = std::max(1, std::min(w / 16, h / 32));
-    // The F stands in the upper half, left of the middle: no turn and no mirror shows the same.
+    // The F stands in the upper half, left of the middle, so that it looks different in every turn and mirror
+    // image.
     letter(image, left + w / 8, top + row, std::max(1, std::min(w / 12, h / 20)), letters[3]);
     const Color colors[] = {red, green, blue};
     for (int i = 0; i < 3; ++i) {

@@ -1,4 +1,4 @@
-// A real bus and what it was given: what a simulated one counts at its wires.
+// Counts what a real bus is given, as a simulated bus counts it at its wires.
 #pragma once
 
 #include <cstdint>

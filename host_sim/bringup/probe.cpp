@@ -14,7 +14,8 @@ using hal::Identity;
 
 constexpr std::uint32_t reset_low_us = 20, longest_reset_wait_us = 120000, patience_us = 1000000;
 
-/// ILI9341 says nothing at 04h, and its number at the register that its kin have (datasheet, 8.3.23).
+/// The ILI9341 answers nothing at 04h. It tells its number in the register where related chips tell theirs
+/// (datasheet, 8.3.23).
 constexpr Identity ili9341 = [] {
     Identity identity = hal::panels::ili9486_320x480.identity;
     identity.id = 0x009341;
@@ -33,7 +34,7 @@ bool asks_the_same(const Identity& a, const Identity& b, hal::BusKind kind) {
     return a.command == b.command && a.bytes == b.bytes && dummies(a, kind) == dummies(b, kind);
 }
 
-/// The panel has an identity, and hangs on such a bus.
+/// Whether the panel has an identity, and hangs on such a bus.
 bool answers_on(const hal::PanelDesc& panel, hal::BusKind kind) {
     const bool reached = kind == hal::BusKind::i8080 || panel.serial_bus == kind;
     return reached && !panel.quirks.no_read_back && identity_of(panel).id != 0;

@@ -1,4 +1,5 @@
-// Who hangs on this bus? Asks for every identity that a known panel would give, and proposes those that fit.
+// Finds out which panel hangs on a bus. It asks for every identity that a known panel would give, and
+// proposes the panels that fit.
 #pragma once
 
 #include <string>
@@ -12,19 +13,20 @@ namespace spangle::bringup {
 struct Answer {
     hal::Identity asked;
     std::uint32_t id = 0;
-    bool floating = false; ///< all bits alike: nobody drives the line
+    bool floating = false; ///< all bits are equal, because nobody drives the line
 };
 
 struct Findings {
     std::string error; ///< empty: the bus could be read
     std::vector<Answer> answers;
-    std::vector<const hal::PanelDesc*> panels; ///< that answer so, in the order of hal::panels::all
+    std::vector<const hal::PanelDesc*> panels; ///< panels that answer so, in the order of hal::panels::all
 };
 
-/// The panel must have its power and, where the bus has a reset line, is reset. `reset`: whether it has.
+/// Asks the panel, which must have its power. `reset` says whether the bus has a reset line; then the panel
+/// is reset first.
 Findings probe(hal::Bus& bus, bool reset);
 std::string text_of(const Findings& findings);
-/// Panels that hang on I2C, a line each: nobody can ask which of them it is.
+/// Panels that hang on I2C, a line each. Nobody can ask which of them is there.
 std::string i2c_candidates();
 
 } // namespace spangle::bringup

@@ -13,15 +13,15 @@
 namespace spangle::bringup {
 namespace {
 
-/// Every setting is wrong once at most, and a turn can undo an offset.
+/// Most cards that are shown: every setting is wrong once at most, and a turn can undo an offset.
 constexpr int most_cards = 16;
 
 enum class Verdict { right, changed, over };
 
-/// One thing that can be wrong: the question, what may be answered, and what an answer changes.
+/// A thing that can be wrong: the question, the possible answers, and what an answer changes.
 struct Question {
     const char* text;
-    const char* answers; ///< the first: as it should be
+    const char* answers; ///< letters; the first means that all is right
     void (*correct)(Guess& guess, char answer);
 };
 
@@ -55,14 +55,15 @@ Verdict ask_one(const Question& question, Guess& guess, const Ask& ask) {
         if (letter == answers[0])
             return Verdict::right;
         if (letter == '\0' || answers.find(letter) == std::string_view::npos)
-            continue; // once more
+            continue; // asks the question once more
         question.correct(guess, letter);
         return Verdict::changed;
     }
     return Verdict::over;
 }
 
-/// The window moves with the picture's axes; the offset is one of the memory's.
+/// Moves the picture on the glass. The window moves along the picture's axes, but the offset is along those
+/// of the memory.
 Guess moved(Guess guess, int right, int down) {
     const unsigned order = address_order(guess.panel.mount, guess.orientation);
     if ((order & hal::dcs::MV) != 0)
@@ -105,8 +106,8 @@ Verdict ask_all(Guess& guess, const Ask& ask) {
     return ask_edges(guess, ask);
 }
 
-/// The constant of hal/panels that has this name: "ST7789 240x320" is st7789_240x320.
-/// Controller and size: what comes behind them in a name is for people.
+/// The constant of hal/panels for a panel: "ST7789 240x320" is st7789_240x320. It has controller and size;
+/// further words of a name are for people.
 std::string constant_of(const hal::PanelDesc& panel) {
     std::string name = panel.name;
     name.resize(std::min(name.size(), name.find(' ', name.find(' ') + 1)));
@@ -115,7 +116,7 @@ std::string constant_of(const hal::PanelDesc& panel) {
     return name;
 }
 
-/// The first panel of this controller: what all of them share.
+/// The first panel of this controller, for what all panels of it share.
 const hal::PanelDesc& base_of(hal::Controller controller) {
     for (const hal::PanelDesc* panel : hal::panels::all)
         if (panel->controller == controller)
@@ -182,7 +183,7 @@ const hal::PanelDisplay& Stand::display() const {
     return parts_->display;
 }
 
-/// What the board's surface and wire are, where they are not the usual.
+/// Designated initialisers for the board's surface and wire, where these are not the usual ones.
 std::string pixels_of(const hal::PanelConfig& display) {
     constexpr const char* formats[] = {"rgb565_be", "rgb565_le", "rgb888", "rgba8888", "rgb666",
                                        "rgb444",    "rgb332",    "grey4",  "mono",     "index8"};

@@ -1,4 +1,5 @@
-// From what somebody sees to a panel's data: shows the test card, asks, corrects, until it looks right.
+// Finds the data of a panel from what a person sees: shows the test card, asks, and corrects until it looks
+// right.
 #pragma once
 
 #include <functional>
@@ -10,7 +11,7 @@
 
 namespace spangle::bringup {
 
-/// What is believed of a module: the description and how the picture is turned.
+/// What is believed of a module: the description of its panel, and how the picture is turned.
 struct Guess {
     hal::PanelDesc panel;
     hal::Orientation orientation{};
@@ -19,20 +20,20 @@ struct Guess {
 struct Wizardry {
     std::string error; ///< empty: the card looks right with `guess`
     Guess guess;
-    int cards = 0; ///< that were shown
+    int cards = 0; ///< number of cards shown
 };
 
-/// What a controller is, before anything is known of its glass.
+/// What is known of a controller, before anything is known of its glass.
 Guess first_guess(const hal::PanelDesc& like, hal::Extent glass);
 
-/// Shows the card as this guess has it; empty, or why it cannot.
+/// Shows the card according to this guess. Returns why it cannot, or an empty string.
 using Show = std::function<std::string(const Guess&)>;
-/// Asks a question; the answer, or false when nobody answers any more.
+/// Asks a question, and takes the answer. Returns false when nobody answers any more.
 using Ask = std::function<bool(const std::string& question, std::string& answer)>;
 
 Wizardry ask_until_right(const Guess& start, const Show& show, const Ask& ask);
 
-/// A display of this guess on a bus, for as long as it is held.
+/// A display of this guess on a bus. It lives as long as this object.
 class Stand {
   public:
     Stand(hal::Bus& bus, const hal::PanelConfig& config);

@@ -49,7 +49,7 @@ const Wrong* find_wrong(const std::string& name) {
     return nullptr;
 }
 
-/// One byte in some two hundred.
+/// Loses pixels' bytes: one in 256, chosen by noise.
 void SpoiltBus::lose(const hal::Op& op) {
     std::vector<std::uint8_t>& kept = bytes_.emplace_back();
     for (std::uint32_t y = 0; y < op.rows; ++y)
@@ -66,11 +66,11 @@ void SpoiltBus::lose(const hal::Op& op) {
     ops_.push_back(less);
 }
 
-/// Whatever was data is a command.
+/// Turns all data of an operation into commands.
 void SpoiltBus::mistake(const hal::Op& op) {
     const bool pixels = op.kind == hal::Op::Kind::pixels || op.kind == hal::Op::Kind::repeat;
     if (pixels)
-        return; // black pixels are NOPs; others set registers at random: nothing that lights the panel
+        return; // black pixels are NOPs, others set registers at random; none lights the panel
     ops_.push_back(op);
     ops_.back().parameters_are_commands = true;
 }

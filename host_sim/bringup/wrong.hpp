@@ -1,4 +1,4 @@
-// What can be wrong in a panel's description, one thing at a time: for pictures of how each looks.
+// What can be wrong in the description of a panel, one thing at a time, for pictures of how each looks.
 #pragma once
 
 #include <cstdint>
@@ -18,16 +18,16 @@ enum class Line : std::uint8_t { sound, no_data_command, too_fast };
 
 struct Wrong {
     const char* name;
-    const char* fix; ///< what mends it
+    const char* fix; ///< what mends the fault
     void (*spoil)(Guess& guess);
-    bool swapped = false; ///< the bytes of a pixel
+    bool swapped = false; ///< the bytes of each pixel are exchanged
     Line line = Line::sound;
 };
 
 inline constexpr Wrong nothing_wrong = {"", "nothing", [](Guess&) {}};
 
-/// A bus whose wires are not sound: D/C stays low, so that pixels are commands too; or the clock is faster
-/// than the panel takes, so that some bytes of the pixels are lost.
+/// A bus whose wires are not sound. Either D/C stays low, so that pixels become commands; or the clock is
+/// faster than the panel takes, so that some bytes of the pixels are lost.
 class SpoiltBus final : public hal::Bus {
   public:
     SpoiltBus(hal::Bus& bus, Line line) : bus_(bus), line_(line) {}
@@ -48,7 +48,7 @@ class SpoiltBus final : public hal::Bus {
     Line line_;
     std::uint32_t noise_ = 1;
     std::vector<hal::Op> ops_;
-    std::deque<std::vector<std::uint8_t>> bytes_; ///< of these
+    std::deque<std::vector<std::uint8_t>> bytes_; ///< data of the changed operations
 };
 
 std::span<const Wrong> wrongs();

@@ -26,10 +26,10 @@ template <class Value> bool get(std::istream& in, Value& value) {
     return static_cast<bool>(in.read(reinterpret_cast<char*>(&value), sizeof value));
 }
 
-/// The flags of a pixel.
+/// The flags of a pixel in the file.
 enum Flag : std::uint8_t { snapped = 1, exact = 2, drawn = 4 };
 
-/// A stage that was written by its name; null where there is none of that name.
+/// Finds the stage that was written by its name. Returns false where no stage has the name.
 bool name_stage(std::string_view name, StageError& out) {
     for (int i = 0; i < raster::shadow_stages; ++i) {
         const auto stage = static_cast<raster::ShadowStage>(i);

@@ -1,5 +1,5 @@
-// The file that carries frames from the process that draws them to the one that judges them. Both run on one
-// machine, and are of one build: numbers lie in it as they lie in memory.
+// The file that carries frames from the process that draws them to the process that judges them. Both
+// processes run on one machine and come from one build, so numbers are stored as they lie in memory.
 #pragma once
 
 #include <cstdint>
@@ -14,21 +14,22 @@
 
 namespace spangle::trade {
 
-/// What is known when the last frame is drawn.
+/// What is known after the last frame.
 struct CaptureEnd {
     std::uint64_t frames = 0;
     std::uint64_t mismatches = 0;   ///< pixels whose coverage is not brute force's
     std::vector<StageError> stages; ///< of shadow precisions
-    std::string missed;             ///< a function of later OpenGL that was called; empty: none
+    std::string missed;             ///< function of a later OpenGL that was called; empty: none
 };
 
-/// Writes such a file. It has its name once finish() was called, so a process that dies leaves none.
+/// Writes a capture file. The file has its name only once finish() was called, so that a process that dies
+/// leaves no file.
 class CaptureWriter {
   public:
-    /// Empty, or why nothing can be written there.
+    /// Opens the file. Returns why nothing can be written there, or an empty string.
     std::string open(const std::string& path);
-    /// A frame, and the microseconds of the processor that it took. Frames without a picture carry the time
-    /// alone.
+    /// Adds a frame, and the microseconds of processor time that it took. A frame without a picture carries
+    /// only the time.
     void add(const DrawnFrame& frame, double microseconds);
     std::string finish(const CaptureEnd& end);
 
@@ -38,12 +39,13 @@ class CaptureWriter {
 
 class CaptureReader {
   public:
-    /// Empty, or why this is no such file.
+    /// Opens the file. Returns why it is no capture file, or an empty string.
     std::string open(const std::string& path);
-    /// The next frame. False: there is none any more, and end() is known, or the file is broken.
+    /// Reads the next frame. Returns false where no frame is left, so that end() is known, or where the file
+    /// is broken.
     bool next(DrawnFrame& frame, double& microseconds);
     const CaptureEnd& end() const { return end_; }
-    /// The end was found.
+    /// Whether the end was found.
     bool whole() const { return whole_; }
 
   private:

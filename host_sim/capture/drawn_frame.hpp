@@ -1,4 +1,4 @@
-// A frame as one context drew it: what a tier's is held against double's by.
+// A frame as one context drew it, by which a tier is compared with double.
 #pragma once
 
 #include <vector>
@@ -11,14 +11,14 @@ namespace spangle::trade {
 
 struct DrawnFrame {
     DrawnPicture picture;
-    FrameCoverage coverage; ///< of its triangles
+    FrameCoverage coverage; ///< of the frame's triangles
     std::vector<bool> mask; ///< pixels that anything was drawn to, bottom row first
 };
 
-/// Depths of 24 bits become those of 16: finer codes than the tiers promise say nothing about them.
+/// Shortens depths of 24 bits to 16 bits. Finer codes than the tiers promise tell nothing about the tiers.
 void coarsen(DrawnPicture& picture);
 
-/// A mask of rows in the other order.
+/// A mask whose rows are in the opposite order.
 std::vector<bool> upside_down(const std::vector<bool>& mask, int width);
 
 } // namespace spangle::trade

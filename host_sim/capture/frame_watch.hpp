@@ -1,5 +1,5 @@
-// Watches the contexts of a program that someone else wrote: what was covered of each surface, and what a
-// finished picture holds. Nothing here calls GL or EGL, so that it may be called from inside of them.
+// Watches the contexts of a program from elsewhere: what was covered of each surface, and what a finished
+// picture holds. Nothing here calls GL or EGL, so that it may be called from inside of them.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +16,10 @@ class FrameWatch : public raster::Observer {
   public:
     FrameWatch();
 
-    /// The picture, and what was drawn to it since the last call for this surface. Depths have 16 bits.
+    /// Returns the picture, and what was drawn to it since the last call for this surface. Depths have 16
+    /// bits.
     DrawnFrame take(const raster::Surface& surface);
-    /// Pixels whose coverage was not brute force's.
+    /// The number of pixels whose coverage was not brute force's.
     std::uint64_t mismatches() const;
 
   private:
@@ -26,7 +27,7 @@ class FrameWatch : public raster::Observer {
         std::unique_ptr<Coverage> coverage;
         int width = 0, height = 0;
     };
-    mutable std::mutex mutex_; ///< threads draw to surfaces of their own
+    mutable std::mutex mutex_; ///< guards the members below: threads draw to surfaces of their own
     std::map<const std::uint8_t*, Watched> surfaces_;
     std::uint64_t of_former_ = 0; ///< mismatches on surfaces that have another size by now
 

@@ -1,5 +1,5 @@
-// The names of what surfaces can be, as the variables of the drop-in pair and the options of the command line
-// have them (docs/programs.md).
+// The names of precisions and formats, as the variables of the drop-in pair and the options of the command
+// line use them (docs/programs.md).
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace spangle::names {
 
 struct Precision {
     const char* name;
-    EGLint value; ///< EGL_PRECISION_SPANGLE
+    EGLint value; ///< of the attribute EGL_PRECISION_SPANGLE
 };
 inline constexpr Precision precisions[] = {{"exact", EGL_PRECISION_EXACT_SPANGLE},
                                            {"balanced", EGL_PRECISION_BALANCED_SPANGLE},
@@ -42,7 +42,7 @@ constexpr const Row* find(const Row (&table)[Count], std::string_view name) {
     return nullptr;
 }
 
-/// The name of a value; empty: it has none.
+/// The name of a value; empty if it has none.
 template <class Row, unsigned Count, class Value>
 constexpr const char* name_of(const Row (&table)[Count], Value value) {
     for (const Row& row : table)

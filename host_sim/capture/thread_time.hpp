@@ -1,4 +1,4 @@
-// The clock that frames are timed by.
+// The clock by which frames are timed.
 #pragma once
 
 #include <ctime>

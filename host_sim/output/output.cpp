@@ -14,14 +14,14 @@ namespace spangle::sim {
 namespace {
 
 constexpr std::size_t most_kept = std::size_t{1} << 16;
-constexpr int most_links = 40; // as the kernel
+constexpr int most_links = 40; // the kernel follows as many
 
 std::string folder_of(const std::string& path) {
     const std::size_t slash = path.rfind('/');
     return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
 }
 
-/// The descriptor of this program that a path names, or -1. To open such a path anew would begin at the start
+/// The descriptor of this program that a path names, or -1. Opening such a path anew would begin at the start
 /// of the file behind it, and sockets cannot be opened at all.
 int named_descriptor(const std::string& path) {
     if (path == "-" || path == "/dev/stdout")
@@ -40,8 +40,8 @@ int named_descriptor(const std::string& path) {
     return -1;
 }
 
-/// Follows symbolic links, the last of which may name something that does not exist. False: they go in a
-/// circle.
+/// Follows symbolic links, the last of which may name something that does not exist. Returns false where they
+/// form a circle.
 bool follow(std::string& path) {
     for (int hops = 0; named_descriptor(path) < 0; ++hops) {
         struct stat status {};
@@ -74,7 +74,7 @@ const char* advice(int error) {
     }
 }
 
-/// All bytes, or the error.
+/// Writes all bytes. Returns the errno of what failed, or 0.
 int put(int file, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t taken = ::write(file, bytes.data(), bytes.size());
@@ -133,8 +133,8 @@ std::string Output::open_device() {
     return file_ < 0 ? problem(errno) : "";
 }
 
-/// The new file has no name where the file system can do that: then nothing is left of a program that is
-/// killed.
+/// Opens the new file, without a name where the file system can do that. Then a program that is killed leaves
+/// nothing behind.
 std::string Output::open_new_file(bool exists) {
     const std::string folder = folder_of(target_);
     struct stat status {};
@@ -173,16 +173,16 @@ bool Output::flush() {
     return error_ == 0;
 }
 
-/// The new file gets the name, and what the old one allowed to whom. Renaming is one step to everybody who
-/// looks.
+/// Gives the new file its name, and the owner and permissions of the old file. Renaming is a single step for
+/// everybody who looks.
 int Output::take_place() {
     struct stat old {};
     const bool exists = stat(target_.c_str(), &old) == 0;
-    if (exists && !S_ISREG(old.st_mode)) // it came meanwhile
+    if (exists && !S_ISREG(old.st_mode)) // something else took the name meanwhile
         return EEXIST;
     if (exists) {
-        // A user who may write a file need not be able to give it away: then it is the user's own from here
-        // on.
+        // A user who may write a file need not be able to give it away. In that case the file is the user's
+        // own from here on.
         if (fchown(file_, old.st_uid, old.st_gid) != 0)
             errno = 0;
         if (fchmod(file_, old.st_mode & 07777) != 0)

@@ -1,6 +1,5 @@
-// Where what a tool writes goes. A regular file is written whole or not at all: a new file takes its place
-// when everything is in it. Devices, pipes and open descriptors are written to as they are, and never
-// replaced.
+// The files that tools write. A regular file is written whole or not at all: a new file takes its place when
+// everything is in it. Devices, pipes and open descriptors are written to as they are, and never replaced.
 #pragma once
 
 #include <cstddef>
@@ -13,36 +12,37 @@ namespace spangle::sim {
 class Output {
   public:
     Output() = default;
-    /// Gives up what was not committed: of a regular file nothing is seen.
+    /// Gives up what was not committed; a regular file then keeps its old content.
     ~Output();
     Output(const Output&) = delete;
     Output& operator=(const Output&) = delete;
 
-    /// Empty, or why nothing can be written there. "-" is standard output; symbolic links are followed. The
-    /// file that has this name stays as it is until commit().
+    /// Opens the output; "-" is standard output, and symbolic links are followed. An existing file of this
+    /// name stays as it is until commit(). Returns why nothing can be written there, or an empty string.
     std::string open(const std::string& path);
     bool is_open() const { return file_ >= 0; }
-    /// The bytes share this program's standard output with whatever else it prints.
+    /// Whether the bytes share this program's standard output with everything else that it prints.
     bool on_standard_output() const { return descriptor_ == 1; }
 
-    /// Keeps bytes to be written. False when something was lost already; commit() then says what.
+    /// Keeps bytes to be written. Returns false when something was lost already; commit() then says what.
     bool write(std::string_view bytes);
-    /// What was written so far, in bytes.
+    /// The number of bytes written so far.
     std::uint64_t size() const { return size_; }
-    /// Hands on what is kept, to those who look while a program runs. False as of write().
+    /// Writes the bytes that are kept, for those who read while the program runs. Returns false as write()
+    /// does.
     bool flush();
-    /// Everything is written, and a regular file has its name from here on. Empty, or what went wrong: then
-    /// the file that had the name is still there.
+    /// Writes everything, and gives a regular file its name. Returns what went wrong, or an empty string.
+    /// After a failure the old file is still there.
     std::string commit();
 
   private:
     std::string path_;       ///< as the user gave it, for messages
     std::string target_;     ///< of a regular file: where its links end
-    std::string unfinished_; ///< name of the new file; empty: it has none yet, or nothing is replaced
+    std::string unfinished_; ///< name of the new file; empty: without a name, or nothing is replaced
     int file_ = -1;
-    int descriptor_ = -1;   ///< of this program that `path` names, or -1
-    bool replaces_ = false; ///< a regular file, or none that exists
-    int error_ = 0;         ///< of the first write that failed
+    int descriptor_ = -1;   ///< descriptor of this program that `path_` names, or -1
+    bool replaces_ = false; ///< writes a regular file, which may not exist yet
+    int error_ = 0;         ///< errno of the first write that failed
     std::uint64_t size_ = 0;
     std::string kept_;
 
@@ -54,11 +54,11 @@ class Output {
     std::string problem(int error) const;
 };
 
-/// The whole file at once. Empty, or what went wrong.
+/// Writes a whole file at once. Returns what went wrong, or an empty string.
 std::string write_file(const std::string& path, std::string_view bytes);
 /// Whether this name means the program's own standard output.
 bool is_standard_output(std::string path);
-/// What a program prints: commit() at its end says whether all of it arrived.
+/// What a program prints. commit() at its end tells whether all of it arrived.
 Output& standard_output();
 
 } // namespace spangle::sim

@@ -68,7 +68,7 @@ Image difference_picture(const Image& a, const Image& b) {
 
 Image crop(const Image& image, int x, int y, int width, int height) {
     const int left = std::clamp(x, 0, image.width), top = std::clamp(y, 0, image.height);
-    const auto end = [](int from, int size, int bound) { // x + width may be beyond an int
+    const auto end = [](int from, int size, int bound) { // x + width may be larger than an int holds
         return static_cast<int>(std::clamp<std::int64_t>(std::int64_t{from} + size, 0, bound));
     };
     Image out(std::max(end(x, width, image.width) - left, 0),

@@ -17,7 +17,7 @@ std::string encode_png(const Image& image, std::string& out) {
     png.width = static_cast<png_uint_32>(image.width);
     png.height = static_cast<png_uint_32>(image.height);
     png.format = PNG_FORMAT_RGBA;
-    // A picture that nobody sees through is written without the alpha it does not use.
+    // An opaque picture is written without the alpha that it does not use.
     std::vector<std::uint8_t> opaque;
     bool see_through = false;
     for (std::size_t i = 3; i < image.rgba.size(); i += 4)
@@ -47,7 +47,7 @@ std::string write_png(const Image& image, const std::string& path) {
 
 namespace {
 
-/// What png_image_begin_read_from_... began. It is freed here, whether it was read or not.
+/// Finishes what png_image_begin_read_from_... began. It frees `png`, whether the picture was read or not.
 std::string finish_reading(png_image& png, Image& out) {
     const std::uint64_t width = png.width, height = png.height;
     if (width > longest_side || height > longest_side || width * height > most_pixels) {

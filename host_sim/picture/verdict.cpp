@@ -32,7 +32,7 @@ std::string describe(const Mismatch& m, const Image& actual, const Image& expect
            std::to_string(m.max_difference) + "/255";
 }
 
-/// "\n  actual: FILE", or why it is not there.
+/// Writes evidence of a failure. Returns "\n  actual: FILE", or why the file could not be written.
 std::string leave(const char* what, const Image& image, const std::string& path) {
     const std::string problem = write_png(image, path);
     std::error_code ignored;
@@ -57,7 +57,7 @@ Verdict update(const Image& actual, const std::string& golden) {
     return {};
 }
 
-/// The lines of the art; the line breaks around it belong to the raw string literal.
+/// The lines of the art. The line breaks around it belong to the raw string literal.
 std::vector<std::string> rows_of(const std::string& art) {
     std::vector<std::string> rows;
     std::istringstream in(art.substr(!art.empty() && art.front() == '\n' ? 1 : 0));
@@ -66,7 +66,7 @@ std::vector<std::string> rows_of(const std::string& art) {
     return rows;
 }
 
-/// What is wrong with the art itself, or nothing.
+/// What is wrong with the art itself; empty if nothing is.
 std::string bad_art(const std::vector<std::string>& rows, const Legend& legend) {
     for (std::size_t y = 0; y < rows.size(); ++y) {
         if (rows[y].size() != rows[0].size())
@@ -79,8 +79,8 @@ std::string bad_art(const std::vector<std::string>& rows, const Legend& legend) 
     return "";
 }
 
-/// The art as a picture: where a pixel has the character's colour it is taken from `actual`, which may hold
-/// more bits than the panel's.
+/// The art as a picture. Where a pixel of `actual` has the character's colour, the pixel is copied, because
+/// it may hold more bits than the panel keeps.
 Image draw(const std::vector<std::string>& rows, const Legend& legend, const Image& actual) {
     Image out(rows.empty() ? 0 : static_cast<int>(rows[0].size()), static_cast<int>(rows.size()));
     if (out.width != actual.width || out.height != actual.height)

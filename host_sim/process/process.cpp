@@ -11,15 +11,15 @@ namespace spangle::process {
 
 namespace {
 
-/// In the child: the stream is what the caller asked for.
+/// Connects a stream in the child to what the caller asked for.
 bool connect(int from, int stream) {
     const int file = from == nowhere ? open("/dev/null", O_RDWR | O_CLOEXEC) : from;
     return from == inherited || dup2(file, stream) == stream;
 }
 
-/// The child's whole life, but for the program that it becomes. Its parent reads why it became none.
+/// Runs in the child, and turns it into the program. If that fails, the parent reads the error from the pipe.
 [[noreturn]] void become(char* const arguments[], const Streams& streams, int pipe) {
-    // The command line ignores these (main.cpp), and a child inherits that.
+    // The command line ignores these signals (main.cpp), and a child would inherit that.
     std::signal(SIGPIPE, SIG_DFL);
     std::signal(SIGXFSZ, SIG_DFL);
     if (connect(streams.in, STDIN_FILENO) && connect(streams.out, STDOUT_FILENO) &&
@@ -30,7 +30,8 @@ bool connect(int from, int stream) {
     _exit(told && error == ENOENT ? no_program : could_not_run);
 }
 
-/// What a child wrote before its end of the pipe was closed, by exec or by its end; 0: nothing.
+/// The error that a child wrote before its end of the pipe was closed, by exec or by the child's end. 0:
+/// none.
 int error_from(int pipe) {
     int error = 0;
     ssize_t taken = 0;

@@ -1,4 +1,4 @@
-// Other programs: started, waited for, and what they said.
+// Runs other programs, waits for their end, and keeps what they print.
 #pragma once
 
 #include <cstdio>
@@ -7,36 +7,36 @@
 
 namespace spangle::process {
 
-/// Statuses of shells: there is no such program; it could not be run; it ended by a signal, whose number is
-/// added.
+/// Statuses as shells have them: there is no such program; it could not be run; it ended by a signal, whose
+/// number is added.
 inline constexpr int no_program = 127, could_not_run = 126, of_signals = 128;
 
-/// Where a stream of the program goes: a file descriptor, or one of these.
+/// The place of a program's stream: a file descriptor, or one of these values.
 inline constexpr int inherited = -1, nowhere = -2;
 struct Streams {
     int in = inherited, out = inherited, error = inherited;
 };
 
 struct Ended {
-    int status;    ///< its own, or one of the three above
-    int error = 0; ///< why it could not be run, as errno has it; 0: it ran
+    int status;    ///< exit status of the program, or one of the three above
+    int error = 0; ///< errno of why it could not be run; 0: it ran
 };
 
-/// Runs a program of PATH to its end. Signals do in it what they do by default.
+/// Runs a program, found by PATH, to its end. Signals have their default actions in it.
 Ended run(const std::vector<std::string>& words, const Streams& streams = {});
 
-/// A file without a name, for what a program reads or says.
+/// A file without a name, for what a program reads or prints.
 class Scratch {
   public:
     Scratch() : file_(std::tmpfile()) {}
     ~Scratch();
     Scratch(const Scratch&) = delete;
     Scratch& operator=(const Scratch&) = delete;
-    /// -1: there is no such file, because none could be made.
+    /// The file's descriptor; -1 if no file could be made.
     int descriptor() const { return file_ != nullptr ? fileno(file_) : -1; }
-    /// Puts `text` there, to be read from its beginning. False: it has no place.
+    /// Stores `text`, to be read from its beginning. Returns false if it could not be stored.
     bool put(const std::string& text);
-    /// All that was written.
+    /// All that was written to the file.
     std::string text() const;
 
   private:

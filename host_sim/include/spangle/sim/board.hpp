@@ -1,4 +1,4 @@
-// A board on the desk that is not there: controller model, bus and display driver behind one name.
+// A simulated board: a model of its display's controller, its bus and its display driver behind one name.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct BoardCounters {
     std::uint64_t commands = 0;
     std::uint64_t pixel_bytes = 0;
     std::uint64_t transfers = 0;
-    Time busy_ns = 0; ///< the wire was in use
+    Time busy_ns = 0; ///< ns in which the wire was in use
 };
 
 class SimBoard {
@@ -29,43 +29,45 @@ class SimBoard {
     SimBoard(const SimBoard&) = delete;
     SimBoard& operator=(const SimBoard&) = delete;
 
-    /// For eglGetDisplay(spangle::native(board.display())): the driver that also runs on the real board.
+    /// The display, which has the driver that also runs on the real board. Use it as
+    /// eglGetDisplay(spangle::native(board.display())).
     hal::Display& display();
     hal::Bus& bus();
 
-    /// What the user sees, upright: the glass after the panel was sent all that is on the wire and has
-    /// scanned its memory out. Looking takes that time and two refreshes (virtual). Beside round glass the
-    /// picture is transparent black: alpha 0.
+    /// The picture that a viewer sees, upright. The panel is first sent all that is on the wire, and then
+    /// scans its memory for two refreshes; both take virtual time. Outside round glass the picture is
+    /// transparent black: alpha 0.
     Image glass() const;
-    /// The same with what round glass hides: the whole rectangle that the controller scans out.
+    /// The same picture without hiding what round glass hides: the whole rectangle that the controller scans.
     Image scan_out() const;
-    /// The controller's whole frame memory as MADCTL 00h addresses it.
+    /// The controller's whole frame memory, as MADCTL 00h addresses it.
     Image memory() const;
 
     BoardCounters counters() const;
-    /// What became of the frames presented.
+    /// What became of the presented frames: sent, put off, and how they met the scan.
     hal::PresentCounters presents() const;
     const Violations& violations() const;
     /// All violations, a line each; empty when the bus kept every rule.
     std::string violations_text() const;
     Time now() const;
-    /// The processor works for a while (virtual time).
+    /// Lets the processor work for `ns` nanoseconds of virtual time.
     void pass(Time ns);
 
-    /// Records the wires from here on, in a file of at most so many bytes; 0: half a gigabyte. Empty, or why
-    /// the file cannot be written.
+    /// Records the wires from here on, in a file of at most `most_bytes` bytes; 0: half a gigabyte. Returns
+    /// why the file cannot be written, or an empty string.
     std::string record_vcd(const std::string& path, std::uint64_t most_bytes = 0);
-    /// The file is whole and has its name, as it also has when the board goes. `error` is empty, or says what
-    /// went wrong; `full`: the limit was reached, and the dump ends at `end`.
+    /// What became of a record of the wires. `error` says what went wrong, or is empty. `full` says that the
+    /// limit was reached; the dump then ends at `end`, in ns. The file has its name from end_vcd() on; the
+    /// board's destructor ends a record, too.
     struct Recorded {
         std::string error;
         bool full = false;
         Time end = 0;
     };
     Recorded end_vcd();
-    /// The next transfer fails this way.
+    /// Makes the next transfer fail this way.
     void fail_next(hal::Fault fault);
-    /// The wire loses byte n counted from now.
+    /// Makes the wire lose byte n, counted from now.
     void drop_byte(std::uint64_t n);
 
   private:

@@ -10,7 +10,7 @@
 
 namespace spangle::sim {
 
-/// RGBA, 8 bits each, top row first.
+/// A picture of R, G, B, A bytes, top row first.
 struct Image {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgba;
@@ -26,56 +26,59 @@ struct Image {
     friend bool operator==(const Image&, const Image&) = default;
 };
 
-/// Whether a pixel's centre lies on the disc, or ellipse, that fills a picture: what is seen of round glass.
+/// Whether the centre of a pixel lies on the disc, or ellipse, that fills a picture. On round glass only
+/// these pixels are seen.
 constexpr bool on_disc(int x, int y, int width, int height) {
     const std::int64_t w = width, h = height, u = (2 * x + 1 - w) * h, v = (2 * y + 1 - h) * w;
     return u * u + v * v <= w * h * w * h;
 }
 
-/// What is read of other people's pictures; a larger one is refused before anything of it is decoded.
+/// The largest picture that is read from a file, in pixels: each side, and both multiplied. A larger one is
+/// refused before it is decoded.
 inline constexpr int longest_side = 16384;
 inline constexpr std::uint64_t most_pixels = std::uint64_t{1} << 26;
 
-/// Empty on success, else what went wrong. A regular file is whole or as it was before; devices and pipes are
-/// written to as they are, and "-" is standard output.
+/// Writes a picture as PNG. Returns what went wrong, or an empty string. After a failure a regular file is as
+/// it was before. Devices and pipes are written to as they are, and "-" is standard output.
 std::string write_png(const Image& image, const std::string& path);
-/// The bytes of that file.
+/// Makes the bytes of such a file. Returns what went wrong, or an empty string.
 std::string encode_png(const Image& image, std::string& out);
-/// At most longest_side pixels a side and most_pixels together.
+/// Reads a PNG file with at most longest_side pixels a side and most_pixels in all. Returns what went wrong,
+/// or an empty string.
 std::string read_png(const std::string& path, Image& out);
-/// The picture that such a file's bytes hold.
+/// Decodes the bytes of a PNG file, as read_png() does.
 std::string decode_png(std::string_view bytes, Image& out);
 
-/// Sixteen hexadecimal digits that name the picture: the same on every machine.
+/// A hash of size and pixels, in sixteen hexadecimal digits. It is the same on every machine.
 std::string hash(const Image& image);
 
-/// What two pictures of one size have in common, counted in RGB565 steps over the pixels `mask` marks (null:
-/// all).
+/// The differences of two pictures of one size, in RGB565 steps, over the pixels that `mask` marks (null: all
+/// pixels).
 struct Difference {
     std::uint64_t pixels = 0, identical = 0;
-    int max_lsb = 0;       ///< largest difference of a channel, in its own steps
-    double psnr_db = 99.0; ///< of the 565 values scaled to 8 bits; 99 when identical
+    int max_lsb = 0;       ///< largest difference of a channel, in steps of the channel
+    double psnr_db = 99.0; ///< dB, of the 565 values scaled to 8 bits; 99 when identical
     double identical_percent() const {
         return pixels == 0 ? 100.0 : 100.0 * static_cast<double>(identical) / static_cast<double>(pixels);
     }
 };
 Difference compare_565(const Image& a, const Image& b, const std::vector<bool>* mask = nullptr);
 
-/// Grey where equal, red where not, brighter with the difference. Sizes may differ: what only one has is
-/// magenta.
+/// Draws grey where pixels are equal, and red where they are not, brighter with the difference. Sizes may
+/// differ: pixels of only one picture are magenta.
 Image difference_picture(const Image& a, const Image& b);
 
-/// The part of the picture in the rectangle; what lies outside of the picture is left out.
+/// The part of the picture in the rectangle, cut off at the borders of the picture.
 Image crop(const Image& image, int x, int y, int width, int height);
 
-/// What a character of an ASCII picture stands for: 0xRRGGBB. A panel keeps fewer bits, so colours are equal
-/// when their RGB565 bits are. '?' is kept: any colour that the legend does not name.
+/// The colours of the characters in an ASCII picture, as 0xRRGGBB. A panel keeps fewer bits, so colours are
+/// equal when their RGB565 bits are. '?' is reserved for any colour that the legend does not name.
 using Legend = std::map<char, std::uint32_t>;
 
-/// ' ' black, '#' white, and r g b y c m for the pure colours.
+/// A legend with ' ' for black, '#' for white, and r g b y c m for the pure colours.
 const Legend& pure_colors();
 
-/// One character a pixel, a line a row.
+/// The picture as text, a character for each pixel and a line for each row.
 std::string to_ascii(const Image& image, const Legend& legend = pure_colors());
 
 } // namespace spangle::sim

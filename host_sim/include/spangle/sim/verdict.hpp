@@ -1,5 +1,5 @@
-// Is this picture the expected one, and if not, where not? For any test framework; spangle/sim/matchers.hpp
-// speaks GoogleTest.
+// Checks whether a picture is the expected one, and tells where it is not. The checks suit any test
+// framework; spangle/sim/matchers.hpp has matchers for GoogleTest.
 #pragma once
 
 #include <cstdint>
@@ -13,32 +13,33 @@ namespace spangle::sim {
 struct Mismatch {
     bool same_size = true;
     std::uint64_t pixels = 0, differing = 0;
-    int first_x = -1, first_y = -1; ///< topmost, then leftmost
-    int max_difference = 0;         ///< of any channel of any pixel
+    int first_x = -1, first_y = -1; ///< the topmost difference, of these the leftmost; -1: none
+    int max_difference = 0;         ///< 255ths; of any channel of any pixel
     explicit operator bool() const { return !same_size || differing != 0; }
 };
 Mismatch mismatch(const Image& actual, const Image& expected, int tolerance = 0);
 
 struct Verdict {
     bool passed = true;
-    std::string text; ///< why not, and which files show it
+    std::string text; ///< why the check failed, and which files show it
 };
 
-/// What a check leaves behind when it fails.
+/// The files that a check leaves when it fails.
 enum class Evidence : std::uint8_t { none, pictures };
 
-/// The picture equals a PNG file. Failing, "NAME.actual.png" and "NAME.difference.png" are written beside
-/// NAME.png. With SPANGLE_UPDATE_GOLDEN=1 in the environment the file is (re)written instead, and the check
-/// passes.
+/// Checks that the picture equals a PNG file. On failure, "NAME.actual.png" and "NAME.difference.png" are
+/// written beside NAME.png. With SPANGLE_UPDATE_GOLDEN=1 in the environment the file is written instead, and
+/// the check passes.
 Verdict check_golden(const Image& actual, const std::string& golden, int tolerance = 0,
                      Evidence evidence = Evidence::pictures);
 
-/// The picture has this hash(). Failing, it is written to `evidence_stem` + ".actual.png"; "": nowhere.
+/// Checks that the picture has this hash(). On failure, the picture is written to `evidence_stem` +
+/// ".actual.png"; with an empty stem it is not written.
 Verdict check_hash(const Image& actual, const std::string& expected, const std::string& evidence_stem);
 
-/// The picture is the drawn one, a character a pixel; '?' matches everything. A line break at the start is
-/// not part of the art. Failing, `evidence_stem` + ".actual.png" and ".difference.png" are written; "":
-/// nothing.
+/// Checks that the picture looks like the art, a character a pixel; '?' matches everything. A line break at
+/// the start is not part of the art. On failure, `evidence_stem` + ".actual.png" and ".difference.png" are
+/// written; with an empty stem they are not.
 Verdict check_ascii(const Image& actual, const std::string& art, const Legend& legend,
                     const std::string& evidence_stem);
 

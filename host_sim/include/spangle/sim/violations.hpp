@@ -1,4 +1,4 @@
-// What a bus did that a datasheet forbids.
+// Rules that datasheets set for a bus, and violations of them.
 #pragma once
 
 #include <cstdint>
@@ -13,19 +13,19 @@ using Time = std::uint64_t;
 /// The rules of the protocol, numbered as the reports name them.
 enum class Rule : std::uint8_t {
     too_early = 1,        ///< a command too soon after a reset, SLPIN or SLPOUT
-    reset_pulse = 2,      ///< reset low for less than 10 us
+    reset_pulse = 2,      ///< reset low for less than the chip needs (10 us; OLED: chip's own)
     write_in_sleep = 3,   ///< RAMWR while asleep (a warning: the memory takes it)
     dc_in_byte = 4,       ///< D/C changed while a byte was under way
-    parameter_count = 5,  ///< too few or too many parameters of a known command
+    parameter_count = 5,  ///< too few or too many parameters of a known command, or an unknown one
     window = 6,           ///< start behind end, outside of the memory, or outside of the glass
     pixel_count = 7,      ///< more or fewer pixels than the window holds
     read = 8,             ///< read faster than the read clock, or without the dummy clocks
     write_clock = 9,      ///< clock faster than the controller takes
     half_pixel = 10,      ///< the pixel stream ends inside a pixel
     buffer_changed = 11,  ///< the source changed between submit and the wire
-    color_format = 12,    ///< pixels of another size than COLMOD says, or a format this bus has not
+    color_format = 12,    ///< pixels of another size than COLMOD says, or a format that this bus lacks
     tear = 13,            ///< the write crossed the scan line while TE is used
-    control_byte = 14,    ///< I2C: a message, or its next part, without a control byte
+    control_byte = 14,    ///< I2C or start byte: a message, or its next part, without a valid control byte
     locked_register = 15, ///< a maker's register written without the key that opens it
     busy = 16,            ///< memory written while the controller itself moves or draws in it
 };
