@@ -12,9 +12,9 @@ namespace spangle::bake {
 struct HeaderInput {
     std::string name;      ///< name of the namespace inside of spangle::baked
     std::string command;   ///< command that writes the header again
-    const BakedMesh* mesh; ///< null: textures only
+    const BakedMesh* mesh; ///< null: the header has textures only
     const std::vector<BakedTexture>* textures;
-    const std::vector<bool>* translucent; ///< of the pictures, in their order
+    const std::vector<bool>* translucent; ///< for each picture, in their order: it has alpha below 255
 };
 
 std::string write_header(const HeaderInput& input);

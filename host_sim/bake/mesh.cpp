@@ -24,7 +24,7 @@ std::int32_t nearest(double v, Number number) {
     return static_cast<std::int32_t>(std::lround(std::clamp(v, -most, most)));
 }
 
-/// The largest magnitude of any component of `get(vertex)`.
+/// The largest magnitude of any component of `get(vertex)` in the whole model.
 template <class Get> double largest(const cli::Model& model, const Get& get) {
     double most = 0.0;
     for (const cli::ModelPart& part : model.parts)

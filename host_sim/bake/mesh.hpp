@@ -29,7 +29,8 @@ struct BakedVertex {
 };
 
 struct BakedPart {
-    const cli::ModelPart* from = nullptr; ///< kind and material
+    const cli::ModelPart* from =
+        nullptr; ///< part of the model that this is baked from; has kind and material
     bool strip = false;
     std::vector<BakedVertex> vertices;
     std::vector<std::uint32_t> indices;
@@ -41,7 +42,7 @@ struct MeshReport {
     double position_error =
         0.0; ///< largest distance of a vertex from its place in the model, whose radius is 1
     double normal_error = 0.0;   ///< degrees; largest angle
-    double texcoord_error = 0.0; ///< largest difference of s or t
+    double texcoord_error = 0.0; ///< largest difference of a texture coordinate s or t
     std::size_t vertices_before = 0, vertices = 0, triangles = 0, indices = 0;
     std::size_t misses_before = 0,
                 misses = 0; ///< vertices that the cache processes when the model is drawn once
@@ -51,7 +52,7 @@ struct MeshReport {
 
 struct BakedMesh {
     MeshOptions options;
-    double position_step = 1.0, texcoord_step = 1.0; ///< of one unit of the integers that GL is given
+    double position_step = 1.0, texcoord_step = 1.0; ///< length of one unit of the integers that GL is given
     bool textured = false;                           ///< at least one part has texture coordinates
     std::vector<BakedPart> parts;
     MeshReport report;

@@ -15,12 +15,12 @@ enum class TexelKind : std::uint8_t { packed, bytes, palette, etc1 };
 struct TextureFormat {
     const char* name; ///< name on the command line
     TexelKind kind;
-    std::uint8_t bits[4];        ///< of R, G, B, A in a texel or an entry of the palette
-    bool luminance;              ///< R is the luminance
-    unsigned texel_bytes;        ///< of a texel, or an entry of the palette; 0 for blocks
-    unsigned index_bits;         ///< of an index of a palette; else 0
-    const char* internal_format; ///< tokens of GL, by name
-    const char* format;          ///< of TexImage, for other GLs; null: compressed
+    std::uint8_t bits[4];        ///< bits of R, G, B, A in a texel or an entry of the palette
+    bool luminance;              ///< R holds the luminance, G and B are unused
+    unsigned texel_bytes;        ///< bytes of a texel, or of an entry of the palette; 0 for blocks
+    unsigned index_bits;         ///< bits of an index of a palette; 0 without a palette
+    const char* internal_format; ///< names of GL's tokens
+    const char* format;          ///< format for TexImage in other GLs; null: compressed
     const char* type;
 };
 
@@ -41,14 +41,14 @@ struct TextureOptions {
 
 struct BakedLevel {
     int width = 0, height = 0;
-    std::vector<std::uint8_t> bytes; ///< texels, least significant byte first; of a palette, all levels
+    std::vector<std::uint8_t> bytes; ///< texels, least significant byte first; of a palette format all levels
 };
 
 struct BakedTexture {
     const TextureFormat* format = nullptr;
     int chain = 0;                  ///< number of levels of the mip chain
     std::vector<BakedLevel> levels; ///< a single entry for palettes, whose levels lie one behind the other
-    double psnr_db = 0.0;           ///< of level 0, over the components that the format keeps; 99: exact
+    double psnr_db = 0.0;           ///< PSNR of level 0 over the components that the format keeps; 99: exact
     std::size_t bytes() const;
 };
 

@@ -101,8 +101,8 @@ class TriangleOrder {
     const IndexList& triangles_;
     Fans fans_;
     unsigned entries_;
-    std::vector<std::uint32_t> live_; ///< triangles at a vertex that are not drawn yet
-    std::vector<std::size_t> time_;   ///< moment at which a vertex came into the cache
+    std::vector<std::uint32_t> live_; ///< for each vertex, the number of its triangles not drawn yet
+    std::vector<std::size_t> time_;   ///< for each vertex, the moment at which it came into the cache
     std::vector<bool> emitted_;
     std::size_t now_, cursor_ = 0;
     std::vector<std::uint32_t> candidates_, dead_ends_;

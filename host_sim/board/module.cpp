@@ -103,8 +103,8 @@ Image upright(const Image& glass, hal::Orientation o) {
     for (int y = 0; y < out.height; ++y)
         for (int x = 0; x < out.width; ++x) {
             const int px = o.mirrored ? out.width - 1 - x : x;
-            int gx = px, gy = y;  // for Rotation::r0
-            switch (o.rotation) { // the picture is turned clockwise on the glass
+            int gx = px, gy = y;  // Rotation::r0 leaves the picture as it is
+            switch (o.rotation) { // the rotation turned the picture clockwise on the glass
             case hal::Rotation::r90:
                 gx = glass.width - 1 - y, gy = px;
                 break;

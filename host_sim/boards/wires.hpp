@@ -1,5 +1,5 @@
-// What went over a display's wires, from QEMU's trace of register writes (-trace memory_region_ops_write),
-// and a model of the controller at their end.
+// Reads what went over a display's wires from QEMU's trace of register writes (-trace
+// memory_region_ops_write), and feeds a model of the controller at their end.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace spangle::sim {
 /// A line that is a bit of a register. In a set-reset register the bit sets the line, and the bit 16 places
 /// higher clears it; in others the bit is its level.
 struct WirePin {
-    std::uint64_t address = 0; ///< 0: not wired
+    std::uint64_t address = 0; ///< address of the register; 0: the line is not wired
     unsigned bit = 0;
     bool set_reset = false;
 };
@@ -37,7 +37,7 @@ struct Wiring {
 /// word.
 bool parse_wiring(const std::string& word, Wiring& wiring);
 
-/// An event on the wires.
+/// An event on the wires of a display.
 struct WireEvent {
     enum class Kind : std::uint8_t { byte, select, release, data, command, reset_low, reset_high, pause };
     Kind kind;

@@ -18,7 +18,7 @@ struct BusOptions {
     std::string
         board; ///< name of the board that is simulated, or that describes the real panel; empty: the usual
     std::string spidev;               ///< device file; empty: not used
-    std::string dc, reset, light, te; ///< CHIP:LINE of a real panel
+    std::string dc, reset, light, te; ///< lines of a real panel, as CHIP:LINE
     std::string i2c;                  ///< device file; empty: not used
     unsigned address = 0x3C;          ///< of the panel on I2C
     bool ftdi = false, gud = false;
@@ -35,10 +35,10 @@ struct Attached {
     std::string error;
     hal::Board board;                         ///< unused for a GUD display
     std::unique_ptr<sim::SimBoard> simulated; ///< null: the display is real
-    std::shared_ptr<hal::Bus> bus;            ///< null: a GUD display
+    std::shared_ptr<hal::Bus> bus;            ///< null for a GUD display, which needs no bus
     std::shared_ptr<hal::Display> display;    ///< a GUD display; null: a panel on the bus
-    std::string where;                        ///< the device, for reports; empty: simulated
-    bool reset = false;                       ///< the panel's reset is wired
+    std::string where;                        ///< name of the device, for reports; empty: simulated
+    bool reset = false;                       ///< the panel's reset line is wired
 };
 
 /// Why no panel of this board can hang where `options` say; empty if one can. This opens nothing.

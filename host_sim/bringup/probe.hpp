@@ -17,7 +17,7 @@ struct Answer {
 };
 
 struct Findings {
-    std::string error; ///< empty: the bus could be read
+    std::string error; ///< why the bus could not be read; empty: it was read
     std::vector<Answer> answers;
     std::vector<const hal::PanelDesc*> panels; ///< panels that answer so, in the order of hal::panels::all
 };

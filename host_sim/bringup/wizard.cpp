@@ -30,7 +30,7 @@ void exchange_colors(Guess& g, char) {
 }
 
 void turn(Guess& g, char points) {
-    if (points == 'd') { // the glass is upside down
+    if (points == 'd') { // the top of the F points down: the glass is upside down
         g.panel.mount ^= hal::dcs::MX | hal::dcs::MY;
         return;
     }

@@ -18,7 +18,7 @@ struct Guess {
 };
 
 struct Wizardry {
-    std::string error; ///< empty: the card looks right with `guess`
+    std::string error; ///< what went wrong; empty: the card looks right with `guess`
     Guess guess;
     int cards = 0; ///< number of cards shown
 };
@@ -48,7 +48,7 @@ class Stand {
     std::unique_ptr<Parts> parts_;
 };
 
-/// The source of a header that describes the board.
+/// Writes the source of a header that describes the board with what was found.
 std::string definition(const Guess& guess, const hal::Board& like);
 
 } // namespace spangle::bringup

@@ -13,7 +13,7 @@
 
 namespace spangle::bringup {
 
-/// What is wrong with the wires.
+/// The faults that the wires of a panel can have.
 enum class Line : std::uint8_t { sound, no_data_command, too_fast };
 
 struct Wrong {

@@ -14,7 +14,7 @@
 namespace spangle::sim {
 
 struct BusCounters {
-    std::uint64_t bytes = 0; ///< all bytes, commands included
+    std::uint64_t bytes = 0; ///< bytes on the bus, commands included
     std::uint64_t commands = 0;
     std::uint64_t pixel_bytes = 0;
     std::uint64_t transfers = 0;
@@ -59,7 +59,7 @@ class SimBus final : public hal::Bus {
     BusCounters counters_;
     Listener* listener_ = nullptr;
     Time now_ = 0, wire_ = 0; ///< ns: the processor's time; end of what the wire was given
-    Time owed_ = 0;           ///< time of the wire not yet passed, in nanoseconds / write_hz
+    Time owed_ = 0;           ///< time of the wire not yet passed, in units of 1 ns / write_hz
     std::uint32_t last_token_ = 0;
     Time token_end_ = 0;
     std::vector<Watched> watched_;

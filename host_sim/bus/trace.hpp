@@ -32,7 +32,7 @@ class VcdFile final : public Listener {
     /// The most bytes of a dump unless asked otherwise, which hold some ten whole frames of 320x240.
     static constexpr std::uint64_t usual_limit = std::uint64_t{512} << 20;
 
-    /// The dump ends before it is longer than `most_bytes`.
+    /// Opens the file of a dump, which ends before it is longer than `most_bytes`.
     VcdFile(const std::string& path, hal::BusKind bus, std::uint64_t most_bytes = usual_limit);
     /// Why nothing can be written to the file; empty if it can.
     const std::string& problem() const { return problem_; }

@@ -17,8 +17,8 @@ namespace spangle::trade {
 /// What is known after the last frame.
 struct CaptureEnd {
     std::uint64_t frames = 0;
-    std::uint64_t mismatches = 0;   ///< pixels whose coverage is not brute force's
-    std::vector<StageError> stages; ///< of shadow precisions
+    std::uint64_t mismatches = 0;   ///< pixels whose coverage differs from that of brute force
+    std::vector<StageError> stages; ///< errors of the stages, from shadow precisions
     std::string missed;             ///< function of a later OpenGL that was called; empty: none
 };
 

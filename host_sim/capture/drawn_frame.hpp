@@ -11,8 +11,8 @@ namespace spangle::trade {
 
 struct DrawnFrame {
     DrawnPicture picture;
-    FrameCoverage coverage; ///< of the frame's triangles
-    std::vector<bool> mask; ///< pixels that anything was drawn to, bottom row first
+    FrameCoverage coverage; ///< pixels that the frame's triangles cover
+    std::vector<bool> mask; ///< pixels to which anything was drawn, bottom row first
 };
 
 /// Shortens depths of 24 bits to 16 bits. Finer codes than the tiers promise tell nothing about the tiers.

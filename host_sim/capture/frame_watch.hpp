@@ -29,7 +29,7 @@ class FrameWatch : public raster::Observer {
     };
     mutable std::mutex mutex_; ///< guards the members below: threads draw to surfaces of their own
     std::map<const std::uint8_t*, Watched> surfaces_;
-    std::uint64_t of_former_ = 0; ///< mismatches on surfaces that have another size by now
+    std::uint64_t of_former_ = 0; ///< mismatches counted before surfaces changed their size
 
     Coverage& of(const raster::Surface& surface);
     Coverage& current();

@@ -33,7 +33,7 @@ inline constexpr Format formats[] = {
     {"rgb332", PixelFormat::rgb332},    {"grey4", PixelFormat::grey4},
     {"mono", PixelFormat::mono}};
 
-/// The row of that name, or null.
+/// The row of the table that has that name, or null.
 template <class Row, unsigned Count>
 constexpr const Row* find(const Row (&table)[Count], std::string_view name) {
     for (const Row& row : table)
@@ -51,7 +51,7 @@ constexpr const char* name_of(const Row (&table)[Count], Value value) {
     return "";
 }
 
-/// All names, as a sentence lists them: "a, b or c".
+/// All names of a table, as a sentence lists them: "a, b or c".
 template <class Row, unsigned Count> std::string listed(const Row (&table)[Count]) {
     std::string out;
     for (unsigned i = 0; i < Count; ++i)

@@ -11,7 +11,7 @@
 namespace spangle::cli {
 
 struct ExecOptions {
-    bringup::BusOptions bus; ///< the board, simulated or real; "none": no board
+    bringup::BusOptions bus; ///< the board to show frames on, simulated or real; "none": no board
     std::string precision = "exact", size, format = "rgba", shot;
     long frames = 0;
     bool stats = false, json = false;

@@ -14,7 +14,7 @@ struct ModelVertex {
     float position[3];
     float normal[3];
     float texcoord[2];
-    float color[4]; ///< used where ModelPart::colored
+    float color[4]; ///< colour of the vertex, where ModelPart::colored
 };
 
 struct ModelImage {
@@ -31,9 +31,9 @@ struct ModelPart {
     std::array<float, 4> diffuse{0.8f, 0.8f, 0.8f, 1.0f};
     std::array<float, 4> specular{0.0f, 0.0f, 0.0f, 1.0f};
     std::array<float, 4> emission{0.0f, 0.0f, 0.0f, 1.0f};
-    float shininess = 0.0f; ///< 0 .. 128
-    int image = -1;         ///< index into Model::images, or -1
-    bool colored = false;   ///< every vertex has its own diffuse colour
+    float shininess = 0.0f; ///< specular exponent, 0 .. 128
+    int image = -1;         ///< index of the texture in Model::images; -1: no texture
+    bool colored = false;   ///< every vertex has a diffuse colour of its own
 };
 
 struct Model {
@@ -41,19 +41,19 @@ struct Model {
     std::vector<ModelPart> parts;
     std::vector<ModelImage> images;
     std::vector<std::string>
-        notes; ///< what was left out, in plain words (a texture that cannot be read, ...)
+        notes; ///< what was left out of the model, in plain words (a texture that cannot be read, ...)
     std::size_t triangles = 0;
 };
 
-/// A model, or why there is none.
+/// A model read from a file, or why there is none.
 struct ModelResult {
     Model model;
-    std::string error; ///< empty on success
+    std::string error; ///< what went wrong; empty on success
 };
 
 struct ImageResult {
     ModelImage image;
-    std::string error; ///< empty on success
+    std::string error; ///< what went wrong; empty on success
 };
 
 /// The longest side of a texture in texels unless asked otherwise, which a display board could hold.

@@ -33,9 +33,9 @@ class BakedModel {
 
     bake::BakedMesh arrays_;
     std::vector<bake::BakedTexture> images_;
-    std::vector<bool> translucent_; ///< of the images, in their order
+    std::vector<bool> translucent_; ///< for each image of the model, whether it has alpha below 255
     std::deque<std::vector<baked::Level>> levels_;
-    std::deque<baked::Texture> textures_; ///< in the order of the model's images
+    std::deque<baked::Texture> textures_; ///< textures in the order of the model's images
     std::deque<std::vector<std::uint8_t>> bytes_;
     std::vector<baked::Part> parts_;
     baked::Mesh mesh_{};

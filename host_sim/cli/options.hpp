@@ -41,18 +41,18 @@ struct BandOptions {
 };
 
 struct RunOptions {
-    std::string scene;       ///< id of a scene; empty when a model is drawn
-    std::string model;       ///< file of a model; empty when a scene is drawn
+    std::string scene;       ///< id of the scene to draw; empty when a model is drawn
+    std::string model;       ///< file of the model to draw; empty when a scene is drawn
     bool baked = false;      ///< the model is drawn as images of firmware hold it (`spangle bake`)
-    bringup::BusOptions bus; ///< the board, simulated or real
+    bringup::BusOptions bus; ///< the board to draw on, simulated or real
     int frames = 1;
     int width = 0, height = 0; ///< pixels of an off-screen picture; 0: the board's glass
     Precision precision = Precision::exact;
-    std::optional<raster::Knobs> knobs; ///< knobs of a tier that the user composed
+    std::optional<raster::Knobs> knobs; ///< knobs of a tier that the user composed; none: `precision` is used
     bool dither = true;
     PresentOptions present;
     BandOptions bands;
-    std::string shot;            ///< PNG file of the last frame
+    std::string shot;            ///< PNG file for the picture of the last frame
     std::string vcd;             ///< file for a trace of the wires
     std::uint64_t vcd_limit = 0; ///< most bytes of the trace; 0: the usual limit
     bool compare = false;        ///< also draw with the double reference

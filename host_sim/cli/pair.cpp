@@ -82,7 +82,7 @@ std::string trace_problem(const std::string& trace) {
 }
 
 std::vector<std::string> retrace(const std::string& trace) {
-    unsetenv("DISPLAY"); // a retracer that finds no X draws to pbuffers
+    unsetenv("DISPLAY"); // a retracer that finds no X server draws to pbuffers
     set("WAFFLE_PLATFORM", "surfaceless_egl");
     return {"eglretrace", "--headless", trace};
 }

@@ -15,7 +15,7 @@ namespace spangle::cli {
 struct ProfileOptions {
     RunOptions run;                 ///< scene or model, frames (0: the usual number), dither
     std::vector<std::string> words; ///< a scene, or a program and its arguments
-    bool program = false;           ///< the words came after --
+    bool program = false;           ///< the words came after --, so that they name a program
     std::string trace;              ///< file of apitrace; empty: no trace is given
     std::string size = "320x240", dither = "program", format = "rgb565", out;
     std::vector<std::string> tiers = {"exact", "balanced", "fast"};

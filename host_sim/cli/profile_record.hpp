@@ -16,7 +16,7 @@ struct Recorded {
     profile::Record record;
     int frames = 0;
     double error = 0.0; ///< percent of pixels that differ in RGB565
-    int max_lsb = 0;    ///< largest difference of a channel, in steps of RGB565
+    int max_lsb = 0;    ///< largest difference of a colour channel, in steps of RGB565
     double psnr_db = 99.0;
 };
 

@@ -16,7 +16,7 @@ using trade::Program;
 /// problem, or an empty string.
 std::string make_program(const RunOptions& options, Model& model, Program& out);
 
-/// Sets the program up in the session that is current.
+/// Sets the program up in the session that is current, and switches dithering.
 void start(const Program& program, const Session& session, bool dither);
 
 } // namespace spangle::cli

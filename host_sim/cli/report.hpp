@@ -15,10 +15,10 @@ namespace spangle::cli {
 /// (raster/span/shadow.hpp).
 struct StageError {
     std::string stage, unit;
-    std::uint64_t count;     ///< values compared
-    double max, rms;         ///< of |fixed - double|, in `unit`
-    double least, greatest;  ///< range of the double values
-    std::uint64_t saturated; ///< fixed values at a limit of their range
+    std::uint64_t count;     ///< number of values compared
+    double max, rms;         ///< largest and root-mean-square |fixed - double|, in `unit`
+    double least, greatest;  ///< range of the values in double
+    std::uint64_t saturated; ///< number of fixed values at a limit of their range
 };
 
 /// Memory in bytes. The first three lie in the memory of spangle::memory; a window's colour buffer belongs to
@@ -32,9 +32,9 @@ struct Memory {
 
 /// Bytes of a window that is drawn in bands.
 struct BandMemory {
-    std::size_t buffers; ///< of the display: pixels as they lie, and as they travel
-    std::size_t planes;  ///< depth, without the record
-    std::size_t record;  ///< of the longest frame
+    std::size_t buffers; ///< display's buffers: pixels as they lie, and as they travel
+    std::size_t planes;  ///< depth planes, without the record of commands
+    std::size_t record;  ///< record of commands of the longest frame
 };
 
 struct Report {
@@ -42,7 +42,7 @@ struct Report {
     int frames = 0;
     std::uint64_t fragments = 0, triangles = 0;
     double identical_565_percent = 100.0;  ///< percent of covered pixels, against the double reference
-    int max_lsb = 0;                       ///< largest difference of a channel, in steps of RGB565
+    int max_lsb = 0;                       ///< largest difference of a colour channel, in steps of RGB565
     double psnr_565_db = 99.0;             ///< dB; 99 when identical
     std::uint64_t coverage_mismatches = 0; ///< pixels, against brute force on the tier's own snapped vertices
     std::uint64_t coverage_unsnapped = 0;  ///< pixels, against unsnapped vertices in double
@@ -51,21 +51,22 @@ struct Report {
     bool compared = false; ///< with --compare: the figures from identical_565_percent on are measured
     std::uint64_t bus_bytes = 0, bus_commands = 0;
     std::uint64_t bus_pixel_bytes = 0;            ///< of bus_bytes, those that are no commands
-    std::uint64_t full_frame_bytes = 0;           ///< bytes of one whole frame without commands
+    std::uint64_t full_frame_bytes = 0;           ///< bytes of bus_bytes that are no commands
     double fps_at_bus_clock = 0.0;                ///< frames a second; 0 without a board
     double virtual_fps = 0.0;                     ///< frames a second of drawing and sending, in virtual time
     std::optional<double> measured_fps;           ///< frames a second of a real display, all included
-    std::optional<hal::PresentCounters> presents; ///< when the command line said how to present
-    std::string picture_hash;                     ///< of the last frame
-    std::optional<Memory> memory;                 ///< with --stats
-    std::optional<BandMemory> bands;              ///< with --band-height
-    std::vector<StageError> stages; ///< of a run in shadow precision, in the order of the pipeline
+    std::optional<hal::PresentCounters> presents; ///< set when the command line said how to present
+    std::string picture_hash;                     ///< hash of the last frame's picture
+    std::optional<Memory> memory;                 ///< set with the option --stats
+    std::optional<BandMemory> bands;              ///< set with the option --band-height
+    std::vector<StageError>
+        stages; ///< errors of the stages of a run in shadow precision, in the order of the pipeline
 };
 
 /// One JSON object, whose keys are named as the fields.
 std::string to_json(const Report& report);
 
-/// A table for people.
+/// The report as a table for people.
 std::string to_table(const Report& report);
 
 } // namespace spangle::cli

@@ -90,7 +90,7 @@ class Comparison {
     sim::Image picture_;
 };
 
-/// Collects what shadow draws report while it exists.
+/// Collects what draws in shadow precision report, while it exists.
 class ShadowSession {
   public:
     explicit ShadowSession(bool wanted)

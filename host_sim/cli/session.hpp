@@ -43,7 +43,7 @@ class Session {
     sim::Image read() const;
     /// The most bytes of the record that a frame took.
     std::size_t record_peak() const;
-    /// Counts what is drawn from here on.
+    /// Makes the counters count what is drawn from here on.
     void observe(raster::Counters* counters);
 
   private:

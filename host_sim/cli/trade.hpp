@@ -19,7 +19,7 @@ struct TradeOptions {
     std::string size = "320x240", dither = "off", shard, out = "trade";
     int frames = 10;
     bool no_times = false, instructions = false, strict = false, bytes = false, knobs = false;
-    std::vector<std::string> own_tiers; ///< NAME=BASE,KNOB=VALUE,...
+    std::vector<std::string> own_tiers; ///< tiers that the user composed, as NAME=BASE,KNOB=VALUE,...
     std::vector<std::string> targets;   ///< targets whose instructions are counted
     std::string firmware;               ///< folder with images for targets other than the host
     std::vector<std::string> parts;     ///< folders that merge joins

@@ -18,9 +18,9 @@ struct MemorySize {
 /// memory.
 struct GlassMount {
     int x = 0, y = 0, width = 0, height = 0;
-    bool mirror_columns = false, mirror_rows = false; ///< seen from the front
+    bool mirror_columns = false, mirror_rows = false; ///< mirrored, seen from the front
     bool bgr_filter = false;                          ///< the colour filter's stripes are blue, green, red
-    bool normally_inverted = false;                   ///< IPS: the glass shows the complement unless INVON
+    bool normally_inverted = false;                   ///< IPS glass shows the complement unless INVON is set
     bool round = false;                               ///< only a disc of the glass can be seen
 };
 
@@ -35,7 +35,7 @@ class Controller {
     Controller(const char* name, const GlassMount& glass) : glass_(glass), name_(name) {}
     virtual ~Controller() = default;
 
-    // --- pins
+    // --- pins of the controller
     virtual void reset(bool low, Time now) = 0;
     virtual void select(bool chip_select, Time now) = 0;
     /// Takes one byte from the bus. `data` is D/C as sampled with the last bit; `period_ns` is the period of
@@ -51,7 +51,7 @@ class Controller {
     std::uint8_t read_byte(Time now, unsigned period_ns);
     virtual bool te(Time) { return false; }
 
-    // --- views
+    // --- what a viewer and a test can see
     /// What a viewer in front of the glass sees at `now`, top row first.
     virtual std::vector<Rgb666> glass(Time now) = 0;
     /// The frame memory, in its own order of rows and columns.

@@ -82,7 +82,7 @@ void DcsController::power_on_registers() {
     forget_read();
 }
 
-// --- pins
+// --- pins of the controller
 
 void DcsController::reset(bool low, Time now) {
     if (low == in_reset_)
@@ -140,7 +140,7 @@ void DcsController::check_write_clock(Time now, unsigned period_ns) {
            now);
 }
 
-// --- commands
+// --- decoder of commands
 
 void DcsController::begin_command(std::uint8_t command, Time now) {
     if (now < ready_at_)

@@ -18,7 +18,7 @@ class DcsController final : public Controller {
   public:
     DcsController(const Chip& chip, const GlassMount& glass, bool parallel);
 
-    // --- pins
+    // --- pins of the controller
     void reset(bool low, Time now) override;
     void select(bool chip_select, Time now) override;
     void write(std::uint8_t byte, bool data, Time now, unsigned period_ns) override;
@@ -27,7 +27,7 @@ class DcsController final : public Controller {
     void read_clock(Time now, unsigned period_ns) override;
     bool te(Time now) override;
 
-    // --- views
+    // --- what a viewer and a test can see
     /// Scans up to `now` before it takes the picture.
     std::vector<Rgb666> glass(Time now) override;
     std::vector<Rgb666> cells() const override { return memory_; }
@@ -58,7 +58,7 @@ class DcsController final : public Controller {
     bool parallel_;
     std::vector<Rgb666> memory_, shown_; ///< the frame memory, and what the last scan put on the glass
 
-    // registers
+    // --- registers that commands set
     bool awake_ = false, on_ = false, inverted_ = false, idle_ = false, partial_ = false, scrolling_ = false,
          te_on_ = false, te_with_hblank_ = false;
     std::uint8_t madctl_ = 0, colmod_ = 0x66;
@@ -74,7 +74,7 @@ class DcsController final : public Controller {
         int partial_start = 0, partial_end = 0, scroll_start = 0;
     } modes_;
 
-    // decoder
+    // --- decoder of commands and pixels
     bool selected_ = false, has_command_ = false, in_reset_ = false;
     std::uint8_t command_ = 0;
     std::vector<std::uint8_t> parameters_;
@@ -89,7 +89,7 @@ class DcsController final : public Controller {
     bool answering_ = false, read_too_fast_ = false;
     int read_x_ = 0, read_y_ = 0;
 
-    // time
+    // --- moments in virtual time, ns
     Time ready_at_ = 0, sleep_out_allowed_at_ = 0, sleep_in_allowed_at_ = 0, reset_fell_at_ = 0,
          scanned_to_ = 0, next_row_at_ = 0;
 

@@ -38,7 +38,7 @@ class MonoController final : public OledController {
     int start_line_ = 0, offset_ = 0, multiplex_ = 64;
     bool remap_ = false, com_reversed_ = false, com_alternating_ = true, all_on_ = false, inverted_ = false,
          on_ = false, pump_ = false, scrolling_ = false;
-    std::uint64_t stream_ = 0; ///< bytes of data since the last command
+    std::uint64_t stream_ = 0; ///< number of data bytes since the last command
 
     void power_on() override;
     void execute(std::uint8_t command, std::span<const std::uint8_t> parameters, Time now) override;

@@ -16,7 +16,7 @@ struct OledCommand {
 /// The properties of a controller chip, as data.
 struct OledChip {
     const char* name;
-    int width, height; ///< of the memory, in cells
+    int width, height; ///< size of the memory, in cells
     std::span<const OledCommand> commands{};
     bool parameters_are_data = false; ///< D/C is high for parameters, else low as for commands
     unsigned reset_low_us = 3;

@@ -52,7 +52,7 @@ class WindowedController final : public OledController {
     bool on_ = false, streaming_ = false, scrolling_ = false, unlocked_ = false;
     std::array<std::uint8_t, 2> pixel_{};
     int pixel_fill_ = 0;
-    std::uint64_t stream_ = 0; ///< addresses written since the last command
+    std::uint64_t stream_ = 0; ///< column addresses written since the last command
     Time busy_until_ = 0;
 
     void power_on() override;

@@ -67,11 +67,11 @@ void report_refusal(Display* display, Request request, GLXDrawable drawable) {
 struct ContextWish {
     int major = 1, minor = 0, flags = 0;
     int error = Success;        ///< X's error with which the list is refused
-    bool profile_error = false; ///< the list is refused with GLXBadProfileARB
+    bool profile_error = false; ///< the list of attributes is refused with GLXBadProfileARB
 };
 
 bool is_defined_version(int major, int minor) {
-    constexpr int last_minor[] = {-1, 5, 1, 3, 6}; // of OpenGL 1, 2, 3 and 4
+    constexpr int last_minor[] = {-1, 5, 1, 3, 6}; // last minor versions of OpenGL 1, 2, 3 and 4
     return major >= 1 && major <= 4 && minor >= 0 && minor <= last_minor[major];
 }
 
@@ -219,7 +219,7 @@ void spangle::dropin::glx::forget_connection(Display* display) {
         if (context != nullptr && context->inside_begin_end())
             glEnd();
         release();
-        eglReleaseThread(); // a context that EGL itself made current
+        eglReleaseThread(); // releases a context that EGL itself made current
     }
     eglTerminate(egl); // contexts current to other threads stay until released
     const std::lock_guard<std::recursive_mutex> guard(lock());

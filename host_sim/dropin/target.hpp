@@ -26,7 +26,7 @@ class Target {
     hal::Display* display() const { return display_; }
     /// The simulated board; null for a real display.
     const sim::SimBoard* simulated() const { return attached_.simulated.get(); }
-    /// A figure a line, then the rules that a simulated bus saw broken.
+    /// The figures of the run, one a line, then the rules that a simulated bus saw broken.
     std::string figures() const;
 
   private:

@@ -62,7 +62,7 @@ Kernel& Kernel::instance() {
     return kernel;
 }
 
-// --- What there is
+// --- device files, texts and links
 
 void Kernel::add_device(const std::string& path, Device& device, unsigned major, unsigned minor) {
     const std::lock_guard lock(mutex_);
@@ -130,7 +130,7 @@ bool Kernel::link_target(const char* path, std::string& target) const {
     return true;
 }
 
-// --- Time and faults
+// --- time and faults
 
 Time Kernel::now() const {
     const std::lock_guard lock(mutex_);
@@ -195,7 +195,7 @@ Verdict Kernel::judge(const Call& call) {
     return verdict;
 }
 
-// --- System calls
+// --- system calls of the program
 
 bool Kernel::open(const char* path, long& answer) {
     const std::lock_guard lock(mutex_);

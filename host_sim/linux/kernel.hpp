@@ -28,7 +28,7 @@ struct Call {
 /// What the kernel does to a call before it reaches the device.
 struct Verdict {
     int error = 0;                ///< errno with which the call fails; 0: the device answers
-    std::size_t limit = SIZE_MAX; ///< bytes of a transfer that still go out
+    std::size_t limit = SIZE_MAX; ///< bytes of a transfer that are still carried out
     bool stall = false;           ///< the call returns no sooner than Kernel::release()
     bool late = false;            ///< the device acts before the call fails
 };
@@ -82,13 +82,13 @@ class Kernel {
     void lock() { mutex_.lock(); }
     void unlock() { mutex_.unlock(); }
 
-    // --- time
+    // --- virtual time, ns
     Time now() const;
     void advance(Time ns);
     /// Sleeps `ns`, or until a signal interrupts. Returns the time that is left.
     Time sleep(Time ns);
 
-    // --- faults
+    // --- faults of system calls
     using Judge = std::function<Verdict(const Call&)>;
     void set_judge(Judge judge);
     /// Lets stalled calls go on.

@@ -209,7 +209,7 @@ std::string Output::commit() {
     flush();
     if (error_ == 0 && replaces_)
         error_ = take_place();
-    // Some file systems tell only now that there was no room.
+    // Some file systems tell only when a file is closed that there was no room.
     if (file_ >= 0 && !replaces_ && close(std::exchange(file_, -1)) != 0 && error_ == 0)
         error_ = errno;
     std::string text = error_ == 0 ? "" : problem(error_);

@@ -36,8 +36,8 @@ class Output {
     std::string commit();
 
   private:
-    std::string path_;       ///< as the user gave it, for messages
-    std::string target_;     ///< of a regular file: where its links end
+    std::string path_;       ///< path as the user gave it, for messages
+    std::string target_;     ///< path of a regular file after its symbolic links
     std::string unfinished_; ///< name of the new file; empty: without a name, or nothing is replaced
     int file_ = -1;
     int descriptor_ = -1;   ///< descriptor of this program that `path_` names, or -1

@@ -8,7 +8,7 @@
 namespace spangle::sim {
 
 std::string hash(const Image& image) {
-    std::uint64_t h = 0xCBF29CE484222325u; // FNV-1a over size and pixels
+    std::uint64_t h = 0xCBF29CE484222325u; // hash FNV-1a over size and pixels
     const auto mix = [&h](std::uint64_t byte) { h = (h ^ (byte & 255)) * 0x100000001B3u; };
     for (const int size : {image.width, image.height})
         for (int shift = 0; shift < 32; shift += 8)

@@ -11,7 +11,7 @@
 namespace spangle::profile {
 
 struct Choice {
-    std::string title;       ///< what was recorded, for the first line
+    std::string title;       ///< name of what was recorded, for the first line of the profile
     std::string list;        ///< file of the fused spans, as the profile names it
     bool small = false;      ///< leaves out what only makes drawing faster
     bool unclipped = false;  ///< leaves out clipping, and then perspective, where nothing asked for them

@@ -12,7 +12,7 @@ namespace spangle::trade {
 struct Advice {
     std::string scene, format;
     std::string take; ///< name of a tier
-    std::string why;  ///< a sentence or two
+    std::string why;  ///< the reason, in a sentence or two
 };
 
 /// Advice for each job of accuracy.csv; cost.csv may lack rows, or all of them.

@@ -14,7 +14,7 @@ namespace spangle::trade {
 struct Tier {
     std::string name;
     EGLint precision, shadow;
-    std::optional<raster::Knobs> knobs = {}; ///< of a tier that the user composed
+    std::optional<raster::Knobs> knobs = {}; ///< knobs of a tier that the user composed
     std::string words = {};                  ///< text from which the knobs were read
 };
 /// The knobs of a tier that the user composed; null for the three tiers of the library.

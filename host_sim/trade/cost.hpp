@@ -32,7 +32,7 @@ Work work_of_frames(const Program& program, const Tier& tier, const Format& form
 
 /// The figures of a row of cost.csv.
 struct Cost {
-    double microseconds = -1, first = -1; ///< of this tier and of the first; negative: not measured
+    double microseconds = -1, first = -1; ///< us, of this tier and of the first; negative: not measured
     Work work;
     std::uint64_t instructions = 0;          ///< of a frame on this machine; 0: not counted
     Work board_work;                         ///< work of the images of firmware

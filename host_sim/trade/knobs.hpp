@@ -24,7 +24,7 @@ struct Knob {
     void (*set)(raster::Knobs&, std::uint8_t);
 
     std::string text(const raster::Knobs& knobs) const; ///< the value, in the form in which it is read
-    std::string range() const;                          ///< "2 to 13, or never"
+    std::string range() const;                          ///< all values in words: "2 to 13, or never"
 };
 
 /// A knob for every field, in the order of the struct.

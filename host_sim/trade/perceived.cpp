@@ -76,7 +76,7 @@ std::vector<double> blurred(const std::vector<double>& from, int width, int heig
 
 /// The picture as the eye sees it: FLIP's contrast sensitivity, as one Gaussian for each channel.
 Planes seen(const sim::Image& image) {
-    constexpr double deviation[3] = {0.72, 1.1, 1.9}; // luminance, red-green, blue-yellow
+    constexpr double deviation[3] = {0.72, 1.1, 1.9}; // pixels, for luminance, red-green, blue-yellow
     Planes planes = opponents(image);
     for (std::size_t c = 0; c < 3; ++c) {
         planes[c] = blurred(planes[c], image.width, image.height, 1, 0, deviation[c]);

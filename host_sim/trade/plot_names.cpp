@@ -51,7 +51,7 @@ std::vector<NamePlace> places_around(const NamedPoint& point, double length) {
 std::vector<std::optional<NamePlace>> place_names(const std::vector<NamedPoint>& points, double width,
                                                   double height) {
     std::vector<Box> taken;
-    taken.reserve(2 * points.size()); // names take places, too
+    taken.reserve(2 * points.size()); // room for the boxes of points and of names
     for (const NamedPoint& point : points)
         taken.push_back(box_of_point(point));
     std::vector<std::optional<NamePlace>> out(points.size());

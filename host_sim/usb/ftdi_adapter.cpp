@@ -48,7 +48,7 @@ bool FtdiAdapter::control(const UsbSetup& setup, const std::uint8_t*, std::vecto
         refused_ = -1;
         return false;
     }
-    if (setup.type == 0x80 && setup.request == 0) { // GET_STATUS
+    if (setup.type == 0x80 && setup.request == 0) { // the standard request GET_STATUS
         in.assign(2, 0);
         return true;
     }
@@ -99,7 +99,7 @@ bool FtdiAdapter::bulk_in(std::uint8_t endpoint, std::size_t most, std::vector<s
         const auto payload = engine.take_answers(room - std::size(modem_status));
         in.insert(in.end(), payload.begin(), payload.end());
         if (garble_ && !payload.empty()) {
-            in.back() ^= 0x18; // the pins of select and D/C
+            in.back() ^= 0x18; // flips the pins of select and D/C
             garble_ = false;
         }
     } while (in.size() % packet_bytes == 0 && in.size() < most);

@@ -88,7 +88,7 @@ Bytes GudDevice::descriptors() const {
     put(d, vendor, 2);
     put(d, product, 2);
     put(d, 0x0100, 2);
-    put(d, 0x01000000, 4); // no strings; one configuration
+    put(d, 0x01000000, 4); // the device has no strings, and one configuration
     const Bytes configuration = {9,
                                  2,
                                  25,
@@ -97,7 +97,7 @@ Bytes GudDevice::descriptors() const {
                                  1,
                                  0,
                                  0x80,
-                                 50, // one interface, 100 mA
+                                 50, // the configuration: one interface, 100 mA
                                  9,
                                  4,
                                  0,
@@ -106,7 +106,7 @@ Bytes GudDevice::descriptors() const {
                                  0xFF,
                                  0,
                                  0,
-                                 0, // vendor class, one endpoint
+                                 0, // the interface: vendor class, one endpoint
                                  7,
                                  5,
                                  0x01,
@@ -126,7 +126,7 @@ void GudDevice::power_cycle() {
     picture_ = Image(0, 0);
 }
 
-// --- Requests
+// --- requests on the control pipe
 
 bool GudDevice::control(const UsbSetup& setup, const std::uint8_t* out, Bytes& in) {
     ++counters_.requests;
@@ -163,7 +163,7 @@ bool GudDevice::control(const UsbSetup& setup, const std::uint8_t* out, Bytes& i
 
 /// Answers the standard requests that the operating system sends to any device.
 bool GudDevice::standard(const UsbSetup& setup, Bytes& in) const {
-    if ((setup.type & 0x80) != 0 && setup.request == 8) // GET_CONFIGURATION
+    if ((setup.type & 0x80) != 0 && setup.request == 8) // the standard request GET_CONFIGURATION
         in = {1};
     return setup.request == 8 || setup.request == 9 || setup.request == 11 || setup.request == 1;
 }
@@ -289,7 +289,7 @@ std::uint64_t GudDevice::value_of(std::uint16_t property) const {
     return ~std::uint64_t{0};
 }
 
-// --- Pictures
+// --- pictures on the bulk pipe
 
 std::size_t GudDevice::picture_bytes(std::uint32_t width, std::uint32_t height) const {
     return (std::size_t{width} * static_cast<unsigned>(bits_per_pixel(format_)) + 7) / 8 * height;

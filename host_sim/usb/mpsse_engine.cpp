@@ -128,7 +128,7 @@ std::uint32_t MpsseEngine::clock_hz() const {
     return (full_base_ ? 60'000'000u : 12'000'000u) / ((1 + divisor_) * 2);
 }
 
-// --- Pins
+// --- levels of the pins
 
 std::uint64_t MpsseEngine::levels() const {
     return (values_ & outputs_) |
@@ -172,7 +172,7 @@ bool MpsseEngine::wait_for(bool high) {
     return false;
 }
 
-// --- Bits
+// --- bits on the serial lines
 
 std::size_t MpsseEngine::write_bytes(std::size_t at) {
     const std::size_t count = (stream_[at + 1] | std::size_t{stream_[at + 2]} << 8) + 1;

@@ -13,7 +13,7 @@ namespace spangle::sim {
 
 class MpsseEngine : public PinHeader {
   public:
-    static constexpr unsigned pins = 16; ///< ADBUS0 to 7, ACBUS0 to 7
+    static constexpr unsigned pins = 16; ///< number of pins: ADBUS0 to 7, ACBUS0 to 7
     static constexpr unsigned clock_pin = 0, out_pin = 1, in_pin = 2, wait_pin = 5;
 
     /// `clock` is the clock on which bits take time.

@@ -9,7 +9,7 @@
 namespace spangle::sim {
 
 struct UsbSetup {
-    std::uint8_t type = 0, request = 0; ///< bmRequestType, bRequest
+    std::uint8_t type = 0, request = 0; ///< USB's bmRequestType and bRequest
     std::uint16_t value = 0, index = 0, length = 0;
 };
 

@@ -50,7 +50,7 @@ class UsbfsFile final : public OpenFile {
     long read(void* into, std::size_t count) override {
         const std::size_t left = at_ < descriptors_.size() ? descriptors_.size() - at_ : 0;
         const std::size_t taken = std::min(count, left);
-        if (taken != 0) // a device may have no descriptors
+        if (taken != 0) // nothing is copied for a device without descriptors
             std::memcpy(into, descriptors_.data() + at_, taken);
         at_ += taken;
         return static_cast<long>(taken);

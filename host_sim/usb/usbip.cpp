@@ -25,9 +25,9 @@ enum Word : std::size_t {
     endpoint = 16,
     buffer_length = 24,
     setup_bytes = 40,
-    victim = 20,        // of CMD_UNLINK
-    status = 20,        // of answers
-    actual_length = 24, // of RET_SUBMIT
+    victim = 20,        // place in CMD_UNLINK
+    status = 20,        // place in answers
+    actual_length = 24, // place in RET_SUBMIT
 };
 enum Command : std::uint32_t { cmd_submit = 1, cmd_unlink = 2, ret_submit = 3, ret_unlink = 4 };
 
@@ -51,7 +51,7 @@ template <class Packet> UsbSetup setup_of(const Packet& p) {
 
 } // namespace
 
-// --- The plug
+// --- plugging in and out
 
 bool UsbipDevice::plug() {
     unplug();
@@ -60,7 +60,7 @@ bool UsbipDevice::plug() {
         return false;
     const bool attached = attach(ends[1]);
     const int error = errno;
-    ::close(ends[1]); // the kernel has its own reference
+    ::close(ends[1]); // the kernel keeps its own reference to the socket
     if (!attached) {
         ::close(ends[0]);
         errno = error;
@@ -77,7 +77,7 @@ bool UsbipDevice::attach(int socket) {
     const int file = ::open(attach_file, O_WRONLY | O_CLOEXEC);
     if (file < 0)
         return false;
-    char line[64]; // port, socket, device, speed
+    char line[64]; // holds port, socket, device and speed
     const int count = std::snprintf(line, sizeof line, "0 %d %u %d", socket, device_id, high_speed_ ? 3 : 2);
     bool attached = false;
     for (int tries = 0; tries < most_tries && !attached; ++tries) {
@@ -162,7 +162,7 @@ bool UsbipDevice::unlinked(const Packet& packet) {
     return send(answer.data(), answer.size()) && (!head || run());
 }
 
-// --- The bulk pipe
+// --- the bulk pipe
 
 /// Works off the waiting transfers in order, until the device keeps one. Returns false when the connection
 /// ends.
@@ -202,7 +202,7 @@ bool UsbipDevice::finish(const Transfer& t, int result, std::size_t length) {
     return send(answer.data(), answer.size()) && (!t.to_host || length == 0 || send(t.bytes.data(), length));
 }
 
-// --- The control pipe
+// --- the control pipe
 
 int UsbipDevice::control(Transfer& t) {
     std::vector<std::uint8_t> in;

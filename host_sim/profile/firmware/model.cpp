@@ -1,4 +1,4 @@
-#include "boards/scenes/baked_model.hpp" // first: it names the GL that the model is drawn with
+#include "boards/scenes/baked_model.hpp" // This header comes first, because it names the GL with which the model is drawn.
 
 #include "host_sim/profile/firmware/model.hpp"
 

@@ -15,7 +15,7 @@
 namespace spangle::sim {
 
 struct BoardCounters {
-    std::uint64_t bytes = 0; ///< on the bus, commands and parameters included
+    std::uint64_t bytes = 0; ///< bytes on the bus, commands and parameters included
     std::uint64_t commands = 0;
     std::uint64_t pixel_bytes = 0;
     std::uint64_t transfers = 0;

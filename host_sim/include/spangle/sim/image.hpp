@@ -1,4 +1,4 @@
-// Pictures on the host: PNG files, comparison, hashes, ASCII art.
+// Pictures on the host, with functions for PNG files, comparison, hashes and ASCII art.
 #pragma once
 
 #include <array>
