@@ -4,28 +4,21 @@ namespace spangle::sim {
 namespace {
 
 constexpr OledCommand ssd1306_commands[] = {
-    {0x00, 32, 0},                             // set the column in page mode, low and high nibble
-    {0x20, 1, 1},  {0x21, 1, 2}, {0x22, 1, 2}, // set addressing mode, column range, page range
-    {0x26, 2, 6},  {0x29, 2, 5}, {0x2E, 2, 0}, // set, start and stop scrolling
-    {0x40, 64, 0}, {0x81, 1, 1}, {0x8D, 1, 1}, // set start line, contrast, charge pump
-    {0xA0, 2, 0},  {0xA3, 1, 2}, {0xA4, 4, 0},
-    {0xA8, 1, 1}, // set remap, scroll area, all on, inverse, multiplex
-    {0xAE, 2, 0},  {0xB0, 8, 0}, {0xC0, 1, 0},
-    {0xC8, 1, 0}, // set off, on; page; COM direction
-    {0xD3, 1, 1},  {0xD5, 1, 1}, {0xD9, 1, 1},
-    {0xDA, 2, 1}, // set offset, clock, precharge, COM pins, VCOMH
-    {0xE3, 1, 0}, // no operation
+    {0x00, 32, 0},                                           // set the column in page mode by nibbles
+    {0x20, 1, 1},  {0x21, 1, 2}, {0x22, 1, 2},               // set addressing mode, column and page range
+    {0x26, 2, 6},  {0x29, 2, 5}, {0x2E, 2, 0},               // set, stop and start scrolling
+    {0x40, 64, 0}, {0x81, 1, 1}, {0x8D, 1, 1},               // set start line, contrast, charge pump
+    {0xA0, 2, 0},  {0xA3, 1, 2}, {0xA4, 4, 0}, {0xA8, 1, 1}, // remap, scroll area, all on, inverse, multiplex
+    {0xAE, 2, 0},  {0xB0, 8, 0}, {0xC0, 1, 0}, {0xC8, 1, 0}, // switch off, on; set page, COM direction
+    {0xD3, 1, 1},  {0xD5, 1, 1}, {0xD9, 1, 1}, {0xDA, 2, 1}, // set offset, clock, precharge, pins, VCOMH
+    {0xE3, 1, 0},                                            // no operation
 };
 constexpr OledCommand sh1106_commands[] = {
-    {0x00, 32, 0}, {0x30, 4, 0}, {0x40, 64, 0},
-    {0x81, 1, 1}, // set column, pump voltage, start line, contrast
-    {0xA0, 2, 0},  {0xA4, 4, 0}, {0xA8, 1, 1},
-    {0xAD, 1, 1}, // set remap, all on, inverse, multiplex, DC-DC
-    {0xAE, 2, 0},  {0xB0, 8, 0}, {0xC0, 1, 0},
-    {0xC8, 1, 0}, //
-    {0xD3, 1, 1},  {0xD5, 1, 1}, {0xD9, 1, 1},
-    {0xDA, 2, 1},                              //
-    {0xE0, 1, 0},  {0xE3, 1, 0}, {0xEE, 1, 0}, // read-modify-write, no operation, end of E0h
+    {0x00, 32, 0}, {0x30, 4, 0}, {0x40, 64, 0}, {0x81, 1, 1}, // set column, pump, start line, contrast
+    {0xA0, 2, 0},  {0xA4, 4, 0}, {0xA8, 1, 1},  {0xAD, 1, 1}, // set remap, all on, inverse, multiplex, DC-DC
+    {0xAE, 2, 0},  {0xB0, 8, 0}, {0xC0, 1, 0},  {0xC8, 1, 0}, //
+    {0xD3, 1, 1},  {0xD5, 1, 1}, {0xD9, 1, 1},  {0xDA, 2, 1}, //
+    {0xE0, 1, 0},  {0xE3, 1, 0}, {0xEE, 1, 0},                // read-modify-write, no operation, end of E0h
 };
 /// The commands that QEMU's model of the SSD0303 knows, and those of its family.
 constexpr OledCommand ssd0303_commands[] = {
