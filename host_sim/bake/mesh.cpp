@@ -256,8 +256,7 @@ BakedMesh bake_mesh(const cli::Model& model, const MeshOptions& options) {
     // GL is given the steps as floats, so errors are measured with the floats.
     const auto as_float = [](double step) {
         const auto kept = static_cast<float>(step);
-        return kept > 0.0f ? static_cast<double>(kept)
-                           : 1.0; // a step below every float means that all values are 0
+        return kept > 0.0f ? static_cast<double>(kept) : 1.0; // a step below every float: all are 0
     };
     mesh.position_step = as_float(mesh.position_step);
     mesh.texcoord_step = as_float(mesh.texcoord_step);

@@ -29,8 +29,7 @@ struct BakedVertex {
 };
 
 struct BakedPart {
-    const cli::ModelPart* from =
-        nullptr; ///< part of the model that this is baked from; has kind and material
+    const cli::ModelPart* from = nullptr; ///< its part of the model, with kind and material
     bool strip = false;
     std::vector<BakedVertex> vertices;
     std::vector<std::uint32_t> indices;
@@ -39,8 +38,7 @@ struct BakedPart {
 
 /// The errors and the sizes that baking led to.
 struct MeshReport {
-    double position_error =
-        0.0; ///< largest distance of a vertex from its place in the model, whose radius is 1
+    double position_error = 0.0; ///< largest distance of a vertex from its place; the model has radius 1
     double normal_error = 0.0;   ///< degrees; largest angle
     double texcoord_error = 0.0; ///< largest difference of a texture coordinate s or t
     std::size_t vertices_before = 0, vertices = 0, triangles = 0, indices = 0;

@@ -15,9 +15,8 @@ class SimBoard;
 namespace spangle::bringup {
 
 struct BusOptions {
-    std::string
-        board; ///< name of the board that is simulated, or that describes the real panel; empty: the usual
-    std::string spidev;               ///< device file; empty: not used
+    std::string board;  ///< name of the simulated board, or of one like the real panel; empty: the usual
+    std::string spidev; ///< device file; empty: not used
     std::string dc, reset, light, te; ///< lines of a real panel, as CHIP:LINE
     std::string i2c;                  ///< device file; empty: not used
     unsigned address = 0x3C;          ///< of the panel on I2C

@@ -5,8 +5,8 @@
 namespace spangle::sim {
 
 void I2cPins::set(bool scl, bool sda, Time now) {
-    const bool condition =
-        scl && sda != sda_; // SDA may not change while SCL is high, except for START and STOP
+    // SDA may not change while SCL is high, except for START and STOP.
+    const bool condition = scl && sda != sda_;
     const bool clocked = scl && !scl_;
     scl_ = scl;
     sda_ = sda;

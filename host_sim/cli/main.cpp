@@ -309,8 +309,8 @@ int spangle_main(int argc, char** argv) {
 
     cli::TradeOptions to_trade;
     CLI::App* const trade = cli::add_trade(app, to_trade);
-    if (argc > 1 &&
-        argv[1] == std::string_view("trade")) { // words after -- belong to the program, not to spangle
+    // Words after -- belong to the program that is measured, not to spangle.
+    if (argc > 1 && argv[1] == std::string_view("trade")) {
         char** const dashes = std::find(argv, argv + argc, std::string_view("--"));
         if (dashes != argv + argc)
             to_trade.program.assign(dashes + 1, argv + argc);

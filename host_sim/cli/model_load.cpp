@@ -21,8 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr float sharpest_smooth_edge =
-    66.0f; // degrees; edges of a cube stay sharp where a file has no normals
+constexpr float sharpest_smooth_edge = 66.0f; // degrees; edges of cubes stay sharp without normals
 
 /// Replaces what is no number by 0, so that a broken file still has a picture.
 float tame(float v) {

@@ -112,8 +112,7 @@ std::string record_trace(const std::vector<std::string>& program, const std::str
         pair::set(variable, "");
     pair::set("SPANGLE_SIZE", fmt::format("{}x{}", width, height));
     pair::set("SPANGLE_FRAMES", std::to_string(frames));
-    pair::set("SPANGLE_SIGNAL",
-              "1"); // makes the program end by a signal, on which the tracer writes its file
+    pair::set("SPANGLE_SIGNAL", "1"); // ends the program by a signal: the tracer writes its file
     std::error_code ignored;
     fs::remove(to, ignored);
     std::vector<std::string> command = {"apitrace", "trace", "-a", api, "-o", to.string()};

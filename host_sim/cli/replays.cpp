@@ -136,8 +136,8 @@ std::string Replays::replay(PixelFormat format, EGLint precision, const trade::S
     pair::set("SPANGLE_FRAMES", std::to_string(setting.frames));
     std::vector<std::string> command = pair::retrace(trace_);
     if (times_only)
-        command.insert(command.end() - 1,
-                       "--benchmark"); // without --benchmark the retracer asks for errors after each call
+        // Without --benchmark the retracer asks for errors after each call.
+        command.insert(command.end() - 1, "--benchmark");
     const fs::path words = folder_.path() / "words";
     const Ended ended = run_bounded(command, words);
     pair::set("SPANGLE_CAPTURE", "");
@@ -256,8 +256,7 @@ std::vector<double> Replays::times(const std::vector<trade::Tier>& chosen, const
             double time = 0, spent = 0;
             int count = 0;
             while (frames.next(frame, time))
-                if (count++ != 0 ||
-                    setting.frames == 1) // the first frame includes what a program makes when it begins
+                if (count++ != 0 || setting.frames == 1) // frame 0 includes what a program makes at its start
                     spent += time;
             const double mean = spent / std::max(1, setting.frames - 1);
             if (count == setting.frames && (out[i] < 0 || mean < out[i]))

@@ -59,8 +59,7 @@ struct Report {
     std::string picture_hash;                     ///< hash of the last frame's picture
     std::optional<Memory> memory;                 ///< set with the option --stats
     std::optional<BandMemory> bands;              ///< set with the option --band-height
-    std::vector<StageError>
-        stages; ///< errors of the stages of a run in shadow precision, in the order of the pipeline
+    std::vector<StageError> stages;               ///< errors of stages, of a run in shadow precision
 };
 
 /// One JSON object, whose keys are named as the fields.

@@ -15,9 +15,9 @@ namespace spangle::cli {
 struct RunResult {
     std::string error; ///< empty on success, else one line that says what to do
     Report report;
-    std::string
-        unwritten;      ///< why the dump of the wires is not in its file; empty: it is, or none was asked for
-    sim::Image picture; ///< the last frame: the glass of a simulated board, or the picture as drawn
+    /// Why the dump of the wires is not in its file; empty if it is, or if none was asked for.
+    std::string unwritten;
+    sim::Image picture;     ///< the last frame: the glass of a simulated board, or the picture as drawn
     sim::Image difference;  ///< with --compare: what differs from the reference
     std::string violations; ///< rules that the bus broke; normally empty
     std::string notes;      ///< parts of a model that were left out

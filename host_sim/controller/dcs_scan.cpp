@@ -65,7 +65,8 @@ void DcsController::scan_until(Time now) {
     const Time lines = Time(chip_.height + chip_.porch_lines);
     Time next = scanned_to_ / chip_.line_ns + 1;
     const Time end = now / chip_.line_ns + 1;
-    if (end - next > 2 * lines) { // every refresh is alike but the one under way and the last begun
+    // Every refresh between the one under way and the last begun looks the same, so it is skipped.
+    if (end - next > 2 * lines) {
         for (; next % lines != 0; ++next)
             begin_line(next);
         next = (end / lines - 1) * lines;

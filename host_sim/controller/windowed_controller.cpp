@@ -28,8 +28,7 @@ constexpr OledCommand ssd1351_commands[] = {
     {0xCA, 1, 1}, {0xFD, 1, 1},
 };
 constexpr OledCommand ssd1331_commands[] = {
-    {0x15, 1, 2}, {0x75, 1, 2}, {0x21, 1, 7},  {0x22, 1, 10},
-    {0x23, 1, 6},                                            // set columns, rows; draw line, box, copy
+    {0x15, 1, 2}, {0x75, 1, 2}, {0x21, 1, 7},  {0x22, 1, 10}, {0x23, 1, 6}, // set columns, rows; draw; copy
     {0x24, 2, 4}, {0x26, 1, 1}, {0x27, 1, 5},  {0x2E, 2, 0}, // dim, clear a box; set fill; scrolling
     {0x81, 3, 1}, {0x87, 1, 1}, {0x8A, 3, 1},  {0xA0, 3, 1}, //
     {0xA4, 4, 0}, {0xA8, 1, 1}, {0xAB, 1, 5},  {0xAC, 1, 0}, // AB, AC: dim mode

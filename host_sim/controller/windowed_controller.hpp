@@ -22,8 +22,8 @@ struct WindowedChip {
     bool order_set_is_rgb = false;   ///< else a set order bit means blue, green, red
     std::uint8_t stream_command = 0; ///< the command that takes pixels; 0: data are pixels at any time
     std::uint8_t multiplex_command = 0xA8;
-    std::array<Shown, 4> shown{Shown::memory, Shown::all_on, Shown::all_off,
-                               Shown::inverse}; ///< effects of A4h to A7h
+    /// What the commands A4h to A7h make the glass show.
+    std::array<Shown, 4> shown{Shown::memory, Shown::all_on, Shown::all_off, Shown::inverse};
     std::uint8_t offset_at_reset = 0;
     int first_com = 0; ///< COM line at which the glass begins; A2h makes up for it
     std::uint8_t lock_command = 0, unlock_all = 0; ///< the key that opens `locked`
@@ -64,9 +64,8 @@ class WindowedController final : public OledController {
     bool locks(std::uint8_t command) const;
     bool bit(std::uint8_t mask) const { return (remap_ & mask) != 0; }
     bool two_bytes() const { return !windowed_.grey && (remap_ & 0xC0) != 0; }
-    int addresses() const {
-        return windowed_.grey ? chip_.width / 2 : chip_.width;
-    } ///< number of column addresses
+    /// The number of column addresses.
+    int addresses() const { return windowed_.grey ? chip_.width / 2 : chip_.width; }
     std::uint64_t window() const;
     std::size_t index(int column, int row) const {
         return static_cast<std::size_t>(row * chip_.width + column);

@@ -156,8 +156,7 @@ Options read() {
 } // namespace
 
 const Options& options() {
-    static const Options* const read_once =
-        new Options(read()); // never freed: used until the library is unloaded
+    static const Options* const read_once = new Options(read()); // never freed: used to the end
     return *read_once;
 }
 

@@ -57,8 +57,7 @@ Time OpenFile::readable(Time) {
 }
 
 Kernel& Kernel::instance() {
-    static Kernel& kernel =
-        *new Kernel; // never destroyed: files are closed after the last destructor of the program
+    static Kernel& kernel = *new Kernel; // never destroyed: files are closed after all destructors
     return kernel;
 }
 
@@ -218,10 +217,8 @@ bool Kernel::open(const char* path, long& answer) {
 int Kernel::install(std::unique_ptr<OpenFile> file, const std::string& path) {
     const std::lock_guard lock(mutex_);
     const int own = file->descriptor();
-    const int number =
-        own >= 0
-            ? own
-            : eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK); // an eventfd reserves a number that nobody else gets
+    // An eventfd reserves a number that nobody else gets.
+    const int number = own >= 0 ? own : eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
     if (number < 0)
         return -errno;
     files_[number] = {std::move(file), path};

@@ -22,8 +22,7 @@ PanelModule::PanelModule(const hal::PanelDesc& panel, const ModuleWiring& wiring
     header.on_change = [this](std::uint64_t levels, Time now) { lines_changed(levels, now); };
     header.input = [this](unsigned line, Time now) { return input(line, now); };
     if (wired(wiring_.backlight))
-        header.pulled_down |= std::uint64_t{1}
-                              << wiring_.backlight; // a backlight that nobody turns on is off
+        header.pulled_down |= std::uint64_t{1} << wiring_.backlight; // a backlight that nobody sets is off
 }
 
 void PanelModule::power_cycle() {

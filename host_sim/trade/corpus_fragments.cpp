@@ -78,8 +78,8 @@ void shadow_draw(int f) {
     glDepthMask(GL_FALSE);
     glStencilFunc(GL_ALWAYS, 0, 0xFF);
     glEnable(GL_CULL_FACE);
-    for (const GLenum hidden : std::initializer_list<GLenum>{
-             GL_BACK, GL_FRONT}) { // sides that face the viewer count up, the others down
+    // Sides that face the viewer count up, the others count down.
+    for (const GLenum hidden : std::initializer_list<GLenum>{GL_BACK, GL_FRONT}) {
         glCullFace(hidden);
         glStencilOp(GL_KEEP, GL_KEEP, hidden == GL_BACK ? GL_INCR : GL_DECR);
         shadow_sides(corners);

@@ -107,8 +107,7 @@ Table::Row cost_columns() {
                       "microseconds", "relative", "triangles", "fragments"};
     for (const std::string& target : target_names())
         for (const char* figure : {"instructions", "per_pixel", "per_triangle", "flash", "ram"})
-            if (target != host_target || figure[0] == 'i' ||
-                figure[0] == 'p') // the host has no image whose flash and RAM could be told
+            if (target != host_target || figure[0] == 'i' || figure[0] == 'p') // the host has no image
                 out.push_back(target_column(target, figure));
     return out;
 }

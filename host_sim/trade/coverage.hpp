@@ -25,9 +25,8 @@ class Coverage : public raster::Observer {
     /// Ends the frame and returns its coverage; call it after each frame.
     FrameCoverage end_frame();
 
-    std::uint64_t mismatches() const {
-        return mismatches_;
-    } ///< pixels whose coverage is not brute force's, on snapped vertices
+    /// The number of pixels whose coverage differs from brute force on the snapped vertices.
+    std::uint64_t mismatches() const { return mismatches_; }
     /// The pixels that anything was drawn to since the last call, top row first.
     std::vector<bool> take_mask();
 

@@ -22,9 +22,8 @@ struct Measured {
     PictureError error;     ///< of covered pixels in all frames, against double in the same format
     double psnr_to_888 = 0; ///< dB, of the last frame, against double in eight bits: tier and format together
     double perceived = 0;   ///< 0 .. 1, of the last frame, against double in eight bits
-    std::uint64_t off_own = 0; ///< pixels whose coverage differs from brute force on the snapped vertices
-    std::uint64_t off_snapped =
-        0; ///< pixels whose coverage is not that of vertices in double, ideally snapped
+    std::uint64_t off_own = 0;     ///< pixels whose coverage differs from brute force on the snapped vertices
+    std::uint64_t off_snapped = 0; ///< pixels whose coverage differs from that of double, ideally snapped
     std::uint64_t off_unsnapped = 0; ///< pixels whose coverage differs from that of vertices in double
     std::uint64_t off_ideal = 0; ///< pixels that ideal snapping of doubles changes: what n.8 costs by itself
     std::vector<StageError> stages; ///< errors of the stages, from the shadow precision

@@ -29,9 +29,9 @@ class GudDevice final : public UsbFunction {
     bool tells_by_length = true;       ///< a shorter buffer is taken as compressed, as gud-pico does
     std::vector<std::uint8_t> formats = {0x40};
     std::vector<GudMode> modes = {{6000, 320, 240, true}};
-    std::array<std::uint16_t, 4> limits = {320, 320, 240,
-                                           240}; ///< pixels: least and most width, least and most height
-    std::vector<std::uint8_t> edid;              ///< read where there are no modes
+    /// The least and the most width, the least and the most height, in pixels.
+    std::array<std::uint16_t, 4> limits = {320, 320, 240, 240};
+    std::vector<std::uint8_t> edid; ///< read where there are no modes
     struct Property {
         std::uint16_t id;
         std::uint64_t value;

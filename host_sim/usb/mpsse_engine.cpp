@@ -131,8 +131,7 @@ std::uint32_t MpsseEngine::clock_hz() const {
 // --- levels of the pins
 
 std::uint64_t MpsseEngine::levels() const {
-    return (values_ & outputs_) |
-           (~outputs_ & 0xFFFFu & ~pulled_down); // inputs are pulled up (FT232H datasheet, 3.4)
+    return (values_ & outputs_) | (~outputs_ & 0xFFFFu & ~pulled_down); // inputs are pulled up (FT232H, 3.4)
 }
 
 void MpsseEngine::changed() {

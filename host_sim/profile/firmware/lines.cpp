@@ -17,8 +17,8 @@ struct Line {
     std::uint32_t address, command, calls;
     std::uint64_t ticks;
 };
-constexpr std::uint32_t places = 8192,
-                        deepest = 16; ///< entries of the table, a power of two; most calls within calls
+/// The entries of the table of lines, a power of two, and the most commands that call each other.
+constexpr std::uint32_t places = 8192, deepest = 16;
 
 struct Call {
     std::uint32_t address, command, begin;
