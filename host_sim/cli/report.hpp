@@ -25,8 +25,9 @@ struct StageError {
 /// the display.
 struct Memory {
     std::size_t context, surface;
-    std::size_t peak; ///< all that Spangle took: context, surface, textures, lists; with --compare also the
-                      ///< reference's
+    /// The most that Spangle took for context, surface, textures and lists; with --compare also for the
+    /// reference.
+    std::size_t peak;
     std::size_t process; ///< the program with its simulator; 0 where it is not known
 };
 

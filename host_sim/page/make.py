@@ -3,7 +3,7 @@
 
 usage: make.py NATIVE_HASHES FOLDER [--jobs N]
 
-NATIVE_HASHES is the program spangle_page_hashes. FOLDER gets index.html, and wasm/ for what emscripten builds.
+NATIVE_HASHES is the program spangle_page_hashes. The page is written to FOLDER/index.html; emscripten builds in FOLDER/wasm.
 """
 import argparse
 import base64
@@ -19,7 +19,7 @@ import outfile  # noqa: E402
 
 
 def build(folder, jobs):
-    # Debian's emscripten looks for its JavaScript parser among node's own packages otherwise.
+    # Without this variable, Debian's emscripten looks for its JavaScript parser among node's own packages.
     environment = {**os.environ, "NODE_PATH": "/usr/share/nodejs"}
     for command in (["emcmake", "cmake", "-S", str(HERE), "-B", str(folder), "-G", "Ninja"],
                     ["cmake", "--build", str(folder), "-j", str(jobs)]):
@@ -33,7 +33,7 @@ def pack(native, folder):
         assert page.count(place) == 1, place
         return page.replace(place, content)
 
-    # "</script" in a string of JavaScript would end the script.
+    # The text "</script" in a string of JavaScript would end the script.
     script = lambda text: f"<script>\n{text.replace('</script', '<' + chr(92) + '/script')}</script>"
     page = (HERE / "page.html").read_text()
     page = put(page, '<link rel="stylesheet" href="page.css">', f"<style>\n{(HERE / 'page.css').read_text()}</style>")

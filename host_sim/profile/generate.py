@@ -3,7 +3,7 @@
 
 usage: generate.py [--check]
 
---check: exit status 1 when the file is not what would be written.
+--check writes nothing: its exit status is 1 when the file is not what would be written.
 """
 import json
 import pathlib
@@ -19,7 +19,7 @@ COMMANDS = ROOT / "gl/api/commands"
 
 
 def commands():
-    """(command, feature); one that two features offer has no row: its tokens tell them apart."""
+    """Yields (command, feature). A command that two features offer has no row, because its tokens tell them apart."""
     for path in sorted(COMMANDS.glob("*.json")):
         table = json.loads(path.read_text())
         for family in table["families"] if isinstance(table, dict) else []:
@@ -29,7 +29,7 @@ def commands():
 
 
 def tokens():
-    """(token, feature): rows of the state table that a build without the feature has not."""
+    """Yields (token, feature) for the rows of the state table that a build without the feature lacks."""
     words = dict(re.findall(r"^FEATURE\((of_\w+), (\w+)\)", (ROOT / "gl/context/state_row.hpp").read_text(), re.M))
     for path in sorted((ROOT / "gl/context").glob("state_rows_*.hpp")):
         text = path.read_text()

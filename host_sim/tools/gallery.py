@@ -3,7 +3,7 @@
 
 usage: gallery.py SPANGLE [--check]
 
-The pictures are the simulated glass: the test card, drawn by a driver that has one setting wrong. --check writes nothing
+Each picture is the simulated glass with the test card, drawn by a driver that has one setting wrong. --check writes nothing,
 and fails when the page or a picture is not what this build gives.
 """
 import pathlib

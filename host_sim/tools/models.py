@@ -3,7 +3,7 @@
 
 usage: models.py SPANGLE [--check] [--models FOLDER]
 
---check writes nothing: it fails when a file makes spangle crash, hang or write anything but one clear line, or when
+--check writes nothing. It fails when a file makes spangle crash, hang, or print anything but one clear line. It also fails when
 docs/models.md or docs/models.png is not what this build gives.
 """
 import argparse
@@ -23,9 +23,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 MODELS = pathlib.Path("/usr/share/assimp/models")
 SHEET, LIST = ROOT / "docs/models.png", ROOT / "docs/models.md"
 TILE, COLUMNS, BACKGROUND, INK = 40, 22, (32, 64, 99), (255, 255, 255)
-TIMEOUT = 240  # seconds for one file
+TIMEOUT = 240  # most seconds for one file
 
-# What lies beside models without being one.
+# Kinds of files beside the models that are no models, by the ending of their names.
 COMPANIONS = {
     "a picture": "bmp dds dib gif jpeg jpg ktx2 pcx png psd swatch tga tif tiff xcf",
     "text about models": "0 md pdf rtf source txt html",
@@ -37,12 +37,12 @@ COMPANIONS = {
 }
 KIND_OF = {ending: kind for kind, endings in COMPANIONS.items() for ending in endings.split()}
 
-# 3x5 pixels each, a row per digit of octal.
+# The shapes of digits, 3x5 pixels each; an octal digit holds a row.
 DIGITS = {"0": "75557", "1": "26227", "2": "71747", "3": "71717", "4": "55711", "5": "74717", "6": "74757", "7": "71111", "8": "75757", "9": "75717"}
 
 
 class Outcome:
-    """What became of one file: its picture, or the reason why there is none."""
+    """The result for one file: its picture, or the reason why there is none."""
 
     def __init__(self, name, done, shot):
         self.name, self.rows, self.reason, self.fault = name, None, None, None
@@ -58,7 +58,7 @@ class Outcome:
 
 
 def reason_of(name, line):
-    """The program's own words, without the paths in them."""
+    """Returns the reason why a file is not drawn, in the program's own words but without paths."""
     ending = name.rsplit(".", 1)[-1].lower() if "." in name.rsplit("/", 1)[-1] else "0"
     if ending in KIND_OF:
         return KIND_OF[ending]
@@ -87,7 +87,7 @@ def draw_all(spangle, folder):
 
 
 def sheet(shown):
-    """The pictures in rows of COLUMNS, each with its number."""
+    """Returns the contact sheet: the pictures in rows of COLUMNS, each with its number."""
     height = (len(shown) + COLUMNS - 1) // COLUMNS * (TILE + 1) - 1
     rows = [[(255, 255, 255)] * (COLUMNS * (TILE + 1) - 1) for _ in range(height)]
     for n, outcome in enumerate(shown):

@@ -1,7 +1,7 @@
-"""Files and standard output of the tools in Python; the rules are those of host_sim/output.
+"""Writes files and standard output for the tools in Python, by the rules of host_sim/output.
 
 A regular file is written whole or not at all: a new file takes its place when everything is in it. Devices and pipes are
-written to as they are, and never replaced. What cannot be written ends the program with one line and status 1.
+written to as they are, and never replaced. If something cannot be written, the program ends with one line and status 1.
 """
 import contextlib
 import csv
@@ -21,7 +21,7 @@ def refuse(name, error):
 
 
 def write(path, content):
-    """Text or bytes become the whole content of the file. Its permissions stay; symbolic links are followed."""
+    """Makes text or bytes the whole content of a file, which keeps its permissions. Symbolic links are followed."""
     data = content.encode() if isinstance(content, str) else content
     target = pathlib.Path(os.path.realpath(path))
     try:
@@ -40,7 +40,7 @@ def put(descriptor, data):
 
 
 def replace(target, data, mode):
-    """The new file lies beside the old one, so that it can take its place in one step."""
+    """Replaces a file. The new file is written beside the old one, so that it can take the old one's place in one step."""
     descriptor, unfinished = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
     try:
         os.fchmod(descriptor, usual_mode() if mode is None else stat.S_IMODE(mode))
@@ -53,14 +53,14 @@ def replace(target, data, mode):
 
 
 def usual_mode():
-    """What open() would give a new file; the mask can only be read by setting it."""
+    """Returns the permissions that open() would give a new file. The mask can only be read by setting it."""
     mask = os.umask(0o077)
     os.umask(mask)
     return 0o666 & ~mask
 
 
 def write_table(path, rows):
-    """Rows of cells as comma-separated values."""
+    """Writes rows of cells as comma-separated values."""
     text = io.StringIO()
     csv.writer(text, lineterminator="\n").writerows(rows)
     write(path, text.getvalue())
@@ -76,5 +76,5 @@ def checked(main):
     except OSError as error:
         if error.filename is not None or error.errno not in LOST:
             raise
-        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # the interpreter writes what it has kept once more when it ends
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # at its end the interpreter tries again to write what it has kept
         refuse("standard output", error)

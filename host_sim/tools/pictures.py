@@ -3,8 +3,8 @@
 
 usage: pictures.py SPANGLE [--check]
 
---check writes nothing: it fails when a picture is not, pixel by pixel, the one that this build draws. Other files of the folder are
-not looked at: tests/programs/gallery.py draws programs.png, tests/page/page_test.py --picture page.png,
+--check writes nothing, and fails when a picture is not, pixel by pixel, the one that this build draws. Other files of the folder
+come from other tools and are not checked: tests/programs/gallery.py draws programs.png, tests/page/page_test.py --picture page.png,
 tests/trade/trade_test.py SPANGLE picture trade.png.
 """
 import argparse

@@ -1,11 +1,11 @@
-"""PNG files of 8-bit RGB or RGBA in, of a palette or of RGB out; the standard library only."""
+"""Reads PNG files of 8-bit RGB or RGBA, and writes PNG files with a palette or of RGB. It needs only the standard library."""
 import itertools
 import struct
 import zlib
 
 
 def read(data):
-    """(width, height, rows of (r, g, b) tuples) of what spangle --shot writes."""
+    """Decodes a file that spangle --shot writes. Returns width, height and rows of (r, g, b) tuples."""
     if data[:8] != b"\x89PNG\r\n\x1a\n":
         raise ValueError("not a PNG file")
     at, packed, width, height, channels = 8, b"", 0, 0, 0
@@ -31,18 +31,18 @@ def read(data):
 
 
 def unfiltered(kind, row, above, channels):
-    """The bytes of a row: to each of those in the file what its filter predicts was to be added. `channels` bytes are a pixel."""
-    if kind == 1:  # the pixel on the left
+    """Undoes the filter of a row: adds to each byte what the filter predicts. A pixel has `channels` bytes."""
+    if kind == 1:  # Sub: predicts the pixel on the left
         for channel in range(channels):
             row[channel::channels] = bytes(itertools.accumulate(row[channel::channels], lambda left, byte: (left + byte) & 255))
-    elif kind == 2:  # the pixel above: all bytes at once, as one number whose bytes do not carry into each other
+    elif kind == 2:  # Up: predicts the pixel above; adds all bytes at once, as one number without carries between bytes
         tops = int.from_bytes(b"\x80" * len(row), "little")
         a, b = int.from_bytes(row, "little"), int.from_bytes(above, "little")
         row = bytearray((((a & ~tops) + (b & ~tops)) ^ ((a ^ b) & tops)).to_bytes(len(row), "little"))
-    elif kind == 3:  # the mean of both
+    elif kind == 3:  # Average: predicts the mean of both
         for i in range(len(row)):
             row[i] = (row[i] + ((row[i - channels] if i >= channels else 0) + above[i]) // 2) & 255
-    elif kind == 4:  # that of the left one, the one above and the one above the left one which is nearest to left + above - corner
+    elif kind == 4:  # Paeth: predicts left, above or corner (left above), whichever is nearest to left + above - corner
         for i in range(channels):
             row[i] = (row[i] + above[i]) & 255
         for i in range(channels, len(row)):
@@ -54,7 +54,10 @@ def unfiltered(kind, row, above, channels):
 
 
 def palette(counts, colors):
-    """Median cut: {color: index}, [color of index]. The box with the most pixels times extent is halved next."""
+    """Selects a palette by median cut. Returns {color: index} and [color of index].
+
+    The box with the largest extent times square root of pixels is halved next.
+    """
     boxes = [list(counts)]
     while len(boxes) < colors:
         def weight(box):
@@ -80,7 +83,7 @@ def palette(counts, colors):
 
 
 def write(rows, colors=256):
-    """The bytes of a PNG file with a palette."""
+    """Returns the bytes of a PNG file with a palette."""
     counts = {}
     for row in rows:
         for color in row:
@@ -92,7 +95,7 @@ def write(rows, colors=256):
 
 
 def write_exact(rows):
-    """The bytes of a PNG file of RGB, which keeps every colour; each line is filtered as its differences are smallest."""
+    """Returns the bytes of a PNG file of RGB, which keeps every colour. Each row has the filter that leaves the smallest differences."""
     flat, above = bytearray(), bytes(3 * len(rows[0]))
     for row in rows:
         line = bytes(value for color in row for value in color)

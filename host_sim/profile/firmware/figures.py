@@ -1,4 +1,4 @@
-"""What images of measure.py tell: their flash, and the lines that they print."""
+"""Reads the figures of the images that measure.py builds: their flash, and the lines that they print."""
 import collections
 import os
 import pathlib
@@ -16,7 +16,7 @@ NS_PER_TICK = 40
 
 
 def flash_of(image):
-    """Bytes that are stored, by the folder that they come from; constants that are shared, and start-up's, are `others`."""
+    """Returns the bytes in flash: all, and by folder of the sources. Shared constants and start-up code are `others`."""
     out = collections.Counter()
     text = pathlib.Path(f"{image}.map").read_text().partition("\nLinker script and memory map\n")[2]
     for address, size, path in re.findall(r"^ \.(?:text|rodata|data|vectors|init_array)\S*\s+0x([0-9a-f]+)\s+0x([0-9a-f]+) (\S+)$", text, re.M):
@@ -30,7 +30,10 @@ def flash_of(image):
 
 
 def run(image):
-    """([(instructions, hash)], {kind of memory: bytes}, [(address, command, calls, ticks)], [(calls, pixels, ticks, key)])"""
+    """Runs an image and reads what it prints.
+
+    Returns [(instructions, hash)], {kind of memory: bytes}, [(address, command, calls, ticks)], [(calls, pixels, ticks, key)].
+    """
     frames, memory, lines, keys = [], {}, [], []
     for words in map(str.split, firmware.emulate(MACHINE, image, options=("-icount", "shift=0"), timeout=600).splitlines()):
         if words[:1] == ["frame"]:
@@ -45,14 +48,14 @@ def run(image):
 
 
 def source_of(path):
-    """The source as the reader knows it: from ROOT on. A cache of objects may have compiled it in a folder that lies elsewhere."""
+    """Returns the path of a source below ROOT. A cache of objects may have compiled the source in another folder."""
     parts = pathlib.PurePath(os.path.normpath(path)).parts
     inside = (pathlib.PurePath(*parts[i:]) for i in range(1, len(parts)))
     return str(next((tail for tail in inside if len(tail.parts) > 1 and (ROOT / tail).is_file()), os.path.normpath(path)))
 
 
 def keys_of(image, frames):
-    """{key: {"pixels", "instructions_a_pixel"}} of a frame."""
+    """Returns the cost of each state key in a frame: {key: {"pixels", "instructions_a_pixel"}}."""
     *_, counted = run(image)
     calls, _, ticks, _ = counted[0]
     overhead, sums = ticks / max(calls, 1), collections.defaultdict(lambda: [0, 0.0])
@@ -64,7 +67,10 @@ def keys_of(image, frames):
 
 
 def lines_of(image, commands, frames, trace):
-    """[{"line", "command", "calls", "instructions"}] of a frame, the dearest first. The lines of a trace are its calls."""
+    """Returns the cost of each line in a frame, the most expensive first: [{"line", "command", "calls", "instructions"}].
+
+    The lines of a trace are its calls.
+    """
     _, _, counted, _ = run(image)
     nothing = [(calls, ticks) for address, command, calls, ticks in counted if command == 0 and address]
     overhead = sum(t for _, t in nothing) / max(sum(c for c, _ in nothing), 1) * NS_PER_TICK

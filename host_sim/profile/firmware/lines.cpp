@@ -93,8 +93,8 @@ void measure_begin(std::uint32_t address, std::uint32_t command) {
     call.begin = now();
 }
 
-/// Returns the address to which the command returns. A command that calls others counts alone, the others
-/// included.
+/// Returns the address to which the command returns. Only the outermost command counts; its ticks include
+/// those of commands that it calls.
 std::uint32_t measure_end() {
     using namespace spangle::measure;
     const std::uint32_t end = now();

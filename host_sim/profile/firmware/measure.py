@@ -5,11 +5,12 @@ usage: measure.py PROFILE.cmake --tier TIER --scene SCENE [--size WxH] [--first 
        measure.py PROFILE.cmake --tier TIER --program OBJECT --header FILE --source FILE... [...]
        measure.py PROFILE.cmake --tier TIER --trace FILE [--commands glBegin,glVertex,...] [...]
 
-Writes one JSON object: of the whole library ("whole") and of the profile ("profiled") the bytes of flash by folder, bytes of RAM, the
-instructions and a hash of each frame, and what a pixel costs with each state key; of the profile also what each line of the program
-costs. A trace becomes a program that makes the same calls (replay.py); its lines are the numbers of its calls, and flash is counted
-without it. --commands names the trace's families of commands: of a trace that no image can replay, the image holds them and is not run.
-Exit status 3: a compiler or the emulator is not installed. 1: an image does not build or does not run.
+Writes one JSON object with figures of the whole library ("whole") and of the profile ("profiled"): bytes of flash by folder, bytes of
+RAM, the instructions and a hash of each frame, and what a pixel costs with each state key. For the profile it also tells what each
+line of the program costs. A trace becomes a program that makes the same calls (replay.py); its lines are the numbers of its calls, and
+its own code does not count as flash. --commands names the trace's families of commands. If no image can replay the trace, the image
+only holds these commands, and is not run. The exit status is 3 if a compiler or the emulator is not installed, and 1 if an image does
+not build or does not run.
 """
 import argparse
 import json
@@ -31,11 +32,11 @@ from figures import BOARD, MACHINE, TARGET, flash_of, keys_of, lines_of, run  # 
 from firmware import HOT, outfile  # noqa: E402
 
 MISSING = 3
-POOL, MOST = 1536 * 1024, 3840 * 1024  # what a program has, with buffers of 320x240 in it; what the board has beside variables and stack
+POOL, MOST = 1536 * 1024, 3840 * 1024  # bytes: of a program, with buffers of 320x240; of the board, beside variables and stack
 RGB565, RGB888, RGBA8888, Z16, Z24S8 = 1, 4, 8, 2, 4  # bits of SPANGLE_COLOR_FORMATS and SPANGLE_DEPTH_FORMATS
-NOTHING = "measure_nothing"  # a call of no command: what counting itself takes
-# A line of assembler for each command: it is called by its callers, keeps where they want to go on, and calls the command with the
-# stack as it was. Counting changes no register that the command reads or gives back.
+NOTHING = "measure_nothing"  # called to measure what counting itself costs
+# The assembler of a trampoline, one for each command. The program calls the trampoline, which keeps the return address, and calls the
+# command with the stack as it was. Counting changes no register that the command reads or returns.
 TRAMPOLINE = """  .section .text.__wrap_{name},"ax",%progbits
   .thumb_func
   .global __wrap_{name}
@@ -55,7 +56,7 @@ __wrap_{name}:
 
 
 class Program:
-    """What is measured: its sources, and how the images name it."""
+    """The program that is measured: its sources, and the name of its object in the images."""
 
     def __init__(self, arguments, folder):
         self.first, self.end, self.trace = arguments.first, arguments.end, None
@@ -84,18 +85,21 @@ class Program:
 
     @staticmethod
     def surface(definitions):
-        """What the whole library is built with; what both ask of their surface, so that they draw on the profile's; bytes of its pixels."""
+        """Returns the definitions of the whole library, those of both images' surface, and the bytes of a pixel.
+
+        Both images ask for the same surface, which is the one of the profile.
+        """
         says = dict(definition.split("=", 1) for definition in definitions)
         colors, depths = int(says.get("SPANGLE_COLOR_FORMATS", RGB565)), int(says.get("SPANGLE_DEPTH_FORMATS", Z16))
         stencil = 8 if depths & Z24S8 and not depths & Z16 else 0
         sizes = 8 if colors & (RGB888 | RGBA8888) and not colors & RGB565 else 0
-        # Formats whose components are no wish of EGL's are the only ones of both builds.
+        # EGL cannot be asked for a format by components that it does not know, so both builds have no other format.
         whole = [] if colors & (RGB565 | RGB888 | RGBA8888) else [f"-DSPANGLE_COLOR_FORMATS={colors}"]
         buffers = [f"-DMEASURE_STENCIL={stencil}", f"-DMEASURE_RED={sizes}", f"-DMEASURE_ALPHA={sizes if colors & RGBA8888 else 0}"]
         return whole, buffers, (4 if sizes else 2) + (4 if stencil else 2)
 
     def bake(self, arguments, folder):
-        """The source of a trace's calls; where there can be none, the commands alone."""
+        """Writes the source of a trace's calls. If firmware cannot make the calls, the image only holds the commands."""
         try:
             text, frames = replay.source_of(arguments.trace, self.end)
         except replay.Unbaked as why:
@@ -104,25 +108,25 @@ class Program:
             if not self.commands:
                 raise SystemExit(f"measure.py: {why}") from None
             return
-        # A trace of one frame is measured with all that it does once.
+        # A trace of one frame is measured with the work that is done only once.
         self.trace, self.end, self.first = arguments.trace, frames, min(self.first, frames - 1)
         self.sources = [folder / "replay.cpp"]
         folder.mkdir(parents=True, exist_ok=True)
         outfile.write(self.sources[0], text)
 
     def kept(self):
-        """Entry points that an image without a program holds."""
+        """Returns the entry points that an image without a program must hold."""
         wanted = set(self.commands)
         return [entry.name for _, families in command_table.load()[0] for family in families
                 if f"gl{family.name}" in wanted for entry in family.entries]
 
 
 class Images:
-    """Of one library, the image whose size counts and the one that is run."""
+    """Two images with one library: one whose size counts, and one that is run."""
 
     def __init__(self, build, program, name, defines):
         self.build, self.program, self.name = build, program, name
-        # The lines of the program are looked up; the library's are not. A call that were a jump would return to another line.
+        # Only the program is built with lines to look up. Tail calls are off, because such a call would return to another line.
         self.core = [build.compile(TARGET, "-O2" if room in HOT else "-Os", path, defines, name) for room, path in firmware.sources()]
         self.setup = next(path for path in self.core if path.name == "gl_pixel_fragment_setup.cpp.o")
         self.core += [build.compile(TARGET, "-Os", path) for path in firmware.startup(TARGET)]
@@ -142,7 +146,7 @@ class Images:
         return self.build.image(TARGET, [main, *objects, *self.own, *self.core], script, f"{self.name}_{kind}.elf", options=options)
 
     def counting(self):
-        """The image that counts for each line; the program's objects are there already."""
+        """Builds the image that counts for each line. The program's objects must be compiled already."""
         listing = subprocess.run(["arm-none-eabi-nm", "-u", *map(str, self.own)], capture_output=True, text=True, check=True).stdout
         commands = [NOTHING, *sorted(set(re.findall(r"\bgl[A-Z]\w*", listing)))]
         trampolines = self.build.folder / f"{self.name}_commands.S"
@@ -153,7 +157,7 @@ class Images:
         return image, commands
 
     def counting_keys(self):
-        """The image that counts for each state key: what compiles states is wrapped."""
+        """Builds the image that counts for each state key, in which the function that compiles states is wrapped."""
         listing = subprocess.run(["arm-none-eabi-nm", "-u", str(self.setup)], capture_output=True, text=True, check=True).stdout
         compiles, = set(re.findall(r"\b_ZN\w*6Engine7compile\w+", listing))
         defines = ["-DMEASURE_KEYS", f'-DMEASURE_COMPILE="{compiles}"']
@@ -161,7 +165,7 @@ class Images:
 
 
 def messages_of(arguments, program, build):
-    """What the profile says where the program asks for what it has not: the same image, with messages."""
+    """Returns the messages of the profile's image about what the program asks for and the profile lacks."""
     defines = ["-USPANGLE_MESSAGES", "-DSPANGLE_MESSAGES=1", *(f"-D{definition}" for definition in profile.definitions(str(arguments.profile)))]
     image = Images(build, program, "telling", defines).run
     build.run()

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""A trace of apitrace as a program in C++ that makes the same calls, for firmware, which cannot read traces.
+"""Turns a trace of apitrace into a program in C++ that makes the same calls, for firmware, which cannot read traces.
 
-Each call becomes a line whose number is the call's (#line), so that what is measured by line is told by call. Numbers that a
-program handed over by address become constants. Names that GL gave out stay as they are: every name may be used without asking
-for it, so what only asks is left out, and with it all that reads back.
+Each call becomes a line whose number is that of the call (#line), so that figures by line are figures by call. Numbers that a
+program handed over by address become constants. Names that GL generated stay as they are, because every name may be used without
+generating it. Commands that only ask or read back are therefore left out.
 
 usage: replay.py TRACE FRAMES OUT.cpp
 """
@@ -22,18 +22,18 @@ import outfile  # noqa: E402
 
 END_OF_FRAME = re.compile(r"(glX|egl)SwapBuffers")
 MAKE_CURRENT = re.compile(r"(glX|egl)Make(Context)?Current")
-# What gives GL memory to write to later, or takes its memory: a trace holds neither.
+# Commands that give GL memory to write to later, or take memory of GL. A trace holds neither memory.
 NOT_BAKED = ("glFeedbackBuffer", "glSelectBuffer", "glMapBuffer", "glMapBufferARB", "memcpy")
-LONGEST = 500  # calls in one function, so that the compiler's work stays linear
+LONGEST = 500  # most calls in one function, so that the compiler's work grows only linearly
 SUFFIX = re.compile(r"(ARB|EXT|SGIS)$")
 
 
 class Address(int):
-    """Where something was in the traced program's memory."""
+    """An address in the memory of the traced program."""
 
 
 class Reader(pickle.Unpickler):
-    """The pickles of apitrace name one class, of addresses."""
+    """Reads the pickles of apitrace, which name a single class, that of addresses."""
 
     def find_class(self, module, name):
         if (module, name) != ("unpickle", "Pointer"):
@@ -42,7 +42,7 @@ class Reader(pickle.Unpickler):
 
 
 class Unbaked(Exception):
-    """Why no image can make the calls of a trace, in one sentence."""
+    """Raised with a sentence that says why no image can make the calls of a trace."""
 
 
 def refuse(number, name, why):
@@ -50,7 +50,7 @@ def refuse(number, name, why):
 
 
 def calls_of(trace):
-    """(number, name, [(parameter, value)], ...) of each call."""
+    """Yields (number, name, [(parameter, value)], ...) for each call."""
     with subprocess.Popen(["apitrace", "pickle", str(trace)], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as apitrace:
         try:
             while True:
@@ -66,12 +66,15 @@ def entry_points():
 
 
 def only_asks(entry):
-    """Nothing is drawn otherwise because of this command."""
+    """Whether the command only asks or reads back, so that it changes nothing that is drawn."""
     return entry.family.returns != "void" or any("*" in kind and "const" not in kind for kind, _ in entry.params) or entry.name == "glReadPixels"
 
 
 def frames_of(trace, end):
-    """[[(number, entry point, values)]]: the calls that draw, of the first `end` frames. What follows a last frame is none."""
+    """Returns the calls that draw, of the first `end` frames: [[(number, entry point, values)]].
+
+    Calls after the end of the last frame are left out.
+    """
     known, frames, now, context = entry_points(), [], [], None
     for number, name, arguments, *_ in calls_of(trace):
         if len(frames) == end:
@@ -96,7 +99,7 @@ def frames_of(trace, end):
 
 
 class Source:
-    """The text that is made of frames."""
+    """The text of the C++ source that makes the calls of some frames."""
 
     def __init__(self, trace, frames):
         self.file, self.data, self.known, self.body = trace.name.replace('"', "").replace("\\", ""), [], {}, []
@@ -131,7 +134,7 @@ class Source:
             return "nullptr"
         element = re.sub(r"\bconst\b|\*", "", kind).strip()
         if isinstance(value, int):
-            return f"reinterpret_cast<{kind}>({int(value)}u)"  # an offset into a buffer object
+            return f"reinterpret_cast<{kind}>({int(value)}u)"  # the offset into a buffer object
         if isinstance(value, str):
             value = value.encode()
         if isinstance(value, list):
@@ -144,7 +147,7 @@ class Source:
         return f"reinterpret_cast<{kind}>({self.constant('const unsigned', ', '.join(f'{word:#x}' for word in words))})"
 
     def constant(self, kind, numbers):
-        """The name of an array; equal ones are one."""
+        """Returns the name of an array with these numbers. Equal arrays are defined only once."""
         key = kind, numbers
         if key not in self.known:
             self.known[key] = f"data_{len(self.known)}"
@@ -153,7 +156,7 @@ class Source:
 
 
 def literal(kind, value):
-    """A number of this C type that has the same bits."""
+    """Returns the number as C++ source of this type, with the same bits."""
     if kind in ("GLfloat", "GLclampf", "GLdouble", "GLclampd"):
         value = float(value)
         if math.isnan(value):
@@ -166,7 +169,7 @@ def literal(kind, value):
 
 
 def source_of(trace, end):
-    """The program that makes the calls of the trace's first frames, `end` of them at most; how many there are."""
+    """Returns the program that makes the calls of the trace's first frames, at most `end`, and the number of these frames."""
     frames = frames_of(trace, end)
     if not frames:
         raise Unbaked(f"{trace.name} shows no frame")
