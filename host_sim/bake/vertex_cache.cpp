@@ -165,7 +165,7 @@ class StripBuilder {
         used_[t] = true;
         for (;;) {
             const std::uint32_t a = strip[strip.size() - 2], b = strip.back();
-            const bool odd = (strip.size() & 1) != 0; // the next triangle has an odd number in the strip
+            const bool odd = (strip.size() & 1) != 0; // the next triangle's number in the strip is odd
             std::uint32_t apex = 0;
             const std::size_t next = odd ? across(b, a, t + reach_, apex) : across(a, b, t + reach_, apex);
             if (next == used_.size())

@@ -5,8 +5,7 @@
 namespace spangle::sim {
 
 void I2cPins::set(bool scl, bool sda, Time now) {
-    // SDA may not change while SCL is high, except for START and STOP.
-    const bool condition = scl && sda != sda_;
+    const bool condition = scl && sda != sda_; // data stand still while SCL is high; START and STOP do not
     const bool clocked = scl && !scl_;
     scl_ = scl;
     sda_ = sda;

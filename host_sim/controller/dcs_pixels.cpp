@@ -67,7 +67,7 @@ void DcsController::pixel_byte(std::uint8_t byte, Time now) {
     pixel_bytes_[static_cast<std::size_t>(pixel_fill_++)] = byte;
     const Format f = format();
     const int whole = f == Format::rgb565 ? 2 : 3;
-    if (f == Format::rgb444 && pixel_fill_ == 2) // two pixels are RRRRGGGG BBBBRRRR GGGGBBBB
+    if (f == Format::rgb444 && pixel_fill_ == 2) // RRRRGGGG BBBBRRRR GGGGBBBB: two pixels in three bytes
         put_pixel(decode(0), now);
     if (pixel_fill_ < whole)
         return;
