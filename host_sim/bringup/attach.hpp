@@ -19,7 +19,7 @@ struct BusOptions {
     std::string spidev; ///< device file; empty: not used
     std::string dc, reset, light, te; ///< lines of a real panel, as CHIP:LINE
     std::string i2c;                  ///< device file; empty: not used
-    unsigned address = 0x3C;          ///< of the panel on I2C
+    unsigned address = 0x3C;          ///< address of the panel on I2C
     bool ftdi = false, gud = false;
     std::string usb_file;              ///< usbfs file of the USB device; empty: the first found
     std::uint32_t hz = 0, read_hz = 0; ///< clocks to write and to read with; 0: those of the board

@@ -106,8 +106,8 @@ Verdict ask_all(Guess& guess, const Ask& ask) {
     return ask_edges(guess, ask);
 }
 
-/// The constant of hal/panels for a panel: "ST7789 240x320" is st7789_240x320. It has controller and size;
-/// further words of a name are for people.
+/// The constant of hal/panels for a panel: "ST7789 240x320" is st7789_240x320. A constant's name consists of
+/// controller and size; further words in a panel's name are for people.
 std::string constant_of(const hal::PanelDesc& panel) {
     std::string name = panel.name;
     name.resize(std::min(name.size(), name.find(' ', name.find(' ') + 1)));

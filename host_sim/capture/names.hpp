@@ -12,7 +12,7 @@ namespace spangle::names {
 
 struct Precision {
     const char* name;
-    EGLint value; ///< of the attribute EGL_PRECISION_SPANGLE
+    EGLint value; ///< value of the attribute EGL_PRECISION_SPANGLE
 };
 inline constexpr Precision precisions[] = {{"exact", EGL_PRECISION_EXACT_SPANGLE},
                                            {"balanced", EGL_PRECISION_BALANCED_SPANGLE},

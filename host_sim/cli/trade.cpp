@@ -126,7 +126,7 @@ std::string read_setting(const TradeOptions& options, trade::Sweep& out) {
     s.frames = options.frames;
     s.dither = options.dither == "on";
     out.times = !options.no_times;
-    for (const trade::Tier& tier : trade::tiers) // in the order of the table
+    for (const trade::Tier& tier : trade::tiers) // takes the tiers in the order of the table
         for (const std::string& name : options.tiers)
             if (name == tier.name)
                 out.tiers.push_back(tier);
@@ -238,7 +238,7 @@ CLI::App* add_trade(CLI::App& app, TradeOptions& o) {
         "  spangle trade --shard 1/4 --out part1        and 2/4 ... elsewhere, then\n"
         "  spangle trade merge part1 part2 part3 part4 --out all");
     for (const trade::Tier& tier : trade::tiers)
-        if ((SPANGLE_TIER_SET >> (&tier - trade::tiers) & 1) != 0) // is in this build
+        if ((SPANGLE_TIER_SET >> (&tier - trade::tiers) & 1) != 0) // this build has the tier
             o.tiers.emplace_back(tier.name);
     o.formats = {"565"};
     command->add_option(

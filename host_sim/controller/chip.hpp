@@ -35,7 +35,7 @@ constexpr std::uint8_t depths(std::initializer_list<int> values) {
 
 struct Chip {
     const char* name;
-    int width, height;                       ///< of the frame memory in cells, as MADCTL 00h addresses it
+    int width, height; ///< size of the frame memory in cells, as MADCTL 00h addresses it
     std::array<MemorySize, 2> other_sizes{}; ///< further memories that pins of the chip select
     std::array<std::uint8_t, 3> id{};        ///< answer to 04h
     MakerId maker_id{};

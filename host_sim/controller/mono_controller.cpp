@@ -253,7 +253,8 @@ Rgb666 MonoController::cell(int column, int row) const {
 }
 
 /// The state of a pixel of the glass. Glass of more than 32 rows has its even rows on the lower half of the
-/// COM pins and its odd rows on the upper half. Where DAh bit 4 says otherwise, the rows appear shuffled.
+/// COM pins and its odd rows on the upper half. If DAh bit 4 sets another order of the pins, the rows appear
+/// shuffled.
 OledController::Lit MonoController::lit(int column, int line) const {
     const bool alternating = glass_.height > 32;
     if (com_alternating_ != alternating)

@@ -72,7 +72,7 @@ enum Token : int {
     EVENT_MASK = 0x801F,
     PBUFFER_HEIGHT = 0x8040,
     PBUFFER_WIDTH = 0x8041,
-    VISUAL_CAVEAT = 0x20, // from here on: attribute of GLX_EXT_visual_rating
+    VISUAL_CAVEAT = 0x20, // attribute of GLX_EXT_visual_rating
     SAMPLE_BUFFERS = 100000,
     SAMPLES = 100001,
     SWAP_INTERVAL = 0x20F1,

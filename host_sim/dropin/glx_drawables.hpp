@@ -13,11 +13,11 @@ enum class Kind { window, pixmap, pbuffer };
 
 struct Target {
     Kind kind = Kind::window;
-    XID native = 0;               ///< id of the window or pixmap in X
-    bool made = false;            ///< by glXCreateWindow or its like; false: a plain window of the program
+    XID native = 0;    ///< id of the window or pixmap in X
+    bool made = false; ///< made by glXCreateWindow or its like; false: a plain window of the program
     GLXFBConfig config = nullptr; ///< configuration of its surface
     EGLSurface surface = EGL_NO_SURFACE;
-    int width = 0, height = 0; ///< of a pbuffer, in pixels
+    int width = 0, height = 0; ///< size of a pbuffer, in pixels
     unsigned long events = 0;
     bool largest = false;
 };

@@ -266,8 +266,8 @@ void GpioChip::attach(Kernel& kernel, unsigned number) {
     const std::string id = std::to_string(gpio_major) + ":" + std::to_string(number);
     kernel.add_device(path(number), *this, gpio_major, number);
     kernel.add_link("/sys/bus/gpio/devices/" + name_, "/sys/devices/" + name_);
-    kernel.add_text("/sys/bus/gpio/devices/" + name_ + "/dev", id + "\n");  // libgpiod 1.x reads it
-    kernel.add_link("/sys/dev/char/" + id + "/subsystem", "/sys/bus/gpio"); // libgpiod 2.x reads it
+    kernel.add_text("/sys/bus/gpio/devices/" + name_ + "/dev", id + "\n");  // libgpiod 1.x reads this file
+    kernel.add_link("/sys/dev/char/" + id + "/subsystem", "/sys/bus/gpio"); // libgpiod 2.x reads this link
 }
 
 std::string GpioChip::node() const {

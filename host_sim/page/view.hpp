@@ -69,7 +69,7 @@ class View {
     EGLSurface surface_ = EGL_NO_SURFACE;
     EGLContext context_ = EGL_NO_CONTEXT;
     float yaw_ = 0.0f, pitch_ = 0.0f;
-    float distance_ = 0.0f; ///< from the eye to the object of the scene
+    float distance_ = 0.0f; ///< distance from the eye to the object of the scene
     bool camera_ = false;
     int frame_ = -1; ///< the frame drawn last
 

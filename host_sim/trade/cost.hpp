@@ -24,8 +24,8 @@ std::vector<double> frame_times(const Program& program, const std::vector<Tier>&
 
 /// The work in the frames whose instructions are counted.
 struct Work {
-    double triangles = 0;   ///< of a frame, that reach a pixel; lines and points count, too
-    double fragments = 0;   ///< of a frame, that are covered, hidden or not
+    double triangles = 0;   ///< of a frame: triangles, lines and points that reach a pixel
+    double fragments = 0;   ///< of a frame: fragments, whether hidden or not
     std::uint32_t hash = 0; ///< FNV-1a of the last frame's RGBA, as in tests/bench/picture_hash.hpp
 };
 Work work_of_frames(const Program& program, const Tier& tier, const Format& format, const Setting& setting);
@@ -34,9 +34,9 @@ Work work_of_frames(const Program& program, const Tier& tier, const Format& form
 struct Cost {
     double microseconds = -1, first = -1; ///< us, of this tier and of the first; negative: not measured
     Work work;
-    std::uint64_t instructions = 0;          ///< of a frame on this machine; 0: not counted
+    std::uint64_t instructions = 0;          ///< instructions of a frame on this machine; 0: not counted
     Work board_work;                         ///< work of the images of firmware
-    std::map<std::string, BoardCost> boards; ///< by name of the target
+    std::map<std::string, BoardCost> boards; ///< costs on boards, by name of the target
 };
 
 /// The columns of cost.csv, and a row of it. Times are those of this machine, and relative to the first tier.

@@ -11,9 +11,9 @@ namespace spangle::trade {
 
 /// The pixels that the triangles of one frame cover: one flag per pixel, rows from the bottom.
 struct FrameCoverage {
-    std::vector<bool> snapped; ///< by vertices on the n.8 grid, as the policy snapped them
+    std::vector<bool> snapped; ///< pixels that vertices on the n.8 grid cover, as the policy snapped them
     std::vector<bool>
-        exact; ///< by vertices before snapping, where the policy knows them; else by snapped ones
+        exact; ///< pixels that unsnapped vertices cover, where the policy knows them; else as `snapped`
 };
 /// The number of pixels that only one of the two covers.
 std::uint64_t differences(const std::vector<bool>& a, const std::vector<bool>& b);

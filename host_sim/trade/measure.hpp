@@ -19,7 +19,7 @@ struct Setting {
 };
 
 struct Measured {
-    PictureError error;     ///< of covered pixels in all frames, against double in the same format
+    PictureError error;     ///< errors of covered pixels in all frames, against double in the same format
     double psnr_to_888 = 0; ///< dB, of the last frame, against double in eight bits: tier and format together
     double perceived = 0;   ///< 0 .. 1, of the last frame, against double in eight bits
     std::uint64_t off_own = 0;     ///< pixels whose coverage differs from brute force on the snapped vertices
@@ -28,7 +28,8 @@ struct Measured {
     std::uint64_t off_ideal = 0; ///< pixels that ideal snapping of doubles changes: what n.8 costs by itself
     std::vector<StageError> stages; ///< errors of the stages, from the shadow precision
     std::uint64_t frame_bytes = 0;  ///< bytes of a whole frame in this format
-    std::uint64_t bus_bytes = 0;    ///< of a frame after the first, on an ILI9341; 0 unless 565 in its size
+    std::uint64_t bus_bytes =
+        0; ///< bytes of a frame after the first, on an ILI9341; 0 unless 565 in its size
     sim::Image picture, reference, plain; ///< last frame: the tier; double; double in eight bits
     std::string problem;                  ///< why it cannot be drawn; empty if it was
 };

@@ -25,7 +25,7 @@ class Recording {
                                       const Setting& setting) = 0;
 };
 
-/// Does what measure() does, for a recorded program.
+/// Measures a recorded program, as measure() measures others.
 Measured measure_recording(const Program& program, const Tier& tier, const Format& format,
                            const Setting& setting);
 

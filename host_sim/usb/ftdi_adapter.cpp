@@ -5,7 +5,7 @@
 namespace spangle::sim {
 namespace {
 
-constexpr std::size_t packet_bytes = 512; // at high speed
+constexpr std::size_t packet_bytes = 512; // bytes of a USB packet at high speed
 constexpr std::uint8_t modem_status[] = {0x32, 0x60};
 
 enum Request : std::uint8_t { RESET = 0, SET_LATENCY_TIMER = 9, SET_BITMODE = 11 };
