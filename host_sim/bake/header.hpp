@@ -14,8 +14,8 @@ struct HeaderInput {
     std::string command;   ///< command that writes the header again
     const BakedMesh* mesh; ///< null: the header has textures only
     const std::vector<BakedTexture>* textures;
-    const std::vector<bool>*
-        translucent; ///< for each picture, in their order, whether it has alpha below 255
+    /// For each picture, in their order, whether it has alpha below 255.
+    const std::vector<bool>* translucent;
 };
 
 std::string write_header(const HeaderInput& input);

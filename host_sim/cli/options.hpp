@@ -23,8 +23,8 @@ enum class Precision : EGLint {
 
 /// How the board presents frames. Options that are left at these values leave the board's own settings.
 struct PresentOptions {
-    std::string tear_free = "off"; ///< or te, poll
-    std::string pacing = "block";  ///< or drop, coalesce
+    std::string tear_free = "off"; ///< one of off, te, poll
+    std::string pacing = "block";  ///< one of block, drop, coalesce
     int buffers = 0;
     int draw_ms = 0; ///< ms that the processor takes for a frame, in virtual time
     bool row_hash = false;

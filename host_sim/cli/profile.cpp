@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* tier_names[] = {"exact", "balanced", "fast"}; ///< the cheapest tier last
-constexpr int usual_frames = 60; ///< frames of a program, which needs some to show what it does
+constexpr int usual_frames = 60; ///< frames recorded of a program, which needs some to show what it does
 
 /// Returns the cheapest tier within the bound, or the most accurate where no bound is asked. Null: no tier is
 /// within the bound.

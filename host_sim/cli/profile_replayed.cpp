@@ -97,7 +97,8 @@ std::string record(const std::string& trace, const std::string& format, const fs
     return profile::from_text(text_of(file), out.record);
 }
 
-/// Whether any frame of a trace ends. A trace that holds only calls of the other API has none.
+/// Whether a trace shows frames. A trace of GLX holds none if the program used EGL, and a trace of EGL none
+/// if it used GLX.
 bool shows_frames(const std::string& trace, const fs::path& folder) {
     const fs::path calls = folder / "calls";
     pair::run({"apitrace", "dump", "--color=never", "--grep=SwapBuffers", trace}, calls);

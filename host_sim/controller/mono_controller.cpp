@@ -8,7 +8,7 @@ constexpr OledCommand ssd1306_commands[] = {
     {0x20, 1, 1},  {0x21, 1, 2}, {0x22, 1, 2},               // set addressing mode, column and page range
     {0x26, 2, 6},  {0x29, 2, 5}, {0x2E, 2, 0},               // set, stop and start scrolling
     {0x40, 64, 0}, {0x81, 1, 1}, {0x8D, 1, 1},               // set start line, contrast, charge pump
-    {0xA0, 2, 0},  {0xA3, 1, 2}, {0xA4, 4, 0}, {0xA8, 1, 1}, // remap, scroll area, all on, inverse, multiplex
+    {0xA0, 2, 0},  {0xA3, 1, 2}, {0xA4, 4, 0}, {0xA8, 1, 1}, // set remap, scroll area, all on, inverse, ratio
     {0xAE, 2, 0},  {0xB0, 8, 0}, {0xC0, 1, 0}, {0xC8, 1, 0}, // switch off, on; set page, COM direction
     {0xD3, 1, 1},  {0xD5, 1, 1}, {0xD9, 1, 1}, {0xDA, 2, 1}, // set offset, clock, precharge, pins, VCOMH
     {0xE3, 1, 0},                                            // no operation

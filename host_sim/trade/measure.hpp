@@ -25,11 +25,11 @@ struct Measured {
     std::uint64_t off_own = 0;     ///< pixels whose coverage differs from brute force on the snapped vertices
     std::uint64_t off_snapped = 0; ///< pixels whose coverage differs from that of double, ideally snapped
     std::uint64_t off_unsnapped = 0; ///< pixels whose coverage differs from that of vertices in double
-    std::uint64_t off_ideal = 0; ///< pixels that ideal snapping of doubles changes: what n.8 costs by itself
-    std::vector<StageError> stages; ///< errors of the stages, from the shadow precision
-    std::uint64_t frame_bytes = 0;  ///< bytes of a whole frame in this format
-    std::uint64_t bus_bytes =
-        0; ///< bytes of a frame after the first, on an ILI9341; 0 unless 565 in its size
+    std::uint64_t off_ideal = 0;     ///< pixels changed by ideal snapping of doubles: the cost of n.8 itself
+    std::vector<StageError> stages;  ///< errors of the stages, from the shadow precision
+    std::uint64_t frame_bytes = 0;   ///< bytes of a whole frame in this format
+    /// Bytes of a frame after the first, sent to an ILI9341; 0 unless frames are in 565 and of its size.
+    std::uint64_t bus_bytes = 0;
     sim::Image picture, reference, plain; ///< last frame: the tier; double; double in eight bits
     std::string problem;                  ///< why it cannot be drawn; empty if it was
 };
