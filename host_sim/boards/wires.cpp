@@ -139,7 +139,7 @@ void WiredPanel::take(const WireEvent& event) {
 bool WiredPanel::advance(std::uint64_t payload) {
     while (payload_ < payload && next_ < events_.size())
         take(events_[next_++]);
-    // Events that deselect the panel belong to what it was sent.
+    // Other events after the last byte, such as deselecting the panel, are taken together with this byte.
     while (payload_ == payload && next_ < events_.size() && events_[next_].kind != WireEvent::Kind::byte)
         take(events_[next_++]);
     return payload_ == payload;

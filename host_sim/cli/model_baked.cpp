@@ -35,7 +35,7 @@ GLenum index_token(const bake::BakedPart& part) {
     return bytes == 1 ? GL_UNSIGNED_BYTE : bytes == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
 }
 
-constexpr std::size_t word = 4; ///< bytes; each array of a vertex begins at a multiple
+constexpr std::size_t word = 4; ///< bytes; each array of a vertex begins at a multiple of a word
 
 /// Appends the low bytes of numbers, and pads to the next word.
 template <class T>

@@ -47,8 +47,7 @@ class Screen {
     bringup::Attached attached_;
     std::optional<bringup::CountedBus> counted_;
     std::optional<bringup::Stand> stand_; ///< the display of a real panel
-    std::optional<WholeFrames>
-        whole_; ///< presents whole frames, where this build does not tell what was drawn
+    std::optional<WholeFrames> whole_;    ///< presents whole frames, if the build tells no damage
     hal::Display* display_ = nullptr;
     Counts before_;
     Clock::time_point started_, finished_;
