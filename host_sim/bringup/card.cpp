@@ -35,13 +35,15 @@ constexpr std::string_view letters[] = {
 
 /// Stores a colour in the format of the frame's memory.
 void put(std::uint8_t* at, PixelFormat format, const std::uint8_t* rgb, bool swapped) {
-    if (format_info(format).bytes_per_pixel != 2) {
-        std::copy_n(rgb, 3, at);
-        return;
-    }
     const unsigned r = rgb[0], g = rgb[1], b = rgb[2];
     if (is_indexed(format)) { // the index in the initial palette
         *at = static_cast<std::uint8_t>((r >> 5) << 5 | (g >> 5) << 2 | b >> 6);
+        return;
+    }
+    if (format_info(format).bytes_per_pixel != 2) {
+        std::copy_n(rgb, 3, at);
+        if (format == PixelFormat::rgba8888)
+            at[3] = 255;
         return;
     }
     const unsigned word = (r >> 3) << 11 | (g >> 2) << 5 | b >> 3;

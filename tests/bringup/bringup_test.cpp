@@ -162,6 +162,56 @@ TEST(Card, ShowsItselfOnEveryBoard) {
     }
 }
 
+/// A display of 5x4 pixels whose buffer has bytes behind it that nobody may touch.
+struct Guarded final : hal::Display {
+    explicit Guarded(PixelFormat of) : format(of), stride(5 * format_info(of).bytes_per_pixel) {}
+    hal::DisplayInfo info() const override {
+        hal::DisplayInfo info;
+        info.width = 5;
+        info.height = 4;
+        info.format = format;
+        return info;
+    }
+    hal::Result<void> init() override { return {}; }
+    hal::Result<hal::Frame> acquire() override { return hal::Frame{pixels.data(), stride, 0, &extents}; }
+    hal::Result<void> present() override { return {}; }
+    const std::uint8_t* at(int x, int y) const {
+        return pixels.data() + y * stride + x * format_info(format).bytes_per_pixel;
+    }
+
+    PixelFormat format;
+    std::int32_t stride;
+    std::vector<std::uint8_t> pixels = std::vector<std::uint8_t>(5 * 4 * 4 + 8, 0xA5);
+    std::array<RowSpan, 4> rows{};
+    RowExtents extents{rows.data(), 4};
+};
+
+TEST(Card, StoresWholePixelsOfEveryFormatAndNothingBesideThem) {
+    sim::Image picture(5, 4);
+    for (int i = 0; i < 20; ++i)
+        std::copy_n(std::array<std::uint8_t, 3>{static_cast<std::uint8_t>(13 * i), 0, 255}.data(), 3,
+                    picture.at(i % 5, i / 5));
+    for (const PixelFormat format : {PixelFormat::rgb565_be, PixelFormat::rgb565_le, PixelFormat::rgb888,
+                                     PixelFormat::rgba8888, PixelFormat::index8}) {
+        Guarded display(format);
+        ASSERT_TRUE(bringup::show(display, picture).ok());
+        for (int i = 0; i < 20; ++i) {
+            const std::uint8_t *const at = display.at(i % 5, i / 5), red = static_cast<std::uint8_t>(13 * i);
+            if (format == PixelFormat::index8)
+                EXPECT_EQ(*at, (red & 0xE0) | 3);
+            else if (format == PixelFormat::rgb565_be || format == PixelFormat::rgb565_le)
+                EXPECT_EQ(at[format == PixelFormat::rgb565_be ? 0 : 1], red & 0xF8);
+            else
+                EXPECT_EQ(at[0] | at[2] << 8, red | 255 << 8);
+            if (format == PixelFormat::rgba8888)
+                EXPECT_EQ(at[3], 255);
+        }
+        for (const std::uint8_t* behind = display.at(0, 4);
+             behind != display.pixels.data() + display.pixels.size(); ++behind)
+            EXPECT_EQ(*behind, 0xA5) << static_cast<int>(format);
+    }
+}
+
 // --- The wizard
 
 /// How a card lies on a glass: mirrored, then turned clockwise by quarters, then moved.
