@@ -7,7 +7,7 @@
 #include <spangle/frame.hpp>
 #include <spangle/native.hpp>
 
-/// A scene profile may hold another tier only.
+/// A build with a scene profile may hold one tier only; it defines DEMO_PRECISION as that tier.
 #ifndef DEMO_PRECISION
 #define DEMO_PRECISION EGL_PRECISION_BALANCED_SPANGLE
 #endif
@@ -16,14 +16,14 @@ namespace spangle::demo {
 
 namespace {
 
-/// A context on the display's window.
+/// A GL context that is current on a window of the display.
 struct Window {
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLSurface surface = EGL_NO_SURFACE;
     EGLContext context = EGL_NO_CONTEXT;
 
-    /// The first of these configs that there is. Narrow formats are drawn in exact numbers in every tier;
-    /// small builds have no other.
+    /// Returns the first config that meets one of three wishes. Narrow formats are drawn in exact numbers in
+    /// every tier, and small builds may have no other precision, or no depth buffer.
     EGLConfig choose(bool narrow) const {
         struct Wish {
             EGLint depth, precision;
@@ -60,7 +60,7 @@ struct Window {
         return nullptr;
     }
 
-    /// Everything GL holds goes with the context and the window.
+    /// Destroys the context and the window, and with them everything that GL holds.
     void close() const {
         eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         if (context != EGL_NO_CONTEXT)
@@ -70,7 +70,7 @@ struct Window {
     }
 };
 
-/// A display that tells what is drawn into its buffers.
+/// A display that passes every call on, and keeps the address of the buffer that is drawn into.
 class Tap final : public hal::Display {
   public:
     explicit Tap(hal::Display& display) : display_(display), info_(display.info()) {}
@@ -105,7 +105,7 @@ class Tap final : public hal::Display {
 const char* draw(const Window& window, const Tap& tap, const scenes::Scene& scene, int frames,
                  Watcher& watcher) {
     const hal::DisplayInfo info = tap.info();
-    if (format_info(info.format).bits >= 16) // fewer need it
+    if (format_info(info.format).bits >= 16) // formats of fewer bits need dithering
         glDisable(GL_DITHER);
     scene.setup(info.width, info.height);
     for (int frame = 0; frame < frames; ++frame) {

@@ -1,5 +1,5 @@
-// The program every board shows: scenes, one after the other. boards/tools/boards.py builds it with
-// DEMO_SCENES, the addresses of the board's scenes.
+// The program that every board runs: it shows scenes, one after the other. boards/tools/boards.py builds it
+// with DEMO_SCENES, the addresses of the board's scenes.
 #include "boards/board.hpp"
 #include "boards/demo/demo.hpp"
 #include "boards/demo/report.hpp"

@@ -1,9 +1,10 @@
-// An emulator listens by semihosting. Of each frame it hears "frame HASH DRAWING PRESENTING BYTES": the hash
-// of what was drawn, instructions, and bytes sent to the display so far; of each scene "scene ID"; at the end
-// a line "NAME BYTES" for each kind of memory.
+// Reports to an emulator by semihosting. For each frame the program prints "frame HASH DRAWING PRESENTING
+// BYTES": the hash of the picture, instructions for drawing and for presenting, and the bytes sent to the
+// display so far. Each scene begins with "scene ID". The last lines are "NAME BYTES", one for each kind of
+// memory.
 //
 // The command line, "NAME FRAMES [wait]", says how many frames of a scene are shown. With "wait" the program
-// stands still after each frame until there is a file "next-N", N counting frames from 1: time to look at the
+// stops after frame N, counted from 1, until there is a file "next-N". This gives time to look at the
 // emulated display.
 #include "boards/demo/report.hpp"
 

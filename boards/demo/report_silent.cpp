@@ -1,5 +1,5 @@
-// Hardware: nobody listens. Scenes follow each other for ever; a display that did not answer is tried again
-// with the next one.
+// On hardware nobody listens to reports. The scenes follow each other for ever; if the display did not
+// answer, the next scene tries again.
 #include "boards/demo/report.hpp"
 
 #include <spangle/mcu/panic.hpp>
@@ -28,7 +28,7 @@ bool again() {
 
 namespace spangle::mcu {
 
-/// For a debugger to find. A product would reset here.
+/// A debugger finds the cause of the last panic here. A product would reset instead.
 volatile Panic last_panic;
 
 [[noreturn]] void panic(const Panic& panic) {

@@ -1,4 +1,4 @@
-// LM3S6965 evaluation board: SSI0 (PA2 clock, PA5 data) to the OLED, D/C on PC7, chip select on PA3.
+// LM3S6965 evaluation board. SSI0 (PA2 clock, PA5 data) leads to the OLED; D/C is PC7, chip select is PA3.
 #include "boards/board.hpp"
 
 #include <spangle/hal/polled_bus.hpp>

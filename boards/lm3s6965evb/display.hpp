@@ -1,4 +1,4 @@
-// The OLED of the LM3S6965 evaluation board. GL draws in its own sixteen greys: 4 KB a frame.
+// The OLED of the LM3S6965 evaluation board. GL draws in the panel's own sixteen greys, so a frame has 4 KB.
 #pragma once
 
 #include <spangle/hal/board.hpp>
@@ -11,7 +11,7 @@ inline constexpr hal::Board lm3s6965evb = hal::board({
     .summary = "TI/Luminary LM3S6965 evaluation board, SSD0323 128x64, 16 greys, SPI",
     .display = {.panel = &hal::panels::ssd0323_128x64,
                 .format = PixelFormat::grey4,
-                .reset_line = false}, // it is reset with the processor
+                .reset_line = false}, // the panel is reset with the processor
     .bus = hal::BusKind::spi4,
     .write_hz = 3125000, // 12.5 MHz / 4
 });

@@ -1,4 +1,4 @@
-// The smallest program that is worth the name: start-up, one display, EGL, and a model that turns for ever.
+// The smallest useful program: start-up, one display, EGL, and a model that turns for ever.
 #include "boards/minimal/rocket.hpp"
 #include "boards/minimal/screen.hpp"
 
@@ -13,7 +13,7 @@ int main() {
     return 2;
 }
 
-/// Of main(), too. A product would reset here.
+/// Stops the processor after a fault, or when main() returned. A product would reset here.
 [[noreturn]] void spangle::mcu::panic(const Panic&) {
     for (;;)
         asm volatile("wfi");

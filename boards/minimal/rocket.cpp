@@ -16,12 +16,13 @@ namespace {
 
 namespace model = baked::rocket;
 
-// No float is computed on the board: those that matrices are made of are constants, and turned round by sign.
+// The board computes no floats: all numbers in matrices are constants, and a turn only changes their signs.
 
-/// Half of what is seen of a model of radius 1.
+/// Half the side of the visible square, in radii of the model.
 constexpr double half_view = 1.12;
 
-/// How the model, whose axis is y, leans: turns about z and x.
+/// The model's axes after its tilt, which turns it about x by 18 degrees and then about z by -32 degrees. The
+/// model's own axis is y.
 struct Tilt {
     double across[3], axis[3], towards[3];
 };
@@ -32,8 +33,8 @@ consteval Tilt tilt() {
     return {{cz, sz, 0}, {-sz * cx, cz * cx, sx}, {sz * sx, -cz * sx, cx}};
 }
 
-/// glOrtho() around what the arrays hold, after the turns: with these in it the modelview matrix is a
-/// rotation, and normals stay as long as they are.
+/// The tilt, then glOrtho() around the model in the units of its arrays. Both stand in the projection matrix,
+/// so that the modelview matrix is a plain rotation and keeps the length of normals.
 consteval std::array<GLfloat, 16> projection() {
     constexpr Tilt t = tilt();
     constexpr int side = width < height ? width : height;
@@ -49,7 +50,7 @@ consteval std::array<GLfloat, 16> projection() {
     return m;
 }
 
-/// Of 64ths of a turn.
+/// The sine of `step` 64ths of a turn.
 GLfloat sine(unsigned step) {
     static constexpr auto quarter = [] {
         std::array<GLfloat, 17> table{};
@@ -62,13 +63,15 @@ GLfloat sine(unsigned step) {
     return (step & 32) != 0 ? -value : value;
 }
 
-/// A turn about y of which these are cosine and sine; or, by `y`, scales.
+/// Loads a rotation about y whose cosine is `c` and whose sine is `s`; `y` is 1. With s = 0 the matrix scales
+/// x and z by `c`, and y by `y`.
 void load_turn(GLfloat c, GLfloat s, GLfloat y) {
     const GLfloat m[16] = {c, 0, -s, 0, 0, y, 0, 0, s, 0, c, 0, 0, 0, 0, 1};
     glLoadMatrixf(m);
 }
 
-/// Light, material, viewport and background are those that GL begins with: the light stands behind the eye.
+/// Light, material, viewport and background keep the values that GL begins with. GL's first light stands
+/// behind the eye.
 void set_up() {
     static constexpr auto to_screen = projection();
     static constexpr GLfloat texels = model::mesh.texcoord_scale;
@@ -85,8 +88,8 @@ void set_up() {
     baked::point_arrays(model::parts[0]);
 }
 
-/// The profile leaves two: without a depth buffer, and with one. Programs that find more ask
-/// eglChooseConfig().
+/// The build's profile leaves two configs: config 0 has no depth buffer, config 1 has one. A program whose
+/// build has more configs calls eglChooseConfig().
 #ifndef MINIMAL_CONFIG
 #define MINIMAL_CONFIG 1
 #endif
@@ -96,7 +99,7 @@ EGLSurface window;
 
 } // namespace
 
-/// Not in line: its part of the stack is free again while frames are drawn.
+/// The function is not inlined, so that its part of the stack is free while frames are drawn.
 [[gnu::noinline]] bool open(hal::Display& display) {
     EGLConfig configs[MINIMAL_CONFIG + 1];
     EGLint count = 0;

@@ -18,13 +18,15 @@ using Screen = hal::FrameDisplay<boards::mps2_an386, Wires>;
 static_assert(hal::picture_size(boards::mps2_an386.display).width == width &&
               hal::picture_size(boards::mps2_an386.display).height == height);
 
-/// What GL keeps. The whole library keeps more than a profile.
+/// Bytes that GL keeps beside the depth buffer. A build of the whole library needs more than this profile,
+/// and defines its own number.
 #ifndef MINIMAL_GL_BYTES
 #define MINIMAL_GL_BYTES 12 * 1024
 #endif
 
 alignas(4) std::uint8_t frame[Screen::bytes];
-/// Behind a depth buffer of 16 bits.
+/// GL's memory. It holds a depth buffer of 16 bits a pixel, as large as the frame, and what GL keeps beside
+/// it.
 alignas(8) __attribute__((section(".noinit"))) unsigned char arena[Screen::bytes + MINIMAL_GL_BYTES];
 
 constinit Wires wires{mcu::Pl022(blocks.spi), blocks.misc(0), blocks.misc(3), mcu::SysTick{blocks.clock_hz}};

@@ -4,10 +4,11 @@
 
 namespace spangle::minimal {
 
-/// Pixels of the display as it hangs.
+/// Width and height of the mounted display, in pixels.
 inline constexpr int width = 320, height = 240;
 
-/// Clocks, pins, memory for GL; then the display, not yet initialised. Call it once, first.
+/// Starts clocks and pins, gives GL its memory, and returns the display, which is not yet initialised. Call
+/// it once, before anything else.
 hal::Display& start();
 
 } // namespace spangle::minimal

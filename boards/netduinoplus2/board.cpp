@@ -37,7 +37,7 @@ hal::Display& start() {
     memory(arena, sizeof arena);
     mcu::stm32f4::run_at_168_mhz(25);
     mcu::stm32f4::turn_on(0x3, 1u << 12); // ports A and B, SPI1
-    port.end();                           // chip select is high before it is driven
+    port.end();                           // chip select is high before the pin becomes an output
     port_b.output(select_pin);
     port_b.output(data_pin);
     port_a.alternate(clock_pin, spi_function);

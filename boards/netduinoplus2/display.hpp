@@ -1,4 +1,5 @@
-// ILI9341 on a Netduino Plus 2, landscape. 128 KB hold no frame of 150 KB: bands of 16 rows.
+// ILI9341 on a Netduino Plus 2, landscape. 128 KB of memory hold no frame of 150 KB, so GL draws bands of 16
+// rows.
 #pragma once
 
 #include <spangle/hal/board.hpp>

@@ -1,4 +1,4 @@
-// RV32 virt: a linear frame buffer, two frames in the display's own memory.
+// RV32 virt: a linear frame buffer; the display's own memory holds two frames.
 #pragma once
 
 #include <spangle/hal/mapped_display.hpp>

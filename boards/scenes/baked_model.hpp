@@ -1,14 +1,15 @@
-// A baked model as `spangle run --model` shows models. Images of firmware draw it from flash, and the host
+// Draws a baked model as `spangle run --model` shows models. Firmware draws the model from flash and the host
 // from memory, with the same calls.
 #pragma once
 
-#include "boards/scenes/model_view.hpp" // first: it names the GL that the model is drawn with
+#include "boards/scenes/model_view.hpp" // first, because it names the GL that the model is drawn with
 
 #include <spangle/baked.hpp>
 
 namespace spangle::scenes {
 
-/// Parts that share a texture share its name, which is that of the first of them; 0: the part has none.
+/// The name of a part's texture: the number of the first part that uses the texture, counted from 1. It is 0
+/// for a part without a texture.
 inline GLuint texture_name(const baked::Mesh& mesh, GLsizei part) {
     const baked::Texture* const texture = mesh.part[part].texture;
     GLuint name = 1;
@@ -18,7 +19,8 @@ inline GLuint texture_name(const baked::Mesh& mesh, GLsizei part) {
 }
 
 inline void setup_baked(const baked::Mesh& mesh, int width, int height) {
-    // The sphere of radius 1 at a distance of 3 fits a square in the middle, so that no frustum is computed.
+    // A sphere of radius 1 at a distance of 3 fits a square viewport in the middle, so the frustum is a
+    // constant.
     const int side = width < height ? width : height;
     glViewport((width - side) / 2, (height - side) / 2, side, side);
     glMatrixMode(GL_PROJECTION);

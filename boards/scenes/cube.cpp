@@ -1,5 +1,5 @@
-// CUBE: a turning cube, one colour a face. No depth, no lights, no textures, no numbers that are not whole:
-// for boards with a few kilobytes of memory.
+// CUBE: a turning cube with one grey for each face. It uses neither depth, lights nor textures, and its
+// coordinates are integers: it is for boards with a few kilobytes of memory.
 #include "boards/scenes/gl.hpp"
 #include "boards/scenes/scene.hpp"
 
@@ -9,7 +9,7 @@ namespace {
 
 void setup(int width, int height) {
     glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
-    // Radius sqrt(3) at a distance of 5 fits a square in the middle.
+    // The cube has radius sqrt(3) and a distance of 5, and fits a square viewport in the middle.
     const int side = width < height ? width : height;
     glViewport((width - side) / 2, (height - side) / 2, side, side);
     glMatrixMode(GL_PROJECTION);
@@ -20,7 +20,8 @@ void setup(int width, int height) {
     glShadeModel(GL_FLAT);
 }
 
-/// Counter-clockwise from outside; bit i of a corner says where it is along axis i.
+/// The corners of each face, counter-clockwise seen from outside. Bit i of a corner says whether its
+/// coordinate i is 1 or -1.
 constexpr GLubyte face[6][4] = {{1, 3, 7, 5}, {0, 4, 6, 2}, {2, 6, 7, 3},
                                 {0, 1, 5, 4}, {4, 5, 7, 6}, {0, 2, 3, 1}};
 constexpr GLubyte grey[6] = {255, 40, 200, 64, 140, 100};

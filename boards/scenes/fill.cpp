@@ -1,4 +1,4 @@
-// S1 to S3: what filling costs.
+// S1 to S3 measure what filling the screen costs.
 #include "boards/scenes/scene.hpp"
 #include "boards/scenes/view.hpp"
 
@@ -24,8 +24,8 @@ void setup_fill(int width, int height) {
     perspective(width, height, 1.0f, 16.0f);
 }
 
-/// Corners of a rectangle that covers the screen at distance d: bottom left, bottom right, top right, top
-/// left.
+/// Sends corner `i` of a rectangle that covers the screen at distance `d`. The corners are bottom left,
+/// bottom right, top right, top left.
 void corner(int i, float d) {
     const float x = i == 1 || i == 2 ? d : -d, y = i >= 2 ? d : -d;
     glVertex3f(x, y * half_height, -d);

@@ -6,7 +6,7 @@ namespace {
 
 constexpr const char* characters = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ.:/%-+";
 
-/// Seven rows of five columns per character, in the order of `characters`.
+/// The shape of each character, in the order of `characters`: seven rows of five columns.
 constexpr const char* shapes[] = {
     ".###.#...##..###.#.###..##...#.###.", "..#...##....#....#....#....#...###.",
     ".###.#...#....#...#...#...#...#####", "#####...#...#.....#.....##...#.###.",

@@ -1,4 +1,4 @@
-// A 5x7 font of what dashboards write, as an 8-bit alpha texture: 16 glyphs a row in cells of 8x8.
+// A 5x7 font of the characters of dashboards, as an 8-bit alpha texture of 8x8 cells, 16 cells a row.
 #pragma once
 
 #include "boards/scenes/gl.hpp"
@@ -8,11 +8,13 @@ namespace spangle::scenes {
 /// Makes and binds the 128x32 GL_ALPHA texture of the font.
 void make_font();
 
-/// Two triangles' worth of quad per character, `scale` pixels per font pixel, top left corner at (x, y), y
-/// down. Inside no Begin/End; the font texture is bound and enabled.
+/// Draws a quad for each character. A pixel of the font is `scale` pixels wide, and the top left corner of
+/// the text is (x, y), with y down. Call it outside of glBegin/glEnd, with the font's texture bound and
+/// enabled.
 void draw_text(float x, float y, float scale, const char* text);
 
-/// A point for each pixel of the text, top left one at (x, y), y down. Inside no Begin/End; without textures.
+/// Draws a point for each pixel of the text, whose top left point is (x, y), with y down. Call it outside of
+/// glBegin/glEnd, without textures.
 void plot_text(int x, int y, const char* text);
 
 } // namespace spangle::scenes

@@ -1,4 +1,4 @@
-// S5: three gears in display lists, the oldest GL demo there is.
+// S5: three gears in display lists, after the oldest demo of GL.
 #include "boards/scenes/scene.hpp"
 #include "boards/scenes/trig.hpp"
 #include "boards/scenes/view.hpp"
@@ -21,7 +21,8 @@ constexpr Gear gear_data[3] = {
     {1.3f, 2.0f, 0.5f, 10, 0.7f, -3.1f, 4.2f, {0.2f, 0.2f, 1.0f, 1.0f}},
 };
 
-/// Directions of the four corners of every tooth: foot, top, top, foot; a quarter of the pitch apart.
+/// The directions of the four corners of a tooth, a quarter of the pitch apart. The corners are at the foot,
+/// the top, the top, and the foot.
 struct Direction {
     float x, y;
 };
@@ -36,7 +37,7 @@ template <int Teeth> constexpr auto make_directions() {
 constexpr auto directions_20 = make_directions<20>();
 constexpr auto directions_10 = make_directions<10>();
 
-/// The corners of a gear: 0 and 3 of each tooth at its foot, 1 and 2 at its top.
+/// The outline of a gear. Corners 0 and 3 of each tooth lie at its foot, corners 1 and 2 at its top.
 struct Outline {
     const Gear& gear;
     const Direction* at;
@@ -50,7 +51,8 @@ struct Outline {
     }
 };
 
-/// The ring between hole and tooth feet, at height z, facing up or down.
+/// Draws the ring between the hole and the feet of the teeth, at height `z`. The ring faces up for z > 0,
+/// else down.
 void face(const Outline& o, float z) {
     glNormal3f(0.0f, 0.0f, z > 0.0f ? 1.0f : -1.0f);
     const bool up = z > 0.0f;
@@ -74,7 +76,7 @@ void face(const Outline& o, float z) {
     glEnd();
 }
 
-/// The flat sides of the teeth.
+/// Draws the flat sides of the teeth at height `z`.
 void tooth_sides(const Outline& o, float z) {
     const bool up = z > 0.0f;
     glBegin(GL_QUADS);
@@ -86,8 +88,8 @@ void tooth_sides(const Outline& o, float z) {
     glEnd();
 }
 
-/// The outside of the teeth: four quads a tooth, each with the normal of its flank; NORMALIZE makes it a
-/// unit.
+/// Draws the outside of the teeth: four quads a tooth, each with the normal of its flank. The normals are not
+/// unit vectors; GL_NORMALIZE makes them so.
 void rim(const Outline& o) {
     const float z = o.gear.width / 2.0f;
     glBegin(GL_QUADS);
@@ -102,7 +104,7 @@ void rim(const Outline& o) {
     glEnd();
 }
 
-/// The hole, the one smooth part.
+/// Draws the inside of the hole, the only part of a gear that is shaded smoothly.
 void hole(const Outline& o) {
     const float z = o.gear.width / 2.0f, r = o.gear.inner;
     glBegin(GL_QUAD_STRIP);

@@ -1,5 +1,5 @@
-// Scenes use public OpenGL only, so the same source draws on Spangle and on any other GL: the oracle and the
-// benchmark compile it against Mesa.
+// Scenes use public OpenGL only, so the same source draws on any GL. The oracle and the benchmark compile the
+// scenes against Mesa, too.
 #pragma once
 
 #ifdef SPANGLE_SCENES_ON_OTHER_GL

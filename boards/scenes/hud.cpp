@@ -1,6 +1,6 @@
-// HUD: what a dashboard draws. A round gauge with a needle, bars, text, and blended sprites. Pictures with
-// less room than 320x240 get a layout of their own, on black, whose text is whole pixels: it can be read in
-// one colour, too.
+// HUD: the parts of a dashboard. It has a round gauge with a needle, bars, text, and blended sprites.
+// Pictures smaller than 320x240 get a layout of their own, on black. Its text consists of whole pixels, so
+// that it can be read on displays of one colour.
 #include "boards/scenes/font.hpp"
 #include "boards/scenes/scene.hpp"
 #include "boards/scenes/textures.hpp"
@@ -11,7 +11,7 @@ namespace spangle::scenes {
 
 namespace {
 
-constexpr int steps = 160; // of a full turn
+constexpr int steps = 160; // steps of the gauge in a full turn
 struct Point {
     float x, y;
 };
@@ -45,7 +45,8 @@ void setup(int width, int height) {
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
 }
 
-/// A ring segment from step `from` to step `to` (clockwise on screen), Gouraud shaded from end to end.
+/// Draws a segment of a ring from step `from` to step `to`, clockwise on screen. Its colour goes from `a` to
+/// `b` by Gouraud shading.
 void arc(Point centre, float inner, float outer, int from, int to, const GLfloat (&a)[3],
          const GLfloat (&b)[3]) {
     glBegin(GL_TRIANGLE_STRIP);
@@ -112,7 +113,7 @@ void sprite(float x, float y, float size) {
     glEnd();
 }
 
-/// Three decimal digits.
+/// A number as three decimal digits and a terminating zero.
 struct Digits {
     char text[4];
 };
@@ -121,16 +122,17 @@ Digits digits(int value) {
              static_cast<char>('0' + value % 10), '\0'}};
 }
 
-// --- Where there is little room
+// --- The layout of small pictures
 
 /// Whether the layout for large pictures would have to shrink its text or cut something off.
 bool has_little_room() {
     return screen_height < 200.0f || 3.0f * screen_width < 4.0f * screen_height;
 }
 
-constexpr int glyph_width = 6, line_height = 9; // of the font, with the space around
+constexpr int glyph_width = 6,
+              line_height = 9; // pixels of a glyph and of a line of the font, with the space around
 
-/// A rectangle of the screen in pixels, filled from the top.
+/// A rectangle of the screen in pixels, which is filled from the top down.
 struct Column {
     int left, top, width, height;
 
@@ -162,7 +164,7 @@ void write(int x, int y, int scale, const char* text) {
     set_text();
     draw_text(static_cast<float>(x), static_cast<float>(y), static_cast<float>(scale), text);
 }
-/// In the middle of the column, which it takes from.
+/// Writes a line in the middle of the column, and takes its height from the column.
 void write_line(Column& column, int scale, int letters, const char* text) {
     if (column.height < 7 * scale || column.width < letters * glyph_width * scale)
         return;
@@ -170,7 +172,8 @@ void write_line(Column& column, int scale, int letters, const char* text) {
     column.take(line_height * scale);
 }
 
-/// A frame, and as much of it filled as `value` says: it is seen without shades.
+/// Draws a frame that is filled to the fraction `value`. Frame and filling can be told apart on displays
+/// without shades.
 void framed_bar(int x, int y, int w, int h, float value) {
     const float left = static_cast<float>(x), top = static_cast<float>(y), right = static_cast<float>(x + w),
                 bottom = static_cast<float>(y + h), full = left + (right - left) * value;
@@ -191,7 +194,7 @@ void framed_bar(int x, int y, int w, int h, float value) {
     glVertex2f(full, top);
     glEnd();
 }
-/// Three letters, and a bar beside them.
+/// Writes a name of three letters, and draws a bar beside it.
 void bar_line(Column& column, int scale, const char* name, float value) {
     const int label = 3 * glyph_width * scale;
     if (column.height < 7 * scale || column.width < label + 8)
@@ -201,7 +204,7 @@ void bar_line(Column& column, int scale, const char* name, float value) {
     column.take(line_height * scale);
 }
 
-/// The gauge fills this square.
+/// Draws the gauge, which fills the square.
 void small_gauge(const Column& square, int speed) {
     static constexpr GLfloat low[3] = {0.4f, 1.0f, 0.6f}, high[3] = {1.0f, 0.55f, 0.45f};
     const float size = static_cast<float>(square.width), radius = 0.48f * size;
@@ -235,8 +238,8 @@ void small_sprites(const Column& column, int phase) {
         sprite(static_cast<float>(column.left + x), static_cast<float>(column.top), static_cast<float>(size));
 }
 
-/// The gauge at the left, or on top where the picture is not much wider than high; the rest beside or below
-/// it. What does not fit any more is left out: of 96x16 pixels the gauge.
+/// Draws the gauge at the left, or at the top of pictures that are not much wider than high. All else stands
+/// beside or below the gauge. What does not fit is left out: a picture of 96x16 pixels has no gauge.
 void draw_small(int phase, int speed) {
     const int width = static_cast<int>(screen_width), height = static_cast<int>(screen_height);
     const bool beside = 5 * width >= 7 * height, has_gauge = height >= 24;
@@ -248,7 +251,7 @@ void draw_small(int phase, int speed) {
     if (has_gauge) {
         const int side = beside ? height : least(width, height * 3 / 5);
         const Column square = {beside ? 0 : (width - side) / 2, 0, side, side};
-        // On round glass the corners are not seen: what is below keeps away from them.
+        // Round glass hides the corners of the picture, so what stands below the gauge keeps away from them.
         rest = beside ? Column{side + 2, 2, width - side - 4, height - 2}
                       : Column{width / 8, side + 2, width - width / 4, height - side - 2};
         small_gauge(square, speed);
@@ -259,7 +262,7 @@ void draw_small(int phase, int speed) {
         }
     }
     const int scale = most(1, least(rest.width / 64, rest.height / 44));
-    if (!numbered && rest.height < 24) { // beside the bars
+    if (!numbered && rest.height < 24) { // the speed stands at the left of the bars
         write(rest.left, rest.top, 2, number.text);
         rest = {rest.left + 38, rest.top, rest.width - 38, rest.height};
     } else if (!numbered)
@@ -279,7 +282,8 @@ void draw(int frame) {
     const float unit = screen_height / 240.0f;
     const Point centre = {screen_width * 0.34f, screen_height * 0.52f};
     const float radius = (screen_width < screen_height ? screen_width : screen_height) * 0.4f;
-    const int phase = frame % 120, speed = phase < 60 ? 2 * phase : 2 * (120 - phase); // 0..120..0
+    const int phase = frame % 120,
+              speed = phase < 60 ? 2 * phase : 2 * (120 - phase); // speed: 0 up to 120, and down to 0
 
     if (has_little_room())
         return draw_small(phase, speed);

@@ -1,5 +1,5 @@
-// How models are shown: turning in front of one light, opaque parts first. Models of files and baked ones
-// share it.
+// How models are shown: they turn in front of one light, and opaque parts are drawn first. Models from files
+// and baked models share this code.
 #pragma once
 
 #include <initializer_list>
@@ -8,7 +8,7 @@
 
 namespace spangle::scenes {
 
-/// Sets the light and the state of all parts. The modelview matrix is the identity, and is current.
+/// Sets the light and the state of all parts. The modelview matrix must be current, and the identity.
 inline void light_model() {
     static constexpr GLfloat light[4] = {0.4f, 0.7f, 1.0f, 0.0f};
     glClearColor(0.125f, 0.25f, 0.375f, 1.0f);
@@ -20,7 +20,7 @@ inline void light_model() {
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-/// Clears, and turns the model by two degrees a frame.
+/// Clears the picture, and turns the model by two degrees a frame.
 inline void turn_model(int frame) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glLoadIdentity();
@@ -29,8 +29,8 @@ inline void turn_model(int frame) {
     glRotatef(static_cast<float>(30 + 2 * (frame % 180)), 0.0f, 1.0f, 0.0f);
 }
 
-/// Draws the opaque parts first, so that what shows through the others is there. `is_translucent` and
-/// `draw` take the number of a part.
+/// Draws the opaque parts before the translucent parts that they show through. `is_translucent` and `draw`
+/// take the number of a part.
 template <class Number, class Is, class Draw>
 void draw_opaque_first(Number parts, Is is_translucent, Draw draw) {
     for (const bool translucent : {false, true})

@@ -1,4 +1,4 @@
-// S4, S4b, S4r: a tilted textured plane that covers the screen.
+// S4, S4b and S4r: a tilted, textured plane that covers the screen.
 #include "boards/scenes/scene.hpp"
 #include "boards/scenes/textures.hpp"
 #include "boards/scenes/view.hpp"
@@ -29,10 +29,11 @@ void setup_linear(int width, int height) {
 void setup_rolled(int width, int height) {
     setup(width, height, GL_NEAREST);
     glRotatef(30.0f, 0.0f, 0.0f, 1.0f);
-    glScalef(1.75f, 1.75f, 1.0f); // covers the corners of any screen from 4:3 to 5:3
+    glScalef(1.75f, 1.75f, 1.0f); // the plane covers the corners of any screen from 4:3 to 5:3
 }
 
-/// The plane through depth 1.5 at the lower edge of the screen and depth 4 at the upper one.
+/// Sends corner `i` of the plane that has depth 1.5 at the lower edge of the screen and depth 4 at the upper
+/// edge.
 void corner(int i) {
     const float d = i >= 2 ? 4.0f : 1.5f;
     const float x = i == 1 || i == 2 ? d : -d;

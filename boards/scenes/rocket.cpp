@@ -1,6 +1,6 @@
-// BAKED: a lit, textured model that lies in flash as `spangle bake` wrote it, small enough for boards with a
-// few kilobytes of memory.
-#include "boards/scenes/gl.hpp" // first: the model draws with that GL
+// BAKED: a lit, textured model that lies in flash as `spangle bake` wrote it. It is small enough for boards
+// with a few kilobytes of memory.
+#include "boards/scenes/gl.hpp" // first, because the model is drawn with the GL that it names
 
 #include "boards/scenes/models/rocket.hpp"
 #include "boards/scenes/scene.hpp"
@@ -14,8 +14,8 @@ namespace model = baked::rocket;
 void setup(int width, int height) {
     static constexpr GLfloat light[4] = {0.5f, 0.6f, 0.8f, 0.0f};
     glClearColor(0.05f, 0.07f, 0.16f, 1.0f);
-    // The model, of radius 1 at a distance of 4, fits a square in the middle: no arithmetic on floats, for
-    // which small boards would need a library.
+    // The model has radius 1 and a distance of 4, and fits a square viewport in the middle. So the scene
+    // computes no floats, for which small boards would need a library.
     const int side = width < height ? width : height;
     glViewport((width - side) / 2, (height - side) / 2, side, side);
     glMatrixMode(GL_PROJECTION);

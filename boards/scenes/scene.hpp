@@ -1,20 +1,20 @@
-// A scene: a program of public GL calls that draws frame f of a W x H picture. No scene clears more, or asks
-// for more systems, than it needs; S1 to S9 are the benchmark set, with triangle and fragment counts that are
-// known.
+// A scene is a program of public GL calls that draws frame f of a picture of W x H pixels. A scene clears no
+// more buffers, and uses no more systems of GL, than it needs. S1 to S9 are the benchmark set; their counts
+// of triangles and fragments are known.
 #pragma once
 
 namespace spangle::scenes {
 
 struct Scene {
-    const char* id;    ///< what the command line calls it: "S4r"
+    const char* id;    ///< the name on command lines: "S4r"
     const char* title; ///< one line for people
-    /// Sets all state the scene needs in a fresh context and makes its textures and lists.
+    /// Sets all state that the scene needs in a fresh context, and makes its textures and lists.
     void (*setup)(int width, int height);
-    /// Draws frame f >= 0, clears included. Frames do not depend on each other.
+    /// Draws frame f >= 0, clears included. A frame does not depend on other frames.
     void (*draw)(int frame);
 };
 
-/// All scenes, in the order of their ids.
+/// All scenes: S1 to S9, then the scenes that have names.
 struct SceneList {
     const Scene* first;
     int count;
@@ -23,7 +23,7 @@ struct SceneList {
 };
 SceneList all();
 
-/// The scene with this id, or null.
+/// Returns the scene with this id, or null.
 const Scene* find(const char* id);
 
 extern const Scene clear, two_triangles, gouraud, plane, plane_rolled, plane_linear, gears, torus, sprites,

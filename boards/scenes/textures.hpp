@@ -5,11 +5,11 @@
 
 namespace spangle::scenes {
 
-/// 64x64 RGB checkerboard of 8-texel squares over gradients, first row and column white. Binds a new texture
-/// object.
+/// Makes and binds a 64x64 RGB texture: a checkerboard of 8-texel squares over gradients, whose first row and
+/// column are white.
 void make_checkerboard(GLint filter);
 
-/// 32x32 RGBA ball that fades to nothing at its rim. Binds a new texture object.
+/// Makes and binds a 32x32 RGBA texture: a ball that fades to nothing at its rim.
 void make_ball();
 
 } // namespace spangle::scenes

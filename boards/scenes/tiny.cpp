@@ -1,5 +1,5 @@
-// TINY: a dashboard for displays of 96x16 pixels and up, of one colour or more: text, sprites, a bar. Glyphs
-// and sprites are points, a pixel each: no textures, and no numbers that are not whole.
+// TINY: a dashboard of text, sprites and a bar for displays from 96x16 pixels on, of one colour or more.
+// Glyphs and sprites consist of points, one for each pixel, so the scene needs no textures and only integers.
 #include "boards/scenes/font.hpp"
 #include "boards/scenes/scene.hpp"
 #include "boards/scenes/view.hpp"
@@ -8,7 +8,7 @@ namespace spangle::scenes {
 
 namespace {
 
-constexpr int most_width = 128, most_height = 64; // where sprites are
+constexpr int most_width = 128, most_height = 64; // largest area of the picture that has sprites, in pixels
 int screen_width, screen_height;
 
 void setup(int width, int height) {
@@ -19,7 +19,7 @@ void setup(int width, int height) {
     glShadeModel(GL_FLAT);
 }
 
-/// Eight rows, the leftmost pixel in bit 7.
+/// A picture of eight rows; bit 7 of a row is its leftmost pixel.
 struct Sprite {
     GLubyte row[8];
 };
@@ -46,7 +46,8 @@ void box(int left, int top, int right, int bottom, GLubyte grey) {
 }
 
 void draw(int frame) {
-    const int phase = frame % 60, speed = phase < 30 ? 4 * phase : 4 * (60 - phase); // 0..120..0
+    const int phase = frame % 60,
+              speed = phase < 30 ? 4 * phase : 4 * (60 - phase); // speed: 0 up to 120, and down to 0
     const char text[] = {'S',
                          'P',
                          'D',

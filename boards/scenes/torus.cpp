@@ -1,4 +1,4 @@
-// S6, S8, S9: the torus, lit, as wires, and textured in fog.
+// S6, S8 and S9: the torus, lit, as wires, and textured in fog.
 #include "boards/scenes/torus.hpp"
 
 #include "boards/scenes/scene.hpp"
@@ -15,7 +15,8 @@ constexpr auto fine_strips = make_torus_strips<fine_around, fine_tube>();
 constexpr auto coarse = make_torus<coarse_around, coarse_tube>(1.0, 0.45, 8.0, 4.0);
 constexpr auto coarse_strips = make_torus_strips<coarse_around, coarse_tube>();
 
-/// Rings around the tube first, then rings around the axis: 72 x 70 + 70 x 72 segments.
+/// Indices of the wires: 72 x 70 segments of rings around the tube. make_axis_rings() gives 70 x 72 segments
+/// around the axis.
 constexpr auto make_tube_rings() {
     std::array<std::array<unsigned short, fine_tube + 1>, fine_around> rings{};
     for (unsigned u = 0; u < fine_around; ++u)
@@ -86,7 +87,7 @@ void setup_textured(int width, int height) {
     glFogfv(GL_FOG_COLOR, clear);
 }
 
-/// Clears and places the torus of this frame.
+/// Clears the picture, and places the torus of this frame.
 void begin_frame(int frame) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glLoadIdentity();

@@ -1,4 +1,4 @@
-// A torus around the z axis as an indexed grid, baked by the compiler.
+// A torus around the z axis as an indexed grid, computed by the compiler.
 #pragma once
 
 #include <array>
@@ -13,7 +13,8 @@ struct TorusVertex {
     float texcoord[2];
 };
 
-/// (Around + 1) x (Tube + 1) vertices, so that texture coordinates need no wrap: vertex u * (Tube + 1) + v.
+/// A grid of (Around + 1) x (Tube + 1) vertices; vertex (u, v) has index u * (Tube + 1) + v. The first and
+/// last vertex of a ring share a position but no texture coordinates, so these need not wrap.
 template <int Around, int Tube> struct TorusMesh {
     static constexpr int columns = Tube + 1;
     std::array<TorusVertex, (Around + 1) * columns> vertices;
@@ -23,7 +24,7 @@ template <int Around, int Tube>
 constexpr TorusMesh<Around, Tube> make_torus(double ring, double radius, double repeat_s, double repeat_t) {
     TorusMesh<Around, Tube> mesh{};
     for (int u = 0; u <= Around; ++u) {
-        const double a = turn * (u % Around) / Around; // the seam is the same point, to the bit
+        const double a = turn * (u % Around) / Around; // both ends of the seam are the same point, to the bit
         const double ca = cosine(a), sa = sine(a);
         for (int v = 0; v <= Tube; ++v) {
             const double b = turn * (v % Tube) / Tube;
@@ -42,8 +43,8 @@ constexpr TorusMesh<Around, Tube> make_torus(double ring, double radius, double 
     return mesh;
 }
 
-/// Strip u of a torus: quads between rings u and u + 1, outside faces counter-clockwise; 2 * (Tube + 1)
-/// indices.
+/// Returns the 2 * (Tube + 1) indices of each strip. Strip u holds the quads between rings u and u + 1; their
+/// outer faces are counter-clockwise.
 template <int Around, int Tube> constexpr auto make_torus_strips() {
     std::array<std::array<unsigned short, 2 * (Tube + 1)>, Around> strips{};
     for (int u = 0; u < Around; ++u)

@@ -1,4 +1,4 @@
-// Sines of a full turn divided into n parts, computed by the compiler: scenes need no maths library on a
+// Sine, cosine and square root for constants that the compiler computes. So scenes need no maths library on a
 // board, and every target holds the same bits.
 #pragma once
 
@@ -8,8 +8,8 @@ namespace spangle::scenes {
 
 inline constexpr double turn = 6.283185307179586476925286766559;
 
-/// sin(x) for |x| <= turn, to double precision: Taylor series after folding into the first eighth of the
-/// turn.
+/// The sine of `x`, in radians, to double precision. The function folds `x` into the first quarter of a turn,
+/// and sums a Taylor series.
 constexpr double sine(double x) {
     double sign = 1.0;
     if (x < 0.0) {
@@ -36,7 +36,7 @@ constexpr double cosine(double x) {
     return sine(x + turn / 4);
 }
 
-/// Square root by Newton's steps, for x > 0.
+/// The square root of x > 0, by Newton's steps.
 constexpr double root(double x) {
     double r = x > 1.0 ? x : 1.0;
     for (int i = 0; i < 60; ++i)

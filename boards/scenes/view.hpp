@@ -1,4 +1,4 @@
-// Set-up that several scenes share.
+// Set-up code that several scenes share.
 #pragma once
 
 #include <initializer_list>
@@ -12,7 +12,8 @@ inline void clear_color() {
     glClearColor(0.125f, 0.25f, 0.375f, 1.0f);
 }
 
-/// Viewport of the whole picture and a perspective with x in -1..1 on the near plane, then a fresh modelview.
+/// Sets a viewport of the whole picture and a perspective projection, whose near plane shows x from -1 to 1.
+/// The modelview matrix becomes current, and the identity.
 inline void perspective(int width, int height, float z_near, float z_far) {
     const float h = static_cast<float>(height) / static_cast<float>(width);
     glViewport(0, 0, width, height);
@@ -24,7 +25,7 @@ inline void perspective(int width, int height, float z_near, float z_far) {
     glLoadIdentity();
 }
 
-/// One unit per pixel, y down, as user interfaces count.
+/// Sets a projection of one unit per pixel with y down, as user interfaces count.
 inline void pixels(int width, int height) {
     glViewport(0, 0, width, height);
     glMatrixMode(GL_PROJECTION);

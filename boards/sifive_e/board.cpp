@@ -35,7 +35,7 @@ const std::uint32_t clock_hz = 16000000;
 
 hal::Display& start() {
     memory(arena, sizeof arena);
-    port.end(); // chip select is high before it is driven
+    port.end(); // chip select is high before the pin becomes an output
     gpio.output(select_pin);
     gpio.output(data_pin);
     gpio.hardware(spi_pins);

@@ -1,4 +1,5 @@
-// ILI9341 on a HiFive1, landscape: 16 KB hold three rows at a time, and their depths.
+// ILI9341 on a HiFive1, landscape. 16 KB of memory hold only three rows with their depths, so GL draws bands
+// of 3 rows.
 #pragma once
 
 #include <spangle/hal/board.hpp>

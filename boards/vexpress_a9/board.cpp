@@ -1,4 +1,4 @@
-// Versatile Express, CoreTile Express A9: PL111 of the tile, panel of 320x240, 60 Hz.
+// Versatile Express with a CoreTile Express A9: the tile's PL111 drives a panel of 320x240 pixels at 60 Hz.
 #include "boards/board.hpp"
 
 #include <spangle/mcu/cortex_a9.hpp>

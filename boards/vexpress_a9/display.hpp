@@ -1,4 +1,4 @@
-// Versatile Express A9: the panel on the motherboard's PL111, two frames in memory.
+// Versatile Express A9: the panel on the PL111 of the CoreTile; the board's memory holds two frames.
 #pragma once
 
 #include <spangle/hal/mapped_display.hpp>

@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
     EGLint count = 0, wish[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     if (!eglInitialize(display, nullptr, nullptr) || !eglChooseConfig(display, wish, &config, 1, &count))
-        return 1; // the message said why
+        return 1; // a message told why
     const EGLSurface window = eglCreateWindowSurface(display, config, 0, nullptr);
     eglMakeCurrent(display, window, window, eglCreateContext(display, config, nullptr, nullptr));
     glMatrixMode(GL_PROJECTION), glOrtho(-1.33, 1.33, -1, 1, -1, 1), glMatrixMode(GL_MODELVIEW);
@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
         glColor3f(0.9f, 0.9f, 1), hand((t->tm_hour + t->tm_min / 60.0) / 12, 0.5f, 0.08f);
         glColor3f(0.5f, 0.7f, 1), hand((t->tm_min + t->tm_sec / 60.0) / 60, 0.85f, 0.05f);
         glColor3f(1, 0.3f, 0.2f), hand(t->tm_sec / 60.0, 0.9f, 0.02f);
-        while (!eglSwapBuffers(display, window)) { // unplugged? every second another look
+        while (!eglSwapBuffers(display, window)) { // unplugged: look for the adapter once a second
             if (argc >= 2)
                 return 1;
             std::this_thread::sleep_for(std::chrono::seconds(1));

@@ -1,6 +1,6 @@
-// A turning triangle on any GUD display (Generic USB Display: gud-pico, Raspberry Pi gadgets, ...):
-// triangle [FRAMES [/dev/bus/usb/BBB/DDD]]. Needs no kernel driver; where there is one, it comes back at the
-// end.
+// A turning triangle on any GUD display (Generic USB Display: gud-pico, Raspberry Pi gadgets, ...): triangle
+// [FRAMES [/dev/bus/usb/BBB/DDD]]. It needs no kernel driver. If the kernel has one, the driver takes the
+// display back at the end.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
     EGLint count = 0, wish[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     if (!eglInitialize(display, nullptr, nullptr) || !eglChooseConfig(display, wish, &config, 1, &count))
-        return 1; // the message said why
+        return 1; // a message told why
     const EGLSurface window = eglCreateWindowSurface(display, config, 0, nullptr);
     eglMakeCurrent(display, window, window, eglCreateContext(display, config, nullptr, nullptr));
     glVertexPointer(2, GL_FLOAT, 0, corners);
@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
         glLoadIdentity();
         glRotatef(static_cast<GLfloat>(3 * frame), 0, 0, 1);
         glDrawArrays(GL_TRIANGLES, 0, 3);
-        while (!eglSwapBuffers(display, window)) { // unplugged? every second another look
+        while (!eglSwapBuffers(display, window)) { // unplugged: look for the display once a second
             if (argc >= 2)
                 return 1;
             std::this_thread::sleep_for(std::chrono::seconds(1));

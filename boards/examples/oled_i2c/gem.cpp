@@ -23,7 +23,8 @@ static void draw_gem(int frame) {
     for (int face = 0; face < 8; ++face) {
         const float x = (face & 1) != 0 ? 1.0f : -1.0f, y = (face & 2) != 0 ? 1.0f : -1.0f,
                     z = (face & 4) != 0 ? 1.0f : -1.0f;
-        const bool outward = x * y * z > 0; // the order that is counter-clockwise from outside
+        const bool outward =
+            x * y * z > 0; // whether the order x, y, z is counter-clockwise seen from outside
         glNormal3f(x * 0.577f, y * 0.577f, z * 0.577f);
         glVertex3f(x, 0, 0);
         glVertex3f(0, outward ? y : 0, outward ? 0 : z);
@@ -42,7 +43,7 @@ int main(int argc, char** argv) {
     EGLint count = 0, wish[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_DEPTH_SIZE, 16, EGL_NONE};
     EGLConfig config = nullptr;
     if (!eglInitialize(display, nullptr, nullptr) || !eglChooseConfig(display, wish, &config, 1, &count))
-        return 1; // the message said why
+        return 1; // a message told why
     const EGLSurface window = eglCreateWindowSurface(display, config, 0, nullptr);
     eglMakeCurrent(display, window, window, eglCreateContext(display, config, nullptr, nullptr));
     glMatrixMode(GL_PROJECTION), glFrustum(-1, 1, -0.5, 0.5, 1.5, 10), glMatrixMode(GL_MODELVIEW);

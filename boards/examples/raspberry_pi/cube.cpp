@@ -37,7 +37,7 @@ static void draw_cube(int frame) {
 int main(int argc, char** argv) {
     on_message([](unsigned, const char* text) { std::fprintf(stderr, "cube: %s\n", text); });
     const char* const chip = "/dev/gpiochip0";
-    const hal::PanelPins pins = {{chip, 25}, {chip, 18}, {}}; // reset, backlight, no TE
+    const hal::PanelPins pins = {{chip, 25}, {chip, 18}, {}}; // reset line, backlight line, no TE line
     hal::SpidevBus bus(hal::spidev_config(boards::ili9341_spi, "/dev/spidev0.0", {chip, 24}, pins));
     if (const auto opened = bus.open(); !opened)
         return std::fprintf(stderr, "cube: %s\n", opened.error().rule), 1;
@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
     EGLint count = 0, wish[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     if (!eglInitialize(display, nullptr, nullptr) || !eglChooseConfig(display, wish, &config, 1, &count))
-        return 1; // the message said why
+        return 1; // a message told why
     const EGLSurface window = eglCreateWindowSurface(display, config, 0, nullptr);
     eglMakeCurrent(display, window, window, eglCreateContext(display, config, nullptr, nullptr));
     glMatrixMode(GL_PROJECTION), glFrustum(-0.8, 0.8, -0.6, 0.6, 2, 10), glMatrixMode(GL_MODELVIEW);

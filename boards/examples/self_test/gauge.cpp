@@ -26,15 +26,15 @@ void draw_gauge(int charge) {
     glMatrixMode(GL_MODELVIEW);
     glLoadIdentity();
     glClear(GL_COLOR_BUFFER_BIT);
-    bar(16, 72, 216, 168, white); // the cell
+    bar(16, 72, 216, 168, white); // the case of the battery cell
     bar(20, 76, 212, 164, black);
-    bar(216, 104, 224, 136, white); // its contact
+    bar(216, 104, 224, 136, white); // the contact of the battery cell
     const GLint right = 24 + 184 * charge / 100;
     if (charge <= 20) {
         bar(24, 80, right, 160, red);
         return;
     }
-    glBegin(GL_QUADS); // green fades in towards the tip
+    glBegin(GL_QUADS); // green fades in towards the tip of the bar
     glColor3ubv(white);
     glVertex2i(24, 160);
     glVertex2i(24, 80);

@@ -1,4 +1,5 @@
-// The gauge on a simulated ST7789: what a person would see, and what it cost on the wires.
+// Tests the gauge on a simulated ST7789: the picture that a person would see, and the bytes that it costs on
+// the wires.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

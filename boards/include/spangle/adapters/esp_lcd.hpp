@@ -1,6 +1,6 @@
-// Panels behind ESP-IDF's esp_lcd: its panel IO (SPI, 8080, I2C) as a Bus, so that Spangle's panels and
-// damage run on Espressif's DMA drivers. The program brings esp_lcd_panel_io.h, makes the IO, and hands over
-// what else a board has.
+// A Bus on ESP-IDF's esp_lcd panel IO (SPI, 8080, I2C), so that Spangle's panels and damage run on
+// Espressif's DMA drivers. The program provides esp_lcd_panel_io.h, makes the panel IO, and passes the rest
+// of the board's wiring in EspLcdConfig.
 #pragma once
 
 #include <atomic>
@@ -15,16 +15,17 @@ namespace spangle::adapters {
 struct EspLcdConfig {
     esp_lcd_panel_io_handle_t io = nullptr;
     hal::BusKind kind = hal::BusKind::spi4;
-    std::uint32_t write_hz = 0; ///< as the IO was made with
+    std::uint32_t write_hz = 0; ///< Hz, as the panel IO was made with
     std::uint8_t bits_per_cycle = 1;
-    std::uint32_t command_cost_ns = 20000;          ///< a queued transaction
-    void (*delay_us)(std::uint32_t) = nullptr;      ///< esp_rom_delay_us, or vTaskDelay for long ones
-    void (*set_reset)(bool high) = nullptr;         ///< null: no reset line
-    void* (*allocate)(std::size_t bytes) = nullptr; ///< heap_caps_malloc(bytes, MALLOC_CAP_DMA)
+    std::uint32_t command_cost_ns = 20000;     ///< nanoseconds that a queued transaction costs
+    void (*delay_us)(std::uint32_t) = nullptr; ///< waits: esp_rom_delay_us, or vTaskDelay for long waits
+    void (*set_reset)(bool high) = nullptr;    ///< drives the reset line; null: there is none
+    void* (*allocate)(std::size_t bytes) =
+        nullptr; ///< returns memory for DMA: heap_caps_malloc(bytes, MALLOC_CAP_DMA)
 };
 
-/// Reads need more dummy clocks than esp_lcd sends, so this bus has none. Colour transfers are queued: a list
-/// is done when the last of them is.
+/// This bus cannot read, because panels need more dummy clocks in a read than esp_lcd sends. Transfers of
+/// pixels are queued; a list of operations is done when its last transfer is.
 class EspLcdBus final : public hal::Bus {
   public:
     explicit EspLcdBus(const EspLcdConfig& config) : config_(config) {
@@ -75,15 +76,17 @@ class EspLcdBus final : public hal::Bus {
     }
 
   private:
-    static constexpr int no_command = -1; ///< esp_lcd's: data go on
+    static constexpr int no_command =
+        -1; ///< the command by which esp_lcd sends data that continue the last command
     static constexpr std::uint32_t block_bytes = 240;
     EspLcdConfig config_;
     esp_err_t registered_ = ESP_OK;
-    std::atomic<std::uint32_t> queued_{0}; ///< colour transfers; the driver's interrupt counts down
+    std::atomic<std::uint32_t> queued_{
+        0}; ///< transfers of pixels under way; the driver's interrupt counts down
     hal::Token token_;
     hal::Result<void> outcome_;
-    int pending_ = no_command;        ///< goes out with the pixels that follow it
-    std::uint8_t block_[block_bytes]; ///< of a repeated pattern
+    int pending_ = no_command;        ///< a command that goes out with the pixels behind it
+    std::uint8_t block_[block_bytes]; ///< the bytes of a repeated pattern
 
     static bool sent(esp_lcd_panel_io_handle_t, esp_lcd_panel_io_event_data_t*, void* self) {
         static_cast<EspLcdBus*>(self)->queued_.fetch_sub(1);
@@ -159,7 +162,7 @@ class EspLcdBus final : public hal::Bus {
     }
 
     hal::Result<void> repeat(const hal::Op& op) {
-        settle(); // the block may still be on its way
+        settle(); // a transfer may still read the block
         const std::uint32_t whole = block_bytes - block_bytes % op.length;
         for (std::uint32_t i = 0; i < whole; ++i)
             block_[i] = op.data[i % op.length];
@@ -179,11 +182,11 @@ class EspLcdBus final : public hal::Bus {
         const esp_err_t code = esp_lcd_panel_io_tx_color(config_.io, pending_, data, bytes);
         pending_ = no_command;
         if (code != ESP_OK)
-            queued_.fetch_sub(1); // nobody will call back
+            queued_.fetch_sub(1); // a transfer that failed calls nobody back
         return checked("esp_lcd: transmit pixels", code);
     }
 
-    /// esp_lcd: what is no colour waits for the colours before it.
+    /// Waits until all queued pixels are sent: esp_lcd sends parameters only after the pixels before them.
     void settle() {
         if (queued_.load() != 0)
             (void)esp_lcd_panel_io_tx_param(config_.io, no_command, nullptr, 0);

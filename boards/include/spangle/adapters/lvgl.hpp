@@ -1,4 +1,4 @@
-// LVGL 9 draws, any Spangle display shows: a flush callback for lv_display_t. The program brings lvgl.h.
+// A flush callback that shows what LVGL 9 draws on any Spangle display. The program provides lvgl.h.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@ namespace spangle::adapters {
 
 class LvglDisplay {
   public:
-    /// The display was initialised. `buffer`: where LVGL draws, aligned as it asks for (LV_DRAW_BUF_ALIGN); a
-    /// tenth of the screen's pixels, two bytes each, is enough.
+    /// `display` must be initialised. LVGL draws into `buffer` of `bytes` bytes, which is aligned to
+    /// LV_DRAW_BUF_ALIGN. Two bytes for each of a tenth of the screen's pixels are enough.
     LvglDisplay(hal::Display& display, void* buffer, std::uint32_t bytes) : display_(display) {
         const hal::DisplayInfo info = display.info();
         lvgl_ = lv_display_create(info.width, info.height);
@@ -25,7 +25,7 @@ class LvglDisplay {
     LvglDisplay& operator=(const LvglDisplay&) = delete;
 
     lv_display_t* lvgl() { return lvgl_; }
-    /// What became of the last refresh. After an error the next one sends again what did not arrive.
+    /// The result of the last refresh. After an error, the next refresh sends again what did not arrive.
     hal::Result<void> result() const { return result_; }
 
   private:
@@ -41,7 +41,8 @@ class LvglDisplay {
         lv_display_flush_ready(lvgl);
     }
 
-    /// LVGL's pixels have the low byte first, rows without gaps; corners are inclusive.
+    /// Copies an area into the frame. LVGL's pixels are RGB565 with the low byte first, in rows without gaps;
+    /// the corners of `area` are inclusive.
     hal::Result<void> take(const lv_area_t& area, const std::uint8_t* pixels) {
         const hal::Result<hal::Frame> acquired = display_.acquire();
         if (!acquired)

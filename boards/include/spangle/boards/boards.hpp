@@ -1,4 +1,4 @@
-// Every named board, as one table.
+// All named boards in one table.
 #pragma once
 
 #include "gc9a01.hpp"

@@ -11,7 +11,7 @@ inline constexpr hal::Board gc9a01 = hal::board({
     .summary = "GC9A01 240x240 round, 4-wire SPI at 80 MHz",
     .display = {.panel = &hal::panels::gc9a01_240x240},
     .bus = hal::BusKind::spi4,
-    .write_hz = 80000000, // datasheet: 10 ns
+    .write_hz = 80000000, // Hz; datasheet: a write cycle of 10 ns or more
 });
 
 } // namespace spangle::boards

@@ -13,7 +13,7 @@ inline constexpr hal::Board hx8347_8080 = hal::board({
                 .orientation = {hal::Rotation::r90},
                 .read_back = true},
     .bus = hal::BusKind::i8080,
-    .write_hz = 15000000, // datasheet: 66 ns
+    .write_hz = 15000000, // Hz; datasheet: a write cycle of 66 ns or more
     .read_hz = 2000000,
 });
 

@@ -11,7 +11,7 @@ inline constexpr hal::Board hx8347_spi = hal::board({
     .summary = "HX8347 320x240, SPI with start bytes at 20 MHz",
     .display = {.panel = &hal::panels::hx8347_240x320, .orientation = {hal::Rotation::r90}},
     .bus = hal::BusKind::spi_start,
-    .write_hz = 20000000, // datasheet: 50 ns
+    .write_hz = 20000000, // Hz; datasheet: a write cycle of 50 ns or more
 });
 
 } // namespace spangle::boards

@@ -13,7 +13,7 @@ inline constexpr hal::Board hx8357d_spi = hal::board({
                 .orientation = {hal::Rotation::r90},
                 .read_back = true},
     .bus = hal::BusKind::spi4,
-    .write_hz = 24000000, // datasheet: 66 ns; modules take this
+    .write_hz = 24000000, // Hz; datasheet: a write cycle of 66 ns or more; modules work at this clock
     .read_hz = 2000000,
 });
 

@@ -13,8 +13,8 @@ inline constexpr hal::Board ili9341_8080 = hal::board({
                 .orientation = {hal::Rotation::r90},
                 .read_back = true},
     .bus = hal::BusKind::i8080,
-    .write_hz = 15000000, // datasheet: 66 ns
-    .read_hz = 2000000,   // datasheet: 450 ns for frame memory
+    .write_hz = 15000000, // Hz; datasheet: a write cycle of 66 ns or more
+    .read_hz = 2000000,   // Hz; datasheet: a read cycle of 450 ns or more for frame memory
     .has_te = true,
 });
 

@@ -14,7 +14,7 @@ inline constexpr hal::Board ili9341_spi = hal::board({
                 .read_back = true},
     .bus = hal::BusKind::spi4,
     .write_hz = 40000000,
-    .read_hz = 6000000, // datasheet: 150 ns
+    .read_hz = 6000000, // Hz; datasheet: a read cycle of 150 ns or more
 });
 
 } // namespace spangle::boards

@@ -13,7 +13,7 @@ inline constexpr hal::Board ili9486_8080 = hal::board({
                 .orientation = {hal::Rotation::r90},
                 .read_back = true},
     .bus = hal::BusKind::i8080,
-    .write_hz = 15000000, // datasheet: 50 ns; 66 ns for boards of jumper wires
+    .write_hz = 15000000, // Hz; datasheet: a write cycle of 50 ns or more; 66 ns for boards of jumper wires
     .read_hz = 2000000,
 });
 

@@ -1,4 +1,5 @@
-// ILI9488 module, landscape, on 4-wire SPI: the 3.5" red boards. Three bytes a pixel, as this bus demands.
+// ILI9488 module, landscape, on 4-wire SPI: the 3.5" red boards. The controller's SPI demands three bytes a
+// pixel.
 #pragma once
 
 #include <spangle/hal/board.hpp>
@@ -14,7 +15,7 @@ inline constexpr hal::Board ili9488_spi = hal::board({
                 .format = PixelFormat::rgb888,
                 .read_back = true},
     .bus = hal::BusKind::spi4,
-    .write_hz = 40000000, // datasheet: 50 ns; modules take this
+    .write_hz = 40000000, // Hz; datasheet: a write cycle of 50 ns or more; modules work at this clock
     .read_hz = 6000000,
 });
 

@@ -11,7 +11,7 @@ inline constexpr hal::Board ssd0323_spi = hal::board({
     .summary = "SSD0323 128x64, sixteen greys, 4-wire SPI at 4 MHz",
     .display = {.panel = &hal::panels::ssd0323_128x64, .wire = hal::wires::grey4},
     .bus = hal::BusKind::spi4,
-    .write_hz = 4000000, // datasheet: 250 ns
+    .write_hz = 4000000, // Hz; datasheet: a write cycle of 250 ns or more
 });
 
 } // namespace spangle::boards

@@ -11,7 +11,7 @@ inline constexpr hal::Board ssd1306_spi = hal::board({
     .summary = "SSD1306 128x64, 4-wire SPI at 10 MHz",
     .display = {.panel = &hal::panels::ssd1306_128x64, .wire = hal::wires::mono},
     .bus = hal::BusKind::spi4,
-    .write_hz = 10000000, // datasheet: 100 ns
+    .write_hz = 10000000, // Hz; datasheet: a write cycle of 100 ns or more
 });
 
 } // namespace spangle::boards

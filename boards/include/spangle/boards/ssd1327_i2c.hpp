@@ -11,7 +11,7 @@ inline constexpr hal::Board ssd1327_i2c = hal::board({
     .summary = "SSD1327 128x128, sixteen greys, I2C at 400 kHz",
     .display = {.panel = &hal::panels::ssd1327_128x128, .wire = hal::wires::grey4, .reset_line = false},
     .bus = hal::BusKind::i2c,
-    .write_hz = 400000, // datasheet: 2.5 us
+    .write_hz = 400000, // Hz; datasheet: a write cycle of 2.5 us or more
 });
 
 } // namespace spangle::boards

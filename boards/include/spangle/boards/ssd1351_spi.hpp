@@ -11,7 +11,7 @@ inline constexpr hal::Board ssd1351_spi = hal::board({
     .summary = "SSD1351 128x128, 4-wire SPI at 20 MHz",
     .display = {.panel = &hal::panels::ssd1351_128x128},
     .bus = hal::BusKind::spi4,
-    .write_hz = 20000000, // datasheet: 50 ns
+    .write_hz = 20000000, // Hz; datasheet: a write cycle of 50 ns or more
 });
 
 } // namespace spangle::boards

@@ -11,7 +11,7 @@ inline constexpr hal::Board st7735_128x128 = hal::board({
     .summary = "ST7735 128x128 green tab, 4-wire SPI at 15 MHz",
     .display = {.panel = &hal::panels::st7735_128x128_green},
     .bus = hal::BusKind::spi4,
-    .write_hz = 15000000, // datasheet: 66 ns
+    .write_hz = 15000000, // Hz; datasheet: a write cycle of 66 ns or more
 });
 
 } // namespace spangle::boards

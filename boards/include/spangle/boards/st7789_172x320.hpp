@@ -11,7 +11,7 @@ inline constexpr hal::Board st7789_172x320 = hal::board({
     .summary = "ST7789 320x172 (landscape), 4-wire SPI at 62.5 MHz",
     .display = {.panel = &hal::panels::st7789_172x320, .orientation = {hal::Rotation::r90}},
     .bus = hal::BusKind::spi4,
-    .write_hz = 62500000, // ST7789VW datasheet: 16 ns
+    .write_hz = 62500000, // Hz; ST7789VW datasheet: a write cycle of 16 ns or more
 });
 
 } // namespace spangle::boards

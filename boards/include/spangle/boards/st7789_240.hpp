@@ -1,4 +1,5 @@
-// ST7789 behind 240x240 IPS glass: the 1.3" and 1.54" modules. Their data line is not wired back.
+// ST7789 behind 240x240 IPS glass: the 1.3" and 1.54" modules. The modules do not wire the controller's data
+// output.
 #pragma once
 
 #include <spangle/hal/board.hpp>
@@ -11,7 +12,7 @@ inline constexpr hal::Board st7789_240 = hal::board({
     .summary = "ST7789 240x240, 4-wire SPI at 62.5 MHz",
     .display = {.panel = &hal::panels::st7789_240x240},
     .bus = hal::BusKind::spi4,
-    .write_hz = 62500000, // ST7789VW datasheet: 16 ns
+    .write_hz = 62500000, // Hz; ST7789VW datasheet: a write cycle of 16 ns or more
 });
 
 } // namespace spangle::boards
