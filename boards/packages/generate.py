@@ -3,8 +3,8 @@
 
 usage: generate.py [--check] [--export FOLDER]
 
---check changes nothing: it fails when a file here is not what would be written. --export lays the library out as Arduino and
-PlatformIO want it, everything in FOLDER/src, with library.properties and library.json.
+--check changes nothing: it fails if a package file is not what would be written. --export lays the library out as Arduino and PlatformIO
+want it: everything is in FOLDER/src, with library.properties and library.json beside it.
 """
 import argparse
 import json
@@ -41,7 +41,7 @@ def arduino():
 
 
 def as_subdirectory():
-    """The library as part of another CMake project."""
+    """Returns the lines that add the library to another CMake project."""
     return f"""set(SPANGLE_HOST OFF)
 set(SPANGLE_TESTS OFF)
 set(SPANGLE_LINUX OFF)
@@ -132,19 +132,19 @@ FILES = {"platformio/library.json": platformio, "arduino/library.properties": ar
 
 
 def pragma():
-    """The gcc_flags as text of a source: Arduino has no place for flags, and PlatformIO's compiler may not be a GCC."""
+    """Returns the gcc_flags as a pragma of a source, because Arduino has no place for flags, and PlatformIO's compiler may not be a GCC."""
     options = ", ".join(f'"{flag.removeprefix("-f")}"' for flag in ABOUT["gcc_flags"])
     return f"#if defined(__GNUC__) && !defined(__clang__)\n#pragma GCC optimize({options})\n#endif\n"
 
 
 def export(folder):
-    """src/ with every room under its own name and the public headers under spangle/, so that src is the one include path."""
+    """Fills src/ with every room under its own name and the public headers under spangle/, so that src is the only include path."""
     source = folder / "src"
     for room in ABOUT["rooms"]:
         (source / room).mkdir(parents=True, exist_ok=True)
         for path in (ROOT / room).iterdir():
             if path.suffix in (".cpp", ".hpp", ".h", ".inc") and not path.name.endswith("_reference.cpp"):
-                # The parts of the table of fused spans keep the second of them: raster/CMakeLists.txt says why.
+                # The parts of the table of fused spans keep the pass modref; raster/CMakeLists.txt says why.
                 before = pragma() if path.suffix == ".cpp" else ""
                 if path.name.startswith("fused_part_"):
                     before = before.replace(', "no-ipa-modref"', "")

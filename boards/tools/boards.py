@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Builds the firmware of every board, runs it in QEMU, and holds each frame against the board's simulated twin.
+"""Builds the firmware of every board, runs it in QEMU, and compares each frame with the board's simulated twin.
 
 usage: ./dev boards [BOARD...] [--frames N] [--list] [--hardware] [--update] [--document]
 
-A board is a folder of boards/ with a board.json. Prints one row a board; a cell with slashes has a value for each of its
-scenes. Exit status 1 when a frame differs, when an image holds what it must not, or when a board costs more than 3 %
-above boards/golden.json; 77 (skipped) when a compiler or emulator is missing.
+A board is a folder of boards/ with a board.json. The program prints one row for each board; a cell with slashes has a value for each of the
+board's scenes. The exit status is 1 if a frame differs, if an image holds what it must not, or if a board costs more than 3 % above
+boards/golden.json. It is 77 (skipped) if a compiler or emulator is missing.
 """
 import argparse
 import concurrent.futures
@@ -28,31 +28,31 @@ import twin  # noqa: E402
 from firmware import outfile  # noqa: E402
 
 ROOT = firmware.ROOT
-HANDLER_STACK = 512  # beside the program's, hal/mcu/sections.ld
+HANDLER_STACK = 512  # bytes beside the program's stack, as hal/mcu/sections.ld has it
 FRAMES = 30
-LOOKED_AT = 3  # frames of each scene whose picture on the display is compared too
+LOOKED_AT = 3  # frames of each scene whose picture on the display is compared, too
 FEATURES, LIMITS = profile.features(), [f"SPANGLE_{limit}" for limit in profile.limits()]
 
 
 @dataclasses.dataclass(frozen=True)
 class Board:
-    """What board.json says. `left_out`: scenes that do not fit, and why."""
+    """The fields of a board.json. `left_out` names the scenes that do not fit the board, and why."""
     name: str
     target: str
     machine: tuple
     scenes: tuple
-    features: tuple = None  # the optional systems its library has; all, where it does not say
+    features: tuple = None  # the optional systems in the board's library; None: all
     limits: dict = dataclasses.field(default_factory=dict)  # {"SPANGLE_TEXTURE_UNITS": 1}
-    small: bool = False  # nothing is built for speed
+    small: bool = False  # whether no file is built for speed
     left_out: dict = dataclasses.field(default_factory=dict)
-    trace: dict = None  # where the display's lines are, for the trace of register writes
-    screen: dict = None  # the emulator draws the display itself
-    sources: tuple = ()  # beside the folder's own, from the root of the repository
+    trace: dict = None  # how the display's lines are wired, for the trace of register writes
+    screen: dict = None  # set if the emulator draws the display itself
+    sources: tuple = ()  # sources beside those of the board's folder, from the root of the repository
     folder: pathlib.Path = None
 
     @property
     def defines(self):
-        """The library's build, where it is not the usual one."""
+        """The definitions of the board's library, where they are not the usual ones."""
         unknown = set(self.features or ()) - set(FEATURES)
         if unknown:
             raise ValueError(f"{self.name}: no feature {', '.join(unknown)} in cmake/Features.cmake")
@@ -68,13 +68,13 @@ class Frame:
     hash: str
     drawing: int  # instructions
     presenting: int
-    bytes: int  # sent so far
+    bytes: int  # bytes sent to the display since the program began
 
 
 @dataclasses.dataclass
 class Run:
     scenes: dict  # {id: [Frame]}
-    memory: dict  # arena, peak, stack
+    memory: dict  # {"arena": bytes, "peak": bytes, "stack": bytes}
     problems: list
 
 
@@ -88,7 +88,7 @@ def discover():
 
 
 def add_image(build, board, report):
-    """The demo of a board as an ELF file; `report`: "semihosting" or "silent"."""
+    """Adds a board's demo to the build, and returns the path of its ELF file. `report` is "semihosting" or "silent"."""
     variant = board.name if board.defines else ""
     library = build.library(board.target, board.defines, variant, hot=() if board.small else firmware.HOT)
     demo = [*board.defines, "-DDEMO_SCENES=" + ",".join(f"&scenes::{firmware.SCENES[scene]}" for scene in board.scenes)]
@@ -115,7 +115,7 @@ def read_run(text):
 
 
 def per_scene(board, value):
-    """One cell: a value for each scene of the board, `-` for those left out."""
+    """Returns one cell: a value for each scene of the board, and `-` for each scene that is left out."""
     return "/".join([value(scene) for scene in board.scenes] + ["-" for _ in board.left_out])
 
 
@@ -129,13 +129,14 @@ def mean(values):
 
 
 def handler_stack(board):
-    """Bytes beside the program's stack, as the board's linker script says."""
+    """Returns the bytes beside the program's stack that the board's linker script reserves."""
     own = re.search(r"^handler_stack_size = (\d+);", (board.folder / "memory.ld").read_text(), re.M)
     return int(own[1]) if own else HANDLER_STACK
 
 
 def check(board, image, host, frames, pictures):
-    """The row of a board, and what is wrong. `pictures`: the folder where the last frame looked at of each scene is drawn."""
+    """Returns the row of a board, and a list of what is wrong. The last compared picture of each scene is drawn into `pictures`, a folder.
+    """
     try:
         run = read_run(firmware.emulate(board.machine, image, (str(frames),), ("-icount", "shift=0")))
     except RuntimeError as error:
@@ -227,7 +228,7 @@ def main():
 
 
 def report(boards, images, arguments, pictures):
-    """Runs them, prints the table and what is wrong. The exit status."""
+    """Runs the boards, prints the table and what is wrong, and returns the exit status."""
     with concurrent.futures.ThreadPoolExecutor(int(os.environ.get("JOBS", os.cpu_count()))) as pool:
         results = list(pool.map(lambda board: check(board, images[board.name], arguments.host.resolve(), arguments.frames, pictures), boards))
     table = [cells(board, row, wrong) for board, (row, wrong) in zip(boards, results)]

@@ -1,4 +1,4 @@
-"""Writes what was measured and seen into docs/boards.md: the table, the footnotes, a picture of each screen."""
+"""Writes what was measured and seen into docs/boards.md: the table, the footnotes, and a picture of each screen."""
 import firmware
 from firmware import outfile
 
@@ -13,14 +13,14 @@ def markdown(header, rows, notes):
 
 
 def keep_pictures(boards, drawn):
-    """Copies pictures to the documents, equal ones once; rows of the page's table of pictures."""
+    """Copies pictures to the documents, equal pictures once. Returns the rows of the page's table of pictures."""
     PICTURES.mkdir(parents=True, exist_ok=True)
     for old in PICTURES.glob("*.png"):
         old.unlink()
     known, groups = {}, {}
     for board in boards:
         if not board.trace and not board.screen:
-            continue  # nobody sees its display: hashes alone
+            continue  # nothing sees this board's display, so only hashes are compared
         files = []
         for scene in board.scenes:
             source = drawn / f"{board.name}-{scene}.png"

@@ -1,6 +1,6 @@
 """How firmware is built: compilers and flags of the emulated processors, a Ninja file, and a run in QEMU.
 
-Boards and benchmarks use the same; nothing here knows a board.
+Boards and benchmarks share this module; it knows no single board.
 """
 import dataclasses
 import os
@@ -20,26 +20,26 @@ FLAGS = ["-std=c++20", "-ffreestanding", "-fno-exceptions", "-fno-rtti", "-fno-t
          "-ffunction-sections", "-fdata-sections", "-ffp-contract=off", "-DSPANGLE_FIRMWARE=1", "-DSPANGLE_MESSAGES=0", *SOUND_CALLS, *INCLUDES]
 CORE = ["raster/numeric", "raster/surface", "raster/span", "raster/primitive", "raster/band", "hal/bus", "hal/panel", "hal/display",
         "gl/api", "gl/api/generated", "gl/context", "gl/vertex", "gl/pixel", "gl/texture", "gl/list", "gl/egl"]
-HOT = ("raster/span", "raster/primitive", "raster/surface", "gl/vertex", "gl/list")  # -O2; the rest is built for size
-# The scenes and their objects, boards/scenes.
+HOT = ("raster/span", "raster/primitive", "raster/surface", "gl/vertex", "gl/list")  # built with -O2; the other rooms are built for size
+# The ids of the scenes, and the names of their objects in boards/scenes.
 SCENES = {"S1": "clear", "S2": "two_triangles", "S3": "gouraud", "S4": "plane", "S4b": "plane_linear", "S4r": "plane_rolled", "S5": "gears",
           "S6": "torus", "S7": "sprites", "S8": "wireframe", "S9": "torus_textured", "HUD": "hud", "BAKED": "rocket", "TINY": "tiny",
           "CUBE": "cube"}
-LTO = ("-flto=auto", "-flto-partition=one", "-Os", "-ffreestanding", "-fno-tree-loop-distribute-patterns", *SOUND_CALLS)  # when an image is linked
-SMALL = ("-fno-schedule-insns2", "-fno-move-loop-invariants")  # with -Os, where an image is linked as one: its text is 0.8 % less
+LTO = ("-flto=auto", "-flto-partition=one", "-Os", "-ffreestanding", "-fno-tree-loop-distribute-patterns", *SOUND_CALLS)  # link flags of whole-image optimization
+SMALL = ("-fno-schedule-insns2", "-fno-move-loop-invariants")  # beside -Os in images optimized as a whole: 0.8 % less text
 CCACHE = ["ccache"] if shutil.which("ccache") else []
 THUMB = ["-mthumb", "-mfloat-abi=soft"]
 ENVIRONMENT = {**os.environ, "QEMU_AUDIO_DRV": "none"}
-# What QEMU says of machines that are complete without it.
+# Warnings of QEMU about things that the machines do not need.
 HARMLESS = ("qemu: module audio-", "Timer with period zero")
-# The Arm package's C++ headers serve RISC-V too: same compiler version, headers only.
+# RISC-V uses the C++ headers of the Arm package: both compilers have the same version, and only headers are taken.
 RISCV_HEADERS = ["-isystem", "/usr/include/newlib/c++/12.2.1", "-isystem", "/usr/include/newlib/c++/12.2.1/arm-none-eabi",
                  "-isystem", "/usr/lib/picolibc/riscv64-unknown-elf/include"]
 
 
 @dataclasses.dataclass(frozen=True)
 class Target:
-    """A processor: its compiler, what tells it about the processor, and the folder of its start-up."""
+    """A processor: the prefix of its compiler, the flags that name the processor, and the folder of its start-up code."""
     prefix: str
     machine: tuple
     startup: str
@@ -56,25 +56,27 @@ TARGETS["rv32imac"] = Target("riscv64-unknown-elf-", ("-march=rv32imac", "-mabi=
 
 
 def sound_calls(compiler):
-    """SOUND_CALLS where the compiler is a GCC; clang has no such fault."""
+    """Returns SOUND_CALLS if the compiler is a GCC; clang does not have GCC's fault."""
     version = subprocess.run([compiler, "--version"], capture_output=True, text=True, check=True).stdout
     return [] if "clang" in version else SOUND_CALLS
 
 
 def source_flags(source):
-    """What one source gets behind SOUND_CALLS: the loops of the fused spans keep the pass (raster/CMakeLists.txt)."""
+    """Returns the flags of one source behind SOUND_CALLS. The loops of the fused spans keep the pass modref (raster/CMakeLists.txt says
+    why).
+    """
     return ["-fipa-modref"] if source.name.startswith("fused_part_") else []
 
 
 def missing(targets):
-    """The programs that are not installed but needed for these targets."""
+    """Returns the programs that these targets need and that are not installed."""
     wanted = {TARGETS[t].prefix + "g++" for t in targets}
     wanted |= {"qemu-system-riscv32" if t.startswith("rv") else "qemu-system-arm" for t in targets}
     return sorted(program for program in wanted if shutil.which(program) is None)
 
 
 def sources():
-    """(room, file) of the core."""
+    """Yields (room, file) for each source of the core."""
     for room in CORE:
         for path in sorted((ROOT / room).glob("*.cpp")):
             if not path.name.endswith("_reference.cpp"):
@@ -82,12 +84,12 @@ def sources():
 
 
 def startup(target):
-    """Sources of what a processor's programs begin and, in an emulator, end with."""
+    """Returns the sources that a processor's programs start with and, in an emulator, end with."""
     return [ROOT / "hal/mcu/memory.cpp", *sorted((ROOT / TARGETS[target].startup).glob("*.[cS]*")), ROOT / "hal/mcu/emulated/panic.cpp"]
 
 
 class Build:
-    """A folder of objects and images, brought up to date by one run of Ninja."""
+    """A folder of objects and images, which one run of Ninja brings up to date."""
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder).resolve()
@@ -96,8 +98,9 @@ class Build:
         self.known = set()
 
     def compile(self, target, optimize, source, defines=(), variant="", lto=False):
-        """The object of one source; `variant` tells builds with other definitions apart. `lto`: it is optimized with the rest of its
-        image, but for start-up and mem*, which the compiler calls by itself."""
+        """Adds the object of one source. `variant` keeps builds with different definitions apart. With `lto` the object is optimized with
+        the rest of its image; start-up code and mem* are not, because the compiler calls them by itself.
+        """
         chosen = TARGETS[target]
         name = str(source.relative_to(ROOT) if source.is_relative_to(ROOT) else source.name).replace("/", "_")
         out = self.folder / "objects" / target / variant / (name + ".o")
@@ -111,13 +114,13 @@ class Build:
         return out
 
     def library(self, target, defines=(), variant="", hot=HOT, lto=False):
-        """Objects of the core and the scenes. `hot`: rooms and files that are built for speed."""
+        """Adds the objects of the core and the scenes. `hot` names the rooms and files that are built for speed."""
         objects = [self.compile(target, "-O2" if room in hot or f"{room}/{path.name}" in hot else "-Os", path, defines, variant, lto) for room, path in sources()]
         objects += [self.compile(target, "-O2", path, defines, variant, lto) for path in sorted((ROOT / "boards/scenes").glob("*.cpp"))]
         return objects
 
     def image(self, target, objects, script, name, lto=False, options=()):
-        """An ELF file from these objects, laid out by a linker script; `options`: more of the linker's."""
+        """Adds an ELF file of these objects, which a linker script lays out. `options` are more options of the linker."""
         out = self.folder / name
         chosen = TARGETS[target]
         inputs = " ".join(str(o) for o in objects)
@@ -136,14 +139,14 @@ class Build:
 
 
 def qemu(machine, image, arguments=(), options=()):
-    """The command that runs an image; `machine` begins with the emulator. The program's own arguments come by semihosting."""
+    """Returns the command that runs an image. `machine` begins with the emulator; the program gets `arguments` by semihosting."""
     words = "".join(f",arg={word}" for word in ("spangle", *arguments))
     return [machine[0], *machine[1:], *options, "-display", "none", "-serial", "null",
             "-semihosting-config", f"enable=on,target=native{words}", "-kernel", str(image)]
 
 
 def emulate(machine, image, arguments=(), options=(), status=0, timeout=300):
-    """What the program prints until it ends with this exit status."""
+    """Runs an image, and returns what the program prints. Any other exit status than `status` raises an error."""
     done = subprocess.run(["timeout", str(timeout), *qemu(machine, image, arguments, ("-monitor", "none", *options))], capture_output=True,
                           text=True, env=ENVIRONMENT)
     if done.returncode != status:
@@ -152,20 +155,20 @@ def emulate(machine, image, arguments=(), options=(), status=0, timeout=300):
 
 
 def sizes(target, image):
-    """{section: bytes} of an image."""
+    """Returns {section: bytes} of an image."""
     text = subprocess.run([TARGETS[target].prefix + "size", "-A", str(image)], capture_output=True, text=True, check=True).stdout
     return {words[0]: int(words[1]) for words in map(str.split, text.splitlines()) if len(words) == 3 and words[1].isdigit()}
 
 
-# What no image may hold: the heap, exceptions, RTTI, guards of statics, standard I/O.
+# Symbols that no image may hold: the heap, exceptions, RTTI, guards of statics, standard I/O.
 FORBIDDEN = re.compile(r"^(malloc|free|calloc|realloc|_sbrk|_Zn[wa]\w*|_Zd[la]\w*|__cxa_(throw|begin_catch|guard_\w+|allocate_exception|atexit)"
                        r"|__gxx_personality\w*|_Unwind\w*|_ZT[IS]\w+|f?printf|puts)$")
-# Floating point done by software: scenes are programs and may compute as they like, the library may not.
+# Functions of floating point in software. Scenes are programs and may call them; the library may not.
 FLOAT = re.compile(r"^(__aeabi_([fd]\w+|u?[il]2[fd]|ul2[fd]|cf\w+|cd\w+)|__(add|sub|mul|div|neg|eq|ne|lt|le|gt|ge|cmp|unord|extend|trunc|fix|fixuns|float|floatun)\w*[sd]f\w*)$")
 
 
 def _cross_reference(image):
-    """{symbol: [files that define or use it]} of what was linked."""
+    """Returns {symbol: [files that define or use it]} for the symbols of a linked image."""
     text = pathlib.Path(f"{image}.map").read_text().partition("\nCross Reference Table\n")[2]
     table, symbol = {}, None
     for line in text.splitlines():
@@ -178,7 +181,7 @@ def _cross_reference(image):
 
 
 def forbidden(target, image):
-    """What an image holds that must not be there."""
+    """Returns the symbols in an image that must not be there."""
     text = subprocess.run([TARGETS[target].prefix + "nm", str(image)], capture_output=True, text=True, check=True).stdout
     names = {words[-1] for words in map(str.split, text.splitlines()) if words}
     found = sorted(name for name in names if FORBIDDEN.match(name))

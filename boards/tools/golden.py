@@ -1,4 +1,4 @@
-"""What boards cost when it was last written down, boards/golden.json, and what they cost now."""
+"""Compares what boards cost now with boards/golden.json, which holds what they cost when it was last written."""
 import json
 
 import firmware
@@ -9,7 +9,7 @@ SLACK = 1.03
 
 
 def costs(rows):
-    """{"mps2_an386 HUD": {"drawing": n, "presenting": n}, "mps2_an386": {"flash": n, "ram": n, "stack": n}}"""
+    """Returns {"mps2_an386 HUD": {"drawing": n, "presenting": n}, "mps2_an386": {"flash": n, "ram": n, "stack": n}}."""
     out = {}
     for row in rows:
         out[row["board"]] = {kind: row[kind] for kind in ("flash", "ram", "stack")}
@@ -23,13 +23,13 @@ def read():
 
 
 def update(rows):
-    """Writes these boards' costs; those of others stay."""
+    """Writes the costs of these boards; the costs of other boards stay."""
     known = {**read(), **costs(rows)}
     outfile.write(FILE, "{\n" + ",\n".join(f"  {json.dumps(name)}: {json.dumps(known[name])}" for name in sorted(known)) + "\n}\n")
 
 
 def grown(rows):
-    """A line for each cost that is more than 3 % above what it was."""
+    """Returns a line for each cost that is more than 3 % above the written one."""
     known, lines = read(), []
     for name, now in costs(rows).items():
         if name not in known:

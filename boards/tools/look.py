@@ -1,4 +1,4 @@
-"""Looks at the display of an emulated board: through the trace of its register writes, or at the emulator's own."""
+"""Looks at the display of an emulated board, either through the trace of its register writes or at the emulator's own screen."""
 import os
 import pathlib
 import socket
@@ -9,11 +9,11 @@ import time
 import firmware
 import twin
 
-TIMEOUT = 120  # seconds one program may take
+TIMEOUT = 120  # seconds that one program may take
 
 
 def through_trace(program, board, image, frames, pictures, read_run):
-    """Feeds our model of the controller with what the program sent. Lines that say what is wrong."""
+    """Replays what the program sent into Spangle's model of the display controller. Returns lines that say what is wrong."""
     with tempfile.TemporaryDirectory() as name:
         trace = pathlib.Path(name) / "trace"
         os.mkfifo(trace)
@@ -55,7 +55,7 @@ class Monitor:
 
 
 def at_screen(program, board, image, frames, pictures):
-    """Dumps the emulator's screen while the program waits behind each frame. Lines that say what is wrong."""
+    """Dumps the emulator's screen while the program waits after each frame. Returns lines that say what is wrong."""
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         command = firmware.qemu(board.machine, image, (str(frames), "wait"), ("-monitor", "unix:monitor,server,nowait"))

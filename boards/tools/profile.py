@@ -3,8 +3,8 @@
 
 usage: profile.py [--check-ranges] PROFILE
 
-PROFILE: a file of cmake/profiles without its ending, or a path. --check-ranges: of a build that stops a program which goes farther
-than the recorded one did.
+PROFILE is a file of cmake/profiles without its ending, or a path. With --check-ranges the definitions are those of a build that stops a
+program which goes farther than the recorded program did.
 """
 import pathlib
 import re
@@ -19,7 +19,7 @@ def features():
 
 
 def limits():
-    """{limit: usual value}"""
+    """Returns {limit: usual value}."""
     return dict(re.findall(r"^spangle_limit\((\w+) (\w+) ", (ROOT / "cmake/Limits.cmake").read_text(), re.M))
 
 
@@ -42,7 +42,7 @@ def known(names, what, among):
 
 
 def definitions(name, checks=False):
-    """[NAME=VALUE]; with `checks` also those of a build that stops a program beyond the recorded ranges."""
+    """Returns [NAME=VALUE]. With `checks` the list has the definitions of a build that stops a program beyond the recorded ranges, too."""
     file = find(name, PROFILES, "cmake")
     text = file.read_text()
     says = dict(re.findall(r"^set\(SPANGLE_(\w+) ([^)]*)\)", text, re.M))

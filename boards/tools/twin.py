@@ -1,4 +1,4 @@
-"""What the simulated twin of a board says (host_sim/boards), and what it thinks of an emulated one."""
+"""Asks the simulated twin of a board (host_sim/boards) for its frames, and for its verdict on an emulated board."""
 import dataclasses
 import subprocess
 
@@ -10,7 +10,7 @@ class Frame:
 
 
 def play(program, board, frames):
-    """{scene: [Frame]}"""
+    """Returns {scene: [Frame]} of the twin."""
     done = subprocess.run([str(program), "play", board.name, str(frames), *board.scenes], capture_output=True, text=True)
     if done.returncode != 0:
         raise RuntimeError(f"{board.name}: its twin failed: {done.stderr}")
@@ -36,13 +36,13 @@ class Replay:
                                         stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
 
     def verdict(self, sent):
-        """`sent`: bytes at the end of each frame. Lines that say what is wrong."""
+        """Returns lines that say what is wrong. `sent` holds the bytes sent until the end of each frame."""
         out, _ = self.process.communicate("\n".join(map(str, sent)))
         return out.splitlines() or ([] if self.process.returncode == 0 else ["the replay failed"])
 
 
 def screens(program, board, frames, folder, pictures):
-    """Lines that say what is wrong with the screens in the folder."""
+    """Returns lines that say what is wrong with the screens in the folder."""
     done = subprocess.run([str(program), "screens", board.name, str(frames), str(folder), pictures, str(board.screen["scale"]), *board.scenes],
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     return done.stdout.splitlines() or ([] if done.returncode == 0 else ["looking at the screens failed"])

@@ -1,5 +1,5 @@
-// The time of day on an ILI9341 at any computer's USB port, through an FT232H: clock [FRAMES
-// [/dev/bus/usb/BBB/DDD]]
+// The time of day on an ILI9341 at any computer's USB port, through an FT232H.
+// usage: clock [FRAMES [/dev/bus/usb/BBB/DDD]]
 //   panel    VCC  GND  CS  RESET  DC  SDI(MOSI)  SCK  LED  SDO(MISO)
 //   FT232H   3V3  GND  D3  D6     D4  D1         D0   D7   D2
 #include <cmath>

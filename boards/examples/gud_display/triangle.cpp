@@ -1,6 +1,6 @@
-// A turning triangle on any GUD display (Generic USB Display: gud-pico, Raspberry Pi gadgets, ...): triangle
-// [FRAMES [/dev/bus/usb/BBB/DDD]]. It needs no kernel driver. If the kernel has one, the driver takes the
-// display back at the end.
+// A turning triangle on any GUD display (Generic USB Display: gud-pico, Raspberry Pi gadgets, ...).
+// usage: triangle [FRAMES [/dev/bus/usb/BBB/DDD]]
+// The example needs no kernel driver. If the kernel has one, it takes the display back at the end.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>

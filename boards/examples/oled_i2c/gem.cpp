@@ -1,5 +1,5 @@
-// A lit, turning gem on an SSD1306 OLED of four pins at a Raspberry Pi, or any Linux board with i2c-dev: gem
-// [FRAMES]
+// A lit, turning gem on an SSD1306 OLED of four pins, at a Raspberry Pi or any Linux board with i2c-dev.
+// usage: gem [FRAMES]
 //   panel   VCC  GND  SCL      SDA
 //   header  3V3  GND  5 (SCL)  3 (SDA)
 #include <cstdio>

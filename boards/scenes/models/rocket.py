@@ -3,8 +3,8 @@
 
 usage: rocket.py
 
-A body turned around the y axis, a nozzle, and three fins; the picture is wound around the body, t from the tail to the nose. The
-header is made of them by `spangle bake rocket.obj -o rocket.hpp --no-mipmaps --cache 24 --normals short`.
+The model is a body turned around the y axis, a nozzle, and three fins. The picture is wound around the body, with t from the tail to the
+nose. `spangle bake rocket.obj -o rocket.hpp --no-mipmaps --cache 24 --normals short` makes the header of these files.
 """
 import math
 import pathlib
@@ -17,9 +17,9 @@ import png
 
 AROUND = 12
 WIDTH, HEIGHT = 64, 64
-# Radius and height from the tail to the nose.
+# Radius and height of the body's rings, from the tail to the nose.
 PROFILE = [(0.16, -1.00), (0.22, -0.86), (0.28, -0.60), (0.33, -0.25), (0.34, 0.10), (0.30, 0.45), (0.20, 0.75), (0.09, 0.93), (0.0, 1.0)]
-# A fin in the plane of its angle: distance from the axis, height; thin, with both sides.
+# The corners of a fin in its plane, as distance from the axis and height. The fin is thin and has two sides.
 FIN = [(0.24, -0.45), (0.27, -0.72), (0.52, -1.10), (0.56, -0.86)]
 THICKNESS = 0.025
 
@@ -27,7 +27,7 @@ RED, WHITE, GREY, BLUE, DARK, YELLOW = (208, 44, 40), (255, 255, 255), (150, 154
 
 
 def pixel(s, t):
-    """The colour at texture coordinates: red nose and tail, white body with a yellow belt and two round windows."""
+    """Returns the colour at texture coordinates: red nose and tail, white body with a yellow belt and two round windows."""
     for window in (0.25, 0.75):
         d = math.hypot((s - window) * 4.2, (t - 0.62) * 4.0)
         if d < 0.30:
@@ -44,7 +44,7 @@ def pixel(s, t):
 
 
 def turned():
-    """Rings of the body with a seam, s from 0 to 1: positions, normals, texture coordinates, faces."""
+    """Returns positions, normals, texture coordinates and faces of the body's rings. Their seam is double, with s from 0 to 1."""
     v, vn, vt, faces = [], [], [], []
     low, high = PROFILE[0][1], PROFILE[-1][1]
     for i, (radius, y) in enumerate(PROFILE):
@@ -68,7 +68,7 @@ def turned():
 
 
 def nozzle(mesh):
-    """The dark disc at the tail."""
+    """Adds the dark disc at the tail."""
     v, vn, vt, faces = mesh
     first, (radius, y) = len(v), PROFILE[0]
     for k in range(AROUND):
