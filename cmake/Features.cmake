@@ -1,5 +1,5 @@
-# Optional systems (design 5): off means not compiled, and the command says so when it is called. The one list of them;
-# gl/context/features.hpp turns all on where nobody asked.
+# The list of all optional systems (design 5). A system that is off is not compiled, and its commands say so when they are called.
+# gl/context/features.hpp turns all systems on where a build defines none.
 set(SPANGLE_FEATURES)
 macro(spangle_feature name text)
     # A profile that names features leaves the others out.

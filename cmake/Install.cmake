@@ -31,7 +31,7 @@ foreach(room raster/format raster hal hal/mcu hal/linux hal/usb boards gl host_s
     endif()
 endforeach()
 install(EXPORT SpangleTargets NAMESPACE Spangle:: DESTINATION ${package})
-set(SPANGLE_NEEDS_PNG OFF) # by whoever links the static library; a shared one knows itself what it needs
+set(SPANGLE_NEEDS_PNG OFF) # programs that link the static library need libpng; a shared library names it itself
 if(TARGET spangle_sim AND NOT SPANGLE_SHARED)
     set(SPANGLE_NEEDS_PNG ON)
 endif()

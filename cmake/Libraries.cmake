@@ -1,4 +1,4 @@
-# The libraries that users link: Spangle::gl and its rooms. Each is a static library, or with BUILD_SHARED_LIBS what programs share.
+# The libraries that users link: Spangle::gl and its rooms. Each room is a static library; with BUILD_SHARED_LIBS programs share them.
 #
 # Rooms of the core call each other's internal functions, and a shared library shows only what public headers declare. So raster,
 # hal and gl are one libspangle.so, and each other room (linux, usb, sim) is one of its own. Programs of this tree, the command line
@@ -10,8 +10,8 @@ if(BUILD_SHARED_LIBS AND NOT CMAKE_SYSTEM_NAME STREQUAL "Generic")
     set(SPANGLE_SHARED ON)
 endif()
 
-# Whatever a public header declares is exported, and nothing else is: the libraries' own sources find in front of each public header
-# one of the same name, which includes it between two pragmas.
+# A shared library exports what public headers declare, and nothing else. For each public header there is a header of the same name in front
+# of it, which the libraries' own sources find first and which includes the real header between two pragmas.
 set(SPANGLE_EXPORTED ${PROJECT_BINARY_DIR}/exported)
 function(spangle_write_exported_headers)
     foreach(room raster/format raster hal hal/mcu hal/linux hal/usb boards gl host_sim)
@@ -24,14 +24,15 @@ function(spangle_write_exported_headers)
     endforeach()
 endfunction()
 
-# The flags keep calls inside of a library direct, and the current context one load away.
+# These flags keep calls inside of a library direct, and the current context one load away.
 function(spangle_export_public_headers target)
     target_include_directories(${target} BEFORE PRIVATE ${SPANGLE_EXPORTED})
     target_compile_options(${target} PRIVATE -fno-semantic-interposition -ftls-model=initial-exec
                            $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
 endfunction()
 
-# A shared library of some rooms' objects. What a room uses of another room's internals is linked in from that one's archive, hidden.
+# Makes a shared library from the objects of some rooms. Internals that a room uses of another room are linked from that room's archive,
+# hidden.
 function(spangle_shared_library target name)
     set(objects)
     foreach(room ${ARGN})
@@ -43,7 +44,7 @@ function(spangle_shared_library target name)
     target_link_options(${target} PRIVATE -Wl,--exclude-libs,ALL -Wl,-Bsymbolic-functions -Wl,--no-undefined)
 endfunction()
 
-# Spangle::NAME of a shared build: what users of the static library are told, and the shared one to link.
+# Makes Spangle::NAME of a shared build: it has the usage requirements of the static library, and links the shared library.
 function(spangle_shared_room name library)
     set(target spangle_shared_${name})
     add_library(${target} INTERFACE)
@@ -67,7 +68,7 @@ function(spangle_shared_room name library)
     endif()
 endfunction()
 
-# What of the system a room's library links; a room found it in the scope of its own folder.
+# Finds the system's libraries that a room links. The room found them in the scope of its own folder only.
 function(spangle_find_links name)
     if(name STREQUAL "linux")
         find_package(Threads REQUIRED)
@@ -96,7 +97,7 @@ function(spangle_libraries)
             spangle_shared_library(${library} spangle_${name} ${name})
             spangle_find_links(${name})
             get_target_property(links spangle_${name} LINK_LIBRARIES)
-            # Shared libraries come first: an archive behind them gives only what they do not show.
+            # Shared libraries come first, so that an archive behind them adds only what they do not export.
             target_link_libraries(${library} PRIVATE spangle_shared_library)
             foreach(link ${links})
                 string(REGEX REPLACE "^spangle_" "spangle_shared_library_" shared ${link})
@@ -109,7 +110,7 @@ function(spangle_libraries)
         spangle_shared_room(${name} "${library}")
         add_library(Spangle::${name} ALIAS spangle_shared_${name})
     endforeach()
-    foreach(name raster_reference gl_reference) # spangle/reference.hpp; they look at what is internal, so they are static
+    foreach(name raster_reference gl_reference) # for spangle/reference.hpp; they use internals, so they are static only
         if(TARGET spangle_${name} AND NOT SPANGLE_SHARED)
             add_library(Spangle::${name} ALIAS spangle_${name})
         endif()

@@ -1,5 +1,6 @@
-# How much of each a build is made for, and what it draws on: GL's numbers unless a board asks for less. A query answers what
-# the build has. The one list of them; raster/limits.hpp, raster/numeric/machine.hpp and gl/context/limits.hpp hold the same numbers for builds by hand.
+# The list of all limits of a build: how much of each thing there is, and what the build draws on. The values are GL's own unless a board
+# asks for less, and queries return what the build has. raster/limits.hpp, raster/numeric/machine.hpp and gl/context/limits.hpp hold the
+# same numbers for builds without CMake.
 set(SPANGLE_LIMITS)
 macro(spangle_limit name value text)
     set(SPANGLE_${name} ${value} CACHE STRING "${text}")

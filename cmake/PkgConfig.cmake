@@ -1,5 +1,5 @@
-# Files for pkg-config: spangle-gl.pc and one for each other room, with the flags that users of the CMake targets get.
-# Libraries of the system that a static library needs are required by name; a shared library names them itself.
+# Writes the files for pkg-config: spangle-gl.pc and one for each other room, with the flags that users of the CMake targets get. The
+# system's libraries that a static library needs are required by name; a shared library names them itself.
 
 function(spangle_pkg_config name text)
     cmake_parse_arguments(PC "" "" "ROOMS;SYSTEM" ${ARGN})
@@ -22,7 +22,7 @@ function(spangle_pkg_config name text)
         string(APPEND libs " -pthread")
     endif()
     set(definitions $<REMOVE_DUPLICATES:$<TARGET_PROPERTY:spangle_${name},INTERFACE_COMPILE_DEFINITIONS>>)
-    # A file has no language. Its options are those of C++, of the rooms themselves: what they require brings its own.
+    # A .pc file serves no single language, so its options are those of C++. They are the room's own options; required files bring theirs.
     get_target_property(options spangle_${name} INTERFACE_COMPILE_OPTIONS)
     if(NOT options)
         set(options)
@@ -43,7 +43,7 @@ Libs: ${libs}
     install(FILES ${PROJECT_BINARY_DIR}/pkgconfig/spangle-${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 
-# An installed tree may be moved: the prefix is where these files lie. Folders that a build placed outside of the prefix stay there.
+# An installed tree may be moved, so the prefix is relative to these files. Folders that a build placed outside of the prefix stay absolute.
 set(SPANGLE_PC_PREFIX ${CMAKE_INSTALL_PREFIX})
 set(SPANGLE_PC_LIBDIR ${CMAKE_INSTALL_FULL_LIBDIR})
 set(SPANGLE_PC_INCLUDEDIR ${CMAKE_INSTALL_FULL_INCLUDEDIR})

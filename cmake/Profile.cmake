@@ -1,11 +1,11 @@
-# Scene profiles: what a build holds (design 5). SPANGLE_PROFILE names a file of cmake/profiles, or one of your own by its path,
+# Scene profiles say what a build holds (design 5). SPANGLE_PROFILE names a file of cmake/profiles, or your own file by its path,
 # which sets some of
-#   SPANGLE_PROFILE_FEATURES  the optional systems that are on, or all (cmake/Features.cmake); -DSPANGLE_FEATURE_... goes before it
-#   SPANGLE_FUSED             the list of fused spans: a file of cmake/profiles/spans, one beside the profile, or a path
-#   SPANGLE_RANGES            how far the recorded program went, as NAME=NUMBER (gl/context/ranges.inc): builds that check them (Debug
-#                             ones, and any with SPANGLE_CHECK_RANGES) stop a program that goes farther, after a message
+#   SPANGLE_PROFILE_FEATURES  the optional systems that are on, or all (cmake/Features.cmake); -DSPANGLE_FEATURE_... overrides the profile
+#   SPANGLE_FUSED             the list of fused spans: a file of cmake/profiles/spans, a file beside the profile, or a path
+#   SPANGLE_RANGES            how far the recorded program went, as NAME=NUMBER (gl/context/ranges.inc). Debug builds, and builds with
+#                             SPANGLE_CHECK_RANGES, stop a program that goes farther, after a message
 #   any limit                 tiers, formats, stacks, the chain, ... (cmake/Limits.cmake)
-# What it does not say is everything. Builds without CMake take the same as definitions, which boards/tools/profile.py prints.
+# What a profile does not set is built whole. Builds without CMake take the same definitions from boards/tools/profile.py.
 set(SPANGLE_PROFILE "" CACHE STRING "What the build holds: a file of cmake/profiles without its ending, or a path; empty: everything")
 
 function(spangle_find_profile name folder ending out)
@@ -25,7 +25,7 @@ if(SPANGLE_PROFILE)
     include(${profile_file})
 endif()
 
-# Ranges that the profile recorded are checked where programs are looked for faults; what a release holds is the same without them.
+# The recorded ranges are checked only in builds that look for faults; the code of a release is the same without them.
 option(SPANGLE_CHECK_RANGES "Builds of every type check the ranges of the profile, not Debug ones alone" OFF)
 function(spangle_ranges target)
     if(NOT DEFINED SPANGLE_RANGES)
@@ -44,7 +44,7 @@ function(spangle_ranges target)
     target_compile_definitions(${target} PUBLIC "$<$<OR:$<CONFIG:Debug>,$<BOOL:${SPANGLE_CHECK_RANGES}>>:${definitions}>")
 endfunction()
 
-# The profile's own list of fused spans.
+# Makes the target use the profile's own list of fused spans.
 function(spangle_fused target)
     if(DEFINED SPANGLE_FUSED)
         spangle_find_profile(${SPANGLE_FUSED} spans/ inc spans ${SPANGLE_PROFILE_FOLDER})

@@ -1,4 +1,4 @@
-# How every Spangle target is compiled. The core is freestanding-ish C++20: no exceptions, no RTTI, no guards.
+# How every Spangle target is compiled. The core is C++20 that needs no operating system: no exceptions, no RTTI, no guards of statics.
 
 # GCC 12 drops calls that have effects, and stores that are read, for two reasons:
 #   Where a loop walks two arrays with different strides, the address of a store may become a null pointer and two numbers.
@@ -18,7 +18,7 @@ function(spangle_common target)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion $<$<BOOL:${SPANGLE_WERROR}>:-Werror>)
     target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
     set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-    if(CMAKE_SYSTEM_NAME STREQUAL "Generic") # no operating system: nothing is shared, every program is linked to its place
+    if(CMAKE_SYSTEM_NAME STREQUAL "Generic") # without an operating system nothing is shared, and every program is linked to its place
         target_compile_definitions(${target} PRIVATE SPANGLE_FIRMWARE=1)
     else()
         set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
@@ -28,19 +28,19 @@ function(spangle_common target)
     endif()
 endfunction()
 
-# Code that also runs in firmware.
+# Sets the options of code that also runs in firmware.
 function(spangle_core target)
     spangle_common(${target})
     target_compile_options(${target} PRIVATE -fno-exceptions -fno-rtti -fno-threadsafe-statics)
 endfunction()
 
-# Primitives one by one: words that were just stored are loaded again soon. As halves of one vector the load would have to
-# wait until the stores have reached the cache.
+# Turns off vectors of words for sources that draw primitives one by one. They load words again soon after they store them, and a load of
+# half a vector would have to wait until the stores have reached the cache.
 function(spangle_word_by_word)
     set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -fno-tree-slp-vectorize)
 endfunction()
 
-# Code in double that must give the same bits everywhere.
+# Sets the options of code in double that must give the same bits everywhere.
 function(spangle_reference target)
     spangle_common(${target})
     target_compile_options(${target} PRIVATE -ffp-contract=off)
@@ -53,7 +53,7 @@ function(spangle_features target)
     foreach(limit ${SPANGLE_LIMITS})
         target_compile_definitions(${target} PUBLIC SPANGLE_${limit}=${SPANGLE_${limit}})
     endforeach()
-    # Tiers that programs compose (spangle/tier.hpp): where the code of every tier is there, on hosts.
+    # Programs compose tiers of their own (spangle/tier.hpp) on hosts only, where the code of every tier is linked.
     if(SPANGLE_HOST AND NOT CMAKE_SYSTEM_NAME STREQUAL "Generic" AND SPANGLE_TIER_SET EQUAL 7 AND SPANGLE_CHAIN)
         target_compile_definitions(${target} PUBLIC SPANGLE_OWN_TIERS=1)
     endif()

@@ -1,5 +1,5 @@
-# The first slice of GL: primitives, matrices, lighting, textures, fog, blending and the tests of fragments, in the balanced tier on
-# 16-bit surfaces. Lists, the imaging paths and all that came later are left out.
+# The first slice of GL: primitives, matrices, lighting, textures, fog, blending and the tests of fragments, in the balanced tier on 16-bit
+# surfaces. Display lists, the imaging paths and everything that came later are left out.
 set(SPANGLE_PROFILE_FEATURES LIGHTING FOG)
 set(SPANGLE_FUSED few)
 set(SPANGLE_TIER_SET 2)            # balanced

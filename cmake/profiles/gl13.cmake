@@ -1,5 +1,5 @@
-# Every command of GL 1.3 and no more, in the balanced tier on 16-bit surfaces: no fixed-point entry points, buffer objects or other
-# systems of later versions, no surfaces of samples, no bands.
+# Every command of GL 1.3 and no more, in the balanced tier on 16-bit surfaces. It has no fixed-point entry points, no buffer objects or
+# other systems of later versions, no multisampling and no bands.
 set(SPANGLE_PROFILE_FEATURES LISTS LIGHTING FOG POLYGON_MODE STIPPLE ANTIALIASING POLYGON_OFFSET CLIP_PLANES TEXGEN TEXTURE_COMBINE
     TEXTURE_1D TEXTURE_3D TEXTURE_CUBE_MAP COPY_TEXTURE COMPRESSED_TEXTURES RASTER_POS PIXEL_TRANSFER DRAW_PIXELS BITMAPS ACCUM COLOR_INDEX
     ATTRIB_STACKS SELECTION FEEDBACK EVALUATORS)

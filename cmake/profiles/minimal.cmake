@@ -1,5 +1,5 @@
-# A lit, textured model in a parallel projection and the fast tier, and nothing else: what the smallest boards draw (boards/minimal).
-# Only the spans of the list are there; a state that needs another one is an error.
+# For a lit, textured model in a parallel projection and the fast tier: what the smallest boards draw (boards/minimal). The build has only
+# the spans of its list; a state that needs another span is an error.
 set(SPANGLE_PROFILE_FEATURES LIGHTING)
 set(SPANGLE_FUSED lit_textured_parallel)
 set(SPANGLE_CHAIN 0)
@@ -11,20 +11,20 @@ set(SPANGLE_TEXTURE_UNITS 1)
 set(SPANGLE_TEXTURE_LEVELS 7)
 set(SPANGLE_LIGHTS 1)
 set(SPANGLE_LIGHT_KINDS 0)      # ambient and diffuse
-set(SPANGLE_FULL_LIGHTING 0)    # normals are unit as they are given
+set(SPANGLE_FULL_LIGHTING 0) # NORMALIZE and RESCALE_NORMAL are errors: normals must be unit vectors
 set(SPANGLE_MODELVIEW_STACK 2)
 set(SPANGLE_PROJECTION_STACK 1)
 set(SPANGLE_TEXTURE_STACK 1)
-set(SPANGLE_ARRAY_TYPES 4)       # shorts
-set(SPANGLE_VERTEX_CACHE 1)      # none: what indices name again is transformed again
+set(SPANGLE_ARRAY_TYPES 4) # arrays of shorts
+set(SPANGLE_VERTEX_CACHE 1) # no cache: a vertex that indices name again is transformed again
 set(SPANGLE_LINE_BATCH 2)
 set(SPANGLE_PRIMITIVES 0)       # triangles
-set(SPANGLE_PERSPECTIVE 0)      # nothing is divided by its distance
+set(SPANGLE_PERSPECTIVE 0) # no division by the distance
 set(SPANGLE_SHORTCUTS 0)
 set(SPANGLE_KERNELS_INLINE 0)
 set(SPANGLE_SEED_TABLES 0)
 set(SPANGLE_DISPLAYS 1)
-set(SPANGLE_EXTENTS 0)          # frames are sent whole
+set(SPANGLE_EXTENTS 0) # frames are sent whole, without damage
 set(SPANGLE_PACKET 2)
-set(SPANGLE_CLIPPING 0)         # models stand between the near and the far plane
-set(SPANGLE_ARENA_REUSE 0)      # nothing is made anew
+set(SPANGLE_CLIPPING 0) # no clipping: models must stand between the near and the far plane
+set(SPANGLE_ARENA_REUSE 0) # memory that GL frees is not used again

@@ -1,4 +1,4 @@
-# Cortex-M with Debian's gcc-arm-none-eabi. -DSPANGLE_CPU=cortex-m4 names another processor.
+# For Cortex-M with Debian's gcc-arm-none-eabi. -DSPANGLE_CPU=cortex-m4 chooses another processor.
 set(SPANGLE_CPU cortex-m0plus CACHE STRING "-mcpu")
 list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES SPANGLE_CPU)
 set(CMAKE_SYSTEM_NAME Generic)

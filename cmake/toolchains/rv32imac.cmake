@@ -1,5 +1,5 @@
-# RV32IMAC with Debian's gcc-riscv64-unknown-elf, which has no C++ headers: those of the Arm package serve, which are of the
-# same compiler version, and picolibc's of C.
+# For RV32IMAC with Debian's gcc-riscv64-unknown-elf, which has no C++ headers. The build takes C++ headers from the Arm package, whose
+# compiler has the same version, and C headers from picolibc.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR rv32imac)
 set(CMAKE_CXX_COMPILER riscv64-unknown-elf-g++)
