@@ -1,4 +1,4 @@
-"""Checks of tests in Python: what fails is said, and the test goes on."""
+"""Checks for tests in Python: a check that fails prints its message, and the test goes on."""
 failures = []
 
 

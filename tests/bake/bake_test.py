@@ -27,7 +27,7 @@ def run(*words, cwd=None):
 
 
 def fresh():
-    """The headers of the scenes are what their first line writes, and the model is what its program makes."""
+    """The headers of the scenes are what the command in their first line writes, and the model is what its program makes."""
     headers = sorted(MODELS.glob("*.hpp"))
     check(headers, "there are baked models")
     with tempfile.TemporaryDirectory() as folder:
@@ -48,7 +48,7 @@ def fresh():
 
 
 def errors():
-    """One line that says what to do, exit status 2, nothing written."""
+    """An error prints one line that says what to do, exits with status 2, and writes nothing."""
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         (folder / "noise.obj").write_bytes(b"\x00\x01 no model \xff")
@@ -70,7 +70,7 @@ def errors():
 
 
 def picture(folder, header, name, *defines):
-    """Pixels that the header draws, compiled with every warning."""
+    """Returns the pixels that a header draws. The header is compiled with every warning."""
     program = folder / f"draw_{name}"
     done = subprocess.run([COMPILER, *firmware.sound_calls(COMPILER), "-std=c++20", "-O1", "-Wall", "-Wextra", "-Wconversion", "-Werror", *INCLUDES, f'-DBAKED_HEADER="{header}"', f"-DBAKED_NAME={name}",
                            *(f"-D{define}" for define in defines), str(ROOT / "tests/bake/draw_baked.cpp"), *LIBRARIES, "-o", str(program)], capture_output=True, text=True)

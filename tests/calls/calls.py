@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Holds that calls keep their effects: GCC 12 dropped some (cmake/SpangleTargets.cmake).
+"""Tests that calls keep their effects: GCC 12 dropped some (cmake/SpangleTargets.cmake).
 
 usage: calls.py recipes|spans|pure|boards COMPILER BUILD_DIR
 
-recipes: every way to build the library has the flags: the build in BUILD_DIR, firmware, packages, scripts that call a
-compiler, and C++ of a project that links the library; C of that project has none.
+recipes: every way to build the library has the flags: the build in BUILD_DIR, firmware, packages, scripts that call a compiler, and C++ of
+a project that links the library; C of that project has none.
 spans: the sources that keep the pass ipa-modref pass no structure by value from memory, which the pass forgets.
 pure: GCC takes no function for pure that has something to write through.
-boards: the cases of calls.hpp on emulated Cortex-M3, M4 and RV32, at -O2, at -Os, and linked as one.
+boards: the cases of calls.hpp on emulated Cortex-M3, M4 and RV32, at -O2, at -Os, and optimized as one program.
 """
 import json
 import pathlib
@@ -25,7 +25,7 @@ import generate  # noqa: E402
 from checks import check, failures  # noqa: E402
 
 SPANS = sorted((ROOT / "raster/span").glob("fused_part_*.cpp"))
-# Scripts may call a compiler with flags of their own if they name the list, or if nothing is compiled to code.
+# Scripts may call a compiler with flags of their own if they name the list of flags, or if they compile nothing to code.
 NAMES_THE_LIST = re.compile(r"SOUND_CALLS|sound_calls|gcc_flags|firmware\.FLAGS|-fsyntax-only")
 USER = """cmake_minimum_required(VERSION 3.22)
 project(user C CXX)
@@ -77,7 +77,7 @@ def recipes(compiler, build):
 
 
 def arm(source, *more):
-    """Compiles a source of the core for a Cortex-M4; what the compiler says."""
+    """Compiles a source of the core for a Cortex-M4, and returns what the compiler says."""
     target = firmware.TARGETS["cortex-m4"]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -88,7 +88,7 @@ def arm(source, *more):
 
 
 def from_memory(call):
-    """The arguments of a call in a dump that are neither values, constants nor addresses."""
+    """Returns the arguments of a call in a dump that are neither values, constants nor addresses."""
     arguments = call[call.rindex("(", 0, len(call) if not call.endswith("(D));") else len(call) - 5) + 1:]
     words = [word.strip(" );") for word in arguments.replace("(D)", "").split(",")]
     return [word for word in words if word and not re.fullmatch(r"[\w$.]*_\d+|-?\d+|&.*|0x[0-9a-f]+|[\w$]+", word)]
@@ -109,7 +109,7 @@ def spans(compiler, build):
 
 
 def writes(signature):
-    """Whether a function has something to write through: a pointer or reference without const, or no result."""
+    """Returns whether a function has something to write through: a pointer or reference without const, or no result."""
     arguments = re.sub(r"const [\w:<>, ]*?(\(?[&*]\)?)", "", signature.partition("(")[2])
     return signature.startswith("void ") or "&" in arguments or "*" in arguments
 

@@ -20,7 +20,7 @@ import time
 
 
 def commands(build):
-    """{source: the words that compile it, its folder}: the first target of each source."""
+    """Returns {source: (the words that compile it, its folder)}, from the first target of each source."""
     found = {}
     for entry in json.loads((build / "compile_commands.json").read_text()):
         words = shlex.split(entry["command"])
@@ -31,7 +31,7 @@ def commands(build):
 
 
 def compiled(source, words, directory, scratch):
-    """(megabytes, seconds) of one unit; its object file is thrown away."""
+    """Returns (megabytes, seconds) of one unit, and deletes its object file."""
     place = words.index("-o") + 1
     with tempfile.NamedTemporaryFile(dir=scratch, suffix=".o") as output:
         began = time.monotonic()

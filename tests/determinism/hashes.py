@@ -29,11 +29,11 @@ import firmware  # noqa: E402
 HOST_BUILDS = {f"{name}_{level}": (compiler, f"-{level}") for name, compiler in (("gcc", "g++"), ("clang", "clang++-14"))
                for level in ("O0", "O1", "O2", "O3", "Os")} | {"clang_native": ("clang++-14", "-O3 -march=native")}
 HOST_FLAGS = ["-std=c++20", "-Wno-psabi", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", *firmware.INCLUDES]
-# {processor: (compiler, what runs its programs here)}
+# {processor: (compiler, emulator that runs its programs here)}
 MACHINES = {"s390x": ("s390x-linux-gnu-g++", ["qemu-s390x"]), "aarch64": ("aarch64-linux-gnu-g++", ["qemu-aarch64"]),
             "riscv64": ("riscv64-linux-gnu-g++", ["qemu-riscv64"]), "i686": ("i686-linux-gnu-g++", [])}
-# {processor: (board whose machine runs its code, linker script)}. No emulated M0+ board has the memory: its code runs on the M3,
-# whose instructions contain the M0+'s.
+# {processor: (board whose machine runs its code, linker script)}. No emulated M0+ board has enough memory, so its code runs on the M3,
+# whose instructions include the M0+'s.
 BOARDS = {"cortex_m0plus": ("mps2_an385", "boards/mps2_an385/memory.ld"), "cortex_m3": ("mps2_an385", "boards/mps2_an385/memory.ld"),
           "cortex_m4": ("mps2_an386", "boards/mps2_an386/memory.ld"), "cortex_m33": ("mps2_an505", "tests/determinism/mps2_an505.ld"),
           "rv32imac": ("rv32_virt", "boards/rv32_virt/memory.ld")}
@@ -41,7 +41,7 @@ MAIN = HERE / "picture_hashes.cpp"
 
 
 def read(text):
-    """{(scene, tier): hash} of a program's output."""
+    """Returns {(scene, tier): hash} of a program's output."""
     return {tuple(line.split()[:2]): line.split()[2] for line in text.splitlines() if len(line.split()) == 3}
 
 
@@ -73,7 +73,7 @@ def hashes_of_board(target, board, script):
 
 
 def table(builds):
-    """Prints what differs, or how much agreed. True when all is equal."""
+    """Prints the differences, or how many hashes agreed. Returns whether all are equal."""
     wanted_by, wanted = next(iter(builds.items()))
     good = True
     for name, got in builds.items():
@@ -88,7 +88,7 @@ def table(builds):
 
 
 def other_build(name):
-    """(title, hashes) of a build that is made here; (None, None) where something for it is not installed."""
+    """Returns (title, hashes) of a build that is made here, or (None, None) if something for it is not installed."""
     if name in HOST_BUILDS:
         compiler, flags = HOST_BUILDS[name]
         missing = [compiler] * (shutil.which(compiler) is None)

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""`spangle exec`, `spangle replay` and the variables show a program on real displays: here those of modelled machines.
+"""Tests that `spangle exec`, `spangle replay` and the variables show a program on real displays, here those of modelled machines.
 
-usage: on_devices_test.py PAIR SPANGLE PROGRAM (tests/dropin/on_machine.cpp, which has the machine inside)"""
+usage: on_devices_test.py PAIR SPANGLE PROGRAM (tests/dropin/on_machine.cpp, which has the machine inside)
+"""
 import json
 import pathlib
 import sys
@@ -28,20 +29,21 @@ DISPLAYS = {
 
 
 def pixels(path):
-    """Rows of a picture, or nothing."""
+    """Returns the rows of a picture, or None."""
     if not path.exists():
         return None
     return Picture(path).rows
 
 
 def near(ours, theirs):
-    """A GUD display has fewer bits than what was drawn: no component is off by a step of five bits."""
+    """Compares pictures of a GUD display, which has fewer bits than what was drawn: no component is off by more than a step of five bits.
+    """
     return ours is not None and all(abs(a - b) <= 8 for row, other in zip(ours, theirs) for p, q in zip(row, other)
                                     for a, b in zip(p, q))
 
 
 def simulated(place, board):
-    """What the glass of a simulated board shows after the same frames."""
+    """Returns what the glass of a simulated board shows after the same frames."""
     shot = place / f"simulated-{board}.png"
     where = ["--board", board] if board else ["--board", "none"]
     ended = run([SPANGLE, "exec", *where, "--frames", FRAMES, "--shot", shot, "--", PROGRAM], spangle_environment(PAIR))
@@ -50,7 +52,7 @@ def simulated(place, board):
 
 
 def shown(name, how, glass, expected, exact):
-    """Whether the display shows what the simulated board does, and nothing was done wrong."""
+    """Checks that the display shows what the simulated board shows, and that its model has no complaints."""
     ours = pixels(glass)
     check(ours == expected if exact else near(ours, expected), f"{name} by {how}: the display shows another picture")
 
@@ -95,7 +97,7 @@ with folder("devices") as place:
         ended = run(command, {**plain, **more})
         check(ended.status == status and says in ended.words and ended.words.count("\n") == 1,
               f"{options} {more}: {ended.status}: {ended.words}")
-    # What cannot be written or read is told in one line, and nothing else is said.
+    # If a device cannot be written or read, the program says so in one line, and says nothing else.
     picture = place / "x.png"
     picture.write_bytes((place / "simulated-ili9341-spi.png").read_bytes())
     FAILED = (

@@ -18,7 +18,7 @@ import outfile  # noqa: E402
 
 PAGE = ROOT / "docs/extremes.md"
 BUILT = ROOT / "build/test/tests"
-ENVIRONMENT = {**os.environ, "SPANGLE_HOURS": "24"}  # the page has a whole day's error
+ENVIRONMENT = {**os.environ, "SPANGLE_HOURS": "24"}  # the page shows the error of a whole day
 HEAD = """# Extremes
 
 What is drawn at the ends of every range: numbers of all bits, no numbers, planes, slivers, empty sizes. Each case goes through the exact, the balanced and the fast
@@ -47,7 +47,7 @@ it (row 37); doubles become floats, so that `glRotated` of 8 million degrees is 
 
 
 def rows(program, *options):
-    """{name: [required, judged by, observed]} of what was printed; a case that fails prints its row, too."""
+    """Returns {name: [required, judged by, observed]} of what was printed; a case that fails prints its row, too."""
     printed = subprocess.run([program, *options, "--gtest_brief=1"], capture_output=True, text=True, env=ENVIRONMENT)
     found = {}
     for line in printed.stdout.splitlines():
@@ -58,7 +58,7 @@ def rows(program, *options):
 
 
 def of_mesa(program, names):
-    """{name: figure}. A case in a process of its own: one that ends Mesa does not end the others."""
+    """Returns {name: figure}. Each case has a process of its own, so that a case that ends Mesa does not end the others."""
     figures = {}
     for name in names:
         found, status = rows(program, f"--gtest_filter=Extreme.{name}")

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Every transport under every fault: each cell of matrix.json names tests that there are, or why it cannot happen.
+"""Checks every transport under every fault: each cell of matrix.json names tests that exist, or says why the fault cannot happen.
 
 usage: matrix.py PROGRAM... [--write]
 
-PROGRAM: test programs, which are asked for their tests. The table of docs/faults.md follows from the cells; --write
-writes it, else it is held against them.
+PROGRAM: test programs, which are asked for their tests. The table of docs/faults.md follows from the cells. --write writes the table;
+without it the table is compared with the cells.
 """
 import json
 import pathlib
@@ -71,7 +71,7 @@ def page(matrix):
 
 def main():
     programs = [pathlib.Path(word) for word in sys.argv[1:] if word != "--write"]
-    programs = [program for program in programs if program.exists()]  # builds without these libraries have none
+    programs = [program for program in programs if program.exists()]  # builds without these libraries lack some programs
     matrix = json.loads((HERE / "matrix.json").read_text())
     found = list(problems(matrix, {program.name: tests_of(program) for program in programs}))
     if "--write" in sys.argv:

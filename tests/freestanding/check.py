@@ -27,7 +27,7 @@ COMMON = ["-std=c++20", "-Os", "-ffreestanding", "-fno-exceptions", "-fno-rtti",
           "-ffunction-sections", "-fdata-sections", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-DSPANGLE_FIRMWARE=1", *firmware.SOUND_CALLS,
           f"-I{ROOT}", f"-I{ROOT}/raster/format/include", f"-I{ROOT}/raster/include", f"-I{ROOT}/hal/include",
           f"-I{ROOT}/gl/include"]
-# The Arm package's C++ headers serve RISC-V too: same compiler version, headers only.
+# RISC-V uses the C++ headers of the Arm package: both compilers have the same version, and only headers are taken.
 RISCV_HEADERS = ["-isystem", "/usr/include/newlib/c++/12.2.1", "-isystem",
                  "/usr/include/newlib/c++/12.2.1/arm-none-eabi", "-isystem",
                  "/usr/lib/picolibc/riscv64-unknown-elf/include"]

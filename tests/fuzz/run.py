@@ -25,13 +25,13 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "host_sim/tools"))
 import outfile  # noqa: E402
 CORPUS = ROOT / "tests/fuzz/corpus"
-# The rooms each fuzzer is meant to reach.
+# The rooms that each fuzzer is meant to reach.
 ROOMS = {"gl_commands": ("gl/", "raster/"), "egl": ("gl/", "raster/"), "gud": ("hal/usb/",),
          "controller": ("host_sim/bus/pins", "host_sim/controller"),
          "model": ("host_sim/bake", "host_sim/cli/model_wire"), "picture": ("host_sim/picture/image",)}
-LONGEST = {"gl_commands": 2048, "egl": 1536, "gud": 600, "controller": 1024, "model": 4096, "picture": 1024}  # bytes of an input
-MOST = {"egl": 48, "gud": 48}  # committed inputs, which the everyday tests replay; of others all that reach something new
-# As ./dev sanitize has them: objects that a compiler cache holds from there are not compiled again.
+LONGEST = {"gl_commands": 2048, "egl": 1536, "gud": 600, "controller": 1024, "model": 4096, "picture": 1024}  # bytes of an input, at most
+MOST = {"egl": 48, "gud": 48}  # committed inputs, which the everyday tests replay; other fuzzers keep all that reach something new
+# The flags of ./dev sanitize, so that a compiler cache serves what both compile.
 SANITIZE = "-fsanitize=address,undefined -fno-sanitize-recover=all -gline-tables-only"
 COVERAGE = "-fprofile-instr-generate -fcoverage-mapping"
 ENVIRONMENT = {**os.environ, "UBSAN_OPTIONS": "print_stacktrace=1", "ASAN_SYMBOLIZER_PATH": shutil.which("llvm-symbolizer-14") or ""}
@@ -50,7 +50,7 @@ def build(folder, flags, targets):
 
 
 def start(name, folder, seconds):
-    """Runs one fuzzer on the committed and the earlier inputs; new ones go to the folder of this machine."""
+    """Runs one fuzzer on the committed and the earlier inputs; new inputs go to the folder of this machine."""
     found, crashes = folder / "corpus" / name, folder / "crashes"
     crashes.mkdir(exist_ok=True)
     log = folder / f"{name}.log"
@@ -72,7 +72,7 @@ def crash_files(log):
 
 
 def coverage(name, folder):
-    """Lines run by everything in the corpora, by room: {room: [run, all]}."""
+    """Returns {room: [run, all]}: the lines that everything in the corpora runs."""
     program = folder / "coverage/tests/fuzz" / f"fuzz_{name}"
     raw, data = folder / f"{name}.profraw", folder / f"{name}.profdata"
     inputs = [str(path) for path in (folder / "corpus" / name, CORPUS / name) if path.is_dir()]
@@ -91,7 +91,7 @@ def coverage(name, folder):
 
 
 def furthest(control, most):
-    """Of the files that a merge looked at, at most so many, each of which reaches more that is new than any other left would."""
+    """Returns at most so many of the files that a merge looked at. Each reaches more that is new than any other remaining file would."""
     lines = control.read_text().splitlines()
     count = int(lines[0])
     paths, left = lines[2:2 + count], {}
@@ -110,7 +110,7 @@ def furthest(control, most):
 
 
 def keep(name, folder):
-    """Makes the committed inputs the fewest that reach every edge known; what only runs more often is left out."""
+    """Reduces the committed inputs to the fewest that reach every known edge. An input that only runs an edge more often is left out."""
     program, target, chosen, control = folder / "tests/fuzz" / f"fuzz_{name}", CORPUS / name, folder / f"{name}-kept", folder / f"{name}.merge"
     shutil.rmtree(chosen, ignore_errors=True)
     chosen.mkdir()

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Files that were made to hurt who reads them, through `spangle bake` and `spangle run --model`.
+"""Reads files that were made to harm their reader, through `spangle bake` and `spangle run --model`.
 
 usage: hostile_test.py SPANGLE
 
-Whatever a file holds, the program ends with status 0 or 2 within seconds and within its memory, says one line, and leaves no file
-behind that it did not finish.
+Whatever a file holds, the program must end with status 0 or 2 within seconds and within its memory, print one line, and leave no unfinished
+file behind.
 """
 import base64
 import json
@@ -37,7 +37,7 @@ def png(width, height, rows, depth=8, color=2, extra=b""):
 
 
 def bomb(size):
-    """Zeros that deflate to a thousandth."""
+    """Returns zeros that deflate to a thousandth of their size."""
     deflate = zlib.compressobj(9)
     return b"".join([deflate.compress(bytes(1 << 20)) for _ in range(size >> 20)] + [deflate.flush()])
 
@@ -68,7 +68,7 @@ def chain_of_nodes(depth):
 
 
 def laughs(levels, each):
-    """Nodes that hold the next one several times over: each ** levels instances of a mesh."""
+    """Returns nodes that hold the next node several times over: each ** levels instances of a mesh."""
     nodes = "".join(f'<node id="n{n}">' + f'<instance_node url="#n{n + 1}"/>' * each + "</node>" for n in range(levels))
     return collada(nodes + f'<node id="n{levels}"><instance_geometry url="#g"/></node>')
 
@@ -87,8 +87,8 @@ def ply(vertices, faces, tail="0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"):
             f"property list uchar int vertex_indices\nend_header\n{tail}").encode()
 
 
-# name: content, and what the line says, or None where the file can be drawn; bake and run apart where they differ. Two files end
-# libassimp 5.2 itself, by recursion: its process is the one that ends.
+# name: content, and what the line says, or None if the file can be drawn. Where bake and run differ, each has its own text. Two files end
+# libassimp 5.2 itself by recursion; only its own process ends then.
 PICTURES = {
     "truncated.png": (png(64, 64, zlib.compress(bytes(64 * 193)))[:60], "cannot read picture"),
     "header-only.png": (png(64, 64, b"")[:33], "cannot read picture"),
@@ -157,7 +157,7 @@ COMPANIONS = {"broken-texture.mtl": b"newmtl m\nKd nan inf -1\nNs nan\nd nan\nma
 
 
 def run(folder, *words):
-    """Status, standard error, and the seconds of processors that the program and its reader took: the machine may be busy."""
+    """Returns the status, standard error, and the processor seconds of the program and its reader, because the machine may be busy."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     process = subprocess.Popen([SPANGLE, *words], cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True)
     try:
@@ -181,7 +181,7 @@ def held(folder, name, says, *words):
 
 
 def corrupted(folder, source, tries, seed):
-    """Files that were sound until some bytes changed: read or refused, nothing else."""
+    """Reads sound files in which some bytes were changed: each must be read or refused, and nothing else."""
     generator, content = random.Random(seed), source.read_bytes()
     for n in range(tries):
         bad = bytearray(content[:generator.randrange(len(content))] if n % 4 == 0 else content)

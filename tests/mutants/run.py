@@ -40,19 +40,19 @@ class Worker:
     """One copy of the tree with its own build folder; mutants are tried in it one after the other."""
 
     def __init__(self, number, jobs, end):
-        # The lock is that of the tree, so that two runs at a time do not meet in one; it goes with the process.
+        # The lock belongs to the copy of the tree, so that two runs do not use one copy. It ends with the process.
         (ROOT / "build/mutants").mkdir(parents=True, exist_ok=True)
         while not self.locks(number):
             number += 1
         self.tree = ROOT / f"build/mutants/tree{number}"
-        # Where a build lies in its tree as build/test does, and compiles with the same flags, ccache serves both.
+        # The build folder lies in its tree as build/test does, with the same flags, so that ccache serves both.
         self.build = self.tree / "build/test"
         self.environment = os.environ | {"CCACHE_BASEDIR": str(self.tree), "CCACHE_SLOPPINESS": "pch_defines,time_macros"}
         self.jobs = jobs
         self.end = end
         self.baselines = {}
         self.build.mkdir(parents=True, exist_ok=True)
-        # Without times: a file that a mutant left restored must look newer than what was built from the mutant.
+        # The times of files are not copied: a file that is restored after a mutant must look newer than what was built from the mutant.
         subprocess.run(["rsync", "-rlp", "--delete", "--checksum", "--exclude=/build", "--exclude=/.git", f"{ROOT}/", f"{self.tree}/"], check=True)
         self.hashes = Hashes(self.tree)
         launcher = [str(HERE / "compile.sh"), *filter(None, [shutil.which("ccache")])]
@@ -73,12 +73,12 @@ class Worker:
             raise SystemExit(f"{' '.join(command)}\n{done.stdout[-3000:]}{done.stderr[-3000:]}")
 
     def left(self):
-        """Seconds that the run may still take; None: as many as it needs."""
+        """Returns the seconds that the run may still take; None: there is no limit."""
         return max(1, self.end - time.time()) if self.end else None
 
     def make(self, target):
         command = ["cmake", "--build", str(self.build), "-j", str(self.jobs), "--target", target]
-        # Ended politely, ninja ends its compilers, too.
+        # After a polite signal, ninja ends its compilers, too.
         with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                               env=self.environment) as process:
             try:
@@ -100,7 +100,7 @@ class Worker:
             return 1, "timeout"
 
     def baseline(self, words):
-        """The test passes in the tree as it is; whether some of it is skipped here."""
+        """Runs the test in the tree as it is, where it must pass. Returns whether some of it is skipped here."""
         status, output = self.make(words[0])
         if status != 0:
             raise SystemExit(f"{words[0]} does not build\n{output[-3000:]}")
@@ -127,7 +127,7 @@ class Worker:
 
 
 def by_turn(mutants, known, turn):
-    """Those of one test program, in their order, but that of the oldest with which to begin follows from the turn."""
+    """Returns the mutants of one test program in their order. The turn chooses with which of the oldest mutants to begin."""
     if not mutants:
         return []
     age = known.get(mutants[0].id, ())[2:]
@@ -138,7 +138,7 @@ def by_turn(mutants, known, turn):
 
 
 def try_all(mutants, arguments):
-    """Of each mutant that there was time for, what became of it."""
+    """Returns what became of each mutant that there was time for."""
     end = time.time() + 60 * arguments.minutes if arguments.minutes else None
     workers = queue.Queue()
     jobs = max(1, (os.cpu_count() or 2) // arguments.workers)
@@ -160,7 +160,7 @@ def try_all(mutants, arguments):
             workers.put(worker)
         with writing:
             outcome[mutant.id] = result
-            if arguments.write and result != UNTRIED:  # each at once: a run that is ended early has not been for nothing
+            if arguments.write and result != UNTRIED:  # written after each mutant, so that a run that ends early is not lost
                 record({mutant.id: (*hashes, today) if result == "caught" else None})
             print(f"[{len(outcome)}/{len(mutants)} {time.time() - start:.0f} s] {mutant.id} ({mutant.row}): {result}", flush=True)
 
@@ -204,7 +204,7 @@ def main():
         mutants = by_turn(mutants, known, arguments.turn)
     mutants = mutants[:arguments.count]
     if arguments.turn is None and not arguments.minutes:
-        # Same test program after each other: less to rebuild.
+        # Mutants of one test program follow each other, so that less is rebuilt.
         mutants.sort(key=lambda m: (m.test[0], m.file))
     outcome = try_all(mutants, arguments)
     outcome = {id: result for id, result in outcome.items() if result != UNTRIED}

@@ -20,14 +20,14 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "host_sim/tools"))
 import outfile  # noqa: E402
 
-AT_ONCE = 500  # frames of one process
+AT_ONCE = 500  # frames that one process draws
 AFTERWARDS = (("the whole sweep of extreme numbers", "test_extreme_sweep", [], {"SPANGLE_SWEEP": "whole"}),
               ("a day of animation", "test_extremes", ["--gtest_filter=*Day*"], {"SPANGLE_HOURS": "24"}))
 ENVIRONMENT = {**os.environ, "UBSAN_OPTIONS": "print_stacktrace=1"}
 
 
 class Done:
-    """The chunks of frames that went well, of one program."""
+    """Returns the chunks of one program's frames that went well."""
 
     def __init__(self, file, program):
         self.file, self.program = file, hashlib.sha256(program.read_bytes()).hexdigest()
@@ -43,7 +43,7 @@ class Done:
 
 
 class Progress:
-    """One line on a terminal that is written over; elsewhere a line a minute."""
+    """Reports progress: one line that is written over on a terminal, else a line a minute."""
 
     def __init__(self, of):
         self.of, self.count, self.begin, self.said = of, 0, time.monotonic(), 0
@@ -60,7 +60,7 @@ class Progress:
 
 
 def failed(program, text, status):
-    """Prints the frame that a process ended in, and what was said."""
+    """Prints the frame in which a process ended, and the process's output."""
     frame = text.replace("\n", "\r").split("\r")
     last = [word for word in frame if word.isdigit()]
     print(f"\nnightly: a frame FAILED with status {status}")
@@ -72,7 +72,7 @@ def failed(program, text, status):
 
 
 def draw(program, chunks, done, jobs):
-    """True when every frame of these chunks was drawn."""
+    """Returns whether every frame of these chunks was drawn."""
     progress, running = Progress(len(chunks) * AT_ONCE), {}
     waiting = list(reversed(chunks))
     try:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The runner of random frames goes on where it ended, and says which frame failed. A shell script stands for the program."""
+"""Tests that the runner of random frames goes on where it ended, and says which frame failed. A shell script stands for the program."""
 import contextlib
 import io
 import pathlib

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests boards/packages: what other build systems read.
+"""Tests the files of boards/packages as other build systems read them.
 
 usage: packages_test.py fresh|metadata|cmake|exported COMPILER
 """
@@ -18,7 +18,7 @@ from checks import check, failures  # noqa: E402
 
 
 def fresh():
-    """Nothing was changed by hand; the version is the project's; every room and folder that is named exists."""
+    """Nothing was changed by hand, the version is the project's, and every room and folder that a package names exists."""
     done = subprocess.run([sys.executable, PACKAGES / "generate.py", "--check"], capture_output=True, text=True)
     check(done.returncode == 0, done.stdout)
     for folder in generate.ABOUT["rooms"] + generate.ABOUT["includes"]:
@@ -28,7 +28,7 @@ def fresh():
 
 
 def yaml(path):
-    """The small part of YAML that the files use: maps of maps of words."""
+    """Parses the small part of YAML that the files use: maps of maps of words."""
     out, stack = {}, [(-1, None)]
     stack[0] = (-1, out)
     for line in path.read_text().splitlines():
@@ -103,7 +103,7 @@ add_subdirectory({packages}/zephyr module)
 
 
 def cmake():
-    """Each package of CMake configures beside stand-ins for its framework; Zephyr's names every source of the core."""
+    """Each package for CMake configures beside stand-ins for its framework. Zephyr's package names every source of the core."""
     for name, text in (("esp-idf", IDF), ("pico-sdk", PICO), ("zephyr", ZEPHYR)):
         with tempfile.TemporaryDirectory() as folder:
             folder = pathlib.Path(folder)
@@ -125,7 +125,7 @@ def cmake():
 
 
 def exported():
-    """The layout of Arduino and PlatformIO: all sources, and src is the one include path that they need."""
+    """The layout of Arduino and PlatformIO holds all sources, and src is the only include path that they need."""
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         subprocess.run([sys.executable, PACKAGES / "generate.py", "--check", "--export", folder], check=True)

@@ -83,7 +83,7 @@ def example(way, build, outside):
         return 1
     build_project(project, outside, option)
     if pathlib.Path("/dev/spidev0.0").exists():
-        return 0  # a board: what comes of it is the owner's affair
+        return 0  # this machine has the device: to run the example is left to its owner
     done = subprocess.run([outside / "build" / program, *words], capture_output=True, text=True)
     if done.returncode != 1 or not done.stderr.startswith(says):
         print(f"{program} does not say what is missing here: {done.returncode} {done.stderr}")

@@ -34,7 +34,7 @@ def pkg_config(prefix, *words):
 
 
 def compiled(prefix, source, program, *packages):
-    """Compiles one program with what pkg-config says, and runs it."""
+    """Compiles one program with the flags that pkg-config prints, and runs it."""
     flags = pkg_config(prefix, "--cflags", "--libs", *packages)
     run(COMPILER, "-std=c++20", "-O2", source, "-o", program, *flags)
     return run("env", f"LD_LIBRARY_PATH={prefix / 'lib'}", program)
@@ -46,7 +46,7 @@ def check(good, what):
 
 
 def install(build, folder):
-    """The build in a prefix that was moved since."""
+    """Installs the build into a prefix, and moves the prefix."""
     run("cmake", "--install", build, "--prefix", folder / "first")
     (folder / "first").rename(folder / "prefix")
     return folder / "prefix"
@@ -71,7 +71,7 @@ def through_pkg_config(build, outside):
 
 
 def exported(library):
-    """The names that a shared library shows, demangled."""
+    """Returns the names that a shared library exports, demangled."""
     return {line.split(maxsplit=2)[2] for line in run("nm", "-DC", "--defined-only", library).splitlines()}
 
 
@@ -91,7 +91,7 @@ def shared(build, outside):
     declared = set(re.findall(r"\b(gl[A-Z]\w*|egl[A-Z]\w*)\s*\(", header))
     check(len(declared) > 400, "the headers declare hardly anything")
     check(declared <= shown, f"libspangle.so does not show {sorted(declared - shown)[:10]}")
-    # What users may name: the rasterizer, and the tiers' knobs, which are variables of a public header.
+    # Users may name the rasterizer, and the tiers' knobs, which are variables of a public header.
     inner = [name for name in shown if re.match(r"spangle::(gl|egl)::|spangle::raster::(?!Rasterizer::|FragmentState::|clear|(exact|balanced|fast)_knobs$)", name)]
     check(not inner, f"libspangle.so shows what is internal: {inner[:10]}")
     print(compiled(prefix, HELLO / "hello.cpp", outside / "hello_pc", "spangle-gl", "spangle-sim"), end="")
@@ -116,7 +116,7 @@ if(TARGET spangle)
     message(STATUS "there is a command line")
 endif()
 """
-# As if the system had none of what the command line, pictures and real buses are made of.
+# CMake's options that make it find none of the packages for the command line, pictures and real buses.
 BARE = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in ("CLI11", "fmt", "nlohmann_json", "PkgConfig", "GTest")]
 
 
@@ -125,7 +125,7 @@ def subdirectory(outside):
     (outside / "own.cpp").write_text("int main() { return 0; }\n")
 
     def optimized(name, *options):
-        """What configuring says, and the -O flags that Spangle's sources and the project's own source are compiled with."""
+        """Configures a project. Returns what CMake says, and the -O flags of Spangle's sources and of the project's own source."""
         environment = {key: value for key, value in os.environ.items() if key not in ("CXXFLAGS", "CMAKE_BUILD_TYPE")}
         done = subprocess.run(["cmake", "-S", outside, "-B", outside / name, "-G", "Ninja", *options], capture_output=True, text=True, env=environment)
         check(done.returncode == 0, f"{name}: configuring fails:\n{done.stdout}{done.stderr}")

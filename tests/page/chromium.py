@@ -1,4 +1,4 @@
-"""Debian's Chromium without a window, driven by the DevTools protocol over a pair of pipes."""
+"""Drives Debian's Chromium without a window, by the DevTools protocol over a pair of pipes."""
 import base64
 import json
 import os
@@ -8,13 +8,13 @@ import time
 
 
 class Page:
-    """One tab. `complaints` are what its console, its scripts and its network said of errors."""
+    """One tab. `complaints` holds the errors that its console, its scripts and its network reported."""
 
     def __init__(self, program, profile, width, height, *, phone=False):
         to_browser, self.out = os.pipe()
         self.into, from_browser = os.pipe()
 
-        def pipes():  # the protocol is spoken on descriptors 3 and 4
+        def pipes():  # Chromium speaks the protocol on descriptors 3 and 4
             first, second = (os.dup(fd) for fd in (to_browser, from_browser))
             high = [os.dup2(fd, 100 + i) for i, fd in enumerate((first, second))]
             os.dup2(high[0], 3)

@@ -18,7 +18,7 @@ sys.path.insert(0, str(ROOT / "host_sim/tools"))
 import png  # noqa: E402
 MOST_BYTES = 2 * 1024 * 1024
 DOWN = ("ArrowDown", 40)
-# Changes with every picture, and with nothing else.
+# A hash that changes with every picture of the glass, and with nothing else.
 GLASS = """(() => { const c = document.getElementById("glass"); let h = 5381;
     for (const byte of c.getContext("2d").getImageData(0, 0, c.width, c.height).data) h = (h * 33 ^ byte) >>> 0; return h; })()"""
 COLORS = """(() => { const c = document.getElementById("glass");
@@ -43,14 +43,14 @@ def well(page, where):
 
 
 def compared(page, native):
-    """Waits until the page has compared itself, and holds it to what it says."""
+    """Waits until the page has compared itself with the native hashes, and checks what the page says."""
     page.until("!document.getElementById('badge').classList.contains('pending')")
     page.until(f"document.querySelectorAll('#results tr').length === {native}")
     return text(page, "#badge"), page.ask("document.querySelectorAll('#results .different').length")
 
 
 def walk(page, name, glass_differs):
-    """Every option of a select, by the keyboard, as Chromium lets a person do it."""
+    """Chooses every option of a select by the keyboard, as Chromium lets a person do it."""
     count = page.ask(f"document.getElementById('{name}').length")
     page.ask(f"(() => {{ const e = document.getElementById('{name}'); e.value = 0; e.dispatchEvent(new Event('change')); }})()")
     seen = {page.ask(GLASS)}
@@ -65,7 +65,7 @@ def walk(page, name, glass_differs):
 
 def switches(page):
     page.click("#pause")
-    walk(page, "scene", lambda n: n - 2)  # S1 clears only, and what a tiny scene shows may be another's
+    walk(page, "scene", lambda n: n - 2)  # S1 only clears, and a tiny scene may show what another scene does
     page.ask("(() => { const e = document.getElementById('scene'); e.value = 6; e.dispatchEvent(new Event('change')); })()")
     pictures, sizes = set(), set()
     for tier in (0, 1, 2):
@@ -78,7 +78,7 @@ def switches(page):
     walk(page, "format", lambda n: 2)
     walk(page, "board", lambda n: n // 2)
     page.ask("(() => { const e = document.getElementById('board'); e.value = 0; e.dispatchEvent(new Event('change')); })()")
-    # The viewer walks around what stands still, and comes back.
+    # The viewer can walk around a scene that stands still, and comes back to the first view.
     front = page.ask(GLASS)
     page.drag("#glass", 90, 30)
     aside = page.ask(GLASS)
@@ -140,7 +140,7 @@ def main():
                 words.picture.write_bytes(png.write(png.read((words.folder / "desk.png").read_bytes())[2]))
             switches(page)
             check(not page.complaints, f"the console: {page.complaints}")
-        # One wrong digit of a native hash must be seen.
+        # The page must notice one wrong digit of a native hash.
         wrong = place / "wrong.html"
         wrong.write_text(re.sub(r'(\[0, 4, 1, 0, ")(.)', lambda m: m[1] + ("1" if m[2] == "0" else "0"), html, count=1))
         with Page(browser, place / "phone", 390, 844, phone=True) as page:

@@ -51,7 +51,7 @@ def main():
         wires = json.loads(run("HUD", "--tiers", "balanced", "--size", "160x120", "--out", str(out), "--json").stdout)
         chain = sum(key["pixels"] for key in wires["keys"] if not key["fused"]) / sum(key["pixels"] for key in wires["keys"])
         check(wires["chain"] is True and chain > 0 and abs(chain - wires["chain_percent"] / 100) < 1e-6, f"HUD: {wires['chain_percent']} %")
-        # Without the sources there is no firmware: one sentence says so, and no page is written.
+        # Without the sources there is no firmware: the program says so in one sentence, and writes no page.
         page = folder / "page.html"
         bare = subprocess.run([sys.argv[1], "profile", "S5", "--tiers", "balanced", "--size", "80x60", "--out", str(out), "--report", str(page)],
                               capture_output=True, text=True, env=os.environ | {"SPANGLE_SOURCES": str(folder)})

@@ -27,18 +27,18 @@ from firmware import outfile  # noqa: E402
 
 TOOL, RECORD, DOCUMENT = ROOT / "host_sim/profile/firmware/measure.py", HERE / "measured.json", ROOT / "docs/profiles.md"
 TIER, SKIPPED = "balanced", 77
-FIRST, END = 1, 5  # the frames of programs that are counted: those that profile_of records
+FIRST, END = 1, 5  # the frames of programs that are counted; profile_of records the same
 TRACES = {"imgui": ROOT / "tests/programs/traces/imgui.trace", "xs-gears": ROOT / "tests/programs/traces/xs-gears.trace", "cage": HERE / "traces/cage.trace"}
-# What the page says of the ten that it names.
+# What the page says of the ten programs that it names.
 TEN = {"gouraud_cube": "a cube with a colour in each corner", "sprites_only": "sprites, blended", "lit_parallel": "lit, without textures, in parallel",
        "lit_perspective": "lit, without textures, in perspective", "HUD": "needles, numbers and lines", "terrain_fog": "terrain in fog",
        "particles": "particles that add up", "imgui": "a page of Dear ImGui (trace)", "xs-gears": "gears of xscreensaver (trace)", "cage": "cage of xscreensaver (trace)"}
 FIGURES = ("flash", "ram", "instructions")
-DRIFT = 0.03  # of a figure: what other changes may move it by before it is recorded anew
+DRIFT = 0.03  # share of a figure by which other changes may move it before it is recorded again
 
 
 def words_of(name):
-    """What names the program to measure.py."""
+    """Returns the words that name the program to measure.py."""
     if name in TRACES:
         return ["--trace", str(TRACES[name]), "--first", "1", "--end", "4"]
     if name in firmware.SCENES:
@@ -56,7 +56,7 @@ def record_words(tools, name, path):
 
 
 def holds_host(name, said, told):
-    """Firmware draws what this machine draws, and counts for each state key what was recorded here."""
+    """Checks that firmware draws what this machine draws, and counts for each state key what was recorded here."""
     frames = re.findall(r"^frame ([0-9A-F]+)$", said, re.M)
     check([int(frame, 16) for frame in told["profiled"]["frames"][1:]] == [int(frame, 16) for frame in frames],
           f"{name}: the board draws {told['profiled']['frames']}, this machine {frames} from the second on")
@@ -75,7 +75,7 @@ def holds(name, told):
     check(told["same_bytes"], f"{name}: the profile draws {profiled['frames']}, the whole library {whole['frames']}")
     check(profiled["flash"] < whole["flash"] and profiled["ram"] < whole["ram"], f"{name}: the profile takes no less")
     check(profiled["instructions"] < whole["instructions"] * 1.02, f"{name}: the profile is slower")
-    # What lines cost is nearly all of the frame; the rest is the program's own.
+    # The lines take nearly all of the frame; the rest belongs to the program itself.
     share = sum(line["instructions"] for line in lines) / profiled["instructions"]
     check(0.5 < share < 1.02, f"{name}: its lines cost {share:.2f} of the frame")
     place = rf"^{re.escape(TRACES[name].name)}:\d+$" if name in TRACES else r"\.(cpp|hpp):\d+$"

@@ -25,7 +25,7 @@ from checks import check, failures  # noqa: E402
 from chromium import Page  # noqa: E402
 
 SKIPPED = 77
-# In place of measure.py: one key has figures in both builds, each line and folder one of its own.
+# A script in place of measure.py. One key has figures in both builds, and each line and folder has a figure of its own.
 FIGURES = """import json, sys
 path = sys.argv[sys.argv.index("--out") + 1]
 assert sys.argv[sys.argv.index("--size") + 1] == "96x64", sys.argv
@@ -39,7 +39,7 @@ ROWS = """[...document.querySelectorAll("table")].map(table => [...table.rows].m
 
 
 def missing(part):
-    """What is not installed."""
+    """Returns what is not installed."""
     wanted = ["chromium"] + (["Xvfb", "glxgears", "apitrace", "eglretrace"] if part == "program" else [])
     return [name for name in wanted if shutil.which(name) is None] + (firmware.missing(["cortex-m4"]) if part != "figures" else [])
 
@@ -49,7 +49,7 @@ def grouped(number):
 
 
 def figures_of(told):
-    """(what, whole, profiled) of each row that compares the two builds."""
+    """Returns (what, whole, profiled) of each row that compares the two builds."""
     whole, profiled = told["firmware"]["whole"], told["firmware"]["profiled"]
     rows = [("flash, bytes", whole["flash"], profiled["flash"]), ("RAM beside the buffers, bytes", whole["ram"], profiled["ram"])]
     rows += [(f"of it {part}", whole["ram_of"][part], profiled["ram_of"][part]) for part in ("variables", "arena", "stack")]
@@ -57,7 +57,7 @@ def figures_of(told):
 
 
 def hold_page(page, folder, told):
-    """What a reader sees is what was measured."""
+    """Checks that a reader of the page sees what was measured."""
     html = page.read_text()
     check(not re.search(r"(src|href)=\"(?!data:)", html), "the page needs another file")
     with Page(shutil.which("chromium"), folder / "browser", 1000, 900) as browser:
@@ -95,7 +95,7 @@ def hold_text(text, told):
 
 
 def hold_cmake(path, folder):
-    """CMake takes the file, and builds with the definitions that the tools of boards read in it."""
+    """Checks that CMake takes the file, and builds with the definitions that the tools of boards read in it."""
     done = subprocess.run(["cmake", "-S", str(ROOT), "-B", str(folder / "cmake"), "-G", "Ninja", f"-DSPANGLE_PROFILE={path}", "-DSPANGLE_TESTS=OFF",
                            "-DSPANGLE_HOST=OFF", "-DSPANGLE_CLI=OFF", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"], capture_output=True, text=True)
     check(done.returncode == 0, f"CMake does not take the profile: {done.stderr[-2000:]}")
@@ -108,7 +108,7 @@ def hold_cmake(path, folder):
 
 
 def report(spangle, folder, words, environment):
-    """The report of one program as JSON; the page and the profile lie in the folder."""
+    """Returns the report of one program as JSON. The page and the profile lie in the folder."""
     command = [spangle, "profile", "--tiers", "balanced", "--out", str(folder / "own.cmake"), "--report", str(folder / "page.html")]
     done = subprocess.run([*command, "--json", *words], capture_output=True, text=True, env=os.environ | environment)
     check(done.returncode == 0, f"{words} is not reported: {done.stdout[-1000:]}{done.stderr[-2000:]}")
@@ -135,7 +135,7 @@ def figures(spangle, folder, _):
 
 
 def cheaper(told):
-    """What a real profile is made for."""
+    """Checks that a real profile makes the image smaller and faster."""
     whole, profiled = told["firmware"]["whole"], told["firmware"]["profiled"]
     check(profiled["flash"] < whole["flash"] / 2 and profiled["ram"] < whole["ram"], f"the profile saves little: {whole} {profiled}")
     check(len(told["firmware"]["lines"]) > 2, f"lines are missing: {told['firmware']['lines']}")

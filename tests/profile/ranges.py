@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""A Debug build takes the ranges of its profile, and any build that asks for them; a Release is compiled as if there were none.
+"""Tests that a Debug build takes the ranges of its profile, as does any build that asks for them. A Release is compiled as if there were
+none.
 
 usage: ranges.py
 """
@@ -20,7 +21,7 @@ TOLD = {"SPANGLE_CHECK_RANGES=1", "SPANGLE_RANGE_LINE_WIDTH=3", "SPANGLE_RANGE_C
 
 
 def configure(folder, path, *options):
-    """(what CMake says, the definitions about ranges)"""
+    """Returns (what CMake says, the definitions about ranges)."""
     done = subprocess.run(["cmake", "-S", str(ROOT), "-B", str(folder), "-G", "Ninja", f"-DSPANGLE_PROFILE={path}", "-DSPANGLE_HOST=OFF", "-DSPANGLE_TESTS=OFF",
                            "-DSPANGLE_LINUX=OFF", *options], capture_output=True, text=True)
     if done.returncode != 0:

@@ -25,7 +25,7 @@ from checks import check, failures  # noqa: E402
 FLAGS = ["-std=c++20", "-O0", "-Wall", "-Wextra", "-Werror", "-fno-exceptions", "-fno-rtti", "-ffp-contract=off", *firmware.INCLUDES]
 
 
-SCENES = ["HUD", "S3", "S4r", "S5", "S7", "S9", "CUBE"]  # beside the programs of its list, what all others are
+SCENES = ["HUD", "S3", "S4r", "S5", "S7", "S9", "CUBE"]  # with the programs of the tool's list these are what `--others all` means
 
 
 def frames(text):
@@ -33,19 +33,19 @@ def frames(text):
 
 
 def record(tool, name, tier, path, small):
-    """What PROFILE_OF prints."""
+    """Returns what PROFILE_OF prints."""
     done = subprocess.run([tool, name, tier, str(path), *(["small"] if small else [])], capture_output=True, text=True)
     check(done.returncode == 0, f"{name} is not recorded: {done.stdout}{done.stderr}")
     return done.stdout
 
 
 def known_options():
-    """Names of what a build may leave out or limit: a message that names none of them helps nobody."""
+    """Returns the names of what a build may leave out or limit; a useful message names one of them."""
     return {f"SPANGLE_{name}" for name in profile.limits()} | {f"SPANGLE_FEATURE_{name}" for name in profile.features()} | {"SPANGLE_FUSED"}
 
 
 def build(compiler, tier, path, folder):
-    """The programs on a build of this profile, or how that fails."""
+    """Builds the programs in this profile. Returns the program, or how the build fails."""
     defines = [f"-D{definition}" for definition in profile.definitions(str(path))]
     own = [f"-DPROFILE_PRECISION=EGL_PRECISION_{tier.upper()}_SPANGLE"]
     drawing = [*(HERE / "programs").glob("*.cpp"), *(ROOT / "boards/scenes").glob("*.cpp")]
@@ -53,7 +53,7 @@ def build(compiler, tier, path, folder):
 
     def compile_one(source):
         target = folder / (str(source.relative_to(ROOT)).replace("/", "_") + ".o")
-        # Programs know nothing of the build below them.
+        # The programs themselves do not depend on the build of the library.
         chosen = own if source == HERE / "draw.cpp" else [] if source in drawing else defines
         done = subprocess.run([*firmware.CCACHE, compiler, *FLAGS, *firmware.sound_calls(compiler), *chosen, "-ffunction-sections", "-c", str(source), "-o", str(target)],
                               capture_output=True, text=True)
@@ -69,12 +69,12 @@ def build(compiler, tier, path, folder):
 
 
 def draw(program, name):
-    """Exit status, and lines of what a program drew, raised and was told: frames, errors, messages."""
+    """Returns the exit status, and what a program drew, raised and was told, as lines: frames, errors, messages."""
     done = subprocess.run([str(program), name], capture_output=True, text=True)
     return done.returncode, done.stdout.splitlines()
 
 
-# What follows from a command that was refused by an option, and whose own message names none: it ends what did not begin.
+# A call that an option refused may cause a second error whose message names no option: glEnd ends what did not begin.
 FOLLOWS = {"message glEnd: no glBegin came before": "message glBegin: this build", "message glPopMatrix: the stack has nothing to pop": "message glPushMatrix: the stack is full"}
 
 
@@ -83,7 +83,7 @@ def first_error(lines):
 
 
 def hold_other(name, other, status, lines, whole, known):
-    """What another program did on the profile of `name`: all of it as on the whole library, or that up to its first error."""
+    """Checks what another program did on the profile of `name`: all of it as on the whole library, or everything until its first error."""
     end = first_error(lines)
     drawn, expected = frames("\n".join(lines[:end])), frames(whole)
     check(drawn == expected[:len(drawn)], f"{other} on the profile of {name} draws something else, and no error says so: {drawn}, not {expected}")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of host_sim/profile/firmware's tools without a compiler and an emulator: what is read, added up and refused.
+"""Tests the tools of host_sim/profile/firmware without a compiler and an emulator: what they read, add up and refuse.
 
 usage: tool_test.py
 """
@@ -18,7 +18,7 @@ ENTRIES = replay.entry_points()
 
 
 def emulated(text, function, *arguments):
-    """What the function makes of an image that prints this."""
+    """Returns what the function makes of an image that prints this text."""
     before, figures.firmware.emulate = figures.firmware.emulate, lambda *_, **__: text
     try:
         return function(*arguments)
@@ -81,7 +81,7 @@ def calls():
 
 
 def traced(*calls):
-    """frames_of a trace with these calls."""
+    """Returns frames_of a trace with these calls."""
     before, replay.calls_of = replay.calls_of, lambda _: iter(calls)
     try:
         return replay.frames_of(None, 2)

@@ -51,12 +51,14 @@ def choices_of_minimal():
 
 
 def choices():
-    """{profile: {text: definitions that replace its own; None takes one away}}. Features are measured by tests/bench/features.py."""
+    """Returns {profile: {text: definitions that replace the profile's own; None takes one away}}. tests/bench/features.py measures
+    features.
+    """
     return {"whole": {"": {}, **choices_of_whole()}, "minimal": {"": {}, **choices_of_minimal()}}
 
 
 def definitions(name, changes):
-    """Of a profile, with these."""
+    """Returns the definitions of a profile with these changes."""
     says = dict(definition.split("=", 1) for definition in profile.definitions(name))
     says.update(changes)
     return [f"-D{key}={value}" for key, value in says.items() if value is not None]

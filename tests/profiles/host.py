@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Profiles on a host: the command line is built of what a profile has, without a warning, and draws in the first tier there is.
+"""Tests profiles on a host: the command line builds with what a profile has, without a warning, and draws in the first tier there is.
 
 usage: host.py FOLDER [CMAKE OPTIONS...]
 
-FOLDER keeps the builds, so that the next run takes what is there.
+FOLDER keeps the builds, so that the next run uses them.
 """
 import json
 import pathlib
@@ -14,7 +14,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))
 from checks import check, failures  # noqa: E402
 
-# The tier that is taken, a scene that the profile draws, and one that it does not, with what it lacks.
+# The first tier of each profile, a scene that the profile draws, and a scene that it does not, with what the profile lacks for it.
 PROFILES = {"minimal": ("fast", "S1", "S5", "SPANGLE_FULL_LIGHTING"), "first_slice": ("balanced", "BAKED", "S5", "SPANGLE_FEATURE_LISTS")}
 
 

@@ -28,18 +28,18 @@ from firmware import outfile  # noqa: E402
 
 GOLDEN = HERE / "golden.json"
 TARGET, BOARD, FRAMES = "cortex-m4", "mps2_an386", 3
-BUFFERS = 320 * 240 * (2 + 2)  # colour and depth of its screen
+BUFFERS = 320 * 240 * (2 + 2)  # bytes of the screen's colour and depth
 MACHINE = ["qemu-system-arm", "-M", "mps2-an386"]
 HOT = tuple(f"raster/span/fused_part_{part}.cpp" for part in range(8))
 
 
 @dataclasses.dataclass(frozen=True)
 class Subject:
-    goal: int  # bytes of text; 0: none is set
-    ram_goal: int  # bytes beyond colour and depth; 0: none is set
+    goal: int  # bytes of text; 0: there is no goal
+    ram_goal: int  # bytes beyond colour and depth; 0: there is no goal
     precision: str
-    scenes: tuple  # whose pictures are held against the whole library's; of an own program: its name
-    later: bool = False  # measured with commands later than GL 1.3, too
+    scenes: tuple  # scenes whose pictures are compared with the whole library's; for a program of its own, its name
+    later: bool = False  # whether it is measured with commands later than GL 1.3, too
 
 
 SUBJECTS = {
@@ -48,18 +48,20 @@ SUBJECTS = {
     "gl13": Subject(128 * 1024, 0, "BALANCED", ("BAKED", "S4b", "S5", "S6", "S8", "S9")),
     "whole": Subject(0, 0, "BALANCED", ("BAKED", "HUD", "S4b", "S5", "S6", "S7", "S8", "S9"), later=True),
 }
-GL_BYTES = 64 * 1024  # what the whole library keeps of boards/minimal, at most
-CONFIG = 5  # of those of the whole library the one that the profile minimal has, with depth: three tiers without come first
+GL_BYTES = 64 * 1024  # bytes that the whole library keeps of boards/minimal, at most
+CONFIG = 5  # the config of the whole library that the profile minimal has, with depth; three tiers without depth come first
 
 
 def later_rows():
-    """Rows of the feature matrix that a GL after 1.3 brought: their names say which."""
+    """Returns the rows of the feature matrix that a GL after 1.3 brought. The names of the rows say which."""
     rows = json.loads((command_table.API / "commands/rows.json").read_text())
     return {row["id"] for row in rows if re.search(r"\(GL (1\.[4-9]|[2-9])", row["name"])}
 
 
 def commands(definitions, later):
-    """The commands that a build holds. Not `later`: of GL 1.3, without those that an extension or OpenGL ES named."""
+    """Returns the commands that a build holds. If not `later`, they are those of GL 1.3, without commands that an extension or OpenGL ES
+    named.
+    """
     off = set(re.findall(r"SPANGLE_FEATURE_(\w+)=0", " ".join(definitions)))
     beyond = set() if later else later_rows()
 
@@ -72,7 +74,7 @@ def commands(definitions, later):
 
 
 def image(build, name, library, sources, emulated, defines=(), keep=(), lto=False):
-    """These sources with start-up, on the board, as an image."""
+    """Adds an image of these sources with the board's start-up code."""
     paths = [*sources, *(path for path in firmware.startup(TARGET) if emulated or path.parent.name != "emulated")]
     own = [build.compile(TARGET, "-Os", path, defines, name, lto) for path in paths]
     script = build.folder / f"{name}.ld"
@@ -82,7 +84,7 @@ def image(build, name, library, sources, emulated, defines=(), keep=(), lto=Fals
 
 
 def demo(build, name, library, scenes, subject, lto=False):
-    """The demo of these scenes, which tells of its frames, as an image."""
+    """Adds an image of the demo of these scenes, which reports its frames."""
     defines = ["-DDEMO_SCENES=" + ",".join(f"&scenes::{firmware.SCENES[scene]}" for scene in scenes),
                f"-DDEMO_PRECISION=EGL_PRECISION_{subject.precision}_SPANGLE"]
     sources = [ROOT / path for path in ("boards/demo/main.cpp", "boards/demo/demo.cpp", "boards/demo/report_semihosting.cpp", f"boards/{BOARD}/board.cpp")]
@@ -90,19 +92,19 @@ def demo(build, name, library, scenes, subject, lto=False):
 
 
 def minimal(build, name, library, emulated, defines, keep=(), lto=False):
-    """The program of boards/minimal as an image; emulated, one that tells of its frames."""
+    """Adds an image of the program of boards/minimal; if emulated, the image reports its frames."""
     sources = [HERE / "minimal.cpp" if emulated else ROOT / "boards/minimal/main.cpp", *(ROOT / f"boards/minimal/{file}.cpp" for file in ("rocket", "screen"))]
     return image(build, name, library, sources, emulated, defines, keep, lto)
 
 
 def sized(build, name, library, defines, later):
-    """The program of boards/minimal with the commands of a profile, of which the text is measured."""
-    kept = commands(defines, later)  # and what chooses a config, which that program does not
+    """Adds an image of the program of boards/minimal with the commands of a profile. The text of this image is measured."""
+    kept = commands(defines, later)  # and the command that chooses a config, which that program does not call
     return minimal(build, f"{name}_size", library, False, [*defines, f"-DMINIMAL_GL_BYTES={GL_BYTES}"], [*kept, "eglChooseConfig"], lto=True)
 
 
 def images_of(name, build, everything, library, defines):
-    """The one that is measured, the one whose pictures are held against those of the third."""
+    """Adds the three images of a profile: one is measured, and the pictures of the second are compared with those of the third."""
     subject = SUBJECTS[name]
     if name == "minimal":
         return (minimal(build, f"{name}_size", library, False, defines, lto=True), minimal(build, f"{name}_pictures", library, True, defines, lto=True),
@@ -133,7 +135,7 @@ def run(image):
 
 
 def model_bytes(image):
-    """Of baked meshes and textures, and the tables of scenes: not the library's."""
+    """Returns the bytes of baked meshes, textures and tables of scenes, which are not the library's."""
 
     listing = subprocess.run(["arm-none-eabi-nm", "-S", "-C", str(image)], capture_output=True, text=True, check=True).stdout
     return sum(int(size, 16) for size in re.findall(r"^\w+ (\w+) \w spangle::baked::", listing, re.M))
@@ -143,7 +145,7 @@ DOCUMENT = ROOT / "docs/profiles.md"
 
 
 def with_table(text, name, table):
-    """The document with another table of that name."""
+    """Returns the document with another table of that name."""
     before, rest = text.split(f"<!-- table: {name} -->\n")
     return f"{before}<!-- table: {name} -->\n{table}<!-- end -->" + rest.split("<!-- end -->", 1)[1]
 
@@ -165,13 +167,13 @@ def text_of(image):
 
 
 def ram_of(image, memory):
-    """Beyond the buffers of the screen: variables, what the arena gave at most, the deepest stack."""
+    """Returns the RAM beyond the screen's buffers: variables, the peak of the arena, and the deepest stack."""
     size = firmware.sizes(TARGET, image)
     return sum(size.get(section, 0) for section in (".data", ".bss", ".noinit")) - memory["arena"] + memory["peak"] + memory["stack"] - BUFFERS
 
 
 def measure(names, folder):
-    """{profile: ({"text", "ram": bytes}, {scene: [hash]}, {scene: [hash] of the whole library})}"""
+    """Returns {profile: ({"text", "ram": bytes}, {scene: [hash]}, {scene: [hash] of the whole library})}."""
     build = firmware.Build(folder)
     images = {}
     everything = build.library(TARGET, (), "everything")

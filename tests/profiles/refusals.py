@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Builds the library for this host in each profile and runs refusals.cpp on it; holds CMake's definitions against profile.py's.
+"""Builds the library for this host in each profile and runs refusals.cpp on it. Compares CMake's definitions with those of profile.py.
 
 usage: refusals.py COMPILER
 """
@@ -22,7 +22,7 @@ FLAGS = ["-std=c++20", "-O1", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-f
 
 
 def build_and_run(compiler, name, folder):
-    """What the program prints, or how the build fails."""
+    """Returns what the program prints, or how the build fails."""
     defines = [f"-D{definition}" for definition in profile.definitions(name)]
     sources, sound = [path for _, path in firmware.sources()] + [HERE / "refusals.cpp"], firmware.sound_calls(compiler)
 
@@ -43,7 +43,7 @@ def build_and_run(compiler, name, folder):
 
 
 def cmake_definitions(name, folder):
-    """Of a source that all rooms' definitions reach."""
+    """Returns CMake's definitions of a source that the definitions of all rooms reach."""
     subprocess.run(["cmake", "-S", str(ROOT), "-B", str(folder), "-G", "Ninja", f"-DSPANGLE_PROFILE={name}", "-DSPANGLE_TESTS=OFF", "-DSPANGLE_HOST=OFF"],
                    check=True, capture_output=True)
     for entry in json.loads((folder / "compile_commands.json").read_text()):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Where the text of the scene profiles is: bytes of instructions by the folder whose source they come from, what was put in line with
-its own source, of the images that profiles.py measures; constants are a row of their own.
+"""Measures where the text of the scene profiles is, in the images that profiles.py measures: bytes of instructions by the folder of their
+source. Inlined code counts for its own source, and constants are a row of their own.
 
 usage: rooms.py [--build FOLDER]
 
@@ -17,7 +17,7 @@ import tempfile
 import profiles
 from profiles import DOCUMENT, ROOT, SUBJECTS, TARGET, firmware, outfile, profile
 
-ROOMS = {  # folder: what is there
+ROOMS = {  # {folder: what is there}
     "gl/api": "entry points, arguments",
     "gl/context": "state, queries, memory",
     "gl/vertex": "vertices, matrices, lights, clipping, primitives",
@@ -36,7 +36,7 @@ CONSTANTS, OTHERS = "constants", "compiler's and C++ library"
 
 
 def room_of(source):
-    """The first of ROOMS that a source file is in."""
+    """Returns the first of ROOMS that a source file is in."""
     path = pathlib.PurePath(source)
     if not path.is_relative_to(ROOT):
         return OTHERS
@@ -45,14 +45,14 @@ def room_of(source):
 
 
 def instructions(image):
-    """{address: bytes}"""
+    """Returns {address: bytes} of an image's instructions."""
     listing = subprocess.run([firmware.TARGETS[TARGET].prefix + "objdump", "-d", str(image)], capture_output=True, text=True, check=True).stdout
     found = re.findall(r"^\s*([0-9a-f]+):\t([0-9a-f]+(?: [0-9a-f]+)*)\s*\t(?!\.)", listing, re.M)
     return {int(address, 16): len(code.replace(" ", "")) // 2 for address, code in found}
 
 
 def measure(image):
-    """{room: bytes}"""
+    """Returns {room: bytes}."""
     sizes = instructions(image)
     said = subprocess.run([firmware.TARGETS[TARGET].prefix + "addr2line", "-e", str(image)], input="\n".join(map(hex, sizes)),
                           capture_output=True, text=True, check=True).stdout
@@ -64,7 +64,7 @@ def measure(image):
 
 
 def images(build):
-    """What profiles.py measures, each with what tells of its sources: of the same instructions."""
+    """Yields (name, image) of what profiles.py measures, built with debug information, which changes no instruction."""
     for name, subject in SUBJECTS.items():
         defines = [*(f"-D{definition}" for definition in profile.definitions(name)), "-g"]
         library = build.library(TARGET, defines, name, hot=profiles.HOT, lto=True)

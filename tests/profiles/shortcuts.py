@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Measures what SPANGLE_SHORTCUTS 0 costs: instructions of a frame on an emulated Cortex-M4, by profiles that say so, with the setting
-as they have it and with 1, and the text of the scene's image.
+"""Measures what SPANGLE_SHORTCUTS 0 costs on an emulated Cortex-M4. For each profile with this setting it compares the setting with 1:
+instructions of a frame, and the text of the scene's image.
 
 usage: shortcuts.py [--build FOLDER] [--table]
 
@@ -23,7 +23,7 @@ SCENES = {"first_slice": ("S3", "S6", "S7", "S9"), "whole": ("S3", "S5", "S6", "
 
 
 class Programs(mcu.Programs):
-    """Images of the bench, of a profile with these shortcuts."""
+    """The images of the bench, in a profile with this setting of SPANGLE_SHORTCUTS."""
 
     def __init__(self, name, shortcuts, folder):
         board, self.cpu = mcu.BOARDS["m4"]
@@ -43,7 +43,7 @@ class Programs(mcu.Programs):
 
 
 def measure(name, shortcuts, folder):
-    """{scene: Result}"""
+    """Returns {scene: Result}."""
     programs = Programs(name, shortcuts, folder / f"{name}_{shortcuts}")
     images = {scene: programs.scene(scene) for scene in SCENES[name]}
     programs.build.run()

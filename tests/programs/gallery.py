@@ -31,22 +31,23 @@ ROOT = HERE.parents[1]
 MADE = ROOT / "build/gallery"
 TABLE, PICTURE, PAGE = HERE / "gallery.csv", ROOT / "docs/pictures/programs.png", ROOT / "docs/programs.md"
 COLUMNS = ("program", "suite", "verdict", "reason")
-# Frames, and the size of windows: a program that shows one colour is run again for longer, at last in a window as it has it by itself.
+# Frames of a run, and sizes of windows. A program that shows one colour is run again for longer, at last in a window of its own size.
 STARTS, SECONDS = ((20, "320x240"), (100, "320x240"), (400, "320x240"), (20, None), (400, None)), 120
-PICTURES = 10  # of a replay
+PICTURES = 10  # pictures of a replay that are compared
 PAIR = ("libGL.so.1", "libEGL.so.1", "libOpenGL.so.0", "libGLX.so.0")
-TRIES = 2  # Events of X still come when they come, and a helper may be late.
-# Verdicts that tell nothing about Spangle. A check takes them on any line: they come of a machine that is busy.
+TRIES = 2  # runs of a program: events of X come at their own time, and a helper may be late
+# Verdicts that tell nothing about Spangle, because they come of a machine that is busy. A check accepts them on any line.
 EMPTY, SLOW = "draws nothing", "Mesa takes too long"
 DIFFER, SMOOTH = "pictures differ", "smooth edges differ"
-LEAST_DRAWN = 0.1  # This many of a hundred pixels must not have the commonest colour.
+LEAST_DRAWN = 0.1  # percentage of pixels that must not have the commonest colour
 SAVER_SETTINGS = {"textMode": "literal", "textLiteral": "Words for savers that show some.", "chooseRandomImages": True,
                   "grabDesktopImages": False, "grabVideoFrames": False, "imageDirectory": PICTURE.parent}
 BOARD, SHEET_FRAMES, ACROSS, GAP, PAPER, MOST_BYTES = "ili9341", 60, 4, 8, (255, 255, 255), 400_000
 
 
 def build(source, *flags):
-    """Compiles a file of this folder, or of any by its whole path; gives the program or library, which carries the file's first name."""
+    """Compiles a file of this folder, or of any folder by its whole path. Returns the program or library, which has the file's first name.
+    """
     MADE.mkdir(parents=True, exist_ok=True)
     made = MADE / pathlib.Path(source).stem
     ended = run(["c++" if str(source).endswith("pp") else "cc", "-O1", HERE / source, "-o", made, *flags], dict(os.environ))
@@ -56,14 +57,15 @@ def build(source, *flags):
 
 
 def build_imgui():
-    """The program with Dear ImGui, or nothing where its headers are missing."""
+    """Returns the program with Dear ImGui, or None where its headers are missing."""
     flags = run(["pkg-config", "--cflags", "--libs", "imgui", "glfw3", "sdl2", "gl"], dict(os.environ))
     return build("imgui_demo.cpp", *flags.words.split()) if flags.status == 0 else None
 
 
 def environment_of(base, display, home):
-    """A home of its own without sound, where SDL draws by OpenGL, and a clock that goes the same way in each run. Savers find
-    the programs there that give them pictures and words: a child that finds none ends, and writes into its parent's trace."""
+    """Returns the variables of a home without sound, where SDL draws by OpenGL and the clock goes the same way in each run. Savers find
+    there the programs that give them pictures and words: a child that finds none ends, and writes into its parent's trace.
+    """
     (home / ".asoundrc").write_text("pcm.!default { type null }\nctl.!default { type null }\n")
     outfile.write(home / ".xscreensaver", "".join(f"{name}: {value}\n" for name, value in SAVER_SETTINGS.items()))
     return base | {"DISPLAY": display, "HOME": str(home), "PATH": f"/usr/local/bin:/usr/bin:/bin:/usr/games:{HACKS}",
@@ -71,13 +73,13 @@ def environment_of(base, display, home):
 
 
 def drawn(picture):
-    """How many colours there are, and how many of a hundred pixels do not have the commonest one."""
+    """Returns the number of colours in a picture, and the percentage of pixels that do not have the commonest colour."""
     count = collections.Counter(pixel for row in picture.rows for pixel in row)
     return len(count), 100 - 100 * max(count.values()) / sum(count.values())
 
 
 def errors(words):
-    """How many errors of GL the retracer saw."""
+    """Returns the number of errors of GL that the retracer reported."""
     return len(re.findall(r"GL_INVALID_\w+|GL_STACK_\w+|GL_OUT_OF_MEMORY", words))
 
 
@@ -86,7 +88,7 @@ def last_line(words):
 
 
 def last_drawn(pictures, window):
-    """The number of the last picture whose window shows something; of the last one where none does."""
+    """Returns the number of the last picture whose window shows something, or of the last picture if none does."""
     empty = set()
     for at in range(len(pictures) - 1, -1, -1):
         file = pictures[at].read_bytes()
@@ -97,7 +99,7 @@ def last_drawn(pictures, window):
 
 
 def compare_frames(place, pair, trace, window):
-    """Replays a trace by all and compares two frames of its window; gives the verdict and its reason."""
+    """Replays a trace by all GLs and compares two frames of its window. Returns the verdict and its reason."""
     frames = some_frames(trace, PICTURES)
     ours, ended = replay(trace, spangle_environment(pair), place / "spangle", SECONDS, frames)
     theirs = {o: replay(trace, mesa_environment(o, "1.5"), place / o, SECONDS, frames) for o in ORACLES}
@@ -126,8 +128,9 @@ def compare_frames(place, pair, trace, window):
 
 
 def compare(place, pair, trace, window):
-    """Compares the frames of a trace. Where they differ and something is antialiased, they are compared without that, too: what a smooth
-    point or line covers is computed here, as GL wants, and estimated by Mesa."""
+    """Compares the frames of a trace. If they differ and something is antialiased, they are compared without antialiasing, too: Spangle
+    computes what a smooth point or line covers, as GL wants, and Mesa estimates it.
+    """
     verdict, reason = compare_frames(place, pair, trace, window)
     if verdict != DIFFER:
         return verdict, reason
@@ -141,7 +144,7 @@ def compare(place, pair, trace, window):
 
 
 def shown(program, environment, place):
-    """Runs a program until it shows something; gives the variables for that and, where it fails, a verdict and its reason."""
+    """Runs a program until it shows something. Returns the variables for that and, if the program fails, a verdict and its reason."""
     starts = [{"SPANGLE_FRAMES": str(frames)} | ({"SPANGLE_SIZE": size} if size else {}) for frames, size in STARTS]
     for start in starts:
         picture = place / "live.png"
@@ -158,7 +161,7 @@ def shown(program, environment, place):
 
 
 def judge(program, pair, display, place):
-    """Runs a program, records it and replays it; gives the verdict and its reason."""
+    """Runs a program, records it and replays it. Returns the verdict and its reason."""
     with tempfile.TemporaryDirectory() as home:
         environment = environment_of(spangle_environment(pair), display, pathlib.Path(home))
         start, verdict, reason = shown(program, environment, place)
@@ -181,7 +184,7 @@ def read_table():
 
 
 def counts(rows):
-    """The table of the page: how many programs of each suite pass."""
+    """Returns the page's table of how many programs of each suite pass."""
     suites = collections.Counter(row["suite"] for row in rows.values())
     passes = collections.Counter(row["suite"] for row in rows.values() if row["verdict"] == "passes")
     lines = [f"| {suite} | {passes[suite]} | {suites[suite] - passes[suite]} |" for suite, _ in suites.most_common()]
@@ -189,7 +192,7 @@ def counts(rows):
 
 
 def page_with(rows):
-    """The page with the counts of these rows."""
+    """Returns the page with the counts of these rows."""
     before, _, rest = PAGE.read_text().partition("<!-- counts -->\n")
     _, _, after = rest.partition("<!-- end -->")
     check(after, f"{PAGE.name} has no place for the counts")
@@ -197,20 +200,20 @@ def page_with(rows):
 
 
 def write_table(rows):
-    """The lines of the table by suite and name, and what the page says of them."""
+    """Returns the lines of the table by suite and name, and what the page says of them."""
     outfile.write(PAGE, page_with(rows))
     ordered = sorted(rows.values(), key=lambda row: (row["suite"], row["program"]))
     outfile.write_table(TABLE, [COLUMNS, *([row[column] for column in COLUMNS] for row in ordered)])
 
 
 def row_of(program, verdict, reason):
-    """A line of the table: what does not pass has what was measured, and what is known about it."""
+    """Returns a line of the table. For a program that does not pass, it has what was measured and what is known about it."""
     known = "" if verdict in ("passes", SMOOTH) else "; " + KNOWN.get(program.name, "unexplained")
     return {"program": program.name, "suite": program.suite, "verdict": verdict, "reason": reason + known}
 
 
 def run_programs(pair, programs):
-    """Runs programs one by one; the table is written after each, so that a run may be stopped."""
+    """Runs programs one by one, and writes the table after each, so that a run may be stopped."""
     rows = read_table()
     with xvfb() as display:
         for program in programs:
@@ -222,7 +225,7 @@ def run_programs(pair, programs):
 
 
 def check_part(pair, programs, parts):
-    """Judges one in `parts` of the table's lines again, other ones with each commit; a program that is not installed fails, too."""
+    """Judges one in `parts` of the table's lines again, other lines with each commit. A program that is not installed fails, too."""
     check(PAGE.read_text() == page_with(read_table()), f"{PAGE.name} counts others than {TABLE.name} has")
     known = {program.name: program for program in programs}
     with xvfb() as display:
@@ -242,7 +245,7 @@ def check_part(pair, programs, parts):
 
 
 def glass(spangle, program, display):
-    """What a panel shows of a program: rows of pixels."""
+    """Returns the rows of pixels that a panel shows of a program."""
     with tempfile.TemporaryDirectory() as home:
         picture = pathlib.Path(home) / "glass.png"
         environment = environment_of(spangle_environment(""), display, pathlib.Path(home))
@@ -256,7 +259,7 @@ def glass(spangle, program, display):
 
 
 def draw_sheet(spangle, programs):
-    """Draws the contact sheet: glasses side by side, as they are."""
+    """Draws the contact sheet: the glasses of all panels side by side, in their own size."""
     known = {program.name: program for program in programs}
     missing = [name for name in SHEET if name not in known]
     if missing:
@@ -286,7 +289,7 @@ def main():
     if options.check is not None and options.check < 1:
         parser.error("--check takes a number from 1 on")
     build_folder = options.build.resolve()
-    # GLU, for one, is linked with libOpenGL: where the system's is found, its calls go nowhere.
+    # Some libraries, GLU among them, are linked with libOpenGL. If the system's libOpenGL is found, their calls do not reach the pair.
     if not all((build_folder / "dropin" / name).exists() for name in PAIR):
         sys.exit(f"there is no complete drop-in pair in {options.build}; ./dev build makes it in build/host")
     need("Xvfb", "apitrace", "eglretrace")

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""What gallery.py rests on: the clock of same_run.c, which goes by what a program does, and the window's part of a picture."""
+"""Tests what gallery.py rests on: the clock of same_run.c, which depends only on what a program does, and the window's part of a picture.
+"""
 import json
 import os
 import pathlib
@@ -15,7 +16,7 @@ import png  # noqa: E402
 from harness import LAST_CALL, Picture, all_but, run, some  # noqa: E402
 
 START = 1700000000
-# Prints each reading of the clocks between other work; `busy` is how many turns it computes before each reading.
+# A program that prints each reading of the clocks between other work. It computes for `busy` turns before each reading.
 PROGRAM = """
 import json, os, select, subprocess, sys, time
 busy, words = int(sys.argv[1]), []
@@ -75,7 +76,7 @@ class Clock(unittest.TestCase):
         for times in (day, up):
             steps = [b - a for a, b in zip(times, times[1:])]
             for step, asked in zip(steps, (0, 250, 125, 0, 50)):
-                # Each reading of a clock takes a millisecond; Python itself reads it around what waits.
+                # Each reading of a clock takes a millisecond, and Python itself reads the clock around each wait.
                 self.assertGreaterEqual(step, (asked + 1) * 10**6)
                 self.assertLessEqual(step, (asked + 8) * 10**6)
 

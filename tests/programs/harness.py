@@ -1,7 +1,7 @@
-"""Runs programs that nobody here wrote with the drop-in pair, and with Mesa, and compares their pictures.
+"""Runs programs of other authors with the drop-in pair and with Mesa, and compares their pictures.
 
-A test names programs; this file knows how to run each kind (piglit, a trace, a program with a window) and when two pictures of two
-correct GLs are the same. Standard library only. The environment variable SPANGLE_KEEP names a folder where pictures stay.
+A test names programs; this module knows how to run each kind (piglit, a trace, a program with a window), and when the pictures of two
+correct GLs are the same. It uses the standard library only. The environment variable SPANGLE_KEEP names a folder where pictures stay.
 """
 import contextlib
 import functools
@@ -23,14 +23,15 @@ from checks import check, failures  # noqa: E402, F401
 SKIPPED = 77
 PIGLIT = pathlib.Path("/usr/lib/x86_64-linux-gnu/piglit/bin")
 ORACLES = ("softpipe", "llvmpipe")
-# Two correct GLs differ in edges and by rounding: pixels that are off by more, in a hundred, and steps of a component.
+# Two correct GLs differ at edges and by rounding. The limits are a percentage of pixels, and steps of a component within which a pixel is
+# equal.
 SPREAD = 0.1
 TRACE_STEPS = 16
 LAST_CALL = 2**32 - 1  # apitrace's largest number of a call, which no trace reaches
 
 
 def need(*programs):
-    """Ends the test as skipped where one of these is not there."""
+    """Ends the test as skipped if one of these programs is missing."""
     for program in programs:
         if shutil.which(str(program)) is None:
             print(f"skipped: there is no {program}; ./dev setup --programs installs it")
@@ -38,14 +39,14 @@ def need(*programs):
 
 
 def spangle_environment(pair, **more):
-    """The pair's folder comes first; no variable of a session is left."""
+    """Returns an environment with the pair's folder first and no variable of a desktop session."""
     clean = {k: v for k, v in os.environ.items() if not k.startswith(("SPANGLE_", "MESA_", "LIBGL_", "GALLIUM_", "EGL_"))
              and k not in ("DISPLAY", "LD_PRELOAD")}
     return clean | {"LD_LIBRARY_PATH": str(pair)} | more
 
 
 def mesa_environment(oracle, version="1.3", **more):
-    """One of Mesa's rasterizers, which calls itself that version of OpenGL."""
+    """Returns an environment for one of Mesa's rasterizers, which reports that version of OpenGL."""
     clean = spangle_environment("", **more)
     del clean["LD_LIBRARY_PATH"]
     return clean | {"LIBGL_ALWAYS_SOFTWARE": "1", "GALLIUM_DRIVER": oracle, "MESA_GL_VERSION_OVERRIDE": version + "COMPAT",
@@ -53,14 +54,15 @@ def mesa_environment(oracle, version="1.3", **more):
 
 
 class Ended:
-    """What became of a program: its status (None: it was stopped after its time) and its words."""
+    """The end of a program: its status (None: it was stopped after its time) and its output."""
     def __init__(self, status, words):
         self.status, self.words = status, words
 
 
 def run(command, environment, seconds=120, folder=None):
-    """Runs a program to its end or for its time, after which it is killed with all that it started: a tracer's program, for one, would
-    go on without the tracer."""
+    """Runs a program to its end or for its time. After its time it is killed with everything that it started, because a tracer's program
+    would go on without the tracer.
+    """
     with subprocess.Popen([str(c) for c in command], env=environment, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           errors="replace", start_new_session=True) as started:
         ends = False
@@ -77,14 +79,14 @@ def run(command, environment, seconds=120, folder=None):
 
 
 def turn():
-    """A number from the name of the commit: what only a part of is run takes another part each time."""
+    """Returns a number from the name of the commit, so that tests of a part take another part with each commit."""
     words = run(["git", "-C", HERE, "rev-parse", "HEAD"], dict(os.environ)).words[:7]
     return int(words, 16) if all(c in "0123456789abcdef" for c in words) and words else 0
 
 
 @contextlib.contextmanager
 def folder(name):
-    """Where a test leaves pictures; gone afterwards unless SPANGLE_KEEP is set."""
+    """A folder where a test leaves pictures. It is deleted afterwards unless SPANGLE_KEEP is set."""
     keep = os.environ.get("SPANGLE_KEEP")
     if keep:
         path = pathlib.Path(keep) / name
@@ -97,7 +99,7 @@ def folder(name):
 
 @contextlib.contextmanager
 def xvfb(size="800x600x24", *options):
-    """An X server of its own, which stays as it is when its last client goes; gives the value of DISPLAY."""
+    """Starts an X server that does not reset when its last client leaves. Yields the value of DISPLAY."""
     need("Xvfb")
     read, write = os.pipe()
     server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", size, "-noreset", "-nolisten", "tcp", *options],
@@ -115,7 +117,7 @@ def xvfb(size="800x600x24", *options):
 
 
 def piglit(name, pair, *arguments, seconds=120):
-    """The result that a piglit program reports: pass, fail, skip, warn; else crash or timeout."""
+    """Returns the result that a piglit program reports (pass, fail, skip, warn), else crash or timeout."""
     ended = run([PIGLIT / name, *arguments, "-auto"],
                 spangle_environment(pair, PIGLIT_NO_WINDOW="1", PIGLIT_PLATFORM="surfaceless_egl"), seconds)
     for line in reversed(ended.words.splitlines()):
@@ -125,7 +127,7 @@ def piglit(name, pair, *arguments, seconds=120):
 
 
 def trim(trace, frames, to):
-    """The first frames of a trace."""
+    """Returns a trace of the first frames of a trace."""
     done = run(["apitrace", "trim", f"--frames=0-{frames - 1}", "-o", to, trace], dict(os.environ))
     if done.status != 0:
         raise RuntimeError(done.words)
@@ -133,8 +135,9 @@ def trim(trace, frames, to):
 
 @functools.lru_cache(maxsize=1)
 def contexts_and_swaps(trace, _written):
-    """The calls of a trace that make contexts and end frames, a line each. A long trace takes seconds, so the answer is kept for as long
-    as the file is as it was written."""
+    """Returns the calls of a trace that make contexts and end frames, one line each. A long trace takes seconds, so the answer is kept
+    until the file changes.
+    """
     grep = "--grep=^eglCreateContext$|^(egl|glX)SwapBuffers$"
     return run(["apitrace", "dump", "--color=never", grep, trace], dict(os.environ), 300).words
 
@@ -144,24 +147,25 @@ def contexts_and_swaps_of(trace):
 
 
 def without_refused_contexts(trace, to):
-    """A trace without the contexts that EGL refused when it was recorded: eglretrace ends at the first that it does not get."""
+    """Returns a trace without the contexts that EGL refused when it was recorded: eglretrace ends at the first context that it cannot make.
+    """
     return without_calls(trace, re.findall(r"^(\d+) eglCreateContext\(.*\) = NULL$", contexts_and_swaps_of(trace), re.M), to)
 
 
 def without_smoothing(trace, to):
-    """A trace whose points, lines and polygons are not antialiased by coverage; the same trace where none are."""
+    """Returns a trace whose points, lines and polygons are not antialiased by coverage, or the trace itself if none are."""
     said = run(["apitrace", "dump", "--color=never", "--grep=^glEnable$", trace], dict(os.environ), 300).words
     return without_calls(trace, re.findall(r"^(\d+) glEnable\(cap = GL_(?:POINT|LINE|POLYGON)_SMOOTH\)", said, re.M), to)
 
 
 def all_but(left_out):
-    """All calls but some, whose numbers ascend, in the words of apitrace's option --calls."""
+    """Returns all calls but those with these ascending numbers, in the words of apitrace's option --calls."""
     begins, ends = [0, *(n + 1 for n in left_out)], [*(n - 1 for n in left_out), LAST_CALL]
     return ",".join(f"{a}-{b}" for a, b in zip(begins, ends) if a <= b)
 
 
 def without_calls(trace, numbers, to):
-    """A trace without the calls of these numbers; the same trace where there are none."""
+    """Returns a trace without the calls of these numbers, or the trace itself if there are no numbers."""
     if not numbers:
         return trace
     done = run(["apitrace", "trim", "--calls=" + all_but([int(n) for n in numbers]), "-o", to, trace], dict(os.environ))
@@ -171,19 +175,20 @@ def without_calls(trace, numbers, to):
 
 
 def some(things, most):
-    """The first and the last of a list and others that lie evenly between them, `most` in all at most, in their order. One: the last."""
+    """Returns at most `most` items of a list in order: the first, the last, and others that lie evenly between. For 1 it is the last item.
+    """
     if most < 2 or len(things) <= most:
         return things[-most:]
     return [things[(len(things) - 1) * i // (most - 1)] for i in range(most)]
 
 
 def some_frames(trace, most):
-    """Some frames of a trace, the first and the last among them, in the words of eglretrace's option -S."""
+    """Returns some frames of a trace, among them the first and the last, in the words of eglretrace's option -S."""
     return ",".join(some(re.findall(r"^(\d+) \w+SwapBuffers", contexts_and_swaps_of(trace), re.M), most)) or "frame"
 
 
 def replay(trace, environment, to, seconds=300, frames="frame"):
-    """The pictures of all frames of a trace, or of some_frames, in order, and what the retracer said."""
+    """Returns the pictures of all frames of a trace, or of some_frames, in order, and the retracer's output."""
     to.mkdir(parents=True, exist_ok=True)
     ended = run(["eglretrace", "--headless", "-s", f"{to}/", "-S", frames, trace],
                 environment | {"WAFFLE_PLATFORM": "surfaceless_egl"}, seconds)
@@ -191,7 +196,9 @@ def replay(trace, environment, to, seconds=300, frames="frame"):
 
 
 class Picture:
-    """The pixels of a PNG, of all of it or of its lower left part: there a replay has a window (a size) that fills its surface in part."""
+    """Returns the pixels of a PNG, or of its lower left part of the given size. A replay shows a window there that fills only part of its
+    surface.
+    """
     def __init__(self, path, window=None):
         self.width, self.height, self.rows = png.read(pathlib.Path(path).read_bytes())
         if window and (window[0] < self.width or window[1] < self.height):
@@ -204,18 +211,18 @@ def steps(a, b):
 
 
 def near(a, b, x, y, most):
-    """Whether some pixel of b around a place is what a has there."""
+    """Returns whether a pixel of b around a place has the colour that a has there."""
     return any(steps(a.rows[y][x], b.rows[v][u]) <= most
                for v in range(max(y - 1, 0), min(y + 2, b.height)) for u in range(max(x - 1, 0), min(x + 2, b.width)))
 
 
 def agree(a, b, x, y, most):
-    """A pixel may be off by rounding, or lie on an edge that runs a pixel further on."""
+    """Returns whether a pixel differs by rounding only, or lies on an edge that is one pixel further on."""
     return steps(a.rows[y][x], b.rows[y][x]) <= most or (near(a, b, x, y, most) and near(b, a, x, y, most))
 
 
 def bad_percent(ours, oracles, most):
-    """Pixels, in a hundred, that are not those of any oracle."""
+    """Returns the percentage of pixels that agree with no oracle."""
     bad = 0
     for y in range(ours.height):
         rows = [o.rows[y] for o in oracles]
@@ -228,14 +235,15 @@ def bad_percent(ours, oracles, most):
 
 
 def difference(ours, oracles, most=TRACE_STEPS):
-    """How many pixels of a picture, in a hundred, are not those of the oracles, and how many may be: 0.1, or three times as many
-    as the oracles have against each other."""
+    """Returns the percentage of a picture's pixels that differ from the oracles, and its limit: 0.1, or three times the percentage by which
+    the oracles differ from each other.
+    """
     spread = bad_percent(oracles[0], oracles[1:], most) if len(oracles) > 1 else 0.0
     return bad_percent(ours, oracles, most), max(SPREAD, 3 * spread)
 
 
 def compare(name, ours, oracles, most=TRACE_STEPS):
-    """Checks a picture file against those of the oracles."""
+    """Checks a picture file against the oracles' pictures."""
     pictures = [Picture(o) for o in oracles]
     mine = Picture(ours)
     sizes = {(p.width, p.height) for p in [mine, *pictures]}
@@ -248,5 +256,5 @@ def compare(name, ours, oracles, most=TRACE_STEPS):
 
 
 def colors(picture):
-    """How many colours a picture has: one is an empty one."""
+    """Returns the number of colours in a picture; an empty picture has one."""
     return len({pixel for row in picture.rows for pixel in row})

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Every program of Debian's piglit that an OpenGL 1.5 has to run, on Spangle and on Mesa's two rasterizers.
+"""Runs every program of Debian's piglit that an OpenGL 1.5 has to run, on Spangle and on Mesa's two rasterizers.
 
 usage: piglit.py PAIR --all [--jobs N] [--state FILE] [--only TEXT] [--spangle-only] [--write]
        piglit.py PAIR --sample SECONDS [--turn NUMBER]
 
---all runs them; results of an earlier run that are in FILE (build/piglit.jsonl) are kept, so that a run may be stopped and
-continued. --write makes piglit_table.csv from them. --sample runs as many as fit, another part for each turn, and compares
-what Spangle does with the table. The lists of programs are piglit's own (opengl.xml.gz).
+--all runs all of them. Results of an earlier run in FILE (build/piglit.jsonl) are kept, so that a run may be stopped and continued. --write
+makes piglit_table.csv from the results. --sample runs as many programs as fit into the time, another part for each turn, and compares what
+Spangle does with the table. The lists of programs are piglit's own (opengl.xml.gz).
 """
 import argparse
 import ast
@@ -31,7 +31,7 @@ LISTS = PIGLIT.parent / "tests" / "opengl.xml.gz"
 TABLE, REASONS = HERE / "piglit_table.csv", HERE / "piglit_reasons.csv"
 DRIVERS = ("spangle", *ORACLES)
 SECONDS = 120
-# Groups of programs beside those of extensions that Spangle names.
+# Groups of programs that are tested beside those of the extensions that Spangle names.
 GROUPS = ["spec@!opengl 1.[0-5]", "object namespace pollution", "security", "glx", "spec@egl 1.4", "spec@egl_khr_create_context",
           "spec@egl_ext_client_extensions", "spec@egl_mesa_platform_surfaceless", "spec@mesa_pack_invert"]
 BAD = ("fail", "crash", "timeout", "warn")
@@ -48,7 +48,7 @@ class Program:
 
 
 def extensions(pair):
-    """The groups of the extensions that Spangle names."""
+    """Returns the groups of the extensions that Spangle names."""
     ended = run(["wflinfo", "-p", "surfaceless_egl", "-a", "gl", "-v"], spangle_environment(pair))
     words = re.search(r"^OpenGL extensions: (.*)$", ended.words, re.M)
     if words is None:
@@ -57,7 +57,9 @@ def extensions(pair):
 
 
 def programs(pair):
-    """Programs of OpenGL 1.0 to 1.5, of the extensions, and of the window systems; a few in the list are not in the package."""
+    """Returns the programs of OpenGL 1.0 to 1.5, of the extensions, and of the window systems. A few programs of the list are not in the
+    package.
+    """
     groups = GROUPS + extensions(pair)
     found = [Program(node) for node in xml.etree.ElementTree.fromstring(gzip.decompress(LISTS.read_bytes()))]
     return [p for p in found if (PIGLIT / p.command[0]).exists() and any(fnmatch.fnmatchcase(p.name.rpartition("@")[0] or p.name, g)
@@ -66,7 +68,7 @@ def programs(pair):
 
 
 def result(words, status):
-    """What the program reports: the result, and the parts of it that do not pass."""
+    """Returns what the program reports: the result, and the parts of it that do not pass."""
     parts, last = {}, None
     for line in words.splitlines():
         if not line.startswith("PIGLIT: "):
@@ -91,7 +93,8 @@ def environment_of(driver, pair):
 
 
 def execute(program, driver, pair, display):
-    """Runs one program with one GL. piglit aborts where a program that needs a window has none: this one runs again with one."""
+    """Runs one program with one GL. piglit aborts if a program needs a window and has none, so such a program is run again with a window.
+    """
     environment = environment_of(driver, pair) | {"PIGLIT_SOURCE_DIR": str(PIGLIT.parent)}
     command = [PIGLIT / program.command[0], *program.command[1:], "-auto"]
     for window in ((True,) if program.window else (False, True)):
@@ -104,7 +107,7 @@ def execute(program, driver, pair, display):
 
 
 def run_all(options, pair):
-    """Runs what the state has not yet."""
+    """Runs the programs that have no result yet."""
     options.state.parent.mkdir(parents=True, exist_ok=True)
     state = {}
     if options.state.exists():
@@ -132,7 +135,7 @@ def run_all(options, pair):
 
 
 def why_skipped(words):
-    """What a program that skips asks for, in its own words."""
+    """Returns what a program that skips asks for, in its own words."""
     for pattern, sentence in ((r"Test requires (\w+)", "asks for {}, which is no part of OpenGL 1.5"),
                               (r'Function "(\w+)" not supported', "calls {} of a later version"),
                               (r"(GL_EXT_texture_swizzle) is required", "asks for {}, which is no part of OpenGL 1.5"),
@@ -144,7 +147,7 @@ def why_skipped(words):
 
 
 def reason_of(test, entries, reasons):
-    """Why Spangle's result is not the better one of Mesa's; empty where it is."""
+    """Returns why Spangle's result is not the better of Mesa's two results; empty if it is."""
     if not differs(entries):
         return ""
     for pattern, reason in reasons:
@@ -159,7 +162,7 @@ def differs(entries):
 
 
 def write_table(wanted, state):
-    """Makes the table; a difference without a reason is a failure."""
+    """Makes the table. A difference without a reason is a failure."""
     with REASONS.open(newline="") as lines:
         reasons = [(row["test"], row["reason"]) for row in csv.DictReader(lines)]
     rows = [["test", *DRIVERS, "reason"]]
@@ -186,7 +189,7 @@ def print_counts():
 
 
 def sample(pair, seconds, turn):
-    """As many as fit into so many seconds, from another place on for each turn: Spangle does what the table says."""
+    """Runs as many programs as fit into so many seconds, from another place on for each turn. Spangle must do what the table says."""
     table = read_table()
     every = [p for p in programs(pair) if table.get(p.name, {}).get("spangle") not in ("timeout", None)]
     random.Random(1).shuffle(every)
@@ -205,7 +208,7 @@ def sample(pair, seconds, turn):
     with xvfb("1024x768x24") as display, concurrent.futures.ThreadPoolExecutor(2) as pool:
         for job in [pool.submit(work) for _ in range(2)]:
             job.result()
-        # Some programs wait for a window, and give up on a machine with much else to do: these are tried again, alone.
+        # Some programs wait for a window, and give up on a busy machine. They are tried once more, alone.
         for i, (program, what, *_) in enumerate(done):
             if what != table[program.name]["spangle"]:
                 print(f"{program.name}: {what} at first")

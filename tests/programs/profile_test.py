@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""`spangle profile` records traces, and programs that others linked.
+"""Tests that `spangle profile` records traces, and programs that were linked by others.
 
-usage: profile_test.py PAIR SPANGLE"""
+usage: profile_test.py PAIR SPANGLE
+"""
 import json
 import pathlib
 import sys
@@ -15,7 +16,7 @@ PAIR, SPANGLE = pathlib.Path(sys.argv[1]), sys.argv[2]
 
 
 def recorded(name, place, environment, *words):
-    """The report of one profile, whose settings builds can read."""
+    """Returns the report of one profile, whose settings builds can read."""
     out = place / f"{name}.cmake"
     ended = run([SPANGLE, "profile", "--tiers", "balanced", "--json", "--out", out, *words], environment, 120)
     check(ended.status == 0 and out.exists(), f"{name}: ended with {ended.status}: {ended.words[-1000:]}")

@@ -3,7 +3,7 @@ import pathlib
 
 HACKS = pathlib.Path("/usr/libexec/xscreensaver")
 SDL = pathlib.Path("/usr/libexec/installed-tests/SDL2")
-# Debian puts some games beside the other programs.
+# Debian puts some games into a folder beside the other programs.
 BINARIES = (pathlib.Path("/usr/games"), pathlib.Path("/usr/bin"))
 # The program mapscroller is left out because it fetches maps from the net, and xscreensaver-gl-visual because it only prints.
 SAVERS = """antinspect antmaze antspotlight atlantis atunnel beats blinkbox blocktube boing bouncingcow boxed bubble3d cage carousel
@@ -35,7 +35,7 @@ KNOWN = {
     "testcustomcursor": "clears the window, and shows its cursor by X alone",
     "testrendertarget": "needs framebuffer objects, which GL 1.5 does not have, and ends by itself",
 }
-# The contact sheet, row by row.
+# The programs of the contact sheet, row by row.
 SHEET = """billard-gl stormbaancoureur openuniverse imgui-glfw
            testgl2 atlantis bouncingcow molecule
            gears glknots lament topblock
@@ -43,18 +43,18 @@ SHEET = """billard-gl stormbaancoureur openuniverse imgui-glfw
 
 
 class Program:
-    """A program, the trace API that sees what it calls, and the folder that it starts in."""
+    """A program, the trace API that sees its calls, and the folder that it starts in."""
     def __init__(self, name, suite, command, api, folder=None):
         self.name, self.suite, self.command, self.api, self.folder = name, suite, command, api, folder
 
 
 def game(name):
-    """Where a game is, or where it would be."""
+    """Returns the path of a game, whether it is installed or not."""
     return next((folder / name for folder in BINARIES if (folder / name).exists()), BINARIES[0] / name)
 
 
 def every(imgui):
-    """All programs that are installed; `imgui` is the program that was built with Dear ImGui, or nothing."""
+    """Returns all installed programs. `imgui` is the program that was built with Dear ImGui, or None."""
     found = [Program(n, "xscreensaver", [HACKS / n], "egl") for n in SAVERS]
     found += [Program(n, "SDL2", [SDL / n], "gl", SDL) for n in SDL_PROGRAMS]
     found += [Program(n, "freeglut", [game(n)], "gl") for n in GLUT_PROGRAMS]

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What `./dev bench programs` makes of times, and the library that takes them from a replayer."""
+"""Tests what `./dev bench programs` computes from times, and the library that measures a replayer."""
 import json
 import os
 import pathlib
@@ -15,7 +15,7 @@ import recorded  # noqa: E402
 import replayed  # noqa: E402
 import speeds  # noqa: E402
 
-# A library that is EGL and GL as far as a replayer is concerned that draws three frames, and a program that asks for both by name.
+# A library that stands for EGL and GL, as a replayer uses them, and draws three frames; and a program that finds both by name.
 LIBRARY = """
 #include <string.h>
 static int drawn;
@@ -48,7 +48,7 @@ def milliseconds(llvmpipe, balanced, exact, replayer=1.0):
 class Times(unittest.TestCase):
     def test_a_frame_is_the_median_of_the_last_ones(self):
         ends, now = [], 0
-        for took in [900, 900, 50, 2, 3, 4, 90]:  # start-up; then five times of the last frame, the first of which compiles
+        for took in [900, 900, 50, 2, 3, 4, 90]:  # start-up, then five times of the last frame, the first of which compiles
             now += took * 1000000
             ends.append(now)
         self.assertEqual(replayed.frame_time(ends, times=5, warm=1), 3.5)

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""The pair exports what programs look up, and nothing else (docs/programs.md).
+"""Tests that the pair exports what programs look up, and nothing else (docs/programs.md).
 
-usage: symbols_test.py PAIR SOURCE"""
+usage: symbols_test.py PAIR SOURCE
+"""
 import ctypes
 import json
 import os
@@ -15,7 +16,7 @@ from harness import check, failures, need, spangle_environment
 PAIR, SOURCE = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 LIBRARIES = ("libGL.so.1", "libEGL.so.1", "libOpenGL.so.0", "libGLX.so.0")
 LINKS = ("libGL.so", "libEGL.so", "libGLESv2.so", "libGLESv1_CM.so")
-# What piglit's utility library and waffle look up when they are loaded; else they do not start.
+# The names that piglit's utility library and waffle look up when they are loaded; without them the programs do not start.
 EGL = """BindAPI ChooseConfig CreateContext CreatePbufferSurface CreateWindowSurface DestroyContext DestroySurface
     GetConfigAttrib GetCurrentContext GetCurrentDisplay GetCurrentSurface GetDisplay GetError GetProcAddress Initialize MakeCurrent
     QueryString QuerySurface SwapBuffers Terminate
@@ -31,14 +32,14 @@ GLX = """ChooseVisual CreateContext CreateNewContext CreatePixmap DestroyContext
 
 
 def commands():
-    """Every function of the public header, and every name with a suffix."""
+    """Returns every function of the public header, and every name with a suffix."""
     header = (SOURCE / "gl/include/spangle/GL/gl.h").read_text()
     aliases = (SOURCE / "gl/api/generated/aliases.inc").read_text()
     return (re.findall(r"GLAPIENTRY (gl\w+)\(", header) + re.findall(r"^ALIAS\([^,]+, (gl\w+),", aliases, re.M))
 
 
 def in_child():
-    """Looks names up as programs do: of each library on its own, then all libraries in one process."""
+    """Looks names up as programs do: in each library on its own, then in all libraries in one process."""
     names = commands()
     for library in LIBRARIES + LINKS:
         handle = ctypes.CDLL(library)
@@ -66,7 +67,7 @@ def in_child():
 
 
 def one_context(gl, egl):
-    """A context that libEGL made current is current for libGL, is of version 1.x and of no higher one."""
+    """A context that libEGL made current is current for libGL, too. Its version is 1.x and not higher."""
     egl.eglGetPlatformDisplay.restype = ctypes.c_void_p
     egl.eglGetPlatformDisplay.argtypes = [ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p]
     display = ctypes.c_void_p(egl.eglGetPlatformDisplay(0x31DD, None, None))
@@ -93,7 +94,7 @@ def one_context(gl, egl):
 
 
 def exported():
-    """Nothing is seen from outside but names of GL, EGL and GLX."""
+    """The libraries export names of GL, EGL and GLX only."""
     words = subprocess.run(["nm", "-D", "--defined-only", PAIR / "libspangle-dropin.so.0"], stdout=subprocess.PIPE, text=True,
                            check=True).stdout
     names = [line.split()[-1] for line in words.splitlines()]

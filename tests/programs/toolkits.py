@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""A triangle in a window of a toolkit, drawn a few times and in another size in between: what a program of it asks of GLX.
+"""Draws a triangle in a window of a toolkit a few times, and in another size in between: what such a program asks of GLX.
 
-usage: toolkits.py sdl2|glfw|glut      exits with 0 when the picture read back is right, 77 without the library."""
+usage: toolkits.py sdl2|glfw|glut      exits with 0 when the picture read back is right, 77 without the library.
+"""
 import ctypes
 import ctypes.util
 import sys
@@ -21,7 +22,7 @@ def library(name):
 
 
 class Drawing:
-    """A red triangle over the lower left half of a blue window."""
+    """Draws a red triangle over the lower left half of a blue window."""
     def __init__(self):
         self.gl = ctypes.CDLL("libGL.so.1")
         self.wrong = []

@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
-"""Traces of programs give Mesa's pictures.
+"""Tests that traces of programs give Mesa's pictures.
 
-usage: traces_test.py PAIR"""
+usage: traces_test.py PAIR
+"""
 import pathlib
 import sys
 
 from harness import HERE, ORACLES, check, compare, failures, folder, mesa_environment, need, replay, spangle_environment, trim
 
 PAIR = pathlib.Path(sys.argv[1])
-FRAMES = 12  # of a trace are replayed
-SHOWN = 4    # of these are compared: the first, the last, and some in between
+FRAMES = 12  # frames of a trace that are replayed
+SHOWN = 4  # frames that are compared: the first, the last, and some in between
 
 need("eglretrace", "apitrace")
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Programs with windows of X run with the pair, and `spangle exec` and `spangle replay` show them on boards.
+"""Tests that programs with windows of X run with the pair, and that `spangle exec` and `spangle replay` show them on boards.
 
-usage: windows_test.py PAIR SPANGLE"""
+usage: windows_test.py PAIR SPANGLE
+"""
 import json
 import pathlib
 import sys
@@ -13,7 +14,7 @@ FRAMES = 10
 
 
 def shot(name, command, place, environment, size=None):
-    """The last of some frames of a program."""
+    """Returns the last of some frames of a program."""
     picture = place / f"{name}.png"
     ended = run(command, environment | {"SPANGLE_FRAMES": str(FRAMES), "SPANGLE_SHOT": str(picture)}, 60)
     check(ended.status == 0, f"{name}: ended with {ended.status}: {ended.words[-1000:]}")
@@ -26,14 +27,14 @@ def shot(name, command, place, environment, size=None):
 
 
 def toolkits(environment):
-    """Windows of SDL2 (by GLX and by EGL), GLFW and freeglut, which change their size."""
+    """Windows of SDL2 (by GLX and by EGL), GLFW and freeglut change their size and show the right picture."""
     for name, more in (("sdl2", {}), ("sdl2", {"SDL_VIDEO_X11_FORCE_EGL": "1"}), ("glfw", {}), ("glut", {})):
         ended = run([sys.executable, HERE / "toolkits.py", name], environment | more, 60)
         check(ended.status in (0, SKIPPED), f"{name} {more}: {ended.status}: {ended.words[-1000:]}")
 
 
 def on_board(place, environment):
-    """Figures and picture of a program on a panel."""
+    """Checks the figures and the picture of a program on a panel."""
     picture = place / "board.png"
     command = [SPANGLE, "exec", "--board", "ili9341", "--frames", FRAMES, "--shot", picture, "--json", "--", "glxgears"]
     ended = run(command, environment, 60)
@@ -50,7 +51,7 @@ def on_board(place, environment):
 
 
 def replayed(place, environment):
-    """A trace of a program for one buffer, and of one that swaps."""
+    """Checks a trace of a program with one buffer, and of a program that swaps buffers."""
     need("eglretrace")
     for name in ("redbook_light", "demos_gears"):
         picture = place / f"{name}.png"

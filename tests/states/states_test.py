@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What `./dev bench states` makes of its figures, and its options.
+"""Tests what `./dev bench states` computes from its figures, and its options.
 
 usage: states_test.py RUNNER    which is bench_states of the build under test
 """
@@ -40,7 +40,7 @@ totals: 1000
 
 
 def state(number, key=None, **words):
-    """A state of these words, each (choice, work) or (choice, work, pass)."""
+    """Returns a state of these words, each (choice, work) or (choice, work, pass)."""
     shown = {"surface": ("565 z16", -1), "tier": ("exact", 3), "shape": ("triangles", -1), "view": ("parallel", 0)} | words
     return {"number": number, "key": number if key is None else key, "words": {word: [*of, *([False] if len(of) == 2 else [])] for word, of in shown.items()}}
 
@@ -122,7 +122,7 @@ def held():
     bad, better = golden.compare({"0": [1030, 10], "6": [1031, 10], "12": [1000, 11], "14": [5, 5]}, was)
     check([line.split()[1] for line in bad] == ["6", "12", "13", "14"] and better == [], f"{bad} {better}")
     check(len(golden.compare({**was, "0": [970, 10]}, was)[1]) == 1, "what is better by more than 3 % is said")
-    numbers = golden.slice_numbers(64)  # more keys than golden.json has
+    numbers = golden.slice_numbers(64)  # a larger slice than golden.json holds
     check(len(set(numbers)) == 64 and [n // 6 for n in numbers] == list(range(64)) and {n % 6 for n in numbers} == set(range(6)), "each key once, each variant")
     check(all(numbers[i] % 6 == numbers[i + 1] % 6 for i in range(0, 64, 2)), "both keys of a pair in the same variant")
     kept = json.loads(golden.GOLDEN.read_text())
@@ -131,7 +131,7 @@ def held():
 
 
 def listed(runner):
-    """States do not depend on which others are asked for, and the program says what it takes."""
+    """A state does not depend on which others are asked for, and the program says which arguments it takes."""
     every = measure.listed(runner, 4, list(range(120)))
     check([s["number"] for s in every] == list(range(120)) and measure.listed(runner, 4, [77, 5]) == [every[77], every[5]], "a number is one state")
     check(every != measure.listed(runner, 5, list(range(120))), "another seed has other states")
@@ -142,7 +142,7 @@ def listed(runner):
 
 
 def options():
-    """What cannot be is said before anything is measured."""
+    """Impossible options are refused before anything is measured."""
     with tempfile.TemporaryDirectory() as folder:
         for bad in (["--seed", "x"], ["--count", "0"], ["--target", "m7"], ["--rounds", "-1"], ["--json", f"{folder}/none/x.json"], ["--update-golden", "--record"]):
             done = subprocess.run([sys.executable, str(BENCH / "states.py"), "--build", folder, *bad], capture_output=True, text=True)
