@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Holds the rooms of the house to who may include whom (docs/architecture.md).
+"""Checks the rule which room of the tree may include which (docs/architecture.md).
 
 usage: includes.py BUILD_DIR
 
-Reads the compiler's own dependency records of a Ninja build (`ninja -t deps`), so macros and generated includes count.
+The tool reads the compiler's own dependency records of a Ninja build (`ninja -t deps`), so macros and generated includes count.
 """
 import pathlib
 import re
@@ -49,7 +49,7 @@ MAY_INCLUDE = {
 
 
 def room_of(path):
-    """The longest known room that holds this repository path, or None for files of no room (tests, system)."""
+    """Returns the longest known room that holds this repository path, or None for files of no room (tests, system)."""
     parts = path.split("/")
     for n in range(len(parts) - 1, 0, -1):
         room = "/".join(parts[:n])
@@ -70,7 +70,7 @@ def records(build):
                 try:
                     inside.append(str(path.resolve().relative_to(ROOT)))
                 except ValueError:
-                    pass  # a system header
+                    pass  # a system header belongs to no room
             yield lines[0].split(": #deps")[0], inside
 
 

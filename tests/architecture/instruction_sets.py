@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks that nobody else can call what is compiled for AVX2: the linker keeps one of the functions of a name.
+"""Checks that no other object can call what is compiled for AVX2, because the linker keeps only one of the functions of a name.
 
 usage: instruction_sets.py OBJECT    which is the one of raster/span/chain_avx2.cpp
 """
@@ -8,11 +8,11 @@ import subprocess
 import sys
 
 SPACE = "spangle::raster::avx2::"
-MANGLED = "7spangle6raster4avx2"  # of lambdas that nm cannot demangle
+MANGLED = "7spangle6raster4avx2"  # in names of lambdas that nm cannot demangle
 
 
 def functions(listing):
-    """Those that nm -C says other objects see: of text, strong or weak."""
+    """Returns the functions in the output of nm -C that other objects see: strong or weak symbols of text."""
     return re.findall(r"^[0-9a-f]+ [TWi] (.+)$", listing, re.M)
 
 

@@ -47,8 +47,9 @@ def google(program, pattern, seconds):
 
 
 class Walls:
-    """Microseconds of a frame. Both programs draw one scene right after each other, many times: what else the machine does changes from
-    second to second, and a ratio of neighbours in time is free of most of it."""
+    """Microseconds of a frame. Both programs draw one scene right after each other, many times. Other work of the machine changes from
+    second to second, so a ratio of neighbours in time is nearly free of it.
+    """
 
     def __init__(self, build, scenes, rounds, seconds):
         self.times, self.hashes = {}, {}
@@ -68,19 +69,19 @@ class Walls:
         return spread(self.times[name])
 
     def ratios(self, name, other):
-        """How many times as long this one took, in every round."""
+        """Returns in every round how many times as long this program took as the other."""
         return spread([a / b for a, b in zip(self.times[name], self.times[other])])
 
     def speed(self, scene, size, tier):
-        """Times as fast as llvmpipe."""
+        """Returns how many times as fast as llvmpipe this program is."""
         return self.ratios(f"mesa/{scene}/{size}", f"{scene}/{size}/{tier}")
 
     def dithering(self, scene, size):
-        """How many times as long a dithered frame takes."""
+        """Returns how many times as long a dithered frame takes."""
         return self.ratios(f"{scene}/{size}/balanced/dither", f"{scene}/{size}/balanced")
 
     def figures(self, scene, size):
-        """Of one scene, for --json: each a spread over the rounds."""
+        """Returns the figures of one scene for --json, each with its spread over the rounds."""
         return {"llvmpipe_us": self.microseconds(f"mesa/{scene}/{size}"), "dithered": self.dithering(scene, size),
                 **{tier: {"us": self.microseconds(f"{scene}/{size}/{tier}"), "times_llvmpipe": self.speed(scene, size, tier)} for tier in TIERS}}
 
@@ -90,7 +91,7 @@ def frames_program(build, scene, size, tier, dither, frames):
 
 
 def callgrind(build, scene, tier):
-    """Instructions of one frame: the difference of a long and a short run."""
+    """Returns the instructions of one frame: the difference of a long and a short run."""
     def total(frames):
         with tempfile.TemporaryDirectory() as folder:
             out = subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={folder}/out",
@@ -100,7 +101,7 @@ def callgrind(build, scene, tier):
 
 
 def check_pictures(build, hashes):
-    """Every timed picture must be the one that a program draws which times nothing."""
+    """Checks that every timed picture is the one that a program draws which times nothing."""
     bad = []
     for name, found in hashes.items():
         scene, size, tier, *dither = name.split("/")
@@ -113,7 +114,7 @@ def check_pictures(build, hashes):
 
 
 def memory_table(build, scenes):
-    """Each figure from a process that draws this scene and no other, under the same harness. Prints and returns them."""
+    """Measures each scene's memory in a process that draws only this scene, under the same harness. Prints the figures and returns them."""
     found = {}
     print("\nMemory, balanced tier, bytes of spangle::memory: context; surface (colour and 16-bit depth); most in all, textures and lists included."
           "\nProcesses: largest resident size of the benchmark program, ours and llvmpipe's.")
@@ -129,7 +130,7 @@ def memory_table(build, scenes):
 
 
 def record(build, walls, memory, scenes):
-    """What README.md shows, and of which machine it is."""
+    """Returns what README.md shows, and on which machine it was measured."""
     model = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
     found = {scene: {size: {"llvmpipe_us": round(walls.microseconds(f"mesa/{scene}/{size}")["median"], 1),
                       "scatter": round(scatter(walls.speed(scene, size, "balanced")), 3), "dither": round(walls.dithering(scene, size)["median"], 2)}
@@ -154,7 +155,7 @@ def wall_table(walls, scenes):
 
 
 def verdict(walls, scenes):
-    """How the balanced tier stands as a whole."""
+    """Returns how fast the balanced tier is as a whole, against its goal."""
     shares = {}
     slower = []
     for scene in scenes:
@@ -202,7 +203,7 @@ def instruction_table(build, scenes, boards, with_callgrind, hashes):
 
 
 def chain_table(build):
-    """What every fused span saves: instructions of its fragments, without set-up, beside one lane of it and the chain."""
+    """Prints what every fused span saves: instructions of its fragments, without set-up, beside one lane of it and the chain."""
     with tempfile.TemporaryDirectory() as folder:
         names = subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={folder}/out", "--dump-before=mark", str(build / "bench_chain")],
                                capture_output=True, text=True, check=True).stdout.splitlines()

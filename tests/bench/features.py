@@ -25,12 +25,12 @@ RECORD = pathlib.Path(__file__).with_name("features.json")
 FEATURES = re.findall(r"^spangle_feature\((\w+) \"(.*)\"\)", (ROOT / "cmake/Features.cmake").read_text(), re.M)
 HOST = ["-std=c++20", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", "-ffunction-sections", "-fdata-sections",
         *mcu.firmware.SOUND_CALLS, *mcu.INCLUDES]
-TARGETS = {  # compiler prefix, flags, whether rooms differ in optimization
+TARGETS = {  # compiler prefix, flags, and whether hot rooms have another optimization than the others
     "x86-64": ("", HOST, False),
     "Cortex-M0+": ("arm-none-eabi-", [*mcu.FLAGS, "-mcpu=cortex-m0plus"], True),
     "Cortex-M4": ("arm-none-eabi-", [*mcu.FLAGS, "-mcpu=cortex-m4"], True),
 }
-# Arrays as long as what a context takes, for nm to read.
+# Arrays as long as a context's parts, so that nm can print their sizes.
 SIZES = """#include "gl/vertex/engine_fixed.cpp"
 namespace spangle::gl {
 char context_bytes[sizeof(Context)], pipeline_bytes[sizeof(FixedPipeline)];
@@ -44,7 +44,7 @@ def compile_one(prefix, flags, optimize, defines, source, target):
 
 
 def measure(name, defines, folder, pool):
-    """Bytes of code and constants, bytes of a context."""
+    """Returns the bytes of code and constants, and the bytes of a context."""
     prefix, flags, by_room = TARGETS[name]
     sizes = folder / "sizes.cpp"
     sizes.write_text(SIZES)

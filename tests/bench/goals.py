@@ -1,15 +1,15 @@
-"""What each scene may cost: tests/bench/goals.json."""
+"""The goals of tests/bench/goals.json: what each scene may cost."""
 import json
 import pathlib
 
 ALL = json.loads(pathlib.Path(__file__).with_name("goals.json").read_text())
 SCENES = [scene for scene in ALL if scene.startswith("S")]
-FLAT = ("S1", "S2")  # clears and flat fills
-WITHIN = 1.25  # times a goal that an emulated board may take
+FLAT = ("S1", "S2")  # scenes of clears and flat fills
+WITHIN = 1.25  # factor of a goal that an emulated board may take
 
 
 def instructions(board, scene, tier):
-    """Of a frame at most, or None."""
+    """Returns the instructions that a frame may take at most, or None."""
     of_scene = ALL.get(scene, {})
     goal, factor = of_scene.get(tier, {}).get("m4"), {"m4": 1.0, "m3": ALL["m3"], "m0+": of_scene.get("m0+")}[board]
     if isinstance(factor, dict):
@@ -18,16 +18,16 @@ def instructions(board, scene, tier):
 
 
 def dithering(counts):
-    """Instructions that GL_DITHER takes more for each stored fragment, of an entry of golden.json"""
+    """Returns the instructions that GL_DITHER takes more for each stored fragment, from an entry of golden.json."""
     return (counts["dithered"] - counts["instructions"]) / max(counts["fragments"], 1)
 
 
 def speed(scene, tier):
-    """Times as fast as llvmpipe at least, or None."""
+    """Returns how many times as fast as llvmpipe the scene must be at least, or None."""
     return ALL.get(scene, {}).get(tier, {}).get("x86")
 
 
 def peer(scene, tier):
-    """Instructions of the best other GL without an FPU, or None where it is not held against this tier."""
+    """Returns the instructions of the best other GL without an FPU, or None if this tier is not compared with it."""
     of_scene = ALL.get(scene, {})
     return of_scene["peer"] * 1e6 if "peer" in of_scene and tier == of_scene.get("peer_tier", "balanced") else None

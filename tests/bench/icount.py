@@ -26,7 +26,7 @@ SLACK = 1.03
 
 
 def measure():
-    """{"m4 S2 exact": {"instructions": n, "text": n, "dithered": n, "fragments": n}}, and the pictures of each scene and tier."""
+    """Returns {"m4 S2 exact": {"instructions": n, "text": n, "dithered": n, "fragments": n}}, and the pictures of each scene and tier."""
     counts, pictures = {}, {}
     for board in mcu.BOARDS:
         results = mcu.measure(board, goals.SCENES, TIERS, (False, True))
@@ -47,7 +47,7 @@ def write(counts):
 
 
 def compare(counts, golden):
-    """True when nothing grew."""
+    """Returns whether nothing grew."""
     good, better = True, False
     print(f"{'board scene tier':<20}{'instructions':>14}{'was':>14}{'goal':>14}{'of goal':>9}{'text':>10}{'was':>10}{'dithered':>14}{'was':>14}{'+/fragment':>12}{'goal':>6}")
     for name, now in counts.items():

@@ -1,4 +1,4 @@
-"""The option --json of what measures: a file for the figures, or `-` for standard output."""
+"""The option --json of measuring tools: it names a file for the figures, or `-` for standard output."""
 import contextlib
 import json
 import pathlib
@@ -13,13 +13,13 @@ def add(parser):
 
 
 def check(parser, name):
-    """A long measurement is not begun for a file that cannot be there."""
+    """Refuses a file that cannot be written before a long measurement begins."""
     if name not in (None, "-") and not pathlib.Path(name).resolve().parent.is_dir():
         parser.error(f"--json {name}: no such folder")
 
 
 def tables(name):
-    """Where tables are printed: standard output holds nothing but JSON where it takes that."""
+    """Returns where tables are printed: standard output holds nothing but JSON if JSON goes there."""
     return contextlib.redirect_stdout(sys.stderr if name == "-" else sys.stdout)
 
 

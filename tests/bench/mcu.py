@@ -13,8 +13,8 @@ sys.path.insert(0, str(ROOT / "boards/tools"))
 import firmware  # noqa: E402
 from firmware import CCACHE, HOT, INCLUDES, sources  # noqa: E402,F401
 
-SCENES = {scene: name for scene, name in firmware.SCENES.items() if scene != "BAKED"}  # in fixed point: other GLs have none
-# No emulated M0+ board has the memory: its code runs on the M3, whose instructions contain the M0+'s.
+SCENES = {scene: name for scene, name in firmware.SCENES.items() if scene != "BAKED"}  # in fixed point, which other GLs lack
+# No emulated M0+ board has enough memory, so its code runs on the M3, whose instructions include the M0+'s.
 BOARDS = {"m4": ("mps2_an386", "cortex-m4"), "m3": ("mps2_an385", "cortex-m3"), "m0+": ("mps2_an385", "cortex-m0plus")}
 FLAGS = [*firmware.FLAGS, *firmware.THUMB]
 
@@ -24,12 +24,12 @@ class Result:
     instructions: int  # mean of three frames
     picture: str  # hash of frame 2
     text: int  # .text and .rodata of the whole image
-    context: int  # bytes of memory, from here on
+    context: int  # bytes of memory, as in the next four fields
     surface: int
-    peak: int  # most that was ever taken of the memory handed over, context and surface included
+    peak: int  # peak of the memory handed to GL, context and surface included
     static: int  # .data and .bss of the library
-    stack: int  # deepest
-    fragments: int = 0  # stored in a frame; counted where they are dithered
+    stack: int  # deepest use
+    fragments: int = 0  # stored in a frame; counted if the scene is dithered
 
 
 def available():
@@ -37,7 +37,7 @@ def available():
 
 
 class Programs:
-    """Images of one board, and what they print."""
+    """The images of one board, and what they print."""
 
     def __init__(self, board, folder):
         name, self.cpu = BOARDS[board]
@@ -55,7 +55,7 @@ class Programs:
 
 
 def count(programs, image):
-    """The Result of one scene's image."""
+    """Returns the Result of one scene's image."""
     frames, memory = [], {}
     for words in map(str.split, programs.run(image, "-icount", "shift=0").splitlines()):
         if len(words) == 3 and words[0] == "frame":
@@ -69,7 +69,7 @@ def count(programs, image):
 
 
 def measure(board, scenes, precisions, dithers=(False,)):
-    """{(scene, precision, dithered): Result}"""
+    """Returns {(scene, precision, dithered): Result}."""
     with tempfile.TemporaryDirectory() as folder:
         programs = Programs(board, folder)
         jobs = list(itertools.product(scenes, precisions, dithers))

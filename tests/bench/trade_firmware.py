@@ -23,21 +23,21 @@ sys.path.insert(0, str(ROOT / "boards/tools"))
 import firmware  # noqa: E402
 from firmware import outfile  # noqa: E402
 
-# What is built, and for which board (host_sim/trade/targets.cpp runs it): the folder of its linker script, and the processor.
+# {target: (board whose linker script serves, processor)}; host_sim/trade/targets.cpp runs the images.
 TARGETS = {"m0plus": ("mps2_an385", "cortex-m0plus"), "m3": ("mps2_an385", "cortex-m3"), "m4": ("mps2_an386", "cortex-m4"),
            "rv32": ("rv32_virt", "rv32imac")}
 TIERS = ("exact", "balanced", "fast")  # in the order of raster::Tier
-FRAMES = 5  # that `spangle trade` draws on boards
-# What C++ calls the words of `spangle trade --knobs`.
+FRAMES = 5  # frames that `spangle trade` draws on boards
+# C++ names for the words of `spangle trade --knobs`.
 WORDS = {"off": "false", "on": "true", "never": "Knobs::never", "always": "0", "straight": "Runs::straight", "cubic": "Runs::cubic"}
 
 
 class Refused(Exception):
-    """What was asked for cannot be built, in a sentence."""
+    """A sentence about why what was asked for cannot be built."""
 
 
 def words(known):
-    """An option's type: some of these names, with commas between."""
+    """Returns an option's type: some of these names, with commas between."""
     def read(text):
         names = text.split(",")
         unknown = [name for name in names if name not in known]
@@ -48,7 +48,7 @@ def words(known):
 
 
 def ask(spangle, *question):
-    """What the command line of this tree prints."""
+    """Returns what the command line of this tree prints."""
     if not spangle.is_file():
         raise Refused(f"{spangle} is not there; `./dev build` makes it, or --spangle names another one")
     done = subprocess.run([spangle, *question], capture_output=True, text=True)
@@ -58,14 +58,14 @@ def ask(spangle, *question):
 
 
 def tier_set(knobs):
-    """The tiers whose code draws with these knobs: raster::tiers_for() holds the library to the same."""
+    """Returns the tiers whose code draws with these knobs. raster::tiers_for() checks the library for the same."""
     exact = knobs["color_bits"] == "20" or knobs["runs"] == "cubic" or knobs["unsnapped"] == "on"
     other = knobs["color_bits"] == "8" or knobs["runs"] == "straight"
     return [tier for tier, there in zip(TIERS, (exact, other and knobs["coarse_blend"] == "off", other and knobs["coarse_blend"] == "on")) if there]
 
 
 def definitions(tiers, knobs=None):
-    """The library's, of a build with these tiers, or of one with one set of knobs."""
+    """Returns the library's definitions for a build with these tiers, or with one set of knobs."""
     out = [f"-DSPANGLE_TIER_SET={sum(1 << TIERS.index(tier) for tier in tiers)}"]
     if knobs is not None:
         out.append("-DSPANGLE_KNOBS=" + ",".join(f".{knob}={WORDS.get(value, value)}" for knob, value in knobs.items()))
@@ -73,7 +73,7 @@ def definitions(tiers, knobs=None):
 
 
 def composed(spangle, asked):
-    """{name: (a tier of the library that is there, definitions)} of tiers as the option --tier says them."""
+    """Returns {name: (a tier of the library, definitions)} of tiers as the option --tier describes them."""
     if not asked:
         return {}
     table = [re.split(r"  +", line.strip()) for line in ask(spangle, "trade", "--knobs", *(word for tier in asked for word in ("--tier", tier))).splitlines()]
@@ -86,14 +86,14 @@ def composed(spangle, asked):
 
 
 def write_changed(path, text):
-    """What is the same stays, so that nothing is compiled anew for it."""
+    """Writes a file only if its text changes, so that nothing is compiled again for it."""
     path.parent.mkdir(parents=True, exist_ok=True)
     if not path.is_file() or path.read_text() != text:
         outfile.write(path, text)
 
 
 def bake(spangle, model, folder):
-    """(name of the image, definitions of its program)."""
+    """Returns (name of the image, definitions of its program)."""
     name = re.sub(r"[^A-Za-z0-9]", "_", "model_" + model.name)
     header = folder / f"{name}.hpp"
     text = ask(spangle, "bake", str(model), "-o", "-", "--name", name)
@@ -102,7 +102,7 @@ def bake(spangle, model, folder):
 
 
 def used_spans(spangle, programs, tier, dither, folder):
-    """The list of the fused spans that programs (words of `spangle profile`) draw with in a tier of the library."""
+    """Returns the list of the fused spans that programs (words of `spangle profile`) draw with in a tier of the library."""
     spans = {}
     for number, program in enumerate(programs):
         profile = folder / f"{tier}{number}.cmake"

@@ -22,7 +22,7 @@ LIKE = "mps2_an505"
 
 
 def blocks(text):
-    """{file: content} of the page's code in the section about firmware."""
+    """Returns {file: content} of the page's code in the section about firmware."""
     section = text.partition("## 4. Firmware")[2].partition("\n## ")[0]
     files = {}
     for language, code in re.findall(r"^```(\w+)\n(.*?)^```", section, re.M | re.S):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Firmware that goes wrong on purpose, on every board: it ends, or goes on, as it should.
+"""Runs firmware that goes wrong on purpose on every board: it must end, or go on, as it should.
 
 usage: provoke.py --build FOLDER [BOARD...]
 
@@ -16,9 +16,9 @@ import boards  # noqa: E402
 import firmware  # noqa: E402
 
 FAULTS = {"stack": r"panic: stack overflow at ", "instruction": r"panic: fault at [0-9a-f]*[1-9a-f]", "address": r"panic: fault at [0-9a-f]*[1-9a-f]"}
-# Machines of QEMU that answer reads of every address with 0.
+# QEMU's machines that answer a read of any address with 0, without a bus error.
 NO_BUS_ERRORS = ("lm3s6965evb", "lm3s811evb", "vexpress_a9")
-# Boards that run out of memory: whole frames and bands, much memory and little.
+# Boards on which memory runs out: with whole frames and with bands, with much memory and with little.
 SHORT = ("mps2_an386", "lm3s6965evb", "netduinoplus2")
 SHORTAGE = """a panel that does not answer: eglInitialize
 the board's own: shown
@@ -28,7 +28,7 @@ the same picture: yes"""
 
 
 def faults(board, image):
-    """Lines that say what is wrong."""
+    """Returns lines that say what is wrong."""
     wrong = []
     for word, said in FAULTS.items():
         if word == "address" and board.name in NO_BUS_ERRORS:
@@ -44,7 +44,7 @@ def faults(board, image):
 
 
 def add_shortage(build, board):
-    """Firmware of a board that runs out of memory, with the library the board has."""
+    """Adds firmware of a board that runs out of memory, with the board's own library."""
     variant = board.name if board.defines else ""
     paths = [ROOT / "tests/boards/shortage.cpp", ROOT / "boards/demo/demo.cpp", board.folder / "board.cpp", *firmware.startup(board.target)]
     objects = [*(build.compile(board.target, "-Os", path, board.defines, board.name) for path in paths), *build.library(board.target, board.defines, variant)]
@@ -52,7 +52,7 @@ def add_shortage(build, board):
 
 
 def shortage(board, image):
-    """Lines that say what is wrong."""
+    """Returns lines that say what is wrong."""
     try:
         text = firmware.emulate(board.machine, image)
     except RuntimeError as error:

@@ -22,7 +22,7 @@ from checks import check, failures  # noqa: E402
 SPANGLE = sys.argv[1] if len(sys.argv) == 3 else ""
 KEYS = ["scene", "board", "precision", "frames", "fragments", "triangles", "identical_565_percent", "max_lsb", "psnr_565_db",
         "coverage_mismatches", "coverage_unsnapped", "bus_bytes", "bus_commands", "bus_pixel_bytes", "full_frame_bytes", "fps_at_bus_clock", "picture_hash"]
-# What SDL's video drivers keep is not ours to report.
+# SDL's video drivers keep memory that they do not free, so leaks are not reported.
 WINDOWED = {**os.environ, "ASAN_OPTIONS": "detect_leaks=0"}
 
 
@@ -41,7 +41,9 @@ def scenes():
 
 
 def accuracy():
-    """Exact: at least 99.99 % of covered pixels identical to the reference in double; dithered, as GL begins, or not; balanced 95 %, dithered 94 %. Coverage is always right."""
+    """The exact tier draws at least 99.99 % of the covered pixels as the reference in double does, dithered, as GL begins, or not. The
+    balanced tier draws 95 %, or 94 % dithered. Coverage is always right.
+    """
     check(len(scenes()) >= 12, "the scenes are listed")
     with tempfile.TemporaryDirectory() as folder:
         for scene in scenes():
@@ -50,23 +52,24 @@ def accuracy():
                 print(f"{scene:<5}{precision:<10}{dither:<4}{r['identical_565_percent']:>10.4f} %  worst {r['max_lsb']:>2}  off snapped {r['coverage_mismatches']}  off unsnapped {r['coverage_unsnapped']}, by snapping alone {r['coverage_snapping']}")
                 check(r["identical_565_percent"] >= least, f"{scene} {precision}, dither {dither}: {r['identical_565_percent']} % identical")
                 check(r["coverage_mismatches"] == 0, f"{scene} {precision}: coverage differs from brute force")
-                # The vertex half adds nothing to what n.8 costs: at most one pixel where a position is half-way between two steps.
+                # The vertex half adds nothing to the error of positions in n.8: at most one pixel, where a position is half-way between two
+                # steps.
                 check(abs(r["coverage_unsnapped"] - r["coverage_snapping"]) <= 1, f"{scene} {precision}: {r['coverage_unsnapped']} pixels off, {r['coverage_snapping']} by snapping")
                 check(r["coverage_unsnapped"] <= 1e-4 * r["fragments"], f"{scene} {precision}: {r['coverage_unsnapped']} pixels off the unsnapped ones")
 
 
-# Bounds of the stages in the exact tier (design of the numbers; half a step of n.8, of a 16-bit depth).
+# Bounds of the stages in the exact tier (design of the numbers): half a step of n.8, half a step of a 16-bit depth.
 STAGE_BOUNDS = {"vertex color": 2**-19, "vertex coord": 2**-20, "vertex fog": 2**-27, "window x": 0.5 / 256 + 1e-6, "window y": 0.5 / 256 + 1e-6, "snapping": 1,
                 "window z": 2**-27, "1/w": 2**-27, "depth": 0.5 / 65535 + 1e-7, "primary": 2**-18, "coord 0": 1 / 64, "texture 0": 1 / 255, "fog factor": 2**-21,
                 "fog": 1 / 255, "blend": 1 / 255}
 
 
-# What the balanced tier promises instead: a quarter of a texel, a quarter of a step of R5; fog distances are affine within 2^-9 of the factor.
+# The balanced tier promises a quarter of a texel and a quarter of a step of R5; fog distances are affine within 2^-9 of the factor.
 BALANCED_BOUNDS = {"coord 0": 0.25 + 1 / 64, "primary": 0.25 / 31, "vertex color": 2**-13, "fog factor": 2**-9}
 
 
 def shadow_tiers():
-    """The shadow of a tier draws its picture; balanced keeps its promises."""
+    """The shadow of each tier draws the tier's picture, and the balanced tier keeps its promises."""
     for tier in ("balanced", "fast"):
         for scene in ("S4", "S4r", "S5", "S6", "S9"):
             plain, r = report(scene, "--dither", "off", "--precision", tier), report(scene, "--dither", "off", "--precision", f"shadow-{tier}")
@@ -77,7 +80,7 @@ def shadow_tiers():
 
 
 def shadow():
-    """Shadow precision draws the exact tier's picture and reports every stage within its bound, worst and RMS."""
+    """Shadow precision draws the exact tier's picture, and reports the worst error and the RMS of every stage within the stage's bound."""
     shadow_tiers()
     worst = {}
     for scene in scenes():
@@ -96,7 +99,7 @@ def shadow():
 
 
 def presents():
-    """How a board presents: free of tears, in its own pace, without what did not change."""
+    """A board presents frames without tears, at its own pace, and sends only what changed."""
     plain = report("HUD", "--frames", "20")
     hashed = report("HUD", "--frames", "20", "--row-hash")
     check(hashed["picture_hash"] == plain["picture_hash"], "the row hash changes no picture")
@@ -118,7 +121,7 @@ def presents():
 
 
 def bands():
-    """A board that holds some rows draws the same, from a record or by callback, also where the record is too small."""
+    """A board that holds some rows draws the same picture, from a record or by callback, also if the record is too small."""
     whole = report("S5", "--frames", "3")
     check("bands" not in whole, "only when it is asked for")
     for words, record in ((["--band-height", "8"], 0), (["--band-height", "8", "--bands", "record"], 1000), (["--band-height", "60", "--bands", "record", "--record-bytes", "5000"], 0)):
@@ -136,7 +139,7 @@ def bands():
 
 
 def errors():
-    """One line that says what to do, exit status 2, nothing written."""
+    """An error prints one line that says what to do, exits with status 2, and writes nothing."""
     with tempfile.TemporaryDirectory() as folder:
         broken = pathlib.Path(folder) / "broken.obj"
         broken.write_bytes(b"\x00\x01 no model \xff")
@@ -162,7 +165,7 @@ def errors():
 
 
 def outputs():
-    """Pictures, JSON, VCD; the same picture every time; a board's damage is less than a frame."""
+    """Pictures, JSON and VCD are written, the same picture every time; a board's damage is less than a frame."""
     with tempfile.TemporaryDirectory() as folder:
         r = report("S5", "--frames", "3", cwd=folder)
         check(list(r) == KEYS, f"keys {list(r)}")
@@ -186,7 +189,8 @@ def outputs():
         for board in [line.split()[0] for line in run("boards").stdout.splitlines()]:
             done = run("run", "S9", "--board", board, "--frames", "2", "--stats", cwd=folder)
             check(done.returncode == 0 and "rule " not in done.stderr, f"{board}: {done.stderr}")
-        # A full frame is what the wire sends of one, whatever its format: the first frame changes every pixel, and commands are few, seven for each of eight pages at most.
+        # The first frame changes every pixel, so a board sends a full frame in its wire format. Commands are few: at most seven for each of
+        # eight pages.
         for board in [line.split()[0] for line in run("boards").stdout.splitlines()]:
             r = report("S1", "--board", board, cwd=folder)
             commands = r["bus_bytes"] - r["full_frame_bytes"]
@@ -195,7 +199,7 @@ def outputs():
 
 
 def written():
-    """Files are whole or as they were, devices and pipes are written to as they are, and what is lost is told in one line."""
+    """A file is whole or as it was before, devices and pipes are written to as they are, and a lost output is told in one line."""
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         check(run("run", "S2", "--compare", cwd=name).returncode == 0 and list(folder.iterdir()) == [], "--compare writes nothing by itself")
@@ -211,11 +215,11 @@ def written():
             check(b"picture: " in piped.stderr, "words for people are on standard error then")
         header = subprocess.run([SPANGLE, "bake", "s.png", "-o", "-", "--name", "shot"], capture_output=True, text=True, cwd=name)
         check(header.returncode == 0 and header.stdout.startswith("//") and "texture" in header.stderr, f"bake to standard output: {header.stderr}")
-        # Both a picture and figures on one stream are neither.
+        # A picture and figures cannot share one stream, so both are refused.
         for words in (["--shot", "-", "--vcd", "-"], ["--shot", "-", "--json"], ["--vcd", "/dev/stdout", "--json"], ["--shot", "-", "--difference", "-"]):
             done = run("run", "S2", *words)
             check(done.returncode == 2 and "standard output" in done.stderr and done.stdout == "", f"{words}: {done.stderr!r}")
-        # A full device: everything that is written is checked.
+        # On a full device every write must be checked.
         (folder / "s.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
         for words in (["run", "S2", "--shot", "/dev/full"], ["run", "S2", "--vcd", "/dev/full"], ["run", "S2", "--difference", "/dev/full"], ["bake", "s.png", "-o", "/dev/full", "--name", "x"],
                       ["bake", "s.obj", "-o", "/dev/full", "--name", "x"], ["card", "--shot", "/dev/full"], ["formats", "--shot", "/dev/full"], ["samples", "--shot", "/dev/full"]):
@@ -242,7 +246,7 @@ def written():
 
 
 def limited(folder, shot):
-    """Where a file cannot be finished the one before it is as it was, and nothing lies beside it."""
+    """If a file cannot be finished, the file before it stays as it was, and no temporary file is left."""
     (folder / "s.png").write_bytes(shot)
     before = sorted(p.name for p in folder.iterdir())
     for words in (["run", "S9", "--shot", "s.png"], ["run", "S9", "--vcd", "new.vcd"], ["bake", "s.png", "-o", "new.hpp"]):
@@ -253,21 +257,21 @@ def limited(folder, shot):
 
 
 def dumps(folder):
-    """A dump that reaches its limit ends there, whole, and the run says when that was."""
+    """A dump that reaches its limit ends there as a whole file, and the run says when that was."""
     done = run("run", "S5", "--frames", "3", "--vcd", "bus.vcd", "--vcd-limit", "100kB", cwd=folder)
     text = (folder / "bus.vcd").read_text()
     said = [line for line in done.stderr.splitlines() if line.startswith("bus.vcd: stopped at ")]
     check(done.returncode == 0 and len(said) == 1 and "--vcd-limit" in said[0], f"the run goes on, and says so: {done.stderr!r}")
     check(len(text) <= 100 * 1024, f"{len(text)} bytes")
     check("$comment stopped here: the file has reached its limit $end" in text, "the dump says so, too")
-    last = [int(line[1:]) for line in text.splitlines() if line.startswith("#")][-2]  # one more moment shows the last edge
+    last = [int(line[1:]) for line in text.splitlines() if line.startswith("#")][-2]  # the last moment but one: one more shows the last edge
     check(f"{last / 1e6:.6f} ms" in said[0], f"{said[0]!r} tells the moment, {last} ns")
     whole = run("run", "S2", "--vcd", "whole.vcd", cwd=folder)
     check(whole.stderr == "" and "$comment" not in (folder / "whole.vcd").read_text(), "others say nothing")
 
 
 def screen_pixels(path):
-    """(width, height, bytes of BGRX) of an X server's frame buffer file, which is an XWD file."""
+    """Returns (width, height, bytes of BGRX) of an X server's frame buffer file, which is an XWD file."""
     data = path.read_bytes()
     size, _, _, _, width, height, _, _, _, _, _, bits, stride = struct.unpack(">13I", data[:52])
     check(bits == 32 and stride == width * 4, "32 bits a pixel")
@@ -276,7 +280,7 @@ def screen_pixels(path):
 
 
 def differs(screen, shot, scale):
-    """Why the left half of a window at the screen's corner is not the glass, or None."""
+    """Returns why the left half of a window at the screen's corner is not the glass, or None."""
     width, _, pixels = screen
     rows = png.read(shot)[2]
     for y, row in enumerate(rows):
@@ -289,7 +293,9 @@ def differs(screen, shot, scale):
 
 
 def on_x_server(folder):
-    """The window on an X server of its very size: the glass, pixel by pixel, the memory beside it; closing ends the run in good order."""
+    """On an X server of the window's size, the window shows the glass pixel by pixel, with the memory beside it. Closing the window ends
+    the run in good order.
+    """
     read, write = os.pipe()
     server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x480x24", "-fbdir", folder, "-nolisten", "tcp"],
                               pass_fds=[write], stderr=subprocess.DEVNULL)
@@ -311,7 +317,7 @@ def on_x_server(folder):
         width, _, pixels = screen
         beside = [pixels[(y * width + x) * 4:(y * width + x) * 4 + 3] for y in range(0, 480, 16) for x in range(640, 1000, 16)]
         check(len(set(beside)) > 20, "the controller's memory beside it")
-        program.send_signal(signal.SIGTERM)  # to SDL, the user who closes the window
+        program.send_signal(signal.SIGTERM)  # SDL takes this signal as a user who closes the window
         out, err = program.communicate(timeout=60)
         check(program.returncode == 0, f"closed: exit status {program.returncode}: {err}")
         check(0 < json.loads(out)["frames"] < 1000000, "the frames that were drawn are reported")
@@ -323,7 +329,7 @@ def on_x_server(folder):
 
 
 def stays_until_closed(environment, folder):
-    """As the README has it, without --frames: the window stays, the scene goes on in it, and what is reported is one frame."""
+    """Without --frames, as the README has it, the window stays, the scene goes on in it, and one frame is reported."""
     words = ["run", "S5", "--window", "--json", "--vcd", str(folder / "window.vcd")]
     program = subprocess.Popen([SPANGLE, *words], env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     seen, deadline = set(), time.monotonic() + 60
@@ -341,13 +347,13 @@ def stays_until_closed(environment, folder):
 
 
 def window():
-    """--window on an X server where there is one, on SDL's dummy driver, and where nothing can be opened."""
+    """Tests --window on an X server if there is one, on SDL's dummy driver, and where no window can be opened."""
     with tempfile.TemporaryDirectory() as folder:
         if shutil.which("Xvfb"):
             on_x_server(folder)
         words = ["run", "S2", "--window", "--frames", "2", "--json"]
         expected = report("S2", "--frames", "2")["picture_hash"]
-        # Left to itself without a display, SDL would choose its driver "offscreen" and show nothing to nobody.
+        # Without a display SDL would choose its driver "offscreen", and show nothing to nobody.
         bare = {name: value for name, value in WINDOWED.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY", "XDG_RUNTIME_DIR", "SDL_VIDEODRIVER")}
         for driver, said in (("dummy", False), ("nonsense", True), (None, not pathlib.Path("/dev/dri").exists())):
             done = subprocess.run([SPANGLE, *words], capture_output=True, text=True, env={**bare, "SDL_VIDEODRIVER": driver} if driver else bare)
@@ -357,7 +363,7 @@ def window():
 
 
 def bringup():
-    """probe, card, wizard and the gallery: a panel is found, seen, described."""
+    """Tests probe, card, wizard and the gallery: a panel is found, seen and described."""
     probe = run("probe", "--board", "ili9341-spi")
     check(probe.returncode == 0 and "fits: ILI9341 240x320  (board ili9341-spi)" in probe.stdout, f"probe: {probe.stdout}{probe.stderr}")
     for words, says in ((["probe", "--board", "st7789-240"], "cannot read"), (["probe", "--board", "none"], "no board 'none'"),

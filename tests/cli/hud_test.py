@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The dashboard can be read on every board: its number stands on the glass, pixel by pixel as the font has it.
+"""Tests that the dashboard can be read on every board: its number stands on the glass, pixel by pixel as the font has it.
 
 usage: hud_test.py SPANGLE
 """
@@ -14,7 +14,7 @@ sys.path[:0] = [str(ROOT / "host_sim/tools"), str(ROOT / "tests")]
 import png  # noqa: E402
 from checks import check, failures  # noqa: E402
 
-NUMBER, FRAMES = "058", 30  # what the gauge says in the last of so many frames
+NUMBER, FRAMES = "058", 30  # what the gauge shows in the last of so many frames
 
 
 def glyphs():
@@ -25,14 +25,14 @@ def glyphs():
 
 
 def text(letters, scale):
-    """Rows of the text, a 1 for a pixel that is lit, `scale` pixels to one of the font."""
+    """Returns the rows of a text, with a 1 for each lit pixel. `scale` pixels show one pixel of the font."""
     font = glyphs()
     rows = [".".join(font[c][row] for c in letters) for row in range(7)]
     return ["".join(("1" if c == "#" else "0") * scale for c in row) for row in rows for _ in range(scale)]
 
 
 def stands(rows, wanted):
-    """Whether the rows of the picture hold these, one below the other, somewhere."""
+    """Returns whether these rows stand somewhere in the picture, one below the other."""
     for top in range(len(rows) - len(wanted) + 1):
         at = rows[top].find(wanted[0])
         while at >= 0:
@@ -43,7 +43,7 @@ def stands(rows, wanted):
 
 
 def scale_of(path):
-    """How large the number stands there; 0: nowhere."""
+    """Returns the scale of the number in the picture; 0 if the number is nowhere."""
     picture = png.read(path.read_bytes())[2]
     rows = ["".join("1" if r + 2 * g + b > 640 else "0" for r, g, b in row) for row in picture]
     return next((scale for scale in range(8, 0, -1) if stands(rows, text(NUMBER, scale))), 0)

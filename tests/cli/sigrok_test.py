@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Dumps of the simulated wires as sigrok decodes them, which nobody here wrote: SPI, 8080 and I2C.
+"""Decodes dumps of the simulated wires with sigrok, a program of other authors: SPI, 8080 and I2C.
 
 usage: sigrok_test.py SPANGLE
 
-A frame of a scene is recorded; what sigrok's decoders find on the wires is the commands that open a window, and then the bytes of the
-very picture that --shot wrote.
+A frame of a scene is recorded. sigrok's decoders must find on the wires the commands that open a window, and then the bytes of the picture
+that --shot wrote.
 """
 import pathlib
 import re
@@ -24,17 +24,17 @@ I2C = ["-P", "i2c:scl=SCL:sda=SDA", "-A", "i2c=start:repeat-start:stop:ack:nack:
 
 
 def words_565(rows):
-    """The bytes of the pixels, high byte first."""
+    """Returns the bytes of RGB565 pixels, high byte first."""
     return b"".join((r >> 3 << 11 | g >> 2 << 5 | b >> 3).to_bytes(2, "big") for row in rows for r, g, b in row)
 
 
 def pages(rows):
-    """Eight rows to a byte, the uppermost lowest."""
+    """Returns the bytes of a picture in pages: a byte holds eight rows, the uppermost in bit 0."""
     return bytes(sum((rows[top + n][x][0] > 127) << n for n in range(8)) for top in range(0, len(rows), 8) for x in range(len(rows[0])))
 
 
 def record(spangle, folder, board):
-    """The dump of one frame of a dashboard, and the picture it shows."""
+    """Records one frame of a dashboard. Returns its dump and its picture."""
     dump, shot = folder / f"{board}.vcd", folder / f"{board}.png"
     done = subprocess.run([spangle, "run", "HUD", "--board", board, "--vcd", str(dump), "--shot", str(shot)], capture_output=True, text=True)
     check(done.returncode == 0 and done.stderr == "", f"{board}: {done.stderr}")
@@ -43,7 +43,7 @@ def record(spangle, folder, board):
 
 def sigrok(dump, words):
     done = subprocess.run(["sigrok-cli", "-I", "vcd", "-i", str(dump), *words], capture_output=True)
-    # Debian's Python dies of sigrok's reference counts when the program ends; all of its output is there by then.
+    # Debian's Python may crash on sigrok's reference counts when the program ends; all output is there by then.
     check(done.returncode == 0 or b"bool_dealloc" in done.stderr, f"sigrok: {done.stderr}")
     return done.stdout
 
@@ -57,7 +57,7 @@ def spi(spangle, folder):
 
 
 def spi_with_start_bytes(spangle, folder):
-    """Each message has its own select and begins with what stands for D/C."""
+    """Each message has a chip select of its own, and begins with the byte that stands for D/C."""
     dump, rows = record(spangle, folder, "hx8347-spi")
     found, pixels = sigrok(dump, SPI), words_565(rows)
     check(found.endswith(bytes([0x70, 0x22, 0x72]) + pixels), "start bytes: index 22h and the pixels of the picture")
@@ -66,12 +66,12 @@ def spi_with_start_bytes(spangle, folder):
 def parallel(spangle, folder):
     dump, rows = record(spangle, folder, "ili9341-8080")
     found = bytes(int(word, 16) for word in re.findall(rb"^parallel-1: ([0-9A-Fa-f]+)$", sigrok(dump, PARALLEL), re.M))
-    # The decoder tells a word when the next one begins: the last is not told.
+    # The decoder reports a word when the next one begins, so the last word is missing.
     check(found[:1] == b"\x2c" and found[1:] == words_565(rows)[:-1], f"8080: RAMWR and the pixels of the picture, not {found[:16].hex()}")
 
 
 def i2c(spangle, folder):
-    """Two messages to 3Ch, each byte acknowledged: commands behind 00h, pixels behind 40h."""
+    """A frame is two messages to 3Ch, with every byte acknowledged: commands behind 00h, pixels behind 40h."""
     dump, rows = record(spangle, folder, "ssd1306-i2c")
     lines = [line.partition(": ")[2] for line in sigrok(dump, I2C).decode().splitlines()]
     messages = []

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Writes the tables of docs/choose.md: accuracy as the command line measures it, instructions and sizes as the golden files have them.
+"""Writes the tables of docs/choose.md: accuracy as the command line measures it, instructions and sizes from the golden files.
 
 usage: choose.py SPANGLE [--update]
 
-Without --update: exit status 1 when the document does not show them.
+Without --update the exit status is 1 if the document shows other tables.
 """
 import json
 import pathlib

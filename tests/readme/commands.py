@@ -15,12 +15,12 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 REAL = re.compile(r"--(spidev|i2c|ftdi|gud)\b")
-# Without any screen, as on a server: --window says so, and the run goes on.
+# An environment without a screen, as on a server: --window says so, and the run goes on.
 BARE = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY", "XDG_RUNTIME_DIR")} | {"SDL_VIDEODRIVER": "dummy"}
 
 
 def lines():
-    """(page, line) of what calls the command line."""
+    """Returns (page, line) of each line that calls the command line."""
     for page in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]:
         for language, block in re.findall(r"^```(\w*)\n(.*?)^```", page.read_text(), re.S | re.M):
             for line in block.splitlines():
@@ -29,7 +29,7 @@ def lines():
 
 
 def wrong(spangle, line, folder):
-    """What is not as the reader expects, or nothing."""
+    """Returns what is not as the reader expects, or None."""
     (folder / "build/host").mkdir(parents=True)
     (folder / "build/host/spangle").symlink_to(spangle)
     for name in ("boards", "docs"):

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Runs the first triangle of README.md as it is written there, from this folder, with an empty home.
 
-It is at most 10 lines of shell beside the two files that it writes, of at most 10 lines of CMake and 25 of C++. The library is compiled
-for speed, although the project chooses no build type; what is not linked is not compiled.
+The example has at most 10 lines of shell beside the two files that it writes, which have at most 10 lines of CMake and 25 of C++. The
+library must be compiled for speed, although the project chooses no build type. Only targets that are linked are compiled.
 """
 import os
 import pathlib
@@ -16,7 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def lengths(block):
-    """Lines of shell, of CMake, of C++."""
+    """Returns the number of lines of shell, of CMake, and of C++."""
     files = dict(re.findall(r"^cat > (\S+) <<'EOF'\n(.*?)^EOF\n", block, re.S | re.M))
     shell = re.sub(r"^cat > (\S+) <<'EOF'\n(.*?)^EOF\n", r"cat > \1\n", block, flags=re.S | re.M)
     return [len(text.splitlines()) for text in (shell, files["CMakeLists.txt"], files["hello.cpp"])]

@@ -12,7 +12,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ROOMS = ["gl/include", "hal/include", "raster/include", "raster/format/include"]
-# What the page asks for in words: one include and one entry of boards::all.
+# The page asks for these changes in words: one include and one entry of boards::all.
 TABLE = [('#include "st7789_240.hpp"', '#include "my_board.hpp"\n#include "st7789_240.hpp"'), ("all[] = {", "all[] = {&my_board, ")]
 PROGRAM = """#include <spangle/boards/boards.hpp>
 #include <spangle/hal/mapped_display.hpp>
@@ -28,7 +28,7 @@ void start(hal::Bus& bus) {{
 {use}
 }}
 """
-# Each line of the board changed so that it cannot work, and what the compiler must say.
+# Each line of the board, changed so that it cannot work, and what the compiler must say.
 WRONG = [(".write_hz = 40000000", ".write_hz = 400000000", "faster than this panel"), (".wait_te = false", ".wait_te = true", "without a TE line"),
          (".read_back = false", ".read_back = true", "needs a read clock")]
 
@@ -42,7 +42,7 @@ def compiled(compiler, folder, board, program):
 
 
 def main():
-    page = (ROOT / "docs/new-board.md").read_text().split("## 4. Firmware")[0]  # which tests/boards follows
+    page = (ROOT / "docs/new-board.md").read_text().split("## 4. Firmware")[0]  # tests/boards follows the section on firmware
     glass, setup, mapped, board, use = re.findall(r"```cpp\n(.*?)```", page, re.S)
     use = "\n".join(line for line in use.splitlines() if not line.startswith("#include"))
     program = PROGRAM.format(glass=glass, setup=setup, mapped=mapped, use=use)

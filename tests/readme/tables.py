@@ -26,11 +26,11 @@ import outfile  # noqa: E402
 
 README = ROOT / "README.md"
 PAGES = {"transports": ROOT / "docs/linux.md", "bands": ROOT / "docs/bands.md", "goals": ROOT / "docs/boards.md",
-         "dithering": ROOT / "docs/boards.md"}  # of tables that do not stand in README.md
+         "dithering": ROOT / "docs/boards.md"}  # files of tables that do not stand in README.md
 BENCH = ROOT / "tests/bench"
 TIERS = ("exact", "balanced", "fast")
 FRAMES = 10
-HEIGHTS = (1, 3, 8, 16, 240)  # of bands; the last is the picture's
+HEIGHTS = (1, 3, 8, 16, 240)  # heights of bands in rows; the last is the picture's
 
 
 def table(heads, rows):
@@ -53,13 +53,13 @@ class CommandLine:
         return json.loads(done.stdout)
 
     def bands(self, scene, height, how):
-        """Bytes of buffers, of depth and of the longest record, and the pictures."""
+        """Returns the bytes of buffers, of depth and of the longest record, and the pictures."""
         found = self.run(scene, "balanced", "--band-height", str(height), "--bands", how, where=("--board", "ili9341"))
         return found["bands"], found["picture_hash"]
 
 
 def accuracy(cli):
-    """Every tier without GL_DITHER and with it, which is how GL begins."""
+    """Measures every tier without GL_DITHER and with it, which is how GL begins."""
     rows = []
     for scene in cli.scenes():
         found = {(tier, dither): cli.run(scene, tier, "--compare", dither=dither) for tier in TIERS for dither in ("off", "on")}
@@ -71,7 +71,7 @@ def accuracy(cli):
 
 
 def stages(cli):
-    """Over all scenes: the worst of the worst, the RMS of all values together."""
+    """Measures the stages over all scenes: the largest error, and the RMS of all values together."""
     total = {}
     for scene in cli.scenes():
         for tier, precision in zip(TIERS, ("shadow", "shadow-balanced", "shadow-fast")):
@@ -93,7 +93,7 @@ def stages(cli):
 
 
 def bands(cli):
-    """By height what every scene takes, then what the record of each takes beside; every picture is the same at all heights."""
+    """Measures for each height what every scene takes, and what its record takes beside. Every picture must be the same at all heights."""
     plain, rows = {}, []
     for scene in cli.scenes():
         records, pictures = set(), set()
@@ -120,12 +120,12 @@ CORES = ("m4", "m3", "m0+")
 
 
 def golden():
-    """{(core, scene, tier): what was counted}"""
+    """Returns {(core, scene, tier): what was counted}."""
     return {tuple(name.split()): entry for name, entry in json.loads((BENCH / "golden.json").read_text()).items()}
 
 
 def counted():
-    """{(core, scene, tier): instructions of a frame}"""
+    """Returns {(core, scene, tier): instructions of a frame}."""
     return {name: entry["instructions"] for name, entry in golden().items()}
 
 
@@ -134,7 +134,7 @@ def times(count, goal):
 
 
 def instructions():
-    """The balanced tier, in brief."""
+    """Returns the short table of the balanced tier's instructions."""
     counts = counted()
     rows = []
     for scene in goals.SCENES:
@@ -144,7 +144,7 @@ def instructions():
 
 
 def goals_met():
-    """Every count with its goal, and with the best other GL; what is above says so."""
+    """Returns every count with its goal and with the best other GL, and says which counts are above their goal."""
     counts, rows, above, slower = counted(), [], [], []
     wanted = 0
     for scene in goals.SCENES:
@@ -168,7 +168,7 @@ def goals_met():
 
 
 def dithering():
-    """What GL_DITHER takes more, a stored fragment; of clears and flat fills, the whole frame and its goal."""
+    """Returns what GL_DITHER takes more for each stored fragment. For clears and flat fills it is the whole frame and its goal."""
     counts, budget, rows, above = golden(), goals.ALL["dither"], [], []
     for scene in goals.SCENES:
         for tier in TIERS:
@@ -215,7 +215,7 @@ def memory():
 
 
 def features():
-    """What each optional system costs; sorted by the code it takes of the smallest target."""
+    """Returns what each optional system costs, sorted by the bytes of code on the smallest target."""
     path = BENCH / "features.json"
     if not path.exists():
         return "`python3 tests/bench/features.py` has not been run yet."
@@ -227,10 +227,10 @@ def features():
 
 
 def transports():
-    """What `./dev bench hal --record` kept: means over frames of a scene."""
+    """Returns what `./dev bench hal --record` kept: means over the frames of a scene."""
     def cells(r):
         wire, cpu = r["wire_us"], r["cpu_us"]
-        serial = "MHz" in r["transport"] # only there does the model know how long the wire takes
+        serial = "MHz" in r["transport"]  # only for these buses does the model know how long the wire takes
         return [r["transport"], r["scene"], f"{r['bytes']:,}", f"{1e6 / wire:.0f}" if serial else "-", f"{cpu / 1000:.2g} ms" if cpu >= 1000 else f"{cpu:.0f} us",
                 f"{100 * cpu / wire:.1f} %" if serial else "-"]
     return table(["transport", "scene", "bytes a frame", "frames/s of the wire", "processor a frame", "share of it"],
@@ -238,7 +238,7 @@ def transports():
 
 
 def refreshed(text, name, content):
-    """The page with this table in place."""
+    """Returns the page with this table in place."""
     pattern = re.compile(rf"(<!-- table: {name} -->\n).*?(\n<!-- end -->)", re.S)
     if len(pattern.findall(text)) != 1:
         raise SystemExit(f"{page_of(name).name} has not one place for the table '{name}'")
@@ -248,7 +248,7 @@ def refreshed(text, name, content):
 NUMBER = re.compile(r"2\^(-?[\d.]+)|([\d.]+) %|(\d[\d.,]*)")
 
 
-# By how much a table may claim more than is measured: an exponent, a percentage, a count or step; or a part of what it claims.
+# By how much a table may claim more than is measured: an exponent, a percentage, a count or step; or a share of the claimed figure.
 SLACK = {"accuracy": (1.0, 0.05, 2.0), "stages": (1.0, 0.05, 2.0), "instructions": (0.0, 0.0, 0.1), "goals": (0.0, 0.0, 0.1), "dithering": (0.0, 0.0, 0.3), "bands": (0.0, 0.0, 0.0)}
 PART = {"bands": 0.02}
 
@@ -258,7 +258,7 @@ def value(text):
 
 
 def too_good(name, old, new):
-    """The table claims more than was measured, or has other rows."""
+    """Returns whether the table claims more than was measured, or has other rows."""
     if name not in SLACK:
         return old != new
     old, new = ("\n".join(line for line in text.splitlines() if line.startswith("|")) for text in (old, new))
@@ -281,7 +281,7 @@ def page_of(name):
 
 
 def recorded():
-    """The tables that need no program."""
+    """Returns the tables that need no program."""
     return {"instructions": instructions(), "speed": speed(), "memory": memory(), "features": features(), "transports": transports(), "goals": goals_met(), "dithering": dithering()}
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What `./dev bench` makes of its figures: quartiles and JSON, from made-up times, and its options, with programs that only say times."""
+"""Tests what `./dev bench` computes from made-up times (quartiles and JSON), and its options, with programs that only print times."""
 import json
 import pathlib
 import random
@@ -13,7 +13,7 @@ sys.path[:0] = [str(ROOT / "tests"), str(BENCH)]
 from checks import check, failures  # noqa: E402
 from spread import scatter, spread, text  # noqa: E402
 
-# In the place of a benchmark program: of each call of one name the next time of a list, doubled for each tier, quadrupled for Mesa.
+# A stand-in for a benchmark program. Each call of a name prints the next time of a list, doubled for each tier, quadrupled for Mesa.
 TIMED = """#!/bin/sh
 name={prefix}
 for word; do
@@ -37,7 +37,7 @@ printf '{{"transport": "spi 10 MHz", "scene": "S1", "bytes": 100, "wire_us": 100
 
 
 def quartiles():
-    """Order of runs is nothing; the quartiles enclose the median and half of the runs."""
+    """The order of runs does not matter. The quartiles enclose the median and half of the runs."""
     of = spread([3, 1, 2, 5, 4])
     check(of == {"lower": 1.5, "median": 3, "upper": 4.5, "runs": 5}, f"five runs: {of}")
     check(text(of, 1) == "3.0 (1.5 .. 4.5)" and scatter(of) == 0.5, f"{text(of, 1)}, {scatter(of)}")
@@ -63,7 +63,7 @@ def program(path, script):
 
 
 def built(folder):
-    """What looks like the folder of a build."""
+    """Makes what looks like the folder of a build."""
     build = folder / "build"
     for name, prefix, entries in (("bench_spangle", "spangle", OURS), ("bench_mesa", "mesa", 'entry "" 8')):
         program(build / "tests/bench" / name, TIMED.format(folder=folder, prefix=prefix, entries=entries))
@@ -78,7 +78,7 @@ def run(script, build, *options):
 
 
 def measured(folder, where):
-    """The figures of one scene, and what was printed beside them."""
+    """Returns the figures of one scene, and what was printed beside them."""
     done = run("bench.py", built(folder), "--quick", "--scenes", "S1", "--no-mcu", "--no-callgrind", "--json", where)
     check(done.returncode == 0, f"exit {done.returncode}: {done.stderr}")
     return json.loads(done.stdout if where == "-" else pathlib.Path(where).read_text()), done
@@ -86,7 +86,7 @@ def measured(folder, where):
 
 def scenes(folder):
     figures, done = measured(folder / "to_stdout", "-")
-    times = {"lower": 15, "median": 30, "upper": 45, "runs": 5}  # of 50, 10, 40, 20, 30
+    times = {"lower": 15, "median": 30, "upper": 45, "runs": 5}  # of the times 50, 10, 40, 20, 30
     for size, of in figures["scenes"]["S1"].items():
         check(of["llvmpipe_us"] == {name: n * 8 if name != "runs" else n for name, n in times.items()}, f"{size}, llvmpipe: {of['llvmpipe_us']}")
         for tier, longer in (("exact", 4), ("balanced", 2), ("fast", 1)):
@@ -107,7 +107,7 @@ def transports(folder):
 
 
 def options(folder):
-    """What cannot be is said before anything is measured."""
+    """Impossible options are refused before anything is measured."""
     for script in ("bench.py", "hal.py"):
         for bad in (["--jsn", "x"], ["--json"], ["--json", str(folder / "none/x.json")]):
             done = run(script, folder, *bad)

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""`./dev demo` shows how far its build is while it builds: the words of the build tool come through a pipe when they are said, and
-standard output holds what the demo itself says.
+"""Tests that `./dev demo` shows how far its build is while it builds. The build tool's output must come through the pipe at once, and
+standard output must hold only what the demo itself prints.
 
-dev runs in a folder of its own, with programs on PATH that stand for cmake and the package manager: the build says two lines, and
-waits after each until this test has read it. A build whose words are kept until its end never gets on.
+dev runs in a folder of its own, with programs on PATH that stand for cmake and the package manager. The build prints two lines, and waits
+after each until this test has read it, so a build whose output is held back never gets on.
 """
 import os
 import pathlib
@@ -18,7 +18,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))
 from checks import check, failures  # noqa: E402
 
-PATIENCE = 20  # seconds, on a machine that has much else to do
+PATIENCE = 20  # seconds, enough for a busy machine
 PROGRAMS = {
     "dpkg-query": "echo installed",
     "cmake": """case $1 in
@@ -35,13 +35,13 @@ esac""",
 
 
 def line_of(stream, seconds):
-    """The next bytes that come within the time: what was said is one line."""
+    """Returns the next bytes that come within the time, which are one line."""
     ready, _, _ = select.select([stream], [], [], seconds)
     return os.read(stream.fileno(), 4096).decode() if ready else "nothing"
 
 
 def start(folder):
-    """dev as in a clone, with a build that waits for words through the pipe."""
+    """Starts dev as in a clone, with a build that waits for words through the pipe."""
     shutil.copy(ROOT / "dev", folder / "dev")
     (folder / "bin").mkdir()
     pipe = folder / "go"
@@ -50,7 +50,7 @@ def start(folder):
         (folder / "bin" / name).write_text("#!/bin/sh\n" + script.replace("{pipe}", str(pipe)) + "\n")
         (folder / "bin" / name).chmod(0o755)
     environment = os.environ | {"PATH": f"{folder / 'bin'}:{os.environ['PATH']}", "JOBS": "1"}
-    words = os.open(pipe, os.O_RDWR)  # opened both ways: nobody waits for the other to come
+    words = os.open(pipe, os.O_RDWR)  # opened both ways, so that neither side waits for the other
     return subprocess.Popen([str(folder / "dev"), "demo", "--out", "pictures"], env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                             stderr=subprocess.PIPE, start_new_session=True), words
 
@@ -69,7 +69,7 @@ def main():
             check(demo.returncode == 0 and said == b"the demo: demo --out pictures\n" and rest == b"", f"at the end: {demo.returncode} {said!r} {rest!r}")
         finally:
             if demo.returncode is None:
-                os.killpg(demo.pid, signal.SIGKILL)  # a build that still waits, too
+                os.killpg(demo.pid, signal.SIGKILL)  # also ends a build that still waits
                 demo.wait()
             os.close(words)
     return 1 if failures else 0

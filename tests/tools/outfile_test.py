@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the tools in Python write: host_sim/tools/outfile.py as files, devices and full disks meet it, and that every tool uses it."""
+"""Tests how the tools in Python write: host_sim/tools/outfile.py with files, devices and full disks, and that every tool uses it."""
 import os
 import pathlib
 import re
@@ -21,7 +21,7 @@ PRINT = "import sys; sys.path.insert(0, {tools!r}); import outfile; sys.exit(out
 
 
 def program(text, limit=None, **streams):
-    """The program in a process of its own, in which no file may be longer than the limit."""
+    """Runs the program in a process of its own, in which no file may be longer than the limit."""
     def bound():
         if limit is not None:
             resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
@@ -38,7 +38,7 @@ def one_line(done, words, what):
 
 
 def regular(folder):
-    """Files come whole, with the permissions that they had; links stay links."""
+    """Files are written as a whole, with the permissions that they had before; links stay links."""
     path = folder / "file"
     old = os.umask(0o027)
     outfile.write(path, "one\n")
@@ -57,7 +57,7 @@ def regular(folder):
 
 
 def whole_at_any_time(folder):
-    """Who reads while a file is written sees one of its two contents."""
+    """A reader that reads while a file is written sees one of its two contents."""
     path, contents, end = folder / "file", ("a" * 100000, "b" * 200000), threading.Event()
     outfile.write(path, contents[0])
     seen = set()
@@ -75,7 +75,7 @@ def whole_at_any_time(folder):
 
 
 def no_room(folder):
-    """Of what does not fit nothing is left, and the file before it is as it was."""
+    """If a file does not fit, nothing of it is left, and the file before it stays as it was."""
     path, fresh = folder / "file", folder / "fresh"
     path.write_text("old")
     for target in (path, fresh):
@@ -86,7 +86,7 @@ def no_room(folder):
 
 
 def devices(folder):
-    """What is no regular file is written to and stays what it is."""
+    """A path that is no regular file is written to, and stays what it is."""
     one_line(write_in_program("/dev/full"), "cannot write '/dev/full': No space left on device", "a full device")
     check(write_in_program("/dev/null").returncode == 0 and stat.S_ISCHR(os.stat("/dev/null").st_mode), "/dev/null")
     pipe, read = folder / "pipe", []
@@ -99,10 +99,10 @@ def devices(folder):
 
 
 def standard_output():
-    """Lost lines make the status 1; whole ones leave it to the program."""
+    """Lost lines make the status 1; otherwise the program's own status counts."""
     def printed(size, status, **streams):
         return program(PRINT.format(tools=str(TOOLS), size=size, status=status), **streams)
-    for size in (10, 1000000):  # below what the interpreter keeps, and above
+    for size in (10, 1000000):  # sizes below and above the interpreter's buffer
         with open("/dev/full", "w") as full:
             one_line(printed(size, 0, stdout=full), "cannot write standard output: No space left on device", "a full device")
     reader, writer = os.pipe()
@@ -113,7 +113,7 @@ def standard_output():
         check(printed(10, status, stdout=subprocess.PIPE).returncode == status, "the program's own status")
 
 
-# Files that tests make in folders of their own, which go with the test, and logs that grow while a program runs.
+# Files that tests make in folders of their own, which are deleted with the test, and logs that grow while a program runs.
 OWN = re.compile(r"tests/[^/]+/\w+_test\.py|tests/(packaging|calls|boards|readme/(new_board|first_triangle))\b.*|host_sim/tools/outfile\.py")
 LINES = {("tests/bench/features.py", "sizes.write_text(SIZES)"), ("tests/profiles/profiles.py", "script.write_text("),
          ("tests/programs/gallery.py", '(home / ".asoundrc").write_text('), ("tests/programs/piglit.py", 'options.state.open("a")'),
@@ -123,7 +123,7 @@ PLAIN = re.compile(r"""\.write_(text|bytes)\(|open\([^)]*["'][wax]b?\+?["']|shut
 
 
 def every_tool():
-    """No tool writes a file that stays in another way."""
+    """No tool writes a lasting file in another way."""
     seen = 0
     for name in subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "*.py"], cwd=ROOT, capture_output=True, text=True).stdout.split():
         if OWN.fullmatch(name) or not (ROOT / name).exists():

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Pictures as the tools read them: host_sim/tools/png.py undoes each filter of the PNG specification."""
+"""Tests how the tools read pictures: host_sim/tools/png.py undoes each filter of the PNG specification."""
 import pathlib
 import random
 import struct
@@ -13,7 +13,7 @@ import png  # noqa: E402
 
 
 def paeth(left, up, corner):
-    """The predictor as the specification writes it (9.4)."""
+    """The predictor as the PNG specification writes it (9.4)."""
     estimate = left + up - corner
     to_left, to_up, to_corner = abs(estimate - left), abs(estimate - up), abs(estimate - corner)
     if to_left <= to_up and to_left <= to_corner:
@@ -26,14 +26,14 @@ PREDICTORS = (lambda left, up, corner: 0, lambda left, up, corner: left, lambda 
 
 
 def filtered(kind, row, above, channels):
-    """A row of a file: its filter, and what is left of each byte."""
+    """Returns a row of a PNG file: its filter type, and the filtered bytes."""
     left = bytes(channels) + row[:-channels]
     corner = bytes(channels) + above[:-channels]
     return bytes([kind]) + bytes((row[i] - PREDICTORS[kind](left[i], above[i], corner[i])) & 255 for i in range(len(row)))
 
 
 def file_of(rows, width, channels, kind_of_row):
-    """A PNG file with these rows of bytes."""
+    """Returns a PNG file of these rows of bytes."""
     flat, above = b"", bytes(width * channels)
     for y, row in enumerate(rows):
         flat += filtered(kind_of_row(y), row, above, channels)

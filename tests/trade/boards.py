@@ -31,7 +31,7 @@ MODEL_FILES = [MODELS / "Collada/duck.dae"]
 OWN = ["fine=balanced,texel_bits=4,affine_texel_bits=4"]
 TARGETS = ["m0plus", "m3", "m4", "rv32"]
 TABLES = ("accuracy.csv", "cost.csv")
-CORES = {"m0plus": "m0+", "m3": "m3", "m4": "m4"}  # as tests/bench/golden.json calls them
+CORES = {"m0plus": "m0+", "m3": "m3", "m4": "m4"}  # the names in tests/bench/golden.json
 NEAR = 0.05
 
 
@@ -57,7 +57,7 @@ def rows(path):
 
 
 def accuracy_rows():
-    """What was kept, with what other tests hold in place of it."""
+    """Returns the kept rows of accuracy, with current figures from other tests in place of those that they hold."""
     held = {(row["scene"], row["tier"], row["format"]): row for name in ("golden.csv", "golden_models.csv") for row in rows(HERE / name)}
     own = ("job", "jobs", "frames", "dither", "size")
     return [row | {k: v for k, v in held.get((row["scene"], row["tier"], row["format"]), {}).items() if k in row and k not in own}
@@ -65,7 +65,7 @@ def accuracy_rows():
 
 
 def kept():
-    """[(row of accuracy.csv, row of cost.csv)]"""
+    """Returns [(row of accuracy.csv, row of cost.csv)]."""
     accuracy, cost = accuracy_rows(), rows(KEPT / TABLES[1])
     if [(row["scene"], row["tier"]) for row in accuracy] != [(row["scene"], row["tier"]) for row in cost]:
         fail(f"the tables of {KEPT} are not of one measurement")
@@ -73,7 +73,7 @@ def kept():
 
 
 def table(heads, lines, words=1):
-    """The first columns are words, the others numbers."""
+    """Returns a table whose first `words` columns hold words and whose other columns hold numbers."""
     text = ["| " + " | ".join(heads) + " |", "|" + "---|" * words + "--:|" * (len(heads) - words)]
     return "\n".join(text + ["| " + " | ".join(line) + " |" for line in lines]) + "\n"
 
@@ -98,7 +98,7 @@ def programs(found):
 
 
 def advice(spangle):
-    """What `spangle trade` says of these figures; pictures are not kept, so that it draws no page."""
+    """Returns what `spangle trade` says of these figures. Pictures are not kept, so it draws no page."""
     with tempfile.TemporaryDirectory() as folder:
         part = pathlib.Path(folder) / "part"
         (part / "pictures").mkdir(parents=True)
@@ -124,7 +124,7 @@ def document(spangle):
 
 
 def hold():
-    """What was counted is near what other tests hold."""
+    """Checks that the kept counts are near those that other tests hold."""
     counts = json.loads((ROOT / "tests/bench/golden.json").read_text())
     checked = 0
     for _, c in kept():

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Shards of a sweep on several workers: GNU parallel runs them here, and by ssh on this machine as if it were others.
+"""Runs the shards of a sweep on several workers: by GNU parallel here, and by ssh on this machine as if it were several.
 
 usage: farm_test.py SPANGLE parallel|ssh
 
-The merged folder has the CSV and the page of one run. The ssh server is one of our own, on a port of its own, with keys that are
+The merged folder must have the CSV and the page of one run. The ssh server is the test's own, on a port of its own, with keys that are
 thrown away; it lives as long as the test.
 """
 import getpass
@@ -25,7 +25,7 @@ SHARDS = 4
 
 
 def need(*programs):
-    """Ends the test as skipped where one is missing; gives their paths."""
+    """Ends the test as skipped if one of these programs is missing. Returns their paths."""
     path = os.environ.get("PATH", "") + ":/usr/sbin:/sbin"
     found = [shutil.which(program, path=path) for program in programs]
     for program, where in zip(programs, found):
@@ -36,7 +36,7 @@ def need(*programs):
 
 
 def spread(folder, *options):
-    """Runs all shards by GNU parallel and merges what they left."""
+    """Runs all shards by GNU parallel, and merges their results."""
     home = folder / "parallel-home"
     home.mkdir(exist_ok=True)
     numbers = [str(i + 1) for i in range(SHARDS)]
@@ -48,7 +48,7 @@ def spread(folder, *options):
 
 
 def same(folder):
-    """The merged folder is that of one run, byte by byte."""
+    """Checks that the merged folder is the folder of one run, byte by byte."""
     trade(folder, *SWEEP, "--out", "whole")
     files = {out: sorted(p.relative_to(folder / out) for p in (folder / out).rglob("*") if p.is_file()) for out in ("whole", "merged")}
     check(files["whole"] == files["merged"] and len(files["whole"]) > 10, f"other files: {files}")
@@ -106,13 +106,13 @@ MaxStartups 20
 LogLevel VERBOSE
 """)
     if os.geteuid() == 0:
-        pathlib.Path("/run/sshd").mkdir(mode=0o755, exist_ok=True)  # which sshd separates its privileges in
+        pathlib.Path("/run/sshd").mkdir(mode=0o755, exist_ok=True)  # sshd separates its privileges in this folder
     log = folder / "sshd.log"
     server = subprocess.Popen([sshd, "-D", "-f", str(keys / "config"), "-E", str(log)], stdin=subprocess.DEVNULL)
     try:
         check(answers(port, server), f"the ssh server does not answer: {log.read_text() if log.exists() else ''}")
         client = f"{ssh} -4 -F none -p {port} -i {keys}/user -o IdentitiesOnly=yes -o UserKnownHostsFile={keys}/known -o BatchMode=yes"
-        # Two workers, which are one machine: each of them takes one shard at a time.
+        # Two workers on one machine each take one shard at a time.
         spread(folder, "--ssh", client, *(word for host in ("127.0.0.1", "localhost")
                                           for word in ("--sshlogin", f"1/{getpass.getuser()}@{host}")))
         logins = log.read_text().count("Accepted publickey")

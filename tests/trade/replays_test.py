@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""`spangle trade` of traces and programs that others wrote.
+"""Tests `spangle trade` with traces and programs of other authors.
 
 usage: replays_test.py SPANGLE traces|programs|more_programs|errors
 
-traces: figures, broken promises and bytes of the traces in tests/programs/traces are golden, as those of trade_test.py; they need
-apitrace. programs: a program under Xvfb is recorded once and measured like a trace. more_programs: the same with times and scenes, of
-a program of EGL, and of one that calls what there is not. errors: what cannot be measured is one sentence.
+traces: figures, broken promises and bytes of the traces in tests/programs/traces are golden, as those of trade_test.py; they need apitrace.
+programs: a program under Xvfb is recorded once and measured like a trace. more_programs: the same with times and scenes, for a program of
+EGL, and for a program that calls a missing function. errors: what cannot be measured is reported in one sentence.
 """
 import csv
 import os
@@ -43,7 +43,7 @@ def traces(folder):
 
 
 def on_a_display(part):
-    """The part with a display of its own."""
+    """Runs the part with a display of its own."""
     def with_display(folder):
         need("apitrace", "eglretrace", "Xvfb", "glxgears")
         with xvfb() as display:
@@ -54,7 +54,7 @@ def on_a_display(part):
 
 
 def gears(folder, *words, frames):
-    """glxgears, measured behind the scenes of `words`."""
+    """Measures glxgears behind the scenes of `words`."""
     trade(folder, *words, "--frames", str(frames), "--size", "160x120", "--out", "game", "--", "glxgears", "-info")
     rows = rows_of(folder, "game")
     scenes = [word for word in words if not word.startswith("-")]
@@ -77,7 +77,7 @@ def more_programs(folder):
     costs = list(csv.DictReader((folder / "game/cost.csv").open()))
     check(all(float(row["microseconds"]) > 0 for row in costs), f"no times: {costs}")
     check("glxgears" in (folder / "game/index.html").read_text(), "the page has no program")
-    if SAVER.exists():  # by EGL, which the first tracer does not see
+    if SAVER.exists():  # a program of EGL, which the first tracer does not see
         trade(folder, "--no-times", "--frames", "2", "--size", "160x120", "--out", "saver", "--", str(SAVER))
         check(all(int(row["covered"]) > 100 for row in rows_of(folder, "saver")), "a program of EGL draws nothing")
     (folder / "later.c").write_text(LATER)
@@ -89,7 +89,7 @@ def more_programs(folder):
     check("later: it calls glCreateShader, which Spangle does not have" in said, f"a missing function is not named: {said}")
 
 
-# A window of freeglut, whose program calls a function that Spangle has by name alone.
+# A program in a window of freeglut. It calls a function that Spangle has by name alone.
 LATER = """void glutInit(int*, char**); void glutInitDisplayMode(unsigned); int glutCreateWindow(const char*);
 void glutDisplayFunc(void (*)(void)); void glutMainLoop(void); void glutSwapBuffers(void); void glutPostRedisplay(void);
 unsigned glCreateShader(unsigned); void glRectf(float, float, float, float);

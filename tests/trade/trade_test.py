@@ -30,7 +30,7 @@ SPANGLE = pathlib.Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else None
 MODELS = pathlib.Path("/usr/share/assimp/models")
 FORMATS = "565,888,8888,666,444,332,grey4,mono"
 DOCUMENT = HERE.parents[1] / "docs/trade.md"
-FEW = ["S4r", "S7", "S9", "FOG", "OFFSET"]  # texels, blends, light and fog, a plane to the horizon, coverage
+FEW = ["S4r", "S7", "S9", "FOG", "OFFSET"]  # texels, blending, light and fog, a plane to the horizon, coverage
 PICTURED = ["S4", "S4b", "S4r", "S6", "S7", "S9", "HUD", "BAKED", "FOG"]
 PICTURE = HERE.parents[1] / "docs/pictures/trade.png"
 FOR_THE_PAGE = ["S4r", "S7", "CUBE", "--formats", "565,grey4", "--frames", "2", "--size", "96x64"]
@@ -48,12 +48,12 @@ def trade(folder, *words, status=0):
 
 
 def by_program(figures):
-    """Rows of accuracy.csv by program and tier. A part of a sweep counts its jobs by itself."""
+    """Returns the rows of accuracy.csv by program and tier. A part of a sweep numbers its jobs by itself."""
     return {(row["scene"], row["tier"]): {**row, "job": "", "jobs": ""} for row in csv.DictReader(figures.splitlines())}
 
 
 def held(folder, name, *words, whole=True):
-    """Figures and broken promises of what `words` name are those of the golden files, of which they are a part unless `whole`."""
+    """Checks that the figures and broken promises for `words` are those of the golden files; unless `whole`, they are a part of these."""
     said = trade(folder, *words, "--no-times", "--frames", "2", "--out", "all").stdout
     figures = (folder / "all/accuracy.csv").read_text()
     missed = "".join(line + "\n" for line in said.splitlines() if re.match(r"\S+ in \w+, \w+: ", line))
@@ -78,7 +78,7 @@ def held(folder, name, *words, whole=True):
 
 
 def same_hashes(folder, file, *words):
-    """What `--bytes` prints of these words is the golden file: a line for each program, format and tier."""
+    """Checks that `--bytes` prints the golden file for these words: a line for each program, format and tier."""
     said = trade(folder, "--bytes", *words).stdout
     if os.environ.get("SPANGLE_UPDATE_GOLDEN") == "1":
         file.write_text(said)
@@ -176,7 +176,7 @@ def tiers(folder):
 
 
 def emulated(folder):
-    """Boards whose emulator says the same of every image, which are none of Spangle."""
+    """Tests boards with an emulator that prints the same for every image; the images are not Spangle's."""
     fake = folder / "bin"
     (folder / "firmware/m4").mkdir(parents=True)
     fake.mkdir()
@@ -245,7 +245,7 @@ document.title = 'heard ' + heard.join('|');
 
 
 def count_by_hand(path):
-    """Instructions on a board, as if they had been counted."""
+    """Writes instructions on a board into the file, as if they had been counted."""
     rows = list(csv.DictReader(path.open()))
     for i, row in enumerate(rows):
         row["m4_instructions"], row["m4_per_pixel"] = 3000 - 1000 * (i % 3), "9.5"
@@ -256,7 +256,7 @@ def count_by_hand(path):
 
 
 def chromium(folder):
-    """The command that every look at a page begins with."""
+    """Returns the command with which every look at a page begins."""
     browser = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
     if browser is None:
         print("skipped: there is no Chromium")

@@ -26,19 +26,19 @@ import sys
 
 TABLE = pathlib.Path(__file__).with_name("turns.csv")
 TURNS = 64
-MOST_SECONDS = 2400  # of tests in one turn; two run at a time
+MOST_SECONDS = 2400  # of the tests of one turn; two tests run at a time
 
 Row = collections.namedtuple("Row", "pattern seconds every")
 Test = collections.namedtuple("Test", "name labels serial")
 
 
 class Group:
-    """Tests that go together, and when."""
+    """Tests that go together, and the turns that run them."""
     def __init__(self, row):
         self.row, self.tests = row, []
 
     def seconds(self):
-        """What it takes of two cores: a test that runs alone takes both."""
+        """The seconds of a machine with two cores. A test that runs alone takes both cores."""
         return self.row.seconds * (2 if any(test.serial for test in self.tests) else 1)
 
 
@@ -52,7 +52,7 @@ def rows_of(text):
 
 
 def slow_tests(listed):
-    """The slow tests of what `ctest --show-only=json-v1` prints."""
+    """Returns the slow tests in what `ctest --show-only=json-v1` prints."""
     tests = []
     for test in listed["tests"]:
         properties = {p["name"]: p["value"] for p in test["properties"]}
@@ -63,7 +63,7 @@ def slow_tests(listed):
 
 
 def grouped(rows, tests):
-    """Groups of tests by their rows, in the table's order; the first row that matches a test has it."""
+    """Returns groups of tests by their rows, in the table's order. A test belongs to the first row that matches it."""
     groups = {}
     for test in tests:
         for at, row in enumerate(rows):
@@ -76,7 +76,7 @@ def grouped(rows, tests):
 
 
 def turns_of(groups):
-    """For each turn its groups: the longest ones choose first, and each chooses what has the least to do so far."""
+    """Returns the groups of each turn. The longest groups choose first, and each chooses the turn that has the least to do so far."""
     loads, turns = [0] * TURNS, [[] for _ in range(TURNS)]
     for group in sorted(groups, key=lambda g: (g.row.every, -g.seconds())):
         every = group.row.every
@@ -88,7 +88,7 @@ def turns_of(groups):
 
 
 def left_out(groups, turn):
-    """Names of the tests that a turn does not run."""
+    """Returns the names of the tests that a turn does not run."""
     runs = {id(group) for group in turns_of(groups)[turn % TURNS]}
     return [test.name for group in groups if id(group) not in runs for test in group.tests]
 
@@ -98,14 +98,14 @@ def labels_of(groups, turn):
 
 
 def expression(names):
-    """The regular expression that matches these names and no other one, in the grammar of CMake."""
+    """Returns the regular expression that matches these names and no others, in CMake's grammar."""
     if not names:
         return "^$"
     return "^(" + "|".join(re.sub(r"([][.*+?()|^$\\])", r"\\\1", name) for name in names) + ")$"
 
 
 def faults(rows, groups):
-    """Sentences about what is wrong with a table."""
+    """Returns sentences about what is wrong with a table."""
     named = {id(group.row) for group in groups}
     said = [f"the row {row.pattern.pattern} names no slow test" for row in rows if id(row) not in named]
     for turn, of_turn in enumerate(turns_of(groups)):

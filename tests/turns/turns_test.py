@@ -38,7 +38,7 @@ class Table(unittest.TestCase):
     def test_faults_are_told(self):
         groups = turns.grouped(rows("a,2000,1", r"b\..*,1500,8"), [test("a"), test("b.x")])
         said = turns.faults(rows("a,2000,1", r"b\..*,1500,8"), groups)
-        self.assertEqual(len(said), 2 + turns.TURNS // 8)  # these rows are other ones than the groups': neither names a test
+        self.assertEqual(len(said), 2 + turns.TURNS // 8)  # none of these rows belongs to a group, so neither names a test
         table = rows("a,2000,1", r"b\..*,300,8", "gone,1,4")
         self.assertEqual(turns.faults(table, turns.grouped(table, [test("a"), test("b.x")])), ["the row gone names no slow test"])
 
@@ -64,7 +64,7 @@ class Turns(unittest.TestCase):
         groups = turns.grouped(table, [test(f"t{at}") for at in range(len(sizes))] + [test(f"q{at}") for at in range(4)])
         loads = [sum(group.seconds() for group in of_turn) for of_turn in turns.turns_of(groups)]
         self.assertEqual(sum(loads), sum(sizes) + turns.TURNS * 50)
-        self.assertLessEqual(max(loads), 450)  # the longest test, and one of each commit
+        self.assertLessEqual(max(loads), 450)  # the longest test, and one test of each commit
         self.assertGreaterEqual(min(loads), 200)
 
     def test_what_runs_alone_takes_both_cores(self):

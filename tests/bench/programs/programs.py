@@ -32,13 +32,13 @@ BEGIN, END = "<!-- table: programs -->\n", "\n<!-- end -->"
 
 
 def page_with(rows):
-    """docs/programs-speed.md with these figures."""
+    """Returns docs/programs-speed.md with these figures."""
     before, _, rest = PAGE.read_text().partition(BEGIN)
     return before + BEGIN + speeds.markdown(rows) + END + rest.partition(END)[2]
 
 
 def record_page(rows):
-    """Keeps these rows; those of programs that were not measured now stay."""
+    """Keeps these rows, and the rows of programs that were not measured now."""
     kept = {of["program"]: of for of in json.loads(MEASURED.read_text())} if MEASURED.exists() else {}
     rows = list((kept | {of["program"]: of for of in rows}).values())
     outfile.write(MEASURED, json.dumps(rows, indent=1) + "\n")
@@ -47,7 +47,7 @@ def record_page(rows):
 
 
 def record(programs, again):
-    """Records what has no trace yet. Returns the programs that have one then."""
+    """Records the programs that have no trace yet. Returns the programs that have a trace then."""
     missing = [program for program in programs if again or not trace_of(program).exists()]
     if missing:
         with recorded.harness.xvfb() as display:

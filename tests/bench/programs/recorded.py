@@ -25,17 +25,18 @@ SEEN = {"MESA_EXTENSION_MAX_YEAR": "2003", "LP_NUM_THREADS": "0", "MESA_EXTENSIO
     f"-GL_{name}" for name in ("ARB_shader_objects", "ARB_vertex_shader", "ARB_fragment_shader", "ARB_vertex_program",
                                "ARB_fragment_program", "EXT_framebuffer_object"))}
 SIZE = "320x240"
-# Calls that draw and set nothing; lists may set something.
+# Calls that draw and set nothing. A list may set something, so calls of lists are not here.
 DRAWS = {"glClear", "glDrawArrays", "glDrawElements", "glDrawRangeElements", "glRectf", "glRecti", "glBitmap"}
-FRAMES = 60  # of a recording, unless a program needs longer to show what it is about
+FRAMES = 60  # frames of a recording, unless a program needs longer to show its usual picture
 BZFLAG_PORT = "5177"
 ARMAGETRONAD = ".armagetronad/var/user.cfg", "FIRST_USE 0\nLANGUAGE_FIRST American English\nLANGUAGE_SECOND American English\n"
 
 
 class Recorded:
-    """A program: its command, the trace API that sees what it calls, seconds that it runs, and frames that are kept (None: all).
-    `keys` are names of X's keys and the seconds at which they are pressed, `files` is what its home holds, `beside` is a server for it,
-    `same`: its clock and random numbers are those of each run (same_run.c)."""
+    """A program: its command, the trace API that sees its calls, seconds that it runs, and frames that are kept (None: all). `keys` are
+    names of X's keys and the seconds at which they are pressed, `files` is what its home holds, and `beside` is a server for it. With
+    `same`, clock and random numbers are the same in each run (same_run.c).
+    """
     def __init__(self, name, kind, command, api, seconds=8, frames=FRAMES, keys=(), files=(), beside=None, folder=None, same=True):
         self.name, self.kind, self.command, self.api, self.seconds, self.frames = name, kind, command, api, seconds, frames
         self.keys, self.files, self.beside, self.folder, self.same = keys, files, beside, folder, same
@@ -53,7 +54,9 @@ def saver(name, seconds=8, frames=FRAMES):
 
 
 def every(clients, imgui):
-    """All programs, by kind. `clients` are the two of clients.c, `imgui` is Dear ImGui's demo, or nothing where it cannot be built."""
+    """Returns all programs by kind. `clients` are the two programs of clients.c, `imgui` is Dear ImGui's demo, or None if it cannot be
+    built.
+    """
     found = [
         Recorded("armagetronad", "game", game("armagetronad", "-w"), "gl", 24, None, files=[ARMAGETRONAD], same=False,
                  keys=[(8, "Return"), (10.2, "Down"), (12.4, "Return"), (14.6, "Return")]),
@@ -65,7 +68,7 @@ def every(clients, imgui):
         Recorded("cultivation", "game", game("cultivation"), "gl"),
         Recorded("testsprite2", "SDL2", [programs_list.SDL / "testsprite2", "--geometry", SIZE], "gl", folder=programs_list.SDL),
         *(saver(name) for name in ("gears", "atlantis", "dangerball", "lament")),
-        *(saver(name, 20, 300) for name in ("glmatrix", "starwars")),  # these begin with little
+        *(saver(name, 20, 300) for name in ("glmatrix", "starwars")),  # these two savers show little at first
         *(Recorded(name, "own", [clients, name, "30"], "egl", 30) for name in ("particles", "rectangles")),
     ]
     if imgui is not None:
@@ -76,7 +79,7 @@ def every(clients, imgui):
 
 @contextlib.contextmanager
 def started(command, environment, folder, words=subprocess.DEVNULL):
-    """A process with all that it starts; it is asked to end, and then ended."""
+    """Starts a process. At the end the process and all that it started are asked to end, and then killed."""
     process = subprocess.Popen([str(c) for c in command], env=environment, cwd=folder, stdout=words, stderr=subprocess.STDOUT,
                                start_new_session=True)
     try:
@@ -131,7 +134,7 @@ def record(program, display, to):
             command = ["apitrace", "trace", "-a", program.api, "-o", long, *program.command]
             play(program, running.enter_context(started(command, environment, folder, words)), environment)
         words.seek(0)
-        whole = frames_of(long) - 1 if long.exists() else 0  # what comes after the last of them may be half a frame
+        whole = frames_of(long) - 1 if long.exists() else 0  # what follows the last whole frame may be half a frame
         if whole < 1:
             return "no frame was recorded: " + gallery.last_line(words.read())
         harness.trim(long, min(whole, program.frames or whole), kept)
@@ -143,8 +146,9 @@ def record(program, display, to):
 
 
 def early_drawing(lines):
-    """Numbers of the calls that only draw, in all frames but the last two, from the lines of apitrace's dump. What is compiled into lists
-    stays."""
+    """Returns the numbers of the calls that only draw, in all frames but the last two, from the lines of apitrace's dump. Calls that are
+    compiled into lists are left out.
+    """
     drawing, swaps, in_list, in_primitive = [], [], False, False
     for line in lines:
         number, _, call = line.partition(" ")
@@ -162,7 +166,7 @@ def early_drawing(lines):
 
 
 def without_early_drawing(trace, to):
-    """The trace of a program that was played for long: its early frames set what they set and draw nothing, so they are over soon."""
+    """Shortens the trace of a program that was played for long: its early frames set all state and draw nothing, so they are over soon."""
     with subprocess.Popen(["apitrace", "dump", "--color=never", trace], stdout=subprocess.PIPE, text=True, errors="replace") as dump:
         drawing = early_drawing(dump.stdout)
     calls = to.with_suffix(".calls")

@@ -1,7 +1,7 @@
-"""What a recording's last frame takes: eglretrace replays the trace, draws its last frame again and again, and says what each time took.
+"""Measures a recording's last frame: eglretrace replays the trace, draws its last frame again and again, and prints each time.
 
-All times are processor time of one thread, in milliseconds. What comes before the last frame, and its first times, in which llvmpipe
-compiles what it draws with, are not counted.
+All times are processor time of one thread, in milliseconds. The frames before the last one are not counted, nor the first times of the last
+frame, in which llvmpipe compiles its shaders.
 """
 import pathlib
 import statistics
@@ -18,22 +18,23 @@ SECONDS = 300
 
 
 def environments(pair):
-    """{name: environment} of all that replay a frame: the replayer alone, Mesa's llvmpipe, and Spangle's tiers."""
+    """Returns {name: environment} of all that replay a frame: the replayer alone, Mesa's llvmpipe, and Spangle's tiers."""
     mesa = harness.mesa_environment(LLVMPIPE, "1.5", LP_NUM_THREADS="0")
     ours = {tier: harness.spangle_environment(pair, SPANGLE_PRECISION=tier) for tier in TIERS}
     return {REPLAYER: mesa | {"NO_GL": "1"}, LLVMPIPE: mesa} | ours
 
 
 def frame_time(ends, times=TIMES, warm=WARM):
-    """Milliseconds of a frame from the processor time, in nanoseconds, at the end of each: the median of the last `times` frames but for
-    the first `warm` of these."""
+    """Returns the milliseconds of a frame. `ends` has the processor time in nanoseconds at the end of each frame; the result is the median
+    of the last `times` frames without the first `warm` of them.
+    """
     if len(ends) < times + 1 or not 0 <= warm < times:
         raise ValueError(f"{len(ends)} frames: {times} times of the last one are asked for")
     return statistics.median(b - a for a, b in zip(ends[warm - times - 1:], ends[warm - times:])) / 1e6
 
 
 def replay(trace, environment, library, times=TIMES):
-    """Milliseconds of the trace's last frame."""
+    """Returns the milliseconds of the trace's last frame."""
     with tempfile.TemporaryDirectory() as place:
         noted = pathlib.Path(place) / "times"
         more = {"LD_PRELOAD": str(library), "FRAME_TIMES": str(noted), "WAFFLE_PLATFORM": "surfaceless_egl"}
@@ -44,6 +45,6 @@ def replay(trace, environment, library, times=TIMES):
 
 
 def rounds(trace, pair, library, count):
-    """[{name: milliseconds}]: in each round all replay the trace, one right after the other."""
+    """Returns [{name: milliseconds}]: in each round all replay the trace, one right after the other."""
     by = environments(pair)
     return [{name: replay(trace, environment, library) for name, environment in by.items()} for _ in range(count)]

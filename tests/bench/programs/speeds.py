@@ -1,4 +1,4 @@
-"""From times of frames to times as fast as llvmpipe, the goals, and the tables of `./dev bench programs`."""
+"""Computes from times of frames how many times as fast as llvmpipe Spangle is, and makes the tables of `./dev bench programs`."""
 import pathlib
 import statistics
 import sys
@@ -8,7 +8,7 @@ from spread import spread, text  # noqa: E402
 
 REPLAYER, LLVMPIPE = "replayer", "llvmpipe"
 TIERS = ("balanced", "exact")
-# Times as fast as llvmpipe. Programs that nobody here wrote have the first line, the two of clients.c the second.
+# Goals in times as fast as llvmpipe: the first line is for programs of other authors, the second for the two of clients.c.
 GOALS = {"real": {"balanced": 1.0, "exact": 0.8}, "own": {"balanced": 1.0, "exact": 1.0}}
 
 
@@ -17,7 +17,7 @@ def goal(kind, tier):
 
 
 def speed(of, tier):
-    """Times as fast as llvmpipe in one round. What the replayer itself takes is left out on both sides."""
+    """Returns how many times as fast as llvmpipe a tier is in one round. The replayer's own time is subtracted on both sides."""
     ours, theirs = of[tier] - of[REPLAYER], of[LLVMPIPE] - of[REPLAYER]
     if ours <= 0 or theirs <= 0:
         raise ValueError(f"a frame takes less than its replayer: {of}")
@@ -25,7 +25,7 @@ def speed(of, tier):
 
 
 def row(name, kind, frames, rounds):
-    """{"program", "kind", "frames", "ms": {name: median}, "speed": {tier: spread}, "missed": [tier]}"""
+    """Returns {"program", "kind", "frames", "ms": {name: median}, "speed": {tier: spread}, "missed": [tier]}."""
     speeds = {tier: spread([speed(of, tier) for of in rounds]) for tier in TIERS}
     return {"program": name, "kind": kind, "frames": frames, "ms": {by: statistics.median(of[by] for of in rounds) for by in rounds[0]},
             "speed": speeds, "missed": [tier for tier in TIERS if speeds[tier]["median"] < goal(kind, tier)]}
@@ -36,7 +36,7 @@ def missed(rows, tier):
 
 
 def verdict(rows):
-    """Sentences: which goals are reached and which are not."""
+    """Returns sentences that say which goals are reached and which are not."""
     out = []
     for tier in TIERS:
         names = missed(rows, tier)
@@ -54,7 +54,7 @@ def cells(of):
 
 
 def table(rows):
-    """Lines of text; a star marks a goal that is missed."""
+    """Returns lines of text; a star marks a missed goal."""
     lines = [list(HEADS), *(cells(of) for of in rows)]
     widths = [max(len(line[k]) for line in lines) for k in range(len(HEADS))]
     sides = (str.ljust, str.ljust, *[str.rjust] * (len(HEADS) - 2))
@@ -62,7 +62,7 @@ def table(rows):
 
 
 def markdown(rows):
-    """What docs/programs-speed.md shows."""
+    """Returns the tables of docs/programs-speed.md."""
     lines = ["| " + " | ".join(HEADS) + " |", "|---|---" + "|--:" * (len(HEADS) - 2) + "|"]
     lines += ["| " + " | ".join(cell.replace("*", "\\*") for cell in cells(of)) + " |" for of in rows]
     return "\n".join([*lines, "", *(f"* {sentence}" for sentence in verdict(rows))])

@@ -1,15 +1,15 @@
-"""What is made of measured states: percentiles, shares, neighbours, inversions. Nothing here measures.
+"""Computes percentiles, shares, neighbours and inversions of measured states. Nothing is measured here.
 
-A state is what `bench_states SEED list` prints: {"number": n, "key": n, "words": {word: [choice, work, pass]}}. `cost` is a
-dictionary from numbers of states to instructions per fragment.
+A state is what `bench_states SEED list` prints: {"number": n, "key": n, "words": {word: [choice, work, pass]}}. `cost` is a dictionary from
+numbers of states to instructions per fragment.
 """
 PERCENTILES = (10, 50, 80, 90, 95)
-UNORDERED = -1  # work of a choice that is neither less nor more than another's
-VARIANTS = ("surface", "tier")  # the words that are no part of a key
+UNORDERED = -1  # work of a choice that is neither less nor more than another choice's
+VARIANTS = ("surface", "tier")  # the words that are not part of a key
 
 
 def percentile(values, share):
-    """The value below which `share` percent of them lie; between two of them in proportion."""
+    """Returns the value below which `share` percent of the values lie, interpolated between two values."""
     ordered = sorted(values)
     place = (len(ordered) - 1) * share / 100
     below = int(place)
@@ -30,13 +30,13 @@ def variant(state):
 
 
 def shape_class(state):
-    """The rows of the table: triangles by their perspective, and the other shapes."""
+    """Returns the row of the table: triangles by their perspective, and the other shapes."""
     shape = choice(state, "shape")
     return f"{shape}, {choice(state, 'view')}" if shape == "triangles" else shape
 
 
 def groups(states, of):
-    """{of(state): [states]} in the order of the first of each."""
+    """Returns {of(state): [states]} in the order of the first state of each."""
     out = {}
     for state in states:
         out.setdefault(of(state), []).append(state)
@@ -44,16 +44,16 @@ def groups(states, of):
 
 
 def differing(a, b):
-    """The words that apply to both states and have other choices."""
+    """Returns the words that apply to both states and have different choices."""
     return [word for word in a["words"] if word in b["words"] and choice(a, word) != choice(b, word)]
 
 
 def neighbours(states):
-    """(a, b, word) of every two states that differ in one word."""
+    """Returns (a, b, word) of every two states that differ in one word."""
     out = []
     for i, a in enumerate(states):
         for b in states[:i]:
-            # Of two keys only the same variant is looked at, of one key only what differs in one of the two.
+            # States of two keys are compared in the same variant only, states of one key only if one word of the variant differs.
             same_key, same_variant = a["key"] == b["key"], variant(a) == variant(b)
             if not same_key and not same_variant:
                 continue
@@ -64,13 +64,13 @@ def neighbours(states):
 
 
 def less_work(a, b, word):
-    """Whether a asks for some of the work of b, and no other."""
+    """Returns whether a asks for some of the work of b, and for nothing else."""
     of_a, of_b = a["words"][word][1], b["words"][word][1]
     return UNORDERED not in (of_a, of_b) and of_a != of_b and of_a & of_b == of_a
 
 
 def far_apart(pairs, cost, times=2.0):
-    """(ratio, cheap, dear, word), the worst first: neighbours of which one takes more than `times` the other."""
+    """Returns (ratio, cheap, dear, word), the worst first, of neighbours of which one takes more than `times` the other."""
     out = []
     for a, b, word in pairs:
         if a["number"] not in cost or b["number"] not in cost:
@@ -83,12 +83,12 @@ def far_apart(pairs, cost, times=2.0):
 
 
 def adds_pass(a, b, word):
-    """The word brings a texture, a filter or another pass: neighbours may then be apart."""
+    """Returns whether the word adds a texture, a filter or another pass; such neighbours may be far apart."""
     return a["words"][word][2]
 
 
 def inversions(pairs, cost, slack=1.05):
-    """(ratio, less, more, word), the worst first: states that cost more than `slack` times what a neighbour with more work does."""
+    """Returns (ratio, less, more, word), the worst first, of states that cost more than `slack` times a neighbour with more work."""
     out = []
     for a, b, word in pairs:
         if a["number"] not in cost or b["number"] not in cost:
@@ -101,7 +101,7 @@ def inversions(pairs, cost, slack=1.05):
 
 
 def worst(states, cost, count=10):
-    """The dearest states of each key, the worst first: no key twice."""
+    """Returns the dearest state of each key, the worst first, at most `count`."""
     out = []
     for state in sorted((s for s in states if s["number"] in cost), key=lambda s: -cost[s["number"]]):
         if state["key"] not in {kept["key"] for kept in out}:
@@ -112,12 +112,12 @@ def worst(states, cost, count=10):
 
 
 def slower(ratios):
-    """The share of states that are slower than llvmpipe, of times as fast."""
+    """Returns the share of states that are slower than llvmpipe; `ratios` are times as fast."""
     return sum(ratio < 1 for ratio in ratios) / len(ratios)
 
 
 def readable(state, without=()):
-    """A state in words; what is off is not said."""
+    """Returns a state in words; words that are off are left out."""
     short = ("surface", "tier", "shape", "view", "shade", "alpha", "samples")
     said = []
     for word, (name, _, _) in state["words"].items():

@@ -21,17 +21,17 @@ from json_option import outfile  # noqa: E402
 
 GOLDEN = HERE / "golden.json"
 SEED = 1
-SLICES = {"host-base": 24, "m4": 24}  # keys
+SLICES = {"host-base": 24, "m4": 24}  # number of keys in the slice of each target
 SLACK = 1.03
 
 
 def slice_numbers(keys):
-    """One state of each key, the variants in turn: both keys of a pair in the same one."""
+    """Returns the number of one state for each key, with the variants in turn. Both keys of a pair have the same variant."""
     return [6 * key + key // 2 % 6 for key in range(keys)]
 
 
 def measure_slice(target, runner):
-    """{"number": [instructions, fragments]}"""
+    """Returns {"number": [instructions, fragments]}."""
     with tempfile.TemporaryDirectory() as folder:
         counts = measure.count(target, runner, SEED, slice_numbers(SLICES[target]), pathlib.Path(folder))
     return {str(number): [of["instructions"], of["fragments"]] for number, of in counts.items()}
@@ -46,7 +46,7 @@ def write(tables):
 
 
 def compare(now, was):
-    """(what is wrong, whether something is better), each a line."""
+    """Returns (lines about what is wrong, lines about what is better)."""
     bad, better = [], []
     for number in sorted(now.keys() | was.keys(), key=int):
         if number not in was or number not in now:

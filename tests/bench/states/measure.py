@@ -13,20 +13,20 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 import mcu  # noqa: E402
 
-TARGETS = {"host": None, "host-base": None, "m4": "m4", "m3": "m3", "m0plus": "m0+"}  # and the boards of mcu.py
+TARGETS = {"host": None, "host-base": None, "m4": "m4", "m3": "m3", "m0plus": "m0+"}  # besides the host, the boards of mcu.py
 HOSTS = [target for target, board in TARGETS.items() if board is None]
-CHUNK = 24  # states of one run: the next line of progress
-# Mesa without threads, without a window system and without what other drivers there are.
+CHUNK = 24  # states of one run, after which progress is printed
+# An environment for Mesa without threads, without a window system and without other drivers.
 MESA = {"PATH": "/usr/bin:/bin", "LP_NUM_THREADS": "0", "LIBGL_ALWAYS_SOFTWARE": "1", "GALLIUM_DRIVER": "llvmpipe", "MESA_SHADER_CACHE_DISABLE": "true"}
 
 
 def say(text):
-    """A line of progress, in the place of the one before on a terminal."""
+    """Prints a line of progress, which replaces the line before on a terminal."""
     print(text, file=sys.stderr, end="\r" if sys.stderr.isatty() else "\n", flush=True)
 
 
 def environment(target):
-    """Of our programs. The target host-base leaves out instructions that only some processors have."""
+    """Returns the environment of Spangle's programs. The target host-base leaves out instructions that only some processors have."""
     return dict(os.environ, SPANGLE_INSTRUCTIONS="base") if target == "host-base" else None
 
 
@@ -35,19 +35,19 @@ def lines_of(numbers):
 
 
 def listed(runner, seed, numbers):
-    """The states of these numbers; `runner` is bench_states."""
+    """Returns the states of these numbers; `runner` is bench_states."""
     done = subprocess.run([str(runner), str(seed), "list"], input=lines_of(numbers), capture_output=True, text=True, check=True)
     return [json.loads(line) for line in done.stdout.splitlines()]
 
 
 def functions(dump):
-    """{function: instructions of its own} of a dump of callgrind with uncompressed names."""
+    """Returns {function: its own instructions} from a dump of callgrind with uncompressed names."""
     out, current, inclusive = {}, None, False
     for line in dump.splitlines():
         if line.startswith("fn="):
             current = line[3:]
         elif line.startswith("calls="):
-            inclusive = True  # the next line is what the callee took
+            inclusive = True  # the next line counts what the callee took
         elif line[:1].isdigit():
             if inclusive:
                 inclusive = False
@@ -57,7 +57,7 @@ def functions(dump):
 
 
 def short_name(function):
-    """Without arguments, return types and namespaces: what a reader looks for."""
+    """Returns a function's name without arguments, return type and namespaces."""
     function = function.split("'")[0]
     depth, plain = 0, ""
     for letter in function:
@@ -72,7 +72,7 @@ def short_name(function):
 
 
 def hottest(costs, count=3):
-    """[(function, share)] of the functions that take most."""
+    """Returns [(function, share)] of the functions that take most."""
     total = sum(costs.values())
     names = {}
     for function, cost in costs.items():
@@ -81,7 +81,7 @@ def hottest(costs, count=3):
 
 
 def read_counts(output):
-    """{number: (instructions or None, fragments, picture)} of what the programs print."""
+    """Returns {number: (instructions or None, fragments, picture)} of what the programs print."""
     out = {}
     for words in map(str.split, output.splitlines()):
         number, *counted, fragments, picture = words
@@ -123,7 +123,7 @@ class Boards:
 
 
 def count(target, runner, seed, numbers, folder):
-    """{number: {"instructions", "fragments", "picture"}} of the states that the target has. Firmware is built in the folder."""
+    """Returns {number: {"instructions", "fragments", "picture"}} of the states that the target has. Firmware is built in the folder."""
     chunks = [numbers[i:i + CHUNK] for i in range(0, len(numbers), CHUNK)]
     out = {}
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
@@ -151,7 +151,7 @@ class Timer:
         self.process = subprocess.Popen([str(program), str(seed), "time"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment)
 
     def time(self, number):
-        """Microseconds of a frame; negative where there is no such context."""
+        """Returns the microseconds of a frame, or a negative number if there is no such context."""
         self.process.stdin.write(f"{number}\n")
         self.process.stdin.flush()
         line = self.process.stdout.readline()
@@ -165,10 +165,12 @@ class Timer:
 
 
 def time(target, build, seed, states, rounds):
-    """{number: times as fast as llvmpipe}, the median of the rounds. In a round both programs draw one state right after each other."""
+    """Returns {number: times as fast as llvmpipe}, the median of the rounds. In a round both programs draw one state right after each
+    other.
+    """
     ours, mesa = Timer(build / "bench_states", seed, environment(target)), Timer(build / "bench_states_mesa", seed, MESA)
     ratios = {}
-    by_picture = {}  # llvmpipe has no tiers: it draws each key once on each surface
+    by_picture = {}  # llvmpipe has no tiers, so it draws each key once on each surface
     for state in states:
         by_picture.setdefault((state["key"], state["words"]["surface"][0]), []).append(state["number"])
     try:

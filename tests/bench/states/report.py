@@ -1,20 +1,20 @@
-"""The tables of `./dev bench states`, from figures, and those of docs/states.md."""
+"""Prints the tables of `./dev bench states` from figures, and makes those of docs/states.md."""
 import figures
 from figures import PERCENTILES, choice, groups, percentile, readable, shape_class
 
 CLASSES = {"all": lambda s: True, "triangles": lambda s: choice(s, "shape") == "triangles",
            "small triangles": lambda s: choice(s, "shape") == "small triangles", "lines": lambda s: choice(s, "shape") in ("lines", "wide lines"),
            "points": lambda s: choice(s, "shape") in ("points", "large points"), "sprites": lambda s: choice(s, "shape") == "sprites"}
-SPEEDS = (50, 20, 5)  # percentiles of the times as fast: what half, 80 % and 95 % of the states reach
+SPEEDS = (50, 20, 5)  # percentiles of the times as fast: half, 80 % and 95 % of the states reach them
 
 
 def cost_of(counts):
-    """{number: instructions per fragment}"""
+    """Returns {number: instructions per fragment}."""
     return {number: of["instructions"] / of["fragments"] for number, of in counts.items()}
 
 
 def rows(states, cost, ratios):
-    """[{"class", "surface", "tier", "states", "p10".., "fast50".., "slower"}]; shares of speed where there are times."""
+    """Returns [{"class", "surface", "tier", "states", "p10".., "fast50".., "slower"}], with shares of speed if there are times."""
     out = []
     for name, belongs in CLASSES.items():
         for (surface, tier), members in sorted(groups([s for s in states if belongs(s)], figures.variant).items()):
@@ -34,7 +34,7 @@ def hot(of):
 
 
 def worst_states(states, counts, count=10):
-    """[{"cost", "state", "hot"}]"""
+    """Returns [{"cost", "state", "hot"}]."""
     cost = cost_of(counts)
     return [{"cost": cost[s["number"]], "number": s["number"], "state": readable(s), "hot": hot(counts[s["number"]])} for s in figures.worst(states, cost, count)]
 
@@ -65,7 +65,7 @@ def print_pair(ratio, first, second, word, cost):
 
 
 def print_pairs(states, cost, most=20):
-    """Neighbours that are far apart, and inversions. Returns how many there are of each."""
+    """Prints neighbours that are far apart, and inversions. Returns how many there are of each."""
     pairs = figures.neighbours(states)
     apart = figures.far_apart(pairs, cost)
     plain = [found for found in apart if not figures.adds_pass(*found[1:]) and cost[found[2]["number"]] > 2 * cost[found[1]["number"]] + 10]
@@ -84,7 +84,7 @@ def print_pairs(states, cost, most=20):
 
 
 def markdown(recorded):
-    """What docs/states.md shows of tests/bench/states/measured.json."""
+    """Returns the tables of docs/states.md from tests/bench/states/measured.json."""
     out = []
     for target, of in recorded.items():
         timed = any("slower" in row for row in of["rows"])

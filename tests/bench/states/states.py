@@ -33,14 +33,14 @@ import measure  # noqa: E402
 import report  # noqa: E402
 from json_option import outfile  # noqa: E402
 
-PAIR = 12  # states of two neighbours
+PAIR = 12  # states of two neighbouring keys
 PAGE = measure.mcu.ROOT / "docs/states.md"
 MEASURED = HERE / "measured.json"
 BEGIN, END = "<!-- table: states -->\n", "\n<!-- end -->"
 
 
 def page_with(recorded):
-    """docs/states.md with these figures."""
+    """Returns docs/states.md with these figures."""
     before, _, rest = PAGE.read_text().partition(BEGIN)
     return before + BEGIN + report.markdown(recorded) + END + rest.partition(END)[2]
 
@@ -61,7 +61,7 @@ def positive(text):
 
 
 def missing(target):
-    """Programs that this target needs."""
+    """Returns the missing programs that this target needs."""
     return measure.mcu.firmware.missing(["cortex-m4"]) if target not in measure.HOSTS else [] if shutil.which("valgrind") else ["valgrind"]
 
 
