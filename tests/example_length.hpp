@@ -1,4 +1,4 @@
-// An example is read at a sitting.
+// Examples must be short enough to be read in one sitting: fewer than 60 lines.
 #pragma once
 
 #include <fstream>
@@ -10,7 +10,7 @@
 
 namespace spangle::test {
 
-/// `path` below boards/examples.
+/// Checks the length of an example; `path` is relative to boards/examples.
 inline void expect_short(const std::string& path) {
     std::ifstream source(SPANGLE_SOURCE_DIR "/boards/examples/" + path);
     int lines = 0;

@@ -1,4 +1,4 @@
-// A context of ours to draw into: a pbuffer of RGBA8888 with 24 bits of depth.
+// A GL context to draw into without a display: a pbuffer of RGBA8888 with 24 bits of depth.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace spangle::test {
 
-/// Current from its construction to its end, on this thread.
+/// A context that is current on this thread as long as the object lives.
 class HeadlessGl {
   public:
-    /// `more`: what else the config has, attribute by attribute; `of_surface`: what else the surface.
+    /// `more` holds further attributes of the config, `of_surface` further attributes of the surface.
     HeadlessGl(int width, int height, const std::vector<EGLint>& more = {},
                const std::vector<EGLint>& of_surface = {})
         : display_(eglGetDisplay(EGL_DEFAULT_DISPLAY)) {

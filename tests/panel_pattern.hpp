@@ -1,4 +1,5 @@
-// A pattern in a panel's frame, and whether a glass shows it: what tests of every transport share.
+// Draws a pattern into a panel's frame and compares the glass with the frame. The tests of every transport
+// use it.
 #pragma once
 
 #include <algorithm>
@@ -10,11 +11,11 @@
 
 namespace spangle::test {
 
-/// A glass so small that thousands of frames are quick, in a corner of an ST7735's memory.
+/// A glass in a corner of an ST7735's memory, so small that thousands of frames are quick.
 inline constexpr hal::PanelDesc tiny_panel =
     hal::panels::st7735::on_glass("tiny", {132, 162}, {24, 16}, {5, 7}, hal::ColorOrder::rgb);
 
-/// What std::optional may destroy.
+/// A panel display with a public destructor, which std::optional needs.
 struct OwnedDisplay final : hal::PanelDisplay {
     using hal::PanelDisplay::PanelDisplay;
 };
@@ -46,7 +47,8 @@ inline bool draw_pattern(hal::Display& display, unsigned seed) {
     return draw_pattern(display, seed, {0, 0, info.width, info.height});
 }
 
-/// Empty when the glass shows the frame; one buffer only, whose content is then still there.
+/// Returns an empty text if the glass shows the frame, else what differs. The display must have one buffer
+/// only, so that the frame still has its content.
 inline std::string glass_difference(hal::Display& display, const sim::Image& glass) {
     const auto frame = display.acquire();
     if (!frame.ok())

@@ -1,4 +1,4 @@
-// A scene on a display, through EGL as a program would draw it.
+// Plays a scene on a display, through EGL as a program would draw it.
 #pragma once
 
 #include <functional>
@@ -10,8 +10,8 @@
 
 namespace spangle::test {
 
-/// Frames 0 to frames - 1; `drawn` is called before each is presented. False when EGL refused anything. More
-/// than one frame: what follows the first is sent as damage.
+/// Plays frames 0 to frames - 1, and calls `drawn` before each frame is presented. Returns false if EGL
+/// refused anything. All frames but the first are sent as damage.
 inline bool play(
     hal::Display& target, const scenes::Scene& scene, int frames,
     const std::function<void()>& drawn = [] {}) {

@@ -1,4 +1,4 @@
-// States of every kind, chosen at random.
+// Random states of fragments, of every kind.
 #pragma once
 
 #include "raster/span/draw_state.hpp"
@@ -12,7 +12,7 @@ inline constexpr PixelFormat all_formats[] = {
     PixelFormat::rgb666,    PixelFormat::rgb444,    PixelFormat::rgb332, PixelFormat::grey4,
     PixelFormat::mono,      PixelFormat::index8};
 
-/// Fills a unit with any environment.
+/// Gives a unit a random texture environment.
 inline void any_unit(RandomVertices& random, TextureUnit& unit, const Texture& texture) {
     unit.texture = &texture;
     unit.env = static_cast<TexEnv>(random.below(6));
@@ -54,7 +54,7 @@ inline void any_stencil(RandomVertices& random, StencilState& stencil) {
     stencil.pass = op();
 }
 
-/// Fragments of any state on a surface of that size.
+/// Returns random fragment state for a surface of this size.
 inline FragmentState any_fragments(RandomVertices& random, const Texture* const (&textures)[2], int width,
                                    int height) {
     FragmentState state;
@@ -70,7 +70,8 @@ inline FragmentState any_fragments(RandomVertices& random, const Texture* const 
     state.color_sum = random.below(4) == 0;
     state.fog = random.below(3) == 0;
     state.fog_mode = static_cast<FogMode>(random.below(3));
-    state.fog_start = 0x3F000000, state.fog_end = 0x40800000, state.fog_density = 0x3F000000; // .5, 4, .5
+    state.fog_start = 0x3F000000, state.fog_end = 0x40800000,
+    state.fog_density = 0x3F000000; // 0.5, 4 and 0.5
     for (auto& c : state.fog_color)
         c = random.below(color_one + 1);
     state.alpha_test = random.below(4) == 0;
@@ -89,7 +90,7 @@ inline FragmentState any_fragments(RandomVertices& random, const Texture* const 
     return state;
 }
 
-/// What primitives bring along, and somebody who counts.
+/// Random state that primitives bring along: stipple patterns, coverage and samples; and counters.
 struct Extras {
     std::uint32_t pattern[32];
     std::vector<std::uint32_t> coverage;

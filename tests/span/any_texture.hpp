@@ -1,4 +1,4 @@
-// Textures of every kind, chosen at random.
+// Random textures of every kind.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,8 @@ namespace spangle::raster::test {
 
 using spangle::test::Random;
 
-/// Any format, shape, size, wraps and filters, with all its levels, and a border of texels or of a colour.
+/// A texture of random format, shape, size, wrap modes and filters, with all its levels. It has a border of
+/// texels or a border colour.
 struct AnyTexture {
     std::vector<std::uint8_t> texels;
     std::uint8_t palette[256 * 4];
@@ -69,7 +70,7 @@ struct AnyTexture {
     void choose_comparison(Random& random) {
         const bool depths = texture.format == TexelFormat::z16 || texture.format == TexelFormat::z24;
         const bool flat =
-            texture.shape <= TextureShape::plane; // others may not have depths to compare (GL 1.4, 3.8.14)
+            texture.shape <= TextureShape::plane; // other shapes may not compare depths (GL 1.4, 3.8.14)
         texture.compares = depths && flat && random.below(2) == 0;
         texture.compare = static_cast<Compare>(random.below(8));
     }
@@ -103,7 +104,8 @@ struct AnyTexture {
         }
         for (std::size_t i = 0; i < texels.size(); ++i)
             texels[i] = static_cast<std::uint8_t>(random.below(256));
-        if (texture.format == TexelFormat::z24) // with borders every texel lies at a multiple of four
+        if (texture.format ==
+            TexelFormat::z24) // every texel lies at a multiple of four bytes, borders included
             for (std::size_t i = 3; i < texels.size(); i += 4)
                 texels[i] = 0;
         for (int l = 0; l < texture.level_count; ++l) {

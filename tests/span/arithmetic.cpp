@@ -1,4 +1,4 @@
-// Products, sums and interpolations of 8-bit components, every one of them; texels of every code.
+// Tests products, sums and interpolations of 8-bit components, and texels, for all their values.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ TEST(Products, OfTwoBytesAreNearest) {
         for (std::uint32_t b = 0; b < 256; ++b) {
             ASSERT_EQ(Exact::to8(Exact::mul(Exact::from8(a), Exact::from8(b))), (2 * a * b + 255) / 510)
                 << a << ' ' << b;
-            const double off = B::mul(B::from8(a), B::from8(b)) - 256.0 * a * b / 255; // 256ths
+            const double off = B::mul(B::from8(a), B::from8(b)) - 256.0 * a * b / 255; // in 256ths of a 255th
             ASSERT_LE(off, 0) << a << ' ' << b;
             ASSERT_GE(off, -2) << a << ' ' << b;
         }
@@ -47,13 +47,13 @@ TEST(Sums, OfTwoBytes) {
         }
 }
 
-/// a (1 - k) + b k of three bytes: 2^24 of them.
+/// a (1 - k) + b k of all 2^24 combinations of three bytes is the nearest byte.
 TEST(Interpolations, OfThreeBytesAreNearest) {
     double least = 0, most = 0;
     for (std::uint32_t a = 0; a < 256; ++a)
         for (std::uint32_t b = 0; b < 256; ++b)
             for (std::uint32_t k = 0; k < 256; ++k) {
-                const std::uint32_t exact = a * (255 - k) + b * k; // 65025ths
+                const std::uint32_t exact = a * (255 - k) + b * k; // in 65025ths
                 ASSERT_EQ(Exact::to8(Exact::lerp(Exact::from8(a), Exact::from8(b), Exact::from8(k))),
                           (2 * exact + 255) / 510)
                     << a << ' ' << b << ' ' << k;
@@ -61,7 +61,7 @@ TEST(Interpolations, OfThreeBytesAreNearest) {
                 least = std::fmin(least, off);
                 most = std::fmax(most, off);
             }
-    EXPECT_GE(least, -3); // 256ths: two products, each rounded down
+    EXPECT_GE(least, -3); // in 256ths: each of two products is rounded down
     EXPECT_LE(most, 0);
 }
 
@@ -82,7 +82,8 @@ TEST(Components, ComeBackFromBothNumbers) {
     }
 }
 
-/// Of every code of every format, R G B A as the number has them.
+/// Reads texels of every 16-bit code of every format. Each component must be within `bound` of its fraction
+/// of one.
 template <class N> void texels_of_words(double bound) {
     const auto near = [bound](std::uint32_t got, double k, double most) {
         ASSERT_NEAR(got, N::one * (k / most), bound) << k << " of " << most;
@@ -133,7 +134,8 @@ TEST(Components, OfEveryTexel) {
     texels_of_words<B>(256 / 50.0);
 }
 
-/// Small builds read all axes as those of any size (is_plain_axis()).
+/// Builds without shortcuts read all axes as axes of any size (is_plain_axis()); both ways must find the same
+/// texels.
 void same_texels(Wrap wrap, std::uint32_t s, int log2_size) {
     const std::int32_t size = 1 << log2_size;
     ASSERT_EQ(general_nearest(wrap, s, size), wrapped_nearest(wrap, s, log2_size, size))

@@ -1,4 +1,5 @@
-// States one step beside those of fused spans: whatever `compile` chooses for them is their chain.
+// Draws states one step beside those of fused spans: whatever compile() chooses for them must be equal to
+// their chain.
 #include <gtest/gtest.h>
 
 #include "tests/span/any_state.hpp"
@@ -9,7 +10,7 @@ namespace {
 
 constexpr int width = 56, height = 12;
 
-/// One or two modes that no fused span has, or that choose another one.
+/// Changes one or two modes to values that no fused span has, or that choose another fused span.
 void step_aside(RandomVertices& random, FragmentState& state, const Extras& extras, const Texture& texture) {
     for (std::uint32_t steps = 1 + random.below(2); steps > 0; --steps)
         switch (random.below(10)) {

@@ -1,4 +1,5 @@
-// SRC_ALPHA, ONE_MINUS_SRC_ALPHA of the balanced tier: its bound, its identities, and the packed form's bits.
+// Tests blending with SRC_ALPHA, ONE_MINUS_SRC_ALPHA in the balanced tier: its bound, its identities, and the
+// bits of its packed form.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,8 +40,9 @@ TEST(Over, EightBitsAreRoundedExactly) {
                     << s << " " << a << " " << k;
 }
 
-/// Alpha 0 stores what is stored, dithered or not, so that such fragments need not be drawn; alpha 1 stores
-/// the colour. Alpha in 8.8: nothing leaves 16 bits.
+/// With alpha 0 the stored colour stays, dithered or not, so such fragments need not be drawn. With alpha 1
+/// the fragment's colour is stored. With every alpha in 8.8, white over white stays white, so nothing leaves
+/// 16 bits.
 template <unsigned Bits> void identities() {
     constexpr std::uint32_t most = (1u << Bits) - 1;
     for (std::uint32_t k = 0; k <= most; ++k) {
@@ -100,7 +102,7 @@ TEST(Over, PackedAndBytesHaveTheBitsOfExact) {
     packed_exact<6>();
 }
 
-/// The bits of the balanced tier, dithered.
+/// The packed form has the bits of the balanced tier when it dithers.
 TEST(Over, DitheredPackedHasTheSameBits) {
     for (std::uint32_t s = 0; s < 256; ++s)
         for (std::uint32_t a = 0; a < 256; ++a)
@@ -118,7 +120,7 @@ TEST(Over, DitheredPackedHasTheSameBits) {
             }
 }
 
-/// What lanes keep of one threshold.
+/// A dither threshold (in 32nds) as lanes keep it.
 template <class Numbers> struct Kept {
     std::uint32_t threshold32;
     std::uint32_t word(int i) const { return Numbers::Threshold::word(i, threshold32); }
@@ -126,7 +128,7 @@ template <class Numbers> struct Kept {
 using ExactKept = Kept<ExactBytes<1>>;
 using CoarseKept = Kept<CoarseBytes<1>>;
 
-/// Exact, dithered, is floor(v + t) of the quotient itself; so are the others.
+/// The dithered form stores floor(v + t) of the exact quotient v; the packed form and lanes store the same.
 template <unsigned Bits> void dithered_exact() {
     for (std::uint32_t s = 0; s < 256; ++s)
         for (std::uint32_t a = 0; a < 256; ++a)
@@ -149,8 +151,9 @@ TEST(Over, DitheredPackedAndBytesHaveTheBitsOfExact) {
     dithered_exact<6>();
 }
 
-/// Of the fast tier, against blending in real numbers, steps of the target rounded down: at most one of five
-/// bits, two of six. The eight bits of a fully transparent or opaque colour are stored, or not, as they are.
+/// Returns by how many steps of the target the fast tier differs from blending in real numbers, rounded down:
+/// at most one step of five bits, two of six. A fully transparent colour stores the old bits, and an opaque
+/// colour its own.
 template <unsigned Bits> int coarse() {
     constexpr std::uint32_t most = (1u << Bits) - 1;
     int worst = 0;
@@ -176,7 +179,7 @@ TEST(Coarse, ErrorOfStoredBits) {
     EXPECT_EQ(coarse<6>(), 2);
 }
 
-/// The same dithered, against floor(steps + t) of real numbers.
+/// Returns by how many steps the dithered fast tier differs from floor(steps + t) of real numbers.
 template <unsigned Bits> int coarse_dithered() {
     constexpr std::uint32_t most = (1u << Bits) - 1;
     int worst = 0;
@@ -200,7 +203,7 @@ TEST(Coarse, ErrorOfDitheredBits) {
     EXPECT_EQ(coarse_dithered<6>(), 2);
 }
 
-/// Solid colours: the mean of a pattern is the colour within 3/16 of a step, both ends exact.
+/// Over a whole dither pattern, the mean of a solid colour is within 3/16 of a step, and both ends are exact.
 template <unsigned Bits> void solid_dithered() {
     constexpr std::uint32_t most = (1u << Bits) - 1;
     for (std::uint32_t s = 0; s < 256; ++s) {
@@ -241,7 +244,8 @@ TEST(Coarse, DitheredPackedHasTheSameBits) {
                 }
 }
 
-/// Neighbours in the word are the extremes: a sum that reached the next would show.
+/// The neighbouring components of a word have extreme values, so that a carry from one component into the
+/// next would show.
 TEST(Coarse, PackedHasTheSameBits) {
     for (std::uint32_t s = 0; s < 256; ++s)
         for (std::uint32_t a = 0; a < 256; ++a)
@@ -265,7 +269,7 @@ TEST(Coarse, PackedHasTheSameBits) {
                 }
 }
 
-/// Steps come back from what a list makes of them.
+/// Components that were read from steps of the format are stored as the same steps.
 TEST(Coarse, StepsAreStoredAsTheyAre) {
     for (std::uint32_t k = 0; k < 64; ++k) {
         EXPECT_EQ(N::to8(N::from6(k)) >> 2, k);

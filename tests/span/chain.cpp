@@ -1,4 +1,4 @@
-// The chain in lanes and packets is the chain of single fragments, whatever the state: byte for byte.
+// In every state, the chain in lanes and packets stores the same bytes as the chain of single fragments.
 #include <gtest/gtest.h>
 
 #include "tests/span/single_fragments.hpp"
@@ -11,7 +11,7 @@ constexpr int width = 72, height = 10;
 TEST(Chain, LanesAndPacketsAreItsFragments) {
     RandomVertices random(41);
     Random texels{41};
-    int draws = 0, shared = 0; ///< of those whose rows may share packets
+    int draws = 0, shared = 0; ///< draws, and the draws whose rows may share packets
     for (int round = 0; round < 6000; ++round) {
         const AnyTexture a(texels), b(texels);
         const Extras extras(random, width);
@@ -31,7 +31,7 @@ TEST(Chain, LanesAndPacketsAreItsFragments) {
         const Key key = make_key(state, canvas[0].surface, kind);
         if (lanes.run == nullptr || key.number == Number::raw565)
             continue;
-        if (!is_narrow(format)) // which have no fused spans
+        if (!is_narrow(format)) // narrow formats have no fused spans
             lanes.run = chain_runner(key.number);
         single_fragments(single, key, state);
         RandomVertices vertices(static_cast<std::uint32_t>(round));
@@ -54,7 +54,7 @@ TEST(Chain, LanesAndPacketsAreItsFragments) {
     }
     EXPECT_GE(draws, 12000);
     if (host_lanes > 1) {
-        EXPECT_GE(shared, draws / 3); // all but narrow surfaces and textures that are volumes
+        EXPECT_GE(shared, draws / 3); // all but narrow surfaces and volume textures share packets
     }
 }
 

@@ -1,5 +1,5 @@
-// Lanes beyond the last fragment of a packet: whatever memory held there changes neither a picture nor its
-// cost.
+// Lanes beyond the last fragment of a packet hold whatever memory held before. They must change neither a
+// picture nor its cost.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -16,8 +16,8 @@ template <class N> struct PartOfAGroup {
     Span<Fixed> span;
     Packet<N> packet;
 
-    /// `n` fragments on the diagonal of an image with a border colour. `beyond`: the bits of all other
-    /// memory.
+    /// Textures `n` fragments on the diagonal of an image with a border colour. All other memory holds bytes
+    /// of value `beyond`.
     PartOfAGroup(std::int32_t n, int beyond) {
         for (int i = 0; i < 48; ++i)
             texels[i] = static_cast<std::uint8_t>(5 * i);
@@ -58,7 +58,7 @@ template <class N> void expect_no_difference() {
                 ASSERT_EQ(a.g, b.g);
                 ASSERT_EQ(a.b, b.b);
             }
-            // In the place of the border they would have cost time.
+            // Dead lanes repeat the last fragment's place; places in the border would have cost time.
             for (std::int32_t i = n; i % N::lanes != 0; ++i) {
                 EXPECT_EQ(far.packet.coord[0][i / N::lanes].s[i % N::lanes], PartOfAGroup<N>::place(n - 1));
                 EXPECT_EQ(far.packet.coord[0][i / N::lanes].t[i % N::lanes], PartOfAGroup<N>::place(n - 1));

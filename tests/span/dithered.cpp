@@ -1,4 +1,5 @@
-// Smooth colours that are dithered: counted in steps by set-up, and stored with one sum.
+// Tests dithered smooth colours: set-up counts them in steps of the format, and one sum with the threshold
+// stores them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,12 +17,12 @@ constexpr int components[] = {0, 1, 2};
 std::uint32_t levels(int component) {
     return component == 1 ? 63 : 31;
 }
-/// Fraction bits of a step.
+/// Number of fraction bits in a step of the component.
 int step_bits(int component) {
     return color_fraction_bits + (component == 1 ? 2 : 3);
 }
 
-/// The last bit is dropped, and the factor adds a sixteenth of it at most.
+/// Colours in steps lose their last bit, and the factor adds at most a sixteenth of that bit.
 TEST(Dithered, ColorsInStepsAreTheirFloor) {
     std::mt19937 random(4);
     for (const int component : components)
@@ -44,7 +45,8 @@ TEST(Dithered, StepsFromHalvesAreTheSame) {
         }
 }
 
-/// What balanced and fast tiers count in, and what is guessed where there are no long products.
+/// Tests the steps that the balanced and fast tiers count in, and the guessed steps of processors without
+/// long products.
 TEST(Dithered, NearAndGuessedSteps) {
     std::mt19937 random(8);
     for (const int component : components) {
@@ -65,7 +67,8 @@ TEST(Dithered, NearAndGuessedSteps) {
     }
 }
 
-/// In 27 and 26 bits: the whole product, less what is below them.
+/// In the exact tier a step has 27 bits (red, blue) or 26 bits (green): the whole product, without the bits
+/// below.
 TEST(Dithered, StepsOfTheExactTier) {
     const auto expect_floor = [](std::uint32_t c) {
         const auto floor32 = [&](std::uint64_t levels, int up) {
@@ -97,7 +100,8 @@ TEST(Dithered, DifferencesTakeNoMoreBits) {
         }
 }
 
-/// floor(step + t) of 31 and 63 steps, and what set-up may be off by at both ends.
+/// The stored value is floor(step + t) of 31 or 63 steps, also where set-up goes beyond both ends by its
+/// error.
 TEST(Dithered, SumsAreStepsAndThresholds) {
     std::mt19937 random(6);
     using One = Raw565<1>;
@@ -122,7 +126,7 @@ TEST(Dithered, SumsAreStepsAndThresholds) {
         }
 }
 
-/// Colours that the format has stay, whatever the threshold.
+/// Colours that the format can hold stay unchanged by every threshold.
 TEST(Dithered, StepsStay) {
     for (const int component : components)
         for (std::uint32_t k = 0; k <= levels(component); ++k) {
@@ -141,7 +145,8 @@ TEST(Dithered, StepsStay) {
         }
 }
 
-/// Where fragments are counted up to the end of their row.
+/// Spans may count fragments from the end of their row; each fragment must still get the threshold of its
+/// place.
 TEST(Dithered, FractionsByNumber) {
     Span<Fixed> span{};
     Px<Raw565<1>> p;

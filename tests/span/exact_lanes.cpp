@@ -1,4 +1,4 @@
-// The exact tier in eight lanes has the bits of the exact tier in one, whatever the operands are.
+// The exact tier in eight lanes has the bits of the exact tier in one lane, for all operands.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace {
 using L = ExactLanes::L;
 using spangle::test::Random;
 
-/// Eight numbers below or at `most`, the ends now and then.
+/// Eight random numbers from 0 to `most`; sometimes they are 0 or `most`.
 struct Eight {
     std::uint32_t v[8];
     Eight(Random& random, std::uint32_t most) {

@@ -1,4 +1,4 @@
-// Triangles drawn by functions of their own and by the chain: the same bytes, and the same rows touched.
+// Draws triangles by a fused form and by the chain, which must store the same bytes and touch the same rows.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ struct Size {
     int width, height;
 };
 
-/// Of some 1/w varies little, some have a side that is flat or upright.
+/// Makes some triangles special: 1/w varies little, or a side is horizontal or vertical.
 inline void make_special(Triangle& t, RandomVertices& source, Kind kind) {
     if (kind == Kind::full && source.below(2) == 0)
         for (FixedVertex& v : t.v)
@@ -25,8 +25,8 @@ inline void make_special(Triangle& t, RandomVertices& source, Kind kind) {
         t.v[2].x = t.v[1].x;
 }
 
-/// `shapes` take the place of the key's; next(source): the triangle of a round. Every fourth round is cut,
-/// every third one records.
+/// Draws `rounds` triangles, which next(source) returns, with `shapes` in place of the key's shapes. The
+/// scissor cuts every fourth triangle, and every third triangle records touched rows.
 template <class Next>
 void expect_chain(const FusedSpan& fused, const std::string& name, Size size, int rounds,
                   const Shapes& shapes, Next next, int log2_texels = 6) {

@@ -1,4 +1,4 @@
-// LINEAR of the balanced tier: its bounds, its identities, and the same bits with one lane and with eight.
+// Tests LINEAR in the balanced tier: its bounds, its identities, and equal bits with one lane and with eight.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,10 +14,12 @@ namespace {
 
 using N = Balanced<1>;
 
-/// Of the exact mean of four values of 0 .. most, in 255ths; mean(c00, c10, c01, c11, a, b) is 8.8.
+/// Returns the largest error, in 255ths, of the mean of four values from 0 to `most`. mean(c00, c10, c01,
+/// c11, a, b) returns the mean in 8.8.
 template <class Mean> double worst_error(std::uint32_t most, Mean mean) {
     double worst = 0;
-    for (std::uint32_t corners = 0; corners < 16; ++corners) // a mean is worst where all are extremes
+    for (std::uint32_t corners = 0; corners < 16;
+         ++corners) // the error of a mean is largest where all values are extremes
         for (std::uint32_t a = 0; a < 256; ++a)
             for (std::uint32_t b = 0; b < 256; ++b) {
                 const auto c = [&](unsigned i) { return (corners >> i & 1) * most; };
@@ -40,7 +42,7 @@ TEST(Filter, StepsOfTheExactTierAreNearest) {
         EXPECT_LE(twice_off(Exact::from6(k), k, 63), 63) << k;
 }
 
-/// Neither a texel nor a mean of four is ever less than what GL asks for, nor two units more.
+/// A texel, or a mean of four texels, is never less than what GL asks for, and less than two units above it.
 TEST(Filter, TexelsOfTheExactTierAreRoundedUp) {
     for (std::uint32_t k = 0; k < 64; ++k) {
         EXPECT_EQ(Exact::texel5(k & 31),
@@ -86,7 +88,7 @@ TEST(Filter, ErrorOfEightBits) {
             << byte;
 }
 
-/// Four texels alike are that texel, dithered or not.
+/// The mean of four equal texels is that texel, dithered or not.
 TEST(Filter, FourAlikeStay) {
     for (std::uint32_t a = 0; a < 256; a += 5)
         for (std::uint32_t b = 0; b < 256; ++b) {
@@ -110,7 +112,7 @@ TEST(Filter, FourAlikeStay) {
         }
 }
 
-/// Values of 15 bits that rounding could push past an end.
+/// Rounding must not push means of 15 bits past 0 or 255.
 TEST(Filter, EightBitsStayInRange) {
     for (std::uint32_t near = 0; near < 256; ++near)
         for (std::uint32_t a = 0; a < 256; ++a)
@@ -155,7 +157,8 @@ TEST(Filter, EightLanesHaveTheSameBits) {
     }
 }
 
-/// Step j is stored from the n on from which the sum that GL asks for is; the chain has up to two units more.
+/// Step j is stored from the smallest n on whose exact sum GL rounds to j. Sums of the chain may be up to two
+/// units larger, so the few n where this matters are open.
 template <int Bits> void check_stored_steps() {
     const inner::StoredSteps<Bits>& steps = inner::stored_steps<Bits>;
     constexpr std::int64_t most = (1 << Bits) - 1, two_units = 2 << 16;
@@ -178,7 +181,8 @@ TEST(Filter, StoredStepsAreThoseOfEverySum) {
     check_stored_steps<6>();
 }
 
-/// A guess decides every sum, or leaves it open, which few are, and those that are left to the chain.
+/// A guess gives the right step or leaves the sum open. Few sums are open, and sums that only the chain can
+/// decide are among them.
 template <int Bits> void check_guessed_steps() {
     using Guess = inner::GuessedSteps<Bits>;
     constexpr std::uint32_t most = (1u << Bits) - 1;
@@ -230,7 +234,7 @@ TEST(Filter, WordsInLanesAreThoseOfOne) {
             const auto weights = static_cast<std::uint32_t>(random());
             for (auto& texels : c)
                 texels[i] = static_cast<std::uint16_t>(random());
-            // few values: ties and whole steps
+            // few different weights, so that ties and whole steps occur
             a[i] = static_cast<std::uint16_t>((round & 1) != 0 ? weights & 0xC0 : weights & 255);
             b[i] = static_cast<std::uint16_t>((round & 1) != 0 ? weights >> 8 & 0xC0 : weights >> 8 & 255);
             if ((round & 2) != 0) {

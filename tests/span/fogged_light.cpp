@@ -1,4 +1,5 @@
-// Fog around MODULATE in the balanced tier: light times fog's factor, the texel, the fog's share.
+// Tests fog around MODULATE in the balanced tier: the light times fog's factor, times the texel, plus the
+// fog's share.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +12,8 @@ namespace {
 
 using B = Balanced<1>;
 
-/// Green after the three stages, 256ths of 255ths; light likewise, f with 24 fraction bits.
+/// Returns green after the three stages. Result and `light` are in 256ths of a 255th; `f` has 24 fraction
+/// bits.
 std::uint32_t green(const FogShare<B>& share, std::uint32_t light, std::uint32_t texel, std::uint32_t f) {
     Px<B> p;
     p.color = {0, light, 0, 0};
@@ -22,8 +24,9 @@ std::uint32_t green(const FogShare<B>& share, std::uint32_t light, std::uint32_t
     return p.color.g;
 }
 
-/// Each of four products is at most one 256th too small, the factors of the texel and of fog 6 and 1 of
-/// 65535, the fog's colour off by half a 256th: less than 1/24 of a 255th, and 1/90 of a step of six bits.
+/// Each of four products is at most 1/256 of a 255th too small. The factors of the texel and of fog are off
+/// by 6 and 1 of 65535, and the fog's colour by half a 256th. The sum is less than 1/24 of a 255th, or 1/90
+/// of a step of six bits.
 TEST(FoggedLight, IsWithinATwentiethOfA255th) {
     DrawState state{};
     Span<Fixed> span{};
@@ -59,7 +62,7 @@ TEST(FoggedLight, IsTheFogsColorOutsideOfItsRange) {
 using Dithered = FoggedTexel<PixelFormat::rgb565_le, true, true, false>;
 using DitheredLow = FoggedTexel<PixelFormat::rgb565_le, true, true, true>;
 
-/// What one form makes of dimmed light, a texel, fog's factor and a threshold in 32nds.
+/// Returns what a form makes of dimmed light, a texel, fog's factor and a threshold in 32nds.
 template <class Form>
 std::uint32_t dithered(const Form& form, std::uint32_t light, std::uint32_t texel, std::uint32_t f,
                        std::uint32_t threshold) {
@@ -71,7 +74,7 @@ std::uint32_t dithered(const Form& form, std::uint32_t light, std::uint32_t texe
            0xFFFF;
 }
 
-/// Both forms, and the chain's three stages.
+/// Both forms store what the chain's three stages store.
 TEST(FoggedLight, DitheredHasOneForm) {
     DrawState state{};
     Span<Fixed> span{};
@@ -98,8 +101,8 @@ TEST(FoggedLight, DitheredHasOneForm) {
     }
 }
 
-/// Steps of six bits are 512 of their units: less than 1/50 of one is lost, and every threshold is at least
-/// 1/32 of one, at most 31/32.
+/// A step of six bits has 512 units, and less than 1/50 of a step is lost. Every threshold is from 1/32 to
+/// 31/32 of a step, so exact colours stay exact.
 TEST(FoggedLight, DitheredKeepsWhatIsExact) {
     DrawState state{};
     Span<Fixed> span{};
@@ -117,7 +120,7 @@ TEST(FoggedLight, DitheredKeepsWhatIsExact) {
     }
 }
 
-/// What follows MODULATE must be nothing but sums.
+/// Colours may be counted in steps only if the stages behind MODULATE are sums.
 TEST(FoggedLight, CountsStepsWhereNothingElseFollows) {
     Key key = Say(Number::balanced, Kind::affine)
                   .texture(TexelFormat::rgb565, BaseFormat::rgb, Filter::nearest, TexEnv::modulate)
@@ -136,7 +139,7 @@ TEST(FoggedLight, CountsStepsWhereNothingElseFollows) {
     EXPECT_FALSE(counts_steps(key));
 }
 
-/// A pattern's mean is its colour.
+/// The mean of a dither pattern is its colour within 1/50 of a step.
 TEST(FoggedLight, DitheredIsWithinAFiftiethOfAStep) {
     DrawState state{};
     Span<Fixed> span{};

@@ -1,4 +1,4 @@
-// Every fused span is its chain: byte for byte, with one lane and with eight, over all alignments and
+// Every fused span stores the same bytes as its chain, with one lane and with eight, over all alignments and
 // lengths.
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ struct Hits {
 Hits hits;
 RowsFunction<Fixed> under_test;
 
-/// Stands in for the span function: notes what it was asked for.
+/// Replaces the span function: records the length and alignment of each row, then draws the row.
 void note_and_draw(Span<Fixed>& span, const Row* row, const Row* end) {
     for (const Row* r = row; r != end; ++r) {
         const std::int32_t n = r->last - r->first;
@@ -32,7 +32,7 @@ void note_and_draw(Span<Fixed>& span, const Row* row, const Row* end) {
     under_test(span, row, end);
 }
 
-/// A q of its own.
+/// Gives each vertex a texture coordinate q of its own.
 void project_texture(RandomVertices& source, Triangle& t) {
     for (FixedVertex& v : t.v) {
         v.tex[0].q = static_cast<std::int32_t>((1u << 28) + source.below(1u << 29));
@@ -52,12 +52,12 @@ void expect_equal(const FusedSpan& fused, RowsFunction<Fixed> run, const char* n
     ASSERT_EQ(reinterpret_cast<RowsFunction<Fixed>>(state.variant[kind].run), fused.run)
         << "the key is not the state's: " << name;
     DrawState chained = in_chain(state, fused.key);
-    state.shapes = state.tiles = false; // small triangles, too, are rows
+    state.shapes = state.tiles = false; // without these forms, small triangles are drawn as rows, too
     under_test = run;
     state.variant[kind].run = reinterpret_cast<AnyFunction>(&note_and_draw);
     hits = {};
     RandomVertices source(17 + kind);
-    const int rounds = fused.key.unit[0].on ? 1400 : 700; // the second half: sprites
+    const int rounds = fused.key.unit[0].on ? 1400 : 700; // the second half of the rounds draws sprites
     for (int round = 0; round < rounds; ++round) {
         chain_canvas.noise(static_cast<std::uint32_t>(round));
         fused_canvas.noise(static_cast<std::uint32_t>(round));
@@ -74,7 +74,8 @@ void expect_equal(const FusedSpan& fused, RowsFunction<Fixed> run, const char* n
         const Rect cut = {static_cast<int>(source.below(8)), 0,
                           width - static_cast<int>(source.below(30)) - 8, height};
         state.fragment.scissor = chained.fragment.scissor = round % 2 == 0 ? of.state.scissor : cut;
-        draw(state, fused_canvas.surface, t); // first: the chain would leave it planes on the stack
+        draw(state, fused_canvas.surface,
+             t); // drawn first, because the chain would leave its planes on the stack
         draw(chained, chain_canvas.surface, t);
         ASSERT_EQ(chain_canvas.color, fused_canvas.color) << name << " round " << round;
         ASSERT_EQ(chain_canvas.depth, fused_canvas.depth) << name << " round " << round;
@@ -94,7 +95,7 @@ TEST(Fused, EverySpanIsItsChain) {
     }
 }
 
-/// A lit texture by products of halves, which are those of boards without long ones.
+/// The key of a lit texture that is drawn with products of halves, as on boards without long products.
 template <Kind K, TexelFormat Texels, bool Fog> constexpr Key lit_key() {
     Key key;
     key.number = Number::exact;
@@ -158,7 +159,8 @@ TEST(Fused, ImagesOfMoreTexelsThanAWordOf16BitsCounts) {
     EXPECT_GE(modulated, 4);
 }
 
-/// Wide triangles over which 1/w and coordinates vary little: guesses leave many fragments of a patch open.
+/// In wide triangles 1/w and the coordinates vary little, so the guesses leave many fragments of a patch
+/// open.
 TEST(Fused, WidePatchesAreTheirChain) {
     constexpr int wide = 264, high = 20;
     int lit = 0;
@@ -186,7 +188,7 @@ TEST(Fused, WidePatchesAreTheirChain) {
                 v.z = source.below(1 << 20);
                 v.w_mantissa = 0xF0000000u + source.below(1u << 26);
                 v.w_exponent = t.v[0].w_exponent;
-                if (round % 3 == 0) // often far beyond where fog ends
+                if (round % 3 == 0) // often far beyond the end of fog
                     v.fog_mantissa = far + static_cast<std::int32_t>(source.below(1u << 20)),
                     v.fog_exponent = -27;
                 v.tex[0].s = static_cast<std::int32_t>(source.below(1u << 26));
@@ -201,8 +203,8 @@ TEST(Fused, WidePatchesAreTheirChain) {
     EXPECT_GE(lit, 6);
 }
 
-/// So many repeats away that the high word of a coordinate does not say all: one in 4,000 fragments lies
-/// where the low one and what is added to it decide on the texel. Nearer than any fog.
+/// The texture repeats so often that the high word of a coordinate does not decide the texel alone. In one of
+/// 4,000 fragments the low word decides, with what is added to it. All fragments are nearer than any fog.
 TEST(Fused, TexelsManyRepeatsAwayAreTheirChain) {
     constexpr int wide = 128, high = 64;
     int divided = 0;

@@ -1,4 +1,4 @@
-// Projective interpolants along rows, by steps and by numbers: the bits of the plane.
+// Projective interpolants along rows have the bits of their plane, whether they go by steps or by numbers.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -36,7 +36,7 @@ TEST(GuardedRamp, IsItsPlane) {
     }
 }
 
-/// The furthest columns and rows, all guard bits set: nothing wraps that is summed with a sign.
+/// At the furthest columns and rows, with all guard bits set, no signed sum wraps.
 TEST(GuardedRamp, GuardBitsReachTheCornersOfTheBand) {
     Span<Fixed> span{};
     for (const std::int32_t anchor : {-8192, 8191 + 2048}) {

@@ -1,4 +1,4 @@
-// Colours of the exact tier that are guessed: the divided one lies where set-up says.
+// The exact tier guesses colours. The divided colour must lie in the range that set-up gives for the guess.
 #include <gtest/gtest.h>
 
 #include "raster/primitive/setup.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr int width = 64, height = 48;
 
-/// Of all shapes, slivers among them; 1/w and colours vary by any power of two.
+/// Returns a triangle of any shape, slivers among them; 1/w and colours vary by any power of two.
 Triangle any_triangle(RandomVertices& source) {
     Triangle t = random_triangle(source, width, height, Kind::full);
     if (source.below(3) == 0) // a sliver
@@ -41,7 +41,8 @@ bool covers(const FixedVertex (&v)[3], std::int32_t x, std::int32_t y) {
     return sides != 3;
 }
 
-/// Dithered: in steps.
+/// Compares guessed with divided colours of random triangles. With `dither` the colours are in steps of the
+/// format.
 void hold_the_divided_colour(bool dither) {
     const Key key = [&] {
         Key k;
@@ -74,7 +75,7 @@ void hold_the_divided_colour(bool dither) {
         if (span.kind != Kind::full || span.guess.project == nullptr)
             continue;
         ++guessed;
-        // Where no step is left without doubt, none is more than that.
+        // If set-up leaves no step open, the doubt may still be at most one step.
         const std::uint32_t doubt = span.guess.open5 == 0 ? 1u << 27 : (0 - span.guess.open5) >> 5;
         span.guess.project(span);
         for (std::int32_t y = 0; y < height; ++y)
@@ -89,11 +90,11 @@ void hold_the_divided_colour(bool dither) {
                 for (int c = 0; c < 3; ++c) {
                     const std::uint32_t divided =
                         inner::projective_color(unguarded(at(span.color_q[c])), inverse);
-                    const std::uint32_t steps = c == 1 ? 252 : 248, // 255ths of the largest
+                    const std::uint32_t steps = c == 1 ? 252 : 248, // the largest step in 255ths
                         wanted = dither
                                      ? static_cast<std::uint32_t>(std::uint64_t{divided} * 16 * steps / 255)
                                      : divided * 16 + (1u << 23),
-                                        above = wanted - at(span.color_value[c]); // never below
+                                        above = wanted - at(span.color_value[c]); // never negative
                     ASSERT_LE(above, doubt) << "round " << round << " component " << c;
                     most = std::max(most, std::abs(2.0 * above / doubt - 1));
                 }
@@ -101,7 +102,7 @@ void hold_the_divided_colour(bool dither) {
     }
     EXPECT_GT(guessed, 10000);
     EXPECT_GT(fragments, 500000);
-    EXPECT_GT(most, 0.75); // the bound is met, not far away
+    EXPECT_GT(most, 0.75); // the bound is nearly reached
 }
 
 TEST(Guesses, HoldTheDividedColour) {
@@ -109,7 +110,8 @@ TEST(Guesses, HoldTheDividedColour) {
     hold_the_divided_colour(true);
 }
 
-/// Whatever a doubt may reach of the next step is open, nothing else is; a whole step or more: all.
+/// A fragment is open if the doubt may reach the next step, and only then. A doubt of a whole step opens all
+/// fragments.
 TEST(Guesses, DoubtsOpenWhatTheyReach) {
     RandomVertices source(80);
     for (int i = 0; i < 100000; ++i) {
@@ -150,7 +152,7 @@ TEST(Guesses, PicturesAreThoseOfDivisions) {
     }
 }
 
-/// Lines may have no colour between those of their ends: they divide everywhere.
+/// The colour of a line must not leave the range of its ends, so lines divide everywhere.
 TEST(Guesses, LinesAreDivided) {
     const FusedSpan* guessing = nullptr;
     for (std::size_t i = 0; i < fused_span_count; ++i)

@@ -1,5 +1,5 @@
-// Set-up against planes in double: depth, colours, texture coordinates at every fragment; and what must not
-// change them.
+// Compares set-up with planes in double at every fragment: depth, colours, texture coordinates. Scissor,
+// order and translation must not change them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int width = 64, height = 48;
 
-/// a f(a) + b f(b) + c f(c) at a fragment's centre, barycentric (GL 1.3, 3.5.1).
+/// Barycentric weights at a fragment's centre: a f(a) + b f(b) + c f(c) (GL 1.3, 3.5.1).
 struct Barycentric {
     double a, b, c;
     Barycentric(const Triangle& t, int x, int y) {
@@ -132,8 +132,8 @@ TEST(Interpolation, BalancedTierKeepsAQuarterOfATexel) {
     }
 }
 
-/// Slivers beyond thin_aspect are interpolated along one axis; nothing may leave the range of the vertices,
-/// or depth would wrap.
+/// Slivers beyond thin_aspect are interpolated along one axis. Their depth must not leave the range of the
+/// vertices, or it would wrap.
 TEST(Interpolation, DepthNeverWrapsInSlivers) {
     for (const DepthFormat format : {DepthFormat::z16, DepthFormat::z24s8}) {
         Canvas canvas(width, height, PixelFormat::rgb565_be, format);
@@ -145,7 +145,7 @@ TEST(Interpolation, DepthNeverWrapsInSlivers) {
         RandomVertices source(6);
         for (int i = 0; i < 20000; ++i) {
             Triangle t = random_triangle(source, width, height, Kind::affine);
-            const bool far = i % 2 == 0; // one end of the depth range, or the other
+            const bool far = i % 2 == 0; // at one end of the depth range, or at the other
             for (auto& v : t.v)
                 v.z = far ? depth_one - source.below(1 << 12) : source.below(1 << 12);
             t.v[0].z = far ? depth_one : 0;
@@ -170,8 +170,8 @@ void measure_depth24(const Span<Fixed>& span) {
     }
 }
 
-/// Planes of the whole range, slivers among them: half a code is left at both ends, so none may be off by
-/// that.
+/// Planes over the whole range of depth, slivers among them. Half a code is left at both ends, so a plane may
+/// not be off by half a code.
 TEST(Interpolation, SteepPlanesOfTwentyFourBitsStayInTheRange) {
     Canvas canvas(width, height, PixelFormat::rgb565_be, DepthFormat::z24s8);
     FragmentState state;
@@ -197,7 +197,7 @@ TEST(Interpolation, SteepPlanesOfTwentyFourBitsStayInTheRange) {
         if (box < 1e6 * area)
             draw(draw_state, canvas.surface, current);
     }
-    EXPECT_LT(worst_code, 1. / 256); // a wrap is 2^24
+    EXPECT_LT(worst_code, 1. / 256); // a wrap would be 2^24
 }
 
 struct Setting {
@@ -228,7 +228,7 @@ struct Scene {
     }
 };
 
-/// Design 2: scissor (and so bands) changes no byte.
+/// A scissor, and so a band, changes no byte (design 2).
 TEST(Anchoring, TilesMakeTheWholePicture) {
     for (const Setting& setting : settings) {
         Scene scene(setting);
@@ -256,11 +256,11 @@ TEST(Anchoring, TilesMakeTheWholePicture) {
     }
 }
 
-/// The same vertices in another order, and elsewhere by whole pixels: the same bytes.
+/// The same vertices in another order, or translated by whole pixels, give the same bytes.
 TEST(Anchoring, OrderAndTranslationChangeNothing) {
     for (const Setting& setting : settings) {
         Scene scene(setting);
-        scene.state.dither = false; // its pattern stays in the window
+        scene.state.dither = false; // the dither pattern does not move with the triangle
         RandomVertices source(8);
         long drawn = 0;
         for (int i = 0; i < 100; ++i) {
@@ -272,7 +272,7 @@ TEST(Anchoring, OrderAndTranslationChangeNothing) {
             const DrawState state = compile<FixedVertex>(scene.state, here.surface);
             Triangle t = random_triangle(source, width / 2, height / 2, setting.kind);
             if (i % 3 == 0)
-                t.v[1].y = t.v[0].y; // x decides which is the lower one
+                t.v[1].y = t.v[0].y; // x decides which vertex is the lower one
             const int dx = static_cast<int>(source.below(width / 2)),
                       dy = static_cast<int>(source.below(height / 2));
             Triangle moved{{t.v[1], t.v[2], t.v[0]}};

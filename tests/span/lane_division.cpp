@@ -1,4 +1,4 @@
-// Eight fragments that are divided at once get the integers of those that are divided one by one.
+// Dividing eight fragments at once gives the same integers as dividing them one by one.
 #include <gtest/gtest.h>
 
 #include "raster/span/lane_division.hpp"
@@ -14,7 +14,7 @@ using spangle::test::Random;
 std::uint32_t word(Random& random) {
     return random.below(0x10000) << 16 | random.below(0x10000);
 }
-/// Of any size: a shift is as likely as any other.
+/// Returns a random number of any size: each shift of a word is as likely as any other.
 std::uint32_t of_any_size(Random& random) {
     return word(random) >> random.below(32);
 }

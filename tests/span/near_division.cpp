@@ -1,4 +1,4 @@
-// Quotients near a place: the true one lies where NearDivisionOf says.
+// Tests quotients that are guessed near a place: the true quotient must lie where NearDivisionOf says.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ std::int64_t between(Random& random, std::int64_t low, std::int64_t high) {
     return low + static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(high - low + 1));
 }
 
-/// A span with 1/w and one more plane over it, and a patch.
+/// A span with 1/w and one more plane, and a patch of it.
 struct Case {
     FixedVertex corner[3]{};
     Span<Fixed> span{};
@@ -32,14 +32,14 @@ struct Case {
                  static_cast<std::int32_t>(between(random, 0, Patch::most_columns)),
                  static_cast<std::int32_t>(between(random, 0, Patch::most_rows))};
         exponent = static_cast<int>(between(random, -2, 6));
-        // 1/w varies by up to a fifth over the patch, the quotient by up to twice what 16 bits hold.
+        // 1/w varies by up to a fifth over the patch, and the quotient by up to twice the range of 16 bits.
         const std::int64_t q = between(random, 1 << 28, 1 << 30);
         span.q = plane(random, q, static_cast<double>(q) / 5);
         const double unit = std::ldexp(static_cast<double>(q), -16 - exponent);
         const double center = unit * static_cast<double>(between(random, -200000, 200000)),
                      range = unit * 65536 * std::ldexp(1, -static_cast<int>(between(random, 0, 6)));
         other = plane(random, static_cast<std::int64_t>(center), range);
-        for (int i = 0; i < 3; ++i) { // a triangle around it, or one within
+        for (int i = 0; i < 3; ++i) { // a triangle around the patch, or inside of it
             const std::int32_t far = random() % 2 == 0 ? 400 * 256 : 256 * patch.rows;
             corner[i].x = patch.x * 256 + static_cast<std::int32_t>(between(random, -far, far));
             corner[i].y = patch.y * 256 + static_cast<std::int32_t>(between(random, -far, far));
@@ -65,9 +65,9 @@ struct Case {
             left += side >= 0;
             right += side <= 0;
         }
-        return (left == 3) != (right == 3); // both: the corners lie on a line
+        return (left == 3) != (right == 3); // both are 3 if the corners lie on a line
     }
-    /// 2^-16, as the exact tier divides.
+    /// The quotient in 2^-16, as the exact tier divides.
     double quotient(std::int32_t x, std::int32_t y) const {
         const auto at = [&](const Span<Fixed>::Projective& p) {
             return static_cast<double>(
@@ -81,7 +81,7 @@ struct Met {
     int cases = 0, fragments = 0;
     double least = 1e9, most = -1e9;
 
-    /// A fragment whose quotient is so much above the guess.
+    /// Notes a fragment whose quotient is `above` more than the guess; it must be less than `window`.
     void note(double above, double window) {
         ASSERT_GE(above, 0) << "window " << window;
         ASSERT_LT(above, window);
@@ -94,7 +94,7 @@ struct Met {
 #if defined(__SSE2__) || defined(__ARM_NEON)
 using L = Lanes<8>;
 
-/// What lanes make of a patch.
+/// Calls guessed(x, y, value) with what lanes make of each fragment of a patch.
 void each_guess(const Case& of, const NearDivision& division, const NearQuotient& quotient, auto guessed) {
     const std::int32_t first = of.patch.x - of.patch.columns, last = of.patch.x + of.patch.columns;
     Span<Fixed> span = of.span;
@@ -115,7 +115,7 @@ void each_guess(const Case& of, const NearDivision& division, const NearQuotient
 }
 #endif
 
-/// The same in words.
+/// Calls guessed(x, y, value) with what the form in words makes of each fragment.
 void each_guess(const Case& of, const NearDivisionOf<NearWords>& division, const NearQuotient& quotient,
                 auto guessed) {
     for (std::int32_t y = of.patch.y - of.patch.rows; y <= of.patch.y + of.patch.rows; ++y)
@@ -165,11 +165,11 @@ TEST(NearDivision, QuotientsOfWordsLieInTheirWindows) {
 
 TEST(NearDivision, QuotientsLieInTheirWindows) {
     const Met met = met_within<NearHalves>();
-    EXPECT_LT(met.least, 0.5); // the bounds are met, not far away
+    EXPECT_LT(met.least, 0.5); // the bounds are nearly reached
     EXPECT_GT(met.most, -2);
 }
 
-/// What 16 bits do not hold is refused, whatever its planes are.
+/// A quotient that 16 bits cannot hold is refused, whatever its planes are.
 TEST(NearDivision, RefusesWhatItCannotHold) {
     Random random(10);
     int refused = 0;

@@ -1,5 +1,5 @@
-// Texture coordinates and levels of detail of packets get the integers of fragments that are looked at one by
-// one, whatever the planes and the rows are.
+// Texture coordinates and levels of detail of packets must be the integers that single fragments get,
+// whatever the planes and rows are.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,13 +18,13 @@ using spangle::test::Random;
 using N = Raw565<8>;
 
 struct Seen {
-    std::int32_t x, y; ///< of the window
+    std::int32_t x, y; ///< pixels of the window
     std::uint32_t s, t;
     std::int32_t lod;
 };
 std::vector<Seen> seen;
 
-/// Takes down what the stages before it left.
+/// A chain stage that records the coordinates and level of each fragment, as the stages before left them.
 void look(PlacesOf<N>& k, const Span<Fixed>& span) {
     for (std::int32_t i = 0; i < k.n; ++i) {
         const std::int32_t x = k.rows != nullptr ? static_cast<std::int32_t>(k.rows->x[i]) + span.anchor_x
@@ -35,7 +35,7 @@ void look(PlacesOf<N>& k, const Span<Fixed>& span) {
     }
 }
 
-/// A primitive of rows one above the other, of any planes.
+/// A primitive of random planes, whose rows lie one above the other.
 class AnyPrimitive {
   public:
     explicit AnyPrimitive(std::uint32_t seed) : random_{seed} {
@@ -77,7 +77,7 @@ class AnyPrimitive {
         }
         ASSERT_EQ(next, seen.cend());
     }
-    /// Rows longer than the shortest runs have as long ones as they have alone.
+    /// Rows longer than the shortest runs must have runs as long as if each row were drawn alone.
     void expect_lengths() {
         const RowRuns runs(rows_.data(), static_cast<std::int32_t>(rows_.size()));
         RowRuns::Group group;
@@ -108,7 +108,7 @@ class AnyPrimitive {
     std::int32_t between(std::int32_t least, std::int32_t most) {
         return least + static_cast<std::int32_t>(random_.below(static_cast<std::uint32_t>(most - least + 1)));
     }
-    /// Below 2^bits, of any size.
+    /// Returns a random number of any size below 2^bits.
     std::int64_t number(int bits) {
         const std::int64_t all = std::int64_t{between(0, (1 << 24) - 1)} << 8 | between(0, 255);
         return (all >> (32 - bits)) >> random_.below(static_cast<std::uint32_t>(chance(2) ? bits : 1));
@@ -154,7 +154,7 @@ class AnyPrimitive {
             widest_ = length > widest_ ? length : widest_;
         }
     }
-    /// From one number to two others at the edges.
+    /// Returns a plane with the value `at`, and the values `right` and `up` at the edges.
     Interpolant<std::uint64_t> plane(std::int64_t at, std::int64_t right, std::int64_t up) {
         const auto per = [&](std::int64_t v, std::int64_t n) {
             return static_cast<std::uint64_t>(((v - at) << guard_bits) / n);
@@ -205,7 +205,7 @@ TEST(PacketRuns, AreAsLongAsThoseOfSingleRows) {
     }
 }
 
-/// Eight at once; of numbers that a double or a float would round, too.
+/// Takes eight logarithms at once, also of numbers that a double or a float would round.
 TEST(PacketRuns, LogarithmsAreThoseOfSingleNumbers) {
     using Vector = lane_words::Half;
     using Pair = inner::LongPair<Vector>;

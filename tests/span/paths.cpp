@@ -1,4 +1,4 @@
-// Lines drawn as paths against the same lines drawn as rows: colour, depth, touched columns, counters.
+// Compares lines drawn as paths with the same lines drawn as rows: colour, depth, touched columns, counters.
 #include <gtest/gtest.h>
 
 #include "raster/primitive/draw.hpp"
@@ -33,7 +33,7 @@ struct Drawn {
     void line(const FixedVertex& a, const FixedVertex& b) {
         draw_line<FixedVertex>(state, canvas.surface, a, b, b, 1);
     }
-    /// As processors without vectors do.
+    /// Draws a line in one lane, as processors without vectors do.
     void line_in_turn(const FixedVertex& a, const FixedVertex& b) {
         draw_line_by<LineLanes<1>>(state, canvas.surface, a, b, b, 1);
     }
@@ -84,10 +84,10 @@ long compare(const Case& c, bool& walks) {
         const FixedVertex a = random_end(random, c.same_w, 4);
         FixedVertex b = random_end(random, c.same_w, 4);
         if (i % 5 == 0)
-            b.x = a.x + (i % 2 == 0 ? b.y - a.y : a.y - b.y); // 45 degrees
+            b.x = a.x + (i % 2 == 0 ? b.y - a.y : a.y - b.y); // at 45 degrees
         if (i % 7 == 0)
             b.y = a.y;
-        if (i % 16 == 0) // some lines find their columns touched already, all or some of them
+        if (i % 16 == 0) // some lines find all or some of their columns touched already
             path.forget(), in_turn.forget(), rows.forget();
         path.line(a, b);
         in_turn.line_in_turn(a, b);
@@ -112,7 +112,8 @@ TEST(Paths, AreTheirRows) {
                     }
 }
 
-/// Lines of all kinds and places, many at once: each is drawn as if it were alone, in the order they came.
+/// Many lines of all kinds and places are drawn at once. Each must be drawn as if it were alone, in the order
+/// of the lines.
 TEST(Paths, ManyAreOneAfterTheOther) {
     std::mt19937 random(22);
     FragmentState fragment;
@@ -127,10 +128,12 @@ TEST(Paths, ManyAreOneAfterTheOther) {
             std::vector<FixedVertex> v;
             std::vector<const FixedVertex*> at;
             at.reserve(41);
-            const int step = 1 + round % 2, beyond = round % 3 == 0 ? 1 : -8; // or all of them inside
+            const int step = 1 + round % 2,
+                      beyond =
+                          round % 3 == 0 ? 1 : -8; // lines may reach beyond the picture, or all lie inside
             for (int i = 0; i < 41; ++i) {
                 v.push_back(random_end(random, true, beyond));
-                v.back().z = v[0].z; // the last line to come is seen
+                v.back().z = v[0].z; // the last line stays visible
                 if (i > 0 && (round % 5 != 0 || random() % 2 != 0))
                     std::copy_n(v[v.size() - 2].color, 4, v.back().color);
             }
@@ -155,7 +158,7 @@ TEST(Paths, ManyAreOneAfterTheOther) {
     }
 }
 
-/// Strips that go on in one direction and turn, as curves do; from steps of a subpixel to half the picture.
+/// Strips go on in one direction and turn, as curves do, with lines from a subpixel to half the picture.
 TEST(Paths, StripsAreTheirRows) {
     std::mt19937 random(23);
     FragmentState fragment;
@@ -188,7 +191,7 @@ TEST(Paths, StripsAreTheirRows) {
                     v[i].y = std::clamp(last.y + dy, 2 * 256, (height - 2) * 256);
                     v[i].z = i % 4 == 0 ? random() >> 1 : last.z + static_cast<std::uint32_t>(noise(1 << 12));
                     v[i].z = std::min(v[i].z, depth_one);
-                    if (round % 4 != 3) // else each line has a colour of its own, where it is flat
+                    if (round % 4 != 3) // else each line is flat, with a colour of its own
                         std::copy_n(v[0].color, 4, v[i].color);
                     else
                         std::copy_n(random_end(random, true, -8).color, 4, v[i].color);
@@ -219,7 +222,7 @@ TEST(Paths, StripsAreTheirRows) {
                 }
                 ASSERT_FALSE(HasFailure());
                 fragments = in_turn.counters.fragments;
-                if (round % 16 == 0) // depths to be nearer than
+                if (round % 16 == 0) // stored depths that lines can be nearer than
                     for (Drawn* const drawn : {&in_turn, &together, &strip, &rows})
                         drawn->canvas.noise(9);
             }

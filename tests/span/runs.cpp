@@ -1,4 +1,4 @@
-// Coordinates along runs against a division per fragment: the bounds of the tiers, whatever the row.
+// Compares coordinates along runs with a division per fragment: each tier must keep its bound in every row.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace spangle::raster::test {
 namespace {
 
-/// A row: s, t and q go from one value to another.
+/// A row in which s, t and q go from one value to another.
 struct RandomRow {
     DrawState state;
     Span<Fixed> span{};
@@ -41,9 +41,9 @@ struct RandomRow {
         unit.t = plane(0);
         span.q = plane(1 << (20 + random() % 10));
         if (random() % 4 == 0)
-            span.q.dx = random() % 2 == 0 ? 0 : 40; // S4: none, or what rounding leaves
+            span.q.dx = random() % 2 == 0 ? 0 : 40; // S4 has 0, or what rounding leaves
     }
-    /// What a division may be off, in texels: S and Q are whole numbers then, and 1 / Q has 31 bits.
+    /// Error bound of a division, in texels: S and Q are whole numbers, and 1 / Q has 31 bits.
     double division(int log2_size) const {
         const auto last = static_cast<double>(span.q.at(span.length - 1, 0));
         const double least = std::fmin(static_cast<double>(span.q.value), last) * 0x1p-16;
@@ -79,7 +79,7 @@ template <class Runs> Found follow(const RandomRow& row, int log2_size) {
         };
         found.worst =
             std::fmax(found.worst, std::fmax(off(run.s, row.span.unit[0].s), off(run.t, row.span.unit[0].t)));
-        Runs other(row.span, x, 0); // any pixel can be the first
+        Runs other(row.span, x, 0); // a span may begin at any pixel
         EXPECT_EQ(other.begin(x), next);
         EXPECT_EQ(other.s, run.s);
         EXPECT_EQ(other.t, run.t);
@@ -100,7 +100,7 @@ TEST(Runs, CubicsKeepWhatNearestLeavesOpen) {
     EXPECT_GT(fragments, 3 * runs);
 }
 
-/// A span that begins inside a run is the rest of that run, to the bit.
+/// A span that begins inside a run has the coordinates of the rest of that run, to the bit.
 TEST(Runs, AJumpIsThatManySteps) {
     std::mt19937 random(7);
     const auto word = [&random] { return static_cast<std::uint32_t>(random()); };
@@ -121,8 +121,8 @@ TEST(Runs, AJumpIsThatManySteps) {
     }
 }
 
-/// A row that is one run may be as wide as the largest surface and begin as far to the left as the guard band
-/// reaches: products of that many pixels are more than a word holds.
+/// A row that is one run may be as wide as the largest surface and begin at the left end of the guard band.
+/// Its products are larger than a word.
 TEST(Runs, AJumpOverAWideRowIsThatManySteps) {
     constexpr Differences start{0x9E3779B1u, 0x7F4A7C15u, 0x85EBCA6Bu};
     Differences stepped = start;
@@ -137,7 +137,7 @@ TEST(Runs, AJumpOverAWideRowIsThatManySteps) {
         ASSERT_EQ(jumped.second, stepped.second) << n;
         stepped.step(at);
     }
-    // A compiler refuses a constant whose making overflows.
+    // These are constants, because a compiler refuses a constant whose computation overflows.
     constexpr std::uint32_t wide = start.ahead(12345, 2047), back = start.ahead(12345, -2047);
     EXPECT_NE(wide, back);
 }
@@ -150,7 +150,7 @@ TEST(Runs, LinesKeepAQuarterOfATexel) {
     }
 }
 
-/// One logarithm serves both axes of a square texture: it does not fall.
+/// The logarithm never falls, so one logarithm serves both axes of a square texture.
 TEST(Runs, LogarithmsDoNotFall) {
     std::int32_t before = log2_fraction8((std::uint64_t{1} << 40) - 1);
     for (std::uint64_t x = 0; x <= 1 << 16; ++x) {
@@ -177,7 +177,7 @@ TEST(Runs, AreBoundByTheAxisThatChangesMore) {
         }
 }
 
-/// The fast tier has runs of 16, or longer ones that are proven.
+/// The fast tier has runs of 16 fragments, or longer runs whose error is proven.
 TEST(Runs, LongLinesOfTheFastTierKeepHalfATexel) {
     int longer = 0;
     for (std::uint32_t seed = 0; seed < 300; ++seed) {
@@ -194,7 +194,7 @@ TEST(Runs, LongLinesOfTheFastTierKeepHalfATexel) {
     EXPECT_GT(longer, 30);
 }
 
-/// Coordinates that do not wrap divide at every fragment.
+/// Coordinates that do not wrap are divided at every fragment.
 TEST(Runs, ClampedCoordinatesDivide) {
     for (std::uint32_t seed = 0; seed < 20; ++seed) {
         const RandomRow row(seed, 6, false);

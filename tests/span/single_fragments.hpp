@@ -1,5 +1,5 @@
-// The slowest way to draw a state: one fragment after the other, one stage after the other, no mode known
-// before.
+// Draws a state in the slowest way: one fragment after the other, one stage after the other, with no mode
+// known in advance.
 #pragma once
 
 #include "raster/span/assemble.hpp"
@@ -8,7 +8,8 @@
 
 namespace spangle::raster::test {
 
-/// A variant as a chain of single fragments, whose texture function looks at its modes at each.
+/// Makes a variant a chain of single fragments; its texture stage looks at the texture's modes at each
+/// fragment.
 template <class N> void single_fragments_of(Variant& variant, const Key& key, const FragmentState& state) {
     assemble<N>(variant, key, state);
     const auto replace = [&](ChainStage<N> packet, ChainStage<N> single) {
@@ -26,7 +27,7 @@ template <class N> void single_fragments_of(Variant& variant, const Key& key, co
     replace(&PacketTexture<N>::template run<1>,
             has_lod(1) ? &chain_stage<N, Texture2D<N, 1, true>> : &chain_stage<N, Texture2D<N, 1, false>>);
 }
-/// Of any key but those of raw words, which have no other arithmetic.
+/// Accepts any key but keys of raw words, which have no other arithmetic.
 inline void single_fragments(Variant& variant, const Key& key, const FragmentState& state) {
     if (key.number == Number::exact)
         single_fragments_of<Exact>(variant, key, state);

@@ -1,4 +1,4 @@
-// Set-up of triangles in small boxes is that of any triangle.
+// The set-up of triangles in small boxes must give the bits of the general set-up.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int size = 64;
 
-/// Corners in a box of so many subpixels; every third is a sliver.
+/// Returns a triangle in a box of width x height subpixels. Every third triangle is a sliver.
 Triangle small_triangle(RandomVertices& source, std::uint32_t width, std::uint32_t height) {
     Triangle t = random_triangle(source, size, size, Kind::affine);
     const auto below = [&](std::uint32_t n) { return static_cast<std::int32_t>(source.below(n)); };
@@ -84,7 +84,7 @@ TEST_F(SmallSetup, IsThatOfAnyTriangle) {
     EXPECT_GT(along_an_axis, 100);
 }
 
-/// Areas that take more than a word.
+/// These triangles have areas larger than a word.
 TEST_F(SmallSetup, LargeTrianglesReachTheDepthOfTheirCorners) {
     for (int round = 0; round < 1000; ++round) {
         Triangle t = random_triangle(source, size, size, Kind::affine);

@@ -1,4 +1,4 @@
-// What the tests and the benches of fused spans draw: the state of a key, by its fused span or in the chain.
+// Makes the state of a key, drawn by its fused span or in the chain, for tests and benches of fused spans.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace spangle::raster::test {
 
-/// The GL state a key stands for.
+/// The GL state that a key stands for.
 struct StateOfKey {
     FragmentState state;
     std::vector<std::unique_ptr<TestTexture>> textures;
@@ -33,7 +33,7 @@ struct StateOfKey {
         state.color_sum = key.color_sum;
         state.fog = key.fog;
         state.fog_mode = key.fog_mode;
-        state.fog_start = 0x3F000000, state.fog_end = 0x40800000; // 0.5 .. 4
+        state.fog_start = 0x3F000000, state.fog_end = 0x40800000; // from 0.5 to 4
         state.fog_color[0] = color_one / 2, state.fog_color[1] = color_one / 5,
         state.fog_color[2] = color_one;
         state.alpha_test = key.alpha != Compare::always;
@@ -48,7 +48,7 @@ struct StateOfKey {
     }
 };
 
-/// The same state without the fused span of one kind.
+/// Returns the state with the chain in place of the fused span of the key's kind.
 inline DrawState in_chain(DrawState state, const Key& key) {
     Variant& variant = state.variant[static_cast<unsigned>(key.kind)];
     variant.run = chain_runner(key.number);

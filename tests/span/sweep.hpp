@@ -1,4 +1,4 @@
-// Random draws with a chosen state: the same primitives through several span functions, byte for byte.
+// Draws random primitives in a chosen state through several span functions, whose bytes must be equal.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace spangle::raster::test {
 
-/// A surface with planes of exactly its size, so that sanitizers see every byte outside.
+/// A surface whose planes are exactly as large as its pixels, so that sanitizers see every byte outside.
 struct Canvas {
     std::vector<std::uint8_t> color, depth;
     Surface surface;
@@ -28,7 +28,7 @@ struct Canvas {
         surface.format = format;
         surface.depth_format = depth_format;
     }
-    /// Something to blend with and to be hidden by.
+    /// Fills the planes with random values to blend with and to be hidden by.
     void noise(std::uint32_t seed) {
         std::mt19937 random(seed);
         for (auto& byte : color)
@@ -71,7 +71,7 @@ struct RandomVertices {
     }
 };
 
-/// One kind of geometry: all w alike (affine), or all colours alike (flat), or neither.
+/// A triangle of one kind: all w are equal (affine), or all colours are equal (flat), or neither.
 struct Triangle {
     FixedVertex v[3];
 };
@@ -91,8 +91,8 @@ inline Triangle random_triangle(RandomVertices& source, int width, int height, K
     }
     return t;
 }
-/// Axis-aligned, texels along pixels one to one, mirrored, or in other ratios; 1/w changes from row to row
-/// only, if it does.
+/// Returns an axis-aligned sprite. Its texels lie along pixels one to one, mirrored, or in other ratios; 1/w
+/// changes from row to row only, or not at all.
 inline Triangle random_sprite(RandomVertices& source, int width, int height, Kind kind) {
     Triangle t = random_triangle(source, width, height, kind);
     const auto other = [&](std::int32_t v, int size) {
@@ -102,7 +102,7 @@ inline Triangle random_sprite(RandomVertices& source, int width, int height, Kin
     const auto x0 = static_cast<std::int32_t>(source.below(static_cast<std::uint32_t>(width)));
     const auto y0 = static_cast<std::int32_t>(source.below(static_cast<std::uint32_t>(height)));
     const std::int32_t x1 = other(x0, width), y1 = other(y0, height);
-    constexpr std::int32_t texel = 1 << 23; // of 64; s and t have 29 fraction bits
+    constexpr std::int32_t texel = 1 << 23; // one of 64 texels; s and t have 29 fraction bits
     constexpr std::int32_t steps[] = {texel, texel, texel, -texel, texel / 3, 0, 5 * texel / 2};
     const std::int32_t ds = steps[source.below(7)], dt = steps[source.below(7)];
     const auto s0 = static_cast<std::int32_t>(source.below(64)) * texel;
@@ -125,7 +125,7 @@ inline void draw(const DrawState& state, const Surface& surface, const Triangle&
         draw_triangle<FixedVertex>(state, surface, v[0], v[1], v[2], v[2], area);
 }
 
-/// 64 x 64 texels of every format.
+/// A texture of 64 x 64 texels of any format.
 struct TestTexture {
     std::vector<std::uint8_t> texels;
     Texture texture;

@@ -1,5 +1,5 @@
-// Texels of packets, found, fetched and filtered in lanes, are those of single fragments: every wrap mode,
-// filter, size, level, shape and number of fragments.
+// Texels of packets are found, fetched and filtered in lanes. They must be those of single fragments for
+// every wrap mode, filter, size, level, shape and number of fragments.
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <unistd.h>
@@ -16,7 +16,8 @@ constexpr Wrap wraps[] = {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp, Wrap
 std::uint32_t word(Random& random) {
     return random.below(1u << 16) << 16 | random.below(1u << 16);
 }
-/// Anywhere, or within two steps of an edge or of a middle of a texel, or that of the filters' rounding.
+/// Returns a random coordinate: anywhere, or within two steps of an edge or middle of a texel, or of the
+/// place where filters round.
 std::uint32_t coordinate(Random& random, Wrap wrap, std::int32_t size) {
     if (random.below(3) == 0)
         return word(random);
@@ -96,8 +97,8 @@ TEST(TexelLanes, ExactFilterIsThatOfOneLane) {
     }
 }
 
-/// A packet of any length by REPLACE. Neighbours lie near each other, some fragments anywhere; levels differ
-/// by less than `spread` 256ths; they are moved, and held between limits that lie near them.
+/// Draws a packet of any length by REPLACE. Neighbours lie near each other, but some fragments lie anywhere.
+/// Levels differ by less than `spread` 256ths, have a bias, and are held between limits near them.
 template <class N> void expect_packet(Random& random, const Texture& any, std::uint32_t spread) {
     using One = OneLane<N>;
     DrawState state;
@@ -146,7 +147,7 @@ void expect_packets(Random& random, const Texture& texture, std::uint32_t spread
         expect_packet<Balanced<host_lanes>>(random, texture, spread);
         expect_packet<ExactChain>(random, texture, spread);
     }
-    expect_packet<Balanced<1>>(random, texture, spread); // what microcontrollers run
+    expect_packet<Balanced<1>>(random, texture, spread); // the numbers of microcontrollers
     expect_packet<Exact>(random, texture, spread);
 }
 
@@ -154,7 +155,7 @@ TEST(TexelLanes, PacketsAreTheirFragments) {
     Random random{73};
     for (int n = 0; n < 5000; ++n) {
         const AnyTexture any(random);
-        if (!wants_r(any.texture)) // others look where a span says
+        if (!wants_r(any.texture)) // coordinates of the other shapes come from the span
             expect_packets(random, any.texture, n % 2 == 0 ? 8 : 600);
     }
 }

@@ -1,4 +1,4 @@
-// Every tile is its chain: the fragments that exact rows find, byte for byte.
+// Every tile stores the bytes of its chain, in the fragments that exact rows find.
 #include <gtest/gtest.h>
 
 #include <sys/mman.h>
@@ -15,7 +15,7 @@ constexpr int width = 40, height = 40;
 struct Hits {
     int tiles = 0, seconds = 0, rows[Tile::most_rows + 1] = {}, at_border = 0;
     int narrow_rows[Tile::most_narrow_rows + 1] = {}, above_dead = 0;
-    Tile last{}; ///< of the triangle
+    Tile last{}; ///< the last tile of the triangle
 };
 Hits hits;
 void (*under_test)(Span<Fixed>&, const Tile&);
@@ -36,7 +36,8 @@ void note_and_draw(Span<Fixed>& span, const Tile& tile) {
     under_test(span, tile);
 }
 
-/// Some ends lie on centres, corners and lines between them, some sides flat or upright.
+/// Returns a small triangle. Some corners lie on pixel centres, pixel corners or lines between pixels; some
+/// sides are horizontal or vertical.
 Triangle small_triangle(RandomVertices& source, Kind kind) {
     Triangle t = random_triangle(source, width, height, kind);
     const auto left = static_cast<std::int32_t>(source.below(width - 4)),
@@ -88,7 +89,7 @@ TEST(Tiles, EveryTileIsItsChain) {
     EXPECT_GE(tiles, host_lanes > 1 ? 4 : 0);
 }
 
-/// In memory with nothing beside it: what a tile must not reach shows under sanitizers.
+/// Surfaces in memory of their own, where sanitizers see what a tile touches beside them.
 TEST(Tiles, SurfacesOfFewerColumnsAreLeftAlone) {
     for (const int columns : {1, 7, 8, 9}) {
         FragmentState fragment;

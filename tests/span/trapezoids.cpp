@@ -1,4 +1,4 @@
-// Trapezoids are their chain: the fragments that exact rows find, byte for byte.
+// Trapezoids store the bytes of their chain, in the fragments that exact rows find.
 #include <gtest/gtest.h>
 
 #include "raster/span/lanes.hpp"
@@ -45,8 +45,8 @@ void note_and_draw(Span<Fixed>& span, const Trapezoids& shape) {
     under_test(span, shape);
 }
 
-/// Within 64 pixels and a little more; some ends lie on centres and corners, some sides flat or upright, some
-/// reach beyond the upper and lower end of the surface.
+/// Returns a triangle that is hardly wider than 64 pixels. Some corners lie on pixel centres and corners,
+/// some sides are horizontal or vertical, and some triangles reach beyond the top and bottom of the surface.
 Triangle triangle(RandomVertices& source, Kind kind) {
     Triangle t = random_triangle(source, size.width, size.height, kind);
     const std::uint32_t step = source.below(2) == 0 ? 1 : 64, wide = 4 + source.below(62),
@@ -87,7 +87,7 @@ TEST(Trapezoids, AreTheirChain) {
         EXPECT_GE(hits.tall, 3) << name;
         EXPECT_GE(hits.without_low, 20) << name;
         EXPECT_GE(hits.without_high, 20) << name;
-        if (fused.key.unit[0].on) // of more texels than 16 bits tell
+        if (fused.key.unit[0].on) // coordinates of more texels than 16 bits hold
             expect_chain(
                 fused, name, size, 300, shapes,
                 [&](RandomVertices& source) { return triangle(source, fused.key.kind); }, 12);

@@ -1,5 +1,5 @@
-// Whatever is drawn, in whatever state: what compile() chose is the state's stages one after the other, byte
-// for byte. Every primitive there is; two of five states are those of fused spans, or a few steps beside.
+// Draws every primitive in random states: what compile() chose must store the same bytes as the state's
+// stages one after the other. Two of five states are those of fused spans, or a few steps beside them.
 #include <gtest/gtest.h>
 
 #include "raster/primitive/line_stipple.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int width = 56, height = 14;
 
-/// All variants in the chain: no fused spans, tiles, paths or guesses.
+/// Returns the state with the chain in all variants: no fused spans, tiles, paths or guesses.
 DrawState chained(const DrawState& compiled, const Surface& target) {
     DrawState out = compiled;
     for (int i = 0; i < kind_count; ++i) {
@@ -23,12 +23,12 @@ DrawState chained(const DrawState& compiled, const Surface& target) {
             variant.run = chain_runner(key.number);
         else
             single_fragments(variant, key, compiled.fragment);
-        if (is_narrow(target.format)) // rows of colours alone are none
+        if (is_narrow(target.format)) // narrow surfaces store no plain rows of colours
             variant.run = reinterpret_cast<AnyFunction>(&by_narrow_row<Fixed, &chain_span<Exact>>);
         variant.gray = false;
         variant.walk = nullptr;
         variant.shapes = nullptr;
-        // As set-up makes colours where none is guessed.
+        // Set-up makes colours like this where none is guessed.
         const bool raw = key.number == Number::raw565;
         variant.steps = raw && key.dither;
         if (compiled.guesses)
@@ -39,7 +39,7 @@ DrawState chained(const DrawState& compiled, const Surface& target) {
     return out;
 }
 
-/// Rows of an image, or of a bitmap: here and there a run.
+/// Rows of an image or a bitmap, in which some pixels repeat.
 struct Image : PixelSource {
     std::vector<std::uint32_t> words;
     std::uint32_t seed;
@@ -77,7 +77,7 @@ enum class Draw {
 };
 constexpr std::uint32_t draws = 10;
 
-/// The state has coverage: antialiased ones may be drawn, too.
+/// Draws a primitive. If the state has coverage, it may be antialiased.
 void draw_any(Draw what, RandomVertices random, const DrawState& state, const Surface& target,
               PrimitiveState& own, Kind kind) {
     Triangle t = random_triangle(random, width, height, kind);
@@ -128,7 +128,7 @@ struct Sweep {
         StateOfKey of(near.key, width, height);
         FragmentState state = of.state;
         PixelFormat format = near.key.format;
-        const std::uint32_t choice = random.below(5); // 0, 1: any; 2: hardly anything; 3, 4: a fused span's
+        const std::uint32_t choice = random.below(5); // 0, 1: any state; 2: hardly any; 3, 4: a fused span's
         if (choice < 2)
             state = any_fragments(random, {&a.texture, &b.texture}, width, height);
         if (choice == 2)
@@ -154,7 +154,7 @@ struct Sweep {
         states[1] = chained(states[0], canvas[1].surface);
         fused += find_fused(make_key(state, canvas[0].surface, Kind::affine)) != nullptr ? 1 : 0;
         ++formats[static_cast<int>(format)];
-        for (int k = 0; k < kind_count; ++k) { // words have no alpha, and no stage that drops samples
+        for (int k = 0; k < kind_count; ++k) { // raw words have no alpha, and no stage that drops samples
             const Key key = make_key(state, canvas[0].surface, static_cast<Kind>(k));
             ASSERT_FALSE(key.samples && key.number == Number::raw565) << n;
         }
@@ -163,11 +163,11 @@ struct Sweep {
         auto what = static_cast<Draw>(random.below(state.coverage ? draws : draws - 3));
         const std::uint32_t seed = random.word();
         Image pixels(random, states[0].pixels);
-        if (states[0].words) // 16 bits each
+        if (states[0].words) // raw words of 16 bits
             for (auto& word : pixels.words)
                 word = seed * word;
         for (int i = 0; i < 2; ++i) {
-            // Coverages are those that the primitive finds.
+            // The primitive itself finds the coverages.
             PrimitiveState own = extras.primitive;
             own.coverage = nullptr;
             own.antialiased = false;
