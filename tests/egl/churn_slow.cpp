@@ -1,4 +1,5 @@
-// Ten thousand times made and destroyed: contexts, surfaces, and the objects of GL. Memory does not grow.
+// Makes and destroys contexts, surfaces and objects of GL ten thousand times. The memory in use must not
+// grow.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -14,9 +15,9 @@ namespace spangle::test {
 namespace {
 
 constexpr EGLBoolean yes = EGL_TRUE;
-constexpr int cycles = 10000, settled = 120; ///< what is made repeats itself every 60 cycles
+constexpr int cycles = 10000, settled = 120; ///< what a cycle makes repeats every 60 cycles
 
-/// What one cycle leaves in use, and the most that it needs, is the same in every later one.
+/// What one cycle leaves in use, and the most that it needs, must be the same in every later cycle.
 class Growth {
   public:
     void after(int cycle) {
@@ -43,7 +44,7 @@ EGLConfig config_of(EGLDisplay display, EGLint surface_type) {
     return config;
 }
 
-/// Objects of every kind, with contents; what is not deleted goes with the last context.
+/// Makes objects of every kind with contents. Objects that are not deleted are freed with the last context.
 void make_objects(int cycle) {
     const auto name = static_cast<GLuint>(cycle % 12 + 1);
     const GLsizei side = 1 << cycle % 5;
@@ -64,7 +65,7 @@ void make_objects(int cycle) {
     glCallList(name);
     if (cycle % 2 == 0)
         glDeleteLists(name, 1);
-    glPushAttrib(GL_ALL_ATTRIB_BITS); // left on the stack
+    glPushAttrib(GL_ALL_ATTRIB_BITS); // stays on the stack
     GLuint query = 0;
     glGenQueries(1, &query);
     glBeginQuery(GL_SAMPLES_PASSED, query);
@@ -73,7 +74,7 @@ void make_objects(int cycle) {
     const GLfloat points[] = {0, 0, 0, 1, 1, 1};
     glMap1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, points);
     if (cycle % 3 == 0)
-        glNewList(99, GL_COMPILE); // never ended
+        glNewList(99, GL_COMPILE); // a list that never ends
 }
 
 TEST(Churn, ContextsAndSurfaces) {
@@ -82,7 +83,8 @@ TEST(Churn, ContextsAndSurfaces) {
     const EGLConfig config = config_of(display, EGL_PBUFFER_BIT);
     const std::size_t before = memory_use().used;
     Growth growth;
-    EGLContext kept = EGL_NO_CONTEXT; // each shares with the one before: the group outlives its contexts
+    EGLContext kept =
+        EGL_NO_CONTEXT; // each context shares with the one before, so the group outlives its contexts
     for (int cycle = 0; cycle < cycles && !HasFatalFailure(); ++cycle) {
         const EGLint size[] = {EGL_WIDTH, 1 + cycle % 6 * 9, EGL_HEIGHT, 1 + cycle % 5 * 7, EGL_NONE};
         const EGLSurface surface = eglCreatePbufferSurface(display, config, size);
@@ -93,7 +95,7 @@ TEST(Churn, ContextsAndSurfaces) {
         }
         kept = cycle % 10 == 9 ? EGL_NO_CONTEXT : context;
         make_objects(cycle);
-        ASSERT_EQ(eglDestroySurface(display, surface), yes); // while it is current
+        ASSERT_EQ(eglDestroySurface(display, surface), yes); // while the surface is current
         if (kept == EGL_NO_CONTEXT) {
             ASSERT_EQ(eglDestroyContext(display, context), yes);
         }
@@ -167,7 +169,7 @@ TEST(Churn, DisplaysAndWindows) {
         ASSERT_EQ(eglMakeCurrent(display, window, window, context), yes) << cycle;
         glClear(GL_COLOR_BUFFER_BIT);
         ASSERT_EQ(eglSwapBuffers(display, window), yes);
-        if (cycle % 2 == 0) { // in either order
+        if (cycle % 2 == 0) { // contexts and surfaces are destroyed in either order
             ASSERT_EQ(eglReleaseThread(), yes);
         }
         ASSERT_EQ(eglTerminate(display), yes);

@@ -1,5 +1,5 @@
-// eglGetConfigs, eglChooseConfig, eglGetConfigAttrib against EGL 1.4's tables 3.1 and 3.4 and sorting rules
-// (3.4.1).
+// Tests eglGetConfigs, eglChooseConfig and eglGetConfigAttrib against tables 3.1 and 3.4 and the sorting
+// rules of EGL 1.4 (3.4.1).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ struct Configs : testing::Test {
         EXPECT_EQ(static_cast<std::size_t>(n), out.size());
         return out;
     }
-    /// Of OpenGL, unless the wishes say otherwise.
+    /// Returns the chosen configs of OpenGL, unless the wishes name another renderable type.
     std::vector<EGLConfig> choose(std::vector<EGLint> wishes) {
         wishes.insert(wishes.begin(), {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT});
         return choose_of(wishes.data());
@@ -77,12 +77,12 @@ TEST_F(Configs, AllAreDistinctAndConsistent) {
         kinds.insert({r, g, b, a, depth, stencil, samples, get(c, EGL_PRECISION_SPANGLE),
                       get(c, EGL_NATIVE_VISUAL_ID)});
         if ((get(c, EGL_SURFACE_TYPE) & EGL_WINDOW_BIT) != 0) {
-            EXPECT_EQ(r, 5); // the panel's own format and no other
+            EXPECT_EQ(r, 5); // the panel's own format is the only one
             EXPECT_EQ(get(c, EGL_NATIVE_VISUAL_ID), static_cast<EGLint>(PixelFormat::rgb565_be));
         }
     }
     EXPECT_EQ(kinds.size(), ids.size());
-    // What the programs and tools of the project rely on.
+    // Programs and tools of the project rely on these configs.
     for (EGLint precision :
          {EGL_PRECISION_EXACT_SPANGLE, EGL_PRECISION_BALANCED_SPANGLE, EGL_PRECISION_FAST_SPANGLE}) {
         EXPECT_FALSE(choose({EGL_SURFACE_TYPE, EGL_WINDOW_BIT, EGL_DEPTH_SIZE, 16, EGL_PRECISION_SPANGLE,
@@ -123,7 +123,8 @@ TEST_F(Configs, FirstChoicesAreTheSmallestThatDo) {
         {{EGL_DEPTH_SIZE, 17, EGL_NONE}, 5, 0, 24, 8},
         {{EGL_STENCIL_SIZE, 1, EGL_NONE}, 5, 0, 24, 8},
         {{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE}, 5, 0, 0, 0},
-        // Colour bits that are asked for come first by size (3.4.1.2, rule 3).
+        // Configs are sorted first by the number of colour bits that are asked for (EGL 1.4, 3.4.1.2, rule
+        // 3).
         {{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RED_SIZE, 1, EGL_NONE}, 8, 0, 0, 0},
         {{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_ALPHA_SIZE, 1, EGL_NONE}, 8, 8, 0, 0},
         {{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_BUFFER_SIZE, 17, EGL_NONE}, 8, 0, 0, 0},
@@ -155,7 +156,7 @@ TEST_F(Configs, NothingMatchesWhatDoesNotExist) {
         EXPECT_TRUE(choose(wishes).empty()) << std::hex << wishes[0];
 }
 
-/// Table 3.4: where nothing is said about the renderable type it is OpenGL ES, which nothing here is.
+/// Without a wish the renderable type is OpenGL ES (EGL 1.4, table 3.4), and no config here supports it.
 TEST_F(Configs, WhoeverDoesNotAskForOpenGLAsksForOpenGLES) {
     static std::string told;
     on_message([](unsigned, const char* text) { told = text; });
@@ -163,7 +164,7 @@ TEST_F(Configs, WhoeverDoesNotAskForOpenGLAsksForOpenGLES) {
                  any[] = {EGL_RENDERABLE_TYPE, EGL_DONT_CARE, EGL_NONE},
                  both[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT | EGL_OPENGL_ES_BIT, EGL_NONE};
     EXPECT_TRUE(choose_of(nullptr).empty());
-    EXPECT_NE(told.find("EGL_OPENGL_BIT"), std::string::npos); // and is told
+    EXPECT_NE(told.find("EGL_OPENGL_BIT"), std::string::npos); // a message says so
     EXPECT_TRUE(choose_of(empty).empty());
     EXPECT_TRUE(choose_of(depth).empty());
     EXPECT_TRUE(choose_of(both).empty());
@@ -171,7 +172,7 @@ TEST_F(Configs, WhoeverDoesNotAskForOpenGLAsksForOpenGLES) {
     EXPECT_EQ(choose_of(any), choose({EGL_NONE}));
     EXPECT_FALSE(choose({EGL_NONE}).empty());
     EXPECT_EQ(told, "");
-    EXPECT_EQ(eglGetError(), EGL_SUCCESS); // nothing found is no error
+    EXPECT_EQ(eglGetError(), EGL_SUCCESS); // to find no config is not an error
     on_message(nullptr);
 }
 
@@ -183,7 +184,8 @@ TEST_F(Configs, AConfigIdDecidesAlone) {
     }
 }
 
-/// Random wishes against a plain reading of the tables over what eglGetConfigAttrib says.
+/// Compares the answers to random wishes with a plain reading of the tables over the values of
+/// eglGetConfigAttrib.
 TEST_F(Configs, RandomWishesMatchAndSort) {
     std::mt19937 random(5);
     const EGLint sizes[] = {EGL_RED_SIZE,   EGL_GREEN_SIZE,   EGL_BLUE_SIZE,   EGL_ALPHA_SIZE,
@@ -281,10 +283,10 @@ TEST_F(Configs, SmallArraysTakeWhatFits) {
     ASSERT_EQ(eglChooseConfig(display, wish, out, 1, &n), EGLBoolean{EGL_TRUE});
     EXPECT_EQ(n, 1);
     ASSERT_EQ(eglChooseConfig(display, wish, nullptr, 0, &n), EGLBoolean{EGL_TRUE});
-    EXPECT_GT(n, 2); // how many there are
+    EXPECT_GT(n, 2); // the number of configs
 }
 
-/// A handle is what a program says it is: any number. None but those of configs are taken.
+/// A program may pass any number as a handle. Only those of configs are accepted.
 TEST_F(Configs, NumbersThatAreNoConfigs) {
     const auto handle = [](std::uintptr_t number) { return reinterpret_cast<EGLConfig>(number); };
     const std::vector<EGLConfig> configs = all();
@@ -317,7 +319,7 @@ TEST_F(Configs, NumbersThatAreNoConfigs) {
     }
 }
 
-/// Whatever a list wishes: an error or an object, and no undefined step on the way.
+/// Whatever a list wishes for, the result is an error or an object, without undefined behaviour.
 TEST_F(Configs, AnyWishOfAnyAttribute) {
     constexpr EGLint values[] = {INT_MIN, INT_MIN + 1, -65536, -2,    -1,          0,
                                  1,       8,           32767,  65536, INT_MAX - 1, INT_MAX};

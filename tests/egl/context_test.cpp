@@ -1,4 +1,4 @@
-// Contexts: creation, sharing, MakeCurrent, lifetime, entry points by name (EGL 1.4, 3.7, 3.10).
+// Tests contexts: creation, sharing, MakeCurrent, lifetime, entry points by name (EGL 1.4, 3.7, 3.10).
 #include <gtest/gtest.h>
 
 #include <spangle/GL/gl.h>
@@ -67,7 +67,7 @@ TEST_F(Contexts, CreationErrors) {
     EXPECT_EQ(eglGetError(), EGL_BAD_CONFIG);
     EXPECT_EQ(eglCreateContext(display, config, &local, nullptr), EGL_NO_CONTEXT);
     EXPECT_EQ(eglGetError(), EGL_BAD_CONTEXT);
-    const EGLint list[] = {EGL_WIDTH, 1, EGL_NONE}; // of surfaces only
+    const EGLint list[] = {EGL_WIDTH, 1, EGL_NONE}; // an attribute of surfaces only
     EXPECT_EQ(eglCreateContext(display, config, EGL_NO_CONTEXT, list), EGL_NO_CONTEXT);
     EXPECT_EQ(eglGetError(), EGL_BAD_ATTRIBUTE);
 }
@@ -86,7 +86,7 @@ TEST_F(Contexts, WhatIsCurrent) {
     EXPECT_EQ(eglGetCurrentSurface(EGL_READ), surface);
     EXPECT_EQ(eglGetCurrentSurface(EGL_WIDTH), EGL_NO_SURFACE);
     EXPECT_EQ(eglGetError(), EGL_BAD_PARAMETER);
-    EXPECT_EQ(query(c, EGL_RENDER_BUFFER), EGL_BACK_BUFFER); // a pbuffer (EGL 1.4, 3.5.6)
+    EXPECT_EQ(query(c, EGL_RENDER_BUFFER), EGL_BACK_BUFFER); // the surface is a pbuffer (EGL 1.4, 3.5.6)
     EXPECT_EQ(query(c, EGL_CONTEXT_CLIENT_TYPE), EGL_OPENGL_API);
     EGLint id = 0, value = 0;
     EXPECT_EQ(eglGetConfigAttrib(display, config, EGL_CONFIG_ID, &id), yes);
@@ -95,7 +95,7 @@ TEST_F(Contexts, WhatIsCurrent) {
     EXPECT_EQ(eglGetError(), EGL_BAD_ATTRIBUTE);
     EXPECT_EQ(eglQueryContext(display, c, EGL_CONFIG_ID, nullptr), no);
     EXPECT_EQ(eglGetError(), EGL_BAD_PARAMETER);
-    EXPECT_EQ(eglSwapInterval(display, 5), yes); // clamped
+    EXPECT_EQ(eglSwapInterval(display, 5), yes); // the interval is clamped
     EXPECT_EQ(eglReleaseThread(), yes);
     EXPECT_EQ(eglGetCurrentContext(), EGL_NO_CONTEXT);
     glClear(GL_COLOR_BUFFER_BIT); // without a context: no effect, no crash
@@ -118,20 +118,20 @@ TEST_F(Contexts, MakeCurrentErrors) {
         {flat, flat, c, EGL_BAD_MATCH},
         {c, c, c, EGL_BAD_SURFACE},
         {surface, surface, surface, EGL_BAD_CONTEXT},
-        {surface, flat, c, EGL_BAD_MATCH}, // what is read must fit the context, too
+        {surface, flat, c, EGL_BAD_MATCH}, // the surface to read must fit the context, too
         {flat, surface, c, EGL_BAD_MATCH},
     };
     for (const auto& bad : cases) {
         EXPECT_EQ(eglMakeCurrent(display, bad.draw, bad.read, bad.context), no) << &bad - cases;
         EXPECT_EQ(eglGetError(), bad.error) << &bad - cases;
-        EXPECT_EQ(eglGetCurrentContext(), c); // as it was
+        EXPECT_EQ(eglGetCurrentContext(), c); // the current context stays
         EXPECT_EQ(eglGetCurrentSurface(EGL_DRAW), surface);
     }
     EXPECT_EQ(eglMakeCurrent(nullptr, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT), no);
     EXPECT_EQ(eglGetError(), EGL_BAD_DISPLAY);
     EXPECT_EQ(eglGetCurrentContext(), c);
     std::thread([&] {
-        EXPECT_EQ(eglMakeCurrent(display, second, second, c), no); // current elsewhere
+        EXPECT_EQ(eglMakeCurrent(display, second, second, c), no); // the context is current on another thread
         EXPECT_EQ(eglGetError(), EGL_BAD_ACCESS);
         EXPECT_EQ(eglMakeCurrent(display, surface, surface, d), no);
         EXPECT_EQ(eglGetError(), EGL_BAD_ACCESS);
@@ -139,12 +139,12 @@ TEST_F(Contexts, MakeCurrentErrors) {
         EXPECT_EQ(eglGetError(), EGL_BAD_ACCESS);
         EXPECT_EQ(eglGetCurrentContext(), EGL_NO_CONTEXT);
     }).join();
-    EXPECT_EQ(eglMakeCurrent(display, surface, surface, c), yes); // again
-    EXPECT_EQ(eglMakeCurrent(display, surface, surface, d), yes); // another context, same surface
+    EXPECT_EQ(eglMakeCurrent(display, surface, surface, c), yes); // once more the same
+    EXPECT_EQ(eglMakeCurrent(display, surface, surface, d), yes); // another context on the same surface
     EXPECT_EQ(eglMakeCurrent(display, second, second, d), yes);
 }
 
-/// A texture of one colour, drawn over the whole surface: the word of its first pixel.
+/// Draws a texture of one colour over the whole surface, and returns the word of the surface's first pixel.
 std::uint32_t pixel_of_texture() {
     std::uint32_t pixel = 0;
     glRectf(-1, -1, 1, 1);
@@ -170,19 +170,19 @@ TEST_F(Contexts, ATextureReplacedByAnotherContextIsSeenWithoutBindingItAgain) {
     glEnable(GL_TEXTURE_2D);
     store_texture(0x55555555, 8);
     EXPECT_EQ(pixel_of_texture(), 0x55555555u);
-    std::thread([&] { // c stays current here, and its compiled state knows where the old texels were
+    std::thread([&] { // c stays current here, and its compiled state has the address of the old texels
         ASSERT_EQ(eglMakeCurrent(display, second, second, d), yes);
         glBindTexture(GL_TEXTURE_2D, name);
         store_texture(0xEEEEEEEE, 4);
         GLuint other = 0;
         glGenTextures(1, &other);
         glBindTexture(GL_TEXTURE_2D, other);
-        store_texture(0x11111111, 8); // where the old texels were
+        store_texture(0x11111111, 8); // memory where the old texels were
         EXPECT_EQ(eglReleaseThread(), yes);
     })
         .join();
     EXPECT_EQ(pixel_of_texture(), 0xEEEEEEEEu);
-    std::thread([&] { // incomplete from here on: as if texturing were off (GL 1.3, 3.8.15)
+    std::thread([&] { // makes the texture incomplete: drawn as if texturing were off (GL 1.3, 3.8.15)
         ASSERT_EQ(eglMakeCurrent(display, second, second, d), yes);
         glBindTexture(GL_TEXTURE_2D, name);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
@@ -199,18 +199,18 @@ TEST_F(Contexts, ObjectsLiveWhileTheyAreCurrent) {
     EXPECT_EQ(eglDestroySurface(display, surface), yes);
     EXPECT_EQ(eglDestroyContext(display, c), yes);
     EGLint value = 0;
-    EXPECT_EQ(eglQuerySurface(display, surface, EGL_WIDTH, &value), no); // the handles are dead
+    EXPECT_EQ(eglQuerySurface(display, surface, EGL_WIDTH, &value), no); // the handles are no longer valid
     EXPECT_EQ(eglGetError(), EGL_BAD_SURFACE);
     EXPECT_EQ(eglDestroyContext(display, c), no);
     EXPECT_EQ(eglGetError(), EGL_BAD_CONTEXT);
-    glClearColor(0, 1, 0, 1); // but the drawing goes on
+    glClearColor(0, 1, 0, 1); // but drawing goes on
     glClear(GL_COLOR_BUFFER_BIT);
     GLubyte pixel[4] = {};
     glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
     EXPECT_EQ(pixel[1], 255);
     EXPECT_GT(memory_use().used, memory_before);
     EXPECT_EQ(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT), yes);
-    EXPECT_EQ(memory_use().used, memory_before); // and ends here
+    EXPECT_EQ(memory_use().used, memory_before); // the released objects are freed here
 }
 
 TEST_F(Contexts, TerminateEndsEverythingThatIsNotCurrent) {
@@ -225,7 +225,7 @@ TEST_F(Contexts, TerminateEndsEverythingThatIsNotCurrent) {
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
     EXPECT_EQ(eglReleaseThread(), yes);
     EXPECT_EQ(memory_use().used, memory_before);
-    ASSERT_EQ(eglInitialize(display, nullptr, nullptr), yes); // it can start again
+    ASSERT_EQ(eglInitialize(display, nullptr, nullptr), yes); // the display can be initialized again
 }
 
 TEST_F(Contexts, SharedTexturesAndTheirMemory) {
@@ -243,7 +243,7 @@ TEST_F(Contexts, SharedTexturesAndTheirMemory) {
     glBindTexture(GL_TEXTURE_2D, 3);
     glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
     EXPECT_EQ(width, 32);
-    EXPECT_EQ(eglDestroyContext(display, a), yes); // b keeps the group
+    EXPECT_EQ(eglDestroyContext(display, a), yes); // b keeps the share group
     EXPECT_EQ(glIsTexture(3), GLboolean{GL_TRUE});
     ASSERT_EQ(eglMakeCurrent(display, surface, surface, alone), yes);
     EXPECT_EQ(glIsTexture(3), GLboolean{GL_FALSE});
@@ -287,7 +287,7 @@ TEST_F(Contexts, PixelsStayInTheirSurface) {
     }
 }
 
-/// EGL 1.4, 3.7.3: what is drawn goes to `draw`, what ReadPixels returns comes from `read`.
+/// Drawing goes to `draw`, and ReadPixels returns pixels of `read` (EGL 1.4, 3.7.3).
 TEST_F(Contexts, TwoSurfacesOneDrawnToOneReadFrom) {
     const EGLSurface from = pbuffer(8, 8), to = pbuffer(4, 4);
     const EGLContext c = context(), d = context();
@@ -306,8 +306,8 @@ TEST_F(Contexts, TwoSurfacesOneDrawnToOneReadFrom) {
     EXPECT_EQ(eglGetCurrentSurface(EGL_DRAW), to);
     EXPECT_EQ(eglGetCurrentSurface(EGL_READ), from);
     fill(0.2f);
-    EXPECT_EQ(red_at(7), 255); // also where the drawn one is too small
-    // Both are held: destroyed, they last until they are released.
+    EXPECT_EQ(red_at(7), 255); // also where the drawn surface is too small
+    // Both surfaces are current, so they last until they are released, although they are destroyed.
     EXPECT_EQ(eglDestroySurface(display, from), yes);
     EXPECT_EQ(red_at(0), 255);
     const std::size_t before = memory_use().used;
@@ -319,7 +319,7 @@ TEST_F(Contexts, TwoSurfacesOneDrawnToOneReadFrom) {
     std::thread([&] { EXPECT_EQ(eglMakeCurrent(display, to, to, c), no); }).join();
 }
 
-/// What is drawn ends at the surface that is current, not at the one before.
+/// Drawing reaches the edges of the surface that is current now, not of the one before.
 TEST_F(Contexts, EachSurfaceIsDrawnToItsEdges) {
     const EGLSurface small = pbuffer(4, 5), large = pbuffer(30, 20);
     const EGLContext c = context();

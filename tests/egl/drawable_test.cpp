@@ -1,4 +1,5 @@
-// What a context draws to follows MakeCurrent, and stays where it is between Begin and End (EGL 1.4, 3.7.3).
+// The surface that a context draws to follows MakeCurrent, and does not change between Begin and End (EGL
+// 1.4, 3.7.3).
 #include <gtest/gtest.h>
 
 #include <spangle/GL/gl.h>
@@ -49,12 +50,13 @@ struct Drawables : testing::Test {
 };
 
 std::vector<GLubyte> pixels(GLint width, GLint height) {
-    std::vector<GLubyte> all(static_cast<std::size_t>(width * height * 4 + 1)); // never empty
+    std::vector<GLubyte> all(
+        static_cast<std::size_t>(width * height * 4 + 1)); // one byte more, so that the vector is never empty
     glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, all.data());
     return all;
 }
 
-/// Draws four textured, blended, depth-tested triangles; `between` is called inside of Begin and End.
+/// Draws four textured, blended, depth-tested triangles. `between` is called between Begin and End.
 template <class Between> void draw_strip(Between between) {
     glClearColor(0, 0, 0.5f, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
@@ -70,8 +72,8 @@ template <class Between> void draw_strip(Between between) {
     glEnd();
 }
 
-/// Every way to another drawable, from a large surface to smaller ones of every format: all refused, and the
-/// primitive goes on as if nobody had asked.
+/// Between Begin and End every call for another drawable is refused, from a large surface to smaller ones of
+/// every format. The primitive goes on as if there had been no call.
 TEST_F(Drawables, BetweenBeginAndEndTheyStay) {
     for (const EGLint samples : {0, 4}) {
         const std::vector<EGLConfig> all =
@@ -104,14 +106,15 @@ TEST_F(Drawables, BetweenBeginAndEndTheyStay) {
         });
         EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
         EXPECT_EQ(pixels(64, 48), undisturbed);
-        // Nobody was left holding what was refused.
+        // The refused surfaces and contexts were not kept current.
         EXPECT_EQ(eglMakeCurrent(display, small, small, other), yes);
         EXPECT_EQ(eglMakeCurrent(display, large, small, mine), yes);
         EXPECT_EQ(eglReleaseThread(), yes);
     }
 }
 
-/// A window's buffer stays, too, whether it would be shown by SwapBuffers or by Flush.
+/// A window's buffer is not exchanged between Begin and End either, whether SwapBuffers or Flush would show
+/// it.
 TEST_F(Drawables, BetweenBeginAndEndNothingIsShown) {
     panel.two_buffers = true;
     for (const bool single : {false, true}) {
@@ -126,7 +129,7 @@ TEST_F(Drawables, BetweenBeginAndEndNothingIsShown) {
                 EXPECT_EQ(eglSwapBuffers(display, window), no);
                 EXPECT_EQ(eglGetError(), EGL_BAD_ACCESS);
             }
-            glFlush(); // told after End
+            glFlush(); // reported after End
             EXPECT_EQ(eglWaitClient(), no);
             EXPECT_EQ(eglGetError(), EGL_BAD_ACCESS);
             EXPECT_FALSE(frame(display, [] { FAIL() << "not inside of Begin and End"; }));
@@ -144,8 +147,8 @@ TEST_F(Drawables, BetweenBeginAndEndNothingIsShown) {
     }
 }
 
-/// A context draws on surfaces of one format, depth buffer and number of samples, whatever their precision:
-/// every pair of configs, for drawing and for reading alone (EGL 1.4, 2.2).
+/// A context draws on surfaces of its own format, depth buffer and number of samples, whatever their
+/// precision (EGL 1.4, 2.2). The test tries every pair of configs, for drawing and for reading.
 TEST_F(Drawables, EveryOtherFormatIsRefused) {
     struct Kind {
         EGLConfig config;
@@ -156,7 +159,7 @@ TEST_F(Drawables, EveryOtherFormatIsRefused) {
         }
     };
     std::vector<Kind> kinds;
-    EGLint visuals[2] = {-1, -1}; // two formats of pixels do for all
+    EGLint visuals[2] = {-1, -1}; // two pixel formats stand for all
     for (const EGLConfig config : configs({EGL_SURFACE_TYPE, EGL_PBUFFER_BIT})) {
         const EGLint visual = attribute(config, EGL_NATIVE_VISUAL_ID);
         EGLint* const known = visuals[0] == -1 || visuals[0] == visual ? &visuals[0] : &visuals[1];
@@ -183,8 +186,8 @@ TEST_F(Drawables, EveryOtherFormatIsRefused) {
     }
 }
 
-/// Surfaces of many sizes, one after the other: what was derived for the last one is derived anew, so every
-/// picture is the one that a new context draws.
+/// Surfaces of many sizes follow each other. State that was derived from the last size is derived again, so
+/// every picture equals that of a new context.
 TEST_F(Drawables, WhatIsDerivedFollowsTheSize) {
     for (const EGLint samples : {0, 4}) {
         const std::vector<EGLConfig> all = configs({EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_DEPTH_SIZE, 24,
@@ -215,7 +218,7 @@ TEST_F(Drawables, WhatIsDerivedFollowsTheSize) {
     }
 }
 
-/// The buffer of a pbuffer is a back buffer (EGL 1.4, 3.5.6). FRONT is no other one.
+/// The buffer of a pbuffer is a back buffer (EGL 1.4, 3.5.6). FRONT names the same buffer.
 TEST_F(Drawables, APbufferIsABackBuffer) {
     const EGLConfig config = configs({EGL_SURFACE_TYPE, EGL_PBUFFER_BIT}, 1).front();
     const EGLSurface surface = pbuffer(config, 4, 4);

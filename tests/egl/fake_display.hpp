@@ -1,4 +1,4 @@
-// A display whose every step can be told to fail, and whose memory a test can look at.
+// A display whose every step can be told to fail, and whose memory a test can read.
 #pragma once
 
 #include <spangle/EGL/egl.h>
@@ -59,7 +59,7 @@ class FakeDisplay final : public hal::Display {
         return {};
     }
 
-    /// Another display takes its place: of another size, in memory of its own.
+    /// Becomes another display, of another size and with its own memory.
     void become(std::int32_t width, std::int32_t height) {
         width_ = width;
         height_ = height;
@@ -73,8 +73,9 @@ class FakeDisplay final : public hal::Display {
     bool fail_init = false, fail_acquire = false, fail_present = false, two_buffers = false;
     int inits = 0, acquires = 0, presents = 0, finishes = 0;
     std::vector<std::int32_t> intervals;
-    std::vector<int> palette;                       ///< first, count and colours of the last call
-    std::vector<std::uint8_t> pixels, front, shown; ///< the buffer drawn into, the other, what was presented
+    std::vector<int> palette; ///< first index, count and colours of the last call
+    std::vector<std::uint8_t> pixels, front,
+        shown; ///< the buffer drawn into, the other buffer, and what was presented
     std::vector<RowSpan> rows, shown_extents;
     RowExtents extents;
 

@@ -1,4 +1,5 @@
-// Displays that give no buffer, change, or are terminated while their window is current (EGL 1.4, 3.2, 3.9).
+// Tests displays that give no buffer, change, or are terminated while their window is current (EGL 1.4, 3.2,
+// 3.9).
 #include <gtest/gtest.h>
 
 #include <spangle/GL/gl.h>
@@ -38,7 +39,7 @@ EGLSurface pbuffer_of(EGLDisplay display, EGLint width, EGLint height) {
     return eglCreatePbufferSurface(display, config_of(display, EGL_PBUFFER_BIT), size);
 }
 
-/// Everything that draws and reads; nothing of it may touch memory that is no surface's.
+/// Draws and reads in every way. None of the calls may touch memory outside of a surface.
 void draw_and_read() {
     glClearColor(1, 1, 1, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT);
@@ -86,8 +87,8 @@ struct LostDisplays : testing::Test {
     }
 };
 
-/// Shown, but there is no next buffer: what is drawn then goes nowhere, above all not into the frame that was
-/// given back. It is not shown, and who asks is told.
+/// The frame was shown, but there is no next buffer. Later drawing must not reach the frame that was given
+/// back; it goes nowhere, is not shown, and the next present reports an error.
 TEST_F(LostDisplays, WithoutANextBufferGlDrawsNowhere) {
     for (const EGLint samples : {0, 4}) {
         if (config_of(display, EGL_WINDOW_BIT, samples) == nullptr)
@@ -126,7 +127,7 @@ TEST_F(LostDisplays, WithoutANextBufferGlDrawsNowhere) {
     }
 }
 
-/// MakeCurrent asks again, and is refused as long as there is no buffer (EGL 1.4, 3.7.3).
+/// MakeCurrent asks for a buffer again, and fails as long as there is none (EGL 1.4, 3.7.3).
 TEST_F(LostDisplays, MakeCurrentAsksForABufferAgain) {
     make_window();
     panel->fail_acquire = true;
@@ -142,7 +143,7 @@ TEST_F(LostDisplays, MakeCurrentAsksForABufferAgain) {
     EXPECT_EQ(panel->shown[0], 0xFF);
 }
 
-/// The same of a window that Flush shows.
+/// A single-buffered window loses its buffer in the same way when Flush shows the frame.
 TEST_F(LostDisplays, FlushOfASingleBufferedWindowLosesItsBuffer) {
     make_window(true);
     glClearColor(1, 1, 1, 1);
@@ -164,7 +165,8 @@ TEST_F(LostDisplays, FlushOfASingleBufferedWindowLosesItsBuffer) {
     EXPECT_EQ(panel->shown[0], 0);
 }
 
-/// Another display was plugged in: the window of the old one's size never reaches into it.
+/// Another display was plugged in. The window has the size of the old display, and must never draw into the
+/// new one.
 TEST_F(LostDisplays, ADisplayOfAnotherSizeIsNotDrawnTo) {
     for (const auto& [width, height] : {std::pair{6, 4}, {12, 8}, {11, 9}, {40, 30}}) {
         panel->become(12, 9);
@@ -172,7 +174,8 @@ TEST_F(LostDisplays, ADisplayOfAnotherSizeIsNotDrawnTo) {
         draw_and_read();
         EXPECT_EQ(eglSwapBuffers(display, window), yes);
         glFinish();
-        // At a present, as HALs find it: the buffer that is drawn to stays until it returns.
+        // HALs notice a new display at a present. Until the present returns, the buffer that is drawn to
+        // stays valid.
         const FakeDisplay before = *panel;
         panel->become(width, height);
         EXPECT_EQ(eglSwapBuffers(display, window), no);
@@ -185,7 +188,7 @@ TEST_F(LostDisplays, ADisplayOfAnotherSizeIsNotDrawnTo) {
         EXPECT_EQ(eglMakeCurrent(display, window, window, context), no);
         EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
         EXPECT_EQ(eglDestroySurface(display, window), yes);
-        make_window(); // of the new size
+        make_window(); // a window of the new size
         EGLint found = 0;
         EXPECT_EQ(eglQuerySurface(display, window, EGL_WIDTH, &found), yes);
         EXPECT_EQ(found, width);
@@ -194,7 +197,7 @@ TEST_F(LostDisplays, ADisplayOfAnotherSizeIsNotDrawnTo) {
     }
 }
 
-/// Sizes that GL does not draw are no windows: what a device says of itself is not believed.
+/// GL does not draw surfaces of such sizes, so there is no window. A device may report any size.
 TEST_F(LostDisplays, AbsurdSizesAreNoWindows) {
     const EGLConfig config = config_of(display, EGL_WINDOW_BIT);
     for (const auto& [width, height] :
@@ -221,8 +224,8 @@ TEST_F(LostDisplays, AbsurdSizesAreNoWindows) {
     }
 }
 
-/// What is current survives eglTerminate, but the pixels of a window are its display's, which may go then
-/// (EGL 1.4, 3.2: rendering may not end the program).
+/// Current objects survive eglTerminate, but the pixels of a window belong to its display, which may then go.
+/// Rendering must not end the program (EGL 1.4, 3.2).
 TEST_F(LostDisplays, ATerminatedDisplayMayGoWhileItsWindowIsCurrent) {
     for (const bool single : {false, true}) {
         panel = std::make_unique<FakeDisplay>();
@@ -251,8 +254,8 @@ TEST_F(LostDisplays, ATerminatedDisplayMayGoWhileItsWindowIsCurrent) {
     display = eglGetDisplay(native(*panel));
 }
 
-/// The handle stays valid: terminated twice, initialized again, with old objects marked as before
-/// (EGL 1.4, 3.2).
+/// The display's handle stays valid when it is terminated twice and initialized again. Old objects stay
+/// marked for deletion (EGL 1.4, 3.2).
 TEST_F(LostDisplays, TerminatedTwiceAndInitializedAgain) {
     FakeDisplay fresh;
     const EGLDisplay never = eglGetDisplay(native(fresh));
@@ -293,7 +296,7 @@ TEST_F(LostDisplays, TerminatedTwiceAndInitializedAgain) {
     EXPECT_EQ(panel->shown[0], 0xFF);
 }
 
-/// An entry serves another display only when nothing of the old one is current: however many displays come.
+/// However many displays there are, a display's entry is reused only when nothing of that display is current.
 TEST_F(LostDisplays, TheEntryOfACurrentSurfaceIsNotGivenAway) {
     const auto stays = [&](EGLSurface surface, EGLContext its_context) {
         ASSERT_EQ(eglMakeCurrent(display, surface, surface, its_context), yes);
@@ -303,12 +306,12 @@ TEST_F(LostDisplays, TheEntryOfACurrentSurfaceIsNotGivenAway) {
             others.push_back(std::make_unique<FakeDisplay>());
             const EGLDisplay other = eglGetDisplay(native(*others.back()));
             if (other == EGL_NO_DISPLAY)
-                continue; // all are taken
+                continue; // all entries are taken
             EXPECT_NE(other, display);
             EXPECT_EQ(eglInitialize(other, nullptr, nullptr), yes);
             EXPECT_EQ(eglTerminate(other), yes);
         }
-        // Other displays take the entries that are left, so that a new one can only get the entry that was
+        // Other displays take the remaining entries, so that a new display can only get the entry that was
         // given back.
         std::vector<EGLDisplay> open;
         for (const auto& one : others)
@@ -332,8 +335,8 @@ TEST_F(LostDisplays, TheEntryOfACurrentSurfaceIsNotGivenAway) {
     stays(window, context);
 }
 
-/// More displays than there are entries, one after the other: those that were terminated make room, the
-/// others do not.
+/// More displays than entries come one after the other. Displays that were terminated make room for new ones,
+/// the others do not.
 TEST(DisplayEntries, ServeTheDisplaysOfALongLife) {
     std::vector<std::unique_ptr<FakeDisplay>> panels;
     std::vector<EGLDisplay> open;
@@ -358,11 +361,12 @@ TEST(DisplayEntries, ServeTheDisplaysOfALongLife) {
     eglTerminate(eglGetDisplay(native(one_more)));
 }
 
-/// An entry is given to one display: the next one does not get it, too, though neither is initialized yet.
+/// An entry is given to one display. The next display does not get the same entry, though neither is
+/// initialized yet.
 TEST(DisplayEntries, AreGivenOutOnce) {
     std::vector<std::unique_ptr<FakeDisplay>> panels;
     std::vector<EGLDisplay> handles;
-    for (int i = 0; i < 2 * gl::most_displays; ++i) { // from here on no entry was never used
+    for (int i = 0; i < 2 * gl::most_displays; ++i) { // from here on every entry was used before
         panels.push_back(std::make_unique<FakeDisplay>());
         eglTerminate(eglGetDisplay(native(*panels.back())));
     }
@@ -380,8 +384,8 @@ TEST(DisplayEntries, AreGivenOutOnce) {
     }
 }
 
-/// Whatever of a terminated display is current, on whichever thread, keeps the entry: a surface that is only
-/// read, a context that has lost its handles, both on another thread.
+/// Whatever of a terminated display is current keeps the display's entry: a surface that is only read, or a
+/// context without a handle, also on another thread.
 TEST_F(LostDisplays, TheEntryStaysWhateverIsCurrentWherever) {
     const EGLConfig config = config_of(display, EGL_PBUFFER_BIT);
     const EGLSurface drawn = pbuffer_of(display, 8, 8), read = pbuffer_of(display, 8, 8);
@@ -400,7 +404,7 @@ TEST_F(LostDisplays, TheEntryStaysWhateverIsCurrentWherever) {
                 EXPECT_NE(eglGetDisplay(native(*others.back())), display);
             }
             for (const auto& one : others)
-                eglTerminate(eglGetDisplay(native(*one))); // those that got an entry
+                eglTerminate(eglGetDisplay(native(*one))); // the displays that got an entry
         }).join();
         draw_and_read();
         EXPECT_EQ(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT), yes);
@@ -418,16 +422,16 @@ TEST_F(LostDisplays, TheEntryStaysWhateverIsCurrentWherever) {
     display = eglGetDisplay(native(*panel));
 }
 
-/// The glass goes to a new window as soon as the old one has no handle: whoever still draws to it draws
-/// nowhere.
+/// A new window gets the display as soon as the old window has no handle. A context that still draws to the
+/// old window then draws nowhere.
 TEST_F(LostDisplays, ANewWindowTakesTheGlassOfADestroyedOne) {
     for (const bool single : {false, true}) {
         panel->two_buffers = !single;
         make_window(single);
         EXPECT_EQ(eglDestroySurface(display, window), yes);
-        draw_and_read(); // still its own
+        draw_and_read(); // still into the window's own buffer
         const EGLConfig config = config_of(display, EGL_WINDOW_BIT);
-        std::thread([&] { // it is current on another thread than the one that wants a new one
+        std::thread([&] { // current on another thread than the one that makes the new window
             EXPECT_EQ(eglCreateWindowSurface(display, config, 0, nullptr), EGL_NO_SURFACE);
             EXPECT_EQ(eglGetError(), EGL_BAD_ALLOC);
         })
@@ -455,7 +459,8 @@ TEST_F(LostDisplays, ANewWindowTakesTheGlassOfADestroyedOne) {
     }
 }
 
-/// A display comes up again only when no window of its earlier life is drawn to by another thread.
+/// A display can be initialized again only when no other thread draws to a window from before its
+/// termination.
 TEST_F(LostDisplays, InitWaitsForTheWindowsOfOtherThreads) {
     std::thread([&] {
         make_window();
@@ -475,7 +480,7 @@ TEST_F(LostDisplays, InitWaitsForTheWindowsOfOtherThreads) {
     EXPECT_EQ(eglInitialize(display, nullptr, nullptr), yes);
 }
 
-/// The interval is the current window's, whatever display is named (EGL 1.4, 3.9.3).
+/// The interval is set for the current window, whatever display is named (EGL 1.4, 3.9.3).
 TEST_F(LostDisplays, SwapIntervalAsksTheCurrentSurface) {
     const EGLDisplay headless = eglGetDisplay(EGL_DEFAULT_DISPLAY);
     ASSERT_EQ(eglInitialize(headless, nullptr, nullptr), yes);

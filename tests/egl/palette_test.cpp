@@ -1,4 +1,5 @@
-// Configs of colour indices and the palette of their windows (spangle/EGL/egl.h, EGL_SPANGLE_color_index).
+// Tests configs of colour indices and the palette of their windows (spangle/EGL/egl.h,
+// EGL_SPANGLE_color_index).
 #include <gtest/gtest.h>
 
 #include <spangle/GL/gl.h>
@@ -98,7 +99,7 @@ TEST_F(Palettes, OfWindowsReachTheDisplay) {
     EXPECT_TRUE(panel.palette.empty());
 }
 
-/// Windows of colours have none, and a display without one says so.
+/// Windows of colours have no palette, and a display without a palette reports an error.
 TEST(PalettesOfColours, DoNotExist) {
     FakeDisplay panel;
     const EGLDisplay display = eglGetDisplay(native(panel));

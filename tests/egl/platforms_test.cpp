@@ -1,4 +1,4 @@
-// Displays with windows and pixmaps of their own, and what programs for PCs ask of contexts
+// Tests displays with windows and pixmaps of their own, and contexts as programs for PCs ask for them
 // (EGL_EXT_platform_base, EGL_KHR_create_context).
 #include <gtest/gtest.h>
 #include <spangle/GL/gl.h>
@@ -45,7 +45,7 @@ class Window final : public hal::Display {
         shown_width = buffer_width_;
         return {};
     }
-    unsigned at(std::int32_t x, std::int32_t y) const { // red, green and blue, counted from the top
+    unsigned at(std::int32_t x, std::int32_t y) const { // red, green and blue; y counts from the top
         const auto i = static_cast<std::size_t>((y * shown_width + x) * 4);
         return i + 2 < shown.size() ? unsigned{shown[i]} << 16 | unsigned{shown[i + 1]} << 8 | shown[i + 2]
                                     : 0xBADu;
@@ -196,7 +196,7 @@ TEST_F(Platform, AttributesOfContexts) {
                {{major, 2}, EGL_BAD_MATCH},
                {{major, 0}, EGL_BAD_MATCH},
                {{major, 3, minor, 2, mask, 1}, EGL_BAD_MATCH},
-               {{mask, 2}, EGL_SUCCESS}, // it means nothing below OpenGL 3.2
+               {{mask, 2}, EGL_SUCCESS}, // the mask means nothing below OpenGL 3.2
                {{flags, 0}, EGL_SUCCESS},
                {{flags, EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR}, EGL_SUCCESS},
                {{flags, EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE_BIT_KHR}, EGL_BAD_MATCH},
@@ -250,7 +250,7 @@ TEST_F(Platform, WideAttributes) {
     const EGLSurface most = eglCreatePlatformWindowSurface(display, config, &window, many.data());
     EXPECT_NE(most, EGL_NO_SURFACE) << "32 are taken";
     eglDestroySurface(display, most);
-    if constexpr (sizeof(EGLAttrib) > sizeof(EGLint)) { // the rest of a wide word is not forgotten
+    if constexpr (sizeof(EGLAttrib) > sizeof(EGLint)) { // the upper half of a wide word counts, too
         constexpr auto beyond = static_cast<EGLAttrib>(std::uint64_t{1} << 32);
         for (const auto& list :
              {std::vector<EGLAttrib>{EGL_RENDER_BUFFER + beyond, EGL_BACK_BUFFER, EGL_NONE},
@@ -268,7 +268,7 @@ TEST_F(Platform, SurfacesFollowTheirWindows) {
     clear(1.0f);
     EXPECT_EQ(eglSwapBuffers(display, surface), yes);
     EXPECT_EQ(w.at(7, 5), 0xFF0000u);
-    w.width = 12; // the user pulls at a corner, and the program answers with glViewport
+    w.width = 12; // the user resizes the window, and the program calls glViewport
     w.height = 3;
     EXPECT_EQ(size(surface, EGL_WIDTH), 8) << "until then all stays";
     glViewport(0, 0, 12, 3);
@@ -278,7 +278,7 @@ TEST_F(Platform, SurfacesFollowTheirWindows) {
     EXPECT_EQ(eglSwapBuffers(display, surface), yes);
     EXPECT_EQ(w.shown_width, 12);
     EXPECT_EQ(w.at(11, 2), 0xFF0000u) << "the new pixels are drawn to";
-    w.width = 5; // without an answer the next frame has the size
+    w.width = 5; // without glViewport the next frame has the new size
     clear(0.0f);
     EXPECT_EQ(eglSwapBuffers(display, surface), yes);
     EXPECT_EQ(w.shown_width, 12) << "the frame that was drawn";
@@ -293,7 +293,7 @@ TEST_F(Platform, WindowsThatCannotBeFollowed) {
     EXPECT_EQ(eglSwapBuffers(display, surface), no);
     EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
     EXPECT_EQ(size(surface, EGL_WIDTH), 8) << "it stays as it is";
-    clear(1.0f); // nowhere
+    clear(1.0f); // draws nowhere
     w.width = 9;
     eglSwapBuffers(display, surface);
     EXPECT_EQ(size(surface, EGL_WIDTH), 9);
@@ -329,7 +329,7 @@ TEST_F(Platform, CopyBuffers) {
     glScissor(0, 7, 4, 2); // the two rows at the top
     clear(1.0f);
     EXPECT_EQ(eglCopyBuffers(display, pbuffer, pixmap), yes);
-    const Window& p = system.all[pixmap]; // 8x6
+    const Window& p = system.all[pixmap]; // 8x6 pixels
     EXPECT_EQ(p.at(3, 0), 0xFF0000u);
     EXPECT_EQ(p.at(4, 0), 0u) << "the pbuffer ends there";
     EXPECT_EQ(p.at(0, 1), 0xFF0000u);
@@ -393,7 +393,7 @@ TEST_F(Platform, PbuffersAreShownToWhoAsked) {
 std::int32_t planes_width = 0;
 PixelFormat planes_format{};
 
-/// A program is drawn in a format that it did not choose.
+/// The host draws the program in a format that the program did not choose, and pbuffers have that format.
 TEST_F(Platform, PbuffersHaveWhatTheHostDraws) {
     static const egl::Drawn drawn = {PixelFormat::rgb565_be, EGL_PRECISION_FAST_SPANGLE};
     egl::Platforms platforms = egl::platforms();

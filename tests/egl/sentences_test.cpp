@@ -1,4 +1,4 @@
-// Every error of EGL has one sentence, which begins with the command's name (spangle/message.hpp).
+// Every error of EGL is reported in one sentence, which begins with the command's name (spangle/message.hpp).
 #include <gtest/gtest.h>
 
 #include <spangle/GL/gl.h>
@@ -26,7 +26,8 @@ std::vector<Said>& said() {
     return all;
 }
 
-/// An initialized display with a window and a pbuffer, neither of them current.
+/// An initialized display with a window and a pbuffer, neither of them current; and a display that is not
+/// initialized.
 struct EglSentences : testing::Test {
     FakeDisplay panel, other;
     EGLDisplay display = eglGetDisplay(native(panel)), sleeping = eglGetDisplay(native(other));
@@ -59,7 +60,7 @@ struct EglSentences : testing::Test {
         return found;
     }
 
-    /// The call before raised `error`, and one sentence tells it.
+    /// Checks that the last call raised `error`, and that one sentence reports it.
     void told(EGLint error, const std::string& command, const char* rule = "") {
         EXPECT_EQ(eglGetError(), error) << command;
         ASSERT_EQ(said().size(), 1u) << command;
@@ -77,11 +78,11 @@ struct Named {
     Call call;
 };
 
-constexpr EGLenum vg_image = 0x3096; // EGL_OPENVG_IMAGE, which this header has not
+constexpr EGLenum vg_image = 0x3096; // EGL_OPENVG_IMAGE, which this header does not define
 constexpr EGLint end[] = {EGL_NONE};
 EGLint value;
 
-/// Commands that look at their display first.
+/// Commands that check their display first.
 constexpr Named of_displays[] = {
     {"eglQueryString",
      [](EGLDisplay d, EGLSurface, EGLContext, EGLConfig) { eglQueryString(d, EGL_VENDOR); }},
@@ -141,7 +142,7 @@ TEST_F(EglSentences, DisplaysThatAreNone) {
     told(EGL_BAD_DISPLAY, "eglTerminate", "dpy");
     eglMakeCurrent(&nothing, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     told(EGL_BAD_DISPLAY, "eglMakeCurrent", "dpy");
-    // A display that is not initialized is no error here (EGL 1.4, 3.7.3).
+    // A display that is not initialized is no error of eglMakeCurrent without objects (EGL 1.4, 3.7.3).
     eglMakeCurrent(sleeping, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     EXPECT_EQ(eglGetError(), EGL_SUCCESS);
     EXPECT_TRUE(said().empty());

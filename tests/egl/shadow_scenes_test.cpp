@@ -1,5 +1,5 @@
-// Random scenes through all of GL with a double beside every number: what is continuous stays within its
-// bound at every value; what decides (a texel, a level) may flip where two are equally near, and does so
+// Draws random scenes through all of GL with a double beside every number. Continuous values stay within
+// their bounds everywhere. Choices (a texel, a level) may differ where two are equally near, and do so
 // rarely.
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 using Stage = raster::ShadowStage;
 
-/// Repeatable choices, one per statement.
+/// Repeatable random choices; each call is a statement of its own.
 class Dice {
   public:
     explicit Dice(unsigned seed) : random_(seed) {}
@@ -132,7 +132,7 @@ void set_view(Dice& dice) {
     glMatrixMode(GL_MODELVIEW);
 }
 
-/// Corners on a grid: next to no triangle is thin before it is turned.
+/// Vertices lie on a grid, so hardly any triangle is thin before it is turned.
 void draw_primitives(Dice& dice) {
     for (int primitive = 0; primitive < 6; ++primitive) {
         glPointSize(static_cast<GLfloat>(1 + dice.below(9)));
@@ -195,8 +195,8 @@ struct Bound {
     double worst, rms;
 };
 constexpr double half_step = 0.5 / 256 + 1e-5, any = 1e9;
-/// A triangle seen edge-on is interpolated along its length only (Setup<Fixed>::thin_aspect): a pixel here
-/// and there.
+/// The share of pixels that may exceed a bound: a triangle seen edge-on is interpolated along its length only
+/// (Setup<Fixed>::thin_aspect).
 constexpr double few = 0x1p-8;
 constexpr Bound bounds[] = {
     {Stage::vertex_color, 0x1p-17, 0x1p-19},

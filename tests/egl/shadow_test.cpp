@@ -1,4 +1,4 @@
-// Contexts of shadow precision: the picture of the exact tier to the byte, and a report of every stage within
+// A context of shadow precision draws the exact tier's picture to the byte, and reports every stage within
 // the bounds of design 3, through lighting, texturing, fog and clipping.
 #include <gtest/gtest.h>
 
@@ -43,8 +43,8 @@ void enable_everything() {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
 }
 
-/// A sphere without poles, where triangles are too thin for exact gradients (Setup<Fixed>::thin_aspect), that
-/// leaves the volume through the near plane and the guard band.
+/// Draws a sphere without its poles, where triangles are too thin for exact gradients
+/// (Setup<Fixed>::thin_aspect). The sphere leaves the view volume through the near plane and the guard band.
 void draw_ball() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     constexpr int n = 9;
@@ -60,14 +60,14 @@ void draw_ball() {
             }
         glEnd();
     }
-    glBegin(GL_TRIANGLES); // cut by the guard band
+    glBegin(GL_TRIANGLES); // clipped at the guard band
     glVertex3f(-1, -1, 0);
     glVertex3f(90, -1, 0);
     glVertex3f(-1, 80, 2);
     glEnd();
 }
 
-/// The bytes and depths of the picture.
+/// Returns the bytes and depths of the picture.
 std::vector<GLuint> picture_of(EGLint precision) {
     const HeadlessGl gl(size, size, {EGL_PRECISION_SPANGLE, precision});
     enable_everything();
@@ -94,9 +94,9 @@ TEST_F(ShadowContexts, DrawThePictureOfTheirTier) {
         EXPECT_EQ(raster::report_shadow(&report), nullptr);
         EXPECT_EQ(picture_of(shadow), picture);
         EXPECT_EQ(raster::report_shadow(nullptr), &report);
-        EXPECT_EQ(picture_of(shadow), picture); // and without a report
+        EXPECT_EQ(picture_of(shadow), picture); // also without a report
         EXPECT_NE(picture.front(), picture[size * size / 2 + size / 2]);
-        EXPECT_GT(report[Stage::coord0].rms(), texels); // each tier further off
+        EXPECT_GT(report[Stage::coord0].rms(), texels); // each tier is further off than the one before
         texels = report[Stage::coord0].rms();
     }
 }
@@ -108,7 +108,7 @@ TEST_F(ShadowContexts, EveryStageIsReportedWithinItsBound) {
     raster::report_shadow(nullptr);
     const struct {
         Stage stage;
-        double bound; ///< steep planes: 2^-18 of an attribute's range (Setup<Fixed>)
+        double bound; ///< planes may be steep: 2^-18 of an attribute's range (Setup<Fixed>)
     } cases[] = {
         {Stage::vertex_color, 0x1p-19},
         {Stage::vertex_coord, 0x1p-20},
@@ -128,9 +128,9 @@ TEST_F(ShadowContexts, EveryStageIsReportedWithinItsBound) {
         EXPECT_LE(r[c.stage].worst, c.bound) << name_of(c.stage);
         EXPECT_LE(r[c.stage].rms(), r[c.stage].worst) << name_of(c.stage);
     }
-    // What is snapped is half a step off at worst and uniformly so: 1 / (256 sqrt(12)) pixels.
+    // Snapping is off by half a step at worst, and uniformly, so its RMS is 1 / (256 sqrt(12)) pixels.
     EXPECT_NEAR(r[Stage::window_x].rms(), 1.0 / 256 / std::sqrt(12.0), 1e-4);
-    EXPECT_LT(r[Stage::snapping].rms(), 0.05);       // next to no vertex falls on the other side of a step
+    EXPECT_LT(r[Stage::snapping].rms(), 0.05);       // hardly any vertex falls on the other side of a step
     EXPECT_GT(r[Stage::vertex_color].saturated, 0u); // alpha is 1
     EXPECT_EQ(r[Stage::window_x].saturated, 0u);
     EXPECT_LT(r[Stage::window_x].least, 0.0);

@@ -1,4 +1,4 @@
-// Displays, windows, pbuffers, SwapBuffers (EGL 1.4, 3.2, 3.5, 3.9).
+// Tests displays, windows, pbuffers and SwapBuffers (EGL 1.4, 3.2, 3.5, 3.9).
 #include <gtest/gtest.h>
 
 #include <spangle/GL/gl.h>
@@ -42,7 +42,7 @@ struct Surfaces : testing::Test {
     void TearDown() override {
         EXPECT_EQ(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT), yes);
         eglTerminate(display);
-        EXPECT_EQ(memory_use().used, memory_before); // everything was given back
+        EXPECT_EQ(memory_use().used, memory_before); // all memory was given back
         EXPECT_TRUE(egl::arena().consistent());
         on_message(nullptr);
     }
@@ -91,7 +91,7 @@ TEST(Displays, HandlesAndInitialisation) {
     EXPECT_EQ(major, 1);
     EXPECT_EQ(minor, 4);
     EXPECT_EQ(panel.inits, 2);
-    EXPECT_EQ(eglInitialize(display, nullptr, nullptr), yes); // again: no effect (EGL 1.4, 3.2)
+    EXPECT_EQ(eglInitialize(display, nullptr, nullptr), yes); // the second call has no effect (EGL 1.4, 3.2)
     EXPECT_EQ(panel.inits, 2);
 
     EXPECT_EQ(std::strncmp(eglQueryString(display, EGL_VERSION), "1.4 ", 4), 0);
@@ -101,7 +101,7 @@ TEST(Displays, HandlesAndInitialisation) {
     EXPECT_EQ(eglQueryString(display, EGL_WIDTH), nullptr);
     EXPECT_EQ(eglGetError(), EGL_BAD_PARAMETER);
 
-    EXPECT_EQ(eglQueryAPI(), EGLenum{EGL_OPENGL_API}); // of one API there is nothing to choose
+    EXPECT_EQ(eglQueryAPI(), EGLenum{EGL_OPENGL_API}); // OpenGL is the only API
     EXPECT_EQ(eglBindAPI(EGL_OPENGL_API), yes);
     EXPECT_EQ(eglQueryAPI(), EGLenum{EGL_OPENGL_API});
     EXPECT_EQ(eglBindAPI(EGL_OPENVG_API), no);
@@ -168,7 +168,7 @@ TEST_F(Surfaces, PbufferSizesAndErrors) {
         EGLint id = 0;
         EXPECT_EQ(eglGetConfigAttrib(display, config, EGL_CONFIG_ID, &id), yes);
         EXPECT_EQ(query(surface, EGL_CONFIG_ID), id);
-        EXPECT_EQ(eglSwapBuffers(display, surface), yes); // no effect
+        EXPECT_EQ(eglSwapBuffers(display, surface), yes); // a pbuffer: no effect
         EXPECT_EQ(eglDestroySurface(display, surface), yes);
     }
     EXPECT_EQ(eglCreatePbufferSurface(display, nullptr, nullptr), EGL_NO_SURFACE);
@@ -183,7 +183,8 @@ TEST_F(Surfaces, DeadAndForeignHandles) {
     const EGLDisplay other = eglGetDisplay(native(second));
     ASSERT_EQ(eglInitialize(other, nullptr, nullptr), yes);
     EGLint value = 0;
-    EXPECT_EQ(eglQuerySurface(other, surface, EGL_WIDTH, &value), no); // of another display
+    EXPECT_EQ(eglQuerySurface(other, surface, EGL_WIDTH, &value),
+              no); // the surface belongs to another display
     EXPECT_EQ(eglGetError(), EGL_BAD_SURFACE);
     EXPECT_EQ(eglQueryContext(other, context, EGL_CONFIG_ID, &value), no);
     EXPECT_EQ(eglGetError(), EGL_BAD_CONTEXT);
@@ -212,7 +213,8 @@ TEST_F(Surfaces, TheWindowIsTheGlass) {
     EXPECT_EQ(query(surface, EGL_HEIGHT), 9);
     EXPECT_EQ(query(surface, EGL_RENDER_BUFFER), EGL_BACK_BUFFER);
     EXPECT_EQ(query(surface, EGL_SWAP_BEHAVIOR), EGL_BUFFER_DESTROYED);
-    EXPECT_EQ(eglCreateWindowSurface(display, config, 0, nullptr), EGL_NO_SURFACE); // one window
+    EXPECT_EQ(eglCreateWindowSurface(display, config, 0, nullptr),
+              EGL_NO_SURFACE); // a display has one window only
     EXPECT_EQ(eglGetError(), EGL_BAD_ALLOC);
     EXPECT_EQ(eglDestroySurface(display, surface), yes);
     EXPECT_EQ(eglCreateWindowSurface(display, config, 1, nullptr), EGL_NO_SURFACE);
@@ -220,7 +222,7 @@ TEST_F(Surfaces, TheWindowIsTheGlass) {
     EXPECT_EQ(eglCreateWindowSurface(display, nullptr, 0, nullptr), EGL_NO_SURFACE);
     EXPECT_EQ(eglGetError(), EGL_BAD_CONFIG);
     EXPECT_EQ(eglCreateWindowSurface(display, pbuffer_config(), 0, nullptr),
-              EGL_NO_SURFACE); // not the panel's format
+              EGL_NO_SURFACE); // the config does not have the panel's format
     EXPECT_EQ(eglGetError(), EGL_BAD_MATCH);
     const EGLint unknown[] = {EGL_WIDTH, 3, EGL_NONE};
     EXPECT_EQ(eglCreateWindowSurface(display, config, 0, unknown), EGL_NO_SURFACE);
@@ -235,8 +237,7 @@ TEST_F(Surfaces, TheWindowIsTheGlass) {
 
 #if SPANGLE_FEATURE_MULTISAMPLE
 
-/// A window whose config has samples: what is presented was resolved, and no more of it is sent than was
-/// drawn.
+/// A window whose config has samples presents resolved pixels, and sends no more of them than was drawn.
 TEST_F(Surfaces, SamplesAreResolvedWhenTheWindowIsShown) {
     const EGLConfig config =
         choose(display, {EGL_SURFACE_TYPE, EGL_WINDOW_BIT, EGL_DEPTH_SIZE, 16, EGL_SAMPLE_BUFFERS, 1});
@@ -249,14 +250,14 @@ TEST_F(Surfaces, SamplesAreResolvedWhenTheWindowIsShown) {
     glMatrixMode(GL_PROJECTION);
     glOrtho(0, 12, 0, 9, -1, 1);
     glColor3f(1, 1, 1);
-    glRectf(2, 1, 4.5f, 2); // two samples of column 4
+    glRectf(2, 1, 4.5f, 2); // covers two samples of column 4
     for (const std::uint8_t byte : panel.pixels)
         ASSERT_EQ(byte, 0) << "not resolved yet";
     EXPECT_EQ(eglSwapBuffers(display, surface), yes);
     for (std::size_t y = 0; y < 9; ++y)
         for (std::size_t x = 0; x < 12; ++x) {
             const unsigned word = panel.shown[(y * 12 + x) * 2] * 256u + panel.shown[(y * 12 + x) * 2 + 1];
-            const bool row = y == 7; // GL's second
+            const bool row = y == 7; // row 1 of GL
             EXPECT_EQ(word, row && (x == 2 || x == 3) ? 0xFFFFu
                             : row && x == 4           ? 16u << 11 | 32u << 5 | 16u
                                                       : 0u)
@@ -266,7 +267,7 @@ TEST_F(Surfaces, SamplesAreResolvedWhenTheWindowIsShown) {
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
-/// One without a back buffer is resolved by Flush.
+/// A window without a back buffer is resolved by Flush.
 TEST_F(Surfaces, FlushResolvesSamplesOfASingleBuffer) {
     const EGLConfig config =
         choose(display, {EGL_SURFACE_TYPE, EGL_WINDOW_BIT, EGL_DEPTH_SIZE, 16, EGL_SAMPLE_BUFFERS, 1});
@@ -334,7 +335,7 @@ TEST_F(Surfaces, DrawingGoesStraightIntoTheFrameTopRowFirst) {
     EXPECT_EQ(panel.presents, 1);
     EXPECT_EQ(panel.shown, panel.pixels);
     EXPECT_EQ(panel.shown_extents[8], (RowSpan{2, 5}));
-    EXPECT_EQ(query(surface, EGL_BUFFER_AGE_EXT), 1); // the next frame's
+    EXPECT_EQ(query(surface, EGL_BUFFER_AGE_EXT), 1); // the age of the next frame's buffer
     glScissor(0, 8, 1, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     EXPECT_EQ(panel.pixels[0], 0xF8);
@@ -347,7 +348,7 @@ TEST_F(Surfaces, EachFrameIsDrawnIntoItsOwnBuffer) {
     EGLSurface surface;
     current_window(surface);
     for (int frame = 0; frame < 4; ++frame) {
-        constexpr std::uint8_t first_byte[] = {0xF8, 0x07, 0x00}; // red, green, blue
+        constexpr std::uint8_t first_byte[] = {0xF8, 0x07, 0x00}; // of red, green, blue in RGB565
         const int shade = frame % 3;
         glClearColor(shade == 0 ? 1.0f : 0.0f, shade == 1 ? 1.0f : 0.0f, shade == 2 ? 1.0f : 0.0f, 1);
         glClear(GL_COLOR_BUFFER_BIT);
@@ -392,11 +393,11 @@ TEST_F(Surfaces, ASingleBufferedWindowIsShownByFlush) {
     EXPECT_EQ(panel.presents, 4);
     EXPECT_EQ(panel.finishes, 3);
 
-    glEnable(GL_SCISSOR_TEST); // on what is there
+    glEnable(GL_SCISSOR_TEST); // draws on the pixels that are there
     glScissor(0, 8, 2, 1);
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
-    panel.fail_present = true; // the transfer's failure is told; GL goes on
+    panel.fail_present = true; // a failed transfer is reported in a message, and GL goes on
     on_message(&remember);
     last_code = 0;
     glFlush();
@@ -404,7 +405,8 @@ TEST_F(Surfaces, ASingleBufferedWindowIsShownByFlush) {
     EXPECT_EQ(eglGetError(), EGL_SUCCESS);
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
     panel.fail_present = false;
-    EXPECT_EQ(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT), yes); // flushes
+    EXPECT_EQ(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT),
+              yes); // releasing the context flushes it
     EXPECT_EQ(panel.presents, 5);
     EXPECT_EQ(panel.shown_extents[0], (RowSpan{0, 2}));
     EXPECT_EQ(panel.shown[0], 0);
@@ -452,7 +454,8 @@ TEST_F(Surfaces, ADisplayThatFlipsGrantsNoSingleBuffer) {
     EGLint granted = 0;
     EXPECT_EQ(eglQueryContext(display, context, EGL_RENDER_BUFFER, &granted), yes);
     EXPECT_EQ(granted, EGL_BACK_BUFFER);
-    EXPECT_EQ(query(surface, EGL_RENDER_BUFFER), EGL_SINGLE_BUFFER); // what was asked for (EGL 1.4, 3.5.6)
+    EXPECT_EQ(query(surface, EGL_RENDER_BUFFER),
+              EGL_SINGLE_BUFFER); // the buffer that was asked for (EGL 1.4, 3.5.6)
     glFlush();
     EXPECT_EQ(panel.presents, 0);
     EXPECT_EQ(eglSwapBuffers(display, surface), yes);
@@ -485,7 +488,7 @@ TEST_F(Surfaces, AFailedTransferIsReportedAndNothingIsLost) {
     EXPECT_EQ(panel.presents, 1);
     EXPECT_EQ(panel.shown[0], 0xFF);
     EXPECT_EQ(panel.shown[8 * 12 * 2], 0);
-    panel.fail_acquire = true; // shown, but there is no next buffer
+    panel.fail_acquire = true; // the frame is shown, but there is no next buffer
     EXPECT_EQ(eglSwapBuffers(display, surface), no);
     EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
     EXPECT_EQ(last_message, "eglSwapBuffers: fake: no buffer");
@@ -505,13 +508,13 @@ TEST_F(Surfaces, SwapWantsTheCurrentWindow) {
     EXPECT_EQ(eglGetError(), EGL_BAD_CONTEXT);
 }
 
-/// Whichever allocation fails: BAD_ALLOC, and not a byte is kept.
+/// Whichever allocation fails, the error is BAD_ALLOC and no memory is kept.
 TEST_F(Surfaces, ExhaustionAtEveryPoint) {
     gl::Arena& arena = egl::arena();
     const EGLConfig config = pbuffer_config();
     const EGLint size[] = {EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
     const std::size_t start = arena.used();
-    // Give back `room` bytes of an arena that is otherwise full.
+    // Leaves `room` bytes free in an arena that is otherwise full.
     std::vector<void*> hoard;
     for (std::size_t block = std::size_t{1} << 40; block >= 32; block /= 2)
         while (void* p = arena.allocate(block))
@@ -550,7 +553,7 @@ TEST_F(Surfaces, ExhaustionAtEveryPoint) {
     EXPECT_GT(contexts, 0u);
 }
 
-/// A buffer beside those of the config, on windows and pbuffers alike.
+/// An accumulation buffer is there beside the config's buffers, on windows and pbuffers alike.
 TEST_F(Surfaces, AccumulationBuffers) {
     const EGLConfig config = window_config(16);
     const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
@@ -595,8 +598,8 @@ TEST_F(Surfaces, AccumulationBuffers) {
     }
 }
 
-/// A window that is drawn to while a pbuffer is read from, and the other way about: SwapBuffers changes the
-/// buffer of the one, ReadBuffer names that of the other.
+/// A window is drawn to while a pbuffer is read, and the other way about. SwapBuffers exchanges the buffers
+/// of the drawn surface, and ReadBuffer names a buffer of the read surface.
 TEST_F(Surfaces, WindowAndPbufferAsDrawAndRead) {
     const EGLConfig config = window_config(16);
     const EGLSurface window = eglCreateWindowSurface(display, config, 0, nullptr);
@@ -619,11 +622,11 @@ TEST_F(Surfaces, WindowAndPbufferAsDrawAndRead) {
     }
     glReadBuffer(GL_FRONT);
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
-    glReadBuffer(GL_BACK); // the same one of a pbuffer
+    glReadBuffer(GL_BACK); // of a pbuffer, FRONT and BACK name the same buffer
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
     glDrawBuffer(GL_FRONT);
-    EXPECT_EQ(glGetError(), GLenum{GL_INVALID_OPERATION}); // of a window it is another one, which nobody has
-    // All buffers that there are: the back one (GL 1.3, 4.2.1).
+    EXPECT_EQ(glGetError(), GLenum{GL_INVALID_OPERATION}); // a window has no front buffer to draw to
+    // FRONT_AND_BACK names all buffers that exist: the back buffer (GL 1.3, 4.2.1).
     glDrawBuffer(GL_NONE);
     glClearColor(0, 1, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
@@ -640,7 +643,7 @@ TEST_F(Surfaces, WindowAndPbufferAsDrawAndRead) {
     ASSERT_EQ(eglMakeCurrent(display, pbuffer, window, context), yes);
     glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
     EXPECT_EQ(pixel[0], 255);
-    EXPECT_EQ(eglSwapBuffers(display, window), no); // it is not what is drawn to
+    EXPECT_EQ(eglSwapBuffers(display, window), no); // the window is read, not drawn to
     EXPECT_EQ(eglGetError(), EGL_BAD_SURFACE);
 }
 

@@ -1,5 +1,5 @@
-// A bus with a DCS controller behind it that can be told to fail: it carries out lists when they are waited
-// for, so that a driver that changes what is in flight is caught.
+// A bus with a DCS controller behind it, which can be told to fail. It carries out lists only when they are
+// waited for, so a driver that changes memory in flight is caught.
 #pragma once
 
 #include <cstring>
@@ -21,22 +21,22 @@ class FakePanelBus final : public Bus {
     FakePanelBus(const PanelDesc& panel, BusCaps caps)
         : model(panel.memory.width, panel.memory.height), caps_(caps) {}
 
-    // What a test may ask for.
-    int refuse_submits = 0;     ///< the next submits answer busy
-    long fail_after_bytes = -1; ///< the transfer ends with short_write after so many bytes more
-    int late_waits = 0;         ///< the next waits time out while the transfer goes on
-    bool te_missing = false;    ///< wait_te ends the transfer with timeout
-    std::uint32_t te_period_us = 0, te_now_us = 0; ///< 0: it tells no moments
+    // Faults that a test may ask for.
+    int refuse_submits = 0;     ///< the number of next submits that answer busy
+    long fail_after_bytes = -1; ///< after so many bytes the transfer ends with short_write; -1: never
+    int late_waits = 0;         ///< the number of next waits that time out while the transfer goes on
+    bool te_missing = false;    ///< whether wait_te ends the transfer with timeout
+    std::uint32_t te_period_us = 0, te_now_us = 0; ///< microseconds; 0: the bus reports no moments of TE
     int allow_acquires = 1000;
     std::uint8_t id_command = 0x04;
     std::uint8_t id[3] = {0x85, 0x85, 0x52}, status[4] = {0x00, 0x61, 0x00, 0x00};
 
-    // What it saw.
+    // What the bus has seen so far.
     DcsModel model;
     int madctl = -1, colmod = -1, submits = 0;
     bool inverted = false, awake = false, on = false, te_on = false;
     long pixel_bytes = 0, command_bytes = 0, repeats = 0, delay_us = 0, te_waits = 0, line_waits = 0;
-    long cut_pixels = 0; ///< operations that end inside a pixel
+    long cut_pixels = 0; ///< operations that end inside of a pixel
     std::uint32_t longest_op = 0, last_timeout = 0;
     std::string log;
     std::vector<Op> last_list;
@@ -79,7 +79,7 @@ class FakePanelBus final : public Bus {
         return {};
     }
 
-    /// The transfer ends by itself, as on real hardware.
+    /// Ends the transfer by itself, as real hardware does.
     void run_pending() {
         if (!pending_)
             return;
@@ -170,7 +170,7 @@ class FakePanelBus final : public Bus {
         std::uint8_t p[256] = {};
         for (std::uint32_t i = 0; i < op.length; ++i) {
             if (!spend(1))
-                return false; // a cut parameter list changes nothing
+                return false; // a cut list of parameters changes nothing
             p[i & 255] = op.data[i];
             note("%02x ", op.data[i]);
         }

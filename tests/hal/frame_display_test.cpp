@@ -1,4 +1,4 @@
-// FrameDisplay: byte for byte what PanelDisplay sends of frames that changed everywhere, and what becomes of
+// FrameDisplay sends byte for byte what PanelDisplay sends of frames that changed everywhere, and survives
 // faults.
 #include <cstdio>
 #include <memory>
@@ -17,13 +17,13 @@ namespace {
 using namespace spangle;
 using namespace spangle::hal;
 
-/// Each byte with how it was sent, and what it waited.
+/// Logs each byte with the way it was sent, and adds up the pauses.
 template <bool fails> struct PortThat final : PolledPort {
     static constexpr bool can_fail = fails;
 
     std::string log;
     std::uint64_t paused = 0;
-    int fails_at = -1, calls = 0; ///< the call of begin() with this number
+    int fails_at = -1, calls = 0; ///< the number of the call of begin() that fails; -1: none
     bool data = false;
 
     Fault begin(bool is_data) override {
@@ -119,13 +119,13 @@ TEST(FrameDisplay, SendsWhatPanelDisplaySendsOfWholeFrames) {
     same_as_the_panels_display<window_again>();
 }
 
-/// Wires that cannot fail: what looks after faults is not compiled.
+/// For wires that cannot fail, no code that handles faults is compiled.
 TEST(FrameDisplay, SendsTheSameWhereNothingCanFail) {
     same_as_the_panels_display<start_bytes, false>();
     same_as_the_panels_display<no_reset, false>();
 }
 
-/// Nobody knows what such a panel holds: the next frame begins with a reset.
+/// After a failed frame the panel's state is unknown, so the next frame begins with a reset.
 TEST(FrameDisplay, SetsUpAPanelAnewThatDidNotTakeAFrame) {
     Plain<offsets> own;
     ASSERT_TRUE(own.display.init().ok());

@@ -1,4 +1,4 @@
-// What initialisation puts on the wire, byte by byte, and every way it can fail.
+// Tests what initialisation puts on the wire, byte by byte, and every way in which it can fail.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -169,7 +169,7 @@ TEST(Init, RefusesWhatCannotWorkAndSaysWhy) {
     caps = spi();
     caps.max_transfer = 3;
     EXPECT_EQ(refused(good, caps).fault, Fault::unsupported);
-    caps.max_transfer = 8; // gamma needs 14
+    caps.max_transfer = 8; // the gamma command needs 14 bytes
     EXPECT_STREQ(refused(good, caps).rule,
                  "display: a setup command is longer than one operation of the bus");
     EXPECT_STREQ(refused(good, spi(), 0).rule, "fake: out of DMA memory");
@@ -186,8 +186,8 @@ TEST(Init, ChecksWhoAnswers) {
         std::uint32_t detail;
     } const cases[] = {
         {{0x85, 0x85, 0x52}, {0, 0x61, 0, 0}, Fault::none, 0},
-        {{0x00, 0x00, 0x00}, {0, 0x61, 0, 0}, Fault::wrong_device, 0x000000}, // an ILI9341
-        {{0x7C, 0x89, 0xF0}, {0, 0x61, 0, 0}, Fault::wrong_device, 0x7C89F0}, // an ST7735S
+        {{0x00, 0x00, 0x00}, {0, 0x61, 0, 0}, Fault::wrong_device, 0x000000}, // the answer of an ILI9341
+        {{0x7C, 0x89, 0xF0}, {0, 0x61, 0, 0}, Fault::wrong_device, 0x7C89F0}, // the answer of an ST7735S
         {{0, 0, 0}, {0, 0, 0, 0}, Fault::no_answer, 0},
         {{0xFF, 0xFF, 0xFF}, {0xFF, 0xFF, 0xFF, 0xFF}, Fault::no_answer, 0xFFFFFF},
     };
@@ -252,7 +252,7 @@ TEST(Init, AnIdentityMayBeTheOnlyThingThatAnswers) {
     EXPECT_EQ(read_scanline(bus, panels::hx8347_240x320, scratch).error().fault, Fault::unsupported);
 }
 
-/// The bytes of the window and set-up commands of each command set, on a piece of the picture.
+/// Each command set opens a window with its own bytes; the window is a part of the picture.
 TEST(Init, EachCommandSetNamesAWindowItsWay) {
     const struct {
         const PanelDesc& panel;
@@ -278,7 +278,7 @@ TEST(Init, EachCommandSetNamesAWindowItsWay) {
         PanelStorage<320, 2> storage;
         PanelDisplay display(bus, config, storage.memory());
         ASSERT_TRUE(display.init().ok()) << row.panel.name;
-        ASSERT_TRUE(display.present().ok() && display.finish().ok()); // everything, the first time
+        ASSERT_TRUE(display.present().ok() && display.finish().ok()); // the first frame is sent whole
         bus.log.clear();
         const auto frame = display.acquire();
         const int top = &row.panel == &panels::ssd0303_96x16 ? 8 : 16;

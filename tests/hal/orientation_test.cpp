@@ -1,5 +1,5 @@
-// Every geometry in every orientation: pixels land where a person looking at the glass expects them, and
-// nowhere else.
+// With every geometry in every orientation, pixels land where a person who looks at the glass expects them,
+// and nowhere else.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -16,7 +16,8 @@ struct Point {
     int x, y;
 };
 
-/// Where a picture's pixel is on upright glass of w x h: mirrored left to right, then turned clockwise.
+/// Returns where a picture's pixel is on upright glass of w x h: the picture is mirrored left to right, then
+/// turned clockwise.
 Point seen_at(Point p, Orientation o, int glass_w, int glass_h) {
     const bool sideways = o.rotation == Rotation::r90 || o.rotation == Rotation::r270;
     const int width = sideways ? glass_h : glass_w;
@@ -25,7 +26,7 @@ Point seen_at(Point p, Orientation o, int glass_w, int glass_h) {
     switch (o.rotation) {
     case Rotation::r0:
         return p;
-    case Rotation::r90: // the picture's right is down, its down is left
+    case Rotation::r90: // right in the picture is down on the glass, down is left
         return {glass_w - 1 - p.y, p.x};
     case Rotation::r180:
         return {glass_w - 1 - p.x, glass_h - 1 - p.y};
@@ -35,7 +36,7 @@ Point seen_at(Point p, Orientation o, int glass_w, int glass_h) {
     return {};
 }
 
-/// The memory cell behind a point of upright glass.
+/// Returns the memory cell behind a point of upright glass.
 std::uint32_t shown(const hal_test::DcsModel& model, const PanelDesc& panel, Point p) {
     const int gx = panel.mount & 0x40 ? panel.glass.width - 1 - p.x : p.x;
     const int gy = panel.mount & 0x80 ? panel.glass.height - 1 - p.y : p.y;
@@ -60,7 +61,7 @@ TEST(Orientation, EveryPixelOfEveryWindowLandsWhereItIsSeen) {
     long checked = 0;
     for (const PanelDesc* panel : panels::all) {
         if (panel->commands != &dcs::commands)
-            continue; // the model here knows no other address generation
+            continue; // DcsModel addresses memory in this way only
         for (const Orientation o : orientations) {
             const Placement placed = place(*panel, o);
             hal_test::DcsModel model(panel->memory.width, panel->memory.height);

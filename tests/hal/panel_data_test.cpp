@@ -1,4 +1,4 @@
-// Panels and boards as data: programs as bytes, and descriptions that must not compile.
+// Tests the data of panels and boards: programs as bytes, and descriptions that must not compile.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -177,7 +177,7 @@ TEST(BoardData, AnIli9488OnSpiTakesOnlyThreeBytePixels) {
     }
 }
 
-/// Where module makers put the glass: nothing else in the data could tell a wrong offset.
+/// Module makers choose where the glass is in memory. No other data could show a wrong offset.
 TEST(PanelData, OffsetsAreTheModuleMakers) {
     const struct {
         const PanelDesc& panel;
@@ -203,7 +203,7 @@ TEST(PanelData, TheTableIsUniqueAndSound) {
         EXPECT_EQ(flaw(*panel), nullptr) << panel->name;
         EXPECT_EQ(panel->identity.id & ~panel->identity.mask, 0u) << panel->name << ": can never answer";
         if (panel->commands->tearing.empty())
-            continue; // nobody waits for its scan
+            continue; // without TE nothing waits for the panel's scan
         EXPECT_NEAR(panel->timing.frame_us, 14000, 5000) << panel->name << ": "
                                                          << "56 to 111 Hz";
         EXPECT_GT(panel->timing.scan_lines, panel->memory.height) << panel->name;

@@ -1,5 +1,5 @@
-// A BoardDisplay links what its board asks for and nothing else; on the wire it is the display that has every
-// part.
+// A BoardDisplay links only the parts that its board asks for. On the wire it equals the display that has
+// every part.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -17,7 +17,7 @@ constexpr Board with(PanelConfig display, bool te = false) {
     return {.name = "parts", .display = display, .write_hz = 40000000, .read_hz = 6000000, .has_te = te};
 }
 
-// One board for each reason to have a part.
+// Each of these boards has one reason to have a part.
 constexpr Board plain = board(with({}));
 constexpr Board two_buffers = board(with({.buffers = 2}));
 constexpr Board converted = board(with({.format = PixelFormat::rgba8888, .wire = wires::rgb565}));
@@ -25,7 +25,7 @@ constexpr Board read_back = board(with({.read_back = true}));
 constexpr Board tear_free = board(with({.wait_te = true}, true));
 constexpr Board bands = board(with({.band = 48}));
 
-/// What a program draws into a frame or a band: a line in each, and every other time all is cleared.
+/// Draws what a program might draw into a frame or a band: one line, and every other time a clear before it.
 void draw(const Frame& frame, std::int32_t rows, int n) {
     if (n % 2 == 0) {
         frame.extents->cleared = true;
@@ -54,7 +54,7 @@ void draw_frame(PanelDisplay& display, int n) {
     }
 }
 
-/// What six frames put on the wire.
+/// Returns what six frames put on the wire.
 std::string wire(PanelDisplay& display, FakePanelBus& bus) {
     const auto ready = display.init();
     EXPECT_TRUE(ready.ok()) << ready.error().rule;
@@ -89,7 +89,7 @@ TEST(Parts, OfABoardSendWhatAllOfThemDo) {
     same_as_with_every_part<bands, false>();
 }
 
-/// What only the bus that is there can tell is asked when the display begins.
+/// Some rules depend on the actual bus, so init() checks them.
 TEST(Parts, ABoardsDisplayChecksItsBus) {
     BusCaps caps = bus_caps(plain);
     caps.write_hz = 0;
@@ -98,7 +98,7 @@ TEST(Parts, ABoardsDisplayChecksItsBus) {
     EXPECT_EQ(display->init().error().fault, Fault::unsupported);
 }
 
-/// Nobody's code is there that the board does not run.
+/// A board's display has the code of the parts that the board asks for, and no other part.
 TEST(Parts, AreThoseThatTheBoardAsksFor) {
     constexpr auto of_plain = PanelDisplay::parts_of(plain.display, true),
                    of_te = PanelDisplay::parts_of(tear_free.display, true),

@@ -1,4 +1,4 @@
-// PolledBus: what its port is told, for each operation, and what becomes of faults.
+// Tests which calls PolledBus makes to its port for each operation, and how faults are reported.
 #include <cstring>
 #include <string>
 #include <vector>
@@ -11,10 +11,10 @@ namespace {
 
 using namespace spangle::hal;
 
-/// Writes down what it is told: "c" and "d" begin commands and data, bytes in hexadecimal, "." ends.
+/// Logs the calls: "c" and "d" begin commands and data, bytes are in hexadecimal, "." ends.
 struct Port final : PolledPort {
     std::string log;
-    Fault fault = Fault::none; ///< of the call number `fails_at`
+    Fault fault = Fault::none; ///< the fault of the call number `fails_at`
     int fails_at = -1, calls = 0;
 
     Fault outcome() { return calls++ == fails_at ? fault : Fault::none; }

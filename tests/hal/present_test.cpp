@@ -1,5 +1,5 @@
-// The oracle of damage: after every present that succeeds, the panel's memory equals the surface. And it is
-// damage, not everything: what did not change is not sent.
+// After every successful present the panel's memory must equal the surface. Only damage may be sent: what did
+// not change is not sent.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -27,7 +27,7 @@ constexpr PanelDesc tiny =
            .identity = {.id = 0x858552},
            .quirks = {}});
 
-/// A rasterizer as the display sees it: clears and rectangles, and the extents they leave.
+/// Draws clears and rectangles as a rasterizer does, and leaves the extents that a display reads.
 struct Painter {
     Frame frame;
     DisplayInfo info;
@@ -59,7 +59,7 @@ struct Painter {
 
 struct Bench {
     FakePanelBus bus;
-    PanelStorage<64, 2, 8, 64, true, true> storage; // eight ops: most frames take several lists
+    PanelStorage<64, 2, 8, 64, true, true> storage; // eight operations: most frames take several lists
     PanelDisplay display;
     PanelConfig config;
 
@@ -80,7 +80,8 @@ struct Bench {
         return value;
     }
 
-    /// The pixel of the panel's memory behind picture (x, y), found as the controller would write it.
+    /// Returns the pixel of the panel's memory behind (x, y) of the picture, at the address where the
+    /// controller writes it.
     std::uint32_t on_panel(int x, int y) const {
         const Placement placed = place(tiny, config.orientation);
         int column = x + placed.offset.x, row = y + placed.offset.y;
@@ -130,7 +131,7 @@ void random_frame(std::mt19937& random, Painter painter) {
     }
 }
 
-/// One fault, or none.
+/// Causes one fault, or none.
 void upset(std::mt19937& random, FakePanelBus& bus) {
     switch (pick(random, 12)) {
     case 0:
@@ -183,7 +184,7 @@ void run_oracle(PanelConfig c, BusCaps caps, unsigned seed, bool faults, int fra
             continue;
         }
         if (c.buffers == 2 && faults && !bench.display.finish().ok()) {
-            ++tally.failures; // told now: the next present sends it again
+            ++tally.failures; // the failure is reported now, and the next present sends the frame again
             continue;
         }
         if (c.buffers == 1 || pick(random, 2) == 0) {
@@ -221,7 +222,7 @@ TEST(Present, TurnedFramesEqualTheSurface) {
     EXPECT_GT(tally.failures, 100);
 }
 
-/// On a bus that is always slower than the program: what is put off is not lost.
+/// The bus is always slower than the program here. Frames that are put off must not be lost.
 TEST(Present, FramesPutOffAreCarriedByTheNext) {
     for (const Pacing pacing : {Pacing::drop, Pacing::coalesce})
         for (unsigned seed = 1; seed <= 24; ++seed) {
@@ -241,7 +242,7 @@ TEST(Present, FramesPutOffAreCarriedByTheNext) {
                 const bool sent = bench.display.counters().put_off == put_off;
                 put_off = bench.display.counters().put_off;
                 const int what = pick(random, 4);
-                if (what == 0) { // the wire comes free by itself
+                if (what == 0) { // the transfer ends by itself
                     bench.bus.run_pending();
                     if (sent) {
                         ASSERT_TRUE(bench.shows(frame.value())) << "frame " << n;
@@ -268,7 +269,7 @@ TEST(Present, ADroppedFrameIsNotOwedACoalescedOneIs) {
         ASSERT_TRUE(bench.display.present().ok());
         Painter second = bench.acquire();
         second.clear(0x2222);
-        ASSERT_TRUE(bench.display.present().ok()); // the first is still on the wire
+        ASSERT_TRUE(bench.display.present().ok()); // the first frame is still on the wire
         EXPECT_EQ(bench.display.counters().put_off, 1u);
         EXPECT_EQ(bench.display.counters().sent, 1u);
         const Painter again = bench.acquire();
@@ -276,7 +277,7 @@ TEST(Present, ADroppedFrameIsNotOwedACoalescedOneIs) {
         EXPECT_EQ(again.frame.age, 1) << "the frame that was put off";
         ASSERT_TRUE(bench.display.finish().ok());
         EXPECT_EQ(bench.on_panel(3, 3), pacing == Pacing::drop ? 0x1111u : 0x2222u);
-        // Drawn over, it is not what was presented any more.
+        // The frame that was put off is drawn over, so it is no longer the presented frame and is not sent.
         bench.acquire().clear(0x3333);
         ASSERT_TRUE(bench.display.present().ok());
         bench.acquire().clear(0x4444);
@@ -331,7 +332,7 @@ TEST(Present, WhatIsOnTheWireIsNotHandedOut) {
 }
 
 TEST(Present, AFrameThatIsSentWhileTheNextIsDrawnIsOneList) {
-    Bench bench(config({}, 2)); // eight operations: two windows
+    Bench bench(config({}, 2)); // eight operations are enough for two windows
     ASSERT_TRUE(bench.display.init().ok());
     for (int n = 0; n < 2; ++n) {
         bench.acquire().clear(0);
@@ -428,7 +429,7 @@ TEST(Present, NothingTouchedSendsNothing) {
 TEST(Present, TwoBuffersWithoutClearSendTheLastFrameToo) {
     Bench bench(config({}, 2));
     ASSERT_TRUE(bench.display.init().ok());
-    for (int n = 0; n < 2; ++n) { // both buffers known
+    for (int n = 0; n < 2; ++n) { // after two frames the contents of both buffers are known
         bench.acquire().clear(0x1111);
         ASSERT_TRUE(bench.display.present().ok());
     }
@@ -486,7 +487,7 @@ TEST(Present, WindowIsSentAgainAfterAFault) {
     EXPECT_EQ(sent.error().fault, Fault::short_write);
     bus.log.clear();
     ASSERT_TRUE(display.present().ok());
-    EXPECT_EQ(bus.log, "2A 00 07 00 2a 2B 00 09 00 3a 2C "); // MX: 48 - (36 + 5) = 7
+    EXPECT_EQ(bus.log, "2A 00 07 00 2a 2B 00 09 00 3a 2C "); // MX: column 7 is 48 - (36 + 5)
 }
 
 TEST(Present, QuirkSendsTheWindowEachTime) {
@@ -580,7 +581,7 @@ TEST(Present, TheBeamIsAskedForByReadingItsLine) {
                  "display: polling the scanned line, but the bus cannot read");
 }
 
-/// The datasheet says 10 ms; what the TE line says counts, unless no panel is so far off.
+/// The datasheet says 10 ms. The measured period of TE counts, unless it is farther off than any panel's.
 TEST(Present, TheRefreshIsMeasured) {
     const struct {
         std::uint32_t period_us;
@@ -593,7 +594,7 @@ TEST(Present, TheRefreshIsMeasured) {
         caps.has_te = true;
         Bench bench(cfg, caps);
         bench.bus.te_period_us = c.period_us;
-        bench.bus.te_now_us = 0u - 30000; // the clock comes round
+        bench.bus.te_now_us = 0u - 30000; // the clock wraps in between
         ASSERT_TRUE(bench.display.init().ok());
         bench.bus.delay_us = 0;
         ASSERT_TRUE(bench.display.present().ok());
@@ -601,7 +602,7 @@ TEST(Present, TheRefreshIsMeasured) {
                     static_cast<double>(c.lines_us * (6 + 9 + 1 + 8)) / 70 - 3, 1)
             << c.period_us;
     }
-    // Short lists look at fewer refreshes.
+    // A short list of operations looks at fewer refreshes.
     PanelConfig cfg = config({}, 1);
     cfg.poll_line = true;
     PanelStorage<64, 1, 8> small;
@@ -609,7 +610,7 @@ TEST(Present, TheRefreshIsMeasured) {
     PanelDisplay display(bus, cfg, small.memory());
     ASSERT_TRUE(display.init().ok());
     EXPECT_EQ(bus.line_waits, 8);
-    // Nobody tells: the present will.
+    // Without TE init() still succeeds; the next present reports the fault.
     bus.te_missing = true;
     EXPECT_TRUE(display.init().ok());
 }

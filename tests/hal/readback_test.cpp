@@ -1,4 +1,4 @@
-// Reading: commands, dummy clocks, byte order, and the window afterwards.
+// Tests reads: commands, dummy clocks, byte order, and the window after a read.
 #include <gtest/gtest.h>
 
 #include "tests/hal/fake_panel_bus.hpp"
@@ -135,7 +135,7 @@ TEST(OpList, ALongerListThanItsStorageIsRefusedWhole) {
 }
 
 TEST(OpList, DurationIsWhatTheWireTakes) {
-    BusCaps caps = spi(8000000); // a byte per microsecond
+    BusCaps caps = spi(8000000); // a byte takes one microsecond
     caps.read_hz = 1000000;
     caps.command_cost_ns = 3000;
     Op ops[8];
@@ -152,7 +152,7 @@ TEST(OpList, DurationIsWhatTheWireTakes) {
     EXPECT_EQ(list.duration(caps), 122750u);
     list.command_pair(0x2A, 0, 1); // 3 us of overhead and five bytes
     EXPECT_EQ(list.duration(caps), 122750u + 3 + 5);
-    list.read(0x04, 1, bytes, 3); // one byte out, 25 clocks at the read clock
+    list.read(0x04, 1, bytes, 3); // one byte is sent, then 25 clocks at the read clock
     EXPECT_EQ(list.duration(caps), 122758u + 3 + 1 + 25);
     list.delay(UINT32_MAX);
     EXPECT_EQ(list.duration(caps), UINT32_MAX);

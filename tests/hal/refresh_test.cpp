@@ -1,4 +1,4 @@
-// When a transfer may start, against a race of writer and beam played row by row.
+// Tests when a transfer may start. The test plays the race of writer and beam row by row.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -16,7 +16,8 @@ struct Write {
     std::int64_t begin, end;
 };
 
-/// Refreshes that show both old and new rows, or a row in between, when the transfer starts at `phase`.
+/// Returns the number of refreshes that show both old and new rows, or a row in between, when the transfer
+/// starts at `phase`.
 int torn(const Refresh& r, const std::vector<Write>& writes, std::int64_t phase) {
     int count = 0;
     for (int scan = -1; scan < 6; ++scan) {
@@ -39,7 +40,7 @@ SafeStart safe(const Refresh& r, const std::vector<Write>& writes) {
     return s;
 }
 
-/// Rows from `top` on, each taking `time`; from the bottom when `up`.
+/// Returns writes of `rows` rows from `top` on, or from the bottom up with `up`. Each row takes `time`.
 std::vector<Write> block(std::int32_t top, std::int32_t rows, std::int64_t time, bool up = false) {
     std::vector<Write> out;
     for (std::int32_t i = 0; i < rows; ++i)
@@ -65,8 +66,8 @@ TEST(SafeStart, LeadsWhenFasterThanTheBeamLagsWhenSlower) {
     EXPECT_TRUE(SafeStart(ili9341).possible()) << "nothing to write";
 }
 
-/// Whatever is written, wherever: a start in the middle of what is left, or right after TE as told, or at the
-/// lines told, tears nothing; where nothing is left, every start tears.
+/// Safe starts tear no refresh: in the middle of the remaining time, right after TE, or at the reported
+/// lines. If no safe start is left, every start tears.
 TEST(SafeStart, NoRefreshIsTornAndNoneIsMissed) {
     std::mt19937 random(3);
     int possible = 0, impossible = 0;

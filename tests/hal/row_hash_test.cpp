@@ -1,5 +1,5 @@
-// The row hash: what it takes for changed, how seldom it errs, and that no error stays. The plan of spans:
-// that it covers the changed cells, in order, and costs no more than the plain way.
+// Tests the row hash: what it takes for changed, how seldom it errs, and that no error stays. Tests the plan
+// of spans: it covers the changed cells in order, and costs no more than the plain way.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using namespace spangle::hal;
 
 namespace {
 
-constexpr std::int32_t width = 72, height = 40; // four cells and a half
+constexpr std::int32_t width = 72, height = 40; // four and a half cells a row
 constexpr std::int32_t cells = RowHash::cells_of(width), stride = width * 2;
 
 struct HashedPicture {
@@ -48,7 +48,7 @@ TEST(RowHash, EveryCellIsSentOnceAndThenThoseThatChange) {
     EXPECT_EQ(p.damage[3], RowSpan{});
     p.damage_everything();
     p.pixels[7 * stride + 2 * 33] = 1;
-    p.pixels[9 * stride + 2 * 71 + 1] = 1; // in the half cell
+    p.pixels[9 * stride + 2 * 71 + 1] = 1; // a pixel of the half cell
     p.reduce();
     EXPECT_EQ(p.hash.changed()[7], 1u << 2);
     EXPECT_EQ(p.damage[7], (RowSpan{32, 48}));
@@ -71,7 +71,7 @@ TEST(RowHash, OnlyDamageIsLookedAt) {
     EXPECT_EQ(p.damage[4], (RowSpan{20, 30})) << "the cell's part that was drawn";
 }
 
-/// As many frames as the picture has cells look at each of them once.
+/// After as many frames as the picture has cells, each cell was refreshed exactly once.
 TEST(RowHash, AWrongCellDoesNotStay) {
     HashedPicture p;
     std::set<std::pair<std::int32_t, std::uint32_t>> refreshed;
@@ -87,7 +87,8 @@ TEST(RowHash, AWrongCellDoesNotStay) {
     EXPECT_EQ(refreshed.size(), static_cast<std::size_t>(cells * height));
 }
 
-/// 2^-32 for a pair: none of two million pairs, nor of changes in few bits; each half alone errs in 2^-16.
+/// Two different rows have equal hashes with probability 2^-32, so two million pairs show none, nor do
+/// changes of few bits. Each half of a hash alone errs with 2^-16.
 TEST(RowHash, CollisionsAreAsRareAsTheoremsSay) {
     std::mt19937 random(5);
     int halves[2] = {};
@@ -99,7 +100,7 @@ TEST(RowHash, CollisionsAreAsRareAsTheoremsSay) {
             for (std::uint8_t& byte : b)
                 byte = static_cast<std::uint8_t>(random());
         else
-            b[random() % 32] ^= static_cast<std::uint8_t>(1u << random() % 8); // a bit
+            b[random() % 32] ^= static_cast<std::uint8_t>(1u << random() % 8); // one bit differs
         const std::uint32_t ha = RowHash::hash(a, 32), hb = RowHash::hash(b, 32);
         ASSERT_NE(ha, hb) << n;
         halves[0] += ha >> 16 == hb >> 16;
@@ -145,13 +146,13 @@ TEST(RowHash, StorageIsHeldAgainstThePicture) {
     EXPECT_TRUE(with.init().ok());
 }
 
-// --- Spans
+// --- The plan of spans
 
 namespace {
 
 using Masks = std::vector<std::uint32_t>;
 
-/// A window around each maximal block of equal runs below each other.
+/// Returns the cost of a window around each maximal block of equal runs below each other.
 std::uint64_t plain_cost(const Masks& rows, std::int32_t columns, WindowCost cost) {
     std::uint64_t bytes = 0;
     std::set<std::pair<int, int>> above;
@@ -178,7 +179,7 @@ struct Costs {
     std::uint64_t planned = 0, plain = 0;
 };
 
-/// Cells that changed, as the row hash leaves them.
+/// Changed cells, as the row hash leaves them.
 struct Changed {
     std::vector<SpanWindow> windows = std::vector<SpanWindow>(RowHashMemory::window_count);
     Masks rows;
@@ -215,7 +216,7 @@ void expect_good_plan(const Masks& rows, std::int32_t columns, WindowCost cost, 
     costs.planned += bytes;
     costs.plain += plain;
     const bool cheap = cost.window < 16 * cost.pixel && columns % 16 == 0;
-    if (cheap && windows.size() <= 48) { // none had to be cut
+    if (cheap && windows.size() <= 48) { // no window had to be cut
         EXPECT_EQ(bytes, plain);
     }
     EXPECT_LE(bytes, 2 * plain);
@@ -237,7 +238,7 @@ TEST(SpanPlan, CoversTheCellsForLess) {
         const std::uint32_t inside = 0xFFFFFFFFu >> (32 - RowHash::cells_of(columns));
         Masks rows(1 + random() % 60);
         std::uint32_t mask = random();
-        for (std::uint32_t& row : rows) { // rows resemble their neighbours
+        for (std::uint32_t& row : rows) { // each row resembles its neighbour
             if (random() % 3 == 0)
                 mask ^= 1u << random() % 32;
             if (random() % 16 == 0)

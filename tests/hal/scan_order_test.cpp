@@ -1,5 +1,5 @@
-// Turned pictures: the same memory cells, rows in the order of the scan, and the damage where the pixels
-// went.
+// Turned pictures use the same memory cells, send rows in the order of the scan, and have their damage where
+// the pixels went.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -14,7 +14,7 @@ using namespace spangle::hal;
 
 namespace {
 
-/// The memory cell behind host address (x, y).
+/// Returns the memory cell behind the host's address (x, y).
 std::pair<int, int> cell(const PanelDesc& panel, const Placement& placed, int x, int y) {
     int column = x + placed.offset.x, row = y + placed.offset.y;
     if ((placed.madctl & dcs::MV) != 0)

@@ -1,4 +1,4 @@
-// The window plan against the optimum found by trying every partition, and its promises on bytes.
+// Compares the window plan with the optimum of all partitions, and tests its promises on bytes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,8 @@ std::uint64_t price(const std::vector<Rect>& windows, WindowCost cost) {
     return bytes;
 }
 
-/// Least cost of all partitions into groups of consecutive rows, O(n^2) with nothing left out.
+/// Returns the least cost of all partitions into groups of consecutive rows. The search takes O(n^2) and
+/// leaves nothing out.
 std::uint64_t optimum(const std::vector<RowSpan>& rows, WindowCost cost) {
     std::vector<std::uint64_t> best(rows.size() + 1, 0);
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -81,7 +82,7 @@ int pick(std::mt19937& random, int below) {
     return static_cast<int>(random() % static_cast<unsigned>(below));
 }
 
-/// Shapes that matter: noise, slanted edges, discs, blocks with gaps.
+/// Returns damage of a shape that matters: noise, slanted edges, discs, blocks with gaps.
 std::vector<RowSpan> shape(std::mt19937& random, int height, int width) {
     std::vector<RowSpan> rows(static_cast<std::size_t>(height));
     const int kind = pick(random, 4), slope = pick(random, 7) - 3, size = 1 + pick(random, width);
@@ -167,7 +168,7 @@ TEST(WindowPlan, ARectangleIsOneWindow) {
 }
 
 TEST(WindowPlan, JoinsWhatItsReachCut) {
-    std::vector<RowSpan> rows(320); // rows differ by one pixel: a run each, cheapest as one window
+    std::vector<RowSpan> rows(320); // rows differ by one pixel: each is a run, and one window is cheapest
     for (int y = 0; y < 320; ++y)
         rows[static_cast<std::size_t>(y)] = span(0, 100 + y % 2);
     EXPECT_EQ(windows_of(rows, {11, 2}), (std::vector<Rect>{{0, 0, 101, 320}}));
@@ -190,7 +191,7 @@ TEST(WindowCost, ComesFromTheBus) {
     BusCaps spi;
     spi.write_hz = 40000000;
     EXPECT_EQ(window_cost(spi, dcs::commands, 16).window, 11u * 8);
-    spi.command_cost_ns = 10000; // an ioctl: 50 bytes at 5 MB/s
+    spi.command_cost_ns = 10000; // an ioctl takes as long as 50 bytes at 5 MB/s
     EXPECT_EQ(window_cost(spi, dcs::commands, 16).window, (11u + 3 * 50) * 8);
     BusCaps parallel;
     parallel.write_hz = 15000000;

@@ -1,5 +1,5 @@
-// What a present turns a surface's pixels into: every value against the formula in doubles, every packing by
-// hand.
+// Tests the wire pixels that a present makes of a surface: every value by the formula in doubles, every
+// packing by hand.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 #include <spangle/hal/wire.hpp>
 
-/// For GoogleTest.
+/// GoogleTest prints formats with this function.
 namespace spangle {
 static void PrintTo(PixelFormat format, std::ostream* out) {
     const char* const names[] = {"rgb565_be", "rgb565_le", "rgb888", "rgba8888"};
@@ -21,7 +21,8 @@ using namespace spangle::hal;
 
 namespace {
 
-/// t = (k + 1/2) / 16 of the ordered matrix, by window column and row from the bottom.
+/// Returns the threshold t = (k + 1/2) / 16 of the ordered dither matrix. x and y are a column and row of the
+/// window, from the bottom.
 double threshold(int x, int y) {
     constexpr int k[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
     return (k[y & 3][x & 3] + 0.5) / 16;
@@ -92,7 +93,7 @@ std::vector<std::uint8_t> bytes_of(std::initializer_list<unsigned> values) {
     return out;
 }
 
-/// Each pixel by itself, over all positions of the matrix and both ends of the range.
+/// Each pixel is compared by itself, over all positions of the matrix and both ends of the range.
 TEST_P(Wires, EveryPixelIsDitheredToItsSteps) {
     Surface s(67, 41, GetParam());
     for (std::size_t i = 0; i < 64; ++i)
@@ -140,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, Wires,
 
 TEST(Wire, TwelveBitPixelsRunOnAcrossRows) {
     const Surface s(9, 6, PixelFormat::rgb888);
-    const Rect area{2, 1, 5, 3}; // fifteen pixels: 23 bytes
+    const Rect area{2, 1, 5, 3}; // fifteen pixels take 23 bytes
     std::vector<unsigned> nibbles;
     for (int y = area.y; y < area.y + area.h; ++y)
         for (int x = area.x; x < area.x + area.w; ++x)
@@ -168,7 +169,7 @@ TEST(Wire, WhatASurfaceHoldsExactlyStays) {
         EXPECT_EQ(wide[3 * i + 1] >> 2, static_cast<int>(i % 64));
 }
 
-/// A flat grey lights as many pixels as it is bright: each of seventeen steps in a 4x4 cell.
+/// A flat grey lights as many pixels as it is bright, in seventeen steps of a 4x4 cell.
 TEST(Wire, OneBitGreysHaveSeventeenSteps) {
     Surface s(4, 8, PixelFormat::rgb888);
     for (int grey = 0; grey < 256; ++grey) {
@@ -181,7 +182,7 @@ TEST(Wire, OneBitGreysHaveSeventeenSteps) {
 }
 
 #if SPANGLE_FEATURE_COLOR_INDEX
-/// Indices travel as a surface of their colours would.
+/// Indices are sent as a surface of their colours would be.
 TEST(Wire, IndicesAreLookedUp) {
     const Surface indices(24, 16, PixelFormat::index8);
     Surface colors(24, 16, PixelFormat::rgb888);
@@ -203,7 +204,7 @@ TEST(Wire, IndicesAreLookedUp) {
     }
 }
 
-/// RRRGGGBB: every index another colour, and both ends of the range.
+/// The initial palette is RRRGGGBB: every index has another colour, and both ends of the range occur.
 TEST(Wire, InitialColoursAreTheBitsOfTheIndex) {
     for (int i = 0; i < 256; ++i) {
         const Rgb color = initial_color(i);

@@ -1,4 +1,4 @@
-// Areas of pixels under outlines against clipping in double (GL 1.3, 3.5.3; rows D07, D13).
+// Compares the areas of pixels under outlines with clipping in double (GL 1.3, 3.5.3; rows D07, D13).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,11 +38,11 @@ TEST(Area, OfTrianglesIsExactWithinOnePart) {
     std::mt19937 random(3);
     for (int n = 0; n < 4000; ++n) {
         std::vector<Position> t = {any(random), any(random), any(random)};
-        if (n % 4 == 1) // small
+        if (n % 4 == 1) // a small outline
             for (std::size_t i = 1; i < 3; ++i)
                 t[i] = {t[0].x + static_cast<int>(random() % 400) - 200,
                         t[0].y + static_cast<int>(random() % 400) - 200};
-        if (n % 4 == 2) // upright and level
+        if (n % 4 == 2) // horizontal and vertical edges
             t[1].x = t[0].x, t[2].y = t[0].y;
         const auto outline = outline_of(t);
         const oracle::Polygon exact = oracle::polygon(t);
@@ -54,14 +54,14 @@ TEST(Area, OfTrianglesIsExactWithinOnePart) {
     }
 }
 
-/// Whatever columns are asked for together, each has its own coverage; the core has one.
+/// However many columns are asked for together, each has its own coverage. The core asks for one column.
 TEST(Area, ColumnsTogetherAreThoseAlone) {
     std::mt19937 random(4);
     int longest = 0, full = 0;
     for (int n = 0; n < 2000; ++n) {
         std::vector<Position> corners = {any(random), any(random), any(random)};
         if (n % 3 == 0)
-            corners.push_back(any(random)); // its edges may cross
+            corners.push_back(any(random)); // the edges of the outline may cross
         const auto outline = outline_of(corners);
         for (int y = 0; y < size; ++y) {
             const AreaRow row(raster::outline_of(outline.data(), static_cast<int>(outline.size())), y);
@@ -85,7 +85,7 @@ TEST(Area, ColumnsTogetherAreThoseAlone) {
     EXPECT_GT(full, 1000);
 }
 
-/// The whole part of roots beside squares and of any numbers.
+/// Checks the whole part of square roots, beside squares and of any numbers.
 TEST(Root, IsWhole) {
     std::mt19937_64 random(6);
     const auto check = [](std::uint64_t v) {
@@ -103,7 +103,7 @@ TEST(Root, IsWhole) {
     check(UINT64_MAX);
 }
 
-/// Triangles around an inner point fill their square: each pixel exactly once in all.
+/// Triangles around an inner point fill their square, so each pixel is covered exactly once in all.
 TEST(Area, AbuttingTrianglesSumToOne) {
     std::mt19937 random(5);
     for (int n = 0; n < 500; ++n) {
@@ -117,7 +117,7 @@ TEST(Area, AbuttingTrianglesSumToOne) {
         std::vector<std::uint64_t> sum(size * size);
         for (std::size_t i = 0; i < ring.size(); ++i) {
             std::vector<Position> t = {inner, ring[i], ring[(i + 1) % ring.size()]};
-            if (random() % 2 != 0) // either way around
+            if (random() % 2 != 0) // clockwise or counter-clockwise
                 std::swap(t[1], t[2]);
             const auto outline = outline_of(t);
             for (int p = 0; p < size * size; ++p)

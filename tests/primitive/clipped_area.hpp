@@ -1,4 +1,5 @@
-// How much of a pixel a polygon covers, by clipping it to the pixel. Off by less than 1e-9.
+// Computes how much of a pixel a polygon covers, by clipping the polygon to the pixel. The error is below
+// 1e-9.
 #pragma once
 
 #include <cmath>
@@ -11,7 +12,7 @@ struct Point {
 };
 using Polygon = std::vector<Point>;
 
-/// From subpixels.
+/// Returns the polygon in pixels; `corners` are in subpixels.
 template <class P> Polygon polygon(const std::vector<P>& corners) {
     Polygon out;
     for (const P& p : corners)
@@ -19,7 +20,7 @@ template <class P> Polygon polygon(const std::vector<P>& corners) {
     return out;
 }
 
-/// What lies where a x + b y + c >= 0.
+/// Returns the part of the polygon where a x + b y + c >= 0.
 inline Polygon clipped(const Polygon& in, double a, double b, double c) {
     Polygon out;
     for (std::size_t i = 0; i < in.size(); ++i) {
@@ -48,7 +49,7 @@ inline double area_in(const Polygon& p, int x, int y) {
     return area(clipped(clipped(clipped(clipped(p, 1, 0, -x), -1, 0, x + 1), 0, 1, -y), 0, -1, y + 1));
 }
 
-/// The rectangle around a line.
+/// Returns the rectangle of `width` pixels around a line.
 inline Polygon rectangle(const Point& a, const Point& b, double width) {
     const double length = std::hypot(b.x - a.x, b.y - a.y), h = width / 2 / length;
     const Point n = {-(b.y - a.y) * h, (b.x - a.x) * h};

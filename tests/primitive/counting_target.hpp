@@ -1,4 +1,4 @@
-// A surface that counts how often each fragment is produced: the span function adds one to a 16-bit word per
+// A surface that counts how often each fragment is drawn: its span function adds one to a 16-bit word of the
 // pixel.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Triangles: exact coverage, each centre once, whatever else is asked of the row (GL 1.3, 3.5.1; rows D08,
+// Triangles cover each pixel centre exactly once, whatever else is asked of the row (GL 1.3, 3.5.1; rows D08,
 // A05).
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ TEST(Coverage, AreasOfShortSidesAreTheSame) {
         for (std::int32_t& c : v)
             c = coordinate();
         if (round % 4 == 0)
-            v[0] = v[1] = 0; // sides are the coordinates
+            v[0] = v[1] = 0; // sides are then the coordinates themselves
         ASSERT_EQ(signed_area<false>(v[0], v[1], v[2], v[3], v[4], v[5]),
                   signed_area<true>(v[0], v[1], v[2], v[3], v[4], v[5]));
     }
@@ -38,7 +38,8 @@ TEST(Coverage, FiftyThousandFuzzedTrianglesMatchTheEdgeEquations) {
     EXPECT_EQ(coverage_mismatches(8, 10000, 96, 70), 0);
 }
 
-/// Three ways to walk edges, one for each size and kind of machine, give the same rows.
+/// There are three ways to walk edges, for sizes of triangles and kinds of machines. All must give the same
+/// rows.
 TEST(Coverage, EveryKindOfEdgeWalksTheSameRows) {
     struct Listed {
         std::vector<std::int32_t> words;
@@ -60,7 +61,7 @@ TEST(Coverage, EveryKindOfEdgeWalksTheSameRows) {
         for (int i = 0; i < 3; ++i)
             x[i] = within(left), y[i] = within(low);
         if (round % 5 == 0)
-            x[1] &= ~127, y[2] &= ~127, x[2] = x[0]; // centres and vertical edges
+            x[1] &= ~127, y[2] &= ~127, x[2] = x[0]; // vertices on centres, and a vertical edge
         std::int32_t order[3] = {0, 1, 2};
         std::sort(order, order + 3, [&](int a, int b) { return y[a] != y[b] ? y[a] < y[b] : x[a] < x[b]; });
         std::int32_t xs[3], ys[3];
@@ -94,7 +95,7 @@ TEST(Coverage, EveryKindOfEdgeWalksTheSameRows) {
     EXPECT_GT(rows, 200000);
 }
 
-/// The doc's rule on whole pixels: left and bottom edges own their centres.
+/// The slope of a small edge is the exact quotient, with long products and with words of 32 bits.
 TEST(Coverage, SlopesOfSmallEdgesAreWholeInWordsOfEitherSize) {
     for (std::uint32_t dy = 1; dy <= SmallEdge::extent; dy += 1 + dy / 64)
         for (std::uint32_t v = 0; v <= 2 * SmallEdge::extent; v += 37) {
@@ -105,6 +106,7 @@ TEST(Coverage, SlopesOfSmallEdgesAreWholeInWordsOfEitherSize) {
         }
 }
 
+/// Of a rectangle on pixel centres, the left and bottom edges own their centres.
 TEST(Coverage, RectangleOnCentresOwnsLeftAndBottom) {
     CountingTarget target(8, 8);
     const std::int32_t lo = 2 * 256 + 128, hi = 5 * 256 + 128;
@@ -116,7 +118,7 @@ TEST(Coverage, RectangleOnCentresOwnsLeftAndBottom) {
             EXPECT_EQ(target.at(x, y), (x >= 2 && x < 5 && y >= 2 && y < 5) ? 1 : 0) << x << ',' << y;
 }
 
-/// A fan around any centre fills the window exactly once.
+/// A fan of triangles around any point fills the window exactly once.
 TEST(Coverage, FansLeaveNoHolesAndHitNothingTwice) {
     std::mt19937 random(3);
     CountingTarget target(64, 48);
@@ -139,7 +141,7 @@ TEST(Coverage, FansLeaveNoHolesAndHitNothingTwice) {
         side(0, h, 0, 0);
         std::int32_t cx = 1 + static_cast<std::int32_t>(random() % (w - 2)),
                      cy = 1 + static_cast<std::int32_t>(random() % (h - 2));
-        if (round % 3 == 0) // a corner in the middle of a fragment
+        if (round % 3 == 0) // the point is the middle of a fragment
             cx = (cx & ~255) + 128, cy = (cy & ~255) + 128;
         target.clear();
         for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -197,7 +199,7 @@ TEST(Coverage, ScissorCutsAndNothingElse) {
 TEST(Coverage, TouchedColumnsAreExactlyTheSpans) {
     CountingTarget target(32, 16);
     std::vector<RowSpan> rows(16);
-    target.surface.touched = rows.data() + 15; // stored top row first
+    target.surface.touched = rows.data() + 15; // a surface that stores its top row first
     target.surface.touched_step = -1;
     const std::int32_t x[3] = {3 * 256, 20 * 256, 9 * 256}, y[3] = {2 * 256, 5 * 256, 12 * 256};
     target.triangle(x, y);

@@ -1,4 +1,4 @@
-// Triangles against the edge equations in 64-bit integers, pixel by pixel.
+// Compares triangles, pixel by pixel, with the edge equations in 64-bit integers.
 #pragma once
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 
 namespace spangle::raster::test {
 
-/// The rule in its textbook form (edge.hpp states it): inside, or on an edge that owns its centres. For a
-/// counter-clockwise triangle these are edges going down (left ones) and level edges going right (bottom
-/// ones).
+/// The rule of coverage as textbooks have it (edge.hpp states it). A centre is covered if it is inside, or on
+/// an edge that owns its centres. In a counter-clockwise triangle these are left edges, which go down, and
+/// level bottom edges, which go right.
 inline bool covers(const std::int32_t x[3], const std::int32_t y[3], std::int64_t area, std::int64_t px,
                    std::int64_t py) {
     const std::int64_t sign = area > 0 ? 1 : -1;
@@ -30,7 +30,8 @@ struct FuzzTriangle {
     std::int32_t x[3], y[3];
 };
 
-/// Kinds of design 8's list: random, far outside, corners on centres, slivers, axis-aligned, tiny.
+/// Returns a triangle of one kind of design 8's list: random, far outside, vertices on centres, slivers,
+/// axis-aligned, tiny.
 inline FuzzTriangle fuzz_triangle(std::mt19937& random, int kind, int width, int height) {
     const auto within = [&](std::int32_t low, std::int32_t high) {
         return low + static_cast<std::int32_t>(random() % static_cast<std::uint32_t>(high - low));
@@ -64,7 +65,7 @@ inline FuzzTriangle fuzz_triangle(std::mt19937& random, int kind, int width, int
     return t;
 }
 
-/// Mismatching pixels over `count` triangles.
+/// Returns the number of mismatching pixels of `count` triangles.
 inline long coverage_mismatches(std::uint32_t seed, int count, int width, int height) {
     std::mt19937 random(seed);
     CountingTarget target(width, height);

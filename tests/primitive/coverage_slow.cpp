@@ -1,4 +1,4 @@
-// The full count of the accuracy promise: one million triangles, no mismatch.
+// Tests the accuracy promise in full: one million triangles without a mismatch.
 #include <gtest/gtest.h>
 
 #include "tests/primitive/coverage_fuzz.hpp"

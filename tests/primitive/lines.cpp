@@ -1,4 +1,4 @@
-// Lines against the diamond-exit rule in rational numbers (GL 1.3, 3.4.1; row D05).
+// Compares lines with the diamond-exit rule in rational numbers (GL 1.3, 3.4.1; row D05).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace {
 
 using Wide = __int128;
 
-/// The rule word for word. Both ends are moved by (-e, -e^2) with an e too small to pass any vertex of the
-/// 1/256 grid: coordinates are counted in 2^-40 subpixels, e = 2^-20 of one.
+/// The diamond-exit rule word for word. Both ends are moved by (-e, -e^2), with an e too small to pass any
+/// vertex of the 1/256 grid. Coordinates are in 2^-40 subpixels, and e is 2^-20 of a subpixel.
 bool diamond_exit(std::int64_t ax, std::int64_t ay, std::int64_t bx, std::int64_t by, int column, int row) {
     constexpr int scale = 40;
     constexpr std::int64_t e = std::int64_t{1} << 20, e2 = 1, half = std::int64_t{128} << scale;
@@ -24,7 +24,8 @@ bool diamond_exit(std::int64_t ax, std::int64_t ay, std::int64_t bx, std::int64_
     const auto inside = [&](Wide x, Wide y) { return size(x - xf) + size(y - yf) < half; };
     if (inside(x1, y1))
         return false;
-    // |x - xf| + |y - yf| is convex along the segment: its least value is at an end or where one term is 0.
+    // |x - xf| + |y - yf| is convex along the segment, so its least value is at an end or where one term is
+    // 0.
     if (inside(x0, y0))
         return true;
     const Wide dx = x1 - x0, dy = y1 - y0;
@@ -45,15 +46,15 @@ Line fuzz_line(std::mt19937& random, int kind, int size) {
         return low + static_cast<int>(random() % static_cast<unsigned>(high - low));
     };
     Line l{within(0, size * 256), within(0, size * 256), within(0, size * 256), within(0, size * 256)};
-    if (kind == 1) // on the corners of diamonds
+    if (kind == 1) // ends on the corners of diamonds
         l = {l.ax & ~127, l.ay & ~127, l.bx & ~127, l.by & ~127};
-    if (kind == 2) // short
+    if (kind == 2) // short lines
         l.bx = l.ax + within(-300, 301), l.by = l.ay + within(-300, 301);
-    if (kind == 3) // short and on a coarse grid: most ties
+    if (kind == 3) // short lines on a coarse grid, which have the most ties
         l = {l.ax & ~63, l.ay & ~63, (l.ax & ~63) + 64 * within(-8, 9), (l.ay & ~63) + 64 * within(-8, 9)};
-    if (kind == 4) // diagonal
+    if (kind == 4) // diagonal lines
         l.by = l.ay + (random() % 2 != 0 ? l.bx - l.ax : l.ax - l.bx);
-    if (kind == 5) // level or upright
+    if (kind == 5) // horizontal or vertical lines
         (random() % 2 != 0 ? l.bx : l.by) = random() % 2 != 0 ? l.ax : l.ay;
     return l;
 }
@@ -73,7 +74,7 @@ TEST(Lines, MatchTheDiamondExitRuleInRationalNumbers) {
     }
 }
 
-/// D05, rules 3 and 4: one fragment in each column, joints included.
+/// Segments in one direction draw one fragment in each column, joints included (row D05, rules 3 and 4).
 TEST(Lines, SegmentsInOneDirectionShareNoFragment) {
     std::mt19937 random(6);
     CountingTarget target(32, 32);
@@ -90,7 +91,7 @@ TEST(Lines, SegmentsInOneDirectionShareNoFragment) {
             x += dx;
             y = ny;
         }
-        // One fragment in every column between the ends.
+        // There is one fragment in every column between the ends.
         for (int c = (columns_from >> 8) + 1; c < (x >> 8) && c < 32; ++c) {
             int total = 0;
             for (int r = 0; r < 32; ++r)
@@ -109,7 +110,8 @@ TEST(Lines, ZeroLengthDrawsNothing) {
         EXPECT_EQ(hit, 0);
 }
 
-/// 3.4.2: the line moved down by (w - 1) / 2 along its minor axis, w fragments for each of its own.
+/// A line of width w is the line moved down by (w - 1) / 2 along its minor axis, with w fragments for each of
+/// its own (GL 1.3, 3.4.2).
 TEST(Lines, WidthsReplicateAlongTheMinorAxis) {
     std::mt19937 random(9);
     constexpr int size = 24;

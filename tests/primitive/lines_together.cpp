@@ -1,5 +1,5 @@
-// Lines side by side: words that no line looks at may hold anything. This file is compiled so that signed
-// overflow traps, in the lanes of vectors, too, where the compiler can (GCC).
+// Lines in lanes: words of a vertex that no line reads may hold anything. This file is compiled so that
+// signed overflow traps, with GCC in the lanes of vectors, too.
 #include "raster/primitive/lines_together.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,8 @@ namespace {
 template <class L> void expect_taken() {
     if constexpr (L::count > 1) {
         const DrawState::Area area{256, 256, 100 * subpixel_one, 60 * subpixel_one};
-        // Depth, and the mantissa of 1/w, beside x and y: w = 1 is 2^31, the one word without a negative.
+        // `word` stands for the mantissa of 1/w. For w = 1 it is 2^31, the only word whose negative does not
+        // fit a signed word.
         for (const std::uint32_t word : {0u, 1u << 29, 1u << 30, 0x7FFFFFFFu, 0x80000000u, 0xFFFFFFFFu})
             for (const std::uint32_t depth : {0u, 1u << 29, 1u << 30}) {
                 FixedVertex a{}, b{};

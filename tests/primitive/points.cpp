@@ -1,4 +1,4 @@
-// Points: the table of D01 (gl-commands 17.6), both axes.
+// Tests points of both axes with the table of row D01 (gl-commands 17.6).
 #include <gtest/gtest.h>
 
 #include "tests/primitive/counting_target.hpp"
@@ -7,11 +7,11 @@ namespace spangle::raster::test {
 namespace {
 
 struct Row {
-    int subpixel; ///< xw = 10 + this / 256
+    int subpixel; ///< xw is 10 + subpixel / 256
     int size, first, last;
 };
 
-// 10.0, 10.3, 10.5 and 10.7; a size of 1 is the fragment of floor(xw).
+// xw is 10.0, 10.3, 10.5 and 10.7; a point of size 1 is the fragment at floor(xw).
 constexpr Row rows[] = {
     {0, 1, 10, 10},   {0, 2, 9, 10},    {0, 3, 9, 11},    {0, 4, 8, 11},    {77, 1, 10, 10}, {77, 2, 9, 10},
     {77, 3, 9, 11},   {77, 4, 8, 11},   {128, 1, 10, 10}, {128, 2, 10, 11}, {128, 3, 9, 11}, {128, 4, 9, 12},
@@ -37,8 +37,8 @@ TEST(Points, CoverTheSquaresOfTheTable) {
 
 TEST(Points, AreCutAtTheSurface) {
     CountingTarget target(6, 6);
-    target.point(0, 0, 5);             // -2 .. 2
-    target.point(6 * 256, 6 * 256, 4); // 4 .. 7
+    target.point(0, 0, 5);             // covers -2 to 2
+    target.point(6 * 256, 6 * 256, 4); // covers 4 to 7
     target.point(-900, 700, 3);
     for (int y = 0; y < 6; ++y)
         for (int x = 0; x < 6; ++x)

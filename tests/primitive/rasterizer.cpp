@@ -1,4 +1,4 @@
-// The rasterizer as a library: spangle/raster.hpp and nothing else.
+// Uses the rasterizer as a library, with spangle/raster.hpp only.
 #include <spangle/raster.hpp>
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int width = 16, height = 12;
 
-/// An RGB565 picture with depth, rows from the bottom; guard bytes around it must keep their value.
+/// An RGB565 picture with depth, bottom row first. Guard bytes around it must keep their value.
 struct Picture {
     std::vector<std::uint8_t> color = std::vector<std::uint8_t>(width * height * 2 + 64, 0xA5);
     std::vector<std::uint16_t> depth = std::vector<std::uint16_t>(width * height, 0xFFFF);
@@ -47,7 +47,8 @@ struct Picture {
         const std::uint8_t* const p = surface.color + y * surface.color_stride + 2 * x;
         return static_cast<unsigned>(p[0] << 8 | p[1]);
     }
-    /// '.' for black, '#' for white, 'r', 'g', 'b', '?' for others; top row first.
+    /// Returns the picture as text, top row first: '.' is black, '#' white, 'r', 'g' and 'b' the primary
+    /// colours, '?' another colour.
     std::string ascii(Rect part = {0, 0, width, height}) const {
         std::string out;
         for (int y = part.y + part.h - 1; y >= part.y; --y, out += '\n')
@@ -77,10 +78,10 @@ FixedVertex deep(FixedVertex v, std::uint32_t z) {
 TEST(Rasterizer, TrianglesLinesPoints) {
     Picture picture;
     const Rasterizer draw(whole(picture.surface), picture.surface);
-    draw.triangle(at(1, 1), at(6, 1), at(1, 6)); // centres on the diagonal belong to the other side
+    draw.triangle(at(1, 1), at(6, 1), at(1, 6)); // centres on the diagonal belong to the other triangle
     draw.line(colored(at(8, 2), 0), colored(at(14, 2), 0));
     draw.point(colored(at(11, 7), 1), 3);
-    EXPECT_EQ(picture.ascii({0, 0, width, 10}), "................\n" // 3 pixels around 11, 7
+    EXPECT_EQ(picture.ascii({0, 0, width, 10}), "................\n" // 3 pixels around (11, 7)
                                                 "..........ggg...\n"
                                                 "..........ggg...\n"
                                                 "..........ggg...\n"
@@ -92,7 +93,7 @@ TEST(Rasterizer, TrianglesLinesPoints) {
                                                 "................\n");
 }
 
-/// What GL would do to a fragment: depth test, blending, a texture, flat shading, scissor.
+/// The state of fragments works as in GL: depth test, blending, a texture, flat shading, scissor.
 TEST(Rasterizer, FragmentsGoThroughTheirState) {
     Picture picture;
     FragmentState state = whole(picture.surface);
@@ -106,16 +107,17 @@ TEST(Rasterizer, FragmentsGoThroughTheirState) {
         with.triangle(v[0], v[2], v[3]);
     };
     quad(draw, 0, depth_one / 2, 0, 0, 4);
-    quad(draw, 1, depth_one / 4 * 3, 2, 0, 4); // behind
-    quad(draw, 2, depth_one / 4, 0, 2, 2);     // in front
+    quad(draw, 1, depth_one / 4 * 3, 2, 0, 4); // behind the quad that is there
+    quad(draw, 2, depth_one / 4, 0, 2, 2);     // in front of it
     EXPECT_EQ(picture.ascii({0, 0, 7, 5}), ".......\nbbrrgg.\nbbrrgg.\nrrrrgg.\nrrrrgg.\n");
 
     state.depth_test = false;
-    state.scissor = {10, -5, 100, 8}; // cut to the surface
+    state.scissor = {10, -5, 100, 8}; // clipped to the surface
     quad(Rasterizer(state, picture.surface), 0, 0, 8, 0, 8);
     EXPECT_EQ(picture.ascii({8, 0, 8, 4}), "........\n..rrrrrr\n..rrrrrr\n..rrrrrr\n");
 
-    const std::uint8_t texels[] = {255, 255, 255, 0, 0, 255, 0, 255, 0, 255, 0, 0}; // 2 x 2
+    const std::uint8_t texels[] = {255, 255, 255, 0,   0, 255,
+                                   0,   255, 0,   255, 0, 0}; // a texture of 2 x 2 texels
     Texture texture;
     texture.level[0] = {texels, 2, 2, 6};
     texture.level_count = 1;
@@ -123,9 +125,9 @@ TEST(Rasterizer, FragmentsGoThroughTheirState) {
     state = whole(picture.surface);
     state.unit[0].texture = &texture;
     state.unit[0].env = TexEnv::replace;
-    draw = Rasterizer(state, picture.surface); // copies draw the same
+    draw = Rasterizer(state, picture.surface); // a rasterizer with the same state draws the same
     FixedVertex v[3] = {at(8, 6), at(16, 6), at(8, 14)};
-    for (int i = 0; i < 3; ++i) { // s and t from 0 to 2: s = mantissa 2^exponent
+    for (int i = 0; i < 3; ++i) { // s and t go from 0 to 2, each a mantissa times 2^exponent
         v[i].tex[0].exponent = -29;
         v[i].tex[0].s = i == 1 ? 1 << 30 : 0;
         v[i].tex[0].t = i == 2 ? 1 << 30 : 0;
@@ -148,7 +150,7 @@ TEST(Rasterizer, FlatShadingTakesTheProvokingVertex) {
     EXPECT_EQ(picture.at(1, 0), 0x07E0u);
 }
 
-/// Whatever is out of range is not drawn, and nothing outside of the surface is touched.
+/// Primitives with arguments out of range are not drawn, and nothing outside of the surface is touched.
 TEST(Rasterizer, BadArgumentsDrawNothing) {
     Picture picture;
     const Rasterizer draw(whole(picture.surface), picture.surface);
@@ -171,7 +173,7 @@ TEST(Rasterizer, BadArgumentsDrawNothing) {
     bad([](FixedVertex& v) { v.w_mantissa = 0; });
     bad([](FixedVertex& v) { v.color[3] = color_one + 1; });
     bad([](FixedVertex& v) { v.secondary[0] = ~0u; });
-    draw.triangle(a, b, at(17, 1)); // no area
+    draw.triangle(a, b, at(17, 1)); // a triangle without area
     FragmentState outside = whole(picture.surface);
     for (const Rect box : {Rect{0, 0, -5, 5}, Rect{INT_MAX, 0, INT_MAX, 9}, Rect{width, 0, 5, 5}, Rect{}}) {
         outside.scissor = box;
@@ -181,7 +183,7 @@ TEST(Rasterizer, BadArgumentsDrawNothing) {
     none.color = nullptr;
     Rasterizer(whole(none), none).triangle(a, b, c);
     EXPECT_EQ(picture.ascii().find_first_not_of(".\n"), std::string::npos) << picture.ascii();
-    // From edge to edge of the guard band, and widths beyond their limits.
+    // Primitives from edge to edge of the guard band, and widths beyond their limits, are drawn.
     draw.triangle(at(-8191, -8191), at(8191, -8191), at(0, 8191));
     EXPECT_EQ(picture.ascii().find_first_not_of("#\n"), std::string::npos);
     draw.line(colored(at(-100, 5), 0), colored(at(100, 5), 0), INT_MAX);

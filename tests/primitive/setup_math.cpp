@@ -1,5 +1,4 @@
-// Small integer forms of set-up: what takes the place of shifts where words have 32 bits gives the same
-// words.
+// Set-up has forms for processors with words of 32 bits, without long shifts. They must give the same words.
 #include "raster/primitive/setup_math.hpp"
 
 #include <random>
@@ -53,14 +52,14 @@ TEST(SetupMath, HalvesFitTheirWordOrSaySo) {
     int fits = 0;
     for (int round = 0; round < 1000000; ++round) {
         const int down = static_cast<int>(random() % 36) - 2;
-        // Around the limit, half of them.
+        // Half of the products lie around the limit.
         const std::int64_t limit =
             round % 2 == 0 && down > 0 && down < 32 ? std::int64_t{1} << (30 + down) : 0;
         const std::int64_t any = static_cast<std::int64_t>(random()) >> (2 + random() % 60);
         const std::int64_t product = (round % 4 == 0 ? -limit : limit) + (limit != 0 ? any % (1 << 20) : any);
         std::int32_t out = 0;
         if (!half_below(product, down, out)) {
-            // Refused: shifts of a word's end, or what may be too large.
+            // Refused are shifts at the ends of a word, and products that may be too large.
             const std::uint64_t enough =
                 down < 2 || down > 30 ? 0 : (std::uint64_t{1} << (30 + down)) - (std::uint64_t{2} << down);
             ASSERT_TRUE(numeric::abs_u64(product) >= enough || (product < 0 && -product <= (1 << down) + 1))
