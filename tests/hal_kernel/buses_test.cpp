@@ -1,5 +1,5 @@
-// Whole presents over real spidev and real GPIO lines: what the kernel's trace says the lines did, in its
-// order, goes to the pins of the controller model, and the glass is compared to the bit.
+// Presents whole frames over real spidev and real GPIO lines. The kernel's trace tells what the lines did, in
+// the kernel's order. This drives the pins of the controller model, and the glass is compared to the bit.
 #include <chrono>
 #include <optional>
 #include <string>
@@ -17,7 +17,7 @@ using namespace kernel_test;
 using namespace linux_test;
 using namespace spangle;
 
-/// A frame takes two messages of spidev's default size.
+/// With this panel a frame takes two messages of spidev's default size.
 constexpr hal::PanelDesc panel =
     hal::panels::st7735::on_glass("small", {132, 162}, {64, 48}, {5, 7}, hal::ColorOrder::rgb);
 
@@ -33,7 +33,7 @@ class KernelRig {
         display.emplace(bus(), panel_of(options), storage.memory());
     }
 
-    sim::Kernel kernel; ///< the module's clock: nothing is asked of it as a kernel
+    sim::Kernel kernel; ///< the clock of the module; no system call goes through it
     SimChip chip;
     RigOptions options;
     sim::ModuleWiring wiring;
@@ -82,7 +82,7 @@ class KernelRig {
         given.label = chip.label().c_str();
         return given;
     }
-    /// The SPI controller is made of lines too.
+    /// spi-gpio is the SPI controller, so chip select is a line, too.
     static sim::ModuleWiring wiring_with_lines(Transport transport) {
         sim::ModuleWiring w = wiring_of(transport);
         if (is_spidev(transport)) {
@@ -109,14 +109,16 @@ TEST_P(KernelBus, FramesArriveToTheBit) {
     EXPECT_EQ(rig.glass_difference(), "");
 }
 
-// Without an answer line: the trace tells what was driven, and a pull cannot answer in time.
+// The transports have no line for answers: the trace tells only what was driven, and a pulled line cannot
+// answer in time.
 INSTANTIATE_TEST_SUITE_P(Every, KernelBus,
                          testing::Values(Transport::spi, Transport::spi_mode3, Transport::spi3,
                                          Transport::gpio4, Transport::gpio3, Transport::gpio8,
                                          Transport::gpio16),
                          [](const auto& tested) { return name_of(tested.param); });
 
-/// The one thing that doubles cannot prove: two drivers of one kernel, and which of them was first.
+/// Only a real kernel can prove this rule, because two of its drivers change the lines: D/C changes between
+/// messages only.
 TEST(KernelSpidev, DataCommandChangesBetweenMessagesOnly) {
     KernelRig rig(Transport::spi);
     const unsigned select = rig.wiring.select, data_command = rig.wiring.data_command;
@@ -179,7 +181,7 @@ TEST(KernelSpidev, AHeldDcLineIsNamed) {
     ASSERT_NO_FATAL_FAILURE(rig.start());
 }
 
-/// Not a bit is clocked before the edge.
+/// No bit is clocked before the edge of TE.
 TEST(KernelSpidev, PresentsBeginAtTheTearingLinesEdge) {
     RigOptions options;
     options.wait_te = true;
@@ -189,7 +191,7 @@ TEST(KernelSpidev, PresentsBeginAtTheTearingLinesEdge) {
         ASSERT_TRUE(test::draw_pattern(*rig.display, frame, {0, 0, 16, 8}));
         hal::Result<void> sent;
         int tries = 0;
-        do { // a loaded machine may be late with the edge
+        do { // a busy machine may be late with the edge
             rig.catch_up();
             std::thread presenting([&] {
                 sent = rig.display->present();
@@ -205,7 +207,7 @@ TEST(KernelSpidev, PresentsBeginAtTheTearingLinesEdge) {
         ASSERT_TRUE(sent.ok()) << sent.error().rule;
         EXPECT_FALSE(rig.catch_up().empty());
     }
-    // Where the model scans is not what this line said: its rules about the beam do not hold.
+    // The model's scan does not follow this TE line, so the model's rules about the beam are not checked.
     EXPECT_EQ(test::glass_difference(*rig.display, rig.module.glass({})), "");
 }
 

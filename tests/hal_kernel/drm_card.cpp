@@ -31,7 +31,7 @@ using Connector = std::unique_ptr<drmModeConnector, Release<drmModeFreeConnector
 
 } // namespace
 
-/// The kernel makes the node a moment before there is a card behind it.
+/// The kernel makes the node a moment before the card behind it can be opened.
 DrmCard::DrmCard(const char* path, unsigned bits) : bits_(bits) {
     await("open the card", [&] {
         file_ = open(path, O_RDWR | O_CLOEXEC);
@@ -44,7 +44,7 @@ DrmCard::DrmCard(const char* path, unsigned bits) : bits_(bits) {
 DrmCard::~DrmCard() {
     if (pixels_ != nullptr)
         munmap(pixels_, size_);
-    close(file_); // buffer and framebuffer go with it
+    close(file_); // also frees buffer and framebuffer
 }
 
 void DrmCard::set_mode() {

@@ -1,4 +1,4 @@
-// A display through the kernel's DRM, as a compositor uses it: a dumb buffer, a mode, and what of it changed.
+// A display through the kernel's DRM, as a compositor uses it: with a dumb buffer, a mode, and damage.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@ namespace kernel_test {
 
 class DrmCard {
   public:
-    /// The preferred mode of the first connector, on a black picture of 16 (RGB565) or 32 (XRGB8888) bits a
-    /// pixel. Throws with what the kernel refused.
+    /// Sets the preferred mode of the first connector, with a black picture of 16 (RGB565) or 32 (XRGB8888)
+    /// bits a pixel. Throws an error that says what the kernel refused.
     DrmCard(const char* path, unsigned bits);
     ~DrmCard();
     DrmCard(const DrmCard&) = delete;
@@ -18,10 +18,10 @@ class DrmCard {
 
     int width() const { return width_; }
     int height() const { return height_; }
-    /// `word`: in the picture's format.
+    /// Sets a pixel; `word` has the picture's format.
     void put(int x, int y, std::uint32_t word);
     std::uint32_t get(int x, int y) const;
-    /// Hands what changed to the driver, which may put it off.
+    /// Hands a changed area to the driver, which may send it later.
     void flush(spangle::Rect area);
 
   private:

@@ -1,4 +1,4 @@
-// The kernel's small text files: /sys, /sys/kernel/config, /sys/kernel/tracing.
+// Reads and writes the kernel's small text files: /sys, /sys/kernel/config, /sys/kernel/tracing.
 #pragma once
 
 #include <chrono>
@@ -7,12 +7,13 @@
 
 namespace kernel_test {
 
-/// Throws with the file's name and the kernel's reason.
+/// Throws an error with the file's name and the kernel's reason.
 void write_text(const std::string& path, const std::string& text);
-/// Without the newline at its end.
+/// Returns the text without the newline at its end.
 std::string read_text(const std::string& path);
 bool exists(const std::string& path);
-/// Waits for what the kernel does in its own time; throws, saying `what`, when it does not.
+/// Waits for something that the kernel does in its own time. Throws an error that says `what` if it does not
+/// happen.
 void await(const char* what, const std::function<bool()>& done,
            std::chrono::seconds patience = std::chrono::seconds(5));
 

@@ -1,5 +1,5 @@
-// Our bus for FTDI adapters on the real libftdi, libusb, usbfs and usbcore, against the modelled adapter and
-// panel.
+// Runs Spangle's bus for FTDI adapters on the real libftdi, libusb, usbfs and usbcore, against the modelled
+// adapter and panel.
 #include <chrono>
 #include <cstring>
 #include <mutex>
@@ -16,7 +16,7 @@ using namespace spangle;
 using hal::Fault;
 
 struct FtdiHost {
-    sim::Kernel clock; ///< of the adapter and the panel: the machine's
+    sim::Kernel clock; ///< the machine's clock, for the adapter and the panel
     sim::FtdiAdapter adapter{clock};
     sim::PanelModule module{test::tiny_panel, ftdi_test::wiring_of({}), adapter.engine, clock};
     sim::UsbipDevice usb{adapter};
@@ -49,7 +49,7 @@ struct FtdiHost {
         ASSERT_NO_FATAL_FAILURE(open());
         hal::PanelConfig panel;
         panel.panel = &test::tiny_panel;
-        panel.read_back = true; // init reads who the panel is: an answer, through the whole stack
+        panel.read_back = true; // init() reads the panel's identity through the whole stack
         display.emplace(*bus, panel, storage.memory());
         const auto ready = display->init();
         ASSERT_TRUE(ready.ok()) << ready.error().rule;

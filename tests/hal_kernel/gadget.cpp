@@ -35,7 +35,7 @@ void put(Bytes& to, std::uint32_t word) {
         to.push_back(static_cast<std::uint8_t>(word >> 8 * i));
 }
 
-/// What both halves of the description begin with.
+/// Returns a block as both halves of the description have it: a magic number, the length, the rest.
 Bytes block(std::uint32_t magic, const Bytes& rest) {
     Bytes out;
     put(out, magic);
@@ -86,13 +86,14 @@ Gadget::~Gadget() {
     rmdir(gadget.c_str());
 }
 
-/// Interface and endpoint, as the function has them behind the device's and the configuration's descriptor.
+/// FunctionFS takes the interface and the endpoint, which the function has behind the descriptors of device
+/// and configuration.
 void Gadget::describe() {
     constexpr std::size_t before = 18 + 9;
     const Bytes all = function_.descriptors();
     Bytes rest;
     put(rest, FUNCTIONFS_HAS_HS_DESC);
-    put(rest, 2); // descriptors
+    put(rest, 2); // number of descriptors
     rest.insert(rest.end(), all.begin() + before, all.end());
     Bytes strings;
     put(strings, 0);
@@ -110,7 +111,7 @@ void Gadget::plug() {
     write_text(gadget + "/UDC", "dummy_udc.0");
 }
 
-/// No controller any more: it fails where the device left by itself.
+/// Takes the controller away. The kernel refuses if the device has left by itself.
 void Gadget::leave() {
     try {
         write_text(gadget + "/UDC", "\n");
@@ -145,9 +146,9 @@ void Gadget::serve_control() {
     }
 }
 
-/// The host is done with a transfer when the last packet is with the controller, and its next request may be
-/// read before that packet: whatever came before a request is the function's first. A thread that sleeps in
-/// read() has none; one that was woken does not sleep.
+/// The host is done with a transfer when the controller has the last packet, and its next request may be read
+/// before that packet. So the function gets all packets before it answers the request. A thread that sleeps
+/// in read() has no packet; a thread that was woken does not sleep.
 void Gadget::await_packets() const {
     const auto settled = [&] {
         const Hand hand = hand_;
@@ -160,8 +161,8 @@ void Gadget::await_packets() const {
         std::this_thread::yield();
 }
 
-/// A transfer in the wrong direction is a STALL; once the data of a request were read it is too late for
-/// that.
+/// A transfer in the wrong direction is a STALL. Once the data of a request were read, a STALL is no longer
+/// possible.
 void Gadget::answer(const usb_functionfs_event& event) {
     const auto& s = event.u.setup;
     const spangle::sim::UsbSetup setup = {s.bRequestType, s.bRequest, s.wValue, s.wIndex, s.wLength};
@@ -179,8 +180,7 @@ void Gadget::answer(const usb_functionfs_event& event) {
 }
 
 // --- The pipe
-
-/// Packet by packet: how long a transfer is only the function knows.
+/// Reads packet by packet, because only the function knows how long a transfer is.
 void Gadget::serve_pipe() {
     reader_ = gettid();
     halted_ = false;
@@ -195,13 +195,13 @@ void Gadget::serve_pipe() {
         hand_ = count > 0 ? Hand::full : Hand::empty;
         if (count > 0)
             take(packet, static_cast<std::size_t>(count));
-        else // not configured, or gone
+        else // the device is not configured, or gone
             std::this_thread::sleep_for(moment);
         hand_ = Hand::empty;
     }
 }
 
-/// Nobody tells when the host clears a halt; a packet comes only after that.
+/// No event tells when the host clears a halt, but packets come only after that.
 void Gadget::take(const std::uint8_t* packet, std::size_t count) {
     const std::lock_guard lock(mutex_);
     if (halted_)
@@ -209,10 +209,10 @@ void Gadget::take(const std::uint8_t* packet, std::size_t count) {
     until_fate_ -= std::min(until_fate_, count);
     halted_ = !function_.bulk_out(1, packet, count);
     if (halted_)
-        (void)!write(pipe_, packet, 1); // halts it
+        (void)!write(pipe_, packet, 1); // this write halts the pipe
 }
 
-/// False: reads nothing now.
+/// Carries out the fate that is due. Returns false if the device must read nothing now.
 bool Gadget::behave() {
     Fate due;
     {

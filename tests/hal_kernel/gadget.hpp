@@ -1,6 +1,6 @@
-// A USB device as a Linux gadget: FunctionFS hands a UsbFunction what arrives at the machine's device
-// controller, and dummy_hcd joins that to a host controller of the same machine. Another controller than
-// vhci-hcd, with its own ways to cut a transfer short.
+// A USB device as a Linux gadget. FunctionFS hands a UsbFunction what arrives at the machine's device
+// controller, and dummy_hcd joins that controller to a host controller of the same machine. It cuts transfers
+// short in other ways than vhci-hcd.
 #pragma once
 
 #include <atomic>
@@ -19,7 +19,7 @@ class Gadget {
   public:
     using Fate = spangle::sim::UsbFate;
 
-    /// Its device descriptor, and the first interface with one bulk output.
+    /// The function must have a device descriptor, and a first interface with one bulk output.
     explicit Gadget(spangle::sim::UsbFunction& function);
     ~Gadget();
     Gadget(const Gadget&) = delete;
@@ -27,25 +27,25 @@ class Gadget {
 
     void plug();
     void unplug();
-    /// Once, when so many more bytes have come: `stall` halts the pipe, `silent` reads nothing until the next
-    /// call, `unplug` goes. `normal`: nothing happens any more.
+    /// Once, after so many more bytes, the device misbehaves: `stall` halts the pipe, `silent` reads nothing
+    /// until the next call, `unplug` leaves. With `normal` nothing more happens.
     void misbehave(Fate fate, std::size_t after);
 
-    /// While it is locked the device does nothing: std::lock_guard lock(gadget).
+    /// While the gadget is locked the device does nothing: std::lock_guard lock(gadget).
     void lock() { mutex_.lock(); }
     void unlock() { mutex_.unlock(); }
 
   private:
     spangle::sim::UsbFunction& function_;
-    std::mutex mutex_; ///< guards the function, and:
+    std::mutex mutex_; ///< guards the function and the next members
     Fate fate_ = Fate::normal;
     std::size_t until_fate_ = 0;
-    int control_ = -1, pipe_ = -1; ///< ep0, ep1
+    int control_ = -1, pipe_ = -1; ///< descriptors of ep0 and ep1
     std::atomic<bool> plugged_ = false;
-    enum class Hand { empty, reads, full }; ///< what the pipe's thread has
+    enum class Hand { empty, reads, full }; ///< what the pipe's thread does: has no packet, reads, has one
     std::atomic<Hand> hand_ = Hand::empty;
-    std::atomic<int> reader_ = 0; ///< that thread, as the kernel numbers it
-    bool halted_ = false;         ///< the function refused a packet, and none came since
+    std::atomic<int> reader_ = 0; ///< the kernel's number of the pipe's thread
+    bool halted_ = false;         ///< whether the function refused the last packet
     std::thread control_thread_, pipe_thread_;
 
     void describe();

@@ -1,4 +1,5 @@
-// The GUD device as a Linux gadget, through another pair of controllers: our host, and the kernel's driver.
+// Runs the GUD device as a Linux gadget, with Spangle's host and with the kernel's driver, through another
+// pair of controllers.
 #include <chrono>
 #include <mutex>
 #include <optional>
@@ -18,7 +19,7 @@ using hal::Fault;
 using Fate = Gadget::Fate;
 
 struct GudGadget {
-    static constexpr char name[] = "1-1"; ///< the one port of dummy_hcd's bus
+    static constexpr char name[] = "1-1"; ///< the only port of dummy_hcd's bus
 
     sim::GudDevice device;
     std::optional<Gadget> gadget;
@@ -26,8 +27,8 @@ struct GudGadget {
     std::optional<hal::GudDisplay> display;
 
     GudGadget() {
-        device.status_on_set = true;    // as the Linux gadget: it cannot refuse what it has read
-        device.tells_by_length = false; // the kernel's driver compresses to no less now and then
+        device.status_on_set = true;    // a Linux gadget cannot refuse what it has read
+        device.tells_by_length = false; // the kernel's driver may compress to the same length
         gadget.emplace(device);
     }
     ~GudGadget() {
@@ -56,8 +57,7 @@ struct GudGadget {
         EXPECT_TRUE(gud_test::draw_pattern(*display, seed, {0, 0, info.width, info.height}, flat));
         return gud_test::show(*display);
     }
-    /// The host is done when the last packet is with the controller: the program behind it has yet to read
-    /// it.
+    /// The host is done when the controller has the last packet, which the program behind it must still read.
     void expect_shown() {
         std::string difference;
         for (int tries = 0; tries < 1000; ++tries) {
@@ -146,7 +146,7 @@ TEST(KernelGadget, PulledInTheMiddleAndPluggedAgain) {
     await_no_device(GudGadget::name);
     gud.device.power_cycle();
     gud.plug();
-    gud.expect_mended(); // no init: the first present that finds it sends everything
+    gud.expect_mended(); // without init(), the first present that finds the device sends everything
 }
 
 } // namespace

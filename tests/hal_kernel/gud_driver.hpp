@@ -1,4 +1,4 @@
-// The kernel's own gud driver: when it has a device, and when it has let go of it.
+// Waits until the kernel's own gud driver has a device, and until it has let go of the device.
 #pragma once
 
 #include <string>
@@ -13,8 +13,7 @@ inline void await_gud_driver() {
     await("bring its gud driver up", [] { return exists(gud_card); });
 }
 
-/// `device`: as usbcore names it, "2-1". The driver waits up to three seconds for a transfer that was under
-/// way.
+/// `device` is the name of usbcore, "2-1". The driver waits up to three seconds for a transfer under way.
 inline void await_no_device(const std::string& device) {
     await(
         "let go of the device",
@@ -22,7 +21,7 @@ inline void await_no_device(const std::string& device) {
         std::chrono::seconds(10));
 }
 
-/// While the device still answers.
+/// Unbinds the driver while the device still answers.
 inline void dismiss_gud_driver(const std::string& device) {
     if (exists("/sys/bus/usb/drivers/gud/" + device + ":1.0"))
         write_text("/sys/bus/usb/drivers/gud/unbind", device + ":1.0");

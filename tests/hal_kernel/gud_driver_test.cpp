@@ -1,5 +1,5 @@
-// The kernel's own gud driver, written by others from the same protocol, on the device model that judges our
-// host.
+// Runs the kernel's own gud driver on the device model that judges Spangle's host. Others wrote the driver
+// from the same protocol.
 #include <array>
 #include <ostream>
 
@@ -18,12 +18,13 @@ using namespace kernel_test;
 using namespace spangle;
 using Rgb = std::array<int, 3>;
 
-/// What the panel shows of a component of eight bits of which it has the upper `bits`.
+/// Returns what the panel shows of a component of eight bits when it has only the upper `bits`.
 int shown(std::uint32_t eight, unsigned bits) {
     return static_cast<int>((eight >> (8 - bits)) * 255 / ((1u << bits) - 1));
 }
 
-/// Of an XRGB8888 pixel, as the driver converts (drm_format_helper.c).
+/// Returns the colour that the panel shows of an XRGB8888 pixel, as the driver converts it
+/// (drm_format_helper.c).
 Rgb expected(std::uint32_t pixel, std::uint8_t format) {
     const std::uint32_t r = pixel >> 16 & 255, g = pixel >> 8 & 255, b = pixel & 255;
     const std::uint32_t grey = (3 * r + 6 * g + b) / 10;
@@ -47,7 +48,7 @@ std::uint32_t widened(std::uint32_t rgb565) {
     return (rgb565 >> 11) << 19 | (rgb565 >> 5 & 63) << 10 | (rgb565 & 31) << 3;
 }
 
-/// `pixel(x, y)`: XRGB8888. True when the glass shows exactly that.
+/// Returns whether the glass shows exactly the picture pixel(x, y), in XRGB8888.
 template <class Pixel> bool shows(PluggedGud& gud, Pixel pixel) {
     const std::lock_guard lock(gud.usb);
     const sim::Image glass = gud.device.glass();
@@ -118,14 +119,14 @@ INSTANTIATE_TEST_SUITE_P(Devices, KernelGudDriver,
                                          Case{"status_on_set", 0x40, 16, true, false, true}),
                          [](const auto& tested) { return tested.param.name; });
 
-/// The kernel's text console on the display: what it drew is what /dev/fb0 says.
+/// The kernel's text console draws on the display, and the glass must show what /dev/fb0 holds.
 TEST(KernelGudConsole, WritesOnTheGlass) {
     PluggedGud gud;
     gud.size(240, 136);
     ASSERT_NO_FATAL_FAILURE(gud.plug());
     write_text("/dev/tty1",
                "\033[?25l\033[2J\033[H\033[1;33mSpangle\033[0m on the kernel's console\n\r\033[7mgud\033[0m");
-    int fb = -1; // later than the card
+    int fb = -1; // the framebuffer comes later than the card
     await("give the console a framebuffer", [&] {
         fb = open("/dev/fb0", O_RDONLY | O_CLOEXEC);
         return fb >= 0;

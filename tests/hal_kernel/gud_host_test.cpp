@@ -1,5 +1,5 @@
-// Our GUD host on the real libusb, usbfs and usbcore, against the modelled device; the kernel's own driver
-// has it first.
+// Runs Spangle's GUD host on the real libusb, usbfs and usbcore, against the modelled device. The kernel's
+// own driver has the device first.
 #include <chrono>
 #include <optional>
 
@@ -35,7 +35,7 @@ struct GudHost : PluggedGud {
         const std::lock_guard lock(usb);
         return gud_test::glass_difference(*display, device);
     }
-    /// The bulk transfer after `skip` others, and `times` in all, meets this fate.
+    /// `skip` bulk transfers pass, and the next `times` meet this fate.
     void meet(Fate fate, int skip, int times) {
         const std::lock_guard lock(usb);
         usb.fate = [=](std::size_t) mutable { return skip-- > 0 || times-- <= 0 ? Fate::normal : fate; };
@@ -156,7 +156,7 @@ TEST(KernelGudHost, PulledInTheMiddleAndPluggedAgain) {
         host.device.power_cycle();
         host.meet(Fate::normal, 0, 0);
         ASSERT_NO_FATAL_FAILURE(host.plug());
-        host.expect_mended(); // no init: the first present that finds it sends everything
+        host.expect_mended(); // without init(), the first present that finds the device sends everything
         EXPECT_TRUE(host.display->connected());
     }
 }

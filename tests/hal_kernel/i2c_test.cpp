@@ -1,4 +1,4 @@
-// An OLED over the kernel's real i2c-dev: a bus of two lines, and what the trace says of them.
+// Runs an OLED over the kernel's real i2c-dev: a bus of two lines, whose levels the trace tells.
 #include <optional>
 
 #include <gtest/gtest.h>

@@ -14,9 +14,9 @@ namespace {
 using spangle::sim::Time;
 
 const std::string tracing = "/sys/kernel/tracing/";
-/// The trace tells microseconds, and how fast lines are clocked is what the machine's load leaves: nothing is
-/// nearer to what was before it than this, slower than any panel's clock. (Open drain is I2C: three changes a
-/// bit.)
+/// Least nanoseconds between two changes. The trace tells microseconds, and the machine's load decides how
+/// fast lines are clocked, so the times are spread until they are slower than any panel's clock. (Open drain
+/// is I2C, with three changes a bit.)
 constexpr Time apart = 200, apart_open_drain = 1000;
 
 void set(const char* file, const char* text) {
@@ -28,7 +28,7 @@ void set(const char* file, const char* text) {
 LineTrace::LineTrace(const SimChip& chip, std::vector<unsigned> open_drain)
     : first_(chip.first_number()), open_drain_(std::move(open_drain)) {
     set("tracing_on", "0");
-    set("trace_clock", "mono"); // the default counts ticks of 10 ms here
+    set("trace_clock", "mono"); // the default clock counts ticks of 10 ms here
     set("buffer_size_kb", "24576");
     set("trace", "0");
     set("events/gpio/gpio_value/enable", "1");
@@ -41,8 +41,9 @@ LineTrace::~LineTrace() {
     set("buffer_size_kb", "4");
 }
 
-/// "  test_hal_-34  [000] .....  12.345678: gpio_value: 512 set 1", or "gpio_direction: 512  in (0)", which
-/// is all that an open-drain line shows. False: an input that was read, or nothing of a line.
+/// Parses "  test_hal_-34  [000] .....  12.345678: gpio_value: 512 set 1", or "gpio_direction: 512  in (0)",
+/// which is all that an open-drain line shows. Returns false for an input that was read, and for lines
+/// without a GPIO.
 bool LineTrace::parse(const std::string& text, LineChange& change) const {
     const std::size_t at = text.find(": gpio_");
     if (at == std::string::npos)

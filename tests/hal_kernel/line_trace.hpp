@@ -1,5 +1,5 @@
-// What lines did, in the kernel's own order: the trace event gpio_value, which gpiolib writes for each line
-// of each call, whoever makes it - the character device, or spi-gpio.
+// Records what lines did, in the kernel's own order. gpiolib writes the trace event gpio_value for each line
+// of each call, from the character device or from spi-gpio.
 #pragma once
 
 #include <string>
@@ -13,18 +13,18 @@ namespace kernel_test {
 struct LineChange {
     unsigned line;
     bool level;
-    spangle::sim::Time time; ///< in nanoseconds; no two are at one time
+    spangle::sim::Time time; ///< in nanoseconds; no two changes have one time
 };
 
 class LineTrace {
   public:
-    /// From now on, of this chip. Lines of `open_drain` are low, or let go of: then they are high.
+    /// Traces this chip from now on. Lines of `open_drain` are low, or released and then high.
     explicit LineTrace(const SimChip& chip, std::vector<unsigned> open_drain = {});
     ~LineTrace();
     LineTrace(const LineTrace&) = delete;
     LineTrace& operator=(const LineTrace&) = delete;
 
-    /// What was driven since the last call; throws when the kernel had no room for all of it.
+    /// Returns what was driven since the last call. Throws an error if the kernel had no room for all of it.
     std::vector<LineChange> take();
 
   private:
@@ -35,7 +35,7 @@ class LineTrace {
     bool parse(const std::string& text, LineChange& change) const;
 };
 
-/// Lets what hangs on a header see the changes; `levels`: of all lines, before and after.
+/// Shows the changes to what is connected to a header. `levels` has all lines, before and after.
 void replay(const std::vector<LineChange>& changes, spangle::sim::PinHeader& header, std::uint64_t& levels);
 
 } // namespace kernel_test

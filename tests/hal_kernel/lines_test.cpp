@@ -1,4 +1,4 @@
-// GPIO lines through the real libgpiod on the kernel's real gpiolib.
+// Tests GPIO lines through the real libgpiod on the kernel's real gpiolib.
 #include <chrono>
 #include <string>
 #include <thread>
@@ -120,7 +120,7 @@ TEST(KernelLines, AChipThatGoesIsGone) {
 
 // --- Tearing effect
 
-/// A simulated interrupt waits for the kernel's next tick, 10 ms at most; a loaded machine for more.
+/// A simulated interrupt waits for the kernel's next tick, 10 ms at most, and longer on a busy machine.
 constexpr std::chrono::milliseconds later(60);
 
 std::uint64_t now() {

@@ -1,4 +1,4 @@
-// Tests that run on the tests' own kernel: started anywhere else, the program boots that kernel and runs
+// These tests run on the tests' own kernel. Started anywhere else, the program boots that kernel and runs
 // itself there.
 #include <cstdio>
 #include <string>

@@ -22,7 +22,7 @@ struct PluggedGud {
 
     PluggedGud() {
         size(320, 240);
-        device.tells_by_length = false; // the kernel's driver compresses to no less now and then
+        device.tells_by_length = false; // the kernel's driver may compress to the same length
     }
     ~PluggedGud() {
         try {
@@ -37,7 +37,7 @@ struct PluggedGud {
         device.modes = {{6000, width, height, true}};
         device.limits = {width, width, height, height};
     }
-    /// The kernel's own driver is the first that finds it.
+    /// Plugs the device in; the kernel's own driver finds it first.
     void plug() {
         ASSERT_TRUE(usb.plug()) << std::strerror(errno);
         await_gud_driver();

@@ -20,12 +20,13 @@ struct LineBus {
 const LineBus buses[] = {{"/sys/bus/platform/drivers/spi_gpio/", "spi_gpio.0", "/dev/spidev0.0"},
                          {"/sys/bus/platform/drivers/i2c-gpio/", "i2c-gpio.1", "/dev/i2c-1"}};
 
-/// Whose probe waited for the chip comes by itself; whom an earlier test unbound does not.
+/// A bus whose probe waited for the chip is bound by itself. A bus that an earlier test unbound must be bound
+/// here.
 void bind(const LineBus& bus) {
     if (!exists(bus.driver + bus.device))
         try {
             write_text(bus.driver + "bind", bus.device);
-        } catch (const std::runtime_error&) { // it came in between
+        } catch (const std::runtime_error&) { // the kernel bound the bus in between
         }
     await("make the bus's device file", [&] { return exists(bus.file); });
 }

@@ -1,5 +1,5 @@
-// A GPIO chip of the kernel's gpio-sim: real gpiolib, real character device, lines whose other end is in
-// /sys.
+// A GPIO chip of the kernel's gpio-sim: with real gpiolib and a real character device. /sys drives and reads
+// the other end of its lines.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@ namespace kernel_test {
 
 class SimChip {
   public:
-    /// With this label the machine's buses come to life: SPI on lines 8 to 11, I2C on 2 and 3 (board.c).
+    /// A chip with this label starts the machine's buses: SPI on lines 8 to 11, I2C on lines 2 and 3
+    /// (board.c).
     static constexpr char header_label[] = "display-header";
 
     SimChip(const std::string& label, unsigned lines);
@@ -16,16 +17,16 @@ class SimChip {
     SimChip(const SimChip&) = delete;
     SimChip& operator=(const SimChip&) = delete;
 
-    /// "/dev/gpiochip0"
+    /// Returns the device file, "/dev/gpiochip0".
     const std::string& path() const { return path_; }
     const std::string& label() const { return label_; }
-    /// The number of its first line, as the trace has it.
+    /// Returns the number of the chip's first line in the trace.
     unsigned first_number() const;
-    /// The level of a line, whoever drives it.
+    /// Returns the level of a line, whoever drives it.
     bool level(unsigned line) const;
-    /// What an input line reads; a change is an edge.
+    /// Sets what an input line reads; a change is an edge.
     void pull(unsigned line, bool high);
-    /// As when its adapter is pulled; what is open stays open.
+    /// Removes the chip as if its adapter were pulled; open files stay open.
     void remove();
 
   private:

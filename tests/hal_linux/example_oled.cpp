@@ -1,4 +1,4 @@
-// The OLED example as it stands, on a modelled Linux board. (Its main() is called example_main here.)
+// Runs the OLED example unchanged on a modelled Linux board. (Its main() is called example_main here.)
 #include <cerrno>
 
 #include <gtest/gtest.h>
@@ -42,7 +42,8 @@ TEST(OledExample, RefusalsSayWhatToDo) {
     EXPECT_NE(said.find("join group 'i2c'"), std::string::npos) << said;
 }
 
-/// The gem is as high as the glass, lit from the eye: shades of grey as patterns of dots, in the middle.
+/// The gem is as high as the glass and in its middle. The light comes from the eye, and shades of grey are
+/// patterns of dots.
 TEST(OledExample, DrawsAGem) {
     LinuxBoard board;
     ASSERT_EQ(LinuxBoard::run("20"), 0);

@@ -1,4 +1,4 @@
-// The Raspberry Pi example as it stands, on a modelled Pi. (Its main() is called example_main here.)
+// Runs the Raspberry Pi example unchanged on a modelled Pi. (Its main() is called example_main here.)
 #include <cerrno>
 
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ TEST(RaspberryPiExample, DrawsACube) {
     const sim::Image glass = pi.module.glass(boards::ili9341_spi.display.orientation);
     EXPECT_EQ(pi.module.violations_text(), "");
     EXPECT_EQ(glass.width, 320);
-    // A corner of the black, and the cube's three faces that are seen, each of its colour, lit.
+    // A corner of the picture is black, and the three visible faces of the cube are lit, each in its colour.
     const std::uint8_t* const corner = glass.at(5, 5);
     EXPECT_EQ(corner[0] + corner[1] + corner[2], 0);
     int red = 0, green = 0, blue = 0;

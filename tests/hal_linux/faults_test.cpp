@@ -1,4 +1,5 @@
-// Every transport under every fault: the right error, no hang, no leak, and the panel right again afterwards.
+// Tests every transport under every fault: the error is right, nothing hangs or leaks, and the panel is right
+// again afterwards.
 #include <cerrno>
 #include <chrono>
 
@@ -15,7 +16,7 @@ using hal::Fault;
 using sim::Call;
 using sim::Verdict;
 
-/// The calls that carry pixels.
+/// Returns whether a call carries pixels.
 bool carries(const Rig& rig, const Call& call) {
     if (call.kind != Call::Kind::ioctl)
         return false;
@@ -26,7 +27,7 @@ bool carries(const Rig& rig, const Call& call) {
 
 class Faults : public testing::TestWithParam<Transport> {
   protected:
-    /// `skip` of the calls that carry pixels pass, then `times` of them get this verdict.
+    /// The first `skip` calls that carry pixels pass, and the next `times` get this verdict.
     static void inject(Rig& rig, Verdict verdict, int skip, int times) {
         rig.machine.kernel.set_judge([&rig, verdict, skip, times](const Call& call) mutable {
             if (!carries(rig, call) || skip-- > 0 || times-- <= 0)
@@ -34,13 +35,13 @@ class Faults : public testing::TestWithParam<Transport> {
             return verdict;
         });
     }
-    /// 3-wire lists are one message.
+    /// On 3-wire SPI a list is one message, so no message can be skipped.
     static int later(int skip) {
         return GetParam() == Transport::spi3 || GetParam() == Transport::spi3_packed ? 0 : skip;
     }
     static Verdict error(int number) { return Verdict{number}; }
 
-    /// A frame that fails that way; the next present, of nothing new, mends the glass.
+    /// Draws a frame that fails in this way. The next present, with nothing new to draw, must mend the glass.
     static void expect_failed_frame(Rig& rig, Fault fault, const char* says) {
         ASSERT_TRUE(rig.draw(2));
         const auto failed = rig.display->present();
@@ -52,13 +53,13 @@ class Faults : public testing::TestWithParam<Transport> {
         expect_mended(rig);
     }
     static void expect_mended(Rig& rig) {
-        rig.module.controller().forget_violations(); // half a transfer breaks rules
+        rig.module.controller().forget_violations(); // half a transfer breaks rules of the controller
         const auto again = present(rig);
         ASSERT_TRUE(again.ok()) << again.error().rule;
         rig.module.controller().forget_violations();
         EXPECT_EQ(rig.glass_difference(), "");
     }
-    /// On a busy test machine a scanned line may be looked for too seldom.
+    /// On a busy test machine a scanned line may be polled too seldom, so a present is tried again.
     static constexpr unsigned most_tries = 6;
     static hal::Result<void> present(Rig& rig) {
         auto sent = rig.display->present();
@@ -66,7 +67,7 @@ class Faults : public testing::TestWithParam<Transport> {
             sent = rig.display->present();
         return sent;
     }
-    /// A frame whose first call returns when the kernel is released.
+    /// Draws a frame whose first call returns only when the kernel is released.
     static bool draw_and_stall(Rig& rig) {
         Verdict stall;
         stall.stall = true;
@@ -89,9 +90,9 @@ TEST_P(Faults, ShortWritesGoOn) {
         Verdict cut;
         cut.limit = limit;
         if (GetParam() == Transport::spi3 || GetParam() == Transport::spi3_packed) {
-            inject(rig, cut, 0, 1); // no one knows where in a word it ended
+            inject(rig, cut, 0, 1); // the transfer may have ended inside of a word
             expect_failed_frame(rig, Fault::short_write, "write: the message was cut short");
-        } else { // on lines there is nothing to cut
+        } else { // a call on lines cannot be cut
             inject(rig, cut, 1, 3);
             expect_unharmed_frame(rig);
         }
@@ -128,7 +129,7 @@ TEST_P(Faults, InputOutputErrorAndTimeout) {
         Rig rig(GetParam());
         rig.start();
         if (is_spidev(GetParam()) && skip > 1)
-            continue; // a small frame is two messages, or one
+            continue; // a small frame takes two messages, or one
         const int at = later(skip);
         inject(rig, error(EIO), at, 1);
         expect_failed_frame(rig, Fault::no_answer, "Input/output error");
@@ -187,7 +188,7 @@ TEST_P(Faults, PulledInTheMiddleAndPluggedAgain) {
         });
         const auto gone = rig.display->present();
         if (GetParam() == Transport::spi3 || GetParam() == Transport::spi3_packed)
-            left = 0; // one message: it may be over before
+            left = 0; // a single message may be over before
         rig.machine.no_faults();
         if (gone.ok()) {
             rig.machine.kernel.unplug(rig.device());
@@ -210,7 +211,7 @@ TEST_P(Faults, ReplugBetweenFramesIsNoticed) {
     Rig rig(GetParam());
     rig.start();
     rig.machine.kernel.unplug(rig.device());
-    rig.machine.kernel.plug(rig.device()); // before anybody looked
+    rig.machine.kernel.plug(rig.device()); // before the bus noticed that the device was gone
     rig.module.power_cycle();
     ASSERT_TRUE(rig.draw(2));
     EXPECT_EQ(rig.display->present().error().fault, Fault::gone) << "the old file is dead";
@@ -244,7 +245,7 @@ TEST_P(Faults, BusyLinesAndPermissions) {
     expect_unharmed_frame(rig);
 }
 
-/// The kernel stamps the edges; what is told is its time.
+/// The kernel stamps the edges of TE; the bus must report these times.
 TEST_P(Faults, TheMomentsOfTheTearingLineAreThePanels) {
     RigOptions options;
     options.wait_te = true;
@@ -282,7 +283,7 @@ TEST_P(Faults, TheTearingLineMayBeMissing) {
 
 TEST_P(Faults, TheScannedLineMayNeverCome) {
     if (!can_read(GetParam()))
-        return; // refused: Transfer.AListIsRefusedWholeBeforeItsFirstByte
+        return; // such lists are refused: Transfer.AListIsRefusedWholeBeforeItsFirstByte
     RigOptions options;
     options.poll_line = true;
     Rig rig(GetParam(), options);
@@ -292,14 +293,14 @@ TEST_P(Faults, TheScannedLineMayNeverCome) {
     EXPECT_GE(counted.sent, 1u);
     EXPECT_LE(counted.sent, most_tries);
     EXPECT_EQ(counted.led + counted.lagged + counted.unsafe, counted.sent);
-    if (is_spidev(GetParam())) { // bit by bit a frame may take many refreshes
+    if (is_spidev(GetParam())) { // on lines, a frame may take many refreshes
         EXPECT_EQ(counted.unsafe, 0u);
     }
     hal::Op never;
     never.kind = hal::Op::Kind::wait_line;
     never.command = 0x45;
     never.dummy_bits = hal::register_dummy_bits(rig.bus().caps(), tiny_panel);
-    never.length = 5000; // no panel has such a line
+    never.length = 5000; // no panel has so many lines
     never.stride = 9000;
     never.micros = 2000;
     const auto token = rig.bus().submit(&never, 1);
@@ -312,7 +313,7 @@ TEST_P(Faults, TheScannedLineMayNeverCome) {
 
 TEST_P(Faults, ReadsFailToo) {
     if (!can_read(GetParam()))
-        return; // refused, whatever the kernel says: Transfer.AListIsRefusedWholeBeforeItsFirstByte
+        return; // reads are refused: Transfer.AListIsRefusedWholeBeforeItsFirstByte
     Rig rig(GetParam());
     rig.start();
     for (const int number : {EIO, ETIMEDOUT, ENODEV}) {
@@ -325,9 +326,9 @@ TEST_P(Faults, ReadsFailToo) {
     }
 }
 
-// --- At random
-
-/// Some calls of a sequence fail, in any way a kernel fails them; now and then the device goes.
+// --- Random faults
+/// Some calls of a sequence fail, in any way in which a kernel fails them; now and then the device is
+/// unplugged.
 Verdict chance(test::Random& random, Rig& rig, const Call& call, std::uint32_t one_in) {
     if (call.kind == Call::Kind::sleep)
         return Verdict{random.below(8) == 0 ? EINTR : 0};
@@ -345,15 +346,16 @@ Verdict chance(test::Random& random, Rig& rig, const Call& call, std::uint32_t o
         break;
     default:
         verdict.error = errors[random.below(8)];
-        // Repeating what was done already is no way out: only calls that are given up may come late.
+        // A call that the kernel repeats by itself is never late; only calls that are given up may be.
         verdict.late =
             verdict.error != EINTR && verdict.error != EAGAIN && carries(rig, call) && random.below(2) == 0;
-        verdict.stall = random.below(300) == 0 && carries(rig, call); // on the bus's own thread
+        verdict.stall =
+            random.below(300) == 0 && carries(rig, call); // this call runs on the bus's own thread
     }
     return verdict;
 }
 
-/// A transfer that hung may still be under way.
+/// Opens the bus again; a transfer that hung may still be under way.
 hal::Result<void> open_when_idle(Rig& rig) {
     auto opened = rig.open();
     for (int i = 0; i < 2000 && opened.error().fault == Fault::busy; ++i) {
@@ -363,12 +365,12 @@ hal::Result<void> open_when_idle(Rig& rig) {
     return opened;
 }
 
-/// What a program does after an error.
+/// Does what a program does after an error.
 void mend(Rig& rig, const hal::Error& error) {
     rig.machine.kernel.plug(rig.device());
     rig.machine.kernel.release();
     if (error.fault == Fault::timeout || error.fault == Fault::short_write || error.fault == Fault::no_answer)
-        return; // tries again
+        return; // a program tries again
     if (rig.open().ok())
         (void)rig.display->init();
 }
@@ -382,7 +384,7 @@ TEST_P(Faults, AThousandSequencesAtRandom) {
     int failures = 0;
     for (std::uint32_t sequence = 1; sequence <= 1000; ++sequence) {
         test::Random random{sequence * 2654435761u};
-        // About one fault in a frame of that transport, or many.
+        // Each frame has about one fault in this transport, or many.
         const std::uint32_t one_in = (is_spidev(GetParam())     ? 6u
                                       : is_parallel(GetParam()) ? 80u
                                                                 : 600u) >>

@@ -1,4 +1,4 @@
-// Bit-banged buses: what the lines do, what reads give, what is refused.
+// Tests bit-banged buses: how they drive the lines, what reads return, and what is refused.
 #include "tests/hal_linux/rig.hpp"
 
 namespace {
@@ -29,9 +29,9 @@ TEST(GpioBus, OrderOfTheLinesInACallDoesNotMatter) {
 TEST(GpioBus, TwoCallsACycle) {
     struct Case {
         Transport transport;
-        std::uint64_t calls; ///< of a frame of 24 x 16 pixels of noise: 768 bytes
+        std::uint64_t calls; ///< calls for a frame of 24 x 16 pixels of noise: 768 bytes
     };
-    // With turning data lines a cycle takes three, unless the word stays.
+    // If data lines can turn round, a cycle takes three calls unless the word stays the same.
     for (const Case c : {Case{Transport::gpio8, 768 * 2}, Case{Transport::gpio16, 384 * 2},
                          Case{Transport::gpio8_read, 768 * 3}, Case{Transport::gpio4, 768 * 16},
                          Case{Transport::gpio3, 768 * 9 * 3}}) {
@@ -51,7 +51,7 @@ TEST(GpioBus, ReadsAnswers) {
          {Transport::gpio4, Transport::gpio3, Transport::gpio8_read, Transport::gpio16_read}) {
         SCOPED_TRACE(name_of(t));
         RigOptions options;
-        options.read_back = true; // init() checks the identity
+        options.read_back = true; // init() checks the panel's identity
         Rig rig(t, options);
         rig.start();
         const auto status = rig.display->status();

@@ -1,4 +1,4 @@
-// An OLED on I2C under faults of the bus: the right error, and the glass right again afterwards.
+// Tests an OLED on I2C under faults of the bus: the error is right, and the glass is right again afterwards.
 #include <cerrno>
 #include <chrono>
 #include <optional>
@@ -54,7 +54,7 @@ struct I2cFaults : testing::Test {
 
     bool draw(unsigned seed, Rect area) { return linux_test::draw_dots(*display, seed, area); }
     std::string difference() { return linux_test::dots_difference(*display, *oled, kernel.now()); }
-    /// A present, then another that waits for it.
+    /// Presents, and waits for the end of the transfer.
     hal::Result<void> show() {
         const auto sent = display->present();
         return sent ? display->finish() : sent;
@@ -84,7 +84,7 @@ TEST_F(I2cFaults, EachErrorIsSaidAndMended) {
             EXPECT_NE(std::string(failed.error().rule).find(row.says), std::string::npos)
                 << failed.error().rule;
             kernel.set_judge(nullptr);
-            oled->forget_violations(); // half a transfer breaks rules
+            oled->forget_violations(); // half a transfer breaks rules of the controller
             EXPECT_TRUE(show().ok());
             EXPECT_EQ(difference(), "") << row.error << " after " << skip;
         }
@@ -97,7 +97,7 @@ TEST_F(I2cFaults, PulledAndPluggedAgain) {
     EXPECT_EQ(show().error().fault, Fault::gone);
     EXPECT_EQ(show().error().fault, Fault::gone) << "as long as it is away";
     kernel.plug(path);
-    oled = sim::make_controller(hal::panels::ssd1306_128x64, hal::BusKind::i2c); // it lost its power
+    oled = sim::make_controller(hal::panels::ssd1306_128x64, hal::BusKind::i2c); // the OLED lost its power
     adapter.replace(oled.get());
     ASSERT_TRUE(bus->open().ok());
     ASSERT_TRUE(display->init().ok());
@@ -206,7 +206,7 @@ TEST_F(I2cFaults, BusyAddressesAndPermissions) {
 TEST_F(I2cFaults, ReplugBetweenFramesIsNoticed) {
     start(false);
     kernel.unplug(path);
-    kernel.plug(path); // before anybody looked
+    kernel.plug(path); // before the bus noticed that the device was gone
     oled = sim::make_controller(hal::panels::ssd1306_128x64, hal::BusKind::i2c);
     adapter.replace(oled.get());
     ASSERT_TRUE(draw(2, {0, 0, 128, 64}));
@@ -255,7 +255,8 @@ TEST_F(I2cFaults, AThousandSequencesAtRandom) {
         kernel.plug(path);
         oled->forget_violations();
         hal::Result<void> sent = show();
-        for (int i = 0; i < 5 && !sent.ok(); ++i) { // gone, or a slow machine missed a deadline
+        for (int i = 0; i < 5 && !sent.ok();
+             ++i) { // the device was gone, or a slow machine missed a deadline
             ASSERT_TRUE(bus->open().ok()) << sequence;
             const auto ready = display->init();
             sent = ready ? show() : ready;

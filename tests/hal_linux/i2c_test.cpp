@@ -1,4 +1,4 @@
-// What reaches an OLED controller over i2c-dev: control bytes, chunks, and errors.
+// Tests what reaches an OLED controller over i2c-dev: control bytes, chunks, and errors.
 #include <cerrno>
 #include <numeric>
 #include <optional>
@@ -41,7 +41,7 @@ struct I2c : testing::Test {
         bus.emplace(config);
         return bus->open();
     }
-    /// SSD1306: column range, then the whole picture.
+    /// Sends a frame to an SSD1306: the column range, then the whole picture.
     hal::Result<void> frame() {
         static constexpr std::uint8_t range[] = {0, 127};
         Op ops[2];

@@ -1,4 +1,4 @@
-// GPIO lines over the libgpiod this was built with: levels, directions, edges, and what errors say.
+// Tests GPIO lines with the libgpiod of this build: levels, directions, edges, and texts of errors.
 #include <cerrno>
 
 #include "tests/hal_linux/rig.hpp"
@@ -45,7 +45,7 @@ TEST(Lines, OutputsTakeTheirLevelsInOneCall) {
 TEST(Lines, ChipsGoByLabelToo) {
     Machine machine;
     sim::GpioChip second("second chip", 8);
-    second.attach(machine.kernel, 3); // numbers have gaps
+    second.attach(machine.kernel, 3); // the numbers of chips have gaps
     hal::Lines lines;
     const unsigned line[] = {2};
     ASSERT_TRUE(lines.open_outputs("second chip", line, 0).ok());
@@ -149,7 +149,7 @@ TEST(Lines, InterruptedCallsAreMadeAgainWithinBounds) {
 
 constexpr sim::Time ms = 1'000'000;
 
-/// High for the last millisecond of every ten.
+/// Returns a level that is high for the last millisecond of every ten.
 bool square(sim::Time now) {
     return now % (10 * ms) >= 9 * ms;
 }
@@ -159,7 +159,7 @@ struct Edges : Test {
     hal::EdgeLine line;
     Edges() {
         machine.chip.input = [](unsigned offset, sim::Time now) { return offset == 23 && square(now); };
-        machine.kernel.advance(10 * ms - machine.kernel.now() % (10 * ms)); // edges at 9 ms from here
+        machine.kernel.advance(10 * ms - machine.kernel.now() % (10 * ms)); // edges come 9 ms from here
     }
     void TearDown() override { line.close(); }
 };
@@ -178,7 +178,7 @@ TEST_F(Edges, TheNextOneWithItsTime) {
 
 TEST_F(Edges, OnesOfBeforeDoNotCount) {
     ASSERT_TRUE(line.open({chip_path, 23}).ok());
-    machine.kernel.advance(995 * ms / 10 * 3); // a third of a second and a half: the queue is full
+    machine.kernel.advance(995 * ms / 10 * 3); // about 300 ms later the queue of edges is full
     const sim::Time asked = machine.kernel.now();
     const auto edge = line.next_edge(50000);
     ASSERT_TRUE(edge.ok());

@@ -1,4 +1,4 @@
-// Dots on an OLED of 128x64, and whether its glass shows them.
+// Draws dots on an OLED of 128x64, and compares its glass with them.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace linux_test {
 
-/// Black and white, which dithering leaves alone; marked touched.
+/// Draws black and white pixels, which dithering does not change, and marks them touched.
 inline bool draw_dots(spangle::hal::Display& display, unsigned seed, spangle::Rect area) {
     const auto frame = display.acquire();
     if (!frame.ok())
@@ -29,7 +29,7 @@ inline bool draw_dots(spangle::hal::Display& display, unsigned seed, spangle::Re
     return true;
 }
 
-/// The first pixel that differs from the surface; empty: none.
+/// Returns which pixel differs from the surface first; empty if none does.
 inline std::string dots_difference(spangle::hal::Display& display, spangle::sim::Controller& oled,
                                    spangle::sim::Time now) {
     const auto frame = display.acquire();

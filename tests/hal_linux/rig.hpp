@@ -1,4 +1,4 @@
-// A Linux machine with a display module on its GPIO header, and the bus of ours that drives it.
+// A modelled Linux machine with a display module on its GPIO header, and the Spangle bus that drives it.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@ namespace linux_test {
 
 using namespace spangle;
 
-/// The modelled machine. One at a time: there is one kernel.
+/// The modelled machine. There is one kernel, so only one machine exists at a time.
 struct Machine {
     sim::Kernel& kernel = sim::Kernel::instance();
     sim::GpioChip chip{chip_label, 54};
@@ -30,7 +30,7 @@ struct Machine {
         kernel.forget_all();
     }
 
-    /// The next `times` calls that `which` picks fail with this errno.
+    /// The next `times` calls that `which` selects fail with this errno.
     void fail(int error, int times, std::function<bool(const sim::Call&)> which) {
         kernel.set_judge([=, left = times](const sim::Call& call) mutable {
             const bool hit = left > 0 && which(call);
@@ -78,7 +78,7 @@ class Rig {
 
     bool draw(unsigned seed, Rect area) { return test::draw_pattern(*display, seed, area); }
     bool draw(unsigned seed) { return test::draw_pattern(*display, seed); }
-    /// The glass shows the frame, and nobody broke a rule. Else what is wrong.
+    /// Returns an empty text if the glass shows the frame and no rule was broken, else what is wrong.
     std::string glass_difference() {
         const std::string wrong = test::glass_difference(*display, module.glass(options_.orientation));
         return wrong.empty() ? module.violations_text() : wrong;

@@ -1,4 +1,5 @@
-// Whole scenes through every transport: the glass shows, to the bit, what the simulated board shows.
+// Plays whole scenes through every transport. The glass must show, to the bit, what the simulated board
+// shows.
 #include <gtest/gtest.h>
 #include <spangle/boards/boards.hpp>
 #include <spangle/sim/board.hpp>
@@ -32,7 +33,7 @@ void expect_scene(Transport transport, const char* id, bool small, bool asynchro
     options.buffers = asynchronous ? 2 : 1;
     options.asynchronous = asynchronous;
     options.read_back = can_read(transport);
-    options.spi_hz = 2000000; // a slow test machine keeps deadlines
+    options.spi_hz = 2000000; // so slow that a slow test machine keeps deadlines
     Rig rig(transport, options);
     const auto opened = rig.open();
     ASSERT_TRUE(opened.ok()) << opened.error().rule;
@@ -52,7 +53,8 @@ TEST(Scenes, EachOverSpidev) {
 class SceneOver : public testing::TestWithParam<Transport> {};
 
 TEST_P(SceneOver, GlassEqualsTheSimulatedBoards) {
-    const bool bits = !is_spidev(GetParam()) && !is_parallel(GetParam()); // 16 calls a byte
+    const bool bits =
+        !is_spidev(GetParam()) && !is_parallel(GetParam()); // these transports take 16 calls a byte
     for (const char* const id : {"S6", "HUD"}) {
         SCOPED_TRACE(id);
         expect_scene(GetParam(), id, bits, false);

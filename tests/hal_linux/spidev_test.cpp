@@ -1,4 +1,4 @@
-// What the spidev bus asks of the kernel: messages as long as they may be, words, clocks, reads.
+// Tests what the spidev bus asks of the kernel: messages of the largest size, words, clocks, reads.
 #include <cerrno>
 
 #include <linux/spi/spidev.h>
@@ -38,7 +38,7 @@ TEST(Spidev, MessagesFillTheKernelsBuffer) {
         ASSERT_TRUE(rig.draw(1));
         const std::uint64_t before = rig.spi.messages();
         ASSERT_TRUE(rig.display->present().ok());
-        // The window is known from the black of init(): RAMWR, then pixels.
+        // The panel has the window from the black frame of init(), so a frame is RAMWR and pixels only.
         EXPECT_EQ(rig.spi.messages() - before, 1 + (240 * 320 * 2 + whole - 1) / whole);
         EXPECT_EQ(rig.spi.largest_message(), whole);
         EXPECT_EQ(rig.glass_difference(), "");
@@ -52,7 +52,7 @@ TEST(Spidev, WithoutTheModulesParameterTheDefaultIsTaken) {
     EXPECT_EQ(rig.spidev->message_bytes(), 4096u);
 }
 
-/// Ops of one window, and the messages each list takes.
+/// Operations of one window, to count the messages that each list takes.
 struct Messages {
     Rig rig;
     const std::uint8_t columns[4] = {0, 5, 0, 28}, rows[4] = {0, 7, 0, 22}, pixels[24 * 2 * 3] = {};
@@ -206,7 +206,7 @@ TEST(Spidev, ErrorsSayDeviceOperationAndCause) {
 
 TEST(Spidev, AClockBeyondThePanelsIsRefusedElseItIsAViolation) {
     RigOptions options;
-    options.spi_hz = 80000000; // an ST7735 is known to take 59 MHz
+    options.spi_hz = 80000000; // an ST7735 is known to work at 59 MHz
     {
         Rig refused(Transport::spi, options);
         ASSERT_TRUE(refused.open().ok());

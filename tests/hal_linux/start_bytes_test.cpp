@@ -1,4 +1,4 @@
-// A controller without a D/C pin, whose messages begin with a start byte, behind spidev.
+// Tests a controller without a D/C pin behind spidev; its messages begin with a start byte.
 #include <cerrno>
 
 #include <gtest/gtest.h>
@@ -86,7 +86,7 @@ TEST_F(StartBytes, AMessageCutShortIsAnErrorAndMended) {
     machine.no_faults();
     module.controller().forget_violations();
     ASSERT_TRUE(display->present().ok());
-    module.controller().forget_violations(); // what the cut window began
+    module.controller().forget_violations(); // the cut window broke rules
     expect_glass();
 }
 

@@ -1,4 +1,4 @@
-// Tokens, the thread behind them, and the pins beside the bus.
+// Tests tokens of transfers, the thread that carries them out, and the pins beside the bus.
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -42,7 +42,7 @@ Op op_of(Op::Kind kind, const std::uint8_t* data = nullptr, std::uint32_t length
     return op;
 }
 
-/// A transfer that hangs in the kernel until release().
+/// A transfer that hangs in the kernel until release() is called.
 struct Hanging {
     explicit Hanging(Rig& r) : rig(r) {
         rig.machine.kernel.set_judge([](const sim::Call& call) {
@@ -93,7 +93,7 @@ TEST(Transfer, TheDestructorWaitsForTheTransfer) {
             std::this_thread::sleep_for(std::chrono::milliseconds(30));
             rig.machine.kernel.release();
         });
-        rig.spidev.reset(); // joins, then closes
+        rig.spidev.reset(); // joins the thread, then closes
     }
     releaser.join();
     EXPECT_EQ(rig.machine.kernel.open_files(), 0);
@@ -130,7 +130,7 @@ TEST(Transfer, OutcomesAreRemembered) {
 }
 
 TEST(Transfer, AListIsRefusedWholeBeforeItsFirstByte) {
-    hal::SpidevConfig config; // no pins, no read clock
+    hal::SpidevConfig config; // neither pins nor a read clock
     config.write_hz = 1000000;
     config.dc = {chip_path, 24};
     config.asynchronous = false;
@@ -178,7 +178,8 @@ TEST(Transfer, RepeatsAndRowsArriveWhole) {
         SCOPED_TRACE(name_of(t));
         Rig rig(t);
         rig.start();
-        // 24-bit pixels, 132 x 162: three bytes do not divide the block a pattern is laid out in.
+        // Pixels of 24 bits on 132 x 162 pixels: the block of a repeated pattern is not a multiple of three
+        // bytes.
         const std::uint8_t six = 0x66, columns[] = {0, 0, 0, 131}, rows[] = {0, 0, 0, 161}, upright = 0,
                            pattern[] = {0x80, 0x04, 0xFC};
         Op colmod = op_of(Op::Kind::command, &six, 1), madctl = op_of(Op::Kind::command, &upright, 1),
@@ -197,7 +198,8 @@ TEST(Transfer, RepeatsAndRowsArriveWhole) {
         const sim::Rgb666 want = {0x20, 0x01, 0x3F};
         for (const sim::Rgb666& pixel : rig.module.dcs().memory())
             ASSERT_EQ(pixel, want);
-        // Four rows of eight bytes, ten apart, the picture upside down in memory: the stride is negative.
+        // Sends four rows of eight bytes, ten bytes apart. The picture is upside down in memory, so the
+        // stride is negative.
         std::vector<std::uint8_t> picture(4 * 10);
         for (std::size_t i = 0; i < picture.size(); ++i)
             picture[i] = static_cast<std::uint8_t>(i * 4);
@@ -230,7 +232,7 @@ TEST(Transfer, ThePinsBesideTheBus) {
     EXPECT_TRUE(rig.module.backlit());
     Op reset = op_of(Op::Kind::reset);
     reset.micros = 25;
-    // A signal cuts the sleep: the pulse stays as long as it was asked for.
+    // A signal cuts the sleep short; the reset pulse must still be as long as it was asked for.
     rig.machine.fail(EINTR, 3, [](const sim::Call& call) { return call.kind == sim::Call::Kind::sleep; });
     sim::Time fell = 0, rose = 0;
     const auto forward = rig.machine.chip.on_change;

@@ -1,4 +1,5 @@
-// The ways a display module hangs on a Linux machine, and the configuration of ours for each.
+// The ways in which a display module is connected to a Linux machine, and the configuration of Spangle's bus
+// for each.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +22,7 @@ inline constexpr char spi_path[] = "/dev/spidev0.0";
 inline constexpr char chip_path[] = "/dev/gpiochip0";
 inline constexpr char chip_label[] = "pinctrl-bcm2711";
 
-/// Where the module hangs.
+/// The bus that the module is connected to.
 enum class Transport {
     spi,
     spi_mode3,
@@ -59,7 +60,7 @@ inline void PrintTo(Transport t, std::ostream* out) {
     *out << name_of(t);
 }
 
-/// Lines as boards have them: reset 25, D/C 24, backlight 18, TE 23.
+/// Returns the usual lines of boards: reset 25, D/C 24, backlight 18, TE 23.
 inline sim::ModuleWiring wiring_of(Transport t) {
     using Bus = sim::ModuleWiring::Bus;
     sim::ModuleWiring w;
@@ -88,7 +89,7 @@ inline sim::ModuleWiring wiring_of(Transport t) {
     return w;
 }
 
-/// A chip goes by its path or by its label: some pins ask for it by the one, some by the other.
+/// A chip can be named by its path or by its label; some pins use the path, some the label.
 inline hal::PanelPins pins_of(bool te, const char* path = chip_path, const char* label = chip_label) {
     hal::PanelPins pins;
     pins.reset = {path, 25};

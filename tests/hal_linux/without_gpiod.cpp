@@ -1,4 +1,4 @@
-// A build without libgpiod: buses that need no line work, the others say what is missing.
+// Tests a build without libgpiod: buses that need no line work, and the others say what is missing.
 #include <gtest/gtest.h>
 #include <spangle/linux/gpio_bus.hpp>
 #include <spangle/linux/spidev_bus.hpp>

@@ -1,4 +1,4 @@
-// The FTDI example as it stands, on a modelled adapter with a modelled panel. (Its main() is called
+// Runs the FTDI example unchanged on a modelled adapter with a modelled panel. (Its main() is called
 // example_main here.)
 
 #include <spangle/boards/ili9341_spi.hpp>
@@ -44,7 +44,7 @@ TEST(FtdiExample, DrawsAClock) {
             blue += p[2] > 200 && p[0] < 180;
             red += p[0] > 200 && p[1] < 150;
         }
-    EXPECT_GT(red, 100); // the seconds lie on top
+    EXPECT_GT(red, 100); // the second hand lies on top
     EXPECT_GT(white + blue, 300);
     EXPECT_LT(white + blue + red, 320 * 240 / 8);
 }

@@ -1,4 +1,4 @@
-// The GUD example as it stands, on a modelled device. (Its main() is called example_main here.)
+// Runs the GUD example unchanged on a modelled device. (Its main() is called example_main here.)
 
 #include "tests/example_length.hpp"
 #include "tests/hal_usb/gud_rig.hpp"

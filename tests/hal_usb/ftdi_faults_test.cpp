@@ -1,5 +1,5 @@
-// What can go wrong between us and a panel at an FTDI adapter: the right error, no hang, no leak, and the
-// glass right again afterwards.
+// Tests faults between the host and a panel at an FTDI adapter: the error is right, nothing hangs or leaks,
+// and the glass is right again afterwards.
 #include <cerrno>
 #include <chrono>
 
@@ -21,7 +21,7 @@ bool submits(const Call& call) {
     return call.kind == Call::Kind::ioctl && call.request == USBDEVFS_SUBMITURB;
 }
 
-/// The bulk transfers after `skip` others, and `times` in all, meet this fate.
+/// `skip` bulk transfers pass, and the next `times` meet this fate.
 void meet(Rig& rig, Fate fate, int skip, int times) {
     rig.usb.fate = [=](std::size_t) mutable {
         if (skip-- > 0 || times-- <= 0)
@@ -30,13 +30,13 @@ void meet(Rig& rig, Fate fate, int skip, int times) {
     };
 }
 
-/// The next present, of nothing new, mends the glass.
+/// The next present, with nothing new to draw, must mend the glass.
 void expect_mended(Rig& rig) {
     rig.usb.fate = nullptr;
     rig.kernel.set_judge(nullptr);
-    rig.module.controller().forget_violations(); // half a transfer breaks rules
+    rig.module.controller().forget_violations(); // half a transfer breaks rules of the controller
     auto again = rig.display->present();
-    for (int i = 0; i < 5 && again.error().fault == Fault::timeout; ++i) // a busy test machine
+    for (int i = 0; i < 5 && again.error().fault == Fault::timeout; ++i) // the test machine may be busy
         again = rig.display->present();
     ASSERT_TRUE(again.ok()) << again.error().rule;
     rig.module.controller().forget_violations();
@@ -70,7 +70,7 @@ TEST(FtdiFaults, CutShortStalledAndBroken) {
 }
 
 TEST(FtdiFaults, ASilentAdapterTimesOut) {
-    for (const int skip : {0, 1}) { // the stream, and the answer that it was done
+    for (const int skip : {0, 1}) { // the stream, and the answer that it is done
         Rig rig;
         rig.config.timeout_ms = 30;
         ASSERT_TRUE(rig.start().ok());
@@ -90,7 +90,7 @@ TEST(FtdiFaults, AHangingTransferEndsInATimeoutAndIsOverLater) {
     ASSERT_TRUE(rig.start().ok());
     meet(rig, Fate::silent, 0, 1000);
     ASSERT_TRUE(rig.draw(2));
-    const auto late = rig.display->present(); // the display's patience is shorter than the transfer's
+    const auto late = rig.display->present(); // the display waits less long than the transfer takes
     EXPECT_EQ(late.error().fault, Fault::timeout) << late.error().rule;
     EXPECT_EQ(rig.display->acquire().error().fault, Fault::busy) << "the frame is still being read";
     EXPECT_EQ(rig.bus->backlight(false).error().fault, Fault::busy);
@@ -106,7 +106,7 @@ TEST(FtdiFaults, AnEngineOutOfStepIsNoticed) {
     rig.adapter.garble_answer();
     expect_failed_frame(rig, Fault::no_answer, "the engine lost its step");
     expect_mended(rig);
-    const std::uint8_t stale[] = {0x81, 0x81, 0x87}; // answers nobody asked for
+    const std::uint8_t stale[] = {0x81, 0x81, 0x87}; // answers to no request
     rig.adapter.engine.feed(stale, sizeof stale);
     expect_failed_frame(rig, Fault::no_answer, "more than it was asked");
     expect_mended(rig);
@@ -139,7 +139,7 @@ TEST(FtdiFaults, ReplugBetweenFramesIsNoticed) {
     Rig rig;
     ASSERT_TRUE(rig.start().ok());
     rig.usb.unplug();
-    rig.plug_in_again(); // before anybody looked
+    rig.plug_in_again(); // before the bus noticed that the device was gone
     ASSERT_TRUE(rig.draw(2));
     EXPECT_EQ(rig.display->present().error().fault, Fault::gone) << "the old file is dead";
     ASSERT_TRUE(rig.open().ok());
@@ -219,20 +219,20 @@ TEST(FtdiFaults, TheChipItselfWaitsForTheEdge) {
     Rig rig(options);
     ASSERT_TRUE(rig.start().ok());
     ASSERT_TRUE(rig.draw(9));
-    ASSERT_TRUE(rig.display->present().ok()); // all of it, behind the beam
+    ASSERT_TRUE(rig.display->present().ok()); // the whole picture, behind the beam
     for (unsigned frame = 0; frame < 5; ++frame) {
         ASSERT_TRUE(rig.draw(frame, {0, 0, 8, 8}));
         rig.kernel.advance(3'000'000);
-        if (frame % 2 != 0) { // it is high already: too late for this blanking
+        if (frame % 2 != 0) { // TE is high already: too late for this blanking
             while (!rig.module.controller().te(rig.kernel.now()))
                 rig.kernel.advance(10'000);
             rig.kernel.advance(500'000);
         }
-        sim::Time first = 0; // clock with D/C high after it was low: at the end, of the pixels
+        sim::Time first = 0; // the last clock with D/C high after D/C low begins the pixels
         bool command = false;
         const auto forward = rig.adapter.engine.on_change;
         rig.adapter.engine.on_change = [&](std::uint64_t levels, sim::Time now) {
-            if ((levels & 0x19) == 0x11 && command) // SCK high, selected
+            if ((levels & 0x19) == 0x11 && command) // SCK is high, and the panel selected
                 first = now;
             if ((levels & 1) != 0)
                 command = (levels & 0x10) == 0;
@@ -274,7 +274,7 @@ TEST(FtdiFaults, AReadClockTooFastForThePanelShows) {
     EXPECT_NE(std::string(ready.error().rule).find("read clock is faster"), std::string::npos);
 }
 
-// --- At random
+// --- Random faults
 
 TEST(FtdiFaults, AThousandSequencesAtRandom) {
     RigOptions options;

@@ -1,5 +1,5 @@
-// An FTDI adapter plugged into a modelled Linux machine, a display module at its pins, and our bus that
-// drives it.
+// A modelled Linux machine with an FTDI adapter, a display module at the adapter's pins, and the Spangle bus
+// that drives it.
 #pragma once
 
 #include <functional>
@@ -31,7 +31,7 @@ struct RigOptions {
     hal::FtdiPins pins = {};
 };
 
-/// A panel at these pins.
+/// Returns the wiring of a panel at these pins.
 inline sim::ModuleWiring wiring_of(const hal::FtdiPins& pins) {
     const auto line = [](std::uint8_t pin) {
         return pin == hal::FtdiPins::none ? sim::ModuleWiring::open : unsigned{pin};
@@ -98,7 +98,7 @@ class Rig {
         panel.wait_te = options_.wait_te;
         display.emplace(*bus, panel, storage_.memory());
     }
-    /// The adapter comes back, without memory, and the panel with it.
+    /// Plugs the adapter in again; adapter and panel have lost their state.
     void plug_in_again() {
         adapter.power_cycle();
         module.power_cycle();
@@ -107,7 +107,7 @@ class Rig {
 
     bool draw(unsigned seed, Rect area) { return test::draw_pattern(*display, seed, area); }
     bool draw(unsigned seed) { return test::draw_pattern(*display, seed); }
-    /// The glass shows the frame, and nobody broke a rule. Else what is wrong.
+    /// Returns an empty text if the glass shows the frame and no rule was broken, else what is wrong.
     std::string glass_difference() {
         const std::string wrong = test::glass_difference(*display, module.glass(options_.orientation));
         return wrong + module.violations_text() + adapter.violations();

@@ -1,4 +1,4 @@
-// Panels at an FTDI adapter: the stream byte for byte, the pins, answers, scenes.
+// Tests panels at an FTDI adapter: the stream byte for byte, the pins, answers, scenes.
 #include <gmock/gmock.h>
 #include <spangle/boards/boards.hpp>
 #include <spangle/sim/board.hpp>
@@ -41,12 +41,12 @@ TEST(Ftdi, TheStreamIsTheseBytes) {
     Bytes sent;
     rig.adapter.log = &sent;
     ASSERT_TRUE(rig.open().ok());
-    EXPECT_EQ(sent, (Bytes{0xAA, 0x87,             // is there an engine?
-                           0x8A, 0x97, 0x8D, 0x85, // 60 MHz; not adaptive, three-phase, looped back
-                           0x86, 0x01, 0x00,       // / ((1 + 1) * 2): 15 MHz
-                           0x80, 0xD8, 0xDB,       // nothing selected, no reset, light
+    EXPECT_EQ(sent, (Bytes{0xAA, 0x87,             // a bad command, to find the engine
+                           0x8A, 0x97, 0x8D, 0x85, // 60 MHz, not adaptive, three-phase, looped back
+                           0x86, 0x01, 0x00,       // divided by (1 + 1) * 2: 15 MHz
+                           0x80, 0xD8, 0xDB,       // nothing selected, no reset, light on
                            0x82, 0x00, 0x00,       // the upper pins are inputs
-                           0x81, 0x87}));          // all done?
+                           0x81, 0x87}));          // asks whether all is done
     EXPECT_EQ(rig.adapter.engine.clock_hz(), 15000000u);
     EXPECT_EQ(rig.adapter.latency_ms(), 1u);
     EXPECT_EQ(rig.bus->caps().write_hz, 15000000u);
@@ -160,7 +160,7 @@ TEST(Ftdi, ReadsAtTheirOwnClock) {
     const Bytes first = {0x86, 4, 0, 0x80, 0xC0, 0xDB, 0x11, 0, 0};
     EXPECT_THAT(Bytes(sent.begin(), sent.begin() + 9), testing::ElementsAreArray(first));
     EXPECT_EQ(rig.adapter.engine.clock_hz(), 15000000u) << "and back";
-    // As the module's own pins answer: the whole memory, with its dummy clocks.
+    // Reads the whole memory with its dummy clocks, as the module's own pins answer.
     ASSERT_TRUE(rig.draw(3));
     ASSERT_TRUE(rig.display->present().ok());
     std::array<std::uint8_t, 24 * 16 * 3> rgb{};
@@ -230,7 +230,7 @@ TEST(Ftdi, ChipsWithoutTheEngine) {
     const auto opened = rig.open();
     EXPECT_EQ(opened.error().fault, Fault::timeout) << opened.error().rule;
     EXPECT_EQ(rig.kernel.open_files(), 0);
-    rig.config.channel = 1; // this chip has one
+    rig.config.channel = 1; // this chip has one channel only
     rig.bus.emplace(rig.config);
     EXPECT_EQ(rig.open().error().fault, Fault::wrong_device);
 }

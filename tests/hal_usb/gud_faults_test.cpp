@@ -1,4 +1,4 @@
-// What can go wrong on USB: the right error, no hang, no leak, and the picture right again afterwards.
+// Tests faults on USB: the error is right, nothing hangs or leaks, and the picture is right again afterwards.
 #include <cerrno>
 #include <chrono>
 
@@ -14,7 +14,7 @@ using namespace gud_test;
 using hal::Fault;
 using Fate = sim::UsbfsDevice::Fate;
 
-/// The bulk transfer after `skip` others, and `times` in all, meets this fate.
+/// `skip` bulk transfers pass, and the next `times` meet this fate.
 void meet(GudRig& rig, Fate fate, int skip, int times) {
     rig.usb.fate = [=](std::size_t) mutable {
         if (skip-- > 0 || times-- <= 0)
@@ -55,7 +55,7 @@ TEST(GudFaults, WhatFollowsAStallIsTakenBack) {
     rig.size(320, 240);
     ASSERT_TRUE(rig.start().ok());
     ASSERT_TRUE(rig.draw(1));
-    rig.usb.fate = [n = 0](std::size_t) mutable { // the other transfer would wait for its timeout
+    rig.usb.fate = [n = 0](std::size_t) mutable { // any other transfer would wait for its timeout
         const int at = n++;
         return at == 0 ? Fate::stall : at < 4 ? Fate::silent : Fate::normal;
     };
@@ -80,13 +80,13 @@ TEST(GudFaults, CutShort) {
         EXPECT_EQ(cut.error().fault, Fault::short_write) << cut.error().rule;
         EXPECT_STREQ(cut.error().rule,
                      "USB display 1d50:614d: send pixels: the device took less than it was sent");
-        rig.device.forget_violations(); // half a buffer breaks rules
+        rig.device.forget_violations(); // half a buffer breaks rules of the device
         expect_mended(rig);
     }
 }
 
-/// usbfs repeats nothing by itself: whatever it refuses a transfer with, the device is looked for again, and
-/// is shown everything.
+/// usbfs repeats no transfer by itself. After any error the host looks for the device again, and sends the
+/// whole picture.
 TEST(GudFaults, SystemCallsFail) {
     for (const int number : {EINTR, EAGAIN, EIO, ETIMEDOUT, ENOMEM}) {
         GudRig rig;
@@ -142,7 +142,7 @@ TEST(GudFaults, PulledInTheMiddleAndPluggedAgain) {
                 << away.error().rule;
             rig.device.power_cycle();
             rig.usb.plug();
-            expect_mended(rig); // no init: the first present that finds it sends everything
+            expect_mended(rig); // without init(), the first present that finds the device sends everything
             EXPECT_TRUE(rig.display->connected());
         }
 }
@@ -164,8 +164,8 @@ TEST(GudFaults, AnotherSizeThatComesBackNeedsInit) {
     expect_mended(rig);
 }
 
-/// The frame that was given out stays readable and writable memory of its size, whatever comes back: a
-/// surface may still be drawn to.
+/// The frame that a program holds stays memory of its size that can be read and written, whatever device
+/// comes back. A surface may still be drawn to.
 TEST(GudFaults, FramesGivenOutStayWhereTheyAre) {
     GudRig rig;
     ASSERT_TRUE(rig.start().ok());
@@ -205,7 +205,7 @@ TEST(GudFaults, PermissionsAndOtherPrograms) {
     EXPECT_TRUE(rig.start().ok());
 }
 
-/// A request went well when the device says so, and only then.
+/// A request succeeded if the device says so, and only then.
 TEST(GudFaults, AStatusThatCannotBeReadIsNoSuccess) {
     for (const bool empty : {true, false}) {
         GudRig rig;
@@ -232,7 +232,7 @@ TEST(GudFaults, AStatusThatCannotBeReadIsNoSuccess) {
     }
 }
 
-/// Each request to come up has a status of its own: without one, the display is not up.
+/// Each request of the start needs a status of its own: without it the start fails.
 TEST(GudFaults, EachRequestToComeUpNeedsItsStatus) {
     const std::pair<std::uint8_t, const char*> requests[] = {{0x61, "SET_STATE_CHECK"},
                                                              {0x63, "SET_CONTROLLER_ENABLE"},
@@ -254,8 +254,8 @@ TEST(GudFaults, EachRequestToComeUpNeedsItsStatus) {
     }
 }
 
-/// Devices that stall are asked why. One that then has no word stalled all the same, and no word is put into
-/// its mouth.
+/// A device that stalls is asked why. If it has no answer it still stalled, and the error must not name a
+/// reason.
 TEST(GudFaults, AStallWithoutAStatusStaysAStall) {
     for (const bool empty : {true, false}) {
         GudRig rig;
@@ -272,7 +272,7 @@ TEST(GudFaults, AStallWithoutAStatusStaysAStall) {
     }
 }
 
-/// Devices without STATUS_ON_SET are not asked for what they do not offer.
+/// A device without STATUS_ON_SET is not asked for a status.
 TEST(GudFaults, OnlyDevicesThatOfferAStatusAreAskedForIt) {
     GudRig rig;
     rig.device.refuses_status = true;
@@ -282,11 +282,11 @@ TEST(GudFaults, OnlyDevicesThatOfferAStatusAreAskedForIt) {
     expect_mended(rig);
 }
 
-/// Replies without bytes: each is an error with a sentence, and nothing stays open.
+/// A reply without bytes is an error with a sentence, and no file stays open.
 TEST(GudFaults, EmptyReplies) {
     const struct {
         std::uint8_t request;
-        Fault fault; ///< none: an empty list is a list
+        Fault fault; ///< none: an empty list is valid
     } cases[] = {{0x01, Fault::wrong_device}, {0x40, Fault::unsupported}, {0x41, Fault::none},
                  {0x50, Fault::wrong_device}, {0x51, Fault::unsupported}, {0x54, Fault::no_answer},
                  {0x55, Fault::unsupported}};
@@ -307,14 +307,14 @@ TEST(GudFaults, EmptyReplies) {
     }
 }
 
-/// Descriptors that no display has: refused with a sentence, before memory is taken or a band is sent.
+/// Descriptors of impossible displays are refused with a sentence, before memory is taken or a band is sent.
 TEST(GudFaults, AbsurdDescriptors) {
     const struct {
         std::uint16_t width, height;
         std::uint32_t buffer;
         bool full_update;
         std::uint8_t format;
-        const char* cause; ///< null: it comes up
+        const char* cause; ///< null: the display starts
     } cases[] = {
         {32767, 4096, 1, false, 0x40, "the device's modes are too large"},
         {32767, 4096, 0, false, 0x40, "the device's modes are too large"},
@@ -330,7 +330,7 @@ TEST(GudFaults, AbsurdDescriptors) {
         {40, 30, 2, false, 0x40, nullptr},
         {40, 30, 4, false, 0x80, nullptr},
         {129, 128, 2, false, 0x40, "the device's buffer is too small for its modes"}, // 16,512 bands
-        {128, 128, 2, false, 0x40, nullptr},                                          // 16,384
+        {128, 128, 2, false, 0x40, nullptr},                                          // 16,384 bands
         {40, 30, 2399, true, 0x40, "the device's buffer is too small for its modes"},
         {40, 30, 2400, true, 0x40, nullptr},
         {40, 30, 0, true, 0x40, nullptr},
@@ -359,7 +359,7 @@ TEST(GudFaults, AbsurdDescriptors) {
     }
 }
 
-/// A mode that is too large for the device's buffer leaves the others.
+/// A mode that is too large for the device's buffer is left out; the other modes stay.
 TEST(GudFaults, AModeThatCannotBeSentIsPassedOver) {
     GudRig rig;
     rig.device.modes = {{1, 2000, 1000, true}, {1, 60, 40, false}};
@@ -374,7 +374,7 @@ TEST(GudFaults, AModeThatCannotBeSentIsPassedOver) {
             "USB display 1d50:614d: GET_CONNECTOR_MODES: the device's buffer is too small for its modes"));
 }
 
-/// A device that says of itself that it has what it does not describe, or describes nothing at all.
+/// A device whose descriptors claim what it does not describe, or describe nothing at all.
 class Braggart final : public sim::UsbFunction {
   public:
     std::vector<std::uint8_t> bytes;
@@ -390,13 +390,14 @@ class Braggart final : public sim::UsbFunction {
 
 TEST(GudFaults, DescriptorsThatSayMoreThanTheyDescribe) {
     const std::vector<std::uint8_t> honest = sim::GudDevice().descriptors();
-    constexpr std::size_t interfaces = 18 + 4; // bNumInterfaces, behind the descriptor of the device
+    constexpr std::size_t interfaces =
+        18 + 4; // the place of bNumInterfaces, behind the descriptor of the device
     for (std::size_t kept = 0; kept <= honest.size(); ++kept)
         for (const unsigned claimed : {1u, 2u, 32u}) {
             Braggart function;
             function.bytes = honest;
             function.bytes[interfaces] = static_cast<std::uint8_t>(claimed);
-            for (std::size_t at = 18 + 9; at + 9 <= honest.size(); at += 9) // bNumEndpoints, of interfaces
+            for (std::size_t at = 18 + 9; at + 9 <= honest.size(); at += 9) // bNumEndpoints of each interface
                 if (honest[at + 1] == 4)
                     function.bytes[at + 4] = static_cast<std::uint8_t>(claimed);
             function.bytes.resize(kept);
@@ -415,14 +416,14 @@ TEST(GudFaults, DescriptorsThatSayMoreThanTheyDescribe) {
 }
 
 TEST(GudFaults, NoDisplayIsPluggedIn) {
-    hal::GudDisplay display; // looks for one
+    hal::GudDisplay display; // looks for a device
     const auto none = display.init();
     ASSERT_FALSE(none.ok());
     EXPECT_NE(none.error().rule[0], '\0');
     EXPECT_FALSE(display.connected());
 }
 
-// --- At random
+// --- Random faults
 
 TEST(GudFaults, AThousandSequencesAtRandom) {
     GudRig rig;
@@ -462,7 +463,7 @@ TEST(GudFaults, AThousandSequencesAtRandom) {
         }
         rig.usb.plug();
         auto sent = rig.show();
-        // The poller had not noticed yet that it went; or the test machine was busy.
+        // The poller had not yet noticed that the device went, or the test machine was busy.
         for (int i = 0; i < 5 && (sent.error().fault == Fault::gone || sent.error().fault == Fault::timeout);
              ++i)
             sent = rig.show();

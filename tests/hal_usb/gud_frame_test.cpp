@@ -1,4 +1,5 @@
-// How damage becomes bands: all of it, nothing twice, and no band larger than the device's buffer.
+// Tests how damage becomes bands: all of it is sent, nothing twice, and no band is larger than the device's
+// buffer.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -28,7 +29,7 @@ struct Cut {
         cut(frame, {pixels.data(), width, height}, device, format, plan.data());
     }
 
-    /// Every rule of a band, and that all of them cover the damage.
+    /// Checks every rule of a band, and that the bands together cover the damage.
     void expect_good() const {
         std::vector<int> covered(static_cast<std::size_t>(width * height));
         std::size_t at = 0;
@@ -57,7 +58,7 @@ struct Cut {
     }
 };
 
-/// Whole pictures of every width and buffer of every size: bands are few, and each fits to the byte.
+/// Sends whole pictures of every width with buffers of every size: bands are few, and each fits to the byte.
 TEST(GudFrame, EveryBufferSizeOfEveryFormat) {
     for (const std::uint8_t format : formats)
         for (const std::int32_t width : {1, 7, 8, 9, 15, 16, 17, 31, 40})
@@ -79,7 +80,7 @@ TEST(GudFrame, EveryBufferSizeOfEveryFormat) {
                 if (HasFatalFailure())
                     FAIL() << int{format} << ' ' << width << ' ' << most;
                 ASSERT_EQ(c.frame.bands.size(), bands) << "as was foretold";
-                // The pieces of a row are as few as the buffer lets them be.
+                // A row is cut into as few pieces as the buffer allows.
                 const std::uint32_t unit = gud::pixels_per_byte(format);
                 const std::uint64_t in_piece =
                     std::uint64_t{most} * 8 / gud::bits_per_pixel(format) / unit * unit;
@@ -115,7 +116,7 @@ TEST(GudFrame, DamageAtRandom) {
     }
 }
 
-/// Devices of full updates get the picture or nothing, in one piece.
+/// A device of full updates gets the picture in one piece, or nothing.
 TEST(GudFrame, FullUpdatesAreWhole) {
     Cut c;
     c.device.flags = gud::FULL_UPDATE;

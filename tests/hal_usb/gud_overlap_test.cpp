@@ -1,4 +1,4 @@
-// Frames of a GUD display on their way while the next ones are drawn.
+// Tests frames of a GUD display that are under way while the next frames are drawn.
 #include <condition_variable>
 #include <mutex>
 
@@ -11,7 +11,7 @@ using hal::Fault;
 using hal::Pacing;
 using Fate = sim::UsbfsDevice::Fate;
 
-/// The wire stands still until the gate opens, or for ten seconds: then the test has failed.
+/// Stops the wire until the gate opens. After ten seconds the test has failed, and the wire goes on.
 class Gate {
   public:
     explicit Gate(GudRig& rig, Fate fate = Fate::normal) {
@@ -64,7 +64,7 @@ TEST(GudOverlap, TheNextFrameIsDrawnWhileOneIsOnTheWire) {
     ASSERT_TRUE(rig.draw(1));
     const sim::Image first = picture_of(rig);
     ASSERT_TRUE(rig.display->present().ok()) << "does not wait for the wire";
-    ASSERT_TRUE(rig.draw(2)); // over what is on the wire
+    ASSERT_TRUE(rig.draw(2)); // over the frame that is on the wire
     gate.open();
     ASSERT_TRUE(rig.display->finish().ok());
     EXPECT_FALSE(gate.late());
@@ -103,7 +103,7 @@ TEST(GudOverlap, FinishTellsToo) {
     EXPECT_EQ(rig.glass_difference(), "");
 }
 
-/// Three frames, of which the second and third come while the first is on the wire.
+/// Presents three frames; the second and third come while the first is on the wire.
 struct Paced {
     GudRig rig;
     sim::Image second, third;
@@ -158,8 +158,8 @@ TEST(GudOverlap, HalfAFrameIsNotShown) {
     const sim::Image first = picture_of(rig);
     ASSERT_TRUE(rig.display->present().ok());
     ASSERT_TRUE(rig.draw(2));
-    ASSERT_TRUE(rig.display->present().ok()); // owed
-    ASSERT_TRUE(rig.draw(3, {1, 1, 5, 5}));   // and drawn over
+    ASSERT_TRUE(rig.display->present().ok()); // this frame is put off
+    ASSERT_TRUE(rig.draw(3, {1, 1, 5, 5}));   // and here it is drawn over
     gate.open();
     ASSERT_TRUE(rig.display->finish().ok());
     EXPECT_TRUE(same(rig.device.glass(), first));

@@ -1,4 +1,4 @@
-// Pictures on a GUD display of ours, and what its device should then show.
+// Draws pictures on a GUD display of Spangle, and computes what the device should then show.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,8 @@ namespace gud_test {
 
 using namespace spangle;
 
-/// A pattern that depends on `seed`, in the frame and marked touched. `flat`: it compresses.
+/// Draws a pattern that depends on `seed` into the frame, and marks it touched. A `flat` pattern can be
+/// compressed.
 inline bool draw_pattern(hal::GudDisplay& display, unsigned seed, Rect area, bool flat = false) {
     const auto frame = display.acquire();
     if (!frame.ok())
@@ -33,14 +34,14 @@ inline bool draw_pattern(hal::GudDisplay& display, unsigned seed, Rect area, boo
     return true;
 }
 
-/// Presents, and says what became of it.
+/// Presents a frame, waits for its end, and returns the result.
 inline hal::Result<void> show(hal::GudDisplay& display) {
     const auto presented = display.present();
     return presented ? display.finish() : presented;
 }
 
-/// What a device of this format makes of an RGB565 word, from the definition of each format; `y` counts from
-/// the bottom. Fewer bits are dithered as GL dithers.
+/// Returns what a device of this format makes of an RGB565 word, by the definition of the format; `y` counts
+/// from the bottom. Formats of fewer bits are dithered as GL dithers.
 inline std::array<int, 3> expected_pixel(const sim::GudDevice& device, unsigned word, int x, int y) {
     constexpr int k[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
     const double threshold = (k[y & 3][x & 3] + 0.5) / 16;
@@ -60,7 +61,7 @@ inline std::array<int, 3> expected_pixel(const sim::GudDevice& device, unsigned 
         return {dithered(word >> 11, 31, 1), dithered(word >> 5 & 63, 63, 1), dithered(word & 31, 31, 1)};
     case 0x30:
         return {dithered(word >> 11, 31, 7), dithered(word >> 5 & 63, 63, 7), dithered(word & 31, 31, 3)};
-    case 0x40: // the device widens, rounding down
+    case 0x40: // the device widens the components, rounding down
         return {static_cast<int>((word >> 11) * 255 / 31), static_cast<int>((word >> 5 & 63) * 255 / 63),
                 static_cast<int>((word & 31) * 255 / 31)};
     default:
@@ -68,7 +69,7 @@ inline std::array<int, 3> expected_pixel(const sim::GudDevice& device, unsigned 
     }
 }
 
-/// Empty when the device shows the frame as its format can.
+/// Returns an empty text if the device shows the frame as well as its format can.
 inline std::string glass_difference(hal::GudDisplay& display, const sim::GudDevice& device) {
     const auto frame = display.acquire();
     if (!frame.ok())

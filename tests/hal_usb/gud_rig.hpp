@@ -1,4 +1,4 @@
-// A GUD display plugged into a modelled Linux machine, and our host that drives it.
+// A GUD display plugged into a modelled Linux machine, and the Spangle host that drives it.
 #pragma once
 
 #include <optional>

@@ -21,7 +21,7 @@ namespace {
 
 constexpr char path[] = "/dev/bus/usb/001/003";
 
-/// The stream; zeros when it has ended.
+/// Reads bytes of the stream, and zeros after its end.
 class Script {
   public:
     Script(const std::uint8_t* data, std::size_t bytes) : at_(data), end_(data + bytes) {}
@@ -36,7 +36,7 @@ class Script {
     const std::uint8_t *at_, *end_;
 };
 
-/// Numbers that sizes and counts break at.
+/// Returns a size or count near the limits where such numbers often fail.
 std::uint16_t size(Script& in) {
     constexpr std::uint16_t odd[] = {0,    1,    2,    3,    7,    8,     255,   256,
                                      2048, 2049, 4095, 4096, 4097, 32767, 32768, 65535};
@@ -46,8 +46,8 @@ std::uint16_t size(Script& in) {
                        : in.word();
 }
 
-/// A device that mostly answers as the model does. A zero of the script is the honest answer, so a device
-/// whose script has ended behaves.
+/// A device that mostly answers as the model does. A zero of the script is the honest answer, so after the
+/// end of its script the device behaves.
 class HostileDevice final : public sim::UsbFunction {
   public:
     HostileDevice(Script what, Script answers) : script_(answers) {
@@ -71,7 +71,7 @@ class HostileDevice final : public sim::UsbFunction {
         honest_.max_buffer_size = (flags & 32) != 0 ? size(what) : 0;
         honest_.connectors = (flags & 64) != 0 ? static_cast<int>(what.byte() % 40) : 1;
         if ((flags & 128) != 0) {
-            honest_.modes.clear(); // then there may be an EDID
+            honest_.modes.clear(); // a device without modes may have an EDID
             honest_.edid.resize(std::min<std::size_t>(size(what), 4096));
             for (std::size_t i = 0; i < honest_.edid.size(); ++i)
                 honest_.edid[i] = static_cast<std::uint8_t>(what.byte());
@@ -98,7 +98,7 @@ class HostileDevice final : public sim::UsbFunction {
             return false;
         if ((setup.type & 0x80) == 0)
             return true;
-        if (how >= 64) { // some bytes are others, or not there, or too many
+        if (how >= 64) { // some bytes are changed, missing, or too many
             const unsigned kind = how % 4;
             if (kind == 0)
                 in.resize(script_.byte() % (in.size() + 1));
@@ -111,14 +111,14 @@ class HostileDevice final : public sim::UsbFunction {
             if (kind == 2)
                 in.clear();
         }
-        in.resize(std::min<std::size_t>(in.size(), setup.length)); // as the bus sees to
+        in.resize(std::min<std::size_t>(in.size(), setup.length)); // the bus cuts longer replies
         return true;
     }
     bool bulk_out(std::uint8_t endpoint, const std::uint8_t* bytes, std::size_t count) override {
         const unsigned how = script_.byte();
         if (how >= 240)
             return false;
-        (void)honest_.bulk_out(endpoint, bytes, count); // and does not tell where that went wrong
+        (void)honest_.bulk_out(endpoint, bytes, count); // the device does not tell where this went wrong
         return true;
     }
     bool bulk_in(std::uint8_t, std::size_t, std::vector<std::uint8_t>&) override { return false; }
@@ -137,7 +137,7 @@ class HostileDevice final : public sim::UsbFunction {
     Script script_;
 };
 
-/// Writes every byte of the frame, and says so.
+/// Writes every byte of the frame, and marks all of it touched.
 void draw(hal::GudDisplay& display, unsigned seed) {
     const auto frame = display.acquire();
     if (!frame.ok())
@@ -165,7 +165,7 @@ void expect(bool holds, const char* what) {
 } // namespace
 
 void run_gud_stream(const std::uint8_t* data, std::size_t bytes) {
-    // The device's own part, its answers, and what the program does take a third each.
+    // A third of the stream each is for the device, for its answers, and for what the program does.
     const std::size_t third = bytes / 3;
     HostileDevice device(Script(data, third), Script(data + third, third));
     Script program(data + 2 * third, bytes - 2 * third);

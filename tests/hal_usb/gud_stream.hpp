@@ -1,5 +1,5 @@
-// Bytes to a USB device that answers what it likes, and to what a program does with it: what the fuzzer runs,
-// and what the everyday tests replay.
+// A stream of bytes decides what a USB device answers, and what a program does with it. The fuzzer runs such
+// streams, and the everyday tests replay them.
 #pragma once
 
 #include <cstddef>
@@ -8,11 +8,11 @@
 
 namespace gud_test {
 
-/// Plugs in a device whose descriptors, modes, limits and answers `data` spells, and drives it. Aborts when
-/// the host leaves files open, or takes a size that it must refuse.
+/// Plugs in a device whose descriptors, modes, limits and answers come from `data`, and drives it. Aborts if
+/// the host leaves files open, or accepts a size that it must refuse.
 void run_gud_stream(const std::uint8_t* data, std::size_t bytes);
 
-/// Where a fuzzer starts: devices that are nearly right.
+/// Returns streams to start a fuzzer with: devices that are nearly right.
 std::vector<std::vector<std::uint8_t>> gud_seeds();
 
 } // namespace gud_test

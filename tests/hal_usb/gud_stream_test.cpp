@@ -1,4 +1,4 @@
-// Devices that answer what they like: nothing breaks (run it under ASan and UBSan for the whole meaning).
+// Devices answer whatever they like, and nothing breaks. ASan and UBSan give this test its full meaning.
 #include "tests/hal_usb/gud_stream.hpp"
 
 #include <gtest/gtest.h>

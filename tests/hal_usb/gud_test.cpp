@@ -1,4 +1,4 @@
-// The GUD host against the device: how it comes up, what it sends, what it never sends.
+// Tests the GUD host against the device: how it starts, what it sends, what it never sends.
 #include <cerrno>
 #include <chrono>
 #include <thread>
@@ -54,7 +54,7 @@ TEST(Gud, EveryFormat) {
 TEST(Gud, TakesTheFormatThatLosesLeast) {
     const struct {
         std::vector<std::uint8_t> offered;
-        std::uint32_t bytes; ///< of a frame of 40 x 30
+        std::uint32_t bytes; ///< bytes of a frame of 40 x 30
     } cases[] = {{{0x80, 0x40, 0x08}, 2400},
                  {{0x01, 0x80, 0x30}, 4800},
                  {{0x50, 0x80}, 3600},
@@ -100,7 +100,7 @@ TEST(Gud, ReadsTheModeFromAnEdid) {
     rig.device.modes.clear();
     rig.device.limits = {1, 2000, 1, 2000};
     rig.device.edid.assign(128, 0);
-    // 800 x 480, blanking 256 x 45: VESA E-EDID 1.4, 3.10.2.
+    // A timing of 800 x 480 with blanking of 256 x 45 (VESA E-EDID 1.4, 3.10.2).
     const std::uint8_t timing[] = {0x10, 0x0B, 0x20, 0x00, 0x31, 0xE0, 0x2D, 0x10, 0x28, 0x80, 0xA3, 0x00};
     std::copy(std::begin(timing), std::end(timing), rig.device.edid.begin() + 54);
     ASSERT_TRUE(rig.start().ok());
@@ -167,7 +167,8 @@ TEST(Gud, SendsWhatChanged) {
     ASSERT_TRUE(rig.draw(2, {10, 20, 30, 40}));
     EXPECT_EQ(bytes(), 30u * 40 * 2);
     EXPECT_EQ(rig.display->acquire().value().age, 1);
-    // A full clear damages what was there; one to another colour everything.
+    // A full clear to the same colour damages what was drawn before; a clear to another colour damages
+    // everything.
     const auto clear = [&](std::uint8_t value) {
         const auto frame = rig.display->acquire().value();
         std::fill(frame.pixels, frame.pixels + 200 * 100 * 2, value);
@@ -253,7 +254,7 @@ TEST(Gud, KeepsDevicesCompanyThatWantIt) {
         rig.config.poll_ms = 5;
         ASSERT_TRUE(rig.start().ok());
         const auto polls = [&] {
-            const std::lock_guard lock(rig.kernel); // the poller is at it
+            const std::lock_guard lock(rig.kernel); // keeps the poller from running
             return rig.device.counters().status_polls;
         };
         const std::uint64_t before = polls();
@@ -329,7 +330,7 @@ TEST(Gud, ShowsScenesAsABoardDoes) {
         ASSERT_TRUE(test::play(board.display(), scene, 3));
         GudRig rig;
         rig.size(320, 240);
-        rig.device.max_buffer_size = 40000; // as gud-pico: smaller than a frame
+        rig.device.max_buffer_size = 40000; // smaller than a frame, as in gud-pico
         rig.usb.attach(rig.kernel, path);
         rig.display.emplace(rig.config);
         ASSERT_TRUE(test::play(*rig.display, scene, 3));

@@ -1,4 +1,4 @@
-// Looking for a GUD display, and its coming and going, as the whole machine has them (layer C).
+// Tests how a GUD display is found, comes and goes on a whole machine (layer C).
 #include <spangle/usb/gud_display.hpp>
 
 #include "host_sim/usb/gud_device.hpp"
@@ -18,7 +18,7 @@ struct Hotplug : testing::Test {
         device.modes = {{1000, 24, 16, true}};
         device.limits = {24, 24, 16, 16};
         other = device;
-        other.vendor = 0x1d6b; // a hub, that happens to have such an interface
+        other.vendor = 0x1d6b; // a hub with such an interface by chance
         other.product = 0x0002;
     }
     ~Hotplug() override { g_object_unref(bed); }
@@ -84,7 +84,7 @@ TEST_F(Hotplug, PulledAndPluggedAgain) {
     }
     EXPECT_EQ(show(display, 0x38).error().fault, Fault::gone);
     device.power_cycle();
-    PluggedIn again(bed, device, 3); // another number, as the bus gives it
+    PluggedIn again(bed, device, 3); // with another number, as the bus gives it
     ASSERT_TRUE(display.present().ok() && display.finish().ok());
     EXPECT_TRUE(shows(device, 0x38));
     EXPECT_TRUE(display.connected());

@@ -1,5 +1,5 @@
-// Looking for an FTDI adapter through the real libusb and libudev, its set-up by the real libftdi1, a panel
-// at its pins, and its coming and going (layer C).
+// Finds an FTDI adapter through the real libusb and libudev, sets it up with the real libftdi1, and drives a
+// panel at its pins. Tests how the adapter comes and goes (layer C).
 #include <chrono>
 
 #include "tests/hal_usb/ftdi_rig.hpp"
@@ -11,7 +11,7 @@ using namespace ftdi_test;
 using hal::Fault;
 using umockdev_test::PluggedIn;
 
-/// The adapter's clock follows the machine's: the host sleeps for real here.
+/// Moves the adapter's clock with the machine's, because the host really sleeps here.
 class InRealTime final : public sim::UsbFunction {
   public:
     explicit InRealTime(Rig& rig) : rig_(rig) {}
@@ -46,13 +46,13 @@ struct FtdiHotplug : testing::Test {
     InRealTime adapter{rig};
 
     ~FtdiHotplug() override { g_object_unref(bed); }
-    /// Whichever there is.
+    /// Makes a bus on whichever adapter there is.
     void make_bus() {
         rig.config.device_file = nullptr;
         rig.bus.emplace(rig.config);
         rig.make_display();
     }
-    /// Before the adapter goes.
+    /// Closes the display and the bus before the adapter goes.
     void close() {
         rig.display.reset();
         rig.bus.reset();
@@ -105,10 +105,10 @@ TEST_F(FtdiHotplug, PulledAndPluggedAgain) {
     EXPECT_EQ(rig.bus->open().error().fault, Fault::gone);
     rig.adapter.power_cycle();
     rig.module.power_cycle();
-    PluggedIn again(bed, adapter, 2); // another number, as the bus gives it
+    PluggedIn again(bed, adapter, 2); // with another number, as the bus gives it
     ASSERT_TRUE(rig.bus->open().ok());
     ASSERT_TRUE(rig.display->init().ok());
-    ASSERT_TRUE(rig.display->present().ok()); // the whole picture, though nothing is new
+    ASSERT_TRUE(rig.display->present().ok()); // sends the whole picture, though nothing is new
     EXPECT_EQ(rig.glass_difference(), "");
     close();
 }

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-/// Under umockdev's wrapper, which must be there before the program is.
+/// Starts the program again under umockdev's wrapper, which must be loaded before the program.
 int main(int argc, char** argv) {
     const char* const preloaded = std::getenv("LD_PRELOAD");
     if (preloaded == nullptr || std::strstr(preloaded, "umockdev") == nullptr) {

@@ -1,4 +1,4 @@
-// The models of the engine and of the chip around it, on byte streams alone.
+// Tests the models of the MPSSE engine and of the chip around it with byte streams alone.
 #include <gtest/gtest.h>
 
 #include "host_sim/usb/ftdi_adapter.hpp"

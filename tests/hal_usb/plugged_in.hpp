@@ -1,5 +1,5 @@
-// A USB device on the /sys, /dev and usbfs that umockdev shows this process (layer C): real libusb, real
-// libudev.
+// A USB device in the /sys, /dev and usbfs that umockdev shows to this process (layer C). libusb and libudev
+// are real.
 #pragma once
 
 #include <cerrno>
@@ -20,7 +20,7 @@ namespace umockdev_test {
 
 using namespace spangle;
 
-/// A device of the test bed, its usbfs file answered by a UsbFunction.
+/// A device of the test bed; a UsbFunction answers for its usbfs file.
 class PluggedIn {
   public:
     PluggedIn(UMockdevTestbed* bed, sim::UsbFunction& function, int number)
@@ -56,7 +56,7 @@ class PluggedIn {
         g_signal_handlers_disconnect_by_data(handler_, this); // files may still be open
         g_object_unref(handler_);
     }
-    /// The wire is cut: calls fail from now on.
+    /// Cuts the wire: calls fail from now on.
     void pull() {
         const std::lock_guard lock(mutex_);
         pulled_ = true;
