@@ -77,7 +77,7 @@ TEST(Arena, ShrinkGivesTheTailBack) {
     for (int i = 0; i < 100; ++i)
         EXPECT_EQ(static_cast<unsigned char*>(block)[i], 0x5A);
     const std::size_t used = m.arena.used();
-    m.arena.shrink(block, 5000); // growing is not its business
+    m.arena.shrink(block, 5000); // shrink() does not make a block larger
     EXPECT_EQ(m.arena.used(), used);
 }
 
@@ -104,7 +104,7 @@ TEST(Arena, OddRegionsAreTakenOrLeft) {
     EXPECT_EQ(arena.capacity(), 0u);
 }
 
-// 10^6 random operations on two regions; every block keeps its own pattern.
+// Does 10^6 random operations on two regions, in which every block keeps a pattern of its own.
 TEST(Arena, MillionOperations) {
     struct Live {
         unsigned char* block;
@@ -164,7 +164,7 @@ TEST(GrowingArena, HandsOutWhatThereIsOnce) {
     spangle::gl::GrowingArena arena;
     EXPECT_EQ(arena.allocate(1), nullptr);
     alignas(8) unsigned char memory[64];
-    arena.give(memory + 3, sizeof memory - 3); // 56 bytes are left from the first aligned one on
+    arena.give(memory + 3, sizeof memory - 3); // 56 bytes are left from the first aligned address on
     EXPECT_EQ(arena.capacity(), 56u);
     EXPECT_EQ(arena.allocate(57), nullptr);
     EXPECT_EQ(arena.allocate(~std::size_t{0}), nullptr);

@@ -1,4 +1,4 @@
-// The attribute stacks: each bit saves exactly its group (GL 1.3, 6.1.12 and the tables of 6.2).
+// Tests the attribute stacks: each bit saves exactly its group (GL 1.3, 6.1.12 and the tables of 6.2).
 #include <algorithm>
 #include <map>
 #include <string>
@@ -14,7 +14,8 @@ namespace {
 
 constexpr GLbitfield client_pixel_store = 1, client_vertex_array = 2;
 
-/// By attribute group, as the tables of GL 1.3, 6.2 have it. What can be enabled is in ENABLE_BIT, too.
+/// State by attribute group, as the tables of GL 1.3, 6.2 have it. State that can be enabled is in
+/// ENABLE_BIT, too.
 std::map<GLenum, GLbitfield> server_state() {
     std::map<GLenum, GLbitfield> groups = {
         {GL_CURRENT_COLOR, GL_CURRENT_BIT},
@@ -231,7 +232,7 @@ std::map<GLenum, GLbitfield> client_state() {
 
 class Attrib : public RecordingContext {
   protected:
-    /// All that is known of a name: of a pointer its address.
+    /// Returns all values of a name; of a pointer its address.
     std::vector<double> value(GLenum name) {
         GLdouble d[16] = {};
         glGetDoublev(name, d);
@@ -243,7 +244,7 @@ class Attrib : public RecordingContext {
         return {static_cast<double>(reinterpret_cast<std::uintptr_t>(pointer))};
     }
 
-    /// What has queries of its own, by group.
+    /// Returns state with queries of its own, by group.
     std::map<GLbitfield, std::vector<float>> asked_otherwise() {
         std::map<GLbitfield, std::vector<float>> found;
         const auto note = [&found](GLbitfield group, auto get, std::initializer_list<GLenum> names) {
@@ -285,7 +286,7 @@ class Attrib : public RecordingContext {
         return found;
     }
 
-    /// Every value that can be set gets one of its own for each k, 0 or 1.
+    /// Sets every value that can be set; for k = 0 and k = 1 the values differ.
     void set_server(int k) {
         const auto f = [k](float v) { return v + static_cast<float>(k) * 0.25f; };
         const auto either = [k](GLenum a, GLenum b) { return k != 0 ? a : b; };
@@ -308,7 +309,7 @@ class Attrib : public RecordingContext {
         glLineWidth(f(3));
         glCullFace(either(GL_FRONT, GL_BACK));
         glFrontFace(either(GL_CW, GL_CCW));
-        context->fragment_ops.read_buffer = either(GL_FRONT, GL_BACK); // this drawable has no second one
+        context->fragment_ops.read_buffer = either(GL_FRONT, GL_BACK); // this drawable has no front buffer
         glDrawBuffer(either(GL_NONE, GL_BACK));
         glShadeModel(either(GL_FLAT, GL_SMOOTH));
         glDepthFunc(either(GL_LEQUAL, GL_GREATER));
@@ -357,7 +358,7 @@ class Attrib : public RecordingContext {
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, k != 0 ? GL_NEAREST : GL_LINEAR);
         glScissor(k + 1, k + 2, k + 3, k + 4);
 #if SPANGLE_FEATURE_LIGHTING
-        glDisable(GL_COLOR_MATERIAL); // else materials could not be set
+        glDisable(GL_COLOR_MATERIAL); // with it enabled, materials could not be set
         for (GLenum light = GL_LIGHT0; light <= GL_LIGHT7; ++light) {
             for (GLenum name : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_POSITION, GL_SPOT_DIRECTION})
                 glLightfv(light, name, four);
@@ -428,7 +429,7 @@ class Attrib : public RecordingContext {
 #endif
 #if SPANGLE_FEATURE_RASTER_POS
         glWindowPos3f(f(5), f(6), f(0.25f));
-        context->current.raster.distance = numeric::from_i32(k); // what only RasterPos changes
+        context->current.raster.distance = numeric::from_i32(k); // only RasterPos changes it
         context->current.raster.index = numeric::from_i32(k);
         context->current.raster.valid = k != 0;
 #endif
@@ -516,7 +517,7 @@ TEST_F(Attrib, EachBitSavesExactlyItsGroup) {
         const auto now = asked_otherwise();
         for (const auto& [group, values] : now) {
             if (mask == GL_CURRENT_BIT && group == GL_LIGHTING_BIT)
-                continue; // the tracked material follows the colour, tested below
+                continue; // the tracked material follows the colour, and is tested below
             EXPECT_EQ(values, (group & mask) != 0 ? saved_otherwise.at(group) : changed_otherwise.at(group))
                 << "bit " << bit << ", group " << std::hex << group;
         }
@@ -620,7 +621,7 @@ TEST_F(Attrib, NoMemoryLeavesTheStackAsItWas) {
 
 TEST_F(Attrib, AContextMayGoWithEntriesLeft) {
     glPushAttrib(GL_ALL_ATTRIB_BITS);
-    glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS); // the fixture finds what is left behind
+    glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS); // the fixture frees what is left on the stack
 }
 
 TEST_F(Attrib, ATextureDeletedMeanwhileIsMadeAnew) {
@@ -638,8 +639,8 @@ TEST_F(Attrib, ATextureDeletedMeanwhileIsMadeAnew) {
     EXPECT_EQ(wrap, GL_CLAMP);
 }
 
-/// Without memory for what was deleted meanwhile PopAttrib is an error, and errors have no other effect
-/// (GL 1.3, 2.5): nothing is popped, no object is made, whatever number of objects there is room for.
+/// Without memory for objects that were deleted meanwhile, PopAttrib is an error without other effects (GL
+/// 1.3, 2.5): nothing is popped and no object is made, whatever number of objects would fit.
 TEST_F(Attrib, APopWithoutMemoryChangesNothing) {
     constexpr GLuint names[] = {5, 6, 7};
     const GLenum targets[] = {GL_TEXTURE_2D, GL_TEXTURE_2D,
@@ -671,7 +672,7 @@ TEST_F(Attrib, APopWithoutMemoryChangesNothing) {
         for (const GLuint name : names)
             EXPECT_FALSE(glIsTexture(name)) << refused;
         ASSERT_FALSE(taken.empty());
-        arena.free(taken.back()); // the smallest first
+        arena.free(taken.back()); // the smallest block first
         taken.pop_back();
     }
     EXPECT_GT(refused, 3);
@@ -683,8 +684,8 @@ TEST_F(Attrib, APopWithoutMemoryChangesNothing) {
         arena.free(block);
 }
 
-/// A name that was given to another kind of texture meanwhile cannot be bound: the default texture is, and
-/// that is no error of PopAttrib.
+/// A name that meanwhile became another kind of texture cannot be bound again. PopAttrib binds the default
+/// texture instead, without an error.
 TEST_F(Attrib, ANameOfAnotherKindIsNotBoundAgain) {
 #if SPANGLE_FEATURE_TEXTURE_1D
     glBindTexture(GL_TEXTURE_2D, 5);

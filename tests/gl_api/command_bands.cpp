@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::int32_t width = 64, height = 48;
 
-/// Memory of a panel, behind buffers of exactly what they must hold.
+/// A display of plain memory, whose buffers have exactly the size that they need.
 class PlainDisplay final : public hal::Display {
   public:
     void reset(PixelFormat format, std::int32_t band) {
@@ -84,13 +84,13 @@ struct Setting {
 };
 
 struct Outcome {
-    bool shown = false;   ///< the frame is on the glass
-    bool starved = false; ///< some command found no memory
+    bool shown = false;   ///< whether the frame is on the glass
+    bool starved = false; ///< whether a command found no memory
     std::vector<std::uint8_t> glass;
-    std::uint64_t answers = 0; ///< of what tells about pixels
+    std::uint64_t answers = 0; ///< hash of the answers about pixels
 };
 
-/// Each command may see what was drawn so far; a band drawn by callback sees its own rows only.
+/// Whether a command reads only the rows of its own band, as it must in bands that are drawn by callback.
 bool stays_in_its_rows(std::string_view family) {
     return !family.starts_with("Copy");
 }
@@ -111,7 +111,7 @@ class Frames {
         open();
         if (setting_.way == Way::redrawn) {
             out_.shown = spangle::frame(egl_, [this] {
-                make_context(); // states begin anew, as `draw` must see to
+                make_context(); // state begins anew, which `draw` must see to
                 draw();
             });
         } else {
@@ -149,7 +149,7 @@ class Frames {
         window_ = eglCreateWindowSurface(egl_, config_, 0, window);
         expect(window_ != EGL_NO_SURFACE, "no window");
         if (setting_.way == Way::redrawn)
-            make_context(); // one must be current to begin with
+            make_context(); // a context must be current to begin with
     }
 
     void make_context() {
@@ -164,7 +164,7 @@ class Frames {
     void draw() {
         Bytes in(data_, bytes_);
         Calls calls(in);
-        note_errors(); // of clearing
+        note_errors(); // errors of clearing
         while (in.more()) {
             const unsigned low = in.byte();
             std::memset(result(), 0, looked_at);
@@ -180,7 +180,7 @@ class Frames {
         note_errors();
     }
 
-    /// An error that waits would hide the next one.
+    /// Reads a pending error, which would hide the next one.
     void note_errors() {
         GLenum& code = gl::current_context()->error_code;
         out_.starved = out_.starved || code == GL_OUT_OF_MEMORY;
@@ -200,7 +200,7 @@ class Frames {
     Outcome out_;
 };
 
-/// Formats of which every build has at least one.
+/// Returns the first wished format that the build has; every build has one of them.
 PixelFormat format_of(std::uint8_t how) {
     constexpr PixelFormat wished[] = {PixelFormat::rgb565_be, PixelFormat::rgba8888, PixelFormat::rgb565_le,
                                       PixelFormat::grey4,     PixelFormat::mono,     PixelFormat::rgb444};
@@ -211,7 +211,7 @@ PixelFormat format_of(std::uint8_t how) {
 } // namespace
 
 void run_in_bands(const std::uint8_t* data, std::size_t bytes) {
-    static PlainDisplay display; // EGL knows few
+    static PlainDisplay display; // one display, because EGL has few entries
     Bytes in(data, bytes);
     const std::uint8_t first = in.byte();
     Setting whole;
@@ -239,7 +239,7 @@ void run_in_bands(const std::uint8_t* data, std::size_t bytes) {
         return Frames::expect(got.glass == black, "a frame that was not shown is on the glass");
     }
     if (wanted.starved || got.starved)
-        return; // what found no room differs
+        return; // without memory the pictures may differ
     Frames::expect(got.glass == wanted.glass, "the pictures differ");
     Frames::expect(!records || got.answers == wanted.answers, "the answers differ");
 }

@@ -10,10 +10,10 @@
 namespace spangle::test {
 namespace {
 
-/// Holds the largest image: (64 + 8)^3 groups of 16 bytes, its rows aligned.
+/// Bytes of the largest image: (64 + 8)^3 groups of 16 bytes, with aligned rows.
 constexpr std::size_t client_bytes = std::size_t{72} * 72 * (72 * 16 + 8) + 64;
 
-/// What parameters are set to that take one token of several.
+/// Tokens for parameters that take one of several tokens.
 constexpr GLenum settings[] = {GL_NEAREST,
                                GL_LINEAR,
                                GL_NEAREST_MIPMAP_NEAREST,
@@ -54,7 +54,7 @@ constexpr GLenum internal_formats[] = {GL_RGBA,
                                        3,
                                        4};
 
-/// What images, arrays and parameters are read from: the same for all streams.
+/// Returns the memory that images, arrays and parameters are read from; it is the same for all streams.
 const std::vector<std::uint8_t>& numbers() {
     static const auto all = [] {
         std::vector<std::uint8_t> bytes(client_bytes);
@@ -65,12 +65,12 @@ const std::vector<std::uint8_t>& numbers() {
     return all;
 }
 
-/// Sizes that no client memory depends on.
+/// Whether the sizes that a command takes need no client memory.
 bool free_size(std::string_view family) {
     return family == "Viewport" || family == "Scissor" || family == "GenLists" || family == "DeleteLists";
 }
 
-/// Elements of client memory, or of a mesh, by a number that must stay small.
+/// Whether a command reads client memory or a mesh by a number, which must stay small.
 bool reads_by_number(std::string_view family) {
     return family == "ArrayElement" || family == "DrawArrays" || family.starts_with("Map") ||
            family.starts_with("EvalMesh");
@@ -93,7 +93,8 @@ Calls::Calls(Bytes& stream) : in_(stream) {
     std::fill(std::begin(elements_), std::end(elements_), client_.data());
 }
 
-/// Lists that call twice take exponential time, which is what was asked for; one call each is linear.
+/// A list that calls two lists takes exponential time, which GL allows. With one call in each list the time
+/// is linear.
 bool Calls::may_call_a_list(bool& compiling) {
     const gl::Context* const context = gl::current_context();
     compiling = context != nullptr && context->list.index != 0;
@@ -140,7 +141,7 @@ Value Calls::argument(const Command& c, const Arg& arg, std::string_view family,
                             ? static_cast<void*>(elements_)
                         : family == "DrawElements" || family == "DrawRangeElements" ||
                                 family.starts_with("MultiDraw") ||
-                                family.starts_with("Buffer") // may hold indices, too
+                                family.starts_with("Buffer") // buffers may hold indices, too
                             ? client_.data()
                             : arg.kind == Kind::out ? result()
                                                     : const_cast<std::uint8_t*>(numbers().data()) +
@@ -161,7 +162,7 @@ Value Calls::argument(const Command& c, const Arg& arg, std::string_view family,
         v.number = number(in_, c, how);
         if (arg.kind == Kind::pvalue && pname != nullptr && pname->kind == 'i' && how % 4 != 0)
             v.number = how % 4 == 1 ? static_cast<double>(pname->good) : settings[how % std::size(settings)];
-        if (family == "PixelStore") // rows that client memory holds
+        if (family == "PixelStore") // only rows that client memory holds
             v.number = how % 11 - 2.0;
         break;
     case Kind::sizei:
@@ -173,7 +174,7 @@ Value Calls::argument(const Command& c, const Arg& arg, std::string_view family,
             v.integer = internal_formats[how % std::size(internal_formats)];
             break;
         }
-        if (arg.high - arg.low < most_items && how % 8 != 0) { // in the range, or one beside it
+        if (arg.high - arg.low < most_items && how % 8 != 0) { // a value of the range, or one beside it
             v.integer = arg.low - 1 + how % (arg.high - arg.low + 3);
             break;
         }
@@ -199,7 +200,7 @@ double Calls::number(Bytes& in, const Command& c, std::uint8_t how) {
         std::memcpy(&f, &bits, sizeof f);
         return f;
     }
-    if (integers) // what every integer type can hold
+    if (integers) // only what every integer type can hold
         return how % 2 == 0 ? how % 100
                : name.find("ub") != name.npos || name.find("us") != name.npos || name.find("ui") != name.npos
                    ? 5

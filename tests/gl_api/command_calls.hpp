@@ -1,4 +1,5 @@
-// Bytes to calls, by the command table: what spells a stream, whatever it is drawn to.
+// Makes calls from bytes, by the command table. Streams of bytes are read like this, whatever they are drawn
+// to.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +11,7 @@
 
 namespace spangle::test {
 
-/// The stream; zeros when it has ended.
+/// Reads the bytes of a stream, and zeros after its end.
 class Bytes {
   public:
     Bytes(const std::uint8_t* data, std::size_t bytes) : at(data), end(data + bytes) {}
@@ -27,30 +28,31 @@ class Bytes {
     const std::uint8_t *at, *end;
 };
 
-/// What answers are written to; holds the largest image.
+/// Returns the memory that answers are written to; it holds the largest image.
 std::uint8_t* result();
 
-/// What images, arrays and parameters are read from; as large, and nobody writes to it.
+/// Returns the memory that images, arrays and parameters are read from. It is as large, and nothing writes to
+/// it.
 const std::uint8_t* source();
 
-/// Calls of the context that is current, with client memory of their own. Every argument may be anything, but
-/// for what GL cannot check: client memory is large enough for the sizes that are given.
+/// Makes calls of the current context, with client memory of their own. Every argument may be anything,
+/// except what GL cannot check: client memory is large enough for the given sizes.
 class Calls {
   public:
     explicit Calls(Bytes& stream);
 
-    /// The command that a number names, with the arguments that come next. `wanted`: those that are really
-    /// called; null: all.
+    /// Makes the call of command number `selected`, with arguments from the stream. Only `wanted` commands
+    /// are really called; null: all.
     const Command& one(unsigned selected, bool (*wanted)(std::string_view family) = nullptr);
 
   private:
-    static constexpr std::int64_t most_items = 64; ///< of an array or a side of an image
+    static constexpr std::int64_t most_items = 64; ///< items of an array, or of a side of an image
 
     Value argument(const Command& c, const Arg& arg, std::string_view family, const Pname*& pname);
     static double number(Bytes& in, const Command& c, std::uint8_t how);
 
     Bytes& in_;
-    /// A list being compiled that has had its call.
+    /// A list under construction that already contains a call of a list.
     struct Called {
         const void* context;
         std::uint32_t list;

@@ -18,14 +18,15 @@
 namespace spangle::test {
 namespace {
 
-/// Writes calls as run_command_stream() reads them; arguments that do not matter are drawn by lot.
+/// Writes calls as run_command_stream() reads them; arguments that do not matter are random.
 class Writer {
   public:
-    /// `plain`: the balanced tier on RGB565 with 16 bits of depth, as boards have it; `bands`: a window,
-    /// whole and in bands.
+    /// `plain` means the balanced tier on RGB565 with 16 bits of depth, as boards have it. `bands` means a
+    /// window, drawn whole and in bands.
     Writer(unsigned seed, bool plain, bool bands) : random_(seed) {
         if (bands) {
-            put(first_of_bands + lot(256 - first_of_bands)); // tier, redrawn or recorded
+            put(first_of_bands +
+                lot(256 - first_of_bands)); // tier, and whether bands are redrawn or recorded
             for (int i = 0; i < 5; ++i)
                 put(lot(256)); // depth, format, samples, height, record
             return;
@@ -40,14 +41,15 @@ class Writer {
         std::size_t argument;
         unsigned byte;
     };
-    /// The first enums and parameter names of the call are `chosen`, as far as they go; `fixed` bytes win.
+    /// Writes a call whose first enums and parameter names are `chosen`. Bytes that are `fixed` have
+    /// priority.
     void call(std::string_view name, std::initializer_list<GLenum> chosen = {},
               std::initializer_list<Fixed> fixed = {}) {
         const std::span<const Command> table = commands();
         for (std::size_t i = 0; i < table.size(); ++i)
             if (table[i].name == name)
                 return call(i, chosen, fixed);
-        std::abort(); // no such command
+        std::abort(); // there is no such command
     }
     void some_state() {
         const std::span<const Command> table = commands();
@@ -80,20 +82,20 @@ class Writer {
             put(w >> 8 * i);
     }
 
-    /// A byte that is not 0 modulo 16: what the reader takes for "something sensible".
+    /// Returns a byte that is not 0 modulo 8, for which the reader takes a sensible value.
     unsigned sensible() {
         for (;;)
             if (const unsigned how = lot(256); how % 8 != 0)
                 return how;
     }
 
-    /// The byte that the reader takes for entry `wanted` of a table; multiples of `avoid` mean something
-    /// else.
+    /// Returns the byte that the reader takes for the `wanted` entry of a table; multiples of `avoid` mean
+    /// something else.
     template <class Is> unsigned choice(std::size_t entries, unsigned avoid, Is is_wanted) {
         for (unsigned how = 1; how < 256; ++how)
             if (how % avoid != 0 && is_wanted(choice_of(static_cast<std::uint8_t>(how), avoid, entries)))
                 return how;
-        std::abort(); // not in this table
+        std::abort(); // the entry is not in this table
     }
 
     void call(std::size_t index, std::initializer_list<GLenum> chosen, std::initializer_list<Fixed> fixed) {
@@ -149,8 +151,8 @@ void lit(Writer& w) {
     shapes(w);
 }
 
-/// A level of a texture, as run_command_stream() reads sizes (value + 2), levels (value + 3, not 8) and
-/// borders (value + 1).
+/// Writes a level of a texture, as run_command_stream() reads sizes (value + 2), levels (value + 3, not 8)
+/// and borders (value + 1).
 void image(Writer& w, unsigned level, unsigned size, GLenum format, GLenum type) {
     const unsigned level_byte = level == 5 ? 76 : level + 3;
     w.call("glTexImage2D", {GL_TEXTURE_2D, format, type},
@@ -164,8 +166,8 @@ void textured(Writer& w) {
         const GLenum format = formats[w.lot(5)];
         for (unsigned level = 0; level <= 4; ++level)
             image(w, level, 16u >> level, format, w.lot(2) != 0 ? GL_UNSIGNED_BYTE : GL_FLOAT);
-        // How the reader spells tokens: 2 or 3 modulo 4 picks one by the byte modulo 19, NEAREST and LINEAR
-        // first.
+        // The reader picks a token by the byte modulo 19, NEAREST and LINEAR first, when the argument is 2 or
+        // 3 modulo 4.
         for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
             w.call("glTexParameteri", {GL_TEXTURE_2D, filter}, {{2, i % 2 != 0 ? 38u : 39u}});
         w.call("glTexParameteri", {GL_TEXTURE_2D});
@@ -193,7 +195,7 @@ void fragments(Writer& w) {
 // Bytes that run_command_stream() reads as an internal format (modulo 20) or as a token (modulo 19).
 constexpr unsigned rgb = 21, rgba = 20, rgb5 = 28, nearest = 38, linear = 39, replace = 51, modulate = 10;
 
-/// One state that has a span of its own: what is on, and the texture.
+/// A state that has a fused span: what is on, and the texture.
 struct Preset {
     bool texture, depth, blend, fog;
     unsigned kept, filter, environment;
@@ -258,7 +260,7 @@ void arrays(Writer& w) {
     }
 }
 
-/// Primitives in every mode that has stages of its own.
+/// Draws primitives in every mode that has stages of its own.
 void modal(Writer& w) {
     w.call("glEnable", {GL_BLEND});
     for (const GLenum on : {GL_POINT_SMOOTH, GL_LINE_SMOOTH, GL_POLYGON_SMOOTH, GL_LINE_STIPPLE,
@@ -272,7 +274,7 @@ void modal(Writer& w) {
     }
 }
 
-/// Drawing into the buffers of selection and feedback, names between, stacks of attributes around.
+/// Draws into the buffers of selection and feedback, with names between and attribute stacks around.
 void captured(Writer& w) {
     for (int i = 0; i < 3; ++i) {
         w.call("glPushAttrib");
@@ -292,7 +294,7 @@ void captured(Writer& w) {
     }
 }
 
-/// Maps of every target, points and meshes of them.
+/// Defines maps of every target, and draws points and meshes of them.
 void evaluated(Writer& w) {
     for (const GLenum on : {GL_MAP1_VERTEX_3, GL_MAP2_VERTEX_4, GL_MAP2_COLOR_4, GL_MAP1_TEXTURE_COORD_2,
                             GL_AUTO_NORMAL, GL_LIGHTING, GL_LIGHT0})
@@ -309,7 +311,7 @@ void evaluated(Writer& w) {
     }
 }
 
-/// What is read and copied in the midst of a frame, and counted.
+/// Reads, copies and counts pixels in the middle of a frame.
 void copied(Writer& w) {
     w.call("glEnable", {GL_DEPTH_TEST});
     for (int i = 0; i < 5; ++i) {
@@ -344,7 +346,7 @@ std::vector<std::vector<std::uint8_t>> command_seeds() {
     for (int round = 0; round < 24; ++round)
         for (const Fill fill : fills) {
             Writer w(++number, fill == fused, round % 2 != 0);
-            if (round >= 8 && fill != fused) // with whatever state a few calls leave
+            if (round >= 8 && fill != fused) // in whatever state a few calls leave
                 for (int i = 0; i < 6; ++i)
                     w.some_state();
             fill(w);

@@ -1,5 +1,5 @@
-// Command streams that draw: where the fuzzer starts, since random calls seldom find Begin, vertices and End
-// in that order.
+// Command streams that draw. The fuzzer starts with them, because random calls seldom find Begin, vertices
+// and End in that order.
 #pragma once
 
 #include <cstdint>

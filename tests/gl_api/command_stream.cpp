@@ -72,8 +72,8 @@ class Run {
     }
 
   private:
-    /// Bits of how_: double buffered, an index framebuffer, a second context that shares, fewer bits of an
-    /// index.
+    /// Bits of how_ choose double buffering, an index framebuffer, a second context that shares, and fewer
+    /// bits of an index.
     void turn_to(gl::Context* now) {
         gl::make_current(now, surface_, (how_ & 1) != 0);
         if (is_indexed(surface_.format))

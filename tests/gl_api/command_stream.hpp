@@ -1,5 +1,5 @@
-// Bytes to GL calls, by the command table: what the fuzzer and the random-stream test run on the real
-// pipeline.
+// Makes GL calls from bytes, by the command table. The fuzzer and the random-stream test run such streams on
+// the real pipeline.
 #pragma once
 
 #include <cstddef>
@@ -7,12 +7,12 @@
 
 namespace spangle::test {
 
-/// Makes a context with a 64 x 48 surface of exact size, runs the commands that `data` spells, and destroys
-/// it. Aborts when the arena is damaged or something is left in it. By its first byte a stream is drawn to a
-/// window instead, whole and in bands (command_bands.hpp).
+/// Makes a context with a 64 x 48 surface of exact size, runs the commands in `data`, and destroys the
+/// context. Aborts if the arena is damaged or not empty afterwards. The first byte may choose a window
+/// instead, drawn whole and in bands (command_bands.hpp).
 void run_command_stream(const std::uint8_t* data, std::size_t bytes);
 
-/// Which of `entries` a byte names, where multiples of `other` mean something else.
+/// Returns which of `entries` a byte names; multiples of `other` mean something else.
 constexpr std::size_t choice_of(std::uint8_t how, unsigned other, std::size_t entries) {
     return (how - how / other - 1) % entries;
 }

@@ -1,5 +1,5 @@
-// Random command streams on the real pipeline: nothing breaks (run it under ASan and UBSan for the whole
-// meaning).
+// Runs random command streams on the real pipeline: nothing breaks. ASan and UBSan give this test its full
+// meaning.
 #include "tests/gl_api/command_seeds.hpp"
 #include "tests/gl_api/command_stream.hpp"
 

@@ -1,5 +1,5 @@
-// Every entry point with its argument kinds and a uniform way to call it: what the error sweep and the fuzzer
-// walk. The table itself is generated from gl/api/commands.
+// Describes every entry point by the kinds of its arguments, with a uniform way to call it. The error sweep
+// and the fuzzer walk this table, which is generated from gl/api/commands.
 #pragma once
 
 #include <climits>
@@ -14,7 +14,7 @@ using gl::Listing;
 
 enum class Kind : std::uint8_t {
     real,  ///< a number of the entry point's type, in Value::number
-    enum_, ///< Value::integer, as the next ones
+    enum_, ///< in Value::integer, as the next kinds
     int_,
     uint,
     sizei,
@@ -28,22 +28,22 @@ enum class Kind : std::uint8_t {
 
 struct Pname {
     GLenum name;
-    int count;         ///< values it takes
-    char kind;         ///< c colour, r real, i integer
+    int count;         ///< number of values it takes
+    char kind;         ///< 'c' colour, 'r' real, 'i' integer
     std::int64_t good; ///< a value that is accepted
-    GLenum target;     ///< the target it belongs to; 0: the first one
-    bool present;      ///< its optional system is in this build
-    GLenum code;       ///< what it raises in a context that nothing was done to
+    GLenum target;     ///< the target it belongs to; 0: the first target
+    bool present;      ///< whether its optional system is in this build
+    GLenum code;       ///< the error in a new context, or NO_ERROR
 };
 
 struct Arg {
     Kind kind;
-    std::span<const GLenum> accepted; ///< of an enum; empty when any value may do
-    std::int64_t low, high;           ///< what is not INVALID_VALUE by the argument's own rule
-    std::int64_t good;                ///< a value that is accepted beside the other good ones
-    unsigned size;                    ///< bytes of the type, of one element for pointers
-    char type;      ///< of a number or those pointed at: b s i, B S I unsigned, l intptr, f d x; 0: no number
-    unsigned count; ///< numbers that lie at a pointer; 0: parameters of Pname::count, or what others decide
+    std::span<const GLenum> accepted; ///< tokens that are accepted; empty: any value may be
+    std::int64_t low, high;           ///< values that are not INVALID_VALUE by the argument's own rule
+    std::int64_t good;                ///< a value that is accepted together with the other good ones
+    unsigned size;                    ///< bytes of the type; of one element for pointers
+    char type;      ///< type of the number: b s i, B S I unsigned, l intptr, f d x; 0: no number
+    unsigned count; ///< numbers at a pointer; 0: Pname::count, or other arguments decide
 };
 
 union Value {
@@ -55,11 +55,11 @@ union Value {
 struct Command {
     const char* name;
     const char* family;
-    const char* row; ///< of the feature matrix
-    bool inside;     ///< legal between Begin and End
+    const char* row; ///< row of the feature matrix
+    bool inside;     ///< whether the call is legal between Begin and End
     Listing listing;
-    bool present;   ///< its feature is in this build
-    GLenum refuses; ///< what all arguments raise, or NO_ERROR
+    bool present;   ///< whether its feature is in this build
+    GLenum refuses; ///< the error of any arguments, or NO_ERROR
     std::span<const Arg> args;
     std::span<const Pname> pnames;
     void (*call)(const Value* values);

@@ -1,5 +1,5 @@
-// What is derived of state follows every change of it: a context that changes its state, changes it back and
-// pops it draws what a new context draws that was given that state alone.
+// Derived state follows every change of state. A context that changes state, changes it back and pops it must
+// draw what a new context draws that was given the same state alone.
 #include <functional>
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@
 
 namespace {
 
-constexpr bool whole = sizeof SPANGLE_LEFT_OUT == 1; // this build has all optional systems
+constexpr bool whole = sizeof SPANGLE_LEFT_OUT == 1; // whether this build has all optional systems
 
 constexpr int side = 24;
 
@@ -48,7 +48,7 @@ struct Derived : testing::Test {
         eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         eglTerminate(display);
     }
-    /// A new context and surface, current, with textures of two sizes bound to two units.
+    /// Makes a new current context and surface, with textures of two sizes bound to two units.
     Bound start(int color_bits) {
         const EGLint wishes[] = {EGL_RENDERABLE_TYPE,
                                  EGL_OPENGL_BIT,
@@ -86,9 +86,9 @@ struct Derived : testing::Test {
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     }
     static void clear() { glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT); }
-    /// What the state makes of two triangles out of arrays, a line and a point.
+    /// Returns what the state makes of two triangles from arrays, a line and a point.
     std::vector<GLubyte> draw() {
-        const GLenum changed = glGetError(); // a change of what this build does not have is refused
+        const GLenum changed = glGetError(); // a build refuses changes of systems that it does not have
         EXPECT_TRUE(changed == GL_NO_ERROR || (!whole && changed == GL_INVALID_OPERATION)) << changed;
         glInterleavedArrays(GL_T2F_C4F_N3F_V3F, 0, arrays.data());
         glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_SHORT, elements.data());
@@ -172,7 +172,7 @@ std::vector<Change> all_changes() {
     return all;
 }
 
-/// With all that follows in effect, so that each change shows.
+/// Enables everything, so that each change is visible.
 void show_all() {
     for (const GLenum cap :
          {GL_DEPTH_TEST, GL_TEXTURE_2D, GL_BLEND, GL_FOG, GL_LIGHTING, GL_LIGHT0, GL_NORMALIZE})
@@ -214,10 +214,10 @@ TEST_F(Derived, StateThatIsPoppedIsDrawnAgain) {
             }
             end(bound);
         }
-    EXPECT_GT(seen, whole ? 80 : 60); // changes that are seen
+    EXPECT_GT(seen, whole ? 80 : 60); // changes that are visible
 }
 
-/// Among states that come back, with textures and drawables that change meanwhile.
+/// States come back, while textures and drawables change.
 TEST_F(Derived, StatesThatComeBackAreDrawnAgain) {
     const std::vector<Change> changes = all_changes();
     spangle::test::Random random{77};

@@ -1,4 +1,5 @@
-// Every error has one sentence, which names the command, the argument and the rule (spangle/message.hpp).
+// Every error is reported in one sentence, which names the command, the argument and the rule
+// (spangle/message.hpp).
 #include <algorithm>
 #include <set>
 #include <string_view>
@@ -9,7 +10,7 @@
 namespace spangle::test {
 namespace {
 
-constexpr bool whole = sizeof SPANGLE_LEFT_OUT == 1; // this build has all optional systems
+constexpr bool whole = sizeof SPANGLE_LEFT_OUT == 1; // whether this build has all optional systems
 
 class ErrorSentences : public ErrorSweep {
   protected:
@@ -26,7 +27,7 @@ class ErrorSentences : public ErrorSweep {
 
     static std::string said() { return sentences().empty() ? "" : sentences().back().text; }
 
-    /// The sentence of one call; the error is cleared.
+    /// Returns the sentence of one call, and clears the error.
     std::string sentence(void (*call)()) {
         sentences().clear();
         call();
@@ -34,8 +35,8 @@ class ErrorSentences : public ErrorSweep {
         return said();
     }
 
-    /// Good arguments, some of them replaced by what few commands take. Client memory is never too small for
-    /// them, and meshes have few points.
+    /// Returns good arguments, some of them replaced by values that few commands take. Client memory is never
+    /// too small for them, and meshes have few points.
     std::vector<Value> hostile(const Command& c) {
         const std::size_t shapes = std::max<std::size_t>(1, c.pnames.size());
         std::vector<Value> values = good(c, random_.below(static_cast<std::uint32_t>(shapes)));
@@ -48,7 +49,7 @@ class ErrorSentences : public ErrorSweep {
         return values;
     }
 
-    /// Back to where good() starts from, also after calls that succeeded.
+    /// Restores the state from which good() starts, also after calls that succeeded.
     void restore() {
         if (context->inside_begin_end())
             glEnd();
@@ -64,8 +65,8 @@ class ErrorSentences : public ErrorSweep {
         sentences().clear();
     }
 
-    /// What the call says, and nothing where it raises no error. `of` is the command whose name the sentence
-    /// has.
+    /// Checks the sentence of a call, or that there is none if the call raises no error. The sentence names
+    /// the command `of`.
     void check(const Command& c, const std::vector<unsigned char>& before, const char* where) {
         const GLenum code = std::exchange(context->error_code, GLenum{GL_NO_ERROR});
         if (code != GL_NO_ERROR) {
@@ -86,8 +87,8 @@ class ErrorSentences : public ErrorSweep {
         return values[random_.below(count)];
     }
 
-    /// C++ leaves the conversion of a number to an integer type that does not hold it undefined, so a command
-    /// whose name ends in an integer type gets the nearest number that its type holds.
+    /// In C++ it is undefined to convert a number to an integer type that does not hold it. So a command of
+    /// an integer type gets the nearest number that the type holds.
     static double representable(const Command& c, double number) {
         std::string_view name = c.name;
         name.remove_suffix(name.ends_with("OES") ? 3 : 0);
@@ -170,7 +171,7 @@ TEST_F(ErrorSentences, HostileArguments) {
 }
 
 #if SPANGLE_FEATURE_LISTS
-/// A recorded command raises its errors when it is played, with the same sentence.
+/// A recorded command raises its errors when the list is played, with the same sentence.
 TEST_F(ErrorSentences, HostileArgumentsInLists) {
     for (const Command& c : commands())
         for (int round = 0; c.present && c.listing != Listing::never && round < rounds; ++round) {
@@ -277,7 +278,7 @@ TEST_F(ErrorSentences, ImagesTellWhichSideAndValue) {
 #endif
 }
 
-/// Profiles lower limits: a program that needs more learns which setting to change.
+/// Profiles lower limits. A program that needs more learns which setting to change.
 TEST_F(ErrorSentences, LimitsAreNamedByTheirOptions) {
     const struct {
         GLenum mode, most;
@@ -301,7 +302,8 @@ TEST_F(ErrorSentences, LimitsAreNamedByTheirOptions) {
               "(SPANGLE_TEXTURE_LEVELS) (GL 1.3, 3.8.1)");
 }
 
-/// What is drawn raises errors where vertices pay nothing for sentences: the next other command tells them.
+/// Drawing raises errors without a sentence, so that vertices cost nothing more. The next other command
+/// reports them.
 TEST_F(ErrorSentences, DrawingIsToldByTheNextCommand) {
     const auto raise = [this] { gl::drawing_error(*context, GL_OUT_OF_MEMORY, "no room"); };
     glBegin(GL_TRIANGLES);
@@ -318,7 +320,7 @@ TEST_F(ErrorSentences, DrawingIsToldByTheNextCommand) {
     EXPECT_EQ(glGetError(), GLenum{GL_OUT_OF_MEMORY});
 }
 
-/// Only the first code is kept until somebody reads it, but each error has its sentence.
+/// GL keeps the first error code until it is read, but each error has its sentence.
 TEST_F(ErrorSentences, LaterErrorsAreExplainedToo) {
     sentences().clear();
     glEnable(0xDEAD);

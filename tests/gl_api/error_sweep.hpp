@@ -1,4 +1,4 @@
-// A context in which every entry point of the table is called with arguments it takes, and with others.
+// A context in which every entry point of the table is called, with arguments that it takes and with others.
 #pragma once
 
 #include <cstdio>
@@ -20,7 +20,7 @@ class ErrorSweep : public RecordingContext {
     explicit ErrorSweep(const gl::Engine& engine = recording_engine)
         : RecordingContext(false, arena_bytes, engine) {}
 
-    /// Arguments that are accepted together outside Begin and End.
+    /// Returns arguments that are accepted together outside Begin and End.
     std::vector<Value> good(const Command& c) {
         std::size_t pname = 0;
         while (scalar_of_vector(c, pname))
@@ -30,7 +30,7 @@ class ErrorSweep : public RecordingContext {
     std::vector<Value> good(const Command& c, std::size_t pname) {
         std::vector<Value> values;
 #if SPANGLE_FEATURE_BUFFERS
-        const std::string row = c.row; // what asks for a buffer has one that is not mapped
+        const std::string row = c.row; // commands of buffers get a buffer that is not mapped
         const bool buffer = (row == "B21" || row == "B22") && gl::current_context() != nullptr;
         for (const GLenum target : {GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER})
             gl::cmd::BindBuffer(*context, target, 0);
@@ -55,7 +55,7 @@ class ErrorSweep : public RecordingContext {
         }
 #endif
         std::memset(client, 0, sizeof client);
-        if (!c.pnames.empty()) { // the vector form's first value
+        if (!c.pnames.empty()) { // the first value of the vector form
             const auto value = static_cast<GLint>(good_value(c, pname));
             const auto number = static_cast<GLfloat>(value);
             const GLdouble wide = number;
@@ -95,7 +95,7 @@ class ErrorSweep : public RecordingContext {
         return values;
     }
 
-    /// What changes an image finds one that it may change.
+    /// Gives commands that change an image an image that they may change.
     void images([[maybe_unused]] const Command& c) {
         if (gl::current_context() == nullptr || context->inside_begin_end() || context->list.index != 0)
             return;
@@ -112,7 +112,7 @@ class ErrorSweep : public RecordingContext {
 #endif
     }
 
-    /// As the entry point takes it: reals of the fixed-point forms have 16 fraction bits.
+    /// Returns a good value as the entry point takes it: reals of fixed-point forms have 16 fraction bits.
     static std::int64_t good_value(const Command& c, std::size_t pname) {
         const bool fixed = c.pnames[pname].kind == 'r' && std::strstr(c.name, "OES") != nullptr;
         return c.pnames[pname].good * (fixed ? 65536 : 1);
@@ -123,8 +123,8 @@ class ErrorSweep : public RecordingContext {
         return std::exchange(context->error_code, GLenum{GL_NO_ERROR});
     }
 
-    /// What a call raises, held against a snapshot of the state; also that an earlier error is kept, and that
-    /// a sentence names the command and the rule.
+    /// Checks the error of a call, and that the state equals its snapshot. An earlier error must be kept, and
+    /// the sentence must name the command and the rule.
     void refused(const Command& c, const std::vector<Value>& values, GLenum code, const std::string& why) {
         const auto before = snapshot();
         sentences().clear();
@@ -142,7 +142,7 @@ class ErrorSweep : public RecordingContext {
         return all;
     }
     static inline int explained_ = 0;
-    /// One sentence, "glCommand: what (section)".
+    /// Checks that there is one sentence, "glCommand: what (section)".
     static void explained([[maybe_unused]] const Command& c, [[maybe_unused]] GLenum code,
                           [[maybe_unused]] const std::string& why) {
 #if SPANGLE_MESSAGES

@@ -1,4 +1,5 @@
-// Every entry point of the table: what it must refuse, and that a refusal changes nothing (GL 1.3, 2.5).
+// Tests for every entry point of the table what it must refuse, and that a refusal changes nothing (GL 1.3,
+// 2.5).
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -90,7 +91,7 @@ TEST_F(ErrorSweep, UnknownEnums) {
         }
 }
 
-/// Every token of every command is a wrong one wherever it is not among the accepted.
+/// A token of any command is wrong in every argument that does not accept it.
 TEST_F(ErrorSweep, TokensOfOtherCommands) {
     std::set<GLenum> tokens;
     for (const Command& c : commands()) {
@@ -100,7 +101,7 @@ TEST_F(ErrorSweep, TokensOfOtherCommands) {
             tokens.insert(pname.name);
     }
     EXPECT_GT(tokens.size(), 250u);
-    // What these accept stands in the table of state.
+    // The table of state says which tokens these commands accept.
     const std::set<std::string> queries = {"GetBooleanv", "GetIntegerv",  "GetFloatv",
                                            "GetDoublev",  "GetFixedvOES", "GetPointerv"};
     const auto is_value = [&queries](const std::string& family, GLenum token) {
@@ -131,7 +132,8 @@ TEST_F(ErrorSweep, TokensOfOtherCommands) {
         }
 }
 
-/// Every Push has its Pop; both say when they cannot, and change nothing then (GL 1.3, 2.5).
+/// Every Push has its Pop. Both raise an error if the stack is full or empty, and then change nothing (GL
+/// 1.3, 2.5).
 TEST_F(ErrorSweep, StacksThatAreFullOrEmpty) {
     const auto find = [](const std::string& name) {
         const auto all = commands();
@@ -139,7 +141,7 @@ TEST_F(ErrorSweep, StacksThatAreFullOrEmpty) {
     };
     GLuint words[4];
     glSelectBuffer(4, words);
-    glRenderMode(GL_SELECT); // where names have a meaning
+    glRenderMode(GL_SELECT); // names have a meaning in this mode
     context->error_code = GL_NO_ERROR;
     int stacks = 0;
     for (const Command& push : commands()) {
@@ -235,8 +237,8 @@ TEST_F(ErrorSweep, ExtremeNumbersDoNoHarm) {
             auto values = good(c);
             bool any = false;
             for (std::size_t i = 0; i < c.args.size(); ++i) {
-                // Only float and double entry points can be given these; a conversion to an integer type is
-                // not ours.
+                // Only float and double entry points can get these numbers; the compiler converts them for
+                // integer types.
                 const bool number = c.args[i].kind == Kind::real || c.args[i].kind == Kind::pvalue;
                 const std::string name = c.name;
                 if (number && (name.back() == 'f' || name.back() == 'd')) {
@@ -250,7 +252,7 @@ TEST_F(ErrorSweep, ExtremeNumbersDoNoHarm) {
     }
 }
 
-/// GL 1.3, 3.3, 3.4 and 3.10: numbers have ranges, too.
+/// Numbers have ranges, too (GL 1.3, 3.3, 3.4 and 3.10).
 TEST_F(ErrorSweep, NumbersOutOfRange) {
     const std::pair<void (*)(), GLenum> calls[] = {
         {[] { glPointSize(0); }, GL_INVALID_VALUE},

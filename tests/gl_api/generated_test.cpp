@@ -1,4 +1,4 @@
-// What is committed is what the table says; the public header is C; the versions agree.
+// The committed generated files are what the table says, the public header is C, and the versions agree.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -63,7 +63,7 @@ TEST(Generated, ProcAddresses) {
 #endif
 }
 
-// A library that exports the names with a suffix forwards them as these functions do.
+// A library that exports names with a suffix forwards calls as these functions do.
 #define ALIAS(returns, name, command, parameters, arguments)                                                 \
     [[maybe_unused]] returns name parameters {                                                               \
         return command arguments;                                                                            \
@@ -74,7 +74,7 @@ namespace alias {
 } // namespace alias
 #undef ALIAS
 
-/// Extensions call core commands by names with a suffix: eglGetProcAddress finds the command itself.
+/// Extensions call core commands by names with a suffix; eglGetProcAddress returns the command itself.
 TEST(Generated, NamesWithASuffix) {
     struct Alias {
         std::string name, command;

@@ -1,4 +1,4 @@
-// What a context begins as: kept as steps, and the same as its constructors make it.
+// The initial state of a context is kept as steps, which must give what the constructors give.
 #include "gl/context/initial.hpp"
 
 #include <cstring>
@@ -28,7 +28,7 @@ template <class Texture> void clear_view(Texture& texture) {
     }
 }
 
-/// What is derived of textures before it is looked at.
+/// Clears what is derived of textures when they are first used.
 template <class State> void clear_views(State& s) {
     clear_view(s.default_2d);
     if constexpr (requires { s.default_1d; })
@@ -42,9 +42,10 @@ template <class State> void clear_views(State& s) {
 TEST(Initial, StepsMakeWhatConstructorsMake) {
     static Memory made, expected;
     Context* const context = begin_context(&made);
-    auto* const reference = new (&expected) Context(); // zeroed first, so that bytes between members are, too
+    auto* const reference =
+        new (&expected) Context(); // zeroed first, so that bytes between members are zero, too
     for (Context* c : {context, reference}) {
-        std::memset(static_cast<void*>(&c->fragments), 0, sizeof c->fragments); // compiled first
+        std::memset(static_cast<void*>(&c->fragments), 0, sizeof c->fragments); // drawing compiles it first
         clear_views(c->texture);
         clear_above_top(c->transform.modelview);
         clear_above_top(c->transform.projection);
@@ -55,7 +56,7 @@ TEST(Initial, StepsMakeWhatConstructorsMake) {
         ASSERT_EQ(made.byte[i], expected.byte[i]) << "byte " << i;
 }
 
-/// The first draw compiles, whatever is there.
+/// The first draw compiles the fragment state, whatever memory held before.
 TEST(Initial, FragmentsAreToBeCompiled) {
     static Memory made;
     const Context* const context = begin_context(&made);

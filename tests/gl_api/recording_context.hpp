@@ -1,4 +1,4 @@
-// A current context whose vertex pipeline writes down what reaches it.
+// A current context whose vertex pipeline records what reaches it.
 #pragma once
 
 #include <cstring>
@@ -18,7 +18,7 @@ namespace spangle::test {
 struct Event {
     enum What { begin, vertex, end } what;
     GLenum mode = 0;
-    std::uint32_t position[4] = {}, color[4] = {}, normal[3] = {}, tex_coord[4] = {}; ///< float bits
+    std::uint32_t position[4] = {}, color[4] = {}, normal[3] = {}, tex_coord[4] = {}; ///< bits of floats
     friend bool operator==(const Event&, const Event&) = default;
 };
 
@@ -58,7 +58,7 @@ inline const gl::Engine recording_engine = {
 #endif
 };
 
-/// 64 x 48 pixels, RGBA8888, Z24S8.
+/// The surface has 64 x 48 pixels of RGBA8888 with Z24S8.
 class RecordingContext : public ::testing::Test {
   protected:
     static constexpr std::int32_t width = 64, height = 48;
@@ -92,7 +92,7 @@ class RecordingContext : public ::testing::Test {
         return s;
     }
 
-    /// Everything but the error code, the derived and the recorder.
+    /// Returns all state without the error code, derived state and the recorder.
     std::vector<unsigned char> snapshot() const {
         gl::Context copy;
         std::memcpy(static_cast<void*>(&copy), context, sizeof copy);

@@ -1,5 +1,5 @@
-// Two contexts of one share group: who sees what, and how long what was deleted lives (GL 1.3, 3.8.11
-// and 5.4; GL 1.5, 2.9; EGL 1.4, 2.4).
+// Tests two contexts of one share group: which of them sees a change, and how long deleted objects live (GL
+// 1.3, 3.8.11 and 5.4; GL 1.5, 2.9; EGL 1.4, 2.4).
 #include <array>
 
 #include "tests/gl_api/recording_context.hpp"
@@ -50,7 +50,7 @@ TEST_F(Sharing, ABufferLivesWhileItIsBoundElsewhere) {
     glDeleteBuffers(1, &name);
     EXPECT_EQ(get(GL_ARRAY_BUFFER_BINDING), 0) << "unbound where it was deleted";
     EXPECT_FALSE(glIsBuffer(7));
-    glBindBuffer(GL_ARRAY_BUFFER, 7); // another one of the same name
+    glBindBuffer(GL_ARRAY_BUFFER, 7); // another buffer of the same name
     EXPECT_EQ(size_of_buffer(), 0);
     in(other);
     EXPECT_EQ(get(GL_ARRAY_BUFFER_BINDING), 7) << "bound where it was not";
@@ -96,13 +96,13 @@ TEST_F(Sharing, ABufferLivesOnTheStack) {
     glPopClientAttrib();
     EXPECT_EQ(get(GL_ARRAY_BUFFER_BINDING), 7);
     EXPECT_EQ(size_of_buffer(), 3);
-    glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT); // left there: the end of the context lets go of it
+    glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT); // stays on the stack; the end of the context frees it
     glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 #endif
 
 #if SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS
-/// Array objects of either context, bound or not, hold it, too.
+/// Array objects of either context hold the buffer, too, whether they are bound or not.
 TEST_F(Sharing, ABufferLivesInVertexArrayObjects) {
     in(other);
     GLuint arrays[2];
@@ -161,7 +161,7 @@ TEST_F(Sharing, ATextureLivesWhileItIsBoundElsewhere) {
 }
 
 #if SPANGLE_FEATURE_LISTS
-/// Lists are not bound: deleted is deleted, for all.
+/// Lists cannot be bound, so a deleted list is deleted for all contexts.
 TEST_F(Sharing, Lists) {
     glNewList(3, GL_COMPILE);
     glShadeModel(GL_FLAT);
@@ -181,7 +181,7 @@ TEST_F(Sharing, Lists) {
 }
 #endif
 
-/// The first context may go first.
+/// The context that was made first may be destroyed first.
 TEST_F(Sharing, TheGroupGoesWithItsLastContext) {
     glBindTexture(GL_TEXTURE_2D, 9);
 #if SPANGLE_FEATURE_BUFFERS

@@ -1,4 +1,4 @@
-// Initial state against GL 1.3's tables (6.5 to 6.29), and the conversions of the queries (6.1.2).
+// Tests the initial state against GL 1.3's tables (6.5 to 6.29), and the conversions of the queries (6.1.2).
 #include <cmath>
 #include <set>
 #include <sstream>
@@ -346,7 +346,7 @@ std::vector<Expected> initial_state() {
     return table;
 }
 
-/// Integers come from GetDoublev signed.
+/// Converts a mask of ones to -1, because GetDoublev returns integers signed.
 double as_signed(double v) {
     return v == ones ? -1 : v;
 }
@@ -363,9 +363,9 @@ TEST_F(State, InitialValues) {
     }
 }
 
-/// No value that can be queried is left out above.
+/// The table above leaves out no value that can be queried.
 TEST_F(State, InitialValuesAreOfTheWholeTable) {
-    std::set<GLenum> known = {GL_MAX_ELEMENTS_INDICES, GL_MAX_ELEMENTS_VERTICES}; // any value may do
+    std::set<GLenum> known = {GL_MAX_ELEMENTS_INDICES, GL_MAX_ELEMENTS_VERTICES}; // these may have any value
     for (const Expected& e : initial_state())
         known.insert(e.name);
     for (const auto& part : gl::all_state())
@@ -427,7 +427,7 @@ TEST_F(State, EveryQueryAgreesAcrossTypes) {
 }
 
 TEST_F(State, QueriesReturnWhatWasSet) {
-    glClearColor(0.25f, 0.5f, 2.0f, -1.0f); // clamped when set (GL 1.3, 4.2.3)
+    glClearColor(0.25f, 0.5f, 2.0f, -1.0f); // clamped when it is set (GL 1.3, 4.2.3)
     GLfloat f[4];
     glGetFloatv(GL_COLOR_CLEAR_VALUE, f);
     EXPECT_EQ(f[0], 0.25f);
@@ -444,7 +444,7 @@ TEST_F(State, QueriesReturnWhatWasSet) {
     EXPECT_EQ(f[1], -2.25f);
     EXPECT_EQ(f[2], 1e-30f);
     for (const auto& [given, kept] :
-         {std::pair{0.75f, 0.75f}, {-1.0f, 0.0f}, {2.0f, 1.0f}}) { // clamped when set
+         {std::pair{0.75f, 0.75f}, {-1.0f, 0.0f}, {2.0f, 1.0f}}) { // clamped when it is set
         glSampleCoverage(given, GL_TRUE);
         glGetFloatv(GL_SAMPLE_COVERAGE_VALUE, f);
         EXPECT_EQ(f[0], kept);
@@ -550,7 +550,7 @@ TEST_F(State, AbsentSystemsAreNamed) {
     on_message(nullptr);
 }
 
-/// Programs enable arrays either way; a list holds what came as a capability.
+/// Programs may enable arrays as client state or as capabilities; a list records capabilities.
 TEST_F(State, ClientArraysAreCapabilities) {
     for (GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY}) {
         glEnable(array);
@@ -562,14 +562,14 @@ TEST_F(State, ClientArraysAreCapabilities) {
         glDisable(array);
         EXPECT_FALSE(glIsEnabled(array));
     }
-    glClientActiveTexture(GL_TEXTURE1); // whose array it is, whatever unit ActiveTexture has chosen
+    glClientActiveTexture(GL_TEXTURE1); // chooses the unit of the array, whatever ActiveTexture has chosen
     glEnable(GL_TEXTURE_COORD_ARRAY);
     EXPECT_TRUE(glIsEnabled(GL_TEXTURE_COORD_ARRAY));
     glClientActiveTexture(GL_TEXTURE0);
     EXPECT_FALSE(glIsEnabled(GL_TEXTURE_COORD_ARRAY));
     glEnable(GL_VERTEX_ARRAY);
 #if SPANGLE_FEATURE_ATTRIB_STACKS
-    glPushAttrib(GL_ENABLE_BIT); // which does not hold what is the client's
+    glPushAttrib(GL_ENABLE_BIT); // does not save client state
     glDisable(GL_VERTEX_ARRAY);
     glPopAttrib();
     EXPECT_FALSE(glIsEnabled(GL_VERTEX_ARRAY));
@@ -599,7 +599,7 @@ TEST_F(State, ArrayPointers) {
         EXPECT_EQ(pointer, data + i);
     }
     GLint n = -1;
-    glGetIntegerv(GL_VERTEX_ARRAY_POINTER, &n); // a pointer is no number
+    glGetIntegerv(GL_VERTEX_ARRAY_POINTER, &n); // a pointer is not a number
     EXPECT_EQ(glGetError(), GLenum{GL_INVALID_ENUM});
     EXPECT_EQ(n, -1);
     void* pointer = nullptr;
@@ -609,14 +609,14 @@ TEST_F(State, ArrayPointers) {
     EXPECT_EQ(n, 12);
 }
 
-/// The version by name where nothing of it was left out: a program may rely on that.
+/// The version string names a version only if nothing of it was left out, so that a program may rely on it.
 TEST_F(State, Strings) {
     const auto text = [](GLenum name) {
         return std::string(reinterpret_cast<const char*>(glGetString(name)));
     };
     EXPECT_EQ(text(GL_VENDOR), "Spangle");
     EXPECT_FALSE(text(GL_RENDERER).empty());
-    // Systems that a version does not have may be left out of a build that has this version.
+    // A build of a version may leave out systems that the version does not have.
     const std::set<std::string> never = {"MULTISAMPLE",  "STENCIL_SIDES",        "PRIMITIVE_RESTART",
                                          "FIXED_POINT",  "VERTEX_ARRAY_OBJECTS", "BANDS",
                                          "BAND_RECORDS", "NARROW_SURFACES",      "GET_PROC_ADDRESS"},
@@ -642,7 +642,7 @@ TEST_F(State, Strings) {
                                       {GL_MAX_TEXTURE_LOD_BIAS, 2},
                                       {GL_MAX_TEXTURE_SIZE, 64}}) {
         glGetIntegerv(name, &limit);
-        if (glGetError() == GL_NO_ERROR && limit < least) // else its system is not there
+        if (glGetError() == GL_NO_ERROR && limit < least) // otherwise its system is not in the build
             minor = '0';
     }
     const std::string version = text(GL_VERSION);
@@ -660,7 +660,7 @@ TEST_F(State, Extensions) {
         {"GL_ARB_shadow", SPANGLE_FEATURE_DEPTH_TEXTURES},
         {"GL_ARB_texture_cube_map", SPANGLE_FEATURE_TEXTURE_CUBE_MAP},
         {"GL_ARB_texture_env_combine", SPANGLE_FEATURE_TEXTURE_COMBINE},
-        // Commands with a suffix are found by eglGetProcAddress alone.
+        // Only eglGetProcAddress finds commands with a suffix.
         {"GL_ARB_multitexture", SPANGLE_FEATURE_GET_PROC_ADDRESS},
         {"GL_ARB_window_pos", SPANGLE_FEATURE_RASTER_POS && SPANGLE_FEATURE_GET_PROC_ADDRESS},
         {"GL_EXT_copy_texture", SPANGLE_FEATURE_COPY_TEXTURE && SPANGLE_FEATURE_TEXTURE_1D &&
@@ -675,7 +675,7 @@ TEST_F(State, Extensions) {
 }
 
 #if SPANGLE_FEATURE_MIPMAP_GENERATION
-/// GL 1.4, 5.6.
+/// Mipmaps have a hint (GL 1.4, 5.6).
 TEST_F(State, MipmapsHaveAHint) {
     GLint hint = 0;
     glGetIntegerv(GL_GENERATE_MIPMAP_HINT, &hint);

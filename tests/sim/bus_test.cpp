@@ -1,4 +1,4 @@
-// The simulated bus and boards: what is counted, what fails, what is seen.
+// Tests the simulated bus and boards: what they count, how they fail, what they show.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -58,7 +58,7 @@ TEST(Board, GlassEqualsSurfaceInEveryOrientation) {
     for (const hal::Board* board : boards::all)
         for (const hal::Orientation o : hal::orientations) {
             if (board->display.wire.converts())
-                continue; // wire_panels_test.cpp
+                continue; // wire_panels_test.cpp tests these formats
             hal::Board turned = *board;
             turned.display.orientation = o;
             sim::SimBoard sim(turned);
@@ -84,13 +84,13 @@ TEST(Board, AFailedTransferIsReportedAndLosesNothing) {
             EXPECT_FALSE(glass_shows(sim, 2)) << int(fault) << ": not all of it arrived";
         }
         const auto again = sim.display().acquire();
-        // A late transfer may still read the frame: it is not handed out.
+        // A late transfer may still read the frame, so the frame is not given to the program.
         EXPECT_EQ(again.ok(), fault != hal::Fault::timeout) << int(fault);
         if (!again.ok()) {
-            sim.pass(2'000'000'000); // until it is over after all
+            sim.pass(2'000'000'000); // until the late transfer is over
             ASSERT_TRUE(sim.display().acquire().ok());
         }
-        // Nothing is touched any more: what failed goes out again.
+        // Nothing new is drawn; the present sends again what failed.
         ASSERT_TRUE(sim.display().present().ok()) << int(fault);
         EXPECT_TRUE(glass_shows(sim, 2)) << int(fault);
     }
@@ -109,8 +109,8 @@ TEST(Board, CountsBytesAndCommands) {
         << "40 MHz";
 }
 
-/// Of a GC9A01's 240x240 pixels those on the disc are seen, whichever way it is turned; behind it all are
-/// scanned out.
+/// Of a GC9A01's 240x240 pixels only those on the disc are seen, whichever way it is turned. The controller
+/// scans out all of them.
 TEST(Board, RoundGlassHidesItsCorners) {
     for (const hal::Orientation o : hal::orientations) {
         hal::Board board = boards::gc9a01;
@@ -139,8 +139,8 @@ TEST(Board, RoundGlassHidesItsCorners) {
         EXPECT_EQ(panel->round, panel->controller == hal::Controller::gc9a01) << panel->name;
 }
 
-/// Nine clocks a byte, and one each for START and STOP (UM10204, 3.1): 1,024 bytes of pixels behind an
-/// address and a control byte, and a message of seven commands before.
+/// A byte takes nine clocks, START and STOP one each (UM10204, 3.1). A frame is a message of seven commands,
+/// and a message of an address, a control byte and 1,024 bytes of pixels.
 TEST(Board, I2cTakesTheClocksOfItsMessages) {
     sim::SimBoard sim(boards::ssd1306_i2c);
     ASSERT_TRUE(sim.display().init().ok());

@@ -21,7 +21,7 @@ void require(bool condition, const char* text) {
     std::abort();
 }
 
-/// The stream; zeros when it has ended.
+/// Reads the bytes of the stream, and zeros after its end.
 class Bytes {
   public:
     Bytes(const std::uint8_t* data, std::size_t bytes) : at_(data), end_(data + bytes) {}
@@ -32,11 +32,11 @@ class Bytes {
     const std::uint8_t *at_, *end_;
 };
 
-constexpr std::uint64_t most_bytes = 2000; ///< on the bus in one run: it fills a small memory twice
+constexpr std::uint64_t most_bytes = 2000; ///< on the bus in one run; they fill a small memory twice
 
 constexpr auto kinds = static_cast<unsigned>(std::size(chips));
 
-/// Small memories are as good as large ones for finding mistakes, and far quicker.
+/// Returns a chip, or the same chip with a small memory, which finds mistakes as well and far quicker.
 Chip chip_of(unsigned choice) {
     Chip chip = chips[choice % kinds];
     if (choice >= kinds) {
@@ -60,10 +60,10 @@ GlassMount mount_of(const Chip& chip, Bytes& in) {
     return m;
 }
 
-/// How a host reaches the controller: bits 0 to 2 of the stream's second byte.
+/// How a host is wired to the controller: bits 0 to 2 of the stream's second byte.
 struct Wiring {
     bool parallel, pins;
-    bool odd; ///< pins only: 3-wire SPI with D/C in front of each byte, or an 8080 bus of 16 lines
+    bool odd; ///< for pins: 3-wire SPI with D/C before each byte, or an 8080 bus of 16 lines
 
     explicit Wiring(unsigned bits) : parallel((bits & 1) != 0), pins((bits & 2) != 0), odd((bits & 6) == 6) {}
     Wiring bytes() const {
@@ -71,11 +71,11 @@ struct Wiring {
         w.pins = false;
         return w;
     }
-    unsigned cycles() const { return parallel ? 1 : odd ? 9 : 8; } ///< of a byte
+    unsigned cycles() const { return parallel ? 1 : odd ? 9 : 8; } ///< cycles of a byte
     bool wide() const { return parallel && odd; }
 };
 
-/// A controller, and how a byte gets there.
+/// A controller with the front end through which bytes reach it.
 class FrontEnd {
   public:
     FrontEnd(const Chip& chip, const GlassMount& glass, const Wiring& wiring)
@@ -105,8 +105,8 @@ class FrontEnd {
         else
             controller.reset(low, now);
     }
-    /// Starts at `now` and takes its cycles; bytes count from their last rising edge on. Sixteen lines carry
-    /// a byte of pixels twice.
+    /// Writes a byte in cycles of `period` from `now` on. A byte counts from its last rising edge on. A byte
+    /// of pixels on sixteen lines is sent twice.
     void write(std::uint8_t byte, bool data, Time now, unsigned period) {
         if (serial_) {
             serial_->set(SerialPins::Pin::data, data, now);
@@ -162,7 +162,7 @@ class FrontEnd {
     bool selected_ = false, dummy_ = false;
     std::uint8_t command_ = 0;
 
-    /// A cycle of 16 lines carries two bytes of pixels.
+    /// Whether a cycle of 16 lines carries two bytes of pixels.
     bool pairs() const {
         const bool memory = command_ == 0x2C || command_ == 0x3C || command_ == 0x2E || command_ == 0x3E;
         return wiring_.wide() && memory;
@@ -271,7 +271,7 @@ class Run {
     }
 
     void write(std::uint8_t byte, bool data) {
-        if (answering()) // pins take no bits then; bytes come through
+        if (answering()) // pins take no bits while the controller answers; whole bytes do
             twin_.reset();
         both([&](FrontEnd& f) { f.write(byte, data, now_, write_cycle_); });
         now_ += Time(write_cycle_) * wiring_.cycles();
@@ -279,7 +279,7 @@ class Run {
     }
 
     void read() {
-        if (!wiring_.parallel && !answering()) // clocks of a byte, which byte ports do not know
+        if (!wiring_.parallel && !answering()) // byte ports do not know the clocks of a byte
             twin_.reset();
         const unsigned answer = first_->read(now_, read_cycle_);
         if (twin_)
@@ -302,7 +302,7 @@ class Run {
         require(line >= 0 && line < chip_.height + chip_.porch_lines, "the beam is nowhere");
         if (!c.awake())
             require(!c.te(now_), "TE while asleep");
-        if (!first_->at_pins()) // 12-bit pixels are the smallest
+        if (!first_->at_pins()) // pixels of 12 bits are the smallest
             require(c.pixels_written() <= bytes_ * 2 / 3 + 1, "more pixels than bytes");
     }
 
@@ -320,7 +320,7 @@ class Run {
 class Writer {
   public:
     explicit Writer(unsigned chip, unsigned front) : out_{std::uint8_t(chip), std::uint8_t(front)} {
-        for (const int byte : {0, 0, 0, 255, 255}) // the whole memory is glass
+        for (const int byte : {0, 0, 0, 255, 255}) // the glass shows the whole memory
             put(byte);
         step(Step::select, 1);
         step(Step::reset, 1);
@@ -416,7 +416,7 @@ void answers(Writer& w, bool parallel, int pixel_dummies) {
     w.read(0xDA, parallel ? 2 : 8);
 }
 
-/// What drivers get wrong.
+/// Writes the mistakes that drivers make.
 void mistakes(Writer& w) {
     w.command(0x2A, {0, 9, 0, 8});
     w.command(0x2B, {0, 0, 1, 255});
@@ -432,7 +432,7 @@ void mistakes(Writer& w) {
     w.read(0x04, 24);
 }
 
-/// Single edges: a byte with D/C moved inside, one that CS cuts.
+/// Writes single edges: a byte in which D/C changes, and a byte that CS ends.
 void edges(Writer& w) {
     for (const int pin : {3, 2, 0, 1, 2, 3, 8, 9, 6, 7, 4, 5, 6, 7, 6, 7, 6, 7})
         w.step(Step::edge, pin);
@@ -447,7 +447,7 @@ void run_controller_stream(const std::uint8_t* data, std::size_t bytes) {
 
 std::vector<std::vector<std::uint8_t>> controller_seeds() {
     std::vector<std::vector<std::uint8_t>> seeds;
-    for (unsigned chip = 0; chip < 2 * kinds; ++chip) // with their own memory, and with a small one
+    for (unsigned chip = 0; chip < 2 * kinds; ++chip) // each chip with its own memory, and with a small one
         for (const unsigned front : {0u, 1u, 2u, 3u, 6u, 7u}) {
             const Chip facts = chip_of(chip);
             const auto with = [&](auto fill) {

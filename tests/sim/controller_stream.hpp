@@ -1,4 +1,5 @@
-// Bytes to what happens at the pins of a controller model: what the fuzzer and the everyday tests run.
+// Streams of bytes decide what happens at the pins of a controller model. The fuzzer and the everyday tests
+// run them.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +9,7 @@
 
 namespace sim_test {
 
-/// One byte each, modulo `count`; what follows stands beside it.
+/// Steps of a stream. A step is one byte modulo `count`, and the bytes named beside it follow.
 enum class Step : std::uint8_t {
     command,     ///< byte
     parameter,   ///< byte
@@ -21,16 +22,17 @@ enum class Step : std::uint8_t {
     read,        ///< n bits (serial) or bytes (parallel)
     write_cycle, ///< ns
     read_cycle,  ///< 4 ns
-    edge,        ///< pin and level: only at pins, and the end of the comparison below
-    look,        ///< at the glass, the scan and TE
+    edge,        ///< pin and level; only at pins; ends the comparison with the twin
+    look,        ///< reads the glass, the scan and TE
     count
 };
 
-/// The first bytes choose a chip, its front end and the glass. Front ends of pins have a twin that is fed the
-/// same bytes; both must hold the same afterwards. Aborts when they do not, or when a state is impossible.
+/// The first bytes choose a chip, its front end and the glass. A front end of pins has a twin that gets the
+/// same bytes, and both must hold the same afterwards. Aborts if they do not, or if a state is impossible.
 void run_controller_stream(const std::uint8_t* data, std::size_t bytes);
 
-/// Streams that do what drivers do: set-up, windows, pixels in every format, read-back, scrolling, resets.
+/// Returns streams that do what drivers do: set-up, windows, pixels in every format, read-back, scrolling,
+/// resets.
 std::vector<std::vector<std::uint8_t>> controller_seeds();
 
 } // namespace sim_test

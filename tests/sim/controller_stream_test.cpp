@@ -1,4 +1,4 @@
-// Random and recorded streams at the controller models: nothing breaks, and pins and bytes agree.
+// Sends random and recorded streams to the controller models: nothing breaks, and pins and bytes agree.
 #include "tests/sim/controller_stream.hpp"
 
 #include <random>

@@ -1,5 +1,5 @@
-// The controller model against the datasheets' rules: byte streams in, memory, glass, answers and violations
-// out.
+// Tests the controller model by the rules of the datasheets: byte streams go in; memory, glass, answers and
+// violations come out.
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -16,7 +16,8 @@ using namespace spangle::sim;
 
 constexpr Time us = 1000, ms = 1000 * us;
 
-/// Bytes on a serial bus at 10 MHz (100 ns a bit), with the pauses the datasheet asks for.
+/// A host that sends bytes on a serial bus at 10 MHz (100 ns a bit), with the pauses that the datasheet asks
+/// for.
 struct Host {
     DcsController chip;
     Time now = 0;
@@ -100,7 +101,7 @@ TEST(Controller, RightStreamsBreakNoRule) {
     }
 }
 
-/// The four corners of a 2 x 2 window land where MADCTL says (ST7735R datasheet 9.11).
+/// The four corners of a 2 x 2 window are where MADCTL puts them (ST7735R datasheet 9.11).
 TEST(Controller, EveryAddressOrder) {
     for (int order = 0; order < 8; ++order) {
         const bool my = (order & 4) != 0, mx = (order & 2) != 0, mv = (order & 1) != 0;
@@ -128,7 +129,7 @@ TEST(Controller, TheWindowWrapsAndContinues) {
     h.pixels(0x3C, {green}); // continues at the pointer
     EXPECT_EQ(h.cell(0, 0), red18);
     EXPECT_EQ(h.cell(1, 0), green18);
-    h.pixels(0x2C, {blue}); // starts again
+    h.pixels(0x2C, {blue}); // starts at the window's start again
     EXPECT_EQ(h.cell(0, 0), blue18);
     h.pixels(0x2C, {red, red, green}); // wraps to the window's start
     EXPECT_EQ(h.cell(0, 0), green18);
@@ -142,7 +143,7 @@ TEST(Controller, ColorModes) {
     h.window(0, 0, 0, 0);
     h.send(0x2C, {0xFC, 0x04, 0x80});
     EXPECT_EQ(h.cell(0, 0), (Rgb666{63, 1, 32}));
-    Host st(chips[1]); // EPF after reset: the missing low bits are green's
+    Host st(chips[1]); // EPF after reset: red and blue repeat green's low bit
     st.wake();
     st.window(0, 1, 0, 0);
     st.pixels(0x2C, {0xF81F, 0xF83F});
@@ -155,7 +156,7 @@ TEST(Controller, TwelveBitPairs) {
     st.wake();
     st.send(0x3A, {0x53});
     st.window(0, 2, 0, 0);
-    st.send(0x2C, {0xF0, 0x00, 0xF0, 0x00, 0xF0}); // three pixels: a pair and a half
+    st.send(0x2C, {0xF0, 0x00, 0xF0, 0x00, 0xF0}); // three pixels: a pair and half of one
     st.send(0x00);
     EXPECT_EQ(st.cell(0, 0), (Rgb666{63, 0, 0}));
     EXPECT_EQ(st.cell(1, 0), (Rgb666{0, 63, 0}));
@@ -164,7 +165,7 @@ TEST(Controller, TwelveBitPairs) {
     st.send(0x2C, {0x12, 0x34, 0x56, 0x78}); // one byte of the next pair
     st.send(0x00);
     EXPECT_TRUE(st.reported(Rule::half_pixel));
-    Host ili(chips[0]); // has no 12-bit format
+    Host ili(chips[0]); // this chip has no 12-bit format
     ili.send(0x3A, {0x53});
     EXPECT_TRUE(ili.reported(Rule::color_format));
 }
@@ -227,7 +228,7 @@ TEST(Controller, GlassShowsOnlyWhatIsOn) {
     h.pixels(0x2C, {red, green, blue, 0, 0, 0});
     EXPECT_EQ(seen()[0], blue18); // mirrored: memory column 4 is leftmost
     EXPECT_EQ(seen()[2], red18);
-    h.send(0x36, {0x08}); // BGR at scan-out
+    h.send(0x36, {0x08}); // BGR takes effect at scan-out
     EXPECT_EQ(seen()[0], (Rgb666{62, 0, 0}));
     h.send(0x21);
     EXPECT_EQ(seen()[0], (Rgb666{1, 63, 63}));
@@ -265,12 +266,12 @@ TEST(Controller, ScrollsAndShowsParts) {
     h.send(0x33, {0, 0, 320 >> 8, 320 & 255, 0, 0});
     h.send(0x37, {0, 1});
     EXPECT_EQ(first(0), green18);
-    h.send(0x33, {0, 1, 317 >> 8, 317 & 255, 0, 2}); // the first row stays, the next 317 turn
+    h.send(0x33, {0, 1, 317 >> 8, 317 & 255, 0, 2}); // the first row stays, the next 317 rotate
     h.send(0x37, {0, 2});
     EXPECT_EQ(first(0), red18);
     EXPECT_EQ(first(1), blue18);
     EXPECT_EQ(first(317), green18);
-    h.send(0x13); // NORON ends scrolling too
+    h.send(0x13); // NORON ends scrolling, too
     EXPECT_EQ(first(0), red18);
     EXPECT_EQ(first(1), green18);
     h.send(0x30, {0, 1, 0, 1});
@@ -296,7 +297,7 @@ TEST(Controller, AnswersForWhatItIs) {
     EXPECT_EQ(Host(chip_named("ILI9488")).read(0xD0, 0, 1), (Bytes{0}));
 }
 
-/// ILI9486 and ILI9488: 16-bit pixels only on a parallel bus.
+/// ILI9486 and ILI9488 take 16-bit pixels on a parallel bus only.
 TEST(Controller, DepthsDependOnTheBus) {
     for (const char* name : {"ILI9486", "ILI9488"}) {
         Host serial(chip_named(name));
@@ -407,7 +408,7 @@ TEST(Controller, PinsChooseTheMemoryOfAnSt7735) {
     EXPECT_EQ(strapped(st, {128, 128}).width, 0);
     Host h(small);
     h.wake();
-    h.send(0x36, {0xC0}); // mirrored both ways: the host's first pixel is the last cell of this memory
+    h.send(0x36, {0xC0}); // mirrored both ways: the first pixel goes to the last cell of this memory
     h.window(0, 0, 0, 0);
     h.pixels(0x2C, {red});
     EXPECT_EQ(h.cell(127, 159), red18);
@@ -436,14 +437,14 @@ TEST(Scan, RatesAndTearingEffect) {
 TEST(Rules, TooEarly) {
     Host a(chips[0]);
     a.reset(20 * us);
-    a.now += 1 * ms; // 5 ms are asked for
+    a.now += 1 * ms; // 5 ms are required
     a.send(0x00);
     EXPECT_TRUE(a.reported(Rule::too_early));
     Host b(chips[0]);
     b.wake();
     b.send(0x10);
     b.now += 6 * ms;
-    b.send(0x11); // 120 ms after SLPIN
+    b.send(0x11); // 120 ms after SLPIN are required
     EXPECT_TRUE(b.reported(Rule::too_early));
     Host c(chips[0]);
     c.send(0x01);
@@ -480,10 +481,10 @@ TEST(Rules, Window) {
     Host crossed(chips[0]), beyond(chips[0]), hidden(chips[1], {0, 0, 240, 240});
     crossed.send(0x2A, {0, 9, 0, 8});
     EXPECT_TRUE(crossed.reported(Rule::window));
-    beyond.send(0x2B, {0, 0, 1, 0x40}); // row 320 of 320
+    beyond.send(0x2B, {0, 0, 1, 0x40}); // row 320 of 320 rows
     EXPECT_TRUE(beyond.reported(Rule::window));
     hidden.wake();
-    hidden.window(0, 0, 240, 240); // memory has the row, the glass has not
+    hidden.window(0, 0, 240, 240); // a row of the memory that the glass does not show
     EXPECT_FALSE(hidden.reported(Rule::window));
     hidden.pixels(0x2C, {red});
     EXPECT_TRUE(hidden.reported(Rule::window));
@@ -521,10 +522,10 @@ TEST(Rules, ClocksAndColorFormat) {
     mix.chip.select(true, mix.now);
     mix.byte(0x2C, false);
     for (int i = 0; i < 36; ++i)
-        mix.byte(0, true); // three bytes a pixel, COLMOD says two
+        mix.byte(0, true); // three bytes a pixel, but COLMOD says two
     mix.send(0x00);
     EXPECT_TRUE(mix.reported(Rule::color_format));
-    quick.read(0x04, 1, 3, 50); // 150 ns is the shortest
+    quick.read(0x04, 1, 3, 50); // 150 ns is the shortest clock
     EXPECT_TRUE(quick.reported(Rule::read));
 }
 
@@ -555,7 +556,7 @@ TEST(Rules, Tear) {
     h.wake();
     h.send(0x35, {0});
     h.window(0, 239, 0, 319);
-    h.period = 16; // a frame takes 19.7 ms, the beam 14.2: it overtakes
+    h.period = 16; // a frame takes 19.7 ms and the beam 14.2 ms, so the beam overtakes
     h.pixels(0x2C, std::vector<int>(240 * 320, red));
     EXPECT_TRUE(h.reported(Rule::tear));
 }

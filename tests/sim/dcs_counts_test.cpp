@@ -1,5 +1,5 @@
-// Counting in the DCS controllers: pixels of 12 bits in windows of every parity, and lines of the scan up to
-// the one that TE is set to (44h). From the model and from the driver.
+// Tests how DCS controllers count, with the model and the driver: pixels of 12 bits in windows of every
+// parity, and lines of the scan until the line to which TE is set (44h).
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ namespace {
 using namespace spangle;
 using namespace spangle::sim;
 
-/// An ST7789 that is awake, and the clock it is written with.
+/// An ST7789 that is awake, and the clock of its writes.
 struct Awake {
     DcsController chip;
     Time now = 0;
@@ -29,7 +29,7 @@ struct Awake {
         now += 120'000'000;
         send({0x29});
     }
-    /// A command, and its parameters or pixels.
+    /// Sends a command with its parameters or pixels.
     void send(const std::vector<int>& bytes) {
         chip.select(true, now);
         for (std::size_t i = 0; i < bytes.size(); ++i)
@@ -51,11 +51,11 @@ struct Awake {
     }
 };
 
-/// Twelve bits that tell pixel n of a frame from its neighbours.
+/// Returns twelve bits that differ between pixel n of a frame and its neighbours.
 unsigned twelve(int n, int frame) {
     return (static_cast<unsigned>(n) * 0x35B + static_cast<unsigned>(frame) * 0x9E1 + 0x123) & 0xFFF;
 }
-/// RRRRGGGG BBBBRRRR GGGGBBBB; the half of a byte behind an odd pixel is `rest`.
+/// Packs pixels as RRRRGGGG BBBBRRRR GGGGBBBB; `rest` is the half of a byte behind an odd pixel.
 std::vector<int> packed(int count, int frame, unsigned rest) {
     std::vector<unsigned> nibbles;
     for (int n = 0; n < count; ++n)
@@ -73,7 +73,7 @@ Rgb666 wide(unsigned value) {
     return {six(value >> 8), six(value >> 4 & 15), six(value & 15)};
 }
 
-/// Each size twice: what is left of an odd frame must not be the first pixel of the next.
+/// Each size is sent twice: what is left of an odd frame must not become the first pixel of the next.
 TEST(TwelveBits, WindowsOfEveryCountAreFilled) {
     for (int width = 1; width <= 9; ++width)
         for (int height = 1; height <= 4; ++height) {
@@ -92,7 +92,8 @@ TEST(TwelveBits, WindowsOfEveryCountAreFilled) {
         }
 }
 
-/// A byte too few leaves pixels out, a byte too many begins or fills one that no window has: both are told.
+/// One byte too few leaves pixels out, and one too many begins or fills a pixel beyond the window. Both are
+/// violations.
 TEST(TwelveBits, AByteTooFewOrTooManyIsTold) {
     for (int count = 1; count <= 12; ++count)
         for (const int slip : {-1, 1}) {
@@ -109,8 +110,8 @@ TEST(TwelveBits, AByteTooFewOrTooManyIsTold) {
         }
 }
 
-/// The driver: damage of every size and place, of surfaces whose pixels become 12 bits on the wire. What is
-/// on the panel is the surface everywhere, and a window takes a byte and a half a pixel, rounded up.
+/// The driver sends damage of every size and place, of surfaces that become 12 bits on the wire. The panel
+/// then shows the surface everywhere, and a window takes a byte and a half for each pixel, rounded up.
 TEST(TwelveBits, TheDriverSendsDamageOfEveryCount) {
     hal::Board board = boards::st7789_240;
     board.display.wire = hal::wires::rgb444;
@@ -149,8 +150,8 @@ TEST(TwelveBits, TheDriverSendsDamageOfEveryCount) {
                         const std::uint8_t* const p = pixels + y * stride + 2 * x;
                         const unsigned word = p[0] * 256u + p[1];
                         const std::uint8_t* const shown = glass.at(x, y);
-                        // The high bits that 12-bit pixels keep, rounded as eights: the wire drops what is
-                        // below.
+                        // The wire keeps the high bits of components and drops the rest, so components may
+                        // differ by one step.
                         ASSERT_LE(std::abs(static_cast<int>(shown[0] >> 4) - static_cast<int>(word >> 12)),
                                   1);
                         ASSERT_LE(
@@ -162,8 +163,7 @@ TEST(TwelveBits, TheDriverSendsDamageOfEveryCount) {
     EXPECT_EQ(sim.violations_text(), "");
 }
 
-/// TE is high while the scan stands in the line that 44h names, from its first moment to its last, and in no
-/// other.
+/// TE is high as long as the scan is in the line that 44h names, and in no other line.
 TEST(TearingLine, IsTheOneThatWasNamed) {
     Awake st;
     const Time line_time = st.chip.line_time(), frame = st.chip.refresh_time();
@@ -187,8 +187,7 @@ TEST(TearingLine, IsTheOneThatWasNamed) {
     }
 }
 
-/// Line 0 means the blanking, as after a reset; a line that the scan has not never comes; without TEON
-/// nothing does.
+/// Line 0 means the blanking, as after a reset. TE never rises for a line beyond the scan, nor without TEON.
 TEST(TearingLine, Zero) {
     Awake st;
     const Time line_time = st.chip.line_time(), frame = st.chip.refresh_time();

@@ -1,4 +1,4 @@
-// PNG files that were made to hurt who reads them.
+// Reads PNG files that were made to harm their reader.
 #include <fstream>
 #include <random>
 #include <string>
@@ -41,7 +41,7 @@ std::string sound() {
     return bytes;
 }
 
-/// A sound file that says it is of another size.
+/// Returns a sound file whose header claims another size.
 std::string sized(std::uint32_t width, std::uint32_t height) {
     std::string bytes = sound();
     bytes.replace(16, 8, word(width) + word(height));

@@ -1,4 +1,5 @@
-// The model of the HX8347 against the datasheet's rules: byte streams in, memory, glass and violations out.
+// Tests the model of the HX8347 by the datasheet's rules: byte streams go in; memory, glass and violations
+// come out.
 #include <gtest/gtest.h>
 
 #include "host_sim/controller/hx8347_controller.hpp"
@@ -23,7 +24,7 @@ struct Host {
         chip.reset(true, now);
         chip.reset(false, now += low);
     }
-    /// What follows a falling CS.
+    /// Sends a message after a falling CS.
     void message(bool data, std::initializer_list<int> bytes) {
         chip.select(true, now);
         if (bus == RegisterBus::start_byte)
@@ -73,7 +74,7 @@ TEST(Hx8347, EveryAddressOrderOnBothBuses) {
             EXPECT_EQ(at(11, 20), green) << order;
             EXPECT_EQ(at(10, 21), blue) << order;
             EXPECT_EQ(at(11, 21), (Rgb666{62, 63, 62})) << order;
-            h.index(0x22); // to the window's start again
+            h.index(0x22); // back to the window's start
             h.message(true, {0, 0x1F, 0, 0x1F, 0, 0x1F, 0, 0x1F});
             EXPECT_EQ(at(10, 20), blue) << order;
             h.set(0x28, 0x3C);

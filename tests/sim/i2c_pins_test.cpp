@@ -1,4 +1,4 @@
-// An I2C target at its two lines: what is a START, a bit, an address, and what is lost.
+// Tests an I2C target at its two lines: START, bits, addresses, and bytes that are lost.
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -17,7 +17,7 @@ namespace {
 using namespace spangle;
 using namespace spangle::sim;
 
-/// Writes down what reaches it.
+/// A controller that logs what reaches it.
 struct Heard final : Controller {
     Heard() : Controller("I2C", {}) {}
     std::string text;
@@ -126,8 +126,8 @@ TEST_F(I2cLines, AByteThatIsCutShortIsAStray) {
     EXPECT_EQ(pins.strays(), 1u);
 }
 
-/// What a dump says of SCL and SDA is what an I2C target takes for messages: replayed edge by edge it fills
-/// another controller with the same picture.
+/// A dump of SCL and SDA holds the messages of an I2C target: replayed edge by edge it fills another
+/// controller with the same picture.
 TEST(I2cDump, Replays) {
     const std::string path = testing::TempDir() + "i2c-" + std::to_string(getpid()) + ".vcd";
     for (const hal::Board* board : {&boards::ssd1306_i2c, &boards::ssd1327_i2c, &boards::sh1106_i2c}) {

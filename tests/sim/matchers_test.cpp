@@ -1,4 +1,5 @@
-// The matchers for users' own tests: they pass on what is right, and fail, saying where, on what is not.
+// Tests the matchers for users' own tests: they pass for what is right, and fail for what is not, and say
+// where.
 #include <cstdlib>
 #include <filesystem>
 
@@ -17,7 +18,8 @@ using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 
-/// A folder of its own for each test, also for evidence; no golden is updated unless the test says so.
+/// Each test has a folder of its own, also for evidence. Golden pictures are updated only if the test says
+/// so.
 struct Matchers : testing::Test {
     fs::path folder = fs::path(testing::TempDir()) / ("matchers-" + std::to_string(getpid()));
     std::string golden = (folder / "golden.png").string();
@@ -48,7 +50,7 @@ Image ramp(int width = 8, int height = 4) {
     return image;
 }
 
-/// What GoogleTest would print.
+/// Returns the explanation that GoogleTest would print.
 template <class Value, class Matcher> std::string explain(const Value& value, const Matcher& matcher) {
     testing::StringMatchResultListener listener;
     EXPECT_FALSE(testing::ExplainMatchResult(matcher, value, &listener));
@@ -135,7 +137,7 @@ TEST_F(Matchers, AsciiArt) {
         image.at(x, y)[1] = static_cast<std::uint8_t>(g);
         image.at(x, y)[2] = static_cast<std::uint8_t>(b);
     };
-    paint(1, 0, 251, 0, 0); // full red of a panel with six bits whose lowest is not fed
+    paint(1, 0, 251, 0, 0); // full red of a panel with six bits, whose lowest is not driven
     paint(2, 1, 80, 40, 160);
     EXPECT_THAT(image, LooksLike(R"(
 #r##
@@ -152,7 +154,7 @@ TEST_F(Matchers, AsciiArt) {
     EXPECT_THAT(explain(image, LooksLike(".z..\n..v.", legend)),
                 HasSubstr("the legend does not say what 'z' is"));
     EXPECT_THAT(explain(image, LooksLike("....", legend)), HasSubstr("it is 4x2, expected is 4x1"));
-    for (const int green : {252, 251}) { // six bits of green: 252 is full, 251 is not
+    for (const int green : {252, 251}) { // green has six bits: 252 is full, 251 is not
         paint(3, 0, 255, green, 255);
         EXPECT_EQ(testing::Value(image, LooksLike(".x..\n..v.", legend)), green == 252);
     }

@@ -1,5 +1,5 @@
-// The models of one-bit OLED controllers against the datasheets' rules: byte streams in, glass and violations
-// out.
+// Tests the models of one-bit OLED controllers by the datasheets' rules: byte streams go in; glass and
+// violations come out.
 #include <gtest/gtest.h>
 
 #include "host_sim/controller/mono_controller.hpp"
@@ -13,7 +13,7 @@ using Host = sim_test::OledHost<MonoController, MonoChip>;
 constexpr Rgb666 lit{63, 63, 63}, dark{};
 constexpr GlassMount full{0, 0, 128, 64}, upright{0, 0, 128, 64, true, true};
 
-/// What modules come up with, and a dark memory.
+/// Returns a host with the usual set-up of modules, and a dark memory.
 Host lit_host(GlassMount glass = full) {
     Host h(ssd1306, glass);
     h.commands({0xAE, 0xA8, glass.height - 1, 0xDA, glass.height > 32 ? 0x12 : 0x02, 0x8D, 0x14, 0x20, 0x00});
@@ -39,9 +39,9 @@ TEST(MonoController, ABitIsAPixelTheLowestOnTop) {
 TEST(MonoController, ThreeWaysToAddress) {
     Host h = lit_host();
     h.commands({0x21, 10, 11, 0x22, 2, 3});
-    h.data({1, 2, 4, 8}); // horizontal: columns, then pages
+    h.data({1, 2, 4, 8}); // horizontal mode: columns, then pages
     EXPECT_TRUE(h.chip.bit(10, 16) && h.chip.bit(11, 17) && h.chip.bit(10, 26) && h.chip.bit(11, 27));
-    h.commands({0x20, 0x01}); // vertical: pages, then columns
+    h.commands({0x20, 0x01}); // vertical mode: pages, then columns
     h.data({16, 32, 64, 128});
     EXPECT_TRUE(h.chip.bit(10, 20) && h.chip.bit(10, 29) && h.chip.bit(11, 22) && h.chip.bit(11, 31));
     EXPECT_FALSE(h.chip.bit(10, 16));
@@ -55,12 +55,12 @@ TEST(MonoController, RemapsAreWhereTheySay) {
     Host h = lit_host();
     h.commands({0x21, 5, 5, 0x22, 0, 0});
     h.data({1});
-    h.commands({0xA1}); // later bytes only
+    h.commands({0xA1}); // changes later bytes only
     EXPECT_EQ(h.seen(5, 0), lit);
     h.data({2});
     EXPECT_EQ(h.seen(122, 1), lit);
     EXPECT_EQ(h.seen(5, 0), lit);
-    h.commands({0xC8}); // at once
+    h.commands({0xC8}); // takes effect at once
     EXPECT_EQ(h.seen(122, 62), lit);
     EXPECT_EQ(h.seen(5, 63), lit);
     h.commands({0x41}); // the glass begins one line further down
@@ -148,7 +148,7 @@ TEST(MonoController, RulesThatStreamsBreak) {
 
 TEST(MonoController, I2cHasAClockOfItsOwn) {
     Host h(ssd1306, full, OledBus::i2c);
-    h.period = 1000; // more than the rated 400 kHz; modules are known to take it
+    h.period = 1000; // faster than the rated 400 kHz; modules are known to work so
     h.commands({0xE3});
     EXPECT_EQ(h.broken(), "");
     h.period = 999;

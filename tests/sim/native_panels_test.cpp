@@ -1,6 +1,6 @@
-// Surfaces in the panels' own formats: what is drawn on them is what a surface of eight bits a component
-// becomes on the wire, and every panel that takes the format shows it, in each orientation in which its bytes
-// can lie as the panel's memory wants them.
+// Tests surfaces in the panels' own formats. Drawing on them gives what a surface of eight bits a component
+// becomes on the wire. Every panel that takes the format shows the surface, in each orientation in which
+// bytes can lie as in the panel's memory.
 #include <random>
 #include <string>
 #include <vector>
@@ -34,7 +34,7 @@ constexpr Native natives[] = {{PixelFormat::rgb666, hal::wires::rgb666, "666"},
 
 constexpr int width = 64, height = 48;
 
-/// Top row first, without gaps.
+/// Makes a surface with the top row first, without gaps.
 raster::Surface surface_of(PixelFormat format, std::vector<std::uint8_t>& bytes) {
     const std::int32_t stride = row_bytes(format, width), rows = stored_rows(format, height);
     bytes.assign(static_cast<std::size_t>(stride * rows), 0);
@@ -54,8 +54,8 @@ std::vector<std::uint8_t> on_the_wire(const hal::Wire& wire, const std::vector<s
     return bytes;
 }
 
-/// Triangles, lines and points of one colour or many, textured, fogged, in every tier: nothing that looks at
-/// what was stored, which the narrow surface has less of.
+/// Draws triangles, lines and points of one colour or many, textured and fogged, in every tier. Nothing reads
+/// stored colours, of which the narrow surface keeps fewer bits.
 TEST(NativeSurfaces, ShowWhatAPresentWouldMakeOfEightBits) {
     std::vector<std::uint8_t> texels(16 * 16 * 3);
     std::mt19937 random(11);
@@ -63,7 +63,7 @@ TEST(NativeSurfaces, ShowWhatAPresentWouldMakeOfEightBits) {
         t = static_cast<std::uint8_t>(random());
     for (const Native& native : natives) {
         if (native.format == PixelFormat::rgb666)
-            continue; // dithered from the whole colour: fixed_reference.cpp
+            continue; // dithered from the whole colour, see fixed_reference.cpp
         for (int trial = 0; trial < 120; ++trial) {
             std::vector<std::uint8_t> narrow, wide;
             const raster::Surface a = surface_of(native.format, narrow),
@@ -82,7 +82,7 @@ TEST(NativeSurfaces, ShowWhatAPresentWouldMakeOfEightBits) {
                 state.unit[0].texture = &texture;
             raster::FragmentState plain = state;
             plain.dither = false;
-            plain.tier = raster::Tier::exact; // as narrow surfaces are drawn in every tier
+            plain.tier = raster::Tier::exact; // narrow surfaces are drawn like this in every tier
             const raster::Rasterizer on_narrow(state, a), on_wide(plain, b);
             for (int n = 0; n < 6; ++n) {
                 raster::FixedVertex v[3];
@@ -137,7 +137,7 @@ hal::Board board_of(const Case& c, hal::Orientation o) {
     return board;
 }
 
-/// Pixels that share a byte.
+/// Returns how many pixels share a byte.
 int sharing(PixelFormat format) {
     return format == PixelFormat::mono                                     ? 8
            : format == PixelFormat::grey4 || format == PixelFormat::rgb444 ? 2
@@ -150,14 +150,14 @@ std::string name_of(const Case& c) {
         letter = std::isalnum(static_cast<unsigned char>(letter)) ? letter : '_';
     return name;
 }
-/// For GoogleTest.
+/// GoogleTest prints cases with this function.
 void PrintTo(const Case& c, std::ostream* out) {
     *out << name_of(c);
 }
 
 class NativePanels : public testing::TestWithParam<Case> {};
 
-/// Three frames, the later ones as damage; what is read back through GL is what the glass shows.
+/// Presents three frames, the last two as damage. What GL reads back is what the glass shows.
 TEST_P(NativePanels, ShowTheSurface) {
     const Case& c = GetParam();
     const FormatInfo info = format_info(c.native.format);
@@ -180,7 +180,7 @@ TEST_P(NativePanels, ShowTheSurface) {
                 continue;
             }
             if (c.panel->glass.width > 200 && ++shown > 2)
-                continue; // large ones take their time
+                continue; // large panels take a long time
             ASSERT_EQ(hal::flaw(board), nullptr);
             sim::SimBoard sim(board);
             const hal::DisplayInfo size = sim.display().info();
@@ -252,7 +252,7 @@ TEST(NativeSurfaces, ConfigsTellTheirBits) {
     eglGetConfigAttrib(egl, config, EGL_BUFFER_SIZE, &size);
     EXPECT_EQ(red, 1);
     EXPECT_EQ(size, 1);
-    // A pbuffer whose height is no multiple of a page.
+    // Makes a pbuffer whose height is not a multiple of a page.
     const EGLint box[] = {EGL_WIDTH, 21, EGL_HEIGHT, 13, EGL_NONE};
     const EGLSurface buffer = eglCreatePbufferSurface(egl, config, box);
     const EGLContext context = eglCreateContext(egl, config, EGL_NO_CONTEXT, nullptr);
@@ -272,7 +272,7 @@ TEST(NativeSurfaces, ConfigsTellTheirBits) {
     eglTerminate(egl);
 }
 
-/// Overlapping copies with zoom read from a copy of the plane, whatever shares its bytes.
+/// Overlapping copies with zoom read from a copy of the plane, whatever pixels share a byte.
 TEST(NativeSurfaces, PixelsAreCopiedOverThemselves) {
     sim::SimBoard sim(boards::ssd1306_spi);
     const EGLDisplay egl = eglGetDisplay(native(sim.display()));

@@ -1,4 +1,4 @@
-// Sends bytes to a model of an OLED controller as a host would, and looks at its glass.
+// Sends bytes to a model of an OLED controller as a host would, and reads its glass.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,7 @@ template <class Controller, class Chip> struct OledHost {
         chip.write(static_cast<std::uint8_t>(value), data, now += 8 * period, period);
         chip.select(false, now);
     }
-    /// A command, then its parameters the way the chip takes them.
+    /// Sends a command, and its parameters in the way the chip takes them.
     void send(int command, std::initializer_list<int> parameters = {}) {
         byte(command, false);
         for (const int p : parameters)
@@ -57,7 +57,7 @@ template <class Controller, class Chip> struct OledHost {
         return std::any_of(chip.violations().begin(), chip.violations().end(),
                            [rule](const Violation& v) { return v.rule == rule; });
     }
-    /// Whether these rules were broken and no other; forgets them.
+    /// Returns the rules that were broken, and forgets them.
     std::string broken() {
         std::string rules;
         for (const Violation& v : chip.violations())

@@ -1,5 +1,5 @@
-// Random bytes at the models of OLED controllers and the HX8347: nothing breaks, and every picture has its
-// size.
+// Sends random bytes to the models of OLED controllers and of the HX8347: nothing breaks, and every picture
+// has its size.
 #include <memory>
 #include <random>
 
@@ -16,7 +16,7 @@ using namespace spangle;
 TEST(OledStream, RandomBytesBreakNothing) {
     for (const hal::PanelDesc* panel : hal::panels::all) {
         if (panel->commands == &hal::dcs::commands)
-            continue; // controller_stream_test.cpp
+            continue; // controller_stream_test.cpp tests these
         for (unsigned seed = 0; seed < 12; ++seed) {
             std::mt19937 random(seed);
             const bool i2c = panel->timing.i2c_hz != 0 && seed % 3 == 2;
@@ -43,7 +43,7 @@ TEST(OledStream, RandomBytesBreakNothing) {
                     controller->read_byte(now, random() % 600);
                     break;
                 default:
-                    // Mostly data, and commands of one range or another.
+                    // Most bytes are data, the others commands of one range or another.
                     i2c ? target.byte(byte, now, random() % 3000)
                         : controller->write(byte, random() % 3 != 0, now, random() % 400);
                     break;

@@ -1,5 +1,5 @@
-// Orientation changes no pixel: every scene, drawn through EGL on a board whose panel is mounted in each of
-// the eight ways, looks the same to somebody who turns his head with it.
+// Orientation changes no pixel. Every scene is drawn through EGL on a board whose panel is mounted in each of
+// the eight ways, and looks the same to a person who turns the head with it.
 #include <string>
 #include <vector>
 
@@ -18,7 +18,7 @@ struct Seen {
     std::string violations;
 };
 
-/// Two frames, so that the second one is sent as damage.
+/// Draws two frames, so that the second one is sent as damage.
 Seen draw(const scenes::Scene& scene, const hal::Board& board) {
     sim::SimBoard sim(board);
     EXPECT_TRUE(test::play(sim.display(), scene, 2));
@@ -27,12 +27,12 @@ Seen draw(const scenes::Scene& scene, const hal::Board& board) {
 
 class Orientations : public testing::TestWithParam<const scenes::Scene*> {};
 
-/// Each mount against the first one of the same size: all eight of square glass, four and four of other
+/// Compares each mount with the first one of the same size: all eight of square glass, four and four of other
 /// glass.
 TEST_P(Orientations, ChangeNoPixel) {
     int moved = 0;
     for (const hal::Board* board : {&boards::st7789_240, &boards::st7735_128x160}) {
-        Seen first[2]; // upright, on its side
+        Seen first[2]; // upright, and on its side
         for (const hal::Orientation o : hal::orientations) {
             hal::Board turned = *board;
             turned.display.orientation = o;
@@ -50,7 +50,7 @@ TEST_P(Orientations, ChangeNoPixel) {
             moved += seen.memory == reference.memory ? 0 : 1;
         }
     }
-    // A dithered colour is its own transpose; nothing else here is its own turned picture.
+    // A dithered clear equals its own transpose; no other picture equals its turned picture.
     EXPECT_GE(moved, 11) << "of 13 mounts: were they turned at all?";
 }
 

@@ -1,4 +1,5 @@
-// Where what a tool writes goes: whole files, devices and pipes as they are, every loss told.
+// Tests where a tool's output goes: files are written whole, devices and pipes as they are, and every loss is
+// reported.
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -36,7 +37,7 @@ struct OutputTest : testing::Test {
         text << in.rdbuf();
         return text.str();
     }
-    /// Names in the folder: nothing may be left beside what was written.
+    /// Returns the number of names in the folder; no file may be left beside the output.
     std::size_t files() const {
         return static_cast<std::size_t>(
             std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
@@ -91,7 +92,7 @@ TEST_F(OutputTest, LinksAreFollowedToTheFileTheyName) {
     EXPECT_NE(write_file(path("round"), "x").find("symbolic links"), std::string::npos);
 }
 
-/// The device must be the very same afterwards: a program that runs as root can replace any.
+/// The device must be the same file afterwards: a program that runs as root could replace it.
 TEST_F(OutputTest, DevicesAreWrittenToAsTheyAre) {
     fs::create_symlink("/dev/null", folder / "nothing");
     for (const std::string& device : {std::string("/dev/null"), path("nothing")}) {
@@ -117,7 +118,7 @@ TEST_F(OutputTest, PipesAreWrittenToAsTheyAre) {
     EXPECT_TRUE(fs::is_fifo(pipe));
 }
 
-/// A descriptor goes on where it is: the file behind it is neither begun anew nor replaced.
+/// Output to a descriptor goes on where it is; the file behind it is neither truncated nor replaced.
 TEST_F(OutputTest, DescriptorsAreWrittenToWhereTheyAre) {
     const std::string file = path("behind");
     const int descriptor = open(file.c_str(), O_CREAT | O_RDWR, 0600);
@@ -161,11 +162,11 @@ TEST_F(OutputTest, WhatIsLostIsTold) {
     EXPECT_NE(closed.commit(), "") << "what has no place to go is lost";
 }
 
-/// A regular file that cannot be finished is not there, and the one before it is as it was.
+/// If a regular file cannot be finished, the old file stays as it was and no new file is left.
 TEST_F(OutputTest, AFullDiskLeavesTheOldFile) {
     const std::string file = path("old");
     ASSERT_EQ(write_file(file, "as it was"), "");
-    // The limit of this process stands for a full disk; its signal would end the program.
+    // The file size limit of this process stands for a full disk; its signal would end the program.
     signal(SIGXFSZ, SIG_IGN);
     rlimit before{};
     ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);

@@ -1,5 +1,5 @@
-// Surfaces of indices on panels that take colours: presents look them up, and a new colour is sent wherever
-// it shows, and nowhere else.
+// Tests surfaces of indices on panels that take colours. A present looks the colours up, and a new colour is
+// sent wherever it is visible, and nowhere else.
 #include <random>
 #include <string>
 
@@ -23,7 +23,7 @@ hal::Board indexed_board(bool row_hash = false, hal::Wire wire = hal::wires::rgb
     return board;
 }
 
-/// A present and its bytes on the wire.
+/// A simulated board with a palette, whose presents return their bytes on the wire.
 struct Rig {
     sim::SimBoard sim;
     hal::Display& display;
@@ -60,7 +60,8 @@ struct Rig {
         EXPECT_TRUE(display.finish().ok());
         return sim.counters().pixel_bytes - before;
     }
-    /// The first pixel of the glass that is not the palette's, on 666 within a step; empty: none.
+    /// Returns the first pixel of the glass that does not have the palette's colour, on 666 within a step;
+    /// empty if there is none.
     std::string difference() {
         const hal::Frame f = frame();
         const sim::Image glass = sim.glass();
@@ -94,7 +95,7 @@ TEST(PalettesOfPanels, ShowEveryIndexInItsColour) {
     EXPECT_EQ(rig.sim.violations_text(), "");
 }
 
-/// Three bytes a pixel: what shows a new colour travels, once, and nothing else.
+/// A pixel takes three bytes. Pixels that show a new colour are sent once, and no others.
 TEST(PalettesOfPanels, ANewColourIsDamageWhereItShows) {
     for (const bool row_hash : {false, true}) {
         Rig rig(indexed_board(row_hash));
@@ -104,7 +105,7 @@ TEST(PalettesOfPanels, ANewColourIsDamageWhereItShows) {
         rig.put(200, 100, 7);
         rig.put(50, 60, 9);
         rig.present();
-        const std::uint64_t idle = row_hash ? 48 : 0; // a cell of the hash that is looked through
+        const std::uint64_t idle = row_hash ? 48 : 0; // bytes of the cell that the row hash refreshes
         rig.color(8, 1, 2, 3);
         EXPECT_LE(rig.present(), idle) << "no pixel shows it";
         rig.color(7, 255, 128, 0);
@@ -122,7 +123,7 @@ TEST(PalettesOfPanels, ANewColourIsDamageWhereItShows) {
     }
 }
 
-/// Whatever is drawn and recoloured, the glass shows the surface through the palette.
+/// Whatever is drawn and recoloured, the glass shows the surface through the palette after every present.
 TEST(PalettesOfPanels, TheGlassShowsThePaletteAfterEveryPresent) {
     for (const bool row_hash : {false, true}) {
         std::mt19937 random(12);
@@ -140,7 +141,7 @@ TEST(PalettesOfPanels, TheGlassShowsThePaletteAfterEveryPresent) {
     }
 }
 
-/// A colour set before a transfer that failed still arrives.
+/// A colour that was set before a failed transfer still reaches the glass.
 TEST(PalettesOfPanels, SurviveAFailedTransfer) {
     Rig rig(indexed_board());
     rig.put(3, 3, 5);
@@ -154,7 +155,7 @@ TEST(PalettesOfPanels, SurviveAFailedTransfer) {
     EXPECT_EQ(rig.difference(), "");
 }
 
-/// Bands whose buffer was drawn over: a new colour makes everything new.
+/// In bands the old pixels are drawn over, so a new colour damages everything.
 TEST(PalettesOfPanels, OfFramesInBands) {
     hal::Board board = indexed_board();
     board.display.band = 16;
@@ -179,7 +180,7 @@ TEST(PalettesOfPanels, OfFramesInBands) {
                         << x << ' ' << y;
     };
     draw();
-    rig.color(0, 10, 90, 200); // what is outside of everything drawn
+    rig.color(0, 10, 90, 200); // the colour outside of everything drawn
     draw();
     rig.color(3, 255, 255, 0);
     draw();

@@ -1,5 +1,5 @@
-// Every DCS panel of the table, over the model of its controller: what the driver sends shows the surface, in
-// all eight orientations and on both buses, breaks no rule, and the controller is the one that was asked for.
+// Tests every DCS panel of the table on the model of its controller, in all eight orientations and on both
+// buses. The glass shows the surface, no rule is broken, and the controller is the expected one.
 #include <string>
 #include <vector>
 
@@ -17,7 +17,7 @@ namespace {
 
 using namespace spangle;
 
-/// As fast as the panel goes, in the first format it takes there.
+/// Returns a board that is as fast as the panel, in the first format that the panel takes on the bus.
 hal::Board board_of(const hal::PanelDesc& panel, hal::BusKind bus, hal::Orientation o) {
     hal::Board board{.name = panel.name, .display = {.panel = &panel, .orientation = o}, .bus = bus};
     if (!hal::format_code(panel, bus, hal::WireFormat::rgb565).taken)
@@ -29,7 +29,7 @@ hal::Board board_of(const hal::PanelDesc& panel, hal::BusKind bus, hal::Orientat
     return board;
 }
 
-/// The bits that reach the wire: 565 of a surface that holds those, the upper six of 888.
+/// Returns the bits that reach the wire: RGB565, or the upper six bits of RGB888.
 sim::Image on_the_wire(const std::vector<std::uint8_t>& rgb, int width, int height, bool six_each) {
     sim::Image out(width, height);
     for (int y = 0; y < height; ++y)
@@ -43,7 +43,7 @@ sim::Image on_the_wire(const std::vector<std::uint8_t>& rgb, int width, int heig
     return out;
 }
 
-/// The same bits of a glass of six.
+/// Returns these same bits of a glass of six bits a component.
 sim::Image same_bits(const sim::Image& glass, bool six_each) {
     sim::Image out(glass.width, glass.height);
     for (int y = 0; y < glass.height; ++y)
@@ -59,7 +59,7 @@ struct Drawn {
     std::string violations;
 };
 
-/// Two frames, so that the second one is sent as damage.
+/// Draws two frames, so that the second one is sent as damage.
 Drawn draw(const scenes::Scene& scene, const hal::Board& board) {
     sim::SimBoard sim(board);
     const bool six_each = board.display.format == PixelFormat::rgb888;
@@ -73,7 +73,7 @@ Drawn draw(const scenes::Scene& scene, const hal::Board& board) {
             sim.violations_text()};
 }
 
-/// Those that answer.
+/// Returns the panels with DCS controllers.
 std::vector<const hal::PanelDesc*> dcs_panels() {
     std::vector<const hal::PanelDesc*> out;
     for (const hal::PanelDesc* panel : hal::panels::all)
@@ -84,7 +84,7 @@ std::vector<const hal::PanelDesc*> dcs_panels() {
 
 class Panels : public testing::TestWithParam<const hal::PanelDesc*> {};
 
-/// The scenes take turns: together the panels show each of them in each orientation.
+/// The scenes take turns: together the panels show each scene in each orientation.
 TEST_P(Panels, ShowTheSurfaceInEveryOrientation) {
     std::vector<const scenes::Scene*> every;
     for (const scenes::Scene& scene : scenes::all())
@@ -132,14 +132,15 @@ TEST_P(Panels, ReadBackWhatWasWritten) {
         }
         ASSERT_TRUE(display.present().ok());
         ASSERT_TRUE(display.read_back(area, read.data()).ok());
-        for (std::size_t i = 0; i < read.size(); ++i) // the low bit of red and blue is what EPF makes it
+        for (std::size_t i = 0; i < read.size(); ++i) // EPF decides the low bit of red and blue
             read[i] &= i % 3 == 1 ? 0xFC : 0xF8;
         EXPECT_EQ(read, wanted);
         EXPECT_TRUE(controller.violations().empty()) << controller.violations().front().text;
     }
 }
 
-/// 04h of an ILI9341 is three zeros, which is also what chips answer that are told by another register.
+/// Returns whether the identity tells the chips apart. Register 04h of an ILI9341 is three zeros, and so is
+/// the answer of chips that are identified by another register.
 bool tells(const hal::PanelDesc& asked, const sim::Chip& answering) {
     const bool zeros = asked.identity.command == 0x04 && asked.identity.id == 0;
     return !zeros || answering.id != std::array<std::uint8_t, 3>{};

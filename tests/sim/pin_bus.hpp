@@ -1,4 +1,5 @@
-// Bus drivers that move pins one by one, as firmware without an SPI or FSMC unit does; also wrong ones.
+// Bus drivers that move pins one by one, as firmware without an SPI or FSMC unit does. Some of them are wrong
+// on purpose.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace sim_test {
 using namespace spangle;
 using sim::Time;
 
-/// Carries lists out while they are submitted; what lies below a byte is left to the kind of bus.
+/// Carries out lists while they are submitted. Derived classes know how a byte is sent.
 class PinBus : public hal::Bus {
   public:
     PinBus(sim::Controller& controller, const hal::BusCaps& caps) : controller_(controller), caps_(caps) {}
@@ -36,8 +37,8 @@ class PinBus : public hal::Bus {
     hal::Result<void> wait(hal::Token, std::uint32_t) override { return {}; }
 
     Time now = 0;
-    /// The deliberate mistake: D/C is set for the next byte when the last one still has a clock to come, as a
-    /// driver does that does not wait for its shifter or DMA to run empty.
+    /// A deliberate mistake: D/C is set for the next byte while the last byte still has a clock to come, as
+    /// in a driver that does not wait for its shifter or DMA.
     bool data_pin_early = false;
 
   protected:
@@ -79,9 +80,9 @@ class PinBus : public hal::Bus {
             for (const Time end = now + Time(op.micros) * 1000; now < end && !controller_.te(now);)
                 now += 1000;
             break;
-        case Kind::wait_line: // these buses have presents follow no beam
+        case Kind::wait_line: // presents on these buses follow no beam
             break;
-        case Kind::read: // the chip lets go of the line, and counts bits anew, when CS rises
+        case Kind::read: // when CS rises the chip releases the line and counts bits from zero
             put(op.command, false, true);
             turn_round(op.dummy_bits);
             std::generate_n(op.into, op.length, [this] { return get(); });
@@ -101,7 +102,7 @@ class SerialPinBus final : public PinBus {
   public:
     using PinBus::PinBus;
     sim::SerialPins& pins() { return pins_; }
-    /// SPI mode 3 instead of mode 0: the clock rests high.
+    /// Switches from SPI mode 0 to mode 3, in which the clock rests high.
     void rest_high() {
         rests_high_ = true;
         pins_.set(Pin::clock, true, now);
@@ -139,7 +140,7 @@ class SerialPinBus final : public PinBus {
     }
     void turn_round(int dummy_bits) override {
         pins_.set(Pin::data, true, now);
-        now += read_period(); // the clock is changed
+        now += read_period(); // the clock changes
         for (int i = 0; i < dummy_bits; ++i)
             bit(false, read_period());
     }

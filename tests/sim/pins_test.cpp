@@ -1,5 +1,5 @@
-// The controller at its pins: drivers that toggle them bit by bit get the memory, glass and answers that a
-// bus of bytes gets, and rule 4, which only pins can break, is broken here.
+// Tests the controller at its pins. Drivers that move pins bit by bit give the memory, glass and answers that
+// a bus of bytes gives. Rule 4, which only pins can break, is broken here.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -39,7 +39,7 @@ std::unique_ptr<PinBus> pins_of(const hal::Board& board, sim::Controller& contro
     return std::make_unique<SerialPinBus>(controller, hal::bus_caps(board));
 }
 
-/// A picture whose neighbours all differ, on a panel that was just set up.
+/// Shows a picture whose neighbouring pixels all differ, on a panel that was just set up.
 void show_noise(hal::PanelDisplay& display) {
     const hal::DisplayInfo info = display.info();
     ASSERT_TRUE(display.init().ok());
@@ -70,7 +70,7 @@ bool reported(const sim::Controller& controller, Rule rule) {
 TEST(Pins, EveryBoardShowsWhatABusOfBytesShows) {
     for (const hal::Board* board : boards::all) {
         if (board->bus != hal::BusKind::spi4 && board->bus != hal::BusKind::i8080)
-            continue; // messages, which no pin delimits
+            continue; // messages of this bus are not delimited by a pin
         const auto one = sim::make_controller(*board->display.panel, board->bus),
                    other = sim::make_controller(*board->display.panel, board->bus);
         sim::Controller &by_pin = *one, &by_byte = *other;
@@ -113,8 +113,8 @@ TEST(Pins, SpiMode3IsTakenToo) {
     EXPECT_EQ(controller.memory(), other.memory());
 }
 
-/// What VCD files say of the wires is what the wires do: a file replayed edge by edge fills another
-/// controller with the same picture.
+/// A VCD file holds what the wires do: replayed edge by edge it fills another controller with the same
+/// picture.
 template <class Pins> void replay(std::istream& file, Pins& pins) {
     using Pin = typename Pins::Pin;
     Time now = 0;
@@ -204,10 +204,10 @@ TEST(Pins, ChipSelectDropsAPartialByteOnly) {
         pins.set(Pin::select, false, now += 1000);
     };
     pulse();
-    bits(0x15, 5); // of a byte that is given up
+    bits(0x15, 5); // bits of a byte that is given up
     pulse();
     bits(0x36, 8);
-    pulse(); // between bytes: nothing is cancelled
+    pulse(); // between bytes nothing is cancelled
     pins.set(Pin::data, true, now);
     bits(0xE8, 8);
     EXPECT_EQ(controller.madctl(), 0xE8);
@@ -216,11 +216,11 @@ TEST(Pins, ChipSelectDropsAPartialByteOnly) {
     bits(0x00, 8);
     EXPECT_EQ(text_of(controller.violations()), "");
     pins.set(Pin::select, true, now);
-    bits(0x01, 8); // not selected: for somebody else
+    bits(0x01, 8); // for another chip: this one is not selected
     EXPECT_EQ(controller.madctl(), 0xE8);
 }
 
-/// Rule 4 by a deliberately wrong bus, serial and parallel.
+/// Wrong buses, serial and parallel, break rule 4 on purpose.
 TEST(Rules, DataPinInsideAByte) {
     for (const hal::Board* board : {&boards::st7789_240, &boards::ili9341_8080}) {
         DcsController controller = controller_of(*board);
@@ -241,7 +241,7 @@ TEST(Rules, DataPinInsideAByte) {
     }
 }
 
-/// The serial rules that live between edges: the shortest clock of a byte counts, not its mean.
+/// A serial rule is about each clock of a byte: the shortest one counts, not their mean.
 TEST(Rules, OneShortClockOfAByte) {
     DcsController controller = controller_of(boards::ili9341_spi);
     sim::SerialPins pins(controller);

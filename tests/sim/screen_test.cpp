@@ -1,4 +1,4 @@
-// Screens as an emulator drew them.
+// Reads pictures of screens as an emulator drew them.
 #include <cstdio>
 #include <fstream>
 

@@ -1,5 +1,5 @@
-// The models of grey and colour OLED controllers against the datasheets' rules: byte streams in, glass and
-// violations out.
+// Tests the models of grey and colour OLED controllers by the datasheets' rules: byte streams go in; glass
+// and violations come out.
 #include <gtest/gtest.h>
 
 #include "host_sim/controller/windowed_controller.hpp"
@@ -152,9 +152,9 @@ TEST(ColorOled, PixelsFollowTheWriteCommand) {
     EXPECT_EQ(h.seen(1, 3), red);
     EXPECT_EQ(h.seen(2, 3), blue);
     EXPECT_EQ(h.broken(), "");
-    h.send(0x5C); // the pointer has come round to where 15h put it
+    h.send(0x5C); // the pointer is back where 15h put it
     h.data({0x00, 0x1F});
-    h.send(0x5C); // and stays where it is
+    h.send(0x5C); // and stays there
     h.data({0xF8, 0x00});
     EXPECT_EQ(h.seen(1, 3), blue);
     EXPECT_EQ(h.seen(2, 3), red);

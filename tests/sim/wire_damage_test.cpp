@@ -1,5 +1,5 @@
-// The oracle of damage under wire formats: after every present the glass shows the surface, whatever was
-// touched, though windows end where bytes do, and on some controllers after one page.
+// After every present the glass shows the surface in every wire format, whatever was touched. Windows end
+// where bytes do, and on some controllers after one page.
 #include <random>
 #include <string>
 
@@ -11,7 +11,7 @@ namespace {
 
 using namespace spangle;
 
-/// Black and white are steps of every format.
+/// Fills an area with random black and white, which are steps of every format.
 void touch(const hal::Frame& frame, const Rect& area, std::mt19937& random) {
     for (int y = area.y; y < area.y + area.h; ++y) {
         for (int x = area.x; x < area.x + area.w; ++x)
@@ -23,7 +23,7 @@ void touch(const hal::Frame& frame, const Rect& area, std::mt19937& random) {
     }
 }
 
-/// The first pixel that is not the surface's; empty: none.
+/// Returns the first pixel that differs from the surface; empty if there is none.
 std::string difference(const hal::Frame& frame, const sim::Image& glass) {
     for (int y = 0; y < glass.height; ++y)
         for (int x = 0; x < glass.width; ++x)

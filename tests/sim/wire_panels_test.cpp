@@ -1,6 +1,6 @@
-// Every panel in every wire format it takes, over the model of its controller: scenes drawn through EGL show,
-// on each bus and in all eight orientations, what the surface holds, dithered to the wire's steps, and break
-// no rule.
+// Tests every panel in every wire format that it takes, on the model of its controller. Scenes drawn through
+// EGL show what the surface holds, dithered to the wire's steps, on each bus and in all eight orientations,
+// and no rule is broken.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -39,7 +39,7 @@ std::vector<Case> cases() {
                 if (hal::format_code(*panel, bus, wire.format).taken) {
                     out.push_back({panel, wire, bus});
                     if (is_large(*panel))
-                        break; // one bus: panels_test.cpp draws on the others
+                        break; // one bus is enough: panels_test.cpp draws on the others
                 }
     return out;
 }
@@ -65,7 +65,7 @@ hal::Board board_of(const Case& c, hal::Orientation o, PixelFormat surface) {
     return board;
 }
 
-/// Bits of red, green, blue that tell the steps of a format apart.
+/// Returns the bits of red, green and blue that a format keeps.
 std::vector<unsigned> bits_of(WireFormat format) {
     switch (format) {
     case WireFormat::rgb565:
@@ -82,7 +82,8 @@ std::vector<unsigned> bits_of(WireFormat format) {
     }
 }
 
-/// What the surface's pixels (8 bits each, GL's rows) become: floor(c (2^n - 1) + t) in doubles.
+/// Returns what the surface's pixels (8 bits each, in GL's rows) become on the wire: floor(c (2^n - 1) + t)
+/// in doubles.
 std::vector<unsigned> steps_of(const std::vector<std::uint8_t>& rgb, int width, int height, WireFormat wire,
                                PixelFormat surface) {
     constexpr int k[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
@@ -118,7 +119,7 @@ void expect_scene(const Case& c, const scenes::Scene& scene, hal::Orientation o,
     sim::SimBoard sim(board);
     const hal::DisplayInfo info = sim.display().info();
     std::vector<std::uint8_t> rgb(static_cast<std::size_t>(info.width * info.height * 3));
-    // Two frames, so that the second one is sent as damage.
+    // Draws two frames, so that the second one is sent as damage.
     ASSERT_TRUE(test::play(sim.display(), scene, 2, [&] {
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
         glReadPixels(0, 0, info.width, info.height, GL_RGB, GL_UNSIGNED_BYTE, rgb.data());
@@ -134,14 +135,15 @@ void expect_scene(const Case& c, const scenes::Scene& scene, hal::Orientation o,
                               << *other;
 }
 
-/// For GoogleTest.
+/// GoogleTest prints cases with this function.
 void PrintTo(const Case& c, std::ostream* out) {
     *out << name_of(c);
 }
 
 class WirePanels : public testing::TestWithParam<Case> {};
 
-/// The scenes take turns. Large panels are turned in panels_test.cpp already: one way here.
+/// The scenes take turns. Large panels are drawn in one orientation only, because panels_test.cpp turns them
+/// already.
 TEST_P(WirePanels, ShowTheSurfaceInTheirSteps) {
     std::vector<const scenes::Scene*> every;
     for (const scenes::Scene& scene : scenes::all())
@@ -171,7 +173,7 @@ TEST(WirePanels, NamedBoardsShowAScene) {
     }
 }
 
-/// With a format of its own on the wire the surface is free as soon as it was turned into it.
+/// If the wire has another format than the surface, the surface is free as soon as it was converted.
 TEST(WirePanels, APresentReturnsWhileTheFrameIsOnTheWire) {
     sim::SimBoard sim(boards::ssd1306_i2c);
     ASSERT_TRUE(sim.display().init().ok());
@@ -189,7 +191,7 @@ TEST(WirePanels, APresentReturnsWhileTheFrameIsOnTheWire) {
     EXPECT_EQ(sim.violations_text(), "") << "rule 11 would say so";
 }
 
-/// Cells that were drawn again as they were are not sent, whatever the wire's format.
+/// Cells that were drawn again unchanged are not sent, whatever the wire's format.
 TEST(WirePanels, TheRowHashServesThemToo) {
     for (const hal::Board* named : {&boards::ssd1306_i2c, &boards::ssd1327_spi, &boards::sh1106_i2c}) {
         std::uint64_t bytes[2];

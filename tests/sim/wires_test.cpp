@@ -1,4 +1,4 @@
-// Register writes of an emulated board, decoded and fed to the model of its panel.
+// Decodes register writes of an emulated board, and sends them to the model of its panel.
 #include <cstdio>
 #include <sstream>
 
@@ -29,7 +29,7 @@ std::string write(unsigned address, unsigned value) {
     return line;
 }
 
-/// One character an event.
+/// Returns one character for each event.
 std::string events(const std::string& trace, const Wiring& wiring) {
     std::istringstream in(trace);
     std::string text;
@@ -81,7 +81,7 @@ TEST(Wiring, PausesAreTicksOfAClock) {
     EXPECT_EQ(seen[0].value, 10000u);
 }
 
-/// An HX8347 behind start bytes: select, start byte, values, release.
+/// An HX8347 with start bytes: select, start byte, values, release.
 struct Hx8347 {
     std::vector<WireEvent> events{{Kind::release, 0},
                                   {Kind::reset_low, 0},
@@ -103,7 +103,7 @@ struct Hx8347 {
 TEST(WiredPanel, TakesWhatIsSentWhileItIsSelected) {
     Hx8347 bus;
     bus.value(0x17, 0x05);
-    bus.events.push_back({Kind::byte, 0x72}); // nobody is selected
+    bus.events.push_back({Kind::byte, 0x72}); // no chip is selected
     bus.events.push_back({Kind::byte, 0x00});
     bus.value(0x02, 0x00);
     WiredPanel panel(boards::hx8347_spi, wired({"spi=0x8", "pause=0x4:1000"}), bus.events);
@@ -117,7 +117,7 @@ TEST(WiredPanel, TakesWhatIsSentWhileItIsSelected) {
 
 TEST(WiredPanel, TimesAreHeldWherePausesAreSeen) {
     Hx8347 bus;
-    bus.events.resize(4); // nothing waits after the reset
+    bus.events.resize(4); // no wait follows the reset
     bus.value(0x17, 0x05);
     for (const bool pauses : {true, false}) {
         Wiring wiring = wired({"spi=0x8"});
@@ -153,7 +153,8 @@ TEST(WiredPanel, ShowsThePictureUpright) {
     const Image glass = panel.glass();
     EXPECT_EQ(glass.width, 320);
     EXPECT_EQ(glass.height, 240);
-    // The memory's first cell: the module mirrors rows and columns, the picture is turned by a quarter.
+    // The picture's first pixel is in this corner of the glass: the module mirrors rows and columns, and the
+    // picture is turned by a quarter.
     const std::uint8_t* const cell = glass.at(319, 0);
     EXPECT_GE(cell[0], 248);
     EXPECT_EQ(cell[1], 0);
