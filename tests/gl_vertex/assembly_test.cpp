@@ -1,5 +1,5 @@
-// Primitive assembly and its equivalents: counts of the ten modes, provoking vertices, immediate = arrays =
-// list, stacks.
+// Tests primitive assembly: counts of the ten modes, provoking vertices, and stacks. Immediate mode, arrays
+// and lists must be equal.
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -22,7 +22,7 @@ class Vertices : public spangle::test::Canvas {
         glOrtho(0, size, 0, size, -1, 1);
     }
 
-    /// Vertex i of a circle of nine.
+    /// Sends vertex i of a circle of nine vertices.
     static void vertex(int i) {
         glVertex2f(64.0f + 60.0f * std::cos(0.7f * static_cast<float>(i)),
                    64.0f + 60.0f * std::sin(0.7f * static_cast<float>(i)));
@@ -44,7 +44,7 @@ class Vertices : public spangle::test::Canvas {
 TEST_F(Vertices, EveryModeMakesItsPrimitives) {
     const struct {
         GLenum mode;
-        int (*primitives)(int n); ///< triangles, lines or points of n vertices
+        int (*primitives)(int n); ///< number of triangles, lines or points of n vertices
     } modes[] = {
         {GL_POINTS, [](int n) { return n; }},
         {GL_LINES, [](int n) { return n / 2; }},
@@ -69,7 +69,7 @@ TEST_F(Vertices, EveryModeMakesItsPrimitives) {
         }
 }
 
-/// GL 1.3, table 2.11: which vertex colours a flat primitive.
+/// GL 1.3, table 2.11 says which vertex colours a flat primitive.
 TEST_F(Vertices, ProvokingVertices) {
     const struct {
         GLenum mode;
@@ -153,7 +153,7 @@ TEST_F(Vertices, ImmediateArraysAndListsAreOne) {
     EXPECT_EQ(first, drawn([list] { glCallList(list); }));
 }
 
-/// Twelve triangles around a point far outside of every plane: each pixel exactly once.
+/// Twelve triangles around a point far outside of every plane draw each pixel exactly once.
 TEST_F(Vertices, ClippedFansLeaveNoCracks) {
     glLoadIdentity();
     glMatrixMode(GL_PROJECTION);
@@ -180,7 +180,7 @@ TEST_F(Vertices, ExtremesAreHarmless) {
     glEnable(GL_LIGHTING);
     glEnable(GL_LIGHT0);
     glEnable(GL_NORMALIZE);
-    glScalef(0, 0, 0); // singular
+    glScalef(0, 0, 0); // a singular matrix
     for (const float a : extreme)
         for (const float b : extreme) {
             glBegin(GL_TRIANGLE_STRIP);

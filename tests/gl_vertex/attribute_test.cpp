@@ -1,5 +1,5 @@
-// Rows A02, B05 to B07, B09, B12, B13, B19: every form of the attribute commands, rectangles, what arrays
-// leave behind.
+// Rows A02, B05 to B07, B09, B12, B13, B19: tests every form of the attribute commands, rectangles, and the
+// current values after arrays.
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -13,7 +13,7 @@ namespace {
 
 class Attributes : public Canvas {
   protected:
-    /// What the last command left, against these numbers as floats: half a unit of the last place.
+    /// Compares current values with these numbers as floats, within half a unit of the last place.
     static void current_is(const char* command, GLenum name, std::vector<double> expected) {
         GLdouble got[4] = {};
         glGetDoublev(name, got);
@@ -22,7 +22,7 @@ class Attributes : public Canvas {
     }
 };
 
-/// Table 2.6: unsigned c / (2^b - 1), signed (2c + 1) / (2^b - 1).
+/// Table 2.6 converts an unsigned c to c / (2^b - 1), and a signed c to (2c + 1) / (2^b - 1).
 template <class T> double fraction(T c) {
     using U = std::make_unsigned_t<T>;
     const double most = static_cast<double>(std::numeric_limits<U>::max());
@@ -45,7 +45,7 @@ double from_fixed(GLfixed v) {
         current_is(#name "v", current, expected);                                                            \
     }
 
-/// Least, most and something between.
+/// Returns the least value, the largest, or one between.
 template <class T> T values(int i) {
     using L = std::numeric_limits<T>;
     if constexpr (std::is_floating_point_v<T>)
@@ -128,7 +128,7 @@ TEST_F(Attributes, EveryFormOfTexCoord) {
     SPANGLE_TEX_COORD(x, OES, GLfixed, from_fixed);
 }
 
-/// GL 1.3, 2.9: Begin(POLYGON), (x1, y1), (x2, y1), (x2, y2), (x1, y2), End.
+/// Rect(x1, y1, x2, y2) is the polygon (x1, y1), (x2, y1), (x2, y2), (x1, y2) (GL 1.3, 2.9 and 2.10).
 TEST_F(Attributes, EveryFormOfRect) {
     glMatrixMode(GL_PROJECTION);
     glOrtho(0, size, 0, size, -1, 1);
@@ -160,7 +160,7 @@ TEST_F(Attributes, EveryFormOfRect) {
     is("xv", [&] { glRectxvOES(x, x + 2); });
     glEnable(GL_CULL_FACE);
     WindowRecorder recorder;
-    glRecti(20, 5, 3, 40); // turned over
+    glRecti(20, 5, 3, 40); // both corners exchanged
     EXPECT_TRUE(recorder.primitives.empty());
 }
 
@@ -171,7 +171,7 @@ TEST_F(Attributes, EveryFormOfRect) {
         current_is("glIndex" #suffix, GL_CURRENT_INDEX, {as_is(a)});                                         \
     }
 
-/// Row B09: indices are numbers as they are, in every form and from arrays of every type.
+/// Row B09: indices are not scaled, in every form and from arrays of every type.
 TEST_F(Attributes, EveryFormOfIndex) {
     current_is("initially", GL_CURRENT_INDEX, {1});
     SPANGLE_INDEX(s, GLshort);
@@ -207,11 +207,11 @@ TEST_F(Attributes, EveryFormOfIndex) {
     second_is(GL_DOUBLE, d, 1e3);
     const GLfixed fixed[2] = {0, x};
     second_is(GL_FIXED, fixed, -1.5);
-    glInterleavedArrays(GL_V2F, 0, nullptr); // disables it (GL 1.3, 2.8)
+    glInterleavedArrays(GL_V2F, 0, nullptr); // disables the array (GL 1.3, 2.8)
     EXPECT_FALSE(glIsEnabled(GL_INDEX_ARRAY));
 }
 
-/// GL 1.3, 2.8: ArrayElement outside of Begin and End sets current values and draws nothing.
+/// ArrayElement outside of Begin and End sets current values and draws nothing (GL 1.3, 2.8).
 TEST_F(Attributes, ArrayElementSetsCurrentValues) {
     const GLubyte color[2][3] = {{1, 2, 3}, {51, 102, 204}};
     const GLshort normal[2][3] = {{0, 0, 0}, {32767, -32768, 100}};
@@ -234,9 +234,9 @@ TEST_F(Attributes, ArrayElementSetsCurrentValues) {
     EXPECT_TRUE(recorder.primitives.empty()) << "without vertices there is no geometry";
 }
 
-/// Drivers keep the current values when arrays are drawn, and programs rely on that: each enabled array,
-/// every command that draws arrays, at once or out of a list, with a material that follows the colour or
-/// without.
+/// Drivers keep the current values when arrays are drawn, and programs rely on it. The test has each enabled
+/// array and every command that draws arrays, at once and from a list, with a material that follows the
+/// colour and without.
 TEST_F(Attributes, DrawnArraysLeaveCurrentValues) {
     const GLfloat four[3][4] = {{0.1f, 0.2f, 0.3f, 0.4f}, {0.5f, 0.6f, 0.7f, 0.8f}, {0.9f, 1, 0, 0.5f}};
     const GLubyte flags[3] = {0, 0, 0};
@@ -309,7 +309,7 @@ TEST_F(Attributes, DrawnArraysLeaveCurrentValues) {
     glDisable(GL_COLOR_MATERIAL);
 }
 
-/// A vertex has the colour of its time, to the last component.
+/// A vertex has the colour that was current when it was given, to the last component.
 TEST_F(Attributes, EachComponentOfTheColorCounts) {
     GLubyte rgba[4] = {10, 20, 30, 40};
     WindowRecorder recorder;
@@ -328,7 +328,8 @@ TEST_F(Attributes, EachComponentOfTheColorCounts) {
                 << i << ' ' << c;
 }
 
-/// GL 1.3, 2.8: components that an array leaves out are those of the command of its size.
+/// Components that an array leaves out have the values that the command of the same size gives them (GL 1.3,
+/// 2.8).
 TEST_F(Attributes, ArraysOfFewComponents) {
     const GLfloat s[] = {0.5f, 0.25f, 0.125f, 1, 2, 3}, other[4] = {7, 8, 9, 10};
     glEnableClientState(GL_TEXTURE_COORD_ARRAY);
@@ -343,7 +344,7 @@ TEST_F(Attributes, ArraysOfFewComponents) {
     }
 }
 
-/// GL 1.3, 2.8: the range is a promise; one that no index can keep is an error.
+/// The range of indices is the program's promise. A range that no index can keep is an error (GL 1.3, 2.8).
 TEST_F(Attributes, ElementsAndTheirErrors) {
     const GLfloat position[3][2] = {{0, 0}, {0.5f, 0}, {0, 0.5f}};
     const GLubyte index[4] = {2, 0, 1, 2};
@@ -375,7 +376,7 @@ TEST_F(Attributes, ElementsAndTheirErrors) {
     EXPECT_EQ(drawn([&] { glArrayElement(-1); }, value), 0u);
 }
 
-/// Colour and normal arrays of every type become what the commands of that type make of them.
+/// Colour and normal arrays of every type give what the commands of that type give.
 TEST_F(Attributes, ArraysOfEveryTypeEqualTheCommands) {
     const GLubyte ub[4] = {0, 255, 77, 99};
     const GLbyte b[4] = {-128, 127, 77, 5};
@@ -435,7 +436,7 @@ TEST_F(Attributes, ArraysOfEveryTypeEqualTheCommands) {
         GL_FIXED, x, [&] { glColor4xvOES(x); }, [&] { glNormal3xvOES(x); }, true);
 }
 
-/// OES_byte_coordinates: numbers, not fractions.
+/// With OES_byte_coordinates, bytes of coordinates are numbers, not fractions.
 TEST_F(Attributes, BytesAsCoordinates) {
     static const GLbyte corner[4][2] = {{-128, 127}, {-1, -1}, {1, -1}, {-1, 1}};
     glTexCoordPointer(2, GL_BYTE, 0, corner);
@@ -446,7 +447,7 @@ TEST_F(Attributes, BytesAsCoordinates) {
     EXPECT_EQ(st[0], -128);
     EXPECT_EQ(st[1], 127);
     glDisableClientState(GL_TEXTURE_COORD_ARRAY);
-    const auto drawn = [] { // the lower left half of the window
+    const auto drawn = [] { // draws the lower left half of the window
         GLubyte pixel[4] = {};
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         glDrawArrays(GL_TRIANGLES, 1, 3);
@@ -460,13 +461,13 @@ TEST_F(Attributes, BytesAsCoordinates) {
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-/// GL 1.3, 2.8, the table of array sizes and types: what it does not list is refused.
+/// Types and sizes that the table of arrays does not list are refused (GL 1.3, 2.8).
 TEST_F(Attributes, PointersOfOtherTypes) {
     const auto refused = [](const char* what) {
         EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM)) << what;
     };
     for (const GLenum type : {GL_BYTE, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT, GL_2_BYTES}) {
-        if (type != GL_BYTE) { // OES_byte_coordinates
+        if (type != GL_BYTE) { // allowed by OES_byte_coordinates
             glVertexPointer(2, type, 0, nullptr);
             refused("vertices");
             glTexCoordPointer(2, type, 0, nullptr);
@@ -485,7 +486,8 @@ TEST_F(Attributes, PointersOfOtherTypes) {
     refused("colours");
 }
 
-// Words are loaded from where words may lie: some processors fault elsewhere, this one need not.
+// Words are loaded only from aligned addresses, because some processors fault elsewhere; this processor may
+// not.
 TEST(ArrayReaders, FloatsAtOddPlacesAreNoWords) {
     alignas(float) std::uint8_t memory[64] = {};
     const auto is_floats = [&](std::size_t place, GLsizei stride, GLenum type, unsigned count) {

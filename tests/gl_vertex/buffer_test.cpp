@@ -1,4 +1,4 @@
-// Rows B15, B21, B22, B24: buffer objects, arrays and indices that lie in them, draws of many primitives.
+// Rows B15, B21, B22, B24: tests buffer objects, arrays and indices in them, and draws of many primitives.
 #include <algorithm>
 #include <array>
 #include <climits>
@@ -43,7 +43,7 @@ TEST_F(Buffers, NamesAndBinding) {
     EXPECT_EQ(std::accumulate(names, names + 3, 0u), 6u);
     EXPECT_FALSE(glIsBuffer(names[0])) << "a name becomes a buffer when it is bound";
     glBindBuffer(GL_ARRAY_BUFFER, names[0]);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 77); // a name of one's own
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 77); // a name that the program chose
     EXPECT_TRUE(glIsBuffer(names[0]) && glIsBuffer(77));
     EXPECT_FALSE(glIsBuffer(0));
     GLint bound[2];
@@ -138,7 +138,7 @@ TEST_F(Buffers, Mapping) {
     glFlushMappedBufferRange(GL_ARRAY_BUFFER, 1, 3);
     glFlushMappedBufferRange(GL_ARRAY_BUFFER, 1, 4);
     refused(value, "beyond what is mapped");
-    glBufferData(GL_ARRAY_BUFFER, 4, bytes.data(), GL_STATIC_DRAW); // unmaps
+    glBufferData(GL_ARRAY_BUFFER, 4, bytes.data(), GL_STATIC_DRAW); // unmaps the buffer
     EXPECT_EQ(parameter(GL_BUFFER_MAPPED), 0);
     glFlushMappedBufferRange(GL_ARRAY_BUFFER, 0, 1);
     refused(operation, "not mapped");
@@ -160,8 +160,8 @@ TEST_F(Buffers, Mapping) {
     refused(token, "access");
 }
 
-/// Ranges that share a byte with a mapping are refused; those that only touch it, or have none, are not
-/// (GL 3.0, 2.9.3).
+/// A range that shares a byte with a mapping is refused. A range that only touches a mapping, or is empty, is
+/// not (GL 3.0, 2.9.3).
 TEST_F(Buffers, RangesBesideAMappingAreNotMapped) {
     constexpr GLintptr size = 8;
     std::array<GLubyte, size> bytes = {1, 2, 3, 4, 5, 6, 7, 8};
@@ -187,7 +187,8 @@ TEST_F(Buffers, RangesBesideAMappingAreNotMapped) {
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
-/// The offset into a buffer that is deleted is no address: the array has none then, and others keep theirs.
+/// An offset into a deleted buffer is not an address, so the array has none afterwards. Other arrays keep
+/// their addresses.
 TEST_F(Buffers, ADeletedBufferLeavesNoAddresses) {
     const GLfloat mesh[3][2] = {{-0.5f, -0.5f}, {0.5f, -0.5f}, {0, 0.5f}};
     const GLubyte own[9] = {};
@@ -251,7 +252,7 @@ TEST_F(Buffers, ADeletedBufferLeavesNoAddresses) {
     EXPECT_TRUE(drawn(draw).empty()) << "no array, no vertices";
 }
 
-/// A mesh that lies in flash is drawn from where it is.
+/// A mesh in flash is drawn from where it is.
 TEST_F(Buffers, ConstantMemoryIsNotCopied) {
     static const GLfloat mesh[3][2] = {{-0.5f, -0.5f}, {0.5f, -0.5f}, {0, 0.5f}};
     glBindBuffer(GL_ARRAY_BUFFER, 1);
@@ -272,12 +273,13 @@ TEST_F(Buffers, ConstantMemoryIsNotCopied) {
     glVertexPointer(2, GL_FLOAT, 0, at(0));
     glEnableClientState(GL_VERTEX_ARRAY);
     EXPECT_EQ(drawn([] { glDrawArrays(GL_TRIANGLES, 0, 3); }).size(), 9u);
-    glBufferData(GL_ARRAY_BUFFER, sizeof mesh, mesh, GL_STATIC_DRAW); // from now on its own
+    glBufferData(GL_ARRAY_BUFFER, sizeof mesh, mesh,
+                 GL_STATIC_DRAW); // from now on the buffer has its own memory
     EXPECT_NE(glMapBuffer(GL_ARRAY_BUFFER, GL_READ_ONLY), mesh);
 }
 
-/// Offsets instead of pointers, mixed with client memory; immediate mode, lists and arrays agree.
-/// Found by the fuzzer: an array at an offset into a buffer without a store (UBSan sees the address).
+/// A draw of no elements reads no buffer. The fuzzer found this: an array had an offset into a buffer without
+/// a store (UBSan sees the address).
 TEST_F(Buffers, DrawsOfNoElementsAskNothingOfTheirBuffers) {
     glBindBuffer(GL_ARRAY_BUFFER, 5);
     glVertexPointer(3, GL_FLOAT, 0, at(16));
@@ -292,7 +294,7 @@ TEST_F(Buffers, DrawsOfNoElementsAskNothingOfTheirBuffers) {
     refused(operation, "elements beyond the store");
 }
 
-/// Whatever offset an array or an index has: no address is made of it unless it lies in its buffer.
+/// No address is made of the offset of an array or index unless the offset lies in its buffer.
 TEST_F(Buffers, OffsetsBeyondTheirBuffersAreNoAddresses) {
     glBindBuffer(GL_ARRAY_BUFFER, 1);
     glBufferData(GL_ARRAY_BUFFER, 64, nullptr, GL_STATIC_DRAW);
@@ -306,7 +308,7 @@ TEST_F(Buffers, OffsetsBeyondTheirBuffersAreNoAddresses) {
         glDrawArrays(GL_TRIANGLES, 0, 0);
         glDrawArrays(GL_TRIANGLES, INT_MAX, 0);
         glDrawElements(GL_TRIANGLES, 0, GL_UNSIGNED_INT, at(offset));
-        glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, at(0)); // none but restarts
+        glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, at(0)); // all indices are restarts
         EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR}) << offset;
         if (offset > 64) {
             const gl::AddressedArrays addressed(*gl::current_context());
@@ -336,6 +338,7 @@ TEST_F(Buffers, OffsetsBeyondTheirBuffersAreNoAddresses) {
     glDisable(GL_PRIMITIVE_RESTART);
 }
 
+/// Offsets take the place of pointers, mixed with client memory. Immediate mode, lists and arrays agree.
 TEST_F(Buffers, ArraysAndIndices) {
     struct Corner {
         GLubyte color[4];
@@ -392,7 +395,7 @@ TEST_F(Buffers, ArraysAndIndices) {
               expected);
 }
 
-/// Buffers say how long they are: nothing beyond them is ever read.
+/// The size of a buffer is known, and nothing beyond it is ever read.
 TEST_F(Buffers, NothingBeyondABufferIsRead) {
     glBindBuffer(GL_ARRAY_BUFFER, 1);
     glBufferData(GL_ARRAY_BUFFER, 4 * 8, nullptr, GL_STATIC_DRAW); // four vertices

@@ -1,5 +1,5 @@
-// Rows A05, B13: vertices of elements that come again are kept. Nothing may tell: whatever has changed in
-// between, glDrawElements draws what glArrayElement gives one by one.
+// Rows A05, B13: vertices of elements that come again are cached, and this must never show. Whatever has
+// changed in between, glDrawElements draws what glArrayElement gives one by one.
 #include <algorithm>
 #include <array>
 #include <random>
@@ -17,7 +17,7 @@ namespace {
 
 class VertexCache : public Canvas {
   protected:
-    /// Blocks of neighbours, which lie so far apart that they share places.
+    /// Blocks of neighbouring elements, so far apart that they share places in the cache.
     static constexpr int block = 200, apart = static_cast<int>(gl::vertex_cache), elements = 3 * block,
                          longest = 60;
     static constexpr std::size_t room = 2 * apart + block;
@@ -60,7 +60,8 @@ class VertexCache : public Canvas {
     void toggle(GLenum what) { (glIsEnabled(what) ? glDisable : glEnable)(what); }
     void toggle_array(GLenum what) { (glIsEnabled(what) ? glDisableClientState : glEnableClientState)(what); }
 
-    /// GL hears nothing of it. One number of each, so that all of them have to be looked at.
+    /// Changes memory of the arrays, of which GL is not told. One number of each attribute changes, so the
+    /// cache must compare all of them.
     void change_memory() {
         for (int n = 0; n < 300; ++n) {
             const std::size_t i = index_of(whole(0, elements - 1));
@@ -69,7 +70,8 @@ class VertexCache : public Canvas {
             tex_coord[i][c] = real(-1, 1);
             color[i][c] = static_cast<GLubyte>(whole(0, 255));
         }
-        for (int n = 0; n < 30; ++n) { // seams: the same corner with another colour, texture, or both
+        for (int n = 0; n < 30;
+             ++n) { // seams: the same position with another colour, texture coordinate, or both
             const int element = whole(0, elements - block - 1);
             const std::size_t i = index_of(element), shares = index_of(element + block);
             position[shares] = position[i];
@@ -77,7 +79,7 @@ class VertexCache : public Canvas {
         }
     }
 
-    /// One thing that a cached vertex depends on.
+    /// Changes one thing on which a cached vertex depends.
     void change_something() {
         auto v = any();
         switch (whole(0, 30)) {
@@ -120,7 +122,7 @@ class VertexCache : public Canvas {
             return;
         case 16:
             return glShadeModel(whole(0, 1) != 0 ? GL_FLAT : GL_SMOOTH);
-        case 17: // the usual case
+        case 17: // the most frequent state
             size = 3;
             (whole(0, 1) != 0 ? glEnable : glDisable)(GL_LIGHTING);
             glDisable(GL_TEXTURE_2D);
@@ -128,7 +130,7 @@ class VertexCache : public Canvas {
             glEnableClientState(GL_NORMAL_ARRAY);
             glDisableClientState(GL_COLOR_ARRAY);
             return glDisableClientState(GL_TEXTURE_COORD_ARRAY);
-        case 18: // the usual case with a texture
+        case 18: // the most frequent state, with a texture
             size = 3;
             tex_coords = 2;
             glEnable(GL_TEXTURE_2D);
@@ -159,7 +161,7 @@ class VertexCache : public Canvas {
         glColorPointer(4, GL_UNSIGNED_BYTE, 0, color[0].data());
     }
 
-    /// Runs of neighbours, jumps, and indices that share a place.
+    /// Makes indices: runs of neighbours, jumps, and indices that share a place in the cache.
     void some_indices() {
         indices.resize(static_cast<std::size_t>(whole(3, most_indices)));
         int at = whole(0, elements - 1);
@@ -203,7 +205,7 @@ class VertexCache : public Canvas {
         return recorder.primitives;
     }
 
-    /// In all that the state of now looks at.
+    /// Compares the vertices in everything that the present state uses.
     void compare(const Primitives& drawn, const Primitives& given, int n) {
         ASSERT_EQ(drawn.size(), given.size()) << n;
         const bool fog = glIsEnabled(GL_FOG) != 0, texture = glIsEnabled(GL_TEXTURE_2D) != 0;
@@ -219,13 +221,13 @@ class VertexCache : public Canvas {
             }
         }
     }
-    std::size_t compared = 0; ///< corners
+    std::size_t compared = 0; ///< number of vertices
 };
 
 TEST_F(VertexCache, TellsNothing) {
     for (int n = 0; n < 50000; ++n) {
         if (n == 45000)
-            most_indices = 400; // where the cache begins small it grows now
+            most_indices = 400; // a cache that begins small grows now
         if (whole(0, 1) != 0)
             change_something();
         arrays();
@@ -241,12 +243,12 @@ TEST_F(VertexCache, TellsNothing) {
     EXPECT_GT(compared, 500000u);
 }
 
-/// A host's context has no memory for many vertices before it draws them.
+/// The context of a host has no memory for many vertices before it draws them.
 TEST_F(VertexCache, BeginsSmall) {
     EXPECT_LE(sizeof(gl::Context) + gl::fixed_engine.pipeline_bytes, std::size_t{64} * 1024);
 }
 
-/// So many that those given one by one are kept by their positions, and then something changes.
+/// With many vertices, single vertices are found by their positions, too. Then something changes.
 TEST_F(VertexCache, TellsNothingOfPositions) {
     for (int n = 0; n < 2000; ++n) {
         arrays();
@@ -266,7 +268,7 @@ TEST_F(VertexCache, TellsNothingOfPositions) {
     EXPECT_GT(compared, 20000u);
 }
 
-/// Points that share what is beyond or beside the three coordinates: z, w, the guard band.
+/// Points differ only outside of x, y and z in range: in z, in w, or in the guard band.
 TEST_F(VertexCache, PositionsThatAreNearlyTheSame) {
     for (int n = 0; n < 500; ++n) {
         size = whole(2, 4);
@@ -286,7 +288,7 @@ TEST_F(VertexCache, PositionsThatAreNearlyTheSame) {
     EXPECT_GT(compared, 20000u);
 }
 
-/// The same s and t with another q in between: what is kept is not that q.
+/// The same s and t follow with another q; the cached coordinate must not be used.
 TEST_F(VertexCache, CoordinatesOfTwoComponentsAreNotThoseOfFour) {
     glEnable(GL_TEXTURE_2D);
     glEnableClientState(GL_TEXTURE_COORD_ARRAY);

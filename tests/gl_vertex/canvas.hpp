@@ -1,4 +1,4 @@
-// A context with a pbuffer to draw vertices into.
+// A context with a pbuffer into which tests draw vertices.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace spangle::test {
 class Canvas : public testing::Test {
   protected:
     explicit Canvas(int side = size) : side_(side) {}
-    static constexpr int size = 64; ///< of most
+    static constexpr int size = 64; ///< width and height of most tests, in pixels
 
     void SetUp() override { current_.emplace(side_, side_); }
     void TearDown() override {

@@ -1,4 +1,4 @@
-// Row C14: user clip planes against formulas in double, and complements that share every pixel.
+// Row C14: compares user clip planes with formulas in double. Complementary planes share every pixel.
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -37,7 +37,7 @@ class ClipPlanes : public Canvas {
     static Vec4 negated(const Vec4& p) { return {-p[0], -p[1], -p[2], -p[3]}; }
 };
 
-/// GL 1.3, 2.11: p' = p M^-1 at the time of the call, so that p' . (M v) = p . v for every vertex.
+/// A plane becomes p' = p M^-1 when it is set, so that p' . (M v) = p . v for every vertex (GL 1.3, 2.11).
 TEST_F(ClipPlanes, PlanesAreKeptInEyeSpace) {
     for (GLenum i = 0; i < 6; ++i) {
         EXPECT_EQ(kept(GL_CLIP_PLANE0 + i), (Vec4{0, 0, 0, 0}));
@@ -53,12 +53,12 @@ TEST_F(ClipPlanes, PlanesAreKeptInEyeSpace) {
                 Vec4 v{};
                 v[k] = 1;
                 const Vec4 e = times(m, v);
-                double size = 0; // of the terms: the query has floats
+                double size = 0; // size of the terms, because the query returns floats
                 for (std::size_t c = 0; c < 4; ++c)
                     size += std::fabs(eye[c] * e[c]);
                 EXPECT_NEAR(dot4(eye, e), p[k], std::ldexp(size, -23));
             }
-            glLoadIdentity(); // no later matrix matters
+            glLoadIdentity(); // later matrices do not matter
             EXPECT_EQ(kept(GL_CLIP_PLANE0 + i), eye);
         }
     }
@@ -71,11 +71,11 @@ TEST_F(ClipPlanes, PlanesAreKeptInEyeSpace) {
     EXPECT_EQ(kept(GL_CLIP_PLANE5), before);
     const Mat4 singular{};
     glLoadMatrixd(singular.data());
-    set_plane(GL_CLIP_PLANE0, {1, 2, 3, 4}); // anything, but no harm
+    set_plane(GL_CLIP_PLANE0, {1, 2, 3, 4}); // the result is undefined, but must do no harm
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
-/// A vertex is drawn when all planes that are on have it on their side, the plane itself included.
+/// A vertex is drawn if it is on the inner side of all enabled planes, or on a plane.
 TEST_F(ClipPlanes, Points) {
     glScalef(0.5f, 0.5f, 0.5f);
     Vec4 plane[6];
@@ -109,13 +109,14 @@ TEST_F(ClipPlanes, Points) {
         set_plane(GL_CLIP_PLANE0, {side, 0, 0, 0});
         WindowRecorder recorder;
         glBegin(GL_POINTS);
-        glVertex2f(0, 0.5f); // in the plane: on both sides
+        glVertex2f(0, 0.5f); // a point in the plane is on both sides
         glEnd();
         EXPECT_EQ(recorder.primitives.size(), 1u);
     }
 }
 
-/// Corners that a plane makes lie on it, with the colour, texture coordinates and fog distance of that place.
+/// Vertices that a plane makes lie on the plane, with the colour, texture coordinates and fog distance of
+/// that place.
 TEST_F(ClipPlanes, CornersOnThePlane) {
     glMatrixMode(GL_PROJECTION);
     glFrustum(-1, 1, -1, 1, 1, 50);
@@ -173,7 +174,7 @@ TEST_F(ClipPlanes, CornersOnThePlane) {
     std::printf("%d corners on planes, worst error %.2g of w\n", cut, worst);
 }
 
-/// Twice the same mesh over the whole window, once on either side of a plane: every pixel is drawn once.
+/// The same mesh over the whole window is drawn once on either side of a plane, so every pixel is drawn once.
 TEST_F(ClipPlanes, ComplementsShareEveryPixel) {
     glMatrixMode(GL_PROJECTION);
     glFrustum(-1, 1, -1, 1, 1, 50);
@@ -195,7 +196,7 @@ TEST_F(ClipPlanes, ComplementsShareEveryPixel) {
                 mesh[i][j] = {(i * 2.4 / cells - 1.2 + bend) * -z, (j * 2.4 / cells - 1.2 - bend) * -z, z};
             }
         Vec4 p{number(-1, 1), number(-1, 1), number(-1, 1), 0};
-        // Through a vertex of the mesh, every third time through two.
+        // The plane goes through a vertex of the mesh, every third time through two.
         const Vec3& a = mesh[2][2];
         if (round % 3 == 0) {
             const Vec3 &b = mesh[3][3], d{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
@@ -206,7 +207,7 @@ TEST_F(ClipPlanes, ComplementsShareEveryPixel) {
         for (const bool complement : {false, true}) {
             set_plane(GL_CLIP_PLANE1, complement ? negated(p) : p);
             for (int i = 0; i < cells; ++i) {
-                glBegin(GL_TRIANGLE_STRIP); // quads that are bent in space have no one shape
+                glBegin(GL_TRIANGLE_STRIP); // a strip of triangles, because a bent quad has no single shape
                 for (int j = 0; j <= cells; ++j) {
                     glVertex3dv(mesh[i + 1][j].data());
                     glVertex3dv(mesh[i][j].data());
@@ -229,7 +230,7 @@ TEST_F(ClipPlanes, ComplementsShareEveryPixel) {
     EXPECT_GT(crossed, 200);
 }
 
-/// What both sides of a plane make of an edge is one vertex to the last bit.
+/// Complementary planes make the same vertex of an edge, to the last bit.
 TEST_F(ClipPlanes, ComplementsMakeTheSameCorners) {
     glEnable(GL_CLIP_PLANE1);
     glEnable(GL_FOG);
@@ -240,10 +241,11 @@ TEST_F(ClipPlanes, ComplementsMakeTheSameCorners) {
         for (Vec3& v : corner)
             v = {number(-0.9, 0.9), number(-0.9, 0.9), number(-0.9, 0.9)};
         Vec4 p{number(-1, 1), number(-1, 1), number(-1, 1), 0};
-        const double near = round % 2 == 0 ? number(-0.5, 0.5) : number(-0.01, 0.01); // slivers
+        const double near =
+            round % 2 == 0 ? number(-0.5, 0.5) : number(-0.01, 0.01); // small numbers give slivers
         p[3] = near - dot({p[0], p[1], p[2]}, corner[round % 3]);
         std::vector<Corner> made[2];
-        int ways[2] = {}; // triangles that turn either way
+        int ways[2] = {}; // numbers of triangles of either orientation
         for (const int side : {0, 1}) {
             set_plane(GL_CLIP_PLANE1, side == 0 ? p : negated(p));
             WindowRecorder recorder;
@@ -265,7 +267,7 @@ TEST_F(ClipPlanes, ComplementsMakeTheSameCorners) {
         }
         turned += ways[0] != 0 && ways[1] != 0 ? 1 : 0;
         for (const Corner& a : made[0])
-            for (const Corner& b : made[1]) // not all: triangles without an area are not drawn
+            for (const Corner& b : made[1]) // not all vertices: triangles without an area are not drawn
                 if (a[0] == b[0] && a[1] == b[1]) {
                     ++cut;
                     ASSERT_EQ(a, b) << "round " << round;
@@ -275,7 +277,7 @@ TEST_F(ClipPlanes, ComplementsMakeTheSameCorners) {
     EXPECT_EQ(turned, 0) << "slivers that overlap what lies beside them";
 }
 
-/// All six at once, around a cube that is seen from its edge: what is left is what double leaves.
+/// Six planes at once surround a cube that is seen from a corner. What is left is what double leaves.
 TEST_F(ClipPlanes, SixPlanesLeaveAHexagon) {
     constexpr double third = 1.0471975511965976;
     for (GLenum i = 0; i < 6; ++i) {
@@ -283,7 +285,7 @@ TEST_F(ClipPlanes, SixPlanesLeaveAHexagon) {
         glEnable(GL_CLIP_PLANE0 + i);
     }
     glClear(GL_COLOR_BUFFER_BIT);
-    glRectf(-2, -2, 2, 2); // cut by the volume's guard band first
+    glRectf(-2, -2, 2, 2); // clipped by the guard band first
     std::vector<GLubyte> pixels(size * size * 4);
     glReadPixels(0, 0, size, size, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     for (int y = 0; y < size; ++y)
@@ -299,7 +301,7 @@ TEST_F(ClipPlanes, SixPlanesLeaveAHexagon) {
         }
 }
 
-/// Arrays, whose vertices are kept, and lists are cut as immediate mode is; two sides keep their lighting.
+/// Arrays with cached vertices and lists are clipped as immediate mode is. Both sides keep their lighting.
 TEST_F(ClipPlanes, EveryWayOfGivingVertices) {
     std::vector<GLfloat> position;
     std::vector<GLushort> index;

@@ -1,5 +1,5 @@
-// Rows B09, C08, C11: vertices of an index framebuffer: masked indices, their lighting, what becomes of them
-// on the way to the rasterizer.
+// Rows B09, C08, C11: tests vertices of an index framebuffer: masked indices, their lighting, and their way
+// to the rasterizer.
 #include <cmath>
 #include <random>
 #include <vector>
@@ -52,7 +52,7 @@ TEST_F(ColorIndex, TheMode) {
     EXPECT_TRUE(now[0] == 1 && now[1] == 0 && now[2] == 0);
 }
 
-/// GL 1.3, 2.13.6: the integer part is masked, the fraction kept.
+/// The integer part of an index is masked, and the fraction is kept (GL 1.3, 2.13.6).
 TEST_F(ColorIndex, IndicesAreMasked) {
     EXPECT_EQ(point(7.5), 7.5);
     EXPECT_EQ(point(255), 255);
@@ -68,7 +68,7 @@ TEST_F(ColorIndex, IndicesAreMasked) {
     EXPECT_EQ(point(3), 1);
 }
 
-/// Smooth and flat, by commands and by arrays; clipped vertices lie on the line between.
+/// Primitives are smooth and flat, from commands and arrays; clipped vertices lie on the line between.
 TEST_F(ColorIndex, Primitives) {
     const GLfloat index[3] = {10, 20, 40}, position[3][2] = {{-100, -100}, {100, -100}, {0, 100}};
     for (const bool arrays : {false, true})
@@ -100,7 +100,7 @@ TEST_F(ColorIndex, Primitives) {
     glIndexf(10);
     glVertex3f(0, 0, 0);
     glIndexf(30);
-    glVertex3f(0, 0, 400); // the near plane halves it
+    glVertex3f(0, 0, 400); // the near plane cuts the triangle in half
     glEnd();
     EXPECT_NEAR(of(recorder.primitives.at(0).corner[1]), 20, 1e-5);
 }
@@ -109,13 +109,13 @@ TEST_F(ColorIndex, Primitives) {
 
 constexpr double ramp[2][3] = {{3, 90, 200}, {20.5, 10, 120}};
 
-/// GL 1.3, 2.13.5, from sums that the equation of colours makes of gray weights.
+/// The lighting of indices (GL 1.3, 2.13.5), from sums that the equation of colours gives for grey weights.
 double index_equation(LitVertex v, int side, const double (&am_dm_sm)[3]) {
     double d = 0, s = 0;
     const double weight[3] = {.30, .59, .11};
     v.scene_ambient = {0, 0, 0, 1};
     v.separate_specular = true;
-    for (std::size_t c = 0; c < 3; ++c) { // unclamped: a hundredth of the light
+    for (std::size_t c = 0; c < 3; ++c) { // a hundredth of the light, so that nothing is clamped
         LitVertex one = v;
         SurfaceMaterial& m = one.material[side];
         m.ambient = m.emission = {0, 0, 0, 1};
@@ -157,7 +157,7 @@ TEST_F(IndexLighting, Indexes) {
     EXPECT_EQ(glGetError(), GLenum{GL_INVALID_ENUM}) << "three numbers";
 }
 
-/// Random scenes of all kinds of lights, seen from both sides.
+/// Compares random scenes of all kinds of lights, seen from both sides, with the equation.
 TEST_F(IndexLighting, Equation) {
     std::mt19937 random(11);
     const auto real = [&random](double low, double high) {
@@ -172,7 +172,7 @@ TEST_F(IndexLighting, Equation) {
         for (int i = 0; i < 3; ++i) {
             LightSource& l = v.light[static_cast<std::size_t>(i)];
             l.on = i == 0 || flip();
-            l.ambient = {real(0, 1), real(0, 1), real(0, 1), 1}; // counts for nothing
+            l.ambient = {real(0, 1), real(0, 1), real(0, 1), 1}; // does not count
             l.diffuse = {real(0, 1), real(0, 1), real(0, 1), 1};
             l.specular = {real(0, 1), real(0, 1), real(0, 1), 1};
             l.position = {real(-30, 30), real(-30, 30), real(-30, 30), flip() ? 0.0 : 1.0};
@@ -218,7 +218,8 @@ TEST_F(IndexLighting, Equation) {
     EXPECT_TRUE(bright && shining);
 }
 
-/// Ambient light, emission and ColorMaterial do not count (GL 1.3, 2.13.5); without light it is the first.
+/// Ambient light, emission and ColorMaterial do not count (GL 1.3, 2.13.5). Without other light the first
+/// index is drawn.
 TEST_F(IndexLighting, WhatDoesNotCount) {
     const GLfloat white[4] = {1, 1, 1, 1}, black[4] = {0, 0, 0, 1};
     glLightfv(GL_LIGHT0, GL_DIFFUSE, black);
@@ -235,7 +236,7 @@ TEST_F(IndexLighting, WhatDoesNotCount) {
     EXPECT_EQ(point(77), 77);
 }
 
-/// Nothing is brighter than the specular index, whichever order the three have.
+/// Nothing is brighter than the specular index, whatever the order of the three indices.
 TEST_F(IndexLighting, TheSpecularIndexIsTheLast) {
     const GLfloat indexes[3] = {3, 90, 50}, white[4] = {1, 1, 1, 1}, black[4] = {0, 0, 0, 1};
     glMaterialfv(GL_FRONT, GL_COLOR_INDEXES, indexes);
@@ -249,7 +250,7 @@ TEST_F(IndexLighting, TheSpecularIndexIsTheLast) {
     EXPECT_EQ(point(77), 50);
 }
 
-/// Each vertex has the indices of its time, also while its primitive waits.
+/// Each vertex has the material indices that were current when it was given, also while its primitive waits.
 TEST_F(IndexLighting, MaterialsBetweenVertices) {
     WindowRecorder recorder;
     glBegin(GL_TRIANGLES);
@@ -292,7 +293,7 @@ TEST_F(ColorIndex, RasterPosition) {
 #endif
 
 #if SPANGLE_FEATURE_FEEDBACK
-/// One number in the place of four (GL 1.3, table 5.2).
+/// Feedback returns one number for a colour instead of four (GL 1.3, table 5.2).
 TEST_F(ColorIndex, Feedback) {
     std::vector<GLfloat> buffer(64);
     glFeedbackBuffer(64, GL_3D_COLOR_TEXTURE, buffer.data());

@@ -1,5 +1,5 @@
-// Row C14: which two triangles a quad is drawn as, and that a quad that a plane cuts is drawn as the same
-// two.
+// Row C14: tests as which two triangles a quad is drawn, and that a clipped quad is drawn as the same two
+// triangles.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,7 +25,7 @@ class CutQuads : public Canvas {
 
     float number(float low, float high) { return std::uniform_real_distribution<float>(low, high)(random_); }
 
-    /// A convex quad in a plane of its own; `size` is half its diagonal.
+    /// Returns a convex quad in a random plane; `size` is half its diagonal.
     Quad some_quad(float size) {
         const float tilt = number(0.2f, 1.4f), turn = number(0, 6.2f), depth = number(-3, -0.5f);
         const float x = number(-1, 1), y = number(-1, 1);
@@ -64,8 +64,8 @@ class CutQuads : public Canvas {
     }
 
     /// Draws many quads as QUADS and as QUAD_STRIP, and the triangles that they stand for. The diagonal ends
-    /// at the provoking vertex: the last of one of QUADS, and the last of the strip so far, which is the
-    /// third corner.
+    /// at the provoking vertex: in QUADS the quad's last vertex, in a strip the last vertex so far, which is
+    /// the third of the outline.
     void all_are_triangles(int rounds, float quad_size) {
         int seen = 0, divided_otherwise = 0;
         for (int round = 0; round < rounds; ++round) {
@@ -140,7 +140,7 @@ TEST_F(CutQuads, WithAnOffset) {
     all_are_triangles(100, 3);
 }
 
-/// A flat quad has the colour of its last corner in both of its triangles.
+/// A flat quad has the colour of its last vertex in both of its triangles.
 TEST_F(CutQuads, AreFlatInOneColor) {
     look(20);
     glShadeModel(GL_FLAT);
@@ -157,7 +157,7 @@ TEST_F(CutQuads, AreFlatInOneColor) {
     EXPECT_GT(seen, 25);
 }
 
-/// Where one side is outlined, the other is filled as it is where both are.
+/// If one side is outlined, the other is filled in the same way as where both are filled.
 TEST_F(CutQuads, WithOneSideOutlined) {
     look(20);
     int compared = 0;
@@ -181,7 +181,7 @@ TEST_F(CutQuads, WithOneSideOutlined) {
     EXPECT_GT(compared, 20);
 }
 
-/// The outline of a cut quad has no line along the diagonal.
+/// The outline of a clipped quad has no line along the diagonal.
 TEST_F(CutQuads, AreOutlinedWithoutADiagonal) {
     look(20);
     glDisable(GL_DEPTH_TEST);

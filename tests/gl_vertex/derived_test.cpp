@@ -1,4 +1,4 @@
-// What vertices take from the state is derived again where that part changed, and nowhere else.
+// State that vertices derive is derived again if that part of the state changed, and only then.
 #include <random>
 
 #include "gl/context/context.hpp"
@@ -127,7 +127,7 @@ TEST_F(Derived, AnyChangesLeaveWhatIsDerivedAllAtOnce) {
     }
 }
 
-/// The state is changed behind the context's back: only who derives from it anew can see that.
+/// The state is changed behind the context's back, so a new value shows what is derived again.
 TEST_F(Derived, AMaterialLeavesTheMatrices) {
     const raster::FixedVertex before = drawn();
     gl::TransformState& transform = context().transform;

@@ -1,4 +1,4 @@
-// Row B10: the fog coordinate, as a vertex's own distance of fog (GL 1.4, 2.7 and 3.10).
+// Row B10: tests the fog coordinate, a vertex's own distance for fog (GL 1.4, 2.7 and 3.10).
 #include <cmath>
 
 #include "gl/context/features.hpp"
@@ -22,7 +22,7 @@ class FogCoordinate : public Canvas {
         return v;
     }
     static double of(const raster::FixedVertex& v) { return std::ldexp(v.fog_mantissa, v.fog_exponent); }
-    /// Red that is left of white in black fog where the coordinate is `coord`.
+    /// Returns the red of a white point in black fog at the coordinate `coord`.
     static int left(GLfloat coord) {
         glClear(GL_COLOR_BUFFER_BIT);
         glFogCoordf(coord);
@@ -84,11 +84,11 @@ TEST_F(FogCoordinate, Arrays) {
     glFogCoordPointer(GL_FLOAT, -1, f);
     EXPECT_EQ(glGetError(), GLenum{GL_INVALID_VALUE});
     EXPECT_TRUE(glIsEnabled(GL_FOG_COORDINATE_ARRAY));
-    glInterleavedArrays(GL_V2F, 0, nullptr); // disables it (GL 1.4, 2.8)
+    glInterleavedArrays(GL_V2F, 0, nullptr); // disables the array (GL 1.4, 2.8)
     EXPECT_FALSE(glIsEnabled(GL_FOG_COORDINATE_ARRAY));
 }
 
-/// Vertices carry the eye's distance, or what was given: by commands and by elements alike.
+/// Vertices have the distance to the eye or the given coordinate, from commands and from elements.
 TEST_F(FogCoordinate, Source) {
     const auto triangle = [] {
         WindowRecorder recorder;
@@ -125,7 +125,7 @@ TEST_F(FogCoordinate, Source) {
     EXPECT_EQ(source, GL_FOG_COORDINATE);
 }
 
-/// What clipping makes lies on the line between the coordinates, signs included (GL 1.3, 2.13.8).
+/// Vertices that clipping makes lie on the line between the coordinates, signs included (GL 1.3, 2.13.8).
 TEST_F(FogCoordinate, Clipped) {
     glFogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE);
     WindowRecorder recorder;
@@ -157,8 +157,8 @@ TEST_F(FogCoordinate, FactorsOfAllModes) {
         EXPECT_NEAR(left(c), 255 * std::exp(-0.25 * c * c), 0.51) << c;
 }
 
-/// Nothing is divided by 0: what lies before END is clear, what lies behind it is fog (the limit of the
-/// formula), and the unit before END is a ramp, as in Mesa.
+/// If START equals END, nothing is divided by 0. What lies nearer is clear, what lies beyond END is fog (the
+/// limit of the formula), and the last unit before END is a ramp, as in Mesa.
 TEST_F(FogCoordinate, LinearFogThatStartsWhereItEnds) {
     glFogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE);
     glDisable(GL_DITHER);

@@ -1,5 +1,5 @@
-// Row A05: a vertex comes to the same window x, y, z and 1/w (and texture coordinates and fog distance)
-// however it is given: alone, in a batch of any mode, from arrays, from a list, through every entry point
+// Row A05: a vertex has the same window x, y, z and 1/w, texture coordinates and fog distance, however it is
+// given. It may come alone, in a batch of any mode, from arrays, from a list, or through every entry point
 // that can hold it.
 #pragma once
 
@@ -18,7 +18,7 @@ namespace spangle::test {
 
 class Invariance : public Canvas {
   protected:
-    /// Draws `count` vertices, 250 to a set of random matrices. Says how many of them were in the view
+    /// Draws `count` vertices, 250 to a set of random matrices, and reports how many of them were in the view
     /// volume.
     void run(int count, std::uint32_t seed) {
         random_.seed(seed);
@@ -43,8 +43,9 @@ class Invariance : public Canvas {
 
   private:
     static constexpr std::size_t group_size = 250;
-    /// Alone: first, in 30 forms, after other state; 2 lists; 10 modes; DrawArrays and ArrayElement of 5
-    /// types and 3 sizes; interleaved; 3 kinds of indices, a list of them, strips of them.
+    /// The ways to give a vertex. Alone: first, in 30 forms, after other state. Then 2 lists, 10 modes,
+    /// DrawArrays and ArrayElement of 5 types and 3 sizes, interleaved arrays, 3 kinds of indices, a list of
+    /// indices, and strips of them.
     static constexpr std::size_t way_count = 1 + 30 + 1 + 2 + 10 + 5 * 3 * 2 + 1 + 3 + 1 + 1;
 
     std::mt19937 random_;
@@ -54,9 +55,9 @@ class Invariance : public Canvas {
         raster::FixedVertex vertex;
     };
     std::array<Seen, group_size> seen_;
-    std::array<bool, group_size> alone_; ///< drawn as a point
+    std::array<bool, group_size> alone_; ///< whether the vertex is drawn as a point
     std::array<std::array<GLubyte, 4>, group_size> color_;
-    std::array<raster::FixedVertex, group_size> colored_; ///< the same, as the rasterizer gets it
+    std::array<raster::FixedVertex, group_size> colored_; ///< the same colours as the rasterizer gets them
     std::array<std::array<GLfloat, 4>, group_size> tex_coord_;
     std::uint64_t compared_ = 0;
     int visible_ = 0;
@@ -66,11 +67,11 @@ class Invariance : public Canvas {
     int whole(int low, int high) { return std::uniform_int_distribution<>(low, high)(random_); }
     std::size_t any() { return static_cast<std::size_t>(whole(0, group_size - 1)); }
 
-    // --- what is drawn
+    // --- Random vertices and state
 
     enum Kind { wide, shorts, ints, fixed };
     Kind kind_ = wide;
-    int object_exponent_ = 0; ///< objects are about 2^this large
+    int object_exponent_ = 0; ///< objects have a size of about 2^this
 
     void matrices() {
         kind_ = static_cast<Kind>(whole(0, 3));
@@ -108,7 +109,8 @@ class Invariance : public Canvas {
         return kind_ == fixed ? std::floor(v * 65536) / 65536 : std::floor(v);
     }
 
-    /// Red says which vertex it is; with green and blue at random, what clipping mixes is none of these.
+    /// Red is the number of the vertex. Green and blue are random, so a colour that clipping mixes is none of
+    /// the colours.
     void colors() {
         for (std::size_t i = 0; i < group_size; ++i) {
             color_[i] = {static_cast<GLubyte>(i), static_cast<GLubyte>(whole(0, 255)),
@@ -127,8 +129,8 @@ class Invariance : public Canvas {
         glEnable(GL_TEXTURE_2D);
         glEnable(GL_FOG);
         position_.resize(group_size);
-        const int dimensions = whole(2, 4); // of all, so that arrays can hold them
-        // Not too different: a cut at 2^-30 of an edge keeps the colour and yet moves a small w.
+        const int dimensions = whole(2, 4); // the same for all vertices, so that arrays can hold them
+        // The w of vertices are similar: a cut at 2^-30 of an edge keeps the colour and yet moves a small w.
         const int w_exponent = whole(-30, 30);
         for (std::size_t i = 0; i < group_size; ++i) {
             const double w = dimensions < 4  ? 1
@@ -149,7 +151,7 @@ class Invariance : public Canvas {
         glTexCoord4fv(tex_coord_[i].data());
     }
 
-    /// Some form that can hold the vertex.
+    /// Returns a form that can hold the vertex.
     const VertexForm& any_form(const Position& p) {
         for (;;) {
             const VertexForm& form = vertex_forms[whole(0, 29)];
@@ -158,7 +160,7 @@ class Invariance : public Canvas {
         }
     }
 
-    // --- what is seen
+    // --- Comparison
 
     static bool same(const raster::FixedVertex& a, const raster::FixedVertex& b) {
         return a.x == b.x && a.y == b.y && a.z == b.z && a.w_mantissa == b.w_mantissa &&
@@ -168,7 +170,7 @@ class Invariance : public Canvas {
                a.tex[0].q_is_one == b.tex[0].q_is_one;
     }
 
-    /// Red, rounded: 255ths with 20 fraction bits, and k / 255 is not a float.
+    /// Red as a number: in 255ths with 20 fraction bits, rounded because k / 255 is not a float.
     static std::size_t index(const raster::FixedVertex& v) { return (v.color[0] + (1u << 19)) >> 20; }
 
     void compare(const std::string& way, std::size_t i, const raster::FixedVertex& v) {
@@ -192,7 +194,7 @@ class Invariance : public Canvas {
         return i < group_size && std::equal(v.color, v.color + 3, colored_[i].color);
     }
 
-    /// The corners that clipping did not make.
+    /// Compares the vertices that clipping did not make.
     void compare(const std::string& way, const WindowRecorder& recorder) {
         for (const Primitive& p : recorder.primitives)
             for (int c = 0; c < p.corners && !HasFailure(); ++c)
@@ -200,11 +202,11 @@ class Invariance : public Canvas {
                     compare(way, index(p.corner[c]), p.corner[c]);
     }
 
-    /// `draw` gives points in this order: exactly those that are drawn alone come out.
+    /// `draw` gives points in this order. Exactly those that are drawn alone must come out.
     template <class Draw>
     void points(const std::string& way, const std::vector<std::size_t>& order, Draw draw) {
         if (HasFailure())
-            return; // one is enough to read
+            return; // one failure is enough to read
         ways_[way] += 0;
         WindowRecorder recorder;
         draw();
@@ -231,7 +233,7 @@ class Invariance : public Canvas {
         return order;
     }
 
-    // --- the ways
+    // --- The ways to give vertices
 
     void group() {
         first_alone();
@@ -284,7 +286,7 @@ class Invariance : public Canvas {
         glDeleteLists(list, 1);
     }
 
-    /// All vertices in all their forms.
+    /// Puts all vertices in all their forms into one list.
     void listed_together() {
         const GLuint list = glGenLists(1);
         std::vector<std::size_t> order;
@@ -304,7 +306,7 @@ class Invariance : public Canvas {
         glDeleteLists(list, 1);
     }
 
-    /// Any vertices in any order, between some that lie far outside.
+    /// Draws random vertices in random order, between some that lie far outside.
     void batch(GLenum mode) {
         const std::string way = "batch of mode " + std::to_string(mode);
         ways_[way] += 0;
@@ -320,7 +322,7 @@ class Invariance : public Canvas {
             attributes(i);
             Position p = position_[i];
             if (whole(0, 9) == 0) {
-                glColor4ub(255, 255, 0, 255); // none of ours
+                glColor4ub(255, 255, 0, 255); // the colour of no vertex
                 for (int c = 0; c < 2; ++c)
                     p[static_cast<std::size_t>(c)] *= 1024;
             }
@@ -436,7 +438,7 @@ class Invariance : public Canvas {
             glDisableClientState(array);
     }
 
-    /// State that must not matter (GL 1.3, appendix A.3, rule 2), and matrices that come back.
+    /// Changes state that must not matter (GL 1.3, appendix A.3, rule 2), and matrices that are restored.
     void after_other_state() {
         glPushMatrix();
         glLoadIdentity();

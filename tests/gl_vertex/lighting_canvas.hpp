@@ -1,4 +1,4 @@
-// Vertices that are lit, beside the equation of the specification.
+// Draws lit vertices, and compares them with the equation of the specification.
 #pragma once
 
 #include <cmath>
@@ -33,7 +33,7 @@ class Lighting : public Canvas {
         return recorder.primitives.empty() ? raster::FixedVertex{} : recorder.primitives[0].corner[0];
     }
 
-    /// Largest difference of a component, in 255ths.
+    /// Returns the largest difference of a component, in 255ths.
     static double difference(const raster::FixedVertex& v, const LitColor& expected) {
         double worst = 0;
         for (std::size_t c = 0; c < 4; ++c)
@@ -54,12 +54,12 @@ inline Mat4 translation(double x, double y, double z) {
 inline Mat4 scaling(double x, double y, double z) {
     return {x, 0, 0, 0, 0, y, 0, 0, 0, 0, z, 0, 0, 0, 0, 1};
 }
-/// A quarter turn about x: y to z, z to -y.
+/// A quarter turn about x: y becomes z, and z becomes -y.
 inline Mat4 quarter_about_x() {
     return {1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1};
 }
 
-/// Only this light's diffuse colour counts, on a white diffuse material.
+/// Leaves only the diffuse colour of this light, on a white diffuse material.
 inline void only_diffuse(LitVertex& v) {
     v.scene_ambient = {0, 0, 0, 1};
     v.material[0].diffuse = {1, 1, 1, 1};

@@ -1,5 +1,5 @@
 // The lighting equation of GL 1.3, 2.13.1 in double, written from the text of the specification, and the GL
-// calls that set the same scene up. Shares nothing with what it tests.
+// calls that set the same scene. The file shares no code with the library.
 #pragma once
 
 #include <array>
@@ -46,7 +46,7 @@ inline Vec4 times(const Mat4& a, const Vec4& v) {
             r[i] += a[4 * j + i] * v[j];
     return r;
 }
-/// Upper left 3 x 3.
+/// Multiplies with the upper left 3 x 3 of a matrix.
 inline Vec3 times(const Mat4& a, const Vec3& v) {
     Vec3 r{};
     for (std::size_t i = 0; i < 3; ++i)
@@ -54,7 +54,7 @@ inline Vec3 times(const Mat4& a, const Vec3& v) {
             r[i] += a[4 * j + i] * v[j];
     return r;
 }
-/// Element (row, column) of the inverse of the upper left 3 x 3.
+/// Returns element (row, column) of the inverse of the upper left 3 x 3.
 inline std::array<Vec3, 3> inverse3(const Mat4& m) {
     std::array<Vec3, 3> r;
     double determinant = 0;
@@ -77,20 +77,20 @@ struct LightSource { // GL 1.3, table 2.7
     double spot_exponent = 0, spot_cutoff = 180, constant = 1, linear = 0, quadratic = 0;
 };
 
-struct SurfaceMaterial { // table 2.7 too
+struct SurfaceMaterial { // GL 1.3, table 2.7
     Vec4 ambient{0.2f, 0.2f, 0.2f, 1}, diffuse{0.8f, 0.8f, 0.8f, 1}, specular{0, 0, 0, 1},
         emission{0, 0, 0, 1};
     double shininess = 0;
 };
 
-/// A vertex and everything its colour depends on; numbers are floats.
+/// A vertex and everything on which its colour depends; all numbers are floats.
 struct LitVertex {
     std::array<LightSource, 8> light;
     SurfaceMaterial material[2];
     Vec4 scene_ambient{0.2f, 0.2f, 0.2f, 1};
     bool local_viewer = false, separate_specular = false, normalize = false, rescale = false;
-    Mat4 light_matrix = identity(); ///< modelview when the lights are specified
-    Mat4 modelview = identity();    ///< when the vertex is
+    Mat4 light_matrix = identity(); ///< modelview matrix when the lights are set
+    Mat4 modelview = identity();    ///< modelview matrix when the vertex is given
     Vec4 position{0, 0, 0, 1};
     Vec3 normal{0, 0, 1};
 
@@ -121,7 +121,7 @@ inline Vec3 eye_normal(const LitVertex& v) {
     return v.normalize ? unit(n) : n;
 }
 
-/// Side 0 is the front, 1 the back.
+/// Returns the colour of a side: 0 is the front, 1 the back.
 inline LitColor equation(const LitVertex& v, int side) {
     const SurfaceMaterial& m = v.material[side];
     const Vec3 n = scaled(eye_normal(v), side == 0 ? 1 : -1);
@@ -175,7 +175,7 @@ template <std::size_t N> std::array<GLfloat, N> floats(const std::array<double, 
     return f;
 }
 
-/// The state, not the vertex.
+/// Sets the state of the scene; the vertex is not given.
 inline void specify(const LitVertex& v) {
     glMatrixMode(GL_MODELVIEW);
     glLoadMatrixd(v.light_matrix.data());

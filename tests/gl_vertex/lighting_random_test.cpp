@@ -1,4 +1,4 @@
-// Rows C04, C06: the whole equation at random, and on stretched objects.
+// Rows C04, C06: compares the whole equation in random scenes, and on stretched objects.
 #include <cstdio>
 #include <random>
 
@@ -7,8 +7,8 @@
 namespace spangle::test {
 namespace {
 
-/// Every term at once. Where the equation jumps (the edge of a cone, the terminator of a highlight) rounding
-/// may fall on either side: within 2^-20 of it nothing is compared.
+/// All terms are on at once. Where the equation jumps (the edge of a cone, the terminator of a highlight)
+/// rounding may go to either side, so within 2^-20 of it nothing is compared.
 TEST_F(Lighting, RandomScenes) {
     std::mt19937 random(3);
     const auto real = [&random](double low, double high) {
@@ -18,8 +18,8 @@ TEST_F(Lighting, RandomScenes) {
     const auto color = [&] { return Vec4{real(0, 1), real(0, 1), real(0, 1), real(0, 1)}; };
     const auto direction = [&] { return Vec3{real(-1, 1), real(-1, 1), real(-1, 1)}; };
     const auto turned = [&](double scale) {
-        // Gram and Schmidt, then unequal axes; as floats, since GL keeps more of a matrix than a float's
-        // bits.
+        // Orthonormal axes by Gram and Schmidt, then scaled differently. They are floats, because GL keeps
+        // more bits of a matrix than a float has.
         const Vec3 x = unit(direction()), d = direction();
         const Vec3 y = unit(sum(d, scaled(x, -dot(x, d))));
         const Vec3 z{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
@@ -82,7 +82,7 @@ TEST_F(Lighting, RandomScenes) {
     EXPECT_LT(worst, 0.01);
 }
 
-/// A light is where x, y and z divided by w are, also where w is tiny, huge or negative.
+/// The position of a light is x, y and z divided by w, also if w is tiny, huge or negative.
 TEST_F(Lighting, AnyWOfALight) {
     std::mt19937 random(5);
     const auto real = [&random](double low, double high) {
@@ -114,7 +114,8 @@ TEST_F(Lighting, AnyWOfALight) {
     EXPECT_GT(lit, 1000);
 }
 
-/// Lights that reach every vertex alike, on objects stretched by up to 2^9 before and after they are turned.
+/// Lights reach every vertex alike, on objects that are stretched by up to 2^9 before and after they are
+/// turned.
 TEST_F(Lighting, StretchedObjects) {
     std::mt19937 random(5);
     const auto real = [&random](double low, double high) {
@@ -141,7 +142,7 @@ TEST_F(Lighting, StretchedObjects) {
         v.normalize = true;
         for (double& c : v.normal)
             c = real(-1, 1) * stretch();
-        if ((n & 8) != 0) { // what becomes a unit vector
+        if ((n & 8) != 0) { // normals that become unit vectors
             const Mat4& m = v.modelview;
             const Vec3 eye = unit(v.normal);
             for (std::size_t c = 0; c < 3; ++c)

@@ -1,4 +1,4 @@
-// Rows C04, C06, C07: colours of vertices against the equation of the specification.
+// Rows C04, C06, C07: compares colours of vertices with the equation of the specification.
 #include <functional>
 #include <string>
 #include <vector>
@@ -14,7 +14,8 @@ void only_specular(LitVertex& v, double shininess) {
     v.material[0].specular = {1, 0.5, 0.25, 1};
     v.material[0].shininess = shininess;
 }
-/// LIGHT0 at the eye, looking down -z; the vertex at cosine 0.8 from its axis, 5 away; lit ambiently only.
+/// Puts LIGHT0 at the eye, looking down -z, with ambient light only. The vertex is 5 away, at cosine 0.8 from
+/// the light's axis.
 void spot(LitVertex& v, double cutoff, double exponent) {
     only_diffuse(v);
     v.material[0].ambient = {1, 1, 1, 1};
@@ -28,7 +29,7 @@ void spot(LitVertex& v, double cutoff, double exponent) {
 
 struct Row {
     const char* name;
-    Vec3 expected; ///< worked out by hand
+    Vec3 expected; ///< computed by hand
     std::function<void(LitVertex&)> change;
 };
 
@@ -407,7 +408,8 @@ TEST_F(Lighting, SeparateSpecularIsTheSecondaryColor) {
     EXPECT_EQ(lit_point(v).secondary[0], 0u);
 }
 
-/// Eight lights as bright as they can be, on a normal four times too long: the sum is 1, not what overflows.
+/// With eight lights as bright as possible, on a normal four times too long, the sum is 1 and does not
+/// overflow.
 TEST_F(Lighting, TooMuchLight) {
     LitVertex v;
     for (LightSource& l : v.light) {
@@ -421,7 +423,7 @@ TEST_F(Lighting, TooMuchLight) {
         EXPECT_EQ(got.color[c], raster::color_one) << c;
 }
 
-/// Table 2.7, before anything is set.
+/// Tests the values of GL 1.3, table 2.7, before anything is set.
 TEST_F(Lighting, Defaults) {
     const LitVertex v;
     const auto light = [](GLenum name, GLenum property, auto expected) {

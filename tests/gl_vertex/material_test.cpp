@@ -1,4 +1,4 @@
-// Rows C08 to C10: ColorMaterial, materials between Begin and End, both sides.
+// Rows C08 to C10: tests ColorMaterial, materials between Begin and End, and both sides.
 #include <random>
 
 #include "tests/gl_vertex/lighting_canvas.hpp"
@@ -58,7 +58,7 @@ TEST_F(Lighting, ColorMaterialChangedWhileOnTracksTheNewPropertyAtOnce) {
     EXPECT_TRUE(std::equal(got, got + 4, rgba));
 }
 
-/// The corners of one triangle facing the viewer, or turned away.
+/// A triangle that faces the viewer, or is turned away.
 struct Triangle {
     static constexpr GLfloat corner[3][2] = {{-50, -50}, {50, -50}, {0, 50}};
     static void vertex(int i, bool front) { glVertex2fv(corner[front ? i : 2 - i]); }
@@ -92,7 +92,8 @@ TEST_F(Lighting, EachVertexHasTheMaterialOfItsTime) {
     }
 }
 
-/// The same of the back, also of corners that clipping makes: COLOR_MATERIAL of a face that is not known yet.
+/// Back faces have the material of each vertex, too, also at vertices that clipping makes: COLOR_MATERIAL
+/// applies to a face that is not known yet.
 TEST_F(Lighting, BothSidesHaveTheMaterialsOfTheirTime) {
     const GLfloat black[4] = {0, 0, 0, 1};
     glDisable(GL_LIGHT0);
@@ -126,8 +127,8 @@ TEST_F(Lighting, BothSidesHaveTheMaterialsOfTheirTime) {
             }
 }
 
-/// COLOR_MATERIAL of one face or of both, every term of light on both sides: each corner against the
-/// equation.
+/// COLOR_MATERIAL of one face or of both, with every term of light on both sides: each vertex is compared
+/// with the equation.
 TEST_F(Lighting, TrackedMaterialsOfBothSides) {
     std::mt19937 random(5);
     const auto real = [&random](double low, double high) {
@@ -189,7 +190,7 @@ TEST_F(Lighting, TwoSides) {
     v.material[1].specular = {0, 0, 0.5, 1};
     v.material[1].shininess = 3;
     v.normal = {0.6f, 0, 0.8f};
-    v.light[1].on = true; // lights what faces away
+    v.light[1].on = true; // lights the faces that are turned away
     v.light[1].position = {0, 0, -1, 0};
     v.light[1].diffuse = v.light[1].specular = {0.5, 1, 1, 1};
     v.local_viewer = true;
@@ -208,7 +209,7 @@ TEST_F(Lighting, TwoSides) {
                 ASSERT_EQ(recorder.primitives.size(), 1u);
                 const int side = two_side && counterclockwise == clockwise_is_front ? 1 : 0;
                 for (const raster::FixedVertex& corner : recorder.primitives[0].corner) {
-                    // Where it is in the window says where it was.
+                    // The place in the window gives back the position of the vertex.
                     LitVertex at = v;
                     at.position = {corner.x / 256.0 * 400 / size - 200, corner.y / 256.0 * 400 / size - 200,
                                    0, 1};
@@ -218,7 +219,7 @@ TEST_F(Lighting, TwoSides) {
             }
 }
 
-/// GL 1.3, 2.13.1: points and lines are always lit from the front.
+/// Points and lines are always lit from the front (GL 1.3, 2.13.1).
 TEST_F(Lighting, PointsAndLinesHaveNoBack) {
     LitVertex v;
     v.material[0].emission = {0.5, 0, 0, 1};
@@ -239,7 +240,7 @@ TEST_F(Lighting, PointsAndLinesHaveNoBack) {
     }
 }
 
-/// Both sides of a polygon that clipping cuts: back colours come from mixed normals and positions.
+/// Both sides of a clipped polygon are lit; the back colours come from interpolated normals and positions.
 TEST_F(Lighting, TheBackOfAClippedPolygon) {
     for (const bool positional : {false, true}) {
         LitVertex v;

@@ -1,4 +1,4 @@
-// Rows C01 to C03: matrices, stacks, viewport and depth range against formulas in double.
+// Rows C01 to C03: compares matrices, stacks, viewport and depth range with formulas in double.
 #include <cmath>
 #include <limits>
 #include <random>
@@ -11,7 +11,7 @@
 namespace spangle::test {
 namespace {
 
-/// Rows as GL 1.3, 2.10.2 prints them.
+/// Makes a matrix of rows, as GL 1.3, 2.10.2 prints them.
 Mat4 rows(const Vec4& a, const Vec4& b, const Vec4& c, const Vec4& d) {
     Mat4 m;
     for (std::size_t j = 0; j < 4; ++j)
@@ -44,7 +44,7 @@ class Matrices : public Canvas {
   protected:
     std::mt19937 random_{5};
 
-    /// What every form can hold: 13 fraction bits, no more than 24 bits in all.
+    /// Returns a number that every form can hold: 13 fraction bits, and no more than 24 bits in all.
     double number(double low, double high) {
         return std::floor(std::uniform_real_distribution<>(low, high)(random_) * 8192 + 0.5) / 8192;
     }
@@ -57,7 +57,7 @@ class Matrices : public Canvas {
         return m;
     }
 
-    /// Draws one of the commands in one of its forms, and gives its matrix.
+    /// Calls one of the commands in one of its forms, and returns its matrix.
     Mat4 command(int which, int form);
 };
 
@@ -102,7 +102,8 @@ Mat4 Matrices::command(int which, int form) {
     }
 }
 
-/// What an element of m may be wrong by is measured by this. Sines and cosines are right to a part of 1.
+/// Returns by how much each element of m may be wrong: elements of a rotation by a part of 1, others by a
+/// part of their size.
 Mat4 sizes(const Mat4& m, bool rotates) {
     Mat4 r;
     for (std::size_t i = 0; i < 16; ++i)
@@ -110,8 +111,8 @@ Mat4 sizes(const Mat4& m, bool rotates) {
     return r;
 }
 
-/// Chains of up to 12 commands on each stack. Sums may cancel: errors are measured by the sum of the terms'
-/// sizes.
+/// Multiplies up to 12 commands on each stack. Sums may cancel, so errors are relative to the sum of the
+/// terms' sizes.
 TEST_F(Matrices, EveryCommandInEveryForm) {
     double worst = 0;
     const std::pair<GLenum, GLenum> stacks[] = {{GL_MODELVIEW, GL_MODELVIEW_MATRIX},
@@ -129,7 +130,7 @@ TEST_F(Matrices, EveryCommandInEveryForm) {
             terms = times(terms, sizes(m, which == 0));
             const Mat4 got = current(name);
             for (std::size_t i = 0; i < 16; ++i) {
-                // A query is a float: 2^-24 of the element on top of the arithmetic's.
+                // A query returns a float, which adds 2^-24 of the element to the error.
                 const double error =
                     std::fabs(got[i] - expected[i]) - std::ldexp(std::fabs(expected[i]), -24);
                 ASSERT_LE(error, std::ldexp(terms[i], -28))
@@ -142,7 +143,7 @@ TEST_F(Matrices, EveryCommandInEveryForm) {
     std::printf("matrices: worst error 2^%.1f of the sum of terms\n", std::log2(worst));
 }
 
-/// GL 1.3, 2.10.2: row-major matrices in every form, and their queries (6.1.2).
+/// Row-major matrices in every form, and their queries (GL 1.3, 2.10.2 and 6.1.2).
 TEST_F(Matrices, TransposedMatrices) {
     GLdouble rows[16], expected[16], got[16];
     GLfloat rows_f[16];
@@ -176,7 +177,7 @@ TEST_F(Matrices, TransposedMatrices) {
                 EXPECT_EQ(got[i], rows[i]) << stack.mode << ' ' << form << ' ' << i;
         }
         glTranslatef(1, 2, 3);
-        glMultTransposeMatrixd(rows); // on the right of what was there
+        glMultTransposeMatrixd(rows); // multiplies on the right
         glGetDoublev(stack.name, got);
         Mat4 product;
         std::copy(expected, expected + 16, product.begin());
@@ -186,7 +187,7 @@ TEST_F(Matrices, TransposedMatrices) {
     }
 }
 
-/// Angles of any size are reduced without error (a float is so many whole degrees and a fraction).
+/// Angles of any size are reduced without error: a float is a number of whole degrees and a fraction.
 TEST_F(Matrices, LargeAngles) {
     for (const GLfloat angle : {123456.75f, -98765.5f, 1e7f, 16777215.0f, -3e9f, 1e20f, 3e38f}) {
         glLoadIdentity();
@@ -198,8 +199,8 @@ TEST_F(Matrices, LargeAngles) {
     }
 }
 
-/// A condition number of 2^40: what is left of it is as good as the terms allow, and its inverse, which
-/// lighting takes, is still one.
+/// With a condition number of 2^40 the product is as good as its terms allow, and so is its inverse, which
+/// lighting uses.
 TEST_F(Matrices, IllConditioned) {
     glScalef(std::ldexp(1.0f, 20), 1, std::ldexp(1.0f, -20));
     glRotatef(30, 1, 1, 0);
@@ -214,8 +215,8 @@ TEST_F(Matrices, IllConditioned) {
         }
 }
 
-/// Elements beyond the largest number are the largest, those below the smallest are zero; neither is
-/// followed by anything undefined.
+/// Elements beyond the largest number become the largest, and elements below the smallest become zero.
+/// Nothing undefined follows.
 TEST_F(Matrices, Extremes) {
     const GLfloat most = std::numeric_limits<GLfloat>::max(), nan = std::numeric_limits<GLfloat>::quiet_NaN(),
                   infinity = std::numeric_limits<GLfloat>::infinity();
@@ -245,7 +246,7 @@ TEST_F(Matrices, Extremes) {
     EXPECT_EQ(m[2], 0.0f);
 }
 
-/// Every stack holds what the limits say: 32, 2 and 2.
+/// Every stack holds as many matrices as the limits say: 32, 2 and 2.
 TEST_F(Matrices, StacksOverflowAndUnderflow) {
     const struct {
         GLenum mode, limit, depth;
@@ -345,10 +346,10 @@ TEST_F(Matrices, ErrorsChangeNothing) {
     refused([] { glOrtho(-1, 1, -1, 1, 2, 2); }, value);
     refused([] { glMatrixMode(GL_COLOR); }, GL_INVALID_ENUM);
     glOrtho(-1, 1, -1, 1, -1, -2); // planes behind the eye are legal
-    glRotatef(30, 0, 0, 0);        // undefined, harmless
+    glRotatef(30, 0, 0, 0);        // undefined, but harmless
 }
 
-// --- from object to window coordinates
+// --- From object to window coordinates
 
 TEST_F(Matrices, WindowCoordinates) {
     double worst_xy = 0, worst_z = 0, worst_w = 0, worst_fog = 0;
@@ -391,7 +392,7 @@ TEST_F(Matrices, WindowCoordinates) {
         worst_xy = std::fmax(worst_xy, std::fmax(std::fabs(v.x / 256.0 - x), std::fabs(v.y / 256.0 - y)));
         worst_z = std::fmax(worst_z, std::fabs(v.z / static_cast<double>(raster::depth_one) - z));
         worst_w = std::fmax(worst_w, std::fabs(std::ldexp(v.w_mantissa, v.w_exponent) * clip[3] - 1));
-        // Divided by w or not: the coordinates of the eye are homogeneous, fog takes z as it is.
+        // Coordinates of the eye are homogeneous, so fog takes z without a division by w.
         worst_fog = std::fmax(worst_fog,
                               std::fabs(std::ldexp(v.fog_mantissa, v.fog_exponent) / std::fabs(eye[2]) - 1));
     }

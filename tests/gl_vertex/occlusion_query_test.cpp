@@ -1,4 +1,5 @@
-// Occlusion queries (GL 1.5, 4.1.7): what passes, in every way to draw it, and the life of their objects.
+// Tests occlusion queries (GL 1.5, 4.1.7): what they count in every way of drawing, and the life of their
+// objects.
 #include "gl/context/context.hpp"
 #include "gl/pixel/fragment_setup.hpp"
 #include "tests/gl_vertex/canvas.hpp"
@@ -67,7 +68,7 @@ TEST_F(OcclusionQuery, CountsWhatPassesAllTests) {
               21u);
 }
 
-/// A tool that counts sees what it saw, whether it comes before, within or after a query.
+/// A tool with counters counts the same, whether it begins before, within or after a query.
 TEST_F(OcclusionQuery, BesideTheCountersOfTools) {
     gl::Context& context = *gl::current_context();
     raster::Counters tool;

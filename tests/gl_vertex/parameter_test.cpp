@@ -1,5 +1,5 @@
-// Rows A02, C07, C08, F09, F18, G02: parameters of lights, materials, fog and textures in every type, and
-// back.
+// Rows A02, C07, C08, F09, F18, G02: sets parameters of lights, materials, fog and textures in every type,
+// and reads them back.
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -9,7 +9,7 @@
 namespace spangle::test {
 namespace {
 
-/// The forms of one family, its object already chosen.
+/// The forms of one family of commands, whose object is already chosen.
 struct Forms {
     std::function<void(GLenum, GLfloat)> f;
     std::function<void(GLenum, GLint)> i;
@@ -44,7 +44,7 @@ struct Forms {
 
 class Parameters : public Canvas {
   protected:
-    /// (2c + 1) / (2^32 - 1), GL 1.3, table 2.6.
+    /// (2c + 1) / (2^32 - 1), as GL 1.3, table 2.6 has it.
     static double fraction(GLint c) { return (2.0 * c + 1) / 4294967295.0; }
 
     static void floats_are(const Forms& forms, GLenum pname, const std::vector<double>& expected) {
@@ -55,7 +55,8 @@ class Parameters : public Canvas {
                 << std::hex << pname << ' ' << k;
     }
 
-    /// Four components, integers by table 2.6; `clamps`: kept in [0, 1].
+    /// Sets colours of four components; integers are converted by table 2.6. With `clamps` they are kept in
+    /// [0, 1].
     static void color(const Forms& forms, GLenum pname, bool clamps) {
         const auto kept = [clamps](double v) { return clamps ? std::fmin(1, std::fmax(0, v)) : v; };
         const GLfloat f[4] = {0.25f, -1.5f, 3, 1};
@@ -78,7 +79,7 @@ class Parameters : public Canvas {
         EXPECT_EQ(fixed[3], 0x8000);
     }
 
-    /// Numbers that are not colours: integers as they are, and rounded on the way back.
+    /// Sets numbers that are not colours: integers are not scaled, and are rounded when they are read back.
     static void vector(const Forms& forms, GLenum pname, std::size_t count) {
         const GLfloat f[4] = {0.75f, -2.5f, 7.25f, 1};
         const GLint i[4] = {3, -2, 70000, 1};
@@ -140,7 +141,7 @@ class Parameters : public Canvas {
         forms.xv(pname, &b), is(b);
     }
 
-    /// A vector through a form that holds one number: INVALID_ENUM, nothing changed.
+    /// A form for one number refuses a vector parameter with INVALID_ENUM, and changes nothing.
     static void not_a_number(const Forms& forms, GLenum pname) {
         GLfloat before[4] = {}, after[4] = {};
         forms.get_f(pname, before);

@@ -1,4 +1,4 @@
-// Rows B03, D11: polygons as lines and points, and which edges are boundaries.
+// Rows B03, D11: tests polygons as lines and points, and which edges are boundaries.
 #include <random>
 #include <utility>
 #include <vector>
@@ -12,7 +12,7 @@ namespace {
 using Edge = std::pair<int, int>;
 using Edges = std::vector<Edge>;
 
-/// GL 1.3, 2.6.1: the polygons of each mode, their corners in order, from vertices 0 .. n - 1.
+/// Returns the polygons of each mode, with their vertices in order, from vertices 0 to n - 1 (GL 1.3, 2.6.1).
 std::vector<std::vector<int>> polygons(GLenum mode, int n) {
     std::vector<std::vector<int>> all;
     switch (mode) {
@@ -60,7 +60,7 @@ class PolygonMode : public Canvas {
         glOrtho(0, size, 0, size, -1, 1);
         glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
     }
-    /// Vertex i: no three in a row, all in the window, told apart by x.
+    /// Returns vertex i. No three vertices are in a line, all are in the window, and each has another x.
     static std::array<GLfloat, 2> place(int i) {
         constexpr GLfloat y[] = {8, 40, 12, 50, 4, 44, 16, 60, 2, 36, 20, 56};
         return {static_cast<GLfloat>(4 + 5 * i), y[i]};
@@ -95,7 +95,7 @@ class PolygonMode : public Canvas {
     }
 };
 
-/// Counts of vertices around each mode's needs, and flags by lot.
+/// Draws around as many vertices as each mode needs, with random edge flags.
 TEST_F(PolygonMode, BoundaryEdgesOfEveryMode) {
     std::mt19937 random(3);
     for (const bool points : {false, true}) {
@@ -123,7 +123,7 @@ TEST_F(PolygonMode, EdgeFlagArrays) {
         flags.push_back(i % 3 == 1 || i == 6 ? GL_TRUE : GL_FALSE);
         element.push_back(static_cast<GLubyte>(i));
     }
-    std::vector<GLboolean> spread; // three bytes apart
+    std::vector<GLboolean> spread; // flags that are three bytes apart
     for (const GLboolean flag : flags)
         spread.insert(spread.end(), {flag, GL_TRUE, GL_FALSE});
     glVertexPointer(2, GL_FLOAT, 0, position.data());
@@ -154,7 +154,7 @@ TEST_F(PolygonMode, EdgeFlagArrays) {
     EXPECT_EQ(flag, GL_FALSE) << "elements set what is current";
 }
 
-/// GL 1.3, 2.11: what is left of an edge keeps its flag, edges along a plane are boundaries.
+/// What clipping leaves of an edge keeps its flag, and edges along a plane are boundaries (GL 1.3, 2.11).
 TEST_F(PolygonMode, ClippedEdges) {
     const auto lines = [](std::initializer_list<GLboolean> flags) {
         const GLfloat corner[3][2] = {{-16, 16}, {48, 16}, {48, 48}};
@@ -182,7 +182,7 @@ TEST_F(PolygonMode, ClippedEdges) {
     EXPECT_EQ(lines({1, 1, 1}).size(), Lines({bottom, right, top, cut}).size());
 }
 
-/// Each side has its mode; culling comes first.
+/// Each side has its own mode; culling comes first.
 TEST_F(PolygonMode, SidesAndCulling) {
     const auto kinds = [](bool counter_clockwise) {
         WindowRecorder recorder;
@@ -215,8 +215,8 @@ TEST_F(PolygonMode, SidesAndCulling) {
     EXPECT_EQ(mode[1], GL_FILL);
 }
 
-/// Outlines have the colours of the polygon: the provoking vertex's in flat shading, and the lit ones of its
-/// side.
+/// Outlines have the colours of their polygon: the provoking vertex's in flat shading, and the lit colours of
+/// its side.
 TEST_F(PolygonMode, ColorsOfOutlines) {
     glShadeModel(GL_FLAT);
     for (const GLenum how : {GL_LINE, GL_POINT})
@@ -243,7 +243,7 @@ TEST_F(PolygonMode, ColorsOfOutlines) {
     glEnable(GL_LIGHTING);
     glShadeModel(GL_SMOOTH);
     for (const bool front : {true, false}) {
-        glFrontFace(front ? GL_CW : GL_CCW); // places 0, 1, 2 turn clockwise
+        glFrontFace(front ? GL_CW : GL_CCW); // places 0, 1, 2 are clockwise
         WindowRecorder recorder;
         give(GL_TRIANGLES, 3, {1, 1, 1});
         ASSERT_EQ(recorder.primitives.size(), 3u);

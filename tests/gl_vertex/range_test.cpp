@@ -1,5 +1,5 @@
-// GL 1.3, 2.1.1: positions, normals and texture coordinates up to 2^32, within 1 part in 10^5, wherever they
-// go. What comes back is what feedback, queries and the rasterizer get.
+// Positions, normals and texture coordinates up to 2^32 are right within 1 part in 10^5 (GL 1.3, 2.1.1). The
+// results are read from feedback, from queries and from the rasterizer.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -18,7 +18,7 @@ constexpr double largest = 4294967296.0, accuracy = 1e-5;
 
 #if SPANGLE_FEATURE_FEEDBACK
 
-/// x, y, z in the window, w of the clip coordinates, colour, coordinates of a texture.
+/// Results of a vertex: x, y, z in the window, w of the clip coordinates, colour, texture coordinates.
 struct Fed {
     std::array<double, 4> window, texture;
 };
@@ -43,8 +43,8 @@ class Range : public Canvas {
         }
         return out;
     }
-    /// A float of up to `most`, as likely large as small. Numbers of a vector share an exponent: those that
-    /// are 2^-31 of the largest are gone, those that are 2^-12 of it have what is asked for.
+    /// Returns a float of up to `most`, as likely large as small. Numbers of a vector share an exponent:
+    /// those of 2^-12 of the largest are exact enough, those of 2^-31 are lost.
     double number(double most) {
         const double size = std::exp2(std::uniform_real_distribution<>(-12, 0)(random_));
         return static_cast<double>(static_cast<float>((random_() & 1) != 0 ? most * size : -most * size));
@@ -55,7 +55,7 @@ class Range : public Canvas {
             v = number(most);
         return m;
     }
-    /// Off by what part of the sum of its terms.
+    /// Returns the error as a part of the sum of the terms.
     static double part(double got, double expected, double terms) {
         return std::fabs(got - expected) / terms;
     }
@@ -63,7 +63,7 @@ class Range : public Canvas {
     std::mt19937 random_{7};
 };
 
-/// Any position, any matrix whose products stay in range: within the view volume everything else is lost.
+/// Positions and matrices are random, but products stay in range and points lie in the view volume.
 TEST_F(Range, PositionsInTheWindow) {
     double worst = 0;
     int seen = 0;
@@ -75,7 +75,7 @@ TEST_F(Range, PositionsInTheWindow) {
         const Vec4 clip = times(m, v);
         const double w =
             1.01 * std::fmax(std::fabs(clip[0]), std::fmax(std::fabs(clip[1]), std::fabs(clip[2])));
-        Mat4 projection = identity(); // w is a number of that size: the whole is a division by it
+        Mat4 projection = identity(); // the w of this size divides all coordinates
         projection[11] = projection[3] = projection[7] = 0;
         projection[15] = static_cast<double>(static_cast<float>(w));
         m[3] = m[7] = m[11] = 0;
@@ -122,7 +122,7 @@ TEST_F(Range, TextureCoordinates) {
         });
         ASSERT_EQ(fed.size(), 1u);
         const Vec4 expected = times(m, v);
-        double all = 0; // coordinates have one exponent: what is small beside the others has less of it
+        double all = 0; // coordinates share an exponent, so a small one has fewer bits
         for (std::size_t c = 0; c < 4; ++c)
             for (std::size_t k = 0; k < 4; ++k)
                 all = std::fmax(all, std::fabs(m[4 * k + c] * v[k]));
@@ -211,7 +211,7 @@ TEST_F(Range, Evaluators) {
 #endif
 
 #if SPANGLE_FEATURE_LIGHTING
-/// Normals and lights up to 2^32, colours up to 2^10 before they are clamped.
+/// Normals and lights up to 2^32, and colours up to 2^10 before they are clamped.
 class LightRange : public Canvas {};
 
 TEST_F(LightRange, NormalsAndLights) {

@@ -1,4 +1,4 @@
-// Rows C17, C18: the current raster position against formulas in double.
+// Rows C17, C18: compares the current raster position with formulas in double.
 #include <array>
 #include <cmath>
 #include <random>
@@ -67,7 +67,7 @@ TEST_F(RasterPosition, EveryForm) {
     SPANGLE_RASTER_POS_VECTOR(xvOES, GLfixed, 65536)
 }
 
-/// Positions are not rounded: 1 part in 100,000 (GL 1.3, 2.1.1).
+/// Positions are not rounded: they are right to 1 part in 100,000 (GL 1.3, 2.1.1).
 TEST_F(RasterPosition, TransformsAndValidity) {
     int inside = 0, outside = 0;
     glViewport(3, 5, 50, 40);
@@ -108,8 +108,8 @@ TEST_F(RasterPosition, TransformsAndValidity) {
     EXPECT_GT(outside, 500);
 }
 
-/// The colour is the clamped current one, or what lighting makes of it; coordinates go through texgen and
-/// their matrices. Nothing that comes later changes them.
+/// The colour is the clamped current colour, or the result of lighting. Texture coordinates go through texgen
+/// and their matrices. Later changes do not affect them.
 TEST_F(RasterPosition, AssociatedData) {
     glColor4f(2, -1, 0.25f, 0.5f);
     glMultiTexCoord4f(GL_TEXTURE0, 1, 2, 3, 4);
@@ -160,7 +160,7 @@ TEST_F(RasterPosition, AssociatedData) {
         glWindowPos3##suffix##v(a), is({7, -300, 0.75, 1});                                                  \
     }
 
-/// GL 1.4, 2.13: whatever the matrices and planes are, also outside of the window.
+/// WindowPos does not depend on matrices and planes, and may lie outside of the window (GL 1.4, 2.13).
 TEST_F(RasterPosition, WindowPos) {
     glDepthRange(0.25, 0.75);
     glScalef(100, 100, 100);
@@ -187,7 +187,7 @@ TEST_F(RasterPosition, WindowPos) {
     EXPECT_EQ(get(GL_CURRENT_RASTER_DISTANCE)[0], 0);
 }
 
-/// GL 1.3, 5.2: a valid raster position is a hit.
+/// A valid raster position is a hit of selection (GL 1.3, 5.2).
 TEST_F(RasterPosition, Selection) {
     GLuint hits[8] = {};
     glSelectBuffer(8, hits);

@@ -1,4 +1,4 @@
-// Row B08: secondary colours of vertices, and that COLOR_SUM adds them (GL 1.4, 2.7, 2.8 and 3.9).
+// Row B08: tests secondary colours of vertices, and that COLOR_SUM adds them (GL 1.4, 2.7, 2.8 and 3.9).
 #include <array>
 
 #include "gl/context/features.hpp"
@@ -84,14 +84,14 @@ TEST_F(SecondaryColor, IsAddedWhereColorSumIsOn) {
     glEnable(GL_COLOR_SUM);
     EXPECT_TRUE(glIsEnabled(GL_COLOR_SUM));
     EXPECT_EQ(rectangle(), (std::array{153, 255, 0})) << "the sum is clamped, and so is what is added";
-    glSecondaryColor3f(0, 0, 0.4f); // the primary colour stays: what was converted must not
+    glSecondaryColor3f(0, 0, 0.4f); // the cached conversion of the unchanged primary colour must not be used
     EXPECT_EQ(rectangle(), (std::array{51, 204, 102}));
     glDisable(GL_COLOR_SUM);
     EXPECT_EQ(rectangle(), (std::array{51, 204, 0}));
     glEnable(GL_COLOR_SUM);
     EXPECT_EQ(rectangle(), (std::array{51, 204, 102}));
 #if SPANGLE_FEATURE_LIGHTING
-    glEnable(GL_LIGHTING); // which makes a secondary colour of its own, or none (GL 1.4, 3.9)
+    glEnable(GL_LIGHTING); // lighting makes a secondary colour of its own, or none (GL 1.4, 3.9)
     const GLfloat gray[4] = {0.2f, 0.2f, 0.2f, 1}, black[4] = {0, 0, 0, 1};
     glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, gray);
     glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT, black);
@@ -118,7 +118,8 @@ TEST_F(SecondaryColor, IsAddedBehindTheTexture) {
     EXPECT_EQ(seen[2], 0);
 }
 
-/// Each vertex has its own, interpolated; flat ones have that of the provoking vertex.
+/// Each vertex has its own secondary colour, which is interpolated. A flat primitive has that of the
+/// provoking vertex.
 TEST_F(SecondaryColor, OfEachVertex) {
     glEnable(GL_COLOR_SUM);
     glColor3f(0, 0, 0);
@@ -196,7 +197,7 @@ TEST_F(SecondaryColor, Arrays) {
     EXPECT_EQ(glGetError(), GLenum{GL_INVALID_ENUM});
     glGetPointerv(GL_SECONDARY_COLOR_ARRAY_POINTER, &pointer);
     EXPECT_EQ(pointer, doubles);
-    glInterleavedArrays(GL_V2F, 0, nullptr); // disables it (GL 1.4, 2.8)
+    glInterleavedArrays(GL_V2F, 0, nullptr); // disables the array (GL 1.4, 2.8)
     EXPECT_FALSE(glIsEnabled(GL_SECONDARY_COLOR_ARRAY));
 }
 

@@ -1,4 +1,4 @@
-// Row D05: ends of lines that are looked for in a part of the window alone fall where all vertices do.
+// Row D05: ends of lines that are computed only for a part of the window are where other vertices would be.
 #include <algorithm>
 #include <random>
 
@@ -10,7 +10,7 @@
 namespace spangle::gl::test {
 namespace {
 
-/// Coordinates of many sizes, some beside all others nothing, some not finite.
+/// Returns a coordinate of any size; some are nothing beside the others, and some are not finite.
 Real coordinate(std::mt19937& random, int spread) {
     const auto word = static_cast<std::uint32_t>(random());
     if (word % 64 == 0)

@@ -1,4 +1,4 @@
-// Stencil tests of front and back faces (GL 2.0, 4.1.5): which primitive is of which side.
+// Tests stencil state of front and back faces (GL 2.0, 4.1.5), and which primitive has which side.
 #include <vector>
 
 #include "tests/gl_vertex/canvas.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 constexpr GLubyte front_value = 0x15, back_value = 0xA2;
 
-/// Every fragment leaves the value of its side in the stencil buffer.
+/// Every fragment stores the number of its side in the stencil buffer.
 class StencilSides : public Canvas {
   protected:
     void SetUp() override {
@@ -20,13 +20,13 @@ class StencilSides : public Canvas {
         glStencilFuncSeparate(GL_FRONT, GL_ALWAYS, front_value, ~0u);
         glStencilFuncSeparate(GL_BACK, GL_ALWAYS, back_value, ~0u);
     }
-    /// Four corners, counter-clockwise or not.
+    /// Sends the four corners of a square, counter-clockwise or clockwise.
     static void corners(bool ccw) {
         const GLfloat x[] = {8, 56, 56, 8}, y[] = {8, 8, 56, 56};
         for (int i = 0; i < 4; ++i)
             glVertex2f(x[ccw ? i : 3 - i], y[ccw ? i : 3 - i]);
     }
-    /// Pixels of each side; whatever is neither must be untouched.
+    /// Pixels of each side. All other pixels must be untouched.
     struct Seen {
         int front = 0, back = 0;
     };
@@ -62,7 +62,7 @@ TEST_F(StencilSides, OfPolygonsOfEveryMode) {
 }
 
 TEST_F(StencilSides, OfTheirLinesAndPoints) {
-    glTranslatef(0.5f, 0.5f, 0); // through pixel centres
+    glTranslatef(0.5f, 0.5f, 0); // lines go through pixel centres
     for (const bool ccw : {false, true}) {
         glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
         glBegin(GL_QUADS);
@@ -79,7 +79,7 @@ TEST_F(StencilSides, OfTheirLinesAndPoints) {
 
 TEST_F(StencilSides, AllElseIsOfTheFront) {
     glBegin(GL_QUADS);
-    corners(false); // leaves the back's state behind
+    corners(false); // a back face comes before
     glEnd();
     seen();
     glBegin(GL_LINES);
@@ -94,7 +94,7 @@ TEST_F(StencilSides, AllElseIsOfTheFront) {
     expect(false, 48 * 48, "a rectangle turned round");
 }
 
-/// One pass of shadow volumes: back faces count up, front faces down, masks of their own.
+/// A pass of shadow volumes: back faces count up, front faces count down, and each side has its own masks.
 TEST_F(StencilSides, OperationsAndMasks) {
     glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
     glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_INCR_WRAP);

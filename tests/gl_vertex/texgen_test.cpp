@@ -1,4 +1,4 @@
-// Row C05: generated texture coordinates against formulas in double.
+// Row C05: compares generated texture coordinates with formulas in double.
 #include <array>
 #include <cmath>
 #include <random>
@@ -33,7 +33,7 @@ class TexGen : public Canvas {
     static double dot4(const Vec4& a, const Vec4& b) {
         return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
     }
-    /// s, t, q of the one vertex that is drawn, r is nowhere to be seen.
+    /// Draws one vertex and returns its s, t and q; r does not reach the rasterizer.
     static std::array<double, 3> drawn(const Vec4& position, std::size_t unit = 0) {
         WindowRecorder recorder;
         glBegin(GL_POINTS);
@@ -48,8 +48,8 @@ class TexGen : public Canvas {
     }
 };
 
-/// A modelview matrix, planes given under another one, coordinates on and off by lot; the texture matrix
-/// turns r into sight.
+/// Modelview matrices are random, planes are given under another one, and coordinates are on and off at
+/// random. The texture matrix makes r visible.
 TEST_F(TexGen, EveryModeAgainstDouble) {
     glEnable(GL_TEXTURE_2D);
     glMatrixMode(GL_PROJECTION);
@@ -85,7 +85,7 @@ TEST_F(TexGen, EveryModeAgainstDouble) {
         glLoadMatrixd(v.modelview.data());
         glTexCoord4dv(current.data());
         glNormal3dv(v.normal.data());
-        // p' = p M^-1 for each column of M: p' (M e) = p e.
+        // A plane is p' = p M^-1, so for each column of M: p' (M e) = p e.
         const Vec4 eye4 = times(v.modelview, v.position);
         const Vec3 n = eye_normal(v);
         const double sign = eye4[3] < 0 ? -1 : 1;
@@ -118,8 +118,8 @@ TEST_F(TexGen, EveryModeAgainstDouble) {
         round % 2 == 0 ? glLoadIdentity() : glLoadMatrixd(texture.data());
         const Vec4 expected = round % 2 == 0 ? strq : times(texture, strq);
         const std::array<double, 3> got = drawn(v.position);
-        // Components share an exponent: what counts is the largest. Terms of planes are up to 40, of
-        // reflections 2 n (n . u).
+        // Components share an exponent, so errors are relative to the largest. Terms of planes are up to 40,
+        // terms of reflections 2 n (n . u).
         const double scale = std::fmax(size, 40 + 8 * dot(n, n)) * (round % 2 == 0 ? 1 : 8);
         const double errors[3] = {got[0] - expected[0], got[1] - expected[1], got[2] - expected[3]};
         for (const double e : errors) {
@@ -130,7 +130,7 @@ TEST_F(TexGen, EveryModeAgainstDouble) {
     std::printf("generated coordinates: worst error 2^%.1f of their terms\n", std::log2(worst));
 }
 
-/// GL 1.3, 2.10.4: what each mode cannot generate, and names that there are not.
+/// Coordinates refuse modes that they cannot generate, and names that do not exist (GL 1.3, 2.10.4).
 TEST_F(TexGen, Errors) {
     const auto code = [](GLenum coord, GLenum mode) {
         glTexGeni(coord, GL_TEXTURE_GEN_MODE, static_cast<GLint>(mode));
@@ -185,7 +185,8 @@ TEST_F(TexGen, FormsAndInitialState) {
     EXPECT_EQ(mode, GL_REFLECTION_MAP);
 }
 
-/// Each unit generates its own; arrays, whose vertices are kept, and lists give what immediate mode gives.
+/// Each unit generates its own coordinates. Arrays with cached vertices, and lists, give what immediate mode
+/// gives.
 TEST_F(TexGen, UnitsArraysAndLists) {
     for (const GLenum unit : {GL_TEXTURE0, GL_TEXTURE1}) {
         glActiveTexture(unit);
@@ -223,7 +224,7 @@ TEST_F(TexGen, UnitsArraysAndLists) {
         }
         glEnd();
     });
-    ASSERT_GE(immediate.size(), 6u * 3 * 4); // two of one corner have no area
+    ASSERT_GE(immediate.size(), 6u * 3 * 4); // two triangles with a common vertex have no area
     EXPECT_NEAR(immediate[0], double(normal[3u * index[0]]), 1e-6);
     EXPECT_NEAR(immediate[2], 1 + 4 * double(position[3u * index[0] + 2]), 1e-6);
     EXPECT_EQ(immediate[3], 0.125) << "t of unit 1 is current";
@@ -239,7 +240,7 @@ TEST_F(TexGen, UnitsArraysAndLists) {
     EXPECT_EQ(drawn_s([] { glCallList(1); }), immediate);
 }
 
-/// Nothing at the eye, no normal, a singular matrix: some number, no harm.
+/// A vertex at the eye, a normal of zero, or a singular matrix gives some number and does no harm.
 TEST_F(TexGen, DegenerateVertices) {
     glEnable(GL_TEXTURE_2D);
     glEnable(GL_NORMALIZE);

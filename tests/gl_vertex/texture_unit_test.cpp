@@ -1,4 +1,5 @@
-// Rows B05, B12, C01, F20: texture units, each with its coordinates, array, matrix, enables and image.
+// Rows B05, B12, C01, F20: tests texture units, each with its own coordinates, array, matrix, enables and
+// image.
 #include <array>
 #include <cmath>
 #include <vector>
@@ -78,7 +79,7 @@ TEST_F(TextureUnits, EveryFormOfMultiTexCoord) {
     SPANGLE_MULTI_VECTOR(xvOES, GLfixed, 65536)
 }
 
-/// GL 1.3, 2.7: TexCoord is unit 0's, whatever unit is active.
+/// TexCoord sets the coordinates of unit 0, whatever unit is active (GL 1.3, 2.7).
 TEST_F(TextureUnits, TexCoordIsOfUnitZero) {
     glActiveTexture(GL_TEXTURE1);
     glTexCoord2f(0.5f, 0.25f);
@@ -150,7 +151,7 @@ TEST_F(TextureUnits, EnablesAndArraysOfEachUnit) {
     EXPECT_FALSE(glIsEnabled(GL_TEXTURE_COORD_ARRAY));
 }
 
-/// Immediate mode, arrays and a list give the same vertices, each unit through its own matrix.
+/// Immediate mode, arrays and a list give the same vertices, and each unit uses its own matrix.
 TEST_F(TextureUnits, CoordinatesReachTheRasterizer) {
     both_on();
     glMatrixMode(GL_TEXTURE);
@@ -197,7 +198,8 @@ TEST_F(TextureUnits, CoordinatesReachTheRasterizer) {
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glEndList();
     is_drawn("list", [] { glCallList(1); });
-    glClientActiveTexture(GL_TEXTURE0); // only the second array is left: the first set is current
+    glClientActiveTexture(
+        GL_TEXTURE0); // only the second array is left, so unit 0 has its current coordinates
     glDisableClientState(GL_TEXTURE_COORD_ARRAY);
     glTexCoord2f(0.5f, 0.125f);
     WindowRecorder recorder;
@@ -207,7 +209,7 @@ TEST_F(TextureUnits, CoordinatesReachTheRasterizer) {
     EXPECT_EQ(coord_of(recorder.primitives[0].corner[2], 1), (Coord{10, 24, 0, 1}));
 }
 
-/// GL 1.3, 6.1.12: groups hold what every unit has, and which one is active.
+/// Attribute groups save the state of every unit, and which unit is active (GL 1.3, 6.1.12).
 TEST_F(TextureUnits, AttributeGroups) {
     const auto set = [](GLenum active, GLfloat s, bool on) {
         for (const GLenum unit : {GL_TEXTURE0, GL_TEXTURE1}) {
@@ -240,7 +242,7 @@ TEST_F(TextureUnits, AttributeGroups) {
     };
     const struct {
         GLbitfield server, client;
-        std::vector<double> left; ///< of selectors, then per unit: coordinate, texturing, array
+        std::vector<double> left; ///< selectors, then for each unit: coordinate, texturing, array
     } cases[] = {
         {GL_CURRENT_BIT, 0, {GL_TEXTURE0, GL_TEXTURE0, 2, 0, 0, 3, 0, 0}},
         {GL_ENABLE_BIT, 0, {GL_TEXTURE0, GL_TEXTURE0, 8, 1, 0, 9, 1, 0}},
@@ -258,7 +260,7 @@ TEST_F(TextureUnits, AttributeGroups) {
     }
 }
 
-/// Vertices that clipping makes carry the coordinates of both units.
+/// Vertices that clipping makes have the coordinates of both units.
 TEST_F(TextureUnits, ClippedCoordinates) {
     both_on();
     WindowRecorder recorder;
@@ -274,7 +276,7 @@ TEST_F(TextureUnits, ClippedCoordinates) {
     EXPECT_NEAR(cut[1] / cut[3], 6, 1e-6);
 }
 
-/// GL 1.3, 3.8.13: unit 1 works on what unit 0 gives.
+/// Unit 1 works on the result of unit 0 (GL 1.3, 3.8.13).
 TEST_F(TextureUnits, UnitsInTurn) {
     const GLubyte red[4] = {200, 100, 50, 255}, half[4] = {128, 255, 0, 255};
     GLuint names[2];

@@ -1,4 +1,4 @@
-// Rows B18 and B26: primitive restart, vertex array objects (GL 3.0, 2.10; GL 3.1, 2.8).
+// Rows B18 and B26: tests primitive restart and vertex array objects (GL 3.0, 2.10; GL 3.1, 2.8).
 #include <cstdint>
 #include <vector>
 
@@ -47,7 +47,7 @@ TEST_F(VertexArrayObjects, Names) {
     EXPECT_FALSE(glIsVertexArray(0));
 }
 
-/// Everything of the arrays belongs to the object that is bound; ARRAY_BUFFER and the client's unit do not.
+/// All state of arrays belongs to the object that is bound, except ARRAY_BUFFER and the client's active unit.
 TEST_F(VertexArrayObjects, HoldTheArrays) {
     GLuint names[2];
     glGenVertexArrays(2, names);
@@ -152,7 +152,7 @@ class PrimitiveRestart : public Canvas {
 constexpr GLubyte index[] = {0, 1, 2, 3, 9, 4, 5, 6, 9, 9, 7, 9, 8, 10, 11, 12};
 constexpr GLsizei indices = sizeof index;
 
-/// Of the runs between the nines.
+/// Draws the runs of indices between the nines.
 void pieces(GLenum mode) {
     for (const auto& [first, count] : {std::pair{0, 4}, {5, 3}, {10, 1}, {12, 4}})
         glDrawElements(mode, count, GL_UNSIGNED_BYTE, index + first);
@@ -192,15 +192,15 @@ TEST_F(PrimitiveRestart, EveryMode) {
         glEnd();
         glEndList();
         EXPECT_EQ(drawn([] { glCallList(1); }), expected);
-        glDisable(GL_PRIMITIVE_RESTART); // client state is that of compilation
+        glDisable(GL_PRIMITIVE_RESTART); // lists use the client state of their compilation
         EXPECT_EQ(drawn([] { glCallList(2); }), expected);
 #endif
         glDisable(GL_PRIMITIVE_RESTART);
     }
 }
 
-/// Elements that DrawArrays counts restart as well, being ArrayElement's (GL 3.1, 2.8); so do those of many
-/// draws.
+/// DrawArrays and its multiple form restart at elements, too, because they are defined by ArrayElement (GL
+/// 3.1, 2.8).
 TEST_F(PrimitiveRestart, DrawArrays) {
     glPrimitiveRestartIndex(4);
     const auto expected = drawn([] {
@@ -227,7 +227,7 @@ TEST_F(PrimitiveRestart, NamesNoElement) {
     refused(GL_INVALID_OPERATION, "an element beyond its buffer, behind a restart");
 #endif
     EXPECT_EQ(drawn([&] { glDrawElements(GL_LINE_STRIP, 4, GL_UNSIGNED_INT, words); }).size(), 4u);
-    glPrimitiveRestartIndex(2); // of bytes no index is beyond them
+    glPrimitiveRestartIndex(2); // bytes of indices are never larger than this
     EXPECT_EQ(drawn([] { glDrawArrays(GL_LINE_STRIP, 0, 3); }).size(), 4u);
     glColor3f(0.25f, 0, 0);
     const GLfloat colors[3][3] = {};
@@ -237,12 +237,12 @@ TEST_F(PrimitiveRestart, NamesNoElement) {
 #endif
     glColorPointer(3, GL_FLOAT, 0, colors);
     glBegin(GL_POINTS);
-    glArrayElement(2); // no attribute is touched
+    glArrayElement(2); // no attribute changes
     glEnd();
     GLfloat color[4];
     glGetFloatv(GL_CURRENT_COLOR, color);
     EXPECT_EQ(color[0], 0.25f);
-    glArrayElement(2); // not between Begin and End: an element as any
+    glArrayElement(2); // outside of Begin and End it is an element like any other
     glGetFloatv(GL_CURRENT_COLOR, color);
     EXPECT_EQ(color[0], 0);
 }

@@ -1,4 +1,4 @@
-// Every glVertex command, and which values it can be given without a change.
+// Lists every glVertex command, and which values it can hold exactly.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ inline double least_step(Scalar type) {
     return type == Scalar::fixed ? 1.0 / 65536 : 1.0;
 }
 
-/// A number that a parameter of this type can be. Positions in these tests are floats to begin with.
+/// Whether a parameter of this type can hold a number exactly. Positions in these tests are floats.
 inline bool holds(Scalar type, double v) {
     if (type == Scalar::f32 || type == Scalar::f64)
         return true;
@@ -25,7 +25,7 @@ inline bool holds(Scalar type, double v) {
     return std::fabs(v) <= most && std::floor(v / least_step(type)) * least_step(type) == v;
 }
 
-/// `size` components of that type say it all: the rest are 0, 0, 1.
+/// Whether `size` components of this type hold the whole position: the others must be 0, 0, 1.
 inline bool holds(Scalar type, int size, const Position& p) {
     for (int c = 0; c < 4; ++c)
         if (c < size ? !holds(type, p[static_cast<std::size_t>(c)])

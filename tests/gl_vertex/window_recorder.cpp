@@ -8,7 +8,7 @@ using spangle::raster::DrawState;
 using spangle::raster::FixedVertex;
 using spangle::raster::Surface;
 
-// The linker's names (--wrap): GL calls "__wrap_f" where it says f, and "__real_f" is the rasterizer's f.
+// The linker's option --wrap makes GL call "__wrap_f" in place of f; "__real_f" is the rasterizer's f.
 void real_point(const DrawState&, const Surface&, const FixedVertex&,
                 std::int32_t) __asm__("__real_" DRAW_POINT);
 void real_line(const DrawState&, const Surface&, const FixedVertex&, const FixedVertex&, const FixedVertex&,

@@ -1,4 +1,4 @@
-// What GL hands to the rasterizer: vertices in window space, before any of them becomes pixels.
+// Records what GL hands to the rasterizer: vertices in window space, before they become pixels.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,8 @@ struct Primitive {
     raster::FixedVertex provoking;
 };
 
-/// Lists the primitives of this program while it exists, in place of drawing them. One at a time.
+/// While it exists, a recorder lists the program's primitives in place of drawing them. Only one may exist at
+/// a time.
 class WindowRecorder {
   public:
     WindowRecorder();

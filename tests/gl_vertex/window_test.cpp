@@ -1,5 +1,5 @@
-// Rows B05, C12, C13, C16, D09: clipping and what goes with it, facing, texture coordinates through their
-// matrix.
+// Rows B05, C12, C13, C16, D09: tests clipping and its associated data, facing, and texture coordinates
+// through their matrix.
 #include <cmath>
 #include <random>
 #include <vector>
@@ -23,7 +23,7 @@ class Window : public Canvas {
     }
 };
 
-/// GL 1.3, 2.11: -w <= x, y, z <= w, both ends included.
+/// A point is drawn if -w <= x, y, z <= w, both ends included (GL 1.3, 2.11).
 TEST_F(Window, PointsInTheViewVolume) {
     for (std::size_t axis = 0; axis < 3; ++axis)
         for (const float side : {-1.0f, 1.0f})
@@ -42,8 +42,8 @@ TEST_F(Window, PointsInTheViewVolume) {
     EXPECT_EQ(drawn(GL_POINTS, {{0, 0, 0, 0}}), 0u);
 }
 
-/// Lines and triangles across each plane: every corner that clipping made lies on the edge it was cut from,
-/// with colour, texture coordinate and fog distance of that place.
+/// Lines and triangles cross each plane. Every vertex that clipping makes lies on the edge that it cuts, with
+/// the colour, texture coordinate and fog distance of that place.
 TEST_F(Window, AssociatedDataOfClippedVertices) {
     std::mt19937 random(9);
     const auto real = [&random](double low, double high) {
@@ -57,8 +57,8 @@ TEST_F(Window, AssociatedDataOfClippedVertices) {
     int cut = 0;
     double worst = 0;
     for (int n = 0; n < 4000; ++n) {
-        // w is the depth. Colour and texture coordinates are linear in the position, so that every point of
-        // the edge says what it should have.
+        // w is the depth. Colour and texture coordinates are linear in the position, so every point of the
+        // edge has known values.
         const GLfloat ends[2][3] = {{real(-0.9, 0.9), real(-0.9, 0.9), real(-3, -1.5f)},
                                     {real(-300, 300), real(-300, 300), real(-90, 20)}};
         const GLfloat color[2][3] = {{0, 1, 0.25f}, {1, 0, 0.75f}}, tex[2][2] = {{0, 5}, {1, -5}};
@@ -73,7 +73,8 @@ TEST_F(Window, AssociatedDataOfClippedVertices) {
         ASSERT_EQ(recorder.primitives.size(), 1u);
         for (int i = 0; i < 2; ++i) {
             const raster::FixedVertex& v = recorder.primitives[0].corner[i];
-            const double t = v.color[0] / static_cast<double>(raster::color_one); // red is the place
+            const double t =
+                v.color[0] / static_cast<double>(raster::color_one); // red gives the place on the edge
             const bool made = t > 0 && t < 1;
             cut += made ? 1 : 0;
             double at[3];
@@ -123,14 +124,14 @@ TEST_F(Window, NearPlane) {
         glVertex3f(0, 0.5f, -depth);
         glEnd();
         ASSERT_EQ(recorder.primitives.size(), 2u) << depth;
-        const double top = size / 2.0 * (0.5 + 1 / depth); // z reaches -1 there
+        const double top = size / 2.0 * (0.5 + 1 / depth); // z reaches -1 here
         for (const Primitive& p : recorder.primitives)
             for (const raster::FixedVertex& v : p.corner)
                 EXPECT_LE(v.y / 256.0, top + 1.0 / 256) << depth;
     }
 }
 
-/// GL 1.3, 3.5.1: all combinations of facing and culling.
+/// Tests all combinations of facing and culling (GL 1.3, 3.5.1).
 TEST_F(Window, FacingAndCulling) {
     const std::vector<std::array<GLfloat, 4>> counterclockwise = {{0, 0, 0, 1},
                                                                   {0.5f, 0, 0, 1},
@@ -153,7 +154,7 @@ TEST_F(Window, FacingAndCulling) {
                 }
 }
 
-/// A mirrored modelview turns faces over.
+/// A mirrored modelview matrix turns faces over.
 TEST_F(Window, FacingIsThatOfTheWindow) {
     glEnable(GL_CULL_FACE);
     glScalef(-1, 1, 1);
@@ -161,7 +162,7 @@ TEST_F(Window, FacingIsThatOfTheWindow) {
     EXPECT_EQ(drawn(GL_TRIANGLES, {{0, 0, 0, 1}, {0, 0.5f, 0, 1}, {0.5f, 0, 0, 1}}), 1u);
 }
 
-/// The provoking corner carries the flat colour; clipping does not change it.
+/// The provoking vertex has the flat colour, which clipping does not change.
 TEST_F(Window, FlatColorOfAClippedTriangle) {
     glShadeModel(GL_FLAT);
     WindowRecorder recorder;
@@ -178,7 +179,7 @@ TEST_F(Window, FlatColorOfAClippedTriangle) {
         EXPECT_EQ((p.provoking.color[0] + (1u << 19)) >> 20, 30u);
 }
 
-/// T (s, t, r, q): the texture matrix, row by row.
+/// Compares T (s, t, r, q) with the texture matrix, row by row.
 TEST_F(Window, TextureCoordinatesThroughTheirMatrix) {
     std::mt19937 random(4);
     const auto real = [&random] {

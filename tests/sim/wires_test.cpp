@@ -153,7 +153,8 @@ TEST(WiredPanel, ShowsThePictureUpright) {
     const Image glass = panel.glass();
     EXPECT_EQ(glass.width, 320);
     EXPECT_EQ(glass.height, 240);
-    // The picture's first pixel is in this corner of the glass: the module mirrors rows and columns, and the
+    // The memory's first cell is in this corner of the glass: the module mirrors rows and columns, and the
+    // picture is turned by a quarter.
     // picture is turned by a quarter.
     const std::uint8_t* const cell = glass.at(319, 0);
     EXPECT_GE(cell[0], 248);
