@@ -1,4 +1,4 @@
-// The accumulation buffer against sums of rational numbers (GL 1.3, 4.2.4; gl-commands.md G22).
+// Compares the accumulation buffer with sums of rational numbers (GL 1.3, 4.2.4; gl-commands.md G22).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ Real real(double v) {
     return numeric::from_float(static_cast<float>(v));
 }
 
-/// A context with an accumulation buffer, and what it must hold.
+/// A context with an accumulation buffer, and the values that it must hold.
 struct Twin {
     SharedMemory memory{1 << 16};
     BareContext b;
@@ -50,7 +50,7 @@ struct Twin {
         for (auto& byte : b.color)
             byte = static_cast<std::uint8_t>(random.below(256));
     }
-    /// Each operation adds half a unit at most; what is written down here is exact.
+    /// Compares the buffer with the exact values; each operation may add an error of half a unit.
     void compare(int operations) const {
         for (std::size_t i = 0; i < want.size(); ++i)
             ASSERT_NEAR(plane[i] / 32767., want[i], (0.5 * operations + 0.01) / 32767) << i;
@@ -81,7 +81,7 @@ TEST(Accum, SumsOfPictures) {
             scissor(t.c, box);
             const GLenum ops[] = {GL_LOAD, GL_ACCUM, GL_MULT, GL_ADD};
             const GLenum op = ops[random.below(4)];
-            // What is there is taken as it is, so that halves of units do not add up.
+            // The stored values replace the exact ones, so that errors of half a unit do not add up.
             for (std::size_t i = 0; i < t.want.size(); ++i)
                 t.want[i] = t.plane[i] / 32767.;
             cmd::Accum(t.c, op, real(v));
@@ -105,7 +105,7 @@ TEST(Accum, SumsOfPictures) {
     }
 }
 
-/// A picture comes back as it was, and the mean of pictures is their mean.
+/// A picture comes back unchanged, and the mean of several pictures is exact.
 TEST(Accum, LoadAndReturnIsNothing) {
     for (const PixelFormat format : formats)
         for (const bool dither : {false, true}) {
@@ -171,7 +171,8 @@ TEST(Accum, ReturnIsClampedMaskedAndDithered) {
             }
 }
 
-/// What RETURN stores is the product rounded to nearest, for every sum there is (GL 1.3, 4.2.4 and 2.13.9).
+/// RETURN stores the product rounded to nearest, for every sum that the buffer can hold (GL 1.3, 4.2.4 and
+/// 2.13.9).
 TEST(Accum, ReturnIsTheNearest) {
     Twin t(PixelFormat::rgba8888);
     const auto sum_of = [](int first, std::size_t i) {
@@ -191,8 +192,8 @@ TEST(Accum, ReturnIsTheNearest) {
     }
 }
 
-/// A product halfway between two codes is rounded up, as every colour is; 5 and 6 bits are the first of
-/// its 8.
+/// A product halfway between two codes is rounded up, as every colour is. Components of 5 and 6 bits are the
+/// upper bits of the 8-bit result.
 TEST(Accum, ReturnRoundsHalfUp) {
     for (const PixelFormat format : formats)
         for (const int divisor : {1, 7, 31, 151, 217, 1057, 4681, 32767}) {
@@ -224,7 +225,7 @@ TEST(Accum, ErrorsChangeNothing) {
     EXPECT_EQ(t.plane, before);
 }
 
-/// The source may be another surface, smaller than the one drawn to.
+/// Colours may come from another surface, smaller than the one drawn to.
 TEST(Accum, ReadsTheReadSurface) {
     Twin t(PixelFormat::rgb565_le);
     BareContext small(t.memory, PixelFormat::rgba8888, DepthFormat::none, 3, 9);

@@ -1,4 +1,5 @@
-// A context without EGL, engine or window: enough for commands that only touch state, textures and pixels.
+// A context without EGL, engine or window, which is enough for commands that only use state, textures and
+// pixels.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
-// Bitmap: where bits land, what their fragments are, how the raster position moves (gl-commands.md E09).
+// Tests Bitmap: where bits are drawn, what their fragments are, and how the raster position moves
+// (gl-commands.md E09).
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_BITMAPS
@@ -67,7 +68,7 @@ TEST(Bitmap, MovesTheRasterPositionEvenWithoutBits) {
         ASSERT_EQ(byte, 0);
 }
 
-/// A whole position is whole whatever the projection makes of it.
+/// A raster position in whole pixels stays whole, whatever the projection does.
 TEST(Bitmap, TextStaysInItsColumns) {
     const GLubyte bit = 0x80;
     for (int w = 8; w <= 2048; w = w * 4 / 3 + 1)
@@ -100,7 +101,7 @@ TEST(Bitmap, IsNeitherZoomedNorTransferred) {
     PixelCanvas canvas;
     glColor4ub(100, 150, 200, 250);
     glRasterPos2i(3, 4);
-    glColor4ub(1, 2, 3, 4); // not the raster position's
+    glColor4ub(1, 2, 3, 4); // not the colour of the raster position
 #if SPANGLE_FEATURE_DRAW_PIXELS
     glPixelZoom(3, 3);
 #endif

@@ -1,5 +1,5 @@
-// Clear against a plain reading of GL 1.3, 4.2.3: scissor, masks and dithering apply, nothing else
-// (gl-commands.md G14, G19, G20; docs/architecture.md for rounding and the dither matrix's rule).
+// Compares Clear with a plain reading of GL 1.3, 4.2.3: only scissor, masks and dithering apply
+// (gl-commands.md G14, G19, G20). docs/architecture.md has the rules of rounding and of the dither matrix.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ Real real(double v) {
     return numeric::from_double(v);
 }
 
-/// R, G, B, A of a pixel as stored codes.
+/// Returns R, G, B and A of a pixel as stored codes.
 void codes(PixelFormat format, const std::uint8_t* p, unsigned out[4]) {
     if (format == PixelFormat::rgb565_be || format == PixelFormat::rgb565_le) {
         const unsigned word = format == PixelFormat::rgb565_be ? p[0] * 256u + p[1] : p[1] * 256u + p[0];
@@ -67,14 +67,14 @@ TEST(Clear, RandomStateInEveryFormat) {
         for (double& v : rgba)
             v = below(4) == 0 ? below(3) - 0.5 : below(256) / 255.0;
         cmd::ClearColor(c, real(rgba[0]), real(rgba[1]), real(rgba[2]), real(rgba[3]));
-        const double z =
-            below(4) == 0 ? below(3) - 0.5 : static_cast<float>(random() / 4294967295.0); // state is a Real
+        const double z = below(4) == 0 ? below(3) - 0.5
+                                       : static_cast<float>(random() / 4294967295.0); // state is kept as Real
         cmd::ClearDepth(c, real(z));
         const auto index = static_cast<GLint>(random());
         cmd::ClearStencil(c, index);
         if (below(16) == 0)
             cmd::DrawBuffer(c, GL_NONE);
-        // Enabled tests must not matter.
+        // Tests of fragments are enabled, but must not matter.
         c.fragment_ops.alpha_test = c.fragment_ops.stencil_test = c.fragment_ops.depth_test =
             c.fragment_ops.blend = true;
         cmd::DepthFunc(c, GL_NEVER);
@@ -107,7 +107,7 @@ TEST(Clear, RandomStateInEveryFormat) {
                     const auto eight = static_cast<unsigned>(std::floor(f * 255 + 0.5));
                     if (!c.fragment_ops.dither || bits[k] == 8) {
                         ASSERT_EQ(is[k], eight >> (8 - bits[k])) << round;
-                    } else { // floor or ceiling of the exact value, exact values stay
+                    } else { // floor or ceiling of the exact value; exact values stay
                         const double steps = f * ((1 << bits[k]) - 1);
                         ASSERT_LE(is[k], std::ceil(steps - 1e-5)) << round;
                         ASSERT_GE(is[k], std::floor(steps + 1e-5)) << round;
@@ -159,7 +159,8 @@ TEST(Clear, DitheringKeepsTheMeanOfAConstant) {
             red += code[0] / 256.0;
             green += code[1] / 256.0;
         }
-        EXPECT_NEAR(red, v / 255.0 * 31, 1 / 31.0) << v; // sixteen thresholds, half a step of them
+        EXPECT_NEAR(red, v / 255.0 * 31, 1 / 31.0)
+            << v; // the mean of sixteen thresholds is exact to half of their step
         EXPECT_NEAR(green, v / 255.0 * 63, 1 / 31.0) << v;
     }
 }
@@ -174,7 +175,7 @@ TEST(Clear, ErrorsClearNothing) {
         EXPECT_EQ(b.take_error(), GLenum{GL_INVALID_VALUE});
         EXPECT_EQ(b.color, before);
     }
-    cmd::Clear(b.context, 0x200); // ACCUM_BUFFER_BIT: a buffer that is missing is ignored
+    cmd::Clear(b.context, 0x200); // ACCUM_BUFFER_BIT: a missing buffer is ignored
     EXPECT_EQ(b.take_error(), GLenum{GL_NO_ERROR});
     EXPECT_EQ(b.color, before);
 }
@@ -188,7 +189,7 @@ TEST(Clear, FullClearsAreTold) {
     b.context.drawable.surface.touched = rows.data();
     b.context.drawable.surface.touched_step = 1;
     Context& c = b.context;
-    cmd::Clear(c, GL_DEPTH_BUFFER_BIT); // not the picture
+    cmd::Clear(c, GL_DEPTH_BUFFER_BIT); // the colours stay
     EXPECT_FALSE(extents.cleared);
     EXPECT_EQ(rows[0], RowSpan{});
     c.fragment_ops.scissor_test = true;
@@ -201,10 +202,10 @@ TEST(Clear, FullClearsAreTold) {
     EXPECT_EQ(rows[3], RowSpan{});
     c.fragment_ops.scissor_test = false;
     cmd::ColorMask(c, true, true, false, true);
-    cmd::Clear(c, GL_COLOR_BUFFER_BIT); // not all channels
+    cmd::Clear(c, GL_COLOR_BUFFER_BIT); // not all channels are written
     EXPECT_FALSE(extents.cleared);
     EXPECT_EQ(rows[5], (RowSpan{0, 8}));
-    cmd::ColorMask(c, true, true, true, false); // there is no alpha to miss
+    cmd::ColorMask(c, true, true, true, false); // the surface has no alpha to mask
     cmd::Clear(c, GL_COLOR_BUFFER_BIT);
     EXPECT_TRUE(extents.cleared);
     EXPECT_EQ(rows[5], RowSpan{});
@@ -214,7 +215,7 @@ TEST(Clear, FullClearsAreTold) {
     EXPECT_NE(extents.clear_value, black);
     cmd::ClearColor(c, real(0), real(0), real(0), real(1));
     cmd::Clear(c, GL_COLOR_BUFFER_BIT);
-    EXPECT_EQ(extents.clear_value, black); // equal bytes, equal value
+    EXPECT_EQ(extents.clear_value, black); // equal bytes have an equal value
 }
 
 } // namespace

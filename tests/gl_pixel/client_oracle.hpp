@@ -1,5 +1,5 @@
-// What a client image means, in double, written from the tables of GL 1.3 alone (3.6.1, 3.6.4, 3.6.5; tables
-// 2.6, 3.5 to 3.12).
+// Returns the meaning of a client image in double, written from the tables of GL 1.3 only (3.6.1, 3.6.4,
+// 3.6.5; tables 2.6, 3.5 to 3.12).
 #pragma once
 
 #include <bit>
@@ -87,7 +87,8 @@ inline int element_bytes(GLenum type) {
         return 4;
     }
 }
-/// Tables 3.8 and 3.6: packed types have their formats, BITMAP has indices.
+/// Whether a format and a type may be combined: packed types have their own formats, BITMAP has indices
+/// (tables 3.8 and 3.6).
 inline bool goes_together(GLenum format, GLenum type) {
     const bool index = format == GL_COLOR_INDEX || format == GL_STENCIL_INDEX;
     if (type == GL_BITMAP)
@@ -106,7 +107,7 @@ class ClientOracle {
 
     std::size_t bytes() const { return size_; }
 
-    /// Component or index i of a group, as its own number (indices) or fraction.
+    /// Returns component or index i of a group: an index as a number, a component as a fraction.
     double value(const unsigned char* memory, int n, int m, int i) const {
         const unsigned char* row = memory + static_cast<std::ptrdiff_t>(store_.skip_rows + m) * stride();
         const int pixel = store_.skip_pixels + n;
@@ -122,7 +123,7 @@ class ClientOracle {
         unsigned char b[4] = {};
         for (int k = 0; k < s; ++k)
             b[k] = at[store_.swap ? s - 1 - k : k];
-        std::uint64_t word = 0; // this machine's order is little
+        std::uint64_t word = 0; // this machine is little-endian
         for (int k = 0; k < s; ++k)
             word |= static_cast<std::uint64_t>(b[k]) << 8 * k;
         if (p != nullptr) {
@@ -150,7 +151,7 @@ class ClientOracle {
         return is_signed ? (2 * v + 1) / (whole - 1) : v / (whole - 1);
     }
 
-    /// R, G, B, A after the final expansion.
+    /// Returns R, G, B and A after the final expansion.
     void color(const unsigned char* memory, int n, int m, double out[4]) const {
         const auto v = [&](int i) { return value(memory, n, m, i); };
         out[0] = out[1] = out[2] = 0;
@@ -191,7 +192,7 @@ class ClientOracle {
     }
 
   private:
-    /// k of 3.6.4 in bytes.
+    /// Returns k of GL 1.3, 3.6.4, in bytes.
     std::ptrdiff_t stride() const {
         const int a = store_.alignment;
         if (type_ == GL_BITMAP)

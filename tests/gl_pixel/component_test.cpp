@@ -1,5 +1,5 @@
-// Conversions of components against their definitions (GL 1.3, tables 2.6 and 4.7;
-// gl-commands.md 17.1, 17.2).
+// Compares conversions of components with their definitions (GL 1.3, tables 2.6 and 4.7; gl-commands.md 17.1,
+// 17.2).
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -20,7 +20,7 @@ TEST(Component, RescaleIsNearestForAllSmallCodes) {
         for (unsigned to : {1u, 2u, 3u, 4u, 5u, 6u, 8u, 10u, 16u, 24u, 32u})
             for (std::uint32_t code = 0; code <= all_ones(from); ++code) {
                 const std::uint64_t got = rescale(code, from, to);
-                // |got / ones_to - code / ones_from| <= half a step, without division.
+                // The condition is |got / ones_to - code / ones_from| <= half a step, without a division.
                 const auto a = static_cast<__int128>(got) * all_ones(from) * 2;
                 const auto b = static_cast<__int128>(code) * all_ones(to) * 2;
                 const auto off = a > b ? a - b : b - a;
@@ -34,7 +34,7 @@ TEST(Component, RescaleKeepsEndsAndWideCodes) {
             EXPECT_EQ(rescale(0, from, to), 0u);
             EXPECT_EQ(rescale(all_ones(from), from, to), all_ones(to));
         }
-    // Read-back of 5 and 6 bits as ubytes: gl-commands.md 17.3.
+    // Components of 5 and 6 bits are read back as ubytes by gl-commands.md 17.3.
     EXPECT_EQ(rescale(1, 5, 8), 8u);
     EXPECT_EQ(rescale(12, 5, 8), 99u);
     EXPECT_EQ(rescale(15, 5, 8), 123u);
@@ -67,7 +67,7 @@ struct Entry {
 TEST(Component, ElementsMeanWhatTable26Says) {
     const Entry entries[] = {
         {ElementKind::signed_integer, 8, 0, 1.0 / 255},
-        {ElementKind::signed_integer, 8, 0xFF, 0}, // -1 / 255, clamped
+        {ElementKind::signed_integer, 8, 0xFF, 0}, // -1 / 255 is clamped
         {ElementKind::signed_integer, 8, 127, 1},
         {ElementKind::signed_integer, 8, 0x80, 0},
         {ElementKind::signed_integer, 8, 64, 129.0 / 255},
@@ -94,7 +94,7 @@ TEST(Component, ElementsMeanWhatTable26Says) {
         }
 }
 
-/// What an element stands for (GL 1.3, table 2.6), 0 where it is negative.
+/// Returns the fraction that an element stands for (GL 1.3, table 2.6); 0 if it is negative.
 double meant(bool is_signed, unsigned bits, std::uint32_t element) {
     const double most = all_ones(bits);
     if (!is_signed)
@@ -122,7 +122,7 @@ TEST(Component, ElementsDecodeToTheNearestCode) {
         check(32, static_cast<std::uint32_t>(random()));
 }
 
-/// A code written as an element and read again is itself, where the element has more bits.
+/// A code that is written as an element of more bits and read again is the same code.
 TEST(Component, CodesComeBackFromElements) {
     for (const ElementKind kind :
          {ElementKind::unsigned_integer, ElementKind::signed_integer, ElementKind::real})
@@ -140,7 +140,7 @@ TEST(Component, CodesComeBackFromElements) {
 }
 
 TEST(Component, ReturnedValuesAreThoseOfTable47) {
-    // gl-commands.md 17.2; 1/4 is 0x40000000 of 32 bits to within 2^-33.
+    // Tests the values of gl-commands.md 17.2; 1/4 is 0x40000000 of 32 bits to within 2^-33.
     const Component zero{0, 8}, quarter{0x40000000, 32}, half{0x80000000, 32}, one{255, 8};
     const auto get = [](ElementKind kind, unsigned bits, Component c) {
         return encode_element(kind, bits, c);

@@ -1,5 +1,5 @@
-// CopyPixels against an image that was read first: overlaps, zooms, depth and stencil, other surfaces
-// (gl-commands.md E08).
+// Compares CopyPixels with drawing an image that was read first: overlaps, zooms, depth and stencil, other
+// surfaces (gl-commands.md E08).
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_DRAW_PIXELS
@@ -24,7 +24,7 @@ struct Copy {
     float to_x, to_y, zoom_x, zoom_y;
 };
 
-/// The group of a fragment's centre, or -1.
+/// Returns the group that covers a fragment's centre, or -1.
 int group_of(double center, double at, double zoom, int groups) {
     for (int n = 0; n < groups; ++n)
         if (center >= std::min(at + zoom * n, at + zoom * (n + 1)) &&
@@ -33,7 +33,8 @@ int group_of(double center, double at, double zoom, int groups) {
     return -1;
 }
 
-/// Holds each pixel of `after` against where it came from. same(x, y, from_x, from_y): values agree.
+/// Compares each pixel of `after` with the pixel that it was copied from. same(x, y, from_x, from_y) compares
+/// the values.
 template <class Same> void expect_copied(const Copy& c, int width, int height, Same same) {
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
@@ -71,7 +72,7 @@ void run(const Copy& c, GLenum type) {
 constexpr PixelFormat surfaces[] = {PixelFormat::rgb565_be, PixelFormat::rgb565_le, PixelFormat::rgb888,
                                     PixelFormat::rgba8888};
 
-/// To the byte: nothing happens to a colour that is copied, dithered or not.
+/// Copied colours are the same to the byte, dithered or not.
 TEST(CopyPixels, ColoursMoveAsIfReadFirst) {
     std::mt19937 random(1);
     for (int i = 0; i < 4000; ++i) {
@@ -141,7 +142,7 @@ TEST(CopyPixels, TransferIsAppliedOnce) {
     EXPECT_EQ(canvas.stencil_at(11, 11), 7);
 }
 
-/// What transfer makes of a colour of 16 bits need not be one: it is dithered.
+/// Pixel transfer may change a 16-bit colour to one that has no such bits, which is dithered.
 TEST(CopyPixels, ColoursOf565GoThroughTransfer) {
     for (const PixelFormat format : {PixelFormat::rgb565_be, PixelFormat::rgb565_le})
         for (const bool maps : {false, true}) {
@@ -178,7 +179,7 @@ TEST(CopyPixels, ZoomedOntoItselfWithoutMemoryIsAnError) {
     glCopyPixels(0, 0, 20, 20, GL_COLOR);
     EXPECT_EQ(glGetError(), GLenum{GL_OUT_OF_MEMORY});
     EXPECT_EQ(before, canvas.color);
-    glPixelZoom(1, 1); // scrolling takes none
+    glPixelZoom(1, 1); // scrolling needs no memory
     glWindowPos2i(3, 2);
     glCopyPixels(0, 0, 20, 20, GL_COLOR);
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});

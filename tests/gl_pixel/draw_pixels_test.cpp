@@ -1,5 +1,5 @@
-// DrawPixels: every format and type under every pixel storage, zoomed, against double; depth, stencil and
-// indices; what is refused (gl-commands.md E02, E05, E06).
+// Compares DrawPixels with double: every format and type under every pixel storage, zoomed; depth, stencil
+// and indices; and what is refused (gl-commands.md E02, E05, E06).
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_DRAW_PIXELS
@@ -27,7 +27,7 @@ std::vector<GLenum> all_types() {
     return types;
 }
 
-/// Bytes, or floats a little beyond 0 and 1.
+/// Returns random bytes, or floats in a range a little larger than 0 to 1.
 std::vector<unsigned char> random_memory(std::mt19937& random, std::size_t bytes, GLenum type, bool swap) {
     std::vector<unsigned char> memory(bytes + 4);
     for (unsigned char& b : memory)
@@ -43,8 +43,8 @@ std::vector<unsigned char> random_memory(std::mt19937& random, std::size_t bytes
     return memory;
 }
 
-/// What a surface without dithering stores of a fraction, read in 255ths; or -1 nearer than `doubt` to where
-/// it changes.
+/// Returns what a surface stores of a fraction without dithering, in 255ths. Returns -1 if the fraction is
+/// nearer than `doubt` to where this changes.
 int stored(double v, int bits, double doubt) {
     const double scaled = std::clamp(v, 0.0, 1.0) * 255 + 0.5;
     if (std::fabs(scaled - std::round(scaled)) < doubt && std::round(scaled) > 0 && std::round(scaled) < 256)
@@ -55,7 +55,7 @@ int stored(double v, int bits, double doubt) {
 
 void expect_color(const PixelCanvas& canvas, int x, int y, const double v[4]) {
     const FormatInfo info = format_info(canvas.surface().format);
-    // Colours have 8 fraction bits in the balanced tier, 20 in the exact one.
+    // Colours have 8 fraction bits in the balanced tier, and 20 in the exact tier.
     const double doubt = canvas.context->tier == raster::Tier::exact ? 1e-4 : 0.51 / 256;
     const int bits[4] = {info.red_bits, info.green_bits, info.blue_bits, info.alpha_bits};
     for (int c = 0; c < 4; ++c) {
@@ -178,12 +178,12 @@ TEST(DrawPixels, LongRowsAreDrawnInPartsWithoutSeams) {
     }
 }
 
-/// Dithering leaves what 16 bits hold exactly.
+/// Dithering does not change colours that 16 bits hold exactly.
 TEST(DrawPixels, ColoursOf565AreNeverDithered) {
     for (const PixelFormat format : {PixelFormat::rgb565_be, PixelFormat::rgb565_le})
         for (const bool blend : {false, true}) {
             PixelCanvas canvas({.format = format, .width = 256, .height = 256});
-            if (blend) // not the short way
+            if (blend) // blending excludes the direct copy
                 glEnable(GL_BLEND);
             std::vector<std::uint16_t> image(65536);
             for (std::size_t i = 0; i < image.size(); ++i)
@@ -214,7 +214,7 @@ TEST(DrawPixels, DepthGoesThroughTheTestWithTheRasterColour) {
     for (const DepthFormat format : {DepthFormat::z16, DepthFormat::z24s8}) {
         PixelCanvas canvas({.depth = format, .width = 130, .height = 4});
         std::mt19937 random(5);
-        glClear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT); // 1
+        glClear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT); // clears depth to 1
         glEnable(GL_DEPTH_TEST);
         glColor4ub(10, 20, 30, 40);
         glRasterPos3f(0, 0, 0.5f);
@@ -232,7 +232,7 @@ TEST(DrawPixels, DepthGoesThroughTheTestWithTheRasterColour) {
             EXPECT_EQ(canvas.at(i % 130, i / 130, 1), k == most ? 0 : 20); // 1 is not less than 1
         }
         EXPECT_EQ(canvas.at(0, 2, 1), 0);
-        // Scale and bias, clamped.
+        // Depth is scaled and biased, then clamped.
         glDepthFunc(GL_ALWAYS);
         glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
 #if SPANGLE_FEATURE_PIXEL_TRANSFER
@@ -254,7 +254,7 @@ TEST(DrawPixels, DepthGoesThroughTheTestWithTheRasterColour) {
     EXPECT_EQ(flat.at(3, 3, 0), 255);
 }
 
-/// Codes of a buffer come back unchanged.
+/// Codes of a depth buffer come back unchanged.
 TEST(DrawPixels, DepthIsReadBackAndDrawnToTheBit) {
     for (const DepthFormat format : {DepthFormat::z16, DepthFormat::z24s8}) {
         PixelCanvas canvas({.depth = format, .width = 256, .height = 256});
@@ -353,7 +353,7 @@ TEST(DrawPixels, IndicesAreExpandedByTheMaps) {
     EXPECT_EQ(canvas.at(2, 3, 0), 64);
 }
 
-/// Colours of 5, 6 and 5 bits that transfer changes are those of the same numbers in floats, dithered.
+/// Transfer changes 565 colours as it changes the same numbers in floats, and the result is dithered.
 TEST(DrawPixels, ColoursOf565GoThroughTransfer) {
     const GLfloat curve[5] = {0.9f, 0.1f, 0.35f, 0.6f, 0};
     std::vector<std::uint16_t> image(64 * 64);
@@ -390,7 +390,7 @@ TEST(DrawPixels, ColoursOf565GoThroughTransfer) {
                 const auto got = drawn(canvas, GL_UNSIGNED_SHORT_5_6_5, words.data());
                 const auto differ = std::inner_product(got.begin(), got.end(), wanted.begin(), 0,
                                                        std::plus<>(), std::not_equal_to<>());
-                // Floats of k / 31 are not exact: few of them round to the other side.
+                // k / 31 is not exact as a float, so a few colours are rounded to the other side.
                 EXPECT_LE(differ, static_cast<int>(got.size() / 200)) << int(format) << maps << swapped;
             }
 }

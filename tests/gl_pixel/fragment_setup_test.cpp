@@ -1,5 +1,5 @@
-// From GL's fragment state to the rasterizer's: every token, every clamp, and when it is derived again
-// (GL 1.3, 3.10, 4.1, 4.2, 5.6; gl-commands.md G02 to G20, H08).
+// Tests how the rasterizer's state is derived from GL's fragment state: every token, every clamp, and when it
+// is derived again (GL 1.3, 3.10, 4.1, 4.2, 5.6; gl-commands.md G02 to G20, H08).
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -145,7 +145,7 @@ TEST_F(FragmentSetup, BlendFactorsOfEachSide) {
     const struct {
         GLenum token;
         F factor;
-        bool source, destination; // GL 1.4, tables 4.1 and 4.2
+        bool source, destination; // allowed as source and as destination (GL 1.4, tables 4.1 and 4.2)
     } all[] = {{GL_ZERO, F::zero, true, true},
                {GL_ONE, F::one, true, true},
                {GL_SRC_COLOR, F::src_color, true, true},
@@ -287,7 +287,7 @@ TEST_F(FragmentSetup, ScissorIsCutToTheSurface) {
     const struct {
         GLint x, y;
         GLsizei w, h;
-        Rect wanted; // surface of 8 x 6; any empty rectangle will do where w or h is 0
+        Rect wanted; // on a surface of 8 x 6; if w or h is 0, any empty rectangle
     } cases[] = {
         {1, 2, 3, 4, {1, 2, 3, 4}},
         {-2, -3, 5, 5, {0, 0, 3, 2}},
@@ -469,7 +469,7 @@ TEST_F(FragmentSetup, Switches) {
         }
 }
 
-/// Derived once after each change, and never otherwise.
+/// State is derived once after each change, and at no other time.
 TEST_F(FragmentSetup, DerivedOncePerChange) {
     const GLuint name = 8;
     const std::function<void()> changes[] = {
@@ -493,13 +493,13 @@ TEST_F(FragmentSetup, DerivedOncePerChange) {
     draw_state(c);
     for (const auto& change : changes) {
         change();
-        c.fragments.kept = decltype(c.fragments.kept)(); // what was compiled before would be copied
+        c.fragments.kept = decltype(c.fragments.kept)(); // otherwise an earlier compilation would be copied
         const int before = compiles;
         draw_state(c);
         draw_state(c);
         EXPECT_EQ(compiles, before + 1) << &change - changes;
     }
-    const int before = compiles; // state that no fragment depends on
+    const int before = compiles; // changes of state that no fragment depends on
     cmd::ClearColor(c, real(1), real(1), real(1), real(1));
     cmd::PixelStore(c, GL_UNPACK_ALIGNMENT, integer(1));
     draw_state(c);

@@ -1,4 +1,4 @@
-// A pbuffer of colour indices, and its bytes as they lie in memory: what a test compares with.
+// A pbuffer of colour indices, whose bytes in memory a test can compare.
 #pragma once
 
 #include <cmath>
@@ -36,7 +36,7 @@ class IndexCanvas : public testing::Test {
 
     static const raster::Surface& surface() { return gl::current_context()->drawable.surface; }
     static int at(int x, int y) { return surface().color_row(y)[x]; }
-    /// Row by row from the bottom.
+    /// Returns the pixels row by row, from the bottom.
     static std::vector<int> pixels() {
         std::vector<int> out;
         for (int y = 0; y < size; ++y)
@@ -57,7 +57,7 @@ class IndexCanvas : public testing::Test {
         glVertex3f(0, size, z);
         glEnd();
     }
-    /// What a quad of this index leaves everywhere; 256 where pixels differ.
+    /// Returns what a quad of this index stores in all pixels; 256 if pixels differ.
     static int covered(float index, float z = 0) {
         glIndexf(index);
         cover(z);
@@ -69,7 +69,8 @@ class IndexCanvas : public testing::Test {
     }
     static GLenum error() { return glGetError(); }
 
-    /// Of a masked index: whole numbers modulo 256, the largest is 255 (GL 1.3, 2.13.6, 4.1.8).
+    /// Masks an index: whole numbers modulo 256, with the fraction kept (GL 1.3, 2.13.6, 4.1.8). The largest
+    /// stored index is 255.
     static double masked(double index) { return index - 256 * std::floor(index / 256); }
     static int nearest(double index) {
         return static_cast<int>(std::fmin(std::floor(masked(index) + 0.5), 255));

@@ -1,5 +1,5 @@
-// Rows G24, D14, G19: what becomes of fragments on a surface of colour indices, from tables that GL 1.3 gives
-// (2.13.6, 3.2, 3.10, 3.11, 4.1, 4.2).
+// Rows G24, D14, G19: tests fragments on a surface of colour indices, by the rules of GL 1.3 (2.13.6, 3.2,
+// 3.10, 3.11, 4.1, 4.2).
 #include "tests/gl_pixel/index_canvas.hpp"
 #include "tests/primitive/clipped_area.hpp"
 
@@ -24,7 +24,8 @@ TEST_F(IndexFragments, TheModeAndItsBits) {
     EXPECT_EQ(get(GL_DEPTH_BITS), 24);
 }
 
-/// Without dithering the nearest index, with it one of the two that depends on the place; whole ones stay.
+/// Without dithering the nearest index is stored. With dithering the place decides between the two nearest;
+/// whole indices stay.
 TEST_F(IndexFragments, AreMaskedAndRounded) {
     for (const float index : {0.0f, 1.0f, 7.25f, 7.5f, 7.75f, 100.0f, 254.5f, 255.0f, 255.75f, 255.9995f,
                               256.0f, 300.25f, -1.0f, -0.75f, 65537.0f}) {
@@ -39,7 +40,7 @@ TEST_F(IndexFragments, AreMaskedAndRounded) {
     }
 }
 
-/// Over the whole range, the fraction above the last index included, in every tier.
+/// Indices are interpolated over the whole range, with a fraction above the last index, in every tier.
 TEST_F(IndexFragments, AreInterpolated) {
     for (const GLenum hint : {GL_NICEST, GL_DONT_CARE, GL_FASTEST})
         for (const bool dither : {false, true}) {
@@ -72,7 +73,7 @@ TEST_F(IndexFragments, OfFlatPrimitivesHaveTheProvokingOne) {
     EXPECT_EQ(pixels(), std::vector<int>(size * size, 40));
 }
 
-/// Perspective: index / w is what varies along the window (GL 1.3, equation 3.6).
+/// In perspective, index / w is linear in the window (GL 1.3, equation 3.6).
 TEST_F(IndexFragments, AreCorrectInPerspective) {
     glMatrixMode(GL_PROJECTION);
     glLoadIdentity();
@@ -92,8 +93,7 @@ TEST_F(IndexFragments, AreCorrectInPerspective) {
     }
 }
 
-/// What happens to colours alone does not happen: textures, the alpha test, blending, COLOR_LOGIC_OP,
-/// ColorMask.
+/// State of colours does not apply to indices: textures, the alpha test, blending, COLOR_LOGIC_OP, ColorMask.
 TEST_F(IndexFragments, AreNotTreatedAsColours) {
     const GLubyte texel[4] = {1, 2, 3, 4};
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
@@ -138,7 +138,7 @@ TEST_F(IndexFragments, PassTheOtherTests) {
             ASSERT_EQ(at(x, y), (x == 3 || x == 4) && y == 4 ? 15 : 12);
 }
 
-/// All sixteen, bit by bit, under masks; only INDEX_LOGIC_OP turns them on.
+/// Tests all sixteen logical operations, bit by bit, under masks. Only INDEX_LOGIC_OP enables them.
 TEST_F(IndexFragments, LogicalOperationsAndMasks) {
     using Op = unsigned (*)(unsigned s, unsigned d);
     const Op ops[16] = {
@@ -164,7 +164,7 @@ TEST_F(IndexFragments, LogicalOperationsAndMasks) {
             }
 }
 
-/// The operation is that of the dithered index (GL 1.3, 4.1.10).
+/// The logical operation takes the dithered index (GL 1.3, 4.1.10).
 TEST_F(IndexFragments, AreDitheredBeforeLogic) {
     fill(0xF0);
     glEnable(GL_DITHER);
@@ -177,7 +177,7 @@ TEST_F(IndexFragments, AreDitheredBeforeLogic) {
             ASSERT_EQ(at(x, y), dithered(15.5, x, y) ^ 0xF0);
 }
 
-/// Of colours the index's switch and mask are nobody's business.
+/// On surfaces of colours, INDEX_LOGIC_OP and IndexMask have no effect.
 TEST(ColorFragments, HaveNoIndexMask) {
     const HeadlessGl context(4, 4);
     glIndexMask(0);
@@ -192,7 +192,8 @@ TEST(ColorFragments, HaveNoIndexMask) {
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-/// ClearIndex masks and keeps its fraction; dither, scissor and mask apply, the logical operation does not.
+/// ClearIndex masks the index and keeps its fraction. Dither, scissor and mask apply to the clear, the
+/// logical operation does not.
 TEST_F(IndexFragments, Clear) {
     for (const float index : {0.0f, 9.0f, 9.5f, 255.75f, 300.25f, -1.0f, 1e30f})
         for (const bool dither : {false, true})
@@ -219,7 +220,7 @@ TEST_F(IndexFragments, Clear) {
 }
 
 #if SPANGLE_FEATURE_FOG
-/// I = i_r + (1 - f) i_f, and whole numbers beyond the last index masked (GL 1.3, 3.10).
+/// Fog gives I = i_r + (1 - f) i_f, and indices beyond the last are masked (GL 1.3, 3.10).
 TEST_F(IndexFragments, Fog) {
     glEnable(GL_FOG);
     glFogi(GL_FOG_MODE, GL_LINEAR);
@@ -243,13 +244,13 @@ TEST_F(IndexFragments, Fog) {
     glFogi(GL_FOG_MODE, GL_EXP2);
     EXPECT_EQ(covered(20, -0.25f), nearest(20 + (1 - std::exp(-0.25)) * 100));
     const GLfloat red[4] = {1, 0, 0, 0};
-    glFogfv(GL_FOG_COLOR, red); // of colours
+    glFogfv(GL_FOG_COLOR, red); // the fog of colours
     EXPECT_EQ(covered(20, -0.25f), nearest(20 + (1 - std::exp(-0.25)) * 100));
 }
 #endif
 
 #if SPANGLE_FEATURE_ANTIALIASING
-/// The low four bits are the coverage in fifteenths (GL 1.3, 3.2.1, 3.11): a rectangle that covers parts of
+/// The low four bits are the coverage in fifteenths (GL 1.3, 3.2.1, 3.11). The rectangle covers parts of
 /// pixels.
 TEST_F(IndexFragments, CoverageIsTheLowBits) {
     glEnable(GL_POLYGON_SMOOTH);
@@ -275,7 +276,8 @@ TEST_F(IndexFragments, CoverageIsTheLowBits) {
     }
 }
 
-/// Of a polygon as a whole: no pixel between the triangles of its fan has the coverage of one of them.
+/// The coverage is that of the whole polygon: between the triangles of a fan no pixel has the coverage of one
+/// triangle.
 TEST_F(IndexFragments, CoverageIsOfTheWholePolygon) {
     glEnable(GL_POLYGON_SMOOTH);
     const oracle::Polygon corners = {{1.5, 4},   {4.25, 1.5}, {9, 1.25}, {13.5, 5.75},
@@ -295,7 +297,8 @@ TEST_F(IndexFragments, CoverageIsOfTheWholePolygon) {
         }
 }
 
-/// Points and lines, too; what is not antialiased keeps its index, also in a state in which other things are.
+/// Points and lines have coverage, too. A primitive that is not antialiased keeps its index, also if others
+/// are antialiased.
 TEST_F(IndexFragments, OnlyWhatIsAntialiasedHasCoverage) {
     glEnable(GL_LINE_SMOOTH);
     fill(0);
@@ -324,7 +327,7 @@ TEST_F(IndexFragments, OnlyWhatIsAntialiasedHasCoverage) {
 #endif
 
 #if SPANGLE_FEATURE_LIGHTING
-/// The index that lighting makes of the material's three (GL 1.3, 2.13.5) arrives.
+/// Fragments have the index that lighting makes of the material's three indices (GL 1.3, 2.13.5).
 TEST_F(IndexFragments, LitIndicesArrive) {
     const GLfloat indexes[3] = {20, 120, 240}, front[4] = {0, 0, 1, 0}, half[4] = {0.5f, 0.5f, 0.5f, 1},
                   black[4] = {0, 0, 0, 1};

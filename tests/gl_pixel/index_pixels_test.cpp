@@ -1,5 +1,5 @@
-// Row G24: pixel rectangles, bitmaps, read-back and copies on a surface of colour indices (GL 1.3, 3.6.3
-// to 3.7, 3.8.2, 4.3).
+// Row G24: tests pixel rectangles, bitmaps, read-back and copies on a surface of colour indices (GL 1.3,
+// 3.6.3 to 3.7, 3.8.2, 4.3).
 #include <array>
 
 #include "tests/gl_pixel/index_canvas.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 class IndexPixels : public IndexCanvas {
   protected:
-    /// 0, 1, 2, ... along the rows.
+    /// Fills the surface with 0, 1, 2, ... along the rows.
     static void count_up() {
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x)
@@ -41,7 +41,8 @@ TEST_F(IndexPixels, AreReadAsTheyAre) {
 }
 
 #if SPANGLE_FEATURE_PIXEL_TRANSFER
-/// Shift, then offset, then the map from indices to indices where MAP_COLOR is on: the same three ways.
+/// An index is shifted, then offset, then looked up in the map from indices to indices if MAP_COLOR is on.
+/// Drawing, reading and copying do the same.
 class IndexTransfer : public IndexPixels {
   protected:
     struct Case {
@@ -105,7 +106,8 @@ TEST_F(IndexTransfer, OfCopying) {
 }
 #endif
 
-/// An index map of integers is one of integers; of reals it keeps its fraction, which dithering sees.
+/// An index map gives integers if its values are integers. Otherwise indices keep a fraction, which is
+/// dithered.
 TEST_F(IndexPixels, MapsKeepFractions) {
 #if SPANGLE_FEATURE_DRAW_PIXELS && SPANGLE_FEATURE_RASTER_POS
     const GLfloat real[2] = {10.5f, 20};
@@ -125,7 +127,8 @@ TEST_F(IndexPixels, MapsKeepFractions) {
 #endif
 }
 
-/// Colours that are read, or become texels, are looked up in the four maps (GL 1.3, 3.6.5, 3.8.2, 4.3.2).
+/// Indices that are read as colours, or become texels, are looked up in the four maps (GL 1.3, 3.6.5, 3.8.2,
+/// 4.3.2).
 TEST_F(IndexPixels, BecomeColoursByTheMaps) {
     const GLfloat red[4] = {0, 1, 0.2f, 0.4f}, green[2] = {1, 0.6f}, blue[1] = {0.8f}, alpha[2] = {0, 1};
     glPixelMapfv(GL_PIXEL_MAP_I_TO_R, 4, red);
@@ -157,7 +160,7 @@ TEST_F(IndexPixels, BecomeColoursByTheMaps) {
 #endif
 
 #if SPANGLE_FEATURE_DRAW_PIXELS && SPANGLE_FEATURE_RASTER_POS
-/// Zoomed both ways, row by row of every type that holds indices; fractions of reals are dithered.
+/// Indices are drawn zoomed in both directions, row by row, of every type; fractions are dithered.
 TEST_F(IndexPixels, AreDrawnZoomed) {
     const GLubyte image[2][2] = {{10, 20}, {30, 40}};
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -182,7 +185,7 @@ TEST_F(IndexPixels, AreDrawnZoomed) {
             ASSERT_EQ(at(x, y), dithered(-0.5, x, y));
 }
 
-/// They are fragments: depth, fog, logical operation and mask see them.
+/// Drawn indices are fragments: depth, fog, logical operation and mask apply.
 TEST_F(IndexPixels, AreFragments) {
     const GLubyte image[2] = {0x35, 0x35};
     fill(0x0F);
@@ -210,7 +213,7 @@ TEST_F(IndexPixels, AreFragments) {
     EXPECT_EQ(at(5, 5), 0x0F);
 }
 
-/// A copy reads all before it writes, zoomed or not.
+/// A copy reads all pixels before it writes, zoomed or not.
 TEST_F(IndexPixels, OverlappingCopies) {
     count_up();
     glRasterPos2i(3, 2);
@@ -226,7 +229,7 @@ TEST_F(IndexPixels, OverlappingCopies) {
             EXPECT_EQ(at(3 + x, 2 + y), (2 + y / 2) * size + 3 + x / 2);
 }
 
-/// Colours cannot be drawn where indices are (GL 1.3, 3.6.4); depth and stencil can.
+/// Colours cannot be drawn to a surface of indices (GL 1.3, 3.6.4); depth and stencil can.
 TEST_F(IndexPixels, ColoursAreRefused) {
     const GLfloat image[4] = {0.25f, 0, 0, 0};
     fill(9);
@@ -264,7 +267,7 @@ TEST_F(IndexPixels, Bitmaps) {
 }
 #endif
 
-/// Indices cannot be read where colours are.
+/// Indices cannot be read from a surface of colours.
 TEST(ColorPixels, HaveNoIndices) {
     const HeadlessGl context(4, 4);
     GLubyte v = 77;

@@ -1,6 +1,6 @@
-// Images in display lists are those of the moment when the list was compiled, whatever the client does with
-// its memory and its pixel storage afterwards; transfer and zoom are those of the moment they are drawn
-// (GL 1.3, 3.6.1 and 5.4).
+// A display list keeps the image as it was when the list was compiled, whatever the client later does with
+// memory and pixel storage. Transfer and zoom are those of the time when the image is drawn (GL 1.3, 3.6.1
+// and 5.4).
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_DRAW_PIXELS && SPANGLE_FEATURE_BITMAPS && SPANGLE_FEATURE_LISTS
@@ -20,7 +20,7 @@ constexpr Kind kinds[] = {{GL_RGBA, GL_UNSIGNED_BYTE},          {GL_RGB, GL_UNSI
                           {GL_COLOR_INDEX, GL_UNSIGNED_BYTE},   {GL_STENCIL_INDEX, GL_INT},
                           {GL_DEPTH_COMPONENT, GL_UNSIGNED_INT}};
 
-/// Draws an image at once or out of a list; then what the client has done with it must not matter.
+/// Draws an image at once or from a list. Later changes by the client must not matter.
 template <class Draw> void compare(unsigned seed, GLenum format, GLenum type, Draw draw) {
     std::mt19937 random(seed);
     const int width = 1 + static_cast<int>(random() % 20), height = 1 + static_cast<int>(random() % 8);
@@ -101,7 +101,7 @@ TEST(PixelLists, ErrorsComeWhenTheListIsCalled) {
         EXPECT_EQ(glGetError(), c.code);
     }
     glNewList(1, GL_COMPILE);
-    glDrawPixels(INT32_MAX, INT32_MAX, GL_RGBA, GL_FLOAT, bytes); // more than there is
+    glDrawPixels(INT32_MAX, INT32_MAX, GL_RGBA, GL_FLOAT, bytes); // more than there is memory for
     glEndList();
     EXPECT_EQ(glGetError(), GLenum{GL_OUT_OF_MEMORY});
     glNewList(1, GL_COMPILE);

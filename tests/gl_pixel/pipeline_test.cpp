@@ -1,5 +1,5 @@
-// The fragments of pixel rectangles and bitmaps are fragments: in every state they do what points of their
-// colours do at the same places (GL 1.3, 3.6.4, 3.7; order of operations: gl-commands.md 1.3).
+// Pixel rectangles and bitmaps produce fragments. In every state they do what points of the same colours do
+// at the same places (GL 1.3, 3.6.4, 3.7; order of operations: gl-commands.md 1.3).
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_DRAW_PIXELS && SPANGLE_FEATURE_BITMAPS && SPANGLE_FEATURE_RASTER_POS
@@ -21,12 +21,12 @@ class State {
     bool maybe() { return upto(2) != 0; }
     float unit() { return static_cast<float>(upto(256)) / 255; }
 
-    /// In the window a number that the raster position, a float, has exactly.
+    /// Returns a window depth that the raster position, a float, holds exactly.
     float depth() { return static_cast<float>(upto(257)) / 128 - 1; }
 
     void set(GLenum cap) { (maybe() ? glEnable : glDisable)(cap); }
 
-    /// What a fragment meets on its way, by lot.
+    /// Sets random state of fragments.
     void fragments() {
         constexpr GLenum compare[] = {GL_LESS, GL_LEQUAL, GL_GREATER, GL_ALWAYS, GL_NOTEQUAL, GL_EQUAL};
         constexpr GLenum source[] = {GL_ONE, GL_SRC_ALPHA, GL_DST_COLOR, GL_ONE_MINUS_SRC_ALPHA,
@@ -126,11 +126,12 @@ void expect_same(const PixelCanvas& a, const PixelCanvas& b, unsigned i) {
     std::size_t differ = 0;
     for (std::size_t at = 0; at < a.color.size(); ++at)
         differ += a.color[at] != b.color[at] ? 1u : 0u;
-    // A vertex's distance comes of the matrix, the raster position's is a float: a half may fall either way.
+    // A vertex's fog distance comes from the matrix, and the raster position's is a float, so rounding may
+    // differ.
     ASSERT_LE(differ, glIsEnabled(GL_FOG) != GL_FALSE ? a.color.size() / 100 : 0) << i;
 }
 
-/// Draws the same in two contexts, in two ways.
+/// Draws the same in two ways, in two contexts.
 template <class One, class Other> void compare(unsigned i, One one, Other other) {
     const auto paint = [i](PixelCanvas& canvas, auto draw) {
         background(canvas, i);
@@ -196,7 +197,7 @@ TEST(PixelPipeline, BitmapsArePointsOfTheRasterColour) {
             });
 }
 
-/// Of depth: points of the raster colour, each where its depth says.
+/// A rectangle of depths equals points of the raster colour, each at its depth.
 TEST(PixelPipeline, DepthRectanglesArePointsOfTheirDepth) {
     for (unsigned i = 0; i < 1000 && !testing::Test::HasFatalFailure(); ++i) {
         std::vector<float> z(width * height);
@@ -213,7 +214,7 @@ TEST(PixelPipeline, DepthRectanglesArePointsOfTheirDepth) {
             [&](State& state) {
                 glColor4ubv(state.image().data());
 #if SPANGLE_FEATURE_FOG
-                // Fog has the distance of the raster position, not that of the depth.
+                // Fog uses the distance of the raster position, not the drawn depth.
                 const GLboolean fog = glIsEnabled(GL_FOG);
                 if (fog != GL_FALSE)
                     glTranslatef(0, 0, 0.25f);
@@ -228,7 +229,7 @@ TEST(PixelPipeline, DepthRectanglesArePointsOfTheirDepth) {
     }
 }
 
-/// The engines of the reference draw them, too; the shadow's picture is the product's.
+/// Engines of reference precision draw the rectangles, too, and the shadow draws the product's picture.
 TEST(PixelPipeline, ReferenceAndShadow) {
     for (unsigned i = 0; i < 300 && !testing::Test::HasFatalFailure(); ++i) {
         const auto paint = [i](PixelCanvas& canvas) {
@@ -258,7 +259,7 @@ TEST(PixelPipeline, ReferenceAndShadow) {
             std::size_t differ = 0;
             for (std::size_t at = 0; at < fixed.color.size(); ++at)
                 differ += std::abs(fixed.color[at] - reference.color[at]) > 1 ? 1u : 0u;
-            EXPECT_LE(differ, fixed.color.size() / 50) << i; // tests that fall the other way
+            EXPECT_LE(differ, fixed.color.size() / 50) << i; // pixels whose tests give the other result
         }
         set_current_context(fixed.context);
     }

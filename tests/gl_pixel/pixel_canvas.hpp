@@ -1,4 +1,4 @@
-// A context of the product's engine on a surface whose memory the test sees.
+// A context of the product's engine on a surface whose memory the test can read.
 #pragma once
 
 #include <memory>
@@ -21,10 +21,11 @@ struct CanvasWish {
     std::int32_t width = 40, height = 28;
     bool top_first = false;
     const Engine* engine = &fixed_engine;
-    std::size_t memory = 1 << 20; ///< beside what the pipeline takes
+    std::size_t memory = 1 << 20; ///< bytes beside those of the pipeline
 };
 
-/// Current while it lives. Coordinates are pixels: x, y from the lower left corner.
+/// A context that is current while the object lives. Coordinates are pixels: x and y from the lower left
+/// corner.
 class PixelCanvas {
   public:
     explicit PixelCanvas(const CanvasWish& wish = {})
@@ -62,7 +63,7 @@ class PixelCanvas {
     PixelCanvas& operator=(const PixelCanvas&) = delete;
 
     const raster::Surface& surface() const { return context->drawable.surface; }
-    /// 255ths of R, G, B, A as stored, 5 and 6 bits to the nearest.
+    /// Returns a stored component in 255ths; components of 5 and 6 bits are rounded to nearest.
     std::uint8_t at(std::int32_t x, std::int32_t y, int c) const {
         return raster::read_color(surface(), x, y).c[c].to_8();
     }

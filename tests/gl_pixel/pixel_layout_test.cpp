@@ -1,4 +1,4 @@
-// Formats, types and where their bytes are (GL 1.3, 3.6.4; gl-commands.md E01, E02, 17.5).
+// Tests formats, types and the places of their bytes (GL 1.3, 3.6.4; gl-commands.md E01, E02, 17.5).
 #include <gtest/gtest.h>
 
 #include <string>
@@ -65,7 +65,7 @@ TEST(PixelLayout, Refusals) {
         EXPECT_EQ(pixel_layout(GL_RGBA, unknown, layout), GLenum{GL_INVALID_ENUM}) << unknown;
 }
 
-/// A packed type in the words of table 3.8 and figures 3.x: highest and lowest bit of each component.
+/// A packed type as table 3.8 and figures 3.x describe it: the highest and lowest bit of each component.
 struct PackedCase {
     GLenum type, format;
     unsigned bytes;
@@ -99,9 +99,9 @@ TEST(PixelLayout, PackedFieldsUnpackAndPack) {
         const struct {
             unsigned high, low;
         } fields[4] = {{c.r.high, c.r.low}, {c.g.high, c.g.low}, {c.b.high, c.b.low}, {c.a.high, c.a.low}};
-        for (int lit = 0; lit < 4; ++lit) { // one component all ones, the others zero
+        for (int lit = 0; lit < 4; ++lit) { // one component is all ones, the others are zero
             if (fields[lit].high < fields[lit].low)
-                continue; // no such component
+                continue; // the format has no such component
             const unsigned bits = fields[lit].high - fields[lit].low + 1;
             const std::uint32_t word = all_ones(bits) << fields[lit].low;
             for (bool swap : {false, true}) {
@@ -164,7 +164,7 @@ TEST(PixelLayout, MissingComponentsAndLuminance) {
 TEST(PixelLayout, StridesOfTheReferenceTable) {
     const struct {
         GLsizei width;
-        std::size_t rgb[4]; // ALIGNMENT 1, 2, 4, 8
+        std::size_t rgb[4]; // strides for ALIGNMENT 1, 2, 4, 8
         std::size_t bitmap1, bitmap4;
     } rows[] = {
         {1, {3, 4, 4, 8}, 1, 4},      {5, {15, 16, 16, 16}, 1, 4},     {16, {48, 48, 48, 48}, 2, 4},
@@ -200,11 +200,11 @@ TEST(PixelLayout, SkipsAndRowLength) {
     EXPECT_EQ(rows.skip, 3 * 40u + 2 * 8u);
     store.row_length = 0;
     EXPECT_EQ(image_rows(store, layout, 3).stride, 24u);
-    // s >= a: never padded.
+    // If the element is as large as the alignment (s >= a), rows are not padded.
     ASSERT_EQ(pixel_layout(GL_RGB, GL_FLOAT, layout), GLenum{GL_NO_ERROR});
     store.alignment = 4;
     EXPECT_EQ(image_rows(store, layout, 3).stride, 36u);
-    // Skipped bits of a bitmap.
+    // SKIP_PIXELS of a bitmap skips bits.
     ASSERT_EQ(pixel_layout(GL_STENCIL_INDEX, GL_BITMAP, layout), GLenum{GL_NO_ERROR});
     store = {};
     store.skip_pixels = 11;

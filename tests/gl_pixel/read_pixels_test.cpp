@@ -1,5 +1,5 @@
-// ReadPixels against values computed here from the words of GL 1.3, 4.3.2 (gl-commands.md E01, E02,
-// E07, 17.3).
+// Compares ReadPixels with values that are computed here from the text of GL 1.3, 4.3.2 (gl-commands.md E01,
+// E02, E07, 17.3).
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -25,7 +25,7 @@ void fill_random(BareContext& bare, unsigned seed) {
         byte = static_cast<std::uint8_t>(random());
 }
 
-/// R, G, B, A in [0, 1] of a pixel.
+/// R, G, B and A of a pixel, from 0 to 1.
 struct Rgba {
     double v[4];
 };
@@ -51,7 +51,7 @@ Rgba color_at(const BareContext& bare, int x, int y) {
 constexpr PixelFormat surfaces[] = {PixelFormat::rgb565_be, PixelFormat::rgb565_le, PixelFormat::rgb888,
                                     PixelFormat::rgba8888};
 
-/// Which of R, G, B, A each component is; 4 is luminance.
+/// A format and which of R, G, B, A (0 to 3) each component is; 4 is luminance.
 struct FormatCase {
     GLenum format;
     std::vector<int> components;
@@ -72,7 +72,7 @@ template <class T> T element(const std::vector<unsigned char>& bytes, std::size_
     return v;
 }
 
-/// Reads the whole surface as T and compares each element with `wanted(f)` to within `slack`.
+/// Reads the whole surface as T, and compares each element with `wanted(f)` to within `slack`.
 template <class T, class Wanted> void compare_all(GLenum type, double slack, Wanted wanted) {
     for (PixelFormat surface : surfaces) {
         SharedMemory memory(1 << 16);
@@ -88,7 +88,7 @@ template <class T, class Wanted> void compare_all(GLenum type, double slack, Wan
             for (int i = 0; i < 8 * 6; ++i)
                 for (std::size_t k = 0; k < n; ++k) {
                     const double f01 = component(color_at(bare, i % 8, i / 8), f.components[k]);
-                    // L is added up in 32 bits: three roundings of 2^-33.
+                    // Luminance is summed in 32 bits, with three roundings of 2^-33.
                     const double extra = f.components[k] < 4        ? 0
                                          : std::is_same_v<T, float> ? 6e-8
                                                                     : 1.5 * (sizeof(T) == 4);
@@ -149,7 +149,7 @@ TEST(ReadPixels, PackModesPlaceRows) {
     pack.skip_pixels = 1;
     std::vector<unsigned char> out(24 * 6, 0xEE), wanted = out;
     cmd::ReadPixels(bare.context, 1, 2, 5, 3, GL_RGB, GL_UNSIGNED_BYTE, out.data());
-    for (std::size_t y = 0; y < 3; ++y) // rows of 21 bytes padded to 24
+    for (std::size_t y = 0; y < 3; ++y) // rows of 21 bytes are padded to 24
         std::memcpy(&wanted[(y + 2) * 24 + 3], &bare.color[((y + 2) * 8 + 1) * 3], 15);
     EXPECT_EQ(out, wanted);
 }

@@ -1,5 +1,6 @@
-// Rows through codes against the way of single pixels: Groups, fetch and pack_pixel. Every pair of layouts,
-// every value of small components, every surface, whole commands under every pixel storage.
+// Compares the conversion of rows through codes with that of single pixels (Groups, fetch and pack_pixel).
+// Tests every pair of layouts, every value of small components, every surface, and whole commands under every
+// pixel storage.
 #include "gl/pixel/row_converter.hpp"
 
 #if SPANGLE_ROW_CODES
@@ -53,7 +54,7 @@ Bytes random_bytes(std::mt19937& random, std::size_t count) {
     return bytes;
 }
 
-/// Of floats, most lie about [0, 1]; the others are any bits.
+/// Returns random groups; most floats lie about [0, 1], the others have random bits.
 Bytes random_groups(std::mt19937& random, const PixelLayout& layout, bool swap, std::size_t bytes) {
     Bytes groups = random_bytes(random, bytes);
     for (std::size_t i = 0; layout.kind == ElementKind::real && i + 4 <= bytes; i += 4)
@@ -64,7 +65,7 @@ Bytes random_groups(std::mt19937& random, const PixelLayout& layout, bool swap, 
     return groups;
 }
 
-/// One by one.
+/// Converts the pixels one by one.
 Bytes converted(const PixelLayout& from, bool from_swap, const std::uint8_t* groups, std::size_t count,
                 const PixelLayout& to, bool to_swap, Bytes out) {
     PixelStore store{};
@@ -85,7 +86,7 @@ void expect_same(const PixelLayout& from, bool from_swap, const PixelLayout& to,
     const Bytes before = random_bytes(random, count * to.group_bytes() + 40);
     Bytes in(offset);
     in.insert(in.end(), groups.begin(), groups.end());
-    in.shrink_to_fit(); // so that the sanitizer sees what is read behind the last group
+    in.shrink_to_fit(); // so that the sanitizer sees reads behind the last group
     Bytes out(before);
     row.convert_row(in.data() + offset, out.data(), static_cast<std::int32_t>(count));
     ASSERT_EQ(out, converted(from, from_swap, groups.data(), count, to, to_swap, before));
@@ -125,7 +126,7 @@ TEST(RowConverter, TexelsAndClientImagesBecomeClientImages) {
         }
 }
 
-/// Words of 16 bits are all there are; of other groups each component takes all its values.
+/// Tests all words of 16 bits; in other groups each component takes all its values.
 TEST(RowConverter, EveryValueOfSmallComponents) {
     Bytes words(2u << 16);
     for (unsigned w = 0; w < 1u << 16; ++w) {
@@ -152,7 +153,7 @@ TEST(RowConverter, EveryValueOfSmallComponents) {
     }
 }
 
-/// Units of colours, and the words of a 565 surface: the upper bits of 255ths.
+/// Readers return units of colours, or words of a 565 surface, which are the upper bits of 255ths.
 TEST(RowReader, UnitsAndCutBitsAreThoseOfEachComponent) {
     constexpr GroupFields words{2, false, true, {{11, 5}, {5, 6}, {0, 5}}};
     std::mt19937 random(3);
@@ -217,7 +218,7 @@ TEST(SurfaceConverter, EverySurfaceIsThatOfItsPixels) {
     }
 }
 
-/// All commands take rows through codes: images go in and come back under every storage.
+/// All commands convert rows through codes: images go in and come back under every pixel storage.
 TEST(RowCommands, ImagesGoInAndComeBackUnderEveryStorage) {
     std::mt19937 random(5);
     PixelCanvas canvas;
@@ -240,7 +241,7 @@ TEST(RowCommands, ImagesGoInAndComeBackUnderEveryStorage) {
             Bytes got(back.bytes(), 0xA5), wanted(got);
             glGetTexImage(GL_TEXTURE_2D, 0, to.format, to.type, got.data());
 
-            // By single pixels: the texels, then what is read of them.
+            // Converts by single pixels: the texels first, then what is read from them.
             GLint token = internal;
             raster::TexelFormat format;
             ASSERT_TRUE(texel_format_of(token, PixelFormat::rgba8888, format));
@@ -257,7 +258,7 @@ TEST(RowCommands, ImagesGoInAndComeBackUnderEveryStorage) {
             set(pack, out);
             PixelLayout as = to.layout;
             if (as.channel[0] == Channel::luminance)
-                as.channel[0] = Channel::red; // of texels it is red alone (table 6.1)
+                as.channel[0] = Channel::red; // texels of luminance return red only (table 6.1)
             const ImageRows from_rows = image_rows(unpack, from.layout, w),
                             to_rows = image_rows(pack, as, width);
             const Groups groups(from.layout, unpack), texels(kept);
@@ -279,7 +280,7 @@ TEST(RowCommands, ImagesGoInAndComeBackUnderEveryStorage) {
         }
 }
 
-/// Zoomed by -1 a mirrored image goes group by group: both pictures are the same, dithered, too.
+/// Zoomed by -1, a mirrored image is drawn group by group, and both pictures are the same, also dithered.
 TEST(RowCommands, PixelsAreDrawnAsGroupsAre) {
     std::mt19937 random(6);
     for (const PixelFormat format : {PixelFormat::rgb565_be, PixelFormat::rgb565_le, PixelFormat::rgb888,

@@ -1,4 +1,5 @@
-// Pixel transfer and pixel maps against double arithmetic (GL 1.3, 3.6.3 and 3.6.5; gl-commands.md E03, E04).
+// Compares pixel transfer and pixel maps with arithmetic in double (GL 1.3, 3.6.3 and 3.6.5; gl-commands.md
+// E03, E04).
 #include <gtest/gtest.h>
 
 #include "gl/context/features.hpp"
@@ -44,7 +45,7 @@ struct PixelTransferTest : testing::Test {
     Context& context = bare.context;
 };
 
-/// Column 0 of what a ubyte RGBA group becomes as reals.
+/// Returns the reals that a group of RGBA ubytes becomes.
 void transferred(const Context& context, const std::uint8_t (&group)[4], float out[4]) {
     PixelLayout layout;
     pixel_layout(GL_RGBA, GL_UNSIGNED_BYTE, layout);
@@ -73,7 +74,7 @@ TEST_F(PixelTransferTest, ScaleAndBiasAreThoseOfTheirComponent) {
     }
 }
 
-/// Two roundings of a float: nothing else happens.
+/// Transfer rounds twice as a float does, and nothing else happens.
 TEST_F(PixelTransferTest, ArithmeticIsThatOfFloats) {
     std::mt19937 random(2);
     for (int i = 0; i < 2000; ++i) {
@@ -105,7 +106,7 @@ TEST_F(PixelTransferTest, IdentityChangesNoCode) {
     EXPECT_FALSE(ColorImage(context, layout).is_plain());
     set(GL_ALPHA_BIAS, 0);
     EXPECT_TRUE(ColorImage(context, layout).is_plain());
-    set(GL_MAP_COLOR, 0.3f); // a boolean: not zero
+    set(GL_MAP_COLOR, 0.3f); // a boolean is true if it is not zero
     EXPECT_FALSE(ColorImage(context, layout).is_plain());
 }
 
@@ -124,14 +125,14 @@ TEST_F(PixelTransferTest, MapsAddressTheNearestEntryOfTheClampedValue) {
             transferred(context, {0, static_cast<std::uint8_t>(k), 0, 0}, out);
             const double v =
                 std::fmin(1, std::fmax(0, k / 255.0 * 1.5 - 0.25)) * static_cast<double>(size - 1);
-            if (std::fabs(v - std::floor(v) - 0.5) > 1e-5) { // not where floats decide
+            if (std::fabs(v - std::floor(v) - 0.5) > 1e-5) { // only where rounding of floats does not decide
                 EXPECT_EQ(out[1], table[static_cast<std::size_t>(std::lround(v))]) << size << ' ' << k;
             }
             EXPECT_EQ(out[0], 0.0f); // the map of red has one entry
         }
         set(GL_GREEN_SCALE, 1);
         set(GL_GREEN_BIAS, 0);
-        for (int k = 0; k < 256; ++k) { // exactly, halves up
+        for (int k = 0; k < 256; ++k) { // exactly, halves are rounded up
             float out[4];
             transferred(context, {0, static_cast<std::uint8_t>(k), 0, 0}, out);
             EXPECT_EQ(out[1], table[(2 * static_cast<std::size_t>(k) * (size - 1) + 255) / 510])
@@ -144,7 +145,7 @@ TEST_F(PixelTransferTest, IndicesBecomeColoursWhateverMapColorIs) {
     map(GL_PIXEL_MAP_I_TO_R, {0, 0.25f, 0.5f, 1});
     map(GL_PIXEL_MAP_I_TO_G, {1, 0});
     map(GL_PIXEL_MAP_I_TO_A, {0.5f});
-    set(GL_RED_SCALE, 7); // of components, not of indices
+    set(GL_RED_SCALE, 7); // scales components, not indices
     PixelLayout layout;
     pixel_layout(GL_COLOR_INDEX, GL_UNSIGNED_BYTE, layout);
     for (int shift : {-40, -2, -1, 0, 1, 3, 48})
@@ -182,7 +183,7 @@ TEST_F(PixelTransferTest, BitsAreIndices) {
 TEST_F(PixelTransferTest, StencilAndDepthHaveTheirOwn) {
     map(GL_PIXEL_MAP_S_TO_S, {7, 300.7f, -1, 12});
     const auto stencil = [&](int k) { return rounded(Transfer(context.pixel_mode).stencil(whole_index(k))); };
-    set(GL_MAP_COLOR, 1); // is not MAP_STENCIL
+    set(GL_MAP_COLOR, 1); // does not enable MAP_STENCIL
     EXPECT_EQ(stencil(200), 200u);
     set(GL_INDEX_SHIFT, 2);
     set(GL_INDEX_OFFSET, -1);
@@ -306,7 +307,7 @@ TEST_F(PixelTransferTest, WrongMapsChangeNothing) {
         EXPECT_EQ(bare.take_error(), c.code) << c.map << ' ' << c.size;
         EXPECT_EQ(context.pixel_mode.map[map_i_to_r]->size, 2);
     }
-    void* rest = nullptr; // no memory is left
+    void* rest = nullptr; // fills all memory
     for (std::size_t bytes = 1 << 16; bytes >= 16; bytes /= 2)
         while (void* const block = memory.arena.allocate(bytes)) {
             *static_cast<void**>(block) = rest;
@@ -327,15 +328,16 @@ TEST(PixelIndex, ElementsShiftAndRound) {
     EXPECT_EQ(rounded(real(2.5f)), 3u);
     EXPECT_EQ(rounded(real(2.49f)), 2u);
     EXPECT_EQ(rounded(real(-1.0f)), 0xFFFFFFFFu);
-    EXPECT_EQ(rounded(shifted(real(1.25f), 2, 0)), 5u); // the fraction is not lost
+    EXPECT_EQ(rounded(shifted(real(1.25f), 2, 0)), 5u); // the fraction is kept
     EXPECT_EQ(rounded(real(4000000000.0f)), 4000000000u);
     EXPECT_EQ(rounded(real(1e30f)), 0x80000000u); // saturated
     EXPECT_EQ(numeric::to_float(to_real(real(-7.5f))), -7.5f);
     EXPECT_EQ(rounded(decode_index(ElementKind::signed_integer, 8, 0x80)), 0xFFFFFF80u);
     EXPECT_EQ(rounded(decode_index(ElementKind::signed_integer, 32, 0x80000000)), 0x80000000u);
     EXPECT_EQ(rounded(decode_index(ElementKind::unsigned_integer, 32, 0xFFFFFFFF)), 0xFFFFFFFFu);
-    EXPECT_EQ(rounded(shifted(whole_index(0xFFFF0000), 16, 5)), 5u);      // what leaves at the left is lost
-    EXPECT_EQ(rounded(shifted(whole_index(-1), -1, 0)), 0x7FFFFFFFu + 1); // zeros come in: rounded up
+    EXPECT_EQ(rounded(shifted(whole_index(0xFFFF0000), 16, 5)), 5u); // bits that leave at the left are lost
+    EXPECT_EQ(rounded(shifted(whole_index(-1), -1, 0)),
+              0x7FFFFFFFu + 1); // zeros come in from the left; the result is rounded up
     for (int shift : {48, 100, INT32_MAX, -48, INT32_MIN})
         EXPECT_EQ(rounded(shifted(whole_index(-1), shift, 0)), 0u);
 }

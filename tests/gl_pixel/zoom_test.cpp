@@ -1,4 +1,4 @@
-// Which group covers which fragment, held against the rule of GL 1.3, 3.6.4 in exact integers.
+// Compares which group covers which fragment with the rule of GL 1.3, 3.6.4 in exact integers.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,8 +12,8 @@ namespace {
 
 using numeric::from_float;
 
-/// The group of fragment x, or -1: the centre is in [at + z n, at + z (n + 1)), or turned round. Numbers have
-/// 20 fraction bits.
+/// Returns the group that covers fragment x, or -1. The centre must be in [at + z n, at + z (n + 1)), or in
+/// the mirrored range. Numbers have 20 fraction bits.
 int covering(long long at, long long zoom, int x, int first, int last) {
     const long long center = (static_cast<long long>(x) << 20) + (1 << 19);
     for (int n = first; n < last; ++n) {
@@ -52,7 +52,7 @@ TEST(PixelZoom, TheNamedCases) { // gl-rows.md E05
 
 TEST(PixelZoom, AnyPositionAndFactor) {
     std::mt19937 random(1);
-    const auto number = [&](int bits) { // what a float holds exactly
+    const auto number = [&](int bits) { // numbers that a float holds exactly
         const int digits = 1 + static_cast<int>(random() % static_cast<unsigned>(std::min(bits, 24)));
         const auto v = static_cast<long long>(random() >> (32 - digits))
                        << random() % static_cast<unsigned>(bits - digits + 1);
@@ -96,7 +96,7 @@ TEST(PixelZoom, CornersOfBitmapsAreRoundedDown) {
     EXPECT_EQ(corner(10.75f, 1), 9);
     EXPECT_EQ(corner(0.25f, 0.5f), -1);
     EXPECT_EQ(corner(-3.5f, -3.5f), 0);
-    EXPECT_EQ(corner(16777216.0f, 0.0078125f), 16777215); // no float is between
+    EXPECT_EQ(corner(16777216.0f, 0.0078125f), 16777215); // no float lies between
     EXPECT_EQ(corner(67108872.0f, 67108864.0f), 8);
     EXPECT_EQ(corner(3e38f, 2e9f), 1 << 26);
     EXPECT_EQ(corner(-3e38f, 3e38f), -(1 << 26));

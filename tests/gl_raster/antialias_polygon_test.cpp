@@ -1,5 +1,5 @@
-// Row D13: a pixel's coverage is that of the polygon, however many corners it has; the edges of the triangles
-// that it is painted with are not seen (GL 1.3, 3.5.3).
+// Row D13: the coverage of a pixel is that of the polygon, whatever the number of its vertices. The edges
+// between the triangles of which it is painted are not visible (GL 1.3, 3.5.3).
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,14 +15,15 @@ class AntialiasPolygon : public Window {
     void SetUp() override {
         Window::SetUp();
         glEnable(GL_POLYGON_SMOOTH);
-        // Fragments are added: a pixel drawn twice shows, as does what two of its fragments lack.
+        // Blending adds fragments, so a pixel that is drawn twice shows, and so does coverage that is missing
+        // between two fragments.
         glEnable(GL_BLEND);
         glBlendFunc(GL_ONE, GL_ONE);
     }
     using Corner = std::array<GLfloat, 2>;
     using Corners = std::vector<Corner>;
 
-    /// On an ellipse, on the n.8 grid.
+    /// Returns a polygon whose vertices lie on an ellipse, on the n.8 grid.
     Corners convex(unsigned n, double least, double most) {
         const double a = lot(least, most), b = lot(least, most), x = lot(24, 40), y = lot(24, 40),
                      tilt = lot(0, std::numbers::pi);
@@ -63,7 +64,7 @@ class AntialiasPolygon : public Window {
                 const Rgba& pixel = got[static_cast<std::size_t>(y * size + x)];
                 const double area = oracle::area_in(polygon, x, y);
                 ASSERT_NEAR(pixel[3], 255 * area, tolerance) << trial << " at " << x << ',' << y;
-                // Once: colours are the same all over.
+                // Each pixel is drawn once, because its colour is the same everywhere.
                 if (area > tolerance / 255) {
                     ASSERT_EQ(pixel[0], 128) << trial << " at " << x << ',' << y;
                 } else {
@@ -78,14 +79,14 @@ TEST_F(AntialiasPolygon, CoverageIsThePolygons) {
     gray();
     for (int n = 0; n < 250; ++n) {
         const unsigned corners = n % 5 == 0 ? 120 : 4 + random_() % 30;
-        // Small ones have more edges in a row than are kept.
+        // Small polygons have more edges in a row than the rasterizer keeps.
         const Corners p = n % 3 == 0 ? convex(corners, 0.5, 3) : convex(corners, 3, 24);
         expect_areas(drawn([&] { give(GL_POLYGON, p); }), polygon(p), n);
     }
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
-/// However its vertices come.
+/// Arrays and lists draw the same polygon.
 TEST_F(AntialiasPolygon, ArraysAndListsGiveTheSame) {
     gray();
     for (int n = 0; n < 30; ++n) {
@@ -119,8 +120,8 @@ TEST_F(AntialiasPolygon, QuadsAreWholesToo) {
     }
 }
 
-/// Quads of a strip, and polygons side by side, fill what they fill together: each pixel's parts are rounded
-/// once each.
+/// Quads of a strip, and polygons side by side, cover what they cover together. Each part of a pixel is
+/// rounded once.
 TEST_F(AntialiasPolygon, AbuttingOnesSumToOne) {
     glColor4f(0, 0, 0, 1);
     for (int n = 0; n < 60; ++n) {
@@ -140,7 +141,7 @@ TEST_F(AntialiasPolygon, AbuttingOnesSumToOne) {
     }
 }
 
-/// What a plane of the user and the sides of the view volume leave.
+/// Polygons are clipped by a plane of the user and by the sides of the view volume.
 TEST_F(AntialiasPolygon, ClippedPolygons) {
     gray();
     for (int n = 0; n < 100; ++n) {
@@ -155,12 +156,12 @@ TEST_F(AntialiasPolygon, ClippedPolygons) {
         glEnable(GL_CLIP_PLANE2);
         const auto got = drawn([&] { give(GL_POLYGON, p); });
         glDisable(GL_CLIP_PLANE2);
-        // Corners that the plane makes are snapped: the edge is off by half a subpixel and what follows.
+        // Vertices that the plane makes are snapped, so the edge is off by up to half a subpixel.
         expect_areas(got, oracle::clipped(polygon(p), a, b, c), n, 2.1);
     }
 }
 
-/// Its inside has the colours, the depth and the side that it has without antialiasing.
+/// Inside of a polygon, colour, depth and side are those without antialiasing.
 TEST_F(AntialiasPolygon, InsideNothingChanges) {
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
@@ -208,12 +209,12 @@ TEST_F(AntialiasPolygon, InsideNothingChanges) {
     }
 }
 
-/// Facing is that of the whole, and the material of each vertex that of its time.
+/// Facing is that of the whole polygon, and each vertex has the material that was current when it was given.
 TEST_F(AntialiasPolygon, MaterialsChangeFromVertexToVertex) {
     glDisable(GL_BLEND);
     glEnable(GL_LIGHTING);
     glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
-    const Corners p = {{10, 10}, {12, 40}, {20, 50}, {50, 48}, {54, 14}}; // clockwise: its back
+    const Corners p = {{10, 10}, {12, 40}, {20, 50}, {50, 48}, {54, 14}}; // clockwise, so the back is seen
     const auto draw = [&] {
         glBegin(GL_POLYGON);
         GLfloat level = 0.1f;
@@ -235,7 +236,8 @@ TEST_F(AntialiasPolygon, MaterialsChangeFromVertexToVertex) {
         }
 }
 
-/// Corners that triangles of a strip share have the colours of the one side here, of the other there.
+/// Vertices that triangles of a folded strip share have the colours of the front in one and of the back in
+/// another.
 TEST_F(AntialiasPolygon, FoldedStripsShareTheirCorners) {
     glEnable(GL_LIGHTING);
     glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
@@ -255,7 +257,7 @@ TEST_F(AntialiasPolygon, FoldedStripsShareTheirCorners) {
     }
 }
 
-/// Without room for its corners it is not drawn, and that is said.
+/// Without memory for its vertices a polygon is not drawn, and an error reports it.
 TEST_F(AntialiasPolygon, TooManyCornersForTheArena) {
     gray();
     glBegin(GL_POLYGON);
@@ -264,7 +266,7 @@ TEST_F(AntialiasPolygon, TooManyCornersForTheArena) {
     glEnd();
     EXPECT_EQ(glGetError(), GLenum{GL_OUT_OF_MEMORY});
     const Corners p = convex(7, 8, 24);
-    expect_areas(drawn([&] { give(GL_POLYGON, p); }), polygon(p), 0); // as ever
+    expect_areas(drawn([&] { give(GL_POLYGON, p); }), polygon(p), 0); // the next polygon is drawn as usual
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 

@@ -1,4 +1,4 @@
-// Rows D02, D07, D13, D14: antialiased points, lines and polygons; alpha is multiplied by what is covered.
+// Rows D02, D07, D13, D14: antialiased points, lines and polygons multiply alpha by the coverage.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -33,8 +33,8 @@ class Antialias : public Window {
         draw();
         return picture();
     }
-    /// White without blending: alpha is the coverage, colours stay, and pixels without any keep what they
-    /// had.
+    /// Compares a white drawing without blending: alpha is the coverage, colours stay white, and pixels
+    /// without coverage are unchanged.
     static void expect_areas(const std::vector<Rgba>& got, const oracle::Polygon& polygon, double tolerance,
                              int trial) {
         for (int y = 0; y < size; ++y)
@@ -75,7 +75,7 @@ TEST_F(Antialias, PolygonsCoverTheirAreas) {
     }
 }
 
-/// Slivers, of which no centre may be covered.
+/// Slivers may cover no pixel centre.
 TEST_F(Antialias, ThinAndTinyPolygons) {
     for (int n = 0; n < 200; ++n) {
         const Corner a = corner(), b = n % 2 != 0 ? corner() : Corner{a[0] + 0.75f, a[1] + 0.5f};
@@ -84,7 +84,7 @@ TEST_F(Antialias, ThinAndTinyPolygons) {
     }
 }
 
-/// A fan around a point, each triangle added: alpha is full everywhere, to the last bit.
+/// Triangles of a fan around a point are added: alpha is full everywhere, to the last bit.
 TEST_F(Antialias, AbuttingPolygonsSumToOne) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA_SATURATE, GL_ONE);
@@ -101,7 +101,7 @@ TEST_F(Antialias, AbuttingPolygonsSumToOne) {
         for (int y = 4; y < 60; ++y)
             for (int x = 4; x < 60; ++x)
                 least = std::min<int>(least, got[static_cast<std::size_t>(y * size + x)][3]);
-        EXPECT_GE(least, 254); // five triangles meet in a pixel at most, each rounded
+        EXPECT_GE(least, 254); // at most five triangles meet in a pixel, each rounded
     }
 }
 
@@ -115,7 +115,7 @@ TEST_F(Antialias, LinesCoverTheirRectangles) {
     }
 }
 
-/// Parts of length 1, numbered from the start of a strip (GL 1.3, 3.4.2).
+/// A stippled line consists of parts of length 1, numbered from the start of a strip (GL 1.3, 3.4.2).
 TEST_F(Antialias, StippledLinesAreCutIntoParts) {
     glEnable(GL_LINE_STIPPLE);
     for (int n = 0; n < 100; ++n) {
@@ -138,7 +138,7 @@ TEST_F(Antialias, StippledLinesAreCutIntoParts) {
             for (int p = 0; p < size * size; ++p)
                 sum[static_cast<std::size_t>(p)] += oracle::area_in(part, p % size, p / size);
         }
-        // What is not blended is not added up where two runs reach one pixel: there it may be less.
+        // Without blending, the coverage of two runs that reach one pixel is not added, so it may be less.
         for (std::size_t p = 0; p < sum.size(); ++p) {
             ASSERT_LE(got[p][3], 255 * sum[p] + rounding + 0.6) << n;
             if (sum[p] > 0.01) {
@@ -187,7 +187,7 @@ TEST_F(Antialias, PointsAreDiscs) {
     }
 }
 
-/// Sizes between those that exist are rounded to the nearest; the largest is 64, the smallest 1.
+/// Sizes are rounded to the nearest existing size; the largest is 64, the smallest 1.
 TEST_F(Antialias, SizesSnapToTheGranularity) {
     const auto alpha_of = [](GLfloat width) {
         glLineWidth(width);
@@ -204,8 +204,8 @@ TEST_F(Antialias, SizesSnapToTheGranularity) {
     EXPECT_NEAR(alpha_of(1000), 64, 0.02);
 }
 
-/// Inside, the colours and depths of the same primitive without antialiasing; on its edges nothing beyond
-/// those of its corners, though centres lie outside.
+/// Inside, colours and depths are those of the same primitive without antialiasing. On the edges they stay in
+/// the range of the vertices, although centres lie outside.
 TEST_F(Antialias, NothingIsExtrapolated) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
@@ -218,7 +218,7 @@ TEST_F(Antialias, NothingIsExtrapolated) {
         for (std::size_t i = 0; i < 4; ++i) {
             at[i] = quad ? Corner{square[i][0] + place() / 8, square[i][1] + place() / 8} : corner();
             for (GLfloat& c : color[i])
-                c = random_() % 2 != 0 ? 1 : 0; // the ends of the range wrap first
+                c = random_() % 2 != 0 ? 1 : 0; // the ends of the range would wrap first
             color[i][3] = 1;
             z[i] = random_() % 2 != 0 ? 0 : -1;
         }
@@ -261,8 +261,8 @@ TEST_F(Antialias, NothingIsExtrapolated) {
     }
 }
 
-/// A fragment has the colours of a place less than two pixels away, where its centre is outside, too: the
-/// gradients end at both ends of their range on the edges.
+/// A fragment has the colours of a place less than two pixels away, also if its centre is outside. The
+/// gradients reach both ends of their range on the edges.
 TEST_F(Antialias, EdgesContinueGradients) {
     for (int n = 0; n < 100; ++n) {
         const GLfloat low = 8 + place() / 64, high = 40 + place() / 8, range = high + 2 - low;
@@ -314,7 +314,8 @@ TEST_F(Antialias, ScissorAndTranslationChangeNothing) {
     }
 }
 
-/// Each enable is of its own primitives, in polygons of its own mode; the others stay as they are.
+/// Each enable applies to its own primitives and to polygons of its own mode. Other primitives stay as they
+/// are.
 TEST_F(Antialias, EnablesAreOfTheirPrimitives) {
     const std::array<Corner, 3> t = {{{5.3f, 6.7f}, {50.1f, 20.9f}, {20.4f, 58.2f}}};
     constexpr GLenum enables[] = {GL_POINT_SMOOTH, GL_LINE_SMOOTH, GL_POLYGON_SMOOTH};
@@ -339,7 +340,7 @@ TEST_F(Antialias, EnablesAreOfTheirPrimitives) {
     }
 }
 
-/// D14: colours keep, alpha is the product, before the alpha test and blending.
+/// Row D14: colours stay, and alpha is multiplied before the alpha test and blending.
 TEST_F(Antialias, AlphaIsMultipliedBeforeTheTests) {
     glColor4f(0.25f, 0.5f, 1, 0.5f);
     const auto draw = [] { give(GL_LINES, std::array{Corner{4, 20.25f}, Corner{60, 20.25f}}); };
@@ -359,7 +360,7 @@ TEST_F(Antialias, AlphaIsMultipliedBeforeTheTests) {
     EXPECT_NEAR(at(20)[2], 255 * 0.375, 1);
 }
 
-/// The largest size there is stands for any larger one.
+/// A size larger than the largest is drawn as the largest.
 TEST_F(Antialias, SizesOfAnyMagnitude) {
     constexpr int middle = size / 2 * size + size / 2;
     for (const bool lines : {false, true}) {

@@ -1,6 +1,5 @@
-// Row G09: how far stored depths are from those of the plane through the vertices, in steps of the depth
-// buffer (GL 1.3, 2.10.1 and 3.5.1): less than one, whatever the size of the primitive and the slope of its
-// depth.
+// Row G09: stored depths differ from the plane through the vertices by less than one step of the depth
+// buffer, whatever the size of the primitive and the slope of its depth (GL 1.3, 2.10.1 and 3.5.1).
 #include <cmath>
 
 #include "tests/gl_raster/window.hpp"
@@ -17,8 +16,8 @@ class Depths : public testing::TestWithParam<int> {
     std::mt19937 random_{2};
     double lot(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
 
-    /// Draws what begins with a clear, and looks at every pixel that is white. The worst difference from the
-    /// plane through three places, in steps.
+    /// Clears, draws, and compares every white pixel with the plane through three places. Returns the largest
+    /// difference in steps.
     template <class Draw> double worst(int size, const std::array<Place, 3>& v, Draw draw) {
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         draw();
@@ -48,15 +47,15 @@ class Depths : public testing::TestWithParam<int> {
         return off;
     }
     std::size_t seen_ = 0;
-    /// A context whose depth buffer has as many bits as the test is about.
+    /// Returns a context whose depth buffer has as many bits as the test asks for.
     static HeadlessGl context(int size) {
         return GetParam() == 16 ? HeadlessGl(size, size, {EGL_DEPTH_SIZE, 16, EGL_STENCIL_SIZE, 0})
                                 : HeadlessGl(size, size, {EGL_STENCIL_SIZE, 8});
     }
 };
 
-/// Compact ones, slivers up to 2^10 times as large as they are wide and more, whole ranges, the largest there
-/// are.
+/// Draws compact triangles, slivers that are 2^10 times as long as wide and more, whole ranges of depth, and
+/// the largest surfaces.
 TEST_P(Depths, OfTriangles) {
     for (const int size : {64, 512, 2048}) {
         const HeadlessGl gl = context(size);
@@ -103,7 +102,7 @@ TEST_P(Depths, OfTriangles) {
     EXPECT_GT(seen_, 1'000'000u);
 }
 
-/// Near planes as close as 1e-7 of the far one, whose codes nearly all lie near the eye.
+/// Near planes are as close as 1e-7 of the far plane, so nearly all codes lie near the eye.
 TEST_P(Depths, UnderPerspective) {
     constexpr int size = 128;
     const HeadlessGl gl = context(size);
@@ -126,7 +125,7 @@ TEST_P(Depths, UnderPerspective) {
             for (unsigned k = 0; k < 3; ++k) {
                 const double w = i % 2 == 0 ? n * std::exp(lot(0, -std::log(ratio))) : n * lot(1, 5);
                 const auto exact = static_cast<float>(w);
-                // On the n.8 grid, so that snapping leaves it there.
+                // Vertices lie on the n.8 grid, so snapping does not move them.
                 const auto on_grid = [&] { return std::floor(lot(0, size) * 256) / 256; };
                 const auto from_eye = [&](double at) {
                     return static_cast<float>((2 * at / size - 1) * static_cast<double>(exact));
@@ -149,7 +148,7 @@ TEST_P(Depths, UnderPerspective) {
     }
 }
 
-/// The nearest code of the float that a depth becomes, so at most one from that of the double.
+/// A cleared depth is the nearest code of a float, so it is at most one code from that of the double.
 TEST_P(Depths, OfClears) {
     const HeadlessGl gl = context(8);
     GLint bits = 0;

@@ -1,6 +1,6 @@
-// Row C13: polygons whose corners lie anywhere that floats reach, in front of the eye or behind it: what is
-// seen of them is right (GL 1.3, 2.1.1 and 2.11). The expected fragments come from the homogeneous edges of
-// the unclipped triangle, in long double.
+// Row C13: polygons may have vertices anywhere that floats reach, in front of the eye or behind it, and their
+// visible part must be right (GL 1.3, 2.1.1 and 2.11). The expected fragments come from the homogeneous edges
+// of the unclipped triangle, in long double.
 #include <cmath>
 
 #include "tests/gl_raster/window.hpp"
@@ -22,17 +22,17 @@ class FarVertices : public Canvas {
     double lot(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
     float sign() { return random_() % 2 == 0 ? 1.F : -1.F; }
     float near() { return static_cast<float>(lot(-1, 1)); }
-    /// Of any size from 1 to 2^most.
+    /// Returns a number of any size from 1 to 2^most, of either sign.
     float far(double most) { return sign() * static_cast<float>(std::exp2(lot(0, most))); }
 
     int fragments_ = 0, wrong_ = 0;
-    double worst_ = 0; ///< pixels that a wrong fragment's centre lies away from the next edge
+    double worst_ = 0; ///< largest distance in pixels of a wrong fragment's centre from the next edge
 
-    /// Holds what is drawn of x, y, w against the exact edges.
+    /// Compares the drawing of vertices x, y, w with the exact edges.
     void check(const std::array<Vertex, 3>& v) {
         std::vector<Rgba> pixels(side * side);
         glReadPixels(0, 0, side, side, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-        // Edge i holds the points p of the plane x, y, 1 with edge . p = 0.
+        // Edge i contains the points p of the plane x, y, 1 with edge . p = 0.
         std::array<Vertex, 3> edge{};
         for (unsigned i = 0; i < 3; ++i) {
             const Vertex &a = v[(i + 1) % 3], &b = v[(i + 2) % 3];
@@ -66,7 +66,7 @@ class FarVertices : public Canvas {
             glVertex4fv(c.data());
         glEnd();
     }
-    /// Under a matrix of eye coordinates, column-major as GL has it; z is 0.
+    /// Draws a triangle under a matrix m, column-major as in GL; z is 0.
     void triangle(const std::array<std::array<float, 4>, 3>& v, const std::array<float, 16>& m) {
         draw(v);
         std::array<Vertex, 3> clip{};
@@ -91,7 +91,8 @@ class FarVertices : public Canvas {
     }
 };
 
-/// The case that was found: an edge 0.08 pixel off at 2^24, 2 pixels at 2^28, 127 at 2^40.
+/// A bug was found with one far vertex: an edge was off by 0.08 pixel at 2^24, 2 pixels at 2^28, and 127 at
+/// 2^40.
 TEST_F(FarVertices, OneOfThree) {
     for (int n = 0; n < 600; ++n) {
         const double most = n % 3 == 0 ? 32 : 120;
@@ -103,7 +104,7 @@ TEST_F(FarVertices, OneOfThree) {
 TEST_F(FarVertices, TwoOrThree) {
     for (int n = 0; n < 600; ++n) {
         const double most = n % 3 == 0 ? 8 : n % 3 == 1 ? 32 : 50;
-        const bool beside = n % 2 == 0; // an edge that passes the window, parallel to an axis or nearly
+        const bool beside = n % 2 == 0; // an edge that passes the window parallel to an axis, or nearly so
         const float y = near();
         triangle({{{-std::fabs(far(most)), beside ? y : far(most), 0, 1},
                    {std::fabs(far(most)), beside ? y + (n % 4 == 0 ? 0.F : near()) : far(most), 0, 1},
@@ -126,7 +127,7 @@ TEST_F(FarVertices, UnderARotation) {
     expect_right(100'000);
 }
 
-/// Corners behind the eye, some of them close to its plane: what is in front is drawn.
+/// Some vertices lie behind the eye, some of these close to its plane. The part in front is drawn.
 TEST_F(FarVertices, BehindTheEye) {
     for (int n = 0; n < 800; ++n) {
         const auto corner = [&](bool behind) {
@@ -136,8 +137,8 @@ TEST_F(FarVertices, BehindTheEye) {
         };
         triangle({corner(false), corner(n % 3 == 0), corner(true)});
     }
-    // From the middle of the window away from a corner so far behind that w alone is left of it in one
-    // exponent.
+    // The triangle goes from the middle of the window to a vertex so far behind the eye that only w is left
+    // of it in the common exponent.
     for (int n = 0; n < 100; ++n) {
         const float w = -static_cast<float>(std::exp2(lot(20, 110)));
         triangle({{{0, 0, 0, 1}, {near(), near(), 0, n % 2 == 0 ? 1.F : w}, {near(), near(), 0, w}}});
@@ -145,12 +146,12 @@ TEST_F(FarVertices, BehindTheEye) {
     expect_right(100'000);
 }
 
-/// A near plane much closer than what is looked at, so that clipping leaves little of w: a ground that goes
-/// on behind the eye.
+/// The near plane is much closer than the visible part, so clipping leaves little of w: a ground that
+/// continues behind the eye.
 TEST_F(FarVertices, CloseNearPlanes) {
     for (int n = 0; n < 300; ++n) {
         const auto near_plane = static_cast<float>(std::exp2(lot(-24, -2)));
-        // Rows x, y, w = -z; the near plane takes what no pixel sees from there on.
+        // The rows are x, y, w = -z; the near plane removes what no pixel can show.
         const std::array<float, 16> m{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -2 * near_plane, 0};
         glMatrixMode(GL_PROJECTION);
         glLoadMatrixf(m.data());
@@ -165,8 +166,7 @@ TEST_F(FarVertices, CloseNearPlanes) {
         std::array<Vertex, 3> clip{};
         for (unsigned i = 0; i < 3; ++i)
             clip[i] = {v[i][0], v[i][1], -static_cast<long double>(v[i][2])};
-        // Nearer than the near plane nothing is drawn: such places are left out by leaving such triangles
-        // out.
+        // Nothing is drawn in front of the near plane, so triangles with visible places there are left out.
         const bool crosses = std::fmin(clip[0].w, std::fmin(clip[1].w, clip[2].w)) < 0;
         if (crosses && near_plane < size * 0x1p-14F)
             check(clip);
@@ -174,7 +174,7 @@ TEST_F(FarVertices, CloseNearPlanes) {
     expect_right(50'000);
 }
 
-/// A plane of the user's and its complement share out a triangle whose corners are far off.
+/// A user clip plane and its complement divide a triangle whose vertices are far away.
 TEST_F(FarVertices, UnderUserPlanes) {
     for (int n = 0; n < 200; ++n) {
         const float x = std::fabs(far(n % 2 == 0 ? 20 : 40)), at = near() / 2;
@@ -207,7 +207,7 @@ TEST_F(FarVertices, UnderUserPlanes) {
     expect_right(100'000);
 }
 
-/// What goes with a vertex that clipping makes, from ends of which one is far: colours, texture coordinates.
+/// A vertex that clipping makes of a near and a far end has the right colour and texture coordinates.
 TEST_F(FarVertices, AttributesAlongTheEdge) {
     const float far = 0x1p40F;
     glClear(GL_COLOR_BUFFER_BIT);

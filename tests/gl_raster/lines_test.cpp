@@ -1,4 +1,5 @@
-// Row D05: strips of lines, seen through XOR: what is drawn twice is gone (GL 1.3, 3.4.1, rules 3 and 4).
+// Row D05: draws strips of lines with XOR, so that a pixel drawn twice disappears (GL 1.3, 3.4.1, rules 3 and
+// 4).
 #include <algorithm>
 #include <cmath>
 
@@ -11,8 +12,8 @@ class LineStrips : public Window {
   protected:
     using Point = std::array<GLfloat, 2>;
 
-    /// Goes on along one axis, each part of it rather along than across, its ends anywhere on the n.8 grid;
-    /// of eight directions the given one.
+    /// Returns a strip in one of eight directions. Each line goes more along the strip's axis than across,
+    /// and its ends lie on the n.8 grid.
     std::vector<Point> one_way(unsigned direction) {
         std::vector<Point> strip;
         double along = lot(1, 4), across = lot(16, size - 16.0);
@@ -49,7 +50,8 @@ TEST_F(LineStrips, DrawEachPixelOnce) {
     }
 }
 
-/// Of the way back only the fragments at both ends differ: where a line ends none is drawn.
+/// Drawn in the other direction, a strip differs only in the fragments at its ends: where a line ends no
+/// fragment is drawn.
 TEST_F(LineStrips, AreTheSameInBothDirections) {
     for (unsigned n = 0; n < 400; ++n) {
         auto strip = one_way(n % 8);
@@ -68,8 +70,8 @@ TEST_F(LineStrips, AreTheSameInBothDirections) {
     }
 }
 
-/// As many columns as fragments along the line, each as high as the line is wide: whole widths to 16, others
-/// rounded (GL 1.3, 3.4.2).
+/// A line has as many columns as fragments along it, each as high as the line is wide. Widths to 16 are
+/// whole, others are rounded (GL 1.3, 3.4.2).
 TEST_F(LineStrips, HaveTheirWidths) {
     for (int eighths = 8; eighths <= 128; eighths += 3) {
         const int width = (eighths + 4) / 8;

@@ -1,4 +1,4 @@
-// Surfaces with four samples a pixel: what is drawn, and what brute force says of each sample.
+// Draws on surfaces with four samples a pixel, and computes by brute force what each sample is.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ inline constexpr int size = 48;
 using Picture = std::vector<Rgba>;
 using Draw = std::function<void()>;
 
-/// A context with the samples given, object coordinates are pixels.
+/// A context with this number of samples; object coordinates are pixels.
 struct Target {
     HeadlessGl gl;
     explicit Target(int samples, std::initializer_list<EGLint> more = {})
@@ -46,7 +46,7 @@ inline double offset(unsigned sample, bool y) {
     return (y ? at.y : at.x) / 256.0;
 }
 
-/// What `inside` says of each sample, as a picture in white.
+/// Returns the white picture of the samples for which `inside` is true.
 template <class Inside> std::vector<int> counts(Inside inside) {
     std::vector<int> all(size * size);
     for (int y = 0; y < size; ++y)
@@ -70,7 +70,8 @@ class Multisample : public testing::Test {
     double lot(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
     GLfloat place() { return static_cast<GLfloat>(below(size * 256)) / 256; }
 
-    /// The same in a surface with samples, and in four without, the window moved for each: their mean.
+    /// Draws on a surface with samples. The picture must be the mean of four without samples, for which the
+    /// window is moved to each sample.
     void expect_mean(const Draw& draw, const char* what, std::initializer_list<EGLint> more = {}) {
         Picture got;
         {
@@ -113,7 +114,7 @@ class Multisample : public testing::Test {
     }
 };
 
-/// The rule of edges (GL 1.3, 3.5.1): those at the left and below are inside.
+/// The rule of edges (GL 1.3, 3.5.1): edges at the left and at the bottom belong to the triangle.
 inline bool holds(const std::array<double, 6>& t, double x, double y) {
     const double area = (t[2] - t[0]) * (t[5] - t[1]) - (t[4] - t[0]) * (t[3] - t[1]);
     for (unsigned i = 0; i < 3; ++i) {

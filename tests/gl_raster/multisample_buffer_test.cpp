@@ -1,4 +1,4 @@
-// Row G16: who reads and writes the multisample buffer beside fragments.
+// Row G16: tests the operations beside fragments that read and write the multisample buffer.
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_MULTISAMPLE
@@ -8,10 +8,11 @@
 namespace spangle::test::samples {
 namespace {
 
-/// What reads colours reads the mean of the samples; depths and stencil values are those of the first.
+/// Operations that read colours read the mean of the samples. Depths and stencil values are those of the
+/// first sample.
 TEST_F(Multisample, EveryoneReadsWhatWasResolved) {
     Target target(4);
-    const auto half = [](GLint left) { // two samples of column `left + 1`, 0.4 of it are covered
+    const auto half = [](GLint left) { // two samples of column `left + 1`, 0.4 of which is covered
         glColor3ub(200, 100, 40);
         glRectf(static_cast<GLfloat>(left), 4, static_cast<GLfloat>(left) + 1.4f, 8);
     };
@@ -57,7 +58,7 @@ TEST_F(Multisample, PixelsOverlapTheirCopy) {
         EXPECT_EQ(row[x][0], 10 * (x - 3)) << x;
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glCopyPixels(0, 0, 20, 9, GL_DEPTH);
-    // Every sample got them, not the first alone: what lies nearer by half a step is seen everywhere.
+    // Every sample got the copied depth: a primitive half a step nearer is visible in all of them.
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthFunc(GL_LESS);
     for (int x = 3; x < 20; ++x) {
@@ -104,7 +105,7 @@ TEST_F(Multisample, AccumulationReadsMeansAndWritesAllSamples) {
     glAccum(GL_RETURN, 1);
     EXPECT_EQ(picture()[6 * size + 4], (Rgba{150, 75, 30, 191}));
     EXPECT_EQ(picture()[6 * size + 5], (Rgba{75, 37, 15, 96}));
-    glColor3ub(0, 0, 0); // a sample apart: the others are still there
+    glColor3ub(0, 0, 0); // only one sample changes
     glEnable(GL_SAMPLE_COVERAGE);
     glSampleCoverage(0.25f, GL_FALSE);
     glRecti(0, 0, size, size);

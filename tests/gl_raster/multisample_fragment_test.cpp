@@ -1,4 +1,4 @@
-// Rows D15, G05, G16: what becomes of samples, against pictures of one sample each, the window moved.
+// Rows D15, G05, G16: compares samples with pictures of one sample each, for which the window is moved.
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_MULTISAMPLE
@@ -63,7 +63,7 @@ TEST_F(Multisample, PolygonsAreTheMeanOfFourPictures) {
             if (below(4) == 0)
                 glColorMask(below(2) != 0, below(2) != 0, true, true);
             triangles(6);
-            if (below(2) != 0) { // masked, in a part
+            if (below(2) != 0) { // a partial mask
                 glEnable(GL_SCISSOR_TEST);
                 glScissor(10, 12, 20, 9);
                 glClearColor(0.3f, 0.6f, 0.9f, 0.5f);
@@ -71,7 +71,7 @@ TEST_F(Multisample, PolygonsAreTheMeanOfFourPictures) {
                 glDisable(GL_SCISSOR_TEST);
                 triangles(3);
             }
-            glDisable(GL_ALPHA_TEST); // a rectangle of pixels is one of squares
+            glDisable(GL_ALPHA_TEST); // pixels of a rectangle of pixels are squares
             glDisable(GL_TEXTURE_2D);
             const GLubyte pixels[2 * 2 * 4] = {200, 10, 60, 255, 0, 255, 9, 80, 255, 255, 0, 0, 1, 2, 3, 255};
             glRasterPos3f(17.25f, 20.5f, -0.4f);
@@ -84,7 +84,7 @@ TEST_F(Multisample, PolygonsAreTheMeanOfFourPictures) {
     }
 }
 
-/// Sixteen bits, dithered: each sample is stored as a pixel of the surface is.
+/// On dithered surfaces of 16 bits, each sample is stored as a pixel of the surface is.
 TEST_F(Multisample, DitheredWordsAreMeans) {
     const Draw draw = [this] {
         random_.seed(5);
@@ -123,7 +123,7 @@ TEST_F(Multisample, DitheredWordsAreMeans) {
         ASSERT_EQ(got[p], (sum[p][0] + 2) / 4 << 11 | (sum[p][1] + 2) / 4 << 5 | (sum[p][2] + 2) / 4) << p;
 }
 
-/// MULTISAMPLE off: every primitive is what it is on a surface without samples, antialiasing included.
+/// With MULTISAMPLE off, every primitive is drawn as on a surface without samples, antialiasing included.
 TEST_F(Multisample, OffIsASingleSample) {
     const Draw scenes[] = {
         [this] {
@@ -166,7 +166,7 @@ TEST_F(Multisample, OffIsASingleSample) {
             glVertex2f(x, y);
             glEnd();
         },
-        [] { // alpha says nothing of coverage
+        [] { // alpha says nothing about the coverage
             for (const GLenum on : {GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE})
                 glEnable(on);
             glSampleCoverage(0.25f, GL_TRUE);
@@ -191,7 +191,7 @@ TEST_F(Multisample, OffIsASingleSample) {
     }
 }
 
-/// 4 alpha samples of each pixel, rounded up or down so that sixteen pixels show alpha to 1/64.
+/// Alpha covers 4 alpha samples of each pixel, rounded up or down so that sixteen pixels show alpha to 1/64.
 TEST_F(Multisample, AlphaIsTurnedIntoCoverage) {
     Target target(4);
     glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
@@ -222,7 +222,7 @@ TEST_F(Multisample, AlphaToOneFollowsItsCoverage) {
         ASSERT_EQ(pixel[3], 128); // of alpha 1
     }
     glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-    glEnable(GL_ALPHA_TEST); // sees it
+    glEnable(GL_ALPHA_TEST); // tests the new alpha
     glAlphaFunc(GL_EQUAL, 1);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ZERO);
@@ -251,7 +251,7 @@ TEST_F(Multisample, AValueAndItsInverseCoverEverySampleOnce) {
         for (const Rgba& pixel : picture())
             ASSERT_EQ(pixel[0], 100) << value;
     }
-    // Both coverages must agree, and the alpha test looks at what is left.
+    // A sample must be in both coverages, and the alpha test applies to the remaining samples.
     glDisable(GL_BLEND);
     glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     glClear(GL_COLOR_BUFFER_BIT);
@@ -261,7 +261,7 @@ TEST_F(Multisample, AValueAndItsInverseCoverEverySampleOnce) {
     EXPECT_THAT(picture(), testing::Each(Rgba{0, 0, 0, 0}));
 }
 
-/// A sample that is not covered leaves depth and stencil alone.
+/// A sample that is not covered keeps its depth and stencil value.
 TEST_F(Multisample, WhatIsNotCoveredIsNotTested) {
     Target target(4);
     glEnable(GL_SAMPLE_COVERAGE);
@@ -280,7 +280,7 @@ TEST_F(Multisample, WhatIsNotCoveredIsNotTested) {
     glDisable(GL_SAMPLE_COVERAGE);
     glColor3f(0, 1, 0);
     glStencilFunc(GL_EQUAL, 0, 0xFF);
-    rectangle(0.5f); // behind, where the first one was
+    rectangle(0.5f); // behind the first rectangle
     EXPECT_THAT(picture(), testing::Each(Rgba{128, 128, 0, 255}));
 }
 

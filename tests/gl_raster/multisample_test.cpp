@@ -1,4 +1,4 @@
-// Row D15: which samples a primitive covers, against brute force at their positions.
+// Row D15: compares the samples that a primitive covers with brute force at their positions.
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_MULTISAMPLE
@@ -12,7 +12,7 @@
 namespace spangle::test::samples {
 namespace {
 
-/// Those that others have, too; the pattern of four that nearly all hardware draws with.
+/// The four positions are the pattern with which nearly all hardware draws.
 TEST_F(Multisample, PositionsAreTheUsualOnes) {
     constexpr double usual[][2] = {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
     for (unsigned s = 0; s < raster::sample_count; ++s) {
@@ -25,9 +25,9 @@ TEST_F(Multisample, TrianglesCoverTheSamplesInside) {
     Target target(4);
     for (int n = 0; n < 500; ++n) {
         std::array<double, 6> t;
-        for (double& v : t) // every other on samples' rows and columns
+        for (double& v : t) // every other vertex lies on rows and columns of samples
             v = n % 2 != 0 ? place() : below(size * 8) / 8.0;
-        if (n % 3 == 0) // no matter
+        if (n % 3 == 0) // has no effect on samples
             glEnable(GL_POLYGON_SMOOTH);
         glClear(GL_COLOR_BUFFER_BIT);
         glBegin(GL_TRIANGLES);
@@ -44,7 +44,7 @@ TEST_F(Multisample, PointsAreDiscs) {
         const double cx = place(), cy = place(), width = 1 + below(12 * 8) / 8.0;
         glClear(GL_COLOR_BUFFER_BIT);
         glPointSize(static_cast<GLfloat>(width));
-        if (n % 2 != 0) // no matter
+        if (n % 2 != 0) // has no effect on samples
             glEnable(GL_POINT_SMOOTH);
         glBegin(GL_POINTS);
         glVertex2d(cx, cy);
@@ -56,7 +56,7 @@ TEST_F(Multisample, PointsAreDiscs) {
     }
 }
 
-/// A rectangle's corners are snapped: samples that close to its edge may be on either side.
+/// The vertices of a rectangle are snapped, so samples very close to its edge may be on either side.
 void expect_rectangles(const std::vector<oracle::Polygon>& parts, const std::vector<int>& got, int trial) {
     constexpr double snap = 1.0 / 256;
     const auto count = [&](double margin) {
@@ -84,7 +84,7 @@ TEST_F(Multisample, LinesAreRectangles) {
     for (int n = 0; n < 300; ++n) {
         const double ax = place(), ay = place(), bx = place(), by = place(), width = 1 + below(9 * 8) / 8.0;
         glLineWidth(static_cast<GLfloat>(width));
-        if (n % 2 != 0) // no matter
+        if (n % 2 != 0) // has no effect on samples
             glEnable(GL_LINE_SMOOTH);
         const unsigned pattern = below(0x10000), factor = 1 + below(4);
         const bool stippled = n % 3 == 0;
@@ -106,7 +106,7 @@ TEST_F(Multisample, LinesAreRectangles) {
     }
 }
 
-/// Parts of a strip's pattern partition it: two complements draw every sample once.
+/// The stipple of a strip divides it: two complementary patterns draw every sample once.
 TEST_F(Multisample, StippleRunsOnAlongAStrip) {
     Target target(4);
     glEnable(GL_LINE_STIPPLE);
@@ -162,10 +162,10 @@ TEST_F(Multisample, LinesHaveColoursAlongThemAndNotAcross) {
     glVertex3f(44, 24, -1);
     glEnd();
     glReadPixels(33, 24, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
-    EXPECT_NEAR(depth, (33 + offset(0, false) - 4) / 40, 1e-4); // that of the first sample
+    EXPECT_NEAR(depth, (33 + offset(0, false) - 4) / 40, 1e-4); // the depth of the first sample
 }
 
-/// Bits are squares from the raster position on.
+/// Bits of a bitmap are squares from the raster position on.
 TEST_F(Multisample, BitmapsCoverTheSamplesInTheirSquares) {
     Target target(4);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -187,7 +187,7 @@ TEST_F(Multisample, BitmapsCoverTheSamplesInTheirSquares) {
     }
 }
 
-/// A surface of the reference policy has samples, too, and covers the same.
+/// A surface of the reference policy has samples, too, and the same are covered.
 TEST_F(Multisample, PoliciesCoverTheSame) {
     std::optional<std::vector<int>> first;
     for (const EGLint precision : {EGL_PRECISION_EXACT_SPANGLE, EGL_PRECISION_FAST_SPANGLE}) {

@@ -1,4 +1,4 @@
-// Rows D03, D04: sizes that follow the distance, their clamps and their fading; point sprites.
+// Rows D03, D04: tests point sizes that follow the distance, their clamps and fading, and point sprites.
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_POINT_PARAMETERS
@@ -23,12 +23,12 @@ class Points : public Multisample {
         glVertex3f(x, y, -depth);
         glEnd();
     }
-    /// Squares as wide as the size, rounded.
+    /// Returns the size of the drawn square, rounded.
     static int width() { return static_cast<int>(std::lround(std::sqrt(drawn()))); }
     static void clear() { glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); }
 };
 
-/// Eye coordinates are pixels here: the distance is that of (x, y, z) from the origin.
+/// Eye coordinates are pixels here, and the distance is that of (x, y, z) from the origin.
 TEST_F(Points, SizesFollowTheDistance) {
     Target target(0);
     for (int n = 0; n < 200; ++n) {
@@ -43,7 +43,7 @@ TEST_F(Points, SizesFollowTheDistance) {
         const double d = std::sqrt(x * x + y * y + z * z),
                      derived = size_given / std::sqrt(abc[0] + abc[1] * d + abc[2] * d * d);
         if (std::abs(derived - std::floor(derived) - 0.5) < 1e-3)
-            continue; // rounds either way
+            continue; // may be rounded either way
         clear();
         point(x, y, z);
         ASSERT_EQ(drawn(), static_cast<int>(std::pow(std::clamp(std::round(derived), 1.0, 22.0), 2)))
@@ -57,7 +57,7 @@ TEST_F(Points, SizesAreClamped) {
     glPointParameterf(GL_POINT_SIZE_MAX, 4);
     point(24, 24);
     EXPECT_EQ(width(), 4);
-    glPointParameterf(GL_POINT_SIZE_MIN, 6); // the larger end wins last
+    glPointParameterf(GL_POINT_SIZE_MIN, 6); // the maximum is applied last
     glPointParameterf(GL_POINT_SIZE_MAX, 8);
     glPointSize(2);
     clear();
@@ -70,7 +70,7 @@ TEST_F(Points, SizesAreClamped) {
     EXPECT_EQ(width(), 8);
 }
 
-/// Those of polygons, too, and of corners that clipping made.
+/// Points of polygons, also at vertices that clipping makes, have sizes by distance.
 TEST_F(Points, CornersOfPolygonsHaveTheirSizes) {
     Target target(0);
     const GLfloat by_distance[] = {0, 0.25f, 0}; // 16 / sqrt(d / 4)
@@ -89,7 +89,7 @@ TEST_F(Points, CornersOfPolygonsHaveTheirSizes) {
     glEnd();
     EXPECT_EQ(columns(), static_cast<int>(std::lround(16 / std::sqrt(std::hypot(16, 24.5) / 4))));
     clear();
-    glBegin(GL_TRIANGLES); // what the right side cuts is at 48, 24.5
+    glBegin(GL_TRIANGLES); // the right side clips at (48, 24.5)
     glVertex2f(24, 400), glVertex2f(24, 24.5f), glVertex2f(148, 24.5f);
     glEnd();
     const int left = static_cast<int>(std::lround(16 / std::sqrt(std::hypot(24, 24.5) / 4))),
@@ -97,7 +97,7 @@ TEST_F(Points, CornersOfPolygonsHaveTheirSizes) {
     EXPECT_EQ(columns(), left + right / 2);
 }
 
-/// Small points of a surface with samples are as large as the threshold, and fainter.
+/// On a surface with samples, small points are drawn in the threshold size, and fainter.
 TEST_F(Points, SmallOnesFadeWhereThereAreSamples) {
     Target target(4);
     glPointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, 8);
@@ -116,7 +116,7 @@ TEST_F(Points, SmallOnesFadeWhereThereAreSamples) {
     EXPECT_EQ(picture()[24 * size + 24][3], 255);
 }
 
-/// 64 x 64 texels that say where they are.
+/// Makes a texture of 64 x 64 texels whose colours tell their places.
 void texels_of_place() {
     std::vector<GLubyte> texels;
     for (int t = 0; t < 64; ++t)
@@ -130,15 +130,16 @@ void texels_of_place() {
     glEnable(GL_TEXTURE_2D);
 }
 
-/// s = 1/2 + (x + 1/2 - xw) / size, t likewise or turned (GL 2.0, 3.3), for centres inside of the square.
+/// s = 1/2 + (x + 1/2 - xw) / size for centres inside of the square; t likewise, or turned over (GL 2.0,
+/// 3.3).
 TEST_F(Points, SpritesAreImages) {
     Target target(0);
     texels_of_place();
     glEnable(GL_POINT_SPRITE);
-    glEnable(GL_POINT_SMOOTH); // no matter
+    glEnable(GL_POINT_SMOOTH); // has no effect
     glTexEnvi(GL_POINT_SPRITE, GL_COORD_REPLACE, GL_TRUE);
     glMatrixMode(GL_TEXTURE);
-    glScalef(3, 5, 1); // which is behind what is replaced
+    glScalef(3, 5, 1); // the texture matrix does not apply to replaced coordinates
     glMatrixMode(GL_MODELVIEW);
     for (int n = 0; n < 200; ++n) {
         const bool low = n % 2 != 0;
@@ -182,7 +183,7 @@ TEST_F(Points, UnitsThatReplaceNothingHaveTheVertexsCoordinates) {
     glTexEnvi(GL_POINT_SPRITE, GL_COORD_REPLACE, GL_TRUE);
     texels_of_place();
     point(24, 24);
-    EXPECT_EQ(picture()[26 * size + 21][0], 4 * 5); // the second unit's: (0.5 + (-2.5) / 6) 64
+    EXPECT_EQ(picture()[26 * size + 21][0], 4 * 5); // of the second unit: (0.5 + (-2.5) / 6) 64
     glGetTexEnviv(GL_POINT_SPRITE, GL_COORD_REPLACE, &replaced);
     EXPECT_EQ(replaced, 1);
     glActiveTexture(GL_TEXTURE0);

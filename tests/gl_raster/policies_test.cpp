@@ -1,5 +1,5 @@
-// Stipples, offsets and antialiasing in every numeric policy: the shadow draws the product's bytes, the
-// reference in double nearly them.
+// Draws stipples, offsets and antialiasing with every numeric policy: the shadow draws the product's bytes,
+// and the reference in double nearly the same.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -92,7 +92,7 @@ TEST_F(Policies, DoubleAgrees) {
     }
     EXPECT_GT(drawn, size * size);
     EXPECT_LE(differ,
-              4 * size * size / 200); // vertices that snap to other places, depths that are nearly equal
+              4 * size * size / 200); // vertices may snap to other places, and depths may be nearly equal
 }
 
 } // namespace

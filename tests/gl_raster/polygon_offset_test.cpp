@@ -1,4 +1,4 @@
-// Row D12: depth offsets of polygons (GL 1.3, 3.5.5).
+// Row D12: tests depth offsets of polygons (GL 1.3, 3.5.5).
 #include <cmath>
 
 #include "tests/gl_raster/window.hpp"
@@ -16,7 +16,7 @@ class PolygonOffset : public Window {
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_ALWAYS);
     }
-    /// Corners of a quad in a plane.
+    /// A plane of depth through the corners of a quad.
     struct Plane {
         double at, dx, dy;
         double depth(double x, double y) const { return at + dx * x + dy * y; }
@@ -35,7 +35,7 @@ class PolygonOffset : public Window {
     static int difference(GLuint a, GLuint b) { return static_cast<int>(a) - static_cast<int>(b); }
 };
 
-/// An offset of n units moves each fragment of a level polygon by n times two codes exactly.
+/// An offset of n units moves each fragment of a level polygon by exactly 2 n codes.
 TEST_F(PolygonOffset, UnitsAreTwoCodes) {
     glEnable(GL_POLYGON_OFFSET_FILL);
     for (const int units : {0, 1, 2, -1, -7, 1000, -5000}) {
@@ -43,7 +43,7 @@ TEST_F(PolygonOffset, UnitsAreTwoCodes) {
         glPolygonOffset(0, 0);
         draw(level);
         const auto before = depths();
-        glPolygonOffset(3, static_cast<GLfloat>(units)); // no slope, so the factor does not matter
+        glPolygonOffset(3, static_cast<GLfloat>(units)); // without a slope the factor has no effect
         draw(level);
         const auto after = depths();
         for (int y = 8; y < 56; ++y)
@@ -73,7 +73,7 @@ TEST_F(PolygonOffset, FactorsMultiplyTheLargerSlope) {
     }
 }
 
-/// A slope is that of its plane, however small the polygon.
+/// The slope of a polygon is that of its plane, however small the polygon is.
 TEST_F(PolygonOffset, SlopesOfSmallPolygons) {
     glEnable(GL_POLYGON_OFFSET_FILL);
     for (const double side : {1., 1.25, 2., 3., 5., 8., 12., 20., 60.})
@@ -101,7 +101,7 @@ TEST_F(PolygonOffset, SlopesOfSmallPolygons) {
         }
 }
 
-/// Depth 1 is the largest code, 2^24 - 1: offsets of nearly the whole range are right in the mean of many.
+/// Depth 1 is the largest code, 2^24 - 1. Offsets of nearly the whole range are right in the mean of many.
 TEST_F(PolygonOffset, SlopesAreFractionsOfTheLargestCode) {
     glEnable(GL_POLYGON_OFFSET_FILL);
     double sum = 0;
@@ -123,7 +123,7 @@ TEST_F(PolygonOffset, SlopesAreFractionsOfTheLargestCode) {
     EXPECT_NEAR(sum / fragments, 0, 0.3);
 }
 
-/// Each fragment is clamped by itself: the rest of a polygon keeps its slope.
+/// Each fragment is clamped by itself, so the rest of the polygon keeps its slope.
 TEST_F(PolygonOffset, FragmentsAreClamped) {
     const Plane plane{0, 1.0 / size, 0};
     draw(plane);
@@ -144,7 +144,7 @@ TEST_F(PolygonOffset, FragmentsAreClamped) {
     EXPECT_EQ(depths()[30 * size + 30], static_cast<GLuint>(codes));
 }
 
-/// Three enables for three modes of polygons, none for lines and points of their own.
+/// The three modes of polygons have three enables. Primitives that are lines and points have no offset.
 TEST_F(PolygonOffset, EachModeHasItsEnable) {
     constexpr GLenum enables[] = {GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT};
     constexpr GLenum modes[] = {GL_FILL, GL_LINE, GL_POINT};
@@ -199,9 +199,9 @@ TEST_F(PolygonOffset, StencilSeesTheOffsetDepth) {
     EXPECT_EQ(difference(z[20 * size + 20], z[40 * size + 40]), -codes_of_unit);
 }
 
-/// The minimum resolvable difference by its definition (GL 1.3, 3.5.5): wherever a polygon lies between the
-/// near plane and one that is infinitely far away, one that floats bring in front of it by r is in front of
-/// it.
+/// Tests the definition of the minimum resolvable difference r (GL 1.3, 3.5.5). A polygon may lie anywhere
+/// between the near plane and one that is infinitely far away. A polygon that is nearer by r in window depth,
+/// as floats give it, must be in front of it.
 TEST_F(PolygonOffset, FloatsThatDifferByOneUnitAreDistinct) {
     static const GLfloat near_1_far_infinity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -2, 0};
     glMatrixMode(GL_PROJECTION);
@@ -216,20 +216,21 @@ TEST_F(PolygonOffset, FloatsThatDifferByOneUnitAreDistinct) {
     };
     constexpr double r = codes_of_unit / codes;
     for (int n = 0; n < 2000; ++n) {
-        const double window = n < 1000 ? n * r : lot(0, 1 - 4 * r); // of which the first are near the plane
+        const double window =
+            n < 1000 ? n * r : lot(0, 1 - 4 * r); // the first rounds are near the near plane
         const double distance = 1 / (1 - window), farther = 1 / (1 - window - r);
         const double rounded = double{static_cast<float>(distance)};
-        // The next float that is at least r farther away.
+        // Finds the next float that is at least r farther away.
         auto next = static_cast<float>(farther);
         while (1 / rounded - 1 / double{next} < r)
             next = std::nextafter(next, 1e30f);
         ASSERT_LT(at(rounded), at(double{next})) << n;
     }
-    // One code is less than what separates floats: these neighbours are two codes apart.
+    // One code is less than what separates floats here: neighbours are two codes apart.
     EXPECT_EQ(difference(at(1 + 0x1p-23), at(1)), 2);
 }
 
-/// Sixteen bits: r is one code, and slopes are those of depths in codes, one in 65536 less than of words.
+/// With sixteen bits r is one code. Slopes are those of depths in codes of 65535, not of 65536.
 TEST(PolygonOffset16, CodesAndSlopes) {
     const HeadlessGl gl(64, 64, {EGL_DEPTH_SIZE, 16});
     GLint bits = 0;
@@ -253,7 +254,7 @@ TEST(PolygonOffset16, CodesAndSlopes) {
     for (const int units : {1, 2, 77, 30000})
         EXPECT_EQ(code(0, static_cast<GLfloat>(units), 0), units);
     // The centre of the first pixel lies half a step of the slope behind the edge, where depth is 0. A slope
-    // of 65536ths instead of 65535ths would end one code behind.
+    // in 65536ths in place of 65535ths would end one code behind.
     for (const int factor : {40, 50, 62})
         EXPECT_EQ(code(static_cast<GLfloat>(factor), 0, 1. / 64), std::lround((factor + 0.5) / 64 * 65535));
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});

@@ -1,4 +1,4 @@
-// Rows D06 and D10: stipples of lines and polygons (GL 1.3, 3.4.2 and 3.5.2).
+// Rows D06 and D10: tests stipples of lines and polygons (GL 1.3, 3.4.2 and 3.5.2).
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@ class Stipple : public Window {
     using Point = std::array<GLfloat, 2>;
     using Strip = std::vector<Point>;
 
-    /// The fragments of a line in the order they are produced; width 1.
+    /// Returns the fragments of a line of width 1, in the order of the line.
     static std::vector<int> fragments(const Point& a, const Point& b) {
         const auto on = covered([&] {
             glBegin(GL_LINES);
@@ -32,7 +32,8 @@ class Stipple : public Window {
         });
         return found;
     }
-    /// Bit floor(s / factor) mod 16 of the pattern; s from 0 at the start of each group of segments.
+    /// Returns bit floor(s / factor) mod 16 of the pattern for each fragment; s starts at 0 in each group of
+    /// segments.
     static std::vector<bool> expected(const std::vector<std::pair<Point, Point>>& segments, bool restarts,
                                       unsigned factor, unsigned pattern) {
         glDisable(GL_LINE_STIPPLE);
@@ -78,7 +79,7 @@ TEST_F(Stipple, PhaseGoesAlongStripsAndRestarts) {
         glLineStipple(static_cast<GLint>(factor), static_cast<GLushort>(pattern));
         const auto wish = expected(segments(mode, v), mode == GL_LINES, factor, pattern);
         EXPECT_EQ(covered([&] { give(mode, v); }), wish) << n;
-        // the same from arrays
+        // Draws the same from arrays.
         glEnableClientState(GL_VERTEX_ARRAY);
         glVertexPointer(2, GL_FLOAT, 0, v.data());
         EXPECT_EQ(covered([&] { glDrawArrays(mode, 0, 6); }), wish) << n;
@@ -86,12 +87,13 @@ TEST_F(Stipple, PhaseGoesAlongStripsAndRestarts) {
     }
 }
 
-/// Table 17.7 of the rule: pattern 0x00FF, factor 2; factors are clamped; a scissor changes no phase.
+/// Table 17.7 of the rule: pattern 0x00FF, factor 2. Factors are clamped, and a scissor does not change the
+/// phase.
 TEST_F(Stipple, FactorIsClampedAndScissorChangesNoPhase) {
     glEnable(GL_LINE_STIPPLE);
     glLineStipple(2, 0x00FF);
     const auto row = [&](bool cut) {
-        glDisable(GL_SCISSOR_TEST); // clears all
+        glDisable(GL_SCISSOR_TEST); // clears the whole surface
         const auto on = covered([cut] {
             (cut ? glEnable : glDisable)(GL_SCISSOR_TEST);
             glBegin(GL_LINES);
@@ -116,7 +118,7 @@ TEST_F(Stipple, FactorIsClampedAndScissorChangesNoPhase) {
     }
 }
 
-/// The whole column of a wide line shares the bit of its fragment.
+/// In a wide line, all fragments of a column share the bit of the line's fragment.
 TEST_F(Stipple, WideLines) {
     glEnable(GL_LINE_STIPPLE);
     glLineStipple(3, 0x5555);
@@ -137,8 +139,8 @@ TEST_F(Stipple, WideLines) {
             EXPECT_EQ(on[static_cast<std::size_t>(y * size + x)], x >= 18 && x < 23 && (y - 30) / 3 % 2 == 0);
 }
 
-/// The outline of a polygon is one line: its stipple starts with its first edge, also where the polygon
-/// comes in parts.
+/// The outline of a polygon is one line. Its stipple starts with the first edge, also if the polygon is drawn
+/// in parts.
 TEST_F(Stipple, OutlinesRestartWithEachPolygon) {
     glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
     glLineStipple(1, 0x3F1B);
@@ -170,7 +172,7 @@ void set_layout(const Layout& l, bool pack) {
     glPixelStorei(pack ? GL_PACK_LSB_FIRST : GL_UNPACK_LSB_FIRST, l.lsb_first);
 }
 
-/// GL 1.3, 3.6.4 and figure 3.11, word for word.
+/// The rule of GL 1.3, 3.6.4 and figure 3.11, word for word.
 bool bit_of(const std::vector<GLubyte>& image, const Layout& l, int x, int y) {
     const int length = l.row_length > 0 ? l.row_length : 32;
     const int stride = l.alignment * ((length + 8 * l.alignment - 1) / (8 * l.alignment));
@@ -243,7 +245,7 @@ TEST_F(PolygonStipple, OnlyFilledPolygons) {
     EXPECT_EQ(covered(fill), std::vector<bool>(size * size, false));
 }
 
-/// The image is unpacked when the list is compiled, and runs when it is called.
+/// A list unpacks the image when it is compiled, and sets the pattern when it is called.
 TEST_F(PolygonStipple, ListsKeepTheImageOfTheirCompilation) {
     glEnable(GL_POLYGON_STIPPLE);
     auto image = any_image();
@@ -267,14 +269,14 @@ TEST_F(PolygonStipple, GroupsOfAttributes) {
     const auto image = any_image(), other = any_image();
     std::vector<GLubyte> back(128);
     glPolygonStipple(image.data());
-    glPushAttrib(GL_POLYGON_BIT); // the enable, not the pattern
+    glPushAttrib(GL_POLYGON_BIT); // saves the enable, not the pattern
     glPolygonStipple(other.data());
     glEnable(GL_POLYGON_STIPPLE);
     glPopAttrib();
     EXPECT_FALSE(glIsEnabled(GL_POLYGON_STIPPLE));
     glGetPolygonStipple(back.data());
     EXPECT_TRUE(std::equal(back.begin(), back.end(), other.begin()));
-    glPushAttrib(GL_POLYGON_STIPPLE_BIT); // the pattern, not the enable
+    glPushAttrib(GL_POLYGON_STIPPLE_BIT); // saves the pattern, not the enable
     glPolygonStipple(image.data());
     glEnable(GL_POLYGON_STIPPLE);
     glPopAttrib();

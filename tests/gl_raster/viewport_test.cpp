@@ -1,4 +1,5 @@
-// Row C13: clipping by the view volume where the viewport is not the window (GL 1.3, 2.10.1 and 2.11).
+// Row C13: tests clipping by the view volume if the viewport is not the whole window (GL 1.3, 2.10.1 and
+// 2.11).
 #include <cmath>
 
 #include "tests/gl_raster/window.hpp"
@@ -11,7 +12,7 @@ struct Box {
     bool holds(int px, int py) const { return px >= x && py >= y && px < x + w && py < y + h; }
 };
 
-/// Object coordinates are pixels of the window, whatever the viewport is: the view volume is the viewport's.
+/// Object coordinates are pixels of the window, whatever the viewport is; the view volume is the viewport's.
 class Viewport : public Window {
   protected:
     static constexpr Box some{20, 9, 25, 40};
@@ -30,7 +31,7 @@ class Viewport : public Window {
     static bool at(const std::vector<bool>& pixels, int x, int y) {
         return pixels[static_cast<std::size_t>(y * size + x)];
     }
-    /// The pixels of a box, and no other.
+    /// Checks that exactly the pixels of a box are drawn.
     static void expect_box(const std::vector<bool>& pixels, const Box& box) {
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x)
@@ -62,7 +63,7 @@ class Viewport : public Window {
     }
 };
 
-/// The case that was found: two thirds of what was drawn lay outside.
+/// This case was a bug: two thirds of what was drawn lay outside of the viewport.
 TEST(ViewportAlone, AQuadEndsAtAViewportWithinTheSurface) {
     const HeadlessGl gl(256, 256);
     glClear(GL_COLOR_BUFFER_BIT);
@@ -80,7 +81,7 @@ TEST(ViewportAlone, AQuadEndsAtAViewportWithinTheSurface) {
                 << x << ',' << y;
 }
 
-/// Each kind of polygon, flat or not, with depth and blending: tiles, trapezoids, rows.
+/// Draws each kind of polygon, flat or not, with depth and blending: as tiles, trapezoids and rows.
 TEST_F(Viewport, PolygonsOfAllKindsEndThere) {
     set(some);
     for (const GLenum mode : {GL_QUADS, GL_POLYGON, GL_TRIANGLE_FAN, GL_QUAD_STRIP, GL_TRIANGLE_STRIP}) {
@@ -88,13 +89,13 @@ TEST_F(Viewport, PolygonsOfAllKindsEndThere) {
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x)
                 ASSERT_FALSE(at(pixels, x, y) && !some.holds(x, y)) << x << ',' << y;
-        if (mode != GL_QUAD_STRIP && mode != GL_TRIANGLE_STRIP) // those cross themselves here
+        if (mode != GL_QUAD_STRIP && mode != GL_TRIANGLE_STRIP) // strips cross themselves here
             expect_box(pixels, some);
     }
 }
 
-/// True clipping by brute force: a centre is covered if it is in the polygon and in the viewport. Centres
-/// within 1/256 pixel of an edge are left to snapping.
+/// Compares clipping with brute force: a centre is covered if it is in the polygon and in the viewport.
+/// Centres within 1/256 pixel of an edge are not compared, because of snapping.
 TEST_F(Viewport, TrianglesCoverWhatTheirClippedPolygonsCover) {
     const Box boxes[] = {some, {0, 0, size, 20}, {-30, 10, 70, 5}, {63, 0, 1, 64}, {7, 7, 1, 1}};
     for (const Box& box : boxes) {
@@ -138,7 +139,7 @@ TEST_F(Viewport, HoldsOrMissesTheWindow) {
         set(box);
         expect_box(covered(quad), {0, 0, size, size});
     }
-    // It ends within the window on one side alone.
+    // The viewport ends within the window on one side only.
     for (const Box& box :
          {Box{0, 0, 10, size}, {50, 0, size - 50, size}, {0, 0, size, 7}, {0, 40, size, size - 40}}) {
         set(box);
@@ -153,7 +154,7 @@ TEST_F(Viewport, HoldsOrMissesTheWindow) {
     }
 }
 
-/// What was compiled for one viewport is not drawn with in another.
+/// State that was compiled for one viewport is not used in another.
 TEST_F(Viewport, FollowsWhatItIsSetTo) {
     const auto drawn_in = [](const Box& box) {
         return covered([&] {
@@ -203,7 +204,7 @@ TEST_F(Viewport, PointsAreClippedByTheirCentres) {
     expect_box(drawn(44.5, 48.5), {40, 44, 9, 9});
     for (const auto& [x, y] : {std::pair{19.5, 30.5}, {45.5, 30.5}, {30.5, 8.5}, {30.5, 49.5}})
         EXPECT_EQ(count(drawn(x, y)), 0) << x << ' ' << y;
-    // In one batch with polygons, whose fragments do end there.
+    // The points are in one batch with polygons, whose fragments end at the viewport.
     const auto both = covered([&] {
         everywhere();
         dot(20.5, 30.5);
@@ -219,7 +220,7 @@ TEST_F(Viewport, PointsAreClippedByTheirCentres) {
     EXPECT_EQ(count(drawn(19.5, 30.5)), 0);
 }
 
-/// A line is clipped as a line: its width reaches beyond, its length does not.
+/// A line is clipped as a line: its width may reach beyond the viewport, its length may not.
 TEST_F(Viewport, LinesAreClippedAsLines) {
     set(some);
     const auto drawn = [](double ax, double ay, double bx, double by) {
@@ -228,9 +229,10 @@ TEST_F(Viewport, LinesAreClippedAsLines) {
     expect_box(drawn(-50, 30.5, 150, 30.5), {20, 30, 25, 1});
     expect_box(drawn(30.5, -80, 30.5, 150), {30, 9, 1, 40});
     EXPECT_EQ(count(drawn(-50, 8.5, 150, 8.5)), 0);
-    EXPECT_EQ(count(drawn(10, -5, 60, 12)), 0); // passes a corner
+    EXPECT_EQ(count(drawn(10, -5, 60, 12)), 0); // the line passes a corner
     glLineWidth(7);
-    // An end on the edge between two diamonds lies in that of the lower column (GL 1.3, 3.4.1); these do not.
+    // An end on the edge between two diamonds belongs to the diamond of the lower column (GL 1.3, 3.4.1);
+    // these ends do not lie there.
     expect_box(drawn(-50, 9.75, 150, 9.75), {20, 6, 25, 7});
     expect_box(drawn(44.5, -80, 44.75, 150), {41, 9, 7, 40});
     EXPECT_EQ(count(drawn(-50, 8.5, 150, 8.5)), 0);
@@ -244,12 +246,12 @@ TEST_F(Viewport, LinesAreClippedAsLines) {
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     expect_box(drawn(-50, 12.5, 150, 12.5), {20, 9, 25, 7});
     expect_box(drawn(-50, 9.5, 150, 9.5), {20, 6, 25, 7});
-    glLineWidth(1); // and yet two pixels have a part of it
+    glLineWidth(1); // yet two pixels have a part of the line
     expect_box(drawn(-50, 9.25, 150, 9.25), {20, 8, 25, 2});
 }
 
-/// Lines of one pixel have the fragments of the line in the whole window that lie in the viewport, but for
-/// what snapping moves of lines that the guard band cuts, which is as large as the viewport asks for.
+/// Lines of one pixel have the fragments that lie in the viewport. Only lines that are clipped by the guard
+/// band, which is as large as the viewport asks for, may differ by snapping.
 TEST_F(Viewport, ThinLinesKeepTheirFragments) {
     int fragments = 0, differences = 0;
     for (int n = 0; n < 400; ++n) {
@@ -276,7 +278,8 @@ TEST_F(Viewport, ThinLinesKeepTheirFragments) {
     EXPECT_LT(differences, fragments / 200);
 }
 
-/// Edges and corners of polygons are clipped as polygons are; their width and size reach beyond.
+/// Edges and vertices of outlined polygons are clipped as polygons are; their width and size reach beyond the
+/// viewport.
 TEST_F(Viewport, OutlinesReachBeyondByTheirWidth) {
     set(some);
     glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
@@ -290,14 +293,14 @@ TEST_F(Viewport, OutlinesReachBeyondByTheirWidth) {
     const auto points = covered([] { everywhere(); });
     EXPECT_TRUE(at(points, 18, 7));
     EXPECT_FALSE(at(points, 30, 30));
-    // Filled from behind, they are clipped exactly.
+    // Filled back faces are clipped exactly.
     glPolygonMode(GL_FRONT, GL_FILL);
     expect_box(covered([] { everywhere(); }), some);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     expect_box(covered([] { everywhere(); }), some);
 }
 
-/// Antialiased, stippled, offset: modes have ways of their own.
+/// Antialiased, stippled and offset polygons are drawn in other ways, and are clipped, too.
 TEST_F(Viewport, PolygonsInOtherModesEndThere) {
     set(some);
     const auto quad = [] { everywhere(); };
@@ -351,12 +354,12 @@ TEST(ViewportAlone, SamplesEndAtItsEdges) {
     glVertex2f(4, -1 + 1 / 40.F);
     glEnd();
     glReadPixels(0, 0, 64, 64, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-    EXPECT_EQ(pixels[7 * 64 + 30][0], 255); // below it
-    EXPECT_EQ(pixels[7 * 64 + 19][0], 0);   // beside it
+    EXPECT_EQ(pixels[7 * 64 + 30][0], 255); // below the line
+    EXPECT_EQ(pixels[7 * 64 + 19][0], 0);   // beside the line
     EXPECT_EQ(pixels[9 * 64 + 19][0], 0);
 }
 
-/// Clears, pixel rectangles and bitmaps are not primitives of the view volume.
+/// Clears, pixel rectangles and bitmaps are not clipped by the view volume.
 TEST_F(Viewport, DoesNotClipPixels) {
     set(some);
     const std::vector<GLubyte> white(16 * 16 * 3, 255);

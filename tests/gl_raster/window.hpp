@@ -1,4 +1,4 @@
-// A canvas whose object coordinates are pixels, and what is on it.
+// A canvas whose object coordinates are pixels, and whose pixels a test can read.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ class Window : public Canvas {
         glReadPixels(0, 0, size, size, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
         return pixels;
     }
-    /// Codes of 24 bits.
+    /// Returns the codes of a depth buffer of 24 bits.
     static std::vector<GLuint> depths() {
         std::vector<GLuint> words(size * size);
         glReadPixels(0, 0, size, size, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, words.data());
@@ -37,7 +37,7 @@ class Window : public Canvas {
             word >>= 8;
         return words;
     }
-    /// Which pixels a white drawing reaches.
+    /// Returns which pixels a white drawing reaches.
     template <class Draw> static std::vector<bool> covered(Draw draw) {
         clear();
         draw();
@@ -49,7 +49,7 @@ class Window : public Canvas {
 
     std::mt19937 random_{7};
     double lot(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
-    /// On the n.8 grid.
+    /// Returns a coordinate on the n.8 grid.
     GLfloat place() { return static_cast<GLfloat>(random_() % (size * 256u)) / 256; }
 };
 

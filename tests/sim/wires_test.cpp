@@ -155,7 +155,6 @@ TEST(WiredPanel, ShowsThePictureUpright) {
     EXPECT_EQ(glass.height, 240);
     // The memory's first cell is in this corner of the glass: the module mirrors rows and columns, and the
     // picture is turned by a quarter.
-    // picture is turned by a quarter.
     const std::uint8_t* const cell = glass.at(319, 0);
     EXPECT_GE(cell[0], 248);
     EXPECT_EQ(cell[1], 0);
