@@ -1,4 +1,4 @@
-// Evaluators against Bernstein's sums in double (GL 1.3, 5.1).
+// Compares evaluators with Bernstein sums in double (GL 1.3, 5.1).
 #include <bit>
 #include <cmath>
 #include <functional>
@@ -30,7 +30,7 @@ double bernstein(int i, int n, double t) {
     return v * std::pow(t, i) * std::pow(1 - t, n - i);
 }
 
-/// Derivative of bernstein() by t.
+/// The derivative of bernstein() with respect to t.
 double bernstein_slope(int i, int n, double t) {
     return n == 0 ? 0 : n * ((i > 0 ? bernstein(i - 1, n - 1, t) : 0) - (i < n ? bernstein(i, n - 1, t) : 0));
 }
@@ -42,7 +42,7 @@ class Evaluators : public RecordingContext {
     double real(double low, double high) { return std::uniform_real_distribution<>(low, high)(random); }
     int whole(int low, int high) { return std::uniform_int_distribution<>(low, high)(random); }
 
-    /// The vertex that `draw` gives between Begin and End.
+    /// Returns the vertex that `draw` gives between Begin and End.
     template <class F> Event vertex_of(F draw) {
         events().clear();
         glBegin(GL_POINTS);
@@ -55,7 +55,7 @@ class Evaluators : public RecordingContext {
     std::mt19937 random{7};
 };
 
-/// Where an evaluated value of the target is seen in a vertex.
+/// Returns component `c` of the evaluated target, as the vertex has it.
 double seen(const Event& e, int target, int c) {
     if (target == 0)
         return number(e.color[c]);
@@ -69,7 +69,7 @@ TEST_F(Evaluators, CurvesAndSurfacesAreBernsteinSums) {
     for (int n = 0; n < 4000; ++n) {
         const int t = whole(0, 8), k = components[t], orders[2] = {whole(1, 8), n % 2 == 0 ? 1 : whole(1, 8)};
         if (t == 1)
-            continue; // an index is seen by no vertex in RGBA mode
+            continue; // in RGBA mode vertices have no index
         const int stride_v = k + whole(0, 2), stride_u = stride_v * orders[1] + whole(0, 3);
         const double size = std::ldexp(1, whole(-20, 20));
         std::vector<GLfloat> points(static_cast<std::size_t>(stride_u * 8 + stride_v * 8));
@@ -152,7 +152,7 @@ TEST_F(Evaluators, AutoNormalIsTheCrossProductOfTheDerivatives) {
                     points.push_back(static_cast<GLfloat>(w));
             }
         const GLenum target = four ? GL_MAP2_VERTEX_4 : GL_MAP2_VERTEX_3;
-        const bool turned[2] = {n % 3 == 0, n % 5 < 2}; // the domains of u and v that run backwards
+        const bool turned[2] = {n % 3 == 0, n % 5 < 2}; // whether the domains of u and v run backwards
         glMap2f(target, turned[0] ? 1 : 0, turned[0] ? 0 : 1, k * orders[1], orders[0], turned[1] ? 1 : 0,
                 turned[1] ? 0 : 1, k, orders[1], points.data());
         glEnable(target);
@@ -188,7 +188,7 @@ TEST_F(Evaluators, AutoNormalIsTheCrossProductOfTheDerivatives) {
     glDisable(GL_AUTO_NORMAL);
 }
 
-/// EvalCoord gives values as Color, Normal... do, and leaves what was current.
+/// EvalCoord gives values as Color, Normal and others do, but does not change the current values.
 TEST_F(Evaluators, CurrentValuesStay) {
     const GLfloat color[] = {0.25f, 0.5f, 0.75f, 1}, normal[] = {1, 2, 3}, tex[] = {5, 6}, at[] = {7, 8, 9};
     glMap1f(GL_MAP1_COLOR_4, 0, 1, 4, 1, color);
@@ -210,7 +210,7 @@ TEST_F(Evaluators, CurrentValuesStay) {
     for (int c = 0; c < 4; ++c)
         EXPECT_EQ(number(e.tex_coord[c]), expected_tex[c]);
     EXPECT_EQ(number(e.position[2]), 9);
-    glEvalCoord1f(0.5f); // outside of Begin and End a vertex means nothing
+    glEvalCoord1f(0.5f); // outside of Begin and End a vertex has no effect
     EXPECT_EQ(snapshot(), before);
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
@@ -264,7 +264,7 @@ TEST_F(Evaluators, MapsReplacedAndInitial) {
     for (int i = 0; i < 30; ++i)
         points[i / 15][i / 5 % 3][i % 5] = i + 0.25;
     glMap2d(GL_MAP2_VERTEX_4, -1, 2.5, 15, 2, 3, 4, 5, 3, &points[0][0][0]);
-    points[1][2][3] = 99; // points were copied
+    points[1][2][3] = 99; // the control points were copied
     GLdouble d[24];
     glGetMapdv(GL_MAP2_VERTEX_4, GL_COEFF, d);
     for (int i = 0; i < 24; ++i)
@@ -341,7 +341,7 @@ TEST_F(Evaluators, NoMemoryKeepsTheMap) {
         arena.free(block);
 }
 
-// --- grids and meshes
+// --- Grids and meshes
 
 class Meshes : public Evaluators {
   protected:
@@ -396,7 +396,7 @@ TEST_F(Meshes, AreLoopsOverTheGrid) {
               }));
 }
 
-/// Neighbouring patches meet: the ends of a grid are those of the domain to the bit.
+/// Neighbouring patches meet: the ends of a grid are the ends of the domain, to the bit.
 TEST_F(Meshes, EndsOfTheGridAreExact) {
     EXPECT_EQ(drawn([] { glEvalMesh1(GL_POINT, 0, 0); }), drawn([] {
                   glBegin(GL_POINTS);
@@ -408,7 +408,7 @@ TEST_F(Meshes, EndsOfTheGridAreExact) {
                   glEvalCoord2f(0.7f, 0.9f);
                   glEnd();
               }));
-    for (GLint n = 1; n < 200; ++n) { // of a domain much longer than the place of its end
+    for (GLint n = 1; n < 200; ++n) { // on a domain much longer than its end
         glMapGrid1f(n, -1e6f, 0.7f);
         const auto end = drawn([n] { glEvalMesh1(GL_POINT, n, n); });
         EXPECT_EQ(end, drawn([] {

@@ -1,5 +1,5 @@
-// Rows A01, A02, A06, C16, H06: what a command sees and when it is seen, and the order of the operations on a
-// fragment.
+// Rows A01, A02, A06, C16, H06: tests which state a command uses, when its effect is visible, and the order
+// of the operations on a fragment.
 #include <array>
 #include <cmath>
 #include <functional>
@@ -20,7 +20,7 @@ class Execution : public Canvas {
         glReadPixels(x, y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, c.data());
         return c;
     }
-    /// Window coordinates from here on.
+    /// From here on object coordinates are window coordinates.
     static void use_pixels() {
         glMatrixMode(GL_PROJECTION);
         glLoadIdentity();
@@ -41,7 +41,7 @@ TEST_F(Execution, CommandsTakeEffectInTheirOrder) {
     glRecti(10, 10, 30, 30);
     EXPECT_EQ(pixel(5, 5), red);
     EXPECT_EQ(pixel(15, 15), green) << "the later one is on top";
-    // Every switch concerns what comes after it, and only that.
+    // A change of state applies to later commands, and only to these.
     glScissor(0, 0, 12, 12);
     glRecti(30, 0, 31, 1);
     glEnable(GL_SCISSOR_TEST);
@@ -80,7 +80,7 @@ TEST_F(Execution, CommandsTakeEffectInTheirOrder) {
     EXPECT_GT(pixel(45, 45)[0], 100) << "no longer flat";
 }
 
-/// Data bound on call: what the program does to its memory afterwards is its own business.
+/// Client data are read during the call, and later changes of the memory do not matter.
 TEST_F(Execution, ClientMemoryIsReadDuringTheCall) {
     use_pixels();
     const Bytes red{255, 0, 0, 255};
@@ -111,7 +111,7 @@ TEST_F(Execution, ClientMemoryIsReadDuringTheCall) {
     draws();
     spoil();
     EXPECT_EQ(pixel(10, 10), red);
-    // A list holds what the arrays held when it was compiled.
+    // A list has the data that the arrays had when it was compiled.
     restore();
     glNewList(1, GL_COMPILE);
     draws();
@@ -121,7 +121,7 @@ TEST_F(Execution, ClientMemoryIsReadDuringTheCall) {
     glCallList(1);
     EXPECT_EQ(pixel(10, 10), red);
     EXPECT_EQ(pixel(50, 50), Bytes{});
-    // An image, a matrix.
+    // An image and a matrix are also read during the call.
     GLubyte texel[4] = {255, 0, 0, 255};
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -138,7 +138,8 @@ TEST_F(Execution, ClientMemoryIsReadDuringTheCall) {
 
 // --- A02, C16: GL 1.3, 2.13.9
 
-/// An unsigned byte that enters as a colour is the unsigned byte that comes back, whatever it went through.
+/// An unsigned byte that enters as a colour is the same unsigned byte when it is read back, whatever path it
+/// took.
 TEST_F(Execution, UbytesComeBackAsTheyWere) {
     use_pixels();
     const Bytes white{255, 255, 255, 255};
@@ -204,7 +205,7 @@ TEST_F(Execution, FinishedCommandsAreInTheFramebuffer) {
         EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
         EXPECT_EQ(pixel(1, 1), (Bytes{1, 2, 3, 255}));
         glNewList(1, GL_COMPILE);
-        complete(); // not an error of a list either
+        complete(); // also not an error in a list
         glEndList();
         glCallList(1);
         EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
@@ -280,7 +281,7 @@ class Order : public Execution {
         glEnable(GL_FOG);
         glFogi(GL_FOG_MODE, GL_LINEAR);
         glFogf(GL_FOG_START, 0);
-        glFogf(GL_FOG_END, 2); // and the eye is half a unit away
+        glFogf(GL_FOG_END, 2); // the eye is half a unit away
         glFogfv(GL_FOG_COLOR, fs(fog_color).data());
         glEnable(GL_ALPHA_TEST);
         glEnable(GL_STENCIL_TEST);
@@ -294,14 +295,14 @@ class Order : public Execution {
         glClearDepth(0.5);
     }
 
-    /// One fragment in a cleared framebuffer.
+    /// Draws one fragment into a cleared framebuffer.
     static void draw(bool owned, bool alpha, bool stencil, bool depth) {
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         glScissor(0, 0, size, size);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
         glScissor(owned ? 0 : 40, 0, 40, size);
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
-        glAlphaFunc(alpha ? GL_GREATER : GL_LESS, 0.5f); // of 0.72: texture comes first
+        glAlphaFunc(alpha ? GL_GREATER : GL_LESS, 0.5f); // alpha is 0.72, because the texture comes first
         glStencilFunc(stencil ? GL_EQUAL : GL_NOTEQUAL, stencil_below, 0xFF);
         glDepthFunc(depth ? GL_GREATER : GL_LESS);
         glBegin(GL_POINTS);
@@ -313,7 +314,7 @@ class Order : public Execution {
 TEST_F(Order, OfWhatMakesTheColor) {
     const std::vector<std::size_t> order = {0, 1, 2, 3, 4};
     const Rgba right = in_order(order);
-    // The scene is one that would tell: each exchange of two operations changes it visibly.
+    // In this scene every exchange of two operations would change the result visibly.
     for (std::size_t i = 0; i < order.size(); ++i)
         for (std::size_t k = i + 1; k < order.size(); ++k) {
             std::vector<std::size_t> other = order;
@@ -330,7 +331,8 @@ TEST_F(Order, OfWhatMakesTheColor) {
         EXPECT_NEAR(got[c], 255 * right[c], 1.5) << c;
 }
 
-/// Scissor, alpha, stencil, depth: who fails first keeps those behind from doing anything.
+/// The tests are scissor, alpha, stencil, depth. A fragment that fails one test does not reach those behind
+/// it.
 TEST_F(Order, OfTheTests) {
     glDepthRange(1, 0);
     for (int which = 0; which < 16; ++which) {

@@ -1,4 +1,4 @@
-// Client data in display lists: images under every pixel storage, and interleaved arrays.
+// Tests client data in display lists: images under every pixel storage, and interleaved arrays.
 #include "gl/context/features.hpp"
 
 #include <array>
@@ -68,7 +68,7 @@ TEST_F(CapturedImages, EqualImmediateOnes) {
                 glPixelStorei(GL_UNPACK_SKIP_ROWS, 0);
                 glPixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
                 glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, black);
-                glPixelStorei(GL_UNPACK_SKIP_ROWS, 1000); // what holds at execution must not matter
+                glPixelStorei(GL_UNPACK_SKIP_ROWS, 1000); // the storage at execution must not matter
                 glCallList(list);
                 ASSERT_EQ(texels(), expected) << std::hex << format << " " << type << " list " << list;
                 EXPECT_EQ(context->pixel_store.unpack.skip_rows, 1000);
@@ -107,11 +107,11 @@ TEST_F(CapturedImages, AnImageWithoutPixels) {
 
 using Interleaved = RecordingContext;
 
-// The separate pointers of GL 1.3, table 2.5, must draw the same.
+// Interleaved arrays draw the same as the separate pointers of GL 1.3, table 2.5.
 TEST_F(Interleaved, EqualsSeparatePointers) {
     struct Row {
         GLenum format;
-        int tex, color; // components; colour 5 = four bytes
+        int tex, color; // number of components; colour 5 means four bytes
         bool normal;
         int position;
     };
@@ -161,7 +161,7 @@ TEST_F(Interleaved, EqualsSeparatePointers) {
             events().clear();
             glDrawArrays(GL_TRIANGLES, 0, 4);
             const auto expected = events();
-            // From the opposite state.
+            // Begins with the opposite state.
             toggle(GL_TEXTURE_COORD_ARRAY, row.tex == 0);
             toggle(GL_COLOR_ARRAY, row.color == 0);
             toggle(GL_NORMAL_ARRAY, !row.normal);

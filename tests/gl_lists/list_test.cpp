@@ -1,4 +1,4 @@
-// Display lists (GL 1.3, 5.4). The yardstick is immediate mode: the same commands must reach the pipeline and
+// Compares display lists (GL 1.3, 5.4) with immediate mode: the same commands must reach the pipeline and
 // leave the same state.
 #include "gl/context/features.hpp"
 
@@ -22,7 +22,7 @@ class Lists : public RecordingContext {
         return events();
     }
 
-    /// Compiled and called, compiled and executed: the events of `drawing` itself.
+    /// Compiled and called, or compiled and executed, a list gives the events of `drawing` itself.
     void same_as_immediate(const Drawing& drawing) {
         const auto start = snapshot();
         const auto expected = drawn(drawing);
@@ -253,7 +253,7 @@ TEST_F(Lists, NestingAndRedefinition) {
     glNewList(1, GL_COMPILE);
     glBegin(GL_POINTS);
     glVertex2i(1, 0);
-    glCallList(2); // defined later; between Begin and End
+    glCallList(2); // defined later; called between Begin and End
     glVertex2i(3, 0);
     glEnd();
     glEndList();
@@ -299,7 +299,7 @@ TEST_F(Lists, OldContentUntilEndList) {
     glEndList();
     glNewList(1, GL_COMPILE_AND_EXECUTE);
     glColor3f(0, 1, 0);
-    glCallList(1); // the old one
+    glCallList(1); // the old list 1
     GLfloat color[4];
     glGetFloatv(GL_CURRENT_COLOR, color);
     EXPECT_EQ(color[0], 1);
@@ -323,7 +323,7 @@ TEST_F(Lists, NestingLimit) {
     }
     EXPECT_EQ(drawn([] { glCallList(1); }).size(), 3u * 64);
     EXPECT_EQ(drawn([] { glCallList(60); }).size(), 3u * 11);
-    glNewList(1, GL_COMPILE); // calls itself: 64 times
+    glNewList(1, GL_COMPILE); // list 1 calls itself, 64 times
     glBegin(GL_POINTS);
     glEnd();
     glCallList(1);
@@ -346,7 +346,7 @@ TEST_F(Lists, CallListsOfEveryType) {
         for (int compiled = 0; compiled < 2; ++compiled) {
             if (compiled != 0) {
                 glNewList(1, GL_COMPILE);
-                glListBase(5); // the base of the execution counts
+                glListBase(5); // the base at execution counts
                 glListBase(base);
                 glCallLists(n, type, lists);
                 glEndList();
@@ -403,12 +403,12 @@ TEST_F(Lists, Names) {
     glNewList(0xFFFFFFFF, GL_COMPILE);
     glEndList();
     EXPECT_TRUE(glIsList(0xFFFFFFFF));
-    glDeleteLists(0xFFFFFFF0, 0x7FFFFFFF); // ends at the last name, does not wrap
+    glDeleteLists(0xFFFFFFF0, 0x7FFFFFFF); // ends at the last name, and does not wrap
     EXPECT_FALSE(glIsList(0xFFFFFFFF));
     EXPECT_TRUE(glIsList(first));
     glNewList(100, GL_COMPILE);
     glEndList();
-    glDeleteLists(50, 50); // more names than the table holds: ends before 100
+    glDeleteLists(50, 50); // more names than the table holds; ends before 100
     EXPECT_TRUE(glIsList(100));
     glDeleteLists(50, 51);
     EXPECT_FALSE(glIsList(100));
@@ -432,7 +432,7 @@ TEST_F(Lists, ArgumentErrors) {
     EXPECT_EQ(glGetError(), GLenum{GL_INVALID_VALUE});
     glNewList(1, GL_COMPILE_AND_EXECUTE);
     glBegin(GL_POINTS);
-    glEndList(); // executed: we are between Begin and End
+    glEndList(); // executed between Begin and End
     EXPECT_EQ(context->error_code, GLenum{GL_INVALID_OPERATION});
     glEnd();
     glEndList();

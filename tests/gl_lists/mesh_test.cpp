@@ -1,4 +1,4 @@
-// Draws of arrays in display lists. The yardstick is the draw itself, made when the list is compiled.
+// Compares draws of arrays in display lists with the same draw, made when the list is compiled.
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_LISTS
@@ -17,10 +17,10 @@ class Meshes : public RecordingContext {
     void SetUp() override {
         Random random(5);
         for (GLubyte& byte : data_)
-            byte = static_cast<GLubyte>(random.below(120)); // whatever its type: no NaN
+            byte = static_cast<GLubyte>(random.below(120)); // as floats these bytes are never NaN
     }
 
-    /// Points all arrays that are on at numbers of a type, `stride` bytes apart.
+    /// Points all enabled arrays at numbers of a type, `stride` bytes apart.
     void point(GLenum type, GLint size, GLsizei stride) {
         glVertexPointer(size < 2 ? 2 : size, type, stride, data_.data());
         glNormalPointer(type, stride, data_.data() + 3);
@@ -34,8 +34,8 @@ class Meshes : public RecordingContext {
             ((which >> i & 1) != 0 ? glEnableClientState : glDisableClientState)(arrays[i]);
     }
 
-    /// What a draw gives at once, and from a list, when neither its arrays nor its indices are there any
-    /// more. The list is called with all arrays off, and with all of them on.
+    /// Compares a draw with a list of it that is called when its arrays and indices no longer exist. The list
+    /// is called with all arrays disabled, and with all enabled.
     template <class Draw> void same_from_list(const Draw& draw, const std::string& what) {
         glColor4f(0.25F, 0.5F, 0.125F, 1.F);
         events().clear();
@@ -81,7 +81,7 @@ TEST_F(Meshes, ArraysOfEveryTypeAndStride) {
                 }
 }
 
-/// Near each other, far apart, one alone, all the same; as bytes, shorts and words.
+/// Indices are near each other, far apart, single, or all the same; they are bytes, shorts and words.
 TEST_F(Meshes, IndicesOfEveryKind) {
     Random random(9);
     enable(15);
@@ -123,7 +123,7 @@ TEST_F(Meshes, RestartsAndSeveralDraws) {
     point(GL_FLOAT, 3, 0);
     const GLubyte indices[] = {4, 5, 6, 255, 255, 7, 8, 9, 10, 255};
     glPrimitiveRestartIndex(255);
-    glEnable(GL_PRIMITIVE_RESTART); // looked at when the list is compiled
+    glEnable(GL_PRIMITIVE_RESTART); // used when the list is compiled
     same_from_list(
         [&] {
             enable(1);
@@ -153,7 +153,7 @@ TEST_F(Meshes, NothingBetweenBeginAndEnd) {
     EXPECT_EQ(glGetError(), GLenum{GL_INVALID_OPERATION});
 }
 
-/// A model of which each vertex is used six times takes its arrays and its indices.
+/// A model with six uses of each vertex takes memory for its arrays and indices only.
 TEST_F(Meshes, TakeTheirArraysAndTheirIndices) {
     enable(3);
     point(GL_FLOAT, 3, 0);
@@ -175,7 +175,7 @@ TEST_F(Meshes, TakeTheirArraysAndTheirIndices) {
     EXPECT_LT(arena.used() - next, vertices * 16 + 400);
 }
 
-/// More than the arena has: the list is empty, and EndList says so.
+/// If a mesh needs more memory than there is, the list is empty, and EndList raises an error.
 TEST_F(Meshes, WithoutMemory) {
     enable(1);
     point(GL_FLOAT, 3, 0);

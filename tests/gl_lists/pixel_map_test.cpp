@@ -1,4 +1,4 @@
-// Pixel maps in display lists: their entries are those of the moment when the list was compiled.
+// Pixel maps in display lists have the entries of the time when the list was compiled.
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_LISTS && SPANGLE_FEATURE_PIXEL_TRANSFER
@@ -19,7 +19,7 @@ TEST_F(CapturedPixelMaps, KeepTheirEntries) {
     glPixelMapusv(GL_PIXEL_MAP_A_TO_A, 3, shorts);
     glPixelMapuiv(GL_PIXEL_MAP_I_TO_I, 2, words);
     glPixelTransferf(GL_MAP_COLOR, GL_TRUE);
-    glPixelMapfv(GL_PIXEL_MAP_I_TO_R, 3, reals); // not a power of two: when it is executed
+    glPixelMapfv(GL_PIXEL_MAP_I_TO_R, 3, reals); // a size that is no power of two is an error at execution
     glEndList();
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
     GLint size = 0;
@@ -43,7 +43,7 @@ TEST_F(CapturedPixelMaps, KeepTheirEntries) {
     glGetPixelMapuiv(GL_PIXEL_MAP_I_TO_I, words);
     EXPECT_EQ(words[1], 0xFFFFFFFFu);
     glBegin(GL_POINTS);
-    glCallList(1); // everything in it is refused there
+    glCallList(1); // every command in it is refused there
     glEnd();
     EXPECT_EQ(glGetError(), GLenum{GL_INVALID_OPERATION});
     glGetIntegerv(GL_PIXEL_MAP_I_TO_R_SIZE, &size);

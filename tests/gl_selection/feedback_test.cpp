@@ -1,4 +1,4 @@
-// Feedback: the grammar of its tokens for all five types of vertices (GL 1.3, 5.3).
+// Tests feedback: the grammar of its tokens for all five types of vertices (GL 1.3, 5.3).
 #include <cmath>
 #include <vector>
 
@@ -61,7 +61,7 @@ TEST_F(Feedback, VerticesOfAllFiveTypes) {
     expect(GL_4D_COLOR_TEXTURE, 4, true, true);
 }
 
-/// Positions are those before snapping to the subpixel grid.
+/// Positions are not snapped to the subpixel grid.
 TEST_F(Feedback, PositionsAreNotSnapped) {
     const Words found = feed(GL_3D, [] {
         glBegin(GL_POINTS);
@@ -100,7 +100,7 @@ TEST_F(Feedback, PolygonsSayHowManyVerticesTheyHave) {
         glVertex2f(0, 2);
         glEnd();
     });
-    // The corner outside of two planes goes; (1, 1) lies on both.
+    // The vertex outside of two planes is removed; (1, 1) lies on both planes.
     ASSERT_GE(cut.size(), 2u);
     EXPECT_EQ(cut[0], GL_POLYGON_TOKEN);
     EXPECT_EQ(cut.size(), 2 + 2 * static_cast<std::size_t>(cut[1]));
@@ -110,7 +110,7 @@ TEST_F(Feedback, PolygonsSayHowManyVerticesTheyHave) {
     }
 }
 
-/// A POLYGON is one token, whatever number of corners it has (GL 1.3, 5.3).
+/// A POLYGON is one token, whatever the number of its vertices (GL 1.3, 5.3).
 TEST_F(Feedback, APolygonIsOnePolygon) {
     for (const int n : {3, 4, 5, 9, 40}) {
         Words expected = {GL_POLYGON_TOKEN, static_cast<GLfloat>(n)};
@@ -143,7 +143,7 @@ TEST_F(Feedback, APolygonIsOnePolygon) {
                 }).empty());
 }
 
-/// A context may end while a polygon has not, and a polygon that the arena cannot hold is an error.
+/// A context may be destroyed in the middle of a polygon. A polygon that does not fit the arena is an error.
 TEST_F(Feedback, PolygonsAndTheirMemory) {
     std::vector<std::uint64_t> memory(128 * 1024 + gl::fixed_engine.pipeline_bytes / 8);
     gl::Arena arena;
@@ -171,10 +171,10 @@ TEST_F(Feedback, PolygonsAndTheirMemory) {
     gl::set_current_context(before);
 }
 
-/// Cut as one, culled and coloured as one: flat colours are those of its first corner, also where that is cut
-/// away.
+/// A polygon is clipped, culled and coloured as a whole. A flat polygon has the colour of its first vertex,
+/// also if that vertex is clipped away.
 TEST_F(Feedback, APolygonIsCutAsOne) {
-    const auto house = [](GLfloat shift) { // five corners; the first is the one on the left
+    const auto house = [](GLfloat shift) { // five vertices; the first is the one on the left
         return [shift] {
             const GLfloat at[5][2] = {
                 {-0.5f, 0}, {-0.25f, -0.5f}, {0.25f, -0.5f}, {0.25f, 0.5f}, {-0.25f, 0.5f}};
@@ -211,7 +211,7 @@ TEST_F(Feedback, APolygonIsCutAsOne) {
 }
 
 #if SPANGLE_FEATURE_POLYGON_MODE
-/// Edges of the polygon that are no boundaries are no lines; only the faces that have this mode are outlined.
+/// Edges that are not boundaries give no lines, and only faces with this mode are outlined.
 TEST_F(Feedback, OutlinesOfPolygons) {
     const auto pentagon = [] {
         const GLfloat at[5][2] = {{-0.5f, 0}, {0, -0.5f}, {0.5f, 0}, {0.25f, 0.5f}, {-0.25f, 0.5f}};
@@ -228,11 +228,11 @@ TEST_F(Feedback, OutlinesOfPolygons) {
     EXPECT_EQ(feed(GL_2D, pentagon), (Words{reset, 16, 32, 32, 16, on, 48, 32, 40, 48, on, 24, 48, 16, 32}));
     glPolygonMode(GL_FRONT, GL_POINT);
     EXPECT_EQ(feed(GL_2D, pentagon), (Words{point, 16, 32, point, 48, 32, point, 24, 48}));
-    glFrontFace(GL_CW); // its back is filled
+    glFrontFace(GL_CW); // the polygon's back is filled
     EXPECT_EQ(feed(GL_2D, pentagon), (Words{GL_POLYGON_TOKEN, 5, 16, 32, 32, 16, 48, 32, 40, 48, 24, 48}));
 }
 
-/// Quads are outlined from the corner that was named first.
+/// The outline of a quad begins with its first vertex.
 TEST_F(Feedback, OutlinesOfQuads) {
     const GLfloat reset = GL_LINE_RESET_TOKEN, on = GL_LINE_TOKEN, point = GL_POINT_TOKEN;
     glPolygonMode(GL_FRONT, GL_LINE);
@@ -283,7 +283,7 @@ TEST_F(Feedback, CulledPolygonsAreNotFedBack) {
 }
 
 #if SPANGLE_FEATURE_LIGHTING
-/// Each corner has the material of its time, on both sides.
+/// Each vertex has the material that was current when it was given, on both sides.
 TEST_F(Feedback, PolygonsHaveTheMaterialsOfTheirCorners) {
     glEnable(GL_LIGHTING);
     glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
@@ -359,7 +359,7 @@ TEST_F(Feedback, MarkersPassThrough) {
                        glPassThrough(-2);
                    }),
               (Words{GL_PASS_THROUGH_TOKEN, 1.5f, GL_POINT_TOKEN, 32, 32, GL_PASS_THROUGH_TOKEN, -2}));
-    glPassThrough(3); // in other modes it means nothing
+    glPassThrough(3); // no effect in other modes
 }
 
 TEST_F(Feedback, AFullBufferKeepsWhatFitsAndSaysSo) {

@@ -1,4 +1,4 @@
-// Selection: hits, records, the name stack (GL 1.3, 5.2).
+// Tests selection: hits, records, and the name stack (GL 1.3, 5.2).
 #include <array>
 #include <vector>
 
@@ -13,14 +13,14 @@ namespace {
 using Words = std::vector<GLuint>;
 constexpr GLuint deepest = 0xFFFFFFFF;
 
-/// Window depth of a z in [-1, 1], as records have it.
+/// Returns the window depth of z in [-1, 1] as records have it.
 GLuint depth(double z) {
     return static_cast<GLuint>((z + 1) / 2 * 4294967295.0 + 0.5);
 }
 
 class Selection : public Canvas {
   protected:
-    /// What `draw` selects with a buffer of `size` words; the result of RenderMode comes first.
+    /// Returns what `draw` selects with a buffer of `size` words; the result of RenderMode comes first.
     template <class F> Words select(F draw, std::size_t size = 64) {
         Words buffer(size + 1, 0xABABABAB);
         glSelectBuffer(static_cast<GLsizei>(size), buffer.data());
@@ -55,7 +55,7 @@ TEST_F(Selection, RecordsHoldNamesBottomFirstAndTheDepthsOfAllHits) {
         glPushName(9);
         triangle(-0.5f, 0, 0.5f);
         triangle(0, 0.25f, 0.75f);
-        glLoadName(10); // nothing hits
+        glLoadName(10); // nothing hits this name
         glLoadName(11);
         point(0, 0, -1);
     });
@@ -88,12 +88,12 @@ TEST_F(Selection, EveryCommandOfTheNameStackEndsARecord) {
     EXPECT_THAT(found, testing::ElementsAre(5, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 2, 0, 0, 0, 0, 0, 0));
 }
 
-/// The view volume decides, not the guard band; what is cut counts where it was cut.
+/// The view volume decides, not the guard band. A clipped primitive has the depths of its remaining part.
 TEST_F(Selection, OnlyWhatIsLeftAfterClippingHits) {
     EXPECT_THAT(select([] { point(1.01f, 0, 0); }), testing::ElementsAre(0));
     EXPECT_THAT(select([] { triangle(0, 0, 0, 1.5f); }), testing::ElementsAre(0));
     EXPECT_EQ(select([] { triangle(0, 0, 0, 0.9f); })[0], 1u);
-    EXPECT_EQ(select([] { // its box meets the volume, the triangle does not
+    EXPECT_EQ(select([] { // its box meets the volume, but the triangle does not
                   glBegin(GL_TRIANGLES);
                   glVertex2f(0.9f, 2.9f);
                   glVertex2f(2.9f, 0.9f);
@@ -115,7 +115,7 @@ TEST_F(Selection, OnlyWhatIsLeftAfterClippingHits) {
 }
 
 #if SPANGLE_FEATURE_CLIP_PLANES
-/// The clip volume is the view volume and the planes of the user (GL 1.3, 2.11 and 5.2).
+/// Hits are clipped by the view volume and the user's clip planes (GL 1.3, 2.11 and 5.2).
 TEST_F(Selection, ClipPlanesCutToo) {
     const GLdouble right[4] = {1, 0, 0, -0.25}; // x >= 0.25
     glClipPlane(GL_CLIP_PLANE0, right);
@@ -144,7 +144,7 @@ TEST_F(Selection, CulledPolygonsDoNotHit) {
 }
 
 #if SPANGLE_FEATURE_POLYGON_MODE
-/// The polygon counts, not the points or lines it would be drawn as: these have none.
+/// The polygon counts, not the points or lines that its mode would draw; here there are none.
 TEST_F(Selection, PolygonModeMeansNothing) {
     glEdgeFlag(GL_FALSE);
     for (const GLenum mode : {GL_POINT, GL_LINE}) {
@@ -154,7 +154,7 @@ TEST_F(Selection, PolygonModeMeansNothing) {
 }
 #endif
 
-/// A polygon seen from its edge, or smaller than a pixel, is still one.
+/// A polygon seen edge-on, or smaller than a pixel, still hits.
 TEST_F(Selection, ThinPolygonsHit) {
     EXPECT_EQ(select([] {
                   glScalef(1e-5f, 1e-5f, 1);

@@ -1,5 +1,5 @@
-// Images drawn one texel to a pixel as programs draw them: a projection of pixels, GL_LINEAR, dithering as it
-// is, one rectangle. Every byte of the image arrives, and no pixel beside it is touched.
+// Draws images one texel to a pixel as programs do: with a projection of pixels, GL_LINEAR, the initial
+// dithering, and one rectangle. Every byte of the image must arrive, and no pixel beside it may change.
 #include <cstdint>
 #include <vector>
 
@@ -39,7 +39,8 @@ std::vector<GLubyte> read(const Rectangle& r) {
     return out;
 }
 
-/// Checkerboard: components of 0 and 255, which weights that are not whole soften; else any bytes.
+/// Draws a random image, or a checkerboard: its components are 0 and 255, which any fractional weight would
+/// change.
 void draw_image(EGLint precision, const Rectangle& r, bool checkerboard) {
     const HeadlessGl gl(r.surface_width, r.surface_height, {EGL_PRECISION_SPANGLE, precision});
     const auto width = static_cast<std::size_t>(r.width), height = static_cast<std::size_t>(r.height);
@@ -88,8 +89,8 @@ TEST(ImageOfPixels, ArrivesAsItIs) {
         }
 }
 
-/// The image over a surface as wide as there is, so that rows are one run of 2048 pixels, cut by a scissor
-/// box: what is left is what was there before.
+/// The image covers a surface of the largest width, so rows are one run of 2048 pixels, clipped by a scissor
+/// box. Pixels outside of the box keep their values.
 TEST(ImageOfPixels, CoordinatesOfAWideRectangleGoOnBehindAScissor) {
     for (const EGLint precision : {EGL_PRECISION_EXACT_SPANGLE, EGL_PRECISION_FAST_SPANGLE}) {
         const Rectangle r{2048, 8, 0, 0, 2048, 8};

@@ -1,4 +1,4 @@
-// Texture images in the order that GL's commands have.
+// Texture images with their arguments in the order of GL's commands.
 #pragma once
 
 #include "gl/api/generated/commands.hpp"

@@ -1,4 +1,4 @@
-// COMBINE against the formulas of gl-commands.md F19 in double, and its state.
+// Compares COMBINE with the formulas of gl-commands.md F19 in double, and tests its state.
 #include <cmath>
 #include <map>
 
@@ -176,8 +176,8 @@ TEST_F(Combine, EveryFunctionSourceOperandAndScaleInBothUnits) {
         const Rgba wanted = result({in.primary, first, {in.texture[0], in.texture[1]}, 1, units[1]});
         std::vector<GLubyte> pixel;
         draw(0.5f, 0.5f, pixel);
-        // The other tiers count 256ths of a 255th, each of a chain of two units rounded down up to 16 times,
-        // and scaled: 4 in the product, 4 behind it, in both units.
+        // The other tiers compute in 256ths of a 255th. A chain of two units is rounded down up to 16 times,
+        // and scaled by 4 in the product and by 4 behind it, in both units.
         for (std::size_t i = 0; i < 4; ++i)
             ASSERT_NEAR(pixel[i], wanted.v[i] * 255, exact ? 0.502 : 8)
                 << "round " << round << " component " << i;
@@ -193,14 +193,15 @@ TEST_F(Combine, AUnitAfterAnotherEnvironmentAndOneThatIsOff) {
     glEnable(GL_TEXTURE_2D);
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
     glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_ADD);
-    glTexEnvi(GL_TEXTURE_ENV, GL_SOURCE0_RGB, GL_PRIMARY_COLOR); // behind a REPLACE: still the vertex's
-    glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND0_RGB, GL_SRC_ALPHA);    // alpha, which nothing else looks at
+    glTexEnvi(GL_TEXTURE_ENV, GL_SOURCE0_RGB,
+              GL_PRIMARY_COLOR); // behind a REPLACE it is still the vertex's colour
+    glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND0_RGB, GL_SRC_ALPHA); // alpha, which nothing else uses
     glColor4ub(9, 9, 9, 40);
     std::vector<GLubyte> pixel;
     draw(0.5f, 0.5f, pixel);
     EXPECT_EQ(pixel[0], 91);
     EXPECT_EQ(pixel[2], 193);
-    // Unit 1 now asks for unit 0, which is off: it does nothing.
+    // Unit 1 now asks for the texture of unit 0, which is disabled, so unit 1 has no effect.
     glTexEnvi(GL_TEXTURE_ENV, GL_SOURCE1_RGB, GL_TEXTURE0);
     glActiveTexture(GL_TEXTURE0);
     glDisable(GL_TEXTURE_2D);
@@ -265,7 +266,7 @@ TEST_F(Combine, StateIsKeptAndBadValuesRefused) {
             EXPECT_EQ(get(pname), legal ? static_cast<GLint>(v) : before);
         }
     }
-    // Per unit, and saved with the texture group.
+    // The state belongs to each unit, and the texture group saves it.
     glTexEnvi(GL_TEXTURE_ENV, GL_SOURCE1_ALPHA, GL_TEXTURE1);
     glPushAttrib(GL_TEXTURE_BIT);
     glTexEnvi(GL_TEXTURE_ENV, GL_SOURCE1_ALPHA, GL_CONSTANT);
@@ -276,7 +277,7 @@ TEST_F(Combine, StateIsKeptAndBadValuesRefused) {
     EXPECT_EQ(get(GL_SOURCE1_ALPHA), GL_TEXTURE1);
 }
 
-/// Levels of 4, 2 and 1 texels, magnified: what the bias of the texture and that of the unit choose.
+/// The biases of texture and unit choose a level of 4, 2 or 1 texels, although the texture is magnified.
 TEST_F(Combine, TheBiasOfTextureAndUnitMovesTheLevel) {
     const GLubyte levels[3] = {10, 20, 30};
     for (GLint l = 0; l < 3; ++l) {
@@ -293,7 +294,7 @@ TEST_F(Combine, TheBiasOfTextureAndUnitMovesTheLevel) {
             glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_LOD_BIAS, texture);
             glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, unit);
             glColor3f(1, 1, 1);
-            // Half a texel from pixel to pixel: lambda = -1.
+            // From pixel to pixel there is half a texel: lambda is -1.
             glBegin(GL_TRIANGLE_STRIP);
             for (float y : {-1.0f, 1.0f})
                 for (float x : {-1.0f, 1.0f}) {

@@ -1,4 +1,4 @@
-// Paletted and ETC1 images: what is sampled, from copies and from constant memory, and what is refused
+// Tests paletted and ETC1 images: what is sampled, from copies and from constant memory, and what is refused
 // (gl-commands.md F07, OES_compressed_paletted_texture, OES_compressed_ETC1_RGB8_texture).
 #include <array>
 #include <cstring>
@@ -25,7 +25,7 @@ struct Compressed : spangle::test::Drawing {
             b = static_cast<GLubyte>(random.below(256));
         return v;
     }
-    /// Of a level that is chosen by its number.
+    /// Returns a texel of the level with this number.
     std::array<int, 4> texel(int i, int j, int width, int height, int level) {
         glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MIN_LOD, static_cast<float>(level));
         glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_LOD, static_cast<float>(level));
@@ -36,7 +36,7 @@ struct Compressed : spangle::test::Drawing {
     }
 };
 
-/// Bits of one field as a byte, to nearest.
+/// Returns a field of bits as a byte, rounded to nearest.
 int byte_of(unsigned word, int shift, int bits) {
     const unsigned most = (1u << bits) - 1, k = word >> shift & most;
     return static_cast<int>((k * 255 + most / 2) / most);
@@ -66,7 +66,8 @@ TEST_F(Compressed, EveryPaletteAndItsLevels) {
             const unsigned kind = (format - GL_PALETTE4_RGB8_OES) % 5;
             const bool small = format < GL_PALETTE8_RGB8_OES;
             const std::size_t palette = (small ? 16 : 256) * entry_bytes[kind];
-            // 8 x 2, 4 x 1, 2 x 1, 1 x 1: indices of 4 bits share bytes, a level starts at a byte.
+            // Levels are 8 x 2, 4 x 1, 2 x 1 and 1 x 1. Indices of 4 bits share bytes, but each level starts
+            // at a byte.
             const int widths[4] = {8, 4, 2, 1}, heights[4] = {2, 1, 1, 1};
             std::size_t total = palette, start[4];
             for (int l = 0; l < 4; ++l) {
@@ -95,14 +96,14 @@ TEST_F(Compressed, EveryPaletteAndItsLevels) {
             GLint size = 0;
             glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_COMPRESSED_IMAGE_SIZE, &size);
             EXPECT_EQ(static_cast<std::size_t>(size), first);
-            // One level alone: those that do not come with it go.
+            // One level is loaded alone, and all other levels are deleted.
             load(GL_TEXTURE_2D, 0, format, 8, 2, 0, static_cast<GLsizei>(first), data.data());
             glGetTexLevelParameteriv(GL_TEXTURE_2D, 1, GL_TEXTURE_WIDTH, &size);
             EXPECT_EQ(size, 0);
         }
 }
 
-/// By the tables of the extension, one texel after the other.
+/// Decodes one texel by the tables of the extension.
 std::array<int, 4> etc1(const GLubyte* block, int x, int y) {
     static const int modifier[8][4] = {{2, 8, -2, -8},       {5, 17, -5, -17},    {9, 29, -9, -29},
                                        {13, 42, -13, -42},   {18, 60, -18, -60},  {24, 80, -24, -80},
@@ -137,7 +138,7 @@ TEST_F(Compressed, Etc1BlocksOfBothModesAndDirections) {
         const int across = (width + 3) / 4, up = (height + 3) / 4;
         std::vector<GLubyte> data = bytes(static_cast<std::size_t>(8 * across * up));
         for (std::size_t b = 0; b < data.size(); b += 8)
-            for (std::size_t c = 0; c < 3; ++c) { // a second colour of five bits does not leave them
+            for (std::size_t c = 0; c < 3; ++c) { // the second colour must stay within five bits
                 const int d = data[b + c] & 7, five = data[b + c] >> 3, sum = five + (d < 4 ? d : d - 8);
                 if (sum < 0 || sum > 31)
                     data[b + c] = static_cast<GLubyte>(data[b + c] & 0xF8);
@@ -153,7 +154,7 @@ TEST_F(Compressed, Etc1BlocksOfBothModesAndDirections) {
     }
 }
 
-/// A whole sprite of several formats, LINEAR, fragment by fragment and in packets, in every tier.
+/// A sprite of several formats is drawn with LINEAR, by fragments and by packets, in every tier.
 TEST_F(Compressed, LinearFiltersThemLikeTheColoursTheyStandFor) {
     const std::vector<GLubyte> palette = bytes(16 * 3), indices = bytes(8);
     std::vector<GLubyte> data = palette, rgb;
@@ -207,7 +208,7 @@ TEST_F(Compressed, WhatIsRefused) {
     EXPECT_EQ(load(0, GL_ETC1_RGB8_OES, 8, 4, 0, 16), GLenum{GL_NO_ERROR});
     data[0] = 77;
     glCompressedTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 4, 4, GL_ETC1_RGB8_OES, 8, data);
-    EXPECT_EQ(glGetError(), GLenum{GL_INVALID_OPERATION}); // a part
+    EXPECT_EQ(glGetError(), GLenum{GL_INVALID_OPERATION}); // a part of a paletted image
     glCompressedTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 8, 4, GL_ETC1_RGB8_OES, 16, data);
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
     GLubyte back[16] = {};
@@ -217,7 +218,7 @@ TEST_F(Compressed, WhatIsRefused) {
     EXPECT_EQ(glGetError(), GLenum{GL_INVALID_OPERATION});
     glGetTexImage(GL_TEXTURE_2D, 0, GL_RGB, GL_UNSIGNED_BYTE, back);
     EXPECT_EQ(glGetError(), GLenum{GL_INVALID_OPERATION});
-    // A generic format falls back to its base.
+    // A generic compressed format becomes its base format.
     glTexImage2D(GL_TEXTURE_2D, 0, GL_COMPRESSED_LUMINANCE, 2, 2, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, data);
     GLint value = 0;
     glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_INTERNAL_FORMAT, &value);

@@ -1,5 +1,5 @@
-// Images in constant memory (TexConstantImage2DSPANGLE): sampled where they lie, not a byte of them copied,
-// and copied as soon as they are written.
+// Tests images in constant memory (TexConstantImage2DSPANGLE). They are sampled where they are without a
+// copy, and copied when they are written.
 #include <array>
 #include <cstring>
 
@@ -18,7 +18,7 @@ struct ConstantImages : spangle::test::Drawing {
     }
     static void refused(GLenum code) { EXPECT_EQ(glGetError(), code); }
 
-    /// Texel (i, j) of a 4 x 4 image, and of any level of its chain.
+    /// Returns texel (i, j) of a 4 x 4 image, or of any level of its chain.
     std::array<int, 4> texel(int i, int j, int side = 4, int level = 0) {
         glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MIN_LOD, static_cast<float>(level));
         glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_LOD, static_cast<float>(level));
@@ -52,7 +52,7 @@ alignas(4) constexpr auto bytes = [] {
     return out;
 }();
 
-/// Texels as they lie in memory are what TexImage makes of the same bytes, in every format.
+/// In every format, texels in constant memory are what TexImage makes of the same bytes.
 TEST_F(ConstantImages, AreWhatTexImageKeeps) {
     for (const Kept& k : kept) {
         glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(k.internal_format), 4, 4, 0, k.format, k.type,
@@ -70,8 +70,8 @@ TEST_F(ConstantImages, AreWhatTexImageKeeps) {
     }
 }
 
-/// What is sampled is the program's own memory: it shows when that changes, and the arena pays for the
-/// level's block only, whatever the size.
+/// The program's own memory is sampled, so a change of it shows. The arena holds only the level's block,
+/// whatever the size of the image.
 TEST_F(ConstantImages, TakeNoMemory) {
     static std::array<GLushort, 256 * 256> large{};
     const std::size_t before = spangle::memory_use().used;
@@ -97,7 +97,7 @@ TEST_F(ConstantImages, AChainOfLevels) {
     EXPECT_EQ(texel(0, 0, 1, 2)[0], 200);
 }
 
-/// TexSubImage and CopyTexSubImage write into a copy; the program's memory stays as it is.
+/// TexSubImage and CopyTexSubImage write into a copy, and the program's memory does not change.
 TEST_F(ConstantImages, BecomeCopiesWhenWritten) {
     for (const bool from_pixels : {false, true}) {
         static std::array<GLubyte, 16> mine{};
@@ -148,7 +148,7 @@ TEST_F(ConstantImages, ErrorsChangeNothing) {
     }
     image(GL_RGB5, 4, 0, 32, bytes.data() + 1); // words at an odd address
     refused(GL_INVALID_VALUE);
-    for (int i = 1; i < 4; ++i) { // the same of 32 bits
+    for (int i = 1; i < 4; ++i) { // the same with words of 32 bits
         image(GL_RGBA8, 3, 0, 48, bytes.data() + i);
         refused(GL_INVALID_VALUE);
     }

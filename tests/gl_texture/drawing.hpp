@@ -1,5 +1,5 @@
-// An off-screen surface of 4 x 4 pixels, 8 bits a component, all of one colour: what texturing makes of one
-// fragment.
+// An off-screen surface of 4 x 4 pixels, 8 bits a component, filled with one colour: it shows what texturing
+// makes of one fragment.
 #pragma once
 
 #include <vector>
@@ -38,7 +38,7 @@ struct Drawing : testing::Test {
         eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         eglTerminate(display);
     }
-    /// One texture coordinate all over the surface.
+    /// Draws with one texture coordinate on the whole surface, and reads a pixel.
     void draw(float s, float t, std::vector<GLubyte>& pixel) {
         glTexCoord2f(s, t);
         glBegin(GL_TRIANGLE_STRIP);

@@ -1,4 +1,4 @@
-// Rows of the next level against means that are taken texel by texel.
+// Compares rows of the next level with means that are computed texel by texel.
 #include "gl/texture/halve_row.hpp"
 
 #if SPANGLE_ROW_CODES && SPANGLE_FEATURE_MIPMAP_GENERATION

@@ -1,5 +1,5 @@
-// Images from the framebuffer, derived levels, read-back, residency, depths that are compared (gl-commands.md
-// F02, F03, F06, F13 to F17, F21, F29).
+// Tests images from the framebuffer, derived levels, read-back, residency, and compared depths
+// (gl-commands.md F02, F03, F06, F13 to F17, F21, F29).
 #include <climits>
 #include <cmath>
 
@@ -28,7 +28,7 @@ struct Images : spangle::test::Drawing {
         glGetTexLevelParameteriv(target, level, pname, &v);
         return v;
     }
-    /// Every pixel another one.
+    /// Fills the surface so that every pixel has another colour.
     std::vector<GLubyte> paint() {
         const std::vector<GLubyte> pixels = bytes(64);
         glDisable(GL_TEXTURE_2D);
@@ -48,7 +48,7 @@ TEST_F(Images, AreReadBackAsTheyAreKept) {
     const std::vector<GLubyte> pixels = bytes(4 * 6 * 5);
     const struct {
         GLint internal;
-        int from[4]; ///< component of the pixel, -1: 0, -2: 1 (table 6.1)
+        int from[4]; ///< component of the pixel; -1: 0, -2: 1 (table 6.1)
     } cases[] = {{GL_ALPHA8, {-1, -1, -1, 3}},
                  {GL_LUMINANCE8, {0, -1, -1, -2}},
                  {GL_LUMINANCE8_ALPHA8, {0, -1, -1, 3}},
@@ -66,7 +66,7 @@ TEST_F(Images, AreReadBackAsTheyAreKept) {
             ASSERT_EQ(got[n], wanted) << std::hex << c.internal << std::dec << ' ' << n;
         }
     }
-    // In slices, as the pack state says.
+    // A volume is read in slices, as the pack state says.
     const std::vector<GLubyte> volume = bytes(2 * 3 * 2);
     glTexImage3D(GL_TEXTURE_3D, 0, GL_LUMINANCE8, 2, 3, 2, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, volume.data());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -100,13 +100,13 @@ TEST_F(Images, AreReadBackAsTheyAreKept) {
     }
 }
 
-/// Every base format, kept from every one of GetTexImage's formats, read in every one: table 6.1 says what
-/// becomes R, G, B and A, and luminance is red alone. Images of the framebuffer are the same: CopyTexImage
-/// takes the red of a pixel for luminance and intensity (GL 1.3, 3.8.1 and 3.8.2).
+/// Every base format is made from each of GetTexImage's formats and read in each of them. By table 6.1
+/// luminance is read as red only. Images of the framebuffer are the same: CopyTexImage takes the red of a
+/// pixel as luminance and intensity (GL 1.3, 3.8.1 and 3.8.2).
 TEST_F(Images, EveryFormatOfEveryBaseFormat) {
     const struct {
         GLenum internal;
-        int from[4]; ///< component of the pixel, -1: 0, -2: 1 (table 6.1)
+        int from[4]; ///< component of the pixel; -1: 0, -2: 1 (table 6.1)
     } bases[] = {{GL_ALPHA8, {-1, -1, -1, 3}},
                  {GL_LUMINANCE8, {0, -1, -1, -2}},
                  {GL_LUMINANCE8_ALPHA8, {0, -1, -1, 3}},
@@ -115,7 +115,7 @@ TEST_F(Images, EveryFormatOfEveryBaseFormat) {
                  {GL_RGBA8, {0, 1, 2, 3}}};
     const struct {
         GLenum format;
-        std::vector<int> parts; ///< of R, G, B, A
+        std::vector<int> parts; ///< of R, G, B and A
     } formats[] = {{GL_RED, {0}},           {GL_GREEN, {1}},
                    {GL_BLUE, {2}},          {GL_ALPHA, {3}},
                    {GL_RGB, {0, 1, 2}},     {GL_BGR, {2, 1, 0}},
@@ -154,7 +154,7 @@ TEST_F(Images, EveryFormatOfEveryBaseFormat) {
         glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, 4, 4);
         verify(base, pixels, "CopyTexSubImage");
     }
-    // ReadPixels alone makes the sum, clamped to 1 (GL 1.3, 4.3.2).
+    // Only ReadPixels makes luminance the sum of R, G and B, clamped to 1 (GL 1.3, 4.3.2).
     std::vector<GLubyte> sums(32);
     glReadPixels(0, 0, 4, 4, GL_LUMINANCE_ALPHA, GL_UNSIGNED_BYTE, sums.data());
     for (std::size_t n = 0; n < 16; ++n) {
@@ -176,7 +176,7 @@ TEST_F(Images, SubImagesOfLinesAndVolumes) {
     glTexSubImage1D(GL_TEXTURE_1D, 0, -2, 2, GL_ALPHA, GL_UNSIGNED_BYTE, part);
     EXPECT_EQ(glGetError(), GLenum{GL_INVALID_VALUE});
     glTexImage3D(GL_TEXTURE_3D, 0, GL_ALPHA, 6, 4, 4, 1, GL_ALPHA, GL_UNSIGNED_BYTE, volume.data());
-    // A box of 2 x 1 x 2 out of images of 3 rows of 4, the second image first.
+    // A box of 2 x 1 x 2 is taken from images of 3 rows of 4, the second image first.
     const std::vector<GLubyte> from = bytes(3 * 3 * 4);
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 4);
     glPixelStorei(GL_UNPACK_IMAGE_HEIGHT, 3);
@@ -207,12 +207,14 @@ TEST_F(Images, CopiesAreWhatReadPixelsAndTexImageMake) {
                      direct.data());
         EXPECT_EQ(copied, read(GL_TEXTURE_2D, 0, GL_RGBA, 48)) << std::hex << internal;
     }
-    // Partly outside: zero in a new image, untouched in an old one. Pixel transfer applies.
+    // Texels outside of the framebuffer are zero in a new image, and unchanged in an old one. Pixel transfer
+    // applies.
     glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, -1, -1, 2, 2, 0);
     std::vector<GLubyte> got = read(GL_TEXTURE_2D, 0, GL_RGBA, 16);
     EXPECT_EQ(got[0], 0);
     EXPECT_EQ(got[12], pixels[0]);
-    // So far outside that the distance is not a number of 32 bits: nothing is copied, a new image is zero.
+    // These distances outside of the framebuffer do not fit 32 bits. Nothing is copied, and a new image is
+    // zero.
     for (const GLint far : {INT_MIN, INT_MIN + 1, -100, 100, INT_MAX}) {
         glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, far, 0, 2, 2, 0);
         EXPECT_EQ(read(GL_TEXTURE_2D, 0, GL_RGBA, 16), std::vector<GLubyte>(16, 0)) << far;
@@ -228,7 +230,7 @@ TEST_F(Images, CopiesAreWhatReadPixelsAndTexImageMake) {
     got = read(GL_TEXTURE_2D, 0, GL_RGBA, 16);
     EXPECT_EQ(got[8], 255);
     EXPECT_EQ(got[9], pixels[61]);
-    EXPECT_EQ(got[13], pixels[1]); // beyond the surface: as it was
+    EXPECT_EQ(got[13], pixels[1]); // beyond the surface: unchanged
     glCopyTexImage1D(GL_TEXTURE_1D, 0, GL_RGBA8, 0, 2, 4, 0);
     EXPECT_EQ(read(GL_TEXTURE_1D, 0, GL_RGBA, 16),
               std::vector<GLubyte>(pixels.begin() + 32, pixels.begin() + 48));
@@ -290,7 +292,7 @@ TEST_F(Images, LevelsFollowTheBaseLevel) {
             up = got, uw = dw, uh = dh;
         }
     }
-    // A part of the base level that changes, a copy, and a command that asks for it.
+    // Levels are derived again when a part of the base level changes, after a copy, and by a command.
     const GLubyte white[4] = {255, 255, 255, 255};
     glTexImage2D(GL_TEXTURE_2D, 0, GL_LUMINANCE8, 2, 2, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, nullptr);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_LUMINANCE, GL_UNSIGNED_BYTE, white);
@@ -312,7 +314,7 @@ TEST_F(Images, LevelsFollowTheBaseLevel) {
     EXPECT_EQ(glGetError(), GLenum{GL_INVALID_OPERATION}); // five faces are missing
 }
 
-/// A mean halfway between two codes is the upper one, in every dimension and format.
+/// A mean halfway between two codes is rounded up, in every dimension and format.
 TEST_F(Images, MeansOfTexelsRoundHalfUp) {
     const struct {
         GLenum target;
@@ -321,7 +323,7 @@ TEST_F(Images, MeansOfTexelsRoundHalfUp) {
                   {GL_TEXTURE_2D, 2, 2, 1}, {GL_TEXTURE_3D, 2, 2, 2}, {GL_TEXTURE_3D, 1, 1, 2}};
     for (const auto& s : shapes) {
         const int texels = s.w * s.h * s.d;
-        for (int more = 0; more <= texels; ++more) { // so many texels are one larger
+        for (int more = 0; more <= texels; ++more) { // so many texels are larger by one
             std::vector<GLubyte> image(static_cast<std::size_t>(texels), 6);
             std::fill_n(image.begin(), more, GLubyte{7});
             if (s.target == GL_TEXTURE_1D)
@@ -361,7 +363,7 @@ TEST_F(Images, ObjectsKeepTheirTarget) {
     const GLuint all[4] = {40, 41, 42, 43}, unknown[2] = {40, 99}, zero[1] = {0};
     GLboolean resident[4] = {7, 7, 7, 7};
     EXPECT_EQ(glAreTexturesResident(4, all, resident), GL_TRUE);
-    EXPECT_EQ(resident[0], 7); // all are: the array stays as it is
+    EXPECT_EQ(resident[0], 7); // all are resident, so the array does not change
     for (const GLuint* const names : {unknown, zero}) {
         EXPECT_EQ(glAreTexturesResident(names == zero ? 1 : 2, names, resident), GL_FALSE);
         EXPECT_EQ(glGetError(), GLenum{GL_INVALID_VALUE});
@@ -431,7 +433,7 @@ TEST_F(Images, ACubeIsCompleteWithSixFacesThatAreAlike) {
     EXPECT_EQ(seen(), 9);
     face(3, GL_LUMINANCE, 2);
     EXPECT_EQ(seen(), 50);
-    // A cube goes before a plane (GL 1.3, 3.8.15).
+    // A cube map has precedence over a 2D texture (GL 1.3, 3.8.15).
     glEnable(GL_TEXTURE_2D);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_LUMINANCE, 1, 1, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, grey);
     const GLubyte other = 80;
@@ -477,7 +479,7 @@ TEST_F(Images, DepthsAreComparedWithR) {
         }
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_GEQUAL);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER,
-                        GL_LINEAR); // weights of what passes: 0.3 passes 0.25 only
+                        GL_LINEAR); // weights of the passing texels: 0.3 passes 0.25 only
         EXPECT_NEAR(seen(0.375f, 0.3f, 0), 255 * 0.75, 0.51);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
         glTexParameteri(GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE, GL_ALPHA);

@@ -1,6 +1,5 @@
-// What a texture is where a fragment looks, in double, by the formulas of GL 1.3, 3.8.6 to 3.8.9
-// (gl-commands.md F03, F10 to F12, F21). Filter weights have 8 bits, and NEAREST looks 2^-13 texel further,
-// by definition.
+// Samples a texture in double by the formulas of GL 1.3, 3.8.6 to 3.8.9 (gl-commands.md F03, F10 to F12,
+// F21). By Spangle's definition, filter weights have 8 bits, and NEAREST looks 2^-13 texel further.
 #pragma once
 
 #include <array>
@@ -13,9 +12,9 @@ namespace spangle::test::oracle {
 
 using Rgba = std::array<double, 4>;
 
-/// Texels of one level and face, border included, R, G, B, A as the base format has them.
+/// The texels of one level and face, border included, as R, G, B, A of the base format.
 struct Image {
-    int size[3] = {1, 1, 1}; ///< without border
+    int size[3] = {1, 1, 1}; ///< in texels, without border
     int border[3] = {};
     std::vector<Rgba> texels;
 
@@ -45,18 +44,18 @@ inline double wrapped(GLenum mode, double s, double n) {
         return std::fmin(std::fmax(s, 1 / (2 * n)), 1 - 1 / (2 * n));
     case GL_CLAMP_TO_BORDER:
         return std::fmin(std::fmax(s, -1 / (2 * n)), 1 + 1 / (2 * n));
-    default: // MIRRORED_REPEAT: the texel that stands for one is found by its number
+    default: // MIRRORED_REPEAT: the number of the texel is mirrored later
         return s - 2 * std::floor(s / 2);
     }
 }
 
-/// (size - 1) - mirror((i mod 2 size) - size), mirror(a) = a >= 0 ? a : -(1 + a).
+/// (size - 1) - mirror((i mod 2 size) - size), where mirror(a) = a >= 0 ? a : -(1 + a).
 inline int mirrored(int i, int n) {
     const int a = ((i % (2 * n)) + 2 * n) % (2 * n) - n;
     return n - 1 - (a >= 0 ? a : -(1 + a));
 }
 
-/// Texel number i of an axis, and with LINEAR the weight of the one behind.
+/// The number of a texel on an axis and, with LINEAR, the next texel and its weight.
 struct Pick {
     int i[2];
     double weight;
@@ -117,7 +116,7 @@ inline Rgba level_color(const Texture& t, const Image& image, GLenum filter, con
     return sum;
 }
 
-/// Table 3.20 of the specification.
+/// Chooses the face of a cube map by table 3.20 of the specification.
 inline std::size_t cube_face(double x, double y, double z, double (&st)[3]) {
     const double ax = std::fabs(x), ay = std::fabs(y), az = std::fabs(z);
     double sc, tc, ma;
@@ -135,7 +134,7 @@ inline std::size_t cube_face(double x, double y, double z, double (&st)[3]) {
     return face;
 }
 
-/// The texture's colour at s, t, r, lambda clamped already.
+/// Returns the texture's colour at s, t, r; lambda is already clamped.
 inline Rgba sample(const Texture& t, double s, double tt, double r, double lambda) {
     double at[3] = {s, tt, r};
     const std::size_t face = t.target == GL_TEXTURE_CUBE_MAP ? cube_face(s, tt, r, at) : 0;

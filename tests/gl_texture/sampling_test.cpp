@@ -1,5 +1,5 @@
-// What arrives in the framebuffer: wrap modes and filters against gl-commands.md 17.11 (F10, F11), the
-// environments against the table of F18, both through public GL on an off-screen surface.
+// Tests textures in the framebuffer through public GL: wrap modes and filters by gl-commands.md 17.11 (F10,
+// F11), and environments by the table of F18.
 #include <cmath>
 
 #include "tests/gl_texture/drawing.hpp"
@@ -13,7 +13,7 @@ struct Sample {
     float s;
     GLenum wrap;
     Texel nearest;
-    double a; ///< LINEAR: a * first + b * second
+    double a; ///< LINEAR gives a * first + b * second
     Texel first;
     double b;
     Texel second;
@@ -40,7 +40,7 @@ const GLubyte colors[5][4] = {
 
 TEST_F(Drawing, WrapModesAndFiltersOfTheReferenceTable) {
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
-    const float border[4] = {0.2f, 1, 0.4f, 0.8f}; // colors[Bc]
+    const float border[4] = {0.2f, 1, 0.4f, 0.8f}; // the border colour
     glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, border);
     for (bool along_t : {false, true}) {
         glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, along_t ? 1 : 4, along_t ? 4 : 1, 0, GL_RGBA,
@@ -66,7 +66,7 @@ TEST_F(Drawing, WrapModesAndFiltersOfTheReferenceTable) {
 
 TEST_F(Drawing, ABorderOfTexelsStandsInForTheBorderColour) {
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
-    std::vector<GLubyte> image(6 * 3); // 4 x 1 inside, border 1
+    std::vector<GLubyte> image(6 * 3); // 4 x 1 texels with a border of 1
     for (std::size_t x = 0; x < 6; ++x)
         for (std::size_t y = 0; y < 3; ++y)
             image[y * 6 + x] = static_cast<GLubyte>(20 + 40 * x);
@@ -93,7 +93,8 @@ struct Rgba {
     double v[4];
 };
 
-/// Table of F18; Cf, Af, Cs, As, Cc, Ac in 0..1. False: undefined.
+/// Computes the table of F18 with Cf, Af, Cs, As, Cc, Ac from 0 to 1. Returns false if the result is
+/// undefined.
 bool environment(GLenum mode, GLenum base, const Rgba& f, const Rgba& s, const Rgba& c, Rgba& out) {
     const bool color = base != GL_ALPHA;
     const bool alpha = base != GL_LUMINANCE && base != GL_RGB;
@@ -145,7 +146,7 @@ TEST_F(Drawing, EnvironmentsOfEveryBaseFormat) {
         for (GLenum base : {GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_INTENSITY, GL_RGB, GL_RGBA}) {
             glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(base), 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                          texel);
-            Rgba source; // Cs, As of F04
+            Rgba source; // Cs and As of F04
             const bool grey = base == GL_LUMINANCE || base == GL_LUMINANCE_ALPHA || base == GL_INTENSITY;
             for (std::size_t k = 0; k < 3; ++k)
                 source.v[k] = base == GL_ALPHA ? 0 : texel[grey ? 0 : k] / 255.0;
@@ -176,7 +177,7 @@ TEST_F(Drawing, AnIncompleteTextureDrawsAsIfThereWereNone) {
     std::vector<GLubyte> pixel;
     draw(0.25f, 0.75f, pixel);
     EXPECT_EQ(pixel[1], colors[T2][1]);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_LINEAR); // wants a second level
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_LINEAR); // needs a second level
     draw(0.25f, 0.75f, pixel);
     EXPECT_EQ(pixel[1], 2);
     glTexImage2D(GL_TEXTURE_2D, 1, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, colors);

@@ -1,4 +1,4 @@
-// Textures of every target, wrap mode, filter, size, format and level, against the oracle.
+// Compares textures of every target, wrap mode, filter, size, format and level with the oracle.
 #include <cmath>
 
 #include "tests/gl_texture/drawing.hpp"
@@ -14,7 +14,7 @@ using spangle::test::oracle::Texture;
 struct Format {
     GLint internal;
     GLenum base;
-    int bits[4]; ///< of R (luminance, intensity), G, B, A
+    int bits[4]; ///< bits of R (luminance, intensity), G, B, A
 };
 const Format formats[] = {{GL_ALPHA8, GL_ALPHA, {8, 8, 8, 8}},
                           {GL_LUMINANCE8, GL_LUMINANCE, {8, 8, 8, 8}},
@@ -27,7 +27,7 @@ const Format formats[] = {{GL_ALPHA8, GL_ALPHA, {8, 8, 8, 8}},
                           {GL_RGBA4, GL_RGBA, {4, 4, 4, 4}},
                           {GL_RGB5_A1, GL_RGBA, {5, 5, 5, 1}}};
 
-/// Table 3.21: what a unit sees of a colour.
+/// Returns the part of a colour that a unit takes from the base format (table 3.21).
 Rgba as_base(GLenum base, const Rgba& c) {
     switch (base) {
     case GL_ALPHA:
@@ -52,7 +52,7 @@ struct Targets : spangle::test::Drawing {
         Drawing::SetUp();
         glDisable(GL_TEXTURE_2D);
         glColor4f(0, 0, 0, 0);
-        // REPLACE by COMBINE, so that what a base format lacks is seen, too.
+        // COMBINE does REPLACE, so that components that a base format lacks are visible, too.
         glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
         glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_REPLACE);
         glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_ALPHA, GL_REPLACE);
@@ -60,7 +60,7 @@ struct Targets : spangle::test::Drawing {
 
     template <std::size_t N> GLenum any(const GLenum (&of)[N]) { return of[random.below(N)]; }
 
-    /// Random texels into GL and, as they are kept, into the oracle.
+    /// Loads random texels into GL and, as they are stored, into the oracle.
     void image(Texture& t, const Format& format, std::size_t face, int level, const int (&size)[3],
                int border) {
         Image image;
@@ -96,7 +96,7 @@ struct Targets : spangle::test::Drawing {
         t.faces[face].push_back(std::move(image));
     }
 
-    /// A whole texture of random sizes, one level or all.
+    /// Makes a whole texture of random sizes, with one level or all.
     Texture texture(GLenum target, const Format& format, bool mipmaps) {
         Texture t;
         t.target = target;
@@ -144,7 +144,7 @@ struct Targets : spangle::test::Drawing {
         t.border_color = as_base(format.base, border);
     }
 
-    /// A coordinate of which no level's texels or weights are in doubt.
+    /// Returns a coordinate at which the texels and weights of every level are certain.
     double coordinate(int size) {
         return (static_cast<double>(random.below(static_cast<std::uint32_t>(6 * 512 * size))) + 0.25) /
                    (512.0 * size) -

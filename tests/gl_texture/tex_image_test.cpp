@@ -1,5 +1,5 @@
-// TexImage2D, TexSubImage2D and what they keep (GL 1.3, 3.8.1, 3.8.2; gl-commands.md F01, F04, F05, F15,
-// F29).
+// Tests TexImage2D, TexSubImage2D and what they store (GL 1.3, 3.8.1, 3.8.2; gl-commands.md F01, F04, F05,
+// F15, F29).
 #include <gtest/gtest.h>
 
 #include <climits>
@@ -35,7 +35,7 @@ struct TexImage : testing::Test {
         return level_parameter(bare, GL_TEXTURE_2D, level, pname);
     }
 
-    /// The texture as the rasterizer gets it, without mipmaps.
+    /// Returns the texture as the rasterizer gets it, without mipmaps.
     const raster::Texture& view(BareContext& b) {
         Params nearest;
         nearest.v[0] = Param::from_integer(GL_NEAREST);
@@ -50,8 +50,8 @@ struct TexImage : testing::Test {
 TEST_F(TexImage, InternalFormatsKeepTheirBitsAndSayHowMany) {
     struct Case {
         GLint internal_format;
-        GLint r, g, b, a, l, i; ///< bits on a surface of 8 bits a channel
-        bool sixteen;           ///< 5, 6, 5 on a 16-bit surface
+        GLint r, g, b, a, l, i; ///< bits on a surface of 8 bits a component
+        bool sixteen;           ///< whether a 16-bit surface stores it as 5, 6 and 5 bits
     };
     const Case cases[] = {
         {1, 0, 0, 0, 0, 8, 0, false},
@@ -113,12 +113,12 @@ TEST_F(TexImage, InternalFormatsKeepTheirBitsAndSayHowMany) {
             }
 }
 
-/// Texel (x, y) in 0..1, by the layout raster/span/fragment_state.hpp declares.
+/// Returns texel (x, y) in 0..1, by the layout that raster/span/fragment_state.hpp declares.
 void texel(const raster::Texture& t, int x, int y, double out[4]) {
     constexpr int bytes[] = {1, 1, 1, 2, 2, 3, 4, 2, 2, 1, 2, 4};
     const std::uint8_t* p = t.level[0].texels + y * static_cast<std::int64_t>(t.level[0].stride) +
                             x * bytes[static_cast<int>(t.format)];
-    out[0] = out[1] = out[2] = out[3] = -1; // not kept
+    out[0] = out[1] = out[2] = out[3] = -1; // components that the format does not store
     std::uint16_t word;
     switch (t.format) {
     case TexelFormat::a8:
@@ -183,7 +183,7 @@ TEST_F(TexImage, EveryFormatAndTypeArrivesRoundedToTheBitsKept) {
                  {GL_RGB5_A1, BaseFormat::rgba, {5, 5, 5, 1}}};
     struct Source {
         GLenum format;
-        std::vector<int> place; ///< component -> 0..3, or 4: luminance
+        std::vector<int> place; ///< R, G, B, A as 0 to 3 of each component; 4: luminance
     };
     const Source sources[] = {{GL_RED, {0}},           {GL_GREEN, {1}},
                               {GL_BLUE, {2}},          {GL_ALPHA, {3}},
@@ -265,14 +265,14 @@ TEST_F(TexImage, PackedColoursAndSwappedBytes) {
 }
 
 #if SPANGLE_FEATURE_PIXEL_TRANSFER
-/// Images that are laid out as their texels are go through transfer as others do.
+/// Images whose layout is that of their texels go through pixel transfer like others.
 TEST_F(TexImage, WhatCouldBeCopiedGoesThroughTransfer) {
     const std::uint16_t word = 30 << 11 | 20 << 5 | 10;
     const std::uint8_t bytes[4] = {200, 100, 50, 30};
     for (const bool maps : {false, true}) {
         for (BareContext* const b : {&bare, &board}) {
             if (maps) {
-                const float half[2] = {0, 0.5f}; // of two entries index c (2 - 1) rounded is looked up
+                const float half[2] = {0, 0.5f}; // a map of two entries is looked up at c (2 - 1), rounded
                 cmd::PixelMap(b->context, GL_PIXEL_MAP_R_TO_R, 2, {half, GL_FLOAT});
                 b->context.pixel_mode.map_color = true;
             } else {
@@ -408,7 +408,7 @@ TEST_F(TexImage, SubImageReplacesItsRectangleOnly) {
     tex_image_2d(bare.context, GL_TEXTURE_2D, 0, GL_ALPHA, 10, 6, 1, GL_ALPHA, GL_UNSIGNED_BYTE,
                  image.data());
     const std::uint8_t* texels = view(bare).level[0].texels;
-    // Lower-left and upper-right corners, the border included (GL 1.3, 3.8.2).
+    // The lower left and upper right corner, border included (GL 1.3, 3.8.2).
     const struct { GLint x, y; } places[] = {{-1, -1}, {6, 3}, {2, 1}};
     for (const auto& at : places) {
         tex_sub_image_2d(bare.context, GL_TEXTURE_2D, 0, at.x, at.y, 3, 2, GL_ALPHA, GL_UNSIGNED_BYTE,
@@ -428,7 +428,7 @@ TEST_F(TexImage, SubImageReplacesItsRectangleOnly) {
 TEST_F(TexImage, SubImageErrors) {
     std::vector<std::uint8_t> image(10 * 6 * 4);
     tex_sub_image_2d(bare.context, GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, image.data());
-    EXPECT_EQ(bare.take_error(), GLenum{GL_INVALID_OPERATION}); // no array yet
+    EXPECT_EQ(bare.take_error(), GLenum{GL_INVALID_OPERATION}); // there is no image yet
     tex_image_2d(bare.context, GL_TEXTURE_2D, 0, GL_RGBA, 10, 6, 1, GL_RGBA, GL_UNSIGNED_BYTE, image.data());
     struct Case {
         GLenum target;
@@ -464,7 +464,7 @@ TEST_F(TexImage, SubImageErrors) {
     tex_sub_image_2d(bare.context, GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
     EXPECT_EQ(bare.take_error(), GLenum{GL_INVALID_VALUE});
     tex_sub_image_2d(bare.context, GL_TEXTURE_2D, 0, 9, 5, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    EXPECT_EQ(bare.take_error(), GLenum{GL_NO_ERROR}); // empty at the far corner
+    EXPECT_EQ(bare.take_error(), GLenum{GL_NO_ERROR}); // an empty rectangle at the far corner
 }
 
 TEST_F(TexImage, LevelQueriesRefuseWhatIsNotThere) {
@@ -484,7 +484,7 @@ TEST_F(TexImage, LevelQueriesRefuseWhatIsNotThere) {
         EXPECT_EQ(bare.take_error(), c.wanted);
         EXPECT_EQ(params.count, 0u);
     }
-    // Initial state of a level (GL 1.3, 3.8.10).
+    // Tests the initial state of a level (GL 1.3, 3.8.10).
     EXPECT_EQ(level_parameter(GL_TEXTURE_WIDTH, 3), 0);
     EXPECT_EQ(level_parameter(GL_TEXTURE_INTERNAL_FORMAT, 3), 1);
     EXPECT_EQ(level_parameter(GL_TEXTURE_LUMINANCE_SIZE, 3), 0);
@@ -492,7 +492,7 @@ TEST_F(TexImage, LevelQueriesRefuseWhatIsNotThere) {
 
 TEST_F(TexImage, LevelsOfOneTextureAreKeptAlike) {
     tex_image_2d(bare.context, GL_TEXTURE_2D, 0, GL_RGB, 2, 2, 0, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
-    bare.context.drawable.surface.format = PixelFormat::rgb565_be; // another window, the same texture
+    bare.context.drawable.surface.format = PixelFormat::rgb565_be; // another window with the same texture
     tex_image_2d(bare.context, GL_TEXTURE_2D, 1, GL_RGB, 1, 1, 0, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
     EXPECT_EQ(level_parameter(GL_TEXTURE_GREEN_SIZE, 1), 8);
     const raster::Texture* texture = complete_texture(bare.context.texture.bound(0));

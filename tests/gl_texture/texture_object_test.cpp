@@ -1,5 +1,5 @@
-// Texture objects: names, bindings, sharing, memory, completeness, parameters (GL 1.3, 3.8.4, 3.8.9
-// to 3.8.12; gl-commands.md F09, F14, F16, F18).
+// Tests texture objects: names, bindings, sharing, memory, completeness, parameters (GL 1.3, 3.8.4, 3.8.9 to
+// 3.8.12; gl-commands.md F09, F14, F16, F18).
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -53,12 +53,12 @@ TEST(TextureObject, LifeCycle) {
     EXPECT_NE(names[0], 0u);
     EXPECT_NE(names[0], names[1]);
     EXPECT_NE(names[1], names[2]);
-    EXPECT_EQ(cmd::IsTexture(b.context, names[0]), GL_FALSE); // reserved only
+    EXPECT_EQ(cmd::IsTexture(b.context, names[0]), GL_FALSE); // the name is only reserved
     cmd::BindTexture(b.context, GL_TEXTURE_2D, names[0]);
     EXPECT_EQ(cmd::IsTexture(b.context, names[0]), GL_TRUE);
     EXPECT_EQ(texture_binding(b.context, TextureKind::two), names[0]);
     image(b, 0, 4, 4);
-    cmd::BindTexture(b.context, GL_TEXTURE_2D, 777); // names need no GenTextures
+    cmd::BindTexture(b.context, GL_TEXTURE_2D, 777); // names need not come from GenTextures
     EXPECT_EQ(cmd::IsTexture(b.context, 777), GL_TRUE);
     EXPECT_EQ(levels(b), 0);
     image(b, 0, 2, 2);
@@ -68,11 +68,11 @@ TEST(TextureObject, LifeCycle) {
         EXPECT_TRUE(name != names[0] && name != names[1] && name != names[2] && name != 777);
     cmd::BindTexture(b.context, GL_TEXTURE_2D, names[0]);
     parameter(b, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    EXPECT_EQ(complete_texture(b.context.texture.bound(0))->level[0].width, 4); // its image waited
+    EXPECT_EQ(complete_texture(b.context.texture.bound(0))->level[0].width, 4); // the object kept its image
     const GLuint gone[] = {0, 12345, names[0], 777, names[1], names[2], more[0], more[1]};
     cmd::DeleteTextures(b.context, 8, gone); // zero and unused names are ignored
     EXPECT_EQ(b.take_error(), GLenum{GL_NO_ERROR});
-    EXPECT_EQ(texture_binding(b.context, TextureKind::two), 0u); // reverts
+    EXPECT_EQ(texture_binding(b.context, TextureKind::two), 0u); // the binding becomes 0
     EXPECT_EQ(cmd::IsTexture(b.context, names[0]), GL_FALSE);
     EXPECT_EQ(cmd::IsTexture(b.context, 0), GL_FALSE);
     memory.share.textures.clear(memory.arena);
@@ -92,7 +92,7 @@ TEST(TextureObject, DefaultObjectIsNameZero) {
     EXPECT_EQ(levels(b), 1);
     const GLuint names[] = {0, 5};
     cmd::DeleteTextures(b.context, 2, names);
-    EXPECT_EQ(levels(b), 1); // 0 is not deleted
+    EXPECT_EQ(levels(b), 1); // texture 0 is not deleted
     release_textures(b.context);
     EXPECT_EQ(levels(b), 0);
     memory.share.textures.clear(memory.arena);
@@ -118,7 +118,7 @@ TEST(TextureObject, Errors) {
         EXPECT_EQ(b.take_error(), GLenum{GL_INVALID_ENUM});
     }
     EXPECT_EQ(cmd::IsTexture(b.context, 3), GL_FALSE);
-    cmd::GenTextures(b.context, INT_MAX, &name); // more than any arena has
+    cmd::GenTextures(b.context, INT_MAX, &name); // more names than any arena has room for
     EXPECT_EQ(b.take_error(), GLenum{GL_OUT_OF_MEMORY});
     EXPECT_EQ(name, 9u);
 }
@@ -132,17 +132,17 @@ TEST(TextureObject, SharedObjectsOutliveTheirNameWhileBound) {
     parameter(a, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     cmd::BindTexture(b.context, GL_TEXTURE_2D, 4);
     EXPECT_EQ(complete_texture(b.context.texture.bound(0)),
-              complete_texture(a.context.texture.bound(0))); // one object
+              complete_texture(a.context.texture.bound(0))); // both contexts have one object
     const GLuint name = 4;
     cmd::DeleteTextures(a.context, 1, &name);
     EXPECT_EQ(levels(a), 0);
     EXPECT_EQ(cmd::IsTexture(b.context, 4), GL_FALSE);
-    EXPECT_EQ(levels(b), 1); // b still holds it
+    EXPECT_EQ(levels(b), 1); // b still holds the object
     EXPECT_EQ(complete_texture(b.context.texture.bound(0))->level[0].width, 16);
     cmd::BindTexture(a.context, GL_TEXTURE_2D, 4); // a new object of the freed name
     EXPECT_EQ(levels(a), 0);
     EXPECT_EQ(levels(b), 1);
-    release_textures(b.context); // the last holder frees it
+    release_textures(b.context); // the last holder frees the object
     cmd::DeleteTextures(a.context, 1, &name);
     memory.share.textures.clear(memory.arena);
     EXPECT_EQ(memory.arena.used(), start);
@@ -157,13 +157,13 @@ TEST(TextureObject, Completeness) {
     BareContext b(memory);
     EXPECT_EQ(levels(b), 0);
     image(b, 0, 8, 2);
-    EXPECT_EQ(levels(b), 0); // the white-texture trap: default MIN_FILTER wants mipmaps
+    EXPECT_EQ(levels(b), 0); // the default MIN_FILTER wants mipmaps, so textures without them are incomplete
     image(b, 1, 4, 1);
     image(b, 2, 2, 1);
     EXPECT_EQ(levels(b), 0);
     image(b, 3, 1, 1);
     EXPECT_EQ(levels(b), 4);
-    image(b, 2, 2, 2); // wrong size
+    image(b, 2, 2, 2); // a wrong size
     EXPECT_EQ(levels(b), 0);
     parameter(b, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     EXPECT_EQ(levels(b), 1);
@@ -173,9 +173,10 @@ TEST(TextureObject, Completeness) {
     EXPECT_EQ(levels(b), 2);
     parameter(b, GL_TEXTURE_MAX_LEVEL, 0);
     EXPECT_EQ(levels(b), 1);
-    parameter(b, GL_TEXTURE_BASE_LEVEL, 1); // base > max
+    parameter(b, GL_TEXTURE_BASE_LEVEL, 1); // base level > max level
     EXPECT_EQ(levels(b), 0);
-    for (const GLint base : {2, 3}) // by more than one, and of a base level that is the last of its chain
+    for (const GLint base :
+         {2, 3}) // larger by more than one, also if the base level is the last of its chain
         for (GLint max = 0; max < base; ++max) {
             parameter(b, GL_TEXTURE_BASE_LEVEL, base);
             parameter(b, GL_TEXTURE_MAX_LEVEL, max);
@@ -198,7 +199,7 @@ TEST(TextureObject, Completeness) {
     image(b, 0, 2, 2);
     image(b, 1, 1, 1, 0, GL_RGB);
     EXPECT_EQ(levels(b), 0);
-    image(b, 1, 1, 1, 0, GL_RGBA8); // the same bits, another request
+    image(b, 1, 1, 1, 0, GL_RGBA8); // the same bits, but another requested format
     EXPECT_EQ(levels(b), 0);
     image(b, 1, 1, 1);
     EXPECT_EQ(levels(b), 2);
@@ -211,7 +212,7 @@ TEST(TextureObject, Completeness) {
     parameter(b, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     image(b, 0, 0, 4);
     EXPECT_EQ(levels(b), 0);
-    fresh(b); // base level above 0
+    fresh(b); // a base level above 0
     image(b, 3, 4, 4);
     image(b, 4, 2, 2);
     image(b, 5, 1, 1);
@@ -347,12 +348,12 @@ TEST(TextureParameters, ValuesAreKeptAndBadOnesRefused) {
         cmd::GetTexParameter(b.context, GL_TEXTURE_2D, c.pname, after);
         EXPECT_EQ(after.v[0].integer(), c.wanted == GL_NO_ERROR ? c.value : before.v[0].integer());
     }
-    parameter(b, GL_TEXTURE_RESIDENT, 0); // query only
+    parameter(b, GL_TEXTURE_RESIDENT, 0); // this parameter can only be queried
     EXPECT_EQ(b.take_error(), GLenum{GL_INVALID_ENUM});
     cmd::TexParameter(b.context, GL_PROXY_TEXTURE_2D, GL_TEXTURE_WRAP_S, integer(GL_CLAMP));
     EXPECT_EQ(b.take_error(), GLenum{GL_INVALID_ENUM});
     cmd::TexParameter(b.context, GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR,
-                      Params{}); // a vector in the scalar form
+                      Params{}); // a vector parameter in the scalar form
     EXPECT_EQ(b.take_error(), GLenum{GL_INVALID_ENUM});
     Params got;
     for (GLenum target : {GL_PROXY_TEXTURE_2D, GL_TEXTURE_ENV}) {
@@ -417,7 +418,7 @@ TEST(TextureEnvironment, ModesColourAndErrors) {
         EXPECT_EQ(numeric::to_float(got.v[c].real()), wanted[c]);
 }
 
-/// A small program; every failure must leave what was there, whichever allocation fails.
+/// Runs a small program. Whichever allocation fails, everything stays as it was.
 TEST(TextureMemory, ExhaustionLeavesTheStateIntact) {
     bool finished = false;
     unsigned failures = 0;

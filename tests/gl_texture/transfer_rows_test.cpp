@@ -1,4 +1,4 @@
-// Pixel transfer of whole rectangles, whose rows may be converted at once, against that of single pixels.
+// Compares the pixel transfer of rectangles, whose rows may be converted at once, with that of single pixels.
 #include <functional>
 #include <vector>
 
@@ -63,7 +63,7 @@ TEST_F(TransferredRows, OfTexImage) {
     EXPECT_NE(whole, pixels);
 }
 
-/// No pixel transfer operation is performed on it (GL 1.3, 6.1.4).
+/// GetTexImage performs no pixel transfer operations (GL 1.3, 6.1.4).
 TEST_F(TransferredRows, AreNotOfGetTexImage) {
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, side, side, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     set_transfer(true);

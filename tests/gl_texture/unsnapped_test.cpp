@@ -1,5 +1,5 @@
-// The exact tier has planes of attributes go through vertices as they are given, not as coverage sees them,
-// snapped to 1/256 pixel: held against the formulas of GL 1.3, 3.5.1 and 3.8.8 in double.
+// In the exact tier, planes of attributes go through vertices as they are given, not as they are snapped to
+// 1/256 pixel for coverage. Compares them with the formulas of GL 1.3, 3.5.1 and 3.8.8 in double.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -21,7 +21,7 @@ struct Corner {
     float x, y, w, s;
 };
 
-/// Window x, y and 1/w, s/w as they are given.
+/// A vertex as it is given: window x and y, 1/w, and s/w.
 struct Exact {
     double x, y, q, s;
 };
@@ -48,7 +48,7 @@ class TexelNumbers {
     }
 
     long fragments = 0, wrong = 0;
-    double worst = 0; ///< how far from its texel a coordinate is that takes it
+    double worst = 0; ///< largest distance of a coordinate from the texel that it takes
 
     void draw(const Corner (&corner)[3]) {
         glClear(GL_COLOR_BUFFER_BIT);
@@ -73,7 +73,7 @@ class TexelNumbers {
                              c = 1 - a - b;
                 const double u =
                     texels_ * (a * e[0].s + b * e[1].s + c * e[2].s) / (a * e[0].q + b * e[1].q + c * e[2].q);
-                judge(u + 1.0 / 8192, at[0] + 256 * at[1]); // NEAREST's own bias
+                judge(u + 1.0 / 8192, at[0] + 256 * at[1]); // the bias of NEAREST
             }
         EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
     }
@@ -97,7 +97,7 @@ class TexelNumbers {
     int texels_;
 };
 
-/// Triangles of 30 to 250 pixels, `span` repeats of the texture over each.
+/// Draws triangles of 30 to 250 pixels, with `span` repeats of the texture on each.
 void draw_triangles(TexelNumbers& drawn, float span, bool perspective) {
     Random random{17};
     const auto any = [&](float low, float high) {
@@ -126,8 +126,8 @@ TEST(Unsnapped, TexelsAreThoseOfTheVerticesAsGiven) {
         }
 }
 
-/// A coordinate keeps 24 bits of the largest in its primitive, as many as a float has. NEAREST leaves 2^-13
-/// texel open beside that (architecture.md).
+/// A coordinate has as many bits as a float: 24 bits of the largest in its primitive. NEAREST also leaves
+/// 2^-13 texel open (architecture.md).
 double texels_off(double largest) {
     return std::ldexp(1.0, -13) + std::ldexp(largest, -24);
 }

@@ -1,4 +1,4 @@
-// Bytes on the wire, a frame: held against what a brute-force tool finds in the pictures, and against a
+// Compares the bytes on the wire for each frame with what brute force finds in the pictures, and with a
 // golden table.
 #include <algorithm>
 #include <array>
@@ -24,10 +24,10 @@ namespace {
 using namespace spangle;
 
 constexpr int frames = 60;
-constexpr std::uint64_t window_commands = 11; ///< CASET and RASET with four bytes each, RAMWR
+constexpr std::uint64_t window_commands = 11; ///< CASET and RASET with four bytes each, and RAMWR
 constexpr const char* scenes_measured[] = {"S5", "S6", "S8", "S9", "HUD"};
 
-/// Columns of one row; empty when begin >= end.
+/// An interval of columns of a row; empty if begin >= end.
 struct Interval {
     int begin = 1 << 20, end = 0;
     bool empty() const { return begin >= end; }
@@ -37,7 +37,7 @@ struct Interval {
 };
 using Rows = std::vector<Interval>;
 
-/// Least bytes that windows around groups of rows take: every grouping is tried.
+/// Returns the least bytes of windows around groups of rows; every grouping is tried.
 std::uint64_t cheapest_windows(const Rows& rows) {
     std::vector<std::uint64_t> best(rows.size() + 1, 0);
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -54,7 +54,7 @@ std::uint64_t cheapest_windows(const Rows& rows) {
     return best.back();
 }
 
-/// Which pixels the primitives of a frame covered, as the rasterizer's spans tell.
+/// Records which pixels the primitives of a frame covered, from the rasterizer's spans.
 struct Coverage : raster::Observer {
     int width, height;
     std::vector<bool> mask;
@@ -82,7 +82,8 @@ struct Coverage : raster::Observer {
 
 using Picture = std::vector<std::uint8_t>; ///< two bytes a pixel
 
-/// The blocks of 16x1 cells that differ: equal runs below each other are one window.
+/// Returns the bytes of windows around changed blocks of 16x1 cells: equal runs below each other are one
+/// window.
 std::uint64_t changed_cell_bytes(const Picture& a, const Picture& b, int width, int height) {
     std::uint64_t bytes = 0;
     Rows above;
@@ -110,7 +111,7 @@ struct Measured {
     double sent = 0, union_rows = 0, cells = 0; ///< bytes a frame
 };
 
-/// From the second frame on: the first one is a whole picture.
+/// Measures from the second frame on, because the first is a whole picture.
 Measured measure(const char* scene, bool row_hash) {
     hal::Board board = boards::ili9341_spi;
     board.display.row_hash = row_hash;
@@ -126,7 +127,7 @@ Measured measure(const char* scene, bool row_hash) {
     const scenes::Scene* const found = scenes::find(scene);
     EXPECT_NE(found, nullptr) << scene;
     EXPECT_TRUE(test::play(watched, *found, frames, [&] {
-        if (drawn.empty()) { // the context is there now; what the first frame drew counts for the second
+        if (drawn.empty()) { // the context exists now; what the first frame drew counts for the second
             gl::observe(*gl::current_context(), &counters, false);
             found->draw(0);
         }
@@ -150,7 +151,7 @@ Measured measure(const char* scene, bool row_hash) {
     return m;
 }
 
-/// "scene extents row_hash", bytes a frame.
+/// A line is "scene extents row_hash", in bytes a frame.
 using Golden = std::map<std::string, std::array<double, 2>>;
 constexpr const char* golden_file = SPANGLE_SOURCE_DIR "/tests/present/bytes_per_frame.txt";
 

@@ -1,5 +1,6 @@
-// The bus of microcontrollers, its port played by events in virtual time: whole scenes, drawn while the last
-// frame is moved, show what the simulated board shows; faults are told; nothing is touched before its time.
+// Tests the bus of microcontrollers with a port that runs by events in virtual time. Scenes are drawn while
+// the last frame is sent, and show what the simulated board shows. Faults are reported, and no memory is
+// changed too early.
 #include <functional>
 #include <memory>
 
@@ -16,18 +17,18 @@ namespace {
 using namespace spangle;
 using sim::Time;
 
-/// An SPI block whose interrupts come when their time has come.
+/// An SPI block whose interrupts come at their time.
 class EventPort final : public hal::DmaPort {
   public:
     EventPort(sim::Controller& controller, const hal::BusCaps& caps) : controller_(controller), caps_(caps) {}
 
     hal::DmaBus* bus = nullptr;
     Time now = 0, busy = 0;
-    hal::Fault fail_write = hal::Fault::none; ///< the next one
-    bool te_missing = false, dead = false;    ///< dead: no interrupt comes any more
+    hal::Fault fail_write = hal::Fault::none; ///< the fault of the next write
+    bool te_missing = false, dead = false;    ///< dead: no more interrupts
     int writes = 0;
 
-    /// The program draws; interrupts come in between.
+    /// Lets time pass while the program draws, with interrupts in between.
     void pass(Time ns) {
         const Time until = now + ns;
         while (pending_ && !dead && due_ <= until)
@@ -41,7 +42,7 @@ class EventPort final : public hal::DmaPort {
         busy += byte * count;
         const hal::Fault fault = std::exchange(fail_write, hal::Fault::none);
         later(byte * count, [=, this] {
-            for (std::uint32_t i = 0; i < count; ++i) // as DMA fetched them, at the latest
+            for (std::uint32_t i = 0; i < count; ++i) // as DMA has read them at the latest
                 controller_.write(bytes[i], data, now, static_cast<unsigned>(byte / 8));
             bus->step(fault);
         });
@@ -155,11 +156,12 @@ TEST(DmaBus, ScenesAreDrawnWhileTheLastFrameIsMoved) {
             }
             EXPECT_EQ(sim::hash(firmware.glass()), sim::hash(sim.glass()));
             for (const sim::Violation& v : firmware.controller->violations())
-                EXPECT_TRUE(tear_free && v.rule == sim::Rule::tear) << v.text; // the first, whole frame
+                EXPECT_TRUE(tear_free && v.rule == sim::Rule::tear)
+                    << v.text; // the first frame, which is sent whole
         }
 }
 
-/// Controllers that take everything but pixels with D/C low; pixels go out in another format than GL's.
+/// These controllers take everything but pixels with D/C low, and pixels go out in another format than GL's.
 TEST(DmaBus, DrivesPanelsOfEveryKindOfCommand) {
     for (const hal::Board* board : {&boards::ssd1306_spi, &boards::ssd1327_spi, &boards::ssd1351_spi,
                                     &boards::ssd1331_spi, &boards::st7735_128x160}) {
@@ -178,7 +180,7 @@ TEST(DmaBus, DrivesPanelsOfEveryKindOfCommand) {
     }
 }
 
-/// What the port was told to move, at once.
+/// Logs what the port was told to send, and ends each transfer at once.
 struct LoggingPort final : hal::DmaPort {
     struct Piece {
         bool data;

@@ -1,4 +1,5 @@
-// Memory-mapped displays: a flip is an address. What is scanned is never drawn into, in virtual time.
+// Tests memory-mapped displays in virtual time: a present is a new address, and GL never draws into memory
+// that is scanned.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -24,7 +25,7 @@ struct Rig {
     sim::ScannedMemory port{width, PixelFormat::rgb565_le, stride, {height, 4, 1000}};
     hal::MappedConfig config;
     std::unique_ptr<hal::MappedDisplay> display;
-    std::vector<int> seen; ///< the frame each refresh showed; -1: parts of two
+    std::vector<int> seen; ///< the frame that each refresh showed; -1: parts of two
     std::uint64_t row_ns = 500;
 
     explicit Rig(int buffers, Pacing pacing = Pacing::block) {
@@ -48,7 +49,7 @@ struct Rig {
         };
         display = std::make_unique<hal::MappedDisplay>(port, config);
     }
-    /// Fills the frame with that many steps of green, row by row, while the scan goes on.
+    /// Fills the frame with this many steps of green, row by row, while the scan goes on.
     void draw(int number) {
         const auto frame = display->acquire();
         ASSERT_TRUE(frame.ok()) << frame.error().rule;
@@ -69,7 +70,7 @@ struct Rig {
         ASSERT_TRUE(shown.ok()) << shown.error().rule;
     }
     int torn() const { return static_cast<int>(std::count(seen.begin(), seen.end(), -1)); }
-    /// Frames that some refresh showed, but for the black one.
+    /// Returns the frames that some refresh showed, without the black one.
     std::set<int> frames() const {
         std::set<int> all(seen.begin(), seen.end());
         all.erase(-1);
@@ -120,11 +121,11 @@ TEST(Mapped, ThreeBuffersOverlapDrawingAndWaiting) {
     std::uint64_t took[2];
     for (const int buffers : {2, 3}) {
         Rig rig(buffers);
-        rig.row_ns = 1000; // three quarters of a refresh a frame
+        rig.row_ns = 1000; // drawing a frame takes three quarters of a refresh
         ASSERT_TRUE(rig.display->init().ok());
         rig.show(1);
         const std::uint64_t before = rig.port.now();
-        rig.draw(2); // two buffers: the first one is scanned until the refresh ends
+        rig.draw(2); // two buffers: the first is scanned until the refresh ends
         took[buffers - 2] = rig.port.now() - before;
     }
     EXPECT_EQ(took[1], 1000u * height) << "no wait";
@@ -134,7 +135,7 @@ TEST(Mapped, ThreeBuffersOverlapDrawingAndWaiting) {
 TEST(Mapped, PacingOfThreeBuffers) {
     for (const Pacing pacing : {Pacing::coalesce, Pacing::drop}) {
         Rig rig(3, pacing);
-        rig.row_ns = 100; // ten frames a refresh
+        rig.row_ns = 100; // ten frames in a refresh
         ASSERT_TRUE(rig.display->init().ok());
         const std::uint64_t before = rig.port.now();
         for (int i = 1; i <= 60; ++i)
@@ -183,13 +184,13 @@ TEST(Mapped, DroppedFramesAreDrawnOverAndCleanedWhole) {
     rig.port.on_clean = [&](const std::uint8_t*, std::size_t bytes) { cleaned += bytes; };
     rig.row_ns = 1;
     rig.show(1);
-    rig.show(2); // 1 still waits
+    rig.show(2); // frame 1 still waits
     const std::uint8_t* const dropped = rig.display->acquire().value().pixels;
     EXPECT_EQ(rig.display->acquire().value().age, 1);
     rig.port.advance(2 * rig.port.period());
     cleaned = 0;
     EXPECT_EQ(rig.display->acquire().value().pixels, dropped);
-    ASSERT_TRUE(rig.display->present().ok()); // nothing new
+    ASSERT_TRUE(rig.display->present().ok()); // nothing new was drawn
     EXPECT_EQ(cleaned, std::size_t{width} * 2 * height) << "what the dropped frame had drawn";
     EXPECT_TRUE(rig.display->present().ok()) << "nothing acquired: nothing to show";
 }
@@ -220,7 +221,7 @@ TEST(Mapped, TheCacheIsCleanedOfWhatWasDrawn) {
     ASSERT_TRUE(rig.display->present().ok());
     EXPECT_EQ(pieces, (std::vector<std::pair<std::ptrdiff_t, std::size_t>>{{0, stride * height}}));
     pieces.clear();
-    rig.config.touched = nullptr; // no record: everything
+    rig.config.touched = nullptr; // without a record everything is taken as touched
     hal::MappedDisplay plain(rig.port, rig.config);
     ASSERT_TRUE(plain.init().ok());
     pieces.clear();
@@ -229,7 +230,7 @@ TEST(Mapped, TheCacheIsCleanedOfWhatWasDrawn) {
     EXPECT_EQ(pieces, (std::vector<std::pair<std::ptrdiff_t, std::size_t>>{{0, stride * height}}));
 }
 
-/// Eight bits a pixel, looked up while they are scanned: a new colour shows without a present.
+/// Hardware looks up eight-bit pixels while it scans them, so a new colour shows without a present.
 TEST(Mapped, PalettesInHardware) {
     for (const PixelFormat format : {PixelFormat::index8, PixelFormat::rgb332}) {
         if (!is_drawable(format))

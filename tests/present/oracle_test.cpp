@@ -1,5 +1,5 @@
-// The oracle of damage through GL: after every present the panel's memory equals the surface, whatever a
-// program cleared, masked or left alone in between.
+// After every present the panel's memory must equal the surface, whatever a program cleared, masked or left
+// alone through GL.
 #include <functional>
 #include <random>
 #include <string>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace spangle;
 
-/// What a program does in its frames, with a source of chance.
+/// What a program does in its frames, with a source of random numbers.
 struct Habit {
     const char* name;
     void (*frame)(std::mt19937& random, int frame);
@@ -35,7 +35,7 @@ void clear_to(float shade) {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
-/// A few primitives of every kind somewhere.
+/// Draws a few primitives of every kind at random places.
 void draw(std::mt19937& random) {
     const auto corner = [&] { glVertex2f(part(random) * 2.2f - 1.1f, part(random) * 2.2f - 1.1f); };
     constexpr GLenum kinds[] = {GL_TRIANGLES, GL_LINES, GL_POINTS, GL_QUADS};
@@ -71,7 +71,7 @@ void new_clear_color(std::mt19937& random, int frame) {
     draw(random);
 }
 
-/// One of few, so that partial clears to a colour follow full clears to it.
+/// Returns one of a few shades, so that a partial clear may have the colour of the full clear before it.
 float shade(std::mt19937& random) {
     return once_in(random, 3) ? part(random) : once_in(random, 2) ? 0.0f : 0.5f;
 }
@@ -147,7 +147,7 @@ class Window {
     EGLSurface surface_ = EGL_NO_SURFACE;
 };
 
-/// Frames of one habit; dithered ones, so that a clear has no single colour.
+/// Plays frames of one habit. Frames are also dithered, so that a clear has no single colour.
 void hold(const hal::Board& board, const Habit& habit, bool single) {
     SCOPED_TRACE(std::string(habit.name) + (single ? ", single-buffered" : "") + ", " +
                  std::to_string(board.display.buffers) + " buffers" +

@@ -1,5 +1,5 @@
-// Two buffers: the next frame is drawn while the last one is on the wire. Virtual time tells; so does every
-// rule the bus watches, above all that nobody draws into what is being sent.
+// With two buffers the next frame is drawn while the last one is sent. Virtual time shows it, and the bus
+// checks every rule, above all that nothing draws into memory that is being sent.
 #include <gtest/gtest.h>
 #include <spangle/GL/gl.h>
 #include <spangle/boards/boards.hpp>
@@ -17,7 +17,7 @@ struct Ran {
     std::uint32_t put_off = 0;
 };
 
-/// `drawing`: what the processor takes for a frame.
+/// Plays frames for whose drawing the processor takes the time `drawing`.
 Ran run(hal::Board board, const char* scene, int frames, Time drawing) {
     sim::SimBoard sim(board);
     test::WatchedDisplay watched(sim, board);
@@ -49,13 +49,13 @@ TEST(Overlap, DrawingAndSendingTakeTheLongerOfTheTwo) {
     EXPECT_GE(two.time, longer * 95 / 100);
     EXPECT_LE(two.time, longer + 40 * ms) << "the last frame is still on the wire";
     EXPECT_LT(two.time, one.time * 65 / 100);
-    // Turned frames overlap as well: they are sent from a buffer of their own.
+    // Turned frames overlap as well, because they are sent from a buffer of their own.
     board.display.scan_order = true;
     const Ran turned = run(board, "S6", frames, drawing);
     EXPECT_LE(turned.time, std::max(frames * drawing, turned.wire) + 40 * ms);
 }
 
-/// A program faster than its bus: blocked to the bus's pace, or never waiting.
+/// A program that is faster than its bus either waits for the bus, or puts frames off.
 TEST(Overlap, FramesAreBlockedOrPutOff) {
     constexpr int frames = 40;
     constexpr Time ms = 1000000, drawing = 4 * ms;

@@ -1,5 +1,5 @@
-// Tears, seen where they are seen: in every refresh the controller scans out. The whole table of refresh
-// rates and clocks, by TE and by polling 45h; and that the tears are there when the mechanism is not.
+// Looks for tears in every refresh that the controller scans out. Tests the whole table of refresh rates and
+// clocks, by TE and by polling 45h; without the mechanism there must be tears.
 #include <memory>
 #include <random>
 #include <set>
@@ -27,7 +27,7 @@ struct Setup {
     std::uint8_t buffers = 1;
     Rect area = {0, 0, 0, 0}; ///< what each frame draws; empty: everything
     hal::BusKind bus = hal::BusKind::spi4;
-    int off_percent = 0; ///< the panel's oscillator, from the datasheet's time of a line
+    int off_percent = 0; ///< by how much the panel's oscillator is off the datasheet's time of a line
 };
 
 struct Seen {
@@ -69,7 +69,7 @@ struct Rig {
     }
 };
 
-/// Frames of one colour each, presented at any phase of the refresh; counts the refreshes that show two.
+/// Presents frames of one colour each at any phase of the refresh, and counts the refreshes that show two.
 Seen play(const Setup& s, int frames = 10, bool until_a_tear = false) {
     Rig rig(s);
     EXPECT_TRUE(rig.display->init().ok());
@@ -77,7 +77,7 @@ Seen play(const Setup& s, int frames = 10, bool until_a_tear = false) {
     const Rect area = s.area.w == 0 ? Rect{0, 0, info.width, info.height} : s.area;
     std::mt19937 random(s.line_ns + s.write_hz);
     Seen seen;
-    // The cells of the area in the controller's memory, a few of each row.
+    // Collects cells of the area in the controller's memory, a few of each row.
     std::vector<std::size_t> cells;
     const hal::Placement placed = hal::place(rig.panel, s.orientation);
     for (int y = area.y; y < area.y + area.h; ++y)
@@ -127,7 +127,7 @@ Seen play(const Setup& s, int frames = 10, bool until_a_tear = false) {
     return seen;
 }
 
-/// 615 kHz / (RTNA x 324 lines), RTNA = 10h 13h 18h 1Bh 1Fh: 118.6 to 61.2 Hz.
+/// 615 kHz / (RTNA x 324 lines) for RTNA = 10h, 13h, 18h, 1Bh, 1Fh: 118.6 to 61.2 Hz.
 constexpr unsigned lines_ns[] = {26016, 30894, 39024, 43902, 50406};
 struct Wire {
     std::uint32_t hz;
@@ -148,7 +148,7 @@ struct Regime {
     bool on_a_border() const {
         return (ratio() > 0.97 && ratio() < 1.0) || (ratio() > 1.94 && ratio() < 2.0);
     }
-    /// The nearer to the speed of the beam, the fewer phases cross it.
+    /// The nearer the wire is to the speed of the beam, the fewer phases of the transfer cross the beam.
     int frames_to_see_a_tear() const { return ratio() > 0.85 && ratio() < 1.15 ? 150 : 40; }
 };
 
@@ -185,7 +185,7 @@ TEST(Tears, NoneInTheWholeTableWhereNoneNeedsToBe) {
     EXPECT_GE(impossible, 10);
 }
 
-/// Panels of one kind differ: what the datasheet says is not what this one does.
+/// Panels of one kind differ: this panel does not have the datasheet's refresh rate.
 TEST(Tears, NoneWhereTheOscillatorIsOff) {
     for (const int off : {-12, -5, 5, 12})
         for (const unsigned line_ns : lines_ns)
@@ -226,7 +226,7 @@ TEST(Tears, LandscapeIsFreeOfThemOnlyInTheOrderOfTheScan) {
         }
 }
 
-/// Fewer bytes: damage that is short enough leads, or is safe even against the scan.
+/// Short damage is sent ahead of the beam, or is safe even against the scan.
 TEST(Tears, TheBytesOfTheFrameDecide) {
     const Rect third = {20, 100, 200, 100};
     const Seen small = play({.write_hz = 40000000, .area = third});

@@ -1,4 +1,4 @@
-// A board's display that holds the panel's memory against the surface at every present.
+// Wraps a board's display, and compares the panel's memory with the surface at every present.
 #pragma once
 
 #include <vector>
@@ -37,8 +37,8 @@ class WatchedDisplay final : public hal::Display {
 
     bool compare = true;
     std::vector<std::uint8_t> surface; ///< as it was presented, two bytes a pixel
-    std::vector<std::uint64_t> bytes;  ///< on the wire, of each present
-    long compared = 0;                 ///< presents
+    std::vector<std::uint64_t> bytes;  ///< bytes on the wire of each present
+    long compared = 0;                 ///< number of presents
 
   private:
     sim::SimBoard& sim_;
