@@ -1,4 +1,4 @@
-// Frames of a program on a simulated board: whole, or band by band.
+// Plays frames of a program on a simulated board, whole or band by band.
 #pragma once
 
 #include <functional>
@@ -28,14 +28,14 @@ inline Program program_of(const scenes::Scene& scene) {
 
 struct Setting {
     std::int32_t display_band = 0; ///< rows that the display holds; 0: all
-    std::int32_t band_height = 0;  ///< EGL_BAND_HEIGHT_SPANGLE
-    EGLint record = 0;             ///< EGL_BAND_RECORD_SPANGLE
+    std::int32_t band_height = 0;  ///< EGL_BAND_HEIGHT_SPANGLE, in rows
+    EGLint record = 0;             ///< EGL_BAND_RECORD_SPANGLE, in bytes
     EGLint depth = 24, stencil = 8, accum = 16;
     EGLint precision = EGL_DONT_CARE;
     EGLint samples = 0;
 };
 
-/// A window on a board, and a context that is current to it.
+/// A window on a board, and a context that is current on it.
 class Banded {
   public:
     Banded(hal::Board board, const Setting& setting) : board_(with_bands(board, setting)), sim(board_) {
@@ -73,13 +73,13 @@ class Banded {
         const hal::DisplayInfo info = sim.display().info();
         program.setup(info.width, info.height);
     }
-    /// Draws and shows frame f; what the controller's memory holds then.
+    /// Draws and shows frame f. Returns what the controller's memory holds then.
     sim::Image show(const Program& program, int f) {
         const auto draw = [&] {
             ++draws;
             program.draw(f);
         };
-        if (records) // drawn as any window is
+        if (records) // a recorded window is drawn as any window is
             draw();
         EXPECT_TRUE(records ? eglSwapBuffers(display, surface) != EGL_FALSE : spangle::frame(display, draw))
             << program.name << ", frame " << f << ": " << eglGetError();
@@ -105,7 +105,7 @@ class Banded {
     sim::SimBoard sim;
 };
 
-/// The controller's memory after each of some frames.
+/// Returns the controller's memory after each of the frames.
 inline std::vector<sim::Image> play(const hal::Board& board, const Setting& setting, const Program& program,
                                     int frames) {
     Banded window(board, setting);

@@ -1,4 +1,4 @@
-// Programs whose bands leave something out: long batches of every mode, and many short ones.
+// Programs whose bands leave batches out: long batches of every mode, and many short ones.
 #include <array>
 #include <cmath>
 
@@ -8,7 +8,7 @@ namespace spangle::test {
 
 namespace {
 
-constexpr int longest = 201; ///< elements: some pieces of a batch, the last one not whole
+constexpr int longest = 201; ///< elements: several pieces of a batch, the last one not whole
 
 struct Arrays {
     std::array<GLfloat, std::size_t{longest} * 2> place;
@@ -16,7 +16,8 @@ struct Arrays {
     std::array<GLushort, std::size_t{longest}> index;
 };
 
-/// A zigzag that climbs through the picture and beyond it, so that every band meets a part of any mode.
+/// Returns a zigzag that climbs through the picture and beyond it, so that each band meets a part of it in
+/// every mode.
 Arrays zigzag(int frame) {
     Arrays made;
     for (unsigned i = 0; i < longest; ++i) {
@@ -34,7 +35,7 @@ Arrays zigzag(int frame) {
 constexpr GLenum all_modes[] = {GL_POINTS,         GL_LINES,        GL_LINE_LOOP, GL_LINE_STRIP, GL_TRIANGLES,
                                 GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS,     GL_QUAD_STRIP, GL_POLYGON};
 
-/// All modes, from arrays by number and by index.
+/// Draws all modes from arrays, by number and by index.
 void draw_arrays(int frame) {
     const Arrays arrays = zigzag(frame);
     glEnableClientState(GL_VERTEX_ARRAY);
@@ -48,7 +49,7 @@ void draw_arrays(int frame) {
         glTranslatef(3.F, 0.F, 0.F);
     }
     glDisableClientState(GL_COLOR_ARRAY);
-    glColor3f(1.F, 0.5F, 0.2F); // what is left without an array
+    glColor3f(1.F, 0.5F, 0.2F); // the current colour, for draws without a colour array
     for (const GLenum mode : {GL_TRIANGLE_STRIP, GL_LINE_STRIP, GL_QUAD_STRIP})
         glDrawElements(mode, longest, GL_UNSIGNED_SHORT, arrays.index.data());
     glDisableClientState(GL_VERTEX_ARRAY);
@@ -60,7 +61,7 @@ Program arrays() {
                 glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
                 draw_arrays(f);
                 glShadeModel(GL_FLAT);
-                glEnable(GL_CULL_FACE); // strips turn the same way from piece to piece
+                glEnable(GL_CULL_FACE); // all pieces of a strip turn the same way
                 draw_arrays(f + 1);
                 glCullFace(GL_FRONT);
                 glTranslatef(20.F, 0.F, 0.F);
@@ -74,7 +75,7 @@ Program arrays() {
 Program stippled_arrays() {
     return {"stippled arrays", start_program, [](int f) {
                 glClear(GL_COLOR_BUFFER_BIT);
-                glEnable(GL_LINE_STIPPLE); // goes on along a strip
+                glEnable(GL_LINE_STIPPLE); // the stipple continues along a strip
                 glLineStipple(5, 0x2F31);
                 glLineWidth(3.F);
                 glPointSize(6.F);
@@ -112,7 +113,7 @@ Program smooth_arrays(GLenum what) {
             }};
 }
 
-/// More batches than there are entries for, most of them small; some with more vertices than they need.
+/// Draws more batches than there are entries for, most of them small; some have more vertices than they need.
 Program many_batches() {
     return {"many batches", start_program, [](int f) {
                 glClear(GL_COLOR_BUFFER_BIT);
@@ -193,7 +194,8 @@ Program lists_and_meshes() {
             }};
 }
 
-/// What is set inside of a batch that is left out is current behind it; materials are, too.
+/// State that is set inside of a batch is current afterwards, materials included, also if the batch is left
+/// out.
 Program attributes_inside() {
     return {"attributes inside",
             [](int w, int h) {

@@ -1,4 +1,4 @@
-// Windows in bands as EGL sees them: wishes, what stays, what fails.
+// Tests windows in bands through EGL: attributes, lasting state, and failures.
 #include <climits>
 
 #include <spangle/message.hpp>
@@ -34,7 +34,7 @@ TEST(BandWindows, WishesAreRoundedUpToWhereBytesEnd) {
         {pages, {.display_band = 16}, 16},
         {pages, {.display_band = 16, .band_height = 1}, 8},
         {pages, {.display_band = 16, .band_height = 9}, 16},
-        {pages, {.band_height = 9}, 9}, // of depth; the display holds whole frames
+        {pages, {.band_height = 9}, 9}, // bands of depth; the display holds whole frames
     };
     for (const auto& c : cases) {
         Banded window(c.board, c.setting);
@@ -71,14 +71,15 @@ TEST(BandWindows, DepthTakesTheMemoryOfABand) {
         eglDestroyContext(window.display, window.context);
         taken[i++] = memory_use().used - before;
     }
-    constexpr std::size_t row = 160 * (2 + 8);                  // depth, accumulation
-    const std::size_t batches = taken[1] + 40 * row - taken[0]; // what bands may leave out
+    constexpr std::size_t row = 160 * (2 + 8); // depth and accumulation
+    const std::size_t batches =
+        taken[1] + 40 * row - taken[0]; // the table of batches that bands may leave out
     EXPECT_GT(batches, 0U);
     EXPECT_LT(batches, 400U);
     EXPECT_EQ(taken[1] - taken[2], 32 * row);
 }
 
-/// Between frames nothing is there to be drawn to or read; a frame is nothing that eglSwapBuffers could show.
+/// Outside of a frame there are no pixels to draw or read, and nothing that eglSwapBuffers could show.
 TEST(BandWindows, OutsideOfFramesThereIsNothing) {
     Banded window(boards::st7735_80x160, {.display_band = 8});
     glClearColor(1.F, 1.F, 1.F, 1.F);
@@ -97,10 +98,10 @@ TEST(BandWindows, OutsideOfFramesThereIsNothing) {
     EXPECT_EQ(eglGetError(), EGL_BAD_SURFACE);
     GLint box[4];
     glGetIntegerv(GL_VIEWPORT, box);
-    EXPECT_EQ(box[3], 80); // GL sees the window
+    EXPECT_EQ(box[3], 80); // GL sees the whole window
 }
 
-/// What is read and copied in a band are its own rows.
+/// A band reads and copies its own rows only.
 TEST(BandWindows, RowsOfOtherBandsAreNotRead) {
     Banded window(boards::st7735_80x160, {.display_band = 16});
     int read = 0;
@@ -138,7 +139,8 @@ TEST(BandWindows, AFrameWantsAWindowThatStaysCurrent) {
     EXPECT_EQ(calls, 6);
 }
 
-/// A transfer fails somewhere in a frame: that frame is told of it, and the next one mends the panel.
+/// A transfer fails somewhere in a frame. That frame reports the failure, and the next one sends the missing
+/// pixels again.
 TEST(BandWindows, WhatFailsIsSentAgain) {
     const Program program = program_of(scenes::hud);
     for (const std::uint8_t buffers : {std::uint8_t{1}, std::uint8_t{2}})
@@ -160,7 +162,8 @@ TEST(BandWindows, WhatFailsIsSentAgain) {
         }
 }
 
-/// What a failed transfer should have erased is erased by the next frame, which itself draws nothing there.
+/// If a failed transfer should have erased something, the next frame erases it, although it draws nothing
+/// there.
 TEST(BandWindows, WhatWasNotErasedIsErasedNext) {
     const Program blink = {"blink", nothing.setup, [](int f) {
                                glClearColor(0.F, 0.F, 0.F, 1.F);
@@ -192,7 +195,7 @@ TEST(BandWindows, DisplaysOfOneKindRefuseTheOther) {
     board.display.band = 16;
     sim::SimBoard banded(board);
     ASSERT_TRUE(whole.display().init().ok());
-    EXPECT_FALSE(banded.display().acquire_band(0, 16).ok()); // before init
+    EXPECT_FALSE(banded.display().acquire_band(0, 16).ok()); // before init()
     EXPECT_FALSE(banded.display().present_band().ok());
     ASSERT_TRUE(banded.display().init().ok());
     EXPECT_FALSE(whole.display().acquire_band(0, 16).ok());
@@ -243,7 +246,7 @@ TEST(BandWindows, BuffersTakeTheMemoryOfABand) {
               (pixels + unit - 1) / unit * unit + (converted + unit - 1) / unit * unit);
 }
 
-/// A frame ends after two of five bands, with another clear value: which band holds what is known no more.
+/// A frame with another clear value ends after two of five bands, so it is unknown what each band holds.
 TEST(BandWindows, AFrameThatEndsEarlyIsForgotten) {
     const Program program = {"clears", nothing.setup, [](int f) {
                                  glClearColor(f == 1 ? 1.F : 0.F, 0.F, 0.F, 1.F);
@@ -261,7 +264,7 @@ TEST(BandWindows, AFrameThatEndsEarlyIsForgotten) {
     EXPECT_EQ(sim::hash(window.show(program, 0)), good);
 }
 
-/// Bands cleared to values of their own, or only some of them: each is sent as it is, by either display.
+/// Bands are cleared to different values, or only some are cleared: each is sent as it is, by either display.
 TEST(BandWindows, BandsClearedOneByOne) {
     int call = 0;
     const auto clear = [](float red) {
@@ -283,7 +286,8 @@ TEST(BandWindows, BandsClearedOneByOne) {
                 const sim::Image memory = window.show(program, f);
                 for (int band = 0; band < 5; ++band) {
                     const bool red = program.name == "values" ? band < 3 + f : band == 1 + f;
-                    // Turned a quarter: rows of the picture are columns of the memory, from the right.
+                    // The picture is turned by a quarter, so its rows are columns of the memory, from the
+                    // right.
                     int wrong = 0;
                     for (int along = 0; along < 160; ++along)
                         for (int row = 16 * band; row < 16 * band + 16; ++row) {
@@ -305,7 +309,7 @@ TEST(BandWindows, BandsClearedOneByOne) {
         }
 }
 
-/// Without memory of what the panel shows, bands are sent whole, and right.
+/// Without memory of what the panel shows, bands are sent whole, and are right.
 TEST(BandWindows, BandsAreSentWholeWhereNobodyRemembers) {
     const Program program = program_of(scenes::hud);
     hal::Board board = boards::st7735_80x160;

@@ -1,5 +1,5 @@
-// Buffers of bands and frames are the display's again once they were presented (spangle/hal/display.hpp): a
-// display whose memory nobody may touch then.
+// Buffers of bands and frames belong to the display again after a present (spangle/hal/display.hpp). This
+// display protects the memory then, so any access would end the program.
 #include <gtest/gtest.h>
 
 #include <sys/mman.h>
@@ -42,7 +42,7 @@ class PagedDisplay final : public hal::Display {
     }
     hal::Result<void> present_band() override { return take_back(); }
 
-    int bands_left = 1000; ///< that are given
+    int bands_left = 1000; ///< number of bands that the display still gives
 
   private:
     static constexpr std::size_t bytes = 8192;
@@ -88,8 +88,8 @@ struct Window {
     }
 };
 
-/// Reads pixels of the frame, or of the band, that is in memory. Where the display has taken all memory back,
-/// GL has to read none of it: any access would end the program.
+/// Reads pixels of the frame or band in memory. If the display has taken all memory back, GL must read none:
+/// any access would end the program.
 void draw_and_read() {
     GLubyte pixels[width * height * 4];
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -113,7 +113,7 @@ TEST(GivenBack, Bands) {
         EXPECT_TRUE(frame(window.display, draw_and_read));
         draw_and_read();
     }
-    panel.bands_left = 1; // the first of three
+    panel.bands_left = 1; // the first of three bands
     EXPECT_FALSE(frame(window.display, draw_and_read));
     draw_and_read();
 }
@@ -124,7 +124,7 @@ TEST(GivenBack, RecordedBands) {
     draw_and_read();
     EXPECT_EQ(eglSwapBuffers(window.display, eglGetCurrentSurface(EGL_DRAW)), yes);
     draw_and_read();
-    const auto read = [&](int bands) { // so many are given, the next ones are not
+    const auto read = [&](int bands) { // so many bands are given, the next ones are refused
         panel.bands_left = bands;
         GLubyte pixel[4];
         for (const GLint y : {0, height - 1, 0})

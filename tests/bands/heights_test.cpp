@@ -1,4 +1,4 @@
-// Bands drawn by callback or from a record: the glass holds what it holds of whole frames.
+// Bands are drawn by callback or from a record. The glass must hold what it holds of whole frames.
 #include "gl/context/features.hpp"
 #include "tests/bands/banded.hpp"
 #include "tests/bands/programs.hpp"
@@ -6,15 +6,16 @@
 namespace spangle::test {
 namespace {
 
-constexpr int frames = 2; // what follows the first is sent as damage
+constexpr int frames = 2; // the second frame is sent as damage
 
-/// The board with its picture turned.
+/// Returns the board with its picture turned.
 hal::Board turned(hal::Board board, hal::Orientation orientation) {
     board.display.orientation = orientation;
     return board;
 }
 
-/// Heights to try, in rows that the display can begin a band at; the last one holds the picture.
+/// Returns band heights to try, in rows at which the display can begin a band. The last height holds the
+/// whole picture.
 std::vector<std::int32_t> heights_of(const hal::Board& board) {
     const std::int32_t unit = hal::band_unit(board.display), all = hal::picture_size(board.display).height;
     std::vector<std::int32_t> heights;
@@ -30,7 +31,7 @@ void expect_same(const hal::Board& board, const Program& program, const Setting&
                  const std::vector<sim::Image>& whole) {
     for (const EGLint record : {0, 1 << 21}) {
         if (record != 0 && setting.display_band == 0)
-            continue; // there is no such record
+            continue; // such a record is not possible
         Setting with = setting;
         with.record = record;
         const std::vector<sim::Image> banded = play(board, with, program, frames);
@@ -60,7 +61,7 @@ TEST(BandHeights, StatesAreTheSameAtEveryHeight) {
     }
 }
 
-/// What bands leave out, of every mode.
+/// Batches of every mode that bands may leave out.
 TEST(BandHeights, BatchesAreTheSameAtEveryHeight) {
     for (const Program& program : batch_programs()) {
         const hal::Board& board = boards::st7735_80x160;
@@ -74,7 +75,7 @@ TEST(BandHeights, BatchesAreTheSameAtEveryHeight) {
     }
 }
 
-/// Pages of eight rows, pairs of columns, three bytes a pixel; bus buffers one and two; turned eight ways.
+/// Pages of eight rows, pairs of columns, three bytes a pixel; one bus buffer and two; eight orientations.
 TEST(BandHeights, FormatsAndOrientations) {
     const Program program = program_of(scenes::hud);
     for (hal::Board board : {boards::ssd1306_128x32, boards::ssd0323_spi, boards::st7735_80x160})
@@ -92,8 +93,8 @@ TEST(BandHeights, FormatsAndOrientations) {
         }
 }
 
-/// The viewport is one of GL's window, whichever way the panel's rows run: a quad beyond it ends where a
-/// scissor box of that place would cut it.
+/// The viewport belongs to GL's window, whichever way the panel's rows run. A quad that is larger ends where
+/// a scissor box of that place would cut it.
 TEST(BandHeights, ViewportsTurnWithThePicture) {
     const auto quad = [](int) {
         glClear(GL_COLOR_BUFFER_BIT);
@@ -119,7 +120,7 @@ TEST(BandHeights, ViewportsTurnWithThePicture) {
     }
 }
 
-/// Pixels that lie as they travel: pages drawn into, four-bit greys, 12 and 18 bits.
+/// Surfaces in the panel's own formats: pages, four-bit greys, 12 and 18 bits.
 TEST(BandHeights, NarrowSurfaces) {
     const Program program = program_of(scenes::hud);
     hal::Board mono = boards::ssd1306_128x32, grey = boards::ssd0323_spi, wide = boards::ili9488_spi;
@@ -134,7 +135,7 @@ TEST(BandHeights, NarrowSurfaces) {
     }
 }
 
-/// The display holds whole frames, only depth is short of rows; the display's bands are higher than depth's.
+/// The display holds whole frames, and only depth has bands; or the display's bands are higher than depth's.
 TEST(BandHeights, DepthAloneInBands) {
     const hal::Board& board = boards::st7735_80x160;
     for (const scenes::Scene* scene : {&scenes::gears, &scenes::hud}) {
@@ -148,7 +149,7 @@ TEST(BandHeights, DepthAloneInBands) {
 
 #if SPANGLE_FEATURE_MULTISAMPLE
 
-/// The multisample buffer is one of a band, too.
+/// The multisample buffer has the rows of one band, too.
 TEST(BandHeights, SamplesInBands) {
     hal::Board mono = boards::ssd1306_128x32;
     mono.display.wire = {};
@@ -164,7 +165,7 @@ TEST(BandHeights, SamplesInBands) {
 
 #endif
 
-/// A band begins black, with depth, stencil and accumulation 0, whatever the one above left behind.
+/// A band begins black, with depth, stencil and accumulation 0, whatever the band above left behind.
 TEST(BandHeights, EveryBandBeginsTheSame) {
     const Program never_clears = {"never clears",
                                   [](int w, int h) {
@@ -195,7 +196,8 @@ TEST(BandHeights, EveryBandBeginsTheSame) {
     }
 }
 
-/// Bytes of the second frame of a scene that stands still: those of whole frames, or none at all.
+/// The second frame of an unchanged scene sends as many bytes as a whole frame would: only what changed, or
+/// nothing.
 TEST(BandHeights, WhatDoesNotChangeIsNotSent) {
     const Program still = {"still", [](int w, int h) { glViewport(0, 0, w, h); },
                            [](int f) {
@@ -214,7 +216,7 @@ TEST(BandHeights, WhatDoesNotChangeIsNotSent) {
             bytes[f] = window.sim.counters().pixel_bytes - before;
         }
         EXPECT_LT(bytes[1], 160U * 80 * 2 / 2);
-        EXPECT_EQ(bytes[1], 60U * 30 * 2);  // the rectangle in either place
+        EXPECT_EQ(bytes[1], 60U * 30 * 2);  // the rectangle at both places
         EXPECT_EQ(bytes[2], 160U * 80 * 2); // another clear value
         EXPECT_LT(bytes[3], 160U * 80 * 2 / 4);
     }

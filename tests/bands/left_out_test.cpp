@@ -1,5 +1,5 @@
-// Bands drawn by callback leave out the batches that do not reach them. The probe is a callback that breaks
-// its promise: what it draws for the first band lies low in the picture, for later bands all over it. Bands
+// Bands drawn by callback leave out batches that do not reach them. The probe is a callback that breaks its
+// promise: for the first band a batch lies low in the picture, for later bands it fills the picture. Bands
 // that leave the batch out show nothing of it.
 #include <array>
 
@@ -12,11 +12,11 @@
 namespace spangle::test {
 namespace {
 
-constexpr int width = 160, height = 80, rows = 8; ///< of the picture, and of a band
+constexpr int width = 160, height = 80, rows = 8; ///< size of the picture in pixels, and rows of a band
 const hal::Board& board = boards::st7735_80x160;
 
-/// Rows of the picture, from its lowest, whose first pixel is not black, when `draw` is called with the
-/// number of the band, from the top.
+/// Returns which rows of the picture, from the lowest, were drawn. `draw` is called with the number of the
+/// band, from the top.
 std::array<bool, height> drawn_rows(const std::function<void(int band)>& draw, int frame_count = 1) {
     Banded window(board, {.display_band = rows});
     window.set_up({"", start_program, {}});
@@ -31,7 +31,7 @@ std::array<bool, height> drawn_rows(const std::function<void(int band)>& draw, i
                           f);
     }
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
-    const sim::Image picture = window.sim.glass(); // as it is seen: the board turns it
+    const sim::Image picture = window.sim.glass(); // as it is seen: the board turns the picture
     EXPECT_EQ(picture.width, width);
     std::array<bool, height> drawn{};
     for (int y = 0; y < height; ++y)
@@ -39,7 +39,7 @@ std::array<bool, height> drawn_rows(const std::function<void(int band)>& draw, i
     return drawn;
 }
 
-/// Bands, from the lowest, of which all rows were drawn; others must be black.
+/// Returns a character for each band, from the lowest: '#' if all rows were drawn, '-' if none was.
 std::string bands_of(const std::array<bool, height>& drawn) {
     std::string text;
     for (int band = 0; band < height / rows; ++band) {
@@ -61,7 +61,7 @@ TEST(LeftOut, BatchesThatDoNotReachABand) {
         "-#--------");
 }
 
-/// Some batches before it do reach the band.
+/// Some batches before it reach the band.
 TEST(LeftOut, BatchesAreKnownByTheirNumber) {
     EXPECT_EQ(bands_of(drawn_rows([](int band) {
                   for (int i = 0; i < 5; ++i) {
@@ -74,7 +74,7 @@ TEST(LeftOut, BatchesAreKnownByTheirNumber) {
               "----#-----");
 }
 
-/// Where several batches share an entry a band draws all of them.
+/// If several batches share an entry, a band draws all of them.
 TEST(LeftOut, MoreBatchesThanEntries) {
     EXPECT_EQ(bands_of(drawn_rows([](int band) {
                   glColor3f(0, 0, 0);
@@ -87,16 +87,17 @@ TEST(LeftOut, MoreBatchesThanEntries) {
               "----#-----");
 }
 
-/// Quads of an array, of which each piece reaches its own rows.
+/// The quads are in one array, of which each piece reaches its own rows.
 TEST(LeftOut, PiecesOfLongBatches) {
-    constexpr int quads = 48; // 12 of a piece
+    constexpr int quads = 48; // 12 in each piece
     std::array<GLfloat, std::size_t{quads} * 8> place;
     std::array<GLubyte, std::size_t{quads} * 4> index;
     for (unsigned i = 0; i < index.size(); ++i)
         index[i] = static_cast<GLubyte>(i);
     EXPECT_EQ(bands_of(drawn_rows([&](int band) {
                   for (int q = 0; q < quads; ++q) {
-                      // Those of the first and the third piece, or all of them all over.
+                      // Draws the quads of the first and third piece, or for later bands all quads in the
+                      // whole picture.
                       const float low = q / 12 == 0 ? 10.F : q / 12 == 2 ? 50.F : 200.F;
                       const float from = band == 0 ? low : 0.F, to = band == 0 ? low + 2.F : height;
                       const GLfloat corners[] = {0.F, from, width, from, width, to, 0.F, to};
@@ -110,7 +111,8 @@ TEST(LeftOut, PiecesOfLongBatches) {
               "-#----#---");
 }
 
-/// A program that has read pixels or counts may draw by them: what the first band had then says nothing.
+/// A program that reads pixels or counts may draw by them, so what the first band had is no longer known to
+/// hold.
 TEST(LeftOut, NothingWhereTheProgramReads) {
     const auto reads = [](const std::function<void()>& read) {
         return bands_of(drawn_rows([&](int band) {
@@ -141,7 +143,7 @@ TEST(LeftOut, NothingWhereTheProgramReads) {
     EXPECT_EQ(reads([] {}), "-#--------");
 }
 
-/// The next frame trusts what it noted itself.
+/// Each frame uses only what was noted in itself.
 TEST(LeftOut, EachFrameBeginsAnew) {
     int calls = 0;
     EXPECT_EQ(bands_of(drawn_rows(
@@ -157,7 +159,7 @@ TEST(LeftOut, EachFrameBeginsAnew) {
               "------#---");
 }
 
-/// When another surface becomes current during the first band, later batches get no number and are drawn in
+/// If another surface becomes current during the first band, later batches get no number and are drawn in
 /// every band.
 TEST(LeftOut, NothingAfterAnotherSurfaceWasCurrent) {
     EXPECT_EQ(bands_of(drawn_rows([](int band) {
@@ -175,8 +177,8 @@ TEST(LeftOut, NothingAfterAnotherSurfaceWasCurrent) {
 }
 
 #if SPANGLE_FEATURE_STENCIL_SIDES
-/// Where the sides of polygons have stencil tests of their own, back faces have a state of their own, whose
-/// rows are noted, too.
+/// If the sides of polygons have different stencil tests, back faces have a state of their own, whose rows
+/// are noted, too.
 TEST(LeftOut, BackFacesReachTheirRows) {
     EXPECT_EQ(bands_of(drawn_rows([](int) {
                   glEnable(GL_STENCIL_TEST);
@@ -209,7 +211,7 @@ TEST(LeftOut, NothingOfFeedback) {
 /// A list that is compiled and executed gets the vertices that its band leaves out.
 TEST(LeftOut, ListsGetWhatIsLeftOut) {
     EXPECT_EQ(bands_of(drawn_rows([](int band) {
-                  if (band == 1) // which the batch does not reach
+                  if (band == 1) // the batch does not reach this band
                       glNewList(7, GL_COMPILE_AND_EXECUTE);
                   glBegin(GL_QUADS);
                   for (const auto& [x, y] : {std::pair{0, 8}, {width, 8}, {width, 16}, {0, 16}})
@@ -224,7 +226,7 @@ TEST(LeftOut, ListsGetWhatIsLeftOut) {
               "-#--------");
 }
 
-/// Also of a batch that comes behind one that was left out; and a primitive that restarts is another batch.
+/// The state is also right behind a batch that was left out. A primitive restart begins another batch.
 TEST(LeftOut, WhatComesBehindIsThere) {
     std::array<GLint, height / rows> values{};
     (void)drawn_rows([&](int band) {
@@ -261,7 +263,7 @@ TEST(LeftOut, WhatComesBehindIsThere) {
 #endif
 }
 
-/// The reference of a config draws everything in every band.
+/// The reference policy of a config draws everything in every band.
 TEST(LeftOut, NothingOfTheReference) {
     use_reference_engines();
     const Program& program = programs().front();
@@ -276,7 +278,7 @@ TEST(LeftOut, NothingOfTheReference) {
         EXPECT_EQ(sim::hash(whole[f]), sim::hash(banded[f]));
 }
 
-/// A triangle as the table takes it.
+/// Notes the rows of a triangle in the table.
 void note(raster::BatchRows& table, std::int32_t low, std::int32_t high) {
     raster::FixedVertex corner[3]{};
     corner[0].y = low * raster::subpixel_one;
@@ -286,7 +288,7 @@ void note(raster::BatchRows& table, std::int32_t low, std::int32_t high) {
     table.primitive(table, state, {raster::Primitive::Shape::triangle, 3, 0, corners, &corner[0], nullptr});
 }
 
-/// Pictures of more than 256 rows keep them in larger units; what lies outside of the picture is not noted.
+/// For pictures of more than 256 rows the table has larger units. Rows outside of the picture are not noted.
 TEST(BatchTable, RowsOfTallPictures) {
     for (const std::int32_t tall : {256, 257, 4096, 32767}) {
         raster::BatchRows table(tall);

@@ -20,7 +20,7 @@ void clear(float r, float g, float b) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT);
 }
 
-/// Some triangles of all sizes, here and there.
+/// Draws some triangles of all sizes.
 void triangles(int frame, float z = 0.F) {
     std::uint32_t seed = 12345 + static_cast<std::uint32_t>(frame);
     const auto next = [&](int limit) {
@@ -57,7 +57,7 @@ void points() {
     glEnd();
 }
 
-/// 16 x 16 pixels of all colours.
+/// Returns 16 x 16 pixels of all colours.
 const std::array<GLubyte, 1024>& image() {
     static const auto made = [] {
         std::array<GLubyte, 1024> bytes{};
@@ -158,7 +158,7 @@ Program smooth() {
             }};
 }
 
-/// Of more corners than an item of a record has; stippled, flat, offset.
+/// Polygons with more vertices than an item of a record has; stippled, flat, with an offset.
 Program polygons() {
     return {"polygons", start_program, [](int f) {
                 clear(0.1F, 0.1F, 0);
@@ -195,7 +195,7 @@ Program polygons() {
 Program pixels() {
     return {"pixels", start_program, [](int f) {
                 clear(0.3F, 0.3F, 0.3F);
-                glColor3f(1.F, 0.5F, 0.F); // of the raster positions
+                glColor3f(1.F, 0.5F, 0.F); // the colour of the raster positions
                 glRasterPos2f(10.F + static_cast<float>(f), 11.F);
                 glPixelZoom(2.5F, 3.25F);
                 glDrawPixels(16, 16, GL_RGBA, GL_UNSIGNED_BYTE, image().data());
@@ -213,7 +213,8 @@ Program pixels() {
                 glDrawPixels(8, 8, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, image().data());
                 triangles(f);
                 glDisable(GL_DEPTH_TEST);
-                // Between whole 255ths, where a record must not cut: 247.6 is 31 of 31, 247 is 30.
+                // Fractions between whole 255ths, which a record must not truncate: 247.6 is 31 of 31, 247 is
+                // 30.
                 std::array<GLfloat, 192> parts;
                 for (std::size_t i = 0; i < parts.size(); ++i)
                     parts[i] = (static_cast<float>(i / 6) * 8.F + 7.6F) / 255.F;
@@ -304,7 +305,7 @@ Program outlined() {
             }};
 }
 
-/// What samples have of their own; without them nothing of it is seen.
+/// State of samples; on surfaces without samples it has no effect.
 Program sampled() {
     return {"samples", start_program, [](int f) {
                 clear(0.1F, 0.3F, 0.2F);
@@ -341,7 +342,8 @@ Program sampled() {
             }};
 }
 
-/// Within the window, beside each other: what lies in a view volume ends at its viewport, in every band.
+/// Viewports beside each other within the window: primitives of a view volume end at its viewport, in every
+/// band.
 Program viewports() {
     return {"viewports", start_program, [](int f) {
                 clear(0.2F, 0.1F, 0);

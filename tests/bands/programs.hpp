@@ -1,14 +1,14 @@
-// Programs of one system each: what a band's edge could show in.
+// Programs that each use one system of GL whose drawing could show the edge of a band.
 #pragma once
 
 #include "tests/bands/banded.hpp"
 
 namespace spangle::test {
 
-/// One unit a pixel.
+/// Makes one unit a pixel.
 void start_program(int width, int height);
 
-/// Long batches of every mode, and many short ones (batch_programs.cpp).
+/// Returns programs of long batches of every mode, and of many short ones (batch_programs.cpp).
 std::vector<Program> batch_programs();
 
 /// dither, no dither, stipple, wide, smooth, pixels, stencil, blend, accumulation, outline, samples,

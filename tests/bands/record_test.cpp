@@ -1,5 +1,5 @@
-// Frames that are recorded: what is read and copied in their midst, what becomes of textures, and of frames
-// that do not fit.
+// Tests recorded frames: pixels that are read and copied within a frame, changed textures, and frames that do
+// not fit.
 #include <climits>
 
 #include <spangle/message.hpp>
@@ -15,7 +15,7 @@ namespace {
 constexpr EGLint ample = 1 << 20;
 constexpr EGLBoolean yes = EGL_TRUE, no = EGL_FALSE;
 
-/// The whole frame, and records of it in bands of some heights.
+/// Returns settings of the whole frame, and of records in bands of some heights.
 std::vector<Setting> settings(EGLint samples) {
     std::vector<Setting> all = {{.samples = samples}};
     for (const std::int32_t height : {1, 8, 24, 80})
@@ -31,7 +31,7 @@ constexpr EGLint sample_counts[] = {0, 4};
 constexpr EGLint sample_counts[] = {0};
 #endif
 
-/// `program` draws frame f and adds to the bytes what it has read: the same in all settings.
+/// `draw` draws frame f and appends what it has read to the bytes. These must be the same in all settings.
 void expect_same_reads(const hal::Board& board, const std::function<void(int, Bytes&)>& draw,
                        EGLint samples = 0) {
     Bytes expected;
@@ -96,7 +96,7 @@ TEST(Records, CopiesInTheMidstOfAFrame) {
                 [](int f, Bytes& bytes) {
                     programs()[6].draw(f);
                     glRasterPos2f(7.F, 5.F);
-                    glCopyPixels(0, 0, 60, 20, GL_COLOR); // over itself
+                    glCopyPixels(0, 0, 60, 20, GL_COLOR); // the copy overlaps its source
                     glPixelZoom(1.5F, -1.F);
                     glRasterPos2f(40.F, 29.F);
                     glCopyPixels(10, 2, 30, 25, GL_COLOR);
@@ -127,7 +127,7 @@ void textured_square(float x, float y) {
     glDisable(GL_TEXTURE_2D);
 }
 
-/// 16 x 16 texels of one colour.
+/// Returns 16 x 16 texels of one colour.
 Bytes texels(GLubyte red, GLubyte green) {
     Bytes bytes;
     for (int i = 0; i < 256; ++i)
@@ -135,7 +135,7 @@ Bytes texels(GLubyte red, GLubyte green) {
     return bytes;
 }
 
-/// Each change of a texture comes after it was drawn with and before it is drawn with again.
+/// Each change of a texture comes after a draw with it, and before the next draw with it.
 TEST(Records, TexturesAreAsTheyWereWhenTheyWereDrawn) {
     expect_same_reads(boards::st7735_80x160, [](int f, Bytes& bytes) {
         glClearColor(0.F, 0.F, 0.F, 1.F);
@@ -208,7 +208,8 @@ void count_errors(unsigned code, const char*) {
     errors += code == GL_OUT_OF_MEMORY ? 1 : 0;
 }
 
-/// The primitive that does not fit is GL_OUT_OF_MEMORY, once; the frame is not shown, and the next one is.
+/// The primitive that does not fit raises GL_OUT_OF_MEMORY once. That frame is not shown, and the next one
+/// is.
 TEST(Records, AFrameThatDoesNotFitIsNotShown) {
     const Program small = program_of(scenes::two_triangles), large = programs()[0];
     Banded window(boards::st7735_80x160, {.display_band = 16, .record = 6000});
@@ -221,7 +222,7 @@ TEST(Records, AFrameThatDoesNotFitIsNotShown) {
     EXPECT_EQ(errors, 1);
     EXPECT_EQ(glGetError(), GLenum{GL_OUT_OF_MEMORY});
     GLubyte pixel = 77;
-    glReadPixels(0, 0, 1, 1, GL_RED, GL_UNSIGNED_BYTE, &pixel); // nobody knows
+    glReadPixels(0, 0, 1, 1, GL_RED, GL_UNSIGNED_BYTE, &pixel); // the value is undefined
     EXPECT_EQ(pixel, 77);
     const std::uint64_t sent = window.sim.counters().pixel_bytes;
     EXPECT_EQ(eglSwapBuffers(window.display, window.surface), no);
@@ -234,7 +235,7 @@ TEST(Records, AFrameThatDoesNotFitIsNotShown) {
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
-/// spangle::frame draws such a frame by callback, and others in one call.
+/// spangle::frame draws a frame that does not fit by callback, and other frames in one call.
 TEST(Records, AFrameThatDoesNotFitIsDrawnByCallback) {
     const Program small = program_of(scenes::two_triangles), large = programs()[0];
     const std::vector<sim::Image> whole = play(boards::st7735_80x160, {}, large, 2);
@@ -252,7 +253,7 @@ TEST(Records, AFrameThatDoesNotFitIsDrawnByCallback) {
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
-/// However small the record is: every frame is whole, or none.
+/// However small the record is, a frame is shown whole or not at all.
 TEST(Records, EverySizeShowsAllOrNothing) {
     const Program program = programs()[2]; // stipples
     const std::string whole = sim::hash(play(boards::st7735_80x160, {}, program, 1)[0]);
@@ -272,7 +273,7 @@ TEST(Records, EverySizeShowsAllOrNothing) {
     EXPECT_GT(refused, 20);
 }
 
-/// A copy of a texture that was drawn with has no room: nothing changes.
+/// There is no memory to copy a texture that was drawn with, so the change is refused.
 TEST(Records, ATextureThatCannotBeCopiedStays) {
     const std::vector<sim::Image> expected = [] {
         const Program program = {"square", start_program, [](int) {
@@ -291,7 +292,7 @@ TEST(Records, ATextureThatCannotBeCopiedStays) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 16, 16, 0, GL_RGB, GL_UNSIGNED_BYTE, texels(255, 0).data());
     textured_square(1.F, 3.F);
-    std::vector<void*> blocks; // all of the arena
+    std::vector<void*> blocks; // all blocks of the arena
     for (std::size_t bytes = 1 << 26; bytes >= 8;)
         if (void* const block = egl::arena().allocate(bytes); block != nullptr)
             blocks.push_back(block);
@@ -309,7 +310,7 @@ TEST(Records, ATextureThatCannotBeCopiedStays) {
         egl::arena().free(block);
 }
 
-/// Copies of textures go with the frame.
+/// Copies of textures are freed with the frame.
 TEST(Records, WhatAFrameHeldIsGivenBack) {
     Banded window(boards::st7735_80x160, {.display_band = 16, .record = ample});
     start_program(160, 80);
@@ -327,7 +328,7 @@ TEST(Records, WhatAFrameHeldIsGivenBack) {
     }
 }
 
-/// A frame goes on where the context comes back; another context's objects are none of its business.
+/// A frame continues when its context becomes current again. Objects of other contexts do not matter.
 TEST(Records, ContextsComeAndGo) {
     const Program program = programs()[7]; // a texture, and much else
     const std::string whole = sim::hash(play(boards::st7735_80x160, {}, program, 1)[0]);
@@ -367,7 +368,7 @@ TEST(Records, ContextsComeAndGo) {
     ASSERT_TRUE(window.sim.display().finish().ok());
     EXPECT_EQ(sim::hash(window.sim.memory()), black);
 
-    // The context whose textures were drawn with goes before the frame is shown.
+    // The context whose textures were drawn with is destroyed before the frame is shown.
     ASSERT_EQ(make(window.context), yes);
     program.draw(0);
     ASSERT_EQ(none(), yes);
@@ -438,7 +439,7 @@ TEST(Records, WishesThatCannotBe) {
     eglTerminate(display);
 }
 
-/// A transfer fails in the midst of a frame: eglSwapBuffers tells, the next frame mends the panel.
+/// A transfer fails within a frame: eglSwapBuffers reports it, and the next frame sends the pixels again.
 TEST(Records, TransfersThatFail) {
     const Program program = program_of(scenes::hud);
     Banded window(boards::st7735_80x160, {.display_band = 16, .record = ample});
@@ -451,7 +452,7 @@ TEST(Records, TransfersThatFail) {
     EXPECT_EQ(sim::hash(window.show(program, 0)), good);
 }
 
-/// Bytes of a record: a strip's vertices once, equal states once, however often they come.
+/// A record holds the vertices of a strip once, and equal states once, however often they are used.
 TEST(Records, VerticesAreSharedAndStatesStoredOnce) {
     const auto fits = [](EGLint bytes, const std::function<void()>& draw) {
         Banded window(boards::st7735_80x160, {.display_band = 16, .record = bytes});
@@ -475,9 +476,9 @@ TEST(Records, VerticesAreSharedAndStatesStoredOnce) {
             glEnd();
         };
     };
-    // Each triangle brings one vertex: position, 1 / w, exponents and colour take 32 bytes, and what snapping
-    // took off the position takes 4 in the exact tier. The triangle itself has 16, and all is a multiple
-    // of 8.
+    // Each triangle adds one vertex: position, 1 / w, exponents and colour take 32 bytes, and the rest that
+    // snapping removed takes 4 in the exact tier. The triangle itself takes 16, and the sum is rounded up to
+    // 8.
     const EGLint each = (least(strip(112)) - least(strip(16))) / 96;
     EXPECT_LE(each, (32 + 4 + 16 + 7) / 8 * 8 + 2);
     EXPECT_GE(each, 16);
@@ -489,10 +490,10 @@ TEST(Records, VerticesAreSharedAndStatesStoredOnce) {
             }
         };
     };
-    EXPECT_LE((least(states(22)) - least(states(2))) / 20, 300); // far from the size of a state
+    EXPECT_LE((least(states(22)) - least(states(2))) / 20, 300); // far less than the size of a state
 }
 
-/// Two stipples in one frame.
+/// Two polygon stipples are used in one frame.
 TEST(Records, StipplesChange) {
     expect_same_reads(boards::st7735_80x160, [](int, Bytes& bytes) {
         glClear(GL_COLOR_BUFFER_BIT);
@@ -506,7 +507,7 @@ TEST(Records, StipplesChange) {
     });
 }
 
-/// What a mid-frame read replays is not sent, nor does it make the panel be sent again what it shows.
+/// What is replayed for a read within a frame is not sent, and the panel is not sent again what it shows.
 TEST(Records, ReadsCostTheBusNothing) {
     const Program still = {"still", start_program, [](int f) {
                                glClearColor(0.F, 0.F, 0.F, 1.F);

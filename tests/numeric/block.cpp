@@ -1,4 +1,4 @@
-// Block form, matrices and transforms against double and long double.
+// Compares the block form, matrices and transforms with double and long double.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -33,7 +33,7 @@ template <class B, int N> bool is_normalised(const B& v) {
     return any == 0 ? v.e == 0 : any >> 29 != 0;
 }
 
-/// A float of random sign and of an exponent within +-`span` of 1; now and then 0.
+/// Returns a float of random sign with an exponent within +-`span` of 1; sometimes 0.
 Real random_real(Random& random, int span) {
     if ((random.next() & 31) == 0)
         return zero;
@@ -57,12 +57,12 @@ TEST(Block, HoldsEveryFloatExactly) {
         EXPECT_EQ(to_real(to_element(Real{b})).bits, b) << std::hex << b;
 }
 
-/// To nearest, halves up, held back at the ends: where one word is what is left, too.
+/// Shifts round to nearest, halves up, and saturate at the ends, also if one word is left.
 TEST(Block, ShiftsRoundToNearest) {
     std::mt19937_64 random(11);
     for (int i = 0; i < 1000000; ++i) {
         const int n = 1 + static_cast<int>(random() % 40);
-        const int bits = n + 30 < 62 ? n + 30 : 62; // of the value: what is left has 31 at most, and a sign
+        const int bits = n + 30 < 62 ? n + 30 : 62; // bits of the value; at most 31 and a sign are left
         const std::int64_t v = static_cast<std::int64_t>(random()) >> (63 - bits),
                            half = std::int64_t{1} << (n - 1);
         const std::int64_t nearest = (v + half) >> n;
@@ -83,7 +83,7 @@ TEST(Block, VectorsKeepTheirLargestComponentWhole) {
         ASSERT_TRUE((is_normalised<Block4, 4>(v)));
         const Block3 v3 = to_block(r[0], r[1], r[2]);
         ASSERT_TRUE((is_normalised<Block3, 3>(v3)));
-        for (int c = 0; c < 4; ++c) { // 24 bits in 30: only what lies far below the largest is rounded
+        for (int c = 0; c < 4; ++c) { // 24 bits in 30: only values far below the largest are rounded
             const long double error = value(Block{v.m[c], v.e}) - to_float(r[c]);
             ASSERT_LE(std::fabs(error), std::ldexp(0.5L, v.e));
             if (v.m[c] >> 23 != 0 && v.m[c] >> 23 != -1) {
@@ -175,9 +175,9 @@ struct Double4x4 {
     long double at[4][4] = {};
 };
 
-// By value: gcc 12.2 at -O1 and above believes that this does not read a referenced argument and drops the
-// stores to a temporary one (`values(Matrix{})`; right with -fno-tree-dse, with noipa, under the sanitizers
-// and in clang). It takes ldexpl() in a loop; the product has neither it nor long double.
+// The matrix is passed by value. gcc 12.2 from -O1 on believes that a reference is not read, and drops the
+// stores to a temporary (`values(Matrix{})`). It is right with -fno-tree-dse, with noipa, under the
+// sanitizers and in clang. The fault needs ldexpl() in a loop; the product has neither it nor long double.
 Double4x4 values(Matrix a) {
     Double4x4 r;
     for (int i = 0; i < 4; ++i)
@@ -241,7 +241,7 @@ TEST(Matrix, ProductsAreNearlyCorrectlyRounded) {
     EXPECT_EQ(r[10].bits, 0u);
 }
 
-/// The documented matrices of GL 1.3, 2.10.2, in long double.
+/// Returns the documented matrices of GL 1.3, 2.10.2, in long double.
 Double4x4 rotation_matrix(long double degrees, long double x, long double y, long double z) {
     const long double l = std::sqrt(x * x + y * y + z * z),
                       a = std::fmod(degrees, 360.0L) * 0.0174532925199432957692369L;
@@ -311,7 +311,7 @@ TEST(Matrix, ProjectionsAreWithinOnePartInAMillionOfDouble) {
         const Matrix mp = frustum(v[0], v[1], v[2], v[3], v[4], v[5]),
                      mo = ortho(v[0], v[1], v[2], v[3], v[4], v[5]);
         for (int row = 0; row < 4; ++row)
-            for (int column = 0; column < 4; ++column) { // each element, not only against the largest
+            for (int column = 0; column < 4; ++column) { // each element, not only relative to the largest
                 ASSERT_LE(std::fabs(value(mp.at(row, column)) - p.at[row][column]),
                           std::fabs(p.at[row][column]) * 1e-6)
                     << row << column;
@@ -329,7 +329,7 @@ TEST(Matrix, AMillionRotationsStayOrthogonal) {
         const char* name;
         Real x, y, z;
     };
-    constexpr double bound = 4e-6; // asked for is 2e-4; a step to 31 bits would collect 5e-4
+    constexpr double bound = 4e-6; // 2e-4 is required; one step to 31 bits would add up to 5e-4
     for (const Case& c : {Case{"z", zero, zero, one}, Case{"xyz", one, one, one},
                           Case{"oblique", one, from_float(0.3f), from_float(-0.2f)},
                           Case{"steep", from_float(0.01f), one, from_float(7)}}) {
@@ -385,7 +385,7 @@ TEST(Matrix, InverseTransposeOfTheUpperThree) {
     Random random(30);
     for (int n = 0; n < 50'000; ++n) {
         const int span = 1 + static_cast<int>(random.next() % 20);
-        // Scaled rotations: what modelview matrices are, well conditioned but of any size.
+        // Scaled rotations stand for modelview matrices, which are well conditioned but of any size.
         const Real by[3] = {random_real(random, 9), random_real(random, 1), random_real(random, 1)};
         const Real to[3] = {random_real(random, span), random_real(random, span), random_real(random, span)};
         const Matrix a = multiply(rotation(by[0], one, by[1], by[2]).matrix, scaling(to[0], to[1], to[2]));
@@ -393,8 +393,7 @@ TEST(Matrix, InverseTransposeOfTheUpperThree) {
         if (m.singular)
             continue;
         for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3;
-                 ++j) { // columns of A and of A^-T are dual: a_i . b_j = 1 where i = j, else 0
+            for (int j = 0; j < 3; ++j) { // columns of A and of A^-T are dual: a_i . b_j = 1 if i = j, else 0
                 long double d = 0, size = 0;
                 for (int k = 0; k < 3; ++k) {
                     d += value(a.at(k, i)) * value(m.at[3 * j + k]);
@@ -403,7 +402,7 @@ TEST(Matrix, InverseTransposeOfTheUpperThree) {
                 ASSERT_NEAR(static_cast<double>(d), i == j ? 1 : 0,
                             std::exp2(-26) * std::max(1.0, static_cast<double>(size)));
             }
-        long double row = 0; // RESCALE_NORMAL: the third row of the inverse
+        long double row = 0; // RESCALE_NORMAL uses the third row of the inverse
         for (int k = 0; k < 3; ++k)
             row += value(m.at[6 + k]) * value(m.at[6 + k]);
         ASSERT_NEAR(static_cast<double>(value(m.row_scale()) * std::sqrt(row)), 1, std::exp2(-27));
@@ -414,8 +413,8 @@ TEST(Matrix, InverseTransposeOfTheUpperThree) {
     EXPECT_TRUE(inverse_transpose(scaling(zero, zero, zero)).singular);
 }
 
-/// Error of x/w, y/w, z/w of a vertex in the view volume, relative to what the terms of the sums allow: where
-/// terms of size s cancel to w, the last bits of any arithmetic are worth s/w.
+/// The error of x/w, y/w and z/w of a vertex in the view volume, relative to what the terms of the sums
+/// allow. If terms of size s cancel to w, the last bits of any arithmetic are worth s/w.
 struct NdcError {
     double worst = 0, squares = 0;
     int count = 0;
@@ -451,7 +450,7 @@ void check_ndc(const Matrix& m, const Real (&r)[4], NdcError& out) {
 struct Lens {
     const char* name;
     Matrix matrix;
-    int size; ///< vertices within 2^size
+    int size; ///< vertices lie within 2^size
 };
 
 TEST(BlockMatrix, PositionsAfterTheDivision) {
@@ -459,7 +458,7 @@ TEST(BlockMatrix, PositionsAfterTheDivision) {
     const Lens lenses[] = {
         {"near 0.1, far 1000", frustum(f(-0.08f), f(0.08f), f(-0.06f), f(0.06f), f(0.1f), f(1000)), 8},
         {"near 1, far 10^6", frustum(f(-1), f(1), f(-0.75f), f(0.75f), f(1), f(1e6f)), 16},
-        // x counts 100 times here, and z in pixels 160 times: the columns' exponents keep their bits.
+        // x counts 100 times here, and z in pixels 160 times, so the columns' exponents must keep their bits.
         {"telephoto 1:100", frustum(f(-0.01f), f(0.01f), f(-0.01f), f(0.01f), f(1), f(1e4f)), 7},
         {"pixels", ortho(zero, from_i32(320), zero, from_i32(240), -one, one), 9},
     };
@@ -475,7 +474,8 @@ TEST(BlockMatrix, PositionsAfterTheDivision) {
             const Real v[4] = {narrow, moved ? any(lens.size) : mul(narrow, any(0)),
                                lens.size == 9 ? any(0) : any(lens.size), one};
             Matrix model;
-            if (moved) { // one draw after the other: the order of a call's arguments is the compiler's
+            if (moved) { // one random number for each statement, because the compiler may choose the order of
+                         // arguments
                 const Real to[3] = {any(lens.size), any(lens.size), any(lens.size)};
                 const Real by[3] = {any(9), any(0), any(0)};
                 model = multiply(translation(to[0], to[1], to[2]), rotation(by[0], by[1], one, by[2]));
@@ -486,8 +486,8 @@ TEST(BlockMatrix, PositionsAfterTheDivision) {
         }
         std::printf("x/w, y/w, z/w with %s: worst 2^%.2f, RMS 2^%.2f (%d vertices)\n", lens.name,
                     std::log2(error.worst), std::log2(error.rms()), error.count);
-        // The worst of a sample is a vertex whose largest component hardly counts in the row (2^-20.6 in 60
-        // samples of this size); all others lie far below. 2^-20 is a quarter of a step of n.8 on a surface
+        // The worst vertex of a sample is one whose largest component hardly counts in the row (2^-20.6 in 60
+        // samples of this size); all others are far better. 2^-20 is a quarter of a step of n.8 on a surface
         // 2048 wide.
         EXPECT_LE(error.worst, std::exp2(-20)) << lens.name;
         EXPECT_LE(error.rms(), std::exp2(-29)) << lens.name;
@@ -502,12 +502,12 @@ TEST(BlockMatrix, CarriesWhatIsExact) {
         const Real r[4] = {random_real(random, 60), random_real(random, 60), random_real(random, 60),
                            random_real(random, 60)};
         const Block4 v = to_block(r[0], r[1], r[2], r[3]), w = transform(identity_block, v);
-        // The high word keeps 29 bits of the 30: floats within 2^5 of the largest pass unchanged.
+        // The high word keeps 29 of the 30 bits: floats within 2^5 of the largest do not change.
         for (int c = 0; c < 4; ++c)
             ASSERT_LE(std::fabs(value(component(w, c)) - value(component(v, c))), std::ldexp(2.0L, v.e));
         ASSERT_LE(std::abs(w.e - v.e), 1);
     }
-    // Scaling everything by a power of two moves the exponent and nothing else.
+    // Scaling everything by a power of two changes the exponent only.
     for (int n = 0; n < 100'000; ++n) {
         const Matrix m = random_matrix(random, 8);
         const Real r[4] = {random_real(random, 5), random_real(random, 5), random_real(random, 5), one};
@@ -522,7 +522,7 @@ TEST(BlockMatrix, CarriesWhatIsExact) {
     EXPECT_EQ(nothing.m[3], 0);
 }
 
-/// Denormals, and zeros in columns larger than all that is not zero, as Reals and as blocks.
+/// Denormals, and zeros in columns larger than all other values, work as Reals and as blocks.
 TEST(BlockMatrix, SmallVerticesKeepTheirBits) {
     Random random(34);
     for (int n = 0; n < 100'000; ++n) {
@@ -540,7 +540,7 @@ TEST(BlockMatrix, SmallVerticesKeepTheirBits) {
 }
 
 TEST(BlockMatrix, NormalsOfStretchedObjectsKeepTheirDirection) {
-    // diag(1, 1, 1024): the inverse transpose has rows of size 1 and of size 1/1024.
+    // For diag(1, 1, 1024) the inverse transpose has rows of size 1 and of size 1/1024.
     const BlockMatrix3 m = to_block_matrix(inverse_transpose(scaling(one, one, from_i32(1024))));
     const Unit3 n = normalize(transform(m, to_block(from_float(0x1p-10f), zero, one)));
     EXPECT_NEAR(std::ldexp(n.m[0], -30), std::sqrt(0.5), std::exp2(-27));

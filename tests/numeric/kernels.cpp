@@ -1,4 +1,4 @@
-// Reciprocal, root, division and powers against their bounds.
+// Compares reciprocal, root, division and powers with their bounds.
 #include "tests/numeric/kernels.hpp"
 
 #include <vector>
@@ -154,7 +154,7 @@ TEST(Kernels, DivisionIsExact) {
         }
         const FloorQuotient f = floor_divide(s, d);
         ASSERT_LT(f.remainder, d);
-        // In unsigned words, so that INT64_MIN / 1 is checked too.
+        // The check uses unsigned words, so that INT64_MIN / 1 is checked, too.
         ASSERT_EQ(static_cast<std::uint64_t>(f.quotient) * d + f.remainder, n) << s << " / " << d;
         ASSERT_EQ(f.quotient < 0, s < 0);
     };
@@ -179,7 +179,7 @@ struct PowerError {
     double exact = 0, fourteen = 0, ten = 0;
 };
 
-/// x dense near 1, where the exponent magnifies, and near 0.
+/// x is dense near 1, where the exponent magnifies errors, and near 0.
 std::int32_t power_argument(Random& random) {
     const auto x = static_cast<std::int32_t>(random.word() >> 2);
     switch (random.next() & 3) {

@@ -1,4 +1,4 @@
-// The sweeps of the reciprocal and the root: everyday with a stride, exhaustive in the slow set.
+// Sweeps of the reciprocal and the root: with a stride every day, exhaustive in the slow tests.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 #include "raster/numeric/rsqrt.hpp"
 
 struct KernelError {
-    double low_1 = 0, high_1 = 0;  ///< relative, one Newton step
-    double relative = 0, ulps = 0; ///< two steps
+    double low_1 = 0, high_1 = 0;  ///< relative errors after one Newton step
+    double relative = 0, ulps = 0; ///< errors after two steps
     std::uint64_t rises = 0;       ///< places where the result grows with the argument
 };
 
@@ -40,7 +40,7 @@ inline double bound(int tenths) {
     return std::exp2(-tenths / 10.0);
 }
 
-/// The bounds reciprocal.hpp states.
+/// Checks the bounds that reciprocal.hpp states.
 inline void check_reciprocal(std::uint64_t stride) {
     using namespace spangle::numeric;
     const KernelError e = sweep(
@@ -56,7 +56,7 @@ inline void check_reciprocal(std::uint64_t stride) {
     EXPECT_EQ(reciprocal(0x80000000u), 0x80000000u);
 }
 
-/// The bounds rsqrt.hpp states.
+/// Checks the bounds that rsqrt.hpp states.
 inline void check_rsqrt(std::uint64_t stride) {
     using namespace spangle::numeric;
     const KernelError e = sweep(

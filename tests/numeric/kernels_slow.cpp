@@ -1,4 +1,4 @@
-// Every mantissa.
+// Sweeps the reciprocal and the root over every mantissa.
 #include "tests/numeric/kernels.hpp"
 
 TEST(KernelsSlow, ReciprocalOfEveryMantissa) {

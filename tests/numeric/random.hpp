@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-/// splitmix64. One draw per statement, or in braces: in which order a call evaluates its arguments, and an
-/// operator its operands, is the compiler's choice, and with it which numbers are tested.
+/// splitmix64. Draw one number for each statement, or in braces: the compiler may choose the order of a
+/// call's arguments and an operator's operands, and so which numbers are tested.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -15,7 +15,7 @@ class Random {
         return z ^ (z >> 31);
     }
     std::uint32_t word() { return static_cast<std::uint32_t>(next() >> 32); }
-    std::int32_t range(std::int32_t low, std::int32_t high) { // both included
+    std::int32_t range(std::int32_t low, std::int32_t high) { // both ends included
         const auto size = static_cast<std::uint64_t>(std::int64_t{high} - low + 1);
         return static_cast<std::int32_t>(low + static_cast<std::int64_t>(next() % size));
     }

@@ -1,4 +1,4 @@
-// Real against the hardware's float: every conversion, comparison and operation, bit for bit.
+// Compares Real with the hardware's float: every conversion, comparison and operation, bit for bit.
 #include "raster/numeric/real.hpp"
 
 #include <cfloat>
@@ -13,7 +13,7 @@ namespace {
 
 using namespace spangle::numeric;
 
-/// What GL keeps of a hardware result: no NaN, no infinity.
+/// Returns what GL keeps of a hardware result: neither NaN nor infinity.
 float finite(float v) {
     return std::isnan(v) ? 0.0f : std::isinf(v) ? std::copysign(FLT_MAX, v) : v;
 }
@@ -21,7 +21,7 @@ std::uint32_t bits_of(float v) {
     return std::bit_cast<std::uint32_t>(v);
 }
 
-/// Floats that meet every branch: extremes, powers, their neighbours, denormals, ties.
+/// Returns floats that meet every branch: extremes, powers, their neighbours, denormals, ties.
 std::vector<Real> corner_cases() {
     std::vector<Real> out;
     for (std::uint32_t b : {0u,          1u,          2u,          0x7FFFFFu,   0x800000u,   0x800001u,
@@ -34,7 +34,7 @@ std::vector<Real> corner_cases() {
 }
 
 Real random_real(Random& random) {
-    // Every third near another's exponent, so that additions cancel and divisions round.
+    // Every third number has an exponent near another's, so that additions cancel and divisions round.
     const std::uint32_t word = random.word();
     return from_float_bits(random.next() % 3 == 0 ? (word & 0x80FFFFFFu) | 0x3F000000u : word);
 }
@@ -77,9 +77,10 @@ TEST(Real, EntersDoublesRoundedToNearestEven) {
     for (int i = 0; i < 1'000'000; ++i) {
         const std::uint64_t b = random.next();
         check(b);                                                           // mostly out of range
-        const std::uint64_t exponent = 1023u - 152u + random.next() % 284u; // around float's range
+        const std::uint64_t exponent = 1023u - 152u + random.next() % 284u; // around the range of float
         check((b & 0x800FFFFFFFFFFFFFu) | exponent << 52);
-        check((b & 0x800FFFFFE0000000u) | exponent << 52 | (random.next() & 1) << 28); // exact and ties
+        check((b & 0x800FFFFFE0000000u) | exponent << 52 |
+              (random.next() & 1) << 28); // exact values and ties
     }
 }
 
@@ -103,8 +104,8 @@ TEST(Real, EntersIntegersAndFixedRounded) {
     EXPECT_EQ(from_fixed(1, -300).bits, largest.bits);
 }
 
-// GL 1.3, table 2.6. 2^32 - 1 and 2c + 1 are exact in long double, so is the rounding of the quotient to
-// float here: no quotient lies within 2^-63 of a tie.
+// GL 1.3, table 2.6. 2^32 - 1 and 2c + 1 are exact in long double, and so is the rounding of the quotient to
+// float: no quotient lies within 2^-63 of a tie.
 float unit_float(long double numerator, long double denominator) {
     return static_cast<float>(numerator / denominator);
 }
@@ -200,10 +201,10 @@ TEST(Real, LeavesAsUnitCodes) {
             ASSERT_EQ(to_unit(a, bits), static_cast<std::uint32_t>(std::floor(clamped * codes + 0.5L)))
                 << to_float(a);
         }
-        // ((2^32 - 1) f - 1) / 2, halves up
+        // ((2^32 - 1) f - 1) / 2, with halves rounded up.
         const long double f = std::fmin(std::fmax(static_cast<long double>(to_float(a)), -1.0L), 1.0L);
         const bool tiny =
-            f != 0 && std::fabs(f) < 0x1p-40L; // beside the tie at 0, where long double gives out
+            f != 0 && std::fabs(f) < 0x1p-40L; // near the tie at 0, where long double has too few bits
         const long double nearest = tiny ? (f < 0 ? -1 : 0) : std::floor((f * 4294967295.0L - 1) / 2 + 0.5L);
         ASSERT_EQ(to_normalized_int(a), static_cast<std::int64_t>(nearest)) << to_float(a);
     });
@@ -211,7 +212,7 @@ TEST(Real, LeavesAsUnitCodes) {
         ASSERT_EQ(to_unit(normalized_ubyte(static_cast<std::uint8_t>(c)), 8), static_cast<unsigned>(c));
     for (int c = 0; c < 65536; ++c)
         ASSERT_EQ(to_unit(normalized_ushort(static_cast<std::uint16_t>(c)), 16), static_cast<unsigned>(c));
-    for (int c = -32768; c < 32768; ++c) // what was set as a short comes back with its 16 bits
+    for (int c = -32768; c < 32768; ++c) // a value that was set as a short is read back with its 16 bits
         ASSERT_EQ(to_normalized_int(normalized_short(static_cast<std::int16_t>(c))) >> 16, c);
 }
 

@@ -1,4 +1,4 @@
-// Numbers of 61 bits with exponents of their own, against long double where that has as many bits.
+// Compares numbers of 61 bits with their own exponents with long double, where that has as many bits.
 #include "raster/numeric/wide.hpp"
 
 #include <cmath>
@@ -61,7 +61,7 @@ TEST_F(Wides, SumsProductsQuotients) {
         expect_near(reciprocal(Wide{m, 3}), 1 / value(Wide{m, 3}), 1 / value(Wide{m, 3}), 56);
 }
 
-/// Terms of 60 bits that nearly cancel leave all that differs.
+/// Terms of 60 bits that nearly cancel keep all bits of their difference.
 TEST_F(Wides, NothingIsLostToCancellation) {
     for (int i = 0; i < 100'000; ++i) {
         const auto word = [&] { return static_cast<std::int32_t>(random_()) >> 2; };
@@ -87,7 +87,7 @@ TEST_F(Wides, AreOrderedAndTheSameFromBothSides) {
     }
 }
 
-/// Of a vertex next to others: each row keeps what its own terms leave.
+/// A vertex may be far away in some coordinates only: each row keeps what its own terms leave.
 TEST_F(Wides, RowsOfFarVertices) {
     const Real one = numeric::one, far = from_double(0x1p100), small = from_double(0.3);
     const BlockMatrix identity = to_block_matrix(numeric::identity());

@@ -1,5 +1,5 @@
-// Small programs of public GL whose result is numbers: what queries, selection, feedback and maps give back,
-// to be held against Mesa's.
+// Small programs of public GL whose result is numbers: what queries, selection, feedback and maps return. The
+// numbers are compared with Mesa's.
 #pragma once
 
 #include <ostream>
@@ -14,12 +14,13 @@ struct Answer {
 };
 using Answers = std::vector<Answer>;
 
-/// Asks in a fresh context on a surface of `answer_size` pixels a side, RGBA8888 with 24 bits of depth.
+/// Questions that are asked in a fresh context on a surface of `answer_size` pixels a side, RGBA8888 with 24
+/// bits of depth.
 struct Questions {
     const char* id;
     Answers (*ask)();
 };
-/// For GoogleTest.
+/// GoogleTest prints questions with this function.
 inline void PrintTo(const Questions& questions, std::ostream* out) {
     *out << questions.id;
 }

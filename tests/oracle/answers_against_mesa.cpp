@@ -1,4 +1,4 @@
-// What queries, selection, feedback, maps and lists give back is what Mesa gives back.
+// Queries, selection, feedback, maps and lists must return what Mesa returns.
 #include <cmath>
 #include <cstdio>
 #include <sstream>
@@ -43,8 +43,8 @@ Answers ask_spangle(const Questions& questions) {
 
 class AnswersOf : public testing::TestWithParam<Questions> {};
 
-/// Floats of two implementations: 1e-5 of the value (GL 1.3, 2.1.1), or of 1, or the last bits of a colour
-/// that is asked for as an integer.
+/// Compares floats of two implementations: within 1e-5 of the value (GL 1.3, 2.1.1) or of 1, which also
+/// covers the last bits of a colour read as an integer.
 bool agree(double a, double b) {
     return std::fabs(a - b) <= std::max(1.0, std::fabs(b)) * 1e-5;
 }

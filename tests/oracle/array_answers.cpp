@@ -1,4 +1,4 @@
-// Where vertices come from: buffers, draws of many primitives, fog coordinates, restarts, array objects.
+// Asks where vertices come from: buffers, draws of many primitives, fog coordinates, restarts, array objects.
 #include <cstddef>
 #include <initializer_list>
 
@@ -28,7 +28,7 @@ const void* at(std::size_t offset) {
     return reinterpret_cast<const void*>(offset);
 }
 
-/// The mesh in client memory, for as long as it lives.
+/// Points the arrays to the mesh in client memory, which must stay.
 void point_to(const std::vector<Corner>& corners) {
     glEnableClientState(GL_VERTEX_ARRAY);
     glEnableClientState(GL_COLOR_ARRAY);
@@ -36,7 +36,7 @@ void point_to(const std::vector<Corner>& corners) {
     glColorPointer(4, GL_UNSIGNED_BYTE, sizeof(Corner), corners[0].color);
 }
 
-/// The same in a buffer.
+/// Points the arrays to the mesh in a buffer.
 void buffered(const std::vector<Corner>& corners, GLuint name) {
     glBindBuffer(GL_ARRAY_BUFFER, name);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(Corner)), corners.data(),
@@ -146,8 +146,8 @@ Answers multi_draw() {
     return asker.answers;
 }
 
-/// What carries them: queries, arrays, the raster position. Their fog is a picture. Attribute stacks of Mesa
-/// forget them.
+/// Asks for fog coordinates by queries, arrays and the raster position. Their fog is compared as a picture.
+/// Mesa's attribute stacks do not save them.
 Answers fog_coordinates() {
     Asker asker;
     const auto ask = [&asker] {
@@ -183,8 +183,8 @@ Answers fog_coordinates() {
     return asker.answers;
 }
 
-/// Queries, arrays and errors of theirs; their sum is a picture. Mesa has an attribute group for COLOR_SUM of
-/// its own.
+/// Asks for secondary colours by queries, arrays and errors. Their sum is compared as a picture. Mesa has
+/// COLOR_SUM in another attribute group.
 Answers secondary_colors() {
     Asker asker;
     const auto ask = [&asker] {
@@ -219,7 +219,8 @@ Answers secondary_colors() {
     glSecondaryColorPointer(3, GL_FIXED, 0, colors);
     asker.error("type");
     glSecondaryColorPointer(3, GL_FLOAT, -1, colors);
-    asker.error("stride"); // Mesa keeps the stride nevertheless, and InterleavedArrays leaves the array on
+    asker.error(
+        "stride"); // Mesa keeps the stride nevertheless, and InterleavedArrays leaves the array enabled
     return asker.answers;
 }
 

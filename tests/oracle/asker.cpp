@@ -36,7 +36,7 @@ void Asker::feedback(const std::string& question, GLenum type, const std::functi
     draw();
     const GLint count = glRenderMode(GL_RENDER);
     std::vector<double> values = {static_cast<double>(count)};
-    for (GLint i = 0; i < count; ++i) { // without a stipple Mesa never says that it starts anew
+    for (GLint i = 0; i < count; ++i) { // without a stipple Mesa does not report line resets
         const GLfloat v = buffer[static_cast<std::size_t>(i)];
         values.push_back(v == GL_LINE_RESET_TOKEN ? GL_LINE_TOKEN : static_cast<double>(v));
     }
@@ -54,7 +54,7 @@ void Asker::selection(const std::string& question, const std::function<void()>& 
     for (std::size_t at = 0, hit = 0; hit < static_cast<std::size_t>(std::max(hits, 0)); ++hit) {
         const GLuint names = buffer[at];
         values.push_back(names);
-        for (int z = 1; z <= 2; ++z) // a depth of 0 to 1
+        for (int z = 1; z <= 2; ++z) // depth from 0 to 1
             values.push_back(buffer[at + static_cast<std::size_t>(z)] / 4294967295.0);
         for (GLuint n = 0; n < names; ++n)
             values.push_back(buffer[at + 3 + n]);

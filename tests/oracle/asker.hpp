@@ -1,4 +1,4 @@
-// What the questions are put together from.
+// Parts of which the questions are made.
 #pragma once
 
 #include <functional>
@@ -16,23 +16,23 @@ class Asker {
 
     void note(std::string question, std::vector<double> values);
     void error(const std::string& question);
-    /// In all four types, `count` values. Mesa scales matrices as if they were colours when asked for
-    /// integers; GL 1.3, 6.1.2 does not.
+    /// Asks for `count` values in all four types. Asked for integers, Mesa scales matrices like colours; GL
+    /// 1.3, 6.1.2 does not.
     void state(GLenum name, int count);
-    /// What `draw` feeds back.
+    /// Asks what `draw` feeds back.
     void feedback(const std::string& question, GLenum type, const std::function<void()>& draw,
                   std::size_t size = 8192);
     void selection(const std::string& question, const std::function<void()>& draw, std::size_t size = 256);
 };
 
-/// A camera in front of the origin.
+/// Sets a camera in front of the origin.
 void perspective();
-/// Eight corners of it around the origin, each with a colour and texture coordinates.
+/// Draws eight vertices around the origin, each with a colour and texture coordinates.
 void ring(GLenum mode, int n, float size);
-/// Texture coordinates pass the matrix in Mesa only where there is a texture.
+/// Enables a texture, because Mesa transforms texture coordinates only with a texture.
 void texture();
 
-// The questions; each in a fresh context.
+// The questions, each asked in a fresh context.
 Answers initial_state();
 Answers state_that_was_set();
 Answers attribute_groups();

@@ -1,4 +1,4 @@
-// Selection, feedback and lists.
+// Asks about selection, feedback and lists.
 #include <initializer_list>
 
 #include "tests/oracle/asker.hpp"
@@ -64,8 +64,8 @@ Answers selection() {
     return asker.answers;
 }
 
-/// Unclipped triangles, and lines: of polygons that are cut or have more corners every GL makes others. Mesa
-/// does not flatten colours that it feeds back.
+/// Feeds back lines and unclipped triangles only: GLs differ in polygons that are clipped or have more
+/// vertices. Mesa does not flatten colours that it feeds back.
 Answers feedback() {
     Asker asker;
     perspective();
@@ -108,7 +108,7 @@ Answers lists() {
     Asker asker;
     perspective();
     const GLuint base = glGenLists(70);
-    for (GLuint i = 0; i < 70; ++i) { // each calls the one before it
+    for (GLuint i = 0; i < 70; ++i) { // each list calls the one before
         glNewList(base + i, GL_COMPILE);
         glPassThrough(static_cast<GLfloat>(i));
         if (i != 0)
@@ -147,7 +147,7 @@ Answers lists() {
     asker.error("compiled");
     glCallList(base + 1);
     asker.error("called");
-    v[2] = 0.125f; // arrays were read when the list was compiled
+    v[2] = 0.125f; // the list has read the arrays when it was compiled
     asker.feedback("arrays", GL_3D_COLOR, [=] { glCallList(base); });
     glNewList(0, GL_COMPILE);
     asker.error("list 0");

@@ -1,4 +1,4 @@
-// Evaluators: what maps say of themselves, and what they make.
+// Asks about evaluators: their maps, and the values that they make.
 #include <array>
 #include <initializer_list>
 
@@ -14,7 +14,7 @@ constexpr GLenum map1[] = {GL_MAP1_COLOR_4,         GL_MAP1_INDEX,           GL_
 constexpr int map_components[] = {4, 1, 3, 1, 2, 3, 4, 3, 4};
 constexpr GLenum to_map2 = GL_MAP2_COLOR_4 - GL_MAP1_COLOR_4;
 
-/// 4 x 4 control points of a sheet within the view volume; w is at least 1.
+/// Returns 4 x 4 control points of a sheet within the view volume; w is at least 1.
 std::array<GLfloat, 64> sheet(int components) {
     std::array<GLfloat, 64> out{};
     for (int i = 0; i < 4; ++i)
@@ -58,7 +58,7 @@ Answers evaluators() {
                                                                     GL_MAP1_TEXTURE_COORD_3}) {
             glEnable(attribute);
             glEnable(attribute + to_map2);
-            glColor4f(0.25f, 0.5f, 0.75f, 1); // Mesa's evaluators change what is current
+            glColor4f(0.25f, 0.5f, 0.75f, 1); // Mesa's evaluators change the current values
             glTexCoord4f(0.5f, 0.25f, 0, 1);
             asker.feedback("curve", GL_4D_COLOR_TEXTURE, [] {
                 glBegin(GL_LINE_STRIP);

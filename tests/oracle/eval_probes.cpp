@@ -8,7 +8,7 @@ namespace spangle::oracle {
 
 namespace {
 
-/// A sheet bent both ways, 4 x 4 points; the same for both sizes of vertices.
+/// Maps a sheet that is bent both ways, of 4 x 4 points; it is the same for both sizes of vertices.
 void map_sheet() {
     GLfloat points[4][4][4], colors[2][2][4];
     for (int i = 0; i < 4; ++i)
@@ -44,7 +44,7 @@ void set_up_patches(int width, int height) {
     glMapGrid1f(20, 0, 1);
 }
 
-/// Lit patches, a coloured one, its lines, and a curve.
+/// Draws lit patches, a coloured patch, its lines, and a curve.
 void draw_patches(int) {
     glClearColor(0.1f, 0.1f, 0.2f, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -55,7 +55,7 @@ void draw_patches(int) {
         (n < 2 ? glEnable : glDisable)(GL_LIGHTING);
         (n < 2 ? glDisable : glEnable)(GL_MAP2_COLOR_4);
         glColor3f(1, 1, 1);
-        const GLint fine = n == 3 ? 1 : 4; // quads so small that their diagonals do not tell
+        const GLint fine = n == 3 ? 1 : 4; // the quads are so small that their diagonals do not show
         glMapGrid2f(12 * fine, 0, 1, 9 * fine, 0, 1);
         glEvalMesh2(n == 3 ? GL_LINE : GL_FILL, 0, (n == 1 ? 7 : 12) * fine, 0, 9 * fine);
         glPopMatrix();

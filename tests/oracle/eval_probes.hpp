@@ -1,4 +1,4 @@
-// Probes of evaluators: rows H01 and H02.
+// Probes of evaluators (rows H01 and H02).
 #pragma once
 
 #include "boards/scenes/scene.hpp"

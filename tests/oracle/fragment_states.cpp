@@ -15,7 +15,7 @@ GLenum compare(Random& random) {
     return GL_NEVER + random.below(8);
 }
 
-/// Now and then 0 or 255.
+/// Returns a random component that is often 0 or 255.
 GLubyte component(Random& random) {
     const std::uint32_t v = random.below(8);
     return static_cast<GLubyte>(v == 0 ? 0 : v == 1 ? 255 : random.below(256));
@@ -25,7 +25,7 @@ void color(Random& random) {
     glColor4ub(r, g, b, a);
 }
 
-/// Of either facing, at one of eight depths.
+/// Draws a rectangle of either facing, at one of eight depths.
 void rectangle(Random& random) {
     const auto place = [&] { return static_cast<GLfloat>(random.below(state_size + 1)); };
     const GLfloat x0 = place(), y0 = place(), x1 = place(), y1 = place();
@@ -39,7 +39,7 @@ void rectangle(Random& random) {
     glEnd();
 }
 
-/// Colours, stencil values and depths to test against.
+/// Draws colours, stencil values and depths to test against.
 void background(Random& random) {
     glClearColor(0.2f, 0.4f, 0.6f, 0.8f);
     glClearStencil(static_cast<GLint>(random.below(256)));
@@ -108,7 +108,7 @@ void tests(Random& random, Quads&) {
 void logic(Random& random, Quads&) {
     background(random);
     glDisable(GL_STENCIL_TEST);
-    glEnable(GL_BLEND); // which does not matter
+    glEnable(GL_BLEND); // blending does not matter
     glBlendFunc(GL_ONE, GL_ONE);
     for (int i = 0; i < 6; ++i) {
         toggle(random, GL_COLOR_LOGIC_OP, 6);
@@ -139,7 +139,7 @@ GLenum factor(Random& random, bool source) {
     return factors[random.below(source ? 15 : 14)];
 }
 
-/// One layer: what a step of 1/255 grows to in further ones is no question of ours.
+/// Draws one layer of blending. How far a difference of 1/255 grows in further layers is not compared.
 void blending(Random& random, Quads&) {
     constexpr GLenum equations[] = {GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX};
     background(random);
@@ -166,7 +166,7 @@ void blending(Random& random, Quads&) {
     glRecti(0, 0, state_size, state_size);
 }
 
-/// A weighted sum of pictures and a value put on top; sums stay below 1, beyond which Mesa's wrap.
+/// Accumulates a weighted sum of pictures, and adds a value. Sums stay below 1, beyond which Mesa's wrap.
 void accumulation(Random& random, Quads&) {
     background(random);
     glDisable(GL_STENCIL_TEST);
@@ -195,7 +195,7 @@ void add_fragment_families(std::vector<Family>& all) {
     all.push_back({"tests", 1000, 0, 1, tests});
     all.push_back({"logic", 300, 0, 1, logic});
     all.push_back({"blending", 2000, 0, 1, blending});
-    all.push_back({"accumulation", 500, 1, 0.92, accumulation}); // Mesa cuts where we round
+    all.push_back({"accumulation", 500, 1, 0.92, accumulation}); // Mesa truncates where Spangle rounds
 }
 
 } // namespace spangle::oracle

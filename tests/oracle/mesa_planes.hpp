@@ -1,4 +1,4 @@
-// Random states as Mesa draws them, in a program of its own.
+// Draws random states with Mesa, in a program of its own.
 #pragma once
 
 #include <unistd.h>
@@ -16,7 +16,7 @@ namespace spangle::oracle {
 
 inline constexpr std::size_t bytes_of_drawing = std::size_t{state_size} * state_size * pixel_channels;
 
-/// Those of `count` drawings, one behind the other; none where it failed.
+/// Returns the planes of `count` drawings, one behind the other; none if Mesa failed.
 inline Planes draw_with_mesa(const Family& family, int first, int count) {
     const std::string file = testing::TempDir() + "mesa_states_" + family.id + std::to_string(getpid());
     const std::string command = "ASAN_OPTIONS=detect_leaks=0 GALLIUM_DRIVER=" + std::string(family.driver) +

@@ -13,7 +13,7 @@
 
 namespace {
 
-GLuint sampled = 0, resolved = 0; ///< framebuffers: that with samples, and what becomes of it
+GLuint sampled = 0, resolved = 0; ///< framebuffers: with samples, and resolved
 
 GLuint framebuffer(int samples) {
     using spangle::oracle::state_size;

@@ -1,4 +1,5 @@
-// Pixel paths and fragment operations: errors of every wrong argument, and that nothing changed.
+// Asks about pixel paths and fragment operations: the error of every wrong argument, and that nothing
+// changed.
 #include "tests/oracle/asker.hpp"
 
 namespace spangle::oracle {
@@ -28,7 +29,7 @@ void transfers(Asker& ask) {
     for (const GLenum name :
          std::initializer_list<GLenum>{GL_MAP_COLOR, GL_MAP_STENCIL, GL_INDEX_SHIFT, GL_INDEX_OFFSET,
                                        GL_RED_SCALE, GL_BLUE_BIAS, GL_DEPTH_SCALE, GL_DEPTH_BIAS, GL_RGB}) {
-        glPixelTransferf(name, -2); // Mesa cuts integers off
+        glPixelTransferf(name, -2); // Mesa truncates to integers
         ask.error("transfer " + std::to_string(name));
         if (name != GL_RGB)
             ask.state(name, 1);
@@ -67,7 +68,7 @@ void rectangles(Asker& ask) {
     refused(ask, "copy width -1", [] { glCopyPixels(0, 0, -1, 4, GL_COLOR); });
     refused(ask, "copy of RGBA", [] { glCopyPixels(0, 0, 4, 4, GL_RGBA); });
     refused(ask, "bitmap width -1", [] { glBitmap(-1, 4, 0, 0, 0, 0, pixels); });
-    // A raster position that is clipped: nothing is drawn, and a bitmap does not move it.
+    // With a clipped raster position nothing is drawn, and a bitmap does not move it.
     glRasterPos3f(5, 5, 5);
     ask.state(GL_CURRENT_RASTER_POSITION_VALID, 1);
     glBitmap(8, 8, 0, 0, 3, 4, pixels);
@@ -107,7 +108,7 @@ Answers pixel_paths() {
     return ask.answers;
 }
 
-/// Every operation with names of its own and of others.
+/// Asks every operation with its own names and with others.
 Answers fragment_operations() {
     Asker ask;
     names_of(

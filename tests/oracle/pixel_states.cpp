@@ -1,5 +1,5 @@
-// Pixel paths (GL 1.3, 3.6, 3.7, 4.3): images of every format and type,
-// transferred, zoomed, read, copied; bitmaps.
+// Pixel paths (GL 1.3, 3.6, 3.7, 4.3): images of every format and type, transferred, zoomed, read and copied;
+// and bitmaps.
 
 #include <cmath>
 #include <cstring>
@@ -13,14 +13,15 @@ namespace {
 
 using test::Random;
 
-/// What fragments of images meet.
+/// Sets operations on the fragments of images.
 void operations(Random& random) {
     constexpr GLenum compare[] = {GL_LESS, GL_GEQUAL, GL_ALWAYS, GL_NOTEQUAL};
     constexpr GLenum source[] = {GL_ONE, GL_SRC_ALPHA, GL_DST_COLOR, GL_ZERO};
     constexpr GLenum destination[] = {GL_ZERO, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_SRC_COLOR};
     if (maybe(random))
         glEnable(GL_BLEND);
-    const GLenum dst = destination[random.below(4)], src = source[random.below(4)]; // one order everywhere
+    const GLenum dst = destination[random.below(4)],
+                 src = source[random.below(4)]; // one order with every compiler
     glBlendFunc(src, dst);
     if (maybe(random))
         glEnable(GL_DEPTH_TEST);
@@ -41,14 +42,14 @@ void operations(Random& random) {
     glScissor(x, y, 14, 13);
 }
 
-/// A raster position between pixels' corners is Mesa's own affair: it rounds
-/// it.
+/// Sets a raster position. Positions between the corners of pixels are not compared, because Mesa rounds
+/// them.
 void place(Random& random, bool zooms) {
     const GLfloat a = unit(random), b = unit(random), g = unit(random), r = unit(random);
     glColor4f(r, g, b, a);
     const int x = whole(random, 0, 20), y = whole(random, 0, 20);
     glRasterPos3f(static_cast<GLfloat>(x), static_cast<GLfloat>(y),
-                  static_cast<GLfloat>(random.below(8)) / 4 - 0.75f); // no depth of the background
+                  static_cast<GLfloat>(random.below(8)) / 4 - 0.75f); // a depth that is not in the background
     constexpr GLfloat zoom[] = {1, 2, -1, 4, 3, -2};
     if (zooms) {
         const GLfloat zx = zoom[random.below(6)], zy = zoom[random.below(6)];
@@ -56,7 +57,7 @@ void place(Random& random, bool zooms) {
     }
 }
 
-/// As one is drawn next.
+/// Notes where the next image will be drawn.
 void note_image(Quads& quads, int width, int height) {
     GLfloat at[4], zoom_x = 1, zoom_y = 1;
     glGetFloatv(GL_CURRENT_RASTER_POSITION, at);
@@ -96,7 +97,7 @@ void draw_depths(Random& random, Quads& quads) {
     store(random, width, false);
     const Client client(random, type);
     operations(random);
-    glDepthFunc(GL_ALWAYS); // equal depths are another matter in floats
+    glDepthFunc(GL_ALWAYS); // equal depths may differ in floats
     if (maybe(random)) {
         glPixelTransferf(GL_DEPTH_SCALE, static_cast<GLfloat>(whole(random, -4, 8)) / 4);
         glPixelTransferf(GL_DEPTH_BIAS, static_cast<GLfloat>(whole(random, -4, 4)) / 8);
@@ -109,19 +110,18 @@ void draw_depths(Random& random, Quads& quads) {
     glPixelTransferf(GL_DEPTH_BIAS, 0);
 }
 
-/// What was read is drawn again as it was read.
+/// Draws what was read again as it was read.
 void read_images(Random& random, Quads& quads) {
     background(random);
     const int width = whole(random, 1, 24), height = whole(random, 1, 24);
     Layout layout = color_layout(random);
-    if (layout.format == GL_LUMINANCE ||
-        layout.format == GL_LUMINANCE_ALPHA) // clamped before the sum in Mesa
+    if (layout.format == GL_LUMINANCE || layout.format == GL_LUMINANCE_ALPHA) // Mesa clamps before the sum
         layout.format = GL_RED;
     static GLubyte bytes[40000];
     std::memset(bytes, 0, sizeof bytes);
     const Random same = random; // one pixel storage for both ways
     store(random, width, true);
-    // A component of a few bits may be halfway between two of them, and 1 overflows Mesa's unsigned integers.
+    // A component of a few bits may be halfway between two, and 1 overflows Mesa's unsigned integers.
     const bool few_bits =
         layout.type != GL_UNSIGNED_BYTE && layout.type != GL_UNSIGNED_SHORT && layout.type != GL_FLOAT;
     if (layout.type == GL_UNSIGNED_INT)
@@ -138,7 +138,7 @@ void read_images(Random& random, Quads& quads) {
     glDrawPixels(width, height, layout.format, layout.type, bytes);
 }
 
-/// Mesa's blits forget the colour mask, its depths come out of floats, its stencil values turn round a pixel
+/// Mesa's copies ignore the colour mask, its depths come out of floats, and its stencil values wrap a pixel
 /// late.
 void copy_pixels(Random& random, Quads& quads) {
     background(random);
@@ -175,13 +175,13 @@ void bitmaps(Random& random, Quads& quads) {
                           ym = static_cast<GLfloat>(whole(random, -9, 9));
             GLfloat at[4];
             glGetFloatv(GL_CURRENT_RASTER_POSITION, at);
-            // Mesa gathers bitmaps in an image of this size, this one in the middle of its left side.
+            // Mesa gathers bitmaps in an image of this size, with this bitmap in the middle of its left side.
             constexpr int gathered_width = 512, gathered_height = 32;
             const double left = std::floor(double{at[0]} - xo);
             const double low = std::floor(double{at[1]} - yo) - (gathered_height - height) / 2;
             quads.add(left, low, left + gathered_width, low + gathered_height);
             glBitmap(width, height, xo, yo, xm, ym, client.bytes);
-            glFlush(); // Mesa gathers bitmaps and draws what overlaps once
+            glFlush(); // Mesa gathers bitmaps, and draws overlapping ones once
         }
     }
 }

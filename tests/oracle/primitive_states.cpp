@@ -1,5 +1,5 @@
-// Polygons (GL 1.3, 3.5) of either facing: culled, smooth and flat, stippled, offset. Points and lines are
-// left to tests of our own: softpipe's squares are a pixel off, and its lines have another end.
+// Polygons (GL 1.3, 3.5) of either facing: culled, smooth and flat, stippled, offset. Points and lines have
+// other tests, because softpipe's squares are a pixel off, and its lines have another end.
 #include <algorithm>
 #include <vector>
 
@@ -26,14 +26,15 @@ void start() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
-/// A place between the pixels' centres.
+/// A vertex between the centres of pixels.
 struct Corner {
     GLfloat x, y;
     Corner(int column, int row)
         : x(static_cast<GLfloat>(column) + 35 / 256.0f), y(static_cast<GLfloat>(row) + 56 / 256.0f) {}
 };
 
-/// Mesa clamps depths of corners behind an offset, not those of fragments: steep polygons get no factor.
+/// Sets facing and offset. Mesa clamps depths of vertices behind an offset, not those of fragments, so steep
+/// polygons get no factor.
 void facing(Random& random, int largest_factor) {
     constexpr GLenum faces[] = {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK};
     toggle(random, GL_CULL_FACE, 3);
@@ -74,14 +75,15 @@ void polygons(Random& random, Quads& quads) {
     }
 }
 
-/// A convex one, of a flat colour: how it is cut into triangles is free.
+/// Draws a convex polygon of a flat colour, because GL does not say how it is cut into triangles.
 void convex(Random& random, Quads&) {
     start();
     for (int i = 0; i < 6; ++i) {
         facing(random, 8);
         toggle(random, GL_DEPTH_TEST, 2);
         glDepthFunc(GL_ALWAYS);
-        const int across = whole(random, -3, 3), up = whole(random, -3, 3); // depths, 512ths a pixel
+        const int across = whole(random, -3, 3),
+                  up = whole(random, -3, 3); // slopes of depth, in 512ths a pixel
         glShadeModel(GL_FLAT);
         color(random);
         const int x = whole(random, 0, 12), y = whole(random, 0, 12), w = whole(random, 3, 11),

@@ -1,5 +1,5 @@
-// Small programs of public GL that draw what no scene does: each shows one system, for a picture beside
-// Mesa's.
+// Small programs of public GL that draw what no scene draws. Each shows one system, in a picture that is
+// compared with Mesa's.
 #pragma once
 
 #include "boards/scenes/scene.hpp"
@@ -8,7 +8,7 @@ namespace spangle::oracle {
 
 scenes::SceneList probes();
 
-/// The scene or probe with this id, or null.
+/// Returns the scene or probe with this id, or null.
 const scenes::Scene* find_picture(const char* id);
 
 } // namespace spangle::oracle

@@ -10,7 +10,7 @@ namespace {
 
 constexpr GLenum color_formats[] = {GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA,     GL_RGB,
                                     GL_BGR, GL_RGBA,  GL_BGRA, GL_LUMINANCE, GL_LUMINANCE_ALPHA};
-/// Signed ones convert otherwise since GL 4.2, and Mesa does it that way.
+/// Signed types are left out: since GL 4.2 they are converted otherwise, and Mesa does that.
 constexpr GLenum plain_types[] = {GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT, GL_FLOAT};
 constexpr GLenum rgb_types[] = {GL_UNSIGNED_BYTE_3_3_2, GL_UNSIGNED_BYTE_2_3_3_REV, GL_UNSIGNED_SHORT_5_6_5,
                                 GL_UNSIGNED_SHORT_5_6_5_REV};
@@ -33,7 +33,7 @@ Layout color_layout(Random& random) {
 
 void store(Random& random, int width, bool pack) {
     const GLenum first = pack ? GL_PACK_SWAP_BYTES : GL_UNPACK_SWAP_BYTES;
-    const int values[] = {0, // Mesa's softpipe takes swapped elements for others
+    const int values[] = {0, // Mesa's softpipe misreads swapped elements
                           static_cast<int>(random.below(2)),
                           maybe(random) ? width + whole(random, 0, 3) : 0,
                           whole(random, 0, 2),
@@ -76,8 +76,7 @@ void background(Random& random) {
     glDisable(GL_SCISSOR_TEST);
 }
 
-/// Maps are left to tests of our own: softpipe addresses them by floor(256 c)
-/// and blue by another component.
+/// Pixel maps have other tests: softpipe addresses them by floor(256 c), and blue by another component.
 void transfer(Random& random) {
     constexpr GLenum scale[] = {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE};
     constexpr GLenum bias[] = {GL_RED_BIAS, GL_GREEN_BIAS, GL_BLUE_BIAS, GL_ALPHA_BIAS};

@@ -13,9 +13,9 @@ namespace {
 
 struct Format {
     GLenum internal, base;
-    bool two_values = false; ///< fewer bits with Mesa than here, or the other way round
+    bool two_values = false; ///< whether Mesa and Spangle store different numbers of bits
 };
-/// Generic compressed formats are another matter: Mesa compresses some.
+/// Generic compressed formats are left out, because Mesa compresses some of them.
 constexpr Format formats[] = {
     {1, GL_LUMINANCE},
     {2, GL_LUMINANCE_ALPHA},
@@ -64,7 +64,7 @@ constexpr Format depth_formats[] = {{GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT},
                                     {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT},
                                     {GL_DEPTH_COMPONENT32, GL_DEPTH_COMPONENT}};
 
-/// Border colours as a texel of the format would have them.
+/// Components of border colours, as a texel of the format would have them.
 constexpr GLubyte extremes[] = {0, 255};
 
 } // namespace
@@ -113,7 +113,7 @@ void RandomTexture::choose_size(Random& random, const Wishes& wishes) {
     border_ = wishes.borders && random.below(4) == 0 ? 1 : 0;
 }
 
-/// What is in borders Mesa forgets and takes the border's colour instead: it is what is there.
+/// Mesa ignores texels in borders and takes the border colour, so the border's texels have that colour.
 void RandomTexture::image(Random& random, GLenum face, int level) {
     int whole_size[3] = {1, 1, 1}, border[3] = {};
     for (int axis = 0; axis < dimensions(); ++axis) {

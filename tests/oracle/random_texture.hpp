@@ -12,7 +12,7 @@ class RandomTexture {
         bool mipmaps = false, linear = true, borders = true;
         bool depths = false;
         bool plane = false;     ///< of two dimensions
-        bool same_bits = false; ///< of a format that has as many with Mesa as here
+        bool same_bits = false; ///< of a format with as many bits in Mesa as in Spangle
     };
     RandomTexture(test::Random& random, const Wishes& wishes);
     RandomTexture(const RandomTexture&) = delete;
@@ -23,8 +23,8 @@ class RandomTexture {
     GLenum base = GL_RGBA;   ///< base format
     int size[3] = {1, 1, 1}; ///< of level 0, without border
     int levels = 1;
-    bool linear = false;   ///< magnified
-    bool few_bits = false; ///< less than 8 of a component
+    bool linear = false;   ///< magnified by LINEAR
+    bool few_bits = false; ///< less than 8 bits of a component
     GLenum min = GL_NEAREST;
 
     int dimensions() const { return target == GL_TEXTURE_1D ? 1 : target == GL_TEXTURE_3D ? 3 : 2; }
@@ -33,7 +33,7 @@ class RandomTexture {
   private:
     GLuint name_ = 0;
     GLenum format_ = GL_RGBA8;
-    bool two_values_ = false; ///< components of 0 and 1 only
+    bool two_values_ = false; ///< components are 0 and 1 only
     int border_ = 0;
     GLubyte border_color_[4] = {};
 

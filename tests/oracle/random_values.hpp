@@ -1,4 +1,4 @@
-// What the families of random states choose by.
+// Random choices of the families of states.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,14 @@ template <class T, std::size_t N> T one_of(test::Random& random, const T (&value
 inline bool maybe(test::Random& random) {
     return random.below(2) != 0;
 }
-/// Not so once in `of` times.
+/// Returns false once in `of` times.
 inline bool often(test::Random& random, std::uint32_t of) {
     return random.below(of) != 0;
 }
 inline int whole(test::Random& random, int low, int high) {
     return low + static_cast<int>(random.below(static_cast<std::uint32_t>(high - low + 1)));
 }
-/// A component of 8 bits.
+/// Returns a component of 8 bits.
 inline float unit(test::Random& random) {
     return static_cast<float>(random.below(256)) / 255;
 }

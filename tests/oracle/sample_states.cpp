@@ -1,4 +1,4 @@
-// What covers a pixel in part: samples of it (GL 1.3, 3.2.1); points of sizes of their own.
+// Partial coverage of pixels: samples (GL 1.3, 3.2.1), and points with sizes by distance.
 #include "tests/oracle/state_families.hpp"
 
 namespace spangle::oracle {
@@ -50,7 +50,7 @@ void random_tests(Random& random) {
     }
 }
 
-/// Triangles, point by point: coverage, depth and stencil of every sample.
+/// Draws triangles; points then show coverage, depth and stencil of every sample.
 void multisample(Random& random, Quads&) {
     clear();
     for (int i = 0; i < 4; ++i) {
@@ -91,7 +91,7 @@ void multisample_points(Random& random, Quads&) {
     figures(random, GL_POINTS, 1);
 }
 
-/// At distances from the eye; as sprites, of which Mesa does not cut the sizes to whole pixels.
+/// Draws points at distances from the eye; as sprites, whose sizes Mesa does not round to whole pixels.
 void point_parameters(Random& random, Quads&) {
     glEnable(GL_POINT_SPRITE);
     const auto a = static_cast<GLfloat>(1 + random.below(3)), b = static_cast<GLfloat>(random.below(3)) / 64,
@@ -121,15 +121,17 @@ void point_sprites(Random& random, Quads&) {
 } // namespace
 
 void add_sample_families(std::vector<Family>& all) {
-    // Halves of a mean are rounded up here. Not with a scissor box: Mesa draws samples of pixels below it.
+    // Spangle rounds halves of a mean up. There is no scissor box, because Mesa draws samples of pixels below
+    // it.
     all.push_back({"multisample", 1000, 1, 0.976, multisample, 4, "llvmpipe"});
-    // Corners of a line's rectangle are snapped to 1/256: now and then a sample lies in between.
+    // Corners of a line's rectangle are snapped to 1/256, so a sample sometimes lies in between.
     all.push_back({"multisample_lines", 500, 51, 0.9999, multisample_lines, 4, "llvmpipe"});
     // Mesa's points are squares; the specification's are discs.
     all.push_back({"multisample_points", 500, 204, 0.981, multisample_points, 4, "llvmpipe"});
-    // Sizes count 1/8 here: centres between that and Mesa's floats are in one of the squares.
+    // Spangle's sizes are multiples of 1/8. Centres between these and Mesa's floats are in only one of the
+    // squares.
     all.push_back({"point_parameters", 300, 204, 0.982, point_parameters, 0, "llvmpipe"});
-    // Where a coordinate is on the edge of a texel Mesa's floats take the one or the other.
+    // If a coordinate is on the edge of a texel, Mesa's floats take either texel.
     all.push_back({"point_sprites", 300, 255, 0.9997, point_sprites, 0, "llvmpipe"});
 }
 

@@ -25,7 +25,7 @@ using Picture = std::vector<unsigned char>; // RGBA, top row first
 Picture draw_with_mesa(const char* scene, const char* driver) {
     const std::string file =
         testing::TempDir() + "mesa_" + scene + "_" + driver + std::to_string(getpid()) + ".pam";
-    // Mesa's own leaks are not ours to report.
+    // Mesa's own leaks are not reported.
     const std::string command = std::string("ASAN_OPTIONS=detect_leaks=0 GALLIUM_DRIVER=") + driver +
                                 " '" MESA_SCENE "' " + scene + " " + std::to_string(width) + " " +
                                 std::to_string(height) + " " + std::to_string(frame) + " '" + file + "'";
@@ -64,7 +64,7 @@ int difference(const Picture& a, int ax, int ay, const Picture& b, int bx, int b
     return worst;
 }
 
-/// Some pixel of b around (x, y) is within the tolerance of a's.
+/// Returns whether some pixel of b around (x, y) is within the tolerance of a's pixel.
 bool near(const Picture& a, const Picture& b, int x, int y, int tolerance) {
     for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx) {

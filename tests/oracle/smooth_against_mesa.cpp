@@ -16,18 +16,18 @@ namespace spangle::oracle {
 namespace {
 
 constexpr int alpha = 3;
-/// Of 255ths: an area off by 1/256, rounded.
+/// In 255ths: an area that is off by 1/256, rounded.
 constexpr double tolerance = 0.5 + 255.0 / 256;
-/// What floats make of a product of two ramps.
+/// The error of a product of two ramps in floats, in 255ths.
 constexpr double rounding = 1.5;
 
-SmoothFigure unsmoothed; ///< that a family of one drawing draws
+SmoothFigure unsmoothed; ///< drawn by a family of one drawing
 
 struct SmoothFigures : testing::Test {
     test::HeadlessGl current{
         state_size, state_size, {EGL_STENCIL_SIZE, 8, EGL_PRECISION_SPANGLE, EGL_PRECISION_EXACT_SPANGLE}};
 
-    /// area(figure, x, y): the true one of a pixel. mesa(figure, drawing, x, y): what Mesa has, 0 to 1.
+    /// area(figure, x, y) is the true area in a pixel. mesa(figure, drawing, x, y) is Mesa's, from 0 to 1.
     template <class Area, class Mesa> static void compare(int which, int corners, Area area, Mesa mesa) {
         const Family& family = smooth_families()[static_cast<std::size_t>(which)];
         const Planes theirs = draw_with_mesa(family, 0, family.drawings);
@@ -64,7 +64,7 @@ TEST_F(SmoothFigures, Points) {
         [](const SmoothFigure& it, int x, int y) {
             const auto& [cx, cy] = it.corner[0];
             const double r = it.point_size / 2, away = std::hypot(x + 0.5 - cx, y + 0.5 - cy);
-            if (std::fabs(away - r) > 1) // farther than a pixel's corners
+            if (std::fabs(away - r) > 1) // farther than the corners of a pixel
                 return away < r ? 1.0 : 0.0;
             constexpr int fine = 4096;
             Polygon circle;
@@ -100,7 +100,7 @@ TEST_F(SmoothFigures, Lines) {
         });
 }
 
-/// Mesa's are those that Spangle draws without antialiasing.
+/// Mesa's polygons are those that Spangle draws without antialiasing.
 TEST_F(SmoothFigures, Polygons) {
     Planes aliased;
     int drawn = -1;

@@ -1,5 +1,5 @@
-// Antialiased figures (GL 1.3, 3.3, 3.4.2, 3.5.3), one a drawing: white, not blended, so that alpha is what
-// is covered. Each is known to whoever compares it.
+// Antialiased figures (GL 1.3, 3.3, 3.4.2, 3.5.3), one in each drawing. They are white and not blended, so
+// alpha is the coverage. Whoever compares a drawing knows its figure.
 #pragma once
 
 #include "tests/oracle/states.hpp"
@@ -13,7 +13,7 @@ struct SmoothFigure {
     } corner[3];
 };
 
-/// What a drawing of the families smooth_points, smooth_lines, smooth_polygons shows.
+/// Returns the figure of a drawing of the families smooth_points, smooth_lines, smooth_polygons.
 SmoothFigure smooth_figure(int drawing, int corners);
 const std::vector<Family>& smooth_families();
 

@@ -1,4 +1,4 @@
-// Queries: initial values, what was set, what the attribute stacks keep.
+// Asks for initial values, for values that were set, and for what the attribute stacks save.
 #include <initializer_list>
 
 #include "tests/oracle/asker.hpp"
@@ -12,7 +12,7 @@ struct Name {
     int count;
 };
 
-/// Everything of the state tables that both have and that no implementation chooses.
+/// All state of the tables that both GLs have and that no implementation chooses.
 constexpr Name names[] = {{GL_CURRENT_COLOR, 4},
                           {GL_CURRENT_NORMAL, 3},
                           {GL_CURRENT_TEXTURE_COORDS, 4},
@@ -221,8 +221,8 @@ Answers state_that_was_set() {
     return asker.answers;
 }
 
-/// Every group by itself: what is saved, and what is not. Mesa's ENABLE_BIT forgets the lights (GL 1.3, table
-/// 6.11 has them).
+/// Asks for each group what is saved and what is not. Mesa's ENABLE_BIT does not save the lights, which GL
+/// 1.3, table 6.11 has.
 Answers attribute_groups() {
     Asker asker;
     for (unsigned bit = 0; bit < 20; ++bit) {

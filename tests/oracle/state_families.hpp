@@ -1,4 +1,4 @@
-// The chapters that have families of random states.
+// The chapters of GL that have families of random states.
 #pragma once
 
 #ifdef SPANGLE_SCENES_ON_OTHER_GL

@@ -23,7 +23,7 @@ const std::vector<Family>& all_families() {
 
 void Quads::add(double x0, double y0, double x1, double y1) {
     const Point corner[] = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-    for (int i = 0; i < 4; ++i) // whichever diagonal it is
+    for (int i = 0; i < 4; ++i) // either diagonal is possible
         add_triangle(corner[i], corner[(i + 1) % 4], corner[(i + 2) % 4]);
 }
 
@@ -31,11 +31,11 @@ void Quads::add_edge(double x0, double y0, double x1, double y1) {
     inner_edges_.push_back({{x0, y0}, {x1, y1}});
 }
 
-/// Its edges inside of the window, and all that a polygon could be cut along.
+/// Notes the triangle's edges inside of the window, and all lines along which a polygon could be cut.
 void Quads::add_triangle(Point a, Point b, Point c) {
     std::vector<Point> polygon = {a, b, c};
     for (int side = 0; side < 4; ++side) {
-        const auto inside = [&](Point p) { // by how far
+        const auto inside = [&](Point p) { // how far inside a point is
             const double v = side % 2 == 0 ? p.x : p.y;
             return side < 2 ? v : state_size - v;
         };
@@ -86,7 +86,7 @@ Drawn draw_state(const Family& family, int n, void (*resolve)()) {
         resolve();
     constexpr std::size_t pixels = std::size_t{state_size} * state_size;
     std::vector<GLubyte> color(4 * pixels), stencil(pixels);
-    std::vector<GLfloat> depth(pixels); // how Mesa rounds to bytes is no question of ours
+    std::vector<GLfloat> depth(pixels); // floats, because Mesa's rounding to bytes is not compared
     glReadPixels(0, 0, state_size, state_size, GL_RGBA, GL_UNSIGNED_BYTE, color.data());
     glReadPixels(0, 0, state_size, state_size, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, stencil.data());
     glReadPixels(0, 0, state_size, state_size, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());

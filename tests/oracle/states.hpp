@@ -1,4 +1,4 @@
-// Drawings in states taken at random, the same from Mesa and from Spangle: a family of them a chapter of GL.
+// Drawings in random states, the same from Mesa and from Spangle. Each chapter of GL has families of them.
 #pragma once
 
 #include <ostream>
@@ -10,19 +10,20 @@ namespace spangle::oracle {
 
 inline constexpr int state_size = 24; ///< pixels each way
 
-/// What one drawing leaves behind, rows from below: RGBA, stencil and depth (255ths).
+/// The result of one drawing, rows from below: RGBA, stencil and depth (255ths).
 inline constexpr int pixel_channels = 6;
 using Planes = std::vector<unsigned char>;
 
-/// Rectangles that Mesa draws as two triangles, clipped to the window into polygons, those into triangles: of
-/// the pixels whose centres lie on an edge between these it draws one twice or not at all now and then (one
-/// image in 1,000).
+/// Mesa draws a rectangle as two triangles, and clips these to the window. A pixel whose centre lies on an
+/// edge between the parts is sometimes drawn twice or not at all (in one image of 1,000). These pixels are
+/// noted here.
 class Quads {
   public:
     void add(double x0, double y0, double x1, double y1);
-    /// Of any polygon: which side has the pixels on it, is free as long as one has (GL 1.3, 3.5.1).
+    /// Notes an edge of any polygon. Either side may have the pixels on the edge, as long as one has (GL 1.3,
+    /// 3.5.1).
     void add_edge(double x0, double y0, double x1, double y1);
-    bool has_on_edge(int x, int y) const; ///< a pixel
+    bool has_on_edge(int x, int y) const; ///< whether the centre of pixel (x, y) lies on a noted edge
 
   private:
     struct Point {
@@ -38,13 +39,13 @@ class Quads {
 struct Family {
     const char* id;
     int drawings;
-    int tolerance;    ///< largest difference of a channel, 255ths
+    int tolerance;    ///< largest difference of a channel, in 255ths
     double identical; ///< share of the pixels that must be the same to the bit
     void (*draw)(test::Random&, Quads&);
-    int samples = 0;                 ///< of a pixel
-    const char* driver = "softpipe"; ///< of Mesa
+    int samples = 0;                 ///< samples of a pixel
+    const char* driver = "softpipe"; ///< Mesa's driver
 };
-/// For GoogleTest.
+/// GoogleTest prints families with this function.
 inline void PrintTo(const Family& family, std::ostream* out) {
     *out << family.id;
 }
@@ -57,8 +58,8 @@ struct Drawn {
 constexpr std::uint32_t seed_of(int drawing) {
     return static_cast<std::uint32_t>(drawing) * 7919u + 17u;
 }
-/// Drawing `n` of a family, from a state of its own that is left as it was; the current drawable has the size
-/// above. `resolve` makes of samples what can be read, where GL does not.
+/// Draws drawing `n` of a family; state is as before afterwards. The current drawable must have the size
+/// above. `resolve` makes samples readable if GL does not do so itself.
 Drawn draw_state(const Family& family, int n, void (*resolve)() = nullptr);
 
 } // namespace spangle::oracle

@@ -1,4 +1,4 @@
-// Random states of every family, pixel by pixel beside Mesa's softpipe.
+// Compares random states of every family, pixel by pixel, with Mesa's softpipe.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -18,13 +18,13 @@ using spangle::oracle::pixel_channels;
 using spangle::oracle::Planes;
 using spangle::oracle::state_size;
 
-/// SPANGLE_ORACLE_SEEDS times as many as the family asks for.
+/// Returns SPANGLE_ORACLE_SEEDS times as many drawings as the family asks for.
 int drawings_of(const Family& family) {
     const char* const times = std::getenv("SPANGLE_ORACLE_SEEDS");
     return family.drawings * (times != nullptr ? std::atoi(times) : 1);
 }
 
-/// Of one process: with many thousands of programs Mesa runs out of something.
+/// In one process; with many thousands of programs Mesa runs out of resources.
 constexpr int drawings_at_once = 2000;
 
 struct Differences {

@@ -1,5 +1,5 @@
-// Texture images and objects: errors of every wrong argument, what levels, parameters and environments say of
-// themselves, images read back.
+// Asks about texture images and objects: the error of every wrong argument, levels, parameters and
+// environments, and images that are read back.
 #include "tests/oracle/asker.hpp"
 
 namespace spangle::oracle {
@@ -98,7 +98,7 @@ void proxies(Asker& ask) {
             [] { glTexParameteri(GL_PROXY_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR); });
 }
 
-/// What table 6.1 makes of each base format. Luminance is R + G + B here, as with ReadPixels, and R in Mesa.
+/// Reads back each base format by table 6.1. Luminance is R + G + B here, as with ReadPixels, and R in Mesa.
 void read_back(Asker& ask) {
     const GLubyte texels[16] = {10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 110, 120, 130, 140, 150, 160};
     constexpr GLint internal[] = {GL_ALPHA8,     GL_LUMINANCE8, GL_LUMINANCE8_ALPHA8,

@@ -12,7 +12,7 @@ namespace {
 
 using test::Random;
 
-/// a x + b y + c over the window.
+/// The plane a x + b y + c over the window.
 struct Plane {
     double a = 0, b = 0, c = 0;
     double at(double x, double y) const { return a * x + b * y + c; }
@@ -26,13 +26,13 @@ struct Rectangle {
     }
 };
 
-/// The coordinates s, t, r, q of a unit.
+/// The coordinates s, t, r, q of a texture unit.
 struct Coordinates {
-    Plane texel[3]; ///< u, v, w of level 0; of a cube map's face u and v
+    Plane texel[3]; ///< u, v, w of level 0; for a cube map's face u and v
     int size[3];
-    int face = -1; ///< of a cube map
+    int face = -1; ///< face of a cube map; -1: none
     Plane q{0, 0, 1};
-    double times = 1; ///< what the others are multiplied by
+    double times = 1; ///< factor of s, t and r
 
     void of_vertex(GLenum unit, double x, double y) const {
         double c[3];
@@ -44,7 +44,7 @@ struct Coordinates {
     }
 
   private:
-    /// From where a face is looked at to the direction (GL 1.3, table 3.20).
+    /// Turns coordinates on a face into a direction (GL 1.3, table 3.20).
     void turn_to_face(double (&c)[3]) const {
         const double sc = 2 * c[0] - 1, tc = 2 * c[1] - 1;
         const double directions[6][3] = {{1, -tc, -sc}, {-1, -tc, sc}, {sc, 1, tc},
@@ -53,8 +53,8 @@ struct Coordinates {
     }
 };
 
-/// Texels from pixel to pixel are of 1/8, or 2^n: then log2 of them is exact. No pixel's centre is nearer to
-/// a texel's edge than 1/128, and all weights of level 0 are 256ths.
+/// From pixel to pixel coordinates move by multiples of 1/8 texel, or by 2^n, whose log2 is exact. No pixel's
+/// centre is nearer to a texel's edge than 1/128, and all weights of level 0 are 256ths.
 Coordinates affine(Random& random, const RandomTexture& texture, const Rectangle& at, bool powers) {
     Coordinates out;
     std::copy_n(texture.size, 3, out.size);
@@ -88,8 +88,8 @@ Coordinates affine(Random& random, const RandomTexture& texture, const Rectangle
     return out;
 }
 
-/// Any planes that keep q above 0; of a cube map s, t and r. No pixel's centre finds the middle of a texel,
-/// where Mesa's MIRRORED_REPEAT takes another one, nor an edge of a cube.
+/// Returns any planes that keep q above 0; for a cube map s, t and r. No pixel's centre meets the middle of a
+/// texel, where Mesa's MIRRORED_REPEAT takes another texel, nor an edge of a cube.
 Coordinates projective(Random& random, const RandomTexture& texture) {
     Coordinates out;
     std::copy_n(texture.size, 3, out.size);
@@ -116,7 +116,7 @@ void color(Random& random) {
     glColor4f(r, g, b, a);
 }
 
-/// What the unit sees, with what a base format lacks.
+/// Shows the colour that the unit gets, with what a base format lacks.
 void show_texture() {
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
     glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_REPLACE);
@@ -144,8 +144,8 @@ void images(Random& random, Quads&) {
     }
 }
 
-/// lambda is never at a border between levels or filters: odd 16ths from whole numbers. Where LINEAR
-/// magnification ends Mesa does not ask what minification does (c = 1/2, GL 1.3, 3.8.8).
+/// lambda is never at a border between levels or filters: it is an odd number of 16ths. Where LINEAR
+/// magnification ends, Mesa does not take the minification into account (c = 1/2, GL 1.3, 3.8.8).
 void lod(Random& random, const RandomTexture& texture) {
     const auto sixteenths = [&](int low, int high) {
         return static_cast<GLfloat>(2 * whole(random, low, high) + 1) / 16;
@@ -182,7 +182,7 @@ void levels(Random& random, bool powers) {
     }
 }
 
-/// LINEAR, whose colours do not jump from texel to texel.
+/// Uses LINEAR, whose colours do not jump from texel to texel.
 void perspective(Random& random, Quads&) {
     start(random);
     show_texture();
@@ -198,7 +198,7 @@ void perspective(Random& random, Quads&) {
     }
 }
 
-/// Depths that are compared are so one by one here, after filtering in Mesa; no reference equals one.
+/// Spangle compares depths one by one, Mesa compares after filtering. No reference equals a stored depth.
 void depths(Random& random, Quads&) {
     constexpr GLenum modes[] = {GL_LUMINANCE, GL_INTENSITY, GL_ALPHA};
     start(random);
@@ -227,7 +227,7 @@ void depths(Random& random, Quads&) {
     }
 }
 
-/// Of all units, `on` of which have a texture.
+/// Sets COMBINE for all units, `on` of which have a texture.
 void combine(Random& random, int on) {
     constexpr GLenum functions[] = {GL_REPLACE,     GL_MODULATE, GL_ADD,      GL_ADD_SIGNED,
                                     GL_INTERPOLATE, GL_SUBTRACT, GL_DOT3_RGB, GL_DOT3_RGBA};
@@ -251,7 +251,7 @@ void combine(Random& random, int on) {
 
 void environment(Random& random, GLenum base, int on) {
     constexpr GLenum modes[] = {GL_REPLACE, GL_MODULATE, GL_BLEND, GL_ADD, GL_COMBINE, GL_COMBINE, GL_DECAL};
-    const bool decal = base == GL_RGB || base == GL_RGBA; // undefined with others
+    const bool decal = base == GL_RGB || base == GL_RGBA; // undefined for other formats
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, static_cast<GLint>(modes[random.below(decal ? 7 : 6)]));
     GLfloat constant[4];
     for (GLfloat& c : constant)
@@ -265,7 +265,7 @@ void environments(Random& random, Quads&) {
     for (int i = 0; i < 3; ++i) {
         const int units = whole(random, 1, 2);
         RandomTexture::Wishes wishes;
-        wishes.linear = false; // scales make more of differences of filters
+        wishes.linear = false; // scales would enlarge the differences of filters
         const RandomTexture first(random, wishes);
         glActiveTexture(GL_TEXTURE1);
         const RandomTexture second(random, wishes);
@@ -296,8 +296,8 @@ void environments(Random& random, Quads&) {
 } // namespace
 
 void add_texture_families(std::vector<Family>& all) {
-    // Mesa's weights are floats, ours 256ths by definition: less than a step of 255 an axis, and one for the
-    // level.
+    // Mesa's weights are floats, and Spangle's are 256ths by definition: less than a step of 255 for each
+    // axis, and one step for the level.
     all.push_back({"TextureImages", 2000, 2, 0.95, images});
     all.push_back({"TextureLevels", 2000, 3, 0.955, [](Random& random, Quads&) { levels(random, true); }});
     all.push_back(

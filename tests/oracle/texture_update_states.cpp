@@ -1,5 +1,5 @@
-// What becomes of texture images (GL 1.3, 3.8.1, 3.8.2, 6.1.4): parts of them replaced from memory in any
-// layout and from the framebuffer, transferred, read back.
+// Changes of texture images (GL 1.3, 3.8.1, 3.8.2, 6.1.4): parts are replaced from memory in any layout and
+// from the framebuffer, transferred, and read back.
 #include <algorithm>
 #include <cstring>
 
@@ -31,14 +31,14 @@ struct Box {
 void replace(Random& random, const RandomTexture& texture) {
     const Box box(random, texture);
     Layout layout = color_layout(random);
-    if (texture.few_bits) // to which Mesa rounds twice
+    if (texture.few_bits) // Mesa rounds twice to few bits
         layout = {GL_BGRA, GL_UNSIGNED_BYTE};
     store(random, box.size[0], false);
     glPixelStorei(GL_UNPACK_IMAGE_HEIGHT, maybe(random) ? box.size[1] + whole(random, 0, 2) : 0);
     glPixelStorei(GL_UNPACK_SKIP_IMAGES, whole(random, 0, 2));
     const Client client(random, layout.type);
     if (!texture.few_bits && maybe(random)) {
-        store_tight(); // Mesa skips what is skipped twice, before transfer and behind it
+        store_tight(); // Mesa skips pixels twice, before the transfer and after it
         transfer(random);
     }
     if (texture.dimensions() == 1)
@@ -63,7 +63,7 @@ void copy_part(Random& random, const RandomTexture& texture) {
         glCopyTexSubImage2D(box.target, 0, box.at[0], box.at[1], x, y, box.size[0], box.size[1]);
 }
 
-/// Of one or two dimensions, a new image.
+/// Copies a new image of one or two dimensions from the framebuffer.
 void copy_whole(Random& random, RandomTexture& texture) {
     constexpr GLenum formats[] = {GL_ALPHA8,     GL_LUMINANCE8, GL_LUMINANCE8_ALPHA8,
                                   GL_INTENSITY8, GL_RGB8,       GL_RGBA8,
@@ -81,7 +81,7 @@ void copy_whole(Random& random, RandomTexture& texture) {
     glCopyTexImage2D(GL_TEXTURE_2D, 0, format, x, y, w, h, 0);
 }
 
-/// A texel a pixel, a slice or face of it.
+/// Draws a slice or face, one texel to a pixel.
 void show(Random& random, const RandomTexture& texture) {
     const int x = whole(random, 0, 8), y = whole(random, 0, 8);
     const int w = texture.size[0], h = std::max(texture.size[1], 2);
@@ -102,7 +102,7 @@ void show(Random& random, const RandomTexture& texture) {
     glDisable(texture.target);
 }
 
-/// The image as GetTexImage has it.
+/// Reads the image by GetTexImage, and draws it.
 void read_back(Random& random, const RandomTexture& texture, Quads& quads) {
     constexpr GLenum formats[] = {GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_RGB, GL_BGR, GL_RGBA, GL_BGRA};
     if (texture.target != GL_TEXTURE_2D)

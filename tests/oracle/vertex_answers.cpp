@@ -1,4 +1,4 @@
-// What happens to a vertex: raster positions, lighting, generated coordinates, clip planes.
+// Asks about vertices: raster positions, lighting, generated coordinates, clip planes.
 #include <cmath>
 #include <initializer_list>
 #include <random>
@@ -9,7 +9,7 @@ namespace spangle::oracle {
 
 namespace {
 
-/// The same numbers everywhere.
+/// Random numbers that are the same everywhere.
 class Numbers {
   public:
     float operator()(float low, float high) {
@@ -26,7 +26,7 @@ void note_raster_position(Asker& asker, const std::string& question) {
     GLint valid = 0;
     glGetIntegerv(GL_CURRENT_RASTER_POSITION_VALID, &valid);
     std::vector<double> values = {static_cast<double>(valid)};
-    if (valid != 0) { // else the rest is indeterminate
+    if (valid != 0) { // otherwise the rest is undefined
         glGetFloatv(GL_CURRENT_RASTER_POSITION, v);
         glGetFloatv(GL_CURRENT_RASTER_COLOR, v + 4);
         glGetFloatv(GL_CURRENT_RASTER_TEXTURE_COORDS, v + 8);
@@ -45,7 +45,7 @@ void directional_light() {
 
 } // namespace
 
-/// Mesa's distance is that from the eye, ours |z_e| (GL 1.3, 3.10 allows both): not asked.
+/// The distance is not compared: Mesa's is that from the eye, Spangle's is |z_e| (GL 1.3, 3.10 allows both).
 Answers raster_positions() {
     Asker asker;
     Numbers number;
@@ -87,8 +87,8 @@ Answers raster_positions() {
     return asker.answers;
 }
 
-/// Lights of every kind on points and on both sides of triangles. Exponents are those at which powers are
-/// exact, and steep ones where the highlight is not at the limit of a float's power.
+/// Lights of every kind on points and on both sides of triangles. Exponents have exact powers, and steep ones
+/// are used only where the highlight is not at the limit of a float's power.
 Answers lighting() {
     Asker asker;
     Numbers number;
@@ -112,7 +112,7 @@ Answers lighting() {
             const GLfloat toward[3] = {-at[0], -at[1], -at[2] - 0.5f};
             glLightfv(light, GL_POSITION, at);
             glLightfv(light, GL_SPOT_DIRECTION, toward);
-            const int spot = scene % 4; // cutoffs 180 and 90, exponents 0 and 128, and something between
+            const int spot = scene % 4; // cutoffs 180 and 90, exponents 0 and 128, and values between
             glLightf(light, GL_SPOT_CUTOFF, spot == 0 ? 180.0f : spot == 1 ? 90.0f : 60.0f);
             glLightf(light, GL_SPOT_EXPONENT, spot == 1 ? 0.0f : spot == 2 ? 128.0f : 1.0f);
             glLightf(light, GL_LINEAR_ATTENUATION, number(0, 0.2f));
@@ -122,7 +122,7 @@ Answers lighting() {
             for (const GLenum name :
                  std::initializer_list<GLenum>{GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION})
                 material(face, name);
-            const float shininess[4] = {2, 1, 8, 128}; // of 0 Mesa takes 0^0 as 0 (GL 1.3, 2.13.1: 1)
+            const float shininess[4] = {2, 1, 8, 128}; // for 0 Mesa takes 0^0 as 0 (GL 1.3, 2.13.1: 1)
             glMaterialf(face, GL_SHININESS, shininess[scene / 4 % 4]);
         }
         glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, scene / 2 % 2);
@@ -204,8 +204,8 @@ Answers generated_coordinates() {
     return asker.answers;
 }
 
-/// Lines cut by planes and by their complements. Mesa cuts from the end that is inside, so that a float's
-/// rounding of the place differs.
+/// Lines are cut by planes and by their complements. Mesa cuts from the end that is inside, so its place is
+/// rounded in another way.
 Answers clip_planes() {
     Asker asker;
     Numbers number;

@@ -9,7 +9,7 @@ namespace spangle::oracle {
 
 namespace {
 
-/// One unit is a pixel; y up.
+/// Makes one unit a pixel, with y up.
 void pixels(int width, int height) {
     glMatrixMode(GL_PROJECTION);
     glLoadIdentity();
@@ -23,7 +23,7 @@ void clear() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-/// A ring of n corners around (x, y), edge flags by the bits of `flags`.
+/// Draws a ring of n vertices around (x, y); the bits of `flags` are its edge flags.
 void ring(GLenum mode, int n, float x, float y, float radius, unsigned flags) {
     glBegin(mode);
     for (int i = 0; i < n; ++i) {
@@ -35,7 +35,8 @@ void ring(GLenum mode, int n, float x, float y, float radius, unsigned flags) {
     glEnd();
 }
 
-/// Mesa lets edge flags also hide edges of strips and fans; GL 1.3, 2.6.2 does not: theirs are all set.
+/// In Mesa edge flags also hide edges of strips and fans, which GL 1.3, 2.6.2 does not; so these have all
+/// flags set.
 void draw_outlines(int) {
     clear();
     const GLenum modes[] = {GL_TRIANGLES,    GL_QUADS,          GL_POLYGON,
@@ -70,7 +71,7 @@ void set_up_two_units(int width, int height) {
         glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 16, 16, 0, GL_RGB, GL_UNSIGNED_BYTE, texels);
         glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
         glEnable(GL_TEXTURE_2D);
-        glMatrixMode(GL_TEXTURE); // its own: the second picture is turned
+        glMatrixMode(GL_TEXTURE); // its own texture matrix turns the second picture
         const GLfloat turn[16] = {0.8f, -0.6f, 0, 0.1f, 0.6f, 0.8f, 0, 0.2f, 0, 0, 1, 0, 0, 0, 0, 1};
         if (unit == 1)
             glLoadTransposeMatrixf(turn);
@@ -92,7 +93,7 @@ void draw_two_units(int) {
     glEnd();
 }
 
-/// A camera above a unit sphere of things; lit, both sides.
+/// Sets a camera above objects of size 1, which are lit on both sides.
 void in_perspective(int width, int height) {
     const double aspect = static_cast<double>(width) / height;
     glMatrixMode(GL_PROJECTION);
@@ -144,7 +145,7 @@ void set_up_cut_torus(int width, int height) {
     }
 }
 
-/// Rows of quads and strips with a colour in each corner: where a diagonal is, is where the colours bend.
+/// Draws rows of quads and strips with a colour in each vertex. The colours show where the diagonals are.
 void draw_divided_quads(int) {
     glClear(GL_COLOR_BUFFER_BIT);
     const auto corner = [](int column, int row) {
@@ -173,7 +174,7 @@ void draw_torus(int) {
     torus(16, 32);
 }
 
-/// Rings of colours, fine enough to see where the coordinates are.
+/// Makes a texture of coloured rings, so fine that they show where the coordinates are.
 void ring_texture() {
     GLubyte texels[64][64][3];
     for (int y = 0; y < 64; ++y)
@@ -200,7 +201,7 @@ void set_up_sphere_map(int width, int height) {
     glColor3f(1, 1, 1);
 }
 
-/// s by the object, t by the eye under another matrix, and lighting with a highlight of its own on top.
+/// Generates s by an object plane, and t by an eye plane under another matrix, with separate specular light.
 void set_up_planes(int width, int height) {
     in_perspective(width, height);
     light(false);

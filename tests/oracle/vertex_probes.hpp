@@ -1,4 +1,4 @@
-// Probes of the vertex half: rows B, C, D11 and F20.
+// Probes of the vertex half (rows B, C, D11 and F20).
 #pragma once
 
 #include "boards/scenes/scene.hpp"

@@ -1,5 +1,5 @@
-// Textures of every kind, alone, in two units and combined, against the double reference and in the shadow
-// policy: volumes, cube maps, depths that are compared, levels of all of them.
+// Compares textures of every kind, alone, in two units and combined, with the double reference and in the
+// shadow policy: volumes, cube maps, compared depths, and levels of all of them.
 #include <gtest/gtest.h>
 
 #include "raster/span/shadow.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int size = 24;
 
-/// Corners of a plane with perspective, coordinates that fit every shape.
+/// Makes corners of a plane with perspective, and coordinates that fit every shape.
 void corners(Random& random, Point (&p)[4]) {
     const auto any = [&](double low, double high) {
         return low + (high - low) * random.below(10001) / 10000.0;
@@ -28,7 +28,7 @@ void corners(Random& random, Point (&p)[4]) {
         p[i].y = y * size;
         p[i].w = 1 + 0.5 * x + 0.7 * y;
         p[i].z = 0.3 + 0.1 * i;
-        // Linear on the plane itself: what is divided by w is linear in the window.
+        // Coordinates are linear on the plane itself, because what is divided by w is linear in the window.
         p[i].s = at(0) * p[i].w;
         p[i].t = at(1) * p[i].w;
         p[i].r = at(2) * p[i].w;
@@ -38,10 +38,10 @@ void corners(Random& random, Point (&p)[4]) {
     }
 }
 
-/// Steps of a weight or a level may fall on the other side; the texel that is NEAREST, too, but rarely.
+/// Steps of a weight or level may go to the other side, and so may the texel of NEAREST, but rarely.
 struct Bound {
     int steps;
-    double identical; ///< share of the pixels within the steps
+    double identical; ///< share of the pixels within `steps`
 };
 
 class Pictures {
@@ -84,7 +84,8 @@ TEST(AnyTexture, OfOneUnit) {
         FragmentState state = state_of(canvas);
         state.unit[0].texture = &any.texture;
         state.unit[0].env = TexEnv::replace;
-        // Three coordinates are divided in every tier; runs of two have tests of their own.
+        // The balanced tier divides three coordinates as the others do; its runs of two have tests of their
+        // own.
         if (any.texture.shape >= TextureShape::volume && random.below(2) == 0)
             state.tier = Tier::balanced;
         state.unit[0].lod_bias = static_cast<std::int32_t>(random.below(1025)) - 512;
@@ -103,7 +104,7 @@ TEST(AnyTexture, OfOneUnit) {
         EXPECT_GE(n, 100);
 }
 
-/// Levels alone: what is in them is one colour, lambda what is between them.
+/// Each level has one colour, so lambda alone decides on the colour.
 TEST(AnyTexture, LevelsOfVolumesAndCubes) {
     Random random{6};
     const Canvas canvas(PixelFormat::rgba8888, size, size);
@@ -115,7 +116,7 @@ TEST(AnyTexture, LevelsOfVolumesAndCubes) {
         ++round;
         for (auto& texel : any.texels)
             texel = 0;
-        for (int level = 0; level < texture.level_count; ++level) { // 40 apart
+        for (int level = 0; level < texture.level_count; ++level) { // levels are 40 apart
             const std::size_t begin =
                 static_cast<std::size_t>(texture.level[level].texels - any.texels.data());
             const std::size_t border =
@@ -133,7 +134,8 @@ TEST(AnyTexture, LevelsOfVolumesAndCubes) {
         Point p[4];
         corners(random, p);
         Pictures pictures(state, p);
-        pictures.expect({1, 0.99}, "round " + std::to_string(round)); // 40/256 of a step a 256th of a level
+        pictures.expect({1, 0.99},
+                        "round " + std::to_string(round)); // 40/256 of a step for each 256th of a level
     }
 }
 
@@ -161,7 +163,7 @@ TEST(AnyTexture, OfTwoUnitsCombinedOrNot) {
         Point p[4];
         corners(random, p);
         Pictures pictures(state, p);
-        pictures.expect({12, 0.98}, "round " + std::to_string(round)); // DOT3 makes four of one step
+        pictures.expect({12, 0.98}, "round " + std::to_string(round)); // DOT3 makes four steps of one
         far += pictures.far();
         EXPECT_GT(pictures.report[ShadowStage::texture1].count, 0u);
     }

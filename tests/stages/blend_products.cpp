@@ -1,5 +1,5 @@
-// Blending (GL 1.4, 4.1.7): every pair of factors with every pair of 8-bit components under every product
-// that they make, and every equation.
+// Tests blending (GL 1.4, 4.1.7): every pair of factors, with every pair of 8-bit components in every product
+// of the factors, and every equation.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,8 @@ namespace {
 
 using Bytes = std::array<int, 4>;
 
-/// Of column x and row y: whatever two components are multiplied, all pairs of bytes come.
+/// Returns the source colour of column x and row y. Whichever two components are multiplied, all pairs of
+/// bytes occur.
 Bytes source(int x, int y) {
     return {x, y, 255 - x, y};
 }
@@ -57,7 +58,7 @@ int factor(BlendFactor f, const Bytes& s, const Bytes& d, std::size_t i) {
     return 0;
 }
 
-/// Nearest 255th; 255 is odd, so that there is never a tie.
+/// Returns the nearest 255th. 255 is odd, so there are no ties.
 int blended(const Blending& by, const Bytes& s, const Bytes& d, std::size_t i) {
     if (by.equation == BlendEquation::min)
         return std::min(s[i], d[i]);
@@ -70,7 +71,7 @@ int blended(const Blending& by, const Bytes& s, const Bytes& d, std::size_t i) {
     return (2 * std::clamp(sum, 0, 255 * 255) + 255) / 510;
 }
 
-/// A row of fragments a row of the window.
+/// Gives a row of fragments for each row of the window.
 struct AllPairs : PixelSource {
     AllPairs() {
         emit = [](PixelSource&, PixelSink& sink) {
@@ -85,7 +86,7 @@ struct AllPairs : PixelSource {
     }
 };
 
-/// Steps off at most, and how many of 2^18 components are off at all.
+/// Compares all pairs: components may differ by `steps` at most, and at most so many of 2^18 may differ.
 void expect(const Blending& by, Tier tier, int steps, int off_at_most) {
     Canvas canvas(PixelFormat::rgba8888, 256, 256, DepthFormat::none);
     for (int y = 0; y < 256; ++y)
@@ -124,7 +125,8 @@ void expect_in_every_tier(const Blending& by) {
 TEST(BlendProducts, OfEveryPairOfFactors) {
     for (int src = 0; src < 15; ++src)
         for (int dst = 0; dst < 15; ++dst)
-            if (static_cast<BlendFactor>(dst) != BlendFactor::src_alpha_saturate) // a factor of the source
+            if (static_cast<BlendFactor>(dst) !=
+                BlendFactor::src_alpha_saturate) // a factor of the source only
                 expect_in_every_tier({static_cast<BlendFactor>(src), static_cast<BlendFactor>(dst)});
 }
 

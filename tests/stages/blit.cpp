@@ -1,5 +1,5 @@
-// Textures one texel to a pixel, at whole pixels: LINEAR draws what NEAREST draws, to the byte, whatever the
-// format of the texture and of the surface, in every tier, dithered or not, and in the reference.
+// Draws textures one texel to a pixel at whole pixels. LINEAR must store the bytes of NEAREST, whatever the
+// formats of texture and surface, in every tier, dithered or not, and in the reference.
 #include <gtest/gtest.h>
 
 #include "tests/span/any_texture.hpp"
@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::int32_t size = 48;
 
-/// The image once, its lower left corner at pixel (x, y), `whole` repeats away from the first.
+/// Draws the image with its lower left corner at pixel (x, y), with coordinates that are `whole` repeats
+/// away.
 template <class V>
 Canvas blit(const Texture& texture, const FragmentState& from, PixelFormat format, std::int32_t x,
             std::int32_t y, std::int32_t whole) {
@@ -72,7 +73,7 @@ TEST(Blits, LinearIsNearestWhereTexelsArePixels) {
     }
 }
 
-/// The whole blit is what the image holds: a component k of m steps is the nearest of 255.
+/// The whole drawing holds the image's values: a component k of m steps is the nearest of 255.
 TEST(Blits, EveryComponentArrives) {
     std::uint8_t words[256 * 2], bytes[256];
     for (std::uint32_t k = 0; k < 256; ++k) {

@@ -1,4 +1,4 @@
-// A small surface to draw on with any policy, and vertices given in plain doubles.
+// A small surface on which any policy can draw, and vertices given in plain doubles.
 #pragma once
 
 #include <cmath>
@@ -39,7 +39,7 @@ struct Canvas {
     StoredColor at(std::int32_t x, std::int32_t y) { return read_color(surface(), x, y); }
 };
 
-/// Window x, y in pixels, depth 0..1, clip w, colours 0..1, eye distance, texture coordinates.
+/// A vertex: window x and y in pixels, depth 0..1, clip w, colours 0..1, eye distance, texture coordinates.
 struct Point {
     double x = 0, y = 0, z = 0.5, w = 1;
     double color[4] = {1, 1, 1, 1};
@@ -127,13 +127,14 @@ void triangle(const FragmentState& f, Canvas& canvas, const Point& a, const Poin
     draw_triangle<V>(state, surface, va, vb, vc, vc, signed_area(pa.x, pa.y, pb.x, pb.y, pc.x, pc.y));
 }
 
-/// Corners counter-clockwise from the lower left; split along the diagonal from the first.
+/// Draws a quad of corners counter-clockwise from the lower left, split along the diagonal from the first
+/// corner.
 template <class V> void quad(const FragmentState& f, Canvas& canvas, const Point (&corner)[4]) {
     triangle<V>(f, canvas, corner[0], corner[1], corner[2]);
     triangle<V>(f, canvas, corner[0], corner[2], corner[3]);
 }
 
-/// A quad over the whole canvas, all attributes of `p`.
+/// Draws a quad over the whole canvas with all attributes of `p`.
 template <class V> void cover(const FragmentState& f, Canvas& canvas, const Point& p) {
     Point corner[4] = {p, p, p, p};
     corner[1].x = corner[2].x = canvas.width;
@@ -142,11 +143,11 @@ template <class V> void cover(const FragmentState& f, Canvas& canvas, const Poin
     quad<V>(f, canvas, corner);
 }
 
-/// Largest difference of a stored component, and how many pixels differ at all.
+/// The largest difference of a stored component, and the number of pixels that differ.
 struct Difference {
     int largest = 0, pixels = 0;
 };
-/// Components that differ by at most `ignored` steps count as equal pixels.
+/// Compares two canvases. Pixels whose components differ by at most `ignored` steps count as equal.
 inline Difference difference(Canvas& a, Canvas& b, int ignored = 0) {
     Difference d;
     for (std::int32_t y = 0; y < a.height; ++y)

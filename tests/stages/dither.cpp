@@ -1,5 +1,5 @@
-// Dithering as a surface shows it (GL 1.3, 4.1.8): what a fragment becomes depends on its colour and its
-// place in the window, on nothing else; between the two codes around a value all places agree on the mean.
+// Tests dithering on surfaces (GL 1.3, 4.1.8). The stored code depends only on a fragment's colour and its
+// place in the window, and the mean over all places is the colour.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ Point of_color(int k) {
     return p;
 }
 
-/// Steps of a component as the format asks for it.
+/// Returns a component in steps of the format.
 double steps(const Point& p, const Component& stored, std::size_t i, bool grey) {
     const double gray = std::floor((3 * p.color[0] + 6 * p.color[1] + p.color[2]) * 25.5 + 1e-9) / 255;
     return (grey ? gray : p.color[i]) * stored.max;
@@ -56,7 +56,7 @@ TEST(Dither, EveryByteInEveryFormat) {
             }
 }
 
-/// A value on a threshold is the step above it, also where double missed it by its own error.
+/// A value on a threshold belongs to the step above it, also if double misses the threshold by its own error.
 TEST(Dither, ThresholdsBelongToTheStepAbove) {
     for (std::uint32_t k = 1; k < 32; ++k)
         for (std::uint32_t t = 1; t < 32; t += 2) {
@@ -66,7 +66,7 @@ TEST(Dither, ThresholdsBelongToTheStepAbove) {
         }
 }
 
-/// Whatever draws it: triangles, a line, a point, each pixel apart.
+/// Triangles, a line, a point, and single pixels give the same codes.
 TEST(Dither, DependsOnThePlaceAlone) {
     for (const PixelFormat format : formats)
         for (const Tier tier : {Tier::exact, Tier::balanced})
@@ -93,8 +93,8 @@ TEST(Dither, DependsOnThePlaceAlone) {
             }
 }
 
-/// Smooth shading, large and small triangles, in both tiers: what doubles give, but where a colour lies on a
-/// step's threshold; the balanced tier counts in steps of which the last is a 290th of one too large.
+/// Compares smooth shading of large and small triangles, in both tiers, with doubles, except where a colour
+/// lies on a threshold. In the balanced tier the last step is too large by a 290th.
 TEST(Dither, SmoothColorsAreThoseOfDoubles) {
     for (const PixelFormat format : {PixelFormat::rgb565_be, PixelFormat::rgb565_le})
         for (const Tier tier : {Tier::exact, Tier::balanced})

@@ -1,5 +1,5 @@
-// The product's stages against the double reference, mode by mode: coverage and depth equal, colours within a
-// step.
+// Compares the product's stages with the double reference, mode by mode: coverage and depth are equal,
+// colours differ by a step at most.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -9,7 +9,7 @@
 namespace spangle::raster::test {
 namespace {
 
-/// Random texels of any format, square, with all smaller levels.
+/// A square image of random texels of any format, with all smaller levels.
 struct Image {
     std::vector<std::uint8_t> bytes;
     Texture texture;
@@ -35,7 +35,7 @@ struct Image {
     }
 };
 
-/// Corners at unequal depth; a plane with perspective that no row is parallel to.
+/// Makes corners at different depths, of a plane with perspective to which no row is parallel.
 void tilted(const Canvas& c, Point (&p)[4]) {
     const double x[4] = {0, 1, 1, 0}, y[4] = {0, 0, 1, 1}, w[4] = {1.5, 2, 4, 3};
     for (int i = 0; i < 4; ++i) {
@@ -62,7 +62,7 @@ struct Background {
     }
 };
 
-/// Draws the tilted quad by both policies; depth must agree to the bit, colours as stated.
+/// Draws the tilted quad by both policies. Depth must agree to the bit, colours as stated.
 void expect_same(const FragmentState& state, const Canvas& blank, int steps, double identical,
                  const char* what, int ignored = 0) {
     Canvas fixed = blank, reference = blank;
@@ -174,7 +174,8 @@ TEST(FixedAgainstDouble, Mipmaps) {
                 f.unit[0].env = TexEnv::replace;
                 const std::string what = "mip " + std::to_string(mip) + " min " + std::to_string(int(min)) +
                                          " mag " + std::to_string(int(mag));
-                // Weights of levels come from a logarithm within 1/256 on both sides: up to three steps.
+                // Weights of levels come from a logarithm that is off by up to 1/256 on both sides: up to
+                // three steps.
                 expect_same(f, c, 255, 0.97, what.c_str(), mip == 2 ? 3 : 1);
             }
 }

@@ -1,4 +1,4 @@
-// Surfaces of indices: the product against the double policy and the shadow, over random states.
+// Compares surfaces of indices with the double policy and the shadow, in random states.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -41,15 +41,15 @@ FragmentState state_of(std::mt19937& random, const Canvas& canvas) {
     f.stencil_test = random() % 4 == 0;
     f.stencil.pass = static_cast<StencilOp>(random() % 8);
     f.stencil.depth_fail = static_cast<StencilOp>(random() % 8);
-    // What only colours have must not matter.
+    // State that applies to colours only must not matter.
     f.blend = f.alpha_test = f.color_sum = true;
     f.alpha_func = Compare::never;
     f.blend_rgb = f.blend_alpha = blend_over;
     return f;
 }
 
-/// Halfway between two indices, or where a threshold is met to the last bit, the two may choose differently:
-/// one pixel in two hundred at most.
+/// Halfway between two indices, or on a threshold, the two policies may choose differently: at most one pixel
+/// in two hundred.
 TEST(Indices, FixedAgainstDoubleAndShadow) {
     std::mt19937 random(4);
     int differ = 0, pixels = 0;
@@ -79,7 +79,7 @@ TEST(Indices, FixedAgainstDoubleAndShadow) {
     EXPECT_LE(differ, pixels / 200);
 }
 
-/// Nothing but the bits that are open is written, and nothing outside of the scissor rectangle.
+/// Only unmasked bits are written, and nothing outside of the scissor rectangle.
 TEST(Indices, StayInsideOfMaskAndScissor) {
     std::mt19937 random(5);
     for (int round = 0; round < 300; ++round) {
@@ -100,7 +100,7 @@ TEST(Indices, StayInsideOfMaskAndScissor) {
     }
 }
 
-/// Tests of alpha, blending and sums, which are of colours alone, change no byte (GL 1.3, 4.1.4, 4.1.7).
+/// Alpha test, blending and colour sum apply to colours only, and change no index (GL 1.3, 4.1.4, 4.1.7).
 TEST(Indices, AreNotTreatedAsColors) {
     std::mt19937 random(6);
     for (int round = 0; round < 100; ++round) {

@@ -1,4 +1,4 @@
-// What only narrow surfaces have: greys under masks, steps that come back, alpha over steps.
+// Tests what only narrow surfaces have: greys under masks, steps that are stored again, alpha over steps.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -20,8 +20,8 @@ Canvas noise(PixelFormat format, unsigned seed) {
     return c;
 }
 
-/// Blending that leaves what is stored leaves it to the bit, whatever the dither: steps come back as they
-/// are.
+/// Blending that keeps the stored value keeps it to the bit, whatever the dither, because steps are read and
+/// stored again as they are.
 TEST(Narrow, WhatIsStoredComesBack) {
     for (const PixelFormat format : formats)
         for (const bool dither : {false, true})
@@ -40,7 +40,7 @@ TEST(Narrow, WhatIsStoredComesBack) {
             }
 }
 
-/// Logical operations are bits of the stored word, and masks of it.
+/// Logical operations and masks apply to the bits of the stored word.
 TEST(Narrow, LogicIsBitwise) {
     for (const PixelFormat format : formats)
         for (const LogicOp op : {LogicOp::logical_xor, LogicOp::invert, LogicOp::and_inverted, LogicOp::set})
@@ -71,7 +71,7 @@ TEST(Narrow, LogicIsBitwise) {
             }
 }
 
-/// Components under the mask keep their step; a grey is the luma of what is written and what was there.
+/// Masked components keep their step. A grey is the luma of the written and the kept components.
 TEST(Narrow, MasksKeepComponents) {
     for (const PixelFormat format : formats)
         for (unsigned mask = 0; mask < 8; ++mask)

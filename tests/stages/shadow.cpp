@@ -67,7 +67,7 @@ TEST(Shadow, ExactTierWithinItsBounds) {
     EXPECT_LE(r[ShadowStage::primary].worst, 0x1p-19);
     EXPECT_LE(r[ShadowStage::coord0].worst, 1.0 / 64);
     EXPECT_LE(r[ShadowStage::fog_factor].worst, 0x1p-21);
-    EXPECT_LE(r[ShadowStage::fog].worst, 0.01); // a weight of 8 bits may fall on the other side
+    EXPECT_LE(r[ShadowStage::fog].worst, 0.01); // a weight of 8 bits may go to the other side
     EXPECT_NEAR(r[ShadowStage::primary].least, 0.111, 0.02);
     EXPECT_GT(r[ShadowStage::primary].greatest, 0.7);
     EXPECT_EQ(r[ShadowStage::blend].count, 4u * 48u * 48u);
@@ -78,17 +78,17 @@ TEST(Shadow, BalancedTierWithinItsBounds) {
     Scene scene;
     scene.state.tier = scene.state.fog_tier = Tier::balanced;
     ShadowReport r = draw(scene, Scene{});
-    EXPECT_LE(r[ShadowStage::coord0].worst, 0.25 + 1.0 / 64); // proven per run
+    EXPECT_LE(r[ShadowStage::coord0].worst, 0.25 + 1.0 / 64); // proven for each run
     EXPECT_LE(r[ShadowStage::primary].worst, 0.25 / 31);      // a quarter of a step of the target
     EXPECT_LE(r[ShadowStage::fog_factor].worst, 0x1p-11);
     EXPECT_LE(r[ShadowStage::depth].worst, 1.0 / 16777215);
 }
 
-/// 3.8.8: the level of detail of a texture that is so far away that it repeats several times from pixel to
-/// pixel.
+/// The level of detail of a texture that is so far away that it repeats several times from pixel to pixel (GL
+/// 1.3, 3.8.8).
 TEST(Shadow, LevelsOfDetailOfManyRepeats) {
     for (const Wrap wrap : {Wrap::repeat, Wrap::clamp_to_edge})
-        for (const double w : {1.0, 1.5}) // of one corner: affine, projective
+        for (const double w : {1.0, 1.5}) // w of one corner: affine, projective
             for (const double repeats : {0.1, 0.45, 0.55, 0.97, 1.02, 3.4, 30.0}) {
                 Scene scene;
                 for (int level = 0; level < 5; ++level)

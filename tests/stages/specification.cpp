@@ -1,4 +1,5 @@
-// Texturing, fog, stencil and blending against values computed here from the formulas of GL 1.3.
+// Compares texturing, fog, stencil and blending with values that are computed here from the formulas of GL
+// 1.3.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -11,7 +12,7 @@ namespace {
 
 using Rgba4 = std::array<double, 4>;
 
-/// One fragment's colour on an RGBA8888 surface, 255ths.
+/// Returns the colour of one fragment on an RGBA8888 surface, in 255ths.
 template <class V> std::array<int, 4> fragment(const FragmentState& f, Canvas& c, const Point& p) {
     cover<V>(f, c, p);
     const StoredColor got = c.at(1, 1);
@@ -33,15 +34,15 @@ void expect_color(const FragmentState& f, const Point& p, const Rgba4& want, dou
     }
 }
 
-/// gl-commands 17.11: N = 4 texels along s, border colour, no texture border.
+/// Tests gl-commands 17.11 with N = 4 texels along s, a border colour, and no texture border.
 TEST(Specification, WrapAndFilterVectors) {
     const std::uint8_t texel[4] = {10, 60, 130, 240};
     constexpr double b = 200; // border colour
     struct Row {
         double s;
         Wrap wrap;
-        int nearest; // texel index, 4 = border
-        int i0, i1;  // of the linear sum
+        int nearest; // texel index; 4: border
+        int i0, i1;  // texels of the linear sum
         double weight0;
     };
     constexpr Wrap R = Wrap::repeat, C = Wrap::clamp, E = Wrap::clamp_to_edge, B = Wrap::clamp_to_border;
@@ -88,7 +89,7 @@ TEST(Specification, WrapAndFilterVectors) {
             }
 }
 
-/// Border texels of the image are sampled where a wrap mode reaches them.
+/// Border texels of the image are sampled if a wrap mode reaches them.
 TEST(Specification, BorderTexels) {
     const std::uint8_t image[3 * 3] = {1, 2, 3, 4, 50, 6, 7, 8, 9};
     Texture t;
@@ -114,7 +115,7 @@ TEST(Specification, BorderTexels) {
         }
 }
 
-/// Tables 3.21 and 3.22 of GL 1.3: base format, source colour, function.
+/// Tests tables 3.21 and 3.22 of GL 1.3: base format, source colour, function.
 TEST(Specification, EnvironmentTable) {
     const std::uint8_t bytes[4] = {90, 170, 30, 110};
     const Rgba4 cf = {0.8, 0.3, 0.55, 0.7}, cc = {0.2, 0.9, 0.4, 0.6};
@@ -180,7 +181,7 @@ TEST(Specification, EnvironmentTable) {
         }
 }
 
-/// 3.8.9: lambda <= c magnifies; c = 1/2 when LINEAR magnifies and NEAREST_MIPMAP_* minifies, else 0.
+/// lambda <= c magnifies. c is 1/2 if LINEAR magnifies and NEAREST_MIPMAP_* minifies, else 0 (GL 1.3, 3.8.9).
 TEST(Specification, SwitchOver) {
     std::uint8_t texels[16 * 16 + 8 * 8];
     for (std::size_t i = 0; i < sizeof texels; ++i)
@@ -222,7 +223,7 @@ TEST(Specification, SwitchOver) {
                 }
 }
 
-/// A 565 texel k means k/31, k/63.
+/// A component k of a 565 texel means k/31 or k/63.
 TEST(Specification, Texels565) {
     for (std::uint32_t k = 0; k < 64; ++k) {
         const std::uint16_t word = static_cast<std::uint16_t>((k / 2) << 11 | k << 5 | (31 - k / 2));
@@ -239,7 +240,7 @@ TEST(Specification, Texels565) {
     }
 }
 
-/// gl-commands 17.8 and the formulas of 3.10.
+/// Tests gl-commands 17.8 and the formulas of GL 1.3, 3.10.
 TEST(Specification, FogFactors) {
     for (int mode = 0; mode < 3; ++mode)
         for (const double density : {0.25, 1.0, 1.7})
@@ -322,7 +323,7 @@ double blended(const Blending& by, const Rgba4& s, const Rgba4& d, std::size_t i
     return 0;
 }
 
-/// Colours of a lattice, as the fragment's and as what is stored.
+/// A pair of colours on a lattice: the fragment's and the stored one.
 struct BlendSample {
     Rgba4 s, d;
     Point p;
@@ -356,7 +357,7 @@ struct BlendSample {
     }
 };
 
-/// GL 1.4, table 4.1 and 4.2: every pair of factors over a lattice of colours.
+/// Tests every pair of factors on a lattice of colours (GL 1.4, tables 4.1 and 4.2).
 TEST(Specification, BlendFactors) {
     for (int src = 0; src < 15; ++src)
         for (int dst = 0; dst < 15; ++dst)
@@ -368,7 +369,7 @@ TEST(Specification, BlendFactors) {
             }
 }
 
-/// GL 1.4, 4.1.7: every equation, alike for both parts and with every other one for alpha.
+/// Tests every equation, the same for both parts, and with every other one for alpha (GL 1.4, 4.1.7).
 TEST(Specification, BlendEquations) {
     constexpr BlendFactor factors[] = {BlendFactor::one, BlendFactor::src_alpha,
                                        BlendFactor::one_minus_constant_color, BlendFactor::dst_color};
@@ -380,7 +381,7 @@ TEST(Specification, BlendEquations) {
                                           {BlendFactor::one, f, static_cast<BlendEquation>(alpha)});
 }
 
-/// What has a form of its own for both parts is told from the same for one part alone.
+/// Blending with a form for both parts must not be used if only one part has the equation.
 TEST(Specification, BlendPartsApart) {
     for (const Blending& common : {blend_over, Blending{}})
         for (const Blending& other : {Blending{BlendFactor::one, BlendFactor::one},
@@ -391,8 +392,8 @@ TEST(Specification, BlendPartsApart) {
             }
 }
 
-/// GL 1.3, table 4.3: every operation on every format's bits, under every mask; blending and its factors do
-/// not matter.
+/// Tests every logical operation on every format's bits under every mask; blending and its factors do not
+/// matter (GL 1.3, table 4.3).
 TEST(Specification, LogicalOperations) {
     const auto result = [](LogicOp op, unsigned s, unsigned d) -> unsigned {
         switch (op) {
@@ -472,7 +473,7 @@ TEST(Specification, LogicalOperations) {
     }
 }
 
-/// 17.9 and 4.1.5: all functions, all operations, all three outcomes.
+/// Tests all stencil functions, all operations and all three outcomes (gl-commands 17.9; GL 1.3, 4.1.5).
 TEST(Specification, StencilOutcomes) {
     const auto passes = [](Compare f, int a, int b) {
         switch (f) {
@@ -555,7 +556,7 @@ TEST(Specification, StencilOutcomes) {
                         }
 }
 
-/// 4.1.4: alpha rounds to 8 bits, then OP.
+/// Alpha is rounded to 8 bits before the comparison (GL 1.3, 4.1.4).
 TEST(Specification, AlphaTest) {
     for (int func = 0; func < 8; ++func)
         for (int alpha = 118; alpha < 123; ++alpha)
@@ -573,14 +574,14 @@ TEST(Specification, AlphaTest) {
             }
 }
 
-/// 2.13.7: only flat shading takes the provoking vertex's colour, which need not be a corner: parts of quads
-/// and of clipped polygons keep the colour their corners share.
+/// Only flat shading takes the provoking vertex's colour (GL 1.3, 2.13.7). That vertex need not be a corner:
+/// parts of quads and of clipped polygons keep the colour that their corners share.
 template <class V> void expect_provoking_color(PixelFormat format, bool fog, bool flat) {
     Canvas c(format, 8, 8);
     FragmentState f = plain_state(c);
     f.flat = flat;
     f.fog = fog;
-    f.fog_mode = FogMode::exp; // of density 0: no fog, by the longer way
+    f.fog_mode = FogMode::exp; // density 0 gives no fog, by the longer way
     f.color_sum = fog;
     Point corner[4];
     for (int i = 0; i < 4; ++i) {

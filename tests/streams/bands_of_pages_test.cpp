@@ -1,5 +1,5 @@
-// Rows of mono share bytes in pages of eight, counted from the bottom of the picture; bands count from its
-// top.
+// Rows of mono surfaces share bytes in pages of eight, which are counted from the bottom of the picture.
+// Bands are counted from its top.
 #include <gtest/gtest.h>
 
 #include <spangle/EGL/egl.h>
@@ -9,7 +9,7 @@
 namespace spangle::test {
 namespace {
 
-/// The error of a window on a mono display of this height, whose buffer holds `band` rows, 0: all.
+/// Returns the error of a window on a mono display of this height, whose buffer holds `band` rows; 0: all.
 EGLint window_error(std::int32_t height, std::int32_t band) {
     StreamPanel panel;
     panel.become(PixelFormat::mono, 12, height, band, false);

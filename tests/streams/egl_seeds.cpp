@@ -12,7 +12,7 @@ std::vector<std::vector<std::uint8_t>> egl_seeds() {
         std::vector<std::uint8_t> data(steps * stream_step);
         for (std::uint8_t& byte : data)
             byte = static_cast<std::uint8_t>(random() >> 9);
-        // Pieces mostly; later seeds have ever more single calls, and calls of EGL.
+        // Most steps are pieces; later seeds have more single calls, and calls of EGL.
         for (std::size_t at = stream_step; at < data.size(); at += stream_step)
             if (random() % 64 >= seed)
                 data[at] = static_cast<std::uint8_t>(100 + random() % 110);

@@ -19,7 +19,7 @@
 namespace spangle::test {
 namespace {
 
-constexpr unsigned panel_count = 4; ///< and displays without one: one more than EGL knows at a time
+constexpr unsigned panel_count = 4; ///< with displays without a panel, one more than EGL's entries
 StreamPanel panels[panel_count];
 
 constexpr std::int32_t sides[] = {1,    2,    3,    7,    8,    16,   17,   31,  33,  48,
@@ -34,7 +34,7 @@ struct Size {
     std::int32_t width, height;
 };
 
-/// Large sides are mostly of narrow surfaces: drawing on all of the largest takes a second.
+/// Surfaces with large sides are mostly narrow, because drawing on all of the largest takes a second.
 Size size_of(Bytes& in) {
     Size size = {pick(in, sides), pick(in, sides)};
     const bool large = in.byte() % 32 == 0;
@@ -43,7 +43,7 @@ Size size_of(Bytes& in) {
     return size;
 }
 
-/// A handle of EGL's, and what of it the stream wants to know.
+/// A handle of EGL, and the display that it belongs to.
 struct Made {
     EGLDisplay display = EGL_NO_DISPLAY;
     void* handle = nullptr;
@@ -67,12 +67,12 @@ class World {
     }
 
   private:
-    static constexpr std::int64_t most_pixels = 1 << 23; ///< touched in all, about
+    static constexpr std::int64_t most_pixels = 1 << 23; ///< that are touched in all, about
     static constexpr std::size_t most_made = 8;
 
     // --- Steps
 
-    /// False at the end of the stream.
+    /// Returns false at the end of the stream.
     bool read_step() {
         if (next_ == end_)
             return false;
@@ -107,7 +107,7 @@ class World {
         }
     }
 
-    /// Returns the size of the current draw surface: a program knows how large its window is.
+    /// Returns the size of the current draw surface, as a program knows the size of its window.
     static Size drawn_size() {
         EGLint width = 64, height = 48;
         const EGLDisplay display = eglGetCurrentDisplay();
@@ -131,11 +131,11 @@ class World {
             change(panel);
         }
         home_format_ =
-            in_.byte() % 2 != 0 ? formats[0] : pick(in_, formats); // the first as most panels have it
+            in_.byte() % 2 != 0 ? formats[0] : pick(in_, formats); // often the format that most panels have
         home_ = {64, 48};
         if (in_.byte() % 2 != 0)
             home_ = size_of(in_);
-        // A quarter of them hold bands of rows, which are drawn from a record or by callback.
+        // A quarter of the panels hold bands of rows, which are drawn from a record or by callback.
         const std::int32_t band = in_.byte() % 4 == 0 ? 1 + in_.byte() % 64 : 0;
         panels[0].become(home_format_, home_.width, home_.height, band, in_.byte() % 2 != 0);
         precision_ = EGL_PRECISION_EXACT_SPANGLE + static_cast<EGLint>(pick(in_, 3));
@@ -178,12 +178,12 @@ class World {
             return display_;
         return how < 250 ? displays_[how % displays_.size()] : number<EGLDisplay>();
     }
-    /// A handle that nobody gave.
+    /// Returns a handle that EGL never gave.
     template <class T> T number() { return reinterpret_cast<T>(static_cast<std::uintptr_t>(in_.word())); }
 
     // --- Configurations, surfaces and contexts
 
-    /// Mostly that of the stream, which all of them can share.
+    /// Returns a config, mostly that of the stream, which all surfaces and contexts can share.
     EGLConfig config(EGLDisplay display) {
         const unsigned how = setting_up_ ? 0 : in_.byte();
         EGLConfig found = nullptr;
@@ -210,7 +210,7 @@ class World {
                          indexed ? EGL_INDEX_BUFFER_SPANGLE : EGL_RGB_BUFFER,
                          EGL_NONE};
         eglChooseConfig(display, wish, &found, 1, &count);
-        if (count == 0) { // no window of this format: then a pbuffer
+        if (count == 0) { // no window has this format, so take a pbuffer
             wish[3] = EGL_PBUFFER_BIT;
             eglChooseConfig(display, wish, &found, 1, &count);
         }
@@ -223,7 +223,7 @@ class World {
             list.erase(list.begin());
         list.push_back({display, handle});
     }
-    /// One that was made, and perhaps destroyed since, or none, or garbage.
+    /// Returns an object that was made and perhaps destroyed, or none, or a garbage handle.
     Made some(const std::vector<Made>& list) {
         const unsigned how = in_.byte();
         if (list.empty() || how >= 252)
@@ -231,7 +231,7 @@ class World {
         return how < 160 ? list.back() : list[how % list.size()];
     }
 
-    /// Room for the least bands there are, too.
+    /// There is memory for the smallest bands, too.
     void make_window() {
         EGLint list[9];
         int n = 0;
@@ -283,7 +283,7 @@ class World {
         eglMakeCurrent(draw.display, draw.handle, read.handle, some(contexts_).handle);
     }
 
-    // --- What EGL is asked for
+    // --- Calls of EGL
 
     void egl(unsigned what) {
         switch (what) {
@@ -401,7 +401,7 @@ class World {
         case 39:
         case 40:
             return panels[pick(in_, panel_count)].fail(in_.byte() % 2 != 0 ? 0 : in_.byte());
-        case 41: { // another display is plugged in where this one was
+        case 41: { // another display takes the place of this one
             StreamPanel& panel = panels[pick(in_, panel_count)];
             return change(panel);
         }
@@ -427,7 +427,7 @@ class World {
         }
     }
 
-    /// Frames of windows whose display holds bands of rows: what is drawn is drawn for each of them.
+    /// Draws a frame of a window whose display holds bands of rows, so that the frame is drawn for each band.
     void draw_frame() {
         if (in_frame_)
             return;
@@ -449,7 +449,7 @@ class World {
         const Made made = some(surfaces_);
         const std::size_t kept = memory_.blocks();
         const EGLint first = in_.byte(), count = in_.byte() % 4 != 0 ? 256 - first : in_.byte();
-        // Nothing is read where the range is wrong.
+        // For a wrong range nothing is read.
         const std::uint8_t* const colors =
             memory_.make(first + count > 256 ? 0 : static_cast<std::size_t>(3 * count));
         eglSetPaletteSPANGLE(made.display, made.handle, first, count,
@@ -472,7 +472,7 @@ class World {
         eglGetConfigs(display, found, 3, &count);
     }
 
-    /// A primitive that is open holds its surfaces, so it ends first.
+    /// An open primitive holds its surfaces, so it ends first.
     void tear_down() {
         if (eglReleaseThread() == EGL_FALSE) {
             glEnd();
@@ -480,7 +480,7 @@ class World {
         }
         expect(eglGetCurrentContext() == EGL_NO_CONTEXT, "a context stays current");
         for (const EGLDisplay display : displays_)
-            eglTerminate(display); // one that gave its entry to another display is none any more
+            eglTerminate(display); // a display that gave its entry to another is no longer valid
         eglGetError();
     }
     static void expect(bool holds, const char* what) {

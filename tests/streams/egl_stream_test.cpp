@@ -1,4 +1,4 @@
-// Streams of EGL and GL calls: nothing breaks (run it under ASan and UBSan for the whole meaning).
+// Plays streams of EGL and GL calls: nothing breaks. ASan and UBSan give this test its full meaning.
 #include "tests/streams/egl_stream.hpp"
 
 #include <gtest/gtest.h>

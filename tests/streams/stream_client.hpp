@@ -1,5 +1,5 @@
-// What streams of calls draw with: numbers that a program could mean or that an attacker would choose, and
-// client memory that ends where GL may read no further.
+// Data with which streams draw: numbers that a program or an attacker would choose, and client memory that
+// ends where GL may read no further.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace spangle::test {
 
-/// Memory of which not one byte is spare, kept until the stream ends: GL holds on to some of it.
+/// Memory blocks of exact size, kept until the stream ends, because GL keeps some of their addresses.
 class Memory {
   public:
     std::uint8_t* make(std::size_t bytes) {
@@ -22,16 +22,16 @@ class Memory {
             std::memset(blocks_.back().get() + usual, 0x5A, bytes - usual);
         return blocks_.back().get();
     }
-    /// Drops what was made after there were `blocks` of them, which GL does not know any more.
+    /// Frees all blocks after the first `blocks`, whose addresses GL no longer has.
     void drop_to(std::size_t blocks) { blocks_.resize(blocks); }
     std::size_t blocks() const { return blocks_.size(); }
 
   private:
-    static constexpr std::size_t usual = 1u << 20; ///< the source is larger
+    static constexpr std::size_t usual = 1u << 20; ///< bytes; the source is larger
     std::vector<std::unique_ptr<std::uint8_t[]>> blocks_;
 };
 
-/// The stream chooses one of `count` things; returns its number.
+/// Returns the number of one of `count` things, as the stream chooses.
 inline unsigned pick(Bytes& in, unsigned count) {
     return count <= 1 ? 0 : count <= 256 ? in.byte() % count : (in.byte() | in.byte() * 256u) % count;
 }
@@ -40,7 +40,7 @@ template <class T, std::size_t count> T pick(Bytes& in, const T (&from)[count]) 
     return from[pick(in, static_cast<unsigned>(count))];
 }
 
-/// Numbers that arithmetic may break at.
+/// Returns a number at which arithmetic may fail.
 inline float odd_number(Bytes& in) {
     constexpr std::uint32_t odd[] = {0x7FC00000, 0x7F800000, 0xFF800000, 0x00000001, 0x80000000, 0x7F7FFFFF,
                                      0xFF7FFFFF, 0x4A800000, 0x4B800000, 0xCB800000, 0x4F000000, 0xCF000000,
@@ -53,7 +53,8 @@ inline float odd_number(Bytes& in) {
     return number;
 }
 
-/// Along a side of so many pixels: mostly at or between pixels of it, at times beside it, or anywhere.
+/// Returns a coordinate for a side of so many pixels: mostly at or between pixels, sometimes beside the side,
+/// or anywhere.
 inline float coordinate(Bytes& in, std::int32_t side) {
     const unsigned how = in.byte();
     const auto part = static_cast<std::int32_t>(in.byte());
@@ -69,7 +70,7 @@ inline float coordinate(Bytes& in, std::int32_t side) {
     return odd_number(in);
 }
 
-/// A coordinate for commands that take integers.
+/// Returns a coordinate for commands that take integers.
 inline std::int32_t whole_coordinate(Bytes& in, std::int32_t side) {
     const float at = coordinate(in, side);
     return at > -5000 && at < 5000 ? static_cast<std::int32_t>(at)
@@ -77,7 +78,7 @@ inline std::int32_t whole_coordinate(Bytes& in, std::int32_t side) {
                                    : INT32_MIN;
 }
 
-/// Between -1 and 1, or at times far beyond.
+/// Returns a number between -1 and 1, or sometimes far beyond.
 inline float unit_number(Bytes& in) {
     const unsigned how = in.byte();
     if (how < 40)

@@ -1,4 +1,4 @@
-// Primitives, one by one, from arrays, lists and evaluators.
+// Draws primitives: single vertices, arrays, lists and evaluators.
 #include "tests/streams/stream_scenes.hpp"
 
 #include <iterator>
@@ -14,7 +14,7 @@ constexpr GLenum modes[] = {GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL
 
 } // namespace
 
-/// A corner of a primitive, at times with attributes of its own.
+/// Sends a vertex, sometimes with attributes of its own.
 void Scenes::vertex() {
     const unsigned what = in_.byte();
     if ((what & 1) != 0)
@@ -43,11 +43,11 @@ void Scenes::vertices() {
     glBegin(pick(in_, modes));
     for (unsigned left = 1 + pick(in_, 12); left > 0; --left)
         vertex();
-    if (in_.byte() % 16 != 0) // else whatever comes next is between Begin and End
+    if (in_.byte() % 16 != 0) // otherwise what comes next is between Begin and End
         glEnd();
 }
 
-/// An image at about one texel a pixel, over the whole surface or a part of it.
+/// Draws an image at about one texel a pixel, over the whole surface or a part of it.
 void Scenes::blit() {
     const float left = coordinate(in_, width_ / 2), bottom = coordinate(in_, height_ / 2),
                 right = in_.byte() % 2 != 0 ? static_cast<float>(width_) : coordinate(in_, width_),
@@ -66,8 +66,8 @@ void Scenes::blit() {
     glEnd();
 }
 
-/// Arrays of `count` vertices, each of exactly its memory. In the end none is enabled, and all point to
-/// memory that is large enough for whatever is drawn next.
+/// Draws arrays of `count` vertices, each of exactly its memory. Afterwards no array is enabled, and all
+/// point to memory that is large enough for later draws.
 void Scenes::draw_arrays(int count, bool in_buffers) {
     const std::size_t kept = memory_.blocks();
     GLuint names[8] = {};
@@ -180,12 +180,12 @@ void Scenes::draw_arrays(int count, bool in_buffers) {
     memory_.drop_to(kept);
 }
 
-/// Client memory ends with the last vertex, so all arrays that are enabled must be these.
+/// Client memory ends with the last vertex, so no other array may be enabled.
 void Scenes::arrays() {
     GLint index = -1;
     glGetIntegerv(GL_LIST_INDEX, &index);
     if (index == -1)
-        return; // between Begin and End, where arrays do not change
+        return; // between Begin and End arrays do not change
     for (const GLenum name :
          {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY, GL_NORMAL_ARRAY, GL_INDEX_ARRAY,
           GL_EDGE_FLAG_ARRAY, GL_FOG_COORD_ARRAY, GL_SECONDARY_COLOR_ARRAY})
@@ -193,14 +193,14 @@ void Scenes::arrays() {
     draw_arrays(1 + static_cast<int>(pick(in_, 40)), in_.byte() % 2 != 0);
 }
 
-/// Buffers that are filled, mapped and written to their very end.
+/// Fills buffers, maps them, and writes to their very end.
 void Scenes::buffers() {
     const auto name = static_cast<GLuint>(1 + pick(in_, 4));
     const GLenum target = pick(in_, {GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER});
     glBindBuffer(target, name);
     const auto size = static_cast<GLsizeiptr>(1 + pick(in_, 600));
     const std::size_t kept = memory_.blocks();
-    // Indices of every type stay small in what may be drawn from later.
+    // Indices of every type must stay small in buffers from which later draws may take them.
     const auto fill = [](std::uint8_t* bytes, GLsizeiptr count) {
         std::memset(bytes, 0, static_cast<std::size_t>(count));
     };
@@ -234,7 +234,7 @@ void Scenes::clears() {
         glAccum(pick(in_, {GL_LOAD, GL_ACCUM, GL_RETURN, GL_MULT, GL_ADD}), unit_number(in_));
 }
 
-/// A list of a few pieces, none of which calls a list. Where one is being made already there is none.
+/// Makes a list of a few pieces, none of which calls a list. If a list is being compiled, no other is made.
 void Scenes::lists() {
     GLint index = -1;
     glGetIntegerv(GL_LIST_INDEX, &index);
@@ -247,7 +247,7 @@ void Scenes::lists() {
                                 &Scenes::camera,   &Scenes::environment};
     for (unsigned left = 1 + pick(in_, 4); left > 0; --left)
         (this->*pick(in_, pieces))();
-    glEnd(); // of a piece that left it out
+    glEnd(); // for a piece that did not call it
     glEndList();
     glCallList(name);
     if (in_.byte() % 4 == 0) {
@@ -259,7 +259,7 @@ void Scenes::lists() {
         glDeleteLists(name, 1);
 }
 
-/// Evaluators with control points of exactly their memory.
+/// Defines evaluators with control points of exactly their memory.
 void Scenes::curves() {
     const std::size_t kept = memory_.blocks();
     struct Map {
@@ -296,8 +296,8 @@ void Scenes::curves() {
     memory_.drop_to(kept);
 }
 
-/// What most programs draw most of the time: a surface in perspective, its depth tested, perhaps textured,
-/// lit, in fog or translucent, and little else. Such states have loops of their own.
+/// Draws what most programs draw most of the time: a surface in perspective with a depth test, perhaps
+/// textured, lit, in fog or translucent, and little else. Such states have fused spans.
 void Scenes::usual() {
     plain();
     camera();
@@ -362,7 +362,7 @@ void Scenes::usual() {
     }
 }
 
-/// States of every name there may be; none has more values than a pixel map.
+/// Queries state of any name; no state has more values than a pixel map.
 void Scenes::questions() {
     for (unsigned left = 1 + pick(in_, 6); left > 0; --left) {
         const GLenum name = pick(in_, {0x0B00, 0x0C00, 0x0D00, 0x0DC0, 0x8000, 0x8060, 0x8450, 0x8500, 0x8640,
@@ -385,7 +385,7 @@ void Scenes::questions() {
     }
 }
 
-/// Feedback, selection and queries; the memory of the former must stay.
+/// Uses feedback, selection and queries; the memory of their buffers must stay.
 void Scenes::answers() {
     const auto room = static_cast<GLsizei>(pick(in_, 64));
     auto* const words = reinterpret_cast<GLuint*>(memory_.make(4 * static_cast<std::size_t>(room)));

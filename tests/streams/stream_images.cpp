@@ -1,4 +1,4 @@
-// Textures and images of exactly their memory.
+// Makes textures and images of exactly their memory.
 #include "tests/streams/stream_scenes.hpp"
 
 #include <algorithm>
@@ -26,7 +26,8 @@ constexpr GLint texel_formats[] = {GL_RGBA,
                                    GL_DEPTH_COMPONENT16,
                                    GL_DEPTH_COMPONENT24};
 
-/// How pixels lie in client memory. `words`: the type holds all components; else each has one of its size.
+/// How pixels lie in client memory. `words` is true if the type holds all components; otherwise each
+/// component has one of its size.
 struct Layout {
     GLenum format, type;
     int components, bytes;
@@ -62,7 +63,7 @@ void store(bool pack, GLenum row, GLint value) {
 
 } // namespace
 
-/// A block of exactly what GL may read or write of an image, and the pixel store that says how it lies there.
+/// Makes a block of exactly the bytes that GL may read or write of an image, and sets the pixel store for it.
 void Scenes::image_source(int width, int height, int depth, bool pack, GLenum& format, GLenum& type,
                           std::uint8_t*& pixels) {
     const Layout& layout = layouts[in_.byte() % 4 != 0 ? pick(in_, 8) : pick(in_, std::size(layouts))];
@@ -81,7 +82,7 @@ void Scenes::image_source(int width, int height, int depth, bool pack, GLenum& f
     }
     store(pack, GL_UNPACK_ALIGNMENT, alignment);
     store(pack, GL_UNPACK_SWAP_BYTES, in_.byte() % 8 == 0);
-    // GL 1.3, 3.6.4: rows begin where `alignment` says, if that is more than an element.
+    // Rows are aligned if `alignment` is more than the size of an element (GL 1.3, 3.6.4).
     const auto size = [](int n) { return static_cast<std::size_t>(n); };
     const std::size_t group = size(layout.components * layout.bytes);
     std::size_t line = layout.bytes != 0 ? size(row) * group : (size(row) + 7) / 8;
@@ -104,7 +105,7 @@ void Scenes::reset_pixel_store() {
         glPixelStorei(name, 0);
 }
 
-/// A texture that is complete, with all its levels where its filter asks for them, or nearly so.
+/// Makes a texture that is complete, or nearly so, with all levels if its filter asks for them.
 void Scenes::texture() {
     const std::size_t kept = memory_.blocks();
     glActiveTexture(GL_TEXTURE0 + pick(in_, 2));
@@ -118,7 +119,7 @@ void Scenes::texture() {
                                   : static_cast<int>(pick(in_, static_cast<unsigned>(most + 1)));
     const int log_depth = target == GL_TEXTURE_3D ? static_cast<int>(pick(in_, 4)) : 0;
     if (!cube && log_height <= 2 && log_depth == 0 && in_.byte() % 4 == 0)
-        log_width = 11; // the longest row there is
+        log_width = 11; // the longest row that textures may have
     const GLint internal = pick(in_, texel_formats);
     const int border = in_.byte() % 8 == 0 ? 1 : 0;
     const GLenum filters[] = {GL_NEAREST,
@@ -165,7 +166,7 @@ void Scenes::texture() {
     memory_.drop_to(kept);
 }
 
-/// Images that are drawn and read, whose rows lie apart, and zoomed ones.
+/// Draws and reads images, with gaps between their rows, and zoomed ones.
 void Scenes::images() {
     const std::size_t kept = memory_.blocks();
     const int w = static_cast<int>(pick(in_, 40)), h = static_cast<int>(pick(in_, 24));

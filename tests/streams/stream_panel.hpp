@@ -1,5 +1,5 @@
-// A display that takes its buffer back at every chance, holds not one byte more than it must, and fails or
-// becomes another one whenever a stream says so.
+// A display that takes its buffer back at every chance, and whose memory has exactly the size it needs. A
+// stream can make it fail, or become another display.
 #pragma once
 
 #include <cstdint>

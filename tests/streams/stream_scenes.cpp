@@ -1,4 +1,4 @@
-// States that programs draw with.
+// Sets states in which programs draw.
 #include "tests/streams/stream_scenes.hpp"
 
 #include <iterator>
@@ -66,7 +66,7 @@ int Scenes::one(unsigned number) {
     return entry.cost;
 }
 
-/// A state in which drawing shows, whatever was set before.
+/// Sets a state in which drawing is visible, whatever was set before.
 void Scenes::plain() {
     if (in_.byte() % 2 != 0) {
         glEnd();
@@ -112,7 +112,7 @@ void Scenes::camera() {
     glScalef(scale / static_cast<float>(width_), scale / static_cast<float>(height_), scale);
 }
 
-/// Viewports and scissors of a part of the surface, and beyond it.
+/// Sets viewports and scissors of a part of the surface, and beyond it.
 void Scenes::view() {
     const auto place = [&](std::int32_t all) { return whole_coordinate(in_, all / 2 + 1); };
     const auto side = [&](std::int32_t all) {
@@ -200,8 +200,8 @@ void Scenes::fragments() {
             break;
         case 12:
             turn(GL_POLYGON_STIPPLE);
-            // Rows of 32 bits lie as the pixel store says (GL 1.3, 3.6.4), which an image drawn before may
-            // have set.
+            // Rows of 32 bits lie as the pixel store says (GL 1.3, 3.6.4), which an image before may have
+            // changed.
             reset_pixel_store();
             glPixelStorei(GL_UNPACK_ALIGNMENT, 8);
             glPolygonStipple(memory_.make(31 * 8 + 4));

@@ -1,5 +1,5 @@
-// Pieces of programs that draw: states that go together, textures that are complete, arrays and images whose
-// memory ends where GL may read no further.
+// Pieces of programs that draw: consistent states, complete textures, and arrays and images whose memory ends
+// where GL may read no further.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ class Scenes {
         width_ = width;
         height_ = height;
     }
-    /// The piece that a number names, with what the stream says next. Returns how often it may touch each
+    /// Runs the piece with this number, with data from the stream. Returns how often the piece may touch each
     /// pixel.
     int one(unsigned number);
 

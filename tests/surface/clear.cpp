@@ -1,4 +1,4 @@
-// Clears against one pixel at a time, computed from GL's rules; nothing outside the rectangle changes.
+// Compares clears with single pixels by GL's rules. Nothing outside of the rectangle may change.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -52,7 +52,8 @@ struct Planes {
     }
 };
 
-/// The stored component of GL: rounded to eight bits, then the top bits; dithered floor(c (2^m - 1) + t).
+/// Returns GL's stored component: rounded to eight bits, then the top bits; or dithered: floor(c (2^m - 1) +
+/// t).
 std::uint32_t stored(std::uint32_t units, int bits, bool dither, int x, int y) {
     static constexpr int matrix[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
     const double c = static_cast<double>(units) / (255.0 * (1 << 20));
@@ -110,7 +111,7 @@ TEST(Clear, DepthAndStencilUnderMasks) {
                             Planes p(PixelFormat::rgb565_be, format, w, 5, 0, 0, top_down);
                             Planes old(PixelFormat::rgb565_be, format, w, 5, 0, 0, top_down);
                             ClearRequest r;
-                            const int left = mask == 0xA5 ? 0 : w / 3; // whole rows are one piece
+                            const int left = mask == 0xA5 ? 0 : w / 3; // whole rows are cleared in one piece
                             r.area = {left, 1, w - left, 4};
                             r.depth = depth;
                             r.z = z;
@@ -166,7 +167,7 @@ TEST(Clear, ExtentsOfPartialAndFullClears) {
     }
 }
 
-/// Two full clears have one clear_value exactly when they store the same bytes.
+/// Two full clears have the same clear_value exactly if they store the same bytes.
 TEST(Clear, ClearValueTellsPicturesApart) {
     std::mt19937 random(3);
     for (const PixelFormat format : formats) {
@@ -194,7 +195,8 @@ TEST(Clear, ClearValueTellsPicturesApart) {
 }
 
 #if SPANGLE_FEATURE_COLOR_INDEX
-/// Indices by their bits: nearest, or dithered; the last index is the largest; the record as with colours.
+/// Clears indices by their bits, to the nearest or dithered; the last index is the largest. The record is as
+/// with colours.
 TEST(Clear, Indices) {
     std::mt19937 random(31);
     for (int trial = 0; trial < 4000; ++trial) {

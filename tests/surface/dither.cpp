@@ -1,5 +1,5 @@
-// Dithering (GL 1.3, 4.1.8), every value at every threshold: floor(steps + t), so one of the two codes around
-// a value, and a value that is a code stays.
+// Tests dithering (GL 1.3, 4.1.8) of every value at every threshold: floor(steps + t) is one of the two codes
+// around the value, and a value that is a code stays.
 #include <gtest/gtest.h>
 
 #include "raster/surface/narrow.hpp"
@@ -27,18 +27,18 @@ TEST(Dither, OfBytesToOneUpToFourBits) {
     of_bytes<4>();
 }
 
-/// A product and a sum are monotonic: between two borders every colour has the code of both. That makes all
-/// 2^28 colours.
+/// A product and a sum are monotonic: if two colours have the same code, so has every colour between them. So
+/// the borders stand for all 2^28 colours.
 template <unsigned Bits> void of_colors() {
     constexpr std::uint64_t most = (1u << Bits) - 1;
     for (std::uint32_t t = 1; t < 32; t += 2) {
         ASSERT_EQ(dithered<Bits>(0, t), 0u);
         ASSERT_EQ(dithered<Bits>(color_one, t), most);
         for (std::uint64_t code = 1; code <= most; ++code) {
-            // The least colour that has it: c most / one + t / 32 >= code.
+            // The least colour with this code satisfies c most / one + t / 32 >= code.
             const std::uint64_t c = ((32 * code - t) * color_one + 32 * most - 1) / (32 * most);
             ASSERT_EQ(dithered<Bits>(static_cast<std::uint32_t>(c), t), code) << t;
-            // One unit of 2^-28 is what rounding the factor up may take.
+            // Rounding the factor up may change one unit of 2^-28.
             ASSERT_EQ(dithered<Bits>(static_cast<std::uint32_t>(c - 2), t), code - 1) << t;
         }
     }
@@ -49,7 +49,8 @@ TEST(Dither, OfColorsToFiveAndSixBits) {
     of_colors<6>();
 }
 
-/// Each component alone, grey by its luma in whole tenths; without dithering the top bits.
+/// Tests each component alone, and grey by its luma in whole tenths. Without dithering the top bits are
+/// stored.
 TEST(Dither, EveryColorOfTheNarrowFormats) {
     for (std::uint32_t n = 0; n < 1u << 24; ++n) {
         const Rgb8 c = {n & 255, n >> 8 & 255, n >> 16};

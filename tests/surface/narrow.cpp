@@ -1,4 +1,4 @@
-// The narrow formats, bit by bit: where pixels lie, what colours become, and that their neighbours stay.
+// Tests the narrow formats bit by bit: where pixels lie, what colours become, and that neighbours stay.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 constexpr PixelFormat formats[] = {PixelFormat::rgb666, PixelFormat::rgb444, PixelFormat::rgb332,
                                    PixelFormat::grey4, PixelFormat::mono};
 
-/// Top row first, as displays have it, in memory of exactly the size needed.
+/// A plane with the top row first, as displays have it, in memory of exactly the size needed.
 struct Plane {
     std::vector<std::uint8_t> bytes;
     std::vector<RowSpan> rows;
@@ -106,7 +106,7 @@ TEST(Narrow, RunsAreTheirPixels) {
             }
 }
 
-/// floor(k / 255 (2^m - 1) + t), or the top bits.
+/// Returns floor(k / 255 (2^m - 1) + t), or the top bits.
 unsigned step(unsigned c8, int bits, bool dither, int x, int y) {
     static constexpr int matrix[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
     const double t = (matrix[y & 3][x & 3] + 0.5) / 16;

@@ -1,4 +1,4 @@
-// Quantisation and read-back, exhaustively where the domain allows.
+// Tests quantization and read-back for all values where that is possible.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace spangle::raster {
 namespace {
 
-/// gl-commands 17.3: ubyte, five bits, six bits, read back as ubyte.
+/// Rows of gl-commands 17.3: ubyte, five bits, six bits, both read back as ubytes.
 TEST(Quantize, UbytesKeepTheirTopBits) {
     constexpr int rows[][5] = {{0, 0, 0, 0, 0},         {4, 0, 1, 0, 4},         {7, 0, 1, 0, 4},
                                {8, 1, 2, 8, 8},         {15, 1, 3, 8, 12},       {100, 12, 25, 99, 101},
@@ -55,7 +55,7 @@ template <unsigned Bits> void check_dither() {
             if (std::fabs(want - std::floor(want + 0.5)) > 1e-6) {
                 ASSERT_EQ(k, static_cast<std::uint32_t>(want)) << c << ' ' << t;
             }
-            ASSERT_GE(k + 1.0, std::ceil(exact)); // { ceil(c) - 1, ceil(c) }, or c itself where it is whole
+            ASSERT_GE(k + 1.0, std::ceil(exact)); // { ceil(c) - 1, ceil(c) }, or c itself if it is whole
             ASSERT_LE(k, std::ceil(exact));
         }
 }

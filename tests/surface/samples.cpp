@@ -1,5 +1,5 @@
-// The multisample buffer against a reading of GL 1.3, 4.1.10 and 4.2.3: means component by component, of what
-// was touched and nothing else.
+// Compares the multisample buffer with a reading of GL 1.3, 4.1.10 and 4.2.3: means component by component,
+// of what was touched and nothing else.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -46,7 +46,7 @@ struct Buffers {
     RowSpan touched(std::int32_t y) const { return rows[static_cast<std::size_t>(height - 1 - y)]; }
 };
 
-constexpr int formats = static_cast<int>(PixelFormat::index8); // indices have none
+constexpr int formats = static_cast<int>(PixelFormat::index8); // surfaces of indices have no samples
 struct OfFormat : testing::TestWithParam<int> {
     PixelFormat format = static_cast<PixelFormat>(GetParam());
     std::mt19937 random{static_cast<std::uint32_t>(GetParam())};
@@ -88,7 +88,7 @@ TEST_P(OfFormat, ColoursAreMeansWhereSomethingWasDrawn) {
     }
 }
 
-/// A whole clear is not resolved: the display learns of it as of any other.
+/// A whole clear is not resolved: the display gets it as any other clear.
 TEST_P(OfFormat, WholeClearsAreShownAtOnce) {
     Buffers b(format, DepthFormat::z24s8);
     ClearRequest request;
@@ -122,7 +122,7 @@ TEST_P(OfFormat, WholeClearsAreShownAtOnce) {
             }
 }
 
-/// A clear of a part, or of some channels, is what the samples were and what they became.
+/// After a clear of a part, or of some channels, each pixel is the mean of old and new samples.
 TEST_P(OfFormat, OtherClearsAreResolvedLater) {
     for (const bool masked : {false, true}) {
         Buffers b(format, DepthFormat::none);
@@ -137,7 +137,7 @@ TEST_P(OfFormat, OtherClearsAreResolvedLater) {
         EXPECT_EQ(b.unresolved[3], (masked ? RowSpan{0, width} : RowSpan{3, 12}));
         resolve(b.s);
         const StoredColor in = read_color(b.s, 5, 3), out = read_color(b.s, 15, 9);
-        if (!masked || !format_info(format).grey) { // where it counts for the luma
+        if (!masked || !format_info(format).grey) { // the mask counts for the luma
             EXPECT_EQ(in.c[0].k, in.c[0].max);
         }
         EXPECT_EQ(out.c[0].k, masked ? in.c[0].k : 0);
