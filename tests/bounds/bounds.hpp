@@ -1,5 +1,5 @@
-// A row of docs/bounds.md: what a stage computes in, what bounds its error or its range, which obligation of
-// tests/gappa proves that, and the worst that its test met.
+// A row of docs/bounds.md: what a stage computes in, what bounds its error or range, which obligation of
+// tests/gappa proves it, and the worst error that the test met.
 #pragma once
 
 #include <cmath>
@@ -31,7 +31,7 @@ inline std::uint32_t word(Random& random) {
     const std::uint32_t high = random.below(0x10000);
     return high << 16 | random.below(0x10000);
 }
-/// From -most to most.
+/// Returns a random number from -most to most.
 inline std::int32_t lot(Random& random, std::int32_t most) {
     return static_cast<std::int32_t>(word(random) % (2 * static_cast<std::uint32_t>(most) + 1)) - most;
 }

@@ -1,4 +1,4 @@
-// Products, mixtures, filters and blending of colours.
+// Measures products, mixtures, filters and blending of colours.
 #include "raster/span/number.hpp"
 #include "tests/bounds/bounds.hpp"
 
@@ -12,7 +12,7 @@ constexpr double real(std::uint32_t v) {
     return v;
 }
 
-/// 0 to one, the ends now and then.
+/// Returns a number from 0 to `one`; sometimes it is an end.
 std::uint32_t colour(Random& random, std::uint32_t one) {
     const std::uint32_t which = random.below(16);
     return which == 0 ? 0 : which == 1 ? one : word(random) % (one + 1);
@@ -47,7 +47,7 @@ TEST(Bounds, ExactColours) {
         "%.3f 2^-20", filtered);
 }
 
-/// Of a sum s a + (1 - a) k / most, in 255ths.
+/// Returns the error of s a + (1 - a) k / most, in 255ths.
 template <unsigned Bits> double over(Random& random) {
     constexpr std::uint32_t one = Balanced<1>::one, most = (1u << Bits) - 1;
     double worst = 0;

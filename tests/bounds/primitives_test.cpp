@@ -1,4 +1,4 @@
-// Edges, planes, depth.
+// Measures edges, planes and depth.
 #include "raster/primitive/edge.hpp"
 #include "raster/span/span.hpp"
 #include "tests/bounds/bounds.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 using namespace raster;
 
-/// The first column whose centre is on the edge or right of it.
+/// Returns the first column whose centre is on the edge or right of it.
 std::int64_t exact_column(std::int64_t x0, std::int64_t y0, std::int64_t x1, std::int64_t y1,
                           std::int64_t row) {
     const std::int64_t dy = y1 - y0, above = row * subpixel_one + subpixel_one / 2 - y0;
@@ -21,7 +21,7 @@ std::int64_t exact_column(std::int64_t x0, std::int64_t y0, std::int64_t x1, std
 struct Walked {
     long columns = 0, wrong = 0;
 };
-/// Edges with |x| and y up to `extent`, at their first rows.
+/// Walks edges with |x| and y up to `extent`, at their first rows.
 template <class E> Walked walk(std::int32_t extent, std::int32_t from, int edges) {
     Random random{11};
     Walked w;
@@ -97,7 +97,7 @@ TEST(Bounds, DepthPlanes) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
     for (int n = 0; n < 60; ++n) {
-        std::int64_t x[3], y[3], z[3]; // 256ths of a pixel, 2^-20 of the range
+        std::int64_t x[3], y[3], z[3]; // in 256ths of a pixel, and 2^-20 of the range
         glClearDepth(1);
         glClearColor(0, 0, 0, 0);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

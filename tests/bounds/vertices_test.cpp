@@ -1,4 +1,4 @@
-// Sums of products, 1/a, 1/sqrt(a), unit vectors.
+// Measures sums of products, 1/a, 1/sqrt(a), and unit vectors.
 #include <algorithm>
 
 #include "raster/numeric/block_matrix.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 using namespace numeric;
 
-/// A float of either sign between 2^-power and 2^power.
+/// Returns a float of either sign between 2^-power and 2^power.
 Real real(Random& random, std::uint32_t power) {
     return {(word(random) & 0x807FFFFF) | (127 - power + random.below(2 * power)) << 23};
 }
@@ -100,7 +100,8 @@ TEST(Bounds, UnitVectors) {
     double worst = 0, dots = 0;
     Unit3 before;
     for (int n = 0; n < 200'000; ++n) {
-        // One draw a statement: compilers order the arguments of a call as they like.
+        // Each random number has a statement of its own, because compilers may choose the order of a call's
+        // arguments.
         const Real first = word(random) % 8 == 0 ? Real{0} : real(random, 9);
         const Real second = real(random, 9);
         const Block3 v = to_block(first, second, real(random, 9));

@@ -1,4 +1,4 @@
-// Probe, card and wizard against simulated modules: the wizard's questions are answered by looking at the
+// Tests probe, card and wizard on simulated modules. The wizard's questions are answered by looking at the
 // glass.
 #include <algorithm>
 #include <cstdio>
@@ -42,7 +42,7 @@ TEST(Probe, FindsEveryPanelThatAnswers) {
     EXPECT_GT(readable, 3);
 }
 
-/// Every read answers with the same byte, or 04h with an identity.
+/// Answers every read with the same byte, or register 04h with an identity.
 struct Parrot final : hal::Bus {
     std::uint8_t level = 0;
     std::array<std::uint8_t, 3> id{};
@@ -66,7 +66,7 @@ struct Parrot final : hal::Bus {
 
 TEST(Probe, BitsThatDifferBetweenMakersDoNotCount) {
     Parrot bus;
-    bus.id = {0x7C, 0x89, 0xF0}; // an ST7735S; the R answers 5C
+    bus.id = {0x7C, 0x89, 0xF0}; // an ST7735S; the ST7735R answers 5C
     const auto found = bringup::probe(bus, true);
     EXPECT_THAT(found.panels, testing::Contains(&hal::panels::st7735_128x160));
     EXPECT_THAT(found.panels, testing::Not(testing::Contains(&hal::panels::st7789_240x320)));
@@ -105,8 +105,8 @@ TEST(Card, ItsFrameIsTheOutermostPixels) {
         }
 }
 
-/// On round glass the frame is a ring: each white pixel of it is seen, and has a neighbour that is not. All
-/// of the rest is seen, too.
+/// On round glass the frame is a ring. Each of its white pixels is visible and has a neighbour that is not.
+/// The rest of the card is visible, too.
 TEST(Card, OnRoundGlassNothingOfItIsHidden) {
     const sim::Image card = bringup::card(100, 100, true), square = bringup::card(100, 100);
     int ring = 0, lit = 0;
@@ -147,7 +147,7 @@ TEST(Card, NoTurnAndNoMirrorLooksTheSame) {
 TEST(Card, ShowsItselfOnEveryBoard) {
     for (const hal::Board* board : boards::all) {
         if (board->display.wire.converts())
-            continue; // fewer colours
+            continue; // such panels have fewer colours
         SCOPED_TRACE(board->name);
         sim::SimBoard sim(*board);
         ASSERT_TRUE(sim.display().init().ok());
@@ -220,7 +220,7 @@ struct Look {
     int quarters = 0, right = 0, down = 0;
 };
 
-/// Pixels of the glass that are not as this look has them, of every third.
+/// Counts the pixels of the glass that differ from this look; every third pixel is compared.
 int misfit(const sim::Image& glass, const sim::Image& card, const Look& look, int enough) {
     int wrong = 0;
     for (int y = 0; y < glass.height && wrong < enough; y += 3)
@@ -254,7 +254,8 @@ Look look_at(const sim::Image& glass, const sim::Image& card, int reach) {
             for (int down = -reach; down <= reach; ++down)
                 for (int right = -reach; right <= reach; ++right) {
                     const Look look{mirrored, quarters, right, down};
-                    // What lies beyond the card says nothing: the nearest place that fits is the one.
+                    // The glass beyond the card does not count, so of several places that fit the nearest is
+                    // taken.
                     const int wrong =
                         misfit(glass, card, look, least) + (std::abs(right) + std::abs(down)) / 4;
                     if (wrong < least)
@@ -263,7 +264,7 @@ Look look_at(const sim::Image& glass, const sim::Image& card, int reach) {
     return best;
 }
 
-/// Somebody who looks at the glass and answers.
+/// A person who looks at the glass and answers.
 struct Beholder {
     sim::SimBoard& sim;
     int reach;
@@ -394,7 +395,7 @@ TEST(Wizard, TheDefinitionSaysAll) {
         EXPECT_THAT(text, HasSubstr(part));
 }
 
-/// What is printed is a header that compiles, of every board and turned any way.
+/// What the wizard prints is a header that compiles, for every board in any orientation.
 TEST(Wizard, TheDefinitionCompiles) {
     const std::string file = testing::TempDir() + "spangle_definitions.cpp";
     {
@@ -406,7 +407,7 @@ TEST(Wizard, TheDefinitionCompiles) {
                 board->display.wire.converts() || board->display.wire.format == hal::WireFormat::none;
             std::string text = bringup::definition(
                 {*board->display.panel, {turned ? rotation : hal::Rotation{}, n % 3 == 0}}, *board);
-            text.erase(0, text.find("#include")); // one file, many of them
+            text.erase(0, text.find("#include")); // one file holds many definitions
             for (const char* const name : {"my_panel", "my_board"})
                 for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos; at += 12)
                     text.insert(at + 8, "_" + std::to_string(100 + n));
@@ -439,7 +440,7 @@ sim::Image card_with(const bringup::Wrong& wrong) {
     return sim.glass();
 }
 
-/// Each looks like itself: no two the same, and none right.
+/// Each wrong setting has a look of its own: no two are the same, and none is right.
 TEST(Wrong, EachLooksLikeNoOther) {
     std::vector<sim::Image> seen = {card_with(bringup::nothing_wrong)};
     for (const char* const name : {"order", "inversion", "mirrored", "upside-down", "turned", "offset",
@@ -453,7 +454,7 @@ TEST(Wrong, EachLooksLikeNoOther) {
     EXPECT_EQ(bringup::find_wrong("nothing"), nullptr);
 }
 
-/// What a real bus is given is what a simulated one counts at its wires: whole frames, and windows of some
+/// A counted real bus must report what a simulated bus counts at its wires: whole frames, and windows of some
 /// columns.
 TEST(CountedBus, CountsWhatTheWiresCarry) {
     sim::SimBoard sim(boards::st7735_128x160);

@@ -1,4 +1,4 @@
-// The cases of calls.hpp as a program of an emulated board: prints the number of the first one that is wrong.
+// Runs the cases of calls.hpp on an emulated board, and prints the number of the first wrong case.
 #include <spangle/mcu/semihosting.hpp>
 
 #include "tests/calls/calls.hpp"

@@ -8,11 +8,11 @@ namespace spangle::calls {
 
 using namespace numeric;
 
-/// A second, not inlined caller of a function that stores through its argument.
+/// A second caller, which is not inlined, of a function that stores through its argument.
 [[gnu::noinline]] bool wrapped(const Matrix& a, Matrix& out) {
     return inverse(a, out);
 }
-/// The element is read from the matrix by at() directly.
+/// at() reads the element from the matrix directly.
 [[gnu::noinline]] Element of_inverse(const Matrix& a, int row, int column) {
     Matrix out = identity();
     wrapped(a, out);
@@ -24,25 +24,25 @@ inline Element inverse_of_scaling(std::int32_t factor, int row, int column) {
     return of_inverse(a, row, column);
 }
 
-/// Structures passed by value from memory that only this function writes.
+/// These structures are passed by value from memory that only this function writes.
 [[gnu::noinline]] inline Element product_of_scalings(std::int32_t a, std::int32_t b, int row, int column) {
     const Real x = from_i32(a), y = from_i32(b);
     return multiply(scaling(x, x, x), scaling(y, y, y)).at(row, column);
 }
 
-/// 3 : 4 : 0 under one exponent.
+/// Returns the vector 3 : 4 : 0 under one exponent.
 [[gnu::noinline]] inline Block3 vector_of(std::int32_t x, std::int32_t y) {
     const Real v[3] = {from_i32(x), from_i32(y), from_i32(0)};
     return to_block(v);
 }
 
-/// m * 2^e is an Element that one number of float's gives, too.
+/// Returns whether an Element equals the number that these bits of a float give.
 inline bool is(Element v, std::uint32_t float_bits) {
     return to_real(v).bits == float_bits;
 }
 
-/// Whether all of it is as GL has it: 0, or the number of the first case that is not. The arguments are 2 and
-/// 4; compilers must not know them.
+/// Returns 0 if all results are right, or the number of the first wrong case. The arguments are 2 and 4, and
+/// compilers must not know them.
 inline int first_wrong(std::int32_t two, std::int32_t four) {
     constexpr std::uint32_t half = 0x3F000000, one = 0x3F800000, eight = 0x41000000;
     if (!is(inverse_of_scaling(two, 0, 0), half) || !is(inverse_of_scaling(two, 2, 2), half))

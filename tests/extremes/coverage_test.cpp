@@ -1,10 +1,11 @@
-// Which pixels small, thin and adjacent primitives cover: brute force in whole numbers of 1/256 pixel.
+// Compares which pixels small, thin and adjacent primitives cover with brute force in integers of 1/256
+// pixel.
 #include "tests/extremes/extreme.hpp"
 
 namespace spangle::test {
 namespace {
 
-using Grid = std::array<std::int64_t, 2>; ///< 256ths of a pixel
+using Grid = std::array<std::int64_t, 2>; ///< in 256ths of a pixel
 
 Place place(const Grid& v) {
     return {static_cast<double>(v[0]) / 256, static_cast<double>(v[1]) / 256, 0, 1};
@@ -13,11 +14,11 @@ std::int64_t lot(Random& random, std::int64_t from, std::int64_t to) {
     return from + random.below(static_cast<std::uint32_t>(to - from + 1));
 }
 
-/// How many fragments a pixel has beside what is exact there.
+/// Counts fragments of a pixel that differ from the exact number.
 struct Count {
     long fragments = 0, wrong = 0, twice = 0;
     static constexpr int anything = 2;
-    void add(int drawn, int exact) { // 1 once, 0 at most once, -1 never
+    void add(int drawn, int exact) { // exact: 1 once, 0 at most once, -1 never
         fragments += exact == 1 ? 1 : 0;
         wrong += (exact == 1 && drawn == 0) || (exact == -1 && drawn != 0) ? 1 : 0;
         twice += drawn > 1 && exact != anything ? 1 : 0;
@@ -43,9 +44,9 @@ TEST(Extreme, 07_ThinTriangles) {
                 Grid b{lot(random, 0, 16384), lot(random, 0, 16384)};
                 const Grid step{lot(random, -128, 128), lot(random, -128, 128)};
                 Grid c{};
-                if (n % 5 == 0) // equal
+                if (n % 5 == 0) // equal vertices
                     c = n % 2 == 0 ? a : b;
-                else if (n % 5 == 1) { // collinear
+                else if (n % 5 == 1) { // collinear vertices
                     b = {a[0] + 3 * step[0], a[1] + 3 * step[1]};
                     c = {a[0] - 5 * step[0], a[1] - 5 * step[1]};
                 } else if (n % 5 == 2) // a sliver of 1/256 pixel along a row or a column of centres
@@ -111,7 +112,7 @@ TEST(Extreme, 08_FansAroundCentres) {
 }
 
 constexpr int cells = 16;
-/// The window in cells whose inner corners are moved by less than a pixel, so that no cell folds.
+/// Divides the window into cells whose inner corners are moved by less than a pixel, so that no cell folds.
 std::array<std::array<Place, cells + 1>, cells + 1> mesh(Random& random, bool perspective) {
     std::array<std::array<Place, cells + 1>, cells + 1> v{};
     for (int j = 0; j <= cells; ++j)
@@ -145,7 +146,7 @@ TEST(Extreme, 09_MeshesAndTJunctions) {
                 compare(screen, count, [](int, int) { return 1; });
             }
             for (int n = 0; n < 20; ++n) {
-                // One triangle above an edge, two below it that meet near its middle.
+                // One triangle lies above an edge, and two lie below it and meet near its middle.
                 const Grid a{0, lot(random, 4096, 12288)}, b{16384, lot(random, 4096, 12288)};
                 const Grid middle{(a[0] + b[0]) / 2 + lot(random, -99, 99), (a[1] + b[1]) / 2};
                 Screen::count_fragments();
@@ -158,7 +159,7 @@ TEST(Extreme, 09_MeshesAndTJunctions) {
                     const double off =
                         static_cast<double>(area(a, b, center)) /
                         std::hypot(static_cast<double>(b[0] - a[0]), static_cast<double>(b[1] - a[1]));
-                    if (std::fabs(off) < 256) // gaps and overlaps may be here
+                    if (std::fabs(off) < 256) // gaps and overlaps are allowed here
                         return Count::anything;
                     const int above = covers({a, b, top}, x, y), left = covers({a, middle, low}, x, y);
                     const int right = covers({middle, b, low}, x, y);
@@ -207,7 +208,8 @@ TEST(Extreme, 10_SumsOfBlendedMeshes) {
         "%ld of %ld pixels wrong", wrong, pixels);
 }
 
-/// GL 1.3, 3.4.1: a fragment where the segment leaves a diamond. 0: touches only.
+/// Returns whether the segment leaves a diamond, which draws a fragment (GL 1.3, 3.4.1). 0: the segment only
+/// touches it.
 int leaves_diamond(const Grid& a, const Grid& b, int px, int py) {
     const Grid c{px * 256 + 128, py * 256 + 128};
     const auto from = [&](const Grid& p) { return std::abs(p[0] - c[0]) + std::abs(p[1] - c[1]); };
@@ -236,10 +238,10 @@ TEST(Extreme, 11_DiamondExits) {
                 Grid a{lot(random, 256, 16128), lot(random, 256, 16128)};
                 Grid b{lot(random, 256, 16128), lot(random, 256, 16128)};
                 if (n % 4 == 1)
-                    b = a; // no length
+                    b = a; // a line without length
                 else if (n % 4 == 2)
                     b = {a[0] + lot(random, -300, 300), a[1] + lot(random, -300, 300)};
-                else if (n % 4 == 3) // ends in corners and centres of pixels
+                else if (n % 4 == 3) // lines that end in corners and centres of pixels
                     a = {a[0] / 128 * 128, a[1] / 128 * 128}, b = {b[0] / 128 * 128, b[1] / 128 * 128};
                 for (const bool back : {false, true}) {
                     const Grid &from = back ? b : a, &to = back ? a : b;
@@ -248,7 +250,7 @@ TEST(Extreme, 11_DiamondExits) {
                     compare(screen, count, [&](int x, int y) { return leaves_diamond(from, to, x, y); });
                 }
             }
-            for (int n = 0; n < 12; ++n) { // strips that go on in one direction share no fragment
+            for (int n = 0; n < 12; ++n) { // lines of a strip in one direction share no fragment
                 Screen::count_fragments();
                 glBegin(GL_LINE_STRIP);
                 Grid at{n % 2 == 0 ? 0 : 16384, 8192};
@@ -289,7 +291,7 @@ TEST(Extreme, 12_SizesOfPoints) {
                     ++points;
                     const std::int64_t width =
                         std::clamp<std::int64_t>(std::lround(size), 1, std::lround(range[1]));
-                    // GL 1.3, 3.3: an odd square is around a centre, an even one around a corner.
+                    // An odd square is around a centre, an even square around a corner (GL 1.3, 3.3).
                     const auto low = [&](std::int64_t v) {
                         return width % 2 == 1 ? (v >> 8) - width / 2 : ((v + 128) >> 8) - width / 2;
                     };

@@ -1,5 +1,5 @@
-// A day of animation at 60 frames a second: what matrices that are never reset collect, and what a clock
-// gives that is never set back. Long doubles judge both.
+// Plays a day of animation at 60 frames a second. Tests how errors add up in matrices that are never reset,
+// and what a clock gives that is never set back. Long doubles judge both.
 #include <cstdlib>
 
 #include "tests/extremes/extreme.hpp"
@@ -10,9 +10,9 @@ namespace {
 using Exact = long double;
 using Affine = std::array<Exact, 12>; ///< three columns and a translation
 
-constexpr double turn_bound = 0x1p-31; ///< of a radian that a turn may be off, each time; docs/bounds.md
+constexpr double turn_bound = 0x1p-31; ///< radians by which each turn may be off; docs/bounds.md
 
-/// Hours of animation: SPANGLE_HOURS, or three minutes.
+/// Returns the hours of animation: SPANGLE_HOURS, or three minutes.
 double hours() {
     const char* const wish = std::getenv("SPANGLE_HOURS");
     return wish != nullptr ? std::atof(wish) : 0.05;
@@ -41,7 +41,7 @@ void multiply(Affine& m, const Affine& b) {
     m = out;
 }
 
-/// GL 1.3, 2.10.2: a turn about (1, 2, 2) / 3, then a step in the turned system.
+/// Returns a turn about (1, 2, 2) / 3 and then a step in the turned system (GL 1.3, 2.10.2).
 Affine turn_and_step(float degrees, const std::array<float, 3>& step) {
     const Exact angle = static_cast<Exact>(degrees) * std::acos(Exact{-1}) / 180;
     const Exact c = std::cos(angle), s = std::sin(angle), x = Exact{1} / 3, y = Exact{2} / 3, z = y;
@@ -54,7 +54,7 @@ Affine turn_and_step(float degrees, const std::array<float, 3>& step) {
     return m;
 }
 
-/// The largest difference of elements from `first` up to `last`.
+/// Returns the largest difference of elements from `first` up to `last`.
 double off(const Affine& is, const Affine& exact, std::size_t first, std::size_t last) {
     double worst = 0;
     for (std::size_t i = first; i < last; ++i)
@@ -70,7 +70,7 @@ TEST(Extreme, 35_ADayOfTurns) {
         if (tier != tiers[0] && n > 100'000)
             continue; // matrices have no tiers
         for (const float degrees : {0.1F, 0.7F, 1.0F, 6.25F, 137.5F}) {
-            // A small step at right angles to the axis: the path is a circle.
+            // The steps are small and at right angles to the axis, so the path is a circle.
             const std::array<float, 3> step{0.02F, -0.02F, 0.01F};
             const Affine each = turn_and_step(degrees, step);
             Affine exact{1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -87,15 +87,15 @@ TEST(Extreme, 35_ADayOfTurns) {
             far = std::fmax(far, off(is, exact, 9, 12));
         }
     }
-    // What is rounded goes either way, so that little of the bound is used; an error that is the same in each
-    // turn takes nearly all of it.
+    // Rounding errors go either way, so they use little of the bound. An error that is the same in each turn
+    // would use nearly all of it.
     EXPECT_LE(share, 0.1);
-    EXPECT_LE(far, 100 * n * turn_bound + 1e-5); // circles of this step have a radius of 17 at most
+    EXPECT_LE(far, 100 * n * turn_bound + 1e-5); // the circles of this step have a radius of 17 at most
     row("n turns about an axis, each with a step, are n 2^-31 off at most", "products in long double",
         "%.2g off after %g h, %.2g of the bound; the place %.2g off", worst, hours(), share, far);
 }
 
-/// How far a translation is off that grows by `step` each frame and turns back after `period` of them.
+/// The error of a translation that grows by `step` each frame and turns back after `period` frames.
 struct Scrolled {
     double off, share;
 };
@@ -132,7 +132,8 @@ TEST(Extreme, 36_ADayOfScrolls) {
         onward.share, back.off);
 }
 
-/// A texture of 16 grey columns that the clock moves, over the whole window.
+/// Draws a texture of 16 grey columns, moved by the clock, over the whole window. Returns how many pixel
+/// columns are wrong.
 long wrong_columns(const Screen& screen, double seconds) {
     const auto from = static_cast<float>(seconds * 0.1);
     glTexCoord2f(from, 0);
@@ -155,7 +156,8 @@ long wrong_columns(const Screen& screen, double seconds) {
     return wrong;
 }
 
-/// Linear fog from 1 to 11 over a white square whose distance the clock changes. How far the colour is off.
+/// Draws linear fog from 1 to 11 over a white square whose distance the clock changes. Returns the error of
+/// the colour.
 double fogged(const Screen& screen, double seconds) {
     const auto z = static_cast<float>(6 + 4.5 * std::sin(seconds));
     glEnable(GL_FOG);
@@ -170,7 +172,8 @@ double fogged(const Screen& screen, double seconds) {
     return std::fabs(screen.pixel(9, 9)[0] - 255 * (11 - double{z}) / 10);
 }
 
-/// How far a turn by the clock's angle is off: as a float, and as a double, whose angle becomes a float.
+/// Measures the error of a turn by the clock's angle: as a float, and as a double whose angle becomes a
+/// float.
 void turned(double seconds, std::array<double, 2>& worst, double& share) {
     for (const std::size_t wide : {0U, 1U}) {
         const double degrees = seconds * 90;

@@ -1,4 +1,4 @@
-// Depth at the ends of its range, in 16 and in 24 bits.
+// Tests depth at the ends of its range, in 16 and in 24 bits.
 #include "tests/extremes/extreme.hpp"
 
 namespace spangle::test {
@@ -32,7 +32,7 @@ TEST(Extreme, 14_DepthRanges) {
                         for (const GLuint depth : screen.depths()) {
                             const double off = std::fabs(depth / all_ones - exact) * (std::exp2(bits) - 1);
                             worst = std::fmax(worst, off);
-                            const GLuint end = exact == 0 ? 0 : 0xFFFFFFFF; // the ends are met exactly
+                            const GLuint end = exact == 0 ? 0 : 0xFFFFFFFF; // both ends are exact
                             wrong += (exact == 0 || exact == 1) && depth != end ? 1 : 0;
                         }
                     }
@@ -118,14 +118,14 @@ TEST(Extreme, 16_PolygonOffsets) {
                             offset(form, sign * factor, sign);
                             plane(slope, 0);
                             const std::vector<GLuint> moved = screen.depths();
-                            // GL 1.3, 3.5.5: m factor + r units; m is slope pixels^-1 here, r one code or a
-                            // few.
+                            // The offset is m factor + r units (GL 1.3, 3.5.5). Here m is the slope for each
+                            // pixel, and r is one code or a few.
                             const double by = factor * slope / side;
                             for (std::size_t i = 0; i < moved.size(); ++i) {
                                 const double off = sign * (moved[i] / all_ones - plain[i] / all_ones);
                                 const double code = 1 / (std::exp2(bits) - 1);
                                 const double room = sign > 0 ? 1 - plain[i] / all_ones : plain[i] / all_ones;
-                                if (by + 4 * code > room) { // meets the end of the range and stays there
+                                if (by + 4 * code > room) { // reaches the end of the range, and stays there
                                     wrong += moved[i] != (sign > 0 ? 0xFFFFFFFF : 0) && off < by - 3 * code
                                                  ? 1
                                                  : 0;
@@ -145,8 +145,9 @@ TEST(Extreme, 16_PolygonOffsets) {
         "%ld wrong; a unit is %.2f codes at least", wrong, least);
 }
 
-/// A triangle as long as the window of 6/65536 square pixel, in 256ths: (0, 0), (16001, 16000), (12, 12). A
-/// centre lies at (on, on) of its short edge; all vertices are a third of a step off the grid.
+/// Makes a triangle as long as the window, with an area of 6/65536 square pixel. Its vertices are (0, 0),
+/// (16001, 16000), (12, 12) in 256ths, and a third of a step off the grid. A pixel centre lies at (on, on) of
+/// its short edge.
 void put_sliver(Place* v, unsigned turned, int on) {
     const double corner[3][3] = {{0, 0, 0}, {16001, 16000, 0.9}, {12, 12, -0.5}};
     for (unsigned i = 0; i < 3; ++i) {
@@ -192,7 +193,7 @@ TEST(Extreme, 17_EqualInTwoPasses) {
                     glColorMask(GL_TRUE, GL_FALSE, GL_FALSE, GL_TRUE);
                     pass(GL_LEQUAL);
                     const Picture first = screen.picture();
-                    // The second pass differs in everything that must not move a fragment (GL 1.3, appendix
+                    // The second pass changes everything that must not move a fragment (GL 1.3, appendix
                     // A.3).
                     glClear(GL_COLOR_BUFFER_BIT);
                     glEnable(GL_TEXTURE_2D);

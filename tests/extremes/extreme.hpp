@@ -1,4 +1,4 @@
-// What the extreme cases share: vertices in every type, exact coverage, a row of the page.
+// Shared parts of the extreme cases: vertices in every type, exact coverage, and a row of the page.
 #pragma once
 
 #include <algorithm>
@@ -53,8 +53,8 @@ inline void rectangle(double x0, double y0, double x1, double y1, double z = 0) 
             std::array<Place, 4>{{{x0, y0, z, 1}, {x1, y0, z, 1}, {x1, y1, z, 1}, {x0, y1, z, 1}}});
 }
 
-/// A place of the window against a triangle of clip coordinates: which points of the plane (x, y, 1) are sums
-/// of its corners with factors that are not negative (GL 1.3, 2.11 and 3.5.1).
+/// A place of the window and a triangle of clip coordinates. The place is inside if (x, y, 1) is a sum of the
+/// corners with factors that are not negative (GL 1.3, 2.11 and 3.5.1).
 struct Seen {
     bool inside;
     double distance; ///< pixels to the next edge
@@ -85,10 +85,11 @@ inline Seen seen(const std::array<Place, 3>& v, int px, int py, int size = side)
     return out;
 }
 
-/// What differs between pictures and formulas, and how many fragments the formulas have.
+/// Counts differences between pictures and formulas, and the fragments of the formulas.
 struct Tally {
     long fragments = 0, wrong = 0;
-    /// `drawn` against a place; closer to an edge than half a step of the grid of 1/256 pixel anything goes.
+    /// Compares `drawn` with a place. Closer to an edge than half a step of the grid of 1/256 pixel, both
+    /// results are right.
     void count(bool drawn, const Seen& place, double grid = 1.0 / 128) {
         fragments += place.inside ? 1 : 0;
         wrong += drawn != place.inside && place.distance > grid ? 1 : 0;
@@ -100,12 +101,12 @@ struct Tally {
     }
 };
 
-/// Twice the area of a triangle whose coordinates are 256ths of a pixel; exact.
+/// Returns twice the area of a triangle in 256ths of a pixel, exactly.
 inline std::int64_t area(const std::array<std::int64_t, 2>& a, const std::array<std::int64_t, 2>& b,
                          const std::array<std::int64_t, 2>& c) {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
-/// 1: the centre of a pixel is inside; 0: on the outline; -1: outside.
+/// Returns 1 if the centre of the pixel is inside, 0 on the outline, and -1 outside.
 inline int covers(const std::array<std::array<std::int64_t, 2>, 3>& v, int px, int py) {
     const std::array<std::int64_t, 2> center{px * 256 + 128, py * 256 + 128};
     const std::int64_t whole_area = area(v[0], v[1], v[2]);

@@ -1,11 +1,11 @@
-// Lighting at the ends of its parameters, beside the equation of GL 1.3, 2.13.1 in double.
+// Compares lighting at the ends of its parameters with the equation of GL 1.3, 2.13.1 in double.
 #include "tests/extremes/extreme.hpp"
 #include "tests/gl_vertex/lighting_equation.hpp"
 
 namespace spangle::test {
 namespace {
 
-/// Lights the window with one vertex's parameters and measures the colour against the equation, in 255ths.
+/// Lights the window with one vertex's parameters, and compares the colour with the equation, in 255ths.
 class Lit {
   public:
     double worst = 0;
@@ -16,10 +16,10 @@ class Lit {
         glMatrixMode(GL_PROJECTION);
         glLoadIdentity();
     }
-    /// What is drawn at the vertex; `v` says where that is.
+    /// Returns what is drawn at the vertex, whose place `v` gives.
     Rgba draw(const LitVertex& v) {
         specify(v);
-        glMatrixMode(GL_PROJECTION); // the point comes to the middle of the window
+        glMatrixMode(GL_PROJECTION); // moves the vertex to the middle of the window
         glLoadIdentity();
         glScaled(1e-9, 1e-9, 1e-9);
         glMatrixMode(GL_MODELVIEW);
@@ -32,7 +32,7 @@ class Lit {
         return screen_.pixel(4, 4);
     }
     void compare(const LitVertex& v) { compare(v, v); }
-    /// `judged` stands for `v` where a cosine of the equation is above 4, at which cosines saturate.
+    /// `judged` takes the place of `v` if a cosine of the equation is above 4, at which cosines saturate.
     void compare(const LitVertex& v, const LitVertex& judged) {
         const Rgba is = draw(v);
         const LitColor exact = equation(judged, 0);
@@ -48,7 +48,7 @@ class Lit {
     Screen screen_;
 };
 
-/// Half a code that is stored, and a tenth that arithmetic adds.
+/// Storing rounds by half a code, and arithmetic adds a tenth.
 constexpr double allowed = 0.6;
 
 LitVertex white() {
@@ -65,7 +65,7 @@ TEST(Extreme, 21_SingularMatrices) {
     for (const EGLint tier : tiers) {
         Lit lit(tier);
         glEnable(GL_NORMALIZE);
-        // No inverse: the normal is arbitrary.
+        // The matrix has no inverse, so the normal is arbitrary.
         for (const Mat4& m : {Mat4{}, Mat4{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1},
                               Mat4{1, 2, 3, 0, 2, 4, 6, 0, 3, 6, 9, 0, 0, 0, 0, 1},
                               Mat4{1e-38, 0, 0, 0, 0, 1e-38, 0, 0, 0, 0, 1e-38, 0, 0, 0, 0, 1e38}}) {
@@ -103,7 +103,7 @@ TEST(Extreme, 22_LengthsOfNormals) {
             v.normal = {0, 0.6 * length, 0.8 * length};
             lit.compare(v);
         }
-        // Without NORMALIZE, no normal has no diffuse light, and a long one more than all.
+        // Without NORMALIZE, a zero normal has no diffuse light, and a long normal has more than all.
         for (const double z : {0.0, 0x1p-15, 0x1p15}) {
             LitVertex v = white();
             v.material[0].emission = {0.25f, 0, 0, 1};
@@ -116,7 +116,7 @@ TEST(Extreme, 22_LengthsOfNormals) {
         none.normalize = true;
         none.normal = {0, 0, 0};
         const Rgba a = lit.draw(none);
-        EXPECT_EQ(a[3], 255); // a colour, though of any red
+        EXPECT_EQ(a[3], 255); // some colour, whatever its red is
         worst = std::fmax(worst, lit.worst);
         EXPECT_EQ(lit.colours, 8);
     }
@@ -140,7 +140,7 @@ TEST(Extreme, 23_Spots) {
                     l.spot_exponent = exponent, l.spot_cutoff = cutoff;
                     lit.compare(v);
                 }
-        // The light at the vertex has no direction; it must leave a colour.
+        // The light is at the vertex and has no direction; the result must still be a colour.
         LitVertex v = white();
         v.light[0].position = v.position;
         v.light[0].spot_cutoff = 45;
@@ -172,7 +172,7 @@ TEST(Extreme, 24_Shininess) {
         for (const double shininess : {0.0, 0.5, 1.0, 64.0, 128.0}) {
             int before = 256;
             for (int degrees = 0; degrees < 120; ++degrees) {
-                // n.h is the cosine of half the angle; at 0 it is 1 less nothing.
+                // n.h is the cosine of half the angle; at 0 it is exactly 1.
                 const double angle = degrees * std::acos(-1.0) / 180;
                 v.material[0].shininess = shininess;
                 v.light[0].position = {std::sin(angle), 0, std::cos(angle), 0};
@@ -213,7 +213,8 @@ TEST(Extreme, 25_Attenuation) {
                         l.constant = constant, l.linear = linear, l.quadratic = quadratic;
                         l.position = {0, 0, distance, 1};
                         if (constant + linear + quadratic == 0)
-                            EXPECT_EQ(lit.draw(v)[3], 255); // no number: any colour
+                            EXPECT_EQ(lit.draw(v)[3],
+                                      255); // the input is not a number, so any colour is right
                         else
                             lit.compare(v);
                     }

@@ -1,5 +1,5 @@
-// An image of OSMesa with a context. Mesa has no tiers and no numbers in fixed point: those are handed over
-// as doubles, of which each is one.
+// An image of OSMesa with a context. Mesa has neither tiers nor fixed-point commands, so fixed-point numbers
+// are handed over as doubles, which hold them exactly.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 using GLfixed = GLint;
 using EGLint = int;
-inline constexpr EGLint EGL_PRECISION_FAST_SPANGLE = 2; // which no context of Mesa has
+inline constexpr EGLint EGL_PRECISION_FAST_SPANGLE = 2; // a token that no context of Mesa has
 
 namespace spangle::test {
 
@@ -22,7 +22,7 @@ constexpr double of_fixed(GLfixed v) {
     return v / 65536.0;
 }
 
-/// Current from its construction to its end.
+/// A context that is current while the object lives.
 class Window {
   public:
     Window(EGLint, int size, EGLint depth, EGLint red)

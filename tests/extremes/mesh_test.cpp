@@ -1,10 +1,10 @@
-// Meshes, slivers, small w and fog at the ends of their ranges.
+// Tests meshes, slivers, small w and fog at the ends of their ranges.
 #include "tests/extremes/extreme.hpp"
 
 namespace spangle::test {
 namespace {
 
-/// A window of 224 x 224 cells of two triangles at one scale; inner corners are moved.
+/// Draws a window of 224 x 224 cells of two triangles at one scale, with moved inner corners.
 TEST(Extreme, 31_MeshesOfAllScales) {
     constexpr std::size_t cells = 224;
     long wrong = 0, triangles = 0;
@@ -55,7 +55,8 @@ TEST(Extreme, 32_ColoursOfSlivers) {
         screen.pixels_as_coordinates();
         for (const Form form : fractions)
             for (int n = 0; n < 60; ++n) {
-                // Through the centres of a row, a column or a diagonal; 1/256 to 1/8 pixel wide.
+                // Slivers go through the centres of a row, a column or a diagonal, and are 1/256 to 1/8 pixel
+                // wide.
                 const double y = 20.5 + n % 20, width = std::exp2(-static_cast<double>(random.below(6)) - 3);
                 const double slope = n % 3 == 0 ? 0 : n % 3 == 1 ? 1 : 0.3;
                 std::array<Place, 3> v{{{0.25, y + (0.25 - 0.5) * slope - width / 2, 0, 1},
@@ -104,7 +105,7 @@ TEST(Extreme, 33_WTowardsZero) {
         glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
         glEnable(GL_TEXTURE_2D);
         for (int k = 0; k <= 30; k += 2) {
-            // The left side of the window has w = 2^-k, the right one 1; s goes from 0 to 1.
+            // The left side of the window has w = 2^-k, the right side has w = 1, and s goes from 0 to 1.
             const double w = std::exp2(-k);
             glClear(GL_COLOR_BUFFER_BIT);
             glBegin(GL_QUADS);
@@ -129,8 +130,8 @@ TEST(Extreme, 33_WTowardsZero) {
                     worst = std::fmax(worst, off);
                     continue;
                 }
-                // The fast tier divides once in 16 pixels. Between ends whose w are rho apart, a straight
-                // line is |difference| (sqrt(rho) - 1) / (sqrt(rho) + 1) off at most.
+                // The fast tier divides once in 16 pixels. If the w of both ends have the ratio rho, a
+                // straight line is off by at most |difference| (sqrt(rho) - 1) / (sqrt(rho) + 1).
                 double most = 0;
                 for (int from = std::max(x - 16, 0); from <= x; ++from) {
                     const double begin = from + 0.5, end = std::min(from + 16.5, side - 0.5);
@@ -167,7 +168,8 @@ TEST(Extreme, 34_FogWithoutLength) {
         };
         glFogi(GL_FOG_MODE, GL_LINEAR);
         for (const Form form : {Form::of_float, Form::of_fixed})
-            for (const double at : {0.0, 10.0, -5.0}) { // start is end: undefined, some mixture
+            for (const double at :
+                 {0.0, 10.0, -5.0}) { // start equals end: undefined, so any mixture is right
                 if (form == Form::of_fixed) {
                     glFogxOES(GL_FOG_START, fixed(at));
                     glFogxOES(GL_FOG_END, fixed(at));
@@ -180,7 +182,7 @@ TEST(Extreme, 34_FogWithoutLength) {
                     wrong += std::abs(is[0] + is[1] - 255) > 1 || is[2] != 0 ? 1 : 0;
                 }
             }
-        // Afterwards, and turned round: f = (e - z) / (e - s), clamped.
+        // Other ranges, also reversed ones, give f = (e - z) / (e - s), clamped.
         for (const auto& range : {std::array<double, 2>{10, 20}, {20, 10}, {0, 1e-3}, {-1e6, 1e6}}) {
             glFogf(GL_FOG_START, static_cast<float>(range[0]));
             glFogf(GL_FOG_END, static_cast<float>(range[1]));

@@ -1,4 +1,4 @@
-// docs/extremes.md has a row for each extreme case and no other.
+// docs/extremes.md must have a row for each extreme case and no other.
 #include <algorithm>
 #include <fstream>
 #include <set>

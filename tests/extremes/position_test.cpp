@@ -1,4 +1,4 @@
-// Positions at the ends of their types, and what clipping makes of them.
+// Tests positions at the ends of their types, and how they are clipped.
 #include <limits>
 
 #include "tests/extremes/extreme.hpp"
@@ -25,7 +25,7 @@ TEST(Extreme, 01_PositionsOfAllBits) {
             polygon(form, GL_TRIANGLES, v);
             tally.count(screen.picture(), v);
         }
-        // The smallest factor makes the largest coordinates 1/2; a rectangle of these covers 32 x 32 pixels.
+        // The smallest factor makes the largest coordinates 1/2. A rectangle of these covers 32 x 32 pixels.
         glScalexOES(1, 1, 1);
         glClear(GL_COLOR_BUFFER_BIT);
         polygon(Form::of_fixed, GL_QUADS,
@@ -47,14 +47,14 @@ TEST(Extreme, 01_PositionsOfAllBits) {
             glScalexOES(number, number, number);
             EXPECT_NEAR(modelview()[5], number / 65536.0, std::fabs(number / 65536.0) * 0x1p-24);
             queries += 2;
-            // Angles of whole turns plus 32768 mod 360 = 8 degrees.
+            // These angles are whole turns plus 32768 mod 360 = 8 degrees.
             glLoadIdentity();
             glRotatexOES(number, 0, 0, 65536);
             EXPECT_NEAR(modelview()[0], std::cos(number / 65536.0 * std::acos(-1.0) / 180), 1e-6);
             glRotatexOES(65536, number, number, number);
             glTexCoord4xOES(number, number, number, number);
             glNormal3xOES(number, number, number);
-            glFrustumxOES(number, number, number, number, number, number); // an error, and no more than that
+            glFrustumxOES(number, number, number, number, number, number); // an error without further effects
             EXPECT_EQ(glGetError(), GLenum{GL_INVALID_VALUE});
             glLoadIdentity();
             glColor4xOES(number, number, number, number);
@@ -79,14 +79,15 @@ TEST(Extreme, 02_NoNumbers) {
         for (const Form form : {Form::of_float, Form::of_double})
             for (const double zero : {0.0, -0.0, 1e-42, -1e-42, 1e-310, nan})
                 for (const double far : {1e38, inf}) {
-                    // What is no number is 0, what is too large is the largest: a quarter of the window.
+                    // Numbers that are not finite become 0 or the largest, so the drawing covers a quarter of
+                    // the window.
                     glClear(GL_COLOR_BUFFER_BIT);
                     polygon(form, GL_TRIANGLES,
                             std::array<Place, 3>{
                                 {{zero, zero, zero, 1}, {far, zero, zero, 1}, {zero, far, zero, 1}}});
                     tally.count(screen.picture(), {{{0, 0, 0, 1}, {1e9, 0, 0, 1}, {0, 1e9, 0, 1}}});
                 }
-        // Whatever else such numbers reach, the context draws as before afterwards.
+        // Whatever such numbers reach, the context draws afterwards as before.
         glPushAttrib(GL_ALL_ATTRIB_BITS);
         for (const double number : {nan, inf, -inf, 1e38, -1e308, 1e-42}) {
             const auto f = static_cast<GLfloat>(number);
@@ -171,7 +172,7 @@ TEST(Extreme, 04_NearPlane) {
         const Screen screen(tier);
         for (const Form form : fractions)
             for (int n = 0; n < 24; ++n) {
-                // z is a x + b y + c; two triangles share the diagonal of a square.
+                // z is a x + b y + c, and two triangles share the diagonal of a square.
                 const auto lot = [&] { return (random.below(4001) - 2000.0) / 1024; };
                 const double a = lot(), b = lot(), c = lot() - 1;
                 const auto corner = [&](double x, double y) { return Place{x, y, a * x + b * y + c, 1}; };
@@ -236,7 +237,7 @@ TEST(Extreme, 05_AllPlanesAtOnce) {
                         glClipPlane(GL_CLIP_PLANE0 + i, plane.data());
                     glEnable(GL_CLIP_PLANE0 + i);
                 }
-                // The slope of z is so that the near and the far plane cut, too.
+                // The slope of z makes the near and the far plane clip, too.
                 const double a = 1.5, b = n % 2 == 0 ? 0.5 : -0.5;
                 const auto corner = [&](double x, double y) { return Place{x, y, a * x + b * y, 1}; };
                 glClear(GL_COLOR_BUFFER_BIT);

@@ -1,5 +1,5 @@
-// The surface that extreme cases draw to: of Spangle in one tier, or of Mesa, where the same cases are drawn
-// for the page's last column.
+// The surface of the extreme cases: Spangle's in one tier, or Mesa's, which draws the same cases for the
+// page's last column.
 #pragma once
 
 #include <array>
@@ -20,8 +20,8 @@ inline constexpr int side = 64;
 using Rgba = std::array<GLubyte, 4>;
 using Picture = std::vector<Rgba>;
 
-/// A current context of one tier with a square window that can be read, from construction to destruction. No
-/// dither.
+/// A current context of one tier with a square window whose pixels can be read, as long as the object lives.
+/// Dithering is off.
 class Screen {
   public:
     explicit Screen(EGLint tier, int size = side, EGLint depth = 24, EGLint red = 8)
@@ -38,7 +38,7 @@ class Screen {
         glReadPixels(0, 0, size_, size_, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
         return pixels;
     }
-    /// Numbers of 32 bits, from 0 for 0 to all ones for 1.
+    /// Returns depths as 32-bit numbers, from 0 for 0 to all ones for 1.
     [[nodiscard]] std::vector<GLuint> depths() const {
         std::vector<GLuint> words(static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_));
         glReadPixels(0, 0, size_, size_, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, words.data());
@@ -47,14 +47,14 @@ class Screen {
     [[nodiscard]] Rgba pixel(int x, int y) const {
         return picture()[static_cast<std::size_t>(y * size_ + x)];
     }
-    /// Every fragment adds 1 to red from now on.
+    /// From now on every fragment adds 1 to red.
     static void count_fragments() {
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         glEnable(GL_BLEND);
         glBlendFunc(GL_ONE, GL_ONE);
         glColor3ub(1, 0, 0);
     }
-    /// Object coordinates become pixels, z becomes -depth.
+    /// Makes object coordinates pixels, and z = -depth.
     void pixels_as_coordinates() const {
         glMatrixMode(GL_PROJECTION);
         glLoadIdentity();

@@ -1,4 +1,4 @@
-// Matrices, stacks, rectangles, arrays and colours at the ends of their ranges.
+// Tests matrices, stacks, rectangles, arrays and colours at the ends of their ranges.
 #include <cstdlib>
 #include <limits>
 
@@ -17,7 +17,7 @@ Matrix modelview() {
     return out;
 }
 
-/// One degree per turn unless said otherwise; SPANGLE_ROTATIONS=1000000 takes as many.
+/// Turns by one degree many times; SPANGLE_ROTATIONS=1000000 sets how many.
 TEST(Extreme, 26_ManyRotations) {
     const char* wish = std::getenv("SPANGLE_ROTATIONS");
     const int most = wish != nullptr ? std::atoi(wish) : 50'000;
@@ -43,7 +43,7 @@ TEST(Extreme, 26_ManyRotations) {
                                                0,
                                                0,
                                                1};
-            // What floats say is no rotation by a degree: its own length and angle are the judge.
+            // Floats are no exact rotation by a degree, so their own length and angle are the expected ones.
             const double c = double{turn[0]}, s = double{turn[1]};
             const double angle = product ? std::atan2(s, c) : radians;
             const double stretch = product ? std::hypot(c, s) : 1;
@@ -61,8 +61,8 @@ TEST(Extreme, 26_ManyRotations) {
                 const double exact[4] = {length * std::cos(n * angle), length * std::sin(n * angle),
                                          -length * std::sin(n * angle), length * std::cos(n * angle)};
                 const double is[4] = {m[0], m[1], m[4], m[5]};
-                // Rounding to 31 bits goes either way: a walk, whose length is the root of its steps; and a
-                // query rounds to a float. What always lost a bit the same way would be n steps off.
+                // Rounding to 31 bits goes either way, so errors grow as the root of the number of steps, and
+                // a query rounds to a float. An error that always went the same way would be n steps off.
                 const double bound = 4 * std::sqrt(n) * 0x1p-31 + 0x1p-24;
                 for (int i = 0; i < 4; ++i) {
                     const double off = std::fabs(is[i] - exact[i]);
@@ -101,7 +101,7 @@ TEST(Extreme, 27_StacksInMidFrame) {
                     EXPECT_EQ(glGetError(), GLenum(push ? GL_STACK_OVERFLOW : GL_STACK_UNDERFLOW));
                     glClear(GL_COLOR_BUFFER_BIT);
                     polygon(Form::of_float, GL_TRIANGLES, half);
-                    // The left corner goes to -1/2 where x is halved.
+                    // The left corner goes to -1/2 if x is halved.
                     const int from = mode == GL_TEXTURE ? 0 : side / 4;
                     const Picture picture = screen.picture();
                     for (int x = 0; x < side; ++x)
@@ -154,7 +154,7 @@ TEST(Extreme, 28_RectanglesAndStrides) {
                     }
             }
         glDisable(GL_SCISSOR_TEST);
-        // Rows far apart, read partly beside the window: what lies between is not written.
+        // Rows lie far apart and are read partly beside the window; the memory between them is not written.
         std::vector<GLubyte> rows(8 * 4 * 100, 77);
         rectangle(-1, -1, 1, 1);
         glPixelStorei(GL_PACK_ROW_LENGTH, 100);
@@ -167,7 +167,7 @@ TEST(Extreme, 28_RectanglesAndStrides) {
             else if (x >= 4 && y >= 4)
                 wrong += rows[i] != 255 ? 1 : 0;
         }
-        // Vertices 1000 bytes apart, the last of them at the end of the memory; and one for all.
+        // Vertices lie 1000 bytes apart, the last at the end of the memory; and one vertex serves for all.
         for (const std::size_t stride : {std::size_t{1000}, std::size_t{8}}) {
             std::vector<GLfloat> memory(3 * stride / 4 - stride / 4 + 2);
             const GLfloat corners[3][2] = {{-1, -1}, {3, -1}, {-1, 3}};
@@ -216,7 +216,7 @@ TEST(Extreme, 29_SumsOfColours) {
         glColor4iv(all);
         rectangle(-1, -1, 1, 1);
         expect(1);
-        // Sums of two beyond 1; white by white is white.
+        // Sums of two components beyond 1, and white times white, are white.
         const std::array<GLubyte, 4> white{255, 255, 255, 255};
         glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, white.data());
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -228,7 +228,7 @@ TEST(Extreme, 29_SumsOfColours) {
             expect(1);
         }
         glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
-        for (int red = 0; red < 256; ++red) { // by white it stays what it is
+        for (int red = 0; red < 256; ++red) { // multiplied by white it does not change
             glColor3ub(static_cast<GLubyte>(red), 0, 0);
             rectangle(-1, -1, 1, 1);
             expect(red / 255.0);
@@ -270,7 +270,8 @@ TEST(Extreme, 30_RampsIn565) {
                         const double exact = gray * steps / 255.0;
                         const int is = static_cast<int>(std::lround(pixel[c] * steps / 255.0));
                         ++pixels;
-                        // Dither takes the step below or above; without it the top bits stay (GL 1.3, 4.1.8).
+                        // Dithering takes the step below or above; without it the top bits are stored (GL
+                        // 1.3, 4.1.8).
                         wrong += dither ? is < std::floor(exact) || is > std::ceil(exact) ? 1 : 0
                                  : is != gray >> (c == 1 ? 2 : 3) ? 1
                                                                   : 0;

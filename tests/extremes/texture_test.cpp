@@ -1,10 +1,10 @@
-// Texture coordinates and levels at the ends of their ranges.
+// Tests texture coordinates and levels at the ends of their ranges.
 #include "tests/extremes/extreme.hpp"
 
 namespace spangle::test {
 namespace {
 
-/// `width` x 1 texels; texel i has red i.
+/// Makes a texture of `width` x 1 texels, in which texel i has red i.
 void texels(int width) {
     std::vector<GLubyte> image(static_cast<std::size_t>(width) * 4);
     for (std::size_t i = 0; i < image.size(); i += 4) {
@@ -20,7 +20,7 @@ void filters(GLenum minify, GLenum wrap) {
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
     glEnable(GL_TEXTURE_2D);
 }
-/// Over the window; s, t, r, q stays as it is.
+/// Draws over the whole window, with the current s, t, r, q.
 void window() {
     rectangle(-1, -1, 1, 1);
 }
@@ -47,13 +47,13 @@ TEST(Extreme, 18_TextureCoordinates) {
                         s = static_cast<float>(wish);
                         glTexCoord2f(static_cast<float>(s), 0);
                     } else {
-                        s = static_cast<float>(wish); // what is kept of it
+                        s = static_cast<float>(wish); // the float that is left of it
                         glTexCoord2d(wish, 0);
                     }
                     filters(GL_NEAREST, wrap);
                     glClear(GL_COLOR_BUFFER_BIT);
                     window();
-                    // GL 1.3, 3.8.6 and 3.8.7.
+                    // Wrap modes and filters by GL 1.3, 3.8.6 and 3.8.7.
                     double f = s - std::floor(s);
                     if (wrap == GL_MIRRORED_REPEAT && std::fmod(std::floor(s), 2) != 0)
                         f = 1 - f;
@@ -89,7 +89,7 @@ TEST(Extreme, 19_QAtAndBelowZero) {
                 }
                 glEnd();
             }
-        // Afterwards a q above 0 divides.
+        // A q above 0 divides the coordinates.
         for (const double q : {2.0, 0x1p-10, 0x1p10}) {
             glTexCoord4d(0.252 * q, 0, 0, q);
             window();
@@ -115,8 +115,8 @@ TEST(Extreme, 20_LevelsOfDetail) {
             }
             --last;
             filters(GL_NEAREST_MIPMAP_NEAREST, GL_REPEAT);
-            // rho is s over the window in texels a pixel; 1.2 of a power of 2 is away from where levels
-            // change.
+            // rho is the number of texels a pixel. 1.2 times a power of 2 is away from the places where
+            // levels change.
             for (int k = -12; k <= 20; ++k) {
                 const double rho = k == -12 ? 0 : 1.2 * std::exp2(k), s = rho * side / width;
                 glBegin(GL_QUADS);
@@ -126,7 +126,7 @@ TEST(Extreme, 20_LevelsOfDetail) {
                     glVertex2i(right ? 1 : -1, i < 2 ? -1 : 1);
                 }
                 glEnd();
-                // GL 1.3, 3.8.8: the level next to log2 rho, 0 where the texture is magnified.
+                // The level is the one next to log2 rho, and 0 if the texture is magnified (GL 1.3, 3.8.8).
                 const double lambda = rho > 0 ? std::log2(rho) : -99;
                 const int level =
                     lambda <= 0.5 ? 0 : std::min(last, static_cast<int>(std::ceil(lambda + 0.5)) - 1);

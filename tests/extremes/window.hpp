@@ -12,7 +12,7 @@ namespace spangle::test {
 inline constexpr EGLint tiers[] = {EGL_PRECISION_EXACT_SPANGLE, EGL_PRECISION_BALANCED_SPANGLE,
                                    EGL_PRECISION_FAST_SPANGLE};
 
-/// Current from its construction to its end.
+/// A context that is current while the object lives.
 class Window {
   public:
     Window(EGLint tier, int size, EGLint depth, EGLint red) : display_(eglGetDisplay(EGL_DEFAULT_DISPLAY)) {

@@ -64,7 +64,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     for (unsigned i = 0; i < count; ++i) {
-        // Where a sanitizer ends the program, this says in which frame it was.
+        // If a sanitizer ends the program, this line shows in which frame.
         std::printf("\r%u", first + i);
         std::fflush(stdout);
         draw(first + i);

@@ -1,4 +1,5 @@
-// A clock that takes five ticks from one look to the next, and a voice that is kept: for what counts pixels.
+// A clock that advances five ticks between two readings, and output that is kept, for code that counts
+// pixels.
 #pragma once
 
 #include <cstdint>

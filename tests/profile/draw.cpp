@@ -1,5 +1,5 @@
-// Programs on a build of somebody's profile, on a host: a hash of each frame, and each error where it was
-// raised. The first word names the program.
+// Runs a program on a host in a build of some profile. Prints a hash of each frame, and each error when it
+// was raised. The first word names the program.
 #include <cstdio>
 
 #include <spangle/message.hpp>
@@ -14,7 +14,7 @@
 
 namespace {
 
-/// Prints all errors that wait. True where there was one.
+/// Prints all pending errors. Returns whether there was one.
 bool tell_errors() {
     bool any = false;
     for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError()) {

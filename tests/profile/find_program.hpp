@@ -1,4 +1,4 @@
-// Programs and scenes by their names, for what records them and what draws them.
+// Finds programs and scenes by their names, for code that records or draws them.
 #pragma once
 
 #include <cstring>
@@ -8,7 +8,7 @@
 
 namespace spangle::programs {
 
-/// The program of this name, or the scene with this id; without a name: neither is there.
+/// Returns the program of this name, or the scene with this id. If there is neither, the result has no name.
 inline Program find(const char* name) {
     for (const Program* const program : all)
         if (std::strcmp(program->name, name) == 0)

@@ -1,4 +1,4 @@
-// What images count for each state key is what the recorder counts, which draws by rows alone.
+// Images must count for each state key what the recorder counts, which draws by rows only.
 #include <map>
 #include <sstream>
 #include <string>
@@ -49,7 +49,7 @@ struct Counts {
     std::uint32_t picture = 0;
 };
 
-/// Hands each state over when it is compiled. Images wrap what compiles, and need no watcher.
+/// Reports each state when it is compiled. Images wrap the compiling function and need no watcher.
 struct Hook final : gl::Watcher {
     void command(gl::Context&, const gl::CommandText&, const gl::Arg*, unsigned) override {}
     void compiled(gl::Context& context, const raster::FragmentState& fragment,
@@ -59,7 +59,8 @@ struct Hook final : gl::Watcher {
     void reached(gl::Range, std::uint32_t) override {}
 };
 
-/// What images of firmware count of the frames from `first` on; those before it are drawn and not counted.
+/// Returns what images of firmware count of the frames from `first` on. Earlier frames are drawn and not
+/// counted.
 Counts counted(const programs::Program& program, int first) {
     bench::Headless gl;
     EXPECT_TRUE(gl.open(width, height, EGL_PRECISION_BALANCED_SPANGLE));

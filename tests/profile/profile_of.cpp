@@ -1,4 +1,4 @@
-// Records a program, or a scene, in one tier: writes its profile and prints a hash of each frame, drawn
+// Records a program or a scene in one tier. Writes its profile, and prints a hash of each frame, drawn
 // without the recorder.
 #include <cstdio>
 #include <cstring>
@@ -20,7 +20,7 @@ using namespace spangle;
 
 constexpr int width = 320, height = 240, first_frame = 2, end_frame = 5;
 
-/// False, and says why, after an error.
+/// Returns false after an error, and prints it.
 bool draw(const programs::Program& program, EGLint precision, profile::Record* record) {
     bench::Headless gl;
     if (!gl.open(width, height, precision))

@@ -1,6 +1,6 @@
-// A build that checks the ranges of its profile: what a program may do within them, and that one that goes
-// farther in any of them is stopped behind a sentence that names the range. Each try is a process of its
-// own. Prints what is wrong; exit status 1 then. The definitions are those of tests/profile/CMakeLists.txt.
+// Tests a build that checks the ranges of its profile. A program may do anything within them; a program that
+// goes beyond one is stopped behind a sentence that names the range. Each try is a process of its own. Prints
+// what is wrong, and then exits with status 1. The definitions are in tests/profile/CMakeLists.txt.
 #include <cstdio>
 #include <string>
 
@@ -16,7 +16,7 @@ namespace {
 
 using namespace spangle;
 
-constexpr int side = 32, band = 40; ///< the largest surface, and rows in memory at once
+constexpr int side = 32, band = 40; ///< pixels of the largest surface, and rows in memory at once
 
 int out = -1; ///< where the sentence of a try goes
 
@@ -47,7 +47,7 @@ void textured(float s) {
 }
 
 void listed(int vertices) {
-    for (GLuint list = 1; list < 3; ++list) { // each counts for itself
+    for (GLuint list = 1; list < 3; ++list) { // each list counts for itself
         glNewList(list, GL_COMPILE);
         glBegin(GL_POINTS);
         for (int i = 0; i < vertices; ++i)
@@ -71,7 +71,7 @@ void elements(float x) {
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-/// A try: on a surface of this size it draws, and goes beyond the range, or beyond none.
+/// A try draws on a surface of this size, and goes beyond the named range, or beyond none.
 struct Try {
     const char* range;
     int width, height;
@@ -120,7 +120,7 @@ constexpr Try tries[] = {
     {"ATTRIB_STACK", side, side, [] { pushed(2); }},
 };
 
-/// What a try says before it ends, and whether it was stopped.
+/// Returns what a try prints before it ends, and sets whether it was stopped.
 std::string run(const Try& one, bool& stopped) {
     int ends[2];
     if (pipe(ends) != 0)

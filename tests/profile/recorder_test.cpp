@@ -1,4 +1,4 @@
-// What is recorded of programs that ask for few systems, and the profile that it makes.
+// Tests what is recorded of programs that use few systems, and the profile that is made of it.
 #include <algorithm>
 
 #include <gmock/gmock.h>
@@ -159,7 +159,7 @@ TEST(Recorder, MeasuresHowFarProgramsGo) {
     EXPECT_EQ(record(programs::foliage).reach(Range::ATTRIB_STACK), 1u);
     EXPECT_GE(record(programs::wires).reach(Range::LINE_WIDTH), 1u);
     EXPECT_GE(record(programs::particles).reach(Range::POINT_SIZE), 1u);
-    // The far plane cuts it, and after that a smaller number comes.
+    // The far plane clips the drawing, and a smaller number of planes comes after that.
     constexpr programs::Program cut{"cut", [](int, int) {},
                                     [](int) {
                                         glPointSize(7.0f);
@@ -200,7 +200,7 @@ TEST(Profile, LeavesTheChainOutWhereEveryKeyHasALoop) {
     EXPECT_EQ(limit(profile, "CHAIN"), "0");
     EXPECT_THAT(fused_lines(profile), AllOf(HasSubstr("Kind::affine"), HasSubstr("Kind::full")));
     EXPECT_THAT(settings(profile, lit, {"lit", "lit.inc"}), HasSubstr("set(SPANGLE_FUSED lit.inc)\n"));
-    // Colours of the fast tier are divided in strong perspective only.
+    // The fast tier divides colours in strong perspective only.
     const Profile fast =
         make(record(programs::lit_perspective, EGL_PRECISION_FAST_SPANGLE), {"lit", "lit.inc"});
     EXPECT_THAT(fused_lines(fast), Not(HasSubstr("Kind::full")));
@@ -267,7 +267,7 @@ TEST(Profile, HoldsWhatTheBuildHasAndTheProgramAskedFor) {
     EXPECT_EQ(limit(make(record(programs::sprites_only), small), "SHORTCUTS"), "0");
 }
 
-/// A context on a picture whose depths have stencils.
+/// Opens a context on a picture that has depth with stencil.
 void open_with_stencils(bench::Headless& gl, EGLint red) {
     gl.display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
     eglInitialize(gl.display, nullptr, nullptr);
@@ -291,7 +291,7 @@ void open_with_stencils(bench::Headless& gl, EGLint red) {
     ASSERT_TRUE(eglMakeCurrent(gl.display, gl.surface, gl.surface, gl.context));
 }
 
-/// What a program draws to depths with stencils, recorded for a surface that is not its own.
+/// Records what a program draws with depth and stencil, for a surface of another format.
 Record record_for(PixelFormat format, const programs::Program& program, bool tests_stencils, EGLint red = 0) {
     bench::Headless gl;
     open_with_stencils(gl, red);
@@ -325,7 +325,7 @@ TEST(Recorder, RecordsForOtherSurfaces) {
         EXPECT_EQ(use.key.depth_format, DepthFormat::z24s8);
 }
 
-/// What was drawn before the first stencil test has depths of 24 bits, too; what looks at no depth still has
+/// What was drawn before the first stencil test has depths of 24 bits, too. What uses no depth still has
 /// none.
 TEST(Recorder, StencilsGiveAllDepths24Bits) {
     constexpr programs::Program late{"late", [](int, int) {},
@@ -352,7 +352,7 @@ TEST(Recorder, KeepsTheLoopOfOneColourThatOtherSurfacesHave) {
             return use.key.kind == raster::Kind::flat && use.needed;
         });
     };
-    // Surfaces of 888, recorded for others.
+    // Surfaces of 888 are recorded for other surfaces.
     constexpr programs::Program plain{"plain", [](int, int) {},
                                       [](int) { glRectf(-0.5f, -0.5f, 0.5f, 0.5f); }};
     EXPECT_TRUE(flat(record_for(PixelFormat::rgb565_be, plain, false, 8)));
@@ -374,7 +374,7 @@ TEST(RecordText, ComesBackAsItWas) {
     }
 }
 
-/// Each word of a key is written, whatever programs have in it.
+/// Each word of a key is written, whatever its value is.
 TEST(RecordText, KeepsEachWordOfAKey) {
     using raster::Key;
     for (bool Key::*const word :

@@ -1,5 +1,5 @@
-// Traces as programs in C++ (host_sim/profile/firmware/replay.py) draw what a retracer draws of them on the
-// drop-in pair.
+// Traces as programs in C++ (host_sim/profile/firmware/replay.py) must draw what a retracer draws of them on
+// the drop-in pair.
 #include <cstdlib>
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST_P(Replay, DrawsTheBytesOfItsTrace) {
     ASSERT_EQ(cli::open_trace(std::string(TRACES "/") + traced.name + ".trace", recording), "");
     Setting setting;
     setting.frames = 2;
-    setting.dither = true; // as contexts begin
+    setting.dither = true; // the initial state of contexts
     ASSERT_EQ(recording->settle(setting), "");
     CaptureReader pictures;
     ASSERT_EQ(recording->capture(PixelFormat::rgb565_be, EGL_PRECISION_BALANCED_SPANGLE, setting, pictures),

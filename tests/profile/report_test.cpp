@@ -1,4 +1,5 @@
-// The report of a profile, as text, JSON and page: all that was recorded and measured is in each of them.
+// Tests the report of a profile as text, JSON and page: each must hold everything that was recorded and
+// measured.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ using testing::Not;
 const char* const loop = "balanced full dither";
 const char* const chain = "balanced full fog(exp) dither";
 
-/// Two keys, one of which has a loop, and figures that are nowhere equal.
+/// Makes two keys, one of which has a loop, and figures that all differ.
 class Report : public testing::Test {
   protected:
     std::vector<Recorded> all;

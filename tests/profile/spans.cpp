@@ -1,5 +1,5 @@
-// A build in the fast tier whose only span is that of smooth shading, and which has no chain: what it draws,
-// what it refuses, and that it says so. Prints what is wrong; exit status 1 then.
+// Tests a build in the fast tier that has one span, for smooth shading, and no chain: what it draws, what it
+// refuses, and its messages. Prints what is wrong, and then exits with status 1.
 #include <cstdio>
 #include <cstring>
 #include <string>
@@ -23,7 +23,7 @@ void check(bool good, const char* what) {
 constexpr int size = 32;
 using Picture = GLubyte[size * size * 4];
 
-/// A triangle over all of it, in perspective.
+/// Draws a triangle over the whole picture, in perspective.
 void triangle(const float (&color)[3][3]) {
     constexpr float corner[3][3] = {{-3.0f, -3.0f, -1.5f}, {9.0f, -3.0f, -3.0f}, {-3.0f, 9.0f, -2.0f}};
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -53,7 +53,7 @@ bool draws(const float (&color)[3][3]) {
 constexpr float several[3][3] = {{1.0f, 0.2f, 0.2f}, {0.2f, 1.0f, 0.2f}, {0.2f, 0.2f, 1.0f}};
 constexpr float one[3][3] = {{0.7f, 0.4f, 0.9f}, {0.7f, 0.4f, 0.9f}, {0.7f, 0.4f, 0.9f}};
 
-/// Every pixel has the colour that Clear leaves.
+/// Returns whether every pixel has the colour of a clear.
 bool as_cleared() {
     static Picture drawn, cleared;
     triangle(one);
@@ -65,8 +65,8 @@ bool as_cleared() {
     return std::memcmp(drawn, cleared, sizeof drawn) == 0;
 }
 
-/// Dithered, every pixel has one of the two colours of 5 and 6 bits beside the one that was given, which is
-/// their mean within an eighth of a step.
+/// Returns whether the picture is dithered: every pixel has one of the two colours of 5 and 6 bits beside the
+/// given one, and their mean is the given one within an eighth of a step.
 bool as_dithered() {
     static Picture drawn;
     glEnable(GL_DITHER);

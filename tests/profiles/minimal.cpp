@@ -1,5 +1,5 @@
-// boards/minimal in an emulator that listens: the hash of each frame before it is presented, as boards/demo
-// tells it, and the memory that was used. Its display stands between the program and the panel's.
+// Runs boards/minimal in an emulator. Prints the hash of each frame before it is presented, as boards/demo
+// does, and the memory that was used. A display of its own stands between the program and the panel's.
 #include "boards/minimal/rocket.hpp"
 #include "boards/minimal/screen.hpp"
 

@@ -1,5 +1,5 @@
-// Run with the definitions of a profile: what it holds draws, what it leaves out is an error with a message
-// that names the setting. Prints what is wrong; exit status 1 then.
+// Runs with the definitions of a profile. What the profile holds must draw; what it leaves out must be an
+// error with a message that names the setting. Prints what is wrong, and then exits with status 1.
 #include <cstdio>
 #include <cstring>
 #include <string>
@@ -30,7 +30,7 @@ void check(bool good, const char* what) {
     wrong = 1;
 }
 
-/// The error that waits, and that a message holds the word.
+/// Returns whether this error is pending, and a message holds the word.
 bool refused(GLenum code, const char* word) {
     return glGetError() == code && said.find(word) != std::string::npos;
 }
@@ -42,7 +42,7 @@ EGLint count_configs(EGLDisplay display, std::vector<EGLint> wish) {
     return n;
 }
 
-/// One config for each precision, format and depth that the build holds.
+/// There must be one config for each precision, format and depth of the build.
 void configs(EGLDisplay display) {
     const struct {
         EGLint token;
@@ -94,7 +94,7 @@ void textures() {
     }
 }
 
-/// Drawn pixels other than the cleared one.
+/// Returns the number of pixels that differ from the clear colour.
 int drawn() {
     std::vector<GLubyte> pixels(64 * 64 * 3);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -105,7 +105,8 @@ int drawn() {
     return n;
 }
 
-/// The lit, textured model is in every profile; one flat triangle is in those with the chain or its span.
+/// Every profile draws the lit, textured model. Profiles with the chain or its span also draw a flat
+/// triangle.
 void draws() {
     const baked::Part& part = baked::rocket::parts[0];
     glDisable(GL_DITHER);
@@ -144,7 +145,7 @@ void draws() {
     draw_without_span();
 }
 
-/// A state of fragments or textures that no span of a build without the chain has: an error, nothing drawn.
+/// Tests a state for which a build without the chain has no span: it is an error, and nothing is drawn.
 template <class Set, class Reset> void needs_chain(const char* what, Set set, Reset reset) {
     if (raster::has_chain)
         return;
@@ -186,7 +187,7 @@ void states() {
         "an environment", [=] { environment(GL_BLEND); }, [=] { environment(GL_MODULATE); });
 }
 
-/// What lights and materials do not do in this build.
+/// Tests the lights and materials that this build leaves out.
 void lights() {
     const auto expect = [](bool there, const char* what) {
         check(there ? glGetError() == GL_NO_ERROR : refused(GL_INVALID_OPERATION, "SPANGLE_LIGHT_KINDS"),
@@ -255,7 +256,7 @@ void primitives() {
     }
 }
 
-/// Arrays whose components have a type that the build leaves out.
+/// Tests arrays whose components have a type that the build leaves out.
 void arrays() {
     static constexpr GLdouble nothing[4] = {};
     for (const int name : {GL_BYTE, GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE, GL_FIXED}) {
@@ -268,7 +269,7 @@ void arrays() {
     }
 }
 
-/// One triangle, in a state that every profile draws, between these depths and so far to the right.
+/// Draws one triangle in a state that every profile draws, between these depths and moved to the right.
 bool draws_triangle(GLfloat right, GLfloat first, GLfloat last) {
     const GLfloat corners[3][3] = {
         {right - 0.5f, -0.5f, first}, {right + 0.5f, -0.5f, first}, {right, 0.5f, last}};
@@ -281,7 +282,7 @@ bool draws_triangle(GLfloat right, GLfloat first, GLfloat last) {
     return drawn() > 0;
 }
 
-/// What a plane of the view volume cuts.
+/// Tests primitives that a plane of the view volume clips.
 void clipping() {
     glMatrixMode(GL_MODELVIEW);
     glLoadIdentity();
@@ -298,7 +299,7 @@ void clipping() {
           "clipping");
 }
 
-/// What stands farther away, or has a w or a q of its own.
+/// Tests primitives that are farther away, or have a w or a q of their own.
 void perspective() {
     const auto expect = [](bool drawn, const char* what) {
         check(drawn == raster::has_perspective, what);
@@ -327,7 +328,7 @@ void perspective() {
     glMatrixMode(GL_MODELVIEW);
 }
 
-/// A panel that asks what of a frame was drawn, or is sent all of it.
+/// A panel that asks what was drawn of a frame, or gets all of it.
 class Panel final : public hal::Display {
   public:
     explicit Panel(bool asks) : asks_(asks) { extents_.rows = rows_; }
@@ -381,11 +382,11 @@ int main() {
     arrays();
     primitives();
     lights();
-    // A hint for a tier that is not there is one for the config's.
+    // A hint for a tier that the build does not have chooses the config's tier.
     glHint(GL_PERSPECTIVE_CORRECTION_HINT, GL_NICEST);
     check(glGetError() == GL_NO_ERROR, "hints are taken");
-    // The profiles that leave out states or texture formats, and they alone, are no GL 1.3. Of the others the
-    // one without buffer objects (GL 1.5) is gl13, which has no system of GL 1.4 either.
+    // Only profiles that leave out states or texture formats are not GL 1.3. Of the others, gl13 has no
+    // buffer objects (GL 1.5), and no system of GL 1.4 either.
     const std::string version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
     const bool whole = raster::has_chain && raster::texture_formats == 32767;
     check(version.starts_with(!whole ? "1.0 " : SPANGLE_FEATURE_BUFFERS ? "1.5 " : "1.3 "), version.c_str());

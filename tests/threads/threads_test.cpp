@@ -1,6 +1,5 @@
-// Threads of a host, each with a context of its own: on one display, in one share group, on windows
-// (EGL 1.4: EGL and client APIs are safe to call from several threads). The same program runs under
-// ThreadSanitizer.
+// Threads of a host, each with a context of its own: on one display, in one share group, on windows (EGL 1.4:
+// EGL and client APIs are safe to call from several threads). The same program runs under ThreadSanitizer.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -20,13 +19,13 @@ namespace {
 
 constexpr EGLBoolean yes = EGL_TRUE;
 
-/// How often each thread does what it does.
+/// The number of rounds of each thread.
 #ifndef SPANGLE_ROUNDS
 #define SPANGLE_ROUNDS 200
 #endif
 constexpr int rounds = SPANGLE_ROUNDS;
 
-/// Two threads do the same, with a number each, and begin at once.
+/// Runs the same in two threads, with a number each, which begin at once.
 void twice(const std::function<void(int)>& what) {
     std::atomic<int> waiting = 2;
     const auto begin = [&](int number) {
@@ -60,7 +59,7 @@ void store_texture(std::uint32_t color, GLsizei side) {
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, side, side, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
 }
 
-/// A triangle over all of the surface.
+/// Draws a triangle over the whole surface.
 void draw_textured() {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
@@ -87,7 +86,7 @@ struct Threads : testing::Test {
     }
 };
 
-/// Each makes a pbuffer and a context, draws, reads its own picture back, and destroys them.
+/// Each thread makes a pbuffer and a context, draws, reads its own picture back, and destroys them.
 TEST_F(Threads, OneDisplayAndObjectsOfTheirOwn) {
     const EGLConfig config = config_of(display, EGL_PBUFFER_BIT);
     twice([&](int number) {
@@ -114,8 +113,8 @@ TEST_F(Threads, OneDisplayAndObjectsOfTheirOwn) {
     });
 }
 
-/// One thread replaces, deletes and makes textures, lists and buffers that the other one draws with, in the
-/// midst of its primitives, too. What is drawn is one of them or nothing.
+/// One thread replaces, deletes and makes textures, lists and buffers that the other draws with, also within
+/// primitives. Each draw uses one of the objects, or draws nothing.
 TEST_F(Threads, ObjectsOfOneShareGroup) {
     const EGLConfig config = config_of(display, EGL_PBUFFER_BIT);
     EGLContext contexts[2];
@@ -163,7 +162,7 @@ TEST_F(Threads, ObjectsOfOneShareGroup) {
                 glBindBuffer(GL_ARRAY_BUFFER, name % 4 + 1);
                 glPopClientAttrib();
                 glDeleteTextures(1, &made);
-                while (glGetError() != GL_NO_ERROR) // elements beyond a buffer that is new
+                while (glGetError() != GL_NO_ERROR) // elements beyond a new buffer
                     ;
             }
         }
@@ -171,7 +170,7 @@ TEST_F(Threads, ObjectsOfOneShareGroup) {
     });
 }
 
-/// Whoever comes first has the context and the surface, and nobody else until they are released.
+/// The first thread gets the context and the surface, and no other thread does until they are released.
 TEST_F(Threads, OneContextThatBothWant) {
     const EGLConfig config = config_of(display, EGL_PBUFFER_BIT);
     const EGLSurface surface = pbuffer_of(display, config);
@@ -193,8 +192,8 @@ TEST_F(Threads, OneContextThatBothWant) {
     });
 }
 
-/// A window is shown while the other thread makes and destroys pbuffers of the same display, asks it, and
-/// terminates it: several times, for that moment is another one each time.
+/// A window is shown while the other thread makes and destroys pbuffers of the same display, queries it, and
+/// terminates it. This is done several times, because the moment differs each time.
 TEST_F(Threads, AWindowAndAnotherThreadOfItsDisplay) {
     constexpr int times = 20, frames = rounds / times;
     FakeDisplay panel;
@@ -217,8 +216,8 @@ TEST_F(Threads, AWindowAndAnotherThreadOfItsDisplay) {
                     (void)eglSwapInterval(shown, round % 2);
                     (void)eglSwapBuffers(shown, window); // refused once the display is terminated
                     glFinish();
-                    // Stored once: a store after each frame would order this thread's frames before
-                    // eglTerminate.
+                    // The flag is stored once, because a store after each frame would order this thread's
+                    // frames before eglTerminate.
                     if (round == frames / 2)
                         drawn = true;
                 }
@@ -247,7 +246,7 @@ TEST_F(Threads, AWindowAndAnotherThreadOfItsDisplay) {
     }
 }
 
-/// Two panels, a thread for each, as an instrument with two displays has them; and displays that come and go.
+/// Two panels have a thread each, as in an instrument with two displays, and other displays come and go.
 TEST_F(Threads, ADisplayForEachThread) {
     twice([&](int number) {
         for (int round = 0; round < rounds / 10; ++round) {
@@ -278,14 +277,14 @@ template <int number> void count(unsigned, const char*) {
     ++messages[number];
 }
 
-/// Messages of both threads, whose sink is set meanwhile.
+/// Both threads raise messages while the sink is set.
 TEST_F(Threads, MessagesOfAllThreads) {
     const MessageSink before = on_message(count<0>);
     twice([&](int number) {
         for (int round = 0; round < rounds; ++round) {
             EXPECT_EQ(eglCreateContext(display, nullptr, EGL_NO_CONTEXT, nullptr), EGL_NO_CONTEXT);
             EXPECT_EQ(eglGetError(), EGL_BAD_CONFIG) << "errors are each thread's own";
-            const EGLint wish[] = {EGL_NONE}; // of OpenGL ES: told
+            const EGLint wish[] = {EGL_NONE}; // a wish for OpenGL ES, which raises a message
             EGLint found = 0;
             EXPECT_EQ(eglChooseConfig(display, wish, nullptr, 0, &found), yes);
             EXPECT_EQ(eglGetError(), EGL_SUCCESS);

@@ -1,4 +1,4 @@
-// Captures: what a process that draws hands to the one that judges comes out as it went in, or not at all.
+// Tests captures: what a drawing process hands to the judging process arrives unchanged, or not at all.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -131,7 +131,7 @@ TEST(Depths, OfTwentyFourBitsBecomeThoseOfSixteen) {
     EXPECT_EQ(picture.depth, (std::vector<std::uint32_t>{0xFFFF, 0x100, 1}));
 }
 
-/// What glReadPixels gives, and what was covered since the last frame.
+/// A watch sees what glReadPixels returns, and what was covered since the last frame.
 TEST(FrameWatches, SeeWhatIsReadAndWhatWasDrawn) {
     const test::HeadlessGl gl(16, 12, {EGL_DEPTH_SIZE, 16});
     FrameWatch watch;
@@ -155,7 +155,7 @@ TEST(FrameWatches, SeeWhatIsReadAndWhatWasDrawn) {
         EXPECT_EQ(frame.coverage.snapped, frame.mask);
         EXPECT_EQ(frame.mask[0], true) << "the lower left is drawn";
     }
-    // Triangles that draw nothing are no mismatch: no span follows them.
+    // Triangles that draw nothing are not a mismatch, because no span follows them.
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthMask(GL_FALSE);
     glRectf(-1, -1, 1, 1);

@@ -1,5 +1,5 @@
-// Tiers that a program composes (spangle/tier.hpp): each knob does what it says, in the tier's bytes and in
-// the shadow's, and the three tiers are nothing but their knobs.
+// Tests tiers that a program composes (spangle/tier.hpp). Each knob does what it says, in the tier's bytes
+// and in the shadow's, and the three tiers are defined by their knobs alone.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ struct Wish {
     GLenum env = GL_REPLACE, wrap = GL_REPEAT, hint = GL_DONT_CARE;
 };
 
-/// A plane that goes away, textured, with a colour at each vertex, in 565.
+/// Draws a plane that goes into the distance, textured, with a colour at each vertex, in 565.
 DrawnPicture picture_of(const Wish& wish) {
     const HeadlessGl gl(size, size,
                         {EGL_PRECISION_SPANGLE, wish.precision, EGL_ALPHA_SIZE, 0, EGL_DEPTH_SIZE, 16});
@@ -85,7 +85,7 @@ constexpr Tier tiers[] = {{EGL_PRECISION_EXACT_SPANGLE, raster::exact_knobs},
                           {EGL_PRECISION_BALANCED_SPANGLE, raster::balanced_knobs},
                           {EGL_PRECISION_FAST_SPANGLE, raster::fast_knobs}};
 
-/// All that draws differently from tier to tier.
+/// Returns everything that is drawn differently from tier to tier.
 std::vector<Wish> wishes() {
     std::vector<Wish> out;
     for (const GLenum env : {GL_REPLACE, GL_MODULATE})
@@ -102,7 +102,7 @@ std::vector<Wish> wishes() {
     return out;
 }
 
-/// The figures of one stage of a shadow context.
+/// Returns the figures of one stage of a shadow context.
 StageError stage_of(Wish wish, const std::string& name) {
     wish.precision = EGL_PRECISION_SHADOW_SPANGLE;
     const StageReport report;
@@ -132,8 +132,8 @@ TEST_F(OwnTiers, WithTheKnobsOfATierHaveItsBytes) {
         }
 }
 
-/// One knob of another tier at a time, and all pairs of number system and runs: what no tier of ours has, the
-/// chain draws, and the shadow's bytes are its own.
+/// Changes one knob at a time to another tier's value, and tries all pairs of number system and runs. Where
+/// no tier has the knobs, the chain draws, and the shadow has the same bytes.
 TEST_F(OwnTiers, AreDrawnByTheShadowWithTheSameBytes) {
     std::vector<Knobs> all;
     for (const std::uint8_t bits : {8, 20})
@@ -154,7 +154,7 @@ TEST_F(OwnTiers, AreDrawnByTheShadowWithTheSameBytes) {
         }
 }
 
-/// Coordinates are within the bound, and a wider bound is used.
+/// Coordinates are within the bound, and use a wider bound.
 TEST_F(OwnTiers, CoordinatesAreAsFarOffAsTexelBitsSay) {
     for (const std::uint8_t colors : {8, 20})
         for (const Runs runs : {Runs::straight, Runs::cubic}) {
@@ -168,7 +168,7 @@ TEST_F(OwnTiers, CoordinatesAreAsFarOffAsTexelBitsSay) {
                 wish.knobs->affine_texel_bits = Knobs::never;
                 wish.env = GL_MODULATE;
                 const StageError coord = stage_of(wish, "coord 0");
-                // Vertices are snapped, which costs coordinates a little by itself.
+                // Snapped vertices move coordinates a little, too.
                 EXPECT_LE(coord.worst, 1.0 / (1 << bits) + 0.02);
                 if (runs == Runs::straight && bits < 9) {
                     EXPECT_GT(coord.worst, last) << bits;
@@ -178,16 +178,16 @@ TEST_F(OwnTiers, CoordinatesAreAsFarOffAsTexelBitsSay) {
         }
 }
 
-/// Straight runs of 64 pixels find texels that are far off, in words of either size; cubic ones do not.
+/// Straight runs of 64 pixels find texels that are far off, in words of either size. Cubic runs do not.
 TEST_F(OwnTiers, RunsAreOfTheKindThatIsAskedFor) {
-    constexpr int step = 9; // the largest of a component of 565
+    constexpr int step = 9; // the largest step of a 565 component, in 255ths
     const auto largest_difference = [](const auto& a, const auto& b) {
         int largest = 0;
         for (std::size_t i = 0; i < a.size(); ++i)
             largest = std::max(largest, std::abs(a[i] - b[i]));
         return largest;
     };
-    for (const GLenum env : {GL_REPLACE, GL_MODULATE}) { // GL_REPLACE has spans of its own
+    for (const GLenum env : {GL_REPLACE, GL_MODULATE}) { // GL_REPLACE has fused spans of its own
         Wish wish;
         wish.env = env;
         wish.knobs = raster::balanced_knobs;
@@ -207,7 +207,7 @@ TEST_F(OwnTiers, RunsAreOfTheKindThatIsAskedFor) {
     }
 }
 
-/// Where the bound is wide, the two kinds find other texels in runs of the same length.
+/// With a wide bound, the two kinds of runs find different texels in runs of the same length.
 TEST_F(OwnTiers, KindsOfRunsAreNotTheSame) {
     for (const std::uint8_t bits : {8, 20}) {
         Wish wish;
@@ -242,7 +242,7 @@ TEST_F(OwnTiers, DivideNothingWhereBoundsAreWide) {
     Wish wish;
     wish.env = GL_MODULATE;
     wish.fog = true;
-    wish.textured = false; // else fog is divided with the texture
+    wish.textured = false; // otherwise fog is divided with the texture
     wish.knobs = raster::exact_knobs;
     const double colors = stage_of(wish, "primary").worst, fog = stage_of(wish, "fog factor").worst;
     EXPECT_LT(colors, 1e-5);
@@ -250,11 +250,11 @@ TEST_F(OwnTiers, DivideNothingWhereBoundsAreWide) {
     wish.knobs->affine_color_bits = 0;
     EXPECT_GT(stage_of(wish, "primary").worst, 0.05);
     wish.knobs = raster::exact_knobs;
-    wish.knobs->affine_color_bits = 0; // else fog is divided with the colours
+    wish.knobs->affine_color_bits = 0; // otherwise fog is divided with the colours
     wish.knobs->affine_fog_bits = 0;
     EXPECT_GT(stage_of(wish, "fog factor").worst, 0.05);
     wish.knobs = raster::exact_knobs;
-    wish.knobs->affine_step_bits = 0; // this triangle is off by more than a step
+    wish.knobs->affine_step_bits = 0; // affine colours of this triangle are off by more than a step
     EXPECT_LT(stage_of(wish, "primary").worst, 4.0 / 255);
 }
 

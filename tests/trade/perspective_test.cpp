@@ -1,5 +1,5 @@
-// Colours and fog follow the perspective in every tier: where 1/w varies much they are divided, and where it
-// varies little they are affine and cost nothing.
+// Colours and fog follow the perspective in every tier. If 1/w varies much they are divided; if it varies
+// little they are affine and cost nothing.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -20,11 +20,11 @@ using raster::Knobs;
 constexpr int size = 64;
 
 struct Slope {
-    double ratio; ///< w of its far edge, where that of its near edge is 1
+    double ratio; ///< w of the far edge, if that of the near edge is 1
     bool fog = false, lines = false;
 };
 
-/// A white plane in fog, or one from black to white. It covers the picture, and leans away.
+/// Draws a white plane in fog, or a plane from black to white. The plane covers the picture and leans away.
 DrawnPicture picture_of(const Slope& slope, EGLint precision, const std::optional<Knobs>& knobs = {}) {
     const HeadlessGl gl(size, size,
                         {EGL_PRECISION_SPANGLE, precision, EGL_ALPHA_SIZE, 0, EGL_DEPTH_SIZE, 16});
@@ -72,9 +72,9 @@ double worst_of(const Slope& slope, EGLint shadow, const std::string& name) {
 
 struct TierOf {
     EGLint shadow;
-    double color, fog; ///< what they may be off by
+    double color, fog; ///< largest errors of colours and of fog
 };
-/// Balanced colours are within a quarter of a step of six bits. Colours and factors of 16 bits round.
+/// Balanced colours are within a quarter of a step of six bits. Colours and factors of 16 bits are rounded.
 constexpr TierOf tiers[] = {{EGL_PRECISION_SHADOW_SPANGLE, 1e-4, 1e-4},
                             {EGL_PRECISION_SHADOW_BALANCED_SPANGLE, 1.0 / 255 + 3e-3, 1.0 / 512 + 1e-3},
                             {EGL_PRECISION_SHADOW_FAST_SPANGLE, 1.0 / 16 + 3e-3, 1.0 / 16 + 1e-3}};
@@ -94,7 +94,7 @@ TEST_F(Perspective, IsFollowedWithinTheBoundOfEachTier) {
             }
 }
 
-/// A mild perspective divides nothing in the fast tier: its bytes are those of affine primitives.
+/// In the fast tier a mild perspective divides nothing: its bytes are those of affine primitives.
 TEST_F(Perspective, IsStraightInTheFastTierWhereItIsMild) {
     Knobs straight = raster::fast_knobs;
     straight.affine_color_bits = straight.affine_fog_bits = 0;
@@ -108,7 +108,7 @@ TEST_F(Perspective, IsStraightInTheFastTierWhereItIsMild) {
         }
 }
 
-/// A frame of the fast tier is within its promise of 22 dB, whatever the perspective is.
+/// A frame of the fast tier keeps its promise of 22 dB in every perspective.
 TEST_F(Perspective, KeepsThePromiseOfTheFastTier) {
     for (const bool fog : {false, true})
         for (const double ratio : {1.2, 1.25, 2.0, 30.0, 4000.0}) {

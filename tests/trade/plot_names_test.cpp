@@ -1,4 +1,4 @@
-// Names of a plot's points do not cover each other.
+// Names of a plot's points must not cover each other.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -27,7 +27,7 @@ TEST(PlotNames, StayInsideOfTheArea) {
     EXPECT_GE(places[1]->y - half, 0);
 }
 
-/// A row of points that are nearer to each other than their names are long.
+/// Makes a row of points that are nearer to each other than their names are long.
 TEST(PlotNames, CoverNeitherPointsNorNames) {
     std::vector<NamedPoint> points;
     for (int i = 0; i < 12; ++i)

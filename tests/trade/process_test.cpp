@@ -1,4 +1,4 @@
-// Other programs are run to their end, with the streams that they are given; names of precisions and formats.
+// Runs other programs to their end with given streams, and tests the names of precisions and formats.
 #include <gtest/gtest.h>
 
 #include <cerrno>
@@ -18,7 +18,7 @@ TEST(Process, GivesTheStatusOfTheProgram) {
     EXPECT_EQ(run({"sh", "-c", "kill -TERM $$"}).status, of_signals + SIGTERM);
 }
 
-/// A program that ends with the status of a shell ran; one that is missing did not.
+/// A program that ends with the status of a shell did run; a missing program did not.
 TEST(Process, TellsMissingProgramsFromThoseThatEndSo) {
     const Ended ran = run({"sh", "-c", "exit 127"}), missing = run({"no-such-program-of-spangle"});
     EXPECT_EQ(ran.status, no_program);
@@ -47,7 +47,7 @@ TEST(Process, ConnectsEachStream) {
     EXPECT_EQ(quiet.text(), "heard\n");
 }
 
-/// The command line ignores SIGPIPE; programs that it runs end by it, as shells have it.
+/// The command line ignores SIGPIPE. Programs that it runs must still end by SIGPIPE, as in a shell.
 TEST(Process, HasTheUsualSignals) {
     const auto before = std::signal(SIGPIPE, SIG_IGN);
     EXPECT_EQ(run({"sh", "-c", "kill -PIPE $$; exit 3"}).status, of_signals + SIGPIPE);

@@ -1,4 +1,4 @@
-// spangle/reference.hpp: figures of pictures, and reports of stages that say what the pictures show.
+// Tests spangle/reference.hpp: figures of pictures, and reports of stages that agree with the pictures.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int size = 128;
 
-/// A plane that goes away to the upper right, with 64 x 64 texels of as many colours.
+/// Draws a plane that goes into the distance at the upper right, with 64 x 64 texels of different colours.
 void draw_texels(GLenum wrap) {
     std::vector<GLubyte> texels;
     for (int y = 0; y < 64; ++y)
@@ -56,7 +56,7 @@ DrawnPicture picture_of(EGLint precision, GLenum wrap, int alpha = 8) {
 struct Tier {
     const char* name;
     EGLint plain, shadow;
-    double bound; ///< texels; the fast tier has none
+    double bound; ///< in texels; the fast tier has no bound
 };
 constexpr Tier tiers[] = {
     {"exact", EGL_PRECISION_EXACT_SPANGLE, EGL_PRECISION_SHADOW_SPANGLE, 0x1p-10},
@@ -74,8 +74,8 @@ std::uint64_t different(const DrawnPicture& a, const DrawnPicture& b) {
     return n;
 }
 
-/// Each texel has a colour of its own, so a pixel of another colour is a flip, and every flip is one; clamped
-/// coordinates beyond the image name one texel, whatever they are.
+/// Each texel has a colour of its own, so each pixel of another colour is a flip, and each flip is such a
+/// pixel. Clamped coordinates beyond the image name one texel, whatever they are.
 TEST_F(Reference, FlipsOfTexelsAreThePixelsThatDiffer) {
     for (const GLenum wrap : {GL_REPEAT, GL_CLAMP_TO_EDGE}) {
         const DrawnPicture reference = picture_of(EGL_PRECISION_DOUBLE_SPANGLE, wrap);
@@ -99,7 +99,7 @@ TEST_F(Reference, FlipsOfTexelsAreThePixelsThatDiffer) {
     }
 }
 
-/// What docs/trade.md says of the hint.
+/// Tests what docs/trade.md says about the hint.
 TEST_F(Reference, HintsChooseTheTierWithinAFrame) {
     const auto hinted = [](EGLint precision, GLenum hint) {
         const HeadlessGl gl(size, size, {EGL_PRECISION_SPANGLE, precision});
@@ -167,9 +167,9 @@ TEST(PictureFigures, CountStepsDecibelsAndDepths) {
     a.depth = {0, 100, 200, 65535};
     DrawnPicture b = a;
     EXPECT_EQ(compare(a, b).psnr_888(), PictureError::alike);
-    b.rgba[0] = 7;   // of one 565 colour
+    b.rgba[0] = 7;   // of the same 565 colour
     b.rgba[9] = 251; // a step of green
-    b.rgba[15] = 9;  // alpha is not looked at
+    b.rgba[15] = 9;  // alpha is not compared
     b.depth = {3, 100 + one_surface + 1, 200, 65535};
     const PictureError e = compare(a, b);
     EXPECT_EQ(e.pixels, 4u);

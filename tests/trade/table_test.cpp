@@ -1,4 +1,4 @@
-// Tables, the parts of sweeps, promises, advice, and what is seen.
+// Tests tables, parts of sweeps, promises, advice, and visible differences.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -119,7 +119,7 @@ TEST(Advices, FollowTheNumbers) {
     EXPECT_THAT(untimed.why, HasSubstr("Fast: 3 % of the pixels differ"));
 }
 
-/// Boards decide before this machine; other targets, memory and the bus are named where they differ.
+/// Boards decide before this machine does. Other targets, memory and the bus are named if they differ.
 TEST(Advices, NameWhatBoardsAndBusesTake) {
     const Table accuracy = table_of("job,scene,tier,format,identical,max_lsb,psnr_565,bus_bytes\n"
                                     "0,X,exact,565,100,0,99,1000\n0,X,fast,565,99,1,50,900\n"
@@ -175,8 +175,8 @@ TEST(Perceived, IsNothingToAllAndGrowsWithTheDifference) {
         last = seen;
     }
     EXPECT_LT(last, 0.7);
-    // Stripes of one pixel are averaged by the eye, whichever way they go; a large square of the same colour
-    // is not.
+    // The eye averages stripes of one pixel, in rows and in columns. It does not average a large square of
+    // the same colour.
     sim::Image rows = grey, columns = grey, coarse = grey;
     for (int y = 0; y < 24; ++y)
         for (int x = 0; x < 24; ++x)

@@ -1,4 +1,4 @@
-// Own tiers as words, images of firmware, and what rows of cost.csv say of them.
+// Tests own tiers as words, images of firmware, and what the rows of cost.csv say about them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ TEST(KnobNames, AreEveryFieldWithItsRange) {
     EXPECT_EQ(knobs().size(), sizeof(raster::Knobs)) << "a byte each";
     for (const Knob& knob : knobs())
         for (int value = 0; value < 256; ++value) {
-            // What words may say is valid, and what is valid may be said.
+            // What the words can say is valid, and what is valid can be said.
             raster::Knobs k = raster::balanced_knobs;
             k.longest_run = 16;
             knob.set(k, static_cast<std::uint8_t>(value));
@@ -47,7 +47,7 @@ TEST(KnobNames, AreEveryFieldWithItsRange) {
     ASSERT_EQ(read_tier("a-tier-of-mine=fast,texel_bits=12,runs=cubic", {}, own), "");
     std::istringstream lines(knob_table({own}));
     for (std::string line; std::getline(lines, line);) {
-        // As ./dev firmware reads it: columns have two spaces between them.
+        // The format is that which ./dev firmware reads: two spaces between columns.
         const auto begins = [&](const char* knob) { return line.starts_with(knob); };
         if (begins("knob ")) {
             EXPECT_THAT(line, HasSubstr("  fast      a-tier-of-mine  what"));
@@ -102,7 +102,8 @@ TEST(FirmwareWords, AreReadOrQuoted) {
     EXPECT_THAT(read_said("frame 1000 0000abcd\n", said = {}), HasSubstr("does not say"));
 }
 
-/// An image with code, variables that have first values, others, a stack, and what is not loaded.
+/// Writes an image with code, initialised variables, other variables, a stack, and a section that is not
+/// loaded.
 std::string image_in(const std::filesystem::path& folder) {
     const std::string names = std::string("\0.text\0.data\0.bss\0.stack\0.debug\0", 31);
     const auto section = [](std::uint32_t name, std::uint32_t type, std::uint32_t flags,
@@ -143,7 +144,7 @@ struct Images : testing::Test {
     void SetUp() override { std::filesystem::create_directories(folder); }
     void TearDown() override { std::filesystem::remove_all(folder); }
 
-    /// A machine that says this, and the words it was called with.
+    /// Returns a machine that prints this, and logs the words with which it was called.
     Target machine(const std::string& says, int status = 0) {
         script_ = folder / "machine";
         std::ofstream(script_) << "#!/bin/sh\necho \"$@\" >'" << (folder / "words").string() << "'\nprintf '"
@@ -199,7 +200,7 @@ TEST_F(Images, AreCountedOnTheirMachine) {
                 HasSubstr("not installed"));
 }
 
-/// S5 has centres that snapping to 1/256 pixel takes from one triangle to another.
+/// In S5, snapping to 1/256 pixel moves some pixel centres from one triangle to another.
 TEST(Measured, CoverageIsHeldAgainstThreeReferences) {
     const scenes::Scene* const gears = scenes::find("S5");
     ASSERT_NE(gears, nullptr);
