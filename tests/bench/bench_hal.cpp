@@ -1,5 +1,5 @@
-// What a transport costs: a scene's frames through our buses, the real libraries below them, on modelled
-// devices. One JSON object a line. The devices' own work is not counted: `Kernel::device_cpu`.
+// Measures a transport: frames of a scene go through Spangle's buses and the real libraries below them, on
+// modelled devices. Prints one JSON object a line. The devices' own work is subtracted: `Kernel::device_cpu`.
 #include <cstdio>
 #include <ctime>
 #include <memory>
@@ -27,7 +27,7 @@ using namespace spangle;
 
 constexpr int warm_frames = 3, frames = 20;
 
-/// Counts what goes over a bus.
+/// A bus that counts what goes over it.
 class Counted final : public hal::Bus {
   public:
     explicit Counted(hal::Bus& bus) : bus_(bus) {}

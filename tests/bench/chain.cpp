@@ -7,7 +7,7 @@
 
 #include "tests/span/state_of_key.hpp"
 
-/// Callgrind writes a dump before each call.
+/// Callgrind writes a dump before each call of this function.
 extern "C" [[gnu::noinline]] void mark() {
     asm volatile("");
 }
@@ -40,10 +40,10 @@ std::string name_of(const Key& key) {
     return name;
 }
 
-/// Set-up alone, which is no part of either.
+/// Draws nothing, so that set-up can be counted alone.
 void draw_nothing(Span<Fixed>&, const Row*, const Row*) {}
 
-/// All triangles of a kind between two marks.
+/// Draws all triangles of a kind between two marks.
 void draw_all(const DrawState& state, Kind kind, const Surface& surface) {
     RandomVertices source(7);
     mark();

@@ -1,4 +1,4 @@
-// A context on a picture, for the benchmarks: RGB565 with 16-bit depth, or what else is asked for.
+// A context on a picture for the benchmarks: RGB565 with 16-bit depth, or with the wished buffers.
 #pragma once
 
 #include <spangle/EGL/egl.h>
@@ -7,7 +7,7 @@
 
 namespace spangle::bench {
 
-/// Bits of a pixel's alpha, depth and stencil, and samples, at least.
+/// Least bits of a pixel's alpha, depth and stencil, and samples.
 struct Buffers {
     EGLint alpha = 0, depth = 16, stencil = 0, samples = 0;
 };
@@ -16,9 +16,9 @@ struct Headless {
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLSurface surface = EGL_NO_SURFACE;
     EGLContext context = EGL_NO_CONTEXT;
-    std::size_t surface_bytes = 0, context_bytes = 0; ///< of Spangle's memory
+    std::size_t surface_bytes = 0, context_bytes = 0; ///< bytes of Spangle's memory
 
-    /// `precision`: an EGL_PRECISION_..._SPANGLE token. False when anything fails.
+    /// Opens a context of `precision`, an EGL_PRECISION_..._SPANGLE token. Returns false if anything fails.
     bool open(int width, int height, EGLint precision, const Buffers& buffers = {}) {
         display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
         if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE)
@@ -40,7 +40,7 @@ struct Headless {
         return eglMakeCurrent(display, surface, surface, context) != EGL_FALSE;
     }
 
-    /// Of several that are open.
+    /// Makes this context current, if several are open.
     bool make_current() const { return eglMakeCurrent(display, surface, surface, context) != EGL_FALSE; }
 
     void close() {

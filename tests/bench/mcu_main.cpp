@@ -1,6 +1,7 @@
-// The firmware of the instruction counts: one scene on an MPS2 board, three frames, counted one by one; run
-// with -icount shift=0. Prints by semihosting a line "frame INSTRUCTIONS HASH" for each, and a line "NAME
-// BYTES" for each kind of memory; of an image that dithers, how many fragments a frame stores.
+// The firmware of the instruction counts: one scene on an MPS2 board, three frames, counted one by one. It
+// runs with -icount shift=0. By semihosting it prints a line "frame INSTRUCTIONS HASH" for each frame, and a
+// line "NAME BYTES" for each kind of memory. An image that dithers also prints how many fragments a frame
+// stores.
 #include <cstdint>
 
 #include <spangle/mcu/instructions.hpp>
@@ -35,7 +36,7 @@ void print_number(const char* name, std::size_t number) {
     semihosting::print("\n");
 }
 
-/// Mean of the frames that were counted.
+/// Returns the mean of the frames that were counted.
 std::size_t fragments_of(const scenes::Scene& scene) {
     GLuint query = 0, passed = 0;
     glGenQueries(1, &query);
@@ -60,8 +61,8 @@ int main() {
         glDisable(GL_DITHER);
     const scenes::Scene& scene = scenes::BENCH_SCENE;
     scene.setup(width, height);
-    scene.draw(1);                           // what is done once is not counted
-    mcu::InstructionCount count(25'000'000); // clocks a second of these boards
+    scene.draw(1);                           // work that is done once is not counted
+    mcu::InstructionCount count(25'000'000); // clock frequency of these boards in Hz
     for (int frame = 2; frame < 5; ++frame) {
         count.begin();
         scene.draw(frame);
@@ -75,7 +76,7 @@ int main() {
     print_number("context", gl.context_bytes);
     print_number("surface", gl.surface_bytes);
     print_number("peak", memory_use().peak);
-    // without what this program itself needs: the pool and the row of picture_hash()
+    // This program's own memory is subtracted: the pool, and the row of picture_hash().
     print_number("static", static_cast<std::size_t>((&data_end - &data_begin) + (&bss_end - &bss_begin)) -
                                sizeof memory_pool - 2048 * 4);
     print_number("stack", mcu::deepest_stack());

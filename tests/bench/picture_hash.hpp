@@ -1,4 +1,4 @@
-// A name for the picture in the current context's drawing buffer.
+// Computes a hash of the picture in the current context's drawing buffer.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,8 @@ namespace spangle::bench {
 
 inline constexpr std::uint32_t no_picture = 2166136261u;
 
-/// FNV-1a over the picture as GL gives it back, row by row, going on from `hash`. Up to 2048 pixels wide.
+/// FNV-1a over the picture as GL reads it back, row by row, continued from `hash`. The picture may be 2048
+/// pixels wide.
 inline std::uint32_t picture_hash(int width, int height, std::uint32_t hash = no_picture) {
     static GLubyte row[2048 * 4];
     for (int y = 0; y < height; ++y) {

@@ -1,4 +1,4 @@
-// The rasterizer alone, on window-space versions of the benchmark scenes at 320x240: time per frame.
+// Times the rasterizer alone, with window-space versions of the benchmark scenes at 320x240.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -116,7 +116,7 @@ void S3_gouraud(benchmark::State& run) {
 }
 BENCHMARK(S3_gouraud)->Arg(0)->Arg(1);
 
-/// Tilted, and rolled, planes; texels as 565 or 888.
+/// Draws tilted planes, also rolled ones, with texels of 565 or 888.
 void plane(benchmark::State& run, bool rolled, Filter filter, TexelFormat format) {
     Frame f;
     f.use_texture(format, BaseFormat::rgb, 64, filter, TexEnv::replace);
@@ -172,7 +172,8 @@ void S7_sprites(benchmark::State& run) {
 }
 BENCHMARK(S7_sprites);
 
-/// A grid of small triangles over a disc, half of S6's number: what is left of a torus after culling.
+/// Draws a grid of small triangles over a disc. It has half of S6's triangles, as many as culling leaves of a
+/// torus.
 void mesh(benchmark::State& run, Frame& f, int cells) {
     f.state.depth_test = true;
     const DrawState d = compile<FixedVertex>(f.state, f.surface);

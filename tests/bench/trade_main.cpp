@@ -1,7 +1,7 @@
-// The firmware that `spangle trade --targets` counts: one scene or baked model in one tier. Run with -icount
+// The firmware that `spangle trade --targets` counts: one scene or baked model in one tier, run with -icount
 // shift=0. The command line is "NAME WIDTH HEIGHT FIRST FRAMES DITHER": frame 0 is drawn, then FRAMES from
-// FIRST on are counted one by one. Prints by semihosting a line "frame INSTRUCTIONS HASH" for each, and a
-// line "NAME BYTES" for each kind of memory.
+// FIRST on are counted one by one. By semihosting it prints a line "frame INSTRUCTIONS HASH" for each frame,
+// and a line "NAME BYTES" for each kind of memory.
 #include <cstdint>
 
 #include <spangle/mcu/instructions.hpp>
@@ -28,7 +28,7 @@ using namespace spangle;
 namespace semihosting = mcu::semihosting;
 
 alignas(8) unsigned char memory_pool[1536 * 1024];
-constexpr std::size_t picture_row = 2048 * 4; // of picture_hash()
+constexpr std::size_t picture_row = 2048 * 4; // bytes that picture_hash() needs
 
 #ifdef BENCH_MODEL
 const baked::Mesh& mesh = baked::BENCH_MODEL::mesh;
@@ -50,7 +50,7 @@ struct Arguments {
     static constexpr int count = 5;
     int number[count] = {};
 
-    /// False: some are missing.
+    /// Reads the command line. Returns false if words are missing.
     bool read() {
         char text[128];
         if (!semihosting::command_line(text, sizeof text))
@@ -86,8 +86,8 @@ int main() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     program.setup(width, height);
     (dither != 0 ? glEnable : glDisable)(GL_DITHER);
-    program.draw(0);                         // what is done once is not counted
-    mcu::InstructionCount count(25'000'000); // clocks a second of the boards that count these
+    program.draw(0);                         // work that is done once is not counted
+    mcu::InstructionCount count(25'000'000); // clock frequency in Hz of the boards that count
     for (int frame = first; frame < first + frames; ++frame) {
         count.begin();
         program.draw(frame);

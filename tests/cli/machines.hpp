@@ -1,5 +1,4 @@
-// Modelled Linux machines, each with one display: behind a spidev, an I2C adapter, an FTDI adapter, and on
-// USB.
+// Modelled Linux machines, each with one display: behind spidev, an I2C adapter, an FTDI adapter, or on USB.
 #pragma once
 
 #include <memory>
@@ -23,7 +22,7 @@ namespace on_machine {
 
 using namespace spangle;
 
-/// What hangs on the machine while a command runs; ends with what its glass shows.
+/// A machine and its display while a command runs. At the end its glass is read.
 struct Machine {
     sim::Kernel& kernel = sim::Kernel::instance();
     virtual ~Machine() = default;
@@ -79,7 +78,7 @@ struct OnFtdi final : Machine {
     std::string wrong() override { return module.violations_text(); }
 };
 
-/// A GUD display that keeps what it showed before each request: it goes dark when its program ends.
+/// A GUD display that keeps what it showed before each request, because it goes dark when its program ends.
 struct WatchedGud final : sim::UsbFunction {
     sim::GudDevice device;
     sim::Image last;

@@ -1,6 +1,6 @@
-// The command line as it stands, on a modelled Linux machine: panels behind spidev, i2c-dev and an FTDI
+// Runs the command line unchanged on a modelled Linux machine: panels behind spidev, i2c-dev and an FTDI
 // adapter, a GUD display on USB. (Its main() is called spangle_program here.) Each command runs in a child
-// process, as a user's does, and leaves what it printed and what the glass shows in files.
+// process, as a user's does, and leaves its output and the picture of the glass in files.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -48,7 +48,7 @@ struct OnDevices : testing::Test {
     OnDevices() { std::filesystem::create_directories(folder); }
     ~OnDevices() override { std::filesystem::remove_all(folder); }
 
-    /// Runs in the child.
+    /// Runs a command in the child process, and ends it.
     [[noreturn]] void child(const std::function<std::unique_ptr<Machine>()>& make, Words words,
                             const std::string& input) const {
         sim::write_file(folder + "/in", input);
@@ -95,7 +95,7 @@ struct OnDevices : testing::Test {
     template <class M> Ran run_on(const Words& words, const std::string& input = "") const {
         return run([] { return std::make_unique<M>(); }, words, input);
     }
-    /// The glass of the simulated board after the same command.
+    /// Returns the glass of the simulated board after the same command.
     sim::Image simulated(Words words, const std::string& input = "") const {
         const std::string shot = folder + "/simulated.png";
         words.insert(words.end(), {"--shot", shot});
@@ -148,7 +148,7 @@ TEST_F(OnDevices, RunDrawsAtAnFtdiAdapter) {
     expect_shown(run_on<OnFtdi>(with(with(words, ftdi), {"--hz", "30000000"})), simulated(words));
 }
 
-/// A GUD display has the surface's own 565: what it shows is what was drawn.
+/// A GUD display takes the surface's own 565, so it shows what was drawn.
 TEST_F(OnDevices, RunDrawsOnAGudDisplay) {
     const Words words = {"run", "S5", "--frames", "2"};
     const Ran ran = run_on<OnUsb>(with(words, gud));
@@ -161,8 +161,8 @@ TEST_F(OnDevices, RunDrawsOnAGudDisplay) {
         << ran.out;
 }
 
-/// The figures of a real bus are those of the simulated one. Only of one frame, which is sent whole: what
-/// commands cost differs, and with it into which windows a change is cut.
+/// A real bus reports the figures of the simulated one for the first frame, which is sent whole. In later
+/// frames the costs of commands differ, and so do the windows into which a change is cut.
 TEST_F(OnDevices, RunCountsWhatARealBusIsGiven) {
     const auto figure = [](const std::string& json, const std::string& key) {
         const std::size_t at = json.find("\"" + key + "\": ");
@@ -182,7 +182,8 @@ TEST_F(OnDevices, AFullFrameIsWhatTheWireSends) {
     EXPECT_NE(ran.out.find("  100 % of a full frame"), std::string::npos) << ran.out;
 }
 
-/// What is sent and what a frame has are counted alike on every board, whatever its windows and pages take.
+/// Sent bytes and a frame's bytes are counted in the same way on every board, whatever its windows and pages
+/// take.
 TEST_F(OnDevices, AWholeFrameIsAHundredPercentOnEveryBoard) {
     for (const hal::Board* board : boards::all) {
         const Ran ran = run([] { return nullptr; }, {"run", "S1", "--board", board->name});
@@ -203,7 +204,7 @@ TEST_F(OnDevices, BandsCountEachTriangleOnce) {
     EXPECT_EQ(drawn(run_on<OnSpidev>(with(with(words, spidev), {"--band-height", "16"}))), whole);
 }
 
-/// Boards that come and go in one process lie at one address.
+/// Boards that are made and destroyed in one process may have the same address.
 TEST_F(OnDevices, BoardsInTheSamePlaceAreOpenedAnew) {
     std::optional<cli::Screen> screen;
     cli::RunOptions options;
@@ -250,7 +251,7 @@ TEST_F(OnDevices, TheCardIsShownOnEach) {
     const Ran usb = run_on<OnUsb>(with({"card"}, gud));
     EXPECT_EQ(usb.status, 0) << usb.err;
     EXPECT_EQ(usb.wrong, "");
-    // A GUD display is upright as it is, and its components are 255ths.
+    // A GUD display is upright, and its components are 255ths.
     const sim::Image card = simulated({"card"});
     ASSERT_EQ(usb.glass.rgba.size(), card.rgba.size());
     int worst = 0;

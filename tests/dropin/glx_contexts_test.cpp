@@ -1,4 +1,4 @@
-// Contexts of GLX: what lists of attributes are refused with, and what goes with a window of X.
+// Tests contexts of GLX: which lists of attributes are refused, and what is destroyed with a window of X.
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
@@ -24,7 +24,7 @@ namespace {
 
 using namespace spangle::dropin::glx;
 
-/// An Xvfb of the test's own, which tells its number through a pipe.
+/// An Xvfb for this test alone, which tells its number through a pipe.
 class Server {
   public:
     Server() {
@@ -99,7 +99,7 @@ class GlxContexts : public testing::Test {
             XCloseDisplay(display);
     }
 
-    /// The X error that a list of attributes is refused with; Success where a context is made.
+    /// Returns the X error that refuses a list of attributes, or Success if a context is made.
     int made_with(std::vector<int> list) {
         list.push_back(0);
         last_error = Success;
@@ -183,7 +183,7 @@ TEST_F(GlxContexts, AWindowOfGlxGoesWithItsWindowOfX) {
     EXPECT_EQ(last_error, of_glx(Problem::window));
 }
 
-/// Whether a connection of its own has GL.
+/// Returns whether GL works on this connection.
 bool draws(Display* connection) {
     int wish[] = {RGBA, DOUBLEBUFFER, 0};
     XVisualInfo* const visual = glXChooseVisual(connection, DefaultScreen(connection), wish);
@@ -198,7 +198,7 @@ bool draws(Display* connection) {
     return made && glGetError() == GL_NO_ERROR;
 }
 
-/// What the server shows in a corner of a window, as 0xRRGGBB.
+/// Returns the colour that the server shows in a corner of a window, as 0xRRGGBB.
 unsigned long seen(Display* connection, Window window) {
     XSync(connection, False);
     XImage* const image = XGetImage(connection, window, 0, 0, 1, 1, AllPlanes, ZPixmap);
@@ -228,7 +228,7 @@ TEST_F(GlxContexts, TheFrontOfAWindowWithTwoBuffersIsSeenWhenItIsFlushed) {
     glFinish();
     EXPECT_EQ(seen(display, window), green);
     clear_to(1, 0);
-    glDrawBuffer(GL_BACK); // it is seen before something else is drawn there
+    glDrawBuffer(GL_BACK); // the colour is read before anything else is drawn there
     EXPECT_EQ(seen(display, window), red);
     clear_to(0, 1);
     glFlush();
@@ -265,7 +265,7 @@ TEST_F(GlxContexts, AWindowThatIsGoneIsNeitherCurrentNorShown) {
     EXPECT_FALSE(eglMakeCurrent(egl, surface, surface, context));
     EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
     eglDestroySurface(egl, surface);
-    // Nothing is asked of this window between its end and the next eglMakeCurrent().
+    // Nothing uses this window between its end and the next eglMakeCurrent().
     const Window idle = XCreateSimpleWindow(display, DefaultRootWindow(display), 0, 0, 16, 16, 0, 0, 0);
     const EGLSurface on_idle = eglCreateWindowSurface(egl, egl_config, idle, nullptr);
     ASSERT_TRUE(eglMakeCurrent(egl, on_idle, on_idle, context));
@@ -310,7 +310,7 @@ TEST_F(GlxContexts, AConnectionAtTheAddressOfAClosedOneIsANewOne) {
         ASSERT_TRUE(draws(connection)) << i;
         const GLXContext context = glXGetCurrentContext();
         XCloseDisplay(connection);
-        EXPECT_FALSE(glXIsDirect(display, context)); // no context any more
+        EXPECT_FALSE(glXIsDirect(display, context)); // the context no longer exists
         EXPECT_EQ(last_error, of_glx(Problem::context));
     }
 }

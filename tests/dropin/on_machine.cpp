@@ -1,6 +1,6 @@
-// A program for the pair on a modelled machine: it draws pictures that change to a pbuffer, swaps each, and
-// when it is told to end it leaves what the display shows. ON_MACHINE names the display: spidev, i2c, ftdi,
-// gud; none: there is no such machine. ON_MACHINE_GLASS is the picture that it writes.
+// A program for the pair on a modelled machine. It draws changing pictures to a pbuffer and swaps each. When
+// it is told to end, it writes what the display shows. ON_MACHINE names the display: spidev, i2c, ftdi, gud;
+// none: there is no such machine. ON_MACHINE_GLASS is the picture that it writes.
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -42,7 +42,8 @@ void draw(int frame) {
     glEnd();
 }
 
-/// What the display shows, and on standard output what was done wrong to it. False: it was not written.
+/// Writes what the display shows, and prints the rules that were broken. Returns false if the picture could
+/// not be written.
 bool write_what_is_seen(on_machine::Machine& machine) {
     std::string wrong = machine.wrong();
     if (machine.kernel.open_files() != 0)

@@ -1,4 +1,4 @@
-// Obligations of colours: products, mixtures, blending, filters.
+// The obligations of colours: products, mixtures, blending, filters.
 #include <cstdio>
 
 #include "raster/span/number.hpp"
@@ -10,8 +10,8 @@ namespace {
 using raster::Balanced;
 using raster::Exact;
 
-/// Exact::mul() in units of which Exact::one is 255 2^20: a factor of 32 bits is a sum of four shifts of v,
-/// less than 4 below 4096 / 255 v; the product is rounded.
+/// Exact::mul() in units of which Exact::one has 255 2^20. A factor of 32 bits is a sum of four shifts of v,
+/// which is less than 4 below 4096 / 255 v; the product is rounded.
 void blend_exact() {
     constexpr unsigned one = Exact::one;
     std::printf("@whole = fixed<0, ne>;\n"
@@ -30,7 +30,7 @@ void blend_exact() {
                 one, one);
 }
 
-/// Exact::mix(): the difference with two bits more is a signed word; the result is rounded down.
+/// Exact::mix(): the difference, with two more bits, is a signed word, and the result is rounded down.
 void mix_exact() {
     constexpr unsigned one = Exact::one;
     std::printf(
@@ -45,7 +45,7 @@ void mix_exact() {
         one, one);
 }
 
-/// Exact::weighted(): texels times weights of 16 bits, each weight being 1 at most.
+/// Exact::weighted(): texels are multiplied by weights of 16 bits, and each weight is 1 at most.
 void filter_exact() {
     constexpr unsigned one = Exact::one;
     std::printf("@whole = fixed<0, ne>;\n"
@@ -61,7 +61,7 @@ void filter_exact() {
                 one, one, one, one);
 }
 
-/// Balanced::mul() in 256ths of a 255th, in halves of words.
+/// Balanced::mul() in 256ths of a 255th, computed in halves of words.
 void blend_balanced() {
     constexpr unsigned one = Balanced<1>::one;
     std::printf("@whole = fixed<0, ne>;\n"
@@ -77,7 +77,7 @@ void blend_balanced() {
                 one, one);
 }
 
-/// Balanced::over() of what is stored in 5 or 6 bits: k / most (1 - a), as the sum of 65025ths has it.
+/// Balanced::over() of a stored value of 5 or 6 bits: k / most (1 - a), as the sum of 65025ths has it.
 void over_balanced(unsigned bits) {
     using N = Balanced<1>;
     const unsigned most = (1u << bits) - 1;

@@ -1,4 +1,4 @@
-// What Gappa proves: each obligation prints one script, with the numbers of the headers.
+// The obligations that Gappa proves. Each function prints one script, with the numbers of the headers.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Obligations of primitives: edges, diamonds, planes.
+// The obligations of primitives: edges, diamonds, planes.
 #include <cstdio>
 
 #include "raster/primitive/diamond.hpp"
@@ -9,7 +9,7 @@
 namespace spangle::gappa {
 namespace {
 
-/// Set-up and walk of an edge, anything in the guard band.
+/// Set-up and walk of an edge anywhere in the guard band.
 void edge_wide() {
     using namespace spangle::raster;
     static_assert(edge_max_denominator == std::int64_t{2} * guard_band * subpixel_one);
@@ -28,8 +28,9 @@ void edge_wide() {
                 subpixel_one / 2, subpixel_one / 2, extent - 1, extent * subpixel_one);
 }
 
-/// SmallEdge: how far the column at any of its rows is short of the exact one; the bias tells an edge that
-/// meets a centre from one that passes it by 1 / (256 dy) when that is less than 2^-24 and 2^-22 at least.
+/// SmallEdge: bounds how far the column at any of its rows is short of the exact one. The bias tells an edge
+/// that meets a centre from an edge that passes it by at least 1 / (256 dy). For this it must be at least
+/// 2^-22, and the error less than 2^-24.
 void edge_small() {
     using namespace spangle::raster;
     const int most = SmallEdge::extent, rows = most / subpixel_one + 1;
@@ -49,7 +50,7 @@ void edge_small() {
                 subpixel_one, subpixel_one, subpixel_one, most, most, most, rows, rows, subpixel_one);
 }
 
-/// Diamond::first() in 32 bits: the numerator is not negative either, |slope| being 1 at most.
+/// Diamond::first() in 32 bits: the numerator is never negative, because |slope| is 1 at most.
 void diamond_first() {
     using namespace spangle::raster;
     const int most = Diamond<LineLanes<1>>::small_length, half = subpixel_one / 2;
@@ -64,8 +65,8 @@ void diamond_first() {
                 2 * subpixel_one);
 }
 
-/// LowEdge: all of it fits words, and the column at any of its rows is off by less than what the bias of 32
-/// and the 64 units between two meetings of an edge and a row leave.
+/// LowEdge: everything fits words. The error of the column at any row is less than what the bias of 32 leaves
+/// of the 64 units between two meetings of an edge and a row.
 void edge_low() {
     using namespace spangle::raster;
     const int most = LowEdge::extent, rows = most / subpixel_one;
@@ -94,7 +95,7 @@ void edge_low() {
                 subpixel_one, subpixel_one, most, most, most, rows, rows, subpixel_one, subpixel_one);
 }
 
-/// A plane of 64 bits at any pixel of the guard band, in units of its vertices' 30 bits: each of its three
+/// A plane of 64 bits at any pixel of the guard band, in units of its vertices' 30 bits. Each of its three
 /// numbers is rounded to the guard bits.
 void interpolant() {
     using namespace spangle::raster;
@@ -110,7 +111,7 @@ void interpolant() {
                 guard_bits, most, most, guard_bits);
 }
 
-/// Planes of 24-bit depth: gradients times the area, and the step to the centre of a pixel, in 64 bits.
+/// Planes of 24-bit depth: gradients times the area, and the step to the centre of a pixel, fit 64 bits.
 void depth_24() {
     using namespace spangle::raster;
     const long long extent = 2LL * guard_band;

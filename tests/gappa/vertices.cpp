@@ -1,4 +1,4 @@
-// Obligations of vertices: sums of products, 1/a, 1/sqrt(a).
+// The obligations of vertices: sums of products, 1/a, 1/sqrt(a).
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -14,11 +14,11 @@ namespace {
 
 using namespace spangle::numeric;
 
-constexpr long long matrix_most = 0x7FFFFFFF; // BlockMatrix: |m| < 2^31
-constexpr long long vertex_most = block_max;  // Block4: |m| < 2^30
+constexpr long long matrix_most = 0x7FFFFFFF; // in BlockMatrix |m| < 2^31
+constexpr long long vertex_most = block_max;  // in Block4 |m| < 2^30
 constexpr int half_bit = 31;                  // row_times rounds at 2^31
 
-/// Row of a block matrix times a vertex: the 64-bit sum, its high word, and the sum of three products of
+/// A row of a block matrix times a vertex: the 64-bit sum, its high word, and the sum of three products of
 /// blocks.
 void accumulators() {
     std::printf("@whole = fixed<0, ne>;\n"
@@ -37,8 +37,8 @@ void accumulators() {
                 "  /\\ dot3 in [-4611686018427387904, 4611686018427387904] }\n");
 }
 
-/// Largest relative error of the reciprocal's table over each interval's two ends, in parts of 2^-40: the
-/// error is linear in a within an interval.
+/// Returns the largest relative error of the reciprocal's table at both ends of each interval, in parts of
+/// 2^-40. The error is linear in a within an interval.
 std::int64_t reciprocal_seed_error() {
     std::int64_t worst = 0;
     for (std::uint64_t i = 0; i < 256; ++i)
@@ -52,8 +52,8 @@ std::int64_t reciprocal_seed_error() {
     return worst;
 }
 
-/// Largest relative error of the table of 1/sqrt(a), likewise, in parts of 2^-40: monotone within an
-/// interval.
+/// Returns the largest relative error of the table of 1/sqrt(a) at both ends of each interval, in parts of
+/// 2^-40. The error is monotone within an interval.
 std::int64_t rsqrt_seed_error() {
     double worst = 0;
     for (std::uint32_t i = 128; i < 512; ++i)
@@ -68,8 +68,8 @@ double bound(int tenths) {
     return std::exp2(-tenths / 10.0);
 }
 
-/// An element of a product of matrices: four products of mantissas, the largest of them brought to 2^61.
-/// `half`: one that has 62 bits is halved; one that has less is moved up, and no further.
+/// An element of a product of matrices: four products of mantissas, the largest of which is shifted to 2^61.
+/// With `half`, a product of 62 bits is halved; a smaller product is shifted up, and no further.
 void matrix_sum() {
     std::printf(
         "@whole = fixed<0, ne>;\n"
@@ -82,13 +82,13 @@ void matrix_sum() {
         matrix_most, matrix_most);
 }
 
-// In all of these E is the relative error of what a step starts from, given as a hypothesis, and the
-// rewriting rule spells out Newton's identity, which Gappa cannot find by itself; it checks the rule's use,
-// and the rest is roundings.
+// In the next scripts E is the relative error of a step's input, given as a hypothesis. The rewriting rule
+// spells out Newton's identity, which Gappa cannot find by itself. Gappa checks the use of the rule; the rest
+// is roundings.
 
 void reciprocal_first() {
     const long long seed = reciprocal_seed_error();
-    // r: the seed; p: mul_high_u32(a, r) in Q.30; r1: the step, truncated to Q.30.
+    // r is the seed; p is mul_high_u32(a, r) in Q.30; r1 is the step, truncated to Q.30.
     std::printf("a = fixed<-32, dn>(A_);\n"
                 "r = fixed<-15, dn>(R_);\n"
                 "p fixed<-30, dn>= a * r;\n"
@@ -102,7 +102,7 @@ void reciprocal_first() {
 }
 
 void reciprocal_second() {
-    // d: the residual with 48 fraction bits, one signed word; r2: rounded to Q.30.
+    // d is the residual with 48 fraction bits, one signed word; r2 is rounded to Q.30.
     std::printf("a = fixed<-32, dn>(A_);\n"
                 "r = fixed<-30, dn>(R_);\n"
                 "E = 1 - a * r;\n"
@@ -121,7 +121,8 @@ void reciprocal_second() {
 
 void rsqrt_first() {
     const long long seed = rsqrt_seed_error();
-    // r: the seed, whose square is exact; p: a times it, truncated to Q.30; r1: the step, truncated to Q.30.
+    // r is the seed, whose square is exact; p is a times the square, truncated to Q.30; r1 is the step,
+    // truncated to Q.30.
     std::printf("a = fixed<-32, dn>(A_);\n"
                 "r = fixed<-15, dn>(R_);\n"
                 "T = 1 / sqrt(a);\n"
@@ -137,8 +138,8 @@ void rsqrt_first() {
 }
 
 void rsqrt_second() {
-    // s: r^2 rounded to Q.30; d: half the residual with 48 fraction bits, one signed word; r2: rounded to
-    // Q.30.
+    // s is r^2 rounded to Q.30; d is half the residual with 48 fraction bits, one signed word; r2 is rounded
+    // to Q.30.
     std::printf("a = fixed<-32, dn>(A_);\n"
                 "r = fixed<-30, dn>(R_);\n"
                 "T = 1 / sqrt(a);\n"
@@ -156,8 +157,8 @@ void rsqrt_second() {
                 bound(rsqrt_1_accuracy), bound(rsqrt_accuracy), bound(rsqrt_accuracy));
 }
 
-/// normalize(): u is a component of v / |v|, whose square lost less than 2^-32 of [1/4, 1] when it became a
-/// word; E is the error of rsqrt().
+/// normalize(): u is a component of v / |v|. The square of |v| lost less than 2^-32 of [1/4, 1] when it
+/// became a word. E is the error of rsqrt().
 void normalize() {
     std::printf("lost = 1 / sqrt(1 - theta);\n"
                 "unit = fixed<-30, ne>(u * (lost * (1 + E)));\n"
@@ -167,7 +168,7 @@ void normalize() {
                 bound(rsqrt_accuracy), bound(rsqrt_accuracy));
 }
 
-/// dot() of two of them: each component is 1 at most.
+/// dot() of two unit vectors, whose components are 1 at most.
 void dot_units() {
     std::printf(
         "@whole = fixed<0, ne>;\n"

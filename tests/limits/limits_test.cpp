@@ -1,5 +1,5 @@
-// What a build says of its limits, and that lower ones change no picture. The same tests run in a build whose
-// limits are as low as a board with 8 KB of memory has them (CMakeLists.txt).
+// Tests what a build reports about its limits, and that lower limits change no picture. The same tests run in
+// a build whose limits are as low as on a board with 8 KB of memory (CMakeLists.txt).
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr int width = 96, height = 16;
 
-/// On the mono pixels of small OLEDs: the format every one of these builds has.
+/// Draws on the mono pixels of small OLEDs, a format that every one of these builds has.
 struct Limits : ::testing::Test {
     HeadlessGl gl{width,
                   height,
@@ -28,7 +28,7 @@ struct Limits : ::testing::Test {
                    EGL_PRECISION_EXACT_SPANGLE, EGL_CONFIG_ID, mono_config()}};
 
     static EGLint mono_config() { return config_of(PixelFormat::mono); }
-    /// Its id among those there are.
+    /// Returns the id of the config of this format.
     static EGLint config_of(PixelFormat format) {
         const EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
         eglInitialize(display, nullptr, nullptr);
@@ -55,7 +55,7 @@ struct Limits : ::testing::Test {
         return value;
     }
 
-    /// Entries of a stack until it overflows.
+    /// Returns how many entries can be pushed until a stack overflows.
     static int pushes(GLenum mode) {
         glMatrixMode(mode);
         int entries = 1;
@@ -103,14 +103,14 @@ TEST_F(Limits, QueriesSayThem) {
 #endif
 }
 
-/// The default display is one of them.
+/// The default display counts as one of the displays.
 TEST_F(Limits, DisplaysAsManyAsItSays) {
     static FakeDisplay more[gl::most_displays];
     for (int i = 0; i < gl::most_displays; ++i)
         EXPECT_EQ(eglGetDisplay(native(more[i])) != EGL_NO_DISPLAY, i + 1 < gl::most_displays) << i;
 }
 
-/// Nobody hands over memory here. What the arena keeps for itself at the ends is less than a page.
+/// No memory is handed over here. The arena keeps less than a page for itself at its ends.
 TEST_F(Limits, AHostHasAsMuchMemoryOfItsOwn) {
     EXPECT_LE(memory_use().capacity, gl::host_memory_bytes);
     EXPECT_GT(memory_use().capacity + 4096, gl::host_memory_bytes);
@@ -172,8 +172,8 @@ TEST_F(Limits, ConfigsAreThoseOfTheFormatsAndTiersThereAre) {
     EXPECT_EQ(of_product, formats * depths * __builtin_popcount(raster::tiers));
 }
 
-/// A fan seen from within: every triangle is cut by some of near, left, right, bottom, top.
-/// However entry points come to their numbers.
+/// A fan is seen from within, so every triangle is clipped by some of near, left, right, bottom and top.
+/// Entry points must read their numbers right, whichever way they do it.
 TEST_F(Limits, ArgumentsArriveWhole) {
     using Values = std::vector<GLfloat>;
     const auto current = [](GLenum name, std::size_t count) {
@@ -210,7 +210,7 @@ TEST_F(Limits, ArgumentsArriveWhole) {
 }
 
 #if SPANGLE_FEATURE_LISTS && SPANGLE_FEATURE_STIPPLE
-/// What a list takes word by word, and what has an encoder of its own.
+/// Tests commands that a list records word by word, and commands with an encoder of their own.
 TEST_F(Limits, ListsTakeAndRunEachKindOfCommand) {
     using Box = std::array<GLint, 4>;
     const std::array<GLubyte, 128> none{};
@@ -270,7 +270,7 @@ TEST_F(Limits, ClippedPictureIsTheSame) {
     EXPECT_EQ(hash(), 4245182621u);
 }
 
-/// A quad that crosses every plane of the guard band, and one that crosses itself.
+/// Draws a quad that crosses every plane of the guard band, and a quad that crosses itself.
 TEST_F(Limits, QuadsThroughEveryPlane) {
     view();
     glShadeModel(GL_FLAT);
@@ -307,7 +307,7 @@ TEST_F(Limits, LinesAndPointsOfArraysAreTheSame) {
     EXPECT_EQ(hash(), 256275623u);
 }
 
-/// Again and again in and out of the view, by elements of any size.
+/// Strips of lines go into the view and out of it many times, by elements of any size.
 TEST(LimitsOfWords, StripsOfLinesAreTheSame) {
     HeadlessGl gl(width, height,
                   {EGL_ALPHA_SIZE, 0, EGL_DEPTH_SIZE, 0, EGL_BUFFER_SIZE, 16, EGL_PRECISION_SPANGLE,
@@ -327,7 +327,7 @@ TEST(LimitsOfWords, StripsOfLinesAreTheSame) {
     glDrawArrays(GL_LINE_STRIP, 0, 45);
     glColor3f(0.25f, 0.5f, 1);
     glDrawElements(GL_LINE_STRIP, 45, GL_UNSIGNED_SHORT, order.data() + 45);
-    // All of it in the view: batches as long as there are.
+    // All lines are in the view, so batches are as long as possible.
     glScalef(0.5f, 0.5f, 1);
     glColor3f(0.5f, 1, 0.25f);
     glDrawElements(GL_LINE_STRIP, 90, GL_UNSIGNED_SHORT, order.data());
@@ -339,15 +339,15 @@ TEST(LimitsOfWords, StripsOfLinesAreTheSame) {
     EXPECT_EQ(h, 948143146u);
 }
 
-/// Lines apart from each other, each of a colour of its own: where they end shows, and which element they
-/// are.
+/// The lines are separate, each with a colour of its own, which shows where each ends and which element it
+/// is.
 TEST_F(Limits, LinesOfElementsEndAlikeAndHaveTheirColors) {
     view();
     glShadeModel(GL_FLAT);
     std::vector<GLfloat> at;
     std::vector<GLubyte> order, color;
     for (int i = 0; i < 24; ++i) {
-        // In the middle of pixels, where the end that is not drawn shows.
+        // Ends lie in the middle of pixels, where it shows that the last fragment is not drawn.
         at.insert(at.end(), {static_cast<float>(i) * 0.075f - 1.0875f,
                              static_cast<float>(i * 5 % 7) * 0.05f - 0.1375f, -1.0f});
         color.insert(color.end(), 3, static_cast<GLubyte>(i * 97 % 256));
@@ -380,7 +380,7 @@ TEST_F(Limits, BlendedAndDitheredPictureIsTheSame) {
 }
 
 #if !SPANGLE_FEATURE_COLOR_INDEX && !SPANGLE_FEATURE_POLYGON_OFFSET
-/// Whether a name of a system that was left out is refused as one that is known.
+/// Returns whether names of a system that was left out are refused as known names.
 TEST_F(Limits, NamesOfALeftOutSystemAreKnownWhereTheyBelong) {
     GLint value[16] = {};
     void* pointer = nullptr;

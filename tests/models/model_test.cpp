@@ -1,5 +1,5 @@
-// Models as their makers leave them: materials that cannot be meant, textures named from another machine,
-// colours in vertices, files that ask for all memory.
+// Reads models as their makers left them: with impossible materials, textures named on another machine,
+// colours in vertices, and sizes that ask for all memory.
 #include <algorithm>
 #include <cmath>
 #include <csignal>
@@ -36,7 +36,7 @@ class Models : public testing::Test {
         std::ofstream(folder / name, std::ios::binary) << text;
         return (folder / name).string();
     }
-    /// A square facing the eye with this material.
+    /// Reads a square with this material that faces the eye.
     ModelResult square(const std::string& material) const {
         write("m.mtl", "newmtl m\n" + material);
         return cli::load_model(write("square.obj", "mtllib m.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
@@ -193,7 +193,7 @@ TEST_F(Models, NumbersThatAreNoneAreZero) {
     EXPECT_LE(r.model.parts.at(0).shininess, 128.0f);
 }
 
-// AddressSanitizer's own memory is beyond every limit, so there is none then.
+// AddressSanitizer's own memory exceeds every limit, so sanitized builds have none.
 #if defined(__SANITIZE_ADDRESS__)
 #define SANITIZED
 #elif defined(__has_feature)

@@ -1,4 +1,4 @@
-// What the page shows of a board: choices, the viewer who walks around, and the log of the bus.
+// Tests what the page shows of a board: choices, the viewer who walks around, and the log of the bus.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -130,7 +130,7 @@ TEST(PageBusLog, TellsCommandsAndTheirFirstBytes) {
     EXPECT_EQ(log.bytes(), 1 + 320u * 240 * 2);
     show(view);
     const std::vector<page::BusLog::Entry>& entries = log.entries();
-    ASSERT_EQ(entries.size(), page::BusLog::most_commands); // others are counted only
+    ASSERT_EQ(entries.size(), page::BusLog::most_commands); // further commands are only counted
     EXPECT_GT(log.commands(), page::BusLog::most_commands);
     const int commands[] = {0x2A, 0x2B, 0x2C}; // CASET, PASET, RAMWR
     const auto wide = [](const page::BusLog::Entry& e) {

@@ -18,7 +18,7 @@ constexpr int width = 320, height = 240, frames = 300;
 void draw() {
     ImGui::NewFrame();
     ImGui::ShowDemoWindow();
-    // The demo window places itself for a large screen when it appears.
+    // The demo window chooses a place for a large screen when it appears, so it is moved here.
     ImGui::SetWindowPos("Dear ImGui Demo", ImVec2(4, 4));
     ImGui::SetWindowSize("Dear ImGui Demo", ImVec2(width - 8, height - 8));
     ImGui::Render();

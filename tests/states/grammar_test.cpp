@@ -1,4 +1,5 @@
-// The grammar of `./dev bench states`: the same states everywhere, in pairs of neighbours, of all words.
+// Tests the grammar of `./dev bench states`: states are the same everywhere, come in pairs of neighbours, and
+// have all words.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -73,7 +74,7 @@ TEST(Grammar, WordsThatDoNotApplyToBothAreNoDifference) {
     EXPECT_EQ(distance(textured, other), 2);
 }
 
-/// Of each state of two keys the fragments, which are those of the shape whatever hides them.
+/// Counts the fragments of each state of two keys. They are those of the shape, whatever hides them.
 TEST(Grammar, StatesAreDrawnAndTheirFragmentsCounted) {
     for (std::uint32_t number = 0; number < 10 * pair; number += pair) {
         const State first = state(3, number);
@@ -89,7 +90,8 @@ TEST(Grammar, StatesAreDrawnAndTheirFragmentsCounted) {
     }
 }
 
-/// Tests that hide fragments and samples that repeat them change nothing; a scissor rectangle does.
+/// Tests that hide fragments, and samples that repeat them, do not change the count; a scissor rectangle
+/// does.
 TEST(Grammar, FragmentsAreThoseOfTheShape) {
     State of;
     of[Word::shape] = sprites;
@@ -101,7 +103,7 @@ TEST(Grammar, FragmentsAreThoseOfTheShape) {
     EXPECT_LT(fragments_of(of, 3), all);
 }
 
-/// What is counted and what a picture shows must not depend on the states before.
+/// The count and the picture of a state must not depend on earlier states.
 TEST(Grammar, APictureIsThatOfItsStateAlone) {
     const auto picture = [](std::uint32_t number) {
         return count(

@@ -17,7 +17,7 @@ void set_projection(const State& state) {
     glMatrixMode(GL_MODELVIEW);
 }
 
-/// Both sides are lit; triangles show either.
+/// Lights both sides, because triangles may show either.
 void set_lighting(const State& state) {
     const std::uint8_t shade = state[Word::shade];
     glShadeModel(shade == flat ? GL_FLAT : GL_SMOOTH);

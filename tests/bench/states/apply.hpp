@@ -1,4 +1,4 @@
-// A state's words as GL calls, on Spangle and on any other GL.
+// Makes GL calls of a state's words, on Spangle and on any other GL.
 #pragma once
 
 #include "tests/bench/states/words.hpp"
@@ -7,10 +7,10 @@ namespace spangle::bench::states {
 
 inline constexpr int canvas_width = 320, canvas_height = 240;
 
-/// Sets what the state says in a context whose state is GL's default, textures included.
+/// Sets everything that the state says in a context with GL's initial state, textures included.
 void apply(const State& state);
 
-/// Clears what is drawn on, and for EQUAL draws the depths; nothing of this is counted or timed.
+/// Clears the buffers, and for EQUAL draws the depths. This work is neither counted nor timed.
 void prepare(const State& state, int amount);
 
 } // namespace spangle::bench::states

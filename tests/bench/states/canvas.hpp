@@ -1,4 +1,4 @@
-// A context of Spangle for a state: with its surface, in its tier.
+// A context of Spangle for a state, with the state's surface and in its tier.
 #pragma once
 
 #include "tests/bench/headless.hpp"

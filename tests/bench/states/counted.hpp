@@ -1,5 +1,5 @@
-// One state in a context of its own, so that no state before it shows: what is drawn once is drawn again, and
-// `begin` and `end` enclose that.
+// Draws one state in a context of its own, so that no earlier state matters. What is drawn once is drawn
+// again between `begin` and `end`.
 #pragma once
 
 #include <initializer_list>
@@ -15,10 +15,10 @@ namespace spangle::bench::states {
 struct Counted {
     bool good = false;         ///< there is such a context, and GL reports no error
     GLuint fragments = 0;      ///< that the shape covers inside the scissor rectangle
-    std::uint32_t picture = 0; ///< its hash
+    std::uint32_t picture = 0; ///< hash of the picture
 };
 
-/// What bare() covers: an occlusion query counts it.
+/// Counts by an occlusion query what bare() covers.
 inline GLuint fragments_of(const State& state, int amount) {
     const State alone = bare(state);
     Headless gl;
@@ -47,7 +47,7 @@ template <class Begin, class End> Counted count(const State& state, Begin begin,
         return out;
     apply(state);
     set_vertices(state, amount);
-    for (const bool counts : {false, true}) { // what is done once is not counted
+    for (const bool counts : {false, true}) { // work that is done once is not counted
         prepare(state, amount);
         if (counts)
             begin();

@@ -10,7 +10,7 @@ namespace {
 
 using test::Random;
 
-/// Numbers that are near each other begin sequences that are not.
+/// Mixes a number, so that neighbouring numbers begin different sequences.
 std::uint32_t mixed(std::uint32_t v) {
     v = (v ^ v >> 16) * 0x7FEB352Du;
     v = (v ^ v >> 15) * 0x846CA68Bu;
@@ -28,7 +28,8 @@ std::uint8_t weighted(Random& random, const WordInfo& word) {
     return i;
 }
 
-/// Words from `first` on: those that do not apply are cleared, those that did not apply before are drawn.
+/// Completes the words from `first` on: words that do not apply are cleared, and words that now apply are
+/// chosen at random.
 void complete(Random& random, State& state, int first, const State* before) {
     for (int i = first; i < word_count; ++i) {
         const auto word = static_cast<Word>(i);

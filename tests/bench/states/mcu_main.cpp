@@ -1,5 +1,5 @@
-// Random states as firmware of an MPS2 board; run with -icount shift=0. The command line is "NAME SEED
-// NUMBER..."; prints by semihosting "NUMBER INSTRUCTIONS FRAGMENTS PICTURE" of each.
+// Draws random states as firmware of an MPS2 board, run with -icount shift=0. The command line is "NAME SEED
+// NUMBER...". By semihosting it prints "NUMBER INSTRUCTIONS FRAGMENTS PICTURE" for each state.
 #include <spangle/mcu/instructions.hpp>
 #include <spangle/mcu/semihosting.hpp>
 #include <spangle/native.hpp>
@@ -13,7 +13,7 @@ using namespace spangle::bench::states;
 
 alignas(8) unsigned char memory_pool[3 * 1024 * 1024];
 
-/// The next number of a line of words; false where there is none.
+/// Reads the next number of a line of words. Returns false if there is none.
 bool next_number(const char*& at, std::uint32_t& out) {
     while (*at != '\0' && (*at < '0' || *at > '9'))
         ++at;
@@ -40,7 +40,7 @@ int main() {
         return 2;
     }
     spangle::memory(memory_pool, sizeof memory_pool);
-    spangle::mcu::InstructionCount clock(25'000'000); // clocks a second of these boards
+    spangle::mcu::InstructionCount clock(25'000'000); // clock frequency of these boards in Hz
     while (next_number(at, number)) {
         std::uint32_t instructions = 0;
         const Counted found = count(

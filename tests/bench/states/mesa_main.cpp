@@ -18,7 +18,7 @@ namespace {
 
 using namespace spangle::bench::states;
 
-/// A context without a surface (EGL_MESA_platform_surfaceless).
+/// Opens a context without a surface (EGL_MESA_platform_surfaceless).
 bool open_context() {
     const EGLDisplay display =
         eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);

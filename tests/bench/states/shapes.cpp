@@ -17,7 +17,8 @@ struct Vertex {
     GLubyte color[4];
 };
 
-/// Corners of a primitive, how many there are to count and to time by, and how far they reach: pixels.
+/// A kind of primitive: its vertices, how many primitives are enough to count and to time, and how far they
+/// reach in pixels.
 struct Kind {
     GLenum mode;
     int corners;
@@ -40,7 +41,7 @@ const Kind& kind_of(const State& state) {
     return kinds[state[Word::shape]];
 }
 
-/// Where corners lie in the window, 16ths of a pixel, and how far away: 16ths.
+/// The place of a vertex in the window in 16ths of a pixel, and its distance in 16ths.
 struct Corner {
     int x, y, distance;
 };
@@ -53,7 +54,7 @@ int double_area(const Corner* c) {
     return (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[1].y - c[0].y) * (c[2].x - c[0].x);
 }
 
-/// No slivers: at least a fifth of the square in which the corners lie.
+/// Places vertices without slivers: a triangle has at least a fifth of the square around it.
 void place_corners(Random& random, const Kind& kind, Corner* corner) {
     const int reach = kind.reach * 16;
     for (;;) {
@@ -69,7 +70,7 @@ void place_corners(Random& random, const Kind& kind, Corner* corner) {
     }
 }
 
-/// Whole pixels.
+/// Places sprites at whole pixels.
 void place_sprite(Random& random, Corner* corner) {
     const int x = between(random, 0, canvas_width - sprite_size) * 16,
               y = between(random, 0, canvas_height - sprite_size) * 16;
@@ -90,7 +91,7 @@ void set_coordinates(const State& state, Vertex& vertex, const Corner& at, const
     const auto scale =
         state.has(Word::texture) && !sprite ? static_cast<int>(state.value(Word::scale)[0]) : 16;
     for (int unit = 0; unit < 2; ++unit) {
-        // 256ths of a texel from a place that differs from primitive to primitive
+        // Coordinates are 256ths of a texel, from a place that differs from primitive to primitive.
         const int s = (at.x - first.x) * scale + (first.x * 7 & 0x7FF) * 4,
                   t = (at.y - first.y) * scale + (first.y * 5 & 0x7FF) * 4;
         GLfloat* const out = vertex.coordinates[unit];
@@ -103,7 +104,7 @@ void set_coordinates(const State& state, Vertex& vertex, const Corner& at, const
         out[2] = (out[0] + out[1]) / 2;
     }
     if (state.has(Word::texture) && state.value(Word::texture)[0] == GL_TEXTURE_CUBE_MAP) {
-        // a direction about the face +Z, and past its edges
+        // The direction is about the face +Z, and goes past its edges.
         GLfloat* const out = vertex.coordinates[0];
         out[0] = 2 * out[0] - 1, out[1] = 2 * out[1] - 1, out[2] = 1;
     }
@@ -120,7 +121,7 @@ void set_color(Random& random, const State& state, Vertex& vertex) {
     vertex.normal[2] = 0.75f;
 }
 
-/// Eye coordinates of a corner (apply.cpp has the projection).
+/// Sets the eye coordinates of a vertex (apply.cpp has the projection).
 void set_place(const State& state, Vertex& vertex, const Corner& at) {
     const GLfloat x = static_cast<GLfloat>(at.x) / 16, y = static_cast<GLfloat>(at.y) / 16,
                   distance = static_cast<GLfloat>(at.distance) / 16;

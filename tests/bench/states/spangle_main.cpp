@@ -9,7 +9,7 @@
 
 #if __has_include(<valgrind/callgrind.h>)
 #include <valgrind/callgrind.h>
-#else // fragments and pictures are told all the same
+#else // fragments and pictures are printed without callgrind, too
 #define CALLGRIND_START_INSTRUMENTATION
 #define CALLGRIND_ZERO_STATS
 #define CALLGRIND_STOP_INSTRUMENTATION
@@ -37,7 +37,7 @@ void print_words(const State& of) {
     }
 }
 
-/// {"number": n, "key": n, "words": {word: [choice, work, whether it may add a pass]}}
+/// Prints {"number": n, "key": n, "words": {word: [choice, work, whether it may add a pass]}} for each state.
 int list(std::uint32_t seed) {
     for (unsigned number = 0; std::scanf("%u", &number) == 1;) {
         std::printf("{\"number\": %u, \"key\": %u, \"words\": {", number, number / variants);
@@ -67,7 +67,7 @@ int count_all(std::uint32_t seed) {
     return 0;
 }
 
-/// Contexts stay: states come again in each round.
+/// Makes the state's context current. Contexts are kept, because states come again in each round.
 bool select(const State& of) {
     static Headless kept[2][3][2];
     Headless& gl = kept[of[Word::surface]][of[Word::tier]][of[Word::samples]];

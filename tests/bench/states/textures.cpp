@@ -9,7 +9,7 @@ namespace {
 GLubyte texels[texture_size * texture_size * 4];
 GLuint names[2];
 
-/// Noise of all colours. Alpha is 255 for half of the texels, and at least 32.
+/// Makes noise of all colours. Alpha is 255 in half of the texels, and at least 32.
 void make_noise(std::uint32_t seed, int count) {
     test::Random random{seed};
     for (int i = 0; i < count; ++i) {
@@ -31,7 +31,7 @@ void image(GLenum target, GLint level, GLint format, int size) {
         glTexImage2D(target, level, format, size, size, 0, rgba, type, texels);
 }
 
-/// As many texels of each kind as fit: a volume has 16 each way, a face 32.
+/// Returns the size of a texture. All kinds have about as many texels: a volume has 16 each way, a face 32.
 int size_of(const State& state, GLenum target) {
     return target == GL_TEXTURE_3D                                    ? 16
            : target == GL_TEXTURE_CUBE_MAP                            ? 32

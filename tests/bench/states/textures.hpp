@@ -1,4 +1,4 @@
-// The textures of a state.
+// Makes the textures of a state.
 #pragma once
 
 #include "tests/bench/states/words.hpp"
@@ -7,10 +7,10 @@ namespace spangle::bench::states {
 
 inline constexpr int texture_size = 64, sprite_size = 32; ///< texels each way
 
-/// Makes and binds what the state samples, sets how, and enables it.
+/// Makes and binds the state's textures, sets their parameters, and enables them.
 void set_textures(const State& state);
 
-/// Frees what set_textures() made.
+/// Deletes what set_textures() made.
 void forget_textures();
 
 } // namespace spangle::bench::states

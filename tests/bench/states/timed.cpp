@@ -30,7 +30,7 @@ double frame(const State& state, int amount) {
     return cpu_us() - before;
 }
 
-/// The fastest of some frames: others were disturbed.
+/// Returns the time of the fastest of some frames, because other work disturbs the others.
 double fastest(const State& state) {
     const int amount = amount_to_time(state);
     apply(state);
@@ -51,7 +51,7 @@ int time_all(std::uint32_t seed, bool (*select)(const State&)) {
     unsigned number = 0;
     while (std::scanf("%u", &number) == 1) {
         const State of = state(seed, number);
-        double time = -1; // no such context
+        double time = -1; // there is no such context
         if (select(of)) {
             glPushAttrib(GL_ALL_ATTRIB_BITS);
             glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);

@@ -14,7 +14,7 @@ constexpr Choice shape[] = {{"triangles", 42, unordered, {}}, {"small triangles"
                             {"sprites", 16, unordered, {}}};
 constexpr Choice view[] = {
     {"parallel", 25, 0, {}}, {"mild perspective", 40, 1, {}}, {"harsh perspective", 35, 1, {}}};
-// Vertices that are lit take longer, too, so what their fragments take is held against their own only.
+// Lit vertices take longer, too, so their states are compared with each other only.
 constexpr Choice shade[] = {{"one colour", 3, 0, {}},
                             {"flat", 2, 1, {}},
                             {"smooth", 5, 3, {}},
@@ -34,7 +34,7 @@ constexpr Choice format[] = {
     {"I8", 1, unordered, {GL_INTENSITY8}},   {"RGBA4", 1, unordered, {GL_RGBA4}},
     {"RGB5_A1", 1, unordered, {GL_RGB5_A1}},
 };
-// Bits: four texels, a level chosen, two levels. Values: minification, magnification.
+// Bits of work: four texels, a chosen level, two levels. Values: minification, magnification.
 constexpr Choice filter[] = {
     {"NEAREST", 8, 0, {GL_NEAREST, GL_NEAREST}},
     {"LINEAR", 8, 1, {GL_LINEAR, GL_LINEAR}},
@@ -43,7 +43,7 @@ constexpr Choice filter[] = {
     {"NEAREST_MIPMAP_LINEAR", 1, 6, {GL_NEAREST_MIPMAP_LINEAR, GL_NEAREST}},
     {"LINEAR_MIPMAP_LINEAR", 2, 7, {GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR}},
 };
-// Values: texels in 16 pixels.
+// Value: texels in 16 pixels.
 constexpr Choice scale[] = {
     {"magnified", 2, unordered, {4}}, {"1:1", 2, unordered, {16}}, {"minified", 1, unordered, {40}}};
 constexpr Choice wrap[] = {{"REPEAT", 5, unordered, {GL_REPEAT, GL_REPEAT}},
@@ -51,7 +51,7 @@ constexpr Choice wrap[] = {{"REPEAT", 5, unordered, {GL_REPEAT, GL_REPEAT}},
                            {"CLAMP_TO_EDGE", 3, unordered, {GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE}},
                            {"CLAMP_TO_BORDER", 1, unordered, {GL_CLAMP_TO_BORDER, GL_CLAMP_TO_BORDER}},
                            {"REPEAT and CLAMP_TO_EDGE", 1, unordered, {GL_REPEAT, GL_CLAMP_TO_EDGE}}};
-// Values: the mode; where it combines, the functions of RGB and of alpha.
+// Values: the mode; if it is COMBINE, also the functions of RGB and of alpha.
 constexpr Choice env[] = {
     {"MODULATE", 8, 1, {GL_MODULATE}},
     {"REPLACE", 5, 0, {GL_REPLACE}},
@@ -76,7 +76,8 @@ constexpr Choice alpha_test[] = {{"", 24, 0, {}},
                                  {"NOTEQUAL 1", 1, unordered, {GL_NOTEQUAL, 16}},
                                  {"LEQUAL 1", 1, 1, {GL_LEQUAL, 16}},
                                  {"NEVER", 1, unordered, {GL_NEVER, 0}}};
-// Values: the function, what is done where depth fails, and where it passes. The buffer holds 0, reference 0.
+// Values: the function, the operation if depth fails, and the operation if it passes. The buffer holds 0, and
+// the reference is 0.
 constexpr Choice stencil[] = {{"", 32, 0, {}},
                               {"EQUAL KEEP", 1, 1, {GL_EQUAL, GL_KEEP, GL_KEEP}},
                               {"ALWAYS REPLACE", 1, 2, {GL_ALWAYS, GL_REPLACE, GL_REPLACE}},
@@ -85,7 +86,7 @@ constexpr Choice stencil[] = {{"", 32, 0, {}},
                               {"ALWAYS INVERT", 1, 16, {GL_ALWAYS, GL_INVERT, GL_INVERT}},
                               {"EQUAL INCR", 1, unordered, {GL_EQUAL, GL_INCR, GL_INCR}},
                               {"GREATER KEEP", 1, unordered, {GL_GREATER, GL_KEEP, GL_KEEP}}};
-// Values: the function, and what the buffer is cleared to. For EQUAL the depths are drawn before.
+// Values: the function, and the value to which the buffer is cleared. For EQUAL the depths are drawn before.
 constexpr Choice depth[] = {{"", 12, 0, {}},
                             {"LESS", 12, unordered, {GL_LESS, 1}},
                             {"LEQUAL", 5, unordered, {GL_LEQUAL, 1}},
@@ -123,7 +124,7 @@ constexpr Choice blend[] = {
     {"ONE, ONE, MAX", 1, 4096, {GL_ONE, GL_ONE, GL_MAX}},
     {"ONE, ZERO", 1, 8192, {GL_ONE, GL_ZERO, GL_FUNC_ADD}},
 };
-// Values: bits of red, green, blue and alpha. With some channels closed, what was there is read as well.
+// Value: bits of red, green, blue and alpha. If some channels are masked, the stored colour is read as well.
 constexpr Choice mask[] = {{"", 30, 1, {15}},
                            {"no alpha", 2, unordered, {7}},
                            {"no red", 1, 3, {14}},

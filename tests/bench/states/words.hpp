@@ -1,5 +1,6 @@
-// The grammar of states: a word is one thing that a program sets and that reaches fragments, a choice one of
-// its values. words.cpp is the only list of them; states are drawn, applied, compared and named by it.
+// The grammar of states: a word is one thing that a program sets and that reaches fragments, and a choice is
+// one of its values. words.cpp is the only list of them. States are chosen, applied, compared and named by
+// this list.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +9,7 @@
 
 namespace spangle::bench::states {
 
-/// In the order in which they are drawn: whether a word applies depends on those before it.
+/// Words in the order in which they are chosen: whether a word applies depends on the words before it.
 enum class Word : std::uint8_t {
     surface,
     tier,
@@ -48,19 +49,19 @@ enum Shape : std::uint8_t { triangles, small_triangles, lines, wide_lines, point
 enum View : std::uint8_t { parallel, mild, harsh };
 enum Shade : std::uint8_t { one_color, flat, smooth_color, lit, lit_specular };
 
-/// `work` of a choice: the kinds of work that it asks for, one bit each. A choice whose bits are some of
-/// another's, and not all, asks for less.
+/// `work` has a bit for each kind of work that a choice asks for. A choice with some of another's bits, and
+/// not all, asks for less.
 inline constexpr std::int16_t unordered = -1; ///< such as a test that some fragments fail
 struct Choice {
     const char* name;
-    std::uint8_t weight; ///< how often it is drawn, beside the others
+    std::uint8_t weight; ///< how often it is chosen, relative to the others
     std::int16_t work;
-    GLenum value[3]; ///< what is given to GL
+    GLenum value[3]; ///< values that GL is given
 };
 
 struct WordInfo {
     const char* name;
-    bool pass; ///< a texture, a filter or another pass comes with it: it may cost what it likes
+    bool pass; ///< whether it adds a texture, a filter or another pass, and so may cost any amount
     const Choice* choices;
     std::uint8_t count;
 };
@@ -70,7 +71,7 @@ struct State {
     std::uint8_t choice[word_count] = {};
     std::uint8_t& operator[](Word word) { return choice[static_cast<int>(word)]; }
     std::uint8_t operator[](Word word) const { return choice[static_cast<int>(word)]; }
-    bool has(Word word) const { return (*this)[word] != 0; } ///< not its first choice
+    bool has(Word word) const { return (*this)[word] != 0; } ///< whether the word is not its first choice
     const GLenum* value(Word word) const { return info(word).choices[(*this)[word]].value; }
 };
 

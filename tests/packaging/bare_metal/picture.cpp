@@ -1,4 +1,4 @@
-// A lit, smooth-shaded, depth-tested picture of 64x48 pixels, and its FNV-1a hash.
+// Draws a lit, smooth-shaded, depth-tested picture of 64x48 pixels, and returns its FNV-1a hash.
 #include "picture.hpp"
 
 #include <spangle/EGL/egl.h>
@@ -8,7 +8,7 @@
 namespace {
 
 constexpr int width = 64, height = 48;
-/// A PC's context keeps the vertices of whole meshes.
+/// A context on a PC keeps the vertices of whole meshes.
 alignas(8) unsigned char memory[sizeof(void*) > 4 ? 2 * 1024 * 1024 : 96 * 1024];
 
 bool open() {

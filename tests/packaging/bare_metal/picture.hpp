@@ -2,5 +2,5 @@
 
 #include <cstdint>
 
-/// Draws and gives the picture's name; 0: something failed.
+/// Draws the picture and returns its hash, or 0 if something failed.
 std::uint32_t picture_hash();

@@ -1,5 +1,5 @@
-// From reset to the picture's hash, said by semihosting; and the functions that compilers call without being
-// asked.
+// Runs from reset to the picture's hash, which is printed by semihosting. Also has the functions that
+// compilers call by themselves.
 #include <cstddef>
 
 #include <spangle/mcu/semihosting.hpp>

@@ -1,4 +1,4 @@
-// One triangle with a texture in each tier, against the double reference and stage by stage, through the
+// Compares a textured triangle in each tier with the double reference, and stage by stage, through the
 // installed libraries only.
 #include <cstdio>
 #include <initializer_list>
@@ -31,7 +31,7 @@ void draw() {
     glEnd();
 }
 
-/// Draws in a config of that precision; empty where there is none.
+/// Draws in a config of that precision. The result is empty if there is no such config.
 spangle::DrawnPicture picture_of(EGLint precision) {
     const EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
     const EGLint wish[] = {EGL_SURFACE_TYPE,      EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,

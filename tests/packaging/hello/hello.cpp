@@ -1,4 +1,4 @@
-// A first triangle on a simulated ST7789, through the installed libraries only.
+// Draws a first triangle on a simulated ST7789, through the installed libraries only.
 #include <cstdio>
 
 #include <spangle/EGL/egl.h>

@@ -1,4 +1,4 @@
-// The rasterizer without GL, through the installed library and its one public header.
+// Uses the rasterizer without GL, through the installed library and its only public header.
 #include <cstdio>
 
 #include <spangle/raster.hpp>

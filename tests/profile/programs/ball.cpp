@@ -4,7 +4,7 @@ namespace spangle::programs {
 
 namespace {
 
-/// Sines of 0 to 24 steps of 15 degrees.
+/// Sines of multiples of 15 degrees; sine() continues them from 0 to 24 steps.
 constexpr float quarter[7] = {0.0f, 0.258819f, 0.5f, 0.707107f, 0.866025f, 0.965926f, 1.0f};
 constexpr float sine(int step) {
     step = (step % 24 + 24) % 24;

@@ -1,4 +1,5 @@
-// A shining ball that mirrors an image: sphere mapping, a lamp near by, highlights added after the texture.
+// Draws a shining ball that mirrors an image: sphere mapping, a near lamp, and highlights that are added
+// after the texture.
 #include "tests/profile/programs/program.hpp"
 
 namespace spangle::programs {

@@ -1,4 +1,4 @@
-// A ball in a display list, cut open by a plane, lit on both sides.
+// Draws a ball in a display list, cut open by a plane and lit on both sides.
 #include "tests/profile/programs/program.hpp"
 
 namespace spangle::programs {

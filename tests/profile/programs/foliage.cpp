@@ -1,4 +1,4 @@
-// Leaves that an alpha test cuts out, between PushAttrib and PopAttrib.
+// Draws leaves that an alpha test cuts out, between PushAttrib and PopAttrib.
 #include "tests/profile/programs/program.hpp"
 
 namespace spangle::programs {

@@ -1,4 +1,4 @@
-// A lit ball without a texture, in a parallel projection and in perspective.
+// Draws a lit ball without a texture, in a parallel projection and in perspective.
 #include "tests/profile/programs/program.hpp"
 
 namespace spangle::programs {

@@ -1,5 +1,5 @@
-// Small programs of public GL, of which a profile is recorded: the systems that each asks for are few, and
-// not those of the scenes.
+// Small programs of public GL of which a profile is recorded. Each uses few systems of GL, other ones than
+// the scenes use.
 #pragma once
 
 #include <spangle/GL/gl.h>
@@ -19,7 +19,7 @@ inline constexpr const Program* all[] = {&gouraud_cube, &sprites_only, &lit_para
                                          &terrain_fog,  &particles,    &cutaway,      &two_textures,
                                          &wires,        &foliage,      &chrome};
 
-/// A ball of radius 1 in strips: corner and normal are the same.
+/// Sends a ball of radius 1 in strips; position and normal of a vertex are the same.
 void ball();
 
 } // namespace spangle::programs

@@ -1,4 +1,4 @@
-// A floor with levels of detail, and a light map on the second unit.
+// Draws a floor with levels of detail, and a light map on the second unit.
 #include "tests/profile/programs/program.hpp"
 
 namespace spangle::programs {

@@ -1,4 +1,4 @@
-// Stippled lines and a word of bitmaps.
+// Draws stippled lines, and a word of bitmaps.
 #include "tests/profile/programs/program.hpp"
 
 namespace spangle::programs {
