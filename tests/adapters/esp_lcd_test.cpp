@@ -1,4 +1,5 @@
-// The esp_lcd adapter: Spangle's display drives a simulated panel through stubs of Espressif's panel IO.
+// Tests the esp_lcd adapter: Spangle's display drives a simulated panel through stubs of Espressif's panel
+// IO.
 #include <memory>
 #include <vector>
 
@@ -12,14 +13,14 @@
 
 using namespace spangle;
 
-/// A panel IO whose other end is a simulated panel. Colours wait until somebody needs them gone.
+/// A panel IO whose other end is a simulated panel. Pixels stay queued until a call has to wait for them.
 struct esp_lcd_panel_io_t {
     sim::SimBoard* board = nullptr;
     esp_lcd_panel_io_callbacks_t callbacks{};
     void* user = nullptr;
     int colors = 0, parameters = 0, queued = 0;
     esp_err_t answer = ESP_OK;
-    std::vector<std::uint8_t> sent; ///< as colours
+    std::vector<std::uint8_t> sent; ///< bytes that were sent as colours
 
     void transmit(int command, const void* data, std::size_t bytes, bool color) {
         std::vector<hal::Op> ops;
@@ -90,7 +91,7 @@ adapters::EspLcdConfig config_of(esp_lcd_panel_io_t& io, const hal::Board& board
         op.kind = hal::Op::Kind::reset;
         op.micros = 10;
         if (!high)
-            return; // here a pulse is one operation, and ends when it is over
+            return; // here a pulse is one operation that ends by itself
         const auto token = current->board->bus().submit(&op, 1);
         EXPECT_TRUE(token.ok() && current->board->bus().wait(token.value(), 1000).ok());
     };
@@ -211,7 +212,7 @@ TEST(EspLcd, ParametersThatAreCommands) {
     esp_lcd_panel_io_t io;
     io.board = &sim;
     adapters::EspLcdBus bus(config_of(io, boards::st7789_240));
-    const std::uint8_t parameters[2] = {0x00, 0x00}; // NOPs here
+    const std::uint8_t parameters[2] = {0x00, 0x00}; // these are NOPs here
     hal::Op op;
     op.kind = hal::Op::Kind::command;
     op.data = parameters;

@@ -1,4 +1,4 @@
-// The LVGL adapter on a simulated board: what LVGL flushes is on the glass.
+// Tests the LVGL adapter on a simulated board: what LVGL flushes is shown on the glass.
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <spangle/boards/boards.hpp>
 #include <spangle/sim/board.hpp>
 
-/// What LVGL keeps of a display, and does to it here.
+/// A stub of LVGL's display: what LVGL keeps of it, and how it flushes.
 struct lv_display {
     std::int32_t width, height;
     lv_color_format_t format;

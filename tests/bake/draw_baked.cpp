@@ -1,5 +1,5 @@
-// Draws headers that `spangle bake` wrote: compiled by bake_test.py with BAKED_HEADER and BAKED_NAME. Prints
-// a PPM of 64 x 64 pixels; exit status 1 when GL says no.
+// Draws headers that `spangle bake` wrote; bake_test.py compiles this file with BAKED_HEADER and BAKED_NAME.
+// Prints a PPM of 64 x 64 pixels. The exit status is 1 if GL raises an error.
 #include <cstdio>
 #include <vector>
 

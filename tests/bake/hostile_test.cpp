@@ -1,5 +1,5 @@
-// What a file can do after it was read: bytes that are no model, numbers at the end of floats, and meshes
-// whose order would take forever.
+// Tests what a file can do after it was read: bytes that are no model, numbers at the ends of floats, and
+// meshes whose ordering would take forever.
 #include <ctime>
 #include <limits>
 #include <random>
@@ -25,7 +25,7 @@ TEST(PackedModels, ComeOutAsTheyWere) {
     }
 }
 
-/// A broken process can hand over anything.
+/// A broken process can hand over any bytes.
 TEST(PackedModels, ThatAreBrokenAreRefusedOrSound) {
     std::mt19937 random(20);
     int refused = 0, taken = 0;
@@ -44,7 +44,7 @@ TEST(PackedModels, ThatAreBrokenAreRefusedOrSound) {
     EXPECT_GT(taken, 100);
 }
 
-/// Each rule of unpack() by itself.
+/// Breaks each rule of unpack() alone.
 TEST(PackedModels, EachRule) {
     const auto broken = [](auto&& change) {
         cli::ModelResult result, out;
@@ -82,7 +82,7 @@ TEST(PackedModels, EachRule) {
     EXPECT_TRUE(broken([](Model& m, ModelPart&) { m.triangles = cli::most_triangles + 1; }));
 }
 
-/// Texture coordinates may be anything finite: what is less than every step is 0, and steps are never 0.
+/// Texture coordinates may be any finite numbers: what is less than a step is 0, and steps are never 0.
 TEST(HostileMeshes, NumbersAtTheEndsOfFloats) {
     for (const float largest : {3.4e38f, 1e-45f, 1e-38f, 0.0f})
         for (const Number number : {Number::fixed, Number::short_integer, Number::byte}) {
@@ -104,7 +104,7 @@ TEST(HostileMeshes, NumbersAtTheEndsOfFloats) {
         }
 }
 
-/// Seconds of processor time for a strip of that many triangles at one edge.
+/// Returns the processor seconds for a strip of that many triangles at one edge.
 double seconds_of_strip(std::uint32_t triangles) {
     IndexList list;
     for (std::uint32_t n = 0; n < triangles; ++n)
@@ -116,7 +116,7 @@ double seconds_of_strip(std::uint32_t triangles) {
     return static_cast<double>(end - begin) / CLOCKS_PER_SEC;
 }
 
-/// Thousands of triangles at one edge: the time may not grow with the square of their number.
+/// With thousands of triangles at one edge, the time must not grow with the square of their number.
 TEST(HostileMeshes, SharedEdgesTakeNoForever) {
     const double few = seconds_of_strip(50000);
     EXPECT_LT(seconds_of_strip(400000), 24 * few)

@@ -1,4 +1,4 @@
-// Baked meshes: every vertex within what the report says of where it was, and not a byte of memory.
+// Tests baked meshes: every vertex is as near to its place as the report says, and drawing takes no memory.
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -29,7 +29,8 @@ cli::Model rocket() {
     return std::move(result.model);
 }
 
-/// Triangles by the places of their corners, rounded: found again whatever the order and the quantization.
+/// Triangles by the rounded places of their vertices, which are equal whatever the order and the
+/// quantization.
 using Places = std::multiset<std::array<int, 9>>;
 template <class At>
 void add(Places& places, std::uint32_t a, std::uint32_t b, std::uint32_t c, const At& at) {
@@ -144,8 +145,8 @@ TEST(BakedMeshes, NamesAreIdentifiers) {
     EXPECT_EQ(identifier_of("--"), "");
 }
 
-/// The scene's model: GL reads texels and vertices where they lie, and takes a block of the arena for each
-/// level.
+/// GL reads texels and vertices of the scene's model where they lie, and takes one block of the arena for
+/// each level.
 TEST(BakedScene, IsDrawnFromConstantMemory) {
     test::HeadlessGl gl(64, 64);
     const GLfloat point[3] = {};
@@ -153,7 +154,7 @@ TEST(BakedScene, IsDrawnFromConstantMemory) {
     glEnableClientState(GL_VERTEX_ARRAY);
     glVertexPointer(3, GL_FLOAT, 0, point);
     glDrawElements(GL_POINTS, 1000, GL_UNSIGNED_BYTE,
-                   many.data()); // where the vertex cache grows it has grown
+                   many.data()); // afterwards the vertex cache has its full size
     const std::size_t before = memory_use().used;
     scenes::rocket.setup(64, 64);
     const std::size_t after = memory_use().used;

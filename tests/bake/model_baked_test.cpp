@@ -1,5 +1,5 @@
-// What images of models draw, in memory: the arrays that `spangle bake` writes, and nearly the model's
-// picture.
+// Draws what images of models draw: the arrays that `spangle bake` writes, in memory. The picture must be
+// nearly the model's.
 #include <cmath>
 #include <cstring>
 #include <vector>
@@ -18,8 +18,8 @@ namespace {
 
 constexpr int width = 96, height = 64;
 
-/// A square with a texture of two rows, one with colours at its corners, one that lets half of them through,
-/// and a line: every kind of array, and a texture that two parts share.
+/// Returns squares: one with a texture of two rows, one with colours at its corners, and a translucent one;
+/// and a line. They have every kind of array, and a texture that two parts share.
 Model squares() {
     Model model;
     ModelImage rows{4, 2, {}, false}, glass{2, 2, std::vector<std::uint8_t>(16, 128), true};

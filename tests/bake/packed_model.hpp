@@ -1,5 +1,5 @@
-// Bytes that claim to be a packed model, as the process that reads a file hands them over: what the fuzzer
-// and the everyday tests run.
+// Bytes that claim to be a packed model, as the process that reads a file hands them over. The fuzzer and the
+// everyday tests unpack and bake them.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,11 @@
 
 namespace bake_test {
 
-/// The first byte chooses how what comes out is baked. False: the bytes are refused. Aborts when what was
-/// taken cannot be drawn, or its header is empty.
+/// Unpacks and bakes a model; the first byte chooses how it is baked. Returns false if the bytes are refused.
+/// Aborts if an accepted model cannot be drawn, or its header is empty.
 bool run_packed_model(const std::uint8_t* data, std::size_t bytes);
 
-/// Models of every kind of part, with pictures.
+/// Returns models of every kind of part, with pictures.
 std::vector<std::vector<std::uint8_t>> packed_models();
 
 } // namespace bake_test

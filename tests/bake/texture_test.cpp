@@ -1,5 +1,5 @@
-// Baked textures: what GL samples of them is what the baker said, in every format and level; and how far that
-// is from the picture.
+// Tests baked textures: GL samples what the baker reports, in every format and level, and the reported
+// distance from the picture is right.
 #include <cmath>
 #include <random>
 
@@ -66,7 +66,7 @@ void load(const BakedTexture& texture) {
     }
 }
 
-/// One level, a texel a pixel.
+/// Returns one level, drawn one texel to a pixel.
 Bytes sampled(int level, int width, int height) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_LOD, level);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LOD, level);
@@ -104,7 +104,7 @@ TEST_F(BakedTextures, AreSampledAsTheyWereMeant) {
         ASSERT_EQ(texture.chain, 6) << format.name;
         load(texture);
         ASSERT_EQ(glGetError(), GLenum{GL_NO_ERROR}) << format.name;
-        glColor4ub(255, 255, 255, 255); // what an alpha texture leaves
+        glColor4ub(255, 255, 255, 255); // the colours that an alpha texture keeps
         int width = 32, height = 16;
         for (int level = 0; level < texture.chain; ++level) {
             const Bytes meant = decode_level(texture, level), seen = sampled(level, width, height);
@@ -118,7 +118,7 @@ TEST_F(BakedTextures, AreSampledAsTheyWereMeant) {
     }
 }
 
-/// PSNR as it is reported, and as good as the format allows on a smooth picture.
+/// The reported PSNR is right, and as good as the format allows on a smooth picture.
 TEST_F(BakedTextures, SayHowFarTheyAreFromThePicture) {
     const cli::ModelImage picture = smooth_picture(64, 64, false);
     const std::pair<const char*, double> least[] = {{"rgb565", 39},    {"rgb888", 99},   {"rgb332", 21},
@@ -153,7 +153,7 @@ TEST_F(BakedTextures, HaveTheBytesOfTheirFormat) {
               32u * 16 + 16 * 8 + 8 * 4 + 4 * 2 + 2 + 1);
 }
 
-/// Each level is what GENERATE_MIPMAP would make of the one above it.
+/// Each level is what GENERATE_MIPMAP would make of the level above it.
 TEST_F(BakedTextures, LevelsAreMeans) {
     const cli::ModelImage image{
         2, 2, {0, 10, 20, 255, 4, 10, 20, 255, 8, 10, 20, 255, 100, 10, 20, 255}, false};
@@ -189,8 +189,7 @@ TEST(Palettes, KeepAllColoursWhereThereIsRoom) {
     EXPECT_EQ(rounded({10, 10, 10, 7}, opaque565), (Rgba{8, 8, 8, 255}));
 }
 
-/// Blocks of one colour, of two, and of noise; each decodes to what the extension's tables say, near its
-/// source.
+/// Blocks have one colour, two, or noise. Each decodes to what the extension's tables say, near its source.
 TEST(Etc1, BlocksAreNearTheirTexels) {
     std::mt19937 random(3);
     for (int round = 0; round < 50; ++round) {

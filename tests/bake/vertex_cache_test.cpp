@@ -1,4 +1,5 @@
-// The order of baked triangles: the same triangles, each with its winding, and fewer vertices to process.
+// Tests the order of baked triangles: they are the same triangles with the same winding, and fewer vertices
+// are processed.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -13,7 +14,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// From its least corner on: what a triangle is, winding included.
+/// Returns a triangle from its least vertex on, so that equal triangles of equal winding are the same.
 Triangle canonical(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     Triangle t{a, b, c};
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
@@ -27,7 +28,7 @@ std::map<Triangle, int> triangles_of(const IndexList& list) {
     return out;
 }
 
-/// As GL cuts a strip (GL 1.3, 2.6.1), without those that cover nothing.
+/// Returns the triangles of a strip as GL cuts it (GL 1.3, 2.6.1), without those that have no area.
 std::map<Triangle, int> triangles_of_strip(const IndexList& strip) {
     std::map<Triangle, int> out;
     for (std::size_t i = 0; i + 2 < strip.size(); ++i) {
@@ -38,7 +39,7 @@ std::map<Triangle, int> triangles_of_strip(const IndexList& strip) {
     return out;
 }
 
-/// A grid of side x side squares, its triangles in any order.
+/// Returns a grid of side x side squares, with its triangles in random order.
 IndexList shuffled_grid(std::uint32_t side, unsigned seed) {
     std::vector<Triangle> list;
     for (std::uint32_t y = 0; y < side; ++y)
@@ -92,7 +93,7 @@ TEST(VertexCache, StripsAreTheSameTrianglesWithTheirWinding) {
                 EXPECT_LT(strip.size(), given.size());
             }
         }
-    // Random corners: edges of many triangles, and both ways round.
+    // Vertices are random, so edges belong to many triangles, in both directions.
     std::mt19937 random(9);
     IndexList soup;
     while (soup.size() < 600) {

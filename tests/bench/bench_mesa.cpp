@@ -1,5 +1,5 @@
-// The scenes on Mesa's llvmpipe, as Google Benchmark cases named like those of bench_spangle.
-// RGB565 colour, 16-bit depth, no dithering; run with LP_NUM_THREADS=0.
+// Draws the scenes on Mesa's llvmpipe, as Google Benchmark cases with the names of bench_spangle. Surfaces
+// have RGB565 colour and 16-bit depth, without dithering; run with LP_NUM_THREADS=0.
 #include <string>
 #include <vector>
 

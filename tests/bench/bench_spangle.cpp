@@ -1,6 +1,6 @@
-// The scenes on Spangle, as Google Benchmark cases SCENE/SIZE/TIER[/dither]. RGB565 colour in the wire's byte
-// order, 16-bit depth. The counter "hash" names the picture of frame 2 after the timed frames, so that a fast
-// wrong picture is noticed.
+// Draws the scenes on Spangle, as Google Benchmark cases SCENE/SIZE/TIER[/dither]. Surfaces have RGB565
+// colour in the wire's byte order and 16-bit depth. The counter "hash" is the picture of frame 2 after the
+// timed frames, so that a fast wrong picture is noticed.
 #include <string>
 #include <vector>
 

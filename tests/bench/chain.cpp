@@ -1,5 +1,5 @@
 // Draws triangles in the state of every fused span: by that span, with one lane of it, and in the chain.
-// Under callgrind with --dump-before=mark the dump of a number between two marks is what one of them took.
+// Under callgrind with --dump-before=mark, the dump between two marks has the cost of one of them.
 //
 // usage: chain    prints the name of each state
 #include <cstdio>

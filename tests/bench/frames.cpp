@@ -1,5 +1,5 @@
-// Draws frames of one scene and prints the hash of the picture of frame 2; nothing else: what callgrind
-// counts instructions of, and what says whether a timed picture is the right one.
+// Draws frames of one scene and prints the hash of the picture of frame 2. callgrind counts the instructions
+// of this program, and the hash tells whether a timed picture is right.
 //
 // usage: frames SCENE WIDTH HEIGHT exact|balanced|fast plain|dither FRAMES
 #include <cstdio>

@@ -1,5 +1,6 @@
-// Firmware that goes wrong on purpose, by its second argument: an instruction that is none, an address where
-// nothing is, or a recursion without end. Start-up's handlers report it; nothing else of the board is used.
+// Firmware that goes wrong on purpose. Its second argument chooses an illegal instruction, an address without
+// memory, or a recursion without end. The handlers of the start-up code report it; nothing else of the board
+// is used.
 #include <cstdint>
 
 #include <spangle/mcu/semihosting.hpp>
@@ -7,13 +8,13 @@
 namespace {
 
 volatile std::uint32_t sink;
-constexpr std::uintptr_t nothing_there = 0xE8000000; ///< on none of the boards
+constexpr std::uintptr_t nothing_there = 0xE8000000; ///< no board has memory here
 
 __attribute__((noinline)) std::uint32_t deeper(std::uint32_t n) {
     volatile std::uint32_t here[8];
     here[n % 8] = n;
     sink = here[0];
-    return n == 0 ? 0 : deeper(n + 1) + here[n % 8]; // it wraps long after the stack has ended
+    return n == 0 ? 0 : deeper(n + 1) + here[n % 8]; // the number wraps long after the stack has ended
 }
 
 } // namespace
@@ -35,5 +36,5 @@ int main() {
 #endif
     if (*at == ' ' && at[1] == 'a')
         sink = *reinterpret_cast<volatile const std::uint32_t*>(nothing_there);
-    return 7; // and nothing went wrong
+    return 7; // nothing went wrong
 }

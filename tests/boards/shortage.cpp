@@ -1,4 +1,4 @@
-// Firmware that runs out of memory, and firmware whose panel does not answer: both say so and go on.
+// Firmware that runs out of memory, and firmware whose panel does not answer. Both must report it and go on.
 #include <cstdint>
 
 #include <spangle/EGL/egl.h>
@@ -17,7 +17,7 @@ namespace {
 using namespace spangle;
 namespace semihosting = mcu::semihosting;
 
-/// Nobody acknowledges.
+/// A port on which no device acknowledges.
 struct DeadPort final : hal::PolledPort {
     hal::Fault begin(bool) override { return hal::Fault::no_answer; }
     hal::Fault write(const std::uint8_t*, std::uint32_t) override { return hal::Fault::no_answer; }
@@ -27,7 +27,7 @@ struct DeadPort final : hal::PolledPort {
     void pause(std::uint32_t) override {}
 };
 
-/// A small one, which every board has room for beside its own.
+/// A small display, for which every board has memory beside its own.
 constexpr hal::Board wiring = [] {
     hal::Board board = boards::ssd1306_128x32;
     board.display.format = PixelFormat::mono;
@@ -52,7 +52,7 @@ void say(const char* what, const char* how) {
     semihosting::print("\n");
 }
 
-/// A scene of textures, until there is no room for one more; then it draws with those it has.
+/// A scene that makes textures until there is no memory for one more, and then draws with those it has.
 void setup(int width, int height) {
     static const GLubyte texels[16 * 16 * 3] = {};
     int count = 0;

@@ -1,5 +1,6 @@
-// Prints "SCENE TIER HASH" for every scene in every tier: what must be the same from every compiler, at every
-// optimization, on every instruction set (design, promise 2). One program for hosts and for emulated boards.
+// Prints "SCENE TIER HASH" for every scene in every tier. The hashes must be the same from every compiler, at
+// every optimization, on every instruction set (design, promise 2). One program serves hosts and emulated
+// boards.
 #include <cstdint>
 
 #include <spangle/native.hpp>
@@ -37,7 +38,7 @@ void print_hex(std::uint32_t value) {
     print(digits);
 }
 
-/// Frames 0 and 1 without dithering, frame 2 with it. False when GL found an error.
+/// Hashes frames 0 and 1 without dithering, and frame 2 with it. Returns false if GL raised an error.
 bool hash_scene(const scenes::Scene& scene, std::uint32_t& hash) {
     hash = bench::no_picture;
     scene.setup(width, height);

@@ -1,4 +1,4 @@
-// The extreme numbers of each type that an argument may have.
+// Lists the extreme numbers of each type that an argument may have.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,8 @@
 
 namespace spangle::test {
 
-/// As entry points of the command table take them. Integers are whole numbers that the type holds.
+/// Returns the extreme numbers of a type of the command table. Those of integer types are whole numbers that
+/// the type holds.
 std::span<const double> extremes_of(char type);
 
 /// Writes `number` to element `index` of an array of that type.

@@ -1,7 +1,7 @@
-// Every number of every entry point of the command table at its extremes, beside arguments that are accepted:
-// outside Begin and End, between them, and in a display list, in each tier. A call raises an error that GL
-// allows, and then changes nothing; state that is asked for stays finite; what is drawn breaks nothing; and a
-// picture drawn afterwards, with the state set back, is the one of a new context.
+// Gives every number of every entry point of the command table its extreme values, beside arguments that are
+// accepted: outside Begin and End, between them, and in a display list, in each tier. A call may raise an
+// error that GL allows, and must then change nothing. Queried state stays finite, and drawing breaks nothing.
+// A picture that is drawn afterwards, with the state set back, must be that of a new context.
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -17,7 +17,7 @@
 namespace spangle::test {
 namespace {
 
-/// SPANGLE_SWEEP=whole tries every number, every day one of several.
+/// SPANGLE_SWEEP=whole tries every number; otherwise each day tries one of several.
 bool whole() {
     const char* const wish = std::getenv("SPANGLE_SWEEP");
     return wish != nullptr && std::string(wish) == "whole";
@@ -31,7 +31,7 @@ const char* name_of(Where where) {
                                      : "in a list";
 }
 
-/// One number of a call: an argument, and the element where the argument points at several.
+/// A number of a call: an argument, and an element if the argument points at several.
 struct Place {
     std::size_t arg, element;
 };
@@ -40,7 +40,7 @@ class ExtremeSweep : public ErrorSweep {
   protected:
     ExtremeSweep() : ErrorSweep(gl::fixed_engine), pixels_(width * height * 4), depths_(pixels_.size()) {}
 
-    /// A new context of the tier, on surfaces that lie in blocks of their own.
+    /// Makes a new context of the tier, on surfaces in memory blocks of their own.
     void renew(raster::Tier tier) {
         gl::destroy_context(context);
         EXPECT_EQ(arena.used(), 0u);
@@ -77,7 +77,7 @@ class ExtremeSweep : public ErrorSweep {
             if (arg.kind == Kind::enum_ || arg.kind == Kind::pname || arg.kind == Kind::out || arg.type == 0)
                 continue;
             if (arg.kind == Kind::pvalue && c.pnames[pname].count > 1)
-                continue; // the scalar form refuses it
+                continue; // the scalar form refuses this parameter
             std::size_t elements = 1;
             if (arg.kind == Kind::in)
                 elements = arg.count != 0     ? arg.count
@@ -89,7 +89,7 @@ class ExtremeSweep : public ErrorSweep {
         return out;
     }
 
-    /// Whether sizes and indices of the command decide how much client memory it looks at.
+    /// Returns whether sizes and indices of the command decide how much client memory it reads or writes.
     static bool has_client_memory(const Command& c) {
         if (!c.pnames.empty()) // a parameter's name decides
             return false;
@@ -99,7 +99,7 @@ class ExtremeSweep : public ErrorSweep {
         return false;
     }
 
-    /// Accepted arguments, with 1 for numbers that the table leaves at 0 where that is accepted, too.
+    /// Returns accepted arguments. Numbers that the table leaves at 0 are 1 if that is accepted, too.
     std::vector<Value> sane(const Command& c, std::size_t pname) {
         auto values = good(c, pname);
         for (std::size_t i = 0; i < c.args.size(); ++i) {
@@ -123,14 +123,15 @@ class ExtremeSweep : public ErrorSweep {
             return;
         }
         values[place.arg].integer = static_cast<std::int64_t>(number);
-        if (std::fabs(number) > 64 && has_client_memory(c)) // no memory is so large
+        if (std::fabs(number) > 64 && has_client_memory(c)) // no client memory is so large
             for (std::size_t i = 0; i < c.args.size(); ++i)
                 if (c.args[i].kind == Kind::in || c.args[i].kind == Kind::out)
                     values[i].pointer = nullptr;
     }
 
-    /// GL 1.3, 2.5: numbers out of range are INVALID_VALUE; what a command does not take where it stands is
-    /// INVALID_OPERATION; tokens given as numbers are INVALID_ENUM. Attributes of vertices take all numbers.
+    /// Returns whether GL allows the error (GL 1.3, 2.5). Numbers out of range are INVALID_VALUE, and tokens
+    /// given as numbers are INVALID_ENUM. A command that is illegal where it is called is INVALID_OPERATION.
+    /// Attributes of vertices take all numbers.
     static bool allowed(const Command& c, Place place, std::size_t pname, Where where, double number,
                         GLenum code) {
         if (where == Where::between && !c.inside)
@@ -157,7 +158,7 @@ class ExtremeSweep : public ErrorSweep {
                (code == GL_INVALID_ENUM && !arg.accepted.empty());
     }
 
-    /// No query answers with NaN or an infinity.
+    /// No query may return NaN or an infinity.
     void expect_finite_state(const std::string& call) {
         for (const gl::GroupedRows& part : gl::all_state())
             for (const gl::StateRow& row : part.rows) {

@@ -1,4 +1,4 @@
-// The controller models at their pins and byte ports under libFuzzer.
+// Runs the controller models at their pins and byte ports under libFuzzer.
 #include "tests/sim/controller_stream.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t bytes) {

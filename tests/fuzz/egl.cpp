@@ -1,5 +1,5 @@
-// EGL and GL on several displays, contexts and surfaces under libFuzzer. Streams are mutated by steps, so
-// that what follows a change means what it meant.
+// Runs EGL and GL on several displays, contexts and surfaces under libFuzzer. Streams are mutated by steps,
+// so that the steps behind a change keep their meaning.
 #include <algorithm>
 #include <cstring>
 #include <random>
@@ -27,7 +27,7 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
         return std::min(unit, most);
     }
     const unsigned how = random() % 8;
-    if (how <= 1 && steps > 1) { // some steps less
+    if (how <= 1 && steps > 1) { // removes some steps
         const std::size_t from = at(steps),
                           count = std::min<std::size_t>(1 + random() % 3, steps - from / unit);
         if (count < steps) {
@@ -35,7 +35,7 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
             return (steps - count) * unit;
         }
     }
-    if (how <= 4 && steps < room) { // a step more: a new one, or one that is there already
+    if (how <= 4 && steps < room) { // adds a step: a new one, or a copy
         const std::size_t to = at(steps + 1), from = at(steps);
         std::uint8_t step[unit];
         std::memcpy(step, data + from, unit);
@@ -46,20 +46,20 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
         std::memcpy(data + to, step, unit);
         return (steps + 1) * unit;
     }
-    if (how == 5) { // two change places
+    if (how == 5) { // exchanges two steps
         const std::size_t a = at(steps), b = at(steps);
         for (std::size_t i = 0; i < unit && a != b; ++i)
             std::swap(data[a + i], data[b + i]);
         return steps * unit;
     }
-    std::uint8_t* const step = data + at(steps); // another byte or word of one
+    std::uint8_t* const step = data + at(steps); // changes a byte or word of a step
     std::vector<std::uint8_t> mutated(step, step + unit);
     const std::size_t left = LLVMFuzzerMutate(mutated.data(), unit, unit);
     std::copy_n(mutated.begin(), left, step);
     return steps * unit;
 }
 
-/// The first steps of one stream and the last ones of another.
+/// Joins the first steps of one stream and the last steps of another.
 std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* one, std::size_t one_size,
                                       const std::uint8_t* other, std::size_t other_size, std::uint8_t* out,
                                       std::size_t most, unsigned seed) {

@@ -1,4 +1,4 @@
-// The GL command stream under libFuzzer; its grammar is the command table.
+// Runs the GL command stream under libFuzzer; its grammar is the command table.
 #include "tests/gl_api/command_stream.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t bytes) {

@@ -1,4 +1,4 @@
-// The host of GUD displays against devices that answer what they like, under libFuzzer.
+// Runs the host of GUD displays under libFuzzer, against devices that answer whatever they like.
 #include "tests/hal_usb/gud_stream.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t bytes) {

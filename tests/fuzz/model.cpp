@@ -1,4 +1,4 @@
-// What the process that reads a model hands over, unpacked and baked, under libFuzzer.
+// Unpacks and bakes under libFuzzer what the process that reads a model hands over.
 #include "tests/bake/packed_model.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t bytes) {

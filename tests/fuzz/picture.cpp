@@ -1,4 +1,4 @@
-// PNG files under libFuzzer: golden pictures are read in this process.
+// Reads PNG files under libFuzzer, because golden pictures are read in the test's own process.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>

@@ -1,4 +1,4 @@
-// The committed inputs of a fuzzer, run by the everyday tests.
+// Runs the committed inputs of a fuzzer in the everyday tests.
 #pragma once
 
 #include <cstdint>

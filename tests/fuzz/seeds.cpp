@@ -16,7 +16,7 @@ namespace {
 
 using Seeds = std::vector<std::vector<std::uint8_t>>;
 
-/// With alpha and without.
+/// Returns pictures with alpha and without.
 Seeds pictures() {
     Seeds out;
     for (const std::uint8_t alpha : {255, 90}) {

@@ -1,5 +1,5 @@
-// Prints the proof obligations with the numbers of the headers: table errors, widths, bounds. `generate NAME`
-// writes one Gappa script to stdout, `generate --list` all names.
+// Prints the proof obligations with the numbers of the headers: errors of tables, widths, bounds. `generate
+// NAME` writes one Gappa script to stdout, `generate --list` all names.
 #include <cstdio>
 #include <cstring>
 

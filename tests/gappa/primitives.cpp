@@ -29,8 +29,8 @@ void edge_wide() {
 }
 
 /// SmallEdge: bounds how far the column at any of its rows is short of the exact one. The bias tells an edge
-/// that meets a centre from an edge that passes it by at least 1 / (256 dy). For this it must be at least
-/// 2^-22, and the error less than 2^-24.
+/// that meets a centre from an edge that passes it by 1 / (256 dy), if that distance is at least 2^-22 and
+/// the column is short by less than 2^-24.
 void edge_small() {
     using namespace spangle::raster;
     const int most = SmallEdge::extent, rows = most / subpixel_one + 1;

@@ -1,6 +1,6 @@
-// Frames of random commands, each a pure function of its number: what ./dev nightly runs a million of under
-// ASan and UBSan. Three kinds take turns: bytes spelt by the command table, which are mostly errors; the same
-// with displays and threads of EGL; drawings in random states that are legal, in each tier.
+// Draws frames of random commands, each a pure function of its number. ./dev nightly runs a million of them
+// under ASan and UBSan. Three kinds take turns: streams by the command table, which are mostly errors;
+// streams with displays and threads of EGL; and drawings in legal random states, in each tier.
 //
 // usage: random_frames FIRST COUNT
 #include <charconv>

@@ -1,4 +1,4 @@
-// Asks Mesa the questions of answers.hpp and prints what it says: a line each, the question and its numbers.
+// Asks Mesa the questions of answers.hpp, and prints a line for each: the question and its numbers.
 //
 // usage: mesa_answers QUESTIONS
 #include <cstdio>

@@ -1,7 +1,7 @@
-// Every scene and probe in RGBA8888 against two rasterizers of Mesa. A pixel is good when its largest channel
-// difference is within the tolerance of one oracle, or, at edges, of some pixel of the 3x3 neighbourhood in
-// both directions; a picture passes when bad pixels are at most 0.1 %, or three times what the oracles
-// themselves disagree on.
+// Compares every scene and probe in RGBA8888 with two rasterizers of Mesa. A pixel is good if its largest
+// channel difference is within the tolerance of one oracle, or, at edges, of some pixel of the 3x3
+// neighbourhood in both directions. A picture passes if bad pixels are at most 0.1 %, or three times those of
+// the two oracles against each other.
 #include <unistd.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
-// Antialiased figures beside areas in double, and beside Mesa: what it draws is known pixel by pixel, so all
-// that differs is that. Its points are whole pixels, those whose centres lie in the disc, of radius 1 at
-// least; its lines have ramps of one pixel along their sides and ends, and are fainter where they are shorter
-// than that; its polygons are not antialiased.
+// Compares antialiased figures with areas in double, and with Mesa. What Mesa draws is known pixel by pixel,
+// so nothing else may differ. Its points are the pixels whose centres lie in the disc, of radius 1 at least.
+// Its lines have ramps of one pixel along their sides and ends, and are fainter if they are shorter than
+// that. Its polygons are not antialiased.
 #include <cmath>
 #include <numbers>
 

@@ -159,7 +159,7 @@ TEST(Recorder, MeasuresHowFarProgramsGo) {
     EXPECT_EQ(record(programs::foliage).reach(Range::ATTRIB_STACK), 1u);
     EXPECT_GE(record(programs::wires).reach(Range::LINE_WIDTH), 1u);
     EXPECT_GE(record(programs::particles).reach(Range::POINT_SIZE), 1u);
-    // The far plane clips the points; a smaller value that comes later must not lower the recorded range.
+    // The far plane clips the triangle, and a smaller point size comes after the larger one.
     constexpr programs::Program cut{"cut", [](int, int) {},
                                     [](int) {
                                         glPointSize(7.0f);
