@@ -47,7 +47,7 @@ def functions(dump):
         if line.startswith("fn="):
             current = line[3:]
         elif line.startswith("calls="):
-            inclusive = True  # the next line counts what the callee took
+            inclusive = True  # the next line is what the callee took
         elif line[:1].isdigit():
             if inclusive:
                 inclusive = False
