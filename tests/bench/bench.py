@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""Measures every scene against Mesa's llvmpipe and the goals.
+"""Measures every scene, and compares it with Mesa's llvmpipe and the goals.
 
 usage: ./dev bench [--quick] [--scenes S2,S5] [--no-wall] [--no-mcu] [--no-callgrind] [--no-chain] [--json FILE]
        ./dev bench --record            also keeps speed and memory in tests/bench/measured.json and in README.md
-       ./dev bench --update-golden     writes tests/bench/golden.json, which ./dev test --all holds the counts against
+       ./dev bench --update-golden     writes tests/bench/golden.json, which ./dev test --all compares the counts with
 
-Wall time as a ratio in one run: the two programs take turns scene by scene, eleven times (--quick: five), the median of the ratios counts, and
-the quartiles stand beside it. --json keeps all figures, and - is standard output. x86 instructions by callgrind, Cortex-M
-instructions by QEMU's -icount: both repeatable. Goals: tests/bench/goals.json. Every timed picture is held against that
-of a program of its own, and against the emulated board's; one that differs fails.
+Wall time is a ratio within one run: the two programs take turns scene by scene, eleven times (--quick: five). The median of the ratios
+counts, and the quartiles stand beside it. --json keeps all figures, and - is standard output. callgrind counts x86 instructions, and QEMU's
+-icount counts Cortex-M instructions; both counts are repeatable. The goals are in tests/bench/goals.json. Every timed picture is compared
+with that of a program of its own, and with the emulated board's; a difference is a failure.
 """
 import argparse
 import json

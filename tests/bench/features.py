@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Measures what each optional system costs: the library without it against the library with everything.
+"""Measures what each optional system costs: compares the library without it with the library that has everything.
 
 usage: features.py [--only FEATURE] [--missing]
 
-For x86-64 (-O2), Cortex-M0+ and Cortex-M4 (as in firmware: hot rooms -O2, the others -Os, no messages): bytes of code and
-constants of all of gl/, and bytes of a context with its pipeline. Writes tests/bench/features.json; `./dev tables` makes a table
-of it. Where a compiler is missing its columns stay as they were.
+The figures are bytes of code and constants of all of gl/, and bytes of a context with its pipeline. They are for x86-64 (-O2), Cortex-M0+
+and Cortex-M4 (as in firmware: hot rooms -O2, the others -Os, no messages). Writes tests/bench/features.json, of which `./dev tables` makes
+a table. If a compiler is missing its columns stay as they were.
 """
 import argparse
 import concurrent.futures

@@ -3,11 +3,12 @@
 
 usage: hal.py --build FOLDER [--record] [--json FILE]
 
-Frames a second are the wire's, where the model knows its clock; the share is the processor's of that time. Processor time is
-that of the fastest of five runs, with their median and quartiles beside it. More bytes a frame than was recorded, by over 2 %, fail.
+Frames a second are those of the wire, if the model knows the wire's clock; the share is the processor's part of that time. Processor time
+is that of the fastest of five runs, with their median and quartiles beside it. The test fails if a frame has over 2 % more bytes than was
+recorded.
 
-The buses and the real libraries below them run on modelled devices, whose own work is not counted; what the kernel would do
-in a system call is not either. --record keeps the figures for docs/linux.md (./dev tables).
+The buses and the real libraries below them run on modelled devices, whose own work is not counted. What a kernel would do in a system call
+is not counted either. --record keeps the figures for docs/linux.md (./dev tables).
 """
 import argparse
 import json

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Counts the instructions and the text of S1 to S9 in every tier on Cortex-M, plain and dithered, and holds them against what they were.
+"""Counts the instructions and the text of S1 to S9 in every tier on Cortex-M, plain and dithered, and compares them with the recorded
+counts.
 
 usage: icount.py [--update]
 
-More than 3 % above tests/bench/golden.json fails; more than 3 % below asks for --update, which writes the file and its tables anew.
-Prints the goals of tests/bench/goals.json beside the counts, and what dithering takes more for each fragment; what is above its goal is said, and does not fail. Exit status 77 (skipped) when the compiler or QEMU is missing.
+More than 3 % above tests/bench/golden.json fails. More than 3 % below asks for --update, which writes the file and its tables anew. Prints
+the goals of tests/bench/goals.json beside the counts, and what dithering takes more for each fragment. A count above its goal is reported,
+and does not fail. Exit status 77 (skipped) when the compiler or QEMU is missing.
 """
 import itertools
 import json

@@ -299,7 +299,7 @@ TEST_F(Surfaces, SamplesBelongToConfigsThatHaveThem) {
         bytes[i] = memory_use().used - before;
         context[i] = eglCreateContext(display, configs[i], EGL_NO_CONTEXT, nullptr);
     }
-    constexpr std::size_t pixels = 64 * 32; // four colours and depths more less one depth, and 32 rows
+    constexpr std::size_t pixels = 64 * 32; // beside one depth: four colours and depths, and 32 rows
     EXPECT_GE(bytes[1] - bytes[0], pixels * (4 * 2 + 3 * 4) + 32 * sizeof(RowSpan));
     EXPECT_LE(bytes[1] - bytes[0], pixels * (4 * 2 + 3 * 4) + 32 * sizeof(RowSpan) + 128);
     for (int i = 0; i < 2; ++i) {

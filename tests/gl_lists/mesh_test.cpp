@@ -166,7 +166,7 @@ TEST_F(Meshes, TakeTheirArraysAndTheirIndices) {
     glDrawElements(GL_TRIANGLES, 6 * vertices, GL_UNSIGNED_SHORT, indices.data());
     glEndList();
     EXPECT_LT(arena.used() - before, vertices * 24 + 6 * vertices * 2 + 400);
-    // Bytes stay bytes.
+    // Short positions are stored as shorts, so the list takes less memory.
     const std::size_t next = arena.used();
     point(GL_SHORT, 4, 0);
     glNewList(2, GL_COMPILE);

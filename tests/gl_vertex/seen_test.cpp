@@ -68,7 +68,7 @@ TEST(SeenEnds, FallWhereVerticesDo) {
     EXPECT_LT(missed, inside / 50) << "what is not seen takes longer";
 }
 
-/// The rim of the viewport has vertices from outside.
+/// The seen area excludes the rim of the viewport, because vertices from outside may lie on the rim.
 TEST(SeenEnds, AreInsideOfTheRim) {
     TransformState state;
     const GLint viewport[4] = {10, 20, 30, 41};

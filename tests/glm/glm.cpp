@@ -1,6 +1,6 @@
-// GLM over spangle::fixed against GLM over double: the functions graphics programs use, each with its error
-// printed and bounded. Arguments are made in fixed and converted, so both sides compute from the same
-// numbers.
+// Compares GLM over spangle::fixed with GLM over double, for the functions that graphics programs use. Each
+// function's error is printed and bounded. Arguments are made in fixed and converted, so both sides compute
+// from the same numbers.
 #include <spangle/glm.hpp>
 
 #include <cmath>
@@ -69,7 +69,7 @@ class Source {
     fvec2 two(double size) { return {number(size), number(size)}; }
     fvec3 three(double size) { return {number(size), number(size), number(size)}; }
     fvec4 four(double size) { return {number(size), number(size), number(size), number(size)}; }
-    /// A vector whose length is not near 0.
+    /// Returns a vector whose length is not near 0.
     fvec3 axis(double size) {
         for (;;) {
             const fvec3 v = three(size);
@@ -77,7 +77,7 @@ class Source {
                 return v;
         }
     }
-    /// Nearly a rotation.
+    /// Returns a matrix that is nearly a rotation.
     fmat4 turn() { return glm::rotate(fmat4(fixed(1)), number(3), axis(1)); }
     fquat quaternion() { return glm::angleAxis(number(3), glm::normalize(axis(1))); }
 
@@ -87,7 +87,8 @@ class Source {
 
 constexpr double ulp = 1.0 / 65536;
 
-/// Largest error of `count` tries of a function that returns one try's error; bound in units of 2^-16.
+/// Compares the largest of `count` errors with `bound`, in units of 2^-16; `error` returns the error of one
+/// try.
 void check(const char* name, double bound, const std::function<double(Source&)>& error, int count = 5000) {
     Source source;
     double most = 0;
@@ -281,7 +282,7 @@ TEST(Glm, Quaternions) {
         const fquat a = s.quaternion(), b = s.quaternion();
         const double cosine = glm::dot(real(a), real(b));
         if (std::fabs(cosine) > 0.95 || std::fabs(cosine) < 0.01)
-            return 0.0; // sin of the angle divides
+            return 0.0; // the result is divided by the sine of the angle
         const fixed t = glm::abs(s.number(1));
         return difference(real(glm::slerp(a, b, t)), glm::slerp(real(a), real(b), real(t)));
     });
@@ -316,7 +317,7 @@ TEST(Fixed, ArithmeticRoundsAndSaturates) {
     EXPECT_EQ(fixed(1e30f).bits, INT32_MAX);
     EXPECT_EQ(fixed(std::nan("")).bits, 0);
     EXPECT_EQ(static_cast<int>(fixed(-1.75)), -1);
-    for (std::int32_t v : {INT32_MIN, INT32_MIN + 1, -1, 0, 1, INT32_MAX}) { // no argument does harm
+    for (std::int32_t v : {INT32_MIN, INT32_MIN + 1, -1, 0, 1, INT32_MAX}) { // no argument breaks anything
         const fixed f = fixed::from_bits(v);
         sqrt(f), inversesqrt(f), sin(f), cos(f), tan(f), acos(f), asin(f), atan(f), floor(f), ceil(f),
             round(f), abs(f);

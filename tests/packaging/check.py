@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
-"""Builds and runs projects outside the tree against Spangle, as a user would.
+"""Builds and runs projects outside of the tree against Spangle, as a user would.
 
 usage: check.py find_package|fetch_content|self_test|cortex_m|rv32|raspberry_pi|oled_i2c|gud_display|ftdi_adapter BUILD_DIR
 
-find_package: installs BUILD_DIR into a temporary prefix and looks it up there. fetch_content: hands the source tree to
-FetchContent. The project links every exported library, draws a triangle on a simulated board and checks the glass.
-self_test: the example boards/examples/self_test against the installed package: its tests pass, and with another golden
-picture one of them fails and leaves the difference.
-cortex_m, rv32: installs a build for that processor, builds a project outside against it with the toolchain file, runs it in
-QEMU, and holds the picture it draws against that of the same project on this machine.
-raspberry_pi, oled_i2c, gud_display, ftdi_adapter: those examples against the installed package: built, and they say what this machine has not.
+find_package: installs BUILD_DIR into a temporary prefix, where the project finds it. fetch_content: gives the source tree to FetchContent.
+The project links every exported library, draws a triangle on a simulated board and checks the glass.
+self_test: the example boards/examples/self_test with the installed package. Its tests pass; with another golden picture one test fails and
+leaves the difference.
+cortex_m, rv32: installs a build for that processor, builds a project outside with the toolchain file, runs it in QEMU, and compares its
+picture with that of the same project on this machine.
+raspberry_pi, oled_i2c, gud_display, ftdi_adapter: builds these examples with the installed package. They must report what this machine
+lacks.
 """
 import os
 import pathlib

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""What a project gets that takes Spangle in another way than find_package with static libraries.
+"""Tests a project that takes Spangle in another way than by find_package with static libraries.
 
 usage: libraries.py pkg_config|shared|subdirectory BUILD_DIR
 
-pkg_config: BUILD_DIR is installed, the prefix is moved, and programs are compiled with the flags of pkg-config alone. The command
-line, its manual page and the licence are there. shared: a build with BUILD_SHARED_LIBS, in BUILD_DIR/packaging_shared, is installed;
-its libraries have a soname, show what public headers declare and nothing else, and programs run with them.
-subdirectory: what add_subdirectory makes of build types, and of packages that are missing (nothing is compiled).
+pkg_config: BUILD_DIR is installed, the prefix is moved, and programs are compiled with the flags of pkg-config alone. The command line, its
+manual page and the licence are installed. shared: a build with BUILD_SHARED_LIBS, in BUILD_DIR/packaging_shared, is installed. Its
+libraries have a soname and export what public headers declare and nothing else, and programs run with them.
+subdirectory: add_subdirectory handles build types, and packages that are missing (nothing is compiled).
 """
 import json
 import os

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Builds programs as firmware for an emulated Cortex-M4, with the whole library and in their recorded profiles: both draw the same bytes,
-and the profile takes less of everything. What they take is recorded in measured.json, of which docs/profiles.md has a table.
+"""Builds programs as firmware for an emulated Cortex-M4, with the whole library and in their recorded profiles. Both must draw the same
+bytes, and the profile must take less of everything. The figures are recorded in measured.json, of which docs/profiles.md has a table.
 
 usage: firmware.py PROFILE_OF SPANGLE [--record] [--build FOLDER] PROGRAM...
        firmware.py --page
 
-PROGRAM is one of programs/, a scene, or a trace. With --record the figures are written down; without, those that are written down must
-still be true. --page measures nothing, and holds the table of the page against the record. Exit status 77 (skipped) where a compiler,
-the emulator or apitrace is missing.
+PROGRAM is one of programs/, a scene, or a trace. With --record the figures are recorded; otherwise the recorded figures must still be true.
+--page measures nothing, and compares the table of the page with the record. Exit status 77 (skipped) when a compiler, the emulator or
+apitrace is missing.
 """
 import argparse
 import json

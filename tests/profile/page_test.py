@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""`spangle profile --report`: what its text, its JSON and its page tell, the page in a headless Chromium.
+"""Tests `spangle profile --report`: its text, its JSON, and its page in a headless Chromium.
 
 usage: page_test.py SPANGLE figures|scene|program [PAIR]
 
-figures: what is measured is a script here, whose figures are known. scene, program: real images in QEMU, of a scene of ours and of
-glxgears under Xvfb on the drop-in pair PAIR. All: CMake and the tools of boards read the profile that was written alike. Exit status 77
-(skipped) where Chromium, or what builds and runs the images, is missing.
+figures: a script here takes the place of the measurement, and its figures are known. scene, program: real images run in QEMU, of one of
+Spangle's scenes and of glxgears under Xvfb on the drop-in pair PAIR. All: CMake and the tools of boards read the profile that was written,
+and agree. Exit status 77 (skipped) when Chromium, or what builds and runs the images, is missing.
 """
 import json
 import os

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures what each choice of a profile costs: the text of a profile's image with one choice made otherwise, of `whole` and of `minimal`.
+"""Measures what each choice of a profile costs: the text of an image of `whole` and of `minimal` with one choice changed.
 
 usage: choices.py [--only TEXT] [--build FOLDER]
 

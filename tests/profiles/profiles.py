@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""Builds each scene profile (cmake/profiles) as firmware for a Cortex-M4: its text and RAM against the goals and the golden sizes,
-its pictures against those of the whole library.
+"""Builds each scene profile (cmake/profiles) as firmware for a Cortex-M4. Compares its text and RAM with the goals and the golden sizes,
+and its pictures with those of the whole library.
 
 usage: profiles.py [PROFILE...] [--update] [--build FOLDER]
 
-Text is .text with .rodata of the linked image with start-up, EGL, one panel and one bus, without the data of the model; -Os, fused
-spans at -O2, linked as one (-flto), no messages: the program of boards/minimal, but for minimal with every command of GL 1.3 that the
-profile holds (whole: every command that is declared). RAM is what the pictures took of statics, arena and stack, without the colour and depth of the screen. Exit status 1 when a picture differs or a size is above the golden one by 3 %; 77 (skipped) without compiler or emulator.
+Text is .text with .rodata of a linked image with start-up, EGL, one panel and one bus, without the data of the model. It is compiled with
+-Os, fused spans with -O2, linked as one (-flto), without messages. The image is the program of boards/minimal; except for the profile
+minimal, it has every command of GL 1.3 that the profile holds (whole: every declared command). RAM is what the pictures took of statics,
+arena and stack, without the colour and depth of the screen. Exit status 1 when a picture differs or a size is above the golden one by 3 %;
+77 (skipped) without compiler or emulator.
 """
 import argparse
 import dataclasses

@@ -316,7 +316,7 @@ class Run {
     }
 };
 
-/// Writes streams.
+/// Writes the bytes of a stream.
 class Writer {
   public:
     explicit Writer(unsigned chip, unsigned front) : out_{std::uint8_t(chip), std::uint8_t(front)} {

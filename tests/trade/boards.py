@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""What each tier costs on each board: docs/trade-boards.md, from the figures in tests/trade/boards.
+"""Writes docs/trade-boards.md, which shows what each tier costs on each board, from the figures in tests/trade/boards.
 
 usage: boards.py SPANGLE check|write|measure
 
-measure: builds the images of PROGRAMS in the tiers of the library and one of one's own for every target, runs them, and keeps the two
-tables that `spangle trade` wrote; the first run takes an hour of a processor. write: writes the document's tables anew from what was
-kept, and `check` fails where they are others. It also fails where what was kept is no longer what other tests hold: the accuracy of
-tests/trade/golden*.csv, and, to within 5 %, the instructions of tests/bench/golden.json, whose library has all tiers.
+measure: builds images of PROGRAMS for every target, in the library's tiers and in one composed tier, runs them, and keeps the two tables
+that `spangle trade` wrote. The first run takes an hour of a processor. write: writes the document's tables from the kept figures. check:
+fails if the document has other tables, or if the kept figures no longer agree with other tests: with the accuracy of
+tests/trade/golden*.csv and, to within 5 %, with the instructions of tests/bench/golden.json, whose library has all tiers.
 """
 import csv
 import json

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""`spangle trade`: figures of all scenes, the bytes they draw, shards, formats, the page, and what is refused.
+"""Tests `spangle trade`: figures of all scenes, the bytes they draw, shards, formats, the page, and what is refused.
 
 usage: trade_test.py SPANGLE golden|models|bytes|shards|tiers|page|errors|firmware|picture [few|I/N|TARGET]
 
-golden: accuracy.csv of all scenes is tests/trade/golden.csv, and the promises that are broken are those of tests/trade/missed.txt,
-no more and no fewer. `few` are one scene for each kind of promise, I/N every Nth program from the Ith on. models: the same of
-models, golden_models.csv and missed_models.txt. bytes: what each scene draws in each tier and format has the hash of
-tests/trade/bytes.txt; so any byte that changes is seen. SPANGLE_UPDATE_GOLDEN=1 writes all these anew, and tiers the table of knobs
-in docs/trade.md. shards: parts that are merged are the bytes of one sweep. tiers: tiers of one's own, and instructions of boards,
-whose emulator is a script here. firmware: the same with real images of TARGET in QEMU; skipped without compiler or emulator. page: the page in
-a headless Chromium: sliders move, nothing complains. Skipped where there is none. picture: no test; it draws docs/pictures/trade.png.
+golden: accuracy.csv of all scenes must be tests/trade/golden.csv, and the broken promises must be exactly those of tests/trade/missed.txt.
+`few` takes one scene for each kind of promise, I/N takes every Nth program from the Ith on. models: the same for models, with
+golden_models.csv and missed_models.txt. bytes: each scene in each tier and format must draw bytes with the hash in tests/trade/bytes.txt,
+so any changed byte is seen. SPANGLE_UPDATE_GOLDEN=1 writes all these files anew; with tiers it writes the table of knobs in docs/trade.md.
+shards: merged parts have the bytes of one sweep. tiers: composed tiers, and instructions of boards, whose emulator is a script here.
+firmware: the same with real images of TARGET in QEMU; skipped without compiler or emulator. page: the page in a headless Chromium: sliders
+move, and nothing complains; skipped without Chromium. picture: no test; draws docs/pictures/trade.png.
 """
 import csv
 import os

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Counts the instructions of a fixed slice of random states, and holds them against golden.json.
+"""Counts the instructions of a fixed slice of random states, and compares them with golden.json.
 
 usage: golden.py host-base RUNNER
        golden.py m4
 
-RUNNER is bench_states of the build that is tested. A state that takes more than 3 % more than it did fails; one that takes
-more than 3 % less asks for `./dev bench states --update-golden`. So does one whose fragments are others. Exit status 77
-where valgrind, the compiler or QEMU is missing.
+RUNNER is bench_states of the build that is tested. A state that takes more than 3 % more instructions than before fails, and so does a
+state whose number of fragments changed. A state that takes more than 3 % less asks for `./dev bench states --update-golden`. Exit status 77
+when valgrind, the compiler or QEMU is missing.
 """
 import json
 import pathlib

@@ -1,5 +1,5 @@
-// Random states on Mesa's llvmpipe, in framebuffers like Spangle's surfaces. Standard input names their
-// numbers.
+// Draws random states on Mesa's llvmpipe, in framebuffers like Spangle's surfaces. Standard input has the
+// numbers of the states.
 //
 // usage: LP_NUM_THREADS=0 bench_states_mesa SEED time    prints "NUMBER MICROSECONDS"
 #include <cstdio>
