@@ -205,7 +205,7 @@ TEST_F(Execution, FinishedCommandsAreInTheFramebuffer) {
         EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
         EXPECT_EQ(pixel(1, 1), (Bytes{1, 2, 3, 255}));
         glNewList(1, GL_COMPILE);
-        complete(); // also not an error in a list
+        complete(); // Flush and Finish are no error in a list either
         glEndList();
         glCallList(1);
         EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));

@@ -183,7 +183,7 @@ TEST(DrawPixels, ColoursOf565AreNeverDithered) {
     for (const PixelFormat format : {PixelFormat::rgb565_be, PixelFormat::rgb565_le})
         for (const bool blend : {false, true}) {
             PixelCanvas canvas({.format = format, .width = 256, .height = 256});
-            if (blend) // blending excludes the direct copy
+            if (blend) // with blending, rows are not copied directly
                 glEnable(GL_BLEND);
             std::vector<std::uint16_t> image(65536);
             for (std::size_t i = 0; i < image.size(); ++i)

@@ -128,7 +128,7 @@ TEST_F(Attributes, EveryFormOfTexCoord) {
     SPANGLE_TEX_COORD(x, OES, GLfixed, from_fixed);
 }
 
-/// Rect(x1, y1, x2, y2) is the polygon (x1, y1), (x2, y1), (x2, y2), (x1, y2) (GL 1.3, 2.9 and 2.10).
+/// Rect(x1, y1, x2, y2) is the polygon (x1, y1), (x2, y1), (x2, y2), (x1, y2) (GL 1.3, 2.9).
 TEST_F(Attributes, EveryFormOfRect) {
     glMatrixMode(GL_PROJECTION);
     glOrtho(0, size, 0, size, -1, 1);

@@ -42,7 +42,7 @@ class EventPort final : public hal::DmaPort {
         busy += byte * count;
         const hal::Fault fault = std::exchange(fail_write, hal::Fault::none);
         later(byte * count, [=, this] {
-            for (std::uint32_t i = 0; i < count; ++i) // as DMA has read them at the latest
+            for (std::uint32_t i = 0; i < count; ++i) // DMA may read the memory as late as now
                 controller_.write(bytes[i], data, now, static_cast<unsigned>(byte / 8));
             bus->step(fault);
         });

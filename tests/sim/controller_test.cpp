@@ -241,7 +241,7 @@ TEST(Controller, IdleModeShowsEightColors) {
     Host h(chips[0]);
     h.wake();
     h.window(0, 1, 0, 0);
-    h.pixels(0x2C, {0x83F0, 0x7C0F}); // 32, 31, 32 and 30, 32, 30 of 63
+    h.pixels(0x2C, {0x83F0, 0x7C0F}); // components 32, 31, 32 and 30, 32, 30 of 63
     h.send(0x39);
     h.now += 60 * ms;
     EXPECT_EQ(h.chip.glass(h.now)[0], (Rgb666{63, 0, 63}));

@@ -381,7 +381,8 @@ TEST(Specification, BlendEquations) {
                                           {BlendFactor::one, f, static_cast<BlendEquation>(alpha)});
 }
 
-/// Blending with a form for both parts must not be used if only one part has the equation.
+/// Some equations have a form for colour and alpha together. The form must not be used if only one of them
+/// has the equation.
 TEST(Specification, BlendPartsApart) {
     for (const Blending& common : {blend_over, Blending{}})
         for (const Blending& other : {Blending{BlendFactor::one, BlendFactor::one},
