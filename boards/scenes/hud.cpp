@@ -129,8 +129,8 @@ bool has_little_room() {
     return screen_height < 200.0f || 3.0f * screen_width < 4.0f * screen_height;
 }
 
-constexpr int glyph_width = 6,
-              line_height = 9; // pixels of a glyph and of a line of the font, with the space around
+// Pixels that a glyph and a line of the font take, with the space around.
+constexpr int glyph_width = 6, line_height = 9;
 
 /// A rectangle of the screen in pixels, which is filled from the top down.
 struct Column {
@@ -282,8 +282,8 @@ void draw(int frame) {
     const float unit = screen_height / 240.0f;
     const Point centre = {screen_width * 0.34f, screen_height * 0.52f};
     const float radius = (screen_width < screen_height ? screen_width : screen_height) * 0.4f;
-    const int phase = frame % 120,
-              speed = phase < 60 ? 2 * phase : 2 * (120 - phase); // speed: 0 up to 120, and down to 0
+    // The speed goes from 0 up to 120, and down to 0.
+    const int phase = frame % 120, speed = phase < 60 ? 2 * phase : 2 * (120 - phase);
 
     if (has_little_room())
         return draw_small(phase, speed);

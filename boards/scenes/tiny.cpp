@@ -46,8 +46,8 @@ void box(int left, int top, int right, int bottom, GLubyte grey) {
 }
 
 void draw(int frame) {
-    const int phase = frame % 60,
-              speed = phase < 30 ? 4 * phase : 4 * (60 - phase); // speed: 0 up to 120, and down to 0
+    // The speed goes from 0 up to 120, and down to 0.
+    const int phase = frame % 60, speed = phase < 30 ? 4 * phase : 4 * (60 - phase);
     const char text[] = {'S',
                          'P',
                          'D',

@@ -72,8 +72,8 @@ TEST(BandWindows, DepthTakesTheMemoryOfABand) {
         taken[i++] = memory_use().used - before;
     }
     constexpr std::size_t row = 160 * (2 + 8); // depth and accumulation
-    const std::size_t batches =
-        taken[1] + 40 * row - taken[0]; // the table of batches that bands may leave out
+    // The rest is the table of batches that bands may leave out.
+    const std::size_t batches = taken[1] + 40 * row - taken[0];
     EXPECT_GT(batches, 0U);
     EXPECT_LT(batches, 400U);
     EXPECT_EQ(taken[1] - taken[2], 32 * row);

@@ -83,8 +83,8 @@ TEST(Churn, ContextsAndSurfaces) {
     const EGLConfig config = config_of(display, EGL_PBUFFER_BIT);
     const std::size_t before = memory_use().used;
     Growth growth;
-    EGLContext kept =
-        EGL_NO_CONTEXT; // each context shares with the one before, so the group outlives its contexts
+    // Each context shares with the one before, so the group outlives its contexts.
+    EGLContext kept = EGL_NO_CONTEXT;
     for (int cycle = 0; cycle < cycles && !HasFatalFailure(); ++cycle) {
         const EGLint size[] = {EGL_WIDTH, 1 + cycle % 6 * 9, EGL_HEIGHT, 1 + cycle % 5 * 7, EGL_NONE};
         const EGLSurface surface = eglCreatePbufferSurface(display, config, size);

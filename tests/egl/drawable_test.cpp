@@ -50,8 +50,8 @@ struct Drawables : testing::Test {
 };
 
 std::vector<GLubyte> pixels(GLint width, GLint height) {
-    std::vector<GLubyte> all(
-        static_cast<std::size_t>(width * height * 4 + 1)); // one byte more, so that the vector is never empty
+    // There is one byte more, so that the vector is never empty.
+    std::vector<GLubyte> all(static_cast<std::size_t>(width * height * 4 + 1));
     glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, all.data());
     return all;
 }

@@ -74,8 +74,8 @@ class FakeDisplay final : public hal::Display {
     int inits = 0, acquires = 0, presents = 0, finishes = 0;
     std::vector<std::int32_t> intervals;
     std::vector<int> palette; ///< first index, count and colours of the last call
-    std::vector<std::uint8_t> pixels, front,
-        shown; ///< the buffer drawn into, the other buffer, and what was presented
+    /// The buffer drawn into, the other buffer, and what was presented.
+    std::vector<std::uint8_t> pixels, front, shown;
     std::vector<RowSpan> rows, shown_extents;
     RowExtents extents;
 

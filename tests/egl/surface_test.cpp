@@ -183,8 +183,8 @@ TEST_F(Surfaces, DeadAndForeignHandles) {
     const EGLDisplay other = eglGetDisplay(native(second));
     ASSERT_EQ(eglInitialize(other, nullptr, nullptr), yes);
     EGLint value = 0;
-    EXPECT_EQ(eglQuerySurface(other, surface, EGL_WIDTH, &value),
-              no); // the surface belongs to another display
+    // The surface belongs to another display.
+    EXPECT_EQ(eglQuerySurface(other, surface, EGL_WIDTH, &value), no);
     EXPECT_EQ(eglGetError(), EGL_BAD_SURFACE);
     EXPECT_EQ(eglQueryContext(other, context, EGL_CONFIG_ID, &value), no);
     EXPECT_EQ(eglGetError(), EGL_BAD_CONTEXT);
@@ -213,8 +213,8 @@ TEST_F(Surfaces, TheWindowIsTheGlass) {
     EXPECT_EQ(query(surface, EGL_HEIGHT), 9);
     EXPECT_EQ(query(surface, EGL_RENDER_BUFFER), EGL_BACK_BUFFER);
     EXPECT_EQ(query(surface, EGL_SWAP_BEHAVIOR), EGL_BUFFER_DESTROYED);
-    EXPECT_EQ(eglCreateWindowSurface(display, config, 0, nullptr),
-              EGL_NO_SURFACE); // a display has one window only
+    // A display has one window only.
+    EXPECT_EQ(eglCreateWindowSurface(display, config, 0, nullptr), EGL_NO_SURFACE);
     EXPECT_EQ(eglGetError(), EGL_BAD_ALLOC);
     EXPECT_EQ(eglDestroySurface(display, surface), yes);
     EXPECT_EQ(eglCreateWindowSurface(display, config, 1, nullptr), EGL_NO_SURFACE);
@@ -405,8 +405,8 @@ TEST_F(Surfaces, ASingleBufferedWindowIsShownByFlush) {
     EXPECT_EQ(eglGetError(), EGL_SUCCESS);
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
     panel.fail_present = false;
-    EXPECT_EQ(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT),
-              yes); // releasing the context flushes it
+    // Releasing the context flushes it.
+    EXPECT_EQ(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT), yes);
     EXPECT_EQ(panel.presents, 5);
     EXPECT_EQ(panel.shown_extents[0], (RowSpan{0, 2}));
     EXPECT_EQ(panel.shown[0], 0);
@@ -454,8 +454,8 @@ TEST_F(Surfaces, ADisplayThatFlipsGrantsNoSingleBuffer) {
     EGLint granted = 0;
     EXPECT_EQ(eglQueryContext(display, context, EGL_RENDER_BUFFER, &granted), yes);
     EXPECT_EQ(granted, EGL_BACK_BUFFER);
-    EXPECT_EQ(query(surface, EGL_RENDER_BUFFER),
-              EGL_SINGLE_BUFFER); // the buffer that was asked for (EGL 1.4, 3.5.6)
+    // RENDER_BUFFER returns the buffer that was asked for (EGL 1.4, 3.5.6).
+    EXPECT_EQ(query(surface, EGL_RENDER_BUFFER), EGL_SINGLE_BUFFER);
     glFlush();
     EXPECT_EQ(panel.presents, 0);
     EXPECT_EQ(eglSwapBuffers(display, surface), yes);

@@ -213,8 +213,8 @@ TEST(Extreme, 25_Attenuation) {
                         l.constant = constant, l.linear = linear, l.quadratic = quadratic;
                         l.position = {0, 0, distance, 1};
                         if (constant + linear + quadratic == 0)
-                            EXPECT_EQ(lit.draw(v)[3],
-                                      255); // the input is not a number, so any colour is right
+                            // The input is not a number, so any colour is right.
+                            EXPECT_EQ(lit.draw(v)[3], 255);
                         else
                             lit.compare(v);
                     }

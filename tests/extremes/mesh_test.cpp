@@ -168,8 +168,8 @@ TEST(Extreme, 34_FogWithoutLength) {
         };
         glFogi(GL_FOG_MODE, GL_LINEAR);
         for (const Form form : {Form::of_float, Form::of_fixed})
-            for (const double at :
-                 {0.0, 10.0, -5.0}) { // start equals end: undefined, so any mixture is right
+            // If start equals end the result is undefined, so any mixture is right.
+            for (const double at : {0.0, 10.0, -5.0}) {
                 if (form == Form::of_fixed) {
                     glFogxOES(GL_FOG_START, fixed(at));
                     glFogxOES(GL_FOG_END, fixed(at));

@@ -25,8 +25,8 @@ class Writer {
     /// window, drawn whole and in bands.
     Writer(unsigned seed, bool plain, bool bands) : random_(seed) {
         if (bands) {
-            put(first_of_bands +
-                lot(256 - first_of_bands)); // tier, and whether bands are redrawn or recorded
+            // The first byte chooses the tier, and whether bands are redrawn or recorded.
+            put(first_of_bands + lot(256 - first_of_bands));
             for (int i = 0; i < 5; ++i)
                 put(lot(256)); // depth, format, samples, height, record
             return;

@@ -42,8 +42,8 @@ template <class State> void clear_views(State& s) {
 TEST(Initial, StepsMakeWhatConstructorsMake) {
     static Memory made, expected;
     Context* const context = begin_context(&made);
-    auto* const reference =
-        new (&expected) Context(); // zeroed first, so that bytes between members are zero, too
+    // The memory was zeroed first, so that bytes between members are zero, too.
+    auto* const reference = new (&expected) Context();
     for (Context* c : {context, reference}) {
         std::memset(static_cast<void*>(&c->fragments), 0, sizeof c->fragments); // drawing compiles it first
         clear_views(c->texture);

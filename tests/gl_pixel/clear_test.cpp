@@ -159,8 +159,8 @@ TEST(Clear, DitheringKeepsTheMeanOfAConstant) {
             red += code[0] / 256.0;
             green += code[1] / 256.0;
         }
-        EXPECT_NEAR(red, v / 255.0 * 31, 1 / 31.0)
-            << v; // the mean of sixteen thresholds is exact to half of their step
+        // The mean of sixteen thresholds is exact to half of their step.
+        EXPECT_NEAR(red, v / 255.0 * 31, 1 / 31.0) << v;
         EXPECT_NEAR(green, v / 255.0 * 63, 1 / 31.0) << v;
     }
 }

@@ -336,8 +336,8 @@ TEST(PixelIndex, ElementsShiftAndRound) {
     EXPECT_EQ(rounded(decode_index(ElementKind::signed_integer, 32, 0x80000000)), 0x80000000u);
     EXPECT_EQ(rounded(decode_index(ElementKind::unsigned_integer, 32, 0xFFFFFFFF)), 0xFFFFFFFFu);
     EXPECT_EQ(rounded(shifted(whole_index(0xFFFF0000), 16, 5)), 5u); // bits that leave at the left are lost
-    EXPECT_EQ(rounded(shifted(whole_index(-1), -1, 0)),
-              0x7FFFFFFFu + 1); // zeros come in from the left; the result is rounded up
+    // Zeros come in from the left; the result is rounded up.
+    EXPECT_EQ(rounded(shifted(whole_index(-1), -1, 0)), 0x7FFFFFFFu + 1);
     for (int shift : {48, 100, INT32_MAX, -48, INT32_MIN})
         EXPECT_EQ(rounded(shifted(whole_index(-1), shift, 0)), 0u);
 }

@@ -216,8 +216,8 @@ TEST_F(PolygonOffset, FloatsThatDifferByOneUnitAreDistinct) {
     };
     constexpr double r = codes_of_unit / codes;
     for (int n = 0; n < 2000; ++n) {
-        const double window =
-            n < 1000 ? n * r : lot(0, 1 - 4 * r); // the first rounds are near the near plane
+        // The first rounds are near the near plane.
+        const double window = n < 1000 ? n * r : lot(0, 1 - 4 * r);
         const double distance = 1 / (1 - window), farther = 1 / (1 - window - r);
         const double rounded = double{static_cast<float>(distance)};
         // Finds the next float that is at least r farther away.

@@ -193,8 +193,8 @@ TEST_F(Combine, AUnitAfterAnotherEnvironmentAndOneThatIsOff) {
     glEnable(GL_TEXTURE_2D);
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
     glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_ADD);
-    glTexEnvi(GL_TEXTURE_ENV, GL_SOURCE0_RGB,
-              GL_PRIMARY_COLOR); // behind a REPLACE it is still the vertex's colour
+    // Behind a REPLACE the primary colour is still the vertex's.
+    glTexEnvi(GL_TEXTURE_ENV, GL_SOURCE0_RGB, GL_PRIMARY_COLOR);
     glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND0_RGB, GL_SRC_ALPHA); // alpha, which nothing else uses
     glColor4ub(9, 9, 9, 40);
     std::vector<GLubyte> pixel;

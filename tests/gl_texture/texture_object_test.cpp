@@ -175,8 +175,8 @@ TEST(TextureObject, Completeness) {
     EXPECT_EQ(levels(b), 1);
     parameter(b, GL_TEXTURE_BASE_LEVEL, 1); // base level > max level
     EXPECT_EQ(levels(b), 0);
-    for (const GLint base :
-         {2, 3}) // larger by more than one, also if the base level is the last of its chain
+    // The base level is too large by more than one, also if it is the last of its chain.
+    for (const GLint base : {2, 3})
         for (GLint max = 0; max < base; ++max) {
             parameter(b, GL_TEXTURE_BASE_LEVEL, base);
             parameter(b, GL_TEXTURE_MAX_LEVEL, max);

@@ -273,8 +273,8 @@ TEST_F(Buffers, ConstantMemoryIsNotCopied) {
     glVertexPointer(2, GL_FLOAT, 0, at(0));
     glEnableClientState(GL_VERTEX_ARRAY);
     EXPECT_EQ(drawn([] { glDrawArrays(GL_TRIANGLES, 0, 3); }).size(), 9u);
-    glBufferData(GL_ARRAY_BUFFER, sizeof mesh, mesh,
-                 GL_STATIC_DRAW); // from now on the buffer has its own memory
+    // From now on the buffer has its own memory.
+    glBufferData(GL_ARRAY_BUFFER, sizeof mesh, mesh, GL_STATIC_DRAW);
     EXPECT_NE(glMapBuffer(GL_ARRAY_BUFFER, GL_READ_ONLY), mesh);
 }
 

@@ -70,8 +70,8 @@ class VertexCache : public Canvas {
             tex_coord[i][c] = real(-1, 1);
             color[i][c] = static_cast<GLubyte>(whole(0, 255));
         }
-        for (int n = 0; n < 30;
-             ++n) { // seams: the same position with another colour, texture coordinate, or both
+        // At seams the same position has another colour, texture coordinate, or both.
+        for (int n = 0; n < 30; ++n) {
             const int element = whole(0, elements - block - 1);
             const std::size_t i = index_of(element), shares = index_of(element + block);
             position[shares] = position[i];

@@ -241,8 +241,8 @@ TEST_F(ClipPlanes, ComplementsMakeTheSameCorners) {
         for (Vec3& v : corner)
             v = {number(-0.9, 0.9), number(-0.9, 0.9), number(-0.9, 0.9)};
         Vec4 p{number(-1, 1), number(-1, 1), number(-1, 1), 0};
-        const double near =
-            round % 2 == 0 ? number(-0.5, 0.5) : number(-0.01, 0.01); // small numbers give slivers
+        // Small numbers give slivers.
+        const double near = round % 2 == 0 ? number(-0.5, 0.5) : number(-0.01, 0.01);
         p[3] = near - dot({p[0], p[1], p[2]}, corner[round % 3]);
         std::vector<Corner> made[2];
         int ways[2] = {}; // numbers of triangles of either orientation

@@ -198,8 +198,8 @@ TEST_F(TextureUnits, CoordinatesReachTheRasterizer) {
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glEndList();
     is_drawn("list", [] { glCallList(1); });
-    glClientActiveTexture(
-        GL_TEXTURE0); // only the second array is left, so unit 0 has its current coordinates
+    // Only the second array is left, so unit 0 has its current coordinates.
+    glClientActiveTexture(GL_TEXTURE0);
     glDisableClientState(GL_TEXTURE_COORD_ARRAY);
     glTexCoord2f(0.5f, 0.125f);
     WindowRecorder recorder;

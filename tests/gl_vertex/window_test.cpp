@@ -73,8 +73,8 @@ TEST_F(Window, AssociatedDataOfClippedVertices) {
         ASSERT_EQ(recorder.primitives.size(), 1u);
         for (int i = 0; i < 2; ++i) {
             const raster::FixedVertex& v = recorder.primitives[0].corner[i];
-            const double t =
-                v.color[0] / static_cast<double>(raster::color_one); // red gives the place on the edge
+            // Red tells the place on the edge.
+            const double t = v.color[0] / static_cast<double>(raster::color_one);
             const bool made = t > 0 && t < 1;
             cut += made ? 1 : 0;
             double at[3];

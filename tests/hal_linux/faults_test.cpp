@@ -349,8 +349,8 @@ Verdict chance(test::Random& random, Rig& rig, const Call& call, std::uint32_t o
         // A call that the kernel repeats by itself is never late; only calls that are given up may be.
         verdict.late =
             verdict.error != EINTR && verdict.error != EAGAIN && carries(rig, call) && random.below(2) == 0;
-        verdict.stall =
-            random.below(300) == 0 && carries(rig, call); // this call runs on the bus's own thread
+        // Only calls that carry pixels may stall: they run on the bus's own thread.
+        verdict.stall = random.below(300) == 0 && carries(rig, call);
     }
     return verdict;
 }

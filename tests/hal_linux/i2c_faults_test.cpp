@@ -255,8 +255,8 @@ TEST_F(I2cFaults, AThousandSequencesAtRandom) {
         kernel.plug(path);
         oled->forget_violations();
         hal::Result<void> sent = show();
-        for (int i = 0; i < 5 && !sent.ok();
-             ++i) { // the device was gone, or a slow machine missed a deadline
+        // The device was gone, or a slow machine missed a deadline.
+        for (int i = 0; i < 5 && !sent.ok(); ++i) {
             ASSERT_TRUE(bus->open().ok()) << sequence;
             const auto ready = display->init();
             sent = ready ? show() : ready;

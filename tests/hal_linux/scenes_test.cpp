@@ -53,8 +53,8 @@ TEST(Scenes, EachOverSpidev) {
 class SceneOver : public testing::TestWithParam<Transport> {};
 
 TEST_P(SceneOver, GlassEqualsTheSimulatedBoards) {
-    const bool bits =
-        !is_spidev(GetParam()) && !is_parallel(GetParam()); // these transports take 16 calls a byte
+    // These transports take 16 calls a byte.
+    const bool bits = !is_spidev(GetParam()) && !is_parallel(GetParam());
     for (const char* const id : {"S6", "HUD"}) {
         SCOPED_TRACE(id);
         expect_scene(GetParam(), id, bits, false);

@@ -390,8 +390,8 @@ class Braggart final : public sim::UsbFunction {
 
 TEST(GudFaults, DescriptorsThatSayMoreThanTheyDescribe) {
     const std::vector<std::uint8_t> honest = sim::GudDevice().descriptors();
-    constexpr std::size_t interfaces =
-        18 + 4; // the place of bNumInterfaces, behind the descriptor of the device
+    // The place of bNumInterfaces, behind the descriptor of the device.
+    constexpr std::size_t interfaces = 18 + 4;
     for (std::size_t kept = 0; kept <= honest.size(); ++kept)
         for (const unsigned claimed : {1u, 2u, 32u}) {
             Braggart function;

@@ -79,8 +79,8 @@ TEST(Real, EntersDoublesRoundedToNearestEven) {
         check(b);                                                           // mostly out of range
         const std::uint64_t exponent = 1023u - 152u + random.next() % 284u; // around the range of float
         check((b & 0x800FFFFFFFFFFFFFu) | exponent << 52);
-        check((b & 0x800FFFFFE0000000u) | exponent << 52 |
-              (random.next() & 1) << 28); // exact values and ties
+        // These doubles are exact values or ties.
+        check((b & 0x800FFFFFE0000000u) | exponent << 52 | (random.next() & 1) << 28);
     }
 }
 

@@ -219,8 +219,8 @@ Answers secondary_colors() {
     glSecondaryColorPointer(3, GL_FIXED, 0, colors);
     asker.error("type");
     glSecondaryColorPointer(3, GL_FLOAT, -1, colors);
-    asker.error(
-        "stride"); // Mesa keeps the stride nevertheless, and InterleavedArrays leaves the array enabled
+    // Mesa keeps the stride nevertheless, and InterleavedArrays leaves the array enabled.
+    asker.error("stride");
     return asker.answers;
 }
 

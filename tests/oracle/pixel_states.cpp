@@ -20,8 +20,8 @@ void operations(Random& random) {
     constexpr GLenum destination[] = {GL_ZERO, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_SRC_COLOR};
     if (maybe(random))
         glEnable(GL_BLEND);
-    const GLenum dst = destination[random.below(4)],
-                 src = source[random.below(4)]; // one order with every compiler
+    // Declared one after the other, so that every compiler takes the random numbers in one order.
+    const GLenum dst = destination[random.below(4)], src = source[random.below(4)];
     glBlendFunc(src, dst);
     if (maybe(random))
         glEnable(GL_DEPTH_TEST);

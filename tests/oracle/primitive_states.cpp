@@ -82,8 +82,8 @@ void convex(Random& random, Quads&) {
         facing(random, 8);
         toggle(random, GL_DEPTH_TEST, 2);
         glDepthFunc(GL_ALWAYS);
-        const int across = whole(random, -3, 3),
-                  up = whole(random, -3, 3); // slopes of depth, in 512ths a pixel
+        // These are slopes of depth, in 512ths a pixel.
+        const int across = whole(random, -3, 3), up = whole(random, -3, 3);
         glShadeModel(GL_FLAT);
         color(random);
         const int x = whole(random, 0, 12), y = whole(random, 0, 12), w = whole(random, 3, 11),

@@ -156,8 +156,8 @@ TEST(DmaBus, ScenesAreDrawnWhileTheLastFrameIsMoved) {
             }
             EXPECT_EQ(sim::hash(firmware.glass()), sim::hash(sim.glass()));
             for (const sim::Violation& v : firmware.controller->violations())
-                EXPECT_TRUE(tear_free && v.rule == sim::Rule::tear)
-                    << v.text; // the first frame, which is sent whole
+                // Only the first frame, which is sent whole, may tear.
+                EXPECT_TRUE(tear_free && v.rule == sim::Rule::tear) << v.text;
         }
 }
 

@@ -116,8 +116,8 @@ TEST(Rasterizer, FragmentsGoThroughTheirState) {
     quad(Rasterizer(state, picture.surface), 0, 0, 8, 0, 8);
     EXPECT_EQ(picture.ascii({8, 0, 8, 4}), "........\n..rrrrrr\n..rrrrrr\n..rrrrrr\n");
 
-    const std::uint8_t texels[] = {255, 255, 255, 0,   0, 255,
-                                   0,   255, 0,   255, 0, 0}; // a texture of 2 x 2 texels
+    // The texture has 2 x 2 texels.
+    const std::uint8_t texels[] = {255, 255, 255, 0, 0, 255, 0, 255, 0, 255, 0, 0};
     Texture texture;
     texture.level[0] = {texels, 2, 2, 6};
     texture.level_count = 1;

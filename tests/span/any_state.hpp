@@ -70,8 +70,8 @@ inline FragmentState any_fragments(RandomVertices& random, const Texture* const 
     state.color_sum = random.below(4) == 0;
     state.fog = random.below(3) == 0;
     state.fog_mode = static_cast<FogMode>(random.below(3));
-    state.fog_start = 0x3F000000, state.fog_end = 0x40800000,
-    state.fog_density = 0x3F000000; // 0.5, 4 and 0.5
+    // As floats these are 0.5, 4 and 0.5.
+    state.fog_start = 0x3F000000, state.fog_end = 0x40800000, state.fog_density = 0x3F000000;
     for (auto& c : state.fog_color)
         c = random.below(color_one + 1);
     state.alpha_test = random.below(4) == 0;

@@ -104,8 +104,8 @@ struct AnyTexture {
         }
         for (std::size_t i = 0; i < texels.size(); ++i)
             texels[i] = static_cast<std::uint8_t>(random.below(256));
-        if (texture.format ==
-            TexelFormat::z24) // every texel lies at a multiple of four bytes, borders included
+        // Every texel lies at a multiple of four bytes, borders included.
+        if (texture.format == TexelFormat::z24)
             for (std::size_t i = 3; i < texels.size(); i += 4)
                 texels[i] = 0;
         for (int l = 0; l < texture.level_count; ++l) {

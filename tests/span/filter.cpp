@@ -18,8 +18,8 @@ using N = Balanced<1>;
 /// c11, a, b) returns the mean in 8.8.
 template <class Mean> double worst_error(std::uint32_t most, Mean mean) {
     double worst = 0;
-    for (std::uint32_t corners = 0; corners < 16;
-         ++corners) // the error of a mean is largest where all values are extremes
+    // The error of a mean is largest where all values are extremes.
+    for (std::uint32_t corners = 0; corners < 16; ++corners)
         for (std::uint32_t a = 0; a < 256; ++a)
             for (std::uint32_t b = 0; b < 256; ++b) {
                 const auto c = [&](unsigned i) { return (corners >> i & 1) * most; };

@@ -74,8 +74,8 @@ void expect_equal(const FusedSpan& fused, RowsFunction<Fixed> run, const char* n
         const Rect cut = {static_cast<int>(source.below(8)), 0,
                           width - static_cast<int>(source.below(30)) - 8, height};
         state.fragment.scissor = chained.fragment.scissor = round % 2 == 0 ? of.state.scissor : cut;
-        draw(state, fused_canvas.surface,
-             t); // drawn first, because the chain would leave its planes on the stack
+        // The fused span draws first, because the chain would leave its planes on the stack.
+        draw(state, fused_canvas.surface, t);
         draw(chained, chain_canvas.surface, t);
         ASSERT_EQ(chain_canvas.color, fused_canvas.color) << name << " round " << round;
         ASSERT_EQ(chain_canvas.depth, fused_canvas.depth) << name << " round " << round;

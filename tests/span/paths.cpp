@@ -128,9 +128,8 @@ TEST(Paths, ManyAreOneAfterTheOther) {
             std::vector<FixedVertex> v;
             std::vector<const FixedVertex*> at;
             at.reserve(41);
-            const int step = 1 + round % 2,
-                      beyond =
-                          round % 3 == 0 ? 1 : -8; // lines may reach beyond the picture, or all lie inside
+            // Lines may reach beyond the picture, or all lie inside.
+            const int step = 1 + round % 2, beyond = round % 3 == 0 ? 1 : -8;
             for (int i = 0; i < 41; ++i) {
                 v.push_back(random_end(random, true, beyond));
                 v.back().z = v[0].z; // the last line stays visible

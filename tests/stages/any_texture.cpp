@@ -134,8 +134,8 @@ TEST(AnyTexture, LevelsOfVolumesAndCubes) {
         Point p[4];
         corners(random, p);
         Pictures pictures(state, p);
-        pictures.expect({1, 0.99},
-                        "round " + std::to_string(round)); // 40/256 of a step for each 256th of a level
+        // The colour changes by 40/256 of a step for each 256th of a level.
+        pictures.expect({1, 0.99}, "round " + std::to_string(round));
     }
 }
 

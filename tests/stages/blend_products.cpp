@@ -125,8 +125,8 @@ void expect_in_every_tier(const Blending& by) {
 TEST(BlendProducts, OfEveryPairOfFactors) {
     for (int src = 0; src < 15; ++src)
         for (int dst = 0; dst < 15; ++dst)
-            if (static_cast<BlendFactor>(dst) !=
-                BlendFactor::src_alpha_saturate) // a factor of the source only
+            // SRC_ALPHA_SATURATE is a factor of the source only.
+            if (static_cast<BlendFactor>(dst) != BlendFactor::src_alpha_saturate)
                 expect_in_every_tier({static_cast<BlendFactor>(src), static_cast<BlendFactor>(dst)});
 }
 

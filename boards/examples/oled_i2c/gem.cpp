@@ -23,8 +23,8 @@ static void draw_gem(int frame) {
     for (int face = 0; face < 8; ++face) {
         const float x = (face & 1) != 0 ? 1.0f : -1.0f, y = (face & 2) != 0 ? 1.0f : -1.0f,
                     z = (face & 4) != 0 ? 1.0f : -1.0f;
-        const bool outward =
-            x * y * z > 0; // whether the order x, y, z is counter-clockwise seen from outside
+        // Whether the order x, y, z is counter-clockwise seen from outside.
+        const bool outward = x * y * z > 0;
         glNormal3f(x * 0.577f, y * 0.577f, z * 0.577f);
         glVertex3f(x, 0, 0);
         glVertex3f(0, outward ? y : 0, outward ? 0 : z);

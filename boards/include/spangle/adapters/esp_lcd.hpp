@@ -20,8 +20,8 @@ struct EspLcdConfig {
     std::uint32_t command_cost_ns = 20000;     ///< nanoseconds that a queued transaction costs
     void (*delay_us)(std::uint32_t) = nullptr; ///< waits: esp_rom_delay_us, or vTaskDelay for long waits
     void (*set_reset)(bool high) = nullptr;    ///< drives the reset line; null: there is none
-    void* (*allocate)(std::size_t bytes) =
-        nullptr; ///< returns memory for DMA: heap_caps_malloc(bytes, MALLOC_CAP_DMA)
+    /// Returns memory for DMA: heap_caps_malloc(bytes, MALLOC_CAP_DMA).
+    void* (*allocate)(std::size_t bytes) = nullptr;
 };
 
 /// This bus cannot read, because panels need more dummy clocks in a read than esp_lcd sends. Transfers of
@@ -76,13 +76,13 @@ class EspLcdBus final : public hal::Bus {
     }
 
   private:
-    static constexpr int no_command =
-        -1; ///< the command by which esp_lcd sends data that continue the last command
+    /// The command by which esp_lcd sends data that continue the last command.
+    static constexpr int no_command = -1;
     static constexpr std::uint32_t block_bytes = 240;
     EspLcdConfig config_;
     esp_err_t registered_ = ESP_OK;
-    std::atomic<std::uint32_t> queued_{
-        0}; ///< transfers of pixels under way; the driver's interrupt counts down
+    /// Transfers of pixels under way; the driver's interrupt counts down.
+    std::atomic<std::uint32_t> queued_{0};
     hal::Token token_;
     hal::Result<void> outcome_;
     int pending_ = no_command;        ///< a command that goes out with the pixels behind it
