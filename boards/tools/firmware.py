@@ -25,7 +25,7 @@ HOT = ("raster/span", "raster/primitive", "raster/surface", "gl/vertex", "gl/lis
 SCENES = {"S1": "clear", "S2": "two_triangles", "S3": "gouraud", "S4": "plane", "S4b": "plane_linear", "S4r": "plane_rolled", "S5": "gears",
           "S6": "torus", "S7": "sprites", "S8": "wireframe", "S9": "torus_textured", "HUD": "hud", "BAKED": "rocket", "TINY": "tiny",
           "CUBE": "cube"}
-LTO = ("-flto=auto", "-flto-partition=one", "-Os", "-ffreestanding", "-fno-tree-loop-distribute-patterns", *SOUND_CALLS)  # link flags of whole-image optimization
+LTO = ("-flto=auto", "-flto-partition=one", "-Os", "-ffreestanding", "-fno-tree-loop-distribute-patterns", *SOUND_CALLS)  # link flags
 SMALL = ("-fno-schedule-insns2", "-fno-move-loop-invariants")  # beside -Os in images optimized as a whole: 0.8 % less text
 CCACHE = ["ccache"] if shutil.which("ccache") else []
 THUMB = ["-mthumb", "-mfloat-abi=soft"]

@@ -264,7 +264,7 @@ def dumps(folder):
     check(done.returncode == 0 and len(said) == 1 and "--vcd-limit" in said[0], f"the run goes on, and says so: {done.stderr!r}")
     check(len(text) <= 100 * 1024, f"{len(text)} bytes")
     check("$comment stopped here: the file has reached its limit $end" in text, "the dump says so, too")
-    last = [int(line[1:]) for line in text.splitlines() if line.startswith("#")][-2]  # the last moment but one: one more shows the last edge
+    last = [int(line[1:]) for line in text.splitlines() if line.startswith("#")][-2]  # one more moment shows the last edge
     check(f"{last / 1e6:.6f} ms" in said[0], f"{said[0]!r} tells the moment, {last} ns")
     whole = run("run", "S2", "--vcd", "whole.vcd", cwd=folder)
     check(whole.stderr == "" and "$comment" not in (folder / "whole.vcd").read_text(), "others say nothing")
