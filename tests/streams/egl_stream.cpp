@@ -231,7 +231,7 @@ class World {
         return how < 160 ? list.back() : list[how % list.size()];
     }
 
-    /// There is memory for the smallest bands, too.
+    /// Makes a window with random attributes. A record of bands has 1 MB, or so few bytes that little fits.
     void make_window() {
         EGLint list[9];
         int n = 0;
