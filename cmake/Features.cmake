@@ -1,4 +1,5 @@
-# The list of all optional systems (design 5). A system that is off is not compiled, and its commands say so when they are called.
+# The list of all optional systems (docs/architecture/boards-and-profiles.md).
+# A system that is off is not compiled, and its commands say so when they are called.
 # gl/context/features.hpp turns all systems on where a build defines none.
 set(SPANGLE_FEATURES)
 macro(spangle_feature name text)

@@ -1,4 +1,4 @@
-# Scene profiles say what a build holds (design 5). SPANGLE_PROFILE names a file of cmake/profiles, or your own file by its path,
+# Scene profiles say what a build holds (docs/profiles.md). SPANGLE_PROFILE names a file of cmake/profiles, or your own file by its path,
 # which sets some of
 #   SPANGLE_PROFILE_FEATURES  the optional systems that are on, or all (cmake/Features.cmake); -DSPANGLE_FEATURE_... overrides the profile
 #   SPANGLE_FUSED             the list of fused spans: a file of cmake/profiles/spans, a file beside the profile, or a path

@@ -1,4 +1,5 @@
-// The border of the API: here every scalar becomes a Real or an integer, once (design 1).
+// The border of the API: here every scalar becomes a Real or an integer, once (docs/architecture/numbers.md,
+// "Values from the API").
 #pragma once
 
 #include <bit>

@@ -1,4 +1,5 @@
-// The optional systems of a build (design 5). CMake defines them; a build by hand has everything.
+// The optional systems of a build (docs/architecture/boards-and-profiles.md). CMake defines them; a build by
+// hand has everything.
 #pragma once
 
 #include <spangle/format.hpp>

@@ -31,7 +31,7 @@ struct Config {
 /// Bits of each component of an accumulation buffer.
 inline constexpr EGLint accum_bits = 16;
 
-struct RecordedFrame; // recorded_frame.hpp
+struct RecordedFrame; // recorded_frame.cpp
 struct Display;
 
 /// The rows of a window that are in memory at once, for windows in bands.

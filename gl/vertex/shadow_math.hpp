@@ -1,5 +1,5 @@
 // Runs both arithmetics of the vertex pipeline at once: the integers decide and draw, and a double twin of
-// each number is compared with them (design 2). Hosts only.
+// each number is compared with them (docs/architecture/fragments.md, "Policies"). Hosts only.
 #pragma once
 
 #include "gl/vertex/double_math.hpp"

@@ -363,7 +363,7 @@ SPANGLE_INLINE constexpr Unit3 normalize(const Block3& v) {
     return out;
 }
 
-/// normalize() with one Newton step: within 2^-17 (design 3, fast tier).
+/// normalize() with one Newton step: within 2^-17 (docs/bounds.md).
 SPANGLE_INLINE constexpr Unit3 normalize_fast(const Block3& v) {
     const std::uint64_t square = static_cast<std::uint64_t>(
         mul_s32(v.m[0], v.m[0]) + mul_s32(v.m[1], v.m[1]) + mul_s32(v.m[2], v.m[2]));

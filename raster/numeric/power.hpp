@@ -1,6 +1,6 @@
 // Powers of numbers in [0, 1], for specular and spot exponents and for fog: x^n = 2^(-n L) with L = -log2(x).
 // The number in a name is the error bound: exact is 2^-21 (the exponent 128 multiplies what log2 gets wrong
-// by 88), _14 and _10 are the tiers balanced and fast (design 3).
+// by 88), _14 and _10 are the tiers balanced and fast.
 #pragma once
 
 #include <cstdint>

@@ -122,10 +122,11 @@ struct RunBound {
 /// The length is a power of two, chosen per span so that the error of the affine form is proven to be at most
 /// 2^-texel_bits texel of the base level (Knobs): a quarter in the balanced tier. In one row N = dS Q - S dQ
 /// is constant and du/dx = N / Q^2. So a run of L pixels has |du| <= L |N| / min(Q)^2, |dq| = L |dQ|, and an
-/// error of at most |du| |dq| / (4 min(Q)) (numerics.md 1.2): L^2 <= min(Q)^3 / (|N| |dQ|) for a quarter. The
-/// fast tier takes runs of at least 16 pixels, and longer ones as long as they are proven to be off by at
-/// most half a texel. Where 1/w does not change along the row, the row is one run. A short row is one run,
-/// too, where |du| |dq| / (4 min(Q)) of its ends is at most half the error.
+/// error of at most |du| |dq| / (4 min(Q)) (docs/architecture/fragments.md, "Runs of texture coordinates"):
+/// L^2 <= min(Q)^3 / (|N| |dQ|) for a quarter. The fast tier takes runs of at least 16 pixels, and longer
+/// ones as long as they are proven to be off by at most half a texel. Where 1/w does not change along the
+/// row, the row is one run. A short row is one run, too, where |du| |dq| / (4 min(Q)) of its ends is at most
+/// half the error.
 class CoordRuns {
   public:
     std::uint32_t s; ///< at the current pixel; ds is the difference per pixel (TexCoords)

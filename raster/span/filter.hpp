@@ -1,5 +1,6 @@
 // The LINEAR filter of the balanced tier (GL 1.3, 3.8.8): four texels become one, each format in the cheapest
-// integers that keep its bits. Weights have 8 bits by definition (docs/architecture.md, "Numbers").
+// integers that keep its bits. Weights have 8 bits by definition (docs/architecture/numbers.md, "Texture
+// coordinates and filters").
 #pragma once
 
 #include "raster/span/instructions.hpp"

@@ -9,7 +9,7 @@
 namespace spangle::raster {
 
 /// Every stage list exists once per kind; set-up picks the cheapest kind whose error is within the bounds of
-/// the tier (design 3).
+/// the tier (docs/architecture/fragments.md, "Tiers").
 enum class Kind : std::uint8_t {
     flat,     ///< one colour (state without projective texture or fog)
     affine,   ///< everything affine: 1/w is constant, or the bound is met over the whole primitive

@@ -1,6 +1,6 @@
 // Number systems of the stages say what a colour is and how colours are combined. A tier of accuracy is the
-// choice of one system (design 3). Every system has the members that Exact documents; lists of stages are
-// templates over it.
+// choice of one system (docs/architecture/fragments.md, "Tiers"). Every system has the members that Exact
+// documents; lists of stages are templates over it.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // The shadow policy: the product draws, and beside it every stage is computed again in double and the two are
-// compared (design 2: diagnosis and profiling). Hosts only.
+// compared (docs/architecture/fragments.md, "Policies"). Hosts only.
 #pragma once
 
 #include <cstdint>

@@ -83,7 +83,7 @@ inline constexpr bool has_full =
 
 /// Pixel x of a span is column `x` of the primitive's row counted from its unscissored left edge: runs, lanes
 /// and rounding are anchored there, so scissor, bands, lane width and integer translation change no byte
-/// (design 2).
+/// (docs/architecture/fragments.md, "Runs of texture coordinates").
 template <class P> struct Span {
     /// Planes that no span of this build reads share one place: an array of one plane, or one place for all
     /// spans.

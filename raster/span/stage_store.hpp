@@ -1,4 +1,5 @@
-// The last stages of every list: a colour becomes bits of the surface (docs/architecture.md, "Numbers").
+// The last stages of every list: a colour becomes bits of the surface (docs/architecture/numbers.md,
+// "Colours").
 #pragma once
 
 #include <cstring>

@@ -20,8 +20,8 @@ struct DoubleVertex {
     double x_exact, y_exact; ///< window position before snapping
 };
 
-/// A vertex of the shadow policy: one of each other policy, so that every step is recorded (design 2:
-/// diagnosis and profiling). The picture comes from `fixed`.
+/// A vertex of the shadow policy: one of each other policy, so that every step is recorded
+/// (docs/architecture/fragments.md, "Policies": diagnosis and profiling). The picture comes from `fixed`.
 struct ShadowVertex {
     FixedVertex fixed;
     DoubleVertex twin;

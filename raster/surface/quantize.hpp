@@ -1,4 +1,4 @@
-// How a colour becomes stored bits, with and without dithering (docs/architecture.md, "Numbers").
+// How a colour becomes stored bits, with and without dithering (docs/architecture/numbers.md, "Colours").
 #pragma once
 
 #include <cstdint>

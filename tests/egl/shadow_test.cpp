@@ -1,5 +1,5 @@
 // A context of shadow precision draws the exact tier's picture to the byte, and reports every stage within
-// the bounds of design 3, through lighting, texturing, fog and clipping.
+// its bounds (docs/trade.md), through lighting, texturing, fog and clipping.
 #include <gtest/gtest.h>
 
 #include <cmath>

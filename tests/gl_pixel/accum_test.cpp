@@ -1,4 +1,4 @@
-// Compares the accumulation buffer with sums of rational numbers (GL 1.3, 4.2.4; gl-commands.md G22).
+// Compares the accumulation buffer with sums of rational numbers (GL 1.3, 4.2.4; docs/features.md G22).
 #include <gtest/gtest.h>
 
 #include <algorithm>

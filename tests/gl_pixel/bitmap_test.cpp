@@ -1,5 +1,5 @@
 // Tests Bitmap: where bits are drawn, what their fragments are, and how the raster position moves
-// (gl-commands.md E09).
+// (docs/features.md E09).
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_BITMAPS

@@ -1,5 +1,6 @@
 // Compares Clear with a plain reading of GL 1.3, 4.2.3: only scissor, masks and dithering apply
-// (gl-commands.md G14, G19, G20). docs/architecture.md has the rules of rounding and of the dither matrix.
+// (docs/features.md G14, G19, G20). docs/architecture/numbers.md has the rules of rounding and of the dither
+// matrix.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,4 @@
-// Compares conversions of components with their definitions (GL 1.3, tables 2.6 and 4.7; gl-commands.md 17.1,
-// 17.2).
+// Compares conversions of components with their definitions (GL 1.3, tables 2.6 and 4.7).
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -34,7 +33,7 @@ TEST(Component, RescaleKeepsEndsAndWideCodes) {
             EXPECT_EQ(rescale(0, from, to), 0u);
             EXPECT_EQ(rescale(all_ones(from), from, to), all_ones(to));
         }
-    // Components of 5 and 6 bits are read back as ubytes by gl-commands.md 17.3.
+    // Components of 5 and 6 bits are read back as ubytes (GL 1.3, 4.3.2).
     EXPECT_EQ(rescale(1, 5, 8), 8u);
     EXPECT_EQ(rescale(12, 5, 8), 99u);
     EXPECT_EQ(rescale(15, 5, 8), 123u);
@@ -140,7 +139,7 @@ TEST(Component, CodesComeBackFromElements) {
 }
 
 TEST(Component, ReturnedValuesAreThoseOfTable47) {
-    // Tests the values of gl-commands.md 17.2; 1/4 is 0x40000000 of 32 bits to within 2^-33.
+    // Tests the values of GL 1.3, table 2.6: 1/4 is 0x40000000 of 32 bits to within 2^-33.
     const Component zero{0, 8}, quarter{0x40000000, 32}, half{0x80000000, 32}, one{255, 8};
     const auto get = [](ElementKind kind, unsigned bits, Component c) {
         return encode_element(kind, bits, c);

@@ -1,5 +1,5 @@
 // Compares CopyPixels with drawing an image that was read first: overlaps, zooms, depth and stencil, other
-// surfaces (gl-commands.md E08).
+// surfaces (docs/features.md E08).
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_DRAW_PIXELS

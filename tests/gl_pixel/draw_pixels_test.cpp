@@ -1,5 +1,5 @@
 // Compares DrawPixels with double: every format and type under every pixel storage, zoomed; depth, stencil
-// and indices; and what is refused (gl-commands.md E02, E05, E06).
+// and indices; and what is refused (docs/features.md E02, E05, E06).
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_DRAW_PIXELS

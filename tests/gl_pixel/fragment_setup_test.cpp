@@ -1,5 +1,5 @@
 // Tests how the rasterizer's state is derived from GL's fragment state: every token, every clamp, and when it
-// is derived again (GL 1.3, 3.10, 4.1, 4.2, 5.6; gl-commands.md G02 to G20, H08).
+// is derived again (GL 1.3, 3.10, 4.1, 4.2, 5.6; docs/features.md G02 to G20, H08).
 #include <gtest/gtest.h>
 
 #include <bit>

@@ -164,7 +164,7 @@ TEST_F(IndexFragments, LogicalOperationsAndMasks) {
             }
 }
 
-/// The logical operation takes the dithered index (GL 1.3, 4.1.10).
+/// The logical operation takes the dithered index (GL 1.3, 4.1.9).
 TEST_F(IndexFragments, AreDitheredBeforeLogic) {
     fill(0xF0);
     glEnable(GL_DITHER);

@@ -1,5 +1,5 @@
 // Pixel rectangles and bitmaps produce fragments. In every state they do what points of the same colours do
-// at the same places (GL 1.3, 3.6.4, 3.7; order of operations: gl-commands.md 1.3).
+// at the same places (GL 1.3, 3.6.4, 3.7; order of operations: docs/features.md A06).
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_DRAW_PIXELS && SPANGLE_FEATURE_BITMAPS && SPANGLE_FEATURE_RASTER_POS

@@ -1,4 +1,4 @@
-// Tests formats, types and the places of their bytes (GL 1.3, 3.6.4; gl-commands.md E01, E02, 17.5).
+// Tests formats, types and the places of their bytes (GL 1.3, 3.6.4; docs/features.md E01, E02).
 #include <gtest/gtest.h>
 
 #include <string>

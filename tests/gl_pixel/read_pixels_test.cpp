@@ -1,5 +1,5 @@
-// Compares ReadPixels with values that are computed here from the text of GL 1.3, 4.3.2 (gl-commands.md E01,
-// E02, E07, 17.3).
+// Compares ReadPixels with values that are computed here from the text of GL 1.3, 4.3.2 (docs/features.md
+// E01, E02, E07, 17.3).
 #include <gtest/gtest.h>
 
 #include <bit>

@@ -1,4 +1,4 @@
-// Compares pixel transfer and pixel maps with arithmetic in double (GL 1.3, 3.6.3 and 3.6.5; gl-commands.md
+// Compares pixel transfer and pixel maps with arithmetic in double (GL 1.3, 3.6.3 and 3.6.5; docs/features.md
 // E03, E04).
 #include <gtest/gtest.h>
 

@@ -43,7 +43,7 @@ void check(long long at, long long zoom, int first, int last, int low, int high)
     }
 }
 
-TEST(PixelZoom, TheNamedCases) { // gl-rows.md E05
+TEST(PixelZoom, TheNamedCases) { // docs/features.md E05
     for (const double zoom : {1.0, 2.0, -1.0, 0.5, -0.5, 0.25, 3.0, 0.0, 1.5, -2.75})
         for (const double at : {0.0, 5.0, 5.5, 5.25, -3.5, -0.5, 20.999})
             check(static_cast<long long>(std::floor(at * (1 << 20))),

@@ -1,4 +1,4 @@
-// Compares COMBINE with the formulas of gl-commands.md F19 in double, and tests its state.
+// Compares COMBINE with the formulas of GL 1.3, 3.8.13 in double, and tests its state.
 #include <cmath>
 #include <map>
 

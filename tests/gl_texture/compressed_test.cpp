@@ -1,5 +1,5 @@
 // Tests paletted and ETC1 images: what is sampled, from copies and from constant memory, and what is refused
-// (gl-commands.md F07, OES_compressed_paletted_texture, OES_compressed_ETC1_RGB8_texture).
+// (docs/features.md F07, OES_compressed_paletted_texture, OES_compressed_ETC1_RGB8_texture).
 #include <array>
 #include <cstring>
 

@@ -1,5 +1,5 @@
 // Tests images from the framebuffer, derived levels, read-back, residency, and compared depths
-// (gl-commands.md F02, F03, F06, F13 to F17, F21, F29).
+// (docs/features.md F02, F03, F06, F13 to F17, F21, F29).
 #include <climits>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Samples a texture in double by the formulas of GL 1.3, 3.8.6 to 3.8.9 (gl-commands.md F03, F10 to F12,
+// Samples a texture in double by the formulas of GL 1.3, 3.8.6 to 3.8.9 (docs/features.md F03, F10 to F12,
 // F21). By Spangle's definition, filter weights have 8 bits, and NEAREST looks 2^-13 texel further.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Tests textures in the framebuffer through public GL: wrap modes and filters by gl-commands.md 17.11 (F10,
+// Tests textures in the framebuffer through public GL: wrap modes and filters by GL 1.3, 3.8.7 to 3.8.9 (F10,
 // F11), and environments by the table of F18.
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Tests TexImage2D, TexSubImage2D and what they store (GL 1.3, 3.8.1, 3.8.2; gl-commands.md F01, F04, F05,
+// Tests TexImage2D, TexSubImage2D and what they store (GL 1.3, 3.8.1, 3.8.2; docs/features.md F01, F04, F05,
 // F15, F29).
 #include <gtest/gtest.h>
 

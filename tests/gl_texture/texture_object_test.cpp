@@ -1,5 +1,5 @@
 // Tests texture objects: names, bindings, sharing, memory, completeness, parameters (GL 1.3, 3.8.4, 3.8.9 to
-// 3.8.12; gl-commands.md F09, F14, F16, F18).
+// 3.8.12; docs/features.md F09, F14, F16, F18).
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -371,7 +371,7 @@ TEST(TextureParameters, ValuesAreKeptAndBadOnesRefused) {
     EXPECT_EQ(numeric::to_float(got.v[0].real()), -0.1f);
     cmd::TexParameter(b.context, GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, reals({0.1f, -1, 3, 1}));
     cmd::GetTexParameter(b.context, GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, got);
-    const float wanted[4] = {0.1f, 0, 1, 1}; // clamped when it is set (gl-commands.md 16, 3)
+    const float wanted[4] = {0.1f, 0, 1, 1}; // clamped when it is set (GL 1.3, 3.8.4)
     for (int c = 0; c < 4; ++c)
         EXPECT_EQ(numeric::to_float(got.v[c].real()), wanted[c]);
 }

@@ -127,7 +127,7 @@ TEST(Unsnapped, TexelsAreThoseOfTheVerticesAsGiven) {
 }
 
 /// A coordinate has as many bits as a float: 24 bits of the largest in its primitive. NEAREST also leaves
-/// 2^-13 texel open (architecture.md).
+/// 2^-13 texel open (docs/architecture/numbers.md).
 double texels_off(double largest) {
     return std::ldexp(1.0, -13) + std::ldexp(largest, -24);
 }

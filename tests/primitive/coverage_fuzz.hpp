@@ -30,7 +30,7 @@ struct FuzzTriangle {
     std::int32_t x[3], y[3];
 };
 
-/// Returns a triangle of one kind of design 8's list: random, far outside, vertices on centres, slivers,
+/// Returns a triangle of one of these kinds: random, far outside, vertices on centres, slivers,
 /// axis-aligned, tiny.
 inline FuzzTriangle fuzz_triangle(std::mt19937& random, int kind, int width, int height) {
     const auto within = [&](std::int32_t low, std::int32_t high) {

@@ -228,7 +228,7 @@ struct Scene {
     }
 };
 
-/// A scissor, and so a band, changes no byte (design 2).
+/// A scissor, and so a band, changes no byte.
 TEST(Anchoring, TilesMakeTheWholePicture) {
     for (const Setting& setting : settings) {
         Scene scene(setting);

@@ -39,7 +39,7 @@ TEST(Quantize, MatrixIsAPermutation) {
 template <unsigned Bits> void check_dither() {
     const double max = (1 << Bits) - 1;
     for (std::uint32_t k = 0; k <= (1u << Bits) - 1; ++k)
-        for (std::uint32_t t = 1; t < 32; t += 2) { // exact values stay (4.1.10)
+        for (std::uint32_t t = 1; t < 32; t += 2) { // exact values stay (4.1.8)
             const std::uint64_t scaled = std::uint64_t{k} * color_one;
             if (scaled % static_cast<std::uint32_t>(max) == 0) {
                 EXPECT_EQ(

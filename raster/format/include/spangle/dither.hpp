@@ -1,5 +1,5 @@
 // Ordered dithering: the rasterizer's and the display's, where a wire format has fewer bits
-// than the surface (docs/architecture.md, "Numbers").
+// than the surface (docs/architecture/numbers.md, "Colours").
 #pragma once
 
 #include <cstdint>

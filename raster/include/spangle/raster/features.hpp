@@ -1,4 +1,5 @@
-// The optional systems of the rasterizer (design 5). CMake defines them; a build by hand has everything.
+// The optional systems of the rasterizer (docs/architecture/boards-and-profiles.md). CMake defines them; a
+// build by hand has everything.
 #pragma once
 
 #include <spangle/raster/limits.hpp>

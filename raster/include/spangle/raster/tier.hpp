@@ -1,5 +1,5 @@
-// The accuracy tiers, and the knobs that each of them sets (design 3). A tier never changes coverage or
-// depth.
+// The accuracy tiers, and the knobs that each of them sets (docs/architecture/fragments.md, "Tiers"). A tier
+// never changes coverage or depth.
 #pragma once
 
 #include <cstdint>

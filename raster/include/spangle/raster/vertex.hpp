@@ -8,7 +8,8 @@
 
 namespace spangle::raster {
 
-/// Subpixel bits: window x and y are n.8 in every policy (design 2).
+/// Subpixel bits: window x and y are n.8 in every policy (docs/architecture/numbers.md, "Window
+/// coordinates").
 inline constexpr int subpixel_bits = 8;
 inline constexpr std::int32_t subpixel_one = 1 << subpixel_bits;
 
