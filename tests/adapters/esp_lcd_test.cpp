@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <esp_lcd_panel_io.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <spangle/adapters/esp_lcd.hpp>
 #include <spangle/boards/boards.hpp>
@@ -205,6 +206,27 @@ TEST(EspLcd, RefusalsAndFailures) {
     EXPECT_FALSE(bus.wait(token.value(), 100).ok());
     adapters::EspLcdBus unregistered(config);
     EXPECT_FALSE(unregistered.submit(&op, 1).ok());
+}
+
+TEST(EspLcd, NamesWhatTheConfigurationLacks) {
+    sim::SimBoard sim(boards::st7789_240);
+    esp_lcd_panel_io_t io;
+    io.board = &sim;
+    adapters::EspLcdConfig config = config_of(io, boards::st7789_240);
+    config.allocate = nullptr;
+    config.delay_us = nullptr;
+    adapters::EspLcdBus bus(config);
+    const auto buffer = bus.acquire(10);
+    ASSERT_FALSE(buffer.ok());
+    EXPECT_EQ(buffer.error().fault, hal::Fault::bad_argument);
+    EXPECT_THAT(buffer.error().rule, testing::HasSubstr("allocate"));
+    hal::Op op;
+    op.kind = hal::Op::Kind::delay;
+    op.micros = 1;
+    const auto token = bus.submit(&op, 1);
+    ASSERT_FALSE(token.ok());
+    EXPECT_EQ(token.error().fault, hal::Fault::bad_argument);
+    EXPECT_THAT(token.error().rule, testing::HasSubstr("delay_us"));
 }
 
 TEST(EspLcd, ParametersThatAreCommands) {

@@ -17,10 +17,11 @@ struct EspLcdConfig {
     hal::BusKind kind = hal::BusKind::spi4;
     std::uint32_t write_hz = 0; ///< Hz, as the panel IO was made with
     std::uint8_t bits_per_cycle = 1;
-    std::uint32_t command_cost_ns = 20000;     ///< nanoseconds that a queued transaction costs
-    void (*delay_us)(std::uint32_t) = nullptr; ///< waits: esp_rom_delay_us, or vTaskDelay for long waits
-    void (*set_reset)(bool high) = nullptr;    ///< drives the reset line; null: there is none
-    /// Returns memory for DMA: heap_caps_malloc(bytes, MALLOC_CAP_DMA).
+    std::uint32_t command_cost_ns = 20000; ///< nanoseconds that a queued transaction costs
+    void (*delay_us)(std::uint32_t) =
+        nullptr;                            ///< needed; waits: esp_rom_delay_us, or vTaskDelay for long waits
+    void (*set_reset)(bool high) = nullptr; ///< drives the reset line; null: there is none
+    /// Needed; returns memory for DMA: heap_caps_malloc(bytes, MALLOC_CAP_DMA).
     void* (*allocate)(std::size_t bytes) = nullptr;
 };
 
@@ -45,12 +46,16 @@ class EspLcdBus final : public hal::Bus {
         return caps;
     }
     hal::Result<hal::Buffer> acquire(std::size_t size) override {
+        if (config_.allocate == nullptr)
+            return hal::Error{hal::Fault::bad_argument, "esp_lcd: EspLcdConfig::allocate is not set"};
         void* const bytes = config_.allocate(size);
         if (bytes == nullptr)
             return hal::Error{hal::Fault::no_answer, "esp_lcd: no memory for a frame that DMA can reach"};
         return hal::Buffer{static_cast<std::uint8_t*>(bytes), size};
     }
     hal::Result<hal::Token> submit(const hal::Op* ops, std::size_t count) override {
+        if (config_.delay_us == nullptr)
+            return hal::Error{hal::Fault::bad_argument, "esp_lcd: EspLcdConfig::delay_us is not set"};
         if (registered_ != ESP_OK)
             return failed("register callbacks", registered_);
         if (queued_.load() != 0)
