@@ -101,29 +101,51 @@ struct FixedMath : FixedClipping {
         std::uint32_t most_zeros = 0; ///< most leading zeros of a w that divide() divides by
         Range x, y;                   ///< the viewport, results n.8
         Range depth;                  ///< the depth range, results Q0.30
-        numeric::BlockMatrix to_clip, to_eye;
+        numeric::BlockMatrix to_clip;
         [[no_unique_address]] std::conditional_t<numeric::wide_words, WideRows, Rows> rows; ///< of to_clip
 #if SPANGLE_TEXTURE_UNITS
         numeric::BlockMatrix texture[texture_units]; ///< set where the matrix is not the identity
 #endif
-        numeric::BlockRow eye_z; ///< row 2 of the modelview matrix, for vertices loaded for to_clip
         bool texture_is_identity[texture_units];
-    };
 
-    /// Some feature of this build calls to_eye().
-    static constexpr bool asks_eye = (SPANGLE_FEATURE_LIGHTING && has_local_lights) ||
-                                     SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_TEXGEN ||
-                                     SPANGLE_FEATURE_POINT_PARAMETERS || SPANGLE_FEATURE_RASTER_POS;
+        /// The modelview matrix in block form.
+        const numeric::BlockMatrix& to_eye() const {
+            if (!has_eye)
+                make_eye();
+            return eye;
+        }
+        /// Row 2 of the modelview matrix, for vertices loaded for to_clip.
+        const numeric::BlockRow& eye_z() const {
+            if (!has_depth)
+                make_depth();
+            return depth_row;
+        }
+
+        // Most draws ask for neither, so both are made when the first vertex after a change asks. The matrix
+        // that they are made of is the context's own, which changes between draws only.
+        const numeric::Matrix* modelview = nullptr;
+        mutable bool has_eye = false, has_depth = false;
+        mutable numeric::BlockMatrix eye;
+        mutable numeric::BlockRow depth_row;
+
+      private:
+        [[gnu::noinline]] void make_eye() const {
+            eye = numeric::to_block_matrix(*modelview);
+            has_eye = true;
+        }
+        [[gnu::noinline]] void make_depth() const {
+            depth_row = numeric::to_block_row(*modelview, 2, to_clip.column);
+            has_depth = true;
+        }
+    };
 
     static void derive(const TransformState& state, Transforms& out) {
         const numeric::Matrix& modelview = state.modelview.entry[state.modelview.top];
-        if constexpr (asks_eye)
-            out.to_eye = numeric::to_block_matrix(modelview);
+        out.modelview = &modelview;
+        out.has_eye = out.has_depth = false;
         out.to_clip = numeric::to_block_matrix(
             numeric::multiply(state.projection.entry[state.projection.top], modelview));
         out.rows.set(out.to_clip);
-        if constexpr (SPANGLE_FEATURE_FOG)
-            out.eye_z = numeric::to_block_row(modelview, 2, out.to_clip.column);
         std::int32_t lift[3]; // exponents of rows x, y, z less that of row w, less lift_room
         for (int i = 0; i < 3; ++i) {
             lift[i] = out.to_clip.row[i] - out.to_clip.row[3] - lift_room[i];
@@ -156,17 +178,17 @@ struct FixedMath : FixedClipping {
         return numeric::transform(t.to_clip, v);
     }
     static Depth depth(const Transforms& t, const Real (&v)[4]) {
-        return numeric::product(t.eye_z, numeric::load(t.to_clip.column, v));
+        return numeric::product(t.eye_z(), numeric::load(t.to_clip.column, v));
     }
     static Eye to_eye(const Transforms& t, const Real (&v)[4]) {
-        return numeric::transform(t.to_eye, v);
+        return numeric::transform(t.to_eye(), v);
     }
     /// Clip and eye coordinates of a vertex that is clipped, with 60 bits each.
     static Point clip_point(const Transforms& t, const Real (&v)[4]) {
         return numeric::transform_wide(t.to_clip, v);
     }
     static Point eye_point(const Transforms& t, const Real (&v)[4]) {
-        return numeric::transform_wide(t.to_eye, v);
+        return numeric::transform_wide(t.to_eye(), v);
     }
     static Clip narrow(const Point& v) {
         return numeric::to_block(v);
@@ -185,7 +207,7 @@ struct FixedMath : FixedClipping {
                                 bool fog) {
             numeric::Mantissas<4> v = numeric::load(t.to_clip.column, position);
             if (fog)
-                set_fog(numeric::product(t.eye_z, v), out);
+                set_fog(numeric::product(t.eye_z(), v), out);
             add(i, t, v);
         }
         /// Adds a vertex whose coordinates are loaded. Point: the vertex's w is 2^power.

@@ -197,14 +197,16 @@ TEST(Card, StoresWholePixelsOfEveryFormatAndNothingBesideThem) {
         ASSERT_TRUE(bringup::show(display, picture).ok());
         for (int i = 0; i < 20; ++i) {
             const std::uint8_t *const at = display.at(i % 5, i / 5), red = static_cast<std::uint8_t>(13 * i);
-            if (format == PixelFormat::index8)
+            if (format == PixelFormat::index8) {
                 EXPECT_EQ(*at, (red & 0xE0) | 3);
-            else if (format == PixelFormat::rgb565_be || format == PixelFormat::rgb565_le)
+            } else if (format == PixelFormat::rgb565_be || format == PixelFormat::rgb565_le) {
                 EXPECT_EQ(at[format == PixelFormat::rgb565_be ? 0 : 1], red & 0xF8);
-            else
+            } else {
                 EXPECT_EQ(at[0] | at[2] << 8, red | 255 << 8);
-            if (format == PixelFormat::rgba8888)
+            }
+            if (format == PixelFormat::rgba8888) {
                 EXPECT_EQ(at[3], 255);
+            }
         }
         for (const std::uint8_t* behind = display.at(0, 4);
              behind != display.pixels.data() + display.pixels.size(); ++behind)

@@ -21,7 +21,7 @@ BARE = {name: value for name, value in os.environ.items() if name not in ("DISPL
 
 def lines():
     """Returns (page, line) of each line that calls the command line."""
-    for page in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]:
+    for page in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]:
         for language, block in re.findall(r"^```(\w*)\n(.*?)^```", page.read_text(), re.S | re.M):
             for line in block.splitlines():
                 if language in ("", "sh", "bash") and re.match(r"(build/host/)?spangle \w+", line):
