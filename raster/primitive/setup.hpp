@@ -20,8 +20,8 @@ template <class P> class Setup;
 ///
 /// Planes go through the vertices that coverage sees, which are snapped to 1/256 pixel. Depth does so in
 /// every tier. In the exact tier the planes of all other attributes go through the vertices before snapping
-/// (unsnap()). Where a bound says that texture coordinates over w would lose more than 2^-7 texel even so, the
-/// exact tier makes their planes in numbers of 61 bits (steepen()).
+/// (unsnap()). Where a bound says that texture coordinates over w would lose more than 2^-7 texel even so,
+/// the exact tier makes their planes in numbers of 61 bits (steepen()).
 template <> class Setup<Fixed> {
   public:
     using Vertex = FixedVertex;
