@@ -31,6 +31,16 @@ class Memory {
     std::vector<std::unique_ptr<std::uint8_t[]>> blocks_;
 };
 
+/// Returns the bytes that an image may take, which takes `exact` of them with the pixel store that was set.
+///
+/// Between Begin and End the store cannot be set, but a list that compiles takes images even so, and reads
+/// them by the store that is in force. That has gaps of a few groups and rows at most.
+inline std::size_t room(std::size_t exact) {
+    GLint alignment = -1;
+    glGetIntegerv(GL_UNPACK_ALIGNMENT, &alignment); // between Begin and End it gives nothing
+    return alignment != -1 ? exact : exact + (std::size_t{1} << 19);
+}
+
 /// Returns the number of one of `count` things, as the stream chooses.
 inline unsigned pick(Bytes& in, unsigned count) {
     return count <= 1 ? 0 : count <= 256 ? in.byte() % count : (in.byte() | in.byte() * 256u) % count;

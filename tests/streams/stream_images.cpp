@@ -90,7 +90,7 @@ void Scenes::image_source(int width, int height, int depth, bool pack, GLenum& f
         line = (line + size(alignment) - 1) / size(alignment) * size(alignment);
     const std::size_t last = layout.bytes != 0 ? size(skip_pixels + width) * group : (size(width) + 7) / 8;
     const int rows = skip_rows + height * (depth - 1) + height;
-    pixels = memory_.make(width == 0 || rows <= 0 ? 0 : size(rows - 1) * line + last);
+    pixels = memory_.make(room(width == 0 || rows <= 0 ? 0 : size(rows - 1) * line + last));
 }
 
 void Scenes::reset_pixel_store() {
@@ -191,7 +191,7 @@ void Scenes::images() {
     case 0: {
         reset_pixel_store();
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        pixels = memory_.make(static_cast<std::size_t>((w + 7) / 8 * h));
+        pixels = memory_.make(room(static_cast<std::size_t>((w + 7) / 8 * h)));
         glBitmap(w, h, unit_number(in_), unit_number(in_), unit_number(in_) * 9, unit_number(in_) * 9,
                  pixels);
         break;

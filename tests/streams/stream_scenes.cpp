@@ -204,7 +204,7 @@ void Scenes::fragments() {
             // changed.
             reset_pixel_store();
             glPixelStorei(GL_UNPACK_ALIGNMENT, 8);
-            glPolygonStipple(memory_.make(31 * 8 + 4));
+            glPolygonStipple(memory_.make(room(31 * 8 + 4)));
             break;
         case 13:
             turn(GL_CULL_FACE);
