@@ -160,26 +160,29 @@ void Setup<Fixed>::steepen(std::int32_t fog[3]) {
         auto& at = span_.unit[unit];
         if (!has_textures || !state_.needs.unit[unit] || !at.shares_q)
             continue;
-        // The whole repeats of the nearest vertex are taken off. Those of another one would make the plane
-        // large where 1/w is.
-        at.s_base =
-            whole_repeats(v(nearest).tex[unit].s, v(nearest).tex[unit].exponent - state_.halves[unit].s);
-        at.t_base =
-            whole_repeats(v(nearest).tex[unit].t, v(nearest).tex[unit].exponent - state_.halves[unit].t);
-        Wide s[3], t[3];
-        for (int i = 0; i < 3; ++i) {
-            const auto& c = v(i).tex[unit];
-            const auto of = [&](std::int32_t m, int halves, std::int32_t base) {
-                return mul(sub(make_wide(m, c.exponent - halves), make_wide(base, 0)), q[i]);
-            };
-            s[i] = of(c.s, state_.halves[unit].s, at.s_base);
-            t[i] = of(c.t, state_.halves[unit].t, at.t_base);
-        }
+        const auto& halves = state_.halves[unit];
         constexpr int bits = 30, least_exponent = -2; // as add_unit() has it
-        const int exponent = above(t, above(s, q_unit + least_exponent + bits)) - bits;
+        int exponent = q_unit + least_exponent + bits;
+        Wide over_w[2][3]; // s, t
+        for (int axis = 0; axis < 2; ++axis) {
+            const auto mantissa = [axis](const Vertex::TexCoord& c) { return axis == 0 ? c.s : c.t; };
+            const int halved = axis == 0 ? halves.s : halves.t;
+            // The whole repeats of the nearest vertex are taken off. Those of another one would make the
+            // plane large where 1/w is.
+            const auto& first = v(nearest).tex[unit];
+            const std::int32_t base = whole_repeats(mantissa(first), first.exponent - halved);
+            (axis == 0 ? at.s_base : at.t_base) = base;
+            for (int i = 0; i < 3; ++i) {
+                const auto& c = v(i).tex[unit];
+                over_w[axis][i] =
+                    mul(sub(make_wide(mantissa(c), c.exponent - halved), make_wide(base, 0)), q[i]);
+            }
+            exponent = above(over_w[axis], exponent);
+        }
+        exponent -= bits;
         at.exponent = exponent - q_unit;
-        planes.make(at.s, s, exponent);
-        planes.make(at.t, t, exponent);
+        planes.make(at.s, over_w[0], exponent);
+        planes.make(at.t, over_w[1], exponent);
         at.s_dy = at.s.dy;
         at.t_dy = at.t.dy;
     }

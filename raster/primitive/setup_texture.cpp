@@ -333,7 +333,8 @@ void Setup<Fixed>::with_coordinates(std::uint32_t color_bits, const Vertex& pain
     for (int i = 0; i < max_texture_units; ++i)
         if (has_textures && needs.unit[i])
             add_unit(i, units[i]);
-    if (unsnaps(state_) && span_.kind != Kind::affine && loses_texels(units)) [[unlikely]]
+    if (unsnaps(state_) && has_perspective && state_.fragment.perspective && span_.kind != Kind::affine &&
+        loses_texels(units)) [[unlikely]]
         steepen(fog);
 }
 
