@@ -51,8 +51,14 @@ class Mutant:
             return f"the feature matrix has no row {self.row}"
         if area(self.test[0]) is None:
             return f"no folder of tests belongs to {self.test[0]}"
-        count = path.read_text().count(self.find)
-        return None if count == 1 else f"'{self.find}' stands {count} times in {self.file}"
+        text = path.read_text()
+        count = text.count(self.find)
+        if count != 1:
+            return f"'{self.find}' stands {count} times in {self.file}"
+        rest = text[text.index(self.find) + len(self.find):].partition("\n")[0]
+        if path.suffix in CPP and "//" in self.find and "//" not in self.replace and rest.strip():
+            return f"'{self.find}' ends in a comment, so that '{rest.strip()}' becomes code; leave the comment out"
+        return None
 
     def seeded(self, tree):
         """The text of the file with the defect in it."""
