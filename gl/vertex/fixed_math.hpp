@@ -59,7 +59,7 @@ struct FixedMath : FixedClipping {
             return static_cast<std::int32_t>(static_cast<std::uint32_t>(middle) +
                                              numeric::low_word_after(rounded, bits));
         }
-        /// The same from a wide -q; the result is undefined where -q does not fit a word.
+        /// place() of a -q that is held in 64 bits; the result is undefined where -q does not fit a word.
         SPANGLE_INLINE std::int32_t place(std::int64_t minus_q, int bits) const {
             return place(static_cast<std::int32_t>(minus_q), bits);
         }

@@ -13,7 +13,7 @@ using IndexList = std::vector<std::uint32_t>;
 /// vertex i in entry i mod entries (gl/vertex/pipeline_elements.hpp).
 std::size_t cache_misses(const IndexList& indices, unsigned entries);
 
-/// The same triangles, ordered so that their vertices are used again soon. They form fans around a vertex,
+/// Orders triangles so that their vertices are used again soon. Triangles form fans around a vertex,
 /// then around the neighbour that will be forgotten next (Sander, Nehab, Barczak 2007, "Fast triangle
 /// reordering").
 IndexList order_triangles(const IndexList& triangles, std::size_t vertices, unsigned entries);

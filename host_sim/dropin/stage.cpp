@@ -38,8 +38,8 @@ hal::Wire wire_of(hal::WireFormat format) {
     }
 }
 
-/// The same board with surfaces of eight bits a component, which a present converts to the format of the
-/// panel.
+/// Returns the board with surfaces of eight bits a component, which a present converts to the format of
+/// the panel.
 hal::Board with_full_colors(hal::Board board) {
     hal::PanelConfig& display = board.display;
     if (!display.wire.converts())

@@ -370,7 +370,7 @@ Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const V
         attributes_of<true>(provoking);
     else
         attributes(provoking);
-    if (has_24_bits() && &v(0) != &v(2))
+    if (has_24_bits() && area.word != 0)
         add_depth_24(a, b, c);
 }
 

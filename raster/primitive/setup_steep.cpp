@@ -163,7 +163,7 @@ void Setup<Fixed>::steepen(std::int32_t fog[3]) {
         const auto& halves = state_.halves[unit];
         constexpr int bits = 30, least_exponent = -2; // as add_unit() has it
         int exponent = q_unit + least_exponent + bits;
-        Wide over_w[2][3]; // s, t
+        Wide values[2][3]; // s/w and t/w of the vertices
         for (int axis = 0; axis < 2; ++axis) {
             const auto mantissa = [axis](const Vertex::TexCoord& c) { return axis == 0 ? c.s : c.t; };
             const int halved = axis == 0 ? halves.s : halves.t;
@@ -174,15 +174,15 @@ void Setup<Fixed>::steepen(std::int32_t fog[3]) {
             (axis == 0 ? at.s_base : at.t_base) = base;
             for (int i = 0; i < 3; ++i) {
                 const auto& c = v(i).tex[unit];
-                over_w[axis][i] =
+                values[axis][i] =
                     mul(sub(make_wide(mantissa(c), c.exponent - halved), make_wide(base, 0)), q[i]);
             }
-            exponent = above(over_w[axis], exponent);
+            exponent = above(values[axis], exponent);
         }
         exponent -= bits;
         at.exponent = exponent - q_unit;
-        planes.make(at.s, over_w[0], exponent);
-        planes.make(at.t, over_w[1], exponent);
+        planes.make(at.s, values[0], exponent);
+        planes.make(at.t, values[1], exponent);
         at.s_dy = at.s.dy;
         at.t_dy = at.t.dy;
     }

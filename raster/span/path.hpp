@@ -1,5 +1,5 @@
 // Paths are what lines of width 1 hand to a loop of their own, one fragment per step along the major axis.
-// They come several at a time, so that neither the code that finds them nor the code that draws them waits
+// Paths come several at a time, so that neither the code that finds them nor the code that draws them waits
 // for the other.
 #pragma once
 

@@ -9,7 +9,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// The same code serves all number systems whose packets have these places.
+/// Finds texture coordinates of packets. One body serves all number systems whose packets have these places.
 template <class Places> class PacketCoordinates {
   public:
     template <int Unit> static void run(Places& k, const Span<Fixed>& span) {

@@ -131,7 +131,7 @@ template <class N> class PacketTexture {
         const auto& coord = k_.coord[which_][0];
         constexpr std::int32_t group = sizeof coord / sizeof coord.s[0];
         const bool linear = filter == Filter::linear, border = texture_.border_texels != 0;
-        // Such texels are found by column and row, not by bytes.
+        // Texels of indirect formats are found by column and row, not by bytes.
         const bool indirect = is_indirect(texture_.format);
         const std::int32_t bytes = indirect ? 1 : texel_bytes(sampled(texture_.format)),
                            stride = indirect ? 1 : static_cast<std::int32_t>(image.stride);

@@ -38,7 +38,7 @@ class SimBoard {
     /// scans its memory for two refreshes; both take virtual time. Outside round glass the picture is
     /// transparent black: alpha 0.
     Image glass() const;
-    /// The same picture without hiding what round glass hides: the whole rectangle that the controller scans.
+    /// The whole rectangle that the controller scans: glass() without hiding what round glass hides.
     Image scan_out() const;
     /// The controller's whole frame memory, as MADCTL 00h addresses it.
     Image memory() const;
