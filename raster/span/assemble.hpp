@@ -170,10 +170,10 @@ template <class N, class One, int Unit> void add_other_runs([[maybe_unused]] Cha
 #endif
 }
 
-/// Whether the texture function of a unit finds its coordinates itself, along rows: packets cannot be shared
-/// then.
+/// Whether the texture function of a unit finds its coordinates itself, and only along rows: packets cannot
+/// be shared then.
 template <class N, int Unit> bool has_volume([[maybe_unused]] const FragmentState& state) {
-    if constexpr (N::lanes > 1 && has_third_coordinates && Unit < max_texture_units)
+    if constexpr (N::lanes > 1 && !divides_in_lanes && has_third_coordinates && Unit < max_texture_units)
         return state.unit[Unit].texture != nullptr && wants_r(*state.unit[Unit].texture);
     return false;
 }

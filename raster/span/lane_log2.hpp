@@ -44,25 +44,42 @@ template <class Vector> SPANGLE_INLINE Vector lane_log2(const Vector& v) {
     return log2_of_parts<Vector>(std::bit_cast<Vector>(to_floats(kept)) >> 7, 127);
 }
 
+/// level_of_detail() in lanes.
+template <class Vector> SPANGLE_INLINE Vector lane_level_of_detail(const Vector& sum) {
+    constexpr std::uint32_t lost = 3;
+    static_assert(level_of_detail(lost) == 0 && level_of_detail(lost + 1) != 0);
+    return sum & std::bit_cast<Vector>(sum + lost > 2 * lost);
+}
+
 template <class Vector> SPANGLE_INLINE Vector at_least_one(const Vector& v) {
     const auto positive = std::bit_cast<Vector>(lane_words::as_signed(v) > 0);
     return (v & positive) | (1u & ~positive);
 }
 
-/// |dv q - v dq|: the derivative of v / q, times q^2.
+/// |dv q - v dq| in the even words of all four: the derivative of v / q, times q^2.
+template <class Vector>
+SPANGLE_INLINE Longs<Vector> even_derivative(const Vector& dv, const Vector& v, const Vector& dq,
+                                             const Vector& q) {
+    using Signed [[gnu::vector_size(sizeof(Vector))]] = std::int64_t;
+    using Long = Longs<Vector>;
+    const Long d = even_products_signed(q, dv) - even_products_signed(v, dq);
+    const auto negative = std::bit_cast<Long>(std::bit_cast<Signed>(d) < 0);
+    return (d ^ negative) - negative;
+}
+/// |dv q - v dq|, where each word has its own differences.
+template <class Vector>
+SPANGLE_INLINE LongPair<Vector> derivative(const Vector& dv, const Vector& v, const Vector& dq,
+                                           const Vector& q) {
+    return {even_derivative(dv, v, dq, q),
+            even_derivative(odd_words(dv), odd_words(v), odd_words(dq), odd_words(q))};
+}
+/// |dv q - v dq|, where all words have the same differences.
 template <class Vector>
 SPANGLE_INLINE LongPair<Vector> derivative(std::int32_t dv, const Vector& v, std::int32_t dq,
                                            const Vector& q) {
-    using Long = Longs<Vector>;
     const Vector by_q = Vector{} + static_cast<std::uint32_t>(dv),
                  by_v = Vector{} + static_cast<std::uint32_t>(dq);
-    const auto one = [&](const Vector& of_v, const Vector& of_q) __attribute__((always_inline)) {
-        using Signed [[gnu::vector_size(sizeof(Vector))]] = std::int64_t;
-        const Long d = even_products_signed(of_q, by_q) - even_products_signed(of_v, by_v);
-        const auto negative = std::bit_cast<Long>(std::bit_cast<Signed>(d) < 0);
-        return (d ^ negative) - negative;
-    };
-    return {one(v, q), one(odd_words(v), odd_words(q))};
+    return {even_derivative(by_q, v, by_v, q), even_derivative(by_q, odd_words(v), by_v, odd_words(q))};
 }
 template <class Vector>
 SPANGLE_INLINE LongPair<Vector> larger(const LongPair<Vector>& a, const LongPair<Vector>& b) {

@@ -12,14 +12,6 @@ inline namespace SPANGLE_INSTRUCTIONS {
 SPANGLE_INLINE LaneWords lane_joined(const Lanes<8>::U16& low, const Lanes<8>::U16& high) {
     return LaneWords::widened(low) | (LaneWords::widened(high) << 16);
 }
-/// floor(v / 2^n), v signed, word by word.
-SPANGLE_INLINE LaneWords lane_shifted_signed(const LaneWords& v, int n) {
-    return LaneWords::mapped(
-        [n](const auto& w) __attribute__((always_inline)) {
-            return std::bit_cast<std::remove_cvref_t<decltype(w)>>(lane_words::as_signed(w) >> n);
-        },
-        v);
-}
 
 namespace inner {
 

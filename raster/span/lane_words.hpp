@@ -299,6 +299,14 @@ SPANGLE_INLINE LaneWords operator<<(const LaneWords& a, int n) {
     return LaneWords::mapped(
         [n](const auto& v) __attribute__((always_inline)) { return v << static_cast<std::uint32_t>(n); }, a);
 }
+/// floor(v / 2^n), v signed, word by word.
+SPANGLE_INLINE LaneWords lane_shifted_signed(const LaneWords& v, int n) {
+    return LaneWords::mapped(
+        [n](const auto& w) __attribute__((always_inline)) {
+            return std::bit_cast<std::remove_cvref_t<decltype(w)>>(lane_words::as_signed(w) >> n);
+        },
+        v);
+}
 SPANGLE_INLINE LaneWords& operator+=(LaneWords& a, const LaneWords& b) {
     return a = a + b;
 }

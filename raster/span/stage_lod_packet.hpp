@@ -36,7 +36,7 @@ class LevelLanes {
             [this](const auto& at_s, const auto& at_t, const auto& over_w) __attribute__((always_inline)) {
                 const auto at_q = inner::at_least_one(over_w);
                 const auto ds = along(s_, at_s, at_q), dt = along(t_, at_t, at_q);
-                return level(texels(ds, dt) - (inner::lane_log2(at_q) << 1));
+                return inner::lane_level_of_detail(texels(ds, dt) - (inner::lane_log2(at_q) << 1));
             },
             s, t, q);
     }
@@ -69,12 +69,6 @@ class LevelLanes {
             return of_s;
         const Vector of_t = inner::lane_log2(dt) + static_cast<std::uint32_t>(v_);
         return lane_words::larger(of_s, of_t);
-    }
-    /// level_of_detail() in lanes.
-    template <class Vector> SPANGLE_INLINE static Vector level(const Vector& sum) {
-        constexpr std::uint32_t lost = 3;
-        static_assert(level_of_detail(lost) == 0 && level_of_detail(lost + 1) != 0);
-        return sum & std::bit_cast<Vector>(sum + lost > 2 * lost);
     }
 };
 

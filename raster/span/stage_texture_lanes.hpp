@@ -6,6 +6,7 @@
 #include "raster/span/filter_exact.hpp"
 #include "raster/span/instructions.hpp"
 #include "raster/span/stage_texture_one.hpp"
+#include "raster/span/stage_volume_packet.hpp"
 #include "raster/span/texel_fetch.hpp"
 
 namespace spangle::raster {
@@ -46,8 +47,8 @@ template <class N> class LaneTexture {
         const std::uint32_t *s, *t;
         std::int32_t group; ///< words from the coordinates of eight fragments to those of the next eight
         const std::int32_t* lod;
-        const std::uint32_t* r; ///< third coordinate in a volume
-        const unsigned* face;   ///< face of a cube map
+        const std::uint32_t* r;    ///< third coordinate in a volume
+        const std::uint32_t* face; ///< face of a cube map
     };
     const Texture& texture_;
     const TextureFunction<One> function_;
@@ -78,25 +79,36 @@ template <class N> class LaneTexture {
     }
 
     [[gnu::noinline]] static void in_volume(Packet<N>& k, const Span& span, int which, Color* texels) {
-        const VolumeCoords coords(span, which);
         const TextureUnit& unit = span.state->fragment.unit[which];
-        VolumePlace places[packet_length];
-        std::uint32_t s[packet_length], t[packet_length], r[packet_length];
-        unsigned face[packet_length];
-        const std::int32_t whole = (k.n + lanes - 1) & -lanes;
-        for (std::int32_t i = 0; i < whole; ++i) {
-            places[i] = i < k.n ? coords.at(k.x + i) : places[i - 1];
-            s[i] = places[i].s;
-            t[i] = places[i].t;
-            r[i] = places[i].r;
-            face[i] = places[i].face;
-            k.lod[which][i] = places[i].lod;
-        }
-        if (LaneTexture(unit, {s, t, lanes, k.lod[which], r, face}, k.n).together(texels))
+        std::int32_t* const lod = k.lod[which];
+        VolumePlaces at;
+        find_places(k, span, which, at);
+        if (LaneTexture(unit, {at.s, at.t, lanes, lod, at.r, at.face}, k.n).together(texels))
             return;
         const VolumeFunction<One> function(unit);
         for (std::int32_t i = 0; i < k.n; ++i)
-            set_lane(texels[i / lanes], i % lanes, function.sample(places[i]));
+            set_lane(texels[i / lanes], i % lanes,
+                     function.sample({at.s[i], at.t[i], at.r[i], at.face[i], lod[i]}));
+    }
+    static void find_places(Packet<N>& k, const Span& span, int which, VolumePlaces& to) {
+        if constexpr (divides_in_lanes) {
+            VolumeLanes<PlacesOf<N>>(k, span, which).find(k.n, to, k.lod[which]);
+        } else {
+            const VolumeCoords coords(span, which);
+            for (std::int32_t i = 0; i < k.n; ++i)
+                put_place(coords.at(k.x + i), i, to, k.lod[which]);
+        }
+        const std::int32_t end = k.n, whole = (end + lanes - 1) & -lanes, last = end - 1;
+        for (std::int32_t i = end; i < whole; ++i)
+            put_place({to.s[last], to.t[last], to.r[last], to.face[last], k.lod[which][last]}, i, to,
+                      k.lod[which]);
+    }
+    static void put_place(const VolumePlace& from, std::int32_t i, VolumePlaces& to, std::int32_t* lod) {
+        to.s[i] = from.s;
+        to.t[i] = from.t;
+        to.r[i] = from.r;
+        to.face[i] = from.face;
+        lod[i] = from.lod;
     }
 
     /// False: fragments take too many levels or filters, or the image is one that lanes cannot read.
@@ -209,12 +221,41 @@ template <class N> class LaneTexture {
         if (has_volumes && texture_.shape == TextureShape::volume)
             return in_slices(image, level, filter, to);
         if (has_cube_maps && texture_.shape == TextureShape::cube) {
-            for (std::int32_t i = 1; i < n_; ++i)
-                if (places_.face[i] != places_.face[0])
-                    return false;
+            std::uint32_t first[packet_length];
             image.texels = texture_.faces->texels[places_.face[0]][level];
+            const bool same = one_face();
+            if (!same && !face_offsets(image, level, first))
+                return false;
+            in_image(image, same ? nullptr : first, filter, to);
+            return true;
         }
         in_image(image, nullptr, filter, to);
+        return true;
+    }
+
+    bool one_face() const {
+        std::uint32_t others = 0;
+        for (std::int32_t i = 1; i < n_; ++i)
+            others |= places_.face[i] ^ places_.face[0];
+        return others == 0;
+    }
+    /// Finds the bytes from the texels of `image` to those of each fragment's face. False: some face lies too
+    /// far away, or texels are not found by bytes.
+    bool face_offsets(const TextureLevel& image, int level, std::uint32_t* first) const {
+        if (is_indirect(texture_.format))
+            return false;
+        const std::int64_t bytes = std::int64_t{image.stride} * (image.height + 2 * texture_.border_texels),
+                           far = (std::int64_t{1} << 31) - bytes;
+        std::uint32_t to_face[6];
+        for (int face = 0; face < 6; ++face) {
+            const auto at = reinterpret_cast<std::intptr_t>(texture_.faces->texels[face][level]) -
+                            reinterpret_cast<std::intptr_t>(image.texels);
+            if (at >= far || at <= -far)
+                return false;
+            to_face[face] = static_cast<std::uint32_t>(at);
+        }
+        for (std::int32_t i = 0; i < groups_ * lanes; ++i)
+            first[i] = to_face[places_.face[i]];
         return true;
     }
 
