@@ -8,7 +8,7 @@
 #include "raster/span/key.hpp"
 #include "raster/span/shared_rows.hpp"
 #include "raster/span/stage_antialias.hpp"
-#include "raster/span/stage_blend.hpp"
+#include "raster/span/stage_blend_packet.hpp"
 #include "raster/span/stage_color.hpp"
 #include "raster/span/stage_color_packet.hpp"
 #include "raster/span/stage_combine.hpp"
@@ -259,12 +259,20 @@ template <class N, PixelFormat Format, class Chain> void add_coarse(Chain& chain
         chain.template choose<BlendCoarse<N, Format, true>, BlendCoarse<N, Format, false>>(dither);
 }
 
+template <class N, PixelFormat Format> void add_any_blending(ChainBuilder<N>& chain) {
+    if constexpr (by_lanes<N>)
+        chain.add(&blend_packet<N, Format>, true);
+    else
+        chain.template add<Blend<N, Stored<N, Format>>>();
+}
+
 template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, const Key& key) {
     if (key.coarse)
         add_coarse<N, Format>(chain, key.dither);
+    else if (key.blend && !key.blend_general && key.blending == blend_over)
+        chain.template add<BlendAlpha<N, Format>>();
     else if (key.blend)
-        chain.template choose<BlendAlpha<N, Format>, Blend<N, Stored<N, Format>>>(!key.blend_general &&
-                                                                                  key.blending == blend_over);
+        add_any_blending<N, Format>(chain);
     if constexpr (is_balanced<N> && has_textures && has_fog && is_565(Format))
         if (counts_steps(key))
             return chain.template add<StoreSteps<N, Format>>();

@@ -5,7 +5,7 @@
 #include "raster/span/instructions.hpp"
 #include "raster/span/stage_texture_lanes.hpp"
 #include "raster/span/texel_packet.hpp"
-#include "raster/span/texture_combine.hpp"
+#include "raster/span/texture_combine_packet.hpp"
 
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
@@ -33,11 +33,15 @@ template <class N> class PacketTexture {
         for (int u = 0; u < max_texture_units; ++u)
             if (state.unit[u].texture != nullptr)
                 sample(k, span, u, texels[u]);
-        for (std::int32_t g = 0; g * lanes < k.n; ++g) {
-            Color texel[max_texture_units];
-            for (int u = 0; u < max_texture_units; ++u)
-                texel[u] = state.unit[u].texture != nullptr ? texels[u][g] : Color{};
-            TextureCombine<N>::units(state, texel, k.color[g]);
+        if constexpr (lanes > 1) {
+            PacketCombine<N>::units(state, texels, (k.n + lanes - 1) / lanes, k.color);
+        } else {
+            for (std::int32_t i = 0; i < k.n; ++i) {
+                Color texel[max_texture_units];
+                for (int u = 0; u < max_texture_units; ++u)
+                    texel[u] = state.unit[u].texture != nullptr ? texels[u][i] : Color{};
+                TextureCombine<N>::units(state, texel, k.color[i]);
+            }
         }
     }
 

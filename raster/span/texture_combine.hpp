@@ -82,6 +82,15 @@ template <class N> class TextureCombine {
         }
     }
 
+    /// a + b - 1/2, clamped to [0, 1].
+    SPANGLE_INLINE static T sum_less_half(const T& a, const T& b) {
+        if constexpr (N::lanes == 1)
+            return b < Math::half() ? N::subtract(a, Math::half() - b) : N::add(a, b - Math::half());
+        else
+            return component::where_less<N>(b, Math::half(), N::subtract(a, Math::half() - b),
+                                            N::add(a, b - Math::half()));
+    }
+
   private:
     struct Sources {
         const FragmentState& state;
@@ -147,11 +156,7 @@ template <class N> class TextureCombine {
         case CombineFunc::add:
             return N::add(a, b);
         case CombineFunc::add_signed:
-            if constexpr (N::lanes == 1)
-                return b < Math::half() ? N::subtract(a, Math::half() - b) : N::add(a, b - Math::half());
-            else
-                return component::where_less<N>(b, Math::half(), N::subtract(a, Math::half() - b),
-                                                N::add(a, b - Math::half()));
+            return sum_less_half(a, b);
         case CombineFunc::interpolate:
             return N::lerp(b, a, c);
         default:
