@@ -1,0 +1,124 @@
+// Colours that packets of lanes blend and combine are those of one fragment after the other.
+#include <gtest/gtest.h>
+
+#include "raster/span/stage_blend_packet.hpp"
+#include "raster/span/texture_combine_packet.hpp"
+#include "tests/span/any_state.hpp"
+
+namespace spangle::raster::test {
+namespace {
+
+/// The colours of the fragments of a packet, in groups of lanes.
+template <class N> struct Colors {
+    static constexpr int groups = PlacesOf<N>::groups, fragments = groups * N::lanes;
+    using One = typename OneLane<N>::Color;
+    typename N::Color of[groups];
+
+    /// Each component is 0, 1, or anything between.
+    explicit Colors(RandomVertices& random) {
+        const auto component = [&] {
+            const std::uint32_t units =
+                random.below(4) == 0 ? (random.below(2) == 0 ? 0 : color_one) : random.below(color_one + 1);
+            return OneLane<N>::from_units(units);
+        };
+        for (int i = 0; i < fragments; ++i)
+            set(i, {component(), component(), component(), component()});
+    }
+    void set(int i, const One& c) { set_lane(of[i / N::lanes], i % N::lanes, c); }
+    One at(int i) const {
+        One c;
+        lane_of(of[i / N::lanes], i % N::lanes, c);
+        return c;
+    }
+};
+
+template <class Color> void expect_equal(const Color& found, const Color& expected, const char* what, int i) {
+    ASSERT_EQ(found.r, expected.r) << what << ' ' << i;
+    ASSERT_EQ(found.g, expected.g) << what << ' ' << i;
+    ASSERT_EQ(found.b, expected.b) << what << ' ' << i;
+    ASSERT_EQ(found.a, expected.a) << what << ' ' << i;
+}
+
+/// Blends one fragment as the chain of one lane does.
+template <class One>
+typename One::Color blended(const FragmentState& state, const typename One::Color& s,
+                            const typename One::Color& d) {
+    const BlendEquations<One> equations(state);
+    const auto rgb = [&](auto cs, auto cd, int i) {
+        return equations.combine(state.blend_rgb, s, d, cs, cd, One::from_units(state.blend_color[i]));
+    };
+    Blending alpha = state.blend_alpha;
+    if (alpha.src == BlendFactor::src_alpha_saturate)
+        alpha.src = BlendFactor::one;
+    return {rgb(s.r, d.r, 0), rgb(s.g, d.g, 1), rgb(s.b, d.b, 2),
+            equations.combine(alpha, s, d, s.a, d.a, One::from_units(state.blend_color[3]))};
+}
+
+template <class N> void blend_everything() {
+    RandomVertices random(95);
+    for (std::uint32_t factors = 0; factors < 15 * 15; ++factors)
+        for (int equation = 0; equation < 5; ++equation) {
+            FragmentState state;
+            any_blending(random, state);
+            state.blend_rgb = {static_cast<BlendFactor>(factors % 15), static_cast<BlendFactor>(factors / 15),
+                               static_cast<BlendEquation>(equation)};
+            state.blend_alpha = {static_cast<BlendFactor>(factors / 15),
+                                 static_cast<BlendFactor>(factors % 15),
+                                 static_cast<BlendEquation>((equation + 1) % 5)};
+            const Colors<N> source(random), stored(random);
+            Colors<N> found = source;
+            const auto groups = static_cast<std::int32_t>(1 + random.below(Colors<N>::groups));
+            PacketBlend<N>::blend(state, groups, stored.of, found.of);
+            for (int i = 0; i < groups * N::lanes; ++i)
+                expect_equal(found.at(i), blended<OneLane<N>>(state, source.at(i), stored.at(i)), "factors",
+                             static_cast<int>(factors));
+        }
+}
+TEST(PacketColors, BlendAsOneFragment) {
+    blend_everything<ExactLanes>();
+    blend_everything<Balanced<8>>();
+}
+
+template <class N> void combine_anything() {
+    RandomVertices random(96);
+    int combined = 0, crossed = 0;
+    for (int round = 0; round < 20000; ++round) {
+        Texture texture[2];
+        FragmentState state;
+        for (int u = 0; u < 2; ++u) {
+            texture[u].base = static_cast<BaseFormat>(random.below(6));
+            any_unit(random, state.unit[u], texture[u]);
+            if (random.below(2) == 0)
+                state.unit[u].env = TexEnv::combine;
+            if (random.below(5) == 0)
+                state.unit[u].texture = nullptr;
+        }
+        const Colors<N> primary(random), texel[2] = {Colors<N>(random), Colors<N>(random)};
+        typename N::Color texels[2][Colors<N>::groups];
+        for (int u = 0; u < 2; ++u)
+            std::copy_n(texel[u].of, Colors<N>::groups, texels[u]);
+        Colors<N> found = primary;
+        const auto groups = static_cast<std::int32_t>(1 + random.below(Colors<N>::groups));
+        PacketCombine<N>::units(state, texels, groups, found.of);
+        for (int i = 0; i < groups * N::lanes; ++i) {
+            using One = OneLane<N>;
+            const typename One::Color of_units[2] = {texel[0].at(i), texel[1].at(i)};
+            typename One::Color expected = primary.at(i);
+            TextureCombine<One>::units(state, of_units, expected);
+            expect_equal(found.at(i), expected, "round", round);
+        }
+        combined += combines(state) ? 1 : 0;
+        crossed += state.unit[0].texture != nullptr && state.unit[1].texture == nullptr ? 1 : 0;
+        if (testing::Test::HasFatalFailure())
+            return;
+    }
+    EXPECT_GT(combined, 10000);
+    EXPECT_GT(crossed, 1000);
+}
+TEST(PacketColors, CombineAsOneFragment) {
+    combine_anything<ExactLanes>();
+    combine_anything<Balanced<8>>();
+}
+
+} // namespace
+} // namespace spangle::raster::test
