@@ -195,9 +195,9 @@ class PacketCopy {
     } color_, depth_;
 
   public:
-    /// Copies 1 to 128 bytes between memory that does not overlap, in line.
+    /// Copies 1 to 256 bytes between memory that does not overlap, in line.
     SPANGLE_INLINE static void copy(std::uint8_t* to, const std::uint8_t* from, std::int32_t bytes) {
-        static_assert(4 * packet_length <= 128);
+        static_assert(4 * packet_length <= 256);
         if (bytes < 2)
             *to = *from;
         else if (bytes < 4)
@@ -210,8 +210,10 @@ class PacketCopy {
             both_ends<16>(to, from, bytes);
         else if (bytes < 64)
             both_ends<32>(to, from, bytes);
-        else
+        else if (bytes < 128)
             both_ends<64>(to, from, bytes);
+        else
+            both_ends<128>(to, from, bytes);
     }
 
   private:

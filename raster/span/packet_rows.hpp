@@ -10,8 +10,16 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Fragments of a packet, a power of two: four groups of lanes where there are any.
-inline constexpr std::int32_t packet_length = host_lanes > 1 ? 4 * host_lanes : packet;
+/// Fragments of a packet, a power of two: eight groups of lanes where there are any.
+inline constexpr std::int32_t packet_length = host_lanes > 1 ? 8 * host_lanes : packet;
+
+/// One bit for each fragment of a packet, or for each piece of a row in it.
+using PacketBits = std::conditional_t<(packet_length > 32), std::uint64_t, std::uint32_t>;
+static_assert(packet_length <= 64);
+/// The bits of the first n fragments, n > 0.
+SPANGLE_INLINE constexpr PacketBits first_bits(std::int32_t n) {
+    return static_cast<PacketBits>(~PacketBits{0}) >> (static_cast<int>(8 * sizeof(PacketBits)) - n);
+}
 
 /// How long the runs of texture coordinates are in rows that are drawn together (run_lengths.hpp), kept for
 /// the packets that ask for it.

@@ -17,12 +17,15 @@ template <class N> class PacketBlend {
     using Result = PacketResult<N>;
 
   public:
-    /// Blends colours with those that are stored under them, in place.
-    static void blend(const FragmentState& state, std::int32_t groups, const Color* stored, Color* colors) {
+    /// Blends colours with those that are stored under them, in place. Alpha is left out where nothing stores
+    /// it.
+    static void blend(const FragmentState& state, std::int32_t groups, const Color* stored, bool alpha,
+                      Color* colors) {
         const PacketBlend by(state, groups, stored, colors);
         for (int c = 0; c < 3; ++c)
             by.component(state.blend_rgb, c);
-        by.component(of_alpha(state.blend_alpha), 3);
+        if (alpha)
+            by.component(of_alpha(state.blend_alpha), 3);
     }
 
   private:
@@ -165,7 +168,7 @@ void blend_packet(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
     const std::int32_t groups = (k.n + N::lanes - 1) / N::lanes;
     for (std::int32_t g = 0; g < groups; ++g)
         stored[g] = load_color<N, Format>(k.color_plane, g * N::lanes);
-    PacketBlend<N>::blend(span.state->fragment, groups, stored, k.color);
+    PacketBlend<N>::blend(span.state->fragment, groups, stored, format_info(Format).alpha_bits != 0, k.color);
 }
 
 } // namespace SPANGLE_INSTRUCTIONS

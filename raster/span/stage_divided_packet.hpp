@@ -224,19 +224,19 @@ template <class N> class PacketDivided {
             return;
         }
         const PacketRows& rows = *k.rows;
-        std::uint32_t divided = 0; // one bit per piece
+        PacketBits divided = 0; // one bit per piece
         for (std::int32_t n = 0; n < rows.pieces; ++n) {
             const Piece& piece = rows.piece[n];
             enter(rows.span, piece.row);
-            divided |= std::uint32_t{!along_cubic(span, unit, span.begin, piece.at, end_of(piece), to)} << n;
+            divided |= PacketBits{!along_cubic(span, unit, span.begin, piece.at, end_of(piece), to)} << n;
         }
         if (divided == 0)
             return;
-        if (divided == ~0u >> (32 - rows.pieces))
+        if (divided == first_bits(rows.pieces))
             return coordinates_in_lanes(k, span, unit, false, to);
         Coord each[Places::groups];
         coordinates_in_lanes(k, span, unit, false, each);
-        for (std::uint32_t left = divided; left != 0; left &= left - 1) {
+        for (PacketBits left = divided; left != 0; left &= left - 1) {
             const Piece& piece = rows.piece[std::countr_zero(left)];
             for (std::int32_t i = piece.at; i < end_of(piece); ++i)
                 put(to, i, each[i / lanes].s[i % lanes], each[i / lanes].t[i % lanes]);

@@ -95,12 +95,12 @@ template <class Places> class PacketRuns {
 
     template <class Coord> SPANGLE_INLINE void find(Coord* to) {
         divide();
-        std::uint32_t open = 0; // one bit for each part whose row is more than one run
+        PacketBits open = 0; // one bit for each part whose row is more than one run
         for (std::int32_t n = 0; n < parts_; ++n) {
             if (part_[n].log2 != whole)
                 put_runs(part_[n]);
             else if (!put_whole(part_[n]))
-                open |= 1u << n;
+                open |= PacketBits{1} << n;
         }
         if (open != 0)
             put_open(open);
@@ -109,12 +109,12 @@ template <class Places> class PacketRuns {
             __builtin_memcpy(to->t, t_ + i, sizeof to->t);
         }
     }
-    [[gnu::noinline]] void put_open(std::uint32_t open) {
+    [[gnu::noinline]] void put_open(PacketBits open) {
         ends_ = 0;
-        for (std::uint32_t left = open; left != 0; left &= left - 1)
+        for (PacketBits left = open; left != 0; left &= left - 1)
             plan_runs(part_[std::countr_zero(left)]);
         divide();
-        for (std::uint32_t left = open; left != 0; left &= left - 1) {
+        for (PacketBits left = open; left != 0; left &= left - 1) {
             const Part& part = part_[std::countr_zero(left)];
             std::uint32_t *const s = s_ + part.at + part.n, *const t = t_ + part.at + part.n;
             // Ramps also write behind the part, so that these groups are restored below.

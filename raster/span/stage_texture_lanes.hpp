@@ -21,7 +21,7 @@ template <class N> class LaneTexture {
     using Sampling = typename TextureFunction<One>::Sampling;
     using Span = raster::Span<typename N::Policy>;
     static constexpr int lanes = N::lanes;
-    static_assert(lanes == 8 && packet_length <= 32);
+    static_assert(lanes == 8);
 
   public:
     static void sample(Packet<N>& k, const Span& span, int which, Color* texels) {
@@ -183,7 +183,7 @@ template <class N> class LaneTexture {
             to.filter = filter;
             return filtered(level, filter, to.colors) ? to.colors : nullptr;
         };
-        std::uint32_t left = ~0u >> (32 - n_);
+        PacketBits left = first_bits(n_);
         for (int kind = 0; left != 0; ++kind) {
             if (kind == most)
                 return false;
@@ -192,7 +192,7 @@ template <class N> class LaneTexture {
             for (std::int32_t i = 0; i < n_; ++i)
                 if (how[i].alike(one)) {
                     chosen[i] = 0xFFFF;
-                    left &= ~(1u << i);
+                    left &= ~(PacketBits{1} << i);
                 }
             const Color* const found = seen_by(one.level, one.filter);
             const Color* const behind = one.next != 0 ? seen_by(one.level + 1, one.filter) : found;

@@ -68,7 +68,7 @@ template <class N> void blend_everything() {
             const Colors<N> source(random), stored(random);
             Colors<N> found = source;
             const auto groups = static_cast<std::int32_t>(1 + random.below(Colors<N>::groups));
-            PacketBlend<N>::blend(state, groups, stored.of, found.of);
+            PacketBlend<N>::blend(state, groups, stored.of, true, found.of);
             for (int i = 0; i < groups * N::lanes; ++i)
                 expect_equal(found.at(i), blended<OneLane<N>>(state, source.at(i), stored.at(i)), "factors",
                              static_cast<int>(factors));
