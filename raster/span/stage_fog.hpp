@@ -5,6 +5,7 @@
 #include "raster/numeric/power.hpp"
 #include "raster/span/draw_state.hpp"
 #include "raster/span/instructions.hpp"
+#include "raster/span/lane_fog.hpp"
 #include "raster/span/stage.hpp"
 
 namespace spangle::raster {
@@ -38,10 +39,7 @@ template <class N> struct Fog : StageBase {
     }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if constexpr (N::lanes > 1) {
-            const auto& fog = p.fog;
-            return blend(p, N::clamped_fraction(N::L::generate([&](std::uint32_t lane) {
-                             return fog_factor(mode, fog.lane(static_cast<int>(lane)));
-                         })));
+            return blend(p, N::clamped_fraction(lane_fog_factor(mode, p.fog)));
         } else {
             return blend(p, N::clamped_fraction(fog_factor(mode, p.fog)));
         }
