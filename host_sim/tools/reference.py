@@ -1,0 +1,197 @@
+#!/usr/bin/env python3
+"""Builds the reference manual of the public headers and of docs with Doxygen (docs/Doxyfile).
+
+usage: reference.py [--root TREE] OUT    writes OUT/html; what Doxygen warns of is printed, and the exit status is then 1
+       reference.py --filter FILE        prints FILE as Doxygen is to read it: the Doxyfile calls this
+
+What headers say stays as C++ readers want it. Doxygen asks for more, and the filter writes that:
+  \\file        before the first comment of a header, which says what the file is for
+  \\page names  of headings and anchors: those of GitHub, with the page's name in front, so that links between pages lead somewhere
+  one member   per declaration: the comment of `int width, height;` holds for both
+  comparisons  that are defaulted compare all members; they need no comment
+Lines keep their numbers, so that warnings name the line of the source.
+"""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+TREE = pathlib.Path(__file__).resolve().parents[2]
+INCLUDES = ("raster/format/include", "raster/include", "hal/include", "hal/mcu/include", "hal/linux/include", "hal/usb/include", "boards/include",
+            "gl/include", "host_sim/include")
+PICTURES = {".png", ".svg"}
+
+
+# --- headers -------------------------------------------------------------------------------------------------------
+
+def installed_name(path):
+    """The name by which programs include a header: spangle/..."""
+    parts = path.parts
+    return "/".join(parts[len(parts) - parts[::-1].index("include"):]) if "include" in parts else path.name
+
+
+def top_level(text):
+    """Splits at commas that stand in no bracket."""
+    parts, depth = [""], 0
+    for letter in text:
+        depth += (letter in "([{<") - (letter in ")]}>")
+        if letter == "," and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += letter
+    return [part.strip() for part in parts]
+
+
+MEMBERS = re.compile(r"^(\s*)((?:(?:static|constexpr|inline|const|mutable) )*[A-Za-z_][\w:]*(?:<[\w:, *]*>)?[*&]? )"
+                     r"([A-Za-z_]\w*(?:\[[^;]*?\])?(?: = [^;()]+|\{[^;]*?\})?,[^;()]*);\s*(?:///<\s*(.*))?$")
+
+
+def one_member_each(lines):
+    """Gives each variable of `T a, b;` a declaration of its own, with the comment of them all, in the same line."""
+    for i, line in enumerate(lines):
+        found = MEMBERS.match(line)
+        if not found or found[2].split()[0] in ("return", "using", "goto"):
+            continue
+        said, above = found[4] or "", i - 1
+        while said and i + 1 < len(lines) and re.match(r"^\s*///<", lines[i + 1]):
+            said += " " + lines[i + 1].split("///<", 1)[1].strip()
+            lines[i + 1] = ""
+            i += 1
+        if not said:
+            while above >= 0 and re.match(r"^\s*///(?!<)", lines[above]):
+                said = lines[above].strip()[3:].strip() + " " + said
+                lines[above] = ""
+                above -= 1
+        declarations = [f"/** {said} */ {found[2]}{name};" if said else f"{found[2]}{name};" for name in top_level(found[3])]
+        lines[lines.index(line)] = found[1] + " ".join(declarations)
+
+
+def header(path, text):
+    name = installed_name(path)
+    if text.startswith("/*"):
+        text = text.replace("/*", f"/** \\file {name}", 1)
+    lines = text.split("\n")
+    for i, line in enumerate(lines):
+        if not line.startswith("//"):
+            break
+        lines[i] = (f"/// \\file {name} " if i == 0 else "/// ") + line.lstrip("/").strip()
+    for i, line in enumerate(lines):
+        lines[i] = re.sub(r"^(\s*)(friend\b.*\boperator(?:==|<=>)\(.*\) = default;)$", r"\1/** Compares all members. */ \2", line)
+    one_member_each(lines)
+    return "\n".join(lines)
+
+
+# --- pages ---------------------------------------------------------------------------------------------------------
+
+def page_name(path):
+    """The name that Doxygen gives the page of a Markdown file of docs."""
+    return "md_" + "_".join(path.with_suffix("").parts).replace("-", "_")
+
+
+def label(path, anchor):
+    return f"{path.stem}-{anchor}"
+
+
+def slug(heading):
+    """The name by which GitHub links a heading."""
+    plain = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", heading)
+    return re.sub(r"[^\w\- ]", "", plain.lower()).replace(" ", "-")
+
+
+def as_html(text):
+    return re.sub(r"`([^`]*)`", lambda code: "<code>" + code[1].replace("<", "&lt;") + "</code>", text)
+
+
+def link(tree, page, text, target):
+    """A link of a page: to another page of the manual, to a header, to another site, or nowhere, where the manual has no such file."""
+    if re.match(r"[a-z]+:", target):
+        return f"[{text}]({target})"
+    name, _, anchor = target.partition("#")
+    file = pathlib.Path(os.path.normpath(page.parent / name)) if name else page
+    if file.parts[0] == "docs" and file.suffix == ".md":
+        place = f"{page_name(file)}.html" + (f"#{label(file, anchor)}" if anchor else "")
+        return f'<a href="{place}">{as_html(text)}</a>'
+    if file.suffix in (".hpp", ".h") and "include" in file.parts and (tree / file).is_file():
+        return f'\\ref {installed_name(file)} "{text.replace("`", "")}"'
+    return text
+
+
+def markdown(tree, path, text):
+    seen, out, fence = {}, [], None
+    for line in text.split("\n"):
+        mark = re.match(r"^ *(```+)(\w*)", line)
+        if mark and fence is None:
+            fence = mark[1]
+        elif mark and mark[1] == fence and not mark[2]:
+            fence = None
+        elif fence is None:
+            line = markdown_line(tree, path, line, seen)
+        out.append(line)
+    return "\n".join(out)
+
+
+def markdown_line(tree, path, line, seen):
+    heading = re.match(r"^#+ +(.*?)\s*$", line)
+    line = re.sub(r"!\[([^]]*)\]\(([^)\s]+)\)", lambda m: f'<img src="{os.path.normpath(path.parent / m[2])}" alt="{m[1]}">', line)
+    line = re.sub(r"(?<!!)\[((?:`[^`]*`|[^][`])+)\]\(([^)\s]+)\)", lambda m: link(tree, path, m[1], m[2]), line)
+    line = re.sub(r'<a id="([^"]+)">', lambda m: f'<a id="{label(path, m[1])}">', line)
+    if heading:
+        name = slug(heading[1])
+        number = seen[name] = seen.get(name, -1) + 1
+        if line.startswith("##"):
+            line = line.rstrip() + f" {{#{label(path, f'{name}-{number}' if number else name)}}}"
+    return line
+
+
+# --- Doxygen -------------------------------------------------------------------------------------------------------
+
+def filtered(tree, name):
+    path = pathlib.Path(os.path.relpath(name, tree))
+    text = (tree / path).read_text()
+    return markdown(tree, path, text) if path.suffix == ".md" else header(path, text)
+
+
+def build(tree, out):
+    """Returns what Doxygen warned of, line by line, with names of files as the tree has them."""
+    out.mkdir(parents=True, exist_ok=True)
+    with tempfile.NamedTemporaryFile("w", suffix=".log") as log:
+        settings = [(tree / "docs/Doxyfile").read_text(), f'OUTPUT_DIRECTORY = "{out.resolve()}"', f'STRIP_FROM_PATH = "{tree}"',
+                    f'STRIP_FROM_INC_PATH = {" ".join(chr(34) + str(tree / room) + chr(34) for room in INCLUDES)}',
+                    f'INPUT_FILTER = "{sys.executable} {pathlib.Path(__file__).resolve()} --root {tree} --filter"', f'WARN_LOGFILE = "{log.name}"']
+        done = subprocess.run(["doxygen", "-"], cwd=tree, input="\n".join(settings), text=True, capture_output=True)
+        said = pathlib.Path(log.name).read_text() + done.stderr
+    for picture in (path for path in (tree / "docs").rglob("*") if path.suffix in PICTURES):
+        copy = out / "html" / picture.relative_to(tree)
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(picture, copy)
+    warnings = [line.replace(f"{tree}/", "") for line in said.splitlines() if line.strip()]
+    if done.returncode != 0 and not warnings:
+        warnings = [f"doxygen ended with status {done.returncode}"]
+    return warnings
+
+
+def main():
+    words, tree = sys.argv[1:], TREE
+    if words[:1] == ["--root"] and len(words) > 1:
+        tree, words = pathlib.Path(words[1]).resolve(), words[2:]
+    if len(words) == 2 and words[0] == "--filter":
+        sys.stdout.write(filtered(tree, words[1]))
+        return 0
+    if len(words) != 1 or words[0].startswith("-"):
+        print(__doc__.strip())
+        return 2
+    out = pathlib.Path(words[0])
+    warnings = build(tree, out)
+    if warnings:
+        print("\n".join(warnings))
+        print(f"{len(warnings)} warnings")
+        return 1
+    print(f"{out}/html/index.html")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
