@@ -9,6 +9,7 @@ What headers say stays as C++ readers want it. Doxygen asks for more, and the fi
   \\page names  of headings and anchors: those of GitHub, with the page's name in front, so that links between pages lead somewhere
   one member   per declaration: the comment of `int width, height;` holds for both
   comparisons  that are defaulted compare all members; they need no comment
+  boards       have a header each, whose first comment is theirs, too
 Lines keep their numbers, so that warnings name the line of the source.
 """
 import os
@@ -37,7 +38,7 @@ def top_level(text):
     """Splits at commas that stand in no bracket."""
     parts, depth = [""], 0
     for letter in text:
-        depth += (letter in "([{<") - (letter in ")]}>")
+        depth += (letter in "([{") - (letter in ")]}")
         if letter == "," and depth == 0:
             parts.append("")
         else:
@@ -45,41 +46,60 @@ def top_level(text):
     return [part.strip() for part in parts]
 
 
-MEMBERS = re.compile(r"^(\s*)((?:(?:static|constexpr|inline|const|mutable) )*[A-Za-z_][\w:]*(?:<[\w:, *]*>)?[*&]? )"
-                     r"([A-Za-z_]\w*(?:\[[^;]*?\])?(?: = [^;()]+|\{[^;]*?\})?,[^;()]*);\s*(?:///<\s*(.*))?$")
+DECLARED = re.compile(r"^(\s*)((?:extern \"C\" )?(?:(?:static|constexpr|inline|const|mutable) )*[A-Za-z_][\w:]*(?:<[\w:, *]*>)?[*&]? )"
+                      r"([A-Za-z_]\w*(?:\[[^;]*?\])*(?: = [^;]+?|\{[^;]*?\})?,[^;]*|[A-Za-z_]\w* =$)")
+NAMED = re.compile(r"[A-Za-z_]\w*(?:\[.*?\])*(?: =\s.*|\{.*\})?$", re.S)
+
+
+def comment_above(lines, at):
+    """Takes the comment that ends in front of a line."""
+    said = ""
+    if at > 0 and lines[at - 1].startswith("#if"):
+        at -= 1
+    while at > 0 and re.match(r"^\s*///(?!<)", lines[at - 1]):
+        at -= 1
+        said = lines[at].strip()[3:].strip() + " " + said
+        lines[at] = ""
+    return said.strip()
 
 
 def one_member_each(lines):
     """Gives each variable of `T a, b;` a declaration of its own, with the comment of them all, in the same line."""
     for i, line in enumerate(lines):
-        found = MEMBERS.match(line)
-        if not found or found[2].split()[0] in ("return", "using", "goto"):
+        found = DECLARED.match(line)
+        if not found or found[2].split()[0] in ("return", "using", "goto", "case", "typename", "template"):
             continue
-        said, above = found[4] or "", i - 1
-        while said and i + 1 < len(lines) and re.match(r"^\s*///<", lines[i + 1]):
-            said += " " + lines[i + 1].split("///<", 1)[1].strip()
-            lines[i + 1] = ""
-            i += 1
-        if not said:
-            while above >= 0 and re.match(r"^\s*///(?!<)", lines[above]):
-                said = lines[above].strip()[3:].strip() + " " + said
-                lines[above] = ""
-                above -= 1
-        declarations = [f"/** {said} */ {found[2]}{name};" if said else f"{found[2]}{name};" for name in top_level(found[3])]
-        lines[lines.index(line)] = found[1] + " ".join(declarations)
+        last = i
+        while ";" not in lines[last] and last < i + 9 and last + 1 < len(lines) and "//" not in lines[last]:
+            last += 1
+        statement, closed, comment = "\n".join(lines[i:last + 1]).partition(";")
+        names = top_level(statement[len(found[1] + found[2]):])
+        if not closed or len(names) < 2 or not all(NAMED.match(name) for name in names):
+            continue
+        said = comment.partition("///<")[2].strip()
+        while said and last + 1 < len(lines) and re.match(r"^\s*///<", lines[last + 1]):
+            last += 1
+            said += " " + lines[last].split("///<", 1)[1].strip()
+        said = said or comment_above(lines, i)
+        comment = f"/** {said} */ " if said else ""
+        lines[i] = found[1] + " ".join(f"{comment}{found[2]}{name};".replace("\n", " ") for name in names)
+        lines[i + 1:last + 1] = [""] * (last - i)
 
 
 def header(path, text):
     name = installed_name(path)
     if text.startswith("/*"):
         text = text.replace("/*", f"/** \\file {name}", 1)
-    lines = text.split("\n")
+    lines, first_comment = text.split("\n"), []
     for i, line in enumerate(lines):
         if not line.startswith("//"):
             break
+        first_comment.append(line.lstrip("/").strip())
         lines[i] = (f"/// \\file {name} " if i == 0 else "/// ") + line.lstrip("/").strip()
     for i, line in enumerate(lines):
         lines[i] = re.sub(r"^(\s*)(friend\b.*\boperator(?:==|<=>)\(.*\) = default;)$", r"\1/** Compares all members. */ \2", line)
+        if re.match(r"^inline constexpr hal::Board \w+ = ", line) and not lines[i - 1].startswith("///"):
+            lines[i] = f"/** {' '.join(first_comment)} */ {line}"
     one_member_each(lines)
     return "\n".join(lines)
 

@@ -13,14 +13,18 @@ namespace spangle::baked {
 /// palette has the palette's entries first, then the indices of all levels.
 struct Level {
     GLsizei width, height, bytes; ///< size in texels, and of `texels` in bytes
+    /// The texels, constant and static.
     const void* texels;
 };
 
+/// A texture with its images, for load().
 struct Texture {
+    /// The internal format of glTexImage2D or glCompressedTexImage2D.
     GLenum internal_format;
     GLenum format, type; ///< arguments of glTexImage2D, for other GLs; 0, 0: a compressed format
     GLint first;         ///< level of the first image; 1 - n where one image has all n levels and a palette
     GLsizei images;      ///< number of images in `image`
+    /// The images, from the largest on.
     const Level* image;
     bool mipmaps;     ///< the texture has its whole chain of levels
     bool translucent; ///< the baked picture had alpha below 1
@@ -37,8 +41,11 @@ struct Part {
     GLenum mode;       ///< mode of glDrawElements
     GLsizei indices;   ///< number of indices
     GLenum index_type; ///< GL_UNSIGNED_BYTE, SHORT or INT
+    /// The indices, constant and static.
     const void* index;
     GLsizei stride; ///< bytes from one vertex to the next, in all arrays
+    /// The arrays: three components of a position, three of a normal, two texture coordinates, four of a
+    /// colour.
     Array position, normal, texcoord, color;
     GLfloat diffuse[4], specular[4], emission[4]; ///< RGBA, 1 is full; `diffuse` is the ambient colour, too
     GLfloat shininess;                            ///< exponent, 0 to 128
@@ -50,6 +57,7 @@ struct Mesh {
     GLfloat position_scale; ///< model units per unit of the position arrays; 1: not scaled
     GLfloat texcoord_scale; ///< coordinate units per unit of the texture coordinate arrays; 1: not scaled
     GLsizei parts;          ///< number of parts in `part`
+    /// The parts, in the order in which they are drawn.
     const Part* part;
 };
 

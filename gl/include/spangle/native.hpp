@@ -22,8 +22,10 @@ void memory(void* begin, std::size_t bytes);
 
 /// Bytes of Spangle's memory that are in use, the most that ever were in use, and all bytes there are.
 struct MemoryUse {
+    /// Bytes in use now, the most ever, and all there are.
     std::size_t used, peak, capacity;
 };
+/// What is in use now, of all contexts and share groups. It may be called at any time.
 MemoryUse memory_use();
 
 } // namespace spangle

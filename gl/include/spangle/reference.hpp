@@ -35,14 +35,19 @@ struct StageError {
 /// nest: only the innermost report collects, and reports end in the reverse order of their beginning.
 class StageReport {
   public:
+    /// Begins to collect.
     StageReport();
+    /// Ends to collect.
     ~StageReport();
+    /// A report is not copied: it collects for one place.
     StageReport(const StageReport&) = delete;
+    /// A report is not assigned either.
     StageReport& operator=(const StageReport&) = delete;
 
     /// The stages that compared any value since construction or the last clear(), in the order of the
     /// pipeline.
     std::vector<StageError> stages() const;
+    /// Forgets what was collected.
     void clear();
 
   private:
@@ -74,8 +79,10 @@ struct PictureError {
     std::uint64_t compared_depths = 0;  ///< pixels whose depths were compared
     static constexpr double alike = 99; ///< decibels of identical pictures
 
+    /// Pixels that are equal in RGB565, in percent; 100 where nothing was compared.
     double identical_percent() const;
-    double psnr_565() const; ///< decibels
+    double psnr_565() const; ///< peak signal-to-noise ratio of RGB565 values, in decibels
+    /// Peak signal-to-noise ratio of 8-bit values, in decibels.
     double psnr_888() const;
     /// Adds the error of another frame: counts and sums are added, maxima are taken.
     void add(const PictureError& other);

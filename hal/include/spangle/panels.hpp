@@ -31,6 +31,7 @@ enum : unsigned {
     PUMPCTR = 0xF7,
 };
 
+/// What ILI9341 modules come up with.
 inline constexpr auto setup = init_program(
     cmd(PWCTRB, 0x00, 0xC1, 0x30),             //
     cmd(PONSEQ, 0x64, 0x03, 0x12, 0x81),       //
@@ -133,11 +134,17 @@ consteval PanelDesc on_glass(const char* name, Extent glass, Offset offset) {
 
 } // namespace st7789
 
+/// 240x320, the whole memory.
 inline constexpr PanelDesc st7789_240x320 = st7789::on_glass("ST7789 240x320", {240, 320}, {0, 0});
+/// 240x280 with round corners: the glass begins at row 20.
 inline constexpr PanelDesc st7789_240x280 = st7789::on_glass("ST7789 240x280", {240, 280}, {0, 20});
+/// 240x240: the upper part of the memory.
 inline constexpr PanelDesc st7789_240x240 = st7789::on_glass("ST7789 240x240", {240, 240}, {0, 0});
+/// 172x320: the glass begins at column 34.
 inline constexpr PanelDesc st7789_172x320 = st7789::on_glass("ST7789 172x320", {172, 320}, {34, 0});
+/// 170x320: the glass begins at column 35.
 inline constexpr PanelDesc st7789_170x320 = st7789::on_glass("ST7789 170x320", {170, 320}, {35, 0});
+/// 135x240: the glass begins at column 52, row 40.
 inline constexpr PanelDesc st7789_135x240 = st7789::on_glass("ST7789 135x240", {135, 240}, {52, 40});
 
 // --- ST7735R, ST7735S ---
@@ -159,6 +166,7 @@ enum : unsigned {
     GMCTRN1 = 0xE1,
 };
 
+/// What ST7735 modules come up with.
 inline constexpr auto setup =
     init_program(cmd(FRMCTR1, 0x01, 0x2C, 0x2D), // 850 kHz / (42 clocks x (lines + 44 + 45))
                  cmd(FRMCTR2, 0x01, 0x2C, 0x2D), // idle
@@ -206,16 +214,22 @@ consteval PanelDesc on_glass(const char* name, Extent memory, Extent glass, Offs
 
 } // namespace st7735
 
+/// 128x160, without an offset.
 inline constexpr PanelDesc st7735_128x160 =
     st7735::on_glass("ST7735 128x160", {128, 160}, {128, 160}, {0, 0}, ColorOrder::rgb); // red, black tab
+/// 128x160 with a green tab on its foil.
 inline constexpr PanelDesc st7735_128x160_green =
     st7735::on_glass("ST7735 128x160 green tab", {132, 162}, {128, 160}, {2, 1}, ColorOrder::bgr);
+/// 128x128 with a green tab.
 inline constexpr PanelDesc st7735_128x128_green =
     st7735::on_glass("ST7735 128x128 green tab", {132, 132}, {128, 128}, {2, 1}, ColorOrder::bgr);
+/// 128x128 with a red tab.
 inline constexpr PanelDesc st7735_128x128_red =
     st7735::on_glass("ST7735 128x128 red tab", {132, 132}, {128, 128}, {2, 3}, ColorOrder::bgr);
+/// 80x160, IPS.
 inline constexpr PanelDesc st7735_80x160 =
     st7735::on_glass("ST7735 80x160", {128, 160}, {80, 160}, {24, 0}, ColorOrder::bgr, true);
+/// 80x160 whose glass begins at column 26.
 inline constexpr PanelDesc st7735_80x160_26 =
     st7735::on_glass("ST7735 80x160 offset 26", {132, 162}, {80, 160}, {26, 1}, ColorOrder::bgr, true);
 
@@ -225,6 +239,7 @@ namespace ili9342c {
 
 enum : unsigned { IFMODE = 0xB0, DISCTRL = 0xB6, PWCTR1 = 0xC0, PWCTR2 = 0xC1, SETEXTC = 0xC8, IFCTL = 0xF6 };
 
+/// What ILI9342C modules come up with.
 inline constexpr auto setup = init_program(cmd(SETEXTC, 0xFF, 0x93, 0x42),       // opens the registers below
                                            cmd(PWCTR1, 0x12, 0x12),              //
                                            cmd(PWCTR2, 0x03),                    //
@@ -279,6 +294,7 @@ namespace ili9486 {
 
 enum : unsigned { PWCTR3 = 0xC2, VMCTR1 = 0xC5 };
 
+/// What ILI9486 modules come up with.
 inline constexpr auto setup = init_program(cmd(PWCTR3, 0x44),                   //
                                            cmd(VMCTR1, 0x00, 0x00, 0x00, 0x00), //
                                            cmd(ili9341::GMCTRP1, 0x0F, 0x1F, 0x1C, 0x0C, 0x0F, 0x08, 0x48,
@@ -318,6 +334,7 @@ enum : unsigned {
     ADJCTL3 = 0xF7,
 };
 
+/// What ILI9488 modules come up with.
 inline constexpr auto setup = init_program(cmd(PWCTR1, 0x17, 0x15),              //
                                            cmd(PWCTR2, 0x41),                    //
                                            cmd(VMCTR1, 0x00, 0x12, 0x80),        //
@@ -364,6 +381,7 @@ enum : unsigned {
     CSCON = 0xF0,
 };
 
+/// What ST7796S modules come up with.
 inline constexpr auto setup = init_program(
     cmd(CSCON, 0xC3),                                          // opens command table 2:
     cmd(CSCON, 0x96),                                          // both halves of the key
@@ -379,6 +397,7 @@ inline constexpr auto setup = init_program(
 
 } // namespace st7796s
 
+/// A 320x480 TFT behind an ST7796S.
 inline constexpr PanelDesc st7796s_320x480 = panel({
     .name = "ST7796S 320x480",
     .controller = Controller::st7796s,
@@ -408,6 +427,7 @@ enum : unsigned {
     SETGAMMA = 0xE0,
 };
 
+/// What HX8357-D modules come up with.
 inline constexpr auto setup =
     init_program(cmd(SETEXTC, 0xFF, 0x83, 0x57), delay_ms(300),     // opens the registers below
                  cmd(SETRGB, 0x80, 0x00, 0x06, 0x06),               //
@@ -423,6 +443,7 @@ inline constexpr auto setup =
 
 } // namespace hx8357d
 
+/// A 320x480 TFT behind an HX8357-D.
 inline constexpr PanelDesc hx8357d_320x480 = panel({
     .name = "HX8357D 320x480",
     .controller = Controller::hx8357d,
@@ -462,6 +483,7 @@ inline constexpr auto setup = init_program(
 
 } // namespace gc9a01
 
+/// The round 1.28" TFT of 240x240.
 inline constexpr PanelDesc gc9a01_240x240 = panel({
     .name = "GC9A01 240x240 round",
     .controller = Controller::gc9a01,

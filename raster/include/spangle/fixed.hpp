@@ -13,12 +13,17 @@ namespace spangle {
 /// value = bits / 65536, range [-32768, 32768). Uninitialised by default, like the built-in types (GLM's
 /// unions need it).
 struct fixed {
+    /// The value times 65536.
     std::int32_t bits;
 
+    /// Bits behind the binary point.
     static constexpr int fraction_bits = 16;
+    /// The bits of 1.
     static constexpr std::int32_t one_bits = 1 << fraction_bits;
 
+    /// Leaves the value undefined.
     fixed() = default;
+    /// An integer, saturated.
     template <class I, std::enable_if_t<std::is_integral_v<I>, int> = 0>
     constexpr fixed(I v)
         : bits(std::cmp_greater(v, 32767) ? INT32_MAX
@@ -28,11 +33,13 @@ struct fixed {
     template <class F, std::enable_if_t<std::is_floating_point_v<F>, long> = 0>
     constexpr fixed(F v) : bits(from_real(v)) {}
 
+    /// The value b / 65536.
     static constexpr fixed from_bits(std::int32_t b) {
         fixed r{0};
         r.bits = b;
         return r;
     }
+    /// The nearest value that 32 bits hold.
     static constexpr std::int32_t saturate(std::int64_t v) {
         return static_cast<std::int32_t>(v > INT32_MAX ? INT32_MAX : v < INT32_MIN ? INT32_MIN : v);
     }
@@ -46,34 +53,53 @@ struct fixed {
     explicit constexpr operator I() const {
         return static_cast<I>(bits / one_bits);
     }
+    /// Rounds to nearest: 24 of the 32 bits.
     explicit constexpr operator float() const { return static_cast<float>(bits) / 65536.0f; }
+    /// Is exact.
     explicit constexpr operator double() const { return static_cast<double>(bits) / 65536.0; }
 
+    /// The sum, saturated.
     friend constexpr fixed operator+(fixed a, fixed b) {
         return from_bits(saturate(std::int64_t{a.bits} + b.bits));
     }
+    /// The difference, saturated.
     friend constexpr fixed operator-(fixed a, fixed b) {
         return from_bits(saturate(std::int64_t{a.bits} - b.bits));
     }
+    /// The product, rounded to nearest and saturated.
     friend constexpr fixed operator*(fixed a, fixed b) { return from_product(std::int64_t{a.bits} * b.bits); }
     /// Division by 0 gives the largest value with the sign of a, and 0 / 0 gives 0.
     friend constexpr fixed operator/(fixed a, fixed b) {
         return from_bits(quotient(std::int64_t{a.bits} * one_bits, b.bits));
     }
+    /// The negative; that of the least value is the largest one.
     friend constexpr fixed operator-(fixed a) { return from_bits(saturate(-std::int64_t{a.bits})); }
+    /// The value itself.
     friend constexpr fixed operator+(fixed a) { return a; }
+    /// Adds, saturated.
     constexpr fixed& operator+=(fixed b) { return *this = *this + b; }
+    /// Subtracts, saturated.
     constexpr fixed& operator-=(fixed b) { return *this = *this - b; }
+    /// Multiplies, rounded and saturated.
     constexpr fixed& operator*=(fixed b) { return *this = *this * b; }
+    /// Divides, rounded and saturated; see operator/().
     constexpr fixed& operator/=(fixed b) { return *this = *this / b; }
+    /// Adds 1, saturated.
     constexpr fixed& operator++() { return *this += fixed{1}; }
+    /// Subtracts 1, saturated.
     constexpr fixed& operator--() { return *this -= fixed{1}; }
 
+    /// Whether both are equal. The order of values is that of their bits.
     friend constexpr bool operator==(fixed a, fixed b) { return a.bits == b.bits; }
+    /// Whether they differ.
     friend constexpr bool operator!=(fixed a, fixed b) { return a.bits != b.bits; }
+    /// Whether `a` is less.
     friend constexpr bool operator<(fixed a, fixed b) { return a.bits < b.bits; }
+    /// Whether `a` is larger.
     friend constexpr bool operator>(fixed a, fixed b) { return a.bits > b.bits; }
+    /// Whether `a` is not larger.
     friend constexpr bool operator<=(fixed a, fixed b) { return a.bits <= b.bits; }
+    /// Whether `a` is not less.
     friend constexpr bool operator>=(fixed a, fixed b) { return a.bits >= b.bits; }
 
     /// n / d, nearest, saturated; |n| < 2^62.
@@ -192,21 +218,27 @@ constexpr fixed from_q30(std::int64_t v) {
 
 } // namespace fixed_detail
 
+/// The absolute value; that of the least value is the largest one.
 constexpr fixed abs(fixed v) {
     return v.bits < 0 ? -v : v;
 }
+/// The largest integer that is not larger.
 constexpr fixed floor(fixed v) {
     return fixed::from_bits(static_cast<std::int32_t>(static_cast<std::uint32_t>(v.bits) & 0xFFFF0000u));
 }
+/// The least integer that is not less, saturated.
 constexpr fixed ceil(fixed v) {
     return -floor(-v);
 }
+/// The integer part, towards zero.
 constexpr fixed trunc(fixed v) {
     return v.bits < 0 ? ceil(v) : floor(v);
 }
+/// The nearest integer.
 constexpr fixed round(fixed v) {
     return v.bits < 0 ? -floor(-v + fixed::from_bits(1 << 15)) : floor(v + fixed::from_bits(1 << 15));
 }
+/// The remainder of a / b, with the sign of `a`.
 constexpr fixed fmod(fixed a, fixed b) {
     return fixed::from_bits(b.bits == 0 || b.bits == -1 ? 0 : a.bits % b.bits);
 }
@@ -227,22 +259,28 @@ constexpr fixed inversesqrt(fixed v) {
     return fixed::from_bits(fixed::quotient(std::int64_t{1} << 40, root));
 }
 
+/// The sine of an angle in radians.
 constexpr fixed sin(fixed v) {
     return fixed_detail::from_q30(fixed_detail::circle(v.bits).y);
 }
+/// The cosine of an angle in radians.
 constexpr fixed cos(fixed v) {
     return fixed_detail::from_q30(fixed_detail::circle(v.bits).x);
 }
+/// The tangent of an angle in radians, saturated at the poles.
 constexpr fixed tan(fixed v) {
     const fixed_detail::Point p = fixed_detail::circle(v.bits);
     return fixed::from_bits(fixed::quotient(p.y * fixed::one_bits, p.x));
 }
+/// The angle of (x, y) in radians, -pi to pi.
 constexpr fixed atan2(fixed y, fixed x) {
     return fixed_detail::from_q30(fixed_detail::angle(y.bits, x.bits));
 }
+/// The angle with this tangent, -pi/2 to pi/2.
 constexpr fixed atan(fixed v) {
     return atan2(v, fixed{1});
 }
+/// The name that GLM gives to atan2().
 constexpr fixed atan(fixed y, fixed x) {
     return atan2(y, x);
 }
@@ -256,9 +294,11 @@ constexpr std::int64_t arc_cosine(fixed v) {
 }
 } // namespace fixed_detail
 
+/// The angle with this cosine, 0 to pi; the argument is clamped to [-1, 1].
 constexpr fixed acos(fixed v) {
     return fixed_detail::from_q30(fixed_detail::arc_cosine(v));
 }
+/// The angle with this sine, -pi/2 to pi/2; the argument is clamped to [-1, 1].
 constexpr fixed asin(fixed v) {
     return fixed_detail::from_q30(fixed_detail::pi_q30 / 2 - fixed_detail::arc_cosine(v));
 }
@@ -267,17 +307,28 @@ constexpr fixed asin(fixed v) {
 
 /// GLM reads these. It uses types where it wants floating point only if is_iec559 is true.
 template <> struct std::numeric_limits<spangle::fixed> {
+    /// As std::numeric_limits has them; `is_iec559` is true for GLM's sake.
     static constexpr bool is_specialized = true, is_signed = true, is_integer = false, is_exact = false,
                           is_iec559 = true;
+    /// There are neither infinities nor NaNs, and arithmetic saturates.
     static constexpr bool has_infinity = false, has_quiet_NaN = false, has_signaling_NaN = false,
                           is_bounded = true, is_modulo = false;
+    /// Bits without the sign, and decimal digits.
     static constexpr int digits = 31, digits10 = 4, max_digits10 = 10, radix = 2;
+    /// The least positive value, 2^-16.
     static constexpr spangle::fixed min() { return spangle::fixed::from_bits(1); }
+    /// The largest value, 32768 - 2^-16.
     static constexpr spangle::fixed max() { return spangle::fixed::from_bits(INT32_MAX); }
+    /// The least value, -32768.
     static constexpr spangle::fixed lowest() { return spangle::fixed::from_bits(INT32_MIN); }
+    /// The distance of neighbouring values, 2^-16.
     static constexpr spangle::fixed epsilon() { return spangle::fixed::from_bits(1); }
+    /// One half.
     static constexpr spangle::fixed round_error() { return spangle::fixed::from_bits(1 << 15); }
+    /// The largest value: there is no infinity.
     static constexpr spangle::fixed infinity() { return max(); }
+    /// 0: there is no NaN.
     static constexpr spangle::fixed quiet_NaN() { return spangle::fixed::from_bits(0); }
+    /// The least positive value.
     static constexpr spangle::fixed denorm_min() { return min(); }
 };

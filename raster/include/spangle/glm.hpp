@@ -20,11 +20,17 @@ using spangle::acos, spangle::asin, spangle::atan, spangle::cos, spangle::sin, s
 
 namespace spangle {
 
+/// Two components.
 using fvec2 = glm::vec<2, fixed, glm::defaultp>;
+/// Three components.
 using fvec3 = glm::vec<3, fixed, glm::defaultp>;
+/// Four components.
 using fvec4 = glm::vec<4, fixed, glm::defaultp>;
+/// Three columns of three components.
 using fmat3 = glm::mat<3, 3, fixed, glm::defaultp>;
+/// Four columns of four components, as GL takes them.
 using fmat4 = glm::mat<4, 4, fixed, glm::defaultp>;
+/// A quaternion.
 using fquat = glm::qua<fixed, glm::defaultp>;
 
 namespace fixed_detail {
@@ -240,6 +246,7 @@ GLM_FUNC_QUALIFIER vec<4, spangle::fixed, Q> operator*(mat<4, 4, spangle::fixed,
     }
     return out;
 }
+/// Does the same for three components.
 template <qualifier Q>
 GLM_FUNC_QUALIFIER vec<3, spangle::fixed, Q> operator*(mat<3, 3, spangle::fixed, Q> const& m,
                                                        vec<3, spangle::fixed, Q> const& v) {
@@ -250,11 +257,13 @@ GLM_FUNC_QUALIFIER vec<3, spangle::fixed, Q> operator*(mat<3, 3, spangle::fixed,
     }
     return out;
 }
+/// The product of two matrices: a single rounding for each element.
 template <qualifier Q>
 GLM_FUNC_QUALIFIER mat<4, 4, spangle::fixed, Q> operator*(mat<4, 4, spangle::fixed, Q> const& a,
                                                           mat<4, 4, spangle::fixed, Q> const& b) {
     return mat<4, 4, spangle::fixed, Q>(a * b[0], a * b[1], a * b[2], a * b[3]);
 }
+/// The product of two matrices of three columns.
 template <qualifier Q>
 GLM_FUNC_QUALIFIER mat<3, 3, spangle::fixed, Q> operator*(mat<3, 3, spangle::fixed, Q> const& a,
                                                           mat<3, 3, spangle::fixed, Q> const& b) {

@@ -12,10 +12,14 @@
 
 namespace spangle::adapters {
 
+/// What an ESP-IDF program says of its wiring.
 struct EspLcdConfig {
+    /// The panel IO, which must outlive the bus.
     esp_lcd_panel_io_handle_t io = nullptr;
+    /// The wires of the panel IO.
     hal::BusKind kind = hal::BusKind::spi4;
     std::uint32_t write_hz = 0; ///< Hz, as the panel IO was made with
+    /// 1 for SPI and I2C, 8 for an 8080 bus.
     std::uint8_t bits_per_cycle = 1;
     std::uint32_t command_cost_ns = 20000; ///< nanoseconds that a queued transaction costs
     void (*delay_us)(std::uint32_t) =
@@ -29,12 +33,15 @@ struct EspLcdConfig {
 /// pixels are queued; a list of operations is done when its last transfer is.
 class EspLcdBus final : public hal::Bus {
   public:
+    /// Registers the callback of sent pixels with the panel IO; an error of that is told by submit().
     explicit EspLcdBus(const EspLcdConfig& config) : config_(config) {
         esp_lcd_panel_io_callbacks_t callbacks = {};
         callbacks.on_color_trans_done = &sent;
         registered_ = esp_lcd_panel_io_register_event_callbacks(config.io, &callbacks, this);
     }
+    /// A bus is not copied: the panel IO calls back to it.
     EspLcdBus(const EspLcdBus&) = delete;
+    /// A bus is not assigned either.
     EspLcdBus& operator=(const EspLcdBus&) = delete;
 
     hal::BusCaps caps() const override {

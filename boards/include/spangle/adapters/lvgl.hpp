@@ -9,6 +9,7 @@
 
 namespace spangle::adapters {
 
+/// LVGL's display on a Spangle display of 16-bit pixels with one buffer.
 class LvglDisplay {
   public:
     /// `display` must be initialised. LVGL draws into `buffer` of `bytes` bytes, which is aligned to
@@ -21,9 +22,12 @@ class LvglDisplay {
         lv_display_set_flush_cb(lvgl_, &flush);
         lv_display_set_buffers(lvgl_, buffer, nullptr, bytes, LV_DISPLAY_RENDER_MODE_PARTIAL);
     }
+    /// It is not copied: LVGL holds its address.
     LvglDisplay(const LvglDisplay&) = delete;
+    /// It is not assigned either.
     LvglDisplay& operator=(const LvglDisplay&) = delete;
 
+    /// LVGL's handle, for its own calls.
     lv_display_t* lvgl() { return lvgl_; }
     /// The result of the last refresh. After an error, the next refresh sends again what did not arrive.
     hal::Result<void> result() const { return result_; }

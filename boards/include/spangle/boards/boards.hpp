@@ -33,6 +33,7 @@
 
 namespace spangle::boards {
 
+/// Every board of these headers, in the order in which tools list them.
 inline constexpr const hal::Board* all[] = {
     &ili9341_spi,    &ili9341_8080,   &st7789_240,     &st7789_135x240, &st7789_240x320, &st7735_128x160,
     &st7789_240x280, &st7789_170x320, &st7789_172x320, &st7735_128x128, &st7735_80x160,  &ili9342c,

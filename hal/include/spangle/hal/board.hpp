@@ -8,14 +8,21 @@
 
 namespace spangle::hal {
 
+/// A panel, how it is turned, and the bus on which it hangs. board() checks a description while it is
+/// compiled.
 struct Board {
+    /// The name by which tools know the board: lower case, with hyphens. Static.
     const char* name = "";
+    /// One line for people. Static.
     const char* summary = "";
+    /// The panel, its orientation, the formats and how frames are presented.
     PanelConfig display;
+    /// The wires between the processor and the panel.
     BusKind bus = BusKind::spi4;
     std::uint32_t write_hz = 0; ///< serial clock, SCL, or write cycles per second
     std::uint32_t read_hz = 0;  ///< 0: not wired to be read
     bool has_te = false;        ///< the panel's TE output reaches the bus
+    /// Nanoseconds that a command costs beyond its bytes: toggling D/C, a system call.
     std::uint32_t command_cost_ns = 0;
 };
 
@@ -97,6 +104,7 @@ constexpr std::size_t bus_memory(const Board& board) {
 /// The memory of bus_memory() for the bus of one board: `static BusMemoryOf<my_board> frames;`
 template <const Board& board> class BusMemoryOf {
   public:
+    /// The memory, for the constructor of a bus.
     Buffer buffer() { return {bytes_, sizeof bytes_}; }
 
   private:
@@ -117,6 +125,7 @@ class BoardDisplay final
                            is_indexed(board.display.format)>,
       public PanelDisplay {
   public:
+    /// A display on this bus, which must outlive it. Nothing is sent before init().
     explicit BoardDisplay(Bus& bus) : PanelDisplay(bus, board.display, this->memory(), parts) {}
 
   private:

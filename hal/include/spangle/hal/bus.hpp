@@ -11,6 +11,7 @@
 
 namespace spangle::hal {
 
+/// The wires between a bus and a controller, and how D/C travels on them.
 enum class BusKind : std::uint8_t {
     spi4,      ///< 4-wire serial: CS, D/C, SCK, SDA (DBI-C option 3)
     i8080,     ///< 8-bit parallel: CS, D/C, WR, RD, D[7:0] (DBI-B)
@@ -18,7 +19,9 @@ enum class BusKind : std::uint8_t {
     spi_start, ///< 3-wire serial: CS, SCK, SDA; behind CS a start byte stands for D/C, 70h or 72h
 };
 
+/// One operation of a transfer. `kind` says which of the other members count; the rest are ignored.
 struct Op {
+    /// What a bus does for an operation.
     enum class Kind : std::uint8_t {
         command,   ///< one command byte, then `length` parameter bytes from `data`
         pixels,    ///< `rows` rows of `length` bytes, `stride` bytes apart, from `data` (bus-owned memory)
@@ -32,15 +35,23 @@ struct Op {
                    ///< a parallel bus takes `dummy_bits / 8` dummy read cycles instead
         reset,     ///< hardware reset line low for `micros`, then high
     };
+    /// What is to be done.
     Kind kind = Kind::delay;
+    /// The command byte of `command`, `read` and `wait_line`.
     std::uint8_t command = 0;
+    /// Clocks between a command and its answer, in which the data line turns round.
     std::uint8_t dummy_bits = 0;
     bool parameters_are_commands = false; ///< D/C low for the parameters too
+    /// The bytes to write. They must stay as they are until the transfer's token is done.
     const std::uint8_t* data = nullptr;
     std::uint8_t* into = nullptr; ///< wait_te, wait_line: the moment goes there, if not null; tell_moment()
+    /// Bytes of a row, of parameters or of an answer; the first line of a wait_line.
     std::uint32_t length = 0;
+    /// Rows of `pixels`, repeats of `repeat`, lines of a wait_line.
     std::uint32_t rows = 1;
+    /// Bytes from one row to the next one down, which may be negative; the lines of a refresh of a wait_line.
     std::int32_t stride = 0;
+    /// Microseconds of a delay or reset, or the deadline of a wait.
     std::uint32_t micros = 0;
 };
 
@@ -58,11 +69,14 @@ inline void tell_moment(const Op& op, std::uint32_t micros) {
         std::memcpy(op.into, &micros, sizeof micros);
 }
 
+/// What a bus can do, and how fast. Displays ask for it once, in init().
 struct BusCaps {
+    /// The wires that the bus has.
     BusKind kind = BusKind::spi4;
     std::uint32_t write_hz = 0;      ///< serial clock, or write cycles per second of a parallel bus
     std::uint32_t read_hz = 0;       ///< 0: cannot read
     std::uint8_t bits_per_cycle = 1; ///< 1 for SPI, 8 for an 8-bit 8080 bus
+    /// The panel's TE output reaches the bus: it takes `wait_te`.
     bool has_te = false;
     std::uint32_t max_transfer = 0; ///< bytes of one operation; 0 = no limit
     std::uint32_t command_cost_ns =
@@ -82,27 +96,37 @@ constexpr BusCaps i2c_caps(std::uint32_t clock_hz) {
     return caps;
 }
 
-/// Names one submitted list; tokens of one bus increase.
+/// Names one submitted list; tokens of one bus increase, and wrap behind 2^32 - 1.
 struct Token {
+    /// The number; 0 names no list.
     std::uint32_t id = 0;
 };
 
-/// DMA-safe memory that belongs to the bus.
+/// DMA-safe memory that belongs to the bus, and stays for the life of the bus.
 struct Buffer {
+    /// The first byte; null: there is no memory.
     std::uint8_t* bytes = nullptr;
+    /// The number of bytes.
     std::size_t size = 0;
 };
 
+/// Carries op lists to one display controller. A bus runs one list at a time. Its calls come from one thread.
 class Bus {
   public:
+    /// What this bus can do; the same at each call.
     virtual BusCaps caps() const = 0;
-    /// Hands out `size` bytes for the life of the bus.
+    /// Hands out `size` bytes for the life of the bus. Fault::unsupported: so much memory is not
+    /// left.
     virtual Result<Buffer> acquire(std::size_t size) = 0;
     /// Starts the whole list or nothing. The ops are copied; what they point to must stay until the token is
-    /// done.
+    /// done. Fault::busy: a list is under way. Fault::bad_argument and Fault::unsupported: an operation that
+    /// this bus does not take; `rule` says which.
     virtual Result<Token> submit(const Op* ops, std::size_t count) = 0;
+    /// Whether the list has ended, well or with a fault. It never waits.
     virtual bool done(Token token) const = 0;
-    /// Returns when the token is done, or the error its transfer ended with.
+    /// Returns when the token is done, or the error its transfer ended with. Fault::timeout: it is not done
+    /// after `timeout_micros`; the transfer may still be under way then. Fault::bad_argument: the token is not the
+    /// last that was given.
     virtual Result<void> wait(Token token, std::uint32_t timeout_micros) = 0;
 
   protected:

@@ -13,14 +13,18 @@ namespace spangle::hal {
 class BusBuffer {
   public:
     BusBuffer() = default;
+    /// Memory that a bus handed out.
     explicit BusBuffer(Buffer memory) : memory_(memory) {}
 
+    /// Whether there is no memory.
     bool empty() const { return memory_.bytes == nullptr; }
     /// Null while the transfer it was lent to is under way.
     std::uint8_t* to_draw(const Bus& bus) const {
         return lent_ && !bus.done(reader_) ? nullptr : memory_.bytes;
     }
+    /// The bytes, for a list.
     const std::uint8_t* to_send() const { return memory_.bytes; }
+    /// Says that the transfer `reader` reads the bytes until it is done.
     void lend(Token reader) {
         reader_ = reader;
         lent_ = true;

@@ -8,13 +8,15 @@
 
 namespace spangle::hal {
 
+/// Hands out a block of memory piece by piece.
 class BusMemory {
   public:
     /// Buffers begin at multiples of this, which are whole lines of the data caches there are.
     static constexpr std::size_t alignment = 32;
 
+    /// `memory` must outlive what is taken from it, and begin at a multiple of `alignment`.
     explicit BusMemory(Buffer memory) : memory_(memory) {}
-    /// Hands out the next `size` bytes, which are never given back.
+    /// Hands out the next `size` bytes, which are never given back. Fault::unsupported: fewer are left.
     Result<Buffer> take(std::size_t size);
 
   private:

@@ -12,6 +12,7 @@ namespace spangle::hal {
 /// How an axis of the window is sent. Its numbers count groups of pixels that share a byte: pages, pairs of
 /// columns.
 struct Axis {
+    /// How the first and last number of an axis are encoded.
     enum class Code : std::uint8_t {
         pair16,    ///< the command, first and last with high bytes first
         pair8,     ///< the command, first, last
@@ -19,10 +20,13 @@ struct Axis {
         nibbles,   ///< low nibble of the first in the command, then the high one in the command 10h further
         in_command ///< a single number in the command itself: a window has one row or page
     };
+    /// The encoding.
     Code code = Code::pair16;
+    /// The command, or the first of several.
     std::uint8_t command = 0;
 };
 
+/// Whether a window of this controller has one row, or one page, only.
 constexpr bool names_one(Axis axis) {
     return axis.code == Axis::Code::in_command;
 }
@@ -30,23 +34,32 @@ constexpr bool names_one(Axis axis) {
 /// A register that follows from orientation, colour order, inversion and pixel format. Its value is `base`,
 /// with the bits of each property that holds changed, and with the format's code.
 struct Setting {
+    /// The register's command, or with `in_command` its base.
     std::uint8_t command = 0;
     bool in_command = false; ///< the value is part of the command, else its parameter
+    /// The value where no property holds.
     std::uint8_t base = 0;
     std::uint8_t mx = 0, my = 0, mv = 0; ///< bits that MX, MY, MV of the orientation's MADCTL change
+    /// Bits that change where the glass is wired blue first, and where PanelDesc::inverted is set.
     std::uint8_t bgr = 0, inverted = 0;
+    /// The value holds the code of the pixel format, FormatCode::code, in its low bits.
     bool format = false;
 };
 
+/// The commands of a controller family, and the quirks of its addressing. `dcs::commands` is that of MIPI
+/// DCS.
 struct CommandSet {
     bool parameters_are_commands = false; ///< D/C stays low for parameters, too
+    /// How columns and rows of a window are sent.
     Axis columns, rows;
     std::uint8_t memory_write = 0; ///< pixels follow it; 0: data are pixels at any time
     bool rewinds = false;   ///< memory_write rewinds the pointer: an axis that stays need not be sent again
     bool axes_stay = false; ///< MV changes the order of writing, not what columns and rows name
     bool mirrors_rows_on_glass = false; ///< MY turns the scan round, rows of memory keep their numbers
     bool status_registers = false;      ///< the controller answers 09h to 0Fh
+    /// The registers that the driver computes, in the order in which they are sent.
     Setting settings[4] = {};
+    /// How many of `settings` are used, at most 4.
     std::uint8_t setting_count = 0;
     Program soft_reset{}; ///< sent where there is no reset line; empty: there is none
     Program tearing{};    ///< turns the TE output on; empty: there is none
@@ -56,14 +69,17 @@ struct CommandSet {
 
 /// The bytes and commands of a window whose axes are all sent.
 struct WindowSize {
+    /// Bytes on the wire, commands included, and the number of commands among them.
     std::uint32_t bytes = 0, commands = 0;
 };
 
+/// What one axis of a window costs on the wire.
 constexpr WindowSize axis_size(Axis axis) {
     constexpr WindowSize sizes[] = {{5, 1}, {3, 1}, {8, 4}, {2, 1}, {1, 1}};
     return sizes[static_cast<unsigned>(axis.code)];
 }
 
+/// What a whole window costs, the command for pixels included.
 constexpr WindowSize window_size(const CommandSet& set) {
     const WindowSize columns = axis_size(set.columns), rows = axis_size(set.rows);
     const std::uint32_t write = set.memory_write != 0 ? 1 : 0;
@@ -72,11 +88,16 @@ constexpr WindowSize window_size(const CommandSet& set) {
 
 namespace dcs {
 
+/// SWRESET (DCS 1.02, 01h), for boards without a reset line.
 inline constexpr auto software_reset = init_program(cmd(SWRESET));
+/// TEON (35h) with parameter 0: TE is high in vertical blanking only.
 inline constexpr auto te_at_vertical_blanking = init_program(cmd(TEON, 0x00));
+/// SLPOUT (11h): the controller wakes.
 inline constexpr auto sleep_out = init_program(cmd(SLPOUT));
+/// DISPON (29h): the glass shows the memory.
 inline constexpr auto display_on = init_program(cmd(DISPON));
 
+/// The MIPI display command set, which most colour controllers speak.
 inline constexpr CommandSet commands = {
     .columns = {Axis::Code::pair16, CASET},
     .rows = {Axis::Code::pair16, RASET},

@@ -5,6 +5,7 @@
 
 namespace spangle::hal::dcs {
 
+/// The commands, by their names in datasheets.
 enum : std::uint8_t {
     SWRESET = 0x01,
     RDDID = 0x04,
@@ -31,7 +32,8 @@ enum : std::uint8_t {
     RDSCANLINE = 0x45,
 };
 
-/// Bits of MADCTL.
+/// Bits of MADCTL (36h): row order, column order, rows and columns exchanged, refresh upwards, blue first,
+/// refresh leftwards.
 enum : std::uint8_t { MY = 0x80, MX = 0x40, MV = 0x20, ML = 0x10, BGR = 0x08, MH = 0x04 };
 
 } // namespace spangle::hal::dcs

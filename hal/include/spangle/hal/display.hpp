@@ -15,9 +15,13 @@ namespace spangle::hal {
 /// the frame, at the latest in finish(), unless another is drawn over it first.
 enum class Pacing : std::uint8_t { block, drop, coalesce };
 
+/// What a display is. It stays the same after init(), except where a WindowSystem says otherwise.
 struct DisplayInfo {
+    /// The name for people, static.
     const char* name = "";
+    /// The size of the picture in pixels.
     std::int32_t width = 0, height = 0;
+    /// The format of the buffers to draw into.
     PixelFormat format = PixelFormat::rgb565_be;
     bool keeps_buffer = false; ///< acquire() always gives the same buffer, with what was drawn before
     WireFormat wire = WireFormat::none; ///< what a present converts pixels to; none: they travel as they are
@@ -28,18 +32,26 @@ struct DisplayInfo {
 
 /// The buffer of the frame being drawn, top row first, in the display's pixel format.
 struct Frame {
+    /// The first byte of the top row. The memory stays the display's, and may be written until the next
+    /// present().
     std::uint8_t* pixels = nullptr;
     std::int32_t stride = 0;       ///< bytes from one row to the next one down
     std::int32_t age = 0;          ///< 0: contents undefined; n: as n frames ago (EGL_EXT_buffer_age)
     RowExtents* extents = nullptr; ///< what the rasterizer touches this frame
 };
 
+/// Where frames go. EGL draws to one; programs without GL may call it themselves, from one thread. The order
+/// of a frame is acquire(), drawing, present(). Errors are values; those of the bus pass through unchanged.
 class Display {
   public:
+    /// What this display is; it may be asked before init(), too.
     virtual DisplayInfo info() const = 0;
-    /// Resets and initialises the controller. Must succeed before the others are called.
+    /// Resets and initialises the controller. Must succeed before the others are called. It may be called
+    /// again after a fault. Fault::bad_argument: the description breaks a rule. Fault::wrong_device: another
+    /// controller answers.
     virtual Result<void> init() = 0;
-    /// The buffer to draw the next frame into; the same until present() succeeds.
+    /// The buffer to draw the next frame into; the same until present() succeeds. Fault::busy: none is free
+    /// yet.
     virtual Result<Frame> acquire() = 0;
     /// Sends what differs between the panel's memory and the surface. On an error nothing is forgotten: the
     /// next present sends it again.
@@ -47,7 +59,8 @@ class Display {
     /// Waits until the last frame presented is shown; what was drawn since stays where it is.
     virtual Result<void> finish() { return {}; }
     /// Sets new colours, red, green and blue bytes each, of the indices from `first` on, on displays of
-    /// PixelFormat::index8.
+    /// PixelFormat::index8. Arguments: first, count, and 3 * count bytes, which are copied.
+    /// Fault::unsupported: the display has no palette. Fault::bad_argument: indices outside of 0 to 255.
     virtual Result<void> set_palette(std::int32_t, std::int32_t, const std::uint8_t*) {
         return Error{Fault::unsupported, "display: it has no palette"};
     }
@@ -63,6 +76,7 @@ class Display {
 
   protected:
     ~Display() = default;
+    /// The error of a display that has no bands.
     static Error whole_frames() { return {Fault::unsupported, "display: frames of this display are whole"}; }
 };
 

@@ -18,14 +18,18 @@ class DmaPort {
   public:
     /// A write is over when its last bit is on the wire: D/C may change then.
     virtual void write(bool data, const std::uint8_t* bytes, std::uint32_t count) = 0;
+    /// Reads `count` bytes of an answer into `into`, behind `dummy_bits` clocks.
     virtual void read(std::uint8_t dummy_bits, std::uint8_t* into, std::uint32_t count) = 0;
+    /// Lets at least `micros` microseconds pass.
     virtual void pause(std::uint32_t micros) = 0;
     /// Waits for the edge, and ends with step(Fault::none); or after `at_most_micros`, with
     /// step(Fault::timeout).
     virtual void wait_te(std::uint32_t at_most_micros) = 0;
 
     // The calls below are done when they return.
+    /// Lowers chip select, or raises it. Like the calls below, it is done when it returns.
     virtual void select(bool selected) = 0;
+    /// Drives the reset line low, or high.
     virtual void reset(bool low) = 0;
     virtual std::uint32_t micros() = 0; ///< wraps
     virtual void sleep() {}             ///< sleeps until an interrupt, or not at all
@@ -36,16 +40,24 @@ class DmaPort {
 
 /// Memory that the port's DMA reaches, for buffers and for one list.
 struct DmaMemory {
+    /// Memory of the buffers, aligned to DmaBus::alignment.
     std::uint8_t* bytes = nullptr;
+    /// Bytes of that memory.
     std::size_t size = 0;
+    /// Memory for the list under way.
     Op* ops = nullptr;
+    /// The longest list that the bus takes, in operations.
     std::size_t op_count = 0;
 };
 
+/// A Bus over a DmaPort. Lists longer than DmaMemory::op_count are refused with
+/// Fault::bad_argument.
 class DmaBus final : public Bus {
   public:
+    /// Where buffers begin: at multiples of so many bytes.
     static constexpr std::size_t alignment = BusMemory::alignment;
 
+    /// `port` and what `memory` points to must outlive the bus. It starts nothing.
     DmaBus(DmaPort& port, const BusCaps& caps, const DmaMemory& memory)
         : port_(port), caps_(caps), memory_(memory), buffers_({memory.bytes, memory.size}) {}
 

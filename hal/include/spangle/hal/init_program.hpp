@@ -10,10 +10,13 @@
 
 namespace spangle::hal {
 
+/// The bytes of a program.
 template <std::size_t N> using ProgramBytes = std::array<std::uint8_t, N>;
 
+/// The parameter count that marks a delay.
 inline constexpr std::uint8_t program_delay_mark = 0xFF;
 
+/// One command with its parameters, which are cut to bytes; at most 254 of them.
 template <class... Params>
 constexpr ProgramBytes<2 + sizeof...(Params)> cmd(unsigned command, Params... params) {
     static_assert(sizeof...(Params) < program_delay_mark);
@@ -26,6 +29,7 @@ consteval ProgramBytes<2> delay_ms(unsigned ms) {
     return {static_cast<std::uint8_t>((ms + 9) / 10), program_delay_mark};
 }
 
+/// Joins steps of cmd() and delay_ms() to the bytes of a program.
 template <std::size_t... N> constexpr auto init_program(const ProgramBytes<N>&... steps) {
     ProgramBytes<(N + ... + 0)> bytes{};
     std::size_t at = 0;
@@ -39,19 +43,28 @@ template <std::size_t... N> constexpr auto init_program(const ProgramBytes<N>&..
 
 /// A program as a panel names it, and a cursor over it.
 struct Program {
+    /// The next step, in memory that outlives the program.
     const std::uint8_t* at = nullptr;
+    /// Bytes that are left.
     std::size_t size = 0;
 
+    /// The empty program.
     constexpr Program() = default;
+    /// A program over these bytes, which must stay.
     template <std::size_t N> constexpr Program(const ProgramBytes<N>& bytes) : at(bytes.data()), size(N) {}
 
+    /// One step: a command with its parameters, or a delay.
     struct Step {
+        /// The command byte.
         const std::uint8_t* command;
+        /// Its `count` parameters, in the program's memory.
         const std::uint8_t* params;
+        /// The number of parameters.
         std::uint8_t count;
         std::uint32_t delay_micros; ///< not 0: a delay, and nothing else
     };
 
+    /// Whether no step is left.
     constexpr bool empty() const { return size == 0; }
 
     /// Takes the first step off. The program must not be empty.

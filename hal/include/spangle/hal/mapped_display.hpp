@@ -31,11 +31,16 @@ class ScanOut {
     ~ScanOut() = default;
 };
 
+/// What a board says of a memory-mapped display. What it points to must outlive the display.
 struct MappedConfig {
+    /// More buffers would only be older.
     static constexpr std::uint8_t most_buffers = 3;
 
+    /// The name for people, static.
     const char* name = "memory-mapped display";
+    /// The size of the picture in pixels.
     std::int32_t width = 0, height = 0;
+    /// The format that the block reads.
     PixelFormat format = PixelFormat::rgb565_le;
     std::int32_t stride = 0; ///< bytes from row to row; 0: rows without gaps
     /// Memory that the block can read. One buffer is drawn into while it is scanned. With two, frames are
@@ -48,8 +53,10 @@ struct MappedConfig {
     std::uint32_t refresh_us = 100000; ///< longest refresh; beyond that the block stands still
 };
 
+/// A Display whose present is an address that a ScanOut takes.
 class MappedDisplay final : public Display {
   public:
+    /// `port` must outlive the display. Nothing is called before init(), which checks the description.
     MappedDisplay(ScanOut& port, const MappedConfig& config) : port_(port), config_(config) {}
 
     DisplayInfo info() const override;

@@ -23,7 +23,9 @@ constexpr std::uint8_t value_of(const Setting& s, std::uint8_t madctl, const Pan
 /// The picture is turned clockwise on the glass.
 enum class Rotation : std::uint8_t { r0, r90, r180, r270 };
 
+/// How a picture is turned and mirrored on the glass. The buffer to draw into is always upright.
 struct Orientation {
+    /// How far the picture is turned, after mirroring.
     Rotation rotation = Rotation::r0;
     bool mirrored = false; ///< left and right exchanged, before turning
     friend constexpr bool operator==(const Orientation&, const Orientation&) = default;
@@ -38,7 +40,9 @@ inline constexpr Orientation orientations[] = {
 /// offset.y).
 struct Placement {
     std::uint8_t madctl = 0; ///< without BGR
+    /// The picture's size: width and height are exchanged where it is turned by 90 or 270 degrees.
     Extent size;
+    /// The host address of pixel (0, 0).
     Offset offset;
 };
 

@@ -7,13 +7,16 @@
 
 namespace spangle::hal {
 
+/// Indices of a palette.
 inline constexpr std::int32_t palette_size = 256;
 
-/// The colour of an index before it is set: the index read as RRRGGGBB, k / 7, k / 7 and k / 3. A surface of
-/// rgb332 looks right through it.
+/// A colour of 8 bits a component.
 struct Rgb {
+    /// Red, green and blue.
     std::uint8_t c[3];
 };
+/// The colour of an index before it is set: the index read as RRRGGGBB, k / 7, k / 7 and k / 3. A surface of
+/// rgb332 looks right through it.
 constexpr Rgb initial_color(std::int32_t index) {
     const auto scaled = [index](int shift, int most) {
         return static_cast<std::uint8_t>(((index >> shift & most) * 255 + most / 2) / most);
@@ -25,13 +28,16 @@ constexpr Rgb initial_color(std::int32_t index) {
 struct Palette {
     std::uint8_t color[palette_size][4];    ///< red, green, blue and an unused byte
     std::uint32_t stale[palette_size / 32]; ///< indices whose colours the panel does not show yet
+    /// Whether the panel shows another colour for this index than `color` says.
     bool is_stale(std::uint8_t index) const { return (stale[index / 32] >> index % 32 & 1) != 0; }
+    /// Whether that holds for any index.
     bool any_stale() const {
         std::uint32_t any = 0;
         for (const std::uint32_t word : stale)
             any |= word;
         return any != 0;
     }
+    /// Says that the panel shows all colours.
     void all_fresh() {
         for (std::uint32_t& word : stale)
             word = 0;
@@ -40,10 +46,14 @@ struct Palette {
 
 /// The memory of a Palette, or none.
 template <bool Exists> struct PaletteStorage {
+    /// The palette, or null where there is none.
     Palette* memory() { return nullptr; }
 };
+/// The memory of a Palette.
 template <> struct PaletteStorage<true> {
+    /// The palette itself.
     Palette palette;
+    /// That palette.
     Palette* memory() { return &palette; }
 };
 

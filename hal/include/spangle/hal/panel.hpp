@@ -11,6 +11,7 @@
 
 namespace spangle::hal {
 
+/// The controllers that Spangle knows. Two panels with the same controller may differ in their command sets.
 enum class Controller : std::uint8_t {
     ili9341,
     st7789,
@@ -30,21 +31,30 @@ enum class Controller : std::uint8_t {
     ssd1331,
     hx8347
 };
+/// Which subpixel of the glass the controller's red output drives: MADCTL's BGR.
 enum class ColorOrder : std::uint8_t { rgb, bgr };
+/// A size in pixels.
 struct Extent {
+    /// Pixels across and down.
     std::int16_t width = 0, height = 0;
 };
+/// A position in pixels, right and down.
 struct Offset {
+    /// Pixels to the right and down.
     std::int16_t x = 0, y = 0;
 };
 
-/// Times that the datasheet demands. Cycles are the shortest allowed.
+/// Times that the datasheet demands, in the unit that each name ends with. Cycles are the shortest allowed.
 struct PanelTiming {
+    /// The shortest reset pulse, 10 at least.
     std::uint16_t reset_low_us = 10;
     std::uint32_t reset_wait_us = 120000;     ///< reset released, or SWRESET, to the first command
     std::uint32_t sleep_out_wait_us = 120000; ///< SLPOUT to the next command: supplies and registers settle
+    /// A clock cycle of a serial write.
     std::uint16_t serial_write_ns = 100;
+    /// A clock cycle of a serial read.
     std::uint16_t serial_read_ns = 150;
+    /// A write cycle of a parallel bus.
     std::uint16_t parallel_write_ns = 66;
     std::uint16_t parallel_read_ns = 450;    ///< of frame memory, the slowest read
     std::uint32_t i2c_hz = 0;                ///< what boards run SCL at; 0: has no I2C
@@ -58,9 +68,11 @@ struct PanelTiming {
 struct Identity {
     std::uint8_t command = dcs::RDDID; ///< or a register of the maker's
     std::uint8_t bytes = 3;            ///< bytes of its answer, 3 at most
+    /// Clocks between command and answer on a serial bus.
     std::uint8_t dummy_bits = 1;
     std::uint8_t parallel_dummy_bits = 8; ///< dummy read cycles, eight bits each
     std::uint32_t id = 0;                 ///< the first byte highest
+    /// The bits of `id` that tell the controller from others.
     std::uint32_t mask = 0xFFFFFF;
     std::uint8_t register_dummy_bits = 1; ///< for 09h and 45h; the one-byte reads have none
     std::uint8_t pixel_dummy_bits = 8;    ///< for 2Eh
@@ -68,40 +80,57 @@ struct Identity {
 
 /// The pixel format register's code of a wire format, or that the controller does not take it.
 struct FormatCode {
+    /// Whether the controller takes the format.
     bool taken = false;
+    /// What its pixel format register is set to.
     std::uint8_t code = 0;
 
+    /// The controller does not take the format.
     constexpr FormatCode() = default;
+    /// The controller takes the format; its code, 0 to 255.
     constexpr FormatCode(int value) : taken(true), code(static_cast<std::uint8_t>(value)) {}
 };
 
 /// Codes of COLMOD (3Ah) or its like; 0 where a controller has no such register.
 struct WireFormats {
+    /// The code of the WireFormat of that name.
     FormatCode rgb565{}, rgb666{}, rgb444{}, rgb332{}, grey4{}, mono{};
 };
 
+/// Where a controller differs from its data sheet or from the others.
 struct Quirks {
     bool resend_window = false; ///< RAMWR does not return to the window's start: CASET and RASET each time
     bool no_read_back = false;  ///< the controller never drives the data line
     bool reads_write_depth = false; ///< RAMRD answers in COLMOD's format, not in three bytes a pixel
 };
 
+/// A panel as data. panel() checks a description while it is compiled. What it points to is constant and
+/// static.
 struct PanelDesc {
+    /// The name for people.
     const char* name = "";
+    /// The controller, by which the simulator chooses its model.
     Controller controller = Controller::ili9341;
     Extent memory;          ///< the controller's frame memory, MADCTL 00h
     Extent glass;           ///< the part of the memory that shows
     Offset offset{};        ///< where the glass begins in memory, MADCTL 00h
     std::uint8_t mount = 0; ///< MADCTL's MX, MY that show a picture upright on this glass
+    /// The order of subpixels on this glass.
     ColorOrder order = ColorOrder::rgb;
     bool inverted = false; ///< IPS glass: INVON shows true colours
+    /// The serial bus that this panel has, spi4 or spi_start.
     BusKind serial_bus = BusKind::spi4;
     WireFormats serial; ///< formats on that bus, and on I2C
+    /// Formats on an 8080 bus.
     WireFormats parallel{};
     Program setup; ///< registers beyond the command set's, sent while asleep
+    /// The commands that it understands.
     const CommandSet* commands = &dcs::commands;
+    /// The controller's times.
     PanelTiming timing;
+    /// What it answers when it is asked who it is.
     Identity identity{};
+    /// What is unusual about it.
     Quirks quirks{};
     bool round = false; ///< the glass is a disc: the corners of its rectangle are written and not seen
 };
@@ -135,6 +164,7 @@ constexpr std::uint32_t fastest_write(const PanelDesc& panel, BusKind bus) {
            : bus == BusKind::i8080 ? 1000000000u / panel.timing.parallel_write_ns
                                    : panel.timing.practical_serial_mhz * 1000000u;
 }
+/// The fastest clock of a read in Hz, or cycles of a parallel bus per second.
 constexpr std::uint32_t fastest_read(const PanelDesc& panel, BusKind bus) {
     return 1000000000u /
            (bus == BusKind::i8080 ? panel.timing.parallel_read_ns : panel.timing.serial_read_ns);

@@ -20,13 +20,18 @@ namespace spangle::hal {
 
 class FramePlan;
 
+/// What a program says of a panel display. `panel` must outlive the display.
 struct PanelConfig {
+    /// The panel; it must not be null.
     const PanelDesc* panel = nullptr;
+    /// How the picture is turned on the glass.
     Orientation orientation = {};
+    /// The format of the buffers to draw into.
     PixelFormat format = PixelFormat::rgb565_be;
     /// Another format on the wire: a present converts what it sends, in memory of its own, and returns while
     /// that is on the wire. If it is left out, the surface's pixels travel as they are.
     Wire wire = {};
+    /// 1: present() returns when the frame is on the panel; 2: while it is on the wire.
     std::uint8_t buffers =
         1; ///< 1: present() returns when the frame is on the panel; 2: while it is on the wire
     bool reset_line = true; ///< false: SWRESET instead
@@ -37,6 +42,7 @@ struct PanelConfig {
     /// can such a picture be free of tears. The second buffer is the turned one; presents return while it is
     /// on the wire.
     bool scan_order = false;
+    /// What a present does while the frame before is on the wire.
     Pacing pacing = Pacing::block;
     bool row_hash = false; ///< cells of 16x1 pixels that are drawn again unchanged are not sent
     /// Rows that a buffer holds, where memory holds no whole picture: frames are drawn band by band, and with
@@ -64,6 +70,7 @@ constexpr bool lies_as_it_travels(const PanelConfig& c) {
            placed.size.height % share.height == 0;
 }
 
+/// The format of pixels on the wire.
 constexpr WireFormat wire_format(const PanelConfig& config) {
     return config.wire.converts() ? config.wire.format : same_bytes(config.format);
 }
@@ -90,17 +97,21 @@ constexpr const char* band_flaw(const PanelConfig& c) {
 
 /// What one frame buffer holds: outside of these spans, the clear value.
 struct PanelContent {
+    /// One element a row of the picture.
     RowSpan* rows = nullptr;
+    /// The pixel of the last clear, as RowExtents::clear_value has it.
     std::uint32_t clear_value = 0;
 };
 
-/// Whether frames are turned; below, the picture's size and that of the buffer that is sent.
+/// Whether frames are turned into the order of the scan.
 constexpr bool turns(const PanelConfig& c) {
     return c.scan_order && scan_order(*c.panel, c.orientation).turns();
 }
+/// The size of the picture in pixels.
 constexpr Extent picture_size(const PanelConfig& c) {
     return place(*c.panel, c.orientation).size;
 }
+/// The size of the buffer that is sent, which is turned where turns().
 constexpr Extent sent_size(const PanelConfig& c) {
     return turns(c) ? scan_order(*c.panel, c.orientation).placement.size : picture_size(c);
 }
@@ -117,16 +128,26 @@ constexpr std::int32_t book_height(const PanelConfig& c) {
 /// The memory of a PanelDisplay's bookkeeping, handed over by its owner. All rows but those of the content
 /// have `height` elements.
 struct PanelMemory {
+    /// Touched columns of the frame being drawn.
     RowSpan* touched = nullptr;
+    /// Columns in which the panel's memory differs from the frame.
     RowSpan* damage = nullptr;
+    /// What each buffer holds, as PanelContent::rows.
     RowSpan* content[2] = {};
     std::int32_t content_height = 0; ///< rows of the picture; 0 for bands that are sent whole
+    /// Memory in which windows are planned.
     std::uint16_t* plan = nullptr;
+    /// Elements of each of these rows.
     std::int32_t height = 0;
+    /// Buffers whose content is recorded: 1 or 2.
     std::uint8_t buffers = 0;
+    /// Memory of one list.
     Op* ops = nullptr;
+    /// Parameters of that list.
     OpParams* params = nullptr;
+    /// Elements of `ops` and of `params`.
     std::size_t op_count = 0;
+    /// The memory of the row hash, or none.
     RowHashMemory hash = {};
     RowSpan* turned = nullptr;        ///< for PanelConfig::scan_order
     decltype(&turn) turner = nullptr; ///< turn(), which is linked only where it is named
@@ -144,14 +165,21 @@ template <std::int32_t Height, std::uint8_t Buffers = 1, std::size_t Ops = 64, s
 struct PanelStorage {
     static_assert(Height > 0 && Height <= 4096 && (Buffers == 1 || Buffers == 2) && Ops >= 8);
 
+    /// The memory that the members of PanelMemory by these names point to.
     RowSpan touched[Height], damage[Height], content[Buffers][Content != 0 ? Content : 1],
         turned[Turned ? Height : 1], held[Held ? Height : 1];
+    /// The memory of PanelMemory::plan.
     std::uint16_t plan[Height];
+    /// The memory of PanelMemory::ops.
     Op ops[Ops];
+    /// The memory of PanelMemory::params.
     OpParams params[Ops];
+    /// The memory of PanelMemory::hash.
     RowHashStorage<Height, HashedWidth> hash;
+    /// The memory of PanelMemory::palette.
     PaletteStorage<Indexed> palette;
 
+    /// This memory, for the constructor of a PanelDisplay. The storage must outlive the display.
     PanelMemory memory() {
         return {touched,
                 damage,
@@ -179,20 +207,27 @@ struct PresentCounters {
     std::uint32_t unsafe = 0;          ///< no start is free of tears
 };
 
+/// A Display over a Bus. It remembers what the panel's memory holds, and sends what differs.
 class PanelDisplay : public Display {
   public:
     /// Functions that not every display calls. Those that no display names are not linked.
     struct Parts {
         Result<void> (PanelDisplay::*check)() const = nullptr; ///< checks the description and the memory
+        /// Checks who answers: check_identity().
         Result<void> (*identify)(Bus&, const PanelDesc&, ReadScratch&) = nullptr;
         Result<void> (PanelDisplay::*measure)() = nullptr; ///< measures the refresh
         void (PanelDisplay::*sync)(FramePlan&) = nullptr;  ///< makes transfers lead or lag the beam
-        std::size_t (PanelDisplay::*count_ops)(FramePlan&) const = nullptr; ///< for frames that are one list
-        Result<Frame> (PanelDisplay::*acquire)() = nullptr;                 ///< acquires whole frames
+        /// Counts the operations of a plan, for frames that are one list.
+        std::size_t (PanelDisplay::*count_ops)(FramePlan&) const = nullptr;
+        Result<Frame> (PanelDisplay::*acquire)() = nullptr; ///< acquires whole frames
+        /// Presents whole frames.
         Result<void> (PanelDisplay::*present)() = nullptr;
         Result<void> (PanelDisplay::*show)(bool in_place) = nullptr; ///< shows frames that were put off
+        /// Acquires bands.
         Result<Frame> (PanelDisplay::*acquire_band)(std::int32_t first, std::int32_t rows) = nullptr;
+        /// Presents bands.
         Result<void> (PanelDisplay::*present_band)() = nullptr;
+        /// Sends a band: what changed, or all of it.
         Result<void> (PanelDisplay::*send_band)() = nullptr;
     };
     /// The parts of a display whose description and memory were checked when it was compiled. `remembers`:
@@ -201,7 +236,8 @@ class PanelDisplay : public Display {
     /// The parts of a display that is described at run time.
     static const Parts every_part;
 
-    /// `parts` must stay.
+    /// `bus`, `parts` and what `memory` points to must outlive the display. Nothing is sent before init(),
+    /// which checks the description, the memory and the bus.
     PanelDisplay(Bus& bus, const PanelConfig& config, const PanelMemory& memory,
                  const Parts& parts = every_part);
 
@@ -227,8 +263,11 @@ class PanelDisplay : public Display {
     void swap_interval(std::int32_t interval) override { waits_ = interval != 0; }
     /// The next present sends the pixels that show these indices, if their colours changed.
     Result<void> set_palette(std::int32_t first, std::int32_t count, const std::uint8_t* rgb) override;
+    /// What became of the frames so far.
     const PresentCounters& counters() const { return counters_; }
+    /// Asks the controller for its status; see read_status(). Fault::bad_argument: init() did not succeed.
     Result<PanelStatus> status();
+    /// Asks for the line that the controller is scanning; see read_scanline().
     Result<std::uint16_t> scanline();
     /// Reads pixels of the panel's memory; see read_pixels().
     Result<void> read_back(const Rect& area, std::uint8_t* rgb);

@@ -17,12 +17,15 @@ class PolledPort {
     /// Says that commands or data follow, until the next begin() or end(). It does so by chip select and the
     /// D/C line, by a start byte behind chip select, or by an I2C message and its control byte.
     virtual Fault begin(bool data) = 0;
+    /// Writes `count` bytes of what begin() announced.
     virtual Fault write(const std::uint8_t* bytes, std::uint32_t count) = 0;
     /// Reads the answer to a command of the same message.
     virtual Fault read(std::uint8_t dummy_bits, std::uint8_t* into, std::uint32_t count) = 0;
     /// Ends the message after its last bit: chip select rises, or STOP.
     virtual void end() = 0;
+    /// Drives the reset line low, or high.
     virtual void reset(bool low) = 0;
+    /// Lets at least `micros` microseconds pass.
     virtual void pause(std::uint32_t micros) = 0;
 
   protected:
@@ -47,8 +50,10 @@ template <class Wires> class PolledPortOf final : public PolledPort, public Wire
     void pause(std::uint32_t micros) override { Wires::pause(micros); }
 };
 
+/// A Bus over a PolledPort.
 class PolledBus final : public Bus {
   public:
+    /// `port` and `memory` must outlive the bus. It starts nothing.
     PolledBus(PolledPort& port, const BusCaps& caps, Buffer memory)
         : port_(port), caps_(caps), buffers_(memory) {}
 

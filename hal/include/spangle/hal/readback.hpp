@@ -10,6 +10,7 @@
 
 namespace spangle::hal {
 
+/// What a controller's registers of status answered (DCS 1.02, 04h and 09h to 0Fh).
 struct PanelStatus {
     std::uint32_t id = 0;         ///< what Identity::command answers, 04h: ID1 ID2 ID3
     std::uint32_t status = 0;     ///< 09h: bit 31 first
@@ -24,11 +25,14 @@ struct PanelStatus {
 /// Memory in which answers arrive. It must stay as long as the bus may touch it: after a timeout, until the
 /// transfer is done.
 struct ReadScratch {
+    /// Answers to the identity, to 09h, to 0Ah to 0Fh, and to 45h.
     std::uint8_t id[3], status[4], registers[6], scanline[2];
+    /// Parameters of window commands.
     OpParams window[3];
 };
 
-/// Reads the identity, 09h and 0Ah to 0Fh in one transfer.
+/// Reads the identity, 09h and 0Ah to 0Fh in one transfer. Fault::unsupported: the bus or the panel cannot be
+/// read.
 Result<PanelStatus> read_status(Bus& bus, const PanelDesc& panel, ReadScratch& scratch);
 
 /// Dummy bits of 04h, 09h and 45h on this bus.

@@ -12,6 +12,7 @@ struct Refresh {
     std::int32_t porch = 0;  ///< lines of blanking
     std::int32_t jitter = 0; ///< from the moment that is waited for to the first byte, at most
 
+    /// The time of one refresh, in nanoseconds.
     std::int64_t period() const { return std::int64_t{line} * lines; }
     /// The time at which TE rises, counted from the start of the scan.
     std::int64_t blanking() const { return std::int64_t{line} * (lines - porch); }
@@ -23,6 +24,7 @@ struct Refresh {
 /// where that is impossible, no phase is left.
 class SafeStart {
   public:
+    /// All phases are free until write() is called.
     explicit SafeStart(const Refresh& refresh) : refresh_(refresh) {}
 
     /// Adds a row that is written from `begin` to `end`, counted from the start of the transfer.
@@ -35,6 +37,7 @@ class SafeStart {
 
     /// Whole lines in which a transfer may be told to start.
     std::int32_t slack_lines() const;
+    /// Whether any start is free of tears.
     bool possible() const { return slack_lines() > 0; }
     /// Nanoseconds to wait after TE rises.
     std::int64_t after_blanking() const;

@@ -9,8 +9,10 @@
 
 namespace spangle::hal {
 
+/// What went wrong, as far as a program may want to react to it. docs/faults.md shows what each transport
+/// raises.
 enum class Fault : std::uint8_t {
-    none,
+    none,         ///< nothing went wrong
     bad_argument, ///< the call broke a rule of this interface; `rule` names it
     unsupported,  ///< the bus or panel cannot do this
     busy,         ///< nothing was started; try again
@@ -25,10 +27,13 @@ enum class Fault : std::uint8_t {
 /// What went wrong and which rule it broke: a string that names device, operation and cause. It is static, or
 /// stays until the object that gave it ends, or has failed several more times.
 struct Error {
+    /// No error.
     constexpr Error() = default;
+    /// An error with its text, which must be static or outlive the error; `more` becomes `detail`.
     constexpr Error(Fault what, const char* text, std::uint32_t more = 0)
         : fault(what), rule(SPANGLE_MESSAGES != 0 ? text : ""), detail(more) {}
 
+    /// The kind of fault.
     Fault fault = Fault::none;
     const char* rule = "";    ///< it stays so in builds without texts
     std::uint32_t detail = 0; ///< wrong_device: the bytes that answered, first byte highest; system
@@ -38,12 +43,19 @@ struct Error {
 /// A value or an error. `ok()` must be asked before `value()`.
 template <class T> class [[nodiscard]] Result {
   public:
+    /// A result that is a value.
     constexpr Result(T value) : value_(value) {}
+    /// A result that is an error; `error.fault` must not be Fault::none.
     constexpr Result(Error error) : error_(error) {}
+    /// Whether there is a value.
     constexpr bool ok() const { return error_.fault == Fault::none; }
+    /// Does what ok() does.
     constexpr explicit operator bool() const { return ok(); }
+    /// The value; where there is an error, a T made from nothing.
     constexpr const T& value() const { return value_; }
+    /// The value, to change.
     constexpr T& value() { return value_; }
+    /// The error; its fault is Fault::none where there is a value.
     constexpr Error error() const { return error_; }
 
   private:
@@ -51,12 +63,18 @@ template <class T> class [[nodiscard]] Result {
     Error error_{};
 };
 
+/// Success or an error.
 template <> class [[nodiscard]] Result<void> {
   public:
+    /// Success.
     constexpr Result() = default;
+    /// An error; its fault must not be Fault::none.
     constexpr Result(Error error) : error_(error) {}
+    /// Whether it succeeded.
     constexpr bool ok() const { return error_.fault == Fault::none; }
+    /// Does what ok() does.
     constexpr explicit operator bool() const { return ok(); }
+    /// The error; its fault is Fault::none after success.
     constexpr Error error() const { return error_; }
 
   private:

@@ -14,9 +14,12 @@ namespace spangle::hal {
 /// last.
 struct ScanOrder {
     Placement placement; ///< placement of the buffer: MADCTL without MV and MY
+    /// Whether the axes are exchanged, and whether rows count from the last.
     bool swapped = false, reversed = false;
 
+    /// Whether a buffer of its own is needed.
     constexpr bool turns() const { return swapped || reversed; }
+    /// The buffer's row of the picture's row, or with `swapped` column, `along`.
     constexpr std::int32_t row_of(std::int32_t along) const {
         return reversed ? placement.size.height - 1 - along : along;
     }
@@ -43,9 +46,12 @@ constexpr ScanOrder scan_order(const PanelDesc& panel, Orientation orientation) 
 
 /// A picture and the buffer it is turned into.
 struct TurnedPicture {
+    /// The picture's top row.
     const std::uint8_t* from = nullptr;
     std::int32_t from_stride = 0, height = 0; ///< stride and rows of the picture
+    /// The buffer's first row.
     std::uint8_t* to = nullptr;
+    /// Bytes from row to row of the buffer, and bytes of a pixel of both.
     std::int32_t to_stride = 0, bytes_per_pixel = 0;
 };
 

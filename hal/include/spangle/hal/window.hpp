@@ -13,6 +13,7 @@ namespace spangle::hal {
 /// after any transfer that did not end well, because nobody knows which of its bytes arrived.
 class Windows {
   public:
+    /// A window of no panel: another one must be assigned before it is used.
     Windows() = default;
     /// `format` says which pixels share a byte, and with it a number of the window.
     constexpr Windows(const PanelDesc& panel, const Placement& placement, WireFormat format);
@@ -29,6 +30,7 @@ class Windows {
     constexpr void select(OpList& ops, const Rect& area);
     /// Does what select() does, then appends the memory write: pixels may follow.
     constexpr void open(OpList& ops, const Rect& area);
+    /// Makes the next window send both axes.
     void forget() { columns_ = rows_ = Interval{}; }
 
   private:

@@ -42,6 +42,7 @@ inline constexpr CommandSet commands = {
     .light = light,
 };
 
+/// Registers of supply, gamma and clock, for the modules that there are.
 inline constexpr auto setup = init_program(cmd(0xEA, 0x00), cmd(0xEB, 0x20), // power of the source drivers
                                            cmd(0xEC, 0x0C), cmd(0xED, 0xC4), //
                                            cmd(0xE8, 0x40), cmd(0xE9, 0x38), //
@@ -63,6 +64,7 @@ inline constexpr auto setup = init_program(cmd(0xEA, 0x00), cmd(0xEB, 0x20), // 
 
 } // namespace hx8347
 
+/// A 240x320 TFT behind an HX8347-D.
 inline constexpr PanelDesc hx8347_240x320 = panel({
     .name = "HX8347 240x320",
     .controller = Controller::hx8347,

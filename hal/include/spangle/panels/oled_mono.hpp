@@ -31,10 +31,14 @@ enum : unsigned {
     VCOMH = 0xDB,
 };
 
+/// AFh: the glass shows the memory.
 inline constexpr auto display_on = init_program(cmd(DISPLAY_ON));
 
+/// A0h or A1h: columns from left or right.
 inline constexpr Setting mirror_columns = {.command = SEGMENT_REMAP, .in_command = true, .mx = 0x01};
+/// C0h or C8h: rows from top or bottom.
 inline constexpr Setting mirror_rows = {.command = COM_DIRECTION, .in_command = true, .my = 0x08};
+/// A6h or A7h: lit pixels are ones or zeros.
 inline constexpr Setting inverse = {.command = INVERSE, .in_command = true, .inverted = 0x01};
 
 /// Columns and pages as ranges; the pointer runs along either.
@@ -106,8 +110,10 @@ consteval PanelDesc on_glass(const char* name, Extent glass, Program setup) {
 
 } // namespace ssd1306
 
+/// The common 0.96" OLED of 128x64.
 inline constexpr PanelDesc ssd1306_128x64 =
     ssd1306::on_glass("SSD1306 128x64", {128, 64}, ssd1306::setup<64, 0x12, 0xCF>);
+/// The 0.91" OLED of 128x32.
 inline constexpr PanelDesc ssd1306_128x32 =
     ssd1306::on_glass("SSD1306 128x32", {128, 32}, ssd1306::setup<32, 0x02, 0x8F>);
 
@@ -117,6 +123,7 @@ using namespace oled;
 
 enum : unsigned { PUMP_VOLTAGE = 0x30 };
 
+/// What SH1106 modules come up with (SH1106 datasheet, 5).
 inline constexpr auto setup = init_program(cmd(DISPLAY_OFF),      //
                                            cmd(CLOCK, 0x80),      //
                                            cmd(MULTIPLEX, 0x3F),  //
@@ -157,6 +164,7 @@ namespace ssd0303 {
 
 using namespace oled;
 
+/// What the evaluation board's SSD0303 comes up with.
 inline constexpr auto setup = init_program(cmd(DISPLAY_OFF),     //
                                            cmd(CLOCK, 0x80),     //
                                            cmd(MULTIPLEX, 0x0F), //

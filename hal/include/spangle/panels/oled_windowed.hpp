@@ -19,6 +19,7 @@ enum : unsigned {
     LOCK = 0xFD,
 };
 
+/// AFh: the glass shows the memory.
 inline constexpr auto windowed_on = init_program(cmd(0xAF));
 
 /// Two columns share a byte, the left one in the high nibble: A0h bit 1. Where columns are mirrored, the pair
@@ -41,6 +42,7 @@ namespace ssd1327 {
 
 using namespace oled;
 
+/// What SSD1327 modules come up with.
 inline constexpr auto setup = init_program(cmd(LOCK, 0x12),       // opens the registers
                                            cmd(0xAE),             //
                                            cmd(0xA8, 0x7F),       // 128 lines
@@ -58,6 +60,7 @@ inline constexpr auto setup = init_program(cmd(LOCK, 0x12),       // opens the r
 
 } // namespace ssd1327
 
+/// A grey OLED of 128x128 with 16 steps.
 inline constexpr PanelDesc ssd1327_128x128 = panel({
     .name = "SSD1327 128x128",
     .controller = Controller::ssd1327,
@@ -81,6 +84,7 @@ namespace ssd0323 {
 
 using namespace oled;
 
+/// What the evaluation board's SSD0323 comes up with.
 inline constexpr auto setup =
     init_program(cmd(0xAE),             //
                  cmd(0xA8, 0x3F),       // 64 lines
@@ -142,6 +146,7 @@ inline constexpr CommandSet commands = {
     .light = windowed_on,
 };
 
+/// What SSD1351 modules come up with.
 inline constexpr auto setup = init_program(cmd(LOCK, 0x12),             // opens the registers,
                                            cmd(LOCK, 0xB1),             // opens the registers of the supply
                                            cmd(0xAE),                   //
@@ -158,6 +163,7 @@ inline constexpr auto setup = init_program(cmd(LOCK, 0x12),             // opens
 
 } // namespace ssd1351
 
+/// A colour OLED of 128x128.
 inline constexpr PanelDesc ssd1351_128x128 = panel({
     .name = "SSD1351 128x128",
     .controller = Controller::ssd1351,
@@ -180,6 +186,7 @@ namespace ssd1331 {
 
 using namespace oled;
 
+/// The SSD1331's commands: parameters are commands, too, and pixels need none.
 inline constexpr CommandSet commands = {
     .parameters_are_commands = true,
     .columns = {Axis::Code::pair8, COLUMNS},
@@ -198,6 +205,7 @@ inline constexpr CommandSet commands = {
     .light = windowed_on,
 };
 
+/// What SSD1331 modules come up with.
 inline constexpr auto setup = init_program(cmd(0xAE),             //
                                            cmd(FIRST_LINE, 0x00), //
                                            cmd(FIRST_COM, 0x00),  //
@@ -218,6 +226,7 @@ inline constexpr auto setup = init_program(cmd(0xAE),             //
 
 } // namespace ssd1331
 
+/// A colour OLED of 96x64.
 inline constexpr PanelDesc ssd1331_96x64 = panel({
     .name = "SSD1331 96x64",
     .controller = Controller::ssd1331,

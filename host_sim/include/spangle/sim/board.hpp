@@ -14,24 +14,34 @@
 
 namespace spangle::sim {
 
+/// What went over the bus since power-on, as the controller model counted it.
 struct BoardCounters {
     std::uint64_t bytes = 0; ///< bytes on the bus, commands and parameters included
+    /// Commands.
     std::uint64_t commands = 0;
+    /// Bytes that were pixels.
     std::uint64_t pixel_bytes = 0;
+    /// Op lists that were submitted.
     std::uint64_t transfers = 0;
     Time busy_ns = 0; ///< ns in which the wire was in use
 };
 
+/// A board of the simulator, powered on. It belongs to one thread. Its clock is virtual.
 class SimBoard {
   public:
+    /// Builds the module that `board` describes. The description must outlive the simulated board.
     explicit SimBoard(const hal::Board& board);
+    /// Ends a record of the wires, too.
     ~SimBoard();
+    /// A board is not copied.
     SimBoard(const SimBoard&) = delete;
+    /// A board is not assigned either.
     SimBoard& operator=(const SimBoard&) = delete;
 
     /// The display, which has the driver that also runs on the real board. Use it as
     /// eglGetDisplay(spangle::native(board.display())).
     hal::Display& display();
+    /// The bus between the display's driver and the controller model.
     hal::Bus& bus();
 
     /// The picture that a viewer sees, upright. The panel is first sent all that is on the wire, and then
@@ -43,12 +53,15 @@ class SimBoard {
     /// The controller's whole frame memory, as MADCTL 00h addresses it.
     Image memory() const;
 
+    /// What went over the bus so far.
     BoardCounters counters() const;
     /// What became of the presented frames: sent, put off, and how they met the scan.
     hal::PresentCounters presents() const;
+    /// What the bus did that the data sheet forbids, in order of time.
     const Violations& violations() const;
     /// All violations, a line each; empty when the bus kept every rule.
     std::string violations_text() const;
+    /// The virtual time: nanoseconds since power-on.
     Time now() const;
     /// Lets the processor work for `ns` nanoseconds of virtual time.
     void pass(Time ns);
@@ -60,10 +73,14 @@ class SimBoard {
     /// limit was reached; the dump then ends at `end`, in ns. The file has its name from end_vcd() on; the
     /// board's destructor ends a record, too.
     struct Recorded {
+        /// What went wrong, or empty.
         std::string error;
+        /// Whether the limit was reached.
         bool full = false;
+        /// When the dump ends, in nanoseconds since power-on.
         Time end = 0;
     };
+    /// Ends the record of the wires.
     Recorded end_vcd();
     /// Makes the next transfer fail this way.
     void fail_next(hal::Fault fault);

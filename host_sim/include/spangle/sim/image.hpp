@@ -12,16 +12,22 @@ namespace spangle::sim {
 
 /// A picture of R, G, B, A bytes, top row first.
 struct Image {
+    /// The size in pixels.
     int width = 0, height = 0;
+    /// Four bytes a pixel, width * height * 4 in all.
     std::vector<std::uint8_t> rgba;
 
+    /// An empty picture.
     Image() = default;
+    /// A white, opaque picture of `w` x `h` pixels.
     Image(int w, int h)
         : width(w), height(h), rgba(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 4, 255) {}
+    /// The four bytes of a pixel inside the picture, (0, 0) at the top left.
     std::uint8_t* at(int x, int y) {
         return rgba.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                                   static_cast<std::size_t>(x));
     }
+    /// The same, to read.
     const std::uint8_t* at(int x, int y) const { return const_cast<Image*>(this)->at(x, y); }
     friend bool operator==(const Image&, const Image&) = default;
 };
@@ -36,6 +42,7 @@ constexpr bool on_disc(int x, int y, int width, int height) {
 /// The largest picture that is read from a file, in pixels: each side, and both multiplied. A larger one is
 /// refused before it is decoded.
 inline constexpr int longest_side = 16384;
+/// The most pixels of a picture that is read.
 inline constexpr std::uint64_t most_pixels = std::uint64_t{1} << 26;
 
 /// Writes a picture as PNG. Returns what went wrong, or an empty string. After a failure a regular file is as
@@ -55,13 +62,16 @@ std::string hash(const Image& image);
 /// The differences of two pictures of one size, in RGB565 steps, over the pixels that `mask` marks (null: all
 /// pixels).
 struct Difference {
+    /// Pixels that were compared, and how many of these are identical.
     std::uint64_t pixels = 0, identical = 0;
     int max_lsb = 0;       ///< largest difference of a channel, in steps of the channel
     double psnr_db = 99.0; ///< dB, of the 565 values scaled to 8 bits; 99 when identical
+    /// Identical pixels in percent; 100 where nothing was compared.
     double identical_percent() const {
         return pixels == 0 ? 100.0 : 100.0 * static_cast<double>(identical) / static_cast<double>(pixels);
     }
 };
+/// Compares two pictures of the same size. `mask`: one element a pixel, true: compared; null: all are.
 Difference compare_565(const Image& a, const Image& b, const std::vector<bool>* mask = nullptr);
 
 /// Draws grey where pixels are equal, and red where they are not, brighter with the difference. Sizes may

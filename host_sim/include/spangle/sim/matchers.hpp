@@ -22,6 +22,7 @@ namespace spangle::sim {
 inline void PrintTo(const Image& image, std::ostream* out) {
     *out << image.width << "x" << image.height << " picture with hash " << hash(image);
 }
+/// Prints a board in GoogleTest's messages.
 inline void PrintTo(const SimBoard& board, std::ostream* out) {
     *out << "board with the glass of a ";
     PrintTo(board.glass(), out);

@@ -11,15 +11,21 @@ namespace spangle::sim {
 
 /// Where two pictures differ by more than a tolerance, in 255ths of a channel.
 struct Mismatch {
+    /// Whether both pictures have the same size; if not, the rest is not filled.
     bool same_size = true;
+    /// Pixels of a picture, and how many of these differ.
     std::uint64_t pixels = 0, differing = 0;
     int first_x = -1, first_y = -1; ///< the topmost difference, of these the leftmost; -1: none
     int max_difference = 0;         ///< 255ths; of any channel of any pixel
+    /// Whether the pictures differ.
     explicit operator bool() const { return !same_size || differing != 0; }
 };
+/// Compares two pictures; channels may differ by up to `tolerance` 255ths.
 Mismatch mismatch(const Image& actual, const Image& expected, int tolerance = 0);
 
+/// What a check says of a picture.
 struct Verdict {
+    /// Whether the picture is as it should be.
     bool passed = true;
     std::string text; ///< why the check failed, and which files show it
 };

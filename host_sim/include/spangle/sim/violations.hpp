@@ -30,12 +30,17 @@ enum class Rule : std::uint8_t {
     busy = 16,            ///< memory written while the controller itself moves or draws in it
 };
 
+/// One thing that a bus did and a data sheet forbids.
 struct Violation {
+    /// The rule that was broken.
     Rule rule;
+    /// A sentence for people, with the numbers.
     std::string text;
+    /// When it happened.
     Time at;
 };
 
+/// Violations in order of time.
 using Violations = std::vector<Violation>;
 
 } // namespace spangle::sim

@@ -16,6 +16,7 @@ constexpr std::uint32_t dither_row(std::int32_t y) {
     return detail::dither_rows[static_cast<std::uint32_t>(y) & 3];
 }
 
+/// The threshold of window column `x` in a row of dither_row(), in 32nds of a step: odd, 1 to 31.
 constexpr std::uint32_t dither_threshold(std::uint32_t row, std::int32_t x) {
     return (row >> (8 * (static_cast<std::uint32_t>(x) & 3))) & 0xFF;
 }

@@ -6,9 +6,11 @@
 
 // Optional kinds of surfaces. CMake defines them; a build by hand has both.
 #ifndef SPANGLE_FEATURE_NARROW_SURFACES
+/// 1: this build draws on surfaces of PixelFormat::rgb666 to PixelFormat::mono.
 #define SPANGLE_FEATURE_NARROW_SURFACES 1
 #endif
 #ifndef SPANGLE_FEATURE_COLOR_INDEX
+/// 1: this build draws on surfaces of PixelFormat::index8.
 #define SPANGLE_FEATURE_COLOR_INDEX 1
 #endif
 
@@ -30,8 +32,10 @@ enum class PixelFormat : std::uint8_t {
     index8, ///< A byte a pixel: an index of a palette, which belongs to the display.
 };
 
+/// The layout of a pixel in numbers; see format_info().
 struct FormatInfo {
     std::uint8_t bytes_per_pixel; ///< 0: pixels share bytes
+    /// Bits of each component; grey has its bits in red, green and blue.
     std::uint8_t red_bits, green_bits, blue_bits, alpha_bits;
     std::uint8_t bits;           ///< of a stored row for each column
     std::uint8_t rows = 1;       ///< that are stored as one
@@ -52,12 +56,14 @@ inline constexpr FormatInfo formats[] = {{2, 5, 6, 5, 0, 16},         {2, 5, 6, 
 constexpr const FormatInfo& format_info(PixelFormat format) {
     return detail::formats[static_cast<unsigned>(format)];
 }
+/// The number of pixel formats.
 inline constexpr int pixel_formats = 10;
 
 /// False, whatever the format, in builds without such surfaces: what only they need is not compiled.
 constexpr bool is_narrow(PixelFormat format) {
     return SPANGLE_FEATURE_NARROW_SURFACES && format > PixelFormat::rgba8888 && format < PixelFormat::index8;
 }
+/// Whether pixels are colour indices. It is false in builds without such surfaces.
 constexpr bool is_indexed(PixelFormat format) {
     return SPANGLE_FEATURE_COLOR_INDEX && format == PixelFormat::index8;
 }
@@ -66,30 +72,35 @@ constexpr bool is_drawable(PixelFormat format) {
     return format <= PixelFormat::rgba8888 || is_narrow(format) || is_indexed(format);
 }
 
-/// Bytes of a stored row of so many pixels, and how many such rows a picture has.
+/// Bytes of a stored row of `width` pixels.
 constexpr std::int32_t row_bytes(PixelFormat format, std::int32_t width) {
     return (width * format_info(format).bits + 7) / 8;
 }
+/// The stored rows of a picture of `height` rows: as many, or pages of eight.
 constexpr std::int32_t stored_rows(PixelFormat format, std::int32_t height) {
     const std::int32_t rows = format_info(format).rows;
     return (height + rows - 1) / rows;
 }
 
+/// How depth, and with it stencil, lies in memory.
 enum class DepthFormat : std::uint8_t {
-    none,
+    none,  ///< no depth buffer
     z16,   ///< uint16_t, host order, k / 65535.
     z24s8, ///< uint32_t, host order: depth k / (2^24 - 1) in bits 31..8, stencil in bits 7..0.
 };
 
 /// Half-open rectangle: x .. x+w-1, y .. y+h-1. Empty when w or h is <= 0.
 struct Rect {
+    /// The first column and row, and how many of them.
     std::int32_t x = 0, y = 0, w = 0, h = 0;
     friend constexpr bool operator==(const Rect&, const Rect&) = default;
 };
 
 /// Half-open interval of columns of one row; empty when begin >= end.
 struct RowSpan {
+    /// The first column.
     std::int16_t begin = INT16_MAX;
+    /// The column behind the last one.
     std::int16_t end = 0;
     friend constexpr bool operator==(const RowSpan&, const RowSpan&) = default;
 };
@@ -99,8 +110,11 @@ struct RowSpan {
 /// A full clear (no scissor, all channels) empties the rows and sets `cleared`: the rows then tell what was
 /// drawn since.
 struct RowExtents {
+    /// The columns of each row; null: not kept. The memory is the display's.
     RowSpan* rows = nullptr;
+    /// Elements of `rows`.
     std::int32_t height = 0;
+    /// The surface was cleared as a whole since the last present.
     bool cleared = false;
     std::uint32_t clear_value = 0; ///< equal for equal fill patterns
 };

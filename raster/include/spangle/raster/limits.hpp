@@ -4,45 +4,59 @@
 #include <spangle/format.hpp>
 
 #ifndef SPANGLE_TEXTURE_UNITS
+/// Texture units: 0, 1 or 2.
 #define SPANGLE_TEXTURE_UNITS 2
 #endif
 #ifndef SPANGLE_TEXTURE_LEVELS
+/// Levels of a mipmap, 1 to 12; see max_texture_levels.
 #define SPANGLE_TEXTURE_LEVELS 12
 #endif
 #ifndef SPANGLE_TIER_SET
+/// The tiers of this build, a bit each: 1 exact, 2 balanced, 4 fast.
 #define SPANGLE_TIER_SET 7
 #endif
 #ifndef SPANGLE_PACKET
+/// See `packet`.
 #define SPANGLE_PACKET 16
 #endif
 #ifndef SPANGLE_LINE_BATCH
+/// See `line_batch`; 0: as many as the processor's word suggests.
 #define SPANGLE_LINE_BATCH 0
 #endif
 #ifndef SPANGLE_EXTENTS
+/// See `has_extents`.
 #define SPANGLE_EXTENTS 1
 #endif
 #ifndef SPANGLE_FUSED_SPANS
+/// See `has_fused_spans`.
 #define SPANGLE_FUSED_SPANS 1
 #endif
 #ifndef SPANGLE_SHORTCUTS
+/// See `has_shortcuts`.
 #define SPANGLE_SHORTCUTS 1
 #endif
 #ifndef SPANGLE_CHAIN
+/// See `has_chain`.
 #define SPANGLE_CHAIN 1
 #endif
 #ifndef SPANGLE_AFFINE_TEXTURES
+/// See `has_affine_textures`.
 #define SPANGLE_AFFINE_TEXTURES 1
 #endif
 #ifndef SPANGLE_PERSPECTIVE
+/// See `has_perspective`.
 #define SPANGLE_PERSPECTIVE 1
 #endif
 #ifndef SPANGLE_TEXTURE_FORMATS
+/// The texel formats of this build, a bit each, in the order of TexelFormat.
 #define SPANGLE_TEXTURE_FORMATS 32767
 #endif
 #ifndef SPANGLE_COLOR_FORMATS
+/// The formats of surfaces of this build, a bit each, in the order of PixelFormat.
 #define SPANGLE_COLOR_FORMATS 1023
 #endif
 #ifndef SPANGLE_DEPTH_FORMATS
+/// The depth formats of this build, a bit each, in the order of DepthFormat.
 #define SPANGLE_DEPTH_FORMATS 7
 #endif
 
@@ -50,6 +64,7 @@ namespace spangle::raster {
 
 /// Without texture units nothing is textured; arrays of units then have one element, which is never on.
 inline constexpr bool has_textures = SPANGLE_TEXTURE_UNITS != 0;
+/// Elements of arrays of texture units, 1 or 2.
 inline constexpr int max_texture_units = has_textures ? SPANGLE_TEXTURE_UNITS : 1;
 static_assert(max_texture_units == 1 || max_texture_units == 2);
 
@@ -57,10 +72,12 @@ static_assert(max_texture_units == 1 || max_texture_units == 2);
 inline constexpr int max_texture_levels = SPANGLE_TEXTURE_LEVELS;
 static_assert(max_texture_levels >= 1 && max_texture_levels <= 12);
 
+/// The tiers of this build, a bit each, in the order of Tier.
 inline constexpr unsigned tiers = SPANGLE_TIER_SET;
 static_assert(tiers != 0 && tiers < 8);
 /// Surfaces record what was drawn (Surface::extents).
 inline constexpr bool has_extents = SPANGLE_EXTENTS != 0;
+/// Loops of their own for states that programs draw with often are built in.
 inline constexpr bool has_fused_spans = SPANGLE_FUSED_SPANS != 0;
 /// Code that only makes things faster is built in.
 inline constexpr bool has_shortcuts = SPANGLE_SHORTCUTS != 0;
@@ -87,6 +104,7 @@ static_assert(line_batch >= 2 && line_batch % 2 == 0);
 constexpr unsigned formats_between(PixelFormat first, PixelFormat last) {
     return (2u << static_cast<unsigned>(last)) - (1u << static_cast<unsigned>(first));
 }
+/// Formats whose pixels are drawn by loops of their own, the narrow ones, and those of indices; as bits.
 inline constexpr unsigned wide_formats = formats_between(PixelFormat::rgb565_be, PixelFormat::rgba8888),
                           narrow_formats = SPANGLE_FEATURE_NARROW_SURFACES
                                                ? formats_between(PixelFormat::rgb666, PixelFormat::mono)
@@ -94,6 +112,7 @@ inline constexpr unsigned wide_formats = formats_between(PixelFormat::rgb565_be,
                           index_formats = SPANGLE_FEATURE_COLOR_INDEX
                                               ? formats_between(PixelFormat::index8, PixelFormat::index8)
                                               : 0;
+/// The formats of colour, depth and textures of this build; as bits.
 inline constexpr unsigned color_formats =
                               SPANGLE_COLOR_FORMATS & (wide_formats | narrow_formats | index_formats),
                           depth_formats = SPANGLE_DEPTH_FORMATS, texture_formats = SPANGLE_TEXTURE_FORMATS;
@@ -106,17 +125,19 @@ static_assert((depth_formats & 1) != 0 && depth_formats < 8, "a surface may alwa
 constexpr bool has_format(PixelFormat format) {
     return (color_formats >> static_cast<unsigned>(format) & 1) != 0;
 }
+/// Whether this build draws on surfaces with such a depth plane.
 constexpr bool has_format(DepthFormat format) {
     return (depth_formats >> static_cast<unsigned>(format) & 1) != 0;
 }
+/// Whether this build has surfaces of indices, narrow ones, and ones whose pixels have an address each.
 inline constexpr bool has_indices = has_format(PixelFormat::index8),
                       has_narrow_formats = (color_formats & narrow_formats) != 0,
-                      has_wide_formats =
-                          (color_formats & ~narrow_formats) != 0; ///< pixels have an address each
+                      has_wide_formats = (color_formats & ~narrow_formats) != 0;
 
 /// The number systems of the chain (key.cpp): narrow surfaces and those of indices have the exact one in
 /// every tier, and no loops of their own.
 inline constexpr bool chain_only = (color_formats & (narrow_formats | index_formats)) != 0;
+/// Whether this build has the number system of the exact tier, and that of the faster ones.
 inline constexpr bool has_exact = chain_only || (tiers & 1) != 0, has_balanced = (tiers & 6) != 0;
 static_assert(has_chain || !chain_only, "narrow surfaces and those of indices are drawn by the chain");
 
@@ -138,9 +159,11 @@ inline constexpr FormatInfo only_info = format_info(drawn(PixelFormat{}));
         return detail::only_info;
     return format_info(format);
 }
+/// Whether a surface of this format is narrow; a constant in builds that have no other choice.
 constexpr bool drawn_narrow(PixelFormat format) {
     return has_narrow_formats && (!has_wide_formats || is_narrow(format));
 }
+/// Whether a surface of this format holds indices; a constant in builds that have no other choice.
 constexpr bool drawn_indexed(PixelFormat format) {
     return has_indices && is_indexed(drawn(format));
 }

@@ -39,11 +39,13 @@ constexpr FixedVertex at(std::int32_t x, std::int32_t y) {
 /// the scissor box, which is cut to the surface, are not touched.
 class Rasterizer {
   public:
+    /// Compiles the state for this surface.
     Rasterizer(const FragmentState& state, const Surface& surface);
 
     /// Draws a triangle of either orientation. The provoking vertex gives the colour where state.flat.
     void triangle(const FixedVertex& a, const FixedVertex& b, const FixedVertex& c,
                   const FixedVertex& provoking) const;
+    /// Draws a triangle whose provoking vertex is the last one.
     void triangle(const FixedVertex& a, const FixedVertex& b, const FixedVertex& c) const {
         triangle(a, b, c, c);
     }

@@ -8,13 +8,16 @@
 
 namespace spangle::raster {
 
+/// The multisample buffer of a surface, which is private to the rasterizer.
 struct Samples; // raster/surface/samples.hpp
 
 /// Row y of GL window space (y up, row 0 at the bottom) starts at `plane + y * stride`; a surface stored top
 /// row first has a negative stride. Planes may be null when their format says none. Rows of mono are stored
 /// by pages of eight, of which `color` is the lowest: row y lies in page y / 8, bit 7 - y % 8.
 struct Surface {
+    /// The colour plane at GL row 0. The planes must stay while anything draws on the surface.
     std::uint8_t* color = nullptr;
+    /// The plane of depth and stencil at GL row 0; null: there is none.
     std::uint8_t* depth = nullptr;
     std::int32_t color_stride = 0; ///< bytes from GL row y to y + 1
     std::int32_t depth_stride = 0; ///< bytes from GL row y to y + 1
@@ -24,22 +27,30 @@ struct Surface {
     RowSpan* touched = nullptr;    ///< element of its rows for GL row 0; null: not kept
     std::int32_t touched_step = 0; ///< +1 or -1 elements from GL row y to y + 1
 #else
+    /// Not kept in this build.
     static constexpr RowExtents* extents = nullptr;
+    /// Not kept in this build.
     static constexpr RowSpan* touched = nullptr;
+    /// Not kept in this build.
     static constexpr std::int32_t touched_step = 0;
 #endif
+    /// The size in pixels.
     std::int32_t width = 0, height = 0;
 #if SPANGLE_FEATURE_BANDS
     /// The GL rows [first_row, end_row) that a band holds. Pointers are those that row 0 would have.
     std::int32_t first_row = 0, end_row = INT32_MAX;
 #else
+    /// All rows: there are no bands in this build.
     static constexpr std::int32_t first_row = 0, end_row = INT32_MAX;
 #endif
+    /// The format of the colour plane.
     PixelFormat format = PixelFormat::rgb565_be;
+    /// The format of the depth plane.
     DepthFormat depth_format = DepthFormat::none;
 #if SPANGLE_FEATURE_MULTISAMPLE
     const Samples* samples = nullptr; ///< the multisample buffer of GL's surfaces that have one
 #else
+    /// None in this build.
     static constexpr const Samples* samples = nullptr;
 #endif
 
@@ -53,6 +64,7 @@ struct Surface {
         return color +
                static_cast<std::intptr_t>(drawn(format) == PixelFormat::mono ? y >> 3 : y) * color_stride;
     }
+    /// The depths of GL row y.
     std::uint8_t* depth_row(std::int32_t y) const {
         return depth + static_cast<std::intptr_t>(y) * depth_stride;
     }

@@ -13,6 +13,7 @@
 #endif
 /// Keys say whether the runs of coordinates are those of the number system (has_mixed_runs).
 #if SPANGLE_OWN_TIERS || defined(SPANGLE_KNOBS)
+/// Whether keys name the runs of coordinates.
 #define SPANGLE_MIXES_RUNS 1
 #else
 #define SPANGLE_MIXES_RUNS 0
@@ -22,8 +23,10 @@ namespace spangle::raster {
 
 static_assert(!SPANGLE_OWN_TIERS || (tiers == 7 && has_chain), "some tiers have no code in this build");
 
+/// How accurate a draw is.
 enum class Tier : std::uint8_t { exact, balanced, fast };
 
+/// Whether this build has the code of a tier.
 constexpr bool has_tier(Tier tier) {
     return (tiers >> static_cast<unsigned>(tier) & 1) != 0;
 }
@@ -46,6 +49,7 @@ struct Knobs {
     bool exact_steps;
     /// Attributes go through the vertices as they were before they were snapped to 1/256 pixel.
     bool unsnapped;
+    /// The form of runs.
     Runs runs;
     /// Between two divisions coordinates are off by 2^-n texel of the base level at most: 0 to 13. Runs of
     /// the shortest length are as far off as they are.
@@ -66,10 +70,12 @@ struct Knobs {
     /// Fog is affine over a primitive where its factor is off by 2^-n at most: 2 to 24, or 0 for always.
     std::uint8_t affine_fog_bits;
 
+    /// Of a bound: never affine.
     static constexpr std::uint8_t never = 255;
     friend constexpr bool operator==(const Knobs&, const Knobs&) = default;
 };
 
+/// The knobs of Tier::exact.
 inline constexpr Knobs exact_knobs = {
     .color_bits = 20,
     .coarse_blend = false,
@@ -84,6 +90,7 @@ inline constexpr Knobs exact_knobs = {
     .affine_step_bits = Knobs::never,
     .affine_fog_bits = 21,
 };
+/// The knobs of Tier::balanced.
 inline constexpr Knobs balanced_knobs = {
     .color_bits = 8,
     .coarse_blend = false,
@@ -98,6 +105,7 @@ inline constexpr Knobs balanced_knobs = {
     .affine_step_bits = 2,
     .affine_fog_bits = 9,
 };
+/// The knobs of Tier::fast.
 inline constexpr Knobs fast_knobs = {
     .color_bits = 8,
     .coarse_blend = true,
@@ -113,6 +121,7 @@ inline constexpr Knobs fast_knobs = {
     .affine_fog_bits = 4,
 };
 
+/// The knobs of a tier.
 constexpr const Knobs& knobs_of(Tier tier) {
     return tier == Tier::exact ? exact_knobs : tier == Tier::fast ? fast_knobs : balanced_knobs;
 }
@@ -133,10 +142,15 @@ static_assert(are_valid(exact_knobs) && are_valid(balanced_knobs) && are_valid(f
 /// Firmware may draw in one tier that its user composed. SPANGLE_KNOBS gives every field its value; then all
 /// knobs are constants, whatever tier a config or a hint asks for. `./dev firmware --tier` sets it.
 #ifdef SPANGLE_KNOBS
+/// Firmware may draw in one tier that its user composed. SPANGLE_KNOBS gives every field its value; then all
+/// knobs are constants, whatever tier a config or a hint asks for. `./dev firmware --tier` sets it.
 inline constexpr bool has_given_knobs = true;
+/// The knobs of SPANGLE_KNOBS.
 inline constexpr Knobs given_knobs = {SPANGLE_KNOBS};
 #else
+/// Whether SPANGLE_KNOBS gives the knobs.
 inline constexpr bool has_given_knobs = false;
+/// The knobs of SPANGLE_KNOBS, where they are given.
 inline constexpr Knobs given_knobs = exact_knobs;
 #endif
 

@@ -7,6 +7,7 @@ namespace spangle::raster {
 
 /// Colours are 255ths with 20 fraction bits, so 8-bit colours are exact integers.
 inline constexpr int color_fraction_bits = 20;
+/// Full intensity, 255 * 2^20.
 inline constexpr std::uint32_t color_one = 255u << color_fraction_bits;
 
 /// Depth is Q0.30.

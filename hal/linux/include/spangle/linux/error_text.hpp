@@ -16,6 +16,8 @@ class ErrorText {
     /// Describes `errno_value` of `operation` on `device`. `cause` replaces the system's words for it.
     Error system(DeviceClass kind, const char* device, const char* operation, int errno_value,
                  const char* cause = nullptr);
+    /// An error of `operation` on `device` that is not the system's, with its cause in words. The text stays
+    /// until the next call.
     Error say(Fault fault, const char* device, const char* operation, const char* cause);
 
   private:

@@ -7,6 +7,7 @@
 
 namespace spangle::hal {
 
+/// How a panel's pins are wired to GPIO lines.
 enum class GpioWiring : std::uint8_t {
     serial4,    ///< D/C has a line (MIPI DBI-C option 3)
     serial3,    ///< D/C is the first of nine bits (option 1)
@@ -14,9 +15,12 @@ enum class GpioWiring : std::uint8_t {
     parallel16, ///< two bytes of pixels a cycle, the first on D[15:8]; commands and parameters on D[7:0]
 };
 
+/// Which lines go to which pins. Names that it points to must outlive the bus.
 struct GpioBusConfig {
+    /// No line.
     static constexpr unsigned none = ~0u;
 
+    /// The kind of bus.
     GpioWiring wiring = GpioWiring::parallel8;
     const char* chip = "/dev/gpiochip0"; ///< chip of all lines here; `pins` may be on others
     unsigned select = none;              ///< CS; none: tied low, and the panel cannot be read
@@ -24,15 +28,19 @@ struct GpioBusConfig {
     unsigned clock = none;               ///< WR or SCK
     unsigned answer = none;              ///< RD, or SDO; serial3: any other value, the answer comes on SDA
     unsigned data[16] = {};              ///< D0 and up; serial: SDA first
+    /// Reset, backlight and TE.
     PanelPins pins;
     /// Cycles of WR or SCK per second, from which deadlines are computed: better too few than too many.
     /// Measured: 40 to 100 thousand pairs of calls in virtual machines.
     std::uint32_t cycles_per_second = 40000;
+    /// A thread carries the lists while the next frame is drawn; else submit() does.
     bool asynchronous = true;
 };
 
+/// A Bus over GPIO lines.
 class GpioBus final : public TransferBus {
   public:
+    /// Opens nothing yet: open() does.
     explicit GpioBus(const GpioBusConfig& config);
     ~GpioBus();
 

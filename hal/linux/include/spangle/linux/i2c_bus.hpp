@@ -7,12 +7,16 @@
 
 namespace spangle::hal {
 
+/// Which adapter and address. Names that it points to must outlive the bus.
 struct I2cConfig {
+    /// The adapter's device file.
     const char* device = "/dev/i2c-1";
     std::uint8_t address = 0x3C;        ///< seven bits; 3Ch or 3Dh
     std::uint32_t clock_hz = 400000;    ///< clock of the adapter, for deadlines only: it is set elsewhere
     std::uint16_t message_bytes = 1024; ///< the longest message, control byte included; some adapters take 32
+    /// Reset, backlight and TE.
     PanelPins pins;
+    /// A thread carries the lists while the next frame is drawn; else submit() does.
     bool asynchronous = true;
 };
 
@@ -27,8 +31,10 @@ constexpr I2cConfig i2c_config(const Board& board, const char* device, std::uint
     return config;
 }
 
+/// A Bus over i2c-dev. It cannot read.
 class I2cBus final : public TransferBus {
   public:
+    /// Opens nothing yet: open() does.
     explicit I2cBus(const I2cConfig& config);
     ~I2cBus();
 

@@ -13,8 +13,10 @@ namespace spangle::hal {
 /// there.
 struct LineRef {
     const char* chip = nullptr; ///< null: not wired
+    /// The line's number on its chip.
     unsigned offset = 0;
     bool inverted = false; ///< a transistor sits between the line and the pin
+    /// Whether there is such a line.
     bool wired() const { return chip != nullptr; }
 };
 
@@ -22,19 +24,31 @@ struct LineRef {
 /// sets, line n of the request in bit n, and physical.
 class Lines {
   public:
+    /// The most lines of one request.
     static constexpr unsigned most = 32;
 
+    /// No lines.
     Lines();
+    /// Gives the lines back.
     ~Lines();
+    /// A request is not copied.
     Lines(const Lines&) = delete;
+    /// A request is not assigned either.
     Lines& operator=(const Lines&) = delete;
 
+    /// Requests outputs at these levels. Fault::denied, Fault::gone, Fault::busy and others: what the kernel
+    /// says.
     Result<void> open_outputs(const char* chip, std::span<const unsigned> offsets, std::uint32_t levels);
+    /// Requests inputs. Errors are those of open_outputs().
     Result<void> open_inputs(const char* chip, std::span<const unsigned> offsets);
+    /// Gives the lines back.
     void close();
+    /// Whether lines are requested.
     bool opened() const { return request_ != nullptr; }
 
+    /// Sets all outputs at once.
     Result<void> set(std::uint32_t levels);
+    /// The levels of all lines.
     Result<std::uint32_t> get();
     /// All lines become outputs at these levels.
     Result<void> drive(std::uint32_t levels);
@@ -64,13 +78,20 @@ class Lines {
 /// An input whose rising edges the kernel counts and stamps.
 class EdgeLine {
   public:
+    /// No line.
     EdgeLine();
+    /// Gives the line back.
     ~EdgeLine();
+    /// A request is not copied.
     EdgeLine(const EdgeLine&) = delete;
+    /// A request is not assigned either.
     EdgeLine& operator=(const EdgeLine&) = delete;
 
+    /// Requests the line. Errors are those of Lines::open_outputs().
     Result<void> open(const LineRef& line);
+    /// Gives the line back.
     void close();
+    /// Whether the line is requested.
     bool opened() const { return request_ != nullptr; }
 
     /// Waits for an edge that comes after this call, and returns the kernel's time of it in nanoseconds. None

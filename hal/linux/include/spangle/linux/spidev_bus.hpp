@@ -7,14 +7,19 @@
 
 namespace spangle::hal {
 
+/// Which device and lines. Names that it points to must outlive the bus.
 struct SpidevConfig {
+    /// The device file.
     const char* device = "/dev/spidev0.0";
+    /// The clock of writes in Hz; the kernel may choose a slower one.
     std::uint32_t write_hz = 0;
     std::uint32_t read_hz = 0; ///< 0: the panel's data output is not wired
     std::uint8_t mode = 0;     ///< SPI mode 0 or 3
     LineRef dc;                ///< not wired: 3-wire, nine bits a byte (DBI-C option 1), or `start_bytes`
     bool start_bytes = false;  ///< each message begins with 70h before an index, or 72h before values
+    /// Reset, backlight and TE.
     PanelPins pins;
+    /// A thread carries the lists while the next frame is drawn; else submit() does.
     bool asynchronous = true;
     /// What a command costs beyond its bytes: two D/C changes and two messages, 10 to 30 us on a Raspberry
     /// Pi.
@@ -33,8 +38,10 @@ constexpr SpidevConfig spidev_config(const Board& board, const char* device, Lin
     return config;
 }
 
+/// A Bus over spidev.
 class SpidevBus final : public TransferBus {
   public:
+    /// Opens nothing yet: open() does.
     explicit SpidevBus(const SpidevConfig& config);
     ~SpidevBus();
 

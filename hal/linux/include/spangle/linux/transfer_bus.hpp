@@ -23,9 +23,12 @@ struct PanelPins {
     LineRef te;        ///< rising edge: vertical blanking begins
 };
 
+/// The base of the buses of hosts: GpioBus, I2cBus, SpidevBus, FtdiBus.
 class TransferBus : public Bus {
   public:
+    /// A bus is not copied.
     TransferBus(const TransferBus&) = delete;
+    /// A bus is not assigned either.
     TransferBus& operator=(const TransferBus&) = delete;
 
     Result<Buffer> acquire(std::size_t size) final;
@@ -42,29 +45,39 @@ class TransferBus : public Bus {
     /// BusCaps::late_us of these buses: a thread may wait for a processor, a kernel for its worker.
     static constexpr std::uint32_t late_us = 1000000;
 
+    /// What bytes are for.
     enum class Byte { command, parameter, pixel };
 
     /// `asynchronous`: a thread carries the lists while the next frame is drawn; else submit() does.
     TransferBus(const PanelPins& pins, bool asynchronous);
+    /// The derived class has called stop().
     ~TransferBus();
     /// Waits for the running list and ends the thread. First thing in a derived destructor.
     void stop();
     /// Requests the pins again; nothing may be under way.
     Result<void> open_pins();
+    /// Whether a list is under way.
     bool busy() const;
 
     // The pins beside the data. A bus that drives some of them itself overrides these.
+    /// Whether the bus can wait for TE.
     virtual bool has_te() const { return pins_.te.wired(); }
+    /// Whether the bus drives a reset line.
     virtual bool has_reset() const { return pins_.reset.wired(); }
+    /// Whether the bus drives a backlight line.
     virtual bool has_backlight() const { return pins_.backlight.wired(); }
+    /// Drives the reset line.
     virtual Result<void> set_reset(bool high);
+    /// Drives the backlight line.
     virtual Result<void> set_backlight(bool on);
+    /// Waits for TE's edge and returns its time in nanoseconds. Fault::timeout: there was none.
     virtual Result<std::uint64_t> await_te(std::uint32_t at_most_micros);
 
     /// The rule this op breaks on this bus, or null. Called before anything of the list is sent.
     virtual const char* refusal(const Op& op) const = 0;
     /// The chip is addressed from here to the end of the list.
     virtual Result<void> begin() { return {}; }
+    /// Sends bytes, or keeps them until flush().
     virtual Result<void> put(Byte kind, const std::uint8_t* bytes, std::size_t count) = 0;
     /// Returns when all bytes put are on the wire.
     virtual Result<void> flush() { return {}; }
@@ -73,6 +86,7 @@ class TransferBus : public Bus {
     /// After the last op, or the one that failed: bytes that were put and not flushed are dropped.
     virtual Result<void> end() { return {}; }
 
+    /// Owns the text of the last error.
     ErrorText error_;
 
   private:

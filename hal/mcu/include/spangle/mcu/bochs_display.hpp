@@ -11,7 +11,7 @@
 
 namespace spangle::mcu {
 
-/// `Timer` has micros().
+/// The block as a ScanOut. `Timer` has micros().
 template <class Timer> class BochsDisplay final : public hal::ScanOut {
   public:
     /// The addresses of its two windows in the processor's memory map.

@@ -13,10 +13,14 @@ namespace spangle::mcu {
 
 /// The global timer, which counts half the processor's clock.
 struct GlobalTimer {
+    /// The timer's clock in Hz, at least 1 MHz.
     std::uint32_t clock_hz = 0;
 
+    /// Lets the timer run.
     void start() const { reg(base() + 0x208) = 1; }
+    /// Its low 32 bits.
     std::uint32_t ticks() const { return reg(base() + 0x200); }
+    /// Microseconds, which wrap where ticks() do.
     std::uint32_t micros() const { return ticks() / (clock_hz / 1000000); }
 
   private:
@@ -27,6 +31,7 @@ struct GlobalTimer {
     }
 };
 
+/// The data cache, whose lines have 32 bytes.
 struct DataCache {
     /// Writes cached bytes to memory, line by line.
     void clean(const std::uint8_t* from, std::size_t bytes) const {

@@ -8,15 +8,19 @@
 
 namespace spangle::mcu {
 
+/// One SPI block, for SpiWires.
 class Fe310Spi {
   public:
+    /// How the block is set up.
     struct Setup {
         std::uint32_t divider; ///< SCK = tlclk / (2 (divider + 1))
         std::uint8_t mode;     ///< SPI mode 0 to 3: CPOL * 2 + CPHA
     };
 
+    /// `base`: the block's address.
     explicit constexpr Fe310Spi(std::uintptr_t base) : base_(base) {}
 
+    /// Sets the block up.
     void start(const Setup& setup) const {
         constexpr std::uint32_t cs_off = 3, eight_bits = 8u << 16;
         reg(base_ + sckdiv) = setup.divider;
@@ -47,6 +51,7 @@ class Fe310Spi {
         return take();
     }
 
+    /// Offsets of its registers.
     static constexpr std::uintptr_t sckdiv = 0x00, sckmode = 0x04, csmode = 0x18, fmt = 0x40, txdata = 0x48,
                                     rxdata = 0x4C;
 

@@ -10,11 +10,14 @@
 
 namespace spangle::mcu {
 
+/// The wires of such a display, with the functions of a PolledPort.
 template <class I2c, class Timer> class I2cWires {
   public:
+    /// `address`: the controller's, seven bits.
     constexpr I2cWires(I2c i2c, std::uint8_t address, Timer timer)
         : i2c_(i2c), address_(address), timer_(timer) {}
 
+    /// Says whether commands or data follow; it does not fail.
     hal::Fault begin(bool data) {
         data_ = data;
         return hal::Fault::none;
@@ -28,9 +31,12 @@ template <class I2c, class Timer> class I2cWires {
             fault = message(one_command, bytes++, 1);
         return fault;
     }
+    /// Fails with Fault::unsupported: these controllers do not answer.
     hal::Fault read(std::uint8_t, std::uint8_t*, std::uint32_t) { return hal::Fault::unsupported; }
+    /// Does nothing: each message ends by itself.
     void end() {}
     void reset(bool) {} ///< this port has no reset line
+    /// Lets at least `micros` microseconds pass.
     void pause(std::uint32_t micros) { timer_.pause(micros); }
 
   private:
@@ -50,6 +56,7 @@ template <class I2c, class Timer> class I2cWires {
     Timer timer_;
     bool data_ = false;
 };
+/// These wires as a PolledPort.
 template <class I2c, class Timer> using I2cPort = hal::PolledPortOf<I2cWires<I2c, Timer>>;
 
 } // namespace spangle::mcu

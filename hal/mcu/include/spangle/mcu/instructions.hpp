@@ -13,8 +13,10 @@ namespace spangle::mcu {
 /// clocks, and no pause may happen meanwhile.
 class InstructionCount {
   public:
+    /// `clock_hz`: the clock of the timer that counts.
     explicit InstructionCount(std::uint32_t clock_hz) : clock_hz_(clock_hz) {}
 
+    /// Begins to count.
     void begin() {
 #if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
         reg(SysTick::control) = 0;
@@ -24,6 +26,7 @@ class InstructionCount {
 #endif
         begin_ = now();
     }
+    /// Instructions since begin().
     std::uint32_t end() const {
         const std::uint32_t after = now();
 #if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'

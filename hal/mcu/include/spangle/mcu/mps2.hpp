@@ -15,9 +15,12 @@ namespace spangle::mcu {
 
 /// The addresses at which an FPGA image puts the blocks, and its clock.
 struct Mps2 {
+    /// The PL022's address, and that of the FPGA's I/O block.
     std::uintptr_t spi, fpgaio;
+    /// The processor's clock.
     std::uint32_t clock_hz;
 
+    /// A bit of FPGAIO MISC as a line.
     constexpr RegisterPin misc(unsigned bit) const { return {fpgaio + 0x4C, bit}; }
 };
 
@@ -31,10 +34,12 @@ inline void start_display(const Mps2& blocks) {
 /// An MPS2 board's own display; `board` says how it is turned.
 template <const hal::Board& board, const Mps2& blocks> class Mps2Display {
   public:
+    /// Puts the lines at rest and returns the display, which init() sets up.
     hal::Display& start() {
         start_display(blocks);
         return display_;
     }
+    /// Bytes sent so far; wraps.
     std::uint32_t bus_bytes() const { return bus_.bytes(); }
 
   private:

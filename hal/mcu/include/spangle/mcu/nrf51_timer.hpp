@@ -7,9 +7,12 @@
 
 namespace spangle::mcu {
 
+/// A TIMER block, which counts microseconds.
 struct Nrf51Timer {
+    /// The block's address.
     std::uintptr_t base;
 
+    /// Sets the block up and lets it run.
     void start() const {
         constexpr std::uint32_t bits_32 = 3, divide_by_16 = 4; // 1 MHz of 16
         reg(base + mode) = 0;
@@ -18,11 +21,13 @@ struct Nrf51Timer {
         reg(base + task_clear) = 1;
         reg(base + task_start) = 1;
     }
+    /// Lets at least `micros` microseconds pass.
     void pause(std::uint32_t micros) const {
         for (const std::uint32_t from = now(); now() - from <= micros;) {
         }
     }
 
+    /// Offsets of its registers.
     static constexpr std::uintptr_t task_start = 0x000, task_clear = 0x00C, task_capture = 0x040,
                                     mode = 0x504, bitmode = 0x508, prescaler = 0x510, cc = 0x540;
 

@@ -8,12 +8,16 @@
 
 namespace spangle::mcu {
 
+/// A TWI block, for I2cWires.
 class Nrf51Twi {
   public:
+    /// Values of FREQUENCY: SCL of 100 and of 400 kHz.
     static constexpr std::uint32_t khz100 = 0x01980000, khz400 = 0x06680000;
 
+    /// `base`: the block's address.
     explicit constexpr Nrf51Twi(std::uintptr_t base) : base_(base) {}
 
+    /// Sets the block up; `clock` is a value of FREQUENCY.
     void start(unsigned scl_pin, unsigned sda_pin, std::uint32_t clock) const {
         constexpr std::uint32_t enabled = 5;
         reg(base_ + pselscl) = scl_pin;
@@ -29,6 +33,7 @@ class Nrf51Twi {
         reg(base_ + task_start_tx) = 1;
         return write(first);
     }
+    /// Sends a further byte. Fault::no_answer: it was not acknowledged, and STOP was sent.
     hal::Fault write(std::uint8_t byte) const {
         reg(base_ + event_sent) = 0;
         reg(base_ + txd) = byte;
@@ -47,6 +52,7 @@ class Nrf51Twi {
         return fault;
     }
 
+    /// Offsets of its registers.
     static constexpr std::uintptr_t task_start_tx = 0x008, task_stop = 0x014, event_stopped = 0x104,
                                     event_sent = 0x11C, event_error = 0x124, enable = 0x500, pselscl = 0x508,
                                     pselsda = 0x50C, txd = 0x51C, frequency = 0x524, address = 0x588;

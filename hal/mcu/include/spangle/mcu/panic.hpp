@@ -5,6 +5,7 @@
 
 namespace spangle::mcu {
 
+/// Why a program ends.
 enum class Cause : std::uint32_t {
     fault,          ///< the processor could not execute or access something
     stack_overflow, ///< the stack's lower end was passed
@@ -12,12 +13,15 @@ enum class Cause : std::uint32_t {
     returned,       ///< main() returned; `status` is its value
 };
 
+/// The record that panic() gets.
 struct Panic {
+    /// The reason.
     Cause cause;
     std::uint32_t pc;     ///< address of the instruction; 0 where the stack could not take it
     std::uint32_t status; ///< CFSR (Cortex-M), DFSR (Cortex-A), mcause (RISC-V)
 };
 
+/// The reason in words, static.
 constexpr const char* name_of(Cause cause) {
     constexpr const char* names[] = {"fault", "stack overflow", "interrupt", "returned"};
     return names[static_cast<std::uint32_t>(cause)];

@@ -18,10 +18,12 @@ inline std::uintptr_t find_pci(std::uintptr_t ecam, std::uint16_t vendor, std::u
     return 0;
 }
 
+/// Sets base address register `bar`, 0 to 5, of a device's configuration space.
 inline void set_pci_base(std::uintptr_t device, unsigned bar, std::uintptr_t address) {
     reg(device + 0x10 + 4 * bar) = static_cast<std::uint32_t>(address);
 }
 
+/// Lets the device answer at its base addresses.
 inline void enable_pci_memory(std::uintptr_t device) {
     set_bits(device + 0x04, 1u << 1);
 }

@@ -8,16 +8,21 @@
 
 namespace spangle::mcu {
 
+/// One block, for SpiWires.
 class Pl022 {
   public:
+    /// How the block is set up.
     struct Setup {
         std::uint8_t prescale; ///< 2 to 254, even: SCK = SSPCLK / (prescale * (1 + rate))
+        /// 0 to 255; see `prescale`.
         std::uint8_t rate;
         std::uint8_t mode; ///< SPI mode 0 to 3: CPOL * 2 + CPHA
     };
 
+    /// `base`: the block's address.
     explicit constexpr Pl022(std::uintptr_t base) : base_(base) {}
 
+    /// Sets the block up.
     void start(const Setup& setup) const {
         constexpr std::uint32_t eight_bits = 7, enable = 1u << 1;
         reg(base_ + cr1) = 0;

@@ -13,10 +13,11 @@ namespace spangle::mcu {
 /// Columns, rows and clocks of a panel behind the controller.
 struct LcdTiming {
     std::uint16_t width, height; ///< width: a multiple of 16
+    /// Clocks of synchronisation and of the porches in front and behind, and lines of the same.
     std::uint8_t h_sync, h_front, h_back, v_sync, v_front, v_back;
 };
 
-/// `Cache` has clean(from, bytes), `Timer` micros().
+/// The block as a ScanOut. `Cache` has clean(from, bytes), `Timer` micros().
 template <class Cache, class Timer> class Pl111 final : public hal::ScanOut {
   public:
     /// `frame_bytes`: size of one buffer; buffers lie where the controller can read.

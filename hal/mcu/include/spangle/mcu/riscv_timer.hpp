@@ -7,11 +7,16 @@
 
 namespace spangle::mcu {
 
+/// The timer, which always runs.
 struct RiscvTimer {
+    /// The register's address.
     std::uintptr_t mtime;
+    /// Its clock in Hz.
     std::uint32_t clock_hz;
 
+    /// Its low 32 bits.
     std::uint32_t ticks() const { return reg(mtime); }
+    /// Microseconds, which wrap where ticks() do.
     std::uint32_t micros() const {
         return static_cast<std::uint32_t>(std::uint64_t{ticks()} * 1000000 / clock_hz);
     }

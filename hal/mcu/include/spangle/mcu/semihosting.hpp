@@ -7,6 +7,7 @@
 
 namespace spangle::mcu::semihosting {
 
+/// One operation, with the address of its block of arguments; returns what the other side answers.
 inline std::uint32_t call(std::uint32_t operation, const void* argument) {
 #if defined(__riscv)
     register std::uint32_t result asm("a0") = operation;
@@ -33,6 +34,7 @@ inline void print(const char* text) {
     call(0x04, text);
 }
 
+/// Prints a number in decimal digits.
 inline void print_number(std::uint32_t value) {
     char digits[11];
     char* at = digits + 10;
@@ -44,6 +46,7 @@ inline void print_number(std::uint32_t value) {
     print(at);
 }
 
+/// Prints eight hexadecimal digits.
 inline void print_hex(std::uint32_t value) {
     char digits[9] = {};
     for (int i = 0; i < 8; ++i)

@@ -15,16 +15,20 @@ namespace spangle::mcu {
 template <class Spi, class Select, class Data, class Reset, class Timer, bool SelectHigh = false>
 class SpiWires {
   public:
+    /// Nothing is acknowledged: writes cannot fail.
     static constexpr bool can_fail = false;
 
+    /// The block and the lines, which are copied.
     constexpr SpiWires(Spi spi, Select select, Data data, Reset reset, Timer timer)
         : spi_(spi), select_(select), data_(data), reset_(reset), timer_(timer) {}
 
+    /// Selects the chip and sets D/C.
     hal::Fault begin(bool data) {
         data_.set(data);
         select_.set(SelectHigh);
         return hal::Fault::none;
     }
+    /// Sends bytes, and returns when the last bit has left.
     hal::Fault write(const std::uint8_t* bytes, std::uint32_t count) {
         spi_.write(bytes, count);
         return hal::Fault::none;
@@ -37,8 +41,11 @@ class SpiWires {
             *into++ = spi_.read();
         return hal::Fault::none;
     }
+    /// Lets the chip go.
     void end() { select_.set(!SelectHigh); }
+    /// Drives the reset line.
     void reset(bool low) { reset_.set(!low); }
+    /// Lets at least `micros` microseconds pass.
     void pause(std::uint32_t micros) { timer_.pause(micros); }
 
   private:
@@ -48,33 +55,42 @@ class SpiWires {
     Reset reset_;
     Timer timer_;
 };
+/// These wires as a PolledPort.
 template <class Spi, class Select, class Data, class Reset, class Timer, bool SelectHigh = false>
 using SpiPort = hal::PolledPortOf<SpiWires<Spi, Select, Data, Reset, Timer, SelectHigh>>;
 
 /// BusKind::spi_start: behind chip select a byte says what follows (HX8347-D datasheet, serial interface).
 template <class Spi, class Select, class Reset, class Timer> class StartByteWires {
   public:
+    /// Nothing is acknowledged: writes cannot fail.
     static constexpr bool can_fail = false;
 
+    /// The block and the lines, which are copied.
     constexpr StartByteWires(Spi spi, Select select, Reset reset, Timer timer)
         : spi_(spi), select_(select), reset_(reset), timer_(timer) {}
 
+    /// Selects the chip and sends the start byte.
     hal::Fault begin(bool data) {
         start(data ? write_value : write_index);
         return hal::Fault::none;
     }
+    /// Sends bytes, and returns when the last bit has left.
     hal::Fault write(const std::uint8_t* bytes, std::uint32_t count) {
         spi_.write(bytes, count);
         return hal::Fault::none;
     }
+    /// Selects the chip with the start byte of a read, and reads.
     hal::Fault read(std::uint8_t, std::uint8_t* into, std::uint32_t count) {
         start(read_value);
         for (; count != 0; --count)
             *into++ = spi_.read();
         return hal::Fault::none;
     }
+    /// Lets the chip go.
     void end() { select_.set(true); }
+    /// Drives the reset line.
     void reset(bool low) { reset_.set(!low); }
+    /// Lets at least `micros` microseconds pass.
     void pause(std::uint32_t micros) { timer_.pause(micros); }
 
   private:
@@ -91,6 +107,7 @@ template <class Spi, class Select, class Reset, class Timer> class StartByteWire
     Reset reset_;
     Timer timer_;
 };
+/// These wires as a PolledPort.
 template <class Spi, class Select, class Reset, class Timer>
 using StartBytePort = hal::PolledPortOf<StartByteWires<Spi, Select, Reset, Timer>>;
 

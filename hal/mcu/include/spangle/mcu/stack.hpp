@@ -3,10 +3,12 @@
 
 #include <cstdint>
 
+/// The stack's lowest word, and the word above it: the linker script defines them.
 extern "C" std::uint32_t stack_bottom, stack_top;
 
 namespace spangle::mcu {
 
+/// What start-up writes to each word.
 inline constexpr std::uint32_t stack_paint = 0x5AA5C33C;
 
 /// The most bytes of the stack that have been used so far.

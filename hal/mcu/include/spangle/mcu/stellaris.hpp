@@ -7,6 +7,7 @@
 
 namespace spangle::mcu::stellaris {
 
+/// The system control block.
 inline constexpr std::uintptr_t system_control = 0x400FE000;
 inline constexpr std::uintptr_t raw_interrupts = system_control + 0x050; ///< RIS
 inline constexpr std::uintptr_t clock_config = system_control + 0x060;   ///< RCC
@@ -15,6 +16,7 @@ inline constexpr std::uintptr_t port_clocks = system_control + 0x108;    ///< RC
 
 /// A GPIO port: a PL061.
 struct Port {
+    /// The port's address.
     std::uintptr_t base;
 
     /// Hands these pins to a block (SSI, I2C) instead of software.
@@ -22,10 +24,12 @@ struct Port {
         set_bits(base + alternate, pins);
         set_bits(base + digital, pins);
     }
+    /// Makes these pins outputs.
     void output(std::uint32_t pins) const {
         set_bits(base + direction, pins);
         set_bits(base + digital, pins);
     }
+    /// Makes these pins open drain, as I2C's SDA asks for.
     void open_drain(std::uint32_t pins) const { set_bits(base + drain, pins); }
 
   private:
@@ -34,9 +38,12 @@ struct Port {
 
 /// The address carries a mask of the pins that a write changes.
 struct Pin {
+    /// The port.
     Port port;
+    /// The pin, 0 to 7.
     unsigned bit;
 
+    /// Drives the line by one store.
     void set(bool high) const { reg(port.base + (std::uintptr_t{1} << bit << 2)) = high ? 1u << bit : 0; }
 };
 

@@ -8,8 +8,10 @@
 
 namespace spangle::mcu {
 
+/// One master, for I2cWires.
 class StellarisI2c {
   public:
+    /// `base`: the block's address.
     explicit constexpr StellarisI2c(std::uintptr_t base) : base_(base) {}
 
     /// SCL = clock / (20 (period + 1)).
@@ -24,10 +26,12 @@ class StellarisI2c {
         reg(base_ + msa) = std::uint32_t{address} << 1; // R/S 0: send
         return command(first, start_condition | run);
     }
+    /// Sends a further byte. Fault::no_answer: it was not acknowledged, and STOP was sent.
     hal::Fault write(std::uint8_t byte) const { return command(byte, run); }
     /// Sends the last byte, and STOP.
     hal::Fault end(std::uint8_t byte) const { return command(byte, run | stop_condition); }
 
+    /// Offsets of its registers.
     static constexpr std::uintptr_t msa = 0x00, mcs = 0x04, mdr = 0x08, mtpr = 0x0C, mcr = 0x20;
 
   private:

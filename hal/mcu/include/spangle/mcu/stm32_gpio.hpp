@@ -9,6 +9,7 @@ namespace spangle::mcu {
 
 /// A GPIO port, whose clock must run already (RCC_AHB1ENR).
 struct Stm32Gpio {
+    /// The port's address.
     std::uintptr_t base;
 
     /// Makes the pin a push-pull output.
@@ -21,6 +22,7 @@ struct Stm32Gpio {
         mode(pin, 2);
     }
 
+    /// Offsets of its registers.
     static constexpr std::uintptr_t moder = 0x00, ospeedr = 0x08, bsrr = 0x18, afrl = 0x20;
 
   private:
@@ -32,9 +34,12 @@ struct Stm32Gpio {
 
 /// An output line: one store to BSRR, which sets by its low half and resets by its high one.
 struct Stm32Pin {
+    /// The port's address.
     std::uintptr_t gpio;
+    /// The pin, 0 to 15.
     unsigned bit;
 
+    /// Drives the line.
     void set(bool high) const { reg(gpio + Stm32Gpio::bsrr) = 1u << (high ? bit : bit + 16); }
 };
 

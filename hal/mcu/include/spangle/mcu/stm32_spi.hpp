@@ -7,15 +7,19 @@
 
 namespace spangle::mcu {
 
+/// One SPI block, for SpiWires.
 class Stm32Spi {
   public:
+    /// How the block is set up.
     struct Setup {
         std::uint8_t divider; ///< BR: SCK = PCLK / 2^(divider + 1)
         std::uint8_t mode;    ///< SPI mode 0 to 3: CPOL * 2 + CPHA
     };
 
+    /// `base`: the block's address, whose clock must run.
     explicit constexpr Stm32Spi(std::uintptr_t base) : base_(base) {}
 
+    /// Sets the block up.
     void start(const Setup& setup) const {
         constexpr std::uint32_t ssm = 1u << 9, ssi = 1u << 8, spe = 1u << 6, mstr = 1u << 2;
         reg(base_ + cr1) = ssm | ssi | spe | std::uint32_t{setup.divider} << 3 | mstr |
@@ -44,6 +48,7 @@ class Stm32Spi {
         return static_cast<std::uint8_t>(reg(base_ + dr));
     }
 
+    /// Offsets of its registers.
     static constexpr std::uintptr_t cr1 = 0x00, sr = 0x08, dr = 0x0C;
 
   private:

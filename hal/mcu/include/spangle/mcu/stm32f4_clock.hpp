@@ -7,9 +7,10 @@
 
 namespace spangle::mcu::stm32f4 {
 
+/// The blocks of clocks and of flash.
 inline constexpr std::uintptr_t rcc = 0x40023800, flash_acr = 0x40023C00;
 
-/// GPIO ports: bit 0 is port A. Bits of APB2: 12 is SPI1.
+/// Turns clocks of blocks on. `ahb1`: GPIO ports, bit 0 is port A. `apb2`: bit 12 is SPI1.
 inline void turn_on(std::uint32_t ahb1, std::uint32_t apb2) {
     set_bits(rcc + 0x30, ahb1);
     set_bits(rcc + 0x44, apb2);

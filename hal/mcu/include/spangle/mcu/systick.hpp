@@ -7,11 +7,15 @@
 
 namespace spangle::mcu {
 
+/// The timer, for pauses.
 struct SysTick {
     std::uint32_t clock_hz; ///< clock of the processor, below 4.29 GHz
 
+    /// Addresses of its registers.
     static constexpr std::uintptr_t control = 0xE000E010, reload = 0xE000E014, current = 0xE000E018;
+    /// The longest count: it has 24 bits.
     static constexpr std::uint32_t most_ticks = 0xFFFFFF;
+    /// Bits of the control register.
     static constexpr std::uint32_t enable = 1u << 0, processor_clock = 1u << 2, reached_zero = 1u << 16;
 
     /// The clocks of at least this time, which is a millisecond at most, so that words hold the product.

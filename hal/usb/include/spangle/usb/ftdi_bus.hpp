@@ -12,25 +12,32 @@ namespace spangle::hal {
 
 /// Pins by number: 0 to 7 are ADBUS0 to 7, 8 to 15 ACBUS0 to 7. SCK is ADBUS0, MOSI ADBUS1, MISO ADBUS2.
 struct FtdiPins {
+    /// No pin.
     static constexpr std::uint8_t none = 0xFF;
     static constexpr std::uint8_t te_pin = 5; ///< the one the chip can wait for (AN_108, 3.7)
 
+    /// CS; low selects.
     std::uint8_t select = 3;
+    /// D/C.
     std::uint8_t data_command = 4;
     std::uint8_t reset = 6;     ///< low resets; none: not wired
     std::uint8_t backlight = 7; ///< high lights; none: not wired
     bool te = false;            ///< the panel's TE is wired to ADBUS5
 };
 
+/// Which adapter, and how its pins are wired.
 struct FtdiConfig {
-    /// Which adapter; 0: any of 0403:6014, 0403:6010, 0403:6011.
+    /// Which adapter, by USB's IDs; 0: any of 0403:6014, 0403:6010, 0403:6011.
     std::uint16_t vendor = 0, product = 0;
     /// Opens this usbfs file instead of looking for an adapter. Must stay.
     const char* device_file = nullptr;
     std::uint8_t channel = 0; ///< 0: A; 1: B, where the chip has two
+    /// The clock of writes in Hz; the chip takes the next one below that it can make.
     std::uint32_t write_hz = 0;
     std::uint32_t read_hz = 0; ///< 0: the panel's data output is not wired
+    /// The wiring.
     FtdiPins pins;
+    /// A thread carries the lists while the next frame is drawn; else submit() does.
     bool asynchronous = true;
     std::uint32_t timeout_ms = 1000; ///< beyond the time that the bytes take on the wire
 };
@@ -44,8 +51,10 @@ constexpr FtdiConfig ftdi_config(const Board& board, FtdiPins pins = {}) {
     return config;
 }
 
+/// A Bus over an FTDI adapter.
 class FtdiBus final : public TransferBus {
   public:
+    /// Looks for nothing yet: open() does.
     explicit FtdiBus(const FtdiConfig& config);
     ~FtdiBus();
 

@@ -10,29 +10,36 @@
 
 namespace spangle::hal {
 
+/// Which device, and how frames are sent to it.
 struct GudConfig {
-    /// Which device; 0: any of the known ones (1d50:614d, 16d0:10a9, 1209:4fb3).
+    /// Which device, by USB's IDs; 0: any of the known ones (1d50:614d, 16d0:10a9, 1209:4fb3).
     std::uint16_t vendor = 0, product = 0;
     /// Opens this usbfs file ("/dev/bus/usb/001/002") instead of looking for a device: where a portal or
     /// another process found it. Must stay.
     const char* device_file = nullptr;
-    /// Wanted size; 0: the preferred mode.
+    /// The wanted size in pixels; 0: the preferred mode.
     std::uint16_t width = 0, height = 0;
     bool compress = true;          ///< where the device takes LZ4 and this build has it
     std::uint8_t brightness = 100; ///< where the panel has a backlight property
+    /// The longest time of a request and of a piece of a frame, in milliseconds.
     std::uint32_t control_timeout_ms = 1000, bulk_timeout_ms = 3000;
     /// How often devices that ask for it are asked for their connector's status. Without that they take the
     /// host for dead.
     std::uint32_t poll_ms = 10000;
+    /// What a present does while the frame before is on its way.
     Pacing pacing = Pacing::block;
 };
 
+/// A Display on USB.
 class GudDisplay final : public Display {
   public:
+    /// Looks for nothing yet: init() does.
     explicit GudDisplay(const GudConfig& config = {});
     /// Switches the display off.
     ~GudDisplay();
+    /// A display is not copied.
     GudDisplay(const GudDisplay&) = delete;
+    /// A display is not assigned either.
     GudDisplay& operator=(const GudDisplay&) = delete;
 
     /// Size and format are known after init().
