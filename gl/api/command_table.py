@@ -2,6 +2,7 @@
 
 One row is a family, for instance Vertex{234}{sifdx}[v]. Its fields:
   name, row     the family and its row of the feature matrix
+  does          what it does, in one sentence for gl.h, without its full stop
   kind          plain (default), components, matrix, plane, rect, flag, params, get_params
   args          "type name[=accepted]": tokens ("TOKEN?FEATURE": of an optional system), @group[:first token to try], low..[high], or a number to try.
                 A "real" is given once per entry of "types", and so is an "array" of them, read or written ("array*"). Components: what stands before them
@@ -33,6 +34,7 @@ CONVERT_AS = {"cf": "f", "cd": "d", "cx": "x"}
 ARRAY_TYPES = {"f": "GL_FLOAT", "d": "GL_DOUBLE", "i": "GL_INT", "x": "GL_FIXED", "ui": "GL_UNSIGNED_INT",
                "us": "GL_UNSIGNED_SHORT"}
 INTEGERS = {"b", "s", "i", "ub", "us", "ui"}
+STATE_QUERIES = {"GetBooleanv", "GetIntegerv", "GetFloatv", "GetDoublev", "GetFixedvOES", "GetPointerv"} # their tokens are in the state table
 
 
 class Arg:
@@ -121,7 +123,7 @@ class Entry:
 
 class Family:
     def __init__(self, data, groups, by_name, shares=False):
-        self.name, self.row = data["name"], data["row"]
+        self.name, self.row, self.does = data["name"], data["row"], data["does"]
         self.shares = data.get("shares", shares)
         self.kind = data.get("kind", "plain")
         self.args = [Arg(text, groups) for text in data.get("args", [])]

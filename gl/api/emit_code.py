@@ -1,13 +1,23 @@
 """The code that commands need beside their functions: declarations, wrappers, names, the public header."""
-from command_table import Pname
+import json
+import textwrap
+
+from command_table import API, STATE_QUERIES, Pname
 
 NOTICE = "// Written by gl/api/generate.py from gl/api/commands: change those, not this.\n"
 
 HEADER_TOP = """/* OpenGL as Spangle has it: exactly the commands that exist. For C89 and up, and C++.
-   Written by gl/api/generate.py from gl/api/commands: change those, not this. */
+   Written by gl/api/generate.py from gl/api/commands: change those, not this.
+
+   A comment holds for all commands and tokens below it, up to the next one. A command that raises an error does nothing else (GL 1.3,
+   2.5). It raises GL_INVALID_ENUM for a token that it does not take, GL_INVALID_VALUE for a number outside of its range, a negative size
+   or a null pointer, and GL_INVALID_OPERATION where its optional system is left out of the build, or between glBegin and glEnd unless its
+   comment allows that. What a pointer of a command refers to is read or written before the command returns, except where a comment says
+   that it must stay. Arrays are read when they are drawn. */
 #ifndef SPANGLE_GL_GL_H
 #define SPANGLE_GL_GL_H
 
+/* How functions are declared and called; a build may define them. */
 #ifndef GLAPI
 #define GLAPI extern
 #endif
@@ -24,6 +34,7 @@ HEADER_TOP = """/* OpenGL as Spangle has it: exactly the commands that exist. Fo
 extern "C" {
 #endif
 
+/* This GL is Spangle, and has these versions. */
 #define SPANGLE_GL 1
 #define GL_VERSION_1_0 1
 #define GL_VERSION_1_1 1
@@ -32,6 +43,7 @@ extern "C" {
 #define GL_VERSION_1_4 1
 #define GL_VERSION_1_5 1
 
+/* Types (GL 1.3, 2.4, table 2.2; GL 1.5, 2.4) */
 typedef unsigned int GLenum;
 typedef unsigned char GLboolean;
 typedef unsigned int GLbitfield;
@@ -54,7 +66,37 @@ typedef int GLclampx; /* S15.16, clamped to [0, 1] */
 """
 
 
+MOST_TOKENS = 12 # a comment does not list more than these
+
+
+def taken(family):
+    """What the arguments of a family may be, in words."""
+    for arg in family.args:
+        if arg.accepted and len(arg.accepted) <= MOST_TOKENS and family.name not in STATE_QUERIES:
+            yield f"{arg.name}: " + ", ".join("GL_" + token for token in arg.accepted)
+        elif arg.low is not None:
+            most = f" to {arg.high}" if arg.high != arg.low else ""
+            yield f"{arg.name}: {arg.low}{most}" if arg.high else f"{arg.name}: at least {arg.low}"
+    if family.pnames and len(family.pnames) <= MOST_TOKENS:
+        yield "pname: " + ", ".join("GL_" + name for name in family.pnames)
+
+
+def comment(family, section):
+    """What the header says of a family."""
+    said = [f"{family.does} ({section})", *taken(family)]
+    if family.data.get("refuses"):
+        said.append(f"Always GL_{family.data['refuses']}")
+    if family.inside:
+        said.append("Also between glBegin and glEnd")
+    if family.listing == "never" and family.returns == "void":
+        said.append("Not compiled into display lists")
+    if family.feature:
+        said.append("Optional system: " + " or ".join(family.feature.split("|")))
+    return "\n".join(textwrap.wrap(f"/* {'. '.join(said)}. */", 140, subsequent_indent="   ", break_long_words=False)) + "\n"
+
+
 def header(chapters, _tokens):
+    rows = {row["id"]: row for row in json.loads((API / "commands" / "rows.json").read_text())}
     out = [HEADER_TOP]
     for data, families in chapters:
         out.append(f"\n/* {data['title']} (GL 1.3, {data['section']}) */\n")
@@ -62,6 +104,7 @@ def header(chapters, _tokens):
             value = int(str(value), 0)
             out.append(f"#define GL_{token} {value if value < 2 else f'0x{value:04X}'}\n")
         for family in families:
+            out.append(comment(family, rows[family.row].get("section", f"GL 1.3, {data['section']}")))
             out += [f"GLAPI {entry.prototype};\n" for entry in family.entries]
     out.append("\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n")
     return "".join(out)

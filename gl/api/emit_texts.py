@@ -1,11 +1,10 @@
 """The parts of messages about each command: names of arguments, their rules, the section of the specification."""
 import json
 
-from command_table import API
+from command_table import API, STATE_QUERIES
 from emit_code import NOTICE
 
 MOST_NAMED = 12 # tokens; a message does not list more than these
-STATE_QUERIES = {"GetBooleanv", "GetIntegerv", "GetFloatv", "GetDoublev", "GetFixedvOES", "GetPointerv"} # their tokens are in the state table
 
 
 def token_kind(family, arg):

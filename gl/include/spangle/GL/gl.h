@@ -1,8 +1,15 @@
 /* OpenGL as Spangle has it: exactly the commands that exist. For C89 and up, and C++.
-   Written by gl/api/generate.py from gl/api/commands: change those, not this. */
+   Written by gl/api/generate.py from gl/api/commands: change those, not this.
+
+   A comment holds for all commands and tokens below it, up to the next one. A command that raises an error does nothing else (GL 1.3,
+   2.5). It raises GL_INVALID_ENUM for a token that it does not take, GL_INVALID_VALUE for a number outside of its range, a negative size
+   or a null pointer, and GL_INVALID_OPERATION where its optional system is left out of the build, or between glBegin and glEnd unless its
+   comment allows that. What a pointer of a command refers to is read or written before the command returns, except where a comment says
+   that it must stay. Arrays are read when they are drawn. */
 #ifndef SPANGLE_GL_GL_H
 #define SPANGLE_GL_GL_H
 
+/* How functions are declared and called; a build may define them. */
 #ifndef GLAPI
 #define GLAPI extern
 #endif
@@ -19,6 +26,7 @@
 extern "C" {
 #endif
 
+/* This GL is Spangle, and has these versions. */
 #define SPANGLE_GL 1
 #define GL_VERSION_1_0 1
 #define GL_VERSION_1_1 1
@@ -27,6 +35,7 @@ extern "C" {
 #define GL_VERSION_1_4 1
 #define GL_VERSION_1_5 1
 
+/* Types (GL 1.3, 2.4, table 2.2; GL 1.5, 2.4) */
 typedef unsigned int GLenum;
 typedef unsigned char GLboolean;
 typedef unsigned int GLbitfield;
@@ -86,20 +95,37 @@ typedef int GLclampx; /* S15.16, clamped to [0, 1] */
 #define GL_RENDERER 0x1F01
 #define GL_VERSION 0x1F02
 #define GL_EXTENSIONS 0x1F03
+/* Returns the oldest error that was not asked for yet, and forgets it; GL_NO_ERROR: there is none (GL 1.3, 2.5). */
 GLAPI GLenum GLAPIENTRY glGetError(void);
+/* Turns a capability on (GL 1.3, 6.1.1). */
 GLAPI void GLAPIENTRY glEnable(GLenum cap);
+/* Turns a capability off (GL 1.3, 6.1.1). */
 GLAPI void GLAPIENTRY glDisable(GLenum cap);
+/* Tells whether a capability is on (GL 1.3, 6.1.1). */
 GLAPI GLboolean GLAPIENTRY glIsEnabled(GLenum cap);
+/* Writes values of state to params as booleans: GL_FALSE for 0 (GL 1.3, 6.1.1). Not compiled into display lists. */
 GLAPI void GLAPIENTRY glGetBooleanv(GLenum pname, GLboolean* params);
+/* Writes values of state to params as integers, rounded; colours and normals are scaled to the range of an int (GL 1.3, 6.1.1). Not
+   compiled into display lists. */
 GLAPI void GLAPIENTRY glGetIntegerv(GLenum pname, GLint* params);
+/* Writes values of state to params as floats (GL 1.3, 6.1.1). Not compiled into display lists. */
 GLAPI void GLAPIENTRY glGetFloatv(GLenum pname, GLfloat* params);
+/* Writes values of state to params as doubles (GL 1.3, 6.1.1). Not compiled into display lists. */
 GLAPI void GLAPIENTRY glGetDoublev(GLenum pname, GLdouble* params);
+/* Writes values of state to params as S15.16 numbers (GL 1.3, 6.1.1). Not compiled into display lists. Optional system: FIXED_POINT. */
 GLAPI void GLAPIENTRY glGetFixedvOES(GLenum pname, GLfixed* params);
+/* Writes a pointer that the program gave to params (GL 1.3, 6.1.3). Not compiled into display lists. */
 GLAPI void GLAPIENTRY glGetPointerv(GLenum pname, void** params);
+/* Returns a static string about this GL; null after an error (GL 1.3, 6.1.11). name: GL_VENDOR, GL_RENDERER, GL_VERSION, GL_EXTENSIONS. */
 GLAPI const GLubyte* GLAPIENTRY glGetString(GLenum name);
+/* Pushes groups of server state, a bit each in mask (GL 1.3, 6.1.12). Optional system: ATTRIB_STACKS. */
 GLAPI void GLAPIENTRY glPushAttrib(GLbitfield mask);
+/* Pops the groups that the last glPushAttrib pushed (GL 1.3, 6.1.12). Optional system: ATTRIB_STACKS. */
 GLAPI void GLAPIENTRY glPopAttrib(void);
+/* Pushes groups of client state, a bit each in mask (GL 1.3, 6.1.12). Not compiled into display lists. Optional system: ATTRIB_STACKS. */
 GLAPI void GLAPIENTRY glPushClientAttrib(GLbitfield mask);
+/* Pops the groups that the last glPushClientAttrib pushed (GL 1.3, 6.1.12). Not compiled into display lists. Optional system:
+   ATTRIB_STACKS. */
 GLAPI void GLAPIENTRY glPopClientAttrib(void);
 
 /* Vertices, attributes, arrays (GL 1.3, 2.6 to 2.9) */
@@ -239,8 +265,13 @@ GLAPI void GLAPIENTRY glPopClientAttrib(void);
 #define GL_CURRENT_RASTER_DISTANCE 0x0B09
 #define GL_MAX_ELEMENTS_VERTICES 0x80E8
 #define GL_MAX_ELEMENTS_INDICES 0x80E9
+/* Begins primitives: the vertices up to glEnd make them (GL 1.3, 2.6.1). mode: GL_POINTS, GL_LINES, GL_LINE_LOOP, GL_LINE_STRIP,
+   GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS, GL_QUAD_STRIP, GL_POLYGON. */
 GLAPI void GLAPIENTRY glBegin(GLenum mode);
+/* Ends the primitives that glBegin began (GL 1.3, 2.6.1). Also between glBegin and glEnd. */
 GLAPI void GLAPIENTRY glEnd(void);
+/* Gives a vertex in object space, with the current attributes; z is 0 and w is 1 where they are not given (GL 1.3, 2.7). Also between
+   glBegin and glEnd. */
 GLAPI void GLAPIENTRY glVertex2s(GLshort x, GLshort y);
 GLAPI void GLAPIENTRY glVertex2sv(const GLshort* v);
 GLAPI void GLAPIENTRY glVertex2i(GLint x, GLint y);
@@ -271,6 +302,7 @@ GLAPI void GLAPIENTRY glVertex4d(GLdouble x, GLdouble y, GLdouble z, GLdouble w)
 GLAPI void GLAPIENTRY glVertex4dv(const GLdouble* v);
 GLAPI void GLAPIENTRY glVertex4xOES(GLfixed x, GLfixed y, GLfixed z, GLfixed w);
 GLAPI void GLAPIENTRY glVertex4xvOES(const GLfixed* v);
+/* Sets the current texture coordinates of unit 0 (GL 1.3, 2.7). Also between glBegin and glEnd. */
 GLAPI void GLAPIENTRY glTexCoord1s(GLshort s);
 GLAPI void GLAPIENTRY glTexCoord1sv(const GLshort* v);
 GLAPI void GLAPIENTRY glTexCoord1i(GLint s);
@@ -311,6 +343,7 @@ GLAPI void GLAPIENTRY glTexCoord4d(GLdouble s, GLdouble t, GLdouble r, GLdouble 
 GLAPI void GLAPIENTRY glTexCoord4dv(const GLdouble* v);
 GLAPI void GLAPIENTRY glTexCoord4xOES(GLfixed s, GLfixed t, GLfixed r, GLfixed q);
 GLAPI void GLAPIENTRY glTexCoord4xvOES(const GLfixed* v);
+/* Sets the current texture coordinates of a unit (GL 1.3, 2.7). target: GL_TEXTURE0, GL_TEXTURE1. Also between glBegin and glEnd. */
 GLAPI void GLAPIENTRY glMultiTexCoord1s(GLenum target, GLshort s);
 GLAPI void GLAPIENTRY glMultiTexCoord1sv(GLenum target, const GLshort* v);
 GLAPI void GLAPIENTRY glMultiTexCoord1i(GLenum target, GLint s);
@@ -351,6 +384,7 @@ GLAPI void GLAPIENTRY glMultiTexCoord4d(GLenum target, GLdouble s, GLdouble t, G
 GLAPI void GLAPIENTRY glMultiTexCoord4dv(GLenum target, const GLdouble* v);
 GLAPI void GLAPIENTRY glMultiTexCoord4xOES(GLenum target, GLfixed s, GLfixed t, GLfixed r, GLfixed q);
 GLAPI void GLAPIENTRY glMultiTexCoord4xvOES(GLenum target, const GLfixed* v);
+/* Sets the current normal; integers are scaled to [-1, 1] (GL 1.3, 2.7). Also between glBegin and glEnd. */
 GLAPI void GLAPIENTRY glNormal3b(GLbyte nx, GLbyte ny, GLbyte nz);
 GLAPI void GLAPIENTRY glNormal3bv(const GLbyte* v);
 GLAPI void GLAPIENTRY glNormal3s(GLshort nx, GLshort ny, GLshort nz);
@@ -363,6 +397,8 @@ GLAPI void GLAPIENTRY glNormal3d(GLdouble nx, GLdouble ny, GLdouble nz);
 GLAPI void GLAPIENTRY glNormal3dv(const GLdouble* v);
 GLAPI void GLAPIENTRY glNormal3xOES(GLfixed nx, GLfixed ny, GLfixed nz);
 GLAPI void GLAPIENTRY glNormal3xvOES(const GLfixed* v);
+/* Sets the current colour; integers are scaled to [0, 1] or [-1, 1], and alpha is 1 where it is not given (GL 1.3, 2.7). Also between
+   glBegin and glEnd. */
 GLAPI void GLAPIENTRY glColor3b(GLbyte red, GLbyte green, GLbyte blue);
 GLAPI void GLAPIENTRY glColor3bv(const GLbyte* v);
 GLAPI void GLAPIENTRY glColor3s(GLshort red, GLshort green, GLshort blue);
@@ -399,6 +435,8 @@ GLAPI void GLAPIENTRY glColor4ui(GLuint red, GLuint green, GLuint blue, GLuint a
 GLAPI void GLAPIENTRY glColor4uiv(const GLuint* v);
 GLAPI void GLAPIENTRY glColor4xOES(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha);
 GLAPI void GLAPIENTRY glColor4xvOES(const GLfixed* v);
+/* Sets the current secondary colour, which is added after texturing (GL 1.4, 2.7). Also between glBegin and glEnd. Optional system:
+   SECONDARY_COLOR. */
 GLAPI void GLAPIENTRY glSecondaryColor3b(GLbyte red, GLbyte green, GLbyte blue);
 GLAPI void GLAPIENTRY glSecondaryColor3bv(const GLbyte* v);
 GLAPI void GLAPIENTRY glSecondaryColor3s(GLshort red, GLshort green, GLshort blue);
@@ -415,6 +453,7 @@ GLAPI void GLAPIENTRY glSecondaryColor3us(GLushort red, GLushort green, GLushort
 GLAPI void GLAPIENTRY glSecondaryColor3usv(const GLushort* v);
 GLAPI void GLAPIENTRY glSecondaryColor3ui(GLuint red, GLuint green, GLuint blue);
 GLAPI void GLAPIENTRY glSecondaryColor3uiv(const GLuint* v);
+/* Sets the current colour index (GL 1.3, 2.7). Also between glBegin and glEnd. Optional system: COLOR_INDEX. */
 GLAPI void GLAPIENTRY glIndexs(GLshort index);
 GLAPI void GLAPIENTRY glIndexsv(const GLshort* v);
 GLAPI void GLAPIENTRY glIndexi(GLint index);
@@ -427,12 +466,17 @@ GLAPI void GLAPIENTRY glIndexub(GLubyte index);
 GLAPI void GLAPIENTRY glIndexubv(const GLubyte* v);
 GLAPI void GLAPIENTRY glIndexxOES(GLfixed index);
 GLAPI void GLAPIENTRY glIndexxvOES(const GLfixed* v);
+/* Says whether the edge that begins at the next vertex is a boundary of its polygon (GL 1.3, 2.6.2). Also between glBegin and glEnd.
+   Optional system: POLYGON_MODE. */
 GLAPI void GLAPIENTRY glEdgeFlag(GLboolean flag);
 GLAPI void GLAPIENTRY glEdgeFlagv(const GLboolean* flag);
+/* Sets the current fog coordinate (GL 1.4, 2.7). Also between glBegin and glEnd. Optional system: FOG. */
 GLAPI void GLAPIENTRY glFogCoordf(GLfloat coord);
 GLAPI void GLAPIENTRY glFogCoordfv(const GLfloat* v);
 GLAPI void GLAPIENTRY glFogCoordd(GLdouble coord);
 GLAPI void GLAPIENTRY glFogCoorddv(const GLdouble* v);
+/* Sets the current raster position from object coordinates, which are transformed and clipped as a vertex is (GL 1.3, 2.12). Optional
+   system: RASTER_POS. */
 GLAPI void GLAPIENTRY glRasterPos2s(GLshort x, GLshort y);
 GLAPI void GLAPIENTRY glRasterPos2sv(const GLshort* v);
 GLAPI void GLAPIENTRY glRasterPos2i(GLint x, GLint y);
@@ -463,6 +507,7 @@ GLAPI void GLAPIENTRY glRasterPos4d(GLdouble x, GLdouble y, GLdouble z, GLdouble
 GLAPI void GLAPIENTRY glRasterPos4dv(const GLdouble* v);
 GLAPI void GLAPIENTRY glRasterPos4xOES(GLfixed x, GLfixed y, GLfixed z, GLfixed w);
 GLAPI void GLAPIENTRY glRasterPos4xvOES(const GLfixed* v);
+/* Sets the current raster position in window coordinates (GL 1.4, 2.13). Optional system: RASTER_POS. */
 GLAPI void GLAPIENTRY glWindowPos2s(GLshort x, GLshort y);
 GLAPI void GLAPIENTRY glWindowPos2sv(const GLshort* v);
 GLAPI void GLAPIENTRY glWindowPos2i(GLint x, GLint y);
@@ -479,6 +524,7 @@ GLAPI void GLAPIENTRY glWindowPos3f(GLfloat x, GLfloat y, GLfloat z);
 GLAPI void GLAPIENTRY glWindowPos3fv(const GLfloat* v);
 GLAPI void GLAPIENTRY glWindowPos3d(GLdouble x, GLdouble y, GLdouble z);
 GLAPI void GLAPIENTRY glWindowPos3dv(const GLdouble* v);
+/* Draws the rectangle of two corners in the plane z = 0 (GL 1.3, 2.9). */
 GLAPI void GLAPIENTRY glRects(GLshort x1, GLshort y1, GLshort x2, GLshort y2);
 GLAPI void GLAPIENTRY glRectsv(const GLshort* v1, const GLshort* v2);
 GLAPI void GLAPIENTRY glRecti(GLint x1, GLint y1, GLint x2, GLint y2);
@@ -489,42 +535,113 @@ GLAPI void GLAPIENTRY glRectd(GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2
 GLAPI void GLAPIENTRY glRectdv(const GLdouble* v1, const GLdouble* v2);
 GLAPI void GLAPIENTRY glRectxOES(GLfixed x1, GLfixed y1, GLfixed x2, GLfixed y2);
 GLAPI void GLAPIENTRY glRectxvOES(const GLfixed* v1, const GLfixed* v2);
+/* Names the array of vertices; stride is in bytes, 0 where elements have no gaps (GL 1.3, 2.8). size: 2 to 4. type: GL_BYTE, GL_SHORT,
+   GL_INT, GL_FLOAT, GL_DOUBLE, GL_FIXED. Not compiled into display lists. */
 GLAPI void GLAPIENTRY glVertexPointer(GLint size, GLenum type, GLsizei stride, const void* pointer);
+/* Names the array of normals; stride is in bytes, 0 where elements have no gaps (GL 1.3, 2.8). type: GL_BYTE, GL_SHORT, GL_INT, GL_FLOAT,
+   GL_DOUBLE, GL_FIXED. Not compiled into display lists. */
 GLAPI void GLAPIENTRY glNormalPointer(GLenum type, GLsizei stride, const void* pointer);
+/* Names the array of colours; stride is in bytes, 0 where elements have no gaps (GL 1.3, 2.8). size: 3 to 4. type: GL_BYTE,
+   GL_UNSIGNED_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_INT, GL_UNSIGNED_INT, GL_FLOAT, GL_DOUBLE, GL_FIXED. Not compiled into display lists.
+   */
 GLAPI void GLAPIENTRY glColorPointer(GLint size, GLenum type, GLsizei stride, const void* pointer);
+/* Names the array of texture coordinates of the active client unit (GL 1.3, 2.8). size: 1 to 4. type: GL_BYTE, GL_SHORT, GL_INT, GL_FLOAT,
+   GL_DOUBLE, GL_FIXED. Not compiled into display lists. */
 GLAPI void GLAPIENTRY glTexCoordPointer(GLint size, GLenum type, GLsizei stride, const void* pointer);
+/* Names the array of colour indices (GL 1.3, 2.8). type: GL_UNSIGNED_BYTE, GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE, GL_FIXED. Not compiled
+   into display lists. Optional system: COLOR_INDEX. */
 GLAPI void GLAPIENTRY glIndexPointer(GLenum type, GLsizei stride, const void* pointer);
+/* Names the array of edge flags (GL 1.3, 2.8). Not compiled into display lists. Optional system: POLYGON_MODE. */
 GLAPI void GLAPIENTRY glEdgeFlagPointer(GLsizei stride, const void* pointer);
+/* Names the array of fog coordinates (GL 1.4, 2.7). type: GL_FLOAT, GL_DOUBLE. Not compiled into display lists. Optional system: FOG. */
 GLAPI void GLAPIENTRY glFogCoordPointer(GLenum type, GLsizei stride, const void* pointer);
+/* Names the array of secondary colours (GL 1.4, 2.7). size: 3. type: GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_INT,
+   GL_UNSIGNED_INT, GL_FLOAT, GL_DOUBLE. Not compiled into display lists. Optional system: SECONDARY_COLOR. */
 GLAPI void GLAPIENTRY glSecondaryColorPointer(GLint size, GLenum type, GLsizei stride, const void* pointer);
+/* Selects the unit whose coordinate array client commands change (GL 1.3, 2.8). texture: GL_TEXTURE0, GL_TEXTURE1. Not compiled into
+   display lists. */
 GLAPI void GLAPIENTRY glClientActiveTexture(GLenum texture);
+/* Turns an array on (GL 1.3, 2.8). array: GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY, GL_INDEX_ARRAY,
+   GL_EDGE_FLAG_ARRAY, GL_FOG_COORDINATE_ARRAY, GL_SECONDARY_COLOR_ARRAY. Not compiled into display lists. */
 GLAPI void GLAPIENTRY glEnableClientState(GLenum array);
+/* Turns an array off (GL 1.3, 2.8). array: GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY, GL_INDEX_ARRAY,
+   GL_EDGE_FLAG_ARRAY, GL_FOG_COORDINATE_ARRAY, GL_SECONDARY_COLOR_ARRAY. Not compiled into display lists. */
 GLAPI void GLAPIENTRY glDisableClientState(GLenum array);
+/* Gives the vertex of element i of the arrays that are on (GL 1.3, 2.8). i: at least 0. Also between glBegin and glEnd. */
 GLAPI void GLAPIENTRY glArrayElement(GLint i);
+/* Draws primitives of count elements from first on (GL 1.3, 2.8). mode: GL_POINTS, GL_LINES, GL_LINE_LOOP, GL_LINE_STRIP, GL_TRIANGLES,
+   GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS, GL_QUAD_STRIP, GL_POLYGON. first: at least 0. */
 GLAPI void GLAPIENTRY glDrawArrays(GLenum mode, GLint first, GLsizei count);
+/* Draws primitives of the elements that count indices name (GL 1.3, 2.8). mode: GL_POINTS, GL_LINES, GL_LINE_LOOP, GL_LINE_STRIP,
+   GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS, GL_QUAD_STRIP, GL_POLYGON. type: GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT,
+   GL_UNSIGNED_INT. */
 GLAPI void GLAPIENTRY glDrawElements(GLenum mode, GLsizei count, GLenum type, const void* indices);
+/* Does what glDrawElements does; all indices lie in [start, end] (GL 1.3, 2.8). mode: GL_POINTS, GL_LINES, GL_LINE_LOOP, GL_LINE_STRIP,
+   GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS, GL_QUAD_STRIP, GL_POLYGON. type: GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT,
+   GL_UNSIGNED_INT. */
 GLAPI void GLAPIENTRY glDrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices);
+/* Does what as many calls of glDrawArrays do (GL 1.4, 2.8). mode: GL_POINTS, GL_LINES, GL_LINE_LOOP, GL_LINE_STRIP, GL_TRIANGLES,
+   GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS, GL_QUAD_STRIP, GL_POLYGON. */
 GLAPI void GLAPIENTRY glMultiDrawArrays(GLenum mode, const GLint* first, const GLsizei* count, GLsizei primcount);
+/* Does what as many calls of glDrawElements do (GL 1.4, 2.8). mode: GL_POINTS, GL_LINES, GL_LINE_LOOP, GL_LINE_STRIP, GL_TRIANGLES,
+   GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS, GL_QUAD_STRIP, GL_POLYGON. type: GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT. */
 GLAPI void GLAPIENTRY glMultiDrawElements(GLenum mode, const GLsizei* count, GLenum type, const void** indices, GLsizei primcount);
+/* Sets the index that begins a new primitive where GL_PRIMITIVE_RESTART is on (GL 3.1, 2.8). Not compiled into display lists. Optional
+   system: PRIMITIVE_RESTART. */
 GLAPI void GLAPIENTRY glPrimitiveRestartIndex(GLuint index);
+/* Writes n unused names of vertex array objects to the array (GL 3.0, 2.10). Not compiled into display lists. Optional system:
+   VERTEX_ARRAY_OBJECTS. */
 GLAPI void GLAPIENTRY glGenVertexArrays(GLsizei n, GLuint* arrays);
+/* Deletes vertex array objects; unused names are ignored (GL 3.0, 2.10). Not compiled into display lists. Optional system:
+   VERTEX_ARRAY_OBJECTS. */
 GLAPI void GLAPIENTRY glDeleteVertexArrays(GLsizei n, const GLuint* arrays);
+/* Tells whether a name is that of a vertex array object (GL 3.0, 2.10). Optional system: VERTEX_ARRAY_OBJECTS. */
 GLAPI GLboolean GLAPIENTRY glIsVertexArray(GLuint array);
+/* Makes a vertex array object current; 0 is the default one (GL 3.0, 2.10). Not compiled into display lists. Optional system:
+   VERTEX_ARRAY_OBJECTS. */
 GLAPI void GLAPIENTRY glBindVertexArray(GLuint array);
+/* Writes n unused names of buffer objects to the array (GL 1.5, 2.9). Not compiled into display lists. Optional system: BUFFERS. */
 GLAPI void GLAPIENTRY glGenBuffers(GLsizei n, GLuint* buffers);
+/* Deletes buffer objects; unused names are ignored (GL 1.5, 2.9). Not compiled into display lists. Optional system: BUFFERS. */
 GLAPI void GLAPIENTRY glDeleteBuffers(GLsizei n, const GLuint* buffers);
+/* Tells whether a name is that of a buffer object (GL 1.5, 2.9). Optional system: BUFFERS. */
 GLAPI GLboolean GLAPIENTRY glIsBuffer(GLuint buffer);
+/* Binds a buffer object to a target; 0: client memory (GL 1.5, 2.9). target: GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER. Not compiled into
+   display lists. Optional system: BUFFERS. */
 GLAPI void GLAPIENTRY glBindBuffer(GLenum target, GLuint buffer);
+/* Makes the bound buffer anew with size bytes, which are copied from data where that is not null (GL 1.5, 2.9). target: GL_ARRAY_BUFFER,
+   GL_ELEMENT_ARRAY_BUFFER. usage: GL_STREAM_DRAW, GL_STREAM_READ, GL_STREAM_COPY, GL_STATIC_DRAW, GL_STATIC_READ, GL_STATIC_COPY,
+   GL_DYNAMIC_DRAW, GL_DYNAMIC_READ, GL_DYNAMIC_COPY. Not compiled into display lists. Optional system: BUFFERS. */
 GLAPI void GLAPIENTRY glBufferData(GLenum target, GLsizeiptr size, const void* data, GLenum usage);
+/* Makes the bound buffer one of size constant bytes at data, which are not copied and must stay (GL 1.5, 2.9). target: GL_ARRAY_BUFFER,
+   GL_ELEMENT_ARRAY_BUFFER. Not compiled into display lists. Optional system: BUFFERS. */
 GLAPI void GLAPIENTRY glBufferConstantDataSPANGLE(GLenum target, GLsizeiptr size, const void* data);
+/* Replaces bytes of the bound buffer (GL 1.5, 2.9). target: GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER. Not compiled into display lists.
+   Optional system: BUFFERS. */
 GLAPI void GLAPIENTRY glBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, const void* data);
+/* Copies bytes of the bound buffer to data (GL 1.5, 2.9). target: GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER. Not compiled into display
+   lists. Optional system: BUFFERS. */
 GLAPI void GLAPIENTRY glGetBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, void* data);
+/* Writes a value of the bound buffer to params (GL 1.5, 2.9). target: GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER. pname: GL_BUFFER_SIZE,
+   GL_BUFFER_USAGE, GL_BUFFER_ACCESS, GL_BUFFER_MAPPED, GL_BUFFER_ACCESS_FLAGS, GL_BUFFER_MAP_LENGTH, GL_BUFFER_MAP_OFFSET. Not compiled
+   into display lists. Optional system: BUFFERS. */
 GLAPI void GLAPIENTRY glGetBufferParameteriv(GLenum target, GLenum pname, GLint* params);
+/* Returns the address of the bound buffer's bytes, which is valid until glUnmapBuffer; null after an error (GL 1.5, 2.9). target:
+   GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER. access: GL_READ_ONLY, GL_WRITE_ONLY, GL_READ_WRITE. Optional system: BUFFERS. */
 GLAPI void* GLAPIENTRY glMapBuffer(GLenum target, GLenum access);
+/* Returns the address of a part of the bound buffer, which is valid until glUnmapBuffer; null after an error (GL 1.5, 2.9). target:
+   GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER. Optional system: BUFFERS. */
 GLAPI void* GLAPIENTRY glMapBufferRange(GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield access);
+/* Says which bytes of a mapping were changed (GL 1.5, 2.9). target: GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER. Not compiled into display
+   lists. Optional system: BUFFERS. */
 GLAPI void GLAPIENTRY glFlushMappedBufferRange(GLenum target, GLintptr offset, GLsizeiptr length);
+/* Ends the mapping of the bound buffer; GL_FALSE: its contents were lost (GL 1.5, 2.9). target: GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER.
+   Optional system: BUFFERS. */
 GLAPI GLboolean GLAPIENTRY glUnmapBuffer(GLenum target);
+/* Writes the address of the bound buffer's mapping to params; null where it is not mapped (GL 1.5, 2.9). target: GL_ARRAY_BUFFER,
+   GL_ELEMENT_ARRAY_BUFFER. pname: GL_BUFFER_MAP_POINTER. Not compiled into display lists. Optional system: BUFFERS. */
 GLAPI void GLAPIENTRY glGetBufferPointerv(GLenum target, GLenum pname, void** params);
+/* Sets and enables arrays that lie in one memory, in one of fourteen formats (GL 1.3, 2.8). Not compiled into display lists. */
 GLAPI void GLAPIENTRY glInterleavedArrays(GLenum format, GLsizei stride, const void* pointer);
 
 /* Matrices, viewport (GL 1.3, 2.10) */
@@ -573,42 +690,61 @@ GLAPI void GLAPIENTRY glInterleavedArrays(GLenum format, GLsizei stride, const v
 #define GL_MAX_CLIP_PLANES 0x0D32
 #define GL_NORMALIZE 0x0BA1
 #define GL_RESCALE_NORMAL 0x803A
+/* Selects the matrix stack that matrix commands change (GL 1.3, 2.10). mode: GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE. */
 GLAPI void GLAPIENTRY glMatrixMode(GLenum mode);
+/* Makes the current matrix the identity (GL 1.3, 2.10). */
 GLAPI void GLAPIENTRY glLoadIdentity(void);
+/* Replaces the current matrix by sixteen numbers, column by column (GL 1.3, 2.10). */
 GLAPI void GLAPIENTRY glLoadMatrixf(const GLfloat* m);
 GLAPI void GLAPIENTRY glLoadMatrixd(const GLdouble* m);
 GLAPI void GLAPIENTRY glLoadMatrixxOES(const GLfixed* m);
+/* Multiplies the current matrix from the right by sixteen numbers, column by column (GL 1.3, 2.10). */
 GLAPI void GLAPIENTRY glMultMatrixf(const GLfloat* m);
 GLAPI void GLAPIENTRY glMultMatrixd(const GLdouble* m);
 GLAPI void GLAPIENTRY glMultMatrixxOES(const GLfixed* m);
+/* Replaces the current matrix by sixteen numbers, row by row (GL 1.3, 2.10.2). */
 GLAPI void GLAPIENTRY glLoadTransposeMatrixf(const GLfloat* m);
 GLAPI void GLAPIENTRY glLoadTransposeMatrixd(const GLdouble* m);
 GLAPI void GLAPIENTRY glLoadTransposeMatrixxOES(const GLfixed* m);
+/* Multiplies the current matrix from the right by sixteen numbers, row by row (GL 1.3, 2.10.2). */
 GLAPI void GLAPIENTRY glMultTransposeMatrixf(const GLfloat* m);
 GLAPI void GLAPIENTRY glMultTransposeMatrixd(const GLdouble* m);
 GLAPI void GLAPIENTRY glMultTransposeMatrixxOES(const GLfixed* m);
+/* Pushes a copy of the current matrix (GL 1.3, 2.10). */
 GLAPI void GLAPIENTRY glPushMatrix(void);
+/* Pops the current matrix (GL 1.3, 2.10). */
 GLAPI void GLAPIENTRY glPopMatrix(void);
+/* Multiplies the current matrix by a rotation by angle degrees about (x, y, z) (GL 1.3, 2.10). */
 GLAPI void GLAPIENTRY glRotatef(GLfloat angle, GLfloat x, GLfloat y, GLfloat z);
 GLAPI void GLAPIENTRY glRotated(GLdouble angle, GLdouble x, GLdouble y, GLdouble z);
 GLAPI void GLAPIENTRY glRotatexOES(GLfixed angle, GLfixed x, GLfixed y, GLfixed z);
+/* Multiplies the current matrix by a translation (GL 1.3, 2.10). */
 GLAPI void GLAPIENTRY glTranslatef(GLfloat x, GLfloat y, GLfloat z);
 GLAPI void GLAPIENTRY glTranslated(GLdouble x, GLdouble y, GLdouble z);
 GLAPI void GLAPIENTRY glTranslatexOES(GLfixed x, GLfixed y, GLfixed z);
+/* Multiplies the current matrix by a scaling along the axes (GL 1.3, 2.10). */
 GLAPI void GLAPIENTRY glScalef(GLfloat x, GLfloat y, GLfloat z);
 GLAPI void GLAPIENTRY glScaled(GLdouble x, GLdouble y, GLdouble z);
 GLAPI void GLAPIENTRY glScalexOES(GLfixed x, GLfixed y, GLfixed z);
+/* Multiplies the current matrix by a perspective projection; near and far planes have positive distances (GL 1.3, 2.10). */
 GLAPI void GLAPIENTRY glFrustum(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble near_val, GLdouble far_val);
 GLAPI void GLAPIENTRY glFrustumxOES(GLfixed left, GLfixed right, GLfixed bottom, GLfixed top, GLfixed near_val, GLfixed far_val);
+/* Multiplies the current matrix by a parallel projection (GL 1.3, 2.10). */
 GLAPI void GLAPIENTRY glOrtho(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble near_val, GLdouble far_val);
 GLAPI void GLAPIENTRY glOrthoxOES(GLfixed left, GLfixed right, GLfixed bottom, GLfixed top, GLfixed near_val, GLfixed far_val);
+/* Sets the rectangle of the window, in pixels from its lower left corner, to which the view volume is mapped (GL 1.3, 2.10.1). */
 GLAPI void GLAPIENTRY glViewport(GLint x, GLint y, GLsizei width, GLsizei height);
+/* Sets the depths to which the near and the far plane are mapped, clamped to [0, 1] (GL 1.3, 2.10.1). */
 GLAPI void GLAPIENTRY glDepthRange(GLclampd near_val, GLclampd far_val);
 GLAPI void GLAPIENTRY glDepthRangef(GLclampf near_val, GLclampf far_val);
 GLAPI void GLAPIENTRY glDepthRangexOES(GLclampx near_val, GLclampx far_val);
+/* Sets a clip plane by four coefficients in object space; what lies on its positive side stays (GL 1.3, 2.11). plane: GL_CLIP_PLANE0,
+   GL_CLIP_PLANE1, GL_CLIP_PLANE2, GL_CLIP_PLANE3, GL_CLIP_PLANE4, GL_CLIP_PLANE5. Optional system: CLIP_PLANES. */
 GLAPI void GLAPIENTRY glClipPlane(GLenum plane, const GLdouble* equation);
 GLAPI void GLAPIENTRY glClipPlanefOES(GLenum plane, const GLfloat* equation);
 GLAPI void GLAPIENTRY glClipPlanexOES(GLenum plane, const GLfixed* equation);
+/* Sets how a texture coordinate is generated (GL 1.3, 2.10.4). coord: GL_S, GL_T, GL_R, GL_Q. pname: GL_TEXTURE_GEN_MODE, GL_OBJECT_PLANE,
+   GL_EYE_PLANE. Optional system: TEXGEN. */
 GLAPI void GLAPIENTRY glTexGenf(GLenum coord, GLenum pname, GLfloat param);
 GLAPI void GLAPIENTRY glTexGenfv(GLenum coord, GLenum pname, const GLfloat* params);
 GLAPI void GLAPIENTRY glTexGeni(GLenum coord, GLenum pname, GLint param);
@@ -617,10 +753,14 @@ GLAPI void GLAPIENTRY glTexGend(GLenum coord, GLenum pname, GLdouble param);
 GLAPI void GLAPIENTRY glTexGendv(GLenum coord, GLenum pname, const GLdouble* params);
 GLAPI void GLAPIENTRY glTexGenxOES(GLenum coord, GLenum pname, GLfixed param);
 GLAPI void GLAPIENTRY glTexGenxvOES(GLenum coord, GLenum pname, const GLfixed* params);
+/* Writes how a texture coordinate is generated to params (GL 1.3, 6.1.3). coord: GL_S, GL_T, GL_R, GL_Q. pname: GL_TEXTURE_GEN_MODE,
+   GL_OBJECT_PLANE, GL_EYE_PLANE. Not compiled into display lists. Optional system: TEXGEN. */
 GLAPI void GLAPIENTRY glGetTexGenfv(GLenum coord, GLenum pname, GLfloat* params);
 GLAPI void GLAPIENTRY glGetTexGeniv(GLenum coord, GLenum pname, GLint* params);
 GLAPI void GLAPIENTRY glGetTexGendv(GLenum coord, GLenum pname, GLdouble* params);
 GLAPI void GLAPIENTRY glGetTexGenxvOES(GLenum coord, GLenum pname, GLfixed* params);
+/* Writes the four coefficients of a clip plane in eye space to the array (GL 1.3, 6.1.3). plane: GL_CLIP_PLANE0, GL_CLIP_PLANE1,
+   GL_CLIP_PLANE2, GL_CLIP_PLANE3, GL_CLIP_PLANE4, GL_CLIP_PLANE5. Not compiled into display lists. Optional system: CLIP_PLANES. */
 GLAPI void GLAPIENTRY glGetClipPlane(GLenum plane, GLdouble* equation);
 
 /* Lighting, shading, facing, sizes (GL 1.3, 2.13, 3.3 to 3.5) */
@@ -705,48 +845,77 @@ GLAPI void GLAPIENTRY glGetClipPlane(GLenum plane, GLdouble* equation);
 #define GL_POLYGON_OFFSET_FACTOR 0x8038
 #define GL_ALIASED_POINT_SIZE_RANGE 0x846D
 #define GL_ALIASED_LINE_WIDTH_RANGE 0x846E
+/* Sets a parameter of a light; positions and directions are transformed by the modelview matrix at once (GL 1.3, 2.13.1). light: GL_LIGHT0,
+   GL_LIGHT1, GL_LIGHT2, GL_LIGHT3, GL_LIGHT4, GL_LIGHT5, GL_LIGHT6, GL_LIGHT7. pname: GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_POSITION,
+   GL_SPOT_DIRECTION, GL_SPOT_EXPONENT, GL_SPOT_CUTOFF, GL_CONSTANT_ATTENUATION, GL_LINEAR_ATTENUATION, GL_QUADRATIC_ATTENUATION. Optional
+   system: LIGHTING. */
 GLAPI void GLAPIENTRY glLightf(GLenum light, GLenum pname, GLfloat param);
 GLAPI void GLAPIENTRY glLightfv(GLenum light, GLenum pname, const GLfloat* params);
 GLAPI void GLAPIENTRY glLighti(GLenum light, GLenum pname, GLint param);
 GLAPI void GLAPIENTRY glLightiv(GLenum light, GLenum pname, const GLint* params);
 GLAPI void GLAPIENTRY glLightxOES(GLenum light, GLenum pname, GLfixed param);
 GLAPI void GLAPIENTRY glLightxvOES(GLenum light, GLenum pname, const GLfixed* params);
+/* Writes a parameter of a light to params (GL 1.3, 6.1.3). light: GL_LIGHT0, GL_LIGHT1, GL_LIGHT2, GL_LIGHT3, GL_LIGHT4, GL_LIGHT5,
+   GL_LIGHT6, GL_LIGHT7. pname: GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_POSITION, GL_SPOT_DIRECTION, GL_SPOT_EXPONENT, GL_SPOT_CUTOFF,
+   GL_CONSTANT_ATTENUATION, GL_LINEAR_ATTENUATION, GL_QUADRATIC_ATTENUATION. Not compiled into display lists. Optional system: LIGHTING. */
 GLAPI void GLAPIENTRY glGetLightfv(GLenum light, GLenum pname, GLfloat* params);
 GLAPI void GLAPIENTRY glGetLightiv(GLenum light, GLenum pname, GLint* params);
 GLAPI void GLAPIENTRY glGetLightxvOES(GLenum light, GLenum pname, GLfixed* params);
+/* Sets a parameter of the lighting model (GL 1.3, 2.13.2). pname: GL_LIGHT_MODEL_AMBIENT, GL_LIGHT_MODEL_LOCAL_VIEWER,
+   GL_LIGHT_MODEL_TWO_SIDE, GL_LIGHT_MODEL_COLOR_CONTROL. Optional system: LIGHTING. */
 GLAPI void GLAPIENTRY glLightModelf(GLenum pname, GLfloat param);
 GLAPI void GLAPIENTRY glLightModelfv(GLenum pname, const GLfloat* params);
 GLAPI void GLAPIENTRY glLightModeli(GLenum pname, GLint param);
 GLAPI void GLAPIENTRY glLightModeliv(GLenum pname, const GLint* params);
 GLAPI void GLAPIENTRY glLightModelxOES(GLenum pname, GLfixed param);
 GLAPI void GLAPIENTRY glLightModelxvOES(GLenum pname, const GLfixed* params);
+/* Sets a parameter of the material of one face or both (GL 1.3, 2.13.2). face: GL_FRONT, GL_BACK, GL_FRONT_AND_BACK. pname: GL_AMBIENT,
+   GL_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_SHININESS, GL_AMBIENT_AND_DIFFUSE, GL_COLOR_INDEXES. Also between glBegin and glEnd. Optional
+   system: LIGHTING. */
 GLAPI void GLAPIENTRY glMaterialf(GLenum face, GLenum pname, GLfloat param);
 GLAPI void GLAPIENTRY glMaterialfv(GLenum face, GLenum pname, const GLfloat* params);
 GLAPI void GLAPIENTRY glMateriali(GLenum face, GLenum pname, GLint param);
 GLAPI void GLAPIENTRY glMaterialiv(GLenum face, GLenum pname, const GLint* params);
 GLAPI void GLAPIENTRY glMaterialxOES(GLenum face, GLenum pname, GLfixed param);
 GLAPI void GLAPIENTRY glMaterialxvOES(GLenum face, GLenum pname, const GLfixed* params);
+/* Writes a parameter of a face's material to params (GL 1.3, 6.1.3). face: GL_FRONT, GL_BACK. pname: GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR,
+   GL_EMISSION, GL_SHININESS, GL_COLOR_INDEXES. Not compiled into display lists. Optional system: LIGHTING. */
 GLAPI void GLAPIENTRY glGetMaterialfv(GLenum face, GLenum pname, GLfloat* params);
 GLAPI void GLAPIENTRY glGetMaterialiv(GLenum face, GLenum pname, GLint* params);
 GLAPI void GLAPIENTRY glGetMaterialxvOES(GLenum face, GLenum pname, GLfixed* params);
+/* Selects the parameters of the material that follow the current colour where GL_COLOR_MATERIAL is on (GL 1.3, 2.13.3). face: GL_FRONT,
+   GL_BACK, GL_FRONT_AND_BACK. mode: GL_EMISSION, GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_AMBIENT_AND_DIFFUSE. Optional system: LIGHTING. */
 GLAPI void GLAPIENTRY glColorMaterial(GLenum face, GLenum mode);
+/* Selects whether colours are interpolated or those of the provoking vertex (GL 1.3, 2.13.7). mode: GL_FLAT, GL_SMOOTH. */
 GLAPI void GLAPIENTRY glShadeModel(GLenum mode);
+/* Selects the order of vertices, in the window, that makes a polygon a front face (GL 1.3, 3.5.1). mode: GL_CW, GL_CCW. */
 GLAPI void GLAPIENTRY glFrontFace(GLenum mode);
+/* Selects the faces that are not drawn where GL_CULL_FACE is on (GL 1.3, 3.5.1). mode: GL_FRONT, GL_BACK, GL_FRONT_AND_BACK. */
 GLAPI void GLAPIENTRY glCullFace(GLenum mode);
+/* Selects whether polygons of a face are filled or drawn as lines or points (GL 1.3, 3.5.4). face: GL_FRONT, GL_BACK, GL_FRONT_AND_BACK.
+   mode: GL_POINT, GL_LINE, GL_FILL. Optional system: POLYGON_MODE. */
 GLAPI void GLAPIENTRY glPolygonMode(GLenum face, GLenum mode);
+/* Sets the diameter of points, in pixels (GL 1.3, 3.3). */
 GLAPI void GLAPIENTRY glPointSize(GLfloat size);
 GLAPI void GLAPIENTRY glPointSizexOES(GLfixed size);
+/* Sets how points shrink with the distance (GL 1.4, 3.3). pname: GL_POINT_SIZE_MIN, GL_POINT_SIZE_MAX, GL_POINT_FADE_THRESHOLD_SIZE,
+   GL_POINT_DISTANCE_ATTENUATION, GL_POINT_SPRITE_COORD_ORIGIN. Optional system: POINT_PARAMETERS. */
 GLAPI void GLAPIENTRY glPointParameterf(GLenum pname, GLfloat param);
 GLAPI void GLAPIENTRY glPointParameterfv(GLenum pname, const GLfloat* params);
 GLAPI void GLAPIENTRY glPointParameteri(GLenum pname, GLint param);
 GLAPI void GLAPIENTRY glPointParameteriv(GLenum pname, const GLint* params);
 GLAPI void GLAPIENTRY glPointParameterxOES(GLenum pname, GLfixed param);
 GLAPI void GLAPIENTRY glPointParameterxvOES(GLenum pname, const GLfixed* params);
+/* Sets the width of lines, in pixels (GL 1.3, 3.4). */
 GLAPI void GLAPIENTRY glLineWidth(GLfloat width);
 GLAPI void GLAPIENTRY glLineWidthxOES(GLfixed width);
+/* Sets which of 16 repeated pieces of a line are drawn, each factor pixels long (GL 1.3, 3.4.2). Optional system: STIPPLE. */
 GLAPI void GLAPIENTRY glLineStipple(GLint factor, GLushort pattern);
+/* Sets which pixels of polygons are drawn: a bitmap of 32 x 32 (GL 1.3, 3.5.2). Optional system: STIPPLE. */
 GLAPI void GLAPIENTRY glPolygonStipple(const GLubyte* pattern);
+/* Writes the polygon stipple to mask (GL 1.3, 3.5.2). Not compiled into display lists. Optional system: STIPPLE. */
 GLAPI void GLAPIENTRY glGetPolygonStipple(GLubyte* pattern);
+/* Sets the offset of polygons' depths: factor times the largest slope, and units steps (GL 1.3, 3.5.5). Optional system: POLYGON_OFFSET. */
 GLAPI void GLAPIENTRY glPolygonOffset(GLfloat factor, GLfloat units);
 GLAPI void GLAPIENTRY glPolygonOffsetxOES(GLfixed factor, GLfixed units);
 
@@ -978,74 +1147,150 @@ GLAPI void GLAPIENTRY glPolygonOffsetxOES(GLfixed factor, GLfixed units);
 #define GL_DONT_CARE 0x1100
 #define GL_FASTEST 0x1101
 #define GL_NICEST 0x1102
+/* Sets the rectangle of the window outside of which nothing is drawn where GL_SCISSOR_TEST is on (GL 1.3, 4.1.2). */
 GLAPI void GLAPIENTRY glScissor(GLint x, GLint y, GLsizei width, GLsizei height);
+/* Sets the comparison of the alpha test; ref is clamped to [0, 1] (GL 1.3, 4.1.4). func: GL_NEVER, GL_LESS, GL_EQUAL, GL_LEQUAL,
+   GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS. */
 GLAPI void GLAPIENTRY glAlphaFunc(GLenum func, GLclampf ref);
 GLAPI void GLAPIENTRY glAlphaFuncxOES(GLenum func, GLclampx ref);
+/* Sets comparison, reference value and mask of the stencil test (GL 1.3, 4.1.5). func: GL_NEVER, GL_LESS, GL_EQUAL, GL_LEQUAL, GL_GREATER,
+   GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS. */
 GLAPI void GLAPIENTRY glStencilFunc(GLenum func, GLint ref, GLuint mask);
+/* Sets what happens to the stencil value where the stencil test fails, the depth test fails, and both pass (GL 1.3, 4.1.5). fail: GL_KEEP,
+   GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP. zfail: GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR,
+   GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP. zpass: GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP. */
 GLAPI void GLAPIENTRY glStencilOp(GLenum fail, GLenum zfail, GLenum zpass);
+/* Does what glStencilFunc does, for one face or both (GL 2.0, 4.1.4). face: GL_FRONT, GL_BACK, GL_FRONT_AND_BACK. func: GL_NEVER, GL_LESS,
+   GL_EQUAL, GL_LEQUAL, GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS. Optional system: STENCIL_SIDES. */
 GLAPI void GLAPIENTRY glStencilFuncSeparate(GLenum face, GLenum func, GLint ref, GLuint mask);
+/* Does what glStencilOp does, for one face or both (GL 2.0, 4.1.4). face: GL_FRONT, GL_BACK, GL_FRONT_AND_BACK. fail: GL_KEEP, GL_ZERO,
+   GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP. zfail: GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT,
+   GL_INCR_WRAP, GL_DECR_WRAP. zpass: GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP. Optional
+   system: STENCIL_SIDES. */
 GLAPI void GLAPIENTRY glStencilOpSeparate(GLenum face, GLenum fail, GLenum zfail, GLenum zpass);
+/* Does what glStencilMask does, for one face or both (GL 2.0, 4.1.4). face: GL_FRONT, GL_BACK, GL_FRONT_AND_BACK. Optional system:
+   STENCIL_SIDES. */
 GLAPI void GLAPIENTRY glStencilMaskSeparate(GLenum face, GLuint mask);
+/* Sets which samples of a pixel are drawn where GL_SAMPLE_COVERAGE is on (GL 1.3, 4.1.3). */
 GLAPI void GLAPIENTRY glSampleCoverage(GLclampf value, GLboolean invert);
 GLAPI void GLAPIENTRY glSampleCoveragexOES(GLclampx value, GLboolean invert);
+/* Sets the comparison of the depth test (GL 1.3, 4.1.6). func: GL_NEVER, GL_LESS, GL_EQUAL, GL_LEQUAL, GL_GREATER, GL_NOTEQUAL, GL_GEQUAL,
+   GL_ALWAYS. */
 GLAPI void GLAPIENTRY glDepthFunc(GLenum func);
+/* Sets what the fragment's colour and the stored one are multiplied with in blending (GL 1.3, 4.1.7). */
 GLAPI void GLAPIENTRY glBlendFunc(GLenum sfactor, GLenum dfactor);
+/* Does what glBlendFunc does, with factors of their own for alpha (GL 1.4, 4.1.7). */
 GLAPI void GLAPIENTRY glBlendFuncSeparate(GLenum src_rgb, GLenum dst_rgb, GLenum src_alpha, GLenum dst_alpha);
+/* Sets how the two products of blending are joined (GL 1.4, 4.1.7). mode: GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN,
+   GL_MAX. */
 GLAPI void GLAPIENTRY glBlendEquation(GLenum mode);
+/* Does what glBlendEquation does, with one for alpha (GL 1.4, 4.1.7). rgb: GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN,
+   GL_MAX. alpha: GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX. */
 GLAPI void GLAPIENTRY glBlendEquationSeparate(GLenum rgb, GLenum alpha);
+/* Sets the constant colour of blending, clamped to [0, 1] (GL 1.4, 4.1.7). */
 GLAPI void GLAPIENTRY glBlendColor(GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha);
 GLAPI void GLAPIENTRY glBlendColorxOES(GLclampx red, GLclampx green, GLclampx blue, GLclampx alpha);
+/* Works on the accumulation buffer, all pixels inside the scissor box (GL 1.3, 4.2.4). op: GL_ACCUM, GL_LOAD, GL_RETURN, GL_MULT, GL_ADD.
+   Optional system: ACCUM. */
 GLAPI void GLAPIENTRY glAccum(GLenum op, GLfloat value);
 GLAPI void GLAPIENTRY glAccumxOES(GLenum op, GLfixed value);
+/* Sets the value to which glClear sets the accumulation buffer, clamped to [-1, 1] (GL 1.3, 4.2.3). Optional system: ACCUM. */
 GLAPI void GLAPIENTRY glClearAccum(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
 GLAPI void GLAPIENTRY glClearAccumxOES(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha);
+/* Writes n unused names of queries to the array (GL 1.5, 4.1.7). Not compiled into display lists. Optional system: QUERIES. */
 GLAPI void GLAPIENTRY glGenQueries(GLsizei n, GLuint* ids);
+/* Deletes queries; unused names are ignored (GL 1.5, 4.1.7). Not compiled into display lists. Optional system: QUERIES. */
 GLAPI void GLAPIENTRY glDeleteQueries(GLsizei n, const GLuint* ids);
+/* Tells whether a name is that of a query (GL 1.5, 4.1.7). Optional system: QUERIES. */
 GLAPI GLboolean GLAPIENTRY glIsQuery(GLuint id);
+/* Begins to count the samples that pass (GL 1.5, 4.1.7). target: GL_SAMPLES_PASSED. Optional system: QUERIES. */
 GLAPI void GLAPIENTRY glBeginQuery(GLenum target, GLuint id);
+/* Ends the count (GL 1.5, 4.1.7). target: GL_SAMPLES_PASSED. Optional system: QUERIES. */
 GLAPI void GLAPIENTRY glEndQuery(GLenum target);
+/* Writes a parameter of a query target to params (GL 1.5, 4.1.7). target: GL_SAMPLES_PASSED. pname: GL_CURRENT_QUERY,
+   GL_QUERY_COUNTER_BITS. Not compiled into display lists. Optional system: QUERIES. */
 GLAPI void GLAPIENTRY glGetQueryiv(GLenum target, GLenum pname, GLint* params);
+/* Writes the result of a query, or whether it is there, to params (GL 1.5, 4.1.7). pname: GL_QUERY_RESULT, GL_QUERY_RESULT_AVAILABLE. Not
+   compiled into display lists. Optional system: QUERIES. */
 GLAPI void GLAPIENTRY glGetQueryObjectiv(GLuint id, GLenum pname, GLint* params);
+/* Writes the result of a query, or whether it is there, to params (GL 1.5, 4.1.7). pname: GL_QUERY_RESULT, GL_QUERY_RESULT_AVAILABLE. Not
+   compiled into display lists. Optional system: QUERIES. */
 GLAPI void GLAPIENTRY glGetQueryObjectuiv(GLuint id, GLenum pname, GLuint* params);
+/* Selects the logical operation of fragments with stored pixels (GL 1.3, 4.1.9). */
 GLAPI void GLAPIENTRY glLogicOp(GLenum opcode);
+/* Selects the buffer that is drawn to (GL 1.3, 4.2.1). mode: GL_FRONT_LEFT, GL_FRONT_RIGHT, GL_BACK_LEFT, GL_BACK_RIGHT, GL_FRONT, GL_BACK,
+   GL_LEFT, GL_RIGHT, GL_AUX0, GL_NONE, GL_FRONT_AND_BACK. */
 GLAPI void GLAPIENTRY glDrawBuffer(GLenum mode);
+/* Selects the buffer that pixels are read from (GL 1.3, 4.3.2). mode: GL_FRONT_LEFT, GL_FRONT_RIGHT, GL_BACK_LEFT, GL_BACK_RIGHT, GL_FRONT,
+   GL_BACK, GL_LEFT, GL_RIGHT, GL_AUX0. */
 GLAPI void GLAPIENTRY glReadBuffer(GLenum mode);
+/* Says which components of colours are written (GL 1.3, 4.2.2). */
 GLAPI void GLAPIENTRY glColorMask(GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha);
+/* Says whether depths are written (GL 1.3, 4.2.2). */
 GLAPI void GLAPIENTRY glDepthMask(GLboolean flag);
+/* Says which bits of stencil values are written (GL 1.3, 4.2.2). */
 GLAPI void GLAPIENTRY glStencilMask(GLuint mask);
+/* Sets all pixels inside the scissor box to the clear values; mask has a bit for each buffer (GL 1.3, 4.2.3). mask: GL_COLOR_BUFFER_BIT,
+   GL_DEPTH_BUFFER_BIT, GL_STENCIL_BUFFER_BIT, GL_ACCUM_BUFFER_BIT. */
 GLAPI void GLAPIENTRY glClear(GLbitfield mask);
+/* Sets the colour to which glClear sets the colour buffer, clamped to [0, 1] (GL 1.3, 4.2.3). */
 GLAPI void GLAPIENTRY glClearColor(GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha);
 GLAPI void GLAPIENTRY glClearColorxOES(GLclampx red, GLclampx green, GLclampx blue, GLclampx alpha);
+/* Sets the index to which glClear sets a buffer of indices (GL 1.3, 4.2.3). Optional system: COLOR_INDEX. */
 GLAPI void GLAPIENTRY glClearIndex(GLfloat index);
 GLAPI void GLAPIENTRY glClearIndexxOES(GLfixed index);
+/* Says which bits of colour indices are written (GL 1.3, 4.2.2). Optional system: COLOR_INDEX. */
 GLAPI void GLAPIENTRY glIndexMask(GLuint mask);
+/* Sets the depth to which glClear sets the depth buffer, clamped to [0, 1] (GL 1.3, 4.2.3). */
 GLAPI void GLAPIENTRY glClearDepth(GLclampd depth);
 GLAPI void GLAPIENTRY glClearDepthf(GLclampf depth);
 GLAPI void GLAPIENTRY glClearDepthxOES(GLclampx depth);
+/* Sets the value to which glClear sets the stencil buffer (GL 1.3, 4.2.3). */
 GLAPI void GLAPIENTRY glClearStencil(GLint s);
+/* Sets how images lie in client memory or in a bound buffer (GL 1.3, 3.6.1). Not compiled into display lists. */
 GLAPI void GLAPIENTRY glPixelStoref(GLenum pname, GLfloat param);
 GLAPI void GLAPIENTRY glPixelStorei(GLenum pname, GLint param);
+/* Sets how components change while images are transferred (GL 1.3, 3.6.3). Optional system: PIXEL_TRANSFER. */
 GLAPI void GLAPIENTRY glPixelTransferf(GLenum pname, GLfloat param);
 GLAPI void GLAPIENTRY glPixelTransferi(GLenum pname, GLint param);
+/* Sets a table by which components are looked up while images are transferred (GL 1.3, 3.6.3). map: GL_PIXEL_MAP_I_TO_I,
+   GL_PIXEL_MAP_S_TO_S, GL_PIXEL_MAP_I_TO_R, GL_PIXEL_MAP_I_TO_G, GL_PIXEL_MAP_I_TO_B, GL_PIXEL_MAP_I_TO_A, GL_PIXEL_MAP_R_TO_R,
+   GL_PIXEL_MAP_G_TO_G, GL_PIXEL_MAP_B_TO_B, GL_PIXEL_MAP_A_TO_A. size: 1 to 256. Optional system: PIXEL_TRANSFER. */
 GLAPI void GLAPIENTRY glPixelMapfv(GLenum map, GLsizei size, const GLfloat* values);
 GLAPI void GLAPIENTRY glPixelMapuiv(GLenum map, GLsizei size, const GLuint* values);
 GLAPI void GLAPIENTRY glPixelMapusv(GLenum map, GLsizei size, const GLushort* values);
+/* Writes such a table to the array (GL 1.3, 3.6.3). map: GL_PIXEL_MAP_I_TO_I, GL_PIXEL_MAP_S_TO_S, GL_PIXEL_MAP_I_TO_R,
+   GL_PIXEL_MAP_I_TO_G, GL_PIXEL_MAP_I_TO_B, GL_PIXEL_MAP_I_TO_A, GL_PIXEL_MAP_R_TO_R, GL_PIXEL_MAP_G_TO_G, GL_PIXEL_MAP_B_TO_B,
+   GL_PIXEL_MAP_A_TO_A. Not compiled into display lists. Optional system: PIXEL_TRANSFER. */
 GLAPI void GLAPIENTRY glGetPixelMapfv(GLenum map, GLfloat* values);
 GLAPI void GLAPIENTRY glGetPixelMapuiv(GLenum map, GLuint* values);
 GLAPI void GLAPIENTRY glGetPixelMapusv(GLenum map, GLushort* values);
+/* Sets the size of an image's pixels in the window (GL 1.3, 3.6.4). Optional system: DRAW_PIXELS. */
 GLAPI void GLAPIENTRY glPixelZoom(GLfloat xfactor, GLfloat yfactor);
+/* Draws an image at the current raster position (GL 1.3, 3.6.4). Optional system: DRAW_PIXELS. */
 GLAPI void GLAPIENTRY glDrawPixels(GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels);
+/* Draws a copy of a rectangle of the window at the current raster position (GL 1.3, 4.3.3). type: GL_COLOR, GL_DEPTH, GL_STENCIL. Optional
+   system: DRAW_PIXELS. */
 GLAPI void GLAPIENTRY glCopyPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum type);
+/* Draws a bitmap at the current raster position, and moves that (GL 1.3, 3.7). Optional system: BITMAPS. */
 GLAPI void GLAPIENTRY glBitmap(GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove, GLfloat ymove, const GLubyte* bitmap);
+/* Reads a rectangle of the window into memory, row by row from the bottom (GL 1.3, 4.3.2). Not compiled into display lists. */
 GLAPI void GLAPIENTRY glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void* pixels);
+/* Sets a parameter of fog (GL 1.3, 3.10). pname: GL_FOG_MODE, GL_FOG_DENSITY, GL_FOG_START, GL_FOG_END, GL_FOG_COLOR, GL_FOG_INDEX,
+   GL_FOG_COORDINATE_SOURCE. Optional system: FOG. */
 GLAPI void GLAPIENTRY glFogf(GLenum pname, GLfloat param);
 GLAPI void GLAPIENTRY glFogfv(GLenum pname, const GLfloat* params);
 GLAPI void GLAPIENTRY glFogi(GLenum pname, GLint param);
 GLAPI void GLAPIENTRY glFogiv(GLenum pname, const GLint* params);
 GLAPI void GLAPIENTRY glFogxOES(GLenum pname, GLfixed param);
 GLAPI void GLAPIENTRY glFogxvOES(GLenum pname, const GLfixed* params);
+/* Asks for speed or quality; GL_PERSPECTIVE_CORRECTION_HINT and GL_FOG_HINT choose the tier (GL 1.3, 5.6). target:
+   GL_PERSPECTIVE_CORRECTION_HINT, GL_POINT_SMOOTH_HINT, GL_LINE_SMOOTH_HINT, GL_POLYGON_SMOOTH_HINT, GL_FOG_HINT,
+   GL_TEXTURE_COMPRESSION_HINT, GL_GENERATE_MIPMAP_HINT. mode: GL_FASTEST, GL_NICEST, GL_DONT_CARE. */
 GLAPI void GLAPIENTRY glHint(GLenum target, GLenum mode);
+/* Says that commands so far are to be done in finite time (GL 1.3, 5.5). Not compiled into display lists. */
 GLAPI void GLAPIENTRY glFlush(void);
+/* Returns when all commands so far are done (GL 1.3, 5.5). Not compiled into display lists. */
 GLAPI void GLAPIENTRY glFinish(void);
 
 /* Textures (GL 1.3, 3.8) */
@@ -1266,53 +1511,142 @@ GLAPI void GLAPIENTRY glFinish(void);
 #define GL_UNSIGNED_SHORT_1_5_5_5_REV 0x8366
 #define GL_UNSIGNED_INT_8_8_8_8_REV 0x8367
 #define GL_UNSIGNED_INT_2_10_10_10_REV 0x8368
+/* Makes an image of a one-dimensional texture anew; pixels may be null (GL 1.3, 3.8.1). target: GL_TEXTURE_1D, GL_PROXY_TEXTURE_1D. level:
+   at least 0. internalformat: GL_RGBA. border: 0 to 1. format: GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_RGB, GL_BGR, GL_RGBA, GL_BGRA,
+   GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_COLOR_INDEX, GL_DEPTH_COMPONENT. Optional system: TEXTURE_1D. */
 GLAPI void GLAPIENTRY glTexImage1D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLint border, GLenum format, GLenum type, const void* pixels);
+/* Makes an image of a texture or of a cube map's face anew; pixels may be null (GL 1.3, 3.8.1). target: GL_TEXTURE_2D, GL_PROXY_TEXTURE_2D,
+   GL_TEXTURE_CUBE_MAP_POSITIVE_X, GL_TEXTURE_CUBE_MAP_NEGATIVE_X, GL_TEXTURE_CUBE_MAP_POSITIVE_Y, GL_TEXTURE_CUBE_MAP_NEGATIVE_Y,
+   GL_TEXTURE_CUBE_MAP_POSITIVE_Z, GL_TEXTURE_CUBE_MAP_NEGATIVE_Z, GL_PROXY_TEXTURE_CUBE_MAP. level: at least 0. internalformat: GL_RGBA.
+   border: 0 to 1. format: GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_RGB, GL_BGR, GL_RGBA, GL_BGRA, GL_LUMINANCE, GL_LUMINANCE_ALPHA,
+   GL_COLOR_INDEX, GL_DEPTH_COMPONENT. */
 GLAPI void GLAPIENTRY glTexImage2D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels);
+/* Does what glTexImage2D does with constant texels, which are not copied and must stay (GL 1.3, 3.8.1). target: GL_TEXTURE_2D,
+   GL_PROXY_TEXTURE_2D, GL_TEXTURE_CUBE_MAP_POSITIVE_X, GL_TEXTURE_CUBE_MAP_NEGATIVE_X, GL_TEXTURE_CUBE_MAP_POSITIVE_Y,
+   GL_TEXTURE_CUBE_MAP_NEGATIVE_Y, GL_TEXTURE_CUBE_MAP_POSITIVE_Z, GL_TEXTURE_CUBE_MAP_NEGATIVE_Z, GL_PROXY_TEXTURE_CUBE_MAP. level: at
+   least 0. internalformat: GL_RGB565, GL_RGB5, GL_R3_G3_B2, GL_RGB8, GL_RGBA4, GL_RGB5_A1, GL_RGBA8, GL_ALPHA8, GL_LUMINANCE8,
+   GL_INTENSITY8, GL_LUMINANCE8_ALPHA8. border: 0. Not compiled into display lists. */
 GLAPI void GLAPIENTRY glTexConstantImage2DSPANGLE(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data);
+/* Makes an image of a three-dimensional texture anew; pixels may be null (GL 1.3, 3.8.1). target: GL_TEXTURE_3D, GL_PROXY_TEXTURE_3D.
+   level: at least 0. internalformat: GL_RGBA. border: 0 to 1. format: GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_RGB, GL_BGR, GL_RGBA,
+   GL_BGRA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_COLOR_INDEX, GL_DEPTH_COMPONENT. Optional system: TEXTURE_3D. */
 GLAPI void GLAPIENTRY glTexImage3D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels);
+/* Replaces a part of an image of a one-dimensional texture (GL 1.3, 3.8.2). target: GL_TEXTURE_1D. level: at least 0. format: GL_RED,
+   GL_GREEN, GL_BLUE, GL_ALPHA, GL_RGB, GL_BGR, GL_RGBA, GL_BGRA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_COLOR_INDEX, GL_DEPTH_COMPONENT.
+   Optional system: TEXTURE_1D. */
 GLAPI void GLAPIENTRY glTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLenum type, const void* pixels);
+/* Replaces a rectangle of an image of a texture (GL 1.3, 3.8.2). target: GL_TEXTURE_2D, GL_TEXTURE_CUBE_MAP_POSITIVE_X,
+   GL_TEXTURE_CUBE_MAP_NEGATIVE_X, GL_TEXTURE_CUBE_MAP_POSITIVE_Y, GL_TEXTURE_CUBE_MAP_NEGATIVE_Y, GL_TEXTURE_CUBE_MAP_POSITIVE_Z,
+   GL_TEXTURE_CUBE_MAP_NEGATIVE_Z. level: at least 0. format: GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_RGB, GL_BGR, GL_RGBA, GL_BGRA,
+   GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_COLOR_INDEX, GL_DEPTH_COMPONENT. */
 GLAPI void GLAPIENTRY glTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels);
+/* Replaces a box of an image of a three-dimensional texture (GL 1.3, 3.8.1). target: GL_TEXTURE_3D. level: at least 0. format: GL_RED,
+   GL_GREEN, GL_BLUE, GL_ALPHA, GL_RGB, GL_BGR, GL_RGBA, GL_BGRA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_COLOR_INDEX, GL_DEPTH_COMPONENT.
+   Optional system: TEXTURE_3D. */
 GLAPI void GLAPIENTRY glTexSubImage3D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type, const void* pixels);
+/* Makes an image anew from a row of the window (GL 1.3, 3.8.2). target: GL_TEXTURE_1D. level: at least 0. border: 0 to 1. Optional system:
+   COPY_TEXTURE. */
 GLAPI void GLAPIENTRY glCopyTexImage1D(GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLint border);
+/* Makes an image anew from a rectangle of the window (GL 1.3, 3.8.2). target: GL_TEXTURE_2D, GL_TEXTURE_CUBE_MAP_POSITIVE_X,
+   GL_TEXTURE_CUBE_MAP_NEGATIVE_X, GL_TEXTURE_CUBE_MAP_POSITIVE_Y, GL_TEXTURE_CUBE_MAP_NEGATIVE_Y, GL_TEXTURE_CUBE_MAP_POSITIVE_Z,
+   GL_TEXTURE_CUBE_MAP_NEGATIVE_Z. level: at least 0. border: 0 to 1. Optional system: COPY_TEXTURE. */
 GLAPI void GLAPIENTRY glCopyTexImage2D(GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLsizei height, GLint border);
+/* Replaces a part of an image by a row of the window (GL 1.3, 3.8.2). target: GL_TEXTURE_1D. level: at least 0. Optional system:
+   COPY_TEXTURE. */
 GLAPI void GLAPIENTRY glCopyTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLint x, GLint y, GLsizei width);
+/* Replaces a rectangle of an image by one of the window (GL 1.3, 3.8.2). target: GL_TEXTURE_2D, GL_TEXTURE_CUBE_MAP_POSITIVE_X,
+   GL_TEXTURE_CUBE_MAP_NEGATIVE_X, GL_TEXTURE_CUBE_MAP_POSITIVE_Y, GL_TEXTURE_CUBE_MAP_NEGATIVE_Y, GL_TEXTURE_CUBE_MAP_POSITIVE_Z,
+   GL_TEXTURE_CUBE_MAP_NEGATIVE_Z. level: at least 0. Optional system: COPY_TEXTURE. */
 GLAPI void GLAPIENTRY glCopyTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint x, GLint y, GLsizei width, GLsizei height);
+/* Replaces a rectangle of a layer by one of the window (GL 1.3, 3.8.1). target: GL_TEXTURE_3D. level: at least 0. Optional system:
+   COPY_TEXTURE. */
 GLAPI void GLAPIENTRY glCopyTexSubImage3D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height);
+/* Makes an image anew from compressed data: there is no such format of one dimension (GL 1.3, 3.8.3). Always GL_INVALID_ENUM. Not compiled
+   into display lists. Optional system: COMPRESSED_TEXTURES. */
 GLAPI void GLAPIENTRY glCompressedTexImage1D(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLint border, GLsizei imageSize, const void* data);
+/* Makes an image anew from image_size bytes of compressed data (GL 1.3, 3.8.3). target: GL_TEXTURE_2D, GL_PROXY_TEXTURE_2D,
+   GL_TEXTURE_CUBE_MAP_POSITIVE_X, GL_TEXTURE_CUBE_MAP_NEGATIVE_X, GL_TEXTURE_CUBE_MAP_POSITIVE_Y, GL_TEXTURE_CUBE_MAP_NEGATIVE_Y,
+   GL_TEXTURE_CUBE_MAP_POSITIVE_Z, GL_TEXTURE_CUBE_MAP_NEGATIVE_Z, GL_PROXY_TEXTURE_CUBE_MAP. level: at least 0. internalformat:
+   GL_ETC1_RGB8_OES, GL_PALETTE4_RGB8_OES, GL_PALETTE4_RGBA8_OES, GL_PALETTE4_R5_G6_B5_OES, GL_PALETTE4_RGBA4_OES, GL_PALETTE4_RGB5_A1_OES,
+   GL_PALETTE8_RGB8_OES, GL_PALETTE8_RGBA8_OES, GL_PALETTE8_R5_G6_B5_OES, GL_PALETTE8_RGBA4_OES, GL_PALETTE8_RGB5_A1_OES. border: 0.
+   Optional system: COMPRESSED_TEXTURES. */
 GLAPI void GLAPIENTRY glCompressedTexImage2D(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data);
+/* Makes an image anew from compressed data: there is no such format of three dimensions (GL 1.3, 3.8.3). Always GL_INVALID_ENUM. Not
+   compiled into display lists. Optional system: COMPRESSED_TEXTURES. */
 GLAPI void GLAPIENTRY glCompressedTexImage3D(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLsizei imageSize, const void* data);
+/* Replaces a part of a compressed image: there is no such format of one dimension (GL 1.3, 3.8.3). Always GL_INVALID_ENUM. Not compiled
+   into display lists. Optional system: COMPRESSED_TEXTURES. */
 GLAPI void GLAPIENTRY glCompressedTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLsizei imageSize, const void* data);
+/* Replaces a rectangle of a compressed image (GL 1.3, 3.8.3). target: GL_TEXTURE_2D, GL_TEXTURE_CUBE_MAP_POSITIVE_X,
+   GL_TEXTURE_CUBE_MAP_NEGATIVE_X, GL_TEXTURE_CUBE_MAP_POSITIVE_Y, GL_TEXTURE_CUBE_MAP_NEGATIVE_Y, GL_TEXTURE_CUBE_MAP_POSITIVE_Z,
+   GL_TEXTURE_CUBE_MAP_NEGATIVE_Z. level: at least 0. format: GL_ETC1_RGB8_OES, GL_PALETTE4_RGB8_OES, GL_PALETTE4_RGBA8_OES,
+   GL_PALETTE4_R5_G6_B5_OES, GL_PALETTE4_RGBA4_OES, GL_PALETTE4_RGB5_A1_OES, GL_PALETTE8_RGB8_OES, GL_PALETTE8_RGBA8_OES,
+   GL_PALETTE8_R5_G6_B5_OES, GL_PALETTE8_RGBA4_OES, GL_PALETTE8_RGB5_A1_OES. Optional system: COMPRESSED_TEXTURES. */
 GLAPI void GLAPIENTRY glCompressedTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLsizei imageSize, const void* data);
+/* Replaces a box of a compressed image: there is no such format of three dimensions (GL 1.3, 3.8.3). Always GL_INVALID_ENUM. Not compiled
+   into display lists. Optional system: COMPRESSED_TEXTURES. */
 GLAPI void GLAPIENTRY glCompressedTexSubImage3D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLsizei imageSize, const void* data);
+/* Does what glCompressedTexImage2D does with constant data, which are not copied and must stay (GL 1.3, 3.8.3). target: GL_TEXTURE_2D,
+   GL_PROXY_TEXTURE_2D, GL_TEXTURE_CUBE_MAP_POSITIVE_X, GL_TEXTURE_CUBE_MAP_NEGATIVE_X, GL_TEXTURE_CUBE_MAP_POSITIVE_Y,
+   GL_TEXTURE_CUBE_MAP_NEGATIVE_Y, GL_TEXTURE_CUBE_MAP_POSITIVE_Z, GL_TEXTURE_CUBE_MAP_NEGATIVE_Z, GL_PROXY_TEXTURE_CUBE_MAP. level: at
+   least 0. internalformat: GL_ETC1_RGB8_OES, GL_PALETTE4_RGB8_OES, GL_PALETTE4_RGBA8_OES, GL_PALETTE4_R5_G6_B5_OES, GL_PALETTE4_RGBA4_OES,
+   GL_PALETTE4_RGB5_A1_OES, GL_PALETTE8_RGB8_OES, GL_PALETTE8_RGBA8_OES, GL_PALETTE8_R5_G6_B5_OES, GL_PALETTE8_RGBA4_OES,
+   GL_PALETTE8_RGB5_A1_OES. border: 0. Not compiled into display lists. Optional system: COMPRESSED_TEXTURES. */
 GLAPI void GLAPIENTRY glCompressedTexConstantImage2DSPANGLE(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data);
+/* Writes an image of a texture to memory (GL 1.3, 6.1.3). target: GL_TEXTURE_2D, GL_TEXTURE_1D, GL_TEXTURE_3D,
+   GL_TEXTURE_CUBE_MAP_POSITIVE_X, GL_TEXTURE_CUBE_MAP_NEGATIVE_X, GL_TEXTURE_CUBE_MAP_POSITIVE_Y, GL_TEXTURE_CUBE_MAP_NEGATIVE_Y,
+   GL_TEXTURE_CUBE_MAP_POSITIVE_Z, GL_TEXTURE_CUBE_MAP_NEGATIVE_Z. level: at least 0. format: GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_RGB,
+   GL_BGR, GL_RGBA, GL_BGRA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_DEPTH_COMPONENT. Not compiled into display lists. */
 GLAPI void GLAPIENTRY glGetTexImage(GLenum target, GLint level, GLenum format, GLenum type, void* pixels);
+/* Writes the compressed data of an image to memory (GL 1.3, 3.8.3). target: GL_TEXTURE_2D, GL_TEXTURE_1D, GL_TEXTURE_3D,
+   GL_TEXTURE_CUBE_MAP_POSITIVE_X, GL_TEXTURE_CUBE_MAP_NEGATIVE_X, GL_TEXTURE_CUBE_MAP_POSITIVE_Y, GL_TEXTURE_CUBE_MAP_NEGATIVE_Y,
+   GL_TEXTURE_CUBE_MAP_POSITIVE_Z, GL_TEXTURE_CUBE_MAP_NEGATIVE_Z. level: at least 0. Not compiled into display lists. Optional system:
+   COMPRESSED_TEXTURES. */
 GLAPI void GLAPIENTRY glGetCompressedTexImage(GLenum target, GLint level, void* data);
+/* Makes the images of all smaller levels from the base level (GL 3.0, 3.9.7). target: GL_TEXTURE_2D, GL_TEXTURE_1D, GL_TEXTURE_3D,
+   GL_TEXTURE_CUBE_MAP. Optional system: MIPMAP_GENERATION. */
 GLAPI void GLAPIENTRY glGenerateMipmap(GLenum target);
+/* Tells whether all textures are in memory, and writes one answer for each where they are not (GL 1.3, 3.8.11). */
 GLAPI GLboolean GLAPIENTRY glAreTexturesResident(GLsizei n, const GLuint* textures, GLboolean* residences);
+/* Sets the priorities of textures, clamped to [0, 1] (GL 1.3, 3.8.11). */
 GLAPI void GLAPIENTRY glPrioritizeTextures(GLsizei n, const GLuint* textures, const GLclampf* priorities);
+/* Writes n unused names of textures to the array (GL 1.3, 3.8.11). Not compiled into display lists. */
 GLAPI void GLAPIENTRY glGenTextures(GLsizei n, GLuint* textures);
+/* Deletes textures; unused names are ignored (GL 1.3, 3.8.11). Not compiled into display lists. */
 GLAPI void GLAPIENTRY glDeleteTextures(GLsizei n, const GLuint* textures);
+/* Binds a texture to a target of the active unit; 0 is the default one (GL 1.3, 3.8.11). target: GL_TEXTURE_2D, GL_TEXTURE_1D,
+   GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP. */
 GLAPI void GLAPIENTRY glBindTexture(GLenum target, GLuint texture);
+/* Selects the unit that texture commands change (GL 1.3, 3.8.13). texture: GL_TEXTURE0, GL_TEXTURE1. */
 GLAPI void GLAPIENTRY glActiveTexture(GLenum texture);
+/* Tells whether a name is that of a texture (GL 1.3, 3.8.11). */
 GLAPI GLboolean GLAPIENTRY glIsTexture(GLuint texture);
+/* Sets a parameter of the bound texture (GL 1.3, 3.8.4). target: GL_TEXTURE_2D, GL_TEXTURE_1D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP. */
 GLAPI void GLAPIENTRY glTexParameterf(GLenum target, GLenum pname, GLfloat param);
 GLAPI void GLAPIENTRY glTexParameterfv(GLenum target, GLenum pname, const GLfloat* params);
 GLAPI void GLAPIENTRY glTexParameteri(GLenum target, GLenum pname, GLint param);
 GLAPI void GLAPIENTRY glTexParameteriv(GLenum target, GLenum pname, const GLint* params);
 GLAPI void GLAPIENTRY glTexParameterxOES(GLenum target, GLenum pname, GLfixed param);
 GLAPI void GLAPIENTRY glTexParameterxvOES(GLenum target, GLenum pname, const GLfixed* params);
+/* Writes a parameter of the bound texture to params (GL 1.3, 3.8.4). target: GL_TEXTURE_2D, GL_TEXTURE_1D, GL_TEXTURE_3D,
+   GL_TEXTURE_CUBE_MAP. Not compiled into display lists. */
 GLAPI void GLAPIENTRY glGetTexParameterfv(GLenum target, GLenum pname, GLfloat* params);
 GLAPI void GLAPIENTRY glGetTexParameteriv(GLenum target, GLenum pname, GLint* params);
 GLAPI void GLAPIENTRY glGetTexParameterxvOES(GLenum target, GLenum pname, GLfixed* params);
+/* Sets a parameter of the active unit's environment (GL 1.3, 3.8.12). target: GL_TEXTURE_ENV, GL_TEXTURE_FILTER_CONTROL, GL_POINT_SPRITE.
+   */
 GLAPI void GLAPIENTRY glTexEnvf(GLenum target, GLenum pname, GLfloat param);
 GLAPI void GLAPIENTRY glTexEnvfv(GLenum target, GLenum pname, const GLfloat* params);
 GLAPI void GLAPIENTRY glTexEnvi(GLenum target, GLenum pname, GLint param);
 GLAPI void GLAPIENTRY glTexEnviv(GLenum target, GLenum pname, const GLint* params);
 GLAPI void GLAPIENTRY glTexEnvxOES(GLenum target, GLenum pname, GLfixed param);
 GLAPI void GLAPIENTRY glTexEnvxvOES(GLenum target, GLenum pname, const GLfixed* params);
+/* Writes a parameter of the active unit's environment to params (GL 1.3, 3.8.12). target: GL_TEXTURE_ENV, GL_TEXTURE_FILTER_CONTROL,
+   GL_POINT_SPRITE. Not compiled into display lists. */
 GLAPI void GLAPIENTRY glGetTexEnvfv(GLenum target, GLenum pname, GLfloat* params);
 GLAPI void GLAPIENTRY glGetTexEnviv(GLenum target, GLenum pname, GLint* params);
 GLAPI void GLAPIENTRY glGetTexEnvxvOES(GLenum target, GLenum pname, GLfixed* params);
+/* Writes a parameter of an image of the bound texture to params (GL 1.3, 6.1.3). level: at least 0. Not compiled into display lists. */
 GLAPI void GLAPIENTRY glGetTexLevelParameterfv(GLenum target, GLint level, GLenum pname, GLfloat* params);
 GLAPI void GLAPIENTRY glGetTexLevelParameteriv(GLenum target, GLint level, GLenum pname, GLint* params);
 GLAPI void GLAPIENTRY glGetTexLevelParameterxvOES(GLenum target, GLint level, GLenum pname, GLfixed* params);
@@ -1324,13 +1658,25 @@ GLAPI void GLAPIENTRY glGetTexLevelParameterxvOES(GLenum target, GLint level, GL
 #define GL_LIST_INDEX 0x0B33
 #define GL_COMPILE 0x1300
 #define GL_COMPILE_AND_EXECUTE 0x1301
+/* Begins a display list, into which commands are compiled up to glEndList (GL 1.3, 5.4). mode: GL_COMPILE, GL_COMPILE_AND_EXECUTE. Not
+   compiled into display lists. Optional system: LISTS. */
 GLAPI void GLAPIENTRY glNewList(GLuint list, GLenum mode);
+/* Ends the display list, which replaces the one of its name (GL 1.3, 5.4). Not compiled into display lists. Optional system: LISTS. */
 GLAPI void GLAPIENTRY glEndList(void);
+/* Runs a display list; unused names are ignored (GL 1.3, 5.4). Also between glBegin and glEnd. Optional system: LISTS. */
 GLAPI void GLAPIENTRY glCallList(GLuint list);
+/* Runs n display lists, whose numbers are added to the list base (GL 1.3, 5.4). type: GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT,
+   GL_UNSIGNED_SHORT, GL_INT, GL_UNSIGNED_INT, GL_FLOAT, GL_2_BYTES, GL_3_BYTES, GL_4_BYTES. Also between glBegin and glEnd. Optional
+   system: LISTS. */
 GLAPI void GLAPIENTRY glCallLists(GLsizei n, GLenum type, const void* lists);
+/* Sets the number that is added to those of glCallLists (GL 1.3, 5.4). Optional system: LISTS. */
 GLAPI void GLAPIENTRY glListBase(GLuint base);
+/* Makes range empty display lists with consecutive names, and returns the first name; 0: there are none (GL 1.3, 5.4). Optional system:
+   LISTS. */
 GLAPI GLuint GLAPIENTRY glGenLists(GLsizei range);
+/* Deletes range display lists from the name list on (GL 1.3, 5.4). Not compiled into display lists. Optional system: LISTS. */
 GLAPI void GLAPIENTRY glDeleteLists(GLuint list, GLsizei range);
+/* Tells whether a name is that of a display list (GL 1.3, 5.4). Optional system: LISTS. */
 GLAPI GLboolean GLAPIENTRY glIsList(GLuint list);
 
 /* Selection, feedback (GL 1.3, 5.2, 5.3) */
@@ -1358,14 +1704,24 @@ GLAPI GLboolean GLAPIENTRY glIsList(GLuint list);
 #define GL_DRAW_PIXEL_TOKEN 0x0705
 #define GL_COPY_PIXEL_TOKEN 0x0706
 #define GL_LINE_RESET_TOKEN 0x0707
+/* Switches between drawing, selection and feedback, and returns the hits or values of the mode that ends (GL 1.3, 5.2). mode: GL_RENDER,
+   GL_SELECT, GL_FEEDBACK. Optional system: SELECTION or FEEDBACK. */
 GLAPI GLint GLAPIENTRY glRenderMode(GLenum mode);
+/* Names the array of size elements for the hits of selection (GL 1.3, 5.2). Not compiled into display lists. Optional system: SELECTION. */
 GLAPI void GLAPIENTRY glSelectBuffer(GLsizei size, GLuint* buffer);
+/* Empties the name stack (GL 1.3, 5.2). Optional system: SELECTION. */
 GLAPI void GLAPIENTRY glInitNames(void);
+/* Pushes a name (GL 1.3, 5.2). Optional system: SELECTION. */
 GLAPI void GLAPIENTRY glPushName(GLuint name);
+/* Pops a name (GL 1.3, 5.2). Optional system: SELECTION. */
 GLAPI void GLAPIENTRY glPopName(void);
+/* Replaces the top of the name stack (GL 1.3, 5.2). Optional system: SELECTION. */
 GLAPI void GLAPIENTRY glLoadName(GLuint name);
+/* Names the array of size elements for the values of feedback (GL 1.3, 5.3). type: GL_2D, GL_3D, GL_3D_COLOR, GL_3D_COLOR_TEXTURE,
+   GL_4D_COLOR_TEXTURE. Not compiled into display lists. Optional system: FEEDBACK. */
 GLAPI void GLAPIENTRY glFeedbackBuffer(GLsizei size, GLenum type, GLfloat* buffer);
 GLAPI void GLAPIENTRY glFeedbackBufferxOES(GLsizei size, GLenum type, GLfixed* buffer);
+/* Puts a token among the values of feedback (GL 1.3, 5.3). Optional system: FEEDBACK. */
 GLAPI void GLAPIENTRY glPassThrough(GLfloat token);
 GLAPI void GLAPIENTRY glPassThroughxOES(GLfixed token);
 
@@ -1397,37 +1753,58 @@ GLAPI void GLAPIENTRY glPassThroughxOES(GLfixed token);
 #define GL_MAP1_GRID_SEGMENTS 0x0DD1
 #define GL_MAP2_GRID_DOMAIN 0x0DD2
 #define GL_MAP2_GRID_SEGMENTS 0x0DD3
+/* Sets an evaluator of one variable: order control points, stride components apart, over [u1, u2] (GL 1.3, 5.1). target: GL_MAP1_VERTEX_4,
+   GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4, GL_MAP1_INDEX, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2,
+   GL_MAP1_TEXTURE_COORD_3, GL_MAP1_TEXTURE_COORD_4. stride: at least 4. order: 1 to 8. Optional system: EVALUATORS. */
 GLAPI void GLAPIENTRY glMap1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points);
 GLAPI void GLAPIENTRY glMap1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order, const GLdouble* points);
 GLAPI void GLAPIENTRY glMap1xOES(GLenum target, GLfixed u1, GLfixed u2, GLint stride, GLint order, const GLfixed* points);
+/* Sets an evaluator of two variables: a net of control points over [u1, u2] x [v1, v2] (GL 1.3, 5.1). target: GL_MAP2_VERTEX_4,
+   GL_MAP2_VERTEX_3, GL_MAP2_COLOR_4, GL_MAP2_INDEX, GL_MAP2_NORMAL, GL_MAP2_TEXTURE_COORD_1, GL_MAP2_TEXTURE_COORD_2,
+   GL_MAP2_TEXTURE_COORD_3, GL_MAP2_TEXTURE_COORD_4. ustride: at least 4. uorder: 1 to 8. vstride: at least 4. vorder: 1 to 8. Optional
+   system: EVALUATORS. */
 GLAPI void GLAPIENTRY glMap2f(GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2, GLint vstride, GLint vorder, const GLfloat* points);
 GLAPI void GLAPIENTRY glMap2d(GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1, GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points);
 GLAPI void GLAPIENTRY glMap2xOES(GLenum target, GLfixed u1, GLfixed u2, GLint ustride, GLint uorder, GLfixed v1, GLfixed v2, GLint vstride, GLint vorder, const GLfixed* points);
+/* Writes order, domain or control points of an evaluator to the array (GL 1.3, 5.1). query: GL_COEFF, GL_ORDER, GL_DOMAIN. Not compiled
+   into display lists. Optional system: EVALUATORS. */
 GLAPI void GLAPIENTRY glGetMapiv(GLenum target, GLenum query, GLint* v);
 GLAPI void GLAPIENTRY glGetMapfv(GLenum target, GLenum query, GLfloat* v);
 GLAPI void GLAPIENTRY glGetMapdv(GLenum target, GLenum query, GLdouble* v);
 GLAPI void GLAPIENTRY glGetMapxvOES(GLenum target, GLenum query, GLfixed* v);
+/* Evaluates the maps of one variable that are on, and gives the vertex (GL 1.3, 5.1). Also between glBegin and glEnd. Optional system:
+   EVALUATORS. */
 GLAPI void GLAPIENTRY glEvalCoord1f(GLfloat u);
 GLAPI void GLAPIENTRY glEvalCoord1fv(const GLfloat* v);
 GLAPI void GLAPIENTRY glEvalCoord1d(GLdouble u);
 GLAPI void GLAPIENTRY glEvalCoord1dv(const GLdouble* v);
 GLAPI void GLAPIENTRY glEvalCoord1xOES(GLfixed u);
 GLAPI void GLAPIENTRY glEvalCoord1xvOES(const GLfixed* v);
+/* Evaluates the maps of two variables that are on, and gives the vertex (GL 1.3, 5.1). Also between glBegin and glEnd. Optional system:
+   EVALUATORS. */
 GLAPI void GLAPIENTRY glEvalCoord2f(GLfloat u, GLfloat v);
 GLAPI void GLAPIENTRY glEvalCoord2fv(const GLfloat* v);
 GLAPI void GLAPIENTRY glEvalCoord2d(GLdouble u, GLdouble v);
 GLAPI void GLAPIENTRY glEvalCoord2dv(const GLdouble* v);
 GLAPI void GLAPIENTRY glEvalCoord2xOES(GLfixed u, GLfixed v);
 GLAPI void GLAPIENTRY glEvalCoord2xvOES(const GLfixed* v);
+/* Divides [u1, u2] into un steps (GL 1.3, 5.1). un: at least 1. Optional system: EVALUATORS. */
 GLAPI void GLAPIENTRY glMapGrid1f(GLint un, GLfloat u1, GLfloat u2);
 GLAPI void GLAPIENTRY glMapGrid1d(GLint un, GLdouble u1, GLdouble u2);
 GLAPI void GLAPIENTRY glMapGrid1xOES(GLint un, GLfixed u1, GLfixed u2);
+/* Divides [u1, u2] into un steps, and [v1, v2] into vn (GL 1.3, 5.1). un: at least 1. vn: at least 1. Optional system: EVALUATORS. */
 GLAPI void GLAPIENTRY glMapGrid2f(GLint un, GLfloat u1, GLfloat u2, GLint vn, GLfloat v1, GLfloat v2);
 GLAPI void GLAPIENTRY glMapGrid2d(GLint un, GLdouble u1, GLdouble u2, GLint vn, GLdouble v1, GLdouble v2);
 GLAPI void GLAPIENTRY glMapGrid2xOES(GLint un, GLfixed u1, GLfixed u2, GLint vn, GLfixed v1, GLfixed v2);
+/* Draws the points or the lines of the grid of one variable from i1 to i2 (GL 1.3, 5.1). mode: GL_POINT, GL_LINE. Optional system:
+   EVALUATORS. */
 GLAPI void GLAPIENTRY glEvalMesh1(GLenum mode, GLint i1, GLint i2);
+/* Draws points, lines or quadrilaterals of the grid of two variables (GL 1.3, 5.1). mode: GL_FILL, GL_LINE, GL_POINT. Optional system:
+   EVALUATORS. */
 GLAPI void GLAPIENTRY glEvalMesh2(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2);
+/* Evaluates at point i of the grid of one variable (GL 1.3, 5.1). Also between glBegin and glEnd. Optional system: EVALUATORS. */
 GLAPI void GLAPIENTRY glEvalPoint1(GLint i);
+/* Evaluates at point (i, j) of the grid of two variables (GL 1.3, 5.1). Also between glBegin and glEnd. Optional system: EVALUATORS. */
 GLAPI void GLAPIENTRY glEvalPoint2(GLint i, GLint j);
 
 #ifdef __cplusplus

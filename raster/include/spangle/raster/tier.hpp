@@ -70,7 +70,7 @@ struct Knobs {
     /// Fog is affine over a primitive where its factor is off by 2^-n at most: 2 to 24, or 0 for always.
     std::uint8_t affine_fog_bits;
 
-    /// Of a bound: never affine.
+    /// The value of a bound `affine_...` that keeps attributes from ever being affine.
     static constexpr std::uint8_t never = 255;
     friend constexpr bool operator==(const Knobs&, const Knobs&) = default;
 };
@@ -142,8 +142,7 @@ static_assert(are_valid(exact_knobs) && are_valid(balanced_knobs) && are_valid(f
 /// Firmware may draw in one tier that its user composed. SPANGLE_KNOBS gives every field its value; then all
 /// knobs are constants, whatever tier a config or a hint asks for. `./dev firmware --tier` sets it.
 #ifdef SPANGLE_KNOBS
-/// Firmware may draw in one tier that its user composed. SPANGLE_KNOBS gives every field its value; then all
-/// knobs are constants, whatever tier a config or a hint asks for. `./dev firmware --tier` sets it.
+/// Whether SPANGLE_KNOBS gives the knobs.
 inline constexpr bool has_given_knobs = true;
 /// The knobs of SPANGLE_KNOBS.
 inline constexpr Knobs given_knobs = {SPANGLE_KNOBS};
