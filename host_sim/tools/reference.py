@@ -86,10 +86,36 @@ def one_member_each(lines):
         lines[i + 1:last + 1] = [""] * (last - i)
 
 
+def c_header(name, text):
+    """A comment of gl.h and egl.h holds for all declarations below it, up to the next comment or empty line."""
+    out, said, lines = [], "", iter(text.replace("/*", f"/** \\file {name}", 1).split("\n"))
+    for line in lines:
+        trailing = re.match(r"^(\S.*?;)\s*/\*\s*(.*?)\s*\*/$", line)
+        if trailing:
+            out.append(f"{trailing[1]} /**< {trailing[2]} */")
+            continue
+        if line.startswith("/* "):
+            comment = [line]
+            while "*/" not in comment[-1]:
+                comment.append(next(lines))
+            said = " ".join(part.strip().removeprefix("*" if i else "").strip() for i, part in enumerate(comment))[2:-2].strip()
+            out += [""] * len(comment)
+        elif not line:
+            said = ""
+            out.append("")
+        elif said and re.match(r"^(GLAPI|EGLAPI|typedef) ", line):
+            out.append(f"/** {said} */ {line}")
+        elif said and line.startswith("#define ") and not line.endswith("_H"):
+            out.append(f"{line} /**< {said} */")
+        else:
+            out.append(line)
+    return "\n".join(out)
+
+
 def header(path, text):
     name = installed_name(path)
-    if text.startswith("/*"):
-        text = text.replace("/*", f"/** \\file {name}", 1)
+    if path.suffix == ".h":
+        return c_header(name, text)
     lines, first_comment = text.split("\n"), []
     for i, line in enumerate(lines):
         if not line.startswith("//"):

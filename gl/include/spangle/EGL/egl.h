@@ -1,5 +1,11 @@
 /* EGL 1.4 as Spangle has it: it connects rendering contexts with displays. Types are those of Khronos'
- * headers with EGL_NO_X11. For C89 and up, and C++. */
+ * headers with EGL_NO_X11. For C89 and up, and C++.
+ *
+ * A comment holds for all that stands below it, up to the next comment or empty line. A function that fails
+ * returns EGL_FALSE, null or 0, does nothing else, and leaves an error for eglGetError. Where a comment names
+ * no other errors: EGL_BAD_DISPLAY, EGL_NOT_INITIALIZED (eglInitialize did not succeed), EGL_BAD_CONFIG,
+ * EGL_BAD_SURFACE, EGL_BAD_CONTEXT, for handles that are none, and EGL_BAD_PARAMETER for null pointers
+ * (EGL 1.4, 3.1). Attribute lists end with EGL_NONE, may be null, and are read before the call returns. */
 #ifndef SPANGLE_EGL_EGL_H
 #define SPANGLE_EGL_EGL_H
 
@@ -9,6 +15,7 @@
 extern "C" {
 #endif
 
+/* How functions are declared and called; a build may define them. */
 #ifndef EGLAPI
 #define EGLAPI extern
 #endif
@@ -16,10 +23,13 @@ extern "C" {
 #define EGLAPIENTRY
 #endif
 
+/* A display of the platform, as spangle::native (spangle/native.hpp) makes it of a HAL display; its pixmaps,
+ * and its windows: 0 is the only window of a board. */
 typedef void* EGLNativeDisplayType;
 typedef uintptr_t EGLNativePixmapType;
 typedef uintptr_t EGLNativeWindowType;
 
+/* Types (EGL 1.4, 2.1). Handles are opaque. */
 typedef int32_t EGLint;
 typedef unsigned int EGLBoolean;
 typedef unsigned int EGLenum;
@@ -31,12 +41,14 @@ typedef void* EGLClientBuffer;
 typedef intptr_t EGLAttrib; /* a type of EGL 1.5 */
 typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 
+/* The versions that this EGL has. */
 #define EGL_VERSION_1_0 1
 #define EGL_VERSION_1_1 1
 #define EGL_VERSION_1_2 1
 #define EGL_VERSION_1_3 1
 #define EGL_VERSION_1_4 1
 
+/* Values of several types that name nothing, or the default. */
 #define EGL_FALSE 0
 #define EGL_TRUE 1
 #define EGL_DONT_CARE ((EGLint)-1)
@@ -46,7 +58,7 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 #define EGL_NO_DISPLAY ((EGLDisplay)0)
 #define EGL_NO_SURFACE ((EGLSurface)0)
 
-/* errors */
+/* Errors (EGL 1.4, 3.1) */
 #define EGL_SUCCESS 0x3000
 #define EGL_NOT_INITIALIZED 0x3001
 #define EGL_BAD_ACCESS 0x3002
@@ -63,7 +75,7 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 #define EGL_BAD_SURFACE 0x300D
 #define EGL_CONTEXT_LOST 0x300E
 
-/* config attributes */
+/* Attributes of configs (EGL 1.4, 3.4, table 3.1) */
 #define EGL_BUFFER_SIZE 0x3020
 #define EGL_ALPHA_SIZE 0x3021
 #define EGL_BLUE_SIZE 0x3022
@@ -99,6 +111,7 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 #define EGL_MATCH_NATIVE_PIXMAP 0x3041
 #define EGL_CONFORMANT 0x3042
 
+/* Values of these attributes (EGL 1.4, 3.4) */
 #define EGL_SLOW_CONFIG 0x3050
 #define EGL_NON_CONFORMANT_CONFIG 0x3051
 #define EGL_TRANSPARENT_RGB 0x3052
@@ -112,7 +125,7 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 #define EGL_OPENGL_ES2_BIT 0x0004
 #define EGL_OPENGL_BIT 0x0008
 
-/* strings, surfaces, contexts */
+/* Strings, attributes of surfaces and of contexts, APIs (EGL 1.4, 3.3, 3.5, 3.7) */
 #define EGL_VENDOR 0x3053
 #define EGL_VERSION 0x3054
 #define EGL_EXTENSIONS 0x3055
@@ -146,12 +159,12 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 #define EGL_OPENVG_API 0x30A1
 #define EGL_OPENGL_API 0x30A2
 
-/* EGL_EXT_platform_base, EGL_MESA_platform_surfaceless, EGL_KHR_platform_x11 */
+/* Platforms: EGL_EXT_platform_base, EGL_MESA_platform_surfaceless, EGL_KHR_platform_x11 */
 #define EGL_PLATFORM_X11_KHR 0x31D5
 #define EGL_PLATFORM_X11_EXT 0x31D5
 #define EGL_PLATFORM_SURFACELESS_MESA 0x31DD
 
-/* EGL_KHR_create_context */
+/* Attributes of contexts and their values: EGL_KHR_create_context */
 #define EGL_CONTEXT_MAJOR_VERSION_KHR 0x3098
 #define EGL_CONTEXT_MINOR_VERSION_KHR 0x30FB
 #define EGL_CONTEXT_FLAGS_KHR 0x30FC
@@ -165,7 +178,8 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 #define EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT_KHR 0x0001
 #define EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT_KHR 0x0002
 
-/* EGL_EXT_buffer_age */
+/* EGL_EXT_buffer_age: an attribute of eglQuerySurface: how many frames ago the buffer was drawn; 0: its
+ * contents are undefined. */
 #define EGL_BUFFER_AGE_EXT 0x313D
 
 /* EGL_SPANGLE_precision: a config attribute, the tier of accuracy. Contexts of the config draw in that tier
@@ -211,59 +225,114 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 #define EGL_INDEX_BUFFER_SPANGLE 0x3F0A
 #define EGL_INDEX_SIZE_SPANGLE 0x3F0B
 
+/* Returns the error of the last EGL function of this thread, EGL_SUCCESS if it did not fail, and forgets it
+ * (EGL 1.4, 3.1). */
 EGLAPI EGLint EGLAPIENTRY eglGetError(void);
+/* Returns the handle of a display; EGL_NO_DISPLAY: there is none. The native display must outlive
+ * eglTerminate. No error is raised (EGL 1.4, 3.2). */
 EGLAPI EGLDisplay EGLAPIENTRY eglGetDisplay(EGLNativeDisplayType display_id);
+/* Initialises a display and its panel, and writes EGL's version, 1 and 4, where the pointers are not null.
+ * EGL_NOT_INITIALIZED: the panel cannot be initialised; a message says why (EGL 1.4, 3.2). */
 EGLAPI EGLBoolean EGLAPIENTRY eglInitialize(EGLDisplay dpy, EGLint* major, EGLint* minor);
+/* Destroys all that belongs to a display; what is current stays until it is current no more (EGL 1.4, 3.2).
+ * */
 EGLAPI EGLBoolean EGLAPIENTRY eglTerminate(EGLDisplay dpy);
+/* Returns a static string about a display, or client extensions of EGL_NO_DISPLAY. name: EGL_CLIENT_APIS,
+ * EGL_EXTENSIONS, EGL_VENDOR, EGL_VERSION. EGL_BAD_PARAMETER: another name (EGL 1.4, 3.3). */
 EGLAPI const char* EGLAPIENTRY eglQueryString(EGLDisplay dpy, EGLint name);
+/* Writes up to config_size configs, and their number; a null configs asks for the number of all (EGL 1.4,
+ * 3.4.1). */
 EGLAPI EGLBoolean EGLAPIENTRY eglGetConfigs(EGLDisplay dpy, EGLConfig* configs, EGLint config_size,
                                             EGLint* num_config);
+/* Writes up to config_size configs that have the attributes, the best first, and their number.
+ * EGL_BAD_ATTRIBUTE: an attribute or value that there is not (EGL 1.4, 3.4.1). */
 EGLAPI EGLBoolean EGLAPIENTRY eglChooseConfig(EGLDisplay dpy, const EGLint* attrib_list, EGLConfig* configs,
                                               EGLint config_size, EGLint* num_config);
+/* Writes an attribute of a config. EGL_BAD_ATTRIBUTE: there is no such attribute (EGL 1.4, 3.4.3). */
 EGLAPI EGLBoolean EGLAPIENTRY eglGetConfigAttrib(EGLDisplay dpy, EGLConfig config, EGLint attribute,
                                                  EGLint* value);
+/* Makes a surface of a window. EGL_BAD_NATIVE_WINDOW: there is no such window. EGL_BAD_ALLOC: it has a
+ * surface, or memory does not suffice. EGL_BAD_MATCH: the config or an attribute does not suit it (EGL 1.4,
+ * 3.5.1). */
 EGLAPI EGLSurface EGLAPIENTRY eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config,
                                                      EGLNativeWindowType win, const EGLint* attrib_list);
+/* Makes a surface in memory, of EGL_WIDTH x EGL_HEIGHT pixels. EGL_BAD_ALLOC: memory does not suffice.
+ * EGL_BAD_MATCH: the config does not suit it (EGL 1.4, 3.5.2). */
 EGLAPI EGLSurface EGLAPIENTRY eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig config,
                                                       const EGLint* attrib_list);
+/* Makes a surface of a pixmap of the platform. EGL_BAD_NATIVE_PIXMAP: there is no such pixmap (EGL 1.4,
+ * 3.5.4). */
 EGLAPI EGLSurface EGLAPIENTRY eglCreatePixmapSurface(EGLDisplay dpy, EGLConfig config,
                                                      EGLNativePixmapType pixmap, const EGLint* attrib_list);
+/* Would make a pbuffer of an OpenVG image, which there is not: EGL_BAD_PARAMETER (EGL 1.4, 3.5.3). */
 EGLAPI EGLSurface EGLAPIENTRY eglCreatePbufferFromClientBuffer(EGLDisplay dpy, EGLenum buftype,
                                                                EGLClientBuffer buffer, EGLConfig config,
                                                                const EGLint* attrib_list);
+/* Sets an attribute of a surface. EGL_BAD_ATTRIBUTE: there is no such attribute. EGL_BAD_MATCH: the config
+ * does not have the value (EGL 1.4, 3.5.6). */
 EGLAPI EGLBoolean EGLAPIENTRY eglSurfaceAttrib(EGLDisplay dpy, EGLSurface surface, EGLint attribute,
                                                EGLint value);
+/* Would make a pbuffer a texture of OpenGL ES. No config here binds to textures: EGL_BAD_SURFACE, or
+ * EGL_BAD_PARAMETER if buffer is not EGL_BACK_BUFFER (EGL 1.4, 3.6.1). */
 EGLAPI EGLBoolean EGLAPIENTRY eglBindTexImage(EGLDisplay dpy, EGLSurface surface, EGLint buffer);
+/* Would end eglBindTexImage, and fails as that does (EGL 1.4, 3.6.2). */
 EGLAPI EGLBoolean EGLAPIENTRY eglReleaseTexImage(EGLDisplay dpy, EGLSurface surface, EGLint buffer);
+/* Copies the colours of a surface to a pixmap. EGL_BAD_NATIVE_PIXMAP: there is no such pixmap. EGL_BAD_MATCH:
+ * its format is another (EGL 1.4, 3.9.2). */
 EGLAPI EGLBoolean EGLAPIENTRY eglCopyBuffers(EGLDisplay dpy, EGLSurface surface, EGLNativePixmapType target);
+/* Destroys a surface; one that is current stays until it is current no more (EGL 1.4, 3.5.5). */
 EGLAPI EGLBoolean EGLAPIENTRY eglDestroySurface(EGLDisplay dpy, EGLSurface surface);
+/* Writes an attribute of a surface. EGL_BAD_ATTRIBUTE: there is no such attribute (EGL 1.4, 3.5.6). */
 EGLAPI EGLBoolean EGLAPIENTRY eglQuerySurface(EGLDisplay dpy, EGLSurface surface, EGLint attribute,
                                               EGLint* value);
-/* EGL_OPENGL_API is current from the start and is the only API. (By EGL 1.4, 3.7 EGL_NONE would be current at
-   first where there is no OpenGL ES.) */
+/* Makes an API current; EGL_OPENGL_API is current from the start and is the only one. (By EGL 1.4, 3.7
+ * EGL_NONE would be current at first where there is no OpenGL ES.) EGL_BAD_PARAMETER: another API. */
 EGLAPI EGLBoolean EGLAPIENTRY eglBindAPI(EGLenum api);
+/* Returns the API that is current, EGL_OPENGL_API (EGL 1.4, 3.7). */
 EGLAPI EGLenum EGLAPIENTRY eglQueryAPI(void);
+/* Says whether eglSwapBuffers of the current window waits: 0 does not, 1 is as the display was set up (EGL
+ * 1.4, 3.9.3). */
 EGLAPI EGLBoolean EGLAPIENTRY eglSwapInterval(EGLDisplay dpy, EGLint interval);
+/* Makes a context; it shares textures, buffers and lists with share_context where that is not EGL_NO_CONTEXT.
+ * EGL_BAD_ALLOC: memory does not suffice. EGL_BAD_MATCH: the version, or the context to share with, does not
+ * suit (EGL 1.4, 3.7.1). */
 EGLAPI EGLContext EGLAPIENTRY eglCreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_context,
                                                const EGLint* attrib_list);
+/* Destroys a context; one that is current stays until it is current no more (EGL 1.4, 3.7.2). */
 EGLAPI EGLBoolean EGLAPIENTRY eglDestroyContext(EGLDisplay dpy, EGLContext ctx);
+/* Makes a context current on this thread, with the surfaces to draw to and read from; all three may be none.
+ * EGL_BAD_ACCESS: it is current on another thread. EGL_BAD_MATCH: configs differ (EGL 1.4, 3.7.3). */
 EGLAPI EGLBoolean EGLAPIENTRY eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read,
                                              EGLContext ctx);
+/* Returns the context that is current on this thread, or EGL_NO_CONTEXT (EGL 1.4, 3.7.4). */
 EGLAPI EGLContext EGLAPIENTRY eglGetCurrentContext(void);
+/* Returns the surface of the current context. readdraw: EGL_DRAW, EGL_READ (EGL 1.4, 3.7.4). */
 EGLAPI EGLSurface EGLAPIENTRY eglGetCurrentSurface(EGLint readdraw);
+/* Returns the display of the current context, or EGL_NO_DISPLAY (EGL 1.4, 3.7.4). */
 EGLAPI EGLDisplay EGLAPIENTRY eglGetCurrentDisplay(void);
+/* Writes an attribute of a context. EGL_BAD_ATTRIBUTE: there is no such attribute (EGL 1.4, 3.7.4). */
 EGLAPI EGLBoolean EGLAPIENTRY eglQueryContext(EGLDisplay dpy, EGLContext ctx, EGLint attribute,
                                               EGLint* value);
+/* Returns when GL's commands on this thread are done (EGL 1.4, 3.8). */
 EGLAPI EGLBoolean EGLAPIENTRY eglWaitGL(void);
+/* Does what eglWaitGL does (EGL 1.4, 3.8). */
 EGLAPI EGLBoolean EGLAPIENTRY eglWaitClient(void);
+/* Returns when the platform's drawing is done. engine: EGL_CORE_NATIVE_ENGINE (EGL 1.4, 3.8). */
 EGLAPI EGLBoolean EGLAPIENTRY eglWaitNative(EGLint engine);
+/* Makes nothing current on this thread, and forgets its error (EGL 1.4, 3.11). */
 EGLAPI EGLBoolean EGLAPIENTRY eglReleaseThread(void);
+/* Sets colours of a window's palette; see EGL_SPANGLE_color_index above. */
 EGLAPI EGLBoolean EGLAPIENTRY eglSetPaletteSPANGLE(EGLDisplay dpy, EGLSurface surface, EGLint first,
                                                    EGLint count, const uint8_t* rgb);
+/* Shows what was drawn on a window; on other surfaces it does nothing. EGL_BAD_NATIVE_WINDOW: the display did
+ * not take the frame; a message says why, and the next call sends what is missing. EGL_BAD_SURFACE: it is not
+ * the current draw surface. EGL_BAD_ALLOC: the frame's record is not whole (EGL 1.4, 3.9.1). */
 EGLAPI EGLBoolean EGLAPIENTRY eglSwapBuffers(EGLDisplay dpy, EGLSurface surface);
+/* Returns the address of a function of GL or EGL by its name; null: there is none (EGL 1.4, 3.10). */
 EGLAPI __eglMustCastToProperFunctionPointerType EGLAPIENTRY eglGetProcAddress(const char* procname);
 
-/* The commands of EGL_EXT_platform_base, and the same commands by their names in EGL 1.5; hosts only. */
+/* The commands of EGL_EXT_platform_base, and the same commands by their names in EGL 1.5; hosts only. Each
+ * does what the command of EGL 1.4 does, and names the platform, or points to the native handle. */
 EGLAPI EGLDisplay EGLAPIENTRY eglGetPlatformDisplayEXT(EGLenum platform, void* native_display,
                                                        const EGLint* attrib_list);
 EGLAPI EGLSurface EGLAPIENTRY eglCreatePlatformWindowSurfaceEXT(EGLDisplay dpy, EGLConfig config,
