@@ -2,7 +2,7 @@
 """Builds the reference manual of the public headers and of docs with Doxygen (docs/Doxyfile).
 
 usage: reference.py [--root TREE] OUT    writes OUT/html; what Doxygen warns of is printed, and the exit status is then 1
-       reference.py --filter FILE        prints FILE as Doxygen is to read it: the Doxyfile calls this
+       reference.py --filter FILE        prints FILE as Doxygen is to read it
 
 What headers say stays as C++ readers want it. Doxygen asks for more, and the filter writes that:
   \\file        before the first comment of a header, which says what the file is for
@@ -19,11 +19,13 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import urllib.parse
 
 TREE = pathlib.Path(__file__).resolve().parents[2]
 INCLUDES = ("raster/format/include", "raster/include", "hal/include", "hal/mcu/include", "hal/linux/include", "hal/usb/include", "boards/include",
             "gl/include", "host_sim/include")
 PICTURES = {".png", ".svg"}
+MAIN_PAGE = pathlib.Path("docs/architecture.md")
 
 
 # --- headers -------------------------------------------------------------------------------------------------------
@@ -114,6 +116,7 @@ def c_header(name, text):
 
 def header(path, text):
     name = installed_name(path)
+    text = re.sub(r"\[([^][]+)\]\((docs/[^)\s]+)\)", lambda m: link(TREE, pathlib.Path(), m[1], m[2]), text)
     if path.suffix == ".h":
         return c_header(name, text)
     lines, first_comment = text.split("\n"), []
@@ -134,6 +137,8 @@ def header(path, text):
 
 def page_name(path):
     """The name that Doxygen gives the page of a Markdown file of docs."""
+    if path == MAIN_PAGE:
+        return "index"
     return "md_" + "_".join(path.with_suffix("").parts).replace("-", "_")
 
 
@@ -166,57 +171,80 @@ def link(tree, page, text, target):
 
 
 def markdown(tree, path, text):
-    seen, out, fence = {}, [], None
-    for line in text.split("\n"):
-        mark = re.match(r"^ *(```+)(\w*)", line)
-        if mark and fence is None:
-            fence = mark[1]
-        elif mark and mark[1] == fence and not mark[2]:
-            fence = None
-        elif fence is None:
-            line = markdown_line(tree, path, line, seen)
-        out.append(line)
-    return "\n".join(out)
+    """Links and headings of a page; blocks of code stay as they are."""
+    parts, seen = re.split(r"^( *```.*?^ *```$)", text, flags=re.S | re.M), {}
+    for i in range(0, len(parts), 2):
+        part = re.sub(r"!\[([^]]*)\]\(([^)\s]+)\)", lambda m: f'<img src="{os.path.normpath(path.parent / m[2])}" alt="{m[1]}">', parts[i])
+        part = re.sub(r"(?<!!)\[((?:`[^`]*`|[^][`])+)\]\(([^)\s]+)\)", lambda m: link(tree, path, m[1], m[2]), part)
+        part = re.sub(r'<a id="([^"]+)">', lambda m: f'<a id="{label(path, m[1])}">', part)
+        headings = iter(re.findall(r"^#+ +(.*?)\s*$", parts[i], re.M))
+        parts[i] = re.sub(r"^(#+) +.*$", lambda m: named_heading(path, m, next(headings), seen), part, flags=re.M)
+    return "".join(parts)
 
 
-def markdown_line(tree, path, line, seen):
-    heading = re.match(r"^#+ +(.*?)\s*$", line)
-    line = re.sub(r"!\[([^]]*)\]\(([^)\s]+)\)", lambda m: f'<img src="{os.path.normpath(path.parent / m[2])}" alt="{m[1]}">', line)
-    line = re.sub(r"(?<!!)\[((?:`[^`]*`|[^][`])+)\]\(([^)\s]+)\)", lambda m: link(tree, path, m[1], m[2]), line)
-    line = re.sub(r'<a id="([^"]+)">', lambda m: f'<a id="{label(path, m[1])}">', line)
-    if heading:
-        name = slug(heading[1])
-        number = seen[name] = seen.get(name, -1) + 1
-        if line.startswith("##"):
-            line = line.rstrip() + f" {{#{label(path, f'{name}-{number}' if number else name)}}}"
-    return line
+def named_heading(path, line, heading, seen):
+    """A heading with the name by which it is linked; titles of pages have none."""
+    name = slug(heading)
+    number = seen[name] = seen.get(name, -1) + 1
+    return line[0] if line[1] == "#" else f"{line[0].rstrip()} {{#{label(path, f'{name}-{number}' if number else name)}}}"
 
 
 # --- Doxygen -------------------------------------------------------------------------------------------------------
 
-def filtered(tree, name):
-    path = pathlib.Path(os.path.relpath(name, tree))
+def inputs(tree):
+    """The paths of all public headers and pages."""
+    for folder, endings in [*((room, (".hpp", ".h")) for room in INCLUDES), ("docs", (".md",))]:
+        yield from sorted(path.relative_to(tree) for path in (tree / folder).rglob("*") if path.suffix in endings)
+
+
+def filtered(tree, path):
     text = (tree / path).read_text()
     return markdown(tree, path, text) if path.suffix == ".md" else header(path, text)
 
 
+def broken_links(folder):
+    """Yields each link of a page to a file, or to a place in a page, that is not there; but Doxygen's own to private classes."""
+    places = {}
+
+    def has(page, place):
+        if page not in places:
+            places[page] = set(re.findall(r'\b(?:id|name)="([^"]+)"', page.read_text(errors="replace")))
+        return place in places[page]
+
+    for page in sorted(folder.glob("*.html")):
+        for target in sorted(set(re.findall(r'\b(?:href|src)="([^"]+)"', page.read_text(errors="replace")))):
+            name, _, place = urllib.parse.unquote(target).partition("#")
+            file = folder / name if name else page
+            if not re.match(r"[a-z]+:|#nested-classes$", target) and not (file.exists() and (not place or has(file, place))):
+                yield f"{page.name}: the link to {target} leads nowhere"
+
+
+def run_doxygen(tree, out):
+    """Returns what Doxygen says of a copy of the headers and pages as it is to read them."""
+    with tempfile.TemporaryDirectory() as name:
+        copy = pathlib.Path(name).resolve()
+        for path in inputs(tree):
+            (copy / path).parent.mkdir(parents=True, exist_ok=True)
+            (copy / path).write_text(filtered(tree, path))
+        rooms = [room for room in INCLUDES if (copy / room).is_dir()]
+        settings = [(tree / "docs/Doxyfile").read_text(), f'OUTPUT_DIRECTORY = "{out.resolve()}"', f"STRIP_FROM_PATH = {copy}",
+                    f"INPUT = {' '.join(rooms)} docs", f"INCLUDE_PATH = {' '.join(rooms)}", f"STRIP_FROM_INC_PATH = {' '.join(rooms)}",
+                    f"USE_MDFILE_AS_MAINPAGE = {MAIN_PAGE}"]
+        done = subprocess.run(["doxygen", "-"], cwd=copy, input="\n".join(settings), text=True, capture_output=True)
+        said = (done.stdout + done.stderr).replace(f"{copy}/", "")
+    return said if done.returncode == 0 or said.strip() else f"doxygen ended with status {done.returncode}"
+
+
 def build(tree, out):
-    """Returns what Doxygen warned of, line by line, with names of files as the tree has them."""
+    """Returns what is wrong, line by line, with names of files as the tree has them."""
+    shutil.rmtree(out / "html", ignore_errors=True)
     out.mkdir(parents=True, exist_ok=True)
-    with tempfile.NamedTemporaryFile("w", suffix=".log") as log:
-        settings = [(tree / "docs/Doxyfile").read_text(), f'OUTPUT_DIRECTORY = "{out.resolve()}"', f'STRIP_FROM_PATH = "{tree}"',
-                    f'STRIP_FROM_INC_PATH = {" ".join(chr(34) + str(tree / room) + chr(34) for room in INCLUDES)}',
-                    f'INPUT_FILTER = "{sys.executable} {pathlib.Path(__file__).resolve()} --root {tree} --filter"', f'WARN_LOGFILE = "{log.name}"']
-        done = subprocess.run(["doxygen", "-"], cwd=tree, input="\n".join(settings), text=True, capture_output=True)
-        said = pathlib.Path(log.name).read_text() + done.stderr
+    said = run_doxygen(tree, out)
     for picture in (path for path in (tree / "docs").rglob("*") if path.suffix in PICTURES):
         copy = out / "html" / picture.relative_to(tree)
         copy.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(picture, copy)
-    warnings = [line.replace(f"{tree}/", "") for line in said.splitlines() if line.strip()]
-    if done.returncode != 0 and not warnings:
-        warnings = [f"doxygen ended with status {done.returncode}"]
-    return warnings
+    return [line for line in said.splitlines() if line.strip()] + list(broken_links(out / "html"))
 
 
 def main():
@@ -224,7 +252,7 @@ def main():
     if words[:1] == ["--root"] and len(words) > 1:
         tree, words = pathlib.Path(words[1]).resolve(), words[2:]
     if len(words) == 2 and words[0] == "--filter":
-        sys.stdout.write(filtered(tree, words[1]))
+        sys.stdout.write(filtered(tree, pathlib.Path(os.path.relpath(words[1], tree))))
         return 0
     if len(words) != 1 or words[0].startswith("-"):
         print(__doc__.strip())
