@@ -34,7 +34,8 @@ CONVERT_AS = {"cf": "f", "cd": "d", "cx": "x"}
 ARRAY_TYPES = {"f": "GL_FLOAT", "d": "GL_DOUBLE", "i": "GL_INT", "x": "GL_FIXED", "ui": "GL_UNSIGNED_INT",
                "us": "GL_UNSIGNED_SHORT"}
 INTEGERS = {"b", "s", "i", "ub", "us", "ui"}
-STATE_QUERIES = {"GetBooleanv", "GetIntegerv", "GetFloatv", "GetDoublev", "GetFixedvOES", "GetPointerv"} # their tokens are in the state table
+# The tokens of these are in the state table; their rows name a few to try.
+STATE_QUERIES = {"GetBooleanv", "GetIntegerv", "GetFloatv", "GetDoublev", "GetFixedvOES", "GetPointerv"}
 
 
 class Arg:

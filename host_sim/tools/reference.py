@@ -22,10 +22,37 @@ import tempfile
 import urllib.parse
 
 TREE = pathlib.Path(__file__).resolve().parents[2]
-INCLUDES = ("raster/format/include", "raster/include", "hal/include", "hal/mcu/include", "hal/linux/include", "hal/usb/include", "boards/include",
-            "gl/include", "host_sim/include")
+INCLUDES = ("raster/format/include", "raster/include", "hal/include", "hal/mcu/include", "hal/linux/include", "hal/usb/include",
+            "boards/include", "gl/include", "host_sim/include")
 PICTURES = {".png", ".svg"}
 MAIN_PAGE = pathlib.Path("docs/architecture.md")
+
+
+# --- terms of the glossary -----------------------------------------------------------------------------------------
+
+# Words of ours that a header links where it first uses them, and their places in the glossary.
+TERMS = {"tier": "tier", "glass": "glass", "wire": "wire", "damage": "damage", "band": "band", "twin": "twin", "knob": "knob", "row hash": "row-hash",
+         "op list": "op", "touched rows": "touched-rows", "violation": "violation", "virtual time": "virtual-time"}
+
+
+def use_of(term):
+    """A pattern of a term, or its plural, as a word of a sentence: names in code are none."""
+    plural = "" if term == "wire" else "s?" # wires are those that one can touch
+    return rf"(?<![\w`:.#/-])(?<!guard ){term}{plural}(?![\w`:/(]|-?\w|\.\w)"
+
+
+def is_comment(line):
+    """Whether a line is one of a comment of its own, not one behind code."""
+    return re.match(r"\s*(//(?!/<)| \*|/\*(?!.*\*/.))", line) is not None
+
+
+def unlinked_terms(text):
+    """Yields each term that a header uses without linking it at the first use."""
+    said = " ".join(re.sub(r"^\s*(///?|/?\*)\s*", "", line) for line in text.split("\n") if is_comment(line))
+    for term, place in TERMS.items():
+        first = re.search(use_of(term), said)
+        if first is not None and not re.match(rf"\[[^]]*\]\(docs/glossary\.md#{place}\)", said[max(first.start() - 1, 0):]):
+            yield f"'{term}' is not linked to docs/glossary.md#{place} where it is first used: {said[first.start():first.start() + 60]}"
 
 
 # --- headers -------------------------------------------------------------------------------------------------------
@@ -116,6 +143,7 @@ def c_header(name, text):
 
 def header(path, text):
     name = installed_name(path)
+    text = re.sub(r'^.*\]\(docs/.*$', lambda line: line[0].replace('"', "&quot;"), text, flags=re.M) # an inch is no quotation
     text = re.sub(r"\[([^][]+)\]\((docs/[^)\s]+)\)", lambda m: link(TREE, pathlib.Path(), m[1], m[2]), text)
     if path.suffix == ".h":
         return c_header(name, text)
@@ -124,7 +152,7 @@ def header(path, text):
         if not line.startswith("//"):
             break
         first_comment.append(line.lstrip("/").strip())
-        lines[i] = (f"/// \\file {name} " if i == 0 else "/// ") + line.lstrip("/").strip()
+        lines[i] = "/// " + line.lstrip("/").strip() + (f" \\file {name}" if not lines[i + 1].startswith("//") else "")
     for i, line in enumerate(lines):
         lines[i] = re.sub(r"^(\s*)(friend\b.*\boperator(?:==|<=>)\(.*\) = default;)$", r"\1/** Compares all members. */ \2", line)
         if re.match(r"^inline constexpr hal::Board \w+ = ", line) and not lines[i - 1].startswith("///"):
@@ -244,7 +272,8 @@ def build(tree, out):
         copy = out / "html" / picture.relative_to(tree)
         copy.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(picture, copy)
-    return [line for line in said.splitlines() if line.strip()] + list(broken_links(out / "html"))
+    terms = [f"{path}: {what}" for path in inputs(tree) if path.suffix != ".md" for what in unlinked_terms((tree / path).read_text())]
+    return [line for line in said.splitlines() if line.strip()] + list(broken_links(out / "html")) + terms
 
 
 def main():

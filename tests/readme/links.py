@@ -61,16 +61,18 @@ def check_pages():
 
 
 def check_code():
-    """Comments cite a page by its path, and a heading of it in quotes behind that. Returns how many do."""
+    """Comments cite a page by its path, and a heading of it in quotes behind that, or link a place in it. Returns how many do."""
     count = 0
     for path in sorted(path for room in ROOMS for path in room.rglob("*") if path.suffix in CODE and path.is_file()):
         # A citation may go on in the next line of a comment.
         text = re.sub(r"\n\s*(?:///?|#|\*) ?", " ", path.read_text(errors="replace"))
-        for page, heading in re.findall(r"\b(docs/[\w./-]+\.md)\b(?:, \"([^\"\n]{3,60})\")?", text):
+        for page, anchor, heading in re.findall(r"\b(docs/[\w./-]+\.md)\b(?:#([\w-]+))?(?:, \"([^\"\n]{3,60})\")?", text):
             count += 1
             name = f"{path.relative_to(ROOT)} cites {page}"
             if not (ROOT / page).is_file():
                 check(False, f"{name}, which is not there")
+            elif anchor:
+                check(anchor in anchors(ROOT / page), f"{name}#{anchor}, a place that is not there")
             elif heading:
                 check(re.search(rf"^#+ +{re.escape(heading)}\s*$", (ROOT / page).read_text(), re.M) is not None,
                       f"{name}, which has no heading \"{heading}\"")

@@ -6,8 +6,9 @@
 namespace spangle {
 
 /// Draws one frame of the window that is current on this thread, and shows it. Where memory holds a whole
-/// frame, `draw` is called once. Else it is called once for each band (EGL_BAND_HEIGHT_SPANGLE), from the top
-/// of the window down; each band is sent to the panel while the next one is drawn.
+/// frame, `draw` is called once. Else it is called once for each [band](docs/glossary.md#band)
+/// (EGL_BAND_HEIGHT_SPANGLE), from the top of the window down; each band is sent to the panel while the next
+/// one is drawn.
 ///
 /// GL sees the whole window in every call, but draws and reads only the rows of the band. So all calls for
 /// one frame must draw the same, in the same order: `draw` clears the buffers it tests against and samples,

@@ -1,5 +1,5 @@
-// Lets a program on a host compose a tier of accuracy of its own, to find out what each knob costs and gains.
-// docs/trade.md says what the knobs trade.
+// Lets a program on a host compose a [tier](docs/glossary.md#tier) of accuracy of its own, to find out what
+// each [knob](docs/glossary.md#knob) costs and gains. docs/trade.md says what the knobs trade.
 //
 //   spangle::raster::Knobs knobs = spangle::raster::balanced_knobs;
 //   knobs.texel_bits = 4; // coordinates within 1/16 texel

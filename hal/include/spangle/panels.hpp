@@ -106,7 +106,8 @@ inline constexpr auto setup = init_program(
     cmd(PVGAMCTRL, 0xD0, 0x00, 0x02, 0x07, 0x0A, 0x28, 0x32, 0x44, 0x42, 0x06, 0x0E, 0x12, 0x14, 0x17),
     cmd(NVGAMCTRL, 0xD0, 0x00, 0x02, 0x07, 0x0A, 0x28, 0x31, 0x54, 0x47, 0x0E, 0x1C, 0x17, 0x1B, 0x1E));
 
-/// One glass of the many behind the same controller: IPS, colours shown true by INVON.
+/// One [glass](docs/glossary.md#glass) of the many behind the same controller: IPS, colours shown true by
+/// INVON.
 consteval PanelDesc on_glass(const char* name, Extent glass, Offset offset) {
     return panel({
         .name = name,

@@ -1,6 +1,6 @@
-// A Bus on ESP-IDF's esp_lcd panel IO (SPI, 8080, I2C), so that Spangle's panels and damage run on
-// Espressif's DMA drivers. The program provides esp_lcd_panel_io.h, makes the panel IO, and passes the rest
-// of the board's wiring in EspLcdConfig.
+// A Bus on ESP-IDF's esp_lcd panel IO (SPI, 8080, I2C), so that Spangle's panels and
+// [damage](docs/glossary.md#damage) run on Espressif's DMA drivers. The program provides esp_lcd_panel_io.h,
+// makes the panel IO, and passes the rest of the board's wiring in EspLcdConfig.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// ILI9342C, landscape by itself: the 2.0" glass of square boxes.
+// ILI9342C, landscape by itself: the 2.0" [glass](docs/glossary.md#glass) of square boxes.
 #pragma once
 
 #include <spangle/hal/board.hpp>

@@ -1,4 +1,4 @@
-// ST7735 behind 128x128 glass, green tab: the 1.44" modules.
+// ST7735 behind 128x128 [glass](docs/glossary.md#glass), green tab: the 1.44" modules.
 #pragma once
 
 #include <spangle/hal/board.hpp>

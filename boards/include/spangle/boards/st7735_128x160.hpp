@@ -1,4 +1,4 @@
-// ST7735S behind 128x160 glass, green tab: the 1.8" modules.
+// ST7735S behind 128x160 [glass](docs/glossary.md#glass), green tab: the 1.8" modules.
 #pragma once
 
 #include <spangle/hal/board.hpp>

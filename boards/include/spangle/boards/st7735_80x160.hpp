@@ -1,4 +1,4 @@
-// ST7735S behind 80x160 IPS glass, landscape: the 0.96" modules.
+// ST7735S behind 80x160 IPS [glass](docs/glossary.md#glass), landscape: the 0.96" modules.
 #pragma once
 
 #include <spangle/hal/board.hpp>

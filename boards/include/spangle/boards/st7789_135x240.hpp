@@ -1,4 +1,4 @@
-// ST7789 behind 135x240 IPS glass, landscape: the 1.14" modules.
+// ST7789 behind 135x240 IPS [glass](docs/glossary.md#glass), landscape: the 1.14" modules.
 #pragma once
 
 #include <spangle/hal/board.hpp>

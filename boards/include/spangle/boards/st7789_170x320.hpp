@@ -1,4 +1,4 @@
-// ST7789 behind 170x320 IPS glass, landscape: the 1.9" modules.
+// ST7789 behind 170x320 IPS [glass](docs/glossary.md#glass), landscape: the 1.9" modules.
 #pragma once
 
 #include <spangle/hal/board.hpp>

@@ -1,5 +1,5 @@
-// ST7789 behind 240x240 IPS glass: the 1.3" and 1.54" modules. The modules do not wire the controller's data
-// output.
+// ST7789 behind 240x240 IPS glass: the 1.3" and 1.54" modules. The modules do not
+// [wire](docs/glossary.md#wire) the controller's data output.
 #pragma once
 
 #include <spangle/hal/board.hpp>

@@ -1,4 +1,4 @@
-// ST7789 behind 240x280 IPS glass with round corners: the 1.69" modules.
+// ST7789 behind 240x280 IPS [glass](docs/glossary.md#glass) with round corners: the 1.69" modules.
 #pragma once
 
 #include <spangle/hal/board.hpp>

@@ -1,4 +1,4 @@
-// ST7789 behind 240x320 IPS glass, landscape, with TE: the 2.0" and 2.4" modules.
+// ST7789 behind 240x320 IPS [glass](docs/glossary.md#glass), landscape, with TE: the 2.0" and 2.4" modules.
 #pragma once
 
 #include <spangle/hal/board.hpp>

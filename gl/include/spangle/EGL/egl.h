@@ -182,9 +182,10 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
  * contents are undefined. */
 #define EGL_BUFFER_AGE_EXT 0x313D
 
-/* EGL_SPANGLE_precision: a config attribute, the tier of accuracy. Contexts of the config draw in that tier
- * where no hint says otherwise. DOUBLE is the reference picture. SHADOW, SHADOW_BALANCED and SHADOW_FAST are
- * the tiers with a double beside every number. DOUBLE and SHADOW configs exist on hosts only. */
+/* EGL_SPANGLE_precision: a config attribute, the [tier](docs/glossary.md#tier) of accuracy. Contexts of the
+ * config draw in that tier where no hint says otherwise. DOUBLE is the reference picture. SHADOW,
+ * SHADOW_BALANCED and SHADOW_FAST are the tiers with a double beside every number. DOUBLE and SHADOW configs
+ * exist on hosts only. */
 #define EGL_PRECISION_SPANGLE 0x3F00
 #define EGL_PRECISION_EXACT_SPANGLE 0x3F01
 #define EGL_PRECISION_BALANCED_SPANGLE 0x3F02
@@ -201,9 +202,9 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 
 /* EGL_SPANGLE_bands: an attribute of eglCreateWindowSurface and eglQuerySurface: the rows of the depth,
  * stencil and accumulation buffers, and of the colour buffer where the display holds no whole frame; 0: all
- * rows. Such a window is drawn band by band, by spangle::frame (spangle/frame.hpp). Where a byte holds pixels
- * of several rows, the number is rounded up to whole bytes. EGL_BAD_PARAMETER: the number is negative;
- * EGL_BAD_MATCH: the display's own buffer has fewer rows. */
+ * rows. Such a window is drawn [band](docs/glossary.md#band) by band, by spangle::frame (spangle/frame.hpp).
+ * Where a byte holds pixels of several rows, the number is rounded up to whole bytes. EGL_BAD_PARAMETER: the
+ * number is negative; EGL_BAD_MATCH: the display's own buffer has fewer rows. */
 #define EGL_BAND_HEIGHT_SPANGLE 0x3F09
 /* An attribute of a window with bands, on a display that holds no whole frame: bytes of memory for the record
  * of a frame, which eglSwapBuffers draws band by band; 0: no record. Configs with samples have no record. A

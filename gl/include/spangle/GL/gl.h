@@ -1284,7 +1284,7 @@ GLAPI void GLAPIENTRY glFogi(GLenum pname, GLint param);
 GLAPI void GLAPIENTRY glFogiv(GLenum pname, const GLint* params);
 GLAPI void GLAPIENTRY glFogxOES(GLenum pname, GLfixed param);
 GLAPI void GLAPIENTRY glFogxvOES(GLenum pname, const GLfixed* params);
-/* Asks for speed or quality; GL_PERSPECTIVE_CORRECTION_HINT and GL_FOG_HINT choose the tier (GL 1.3, 5.6). target:
+/* Asks for speed or quality; GL_PERSPECTIVE_CORRECTION_HINT and GL_FOG_HINT choose the [tier](docs/glossary.md#tier) (GL 1.3, 5.6). target:
    GL_PERSPECTIVE_CORRECTION_HINT, GL_POINT_SMOOTH_HINT, GL_LINE_SMOOTH_HINT, GL_POLYGON_SMOOTH_HINT, GL_FOG_HINT,
    GL_TEXTURE_COMPRESSION_HINT, GL_GENERATE_MIPMAP_HINT. mode: GL_FASTEST, GL_NICEST, GL_DONT_CARE. */
 GLAPI void GLAPIENTRY glHint(GLenum target, GLenum mode);

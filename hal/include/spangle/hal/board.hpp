@@ -112,8 +112,8 @@ template <const Board& board> class BusMemoryOf {
 };
 
 /// The display of a board with exactly the memory it needs: `static BoardDisplay<my_board> display(bus);`
-/// `Ops` is that of PanelStorage; `Remembers`: bands record what the panel shows. Boards with little memory
-/// ask for less.
+/// `Ops` is that of PanelStorage; `Remembers`: [bands](docs/glossary.md#band) record what the panel shows.
+/// Boards with little memory ask for less.
 template <const Board& board, std::size_t Ops = 64, bool Remembers = true>
 class BoardDisplay final
     : private PanelStorage<book_height(board.display), board.display.buffers, Ops,

@@ -110,7 +110,8 @@ struct Buffer {
     std::size_t size = 0;
 };
 
-/// Carries op lists to one display controller. A bus runs one list at a time. Its calls come from one thread.
+/// Carries [op lists](docs/glossary.md#op) to one display controller. A bus runs one list at a time. Its
+/// calls come from one thread.
 class Bus {
   public:
     /// What this bus can do; the same at each call.
@@ -125,8 +126,8 @@ class Bus {
     /// Whether the list has ended, well or with a fault. It never waits.
     virtual bool done(Token token) const = 0;
     /// Returns when the token is done, or the error its transfer ended with. Fault::timeout: it is not done
-    /// after `timeout_micros`; the transfer may still be under way then. Fault::bad_argument: the token is not the
-    /// last that was given.
+    /// after `timeout_micros`; the transfer may still be under way then. Fault::bad_argument: the token is
+    /// not the last that was given.
     virtual Result<void> wait(Token token, std::uint32_t timeout_micros) = 0;
 
   protected:

@@ -9,7 +9,7 @@
 namespace spangle::hal {
 
 /// The bytes are reached in two ways only: to send them, always; to draw into them, while no transfer reads
-/// them. So no code can draw into what is on the wire.
+/// them. So no code can draw into what is on the [wire](docs/glossary.md#wire).
 class BusBuffer {
   public:
     BusBuffer() = default;

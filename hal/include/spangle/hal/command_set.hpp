@@ -40,7 +40,8 @@ struct Setting {
     /// The value where no property holds.
     std::uint8_t base = 0;
     std::uint8_t mx = 0, my = 0, mv = 0; ///< bits that MX, MY, MV of the orientation's MADCTL change
-    /// Bits that change where the glass is wired blue first, and where PanelDesc::inverted is set.
+    /// Bits that change where the [glass](docs/glossary.md#glass) is wired blue first, and where
+    /// PanelDesc::inverted is set.
     std::uint8_t bgr = 0, inverted = 0;
     /// The value holds the code of the pixel format, FormatCode::code, in its low bits.
     bool format = false;
@@ -69,7 +70,7 @@ struct CommandSet {
 
 /// The bytes and commands of a window whose axes are all sent.
 struct WindowSize {
-    /// Bytes on the wire, commands included, and the number of commands among them.
+    /// Bytes on the [wire](docs/glossary.md#wire), commands included, and the number of commands among them.
     std::uint32_t bytes = 0, commands = 0;
 };
 

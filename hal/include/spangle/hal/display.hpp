@@ -10,9 +10,9 @@
 
 namespace spangle::hal {
 
-/// What a present does while the frame before is still on the wire. `block` waits. `drop` does not send the
-/// frame; the next one presented in time carries its changes, too. `coalesce` does the same, but still sends
-/// the frame, at the latest in finish(), unless another is drawn over it first.
+/// What a present does while the frame before is still on the [wire](docs/glossary.md#wire). `block` waits.
+/// `drop` does not send the frame; the next one presented in time carries its changes, too. `coalesce` does
+/// the same, but still sends the frame, at the latest in finish(), unless another is drawn over it first.
 enum class Pacing : std::uint8_t { block, drop, coalesce };
 
 /// What a display is. It stays the same after init(), except where a WindowSystem says otherwise.
@@ -25,7 +25,8 @@ struct DisplayInfo {
     PixelFormat format = PixelFormat::rgb565_be;
     bool keeps_buffer = false; ///< acquire() always gives the same buffer, with what was drawn before
     WireFormat wire = WireFormat::none; ///< what a present converts pixels to; none: they travel as they are
-    /// Rows that a buffer holds: frames are acquired and presented band by band; 0: whole.
+    /// Rows that a buffer holds: frames are acquired and presented [band](docs/glossary.md#band) by band; 0:
+    /// whole.
     std::int32_t band_height = 0;
     std::int32_t band_unit = 1; ///< bands begin and end at multiples of so many rows, or with the picture
 };

@@ -90,8 +90,9 @@ constexpr bool sends_plain_frames(const Board& board) {
 
 } // namespace detail
 
-/// All commands are constants that the compiler makes. The wire carries what PanelDisplay sends of frames
-/// that changed everywhere. `Wires` has the functions of a PolledPort, which need not be virtual.
+/// All commands are constants that the compiler makes. The [wire](docs/glossary.md#wire) carries what
+/// PanelDisplay sends of frames that changed everywhere. `Wires` has the functions of a PolledPort, which
+/// need not be virtual.
 template <const Board& board, class Wires> class FrameDisplay final : public Display {
     static_assert(detail::sends_plain_frames(board), "display: this board asks for more than whole frames");
     static_assert(!detail::opening_program<board>.empty(),

@@ -1,5 +1,5 @@
-// Builds the op list of one transfer in memory that the owner provides, with room for the parameters of short
-// commands. Commands can be listed while a program is compiled, too.
+// Builds the [op list](docs/glossary.md#op) of one transfer in memory that the owner provides, with room for
+// the parameters of short commands. Commands can be listed while a program is compiled, too.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace spangle::hal {
 
 /// Four parameter bytes: a window command's big-endian pair, or one pixel.
 struct OpParams {
-    /// The bytes, in the order of the wire.
+    /// The bytes, in the order of the [wire](docs/glossary.md#wire).
     std::uint8_t bytes[4] = {};
 };
 

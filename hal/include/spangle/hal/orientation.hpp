@@ -20,7 +20,7 @@ constexpr std::uint8_t value_of(const Setting& s, std::uint8_t madctl, const Pan
     return static_cast<std::uint8_t>(value | (s.format ? format.code : 0u));
 }
 
-/// The picture is turned clockwise on the glass.
+/// The picture is turned clockwise on the [glass](docs/glossary.md#glass).
 enum class Rotation : std::uint8_t { r0, r90, r180, r270 };
 
 /// How a picture is turned and mirrored on the glass. The buffer to draw into is always upright.

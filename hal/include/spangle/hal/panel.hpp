@@ -1,5 +1,5 @@
-// A panel: a controller with its memory, and the glass that shows a window of it. Plain constexpr data; what
-// the driver does with it is the same for all of them.
+// A panel: a controller with its memory, and the [glass](docs/glossary.md#glass) that shows a window of it.
+// Plain constexpr data; what the driver does with it is the same for all of them.
 #pragma once
 
 #include <cstdint>
@@ -78,7 +78,8 @@ struct Identity {
     std::uint8_t pixel_dummy_bits = 8;    ///< for 2Eh
 };
 
-/// The pixel format register's code of a wire format, or that the controller does not take it.
+/// The pixel format register's code of a [wire](docs/glossary.md#wire) format, or that the controller does
+/// not take it.
 struct FormatCode {
     /// Whether the controller takes the format.
     bool taken = false;

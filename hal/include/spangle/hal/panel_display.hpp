@@ -1,5 +1,5 @@
-// A panel behind an op-list bus as a Display: frames are drawn in bus-owned memory in the wire format, and a
-// present sends what differs from the panel's memory.
+// A panel behind an op-list bus as a Display: frames are drawn in bus-owned memory in the
+// [wire](docs/glossary.md#wire) format, and a present sends what differs from the panel's memory.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ class FramePlan;
 struct PanelConfig {
     /// The panel; it must not be null.
     const PanelDesc* panel = nullptr;
-    /// How the picture is turned on the glass.
+    /// How the picture is turned on the [glass](docs/glossary.md#glass).
     Orientation orientation = {};
     /// The format of the buffers to draw into.
     PixelFormat format = PixelFormat::rgb565_be;
@@ -45,9 +45,9 @@ struct PanelConfig {
     /// What a present does while the frame before is on the wire.
     Pacing pacing = Pacing::block;
     bool row_hash = false; ///< cells of 16x1 pixels that are drawn again unchanged are not sent
-    /// Rows that a buffer holds, where memory holds no whole picture: frames are drawn band by band, and with
-    /// two buffers, or another format on the wire, a band is drawn while the one above it is on the wire.
-    /// 0: whole frames.
+    /// Rows that a buffer holds, where memory holds no whole picture: frames are drawn
+    /// [band](docs/glossary.md#band) by band, and with two buffers, or another format on the wire, a band is
+    /// drawn while the one above it is on the wire. 0: whole frames.
     std::int32_t band = 0;
 };
 
@@ -147,7 +147,7 @@ struct PanelMemory {
     OpParams* params = nullptr;
     /// Elements of `ops` and of `params`.
     std::size_t op_count = 0;
-    /// The memory of the row hash, or none.
+    /// The memory of the [row hash](docs/glossary.md#row-hash), or none.
     RowHashMemory hash = {};
     RowSpan* turned = nullptr;        ///< for PanelConfig::scan_order
     decltype(&turn) turner = nullptr; ///< turn(), which is linked only where it is named

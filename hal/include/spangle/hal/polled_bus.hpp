@@ -1,5 +1,5 @@
-// A bus without interrupts: submit() returns when the last byte is on the wire. The simplest thing that works
-// on a new microcontroller. With DmaBus a program can draw while it sends.
+// A bus without interrupts: submit() returns when the last byte is on the [wire](docs/glossary.md#wire). The
+// simplest thing that works on a new microcontroller. With DmaBus a program can draw while it sends.
 #pragma once
 
 #include <cstddef>

@@ -19,7 +19,8 @@ struct SpanWindow {
     std::int32_t spare = 0;                               ///< bits saved and not yet wasted
 };
 
-/// Code that only displays with a row hash link, because only the memory of a row hash names it.
+/// Code that only displays with a [row hash](docs/glossary.md#row-hash) link, because only the memory of a
+/// row hash names it.
 struct RowHashCode {
     /// RowHash::reduce().
     void (*reduce)(RowHash&, RowSpan* damage, const std::uint8_t* pixels, std::int32_t stride, bool all);

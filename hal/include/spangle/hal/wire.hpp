@@ -1,5 +1,5 @@
-// The formats of pixels on the wire, and the functions that convert a surface's pixels where its format
-// differs.
+// The formats of pixels on the [wire](docs/glossary.md#wire), and the functions that convert a surface's
+// pixels where its format differs.
 #pragma once
 
 #include <cstddef>

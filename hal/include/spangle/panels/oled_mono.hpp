@@ -31,7 +31,7 @@ enum : unsigned {
     VCOMH = 0xDB,
 };
 
-/// AFh: the glass shows the memory.
+/// AFh: the [glass](docs/glossary.md#glass) shows the memory.
 inline constexpr auto display_on = init_program(cmd(DISPLAY_ON));
 
 /// A0h or A1h: columns from left or right.

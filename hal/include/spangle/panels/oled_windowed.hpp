@@ -19,7 +19,7 @@ enum : unsigned {
     LOCK = 0xFD,
 };
 
-/// AFh: the glass shows the memory.
+/// AFh: the [glass](docs/glossary.md#glass) shows the memory.
 inline constexpr auto windowed_on = init_program(cmd(0xAF));
 
 /// Two columns share a byte, the left one in the high nibble: A0h bit 1. Where columns are mirrored, the pair

@@ -44,8 +44,9 @@ class SimBoard {
     /// The bus between the display's driver and the controller model.
     hal::Bus& bus();
 
-    /// The picture that a viewer sees, upright. The panel is first sent all that is on the wire, and then
-    /// scans its memory for two refreshes; both take virtual time. Outside round glass the picture is
+    /// The picture that a viewer sees, upright. The panel is first sent all that is on the
+    /// [wire](docs/glossary.md#wire), and then scans its memory for two refreshes; both take [virtual
+    /// time](docs/glossary.md#virtual-time). Outside round [glass](docs/glossary.md#glass) the picture is
     /// transparent black: alpha 0.
     Image glass() const;
     /// The whole rectangle that the controller scans: glass() without hiding what round glass hides.
@@ -59,7 +60,7 @@ class SimBoard {
     hal::PresentCounters presents() const;
     /// What the bus did that the data sheet forbids, in order of time.
     const Violations& violations() const;
-    /// All violations, a line each; empty when the bus kept every rule.
+    /// All [violations](docs/glossary.md#violation), a line each; empty when the bus kept every rule.
     std::string violations_text() const;
     /// The virtual time: nanoseconds since power-on.
     Time now() const;

@@ -32,8 +32,8 @@ struct Image {
     friend bool operator==(const Image&, const Image&) = default;
 };
 
-/// Whether the centre of a pixel lies on the disc, or ellipse, that fills a picture. On round glass only
-/// these pixels are seen.
+/// Whether the centre of a pixel lies on the disc, or ellipse, that fills a picture. On round
+/// [glass](docs/glossary.md#glass) only these pixels are seen.
 constexpr bool on_disc(int x, int y, int width, int height) {
     const std::int64_t w = width, h = height, u = (2 * x + 1 - w) * h, v = (2 * y + 1 - h) * w;
     return u * u + v * v <= w * h * w * h;

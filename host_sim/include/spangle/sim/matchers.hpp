@@ -1,10 +1,10 @@
 // GoogleTest matchers for what a board shows: EXPECT_THAT(board, EqualsPicture("hud.png")).
 //
-// The matchers take an Image, or a SimBoard, whose glass they look at. Comparison is exact unless a tolerance
-// is given. A failure says where the first difference is, how many pixels differ and by how much, and names
-// the pictures that show it. SPANGLE_UPDATE_GOLDEN=1 in the environment writes golden pictures instead of
-// comparing with them. Spangle::sim itself does not know GoogleTest: link GTest::gmock to the test that
-// includes this.
+// The matchers take an Image, or a SimBoard, whose [glass](docs/glossary.md#glass) they look at. Comparison
+// is exact unless a tolerance is given. A failure says where the first difference is, how many pixels differ
+// and by how much, and names the pictures that show it. SPANGLE_UPDATE_GOLDEN=1 in the environment writes
+// golden pictures instead of comparing with them. Spangle::sim itself does not know GoogleTest: link
+// GTest::gmock to the test that includes this.
 #pragma once
 
 #include <ostream>

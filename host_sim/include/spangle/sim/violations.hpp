@@ -1,4 +1,4 @@
-// Rules that datasheets set for a bus, and violations of them.
+// Rules that datasheets set for a bus, and [violations](docs/glossary.md#violation) of them.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Ordered dithering: the rasterizer's and the display's, where a wire format has fewer bits
-// than the surface (docs/architecture/numbers.md, "Colours").
+// Ordered dithering: the rasterizer's and the display's, where a [wire](docs/glossary.md#wire) format has
+// fewer bits than the surface (docs/architecture/numbers.md, "Colours").
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// What a pixel, a rectangle and a set of touched rows are. Shapes only, no behaviour: the rasterizer, the HAL
-// and the simulator agree on these and on nothing else.
+// What a pixel, a rectangle and a set of [touched rows](docs/glossary.md#touched-rows) are. Shapes only, no
+// behaviour: the rasterizer, the HAL and the simulator agree on these and on nothing else.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace spangle {
 
-/// Layout of one pixel in memory and on the wire, first byte first.
+/// Layout of one pixel in memory and on the [wire](docs/glossary.md#wire), first byte first.
 enum class PixelFormat : std::uint8_t {
     rgb565_be, ///< RRRRRGGG GGGBBBBB: what ILI9341, ST7789 and ST7735 take after COLMOD 55h.
     rgb565_le, ///< GGGBBBBB RRRRRGGG: a little-endian uint16_t.

@@ -27,7 +27,8 @@ struct ClearRequest {
 };
 
 /// Clears the planes that the request names; those that the surface does not have are ignored. A clear of the
-/// whole surface with all its channels resets the record of touched rows; any other colour clear widens it.
+/// whole surface with all its channels resets the record of [touched rows](docs/glossary.md#touched-rows);
+/// any other colour clear widens it.
 void clear(const Surface& surface, const ClearRequest& request);
 
 /// Whether the request clears the whole surface with all its channels.

@@ -61,7 +61,7 @@
 #define SPANGLE_FEATURE_BANDS 1
 #endif
 #ifndef SPANGLE_FEATURE_BAND_RECORDS
-/// Records of frames, from which bands are drawn (docs/bands.md).
+/// Records of frames, from which [bands](docs/glossary.md#band) are drawn (docs/bands.md).
 #define SPANGLE_FEATURE_BAND_RECORDS 1
 #endif
 /// Bands and their records.

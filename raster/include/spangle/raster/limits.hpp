@@ -12,7 +12,7 @@
 #define SPANGLE_TEXTURE_LEVELS 12
 #endif
 #ifndef SPANGLE_TIER_SET
-/// The tiers of this build, a bit each: 1 exact, 2 balanced, 4 fast.
+/// The [tiers](docs/glossary.md#tier) of this build, a bit each: 1 exact, 2 balanced, 4 fast.
 #define SPANGLE_TIER_SET 7
 #endif
 #ifndef SPANGLE_PACKET

@@ -37,7 +37,8 @@ struct Surface {
     /// The size in pixels.
     std::int32_t width = 0, height = 0;
 #if SPANGLE_FEATURE_BANDS
-    /// The GL rows [first_row, end_row) that a band holds. Pointers are those that row 0 would have.
+    /// The GL rows [first_row, end_row) that a [band](docs/glossary.md#band) holds. Pointers are those that
+    /// row 0 would have.
     std::int32_t first_row = 0, end_row = INT32_MAX;
 #else
     /// All rows: there are no bands in this build.

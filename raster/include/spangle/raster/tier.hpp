@@ -1,5 +1,5 @@
-// The accuracy tiers, and the knobs that each of them sets (docs/architecture/fragments.md, "Tiers"). A tier
-// never changes coverage or depth.
+// The accuracy [tiers](docs/glossary.md#tier), and the [knobs](docs/glossary.md#knob) that each of them sets
+// (docs/architecture/fragments.md, "Tiers"). A tier never changes coverage or depth.
 #pragma once
 
 #include <cstdint>

@@ -23,8 +23,8 @@ struct FixedVertex {
     /// The exponent of 1/w.
     std::int16_t w_exponent;
     std::int16_t fog_exponent; ///< eye distance |z_e|, or fog coordinate = fog_mantissa * 2^fog_exponent
-    /// What snapping took off x and y, in 2^-16 of their last bit: the exact tier has planes of attributes,
-    /// but not coverage and depth, go through x + x_rest, y + y_rest.
+    /// What snapping took off x and y, in 2^-16 of their last bit: the exact [tier](docs/glossary.md#tier)
+    /// has planes of attributes, but not coverage and depth, go through x + x_rest, y + y_rest.
 #if SPANGLE_TIER_SET & 1
     std::int16_t x_rest, y_rest;
 #else

@@ -79,7 +79,7 @@ class TransferBus : public Bus {
     virtual Result<void> begin() { return {}; }
     /// Sends bytes, or keeps them until flush().
     virtual Result<void> put(Byte kind, const std::uint8_t* bytes, std::size_t count) = 0;
-    /// Returns when all bytes put are on the wire.
+    /// Returns when all bytes put are on the [wire](docs/glossary.md#wire).
     virtual Result<void> flush() { return {}; }
     /// Only called where caps() has a read clock.
     virtual Result<void> read(const Op&) { return {}; }

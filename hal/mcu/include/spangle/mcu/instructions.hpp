@@ -1,5 +1,6 @@
-// Instructions executed, when QEMU runs with `-icount shift=0`: one instruction is one nanosecond of virtual
-// time, which some timer of each processor counts. On a real chip these count clocks.
+// Instructions executed, when QEMU runs with `-icount shift=0`: one instruction is one nanosecond of [virtual
+// time](docs/glossary.md#virtual-time), which some timer of each processor counts. On a real chip these count
+// clocks.
 #pragma once
 
 #include <cstdint>
