@@ -2,11 +2,13 @@
 // of the pipeline contributes. For host programs; link Spangle::gl_reference. docs/trade.md shows a whole
 // program.
 //
-// A context has the accuracy of its config. eglChooseConfig takes EGL_PRECISION_SPANGLE with one of
-//   EGL_PRECISION_EXACT_SPANGLE, EGL_PRECISION_BALANCED_SPANGLE, EGL_PRECISION_FAST_SPANGLE: the three
-//   [tiers](docs/glossary.md#tier); EGL_PRECISION_DOUBLE_SPANGLE: the reference picture;
-//   EGL_PRECISION_SHADOW_SPANGLE, ..._SHADOW_BALANCED_SPANGLE, ..._SHADOW_FAST_SPANGLE: the picture of a
+// A context has the accuracy of its config. eglChooseConfig takes EGL_PRECISION_SPANGLE with one of these:
+// - EGL_PRECISION_EXACT_SPANGLE, EGL_PRECISION_BALANCED_SPANGLE, EGL_PRECISION_FAST_SPANGLE: the three
+//   [tiers](docs/glossary.md#tier);
+// - EGL_PRECISION_DOUBLE_SPANGLE: the reference picture;
+// - EGL_PRECISION_SHADOW_SPANGLE, ..._SHADOW_BALANCED_SPANGLE, ..._SHADOW_FAST_SPANGLE: the picture of a
 //   tier, computed with a double beside every number.
+//
 // DOUBLE and SHADOW configs exist once use_reference_engines() has been called.
 #pragma once
 

@@ -22,8 +22,8 @@ struct EspLcdConfig {
     /// 1 for SPI and I2C, 8 for an 8080 bus.
     std::uint8_t bits_per_cycle = 1;
     std::uint32_t command_cost_ns = 20000; ///< nanoseconds that a queued transaction costs
-    void (*delay_us)(std::uint32_t) =
-        nullptr;                            ///< needed; waits: esp_rom_delay_us, or vTaskDelay for long waits
+    /// Needed; waits that many microseconds: esp_rom_delay_us, or vTaskDelay for long waits.
+    void (*delay_us)(std::uint32_t) = nullptr;
     void (*set_reset)(bool high) = nullptr; ///< drives the reset line; null: there is none
     /// Needed; returns memory for DMA: heap_caps_malloc(bytes, MALLOC_CAP_DMA).
     void* (*allocate)(std::size_t bytes) = nullptr;

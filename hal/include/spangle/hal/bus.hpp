@@ -79,8 +79,8 @@ struct BusCaps {
     /// The panel's TE output reaches the bus: it takes `wait_te`.
     bool has_te = false;
     std::uint32_t max_transfer = 0; ///< bytes of one operation; 0 = no limit
-    std::uint32_t command_cost_ns =
-        0; ///< overhead of one command operation beyond its bytes (D/C, ioctl, CS)
+    /// Overhead of one command operation beyond its bytes (D/C, ioctl, CS), in nanoseconds.
+    std::uint32_t command_cost_ns = 0;
     /// A transfer is given up after twice its expected time and this. It is long where other programs share
     /// the processor: a transfer that is only late must not look like one that hangs.
     std::uint32_t late_us = 100000;

@@ -10,9 +10,11 @@
 
 namespace spangle::hal {
 
-/// What a present does while the frame before is still on the [wire](docs/glossary.md#wire). `block` waits.
-/// `drop` does not send the frame; the next one presented in time carries its changes, too. `coalesce` does
-/// the same, but still sends the frame, at the latest in finish(), unless another is drawn over it first.
+/// What a present does while the frame before is still on the [wire](docs/glossary.md#wire).
+/// - `block` waits.
+/// - `drop` does not send the frame; the next one presented in time carries its changes, too.
+/// - `coalesce` does the same, but still sends the frame, at the latest in finish(), unless another is drawn
+/// over it first.
 enum class Pacing : std::uint8_t { block, drop, coalesce };
 
 /// What a display is. It stays the same after init(), except where a WindowSystem says otherwise.

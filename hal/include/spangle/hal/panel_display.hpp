@@ -32,8 +32,7 @@ struct PanelConfig {
     /// that is on the wire. If it is left out, the surface's pixels travel as they are.
     Wire wire = {};
     /// 1: present() returns when the frame is on the panel; 2: while it is on the wire.
-    std::uint8_t buffers =
-        1; ///< 1: present() returns when the frame is on the panel; 2: while it is on the wire
+    std::uint8_t buffers = 1;
     bool reset_line = true; ///< false: SWRESET instead
     bool read_back = false; ///< the panel's data line is wired back: init() checks what answers
     bool wait_te = false;   ///< tear-free: presents lead or lag the beam, which the TE line tells

@@ -13,8 +13,7 @@ namespace spangle::raster {
 struct ClearRequest {
     Rect area; ///< inside the surface; may be empty
     /// Colour channels to write: bit 0 red, 1 green, 2 blue, 3 alpha, or bits of an index; 0: none.
-    std::uint8_t channels =
-        0; ///< colour channels to write: bit 0 red, 1 green, 2 blue, 3 alpha, or bits of an index; 0 = none
+    std::uint8_t channels = 0;
     /// Dithers the colour (GL 1.3, 4.1.8).
     bool dither = false;
     /// Writes `z` to the depth buffer.

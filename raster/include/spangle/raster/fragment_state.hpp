@@ -133,8 +133,7 @@ enum class TextureShape : std::uint8_t { line, plane, volume, cube };
 struct TextureLevel {
     /// The first texel inside the border, row t = 0 first; texels of 16 and 32 bits are aligned. The memory
     /// must stay as long as anything draws with the texture.
-    const std::uint8_t* texels =
-        nullptr; ///< first texel inside the border, row t = 0 first; texels of 16 and 32 bits are aligned
+    const std::uint8_t* texels = nullptr;
     std::uint16_t width = 0, height = 0; ///< without border
     std::uint32_t stride = 0;            ///< bytes from row t to t + 1
     friend constexpr bool operator==(const TextureLevel&, const TextureLevel&) = default;
@@ -151,9 +150,8 @@ struct CubeFaces {
 /// k/31, k/63.
 struct Texture {
     /// The images; `level[0]` is the base level (TEXTURE_BASE_LEVEL already applied).
-    TextureLevel
-        level[max_texture_levels]; ///< level[0] is the base level (TEXTURE_BASE_LEVEL already applied)
-    std::uint8_t level_count = 0;  ///< 1 without mipmaps
+    TextureLevel level[max_texture_levels];
+    std::uint8_t level_count = 0; ///< 1 without mipmaps
     /// How the texels lie in memory.
     TexelFormat format = TexelFormat::rgb888;
     /// Which components the texels have.
@@ -177,8 +175,7 @@ struct Texture {
     const std::uint8_t* palette = nullptr; ///< palette of p4 and p8, for all levels
     const CubeFaces* faces = nullptr;      ///< texels of the faces of a cube map
     /// 1 when the image has a border around [0,w) x [0,h): texel -1 is readable.
-    std::uint8_t border_texels =
-        0; ///< 1 when the image has a border around [0,w) x [0,h): texel -1 is readable
+    std::uint8_t border_texels = 0;
     std::int32_t min_lod = -1000 * 256, max_lod = 1000 * 256; ///< s23.8
     std::uint8_t border_color[4] = {0, 0, 0, 0};              ///< RGBA, 255ths
     friend constexpr bool operator==(const Texture&, const Texture&) = default;
@@ -255,8 +252,7 @@ struct FragmentState {
     /// FOG_MODE.
     FogMode fog_mode = FogMode::exp;
     /// Colour units (see vertex.hpp); of an index surface [0] is the index, with 20 fraction bits.
-    std::uint32_t fog_color[3] = {
-        0, 0, 0}; ///< Colour units; of an index surface [0] is the index, 20 fraction bits
+    std::uint32_t fog_color[3] = {0, 0, 0};
     std::uint32_t fog_density = 0, fog_start = 0, fog_end = 0x3F800000; ///< float bits, as set
     /// ALPHA_TEST is enabled (GL 1.3, 4.1.4).
     bool alpha_test = false;
