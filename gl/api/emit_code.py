@@ -13,7 +13,8 @@ HEADER_TOP = """/* OpenGL as Spangle has it: exactly the commands that exist. Fo
    2.5). It raises GL_INVALID_ENUM for a token that it does not take, GL_INVALID_VALUE for a number outside of its range, a negative size
    or a null pointer, and GL_INVALID_OPERATION where its optional system is left out of the build, or between glBegin and glEnd unless its
    comment allows that. What a pointer of a command refers to is read or written before the command returns, except where a comment says
-   that it must stay. Arrays are read when they are drawn. */
+   that it must stay. Vertex arrays are read when they are drawn; the arrays of glSelectBuffer and glFeedbackBuffer are written until
+   their mode ends. */
 #ifndef SPANGLE_GL_GL_H
 #define SPANGLE_GL_GL_H
 

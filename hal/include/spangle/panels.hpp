@@ -137,7 +137,7 @@ consteval PanelDesc on_glass(const char* name, Extent glass, Offset offset) {
 
 /// 240x320, the whole memory.
 inline constexpr PanelDesc st7789_240x320 = st7789::on_glass("ST7789 240x320", {240, 320}, {0, 0});
-/// 240x280 with round corners: the glass begins at row 20.
+/// 240x280: the glass begins at row 20.
 inline constexpr PanelDesc st7789_240x280 = st7789::on_glass("ST7789 240x280", {240, 280}, {0, 20});
 /// 240x240: the upper part of the memory.
 inline constexpr PanelDesc st7789_240x240 = st7789::on_glass("ST7789 240x240", {240, 240}, {0, 0});

@@ -238,7 +238,7 @@ constexpr fixed trunc(fixed v) {
 constexpr fixed round(fixed v) {
     return v.bits < 0 ? -floor(-v + fixed::from_bits(1 << 15)) : floor(v + fixed::from_bits(1 << 15));
 }
-/// The remainder of a / b, with the sign of `a`.
+/// The remainder of a / b, with the sign of `a`; 0 where b is 0.
 constexpr fixed fmod(fixed a, fixed b) {
     return fixed::from_bits(b.bits == 0 || b.bits == -1 ? 0 : a.bits % b.bits);
 }

@@ -44,7 +44,9 @@ struct Op {
     bool parameters_are_commands = false; ///< D/C low for the parameters too
     /// The bytes to write. They must stay as they are until the transfer's token is done.
     const std::uint8_t* data = nullptr;
-    std::uint8_t* into = nullptr; ///< wait_te, wait_line: the moment goes there, if not null; tell_moment()
+    /// Where the answer of a read goes. wait_te, wait_line: where the moment goes, if not null; see
+    /// tell_moment(). The memory must stay until the transfer's token is done.
+    std::uint8_t* into = nullptr;
     /// Bytes of a row, of parameters or of an answer; the first line of a wait_line.
     std::uint32_t length = 0;
     /// Rows of `pixels`, repeats of `repeat`, lines of a wait_line.

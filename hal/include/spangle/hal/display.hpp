@@ -14,7 +14,7 @@ namespace spangle::hal {
 /// - `block` waits.
 /// - `drop` does not send the frame; the next one presented in time carries its changes, too.
 /// - `coalesce` does the same, but still sends the frame, at the latest in finish(), unless another is drawn
-/// over it first.
+///   over it first.
 enum class Pacing : std::uint8_t { block, drop, coalesce };
 
 /// What a display is. It stays the same after init(), except where a WindowSystem says otherwise.
@@ -50,20 +50,22 @@ class Display {
     /// What this display is; it may be asked before init(), too.
     virtual DisplayInfo info() const = 0;
     /// Resets and initialises the controller. Must succeed before the others are called. It may be called
-    /// again after a fault. Fault::bad_argument: the description breaks a rule. Fault::wrong_device: another
-    /// controller answers.
+    /// again after a fault. Fault::bad_argument and Fault::unsupported: the description breaks a rule, or the
+    /// bus cannot do what it asks for. Fault::wrong_device: another controller answers. Fault::no_answer:
+    /// none does.
     virtual Result<void> init() = 0;
     /// The buffer to draw the next frame into; the same until present() succeeds. Fault::busy: none is free
-    /// yet.
+    /// yet. Fault::bad_argument: init() did not succeed. Fault::unsupported: frames are drawn in bands.
     virtual Result<Frame> acquire() = 0;
     /// Sends what differs between the panel's memory and the surface. On an error nothing is forgotten: the
-    /// next present sends it again.
+    /// next present sends it again. Errors are those of the bus, and those of acquire().
     virtual Result<void> present() = 0;
-    /// Waits until the last frame presented is shown; what was drawn since stays where it is.
+    /// Waits until the last frame presented is shown; what was drawn since stays where it is. Errors are
+    /// those of the bus.
     virtual Result<void> finish() { return {}; }
     /// Sets new colours, red, green and blue bytes each, of the indices from `first` on, on displays of
-    /// PixelFormat::index8. Arguments: first, count, and 3 * count bytes, which are copied.
-    /// Fault::unsupported: the display has no palette. Fault::bad_argument: indices outside of 0 to 255.
+    /// PixelFormat::index8. Arguments: first, count, and 3 * count bytes, which are copied. Indices must lie
+    /// within 0 to 255, which is not checked. Fault::unsupported: the display has no palette.
     virtual Result<void> set_palette(std::int32_t, std::int32_t, const std::uint8_t*) {
         return Error{Fault::unsupported, "display: it has no palette"};
     }

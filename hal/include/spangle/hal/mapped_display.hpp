@@ -33,7 +33,7 @@ class ScanOut {
 
 /// What a board says of a memory-mapped display. What it points to must outlive the display.
 struct MappedConfig {
-    /// More buffers would only be older.
+    /// The most buffers that a display takes.
     static constexpr std::uint8_t most_buffers = 3;
 
     /// The name for people, static.

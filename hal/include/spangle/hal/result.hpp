@@ -51,7 +51,7 @@ template <class T> class [[nodiscard]] Result {
     constexpr bool ok() const { return error_.fault == Fault::none; }
     /// Does what ok() does.
     constexpr explicit operator bool() const { return ok(); }
-    /// The value; where there is an error, a T made from nothing.
+    /// The value; where there is an error, a value-initialised T.
     constexpr const T& value() const { return value_; }
     /// The value, to change.
     constexpr T& value() { return value_; }

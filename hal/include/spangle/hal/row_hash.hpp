@@ -14,7 +14,7 @@ struct WindowCost;
 
 /// A window while its cells are gathered.
 struct SpanWindow {
-    /// Columns in cells, and rows: half-open.
+    /// Columns and rows of the picture, half-open.
     std::int16_t begin = 0, end = 0, top = 0, bottom = 0; ///< half-open
     std::int32_t spare = 0;                               ///< bits saved and not yet wasted
 };

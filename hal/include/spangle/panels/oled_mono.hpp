@@ -123,7 +123,7 @@ using namespace oled;
 
 enum : unsigned { PUMP_VOLTAGE = 0x30 };
 
-/// What SH1106 modules come up with (SH1106 datasheet, 5).
+/// What SH1106 modules come up with.
 inline constexpr auto setup = init_program(cmd(DISPLAY_OFF),      //
                                            cmd(CLOCK, 0x80),      //
                                            cmd(MULTIPLEX, 0x3F),  //

@@ -29,7 +29,8 @@ struct BoardCounters {
 /// A board of the simulator, powered on. It belongs to one thread. Its clock is virtual.
 class SimBoard {
   public:
-    /// Builds the module that `board` describes. The description must outlive the simulated board.
+    /// Builds the module that `board` describes. The description is copied; the panel that it names must
+    /// outlive the simulated board.
     explicit SimBoard(const hal::Board& board);
     /// Ends a record of the wires, too.
     ~SimBoard();
