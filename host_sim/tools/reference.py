@@ -21,6 +21,8 @@ import sys
 import tempfile
 import urllib.parse
 
+import outfile
+
 TREE = pathlib.Path(__file__).resolve().parents[2]
 INCLUDES = ("raster/format/include", "raster/include", "hal/include", "hal/mcu/include", "hal/linux/include", "hal/usb/include",
             "boards/include", "gl/include", "host_sim/include")
@@ -253,7 +255,7 @@ def run_doxygen(tree, out):
         copy = pathlib.Path(name).resolve()
         for path in inputs(tree):
             (copy / path).parent.mkdir(parents=True, exist_ok=True)
-            (copy / path).write_text(filtered(tree, path))
+            outfile.write(copy / path, filtered(tree, path))
         rooms = [room for room in INCLUDES if (copy / room).is_dir()]
         settings = [(tree / "docs/Doxyfile").read_text(), f'OUTPUT_DIRECTORY = "{out.resolve()}"', f"STRIP_FROM_PATH = {copy}",
                     f"INPUT = {' '.join(rooms)} docs", f"INCLUDE_PATH = {' '.join(rooms)}", f"STRIP_FROM_INC_PATH = {' '.join(rooms)}",
@@ -271,7 +273,7 @@ def build(tree, out):
     for picture in (path for path in (tree / "docs").rglob("*") if path.suffix in PICTURES):
         copy = out / "html" / picture.relative_to(tree)
         copy.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(picture, copy)
+        outfile.write(copy, picture.read_bytes())
     terms = [f"{path}: {what}" for path in inputs(tree) if path.suffix != ".md" for what in unlinked_terms((tree / path).read_text())]
     return [line for line in said.splitlines() if line.strip()] + list(broken_links(out / "html")) + terms
 
@@ -297,4 +299,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(outfile.checked(main))

@@ -44,7 +44,8 @@ class GpioBus final : public TransferBus {
     explicit GpioBus(const GpioBusConfig& config);
     ~GpioBus();
 
-    /// Requests the lines. It may be called again after a chip came back.
+    /// Requests the lines. It may be called again after a chip came back. Errors name device, operation and
+    /// cause; docs/faults.md lists them.
     Result<void> open();
     BusCaps caps() const override;
 

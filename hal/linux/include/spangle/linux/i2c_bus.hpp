@@ -39,6 +39,7 @@ class I2cBus final : public TransferBus {
     ~I2cBus();
 
     /// Opens the adapter and addresses the controller. It may be called again after the adapter came back.
+    /// Errors name device, operation and cause; docs/faults.md lists them.
     Result<void> open();
     BusCaps caps() const override;
 

@@ -45,7 +45,8 @@ class SpidevBus final : public TransferBus {
     explicit SpidevBus(const SpidevConfig& config);
     ~SpidevBus();
 
-    /// Opens the device and requests the lines. It may be called again after a device came back.
+    /// Opens the device and requests the lines. It may be called again after a device came back. Errors name
+    /// device, operation and cause; docs/faults.md lists them.
     Result<void> open();
     BusCaps caps() const override;
     /// Bytes of one message: the kernel's `bufsiz`.

@@ -59,7 +59,7 @@ class FtdiBus final : public TransferBus {
     ~FtdiBus();
 
     /// Finds the adapter and starts its engine; a kernel driver lets go of it. It may be called again after
-    /// the adapter came back.
+    /// the adapter came back. Errors name device, operation and cause; docs/faults.md lists them.
     Result<void> open();
     BusCaps caps() const override;
 

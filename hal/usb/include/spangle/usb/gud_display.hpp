@@ -44,7 +44,8 @@ class GudDisplay final : public Display {
 
     /// Size and format are known after init().
     DisplayInfo info() const override;
-    /// Finds the device, sets its mode, and shows black.
+    /// Finds the device, sets its mode, and shows black. Errors name device, operation and cause;
+    /// docs/faults.md lists them.
     Result<void> init() override;
     Result<Frame> acquire() override;
     /// Returns while the frame is on its way, in memory that only its sender can reach: the buffer is the

@@ -2,7 +2,7 @@
 """Tests that the reference manual of the public headers is whole: Doxygen (host_sim/tools/reference.py) finds every public entity
 documented, every link leading somewhere and terms linked to the glossary. Each kind of defect is reported in a small tree.
 
-usage: reference.py
+usage: reference_test.py
 """
 import pathlib
 import re
