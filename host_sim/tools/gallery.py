@@ -6,6 +6,7 @@ usage: gallery.py SPANGLE [--check]
 Each picture is the simulated glass with the test card, drawn by a driver that has one setting wrong. --check writes nothing,
 and fails when the page or a picture is not what this build gives.
 """
+import argparse
 import pathlib
 import subprocess
 import sys
@@ -48,10 +49,11 @@ def run(*words):
 
 
 def main():
-    if len(sys.argv) not in (2, 3) or sys.argv[2:] not in ([], ["--check"]):
-        print(__doc__.strip())
-        return 2
-    spangle, check = sys.argv[1], sys.argv[2:] == ["--check"]
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("spangle")
+    parser.add_argument("--check", action="store_true")
+    options = parser.parse_args()
+    spangle, check = options.spangle, options.check
     fixes = {"": "nothing"} | dict(line.split("\t") for line in run(spangle, "card", "--list-wrong").splitlines())
     if set(fixes) != set(SEEN):
         print(f"the page does not describe {set(fixes) ^ set(SEEN)}")
