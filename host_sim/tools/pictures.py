@@ -3,7 +3,8 @@
 
 usage: pictures.py SPANGLE [--check]
 
---check writes nothing, and fails when a picture is not, pixel by pixel, the one that this build draws. Other files of the folder
+hero.png moves: hero.py says what is on its glasses. --check writes nothing, and fails when a picture is not, pixel by pixel and
+frame by frame, the one that this build draws. Other files of the folder
 come from other tools and are not checked: tests/programs/gallery.py draws programs.png, tests/page/page_test.py --picture page.png,
 tests/trade/trade_test.py SPANGLE picture trade.png.
 """
@@ -13,6 +14,7 @@ import subprocess
 import sys
 import tempfile
 
+import hero
 import outfile
 import png
 
@@ -47,6 +49,11 @@ def main():
                 outfile.write(kept, shot.read_bytes())
             elif not kept.exists() or png.read(kept.read_bytes()) != png.read(shot.read_bytes()):
                 stale.append(str(kept.relative_to(PICTURES.parents[1])))
+    kept = PICTURES / "hero.png"
+    if not options.check:
+        outfile.write(kept, hero.made(options.spangle))
+    elif not kept.exists() or not hero.is_fresh(options.spangle, kept.read_bytes()):
+        stale.append(str(kept.relative_to(PICTURES.parents[1])))
     if stale:
         print(f"{', '.join(stale)}: not what this build draws; run ./dev pictures")
     return 1 if stale else 0

@@ -6,6 +6,12 @@ import zlib
 
 def read(data):
     """Decodes a file that spangle --shot writes. Returns width, height and rows of (r, g, b) tuples."""
+    lines = read_lines(data)
+    return len(lines[0]) // 3, len(lines), [list(zip(*(line[channel::3] for channel in range(3)))) for line in lines]
+
+
+def read_lines(data):
+    """Decodes such a file. Returns rows of bytes, three for a pixel."""
     if data[:8] != b"\x89PNG\r\n\x1a\n":
         raise ValueError("not a PNG file")
     at, packed, width, height, channels = 8, b"", 0, 0, 0
@@ -26,8 +32,16 @@ def read(data):
     rows, above = [], bytearray(stride)
     for at in range(0, height * (stride + 1), stride + 1):
         above = unfiltered(flat[at], bytearray(flat[at + 1:at + 1 + stride]), above, channels)
-        rows.append(list(zip(*(above[channel::channels] for channel in range(3)))))
-    return width, height, rows
+        rows.append(bytes(above) if channels == 3 else without_alpha(above))
+    return rows
+
+
+def without_alpha(row):
+    """Returns a row of RGB from a row of RGBA."""
+    rgb = bytearray(len(row) // 4 * 3)
+    for channel in range(3):
+        rgb[channel::3] = row[channel::4]
+    return bytes(rgb)
 
 
 def unfiltered(kind, row, above, channels):
@@ -99,12 +113,26 @@ def write_exact(rows):
     flat, above = bytearray(), bytes(3 * len(rows[0]))
     for row in rows:
         line = bytes(value for color in row for value in color)
-        left = bytes((a - b) & 255 for a, b in zip(line, b"\0\0\0" + line))
-        up = bytes((a - b) & 255 for a, b in zip(line, above))
-        best = min((line, left, up), key=lambda kind: sum(min(value, 256 - value) for value in kind))
-        flat += bytes([(line, left, up).index(best)]) + best
+        kinds = (line, less_left(line), less_above(line, above))
+        best = min(kinds, key=roughness)
+        flat += bytes([kinds.index(best)]) + best
         above = line
     return file_of(rows, 2, bytes(flat), b"")
+
+
+def less_left(line, channels=3):
+    """Filters a row by Sub, kind 1: keeps the difference to the pixel on the left."""
+    return bytes((a - b) & 255 for a, b in zip(line, bytes(channels) + line))
+
+
+def less_above(line, above):
+    """Filters a row by Up, kind 2: keeps the difference to the pixel above."""
+    return bytes((a - b) & 255 for a, b in zip(line, above))
+
+
+def roughness(line):
+    """Returns how far the bytes of a filtered row are from zero, in all. Rows with small bytes are likely to compress well."""
+    return sum(min(value, 256 - value) for value in line)
 
 
 def chunk(kind, body):

@@ -17,7 +17,8 @@ sys.path.insert(0, str(ROOT / "tests"))
 from checks import check, failures  # noqa: E402
 
 ROOMS = ("boards", "gl", "hal", "host_sim", "raster", "tests")
-FORBIDDEN = ("apt-get", "dpkg-query", "sudo", "cmake", "ninja", "ctest", "make", "c++", "g++", "git", "xargs", "clang-format-14", "clang-tidy-14", "curl", "wget")
+FORBIDDEN = ("apt-get", "dpkg-query", "sudo", "cmake", "ninja", "ctest", "make", "c++", "g++", "git", "xargs", "clang-format-14",
+             "clang-tidy-14", "curl", "wget")
 
 
 class Clone:
@@ -35,7 +36,8 @@ class Clone:
 
     def dev(self, *words):
         environment = os.environ | {"PATH": f"{self.folder / 'bin'}:{os.environ['PATH']}", "HOME": str(self.folder), "JOBS": "1"}
-        return subprocess.run([str(self.folder / "dev"), *words], env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=60)
+        return subprocess.run([str(self.folder / "dev"), *words], env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                              timeout=60)
 
     def touched(self):
         """Returns what ran or appeared that must not."""
@@ -58,7 +60,7 @@ def helps(clone, words, *expected):
 
 def check_all(clone):
     listed = helps(clone, ["help"])
-    check(helps(clone, ["--help"]) == listed and helps(clone, ["-h"]) == listed and helps(clone, []) == listed, "dev --help is not dev help")
+    check(all(helps(clone, words) == listed for words in (["--help"], ["-h"], [])), "dev --help is not dev help")
     commands = re.findall(r"^  ([a-z]+) +(\S.*)$", listed, re.M)
     check(len(commands) >= 20, f"only {len(commands)} commands are listed")
     for name, does in commands:

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Tests how the tools read pictures: host_sim/tools/png.py undoes each filter of the PNG specification."""
+"""Tests how the tools read and write pictures: host_sim/tools/png.py undoes each filter of the PNG specification, and
+host_sim/tools/apng.py writes pictures that move as the specification of APNG says."""
 import pathlib
 import random
 import struct
@@ -9,6 +10,8 @@ import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "host_sim/tools"))
+import apng  # noqa: E402
+import hero  # noqa: E402
 import png  # noqa: E402
 
 
@@ -71,6 +74,87 @@ class Files(unittest.TestCase):
         whole = file_of(random_rows(5, 4, 3, range(256)), 5, 3, lambda y: 0)
         with self.assertRaises(ValueError):
             png.read(whole.replace(struct.pack(">II", 5, 4), struct.pack(">II", 5, 5)))
+
+
+def moving(width, height, frames):
+    """Returns frames of random pixels, of which each changes a rectangle of the one before; some change nothing."""
+    result = [random_rows(width, height, 3, range(4, 256))]
+    for n in range(1, frames):
+        canvas = list(result[-1])
+        if n % 4:
+            x, y = random.randrange(width), random.randrange(height)
+            for row in range(y, random.randrange(y, height) + 1):
+                line = bytearray(canvas[row])
+                line[3 * x:3 * x + 6] = bytes(random.choice((4, 200)) for _ in line[3 * x:3 * x + 6])
+                canvas[row] = bytes(line)
+        result.append(canvas)
+    return result
+
+
+def chunks(data):
+    """Returns (kind, body) of each chunk, whose checksum must be right."""
+    at, found = 8, []
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        body, check = data[at + 8:at + 8 + length], data[at + 8 + length:at + 12 + length]
+        assert struct.unpack(">I", check)[0] == zlib.crc32(kind + body)
+        found.append((kind, body))
+        at += length + 12
+    return found
+
+
+class Moving(unittest.TestCase):
+    def test_frames_come_back(self):
+        random.seed(3)
+        for width, height in ((1, 1), (17, 9), (40, 3)):
+            with self.subTest(width=width, height=height):
+                frames = moving(width, height, 9)
+                self.assertEqual(apng.read(apng.write(frames, 10)), frames)
+
+    def test_a_transparent_background_stays(self):
+        frame = [apng.CLEAR * 3 + bytes(range(100, 109))] * 2
+        other = [apng.CLEAR * 3 + bytes(range(110, 119))] * 2
+        self.assertEqual(apng.read(apng.write([frame, other, frame], 10)), [frame, other, frame])
+
+    def test_the_file_is_what_the_specification_asks_for(self):
+        random.seed(4)
+        frames = moving(12, 7, 5)
+        data = apng.write(frames, 15)
+        found = chunks(data)
+        self.assertEqual([kind for kind, _ in found], [b"IHDR", b"acTL", b"fcTL", b"IDAT"] + [b"fcTL", b"fdAT"] * 4 + [b"IEND"])
+        self.assertEqual(struct.unpack(">II", found[1][1]), (5, 0))
+        self.assertEqual([struct.unpack(">I", body[:4])[0] for kind, body in found if kind in (b"fcTL", b"fdAT")], list(range(9)))
+        for number, (kind, body) in enumerate(found):
+            if kind == b"fcTL":
+                _, width, height, x, y, delay, per, dispose, blend = struct.unpack(">IIIIIHHBB", body)
+                self.assertTrue(width > 0 and height > 0 and x + width <= 12 and y + height <= 7)
+                self.assertEqual((delay, per, dispose, blend), (1, 15, 0, 0 if number == 2 else 1))
+        # A viewer that does not know APNG shows the first frame.
+        self.assertEqual(png.read_lines(data), frames[0])
+
+    def test_only_the_clear_colour_is_transparent(self):
+        # The bytes of CLEAR also stand across two pixels here.
+        row = bytes((9, 1, 2, 3, 7, 7)) + apng.CLEAR + bytes((0, 0, 0))
+        self.assertEqual(apng.with_alpha(row), bytes((9, 1, 2, 255, 3, 7, 7, 255, 0, 0, 0, 0, 0, 0, 0, 255)))
+        self.assertEqual(apng.without_alpha(apng.with_alpha(row)), row)
+
+    def test_a_lost_frame_is_noticed(self):
+        random.seed(5)
+        data = apng.write(moving(6, 6, 3), 10)
+        with self.assertRaises(ValueError):
+            apng.read(data.replace(struct.pack(">II", 3, 0), struct.pack(">II", 4, 0)))
+
+    def test_the_glasses_fit_beside_each_other(self):
+        sizes = {"st7796s-spi": (480, 320), "ili9341-spi": (320, 240), "gc9a01": (240, 240), "ssd1327-spi": (128, 128),
+                 "ssd1306-spi": (128, 64)}
+        taken = []
+        for words, _, times, x, y in hero.GLASSES:
+            width, height = sizes[words[-1]]
+            box = (x - hero.BEZEL, y - hero.BEZEL, x + times * width + hero.BEZEL, y + times * height + hero.BEZEL)
+            self.assertTrue(min(box) >= 0 and box[2] <= hero.WIDTH and box[3] <= hero.HEIGHT, box)
+            for other in taken:
+                self.assertTrue(box[0] >= other[2] or box[2] <= other[0] or box[1] >= other[3] or box[3] <= other[1], (box, other))
+            taken.append(box)
 
 
 if __name__ == "__main__":
