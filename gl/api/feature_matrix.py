@@ -1,11 +1,8 @@
 """The feature matrix: which rows of GL 1.3 work, and what is missing."""
 import json
 import re
-import sys
 
 from command_table import API, ROOT
-
-README_MATRIX = re.compile(r"(<!-- feature matrix: .*? -->\n).*?(<!-- end of the feature matrix -->\n)", re.S)
 
 
 def matrix(chapters):
@@ -36,19 +33,8 @@ def totals(rows):
 def features(rows):
     return ("# Feature matrix\n\n<!-- Written by gl/api/generate.py from gl/api/commands -->\n\n"
             "Rows of GL 1.3. *works*: every command of the row exists, nothing is known to be missing, and a seeded defect of the\n"
-            "row is caught by the tests. *partly*: what is missing is said. *not yet*: nothing of it exists, or it is untested.\n\n"
+            "row is caught by the tests. *partly*: what is missing is said. *not yet*: nothing of it exists, or it is untested.\n"
+            "[memory.md](memory.md#what-each-optional-system-costs) says what each optional system costs,\n"
+            "and [limits.md](limits.md) what there is not.\n\n"
             "| row | system | commands | state | note |\n|---|---|---|---|---|\n"
             + "".join(f"| {' | '.join(row)} |\n" for row in rows) + f"\n{totals(rows)}.\n")
-
-
-def readme(rows):
-    """The README with its matrix renewed."""
-    text = (ROOT / "README.md").read_text()
-    table = (f"\n<details><summary>{totals(rows)} (a row works when a seeded defect of it is caught)</summary>\n\n"
-             "| row | system | state |\n|---|---|---|\n"
-             + "".join(f"| {row} | {name} | {state}{': ' + note if note else ''} |\n" for row, name, _, state, note in rows)
-             + "\n</details>\n\n")
-    renewed, count = README_MATRIX.subn(lambda m: m[1] + table + m[2], text)
-    if count != 1:
-        sys.exit("README.md: no place for the feature matrix")
-    return renewed

@@ -10,7 +10,7 @@ from emit_code import commands_header, header, names, shapes_header, wrappers
 from emit_test_table import test_table
 from emit_texts import texts
 from extensions import aliases_list, extensions_header, load_extensions
-from feature_matrix import features, matrix, readme
+from feature_matrix import features, matrix
 
 sys.path.insert(0, str(ROOT / "host_sim/tools"))
 import outfile  # noqa: E402
@@ -30,7 +30,6 @@ def outputs():
         "gl/api/generated/extensions.hpp": extensions_header(extensions),
         "tests/gl_api/generated/command_table.inc": test_table(chapters, tokens),
         "docs/features.md": features(rows),
-        "README.md": readme(rows),
     }
     for data, families in chapters:
         files[f"gl/api/generated/{data['chapter']}.cpp"] = wrappers(data, families)

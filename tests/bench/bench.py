@@ -2,7 +2,7 @@
 """Measures every scene, and compares it with Mesa's llvmpipe and the goals.
 
 usage: ./dev bench [--quick] [--scenes S2,S5] [--no-wall] [--no-mcu] [--no-callgrind] [--no-chain] [--json FILE]
-       ./dev bench --record            also keeps speed and memory in tests/bench/measured.json and in README.md
+       ./dev bench --record            also keeps speed and memory in tests/bench/measured.json, docs/speed.md and docs/memory.md
        ./dev bench --update-golden     writes tests/bench/golden.json, which ./dev test --all compares the counts with
 
 Wall time is a ratio within one run: the two programs take turns scene by scene, eleven times (--quick: five). The median of the ratios
@@ -130,7 +130,7 @@ def memory_table(build, scenes):
 
 
 def record(build, walls, memory, scenes):
-    """Returns what README.md shows, and on which machine it was measured."""
+    """Returns what docs/speed.md and docs/memory.md show, and on which machine it was measured."""
     model = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
     found = {scene: {size: {"llvmpipe_us": round(walls.microseconds(f"mesa/{scene}/{size}")["median"], 1),
                       "scatter": round(scatter(walls.speed(scene, size, "balanced")), 3), "dither": round(walls.dithering(scene, size)["median"], 2)}
@@ -139,7 +139,7 @@ def record(build, walls, memory, scenes):
     kept = {"host": f"On {model.group(1) if model else 'this machine'}, {compiler_of(build)}:", "scenes": found}
     outfile.write(HERE / "measured.json", json.dumps(kept, indent=1) + "\n")
     tables.write(tables.recorded())
-    print("\nwrote tests/bench/measured.json and the tables of README.md")
+    print("\nwrote tests/bench/measured.json and the tables of docs/speed.md and docs/memory.md")
 
 
 def wall_table(walls, scenes):
@@ -271,7 +271,7 @@ def main():
     parser.add_argument("--no-mcu", action="store_true")
     parser.add_argument("--no-callgrind", action="store_true")
     parser.add_argument("--no-chain", action="store_true", help="without the table of fused spans and their chains")
-    parser.add_argument("--record", action="store_true", help="keep speed and memory for README.md")
+    parser.add_argument("--record", action="store_true", help="keep speed and memory for the documents")
     parser.add_argument("--update-golden", action="store_true", help="measure the counts that ./dev test --all guards, write them, and stop")
     json_option.add(parser)
     arguments = parser.parse_args()

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Tests that each link of a page to a file, or to a heading of a page, leads somewhere; and that code cites pages that are there.
+docs/README.md must lead to each page beside it, and README.md must be short enough for one sitting.
 
 usage: links.py [FOLDER]
 
@@ -15,6 +16,7 @@ from checks import check, failures  # noqa: E402
 
 ROOT = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parents[2])
 ROOMS = [room for room in ROOT.iterdir() if room.is_dir() and room.name != "build" and not room.name.startswith(".")]
+LONGEST_README = 200
 CODE = {".cpp", ".hpp", ".h", ".c", ".py", ".cmake", ".txt"}
 
 
@@ -79,7 +81,17 @@ def check_code():
     return count
 
 
+def check_index():
+    """The way in is short, and the index of the pages is whole."""
+    length = len((ROOT / "README.md").read_text().splitlines())
+    check(length <= LONGEST_README, f"README.md has {length} lines, at most {LONGEST_README} are read at one sitting")
+    named = set(links(without_code((ROOT / "docs/README.md").read_text())))
+    for page in sorted((ROOT / "docs").glob("*.md")):
+        check(page.name in named or page.name == "README.md", f"docs/README.md does not lead to {page.name}")
+
+
 def main():
+    check_index()
     pages, code = check_pages(), check_code()
     check(pages > 200 and code > 30, f"only {pages} links of pages and {code} citations of code were found: what is looked for?")
     print(f"{pages} links of pages, {code} citations of code")

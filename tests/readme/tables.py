@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Writes the tables of README.md, docs/bands.md, docs/boards.md and docs/linux.md from what was measured, so that no number in them is copied by hand.
+"""Writes the tables of docs/accuracy.md, speed.md, memory.md, bands.md, boards.md and linux.md from what was measured, so that no number in them is
+copied by hand.
 
 usage: tables.py [--check] [--spangle PROGRAM]
 
@@ -24,9 +25,10 @@ import goals  # noqa: E402
 sys.path.insert(0, str(ROOT / "host_sim/tools"))
 import outfile  # noqa: E402
 
-README = ROOT / "README.md"
-PAGES = {"transports": ROOT / "docs/linux.md", "bands": ROOT / "docs/bands.md", "goals": ROOT / "docs/boards.md",
-         "dithering": ROOT / "docs/boards.md"}  # files of tables that do not stand in README.md
+# The page of each table.
+PAGES = {name: ROOT / "docs" / f"{page}.md" for page, names in {"accuracy": ("accuracy", "stages"), "speed": ("speed", "instructions"),
+                                                               "memory": ("memory", "features"), "linux": ("transports",), "bands": ("bands",),
+                                                               "boards": ("goals", "dithering")}.items() for name in names}
 BENCH = ROOT / "tests/bench"
 TIERS = ("exact", "balanced", "fast")
 FRAMES = 10
@@ -277,7 +279,7 @@ def standing(text, name):
 
 
 def page_of(name):
-    return PAGES.get(name, README)
+    return PAGES[name]
 
 
 def recorded():
