@@ -112,6 +112,8 @@ void bits(const Context& context, GLenum name, Param* out) {
         out[0] = integer(surface.depth_format == DepthFormat::z24s8 ? 8 : 0);
     else
         out[0] = integer(colors[name - GL_RED_BITS]);
+    static_assert(GL_GREEN_BITS - GL_RED_BITS == 1 && GL_BLUE_BITS - GL_RED_BITS == 2 &&
+                  GL_ALPHA_BITS - GL_RED_BITS == 3);
 }
 
 void samples(const Context& context, GLenum name, Param* out) {

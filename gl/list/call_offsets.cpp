@@ -25,6 +25,11 @@ bool is_name_type(GLenum type) {
 
 GLuint name_offset(GLenum type, const void* lists, GLsizei i) {
     constexpr std::uint8_t bytes_of[] = {1, 1, 2, 2, 4, 4, 4, 2, 3, 4}; // bytes, in the order of types
+    static_assert(bytes_of[GL_UNSIGNED_BYTE - GL_BYTE] == 1 && bytes_of[GL_SHORT - GL_BYTE] == 2 &&
+                  bytes_of[GL_UNSIGNED_SHORT - GL_BYTE] == 2 && bytes_of[GL_INT - GL_BYTE] == 4 &&
+                  bytes_of[GL_UNSIGNED_INT - GL_BYTE] == 4 && bytes_of[GL_FLOAT - GL_BYTE] == 4 &&
+                  bytes_of[GL_2_BYTES - GL_BYTE] == 2 && bytes_of[GL_3_BYTES - GL_BYTE] == 3 &&
+                  bytes_of[GL_4_BYTES - GL_BYTE] == 4 && sizeof bytes_of == GL_4_BYTES - GL_BYTE + 1);
     const unsigned count = bytes_of[type - GL_BYTE];
     const auto* const from = static_cast<const unsigned char*>(lists) + static_cast<std::size_t>(i) * count;
     const bool high_first = type >= GL_2_BYTES || std::endian::native == std::endian::big;

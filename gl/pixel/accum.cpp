@@ -1,4 +1,6 @@
 // The accumulation buffer (GL 1.3, 4.2.4).
+#include <iterator>
+
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/pixel/fragment_setup.hpp"
@@ -9,25 +11,25 @@ namespace spangle::gl::cmd {
 
 namespace {
 
-raster::AccumRequest::Op op_of(GLenum op) {
-    using Op = raster::AccumRequest::Op;
-    switch (op) {
-    case GL_ACCUM:
-        return Op::accumulate;
-    case GL_LOAD:
-        return Op::load;
-    case GL_MULT:
-        return Op::multiply;
-    case GL_ADD:
-        return Op::add;
-    default:
-        return Op::give_back; // RETURN
-    }
+using AccumOp = raster::AccumRequest::Op;
+
+/// The operations in the order of their tokens, from ACCUM on.
+constexpr AccumOp accum_ops[] = {AccumOp::accumulate, AccumOp::load, AccumOp::give_back, AccumOp::multiply,
+                                 AccumOp::add};
+
+constexpr bool is_accum_op(GLenum op) {
+    return op - GL_ACCUM < std::size(accum_ops);
 }
+constexpr AccumOp accum_op_of(GLenum op) {
+    return accum_ops[op - GL_ACCUM];
+}
+static_assert(accum_op_of(GL_ACCUM) == AccumOp::accumulate && accum_op_of(GL_LOAD) == AccumOp::load &&
+              accum_op_of(GL_RETURN) == AccumOp::give_back && accum_op_of(GL_MULT) == AccumOp::multiply &&
+              accum_op_of(GL_ADD) == AccumOp::add && !is_accum_op(GL_ADD + 1));
 
 raster::AccumRequest request_of(const Context& context, GLenum op, Real value) {
     raster::AccumRequest request;
-    request.op = op_of(op);
+    request.op = accum_op_of(op);
     request.area = drawing_rect(context);
     request.value =
         numeric::to_fixed(value, op == GL_RETURN ? raster::accum_return_bits : raster::accum_value_bits);
@@ -39,7 +41,7 @@ raster::AccumRequest request_of(const Context& context, GLenum op, Real value) {
 } // namespace
 
 void Accum(Context& context, GLenum op, Real value) {
-    if (op < GL_ACCUM || op > GL_ADD)
+    if (!is_accum_op(op))
         return error(context, GL_INVALID_ENUM);
     const raster::Surface& surface = context.drawable.surface;
     if (surface.accum == nullptr || is_indexed(context.drawable))

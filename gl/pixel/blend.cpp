@@ -6,19 +6,9 @@
 
 namespace spangle::gl::cmd {
 
-namespace {
-
-bool is_factor(GLenum factor) {
-    return factor == GL_ZERO || factor == GL_ONE ||
-           (factor >= GL_SRC_COLOR && factor <= GL_ONE_MINUS_DST_COLOR) ||
-           (factor >= GL_CONSTANT_COLOR && factor <= GL_ONE_MINUS_CONSTANT_ALPHA);
-}
-
-} // namespace
-
 void BlendFuncSeparate(Context& context, GLenum src_rgb, GLenum dst_rgb, GLenum src_alpha, GLenum dst_alpha) {
-    const auto is_source = [](GLenum f) { return is_factor(f) || f == GL_SRC_ALPHA_SATURATE; };
-    if (!is_source(src_rgb) || !is_source(src_alpha) || !is_factor(dst_rgb) || !is_factor(dst_alpha))
+    if (!is_source_factor(src_rgb) || !is_source_factor(src_alpha) || !is_blend_factor(dst_rgb) ||
+        !is_blend_factor(dst_alpha))
         return error(context, GL_INVALID_ENUM);
     FragmentOpsState& ops = context.fragment_ops;
     ops.blend_rgb.src = src_rgb;
@@ -52,7 +42,7 @@ void BlendColor(Context& context, Real red, Real green, Real blue, Real alpha) {
 }
 
 void LogicOp(Context& context, GLenum opcode) {
-    if (opcode < GL_CLEAR || opcode > GL_SET)
+    if (!is_logic_op(opcode))
         return error(context, GL_INVALID_ENUM);
     context.fragment_ops.logic_op = opcode;
     context.changed(dirty_fragment);

@@ -2,7 +2,7 @@
 // (GL 1.3, 4.1, 4.2).
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
-#include "gl/pixel/compare.hpp"
+#include "gl/context/tokens.hpp"
 #include "gl/pixel/draw_buffer.hpp"
 
 namespace spangle::gl::cmd {

@@ -23,22 +23,8 @@ namespace spangle::gl {
 
 namespace {
 
-raster::Compare compare_of(GLenum func) {
-    return static_cast<raster::Compare>(func - GL_NEVER);
-}
-
 raster::StencilOp stencil_op_of(GLenum op) {
     return static_cast<raster::StencilOp>(place_in(stencil_ops, op));
-}
-
-raster::BlendFactor factor_of(GLenum factor) {
-    if (factor <= GL_ONE)
-        return static_cast<raster::BlendFactor>(factor);
-    if (factor >= GL_CONSTANT_COLOR)
-        return static_cast<raster::BlendFactor>(factor - GL_CONSTANT_COLOR +
-                                                static_cast<GLenum>(raster::BlendFactor::constant_color));
-    return static_cast<raster::BlendFactor>(factor - GL_SRC_COLOR +
-                                            static_cast<GLenum>(raster::BlendFactor::src_color));
 }
 
 raster::BlendEquation equation_of(GLenum mode) {
@@ -46,7 +32,7 @@ raster::BlendEquation equation_of(GLenum mode) {
 }
 
 raster::Blending blending_of(const BlendPart& part) {
-    return {factor_of(part.src), factor_of(part.dst), equation_of(part.equation)};
+    return {blend_factor_of(part.src), blend_factor_of(part.dst), equation_of(part.equation)};
 }
 
 raster::StencilState stencil_of(const StencilSide& side) {
@@ -64,9 +50,7 @@ void fill_fog(const Context& context, raster::FragmentState& out) {
 #if SPANGLE_FEATURE_FOG
     const FogState& fog = context.fog;
     out.fog = fog.fog;
-    out.fog_mode = fog.mode == GL_EXP    ? raster::FogMode::exp
-                   : fog.mode == GL_EXP2 ? raster::FogMode::exp2
-                                         : raster::FogMode::linear;
+    out.fog_mode = static_cast<raster::FogMode>(place_in(fog_modes, fog.mode));
     if (is_indexed(context.drawable))
         out.fog_color[0] = index_units(fog.index, context.drawable.index_bits);
     else
@@ -198,7 +182,7 @@ void fill(const Context& context, raster::FragmentState& out) {
     fill_samples(context, out);
     out.flat = context.polygon.shade_model == GL_FLAT;
     out.logic = indexed ? ops.index_logic_op : ops.color_logic_op;
-    out.logic_op = static_cast<raster::LogicOp>(ops.logic_op - GL_CLEAR);
+    out.logic_op = logic_op_of(ops.logic_op);
     out.dither = ops.dither;
     out.color_mask = written_channels(context);
     out.scissor = drawing_rect(context);

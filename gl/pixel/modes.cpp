@@ -2,6 +2,7 @@
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/features.hpp"
+#include "gl/context/tokens.hpp"
 
 namespace spangle::gl::cmd {
 
@@ -14,7 +15,7 @@ void Fog(Context& context, GLenum pname, const Params& params) {
     switch (pname) {
     case GL_FOG_MODE: {
         const GLenum mode = params.v[0].token();
-        if (mode != GL_EXP && mode != GL_EXP2 && mode != GL_LINEAR)
+        if (!is_in(fog_modes, mode))
             return error(context, GL_INVALID_ENUM);
         fog.mode = mode;
         break;
@@ -61,6 +62,10 @@ unsigned hint_of(GLenum target) {
     if (target == GL_GENERATE_MIPMAP_HINT)
         return hint_generate_mipmap;
 #endif
+    static_assert(GL_POINT_SMOOTH_HINT - GL_PERSPECTIVE_CORRECTION_HINT == hint_point_smooth &&
+                  GL_LINE_SMOOTH_HINT - GL_PERSPECTIVE_CORRECTION_HINT == hint_line_smooth &&
+                  GL_POLYGON_SMOOTH_HINT - GL_PERSPECTIVE_CORRECTION_HINT == hint_polygon_smooth &&
+                  GL_FOG_HINT - GL_PERSPECTIVE_CORRECTION_HINT == hint_fog);
     const unsigned place = target - GL_PERSPECTIVE_CORRECTION_HINT;
     return place <= hint_fog ? place : hints;
 }

@@ -1,6 +1,7 @@
 #include "gl/pixel/pixel_layout.hpp"
 
 #include <cstring>
+#include <iterator>
 
 namespace spangle::gl {
 
@@ -46,6 +47,17 @@ constexpr std::uint16_t formats[] = {
     channels(B, G, R, A),
 };
 constexpr Tokens format_tokens{GL_COLOR_INDEX, 11, GL_BGR, 13};
+constexpr bool has_format(GLenum token, auto... components) {
+    return formats[format_tokens.place(token)] == channels(components...);
+}
+static_assert(std::size(formats) == format_tokens.all);
+static_assert(has_format(GL_COLOR_INDEX, Channel::color_index) &&
+              has_format(GL_STENCIL_INDEX, Channel::stencil) &&
+              has_format(GL_DEPTH_COMPONENT, Channel::depth) && has_format(GL_RED, R) &&
+              has_format(GL_GREEN, G) && has_format(GL_BLUE, B) && has_format(GL_ALPHA, A) &&
+              has_format(GL_RGB, R, G, B) && has_format(GL_RGBA, R, G, B, A) && has_format(GL_LUMINANCE, L) &&
+              has_format(GL_LUMINANCE_ALPHA, L, A) && has_format(GL_BGR, B, G, R) &&
+              has_format(GL_BGRA, B, G, R, A));
 
 /// Bits of the components of packed types, four bits each, the first component in the lowest. Reversed types
 /// have the first component in their least significant bits.
@@ -65,6 +77,23 @@ constexpr std::uint16_t packed_bits[] = {
 };
 constexpr Tokens packed_tokens{GL_UNSIGNED_BYTE_3_3_2, 5, GL_UNSIGNED_BYTE_2_3_3_REV, 12};
 constexpr unsigned reversed = 0xFA0; ///< bit i: packed type i is reversed
+constexpr bool has_type(GLenum token, unsigned bits, bool is_reversed) {
+    const unsigned place = packed_tokens.place(token);
+    return packed_bits[place] == bits && (reversed >> place & 1) == is_reversed;
+}
+static_assert(std::size(packed_bits) == packed_tokens.all);
+static_assert(has_type(GL_UNSIGNED_BYTE_3_3_2, 0x233, false) &&
+              has_type(GL_UNSIGNED_BYTE_2_3_3_REV, 0x233, true) &&
+              has_type(GL_UNSIGNED_SHORT_5_6_5, 0x565, false) &&
+              has_type(GL_UNSIGNED_SHORT_5_6_5_REV, 0x565, true) &&
+              has_type(GL_UNSIGNED_SHORT_4_4_4_4, 0x4444, false) &&
+              has_type(GL_UNSIGNED_SHORT_4_4_4_4_REV, 0x4444, true) &&
+              has_type(GL_UNSIGNED_SHORT_5_5_5_1, 0x1555, false) &&
+              has_type(GL_UNSIGNED_SHORT_1_5_5_5_REV, 0x1555, true) &&
+              has_type(GL_UNSIGNED_INT_8_8_8_8, 0x8888, false) &&
+              has_type(GL_UNSIGNED_INT_8_8_8_8_REV, 0x8888, true) &&
+              has_type(GL_UNSIGNED_INT_10_10_10_2, 0x2AAA, false) &&
+              has_type(GL_UNSIGNED_INT_2_10_10_10_REV, 0x2AAA, true));
 
 /// Fills in the fields of a packed type. Returns how many components it has.
 unsigned place_fields(unsigned type, PixelLayout& out) {
@@ -100,6 +129,9 @@ GLenum pixel_layout(GLenum format_token, GLenum type_token, PixelLayout& out) {
     out.elements = out.components;
     unsigned bytes = 1;
     const GLenum plain = type_token - GL_BYTE; // signed and unsigned integers of 1, 2 and 4 bytes
+    static_assert(GL_UNSIGNED_BYTE - GL_BYTE == 1 && GL_SHORT - GL_BYTE == 2 &&
+                  GL_UNSIGNED_SHORT - GL_BYTE == 3 && GL_INT - GL_BYTE == 4 &&
+                  GL_UNSIGNED_INT - GL_BYTE == 5);
     if (plain < 6) {
         out.kind = plain % 2 == 0 ? ElementKind::signed_integer : ElementKind::unsigned_integer;
         bytes <<= plain / 2;

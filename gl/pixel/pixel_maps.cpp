@@ -60,6 +60,16 @@ std::uint32_t answer(unsigned name, bool integers, std::uint32_t entry, GLenum t
 
 } // namespace
 
+static_assert(GL_PIXEL_MAP_S_TO_S - GL_PIXEL_MAP_I_TO_I == map_s_to_s &&
+              GL_PIXEL_MAP_I_TO_R - GL_PIXEL_MAP_I_TO_I == map_i_to_r &&
+              GL_PIXEL_MAP_I_TO_A - GL_PIXEL_MAP_I_TO_I == map_i_to_r + 3 &&
+              GL_PIXEL_MAP_R_TO_R - GL_PIXEL_MAP_I_TO_I == map_r_to_r &&
+              GL_PIXEL_MAP_A_TO_A - GL_PIXEL_MAP_I_TO_I == pixel_maps - 1 &&
+              GL_PIXEL_MAP_S_TO_S_SIZE - GL_PIXEL_MAP_I_TO_I_SIZE == map_s_to_s &&
+              GL_PIXEL_MAP_I_TO_R_SIZE - GL_PIXEL_MAP_I_TO_I_SIZE == map_i_to_r &&
+              GL_PIXEL_MAP_R_TO_R_SIZE - GL_PIXEL_MAP_I_TO_I_SIZE == map_r_to_r &&
+              GL_PIXEL_MAP_A_TO_A_SIZE - GL_PIXEL_MAP_I_TO_I_SIZE == pixel_maps - 1);
+
 GLenum pixel_map_error(GLenum map, GLsizei size, const Values& values) {
     const unsigned name = map - GL_PIXEL_MAP_I_TO_I;
     if (name >= pixel_maps)

@@ -10,12 +10,20 @@ namespace spangle::gl::cmd {
 
 namespace {
 
-/// The scale or bias that a name of table 3.2 (GL 1.3) refers to, or null. The tokens of scale and bias
-/// alternate.
+/// Twice the index of a component, and 1 more for its bias. The tokens of scale and bias alternate.
+constexpr unsigned place_of(GLenum pname) {
+    return pname < GL_ZOOM_X ? pname - GL_RED_SCALE : pname - GL_GREEN_SCALE + 2;
+}
+static_assert(place_of(GL_RED_SCALE) == 0 && place_of(GL_RED_BIAS) == 1 && place_of(GL_GREEN_SCALE) == 2 &&
+              place_of(GL_GREEN_BIAS) == 3 && place_of(GL_BLUE_SCALE) == 4 && place_of(GL_BLUE_BIAS) == 5 &&
+              place_of(GL_ALPHA_SCALE) == 6 && place_of(GL_ALPHA_BIAS) == 7 &&
+              place_of(GL_DEPTH_SCALE) == 8 && place_of(GL_DEPTH_BIAS) == 9);
+
+/// The scale or bias that a name of table 3.2 (GL 1.3) refers to, or null.
 Real* number_of(PixelModeState& mode, GLenum pname) {
     if (pname < GL_RED_SCALE || pname > GL_DEPTH_BIAS || pname == GL_ZOOM_X || pname == GL_ZOOM_Y)
         return nullptr;
-    const unsigned n = pname < GL_ZOOM_X ? pname - GL_RED_SCALE : pname - GL_GREEN_SCALE + 2;
+    const unsigned n = place_of(pname);
     Linear& linear = mode.linear[n / 2];
     return n % 2 == 0 ? &linear.scale : &linear.bias;
 }

@@ -2,7 +2,6 @@
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/tokens.hpp"
-#include "gl/pixel/compare.hpp"
 
 namespace spangle::gl::cmd {
 

@@ -14,10 +14,6 @@ namespace {
 constexpr bool samples_volumes = raster::spans_sample_any && SPANGLE_FEATURE_TEXTURE_3D,
                samples_palettes = raster::spans_sample_any && SPANGLE_FEATURE_COMPRESSED_TEXTURES;
 
-bool has_mipmaps(GLenum min_filter) {
-    return min_filter >= GL_NEAREST_MIPMAP_NEAREST;
-}
-
 bool alike(const LevelShape& a, const LevelShape& b) {
     return a.internal_format == b.internal_format && a.border == b.border && a.dimensions == b.dimensions;
 }
@@ -86,32 +82,30 @@ raster::TextureLevel view_of(const LevelImage& image) {
 }
 
 raster::Wrap wrap_of(GLenum mode) {
-    if (!raster::spans_sample_any)
+    if (!raster::spans_sample_any) // all modes but REPEAT are refused in such builds
         return mode == GL_REPEAT ? raster::Wrap::repeat : raster::Wrap::clamp;
     return static_cast<raster::Wrap>(place_in(wraps, mode));
 }
 
 void set_filters(const TextureObject& texture, raster::Texture& view) {
-    view.mag = texture.parameters.mag_filter == GL_LINEAR ? raster::Filter::linear : raster::Filter::nearest;
     const GLenum min = texture.parameters.min_filter;
-    // Bit 0 of a filter's token means linear within a level, bit 1 linear between levels.
-    view.min = (min & 1) != 0 ? raster::Filter::linear : raster::Filter::nearest;
-    view.mip = !has_mipmaps(min)                             ? raster::MipFilter::none
-               : !raster::spans_sample_any || (min & 2) == 0 ? raster::MipFilter::nearest
-                                                             : raster::MipFilter::linear;
+    view.mag = filter_of(texture.parameters.mag_filter);
+    view.min = filter_of(min);
+    view.mip = mip_filter_of(min);
 }
 
 raster::TextureShape shape_of(TextureKind kind) {
     switch (there(kind)) {
     case TextureKind::one:
         return raster::TextureShape::line;
+    case TextureKind::two:
+        break;
     case TextureKind::three:
         return raster::TextureShape::volume;
     case TextureKind::cube:
         return raster::TextureShape::cube;
-    default:
-        return raster::TextureShape::plane;
     }
+    return raster::TextureShape::plane;
 }
 
 void set_faces([[maybe_unused]] const TextureObject& texture, [[maybe_unused]] raster::Texture& view) {
@@ -134,7 +128,7 @@ void set_depth(const TextureParameters& p, raster::Texture& view) {
                 : p.depth_mode == GL_INTENSITY ? raster::BaseFormat::intensity
                                                : raster::BaseFormat::luminance;
     view.compares = p.compare_mode != GL_NONE;
-    view.compare = static_cast<raster::Compare>(p.compare_func - GL_NEVER);
+    view.compare = compare_of(p.compare_func);
 }
 
 #endif

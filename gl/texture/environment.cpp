@@ -13,8 +13,9 @@ namespace {
 #if SPANGLE_FEATURE_TEXTURE_COMBINE
 
 bool is_function(GLenum v, bool alpha) {
-    constexpr unsigned dot3 = 6; // index of DOT3_RGB; DOT3 functions are the last two
-    return place_in(combine_functions, v) < (alpha ? dot3 : dot3 + 2);
+    constexpr auto first_dot3 = static_cast<unsigned>(raster::CombineFunc::dot3_rgb);
+    static_assert(combine_functions.size() == first_dot3 + 2); // the functions that alpha does not have
+    return place_in(combine_functions, v) < (alpha ? first_dot3 : combine_functions.size());
 }
 
 bool is_source(GLenum v) {
@@ -22,14 +23,17 @@ bool is_source(GLenum v) {
 }
 
 bool is_operand(GLenum v, bool alpha) {
-    return v == GL_SRC_ALPHA || v == GL_ONE_MINUS_SRC_ALPHA ||
-           (!alpha && (v == GL_SRC_COLOR || v == GL_ONE_MINUS_SRC_COLOR));
+    return is_combine_operand(v) && (!alpha || combine_operand_of(v) >= raster::CombineOperand::alpha);
 }
 
 /// Whether v is 1, 2 or 4.
 bool is_scale(Real v) {
     return v.bits == numeric::one.bits || v.bits == 0x40000000 || v.bits == 0x40800000;
 }
+
+static_assert(GL_COMBINE_ALPHA - GL_COMBINE_RGB == 1 && GL_SOURCE2_RGB - GL_SOURCE0_RGB == 2 &&
+              GL_SOURCE2_ALPHA - GL_SOURCE0_ALPHA == 2 && GL_OPERAND2_RGB - GL_OPERAND0_RGB == 2 &&
+              GL_OPERAND2_ALPHA - GL_OPERAND0_ALPHA == 2);
 
 /// Where a combiner's parameter with a token value is stored, or null. Within each kind of parameter, tokens
 /// for alpha follow those for RGB.

@@ -1,5 +1,7 @@
 #include "gl/texture/internal_format.hpp"
 
+#include <iterator>
+
 #include "gl/texture/compressed_format.hpp"
 #include "raster/span/texel.hpp"
 
@@ -29,6 +31,15 @@ void take_base_format(GLint& internal_format) {
     if (internal_format >= GL_COMPRESSED_ALPHA && internal_format <= GL_COMPRESSED_RGBA) {
         static constexpr std::uint16_t base[] = {GL_ALPHA,     GL_LUMINANCE, GL_LUMINANCE_ALPHA,
                                                  GL_INTENSITY, GL_RGB,       GL_RGBA};
+        constexpr auto is_base = [](GLenum compressed, GLenum format) {
+            return base[compressed - GL_COMPRESSED_ALPHA] == format;
+        };
+        static_assert(is_base(GL_COMPRESSED_ALPHA, GL_ALPHA) &&
+                      is_base(GL_COMPRESSED_LUMINANCE, GL_LUMINANCE) &&
+                      is_base(GL_COMPRESSED_LUMINANCE_ALPHA, GL_LUMINANCE_ALPHA) &&
+                      is_base(GL_COMPRESSED_INTENSITY, GL_INTENSITY) && is_base(GL_COMPRESSED_RGB, GL_RGB) &&
+                      is_base(GL_COMPRESSED_RGBA, GL_RGBA) &&
+                      std::size(base) == GL_COMPRESSED_RGBA - GL_COMPRESSED_ALPHA + 1);
         internal_format = base[internal_format - GL_COMPRESSED_ALPHA];
     }
 }
@@ -52,13 +63,33 @@ constexpr TexelFormat kept[all_kept] = {
     rgba4, rgba4,  rgba5,  rgba8, rgba8, rgba8, rgba8, // RGBA: 2, 4, 5 1, 8, 10 2, 12, 16
 };
 
+/// The index of an internal format in `kept`, or `all_kept` if it is not there.
+constexpr unsigned place_of(GLenum token) {
+    return token - 1 < 4                          ? token - 1 + counted
+           : token - GL_ALPHA < sized - unsized   ? token - GL_ALPHA + unsized
+           : token - GL_ALPHA4 < all_kept - sized ? token - GL_ALPHA4 + sized
+                                                  : all_kept;
+}
+constexpr bool are_kept_as(TexelFormat format, auto... tokens) {
+    return ((kept[place_of(tokens)] == format) && ...);
+}
+static_assert(are_kept_as(a8, GL_ALPHA, GL_ALPHA4, GL_ALPHA8, GL_ALPHA12, GL_ALPHA16) &&
+              are_kept_as(l8, 1, GL_LUMINANCE, GL_LUMINANCE4, GL_LUMINANCE8, GL_LUMINANCE12,
+                          GL_LUMINANCE16) &&
+              are_kept_as(la, 2, GL_LUMINANCE_ALPHA, GL_LUMINANCE4_ALPHA4, GL_LUMINANCE6_ALPHA2,
+                          GL_LUMINANCE8_ALPHA8, GL_LUMINANCE12_ALPHA4, GL_LUMINANCE12_ALPHA12,
+                          GL_LUMINANCE16_ALPHA16) &&
+              are_kept_as(i8, GL_INTENSITY, GL_INTENSITY4, GL_INTENSITY8, GL_INTENSITY12, GL_INTENSITY16) &&
+              are_kept_as(rgb565, GL_RGB4, GL_RGB5) &&
+              are_kept_as(rgb8, 3, GL_RGB, GL_RGB8, GL_RGB10, GL_RGB12, GL_RGB16) &&
+              are_kept_as(rgba4, GL_RGBA2, GL_RGBA4) && are_kept_as(rgba5, GL_RGB5_A1) &&
+              are_kept_as(rgba8, 4, GL_RGBA, GL_RGBA8, GL_RGB10_A2, GL_RGBA12, GL_RGBA16) &&
+              place_of(GL_RGBA16) == all_kept - 1 && place_of(GL_RGBA16 + 1) == all_kept);
+
 /// Finds the texel format in the table, even if the build does not support it.
 bool kept_format_of(GLint internal_format, PixelFormat surface, TexelFormat& out) {
     const auto token = static_cast<GLenum>(internal_format);
-    const unsigned at = token - 1 < 4                          ? token - 1 + counted
-                        : token - GL_ALPHA < sized - unsized   ? token - GL_ALPHA + unsized
-                        : token - GL_ALPHA4 < all_kept - sized ? token - GL_ALPHA4 + sized
-                                                               : all_kept;
+    const unsigned at = place_of(token);
     if (at == all_kept) {
         out = token == GL_RGB565 ? rgb565 : TexelFormat::rgb332; // ARB_ES2_compatibility
         return token == GL_RGB565 || token == GL_R3_G3_B2 || depth_format_of(internal_format, out);
@@ -87,6 +118,19 @@ constexpr Texel texels[] = {
     {GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT},
     {GL_DEPTH_COMPONENT, GL_UNSIGNED_INT},
 };
+constexpr bool lies_as(TexelFormat format, GLenum client_format, GLenum type) {
+    const Texel& texel = texels[static_cast<unsigned>(format)];
+    return texel.format == client_format && texel.type == type;
+}
+static_assert(lies_as(a8, GL_ALPHA, GL_UNSIGNED_BYTE) && lies_as(l8, GL_RED, GL_UNSIGNED_BYTE) &&
+              lies_as(i8, GL_RED, GL_UNSIGNED_BYTE) && lies_as(la, GL_LUMINANCE_ALPHA, GL_UNSIGNED_BYTE) &&
+              lies_as(rgb565, GL_RGB, GL_UNSIGNED_SHORT_5_6_5) && lies_as(rgb8, GL_RGB, GL_UNSIGNED_BYTE) &&
+              lies_as(rgba8, GL_RGBA, GL_UNSIGNED_BYTE) &&
+              lies_as(rgba4, GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4) &&
+              lies_as(rgba5, GL_RGBA, GL_UNSIGNED_SHORT_5_5_5_1) &&
+              lies_as(TexelFormat::rgb332, GL_RGB, GL_UNSIGNED_BYTE_3_3_2) &&
+              lies_as(TexelFormat::z16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT) &&
+              lies_as(TexelFormat::z24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT));
 
 } // namespace
 
@@ -114,9 +158,13 @@ BaseFormat base_format_of(TexelFormat format, GLenum internal_format) {
     case TexelFormat::p4:
     case TexelFormat::p8:
         return base_format_of(palette_format_of(internal_format), internal_format);
-    default:
-        return BaseFormat::rgb;
+    case TexelFormat::rgb565:
+    case TexelFormat::rgb888:
+    case TexelFormat::rgb332:
+    case TexelFormat::etc1:
+        break;
     }
+    return BaseFormat::rgb;
 }
 
 unsigned texel_size(TexelFormat format) {

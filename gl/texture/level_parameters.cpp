@@ -31,6 +31,11 @@ unsigned size_of(const LevelShape& shape, GLenum pname) {
         set(BaseFormat::alpha, BaseFormat::luminance_alpha, BaseFormat::rgba),
         set(BaseFormat::luminance, BaseFormat::luminance_alpha),
         set(BaseFormat::intensity)};
+    static_assert(GL_TEXTURE_GREEN_SIZE - GL_TEXTURE_RED_SIZE == static_cast<int>(Channel::green) &&
+                  GL_TEXTURE_BLUE_SIZE - GL_TEXTURE_RED_SIZE == static_cast<int>(Channel::blue) &&
+                  GL_TEXTURE_ALPHA_SIZE - GL_TEXTURE_RED_SIZE == static_cast<int>(Channel::alpha) &&
+                  GL_TEXTURE_LUMINANCE_SIZE - GL_TEXTURE_RED_SIZE == 4 &&
+                  GL_TEXTURE_INTENSITY_SIZE - GL_TEXTURE_RED_SIZE == 5);
     const unsigned of = pname - GL_TEXTURE_RED_SIZE;
     const BaseFormat base = base_format_of(shape.format, shape.internal_format);
     if ((having[of] >> static_cast<unsigned>(base) & 1) == 0)
@@ -45,6 +50,7 @@ bool value_of(const LevelShape& shape, GLenum pname, std::uint32_t& out) {
     switch (pname) {
     case GL_TEXTURE_WIDTH:
     case GL_TEXTURE_HEIGHT:
+        static_assert(GL_TEXTURE_HEIGHT - GL_TEXTURE_WIDTH == 1);
         out = shape.size[pname - GL_TEXTURE_WIDTH];
         return true;
     case GL_TEXTURE_DEPTH:

@@ -11,18 +11,8 @@ namespace spangle::gl {
 
 namespace {
 
-bool is_min_filter(GLenum v) {
-    return v == GL_NEAREST || v == GL_LINEAR ||
-           (v >= GL_NEAREST_MIPMAP_NEAREST && v <= GL_LINEAR_MIPMAP_LINEAR);
-}
-bool is_mag_filter(GLenum v) {
-    return v == GL_NEAREST || v == GL_LINEAR;
-}
 [[maybe_unused]] bool is_compare_mode(GLenum v) {
     return v == GL_NONE || v == GL_COMPARE_R_TO_TEXTURE;
-}
-[[maybe_unused]] bool is_compare_func(GLenum v) {
-    return v - GL_NEVER < 8;
 }
 [[maybe_unused]] bool is_depth_mode(GLenum v) {
     return v == GL_LUMINANCE || v == GL_INTENSITY || v == GL_ALPHA;
@@ -94,7 +84,7 @@ bool is_token(Rule rule, GLenum v) {
     case Rule::compare_mode:
         return is_compare_mode(v);
     case Rule::compare_func:
-        return is_compare_func(v);
+        return is_compare(v);
 #endif
     default:
         return true;

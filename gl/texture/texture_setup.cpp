@@ -33,8 +33,7 @@ raster::Combiner combiner_of(const TexEnvState& env, unsigned alpha) {
     out.log2_scale =
         static_cast<std::uint8_t>((env.scale[alpha].bits - numeric::one.bits) >> 23); // of scale 1, 2 or 4
     for (unsigned i = 0; i < arguments_of(env.func[alpha]); ++i)
-        out.argument[i] = {source_of(env.source[alpha][i]),
-                           static_cast<raster::CombineOperand>(env.operand[alpha][i] - GL_SRC_COLOR)};
+        out.argument[i] = {source_of(env.source[alpha][i]), combine_operand_of(env.operand[alpha][i])};
     return out;
 }
 

@@ -7,6 +7,8 @@ namespace spangle::gl {
 
 namespace {
 
+static_assert(GL_TEXTURE_CUBE_MAP_NEGATIVE_Z - GL_TEXTURE_CUBE_MAP_POSITIVE_X == cube_faces - 1);
+
 bool is_face(GLenum token) {
     return token - GL_TEXTURE_CUBE_MAP_POSITIVE_X < cube_faces;
 }

@@ -80,6 +80,9 @@ Real short_component(const std::uint8_t* at, GLenum type, bool normalized) {
         return numeric::from_double(read<GLdouble>(at));
     if (has_array_type(GL_FIXED) && type == GL_FIXED)
         return numeric::from_fixed16(read<std::int32_t>(at));
+    static_assert(GL_BYTE % 2 == 0 && GL_UNSIGNED_BYTE - GL_BYTE == 1 && GL_SHORT - GL_BYTE == 2 &&
+                  GL_UNSIGNED_SHORT - GL_BYTE == 3 && GL_INT - GL_BYTE == 4 &&
+                  GL_UNSIGNED_INT - GL_BYTE == 5);
     return convert::integer_at(at, (type - GL_BYTE) / 2, type % 2 == 0, normalized);
 }
 

@@ -33,6 +33,23 @@ constexpr Format formats[] = {
     {{4, 4, 3, 4}, {0, 16, 32, 44}, 60, false}, // T4F_C4F_N3F_V4F
 };
 
+/// Whether the bytes of a format's elements are those of its components.
+constexpr bool has_bytes(GLenum format, std::uint8_t texture, bool color_bytes, std::uint8_t color,
+                         std::uint8_t normal, std::uint8_t vertex) {
+    const Format& f = formats[format - GL_V2F];
+    return f.size[0] == texture && f.color_bytes == color_bytes && f.size[1] == color &&
+           f.size[2] == normal && f.size[3] == vertex &&
+           f.stride == 4 * (texture + (color_bytes ? 1 : color) + normal + vertex);
+}
+static_assert(has_bytes(GL_V2F, 0, false, 0, 0, 2) && has_bytes(GL_V3F, 0, false, 0, 0, 3) &&
+              has_bytes(GL_C4UB_V2F, 0, true, 4, 0, 2) && has_bytes(GL_C4UB_V3F, 0, true, 4, 0, 3) &&
+              has_bytes(GL_C3F_V3F, 0, false, 3, 0, 3) && has_bytes(GL_N3F_V3F, 0, false, 0, 3, 3) &&
+              has_bytes(GL_C4F_N3F_V3F, 0, false, 4, 3, 3) && has_bytes(GL_T2F_V3F, 2, false, 0, 0, 3) &&
+              has_bytes(GL_T4F_V4F, 4, false, 0, 0, 4) && has_bytes(GL_T2F_C4UB_V3F, 2, true, 4, 0, 3) &&
+              has_bytes(GL_T2F_C3F_V3F, 2, false, 3, 0, 3) && has_bytes(GL_T2F_N3F_V3F, 2, false, 0, 3, 3) &&
+              has_bytes(GL_T2F_C4F_N3F_V3F, 2, false, 4, 3, 3) &&
+              has_bytes(GL_T4F_C4F_N3F_V4F, 4, false, 4, 3, 4));
+
 void set(Context& context, ClientArray& array, GLint size, GLenum type, GLsizei stride, const void* pointer,
          unsigned at) {
     array.enabled = size != 0;

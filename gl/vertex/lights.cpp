@@ -83,6 +83,16 @@ constexpr GLenum material_property(GLenum pname) {
     return pname - GL_AMBIENT < 3 ? pname - GL_AMBIENT : pname - GL_EMISSION + 3;
 }
 
+constexpr bool lies_at(GLenum pname, std::size_t offset) {
+    return material_place[material_property(pname)] * sizeof(Real) == offset;
+}
+static_assert(lies_at(GL_AMBIENT, offsetof(Material, ambient)) &&
+              lies_at(GL_DIFFUSE, offsetof(Material, diffuse)) &&
+              lies_at(GL_SPECULAR, offsetof(Material, specular)) &&
+              lies_at(GL_EMISSION, offsetof(Material, emission)) &&
+              lies_at(GL_SHININESS, offsetof(Material, shininess)) &&
+              lies_at(GL_COLOR_INDEXES, offsetof(Material, indexes)));
+
 /// Sets a property of a material, which Material or ColorMaterial names.
 void set_property(Material& m, GLenum pname, const void* v, std::uint32_t count) {
     std::memcpy(reinterpret_cast<Real*>(&m) + material_place[material_property(pname)], v,
@@ -128,6 +138,19 @@ constexpr std::uint8_t property_place[] = {0, 4, 8, 12, 16, 19, 20, 21, 22, 23, 
 static_assert(std::size(property_place) == GL_QUADRATIC_ATTENUATION - GL_AMBIENT + 2);
 static_assert(offsetof(Light, position) == 12 * sizeof(Real) &&
               offsetof(Light, spot_cutoff) == 20 * sizeof(Real) && sizeof(Light) == 24 * sizeof(Real));
+
+constexpr bool light_has(GLenum pname, std::size_t offset) {
+    return property_place[pname - GL_AMBIENT] * sizeof(Real) == offset;
+}
+static_assert(light_has(GL_AMBIENT, offsetof(Light, ambient)) &&
+              light_has(GL_DIFFUSE, offsetof(Light, diffuse)) &&
+              light_has(GL_SPECULAR, offsetof(Light, specular)) &&
+              light_has(GL_POSITION, offsetof(Light, position)) &&
+              light_has(GL_SPOT_DIRECTION, offsetof(Light, spot_direction)) &&
+              light_has(GL_SPOT_EXPONENT, offsetof(Light, spot_exponent)) &&
+              light_has(GL_SPOT_CUTOFF, offsetof(Light, spot_cutoff)) &&
+              light_has(GL_CONSTANT_ATTENUATION, offsetof(Light, attenuation)) &&
+              light_has(GL_QUADRATIC_ATTENUATION, offsetof(Light, attenuation) + 2 * sizeof(Real)));
 
 Real* property_of(Light& light, GLenum pname) {
     return reinterpret_cast<Real*>(&light) + property_place[pname - GL_AMBIENT];

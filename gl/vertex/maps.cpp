@@ -72,6 +72,16 @@ void define(Context& context, const MapArguments& given, unsigned dimension) {
 
 unsigned components_of(unsigned target) {
     constexpr std::uint8_t components[eval_targets] = {4, 1, 3, 1, 2, 3, 4, 3, 4};
+    static_assert(
+        GL_MAP1_INDEX - GL_MAP1_COLOR_4 == eval_index && GL_MAP1_NORMAL - GL_MAP1_COLOR_4 == eval_normal &&
+        GL_MAP1_TEXTURE_COORD_1 - GL_MAP1_COLOR_4 == eval_texture_1 &&
+        GL_MAP1_TEXTURE_COORD_4 - GL_MAP1_COLOR_4 == eval_texture_4 &&
+        GL_MAP1_VERTEX_3 - GL_MAP1_COLOR_4 == eval_vertex_3 &&
+        GL_MAP1_VERTEX_4 - GL_MAP1_COLOR_4 == eval_vertex_4 &&
+        GL_MAP2_VERTEX_4 - GL_MAP2_COLOR_4 == eval_vertex_4 &&
+        GL_MAP2_NORMAL - GL_MAP2_COLOR_4 == eval_normal && components[eval_color] == 4 &&
+        components[eval_index] == 1 && components[eval_normal] == 3 && components[eval_texture_1] == 1 &&
+        components[eval_texture_4] == 4 && components[eval_vertex_3] == 3 && components[eval_vertex_4] == 4);
     return components[target];
 }
 

@@ -6,7 +6,12 @@
 namespace spangle::gl {
 
 template <class M, class L> inline int Pipeline<M, L>::corners_of(GLenum mode) {
-    constexpr std::int8_t corners[] = {1, 2, 2, 2, 3, 3, 3, 4, 4, 3}; // POINTS .. POLYGON
+    constexpr std::int8_t corners[] = {1, 2, 2, 2, 3, 3, 3, 4, 4, 3};
+    static_assert(corners[GL_POINTS] == 1 && corners[GL_LINES] == 2 && corners[GL_LINE_LOOP] == 2 &&
+                  corners[GL_LINE_STRIP] == 2 && corners[GL_TRIANGLES] == 3 &&
+                  corners[GL_TRIANGLE_STRIP] == 3 && corners[GL_TRIANGLE_FAN] == 3 &&
+                  corners[GL_QUADS] == 4 && corners[GL_QUAD_STRIP] == 4 && corners[GL_POLYGON] == 3 &&
+                  sizeof corners == GL_POLYGON + 1);
     return corners[mode];
 }
 
@@ -80,7 +85,7 @@ template <class M, class L> void Pipeline<M, L>::primitive() {
         held_ = 0;
         return face<4>(from_second, 2);
     }
-    default:        // QUAD_STRIP
+    case GL_QUAD_STRIP:
         swap(2, 3); // v0 v1 v3 v2
         face<4>(c, 2);
         swap(0, 3);

@@ -232,10 +232,18 @@ template <class N> struct BlendEquations {
         if (by.equation == BlendEquation::max)
             return component::larger<N>(cs, cd);
         const T source = times(cs, by.src, s, d, cs, cd, cc), stored = times(cd, by.dst, s, d, cs, cd, cc);
-        if (by.equation == BlendEquation::add)
+        switch (by.equation) {
+        case BlendEquation::add:
             return N::add(source, stored);
-        return by.equation == BlendEquation::subtract ? N::subtract(source, stored)
-                                                      : N::subtract(stored, source);
+        case BlendEquation::subtract:
+            return N::subtract(source, stored);
+        case BlendEquation::reverse_subtract:
+            return N::subtract(stored, source);
+        case BlendEquation::min:
+        case BlendEquation::max:
+            break; // has returned above
+        }
+        return source;
     }
     /// The product value * factor; the factors 0 and 1 are exact (GL 1.3, 4.1.7).
     [[gnu::noinline]] T times(Argument value, BlendFactor factor, const Color& s, const Color& d, Argument cs,

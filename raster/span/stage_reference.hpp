@@ -234,9 +234,11 @@ struct ReferenceSampler {
         }
         case Wrap::clamp_to_edge:
             return i >= n ? n - 1 : i;
-        default:
-            return i;
+        case Wrap::clamp:
+        case Wrap::clamp_to_border:
+            break; // these have texels beyond the edge: those of the border
         }
+        return i;
     }
 
     Color level(int d, Filter filter, double s, double t) const {

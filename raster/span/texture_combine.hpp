@@ -108,9 +108,10 @@ template <class N> class TextureCombine {
                 return primary;
             case CombineSource::previous:
                 return previous;
-            default:
-                return texture(static_cast<int>(source) - static_cast<int>(CombineSource::texture0));
+            case CombineSource::texture0:
+                break;
             }
+            return texture(static_cast<int>(source) - static_cast<int>(CombineSource::texture0));
         }
         /// A texture colour, with the components that its base format lacks filled in (GL 1.3, table 3.21).
         Color texture(int from) const {
@@ -159,9 +160,13 @@ template <class N> class TextureCombine {
             return sum_less_half(a, b);
         case CombineFunc::interpolate:
             return N::lerp(b, a, c);
-        default:
+        case CombineFunc::subtract:
             return N::subtract(a, b);
+        case CombineFunc::dot3_rgb:
+        case CombineFunc::dot3_rgba:
+            break; // combine() computes these of all components at once
         }
+        return a;
     }
 
     static Color combine(const TextureUnit& unit, const Sources& sources) {
