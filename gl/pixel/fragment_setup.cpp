@@ -59,7 +59,6 @@ void fill_fog(const Context& context, raster::FragmentState& out) {
     out.fog_density = numeric::to_float_bits(fog.density);
     out.fog_start = numeric::to_float_bits(fog.start);
     out.fog_end = numeric::to_float_bits(fog.end);
-    out.fog_tier = tier_of(context, context.hint.mode[hint_fog]);
 #else
     static_cast<void>(context);
     out.fog = false;

@@ -370,12 +370,16 @@ TEST_F(FragmentSetup, HintsChooseTiers) {
         EXPECT_EQ(state().tier, Tier::exact);
         cmd::Hint(c, GL_PERSPECTIVE_CORRECTION_HINT, GL_FASTEST);
         EXPECT_EQ(state().tier, Tier::fast);
-#if SPANGLE_FEATURE_FOG
-        EXPECT_EQ(state().fog_tier, Tier::fast);
-        cmd::Hint(c, GL_FOG_HINT, GL_NICEST);
-        EXPECT_EQ(state().fog_tier, Tier::exact);
-#endif
     }
+    // All other hints are kept, and nothing else: fog and smooth primitives follow the tier (docs/trade.md).
+    cmd::Hint(c, GL_PERSPECTIVE_CORRECTION_HINT, GL_DONT_CARE);
+    const raster::FragmentState before = state();
+    for (GLenum target : {GL_POINT_SMOOTH_HINT, GL_LINE_SMOOTH_HINT, GL_POLYGON_SMOOTH_HINT, GL_FOG_HINT})
+        for (GLenum mode : {GL_FASTEST, GL_NICEST, GL_DONT_CARE}) {
+            cmd::Hint(c, target, mode);
+            EXPECT_EQ(c.hint.mode[target - GL_PERSPECTIVE_CORRECTION_HINT], mode);
+            EXPECT_EQ(state(), before);
+        }
     for (GLenum target : {GL_POINT_SMOOTH_HINT, GL_LINE_SMOOTH_HINT, GL_POLYGON_SMOOTH_HINT}) {
         cmd::Hint(c, target, GL_NICEST);
         EXPECT_EQ(b.take_error(), GLenum{GL_NO_ERROR});

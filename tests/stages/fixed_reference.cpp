@@ -192,7 +192,7 @@ TEST(FixedAgainstDouble, Fog) {
                 f.fog_start = std::bit_cast<std::uint32_t>(1.0f);
                 f.fog_end = std::bit_cast<std::uint32_t>(5.0f);
                 f.fog_color[1] = color_one;
-                f.tier = f.fog_tier = tier;
+                f.tier = tier;
                 const std::string what =
                     "mode " + std::to_string(mode) + " density " + std::to_string(density);
                 expect_same(f, c, tier == Tier::exact ? 1 : 2, tier == Tier::exact ? 0.998 : 0.6,

@@ -76,7 +76,7 @@ TEST(Shadow, ExactTierWithinItsBounds) {
 
 TEST(Shadow, BalancedTierWithinItsBounds) {
     Scene scene;
-    scene.state.tier = scene.state.fog_tier = Tier::balanced;
+    scene.state.tier = Tier::balanced;
     ShadowReport r = draw(scene, Scene{});
     EXPECT_LE(r[ShadowStage::coord0].worst, 0.25 + 1.0 / 64); // proven for each run
     EXPECT_LE(r[ShadowStage::primary].worst, 0.25 / 31);      // a quarter of a step of the target

@@ -26,7 +26,7 @@ void expect_color(const FragmentState& f, const Point& p, const Rgba4& want, dou
         for (std::size_t i = 0; i < c.color.size(); ++i)
             c.color[i] = static_cast<std::uint8_t>(under >> (8 * (i & 3)));
         FragmentState state = f;
-        state.tier = state.fog_tier = tier;
+        state.tier = tier;
         const auto got = fragment<FixedVertex>(state, c, p);
         for (std::size_t i = 0; i < 4; ++i)
             EXPECT_NEAR(got[i], 255 * want[i], tolerance + (tier == Tier::balanced ? 0.05 : 0))

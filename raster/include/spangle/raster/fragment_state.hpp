@@ -279,9 +279,8 @@ struct FragmentState {
     bool dither = true;
     /// Bit 0 red, 1 green, 2 blue, 3 alpha, or the bits of an index; 0 also when DrawBuffer is NONE.
     std::uint8_t color_mask = 0xF;
-    Rect scissor;                ///< already intersected with the surface; drawing never leaves it
-    Tier tier = Tier::exact;     ///< tier of colours and texture coordinates (PERSPECTIVE_CORRECTION_HINT)
-    Tier fog_tier = Tier::exact; ///< FOG_HINT
+    Rect scissor;            ///< already intersected with the surface; drawing never leaves it
+    Tier tier = Tier::exact; ///< of all that is drawn, fog among it (PERSPECTIVE_CORRECTION_HINT)
 #if SPANGLE_OWN_TIERS
     bool own_tier = false; ///< `knobs` stand in place of those of `tier`
     Knobs knobs{};         ///< are_valid()
