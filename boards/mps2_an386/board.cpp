@@ -10,23 +10,11 @@ namespace spangle::board {
 
 namespace {
 
-constexpr mcu::Mps2 blocks = {.spi = 0x40021000, .fpgaio = 0x40028000, .clock_hz = 25000000};
-
-alignas(8) __attribute__((section(".noinit"))) unsigned char arena[512 * 1024];
-
-mcu::Mps2Display<boards::mps2_an386, blocks> screen;
+constexpr const hal::Board& wiring = boards::mps2_an386;
+constexpr mcu::Mps2 blocks = {.spi = 0x40021000, .fpgaio = 0x40028000, .clock_hz = boards::mps2_clock_hz};
 
 } // namespace
 
-const std::uint32_t clock_hz = blocks.clock_hz;
-
-hal::Display& start() {
-    memory(arena, sizeof arena);
-    return screen.start();
-}
-
-std::uint32_t bus_bytes() {
-    return screen.bus_bytes();
-}
-
 } // namespace spangle::board
+
+#include "boards/mps2/start.inc"

@@ -10,23 +10,11 @@ namespace spangle::board {
 
 namespace {
 
+constexpr const hal::Board& wiring = boards::mps3_an547;
 constexpr mcu::Mps2 blocks = {.spi = 0x59202000, .fpgaio = 0x59302000, .clock_hz = 32000000};
-
-alignas(8) __attribute__((section(".noinit"))) unsigned char arena[512 * 1024];
-
-mcu::Mps2Display<boards::mps3_an547, blocks> screen;
 
 } // namespace
 
-const std::uint32_t clock_hz = blocks.clock_hz;
-
-hal::Display& start() {
-    memory(arena, sizeof arena);
-    return screen.start();
-}
-
-std::uint32_t bus_bytes() {
-    return screen.bus_bytes();
-}
-
 } // namespace spangle::board
+
+#include "boards/mps2/start.inc"
