@@ -63,7 +63,7 @@ void size_range(const Context&, GLenum name, Param* out) {
 
 /// The granularity of point sizes and line widths: 1/8 pixel with antialiasing, else 1 pixel.
 void size_granularity(const Context&, GLenum, Param* out) {
-    constexpr Real eighth{0x3E000000};
+    constexpr Real eighth = numeric::from_float(0.125f);
     out[0] = Param::from(SPANGLE_FEATURE_ANTIALIASING ? eighth : numeric::one);
 }
 

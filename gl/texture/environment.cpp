@@ -28,7 +28,8 @@ bool is_operand(GLenum v, bool alpha) {
 
 /// Whether v is 1, 2 or 4.
 bool is_scale(Real v) {
-    return v.bits == numeric::one.bits || v.bits == 0x40000000 || v.bits == 0x40800000;
+    constexpr Real two = numeric::from_i32(2), four = numeric::from_i32(4);
+    return v.bits == numeric::one.bits || v.bits == two.bits || v.bits == four.bits;
 }
 
 static_assert(GL_COMBINE_ALPHA - GL_COMBINE_RGB == 1 && GL_SOURCE2_RGB - GL_SOURCE0_RGB == 2 &&

@@ -92,13 +92,16 @@ struct LevelImage {
     }
 };
 
+/// The initial limit of a level of detail, upwards and downwards (GL 1.3, table 3.19).
+inline constexpr Real farthest_lod = numeric::from_i32(1000);
+
 /// The parameters that TexParameter sets.
 struct TextureParameters {
     GLenum min_filter = GL_NEAREST_MIPMAP_LINEAR, mag_filter = GL_LINEAR;
     GLenum wrap[3] = {GL_REPEAT, GL_REPEAT, GL_REPEAT}; ///< wrap modes of S, T, R
     Real border_color[4] = {};
     Real priority = numeric::one;
-    Real min_lod{0xC47A0000}, max_lod{0x447A0000}; ///< -1000, 1000
+    Real min_lod = -farthest_lod, max_lod = farthest_lod;
     Real lod_bias = {};
     GLint base_level = 0, max_level = 1000;
     bool generate_mipmap = false;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 #include "gl/context/context.hpp"
 #include "gl/vertex/double_math.hpp"
@@ -128,7 +129,7 @@ class DoubleLighting {
                               -real(light.spot_direction[2])};
             unit(axis);
             const double along = dot(to_light, axis);
-            if (along < std::cos(real(light.spot_cutoff) * 3.14159265358979323846 / 180.0))
+            if (along < std::cos(real(light.spot_cutoff) * std::numbers::pi / 180.0))
                 return;
             strength *= power(along, real(light.spot_exponent));
         }

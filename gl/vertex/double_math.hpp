@@ -273,7 +273,8 @@ struct DoubleMath {
     /// The index takes the place of red, in 255ths, as in FixedMath::set_index().
     static void set_index(double index, unsigned bits, Window& out) {
         const double range = static_cast<double>(1u << bits), part = std::fmod(index, range);
-        out.color[0] = std::fmin(part < 0.0 ? part + range : part, 256.0 - 0x1p-8) / 255.0;
+        constexpr double largest = 256.0 - 1.0 / 256.0; // FixedMath::largest_index
+        out.color[0] = std::fmin(part < 0.0 ? part + range : part, largest) / 255.0;
         out.color[1] = out.color[2] = out.color[3] = 0.0;
         for (double& c : out.secondary)
             c = 0.0;

@@ -155,7 +155,8 @@ numeric::BlockRow3 in_object_space(const numeric::NormalMatrix& normal, const nu
 /// .30 R + .59 G + .11 B of the light (GL 1.3, 2.13.5).
 Material weighing(const Material& material) {
     Material out;
-    constexpr Real weight[3] = {{0x3E99999A}, {0x3F170A3D}, {0x3DE147AE}};
+    constexpr Real weight[3] = {numeric::from_float(0.30f), numeric::from_float(0.59f),
+                                numeric::from_float(0.11f)};
     for (int c = 0; c < 3; ++c) {
         out.ambient[c] = out.emission[c] = numeric::zero;
         out.diffuse[c] = out.specular[c] = weight[c];
@@ -242,7 +243,7 @@ void FixedLighting::derive_source(const Light& light, Source& out) const {
     }
     if (!has_local_lights)
         return;
-    out.spot = !(light.spot_cutoff == Real{0x43340000});
+    out.spot = !(light.spot_cutoff == no_spot_cutoff);
     if (out.spot) {
         out.spot_axis = numeric::normalize(numeric::to_block(light.spot_direction));
         out.spot_cosine =

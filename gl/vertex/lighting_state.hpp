@@ -5,20 +5,25 @@
 
 namespace spangle::gl {
 
+// Initial values (GL 1.3, tables 6.11 to 6.13).
+inline constexpr Real one_fifth = numeric::from_float(0.2f), four_fifths = numeric::from_float(0.8f);
+/// The cutoff of a light that shines in all directions, degrees.
+inline constexpr Real no_spot_cutoff = numeric::from_i32(180);
+
 struct Light {
     Real ambient[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
     Real diffuse[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
     Real specular[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
     Real position[4] = {numeric::zero, numeric::zero, numeric::one, numeric::zero}; ///< in eye space
-    Real spot_direction[3] = {numeric::zero, numeric::zero, {0xBF800000}};          ///< in eye space
+    Real spot_direction[3] = {numeric::zero, numeric::zero, -numeric::one};         ///< in eye space
     Real spot_exponent = numeric::zero;
-    Real spot_cutoff = {0x43340000}; ///< 180 degrees
+    Real spot_cutoff = no_spot_cutoff;
     Real attenuation[3] = {numeric::one, numeric::zero, numeric::zero};
 };
 
 struct Material {
-    Real ambient[4] = {{0x3E4CCCCD}, {0x3E4CCCCD}, {0x3E4CCCCD}, numeric::one};
-    Real diffuse[4] = {{0x3F4CCCCD}, {0x3F4CCCCD}, {0x3F4CCCCD}, numeric::one};
+    Real ambient[4] = {one_fifth, one_fifth, one_fifth, numeric::one};
+    Real diffuse[4] = {four_fifths, four_fifths, four_fifths, numeric::one};
     Real specular[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
     Real emission[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
     Real shininess = numeric::zero;
@@ -37,7 +42,7 @@ struct LightingState {
     bool color_material = false;
     GLenum color_material_face = GL_FRONT_AND_BACK;
     GLenum color_material_parameter = GL_AMBIENT_AND_DIFFUSE;
-    Real model_ambient[4] = {{0x3E4CCCCD}, {0x3E4CCCCD}, {0x3E4CCCCD}, numeric::one};
+    Real model_ambient[4] = {one_fifth, one_fifth, one_fifth, numeric::one};
     bool local_viewer = false;
     bool two_side = false;
     GLenum color_control = GL_SINGLE_COLOR;

@@ -17,7 +17,7 @@ namespace spangle::gl {
 
 namespace {
 
-constexpr Real ninety{0x42B40000}, hundred_eighty{0x43340000}, hundred_twenty_eight{0x43000000};
+constexpr Real ninety = numeric::from_i32(90), hundred_twenty_eight = numeric::from_i32(128);
 
 bool in_range(Real v, Real high) {
     return !(v < numeric::zero) && !(high < v);
@@ -65,7 +65,7 @@ void refuse(Context& context) {
 /// Diffuse light, or a diffuse material, is too bright for a build without SPANGLE_FULL_LIGHTING: a component
 /// is 16 or more.
 bool too_bright(const Params& v) {
-    constexpr std::uint32_t sixteen = 0x41800000;
+    constexpr std::uint32_t sixteen = numeric::from_i32(16).bits;
     bool bright = false;
     for (int c = 0; c < 3 && !has_full_lighting; ++c)
         bright = bright || (v.v[c].word & 0x7FFFFFFF) >= sixteen;
@@ -178,7 +178,7 @@ void Light(Context& context, GLenum light, GLenum pname, const Params& params) {
     if (light < GL_LIGHT0 || light >= GL_LIGHT0 + max_lights || params.count == 0)
         return error(context, GL_INVALID_ENUM, params.count == 0 ? nullptr : beyond_lights);
     const Real v[4] = {params.v[0].real(), params.v[1].real(), params.v[2].real(), params.v[3].real()};
-    const bool spot = pname == GL_SPOT_CUTOFF && !(v[0] == hundred_eighty);
+    const bool spot = pname == GL_SPOT_CUTOFF && !(v[0] == no_spot_cutoff);
     const bool in_eye_space = pname == GL_POSITION || pname == GL_SPOT_DIRECTION;
     if ((pname == GL_SPOT_EXPONENT && !in_range(v[0], hundred_twenty_eight)) ||
         (spot && !in_range(v[0], ninety)) || (pname >= GL_CONSTANT_ATTENUATION && v[0] < numeric::zero))

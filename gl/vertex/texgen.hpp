@@ -126,7 +126,8 @@ template <class M> class TexGen {
 
     /// The sphere map's coordinate c: r / m + 1/2, where m = 2 sqrt(rx rx + ry ry + (rz + 1)(rz + 1)).
     static Scalar sphere(const Scalar (&r)[3], int c) {
-        const Scalar half = M::scalar(Real{0x3F000000});
+        constexpr Real one_half = numeric::from_float(0.5f);
+        const Scalar half = M::scalar(one_half);
         const Scalar high[3] = {r[0], r[1], r[2] + M::scalar(numeric::one)};
         return r[c] * (M::rsqrt(dot(high, high, 3)) * half) + half;
     }

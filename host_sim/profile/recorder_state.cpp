@@ -76,7 +76,7 @@ void Recorder::inspect(gl::Context& context) {
     r.full_lighting = r.full_lighting || context.transform.normalize || context.transform.rescale_normal ||
                       lighting.color_material;
     for (const gl::Light& light : lighting.light) {
-        kind(local, !numeric::is_zero(light.position[3]) || !(light.spot_cutoff == Real{0x43340000}));
+        kind(local, !numeric::is_zero(light.position[3]) || !(light.spot_cutoff == gl::no_spot_cutoff));
         r.full_lighting = r.full_lighting || bright(light.diffuse);
     }
     for (const gl::Material& material : lighting.material) {

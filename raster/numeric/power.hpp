@@ -95,7 +95,7 @@ template <int terms> SPANGLE_INLINE constexpr std::uint32_t exp2_minus(std::uint
     const std::uint32_t down = q >> 24;
     if (down > 30)
         return 0;
-    constexpr std::uint32_t ln2_q32 = 0xB17217F8;
+    constexpr std::uint32_t ln2_q32 = 0xB17217F8;                                   // ln 2, to the nearest
     const auto y = static_cast<std::uint32_t>(mul_u32(q & 0x3FFFF, ln2_q32) >> 24); // Q0.32, < 2^-6.5
     std::uint32_t fall = y;                                                         // 1 - e^-y
     if constexpr (terms >= 2)

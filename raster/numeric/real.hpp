@@ -15,8 +15,8 @@ struct Real {
 };
 
 inline constexpr Real zero{0};
-inline constexpr Real one{0x3F800000};
-inline constexpr Real largest{0x7F7FFFFF};
+inline constexpr Real one{0x3F800000};     // exponent 0 by the bias of 127
+inline constexpr Real largest{0x7F7FFFFF}; // (2 - 2^-23) 2^127
 
 namespace detail {
 

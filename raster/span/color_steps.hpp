@@ -13,9 +13,17 @@ struct StepFactors {
     std::uint32_t five, six;
     SPANGLE_INLINE constexpr std::uint32_t of(int component) const { return component == 1 ? six : five; }
 };
+/// The factors five / parts and six / parts, to the nearest.
+constexpr StepFactors step_factors(std::uint64_t five, std::uint64_t six, std::uint64_t parts) {
+    const auto of = [=](std::uint64_t n) {
+        return static_cast<std::uint32_t>(((n << 32) + parts / 2) / parts);
+    };
+    return {of(five), of(six)};
+}
 /// The exact factors are 31 8 / 255 and 63 4 / 255. Where colours may be off by more they are 249 / 256 and
 /// 253 / 256, which makes steps a 290th of a step too large at most. Thresholds are 1/32 to 31/32 of a step,
 /// so that with either pair a colour of k whole steps stays at k.
-inline constexpr StepFactors exact_steps{0xF8F8F8F9, 0xFCFCFCFD}, near_steps{0xF9000000, 0xFD000000};
+inline constexpr StepFactors exact_steps = step_factors(31 * 8, 63 * 4, 255),
+                             near_steps = step_factors(249, 253, 256);
 
 } // namespace spangle::raster

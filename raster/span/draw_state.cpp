@@ -21,7 +21,9 @@ using numeric::Real;
 /// Where both are equal the divisor is 1, as Mesa has it: fog begins a unit before END. The limit of the
 /// formula for a START below END is a step at END, which is the same outside of this unit.
 FogConstants fog_constants(const FragmentState& state) {
-    constexpr Real log2_e{0x3FB8AA3B}, sqrt_log2_e{0x3F99BE60};
+    // e^-dz is 2^-(log2(e) dz), and e^-(dz)^2 is 2^-(sqrt(log2(e)) dz)^2. The root is 1.20112240878645; the
+    // number below is a step of a float less than the nearest one, which is 2^-23 of it.
+    constexpr Real log2_e = numeric::from_double(1.4426950408889634), sqrt_log2_e{0x3F99BE60};
     FogConstants fog;
     Real scale = numeric::from_float_bits(state.fog_density);
     if (state.fog_mode == FogMode::linear) {

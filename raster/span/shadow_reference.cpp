@@ -11,6 +11,14 @@ namespace {
 
 thread_local ShadowReport* current_report = nullptr;
 
+// The units of the fixed policy's words: raw colours and fog factors have 24 fraction bits. A coordinate that
+// repeats is a fraction of 32 bits of the image, and one that is clamped has 28 fraction bits and its sign.
+constexpr double word_24 = 0x1p-24, word_32 = 0x1p-32, word_28 = 0x1p-28;
+/// The largest repeat that a clamped coordinate holds is less than 8 by no more than this.
+constexpr double saturation = 0x1p-27;
+/// What NEAREST adds to the place of a coordinate, in texels, so that edges of texels fall to one side.
+constexpr double nearest_bias = 0x1p-13;
+
 /// One fragment, computed by both policies.
 template <class N> class Fragment {
   public:
@@ -100,7 +108,7 @@ template <class N> class Fragment {
         run<Gouraud<N, false>, Gouraud<Reference, false>>();
         const bool steps = fixed_.state->variant[static_cast<unsigned>(Kind::affine)].steps;
         const auto one = [&](std::uint32_t v, double most, double exact) {
-            const double c = steps ? v * 0x1p-24 / most : (v * 0x1p-24 - 0.5) / 255.0;
+            const double c = steps ? v * word_24 / most : (v * word_24 - 0.5) / 255.0;
             report_[ShadowStage::primary].add(c, exact, 1.0);
         };
         one(fixed.r.at, 31 * 8, d_.color.r);
@@ -124,14 +132,14 @@ template <class N> class Fragment {
                               bool halved) {
             const double exact = halved ? coordinate / 2 : coordinate;
             const double size = 1 << log2_size;
-            const double repeats = wraps ? fixed * 0x1p-32 : static_cast<std::int32_t>(fixed) * 0x1p-28;
+            const double repeats = wraps ? fixed * word_32 : static_cast<std::int32_t>(fixed) * word_28;
             double difference = repeats - exact;
-            report_[stage].saturated += !wraps && std::fabs(repeats) > 8.0 - 0x1p-27 ? 1 : 0;
+            report_[stage].saturated += !wraps && std::fabs(repeats) > 8.0 - saturation ? 1 : 0;
             if (wraps)
                 difference -= std::floor(difference + 0.5);
             report_[stage].add_difference(difference * size, exact * size);
             // The bias of NEAREST is the same in every policy.
-            const double place = exact * size + 0x1p-13;
+            const double place = exact * size + nearest_bias;
             return std::floor(place) == std::floor(place + difference * size);
         };
         const bool same_s = axis(f_.coord[Unit].s[0], d_.coord[Unit].s[0], state.wraps[Unit].s,
@@ -191,7 +199,7 @@ template <class N> class Fragment {
                 run<FogCoord<N, true>, FogCoord<Reference, true>>();
             else
                 run<FogCoord<N, false>, FogCoord<Reference, false>>();
-            report_[ShadowStage::fog_factor].add(fog_factor(state.fragment.fog_mode, f_.fog) * 0x1p-24,
+            report_[ShadowStage::fog_factor].add(fog_factor(state.fragment.fog_mode, f_.fog) * word_24,
                                                  reference_fog(state.fragment, d_.fog));
             fog(state);
             colors(ShadowStage::fog);

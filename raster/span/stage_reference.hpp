@@ -146,6 +146,12 @@ template <int Unit> struct Coord<Reference, Unit, false> : ReferenceCoord<Unit> 
     using ReferenceCoord<Unit>::ReferenceCoord;
 };
 
+/// rho, kept where its logarithm is finite. Either end is beyond what any level of detail needs.
+inline double finite_scale(double rho) {
+    constexpr double least = 0x1p-60, most = 0x1p60;
+    return std::fmin(std::fmax(rho, least), most);
+}
+
 /// lambda = log2 max(|du/dx|, |dv/dx|, |du/dy|, |dv/dy|). This is a legal f of GL, and every policy uses it.
 /// Lambda has 8 fraction bits by definition.
 template <int Unit> struct Lod<Reference, Unit> : ReferenceStage {
@@ -163,7 +169,7 @@ template <int Unit> struct Lod<Reference, Unit> : ReferenceStage {
         const double dv =
             base.height * std::fmax(slope(t, unit.t.dx, unit.q.dx), slope(t, unit.t_dy, unit.q_dy));
         const bool line = span.state->fragment.unit[Unit].texture->shape == TextureShape::line;
-        const double rho = std::fmin(std::fmax(line ? du : std::fmax(du, dv), 0x1p-60), 0x1p60);
+        const double rho = finite_scale(line ? du : std::fmax(du, dv));
         p.lod[Unit][0] = level_of_detail(static_cast<std::int32_t>(std::floor(256 * std::log2(rho) + 0.5)));
         return true;
     }
@@ -375,7 +381,7 @@ Reference::Color Texture2D<Reference, Unit, HasLod>::in_volume(const TextureUnit
         if (texture.shape == TextureShape::volume)
             rho = std::fmax(rho, texture.depth * slope(of[2], w));
     }
-    const double lambda = std::log2(std::fmin(std::fmax(rho, 0x1p-60), 0x1p60));
+    const double lambda = std::log2(finite_scale(rho));
     const auto lod = static_cast<std::int32_t>(std::floor(256 * lambda + 0.5));
     return sampler.sample(s, t, HasLod ? level_of_detail(lod) + unit.lod_bias : 0);
 }

@@ -253,7 +253,7 @@ struct FragmentState {
     FogMode fog_mode = FogMode::exp;
     /// Colour units (see vertex.hpp); of an index surface [0] is the index, with 20 fraction bits.
     std::uint32_t fog_color[3] = {0, 0, 0};
-    std::uint32_t fog_density = 0, fog_start = 0, fog_end = 0x3F800000; ///< float bits, as set
+    std::uint32_t fog_density = 0, fog_start = 0, fog_end = 0x3F800000; ///< float bits, as set; END is 1
     /// ALPHA_TEST is enabled (GL 1.3, 4.1.4).
     bool alpha_test = false;
     /// ALPHA_TEST_FUNC.

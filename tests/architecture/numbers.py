@@ -1,0 +1,39 @@
+#!/usr/bin/env python3
+"""Checks that the library's sources name their numbers: floating-point numbers in hexadecimal, and float words.
+
+usage: numbers.py [ROOT]
+
+Such a number stands in a definition (constexpr or static constexpr), whose name or comment says where it comes from.
+"""
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+ROOMS = ("raster", "gl", "hal", "host_sim")
+HEX_FLOAT = re.compile(r"\b0x[0-9A-Fa-f.]+p[+-]?\d+")
+# A float from 2^-5 to 2^10 or its negative, in braces as a Real, or compared with bits.
+FLOAT_WORD = re.compile(r"\{0x[3BC][C-F4][0-9A-Fa-f]{6}\}|\{0x4[0-4][0-9A-Fa-f]{6}\}|bits == 0x[34BC][0-9A-Fa-f]{7}\b")
+
+
+def unnamed(text):
+    """Yields the statements of a source that hold such a number and define no constant."""
+    text = re.sub(r"//[^\n]*|/\*.*?\*/|\"[^\"\n]*\"", "", text, flags=re.S)
+    for statement in re.split(r"[;]|\n\s*\n", text):
+        if (HEX_FLOAT.search(statement) or FLOAT_WORD.search(statement)) and "constexpr" not in statement:
+            yield " ".join(statement.split())[-120:]
+
+
+def main():
+    root = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT
+    wrong = 0
+    for room in ROOMS:
+        for path in sorted((root / room).rglob("*.[ch]pp")):
+            for statement in unnamed(path.read_text()):
+                print(f"{path.relative_to(root)}: a number without a name: {statement}")
+                wrong += 1
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
