@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Turns the command table (commands/*.json) into everything that would otherwise be written by hand once per entry
-point: the public header, the wrappers, the name table of GetProcAddress, the extensions and their names for commands,
+point: the public headers, the wrappers, the name table of GetProcAddress, the extensions and their names for commands,
 the table the tests and fuzzers walk, and the feature matrix. Usage: generate.py [--check]   (--check: write nothing, fail when the committed output is stale)
 """
 import sys
 
 from command_table import ROOT, load
 from emit_code import commands_header, header, names, shapes_header, wrappers
+from emit_egl import egl_header
 from emit_test_table import test_table
 from emit_texts import texts
 from extensions import aliases_list, extensions_header, load_extensions
@@ -22,6 +23,7 @@ def outputs():
     rows = list(matrix(chapters))
     files = {
         "gl/include/spangle/GL/gl.h": header(chapters, tokens),
+        "gl/include/spangle/EGL/egl.h": egl_header(),
         "gl/api/generated/commands.hpp": commands_header(chapters, tokens),
         "gl/api/generated/shapes.hpp": shapes_header(chapters, tokens),
         "gl/api/generated/names.cpp": names(chapters, extensions),

@@ -1,5 +1,6 @@
 /* EGL 1.4 as Spangle has it: it connects rendering contexts with displays. Types are those of Khronos'
  * headers with EGL_NO_X11. For C89 and up, and C++.
+ * Written by gl/api/generate.py from gl/api/commands/egl.json: change that, not this.
  *
  * A comment holds for all that stands below it, up to the next comment or empty line. A function that fails
  * returns EGL_FALSE, null or 0, does nothing else, and leaves an error for eglGetError. Where a comment names
@@ -236,7 +237,7 @@ EGLAPI EGLDisplay EGLAPIENTRY eglGetDisplay(EGLNativeDisplayType display_id);
  * EGL_NOT_INITIALIZED: the panel cannot be initialised; a message says why (EGL 1.4, 3.2). */
 EGLAPI EGLBoolean EGLAPIENTRY eglInitialize(EGLDisplay dpy, EGLint* major, EGLint* minor);
 /* Destroys all that belongs to a display; what is current stays until it is current no more (EGL 1.4, 3.2).
- * */
+ */
 EGLAPI EGLBoolean EGLAPIENTRY eglTerminate(EGLDisplay dpy);
 /* Returns a static string about a display, or client extensions of EGL_NO_DISPLAY. name: EGL_CLIENT_APIS,
  * EGL_EXTENSIONS, EGL_VENDOR, EGL_VERSION. EGL_BAD_PARAMETER: another name (EGL 1.4, 3.3). */
