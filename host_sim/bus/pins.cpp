@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "host_sim/controller/dcs_commands.hpp"
+
 namespace spangle::sim {
 
 void SerialPins::set(Pin pin, bool high, Time now) {
@@ -59,7 +61,8 @@ void SerialPins::fall() {
 }
 
 bool ParallelPins::two_bytes() const {
-    const bool memory = command_ == 0x2C || command_ == 0x3C || command_ == 0x2E || command_ == 0x3E;
+    const bool memory = command_ == dcs::memory_write || command_ == dcs::memory_write_on ||
+                        command_ == dcs::memory_read || command_ == dcs::memory_read_on;
     return wide_ && memory;
 }
 

@@ -13,36 +13,36 @@ constexpr Time us = 1000, ms = 1000 * us;
 /// and the maker's own.
 int expected_parameters(std::uint8_t command) {
     switch (command) {
-    case 0x00:
-    case 0x01:
-    case 0x10:
-    case 0x11:
-    case 0x12:
-    case 0x13:
-    case 0x20:
-    case 0x21:
-    case 0x28:
-    case 0x29:
-    case 0x34:
-    case 0x38:
-    case 0x39:
+    case dcs::nop:
+    case dcs::soft_reset:
+    case dcs::sleep_in:
+    case dcs::sleep_out:
+    case dcs::partial_mode_on:
+    case dcs::normal_mode_on:
+    case dcs::inversion_off:
+    case dcs::inversion_on:
+    case dcs::display_off:
+    case dcs::display_on:
+    case dcs::tearing_line_off:
+    case dcs::idle_mode_off:
+    case dcs::idle_mode_on:
         return 0;
-    case 0x26:
-    case 0x35:
-    case 0x36:
-    case 0x3A:
-    case 0x51:
-    case 0x53:
-    case 0x55:
+    case dcs::gamma_set:
+    case dcs::tearing_line_on:
+    case dcs::address_mode:
+    case dcs::pixel_format:
+    case dcs::brightness:
+    case dcs::control_display:
+    case dcs::adaptive_brightness:
         return 1;
-    case 0x37:
-    case 0x44:
+    case dcs::scroll_start:
+    case dcs::tearing_scanline:
         return 2;
-    case 0x2A:
-    case 0x2B:
-    case 0x30:
+    case dcs::column_address_set:
+    case dcs::row_address_set:
+    case dcs::partial_area:
         return 4;
-    case 0x33:
+    case dcs::scroll_area:
         return 6;
     default:
         return -1;
@@ -66,7 +66,7 @@ DcsController::DcsController(const Chip& chip, const GlassMount& glass, bool par
 void DcsController::power_on_registers() {
     awake_ = on_ = inverted_ = idle_ = partial_ = scrolling_ = te_on_ = te_with_hblank_ = false;
     madctl_ = 0;
-    colmod_ = 0x66;
+    colmod_ = dcs::pixel_format_18_bits;
     te_line_ = 0;
     xs_ = ys_ = 0;
     xe_ = chip_.width - 1;
@@ -154,7 +154,7 @@ void DcsController::begin_command(std::uint8_t command, Time now) {
     pixel_fill_ = 0;
     stream_tore_ = write_too_fast_ = false;
     if (writes_memory())
-        begin_write(command == 0x2C, now);
+        begin_write(command == dcs::memory_write, now);
     else if (expected_parameters(command) == 0)
         execute(now);
     prepare_read(now);
@@ -197,7 +197,7 @@ void DcsController::turn_key() {
 /// Keeps the parameters of a command from 60h on in the maker's register, or reports that the register is
 /// locked.
 void DcsController::end_maker_register(Time now) {
-    if (command_ < 0x60 || parameters_.empty())
+    if (command_ < dcs::first_vendor_command || parameters_.empty())
         return;
     for (int i = 0; i < chip_.key_count; ++i)
         if (command_ == chip_.keys[static_cast<std::size_t>(i)].command)
@@ -226,7 +226,7 @@ void DcsController::execute(Time now) {
     const auto& p = parameters_;
     const auto word = [&p](std::size_t i) { return p[i] << 8 | p[i + 1]; };
     switch (command_) {
-    case 0x01: // SWRESET resets registers only; the memory stays
+    case dcs::soft_reset: // SWRESET resets registers only; the memory stays
         if (!awake_)
             sleep_out_allowed_at_ = std::max(sleep_out_allowed_at_, now + 5 * ms);
         else
@@ -235,49 +235,49 @@ void DcsController::execute(Time now) {
         has_command_ = true;
         ready_at_ = now + 5 * ms;
         break;
-    case 0x10:
+    case dcs::sleep_in:
         if (now < sleep_in_allowed_at_)
             report(Rule::too_early, "SLPIN less than 120 ms after SLPOUT", now);
         awake_ = false;
         ready_at_ = now + 5 * ms;
         sleep_out_allowed_at_ = now + 120 * ms;
         break;
-    case 0x11:
+    case dcs::sleep_out:
         if (now < sleep_out_allowed_at_)
             report(Rule::too_early, "SLPOUT less than 120 ms after SLPIN or reset", now);
         awake_ = true;
         ready_at_ = now + 5 * ms;
         sleep_in_allowed_at_ = now + 120 * ms;
         break;
-    case 0x12:
+    case dcs::partial_mode_on:
         partial_ = true;
         break;
-    case 0x13:
+    case dcs::normal_mode_on:
         partial_ = scrolling_ = false;
         break;
-    case 0x20:
+    case dcs::inversion_off:
         inverted_ = false;
         break;
-    case 0x21:
+    case dcs::inversion_on:
         inverted_ = true;
         break;
-    case 0x28:
+    case dcs::display_off:
         on_ = false;
         break;
-    case 0x29:
+    case dcs::display_on:
         on_ = true;
         break;
-    case 0x2A:
+    case dcs::column_address_set:
         set_window(true, now);
         break;
-    case 0x2B:
+    case dcs::row_address_set:
         set_window(false, now);
         break;
-    case 0x30:
+    case dcs::partial_area:
         partial_start_ = word(0);
         partial_end_ = word(2);
         break;
-    case 0x33:
+    case dcs::scroll_area:
         if (word(0) + word(2) + word(4) != chip_.height) {
             report(Rule::window, "VSCRDEF: the three areas must add up to the memory's height", now);
             break;
@@ -285,33 +285,33 @@ void DcsController::execute(Time now) {
         scroll_top_ = word(0);
         scroll_height_ = word(2);
         break;
-    case 0x34:
+    case dcs::tearing_line_off:
         te_on_ = false;
         break;
-    case 0x35:
+    case dcs::tearing_line_on:
         te_on_ = true;
         te_with_hblank_ = (p[0] & 1) != 0;
         break;
-    case 0x36:
+    case dcs::address_mode:
         madctl_ = p[0];
         break;
-    case 0x37:
+    case dcs::scroll_start:
         scroll_start_ = word(0);
         scrolling_ = true;
         break;
-    case 0x38:
+    case dcs::idle_mode_off:
         idle_ = false;
         break;
-    case 0x39:
+    case dcs::idle_mode_on:
         idle_ = true;
         break;
-    case 0x3A:
+    case dcs::pixel_format:
         colmod_ = p[0];
         pixel_fill_ = 0;
         if (static_cast<unsigned>(format()) != (colmod_ & 7u))
             report(Rule::color_format, "COLMOD " + hex(colmod_) + " names no format of this controller", now);
         break;
-    case 0x44:
+    case dcs::tearing_scanline:
         te_line_ = word(0);
         break;
     default:
@@ -322,7 +322,7 @@ void DcsController::execute(Time now) {
 void DcsController::set_window(bool columns, Time now) {
     const int start = parameters_[0] << 8 | parameters_[1];
     int end = parameters_[2] << 8 | parameters_[3];
-    const bool exchanged = (madctl_ & 0x20) != 0;
+    const bool exchanged = (madctl_ & dcs::rows_and_columns_exchanged) != 0;
     const int bound = columns != exchanged ? chip_.width : chip_.height;
     if (start > end || end >= bound)
         report(Rule::window,

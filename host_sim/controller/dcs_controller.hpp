@@ -11,6 +11,7 @@
 
 #include "host_sim/controller/chip.hpp"
 #include "host_sim/controller/controller.hpp"
+#include "host_sim/controller/dcs_commands.hpp"
 
 namespace spangle::sim {
 
@@ -61,7 +62,7 @@ class DcsController final : public Controller {
     // --- registers that commands set
     bool awake_ = false, on_ = false, inverted_ = false, idle_ = false, partial_ = false, scrolling_ = false,
          te_on_ = false, te_with_hblank_ = false;
-    std::uint8_t madctl_ = 0, colmod_ = 0x66;
+    std::uint8_t madctl_ = 0, colmod_ = dcs::pixel_format_18_bits;
     int te_line_ = 0;
     std::map<std::uint8_t, std::vector<std::uint8_t>> makers_;
     int keys_turned_ = 0;
@@ -112,8 +113,8 @@ class DcsController final : public Controller {
     void push_read(std::initializer_list<std::uint8_t> bytes, int dummy_bits);
     void push_bytes(const std::uint8_t* bytes, std::size_t count);
     void push_pixels();
-    bool writes_memory() const { return command_ == 0x2C || command_ == 0x3C; }
-    bool reads_memory() const { return command_ == 0x2E || command_ == 0x3E; }
+    bool writes_memory() const { return command_ == dcs::memory_write || command_ == dcs::memory_write_on; }
+    bool reads_memory() const { return command_ == dcs::memory_read || command_ == dcs::memory_read_on; }
     bool locate(int x, int y, int& column, int& row) const;
     enum class Format : std::uint8_t { rgb444 = 3, rgb565 = 5, rgb666 = 6 };
     Format format() const;

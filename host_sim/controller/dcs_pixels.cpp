@@ -34,9 +34,10 @@ std::uint64_t DcsController::window_pixels() const {
 /// Finds the memory cell of a host address, if there is one (ST7735R datasheet, 9.11; the other chips do the
 /// same).
 bool DcsController::locate(int x, int y, int& column, int& row) const {
-    const int c = (madctl_ & 0x20) != 0 ? y : x, r = (madctl_ & 0x20) != 0 ? x : y;
-    column = (madctl_ & 0x40) != 0 ? chip_.width - 1 - c : c;
-    row = (madctl_ & 0x80) != 0 ? chip_.height - 1 - r : r;
+    const int c = (madctl_ & dcs::rows_and_columns_exchanged) != 0 ? y : x,
+              r = (madctl_ & dcs::rows_and_columns_exchanged) != 0 ? x : y;
+    column = (madctl_ & dcs::columns_mirrored) != 0 ? chip_.width - 1 - c : c;
+    row = (madctl_ & dcs::rows_mirrored) != 0 ? chip_.height - 1 - r : r;
     return column >= 0 && column < chip_.width && row >= 0 && row < chip_.height;
 }
 

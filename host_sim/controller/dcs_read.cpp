@@ -32,56 +32,58 @@ void DcsController::prepare_read(Time now) {
     const auto bit = [](bool on, int position) { return static_cast<unsigned>(on ? 1 : 0) << position; };
     const auto byte = [](unsigned v) { return static_cast<std::uint8_t>(v); };
     switch (command_) {
-    case 0x04:
+    case dcs::read_id:
         push_read({chip_.id[0], chip_.id[1], chip_.id[2]}, chip_.register_dummy_bits);
         break;
-    case 0x09: {
+    case dcs::read_status: {
         const unsigned format = (colmod_ & 7u) << 20;
-        const unsigned s = bit(awake_, 31) | bit(madctl_ & 0x80, 30) | bit(madctl_ & 0x40, 29) |
-                           bit(madctl_ & 0x20, 28) | bit(madctl_ & 0x10, 27) | bit(madctl_ & 8, 26) |
-                           bit(madctl_ & 4, 25) | format | bit(idle_, 19) | bit(partial_, 18) |
-                           bit(awake_, 17) | bit(!partial_, 16) | bit(scrolling_, 15) | bit(inverted_, 13) |
-                           bit(on_, 10) | bit(te_on_, 9) | bit(te_with_hblank_, 5);
+        const unsigned s = bit(awake_, 31) | bit(madctl_ & dcs::rows_mirrored, 30) |
+                           bit(madctl_ & dcs::columns_mirrored, 29) |
+                           bit(madctl_ & dcs::rows_and_columns_exchanged, 28) |
+                           bit(madctl_ & dcs::refresh_upwards, 27) | bit(madctl_ & dcs::blue_first, 26) |
+                           bit(madctl_ & dcs::refresh_leftwards, 25) | format | bit(idle_, 19) |
+                           bit(partial_, 18) | bit(awake_, 17) | bit(!partial_, 16) | bit(scrolling_, 15) |
+                           bit(inverted_, 13) | bit(on_, 10) | bit(te_on_, 9) | bit(te_with_hblank_, 5);
         push_read({byte(s >> 24), byte(s >> 16), byte(s >> 8), byte(s)}, chip_.register_dummy_bits);
         break;
     }
-    case 0x0A:
+    case dcs::read_power_mode:
         push_read({byte(bit(awake_, 7) | bit(idle_, 6) | bit(partial_, 5) | bit(awake_, 4) |
                         bit(!partial_, 3) | bit(on_, 2))},
                   0);
         break;
-    case 0x0B:
+    case dcs::read_address_mode:
         push_read({madctl_}, 0);
         break;
-    case 0x0C:
+    case dcs::read_pixel_format:
         push_read({byte(colmod_ & 0x77u)}, 0);
         break;
-    case 0x0D:
+    case dcs::read_image_mode:
         push_read({byte(bit(scrolling_, 7) | bit(inverted_, 5))}, 0);
         break;
-    case 0x0E:
+    case dcs::read_signal_mode:
         push_read({byte(bit(te_on_, 7) | bit(te_with_hblank_, 6))}, 0);
         break;
-    case 0x0F:
+    case dcs::read_self_diagnosis:
         push_read({byte(awake_ ? 0xC0 : 0x00)}, 0);
         break;
-    case 0x45: {
+    case dcs::read_scanline: {
         const int line = scan_line(now);
         push_read({byte(static_cast<unsigned>(line) >> 8), byte(static_cast<unsigned>(line))},
                   chip_.register_dummy_bits);
         break;
     }
-    case 0x2E:
+    case dcs::memory_read:
         read_x_ = xs_;
         read_y_ = ys_;
         [[fallthrough]];
-    case 0x3E:
+    case dcs::memory_read_on:
         push_read({}, chip_.pixel_dummy_bits);
         break;
-    case 0xDA:
-    case 0xDB:
-    case 0xDC:
-        push_read({chip_.id[command_ - 0xDAu]}, 0);
+    case dcs::read_id_1:
+    case dcs::read_id_2:
+    case dcs::read_id_3:
+        push_read({chip_.id[command_ - unsigned{dcs::read_id_1}]}, 0);
         break;
     default:
         if (const MakerId& own = chip_.maker_id; own.command != 0 && command_ == own.command) {

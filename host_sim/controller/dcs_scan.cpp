@@ -82,7 +82,7 @@ std::vector<Rgb666> DcsController::glass(Time now) {
     std::vector<Rgb666> picture;
     picture.reserve(static_cast<std::size_t>(glass_.width * glass_.height));
     const bool complement = inverted_ != glass_.normally_inverted;
-    const bool exchange = ((madctl_ & 0x08) != 0) != glass_.bgr_filter;
+    const bool exchange = ((madctl_ & dcs::blue_first) != 0) != glass_.bgr_filter;
     for (int y = 0; y < glass_.height; ++y)
         for (int x = 0; x < glass_.width; ++x) {
             const int column = glass_.x + (glass_.mirror_columns ? glass_.width - 1 - x : x);

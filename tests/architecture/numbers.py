@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""Checks that the library's sources name their numbers: floating-point numbers in hexadecimal, and float words.
+"""Checks that sources name their numbers: floating-point numbers in hexadecimal, float words, and commands of panels.
 
 usage: numbers.py [ROOT]
 
-Such a number stands in a definition (constexpr or static constexpr), whose name or comment says where it comes from.
+Such a number stands in a definition (constexpr or static constexpr), whose name or comment says where it comes from. The commands
+that panels share (MIPI DCS) have names, those of the drivers in hal/ and those of the controller models in host_sim/. Models and
+drivers share no definition, so that one cannot hide a fault of the other.
 """
 import pathlib
 import re
@@ -24,6 +26,18 @@ def unnamed(text):
             yield " ".join(statement.split())[-120:]
 
 
+def raw_commands(root):
+    """Yields (file, what is wrong) of commands of panels."""
+    for path in sorted([*(root / "host_sim/controller").glob("dcs_*"), root / "host_sim/bus/pins.cpp"]):
+        text = path.read_text()
+        if path.name != "dcs_commands.hpp":
+            yield from ((path, found) for found in re.findall(r"case 0x\w+|command_? [=!<>]+ 0x\w+|madctl_ & \w+\b(?<!dcs)(?!::)", text))
+        yield from ((path, found) for found in re.findall(r"#include .*hal/dcs\.hpp.*", text))
+    # Commands below 60h are those of DCS; the makers' own begin there.
+    panels = root / "hal/include/spangle/panels.hpp"
+    yield from ((panels, found) for found in re.findall(r"\bcmd\(0x[0-5]\w\b", panels.read_text()))
+
+
 def main():
     root = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT
     wrong = 0
@@ -32,6 +46,9 @@ def main():
             for statement in unnamed(path.read_text()):
                 print(f"{path.relative_to(root)}: a number without a name: {statement}")
                 wrong += 1
+    for path, found in raw_commands(root):
+        print(f"{path.relative_to(root)}: a command without a name of its own: {found}")
+        wrong += 1
     return 1 if wrong else 0
 
 
