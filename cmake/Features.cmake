@@ -2,15 +2,20 @@
 # A system that is off is not compiled, and its commands say so when they are called.
 # gl/context/features.hpp turns all systems on where a build defines none.
 set(SPANGLE_FEATURES)
+set(SPANGLE_PROFILE_FEATURES all CACHE STRING "Optional systems that the build has, by the names in cmake/Features.cmake; `all` has every one.")
+string(REGEX REPLACE "[ ;]+" ";" SPANGLE_PROFILE_FEATURES "${SPANGLE_PROFILE_FEATURES}")
+
+# A feature is on if the list names it. SPANGLE_FEATURE_NAME turns one system on or off whatever the list says.
 macro(spangle_feature name text)
-    # A profile that names features leaves the others out.
-    if(DEFINED SPANGLE_PROFILE_FEATURES AND NOT DEFINED CACHE{SPANGLE_FEATURE_${name}} AND NOT "${SPANGLE_PROFILE_FEATURES}" STREQUAL "all")
-        list(FIND SPANGLE_PROFILE_FEATURES ${name} named)
-        if(named EQUAL -1)
+    set(SPANGLE_FEATURE_${name} auto CACHE STRING "${text}. `auto` follows SPANGLE_PROFILE_FEATURES; ON and OFF override it.")
+    mark_as_advanced(SPANGLE_FEATURE_${name})
+    if("${SPANGLE_FEATURE_${name}}" STREQUAL "auto")
+        if("${SPANGLE_PROFILE_FEATURES}" STREQUAL "all" OR "${name}" IN_LIST SPANGLE_PROFILE_FEATURES)
+            set(SPANGLE_FEATURE_${name} ON)
+        else()
             set(SPANGLE_FEATURE_${name} OFF)
         endif()
     endif()
-    option(SPANGLE_FEATURE_${name} "${text}" ON)
     list(APPEND SPANGLE_FEATURES ${name})
 endmacro()
 
@@ -54,3 +59,10 @@ spangle_feature(FIXED_POINT "Entry points of OES_fixed_point")
 spangle_feature(BANDS "Windows that are drawn band by band")
 spangle_feature(BAND_RECORDS "Records of frames for them (with BANDS)")
 spangle_feature(GET_PROC_ADDRESS "eglGetProcAddress")
+
+set(SPANGLE_UNKNOWN ${SPANGLE_PROFILE_FEATURES})
+list(REMOVE_ITEM SPANGLE_UNKNOWN all ${SPANGLE_FEATURES})
+if(SPANGLE_UNKNOWN OR ("all" IN_LIST SPANGLE_PROFILE_FEATURES AND NOT "${SPANGLE_PROFILE_FEATURES}" STREQUAL "all"))
+    list(JOIN SPANGLE_FEATURES " " valid)
+    message(FATAL_ERROR "SPANGLE_PROFILE_FEATURES is \"${SPANGLE_PROFILE_FEATURES}\". It must be `all` alone, or some of: ${valid}.")
+endif()

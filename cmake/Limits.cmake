@@ -1,43 +1,57 @@
-# The list of all limits of a build: how much of each thing there is, and what the build draws on. The values are GL's own unless a board
-# asks for less, and queries return what the build has. raster/limits.hpp, raster/numeric/machine.hpp and gl/context/limits.hpp hold the
-# same numbers for builds without CMake.
-set(SPANGLE_LIMITS)
-macro(spangle_limit name value text)
-    set(SPANGLE_${name} ${value} CACHE STRING "${text}")
-    list(APPEND SPANGLE_LIMITS ${name})
-endmacro()
+# The list of all limits of a build: how much of each thing there is, and what the build can draw. The usual values are GL's own.
+# Queries return what the build has. This table is the source. Three headers repeat the usual numbers for builds without CMake:
+# raster/limits.hpp, raster/numeric/machine.hpp and gl/context/limits.hpp. tests/profiles/options.py compares them with the table.
+# boards/tools/profile.py reads the rows of this file, too, so each row keeps the form of its neighbours.
+include(${CMAKE_CURRENT_LIST_DIR}/Choices.cmake)
 
-spangle_limit(TEXTURE_UNITS 2 "Texture units: 2, or in a subset 1 or 0")
-spangle_limit(TEXTURE_LEVELS 12 "Levels of a texture: its largest side has 2^(levels - 1) texels")
-spangle_limit(LIGHTS 8 "Lights")
-spangle_limit(LIGHT_KINDS 15 "Sum of what lighting does beside diffuse light from afar: specular 1, positions, spots and local viewers 2, two sides 4, materials that follow colours 8")
-spangle_limit(FULL_LIGHTING 1 "NORMALIZE, RESCALE_NORMAL, and diffuse colours of 16 and more; 0: they are errors")
-spangle_limit(MODELVIEW_STACK 32 "Entries of the modelview stack")
-spangle_limit(PROJECTION_STACK 2 "Entries of the projection stack")
-spangle_limit(TEXTURE_STACK 2 "Entries of the texture matrix stack of each unit")
-spangle_limit(NAME_STACK 64 "Entries of the name stack of selection")
-spangle_limit(LIST_NESTING 64 "Display lists that call each other")
-spangle_limit(VERTEX_CACHE 0 "Vertices of arrays kept for indices that come again; 1: none; 0: 80 in firmware, 8192 elsewhere")
-spangle_limit(ARRAY_TYPES 5247 "Sum of 2^(type - GL_BYTE) over the types of the components of vertex arrays")
-spangle_limit(CLIP_SPARE 2 "Corners kept for polygons that are not convex while they are clipped")
-spangle_limit(PRIMITIVES 7 "Sum of what is drawn beside triangles, their strips and fans: points 1, lines 2, quads and polygons 4")
-spangle_limit(CLIPPING 1 "What crosses the near or the far plane, or lies far beside the window, is cut; 0: it is an error, and not drawn")
-spangle_limit(LINE_BATCH 0 "Lines of elements under way at once, even; 0: what suits the processor")
-spangle_limit(DISPLAYS 4 "EGL displays at once")
-spangle_limit(ARENA_REUSE 1 "Memory that was freed is given out again; 0: it is not, for programs that make what they need once")
-spangle_limit(ARENA_LOG2 0 "Blocks of the arena are smaller than 2^this bytes; 0: what suits the processor")
-spangle_limit(HOST_MEMORY_MB 64 "Megabytes that programs on a host have for contexts, textures and lists if they hand over no memory: 1 to 1024; firmware has none")
-spangle_limit(EXTENTS 1 "Surfaces tell which columns of each row were drawn; 0: for displays that are sent whole frames, others are EGL_BAD_MATCH")
-spangle_limit(TIER_SET 7 "Sum of 2^Tier over the tiers of accuracy: exact 1, balanced 2, fast 4")
-spangle_limit(PACKET 16 "Fragments and rows that are handed on at once: 16, or 8, 4, 2 to save stack")
-spangle_limit(FUSED_SPANS 1 "Loops of their own for common states; 0: the chain draws all, with the same bytes")
-spangle_limit(SHORTCUTS 1 "Ways of their own for small triangles, faces seen whole, thin lines, strips of elements, vertices given again, small differences of attributes, plain axes and whole runs of texture coordinates, and stages of the chain for each unit, kind and store; 0: less code, the same bytes")
-spangle_limit(KERNELS_INLINE 1 "Code that is built for size (-Os) has kernels in line, too; 0: where the compiler finds that smaller")
-spangle_limit(SEED_TABLES 1 "What reciprocals, roots and logarithms begin with is looked up in tables of 1.5 KB; 0: it is computed, the same numbers")
-spangle_limit(ARGUMENTS_INLINE 1 "Entry points convert their arguments themselves; 0: less code where programs call most of them")
-spangle_limit(CHAIN 1 "What draws the states that have no loop of their own; 0: they are errors")
-spangle_limit(AFFINE_TEXTURES 1 "Coordinates of textures are affine where that is within the bounds of the tier; 0: they are divided there, too, so pictures may be others within these bounds")
-spangle_limit(PERSPECTIVE 1 "What is farther away may be smaller; 0: parallel projections, others are errors (without CLIPPING only)")
-spangle_limit(COLOR_FORMATS 1023 "Sum of 2^PixelFormat over the formats that are drawn on")
-spangle_limit(DEPTH_FORMATS 7 "Sum of 2^DepthFormat over the depth buffers there are")
-spangle_limit(TEXTURE_FORMATS 32767 "Sum of 2^TexelFormat over the formats of textures")
+set(SPANGLE_OPTIMIZE speed CACHE STRING "What the library is made for where both ways draw the same bytes: speed or size.")
+set_property(CACHE SPANGLE_OPTIMIZE PROPERTY STRINGS speed size)
+
+# spangle_limit(NAME usual "values" "text")
+spangle_limit(TEXTURE_UNITS 2 "0..2" "Number of texture units. GL 1.3 asks for 2. With 0 nothing is textured.")
+spangle_limit(TEXTURE_LEVELS 12 "1..12" "Number of levels of a texture. The largest texture has 2^(levels - 1) texels on each side.")
+spangle_limit(LIGHTS 8 "1..8" "Number of lights. GL 1.3 asks for 8.")
+spangle_limit(FULL_LIGHTING 1 "0|1" "With 1, normals may have any length, and diffuse colours may be 16 and more. With 0, GL_NORMALIZE, GL_RESCALE_NORMAL and such colours are errors.")
+spangle_limit(MODELVIEW_STACK 32 "1.." "Number of matrices on the modelview stack. GL 1.3 asks for 32.")
+spangle_limit(PROJECTION_STACK 2 "1.." "Number of matrices on the projection stack. GL 1.3 asks for 2.")
+spangle_limit(TEXTURE_STACK 2 "1.." "Number of matrices on the texture stack of each unit. GL 1.3 asks for 2.")
+spangle_limit(NAME_STACK 64 "1.." "Number of names on the name stack of selection. GL 1.3 asks for 64.")
+spangle_limit(LIST_NESTING 64 "2.." "Number of display lists that may call each other. GL 1.3 asks for 64.")
+spangle_limit(VERTEX_CACHE 0 "0.." "Number of transformed vertices that are kept for indices that come again. 1 keeps none. 0 keeps 80 in firmware and 8192 on hosts.")
+spangle_limit(CLIP_SPARE 2 "0.." "Number of extra corners that clipping keeps for polygons that are not convex.")
+spangle_limit(CLIPPING 1 "0|1" "With 1, primitives are cut at the view volume. With 0, a primitive that crosses the near or far plane is an error and is not drawn.")
+spangle_limit(DISPLAYS 4 "1.." "Number of EGL displays that may exist at once.")
+spangle_limit(ARENA_REUSE 1 "0|1" "With 1, memory that GL frees is used again. With 0 it is not, which suits programs that create all objects once.")
+spangle_limit(ARENA_LOG2 0 "0|7..37" "Blocks of GL's memory are smaller than 2^ARENA_LOG2 bytes. 0 takes the number that suits the processor.")
+spangle_limit(HOST_MEMORY_MB 64 "1..1024" "Megabytes of memory for GL in a program on a host that hands over none. Firmware always hands over its memory.")
+spangle_limit(EXTENTS 1 "0|1" "With 1, surfaces record which columns of each row were drawn. With 0, only displays that are sent whole frames can be used.")
+spangle_limit(PACKET 16 "2|4|8|16" "Number of fragments that pass between two stages of the chain at once. Smaller numbers save stack.")
+spangle_limit(FUSED_SPANS 1 "0|1" "With 1, common states are drawn by loops of their own. With 0, the chain draws all states, with the same bytes.")
+spangle_limit(CHAIN 1 "0|1" "With 1, the chain draws every state that has no loop of its own. With 0, such states are errors.")
+spangle_limit(AFFINE_TEXTURES 1 "0|1" "With 1, texture coordinates are affine where the tier's bound allows it. With 0 they are always divided, and pictures may differ within the bound.")
+spangle_limit(PERSPECTIVE 1 "0|1" "With 1, projections may have perspective. With 0, only parallel projections can be drawn; this needs CLIPPING 0.")
+
+# spangle_names(NAME the_empty_set "text" the names, from bit 0 up, a dash for a bit without a name). The empty set is `none` with the bits
+# that it still has, or a dash where the list must name something. Names stand for the enumerators of PixelFormat, DepthFormat, TexelFormat
+# and Tier, for GL's types from GL_BYTE up, and for the bits in gl/context/limits.hpp; host_sim/profile and the test above check them.
+spangle_names(TIER_SET - "Tiers of accuracy that the build has." exact balanced fast)
+spangle_names(COLOR_FORMATS - "Formats of the surfaces that the build can draw on."
+    rgb565 rgb565_le rgb888 rgba8888 rgb666 rgb444 rgb332 grey4 mono index8)
+spangle_names(DEPTH_FORMATS none=1 "Formats of depth buffers. A surface may always be without one." - z16 z24s8)
+spangle_names(TEXTURE_FORMATS - "Formats in which the build can store textures."
+    a8 l8 i8 la88 rgb565 rgb888 rgba8888 rgba4444 rgba5551 rgb332 z16 z24 p4 p8 etc1)
+spangle_names(PRIMITIVES none=0 "Primitives beside triangles, triangle strips and triangle fans. Polygons include quads." points lines polygons)
+spangle_names(LIGHT_KINDS none=0 "Lighting beside ambient and diffuse light of directional lights. Local lights include spotlights and local viewers."
+    specular local two_sided color_material)
+spangle_names(ARRAY_TYPES - "Types of the components of vertex arrays, by their names in GL."
+    byte unsigned_byte short unsigned_short int unsigned_int float - - - double - fixed)
+
+# spangle_ways(NAME with_speed with_size "values" "text"): each way draws the same bytes. SPANGLE_OPTIMIZE chooses; the options are for
+# measurements of ours.
+spangle_ways(SHORTCUTS 1 0 "0|1" "With 1, frequent cases such as small triangles have code of their own.")
+spangle_ways(KERNELS_INLINE 1 0 "0|1" "With 1, kernels are inline even in code that is compiled for size.")
+spangle_ways(SEED_TABLES 1 0 "0|1" "With 1, first guesses of reciprocals, roots and logarithms are read from tables of 1.5 KB. With 0 they are computed.")
+spangle_ways(ARGUMENTS_INLINE 1 0 "0|1" "With 1, each entry point converts its arguments itself. With 0, entry points share that code.")
+spangle_ways(LINE_BATCH 0 2 "0|2..64" "Number of lines that are drawn together, an even number. 0 takes the number that suits the processor.")
+
+spangle_contradictions()

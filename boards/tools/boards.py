@@ -31,7 +31,7 @@ ROOT = firmware.ROOT
 HANDLER_STACK = 512  # bytes beside the program's stack, as hal/mcu/sections.ld has it
 FRAMES = 30
 LOOKED_AT = 3  # frames of each scene whose picture on the display is compared, too
-FEATURES, LIMITS = profile.features(), [f"SPANGLE_{limit}" for limit in profile.limits()]
+FEATURES, LIMITS = profile.features(), [f"SPANGLE_{limit}" for limit in ("OPTIMIZE", *profile.limits())]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -60,7 +60,8 @@ class Board:
         if unknown:
             raise ValueError(f"{self.name}: no limit {', '.join(unknown)} in cmake/Limits.cmake")
         off = [] if self.features is None else [f"-DSPANGLE_FEATURE_{f}=0" for f in FEATURES if f not in self.features]
-        return off + [f"-D{name}={value}" for name, value in self.limits.items()]
+        numbers = profile.numbers({name.removeprefix("SPANGLE_"): value for name, value in self.limits.items()})
+        return off + [f"-DSPANGLE_{name}={number}" for name, number in numbers.items()]
 
 
 @dataclasses.dataclass

@@ -3,26 +3,24 @@
 set(SPANGLE_PROFILE_FEATURES LIGHTING)
 set(SPANGLE_FUSED lit_textured_parallel)
 set(SPANGLE_CHAIN 0)
-set(SPANGLE_TIER_SET 4)            # fast
-set(SPANGLE_COLOR_FORMATS 1)    # rgb565_be
-set(SPANGLE_DEPTH_FORMATS 3)    # none, z16
-set(SPANGLE_TEXTURE_FORMATS 16) # rgb565
+set(SPANGLE_TIER_SET fast)
+set(SPANGLE_COLOR_FORMATS rgb565)
+set(SPANGLE_DEPTH_FORMATS z16)
+set(SPANGLE_TEXTURE_FORMATS rgb565)
 set(SPANGLE_TEXTURE_UNITS 1)
 set(SPANGLE_TEXTURE_LEVELS 7)
 set(SPANGLE_LIGHTS 1)
-set(SPANGLE_LIGHT_KINDS 0)      # ambient and diffuse
+set(SPANGLE_LIGHT_KINDS none) # ambient and diffuse light
 set(SPANGLE_FULL_LIGHTING 0) # NORMALIZE and RESCALE_NORMAL are errors: normals must be unit vectors
 set(SPANGLE_MODELVIEW_STACK 2)
 set(SPANGLE_PROJECTION_STACK 1)
 set(SPANGLE_TEXTURE_STACK 1)
-set(SPANGLE_ARRAY_TYPES 4) # arrays of shorts
+set(SPANGLE_ARRAY_TYPES short)
 set(SPANGLE_VERTEX_CACHE 1) # no cache: a vertex that indices name again is transformed again
-set(SPANGLE_LINE_BATCH 2)
-set(SPANGLE_PRIMITIVES 0)       # triangles
+set(SPANGLE_PRIMITIVES none) # triangles
 set(SPANGLE_PERSPECTIVE 0) # no division by the distance
-set(SPANGLE_SHORTCUTS 0)
-set(SPANGLE_KERNELS_INLINE 0)
-set(SPANGLE_SEED_TABLES 0)
+set(SPANGLE_OPTIMIZE size)
+set(SPANGLE_ARGUMENTS_INLINE 1) # the program calls few entry points
 set(SPANGLE_DISPLAYS 1)
 set(SPANGLE_EXTENTS 0) # frames are sent whole, without damage
 set(SPANGLE_PACKET 2)

@@ -81,7 +81,10 @@ nlohmann::json to_json(const ProfileReport& report) {
     out["frames"] = report.chosen->frames;
     out["features"] = report.made->features;
     for (const auto& [limit, value] : report.made->limits)
-        out["limits"][limit] = std::stol(value);
+        if (value.find_first_not_of("0123456789") == std::string::npos)
+            out["limits"][limit] = std::stol(value);
+        else
+            out["limits"][limit] = value;
     out["chain"] = report.made->chain;
     out["chain_percent"] = chain_percent(report);
     out["keys"] = nlohmann::json::array();

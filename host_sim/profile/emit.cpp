@@ -1,8 +1,12 @@
 #include "host_sim/profile/emit.hpp"
 
 #include <algorithm>
+#include <initializer_list>
+#include <string_view>
 
 #include <fmt/format.h>
+
+#include <spangle/GL/gl.h>
 
 #include "host_sim/profile/key_words.hpp"
 
@@ -92,6 +96,55 @@ namespace {
 /// Optional systems whose primitives are cut (gl/vertex/pipeline.hpp).
 constexpr const char* cutting[] = {"CLIP_PLANES", "POLYGON_MODE", "SELECTION", "FEEDBACK", "ANTIALIASING"};
 
+// The names of options that are lists must stand for the bits that the code knows.
+namespace agree {
+namespace color {
+using enum PixelFormat;
+constexpr PixelFormat rgb565 = rgb565_be;
+} // namespace color
+#define BIT_COLOR_FORMATS(name, token) static_cast<unsigned>(color::name)
+#define BIT_DEPTH_FORMATS(name, token) static_cast<unsigned>(DepthFormat::name)
+#define BIT_TEXTURE_FORMATS(name, token) static_cast<unsigned>(TexelFormat::name)
+#define BIT_TIER_SET(name, token) static_cast<unsigned>(Tier::name)
+#define BIT_ARRAY_TYPES(name, token) (GL_##token - GL_BYTE)
+// Primitives and kinds of lighting are bits in gl/context/limits.hpp; tests/profiles/options.py compares
+// them.
+#define BIT_PRIMITIVES(name, token) bit_of(#name, {"points", "lines", "polygons"})
+#define BIT_LIGHT_KINDS(name, token) bit_of(#name, {"specular", "local", "two_sided", "color_material"})
+constexpr unsigned bit_of(std::string_view name, std::initializer_list<std::string_view> names) {
+    unsigned bit = 0;
+    for (const std::string_view one : names) {
+        if (one == name)
+            return bit;
+        ++bit;
+    }
+    return 32;
+}
+#define NAME(list, name, token, bit)                                                                         \
+    static_assert(BIT_##list(name, token) == (bit), "cmake/Limits.cmake: " #list " " #name);
+#include "option_names.inc"
+#undef NAME
+} // namespace agree
+
+struct OptionName {
+    std::string_view list, name;
+    unsigned bit;
+};
+constexpr OptionName option_names[] = {
+#define NAME(list, name, token, bit) {#list, #name, bit},
+#include "option_names.inc"
+#undef NAME
+};
+
+/// Returns the names of the bits of a set, as the option `list` takes them.
+std::string names_of(std::string_view list, unsigned set) {
+    std::string out;
+    for (const OptionName& one : option_names)
+        if (one.list == list && (set >> one.bit & 1) != 0)
+            out.append(out.empty() ? "" : " ").append(one.name);
+    return out.empty() ? "none" : out;
+}
+
 } // namespace
 
 Profile make(const Record& record, const Choice& choice) {
@@ -123,6 +176,9 @@ Profile make(const Record& record, const Choice& choice) {
     const auto set = [&](const char* limit, auto value) {
         out.limits.emplace_back(limit, fmt::format("{}", value));
     };
+    const auto name_all = [&](const char* limit, unsigned bits) {
+        out.limits.emplace_back(limit, names_of(limit, bits));
+    };
     // Clipping makes vertices with a w of their own, so a build that clips keeps perspective.
     const bool cuts =
         record.reach(gl::Range::CUTS) != 0 || std::any_of(std::begin(cutting), std::end(cutting), has);
@@ -134,7 +190,7 @@ Profile make(const Record& record, const Choice& choice) {
     set("TEXTURE_UNITS", std::min(record.texture_units, 2));
     set("TEXTURE_LEVELS", record.texture_levels);
     set("LIGHTS", record.lights);
-    set("LIGHT_KINDS", has("LIGHTING") ? record.light_kinds : 0u);
+    name_all("LIGHT_KINDS", has("LIGHTING") ? record.light_kinds : 0u);
     set("FULL_LIGHTING", record.full_lighting ? 1 : 0);
     set("MODELVIEW_STACK", record.modelview_stack);
     set("PROJECTION_STACK", record.projection_stack);
@@ -143,24 +199,20 @@ Profile make(const Record& record, const Choice& choice) {
         set("NAME_STACK", 1);
     set("LIST_NESTING", record.list_nesting);
     constexpr unsigned floats = 1u << 6;
-    set("ARRAY_TYPES", record.array_types != 0 ? record.array_types : floats);
-    set("PRIMITIVES", record.primitives);
-    set("TIER_SET", record.tiers);
-    set("COLOR_FORMATS", record.color_formats);
-    set("DEPTH_FORMATS", record.depth_formats);
+    name_all("ARRAY_TYPES", record.array_types != 0 ? record.array_types : floats);
+    name_all("PRIMITIVES", record.primitives);
+    name_all("TIER_SET", record.tiers);
+    name_all("COLOR_FORMATS", record.color_formats);
+    name_all("DEPTH_FORMATS", record.depth_formats);
     constexpr unsigned rgb565 = 1u << static_cast<unsigned>(TexelFormat::rgb565);
-    set("TEXTURE_FORMATS", record.texture_formats != 0 ? record.texture_formats : rgb565);
+    name_all("TEXTURE_FORMATS", record.texture_formats != 0 ? record.texture_formats : rgb565);
     set("DISPLAYS", 1);
     if (!out.chain)
         set("CHAIN", 0);
     if (out.fused.empty())
         set("FUSED_SPANS", 0);
     if (choice.small) {
-        set("SHORTCUTS", 0);
-        set("KERNELS_INLINE", 0);
-        set("SEED_TABLES", 0);
-        set("ARGUMENTS_INLINE", 0);
-        set("LINE_BATCH", 2);
+        set("OPTIMIZE", "size");
         set("VERTEX_CACHE", 1);
     }
     return out;

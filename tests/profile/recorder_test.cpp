@@ -260,11 +260,11 @@ TEST(Profile, HoldsWhatTheBuildHasAndTheProgramAskedFor) {
     EXPECT_THAT(profile.features, ElementsAre("FIXED_POINT")) << "free where nobody calls it";
     EXPECT_EQ(limit(profile, "TEXTURE_UNITS"), "1");
     EXPECT_EQ(limit(profile, "TEXTURE_LEVELS"), "5");
-    EXPECT_EQ(limit(profile, "TEXTURE_FORMATS"), "64");
-    EXPECT_EQ(limit(profile, "SHORTCUTS"), "as usual");
+    EXPECT_EQ(limit(profile, "TEXTURE_FORMATS"), "rgba8888");
+    EXPECT_EQ(limit(profile, "OPTIMIZE"), "as usual");
     Choice small{"sprites", "sprites.inc"};
     small.small = true;
-    EXPECT_EQ(limit(make(record(programs::sprites_only), small), "SHORTCUTS"), "0");
+    EXPECT_EQ(limit(make(record(programs::sprites_only), small), "OPTIMIZE"), "size");
 }
 
 /// Opens a context on a picture that has depth with stencil.

@@ -21,17 +21,17 @@ def choices_of_whole():
     out = {
         "all fused spans instead of six": {"SPANGLE_FUSED": None},
         "without the chain": {"SPANGLE_CHAIN": "0"},
-        "exact instead of balanced": {"SPANGLE_TIER_SET": "1"},
-        "fast instead of balanced": {"SPANGLE_TIER_SET": "4"},
-        "balanced and exact": {"SPANGLE_TIER_SET": "3"},
-        "16-bit depth only": {"SPANGLE_DEPTH_FORMATS": "3"},
-        "textures of rgb565 only": {"SPANGLE_TEXTURE_FORMATS": "16"},
-        "textures of 8-bit and 565 texels only": {"SPANGLE_TEXTURE_FORMATS": "127"},
+        "exact instead of balanced": {"SPANGLE_TIER_SET": "exact"},
+        "fast instead of balanced": {"SPANGLE_TIER_SET": "fast"},
+        "balanced and exact": {"SPANGLE_TIER_SET": "exact balanced"},
+        "16-bit depth only": {"SPANGLE_DEPTH_FORMATS": "z16"},
+        "textures of rgb565 only": {"SPANGLE_TEXTURE_FORMATS": "rgb565"},
+        "textures of 8-bit and 565 texels only": {"SPANGLE_TEXTURE_FORMATS": "a8 l8 i8 la88 rgb565 rgb888 rgba8888"},
         "one texture unit": {"SPANGLE_TEXTURE_UNITS": "1"},
     }
     surfaces = ("rgb565_le", "rgb888", "rgba8888", "rgb666", "rgb444", "rgb332", "grey4", "mono")
-    for bit, surface in enumerate(surfaces, 1):
-        out[f"{surface} surfaces, too"] = {"SPANGLE_COLOR_FORMATS": str(1 + (1 << bit))}
+    for surface in surfaces:
+        out[f"{surface} surfaces, too"] = {"SPANGLE_COLOR_FORMATS": f"rgb565 {surface}"}
     return out
 
 
@@ -40,9 +40,9 @@ def choices_of_minimal():
     return {
         "perspective": perspective,
         "perspective, and what its planes cut": {**perspective, "SPANGLE_CLIPPING": None},
-        "quads and polygons": {"SPANGLE_PRIMITIVES": "4"},
-        "points and lines": {"SPANGLE_PRIMITIVES": "3"},
-        "lights that shine": {"SPANGLE_LIGHT_KINDS": "1"},
+        "quads and polygons": {"SPANGLE_PRIMITIVES": "polygons"},
+        "points and lines": {"SPANGLE_PRIMITIVES": "points lines"},
+        "lights that shine": {"SPANGLE_LIGHT_KINDS": "specular"},
         "normals of any length, and bright lights": {"SPANGLE_FULL_LIGHTING": None},
         "memory that is given out again": {"SPANGLE_ARENA_REUSE": None},
         "surfaces that tell what was drawn": {"SPANGLE_EXTENTS": None},
@@ -60,7 +60,10 @@ def choices():
 def definitions(name, changes):
     """Returns the definitions of a profile with these changes."""
     says = dict(definition.split("=", 1) for definition in profile.definitions(name))
-    says.update(changes)
+    lists = profile.named_lists()
+    for key, value in changes.items():
+        limit = key.removeprefix("SPANGLE_")
+        says[key] = str(profile.sum_of(limit, value)) if limit in lists and value is not None else value
     return [f"-D{key}={value}" for key, value in says.items() if value is not None]
 
 
