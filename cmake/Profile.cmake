@@ -4,7 +4,8 @@
 #   SPANGLE_FUSED             the list of fused spans: a file of cmake/profiles/spans, a file beside the profile, or a path
 #   SPANGLE_RANGES            how far the recorded program went, as NAME=NUMBER (gl/context/ranges.inc). Debug builds, and builds with
 #                             SPANGLE_CHECK_RANGES, stop a program that goes farther, after a message
-#   any limit                 tiers, formats, stacks, the chain, ... (cmake/Limits.cmake)
+#   SPANGLE_OPTIMIZE          speed or size
+#   any limit                 numbers, or lists of names as in set(SPANGLE_COLOR_FORMATS rgb565 grey4) (cmake/Limits.cmake)
 # What a profile does not set is built whole. Builds without CMake take the same definitions from boards/tools/profile.py.
 set(SPANGLE_PROFILE "" CACHE STRING "What the build holds: a file of cmake/profiles without its ending, or a path; empty: everything")
 
