@@ -21,8 +21,6 @@ class Output {
     /// name stays as it is until commit(). Returns why nothing can be written there, or an empty string.
     std::string open(const std::string& path);
     bool is_open() const { return file_ >= 0; }
-    /// Whether the bytes share this program's standard output with everything else that it prints.
-    bool on_standard_output() const { return descriptor_ == 1; }
 
     /// Keeps bytes to be written. Returns false when something was lost already; commit() then says what.
     bool write(std::string_view bytes);

@@ -99,8 +99,6 @@ class VertexCode {
         from += sizeof(T) / 4;
     }
 
-    static constexpr bool has_rests = has_tier(Tier::exact);
-
     Needs needs_;
     bool rests_; ///< set-up reads what snapping took off the coordinates
     int words_;

@@ -65,11 +65,6 @@ SPANGLE_INLINE constexpr std::uint64_t abs_u64(std::int64_t v) {
     return v < 0 ? std::uint64_t{0} - u : u;
 }
 
-/// Bits needed for the value without its sign: |v| < 2^n for v >= 0, |v| <= 2^n for v < 0; 0 for 0 and -1.
-SPANGLE_INLINE constexpr int signed_width32(std::int32_t v) {
-    return 32 - clz32(static_cast<std::uint32_t>(v ^ (v >> 31)));
-}
-
 namespace detail {
 
 SPANGLE_INLINE constexpr bool shift_loses(std::int32_t v, std::uint32_t n) {

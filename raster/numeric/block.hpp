@@ -363,20 +363,6 @@ SPANGLE_INLINE constexpr Unit3 normalize(const Block3& v) {
     return out;
 }
 
-/// normalize() with one Newton step: within 2^-17 (docs/bounds.md).
-SPANGLE_INLINE constexpr Unit3 normalize_fast(const Block3& v) {
-    const std::uint64_t square = static_cast<std::uint64_t>(
-        mul_s32(v.m[0], v.m[0]) + mul_s32(v.m[1], v.m[1]) + mul_s32(v.m[2], v.m[2]));
-    if (square == 0)
-        return {};
-    const int zeros = clz64(square) & ~1;
-    const std::uint32_t r = rsqrt_1(static_cast<std::uint32_t>((square << zeros) >> 32));
-    const int shift = 32 - zeros / 2;
-    return {{static_cast<std::int32_t>((mul_s32_u32(v.m[0], r)) >> shift),
-             static_cast<std::int32_t>((mul_s32_u32(v.m[1], r)) >> shift),
-             static_cast<std::int32_t>((mul_s32_u32(v.m[2], r)) >> shift)}};
-}
-
 /// Dot product of unit vectors, Q2.30 rounded, within 2^-29 of the exact one and never outside +-1.
 SPANGLE_INLINE constexpr std::int32_t dot(const Unit3& a, const Unit3& b) {
     const std::int64_t sum = mul_s32(a.m[0], b.m[0]) + mul_s32(a.m[1], b.m[1]) + mul_s32(a.m[2], b.m[2]);
