@@ -24,13 +24,14 @@ struct Window {
 
     /// Returns the first config that meets one of three wishes. Narrow formats are drawn in exact numbers in
     /// every tier, and small builds may have no other precision, or no depth buffer.
-    EGLConfig choose(bool narrow) const {
-        struct Wish {
+    EGLConfig choose_config(bool narrow) const {
+        struct ConfigRequest {
             EGLint depth, precision;
         };
         const EGLint usual = narrow ? EGL_PRECISION_EXACT_SPANGLE : DEMO_PRECISION;
-        for (const Wish wish :
-             {Wish{16, usual}, Wish{16, EGL_PRECISION_EXACT_SPANGLE}, Wish{0, EGL_PRECISION_EXACT_SPANGLE}}) {
+        for (const ConfigRequest wish :
+             {ConfigRequest{16, usual}, ConfigRequest{16, EGL_PRECISION_EXACT_SPANGLE},
+              ConfigRequest{0, EGL_PRECISION_EXACT_SPANGLE}}) {
             const EGLint list[] = {EGL_RENDERABLE_TYPE,   EGL_OPENGL_BIT, EGL_SURFACE_TYPE,
                                    EGL_WINDOW_BIT,        EGL_DEPTH_SIZE, wish.depth,
                                    EGL_PRECISION_SPANGLE, wish.precision, EGL_NONE};
@@ -46,7 +47,7 @@ struct Window {
         display = eglGetDisplay(native(native_display));
         if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE)
             return "eglInitialize";
-        const EGLConfig config = choose(is_narrow(native_display.info().format));
+        const EGLConfig config = choose_config(is_narrow(native_display.info().format));
         if (config == nullptr)
             return "eglChooseConfig";
         surface = eglCreateWindowSurface(display, config, 0, nullptr);
@@ -71,25 +72,25 @@ struct Window {
 };
 
 /// A display that passes every call on, and keeps the address of the buffer that is drawn into.
-class Tap final : public hal::Display {
+class FrameTap final : public hal::Display {
   public:
-    explicit Tap(hal::Display& display) : display_(display), info_(display.info()) {}
+    explicit FrameTap(hal::Display& display) : display_(display), info_(display.info()) {}
 
     hal::DisplayInfo info() const override { return info_; }
     hal::Result<void> init() override { return display_.init(); }
-    hal::Result<hal::Frame> acquire() override { return hold(display_.acquire(), info_.height); }
+    hal::Result<hal::Frame> acquire() override { return remember_rows(display_.acquire(), info_.height); }
     hal::Result<void> present() override { return display_.present(); }
     hal::Result<void> finish() override { return display_.finish(); }
     void swap_interval(std::int32_t interval) override { display_.swap_interval(interval); }
     hal::Result<hal::Frame> acquire_band(std::int32_t first, std::int32_t rows) override {
-        return hold(display_.acquire_band(first, rows), rows);
+        return remember_rows(display_.acquire_band(first, rows), rows);
     }
     hal::Result<void> present_band() override { return display_.present_band(); }
 
     const Rows& rows() const { return rows_; }
 
   private:
-    hal::Result<hal::Frame> hold(hal::Result<hal::Frame> frame, std::int32_t height) {
+    hal::Result<hal::Frame> remember_rows(hal::Result<hal::Frame> frame, std::int32_t height) {
         rows_ = {};
         if (frame.ok())
             rows_ = {frame.value().pixels, frame.value().stride, row_bytes(info_.format, info_.width),
@@ -102,7 +103,7 @@ class Tap final : public hal::Display {
     Rows rows_;
 };
 
-const char* draw(const Window& window, const Tap& tap, const scenes::Scene& scene, int frames,
+const char* draw(const Window& window, const FrameTap& tap, const scenes::Scene& scene, int frames,
                  Watcher& watcher) {
     const hal::DisplayInfo info = tap.info();
     if (format_info(info.format).bits >= 16) // formats of fewer bits need dithering
@@ -127,7 +128,7 @@ const char* draw(const Window& window, const Tap& tap, const scenes::Scene& scen
 } // namespace
 
 const char* play(hal::Display& display, const scenes::Scene& scene, int frames, Watcher& watcher) {
-    Tap tap(display);
+    FrameTap tap(display);
     Window window;
     const char* problem = window.open(tap);
     if (problem == nullptr)

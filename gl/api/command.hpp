@@ -85,7 +85,7 @@ void call(Context& context, const Run& run, std::size_t count, const Arg (&args)
 #if SPANGLE_MESSAGES
 /// Sends the message of an error that the command has just raised, if there is one.
 inline void explain_error(Context& context, const CommandText* text, const Arg* args, unsigned count) {
-    if (context.unexplained.code != GL_NO_ERROR) [[unlikely]]
+    if (context.pending_error.code != GL_NO_ERROR) [[unlikely]]
         explain(context, *text, args, count);
 }
 #else
@@ -97,7 +97,7 @@ template <class F, class R, class... A>
 [[gnu::always_inline]] inline void explain_run([[maybe_unused]] Context& context, R (*)(Context&, A...),
                                                [[maybe_unused]] const std::type_identity_t<A>&... args) {
 #if SPANGLE_MESSAGES
-    if (context.unexplained.code == GL_NO_ERROR) [[likely]]
+    if (context.pending_error.code == GL_NO_ERROR) [[likely]]
         return;
     const Arg given[] = {Passed<A>::arg(args)..., 0};
     explain(context, *F::text, given, sizeof...(A));
@@ -157,7 +157,7 @@ constexpr std::uint8_t stops = static_cast<std::uint8_t>(
 
 /// Whether a command may run. A command that is not allowed between Begin and End raises INVALID_OPERATION
 /// there (GL 1.3, 2.6.3).
-bool allowed(Context& context, const list::Player& command);
+bool may_run_here(Context& context, const list::Player& command);
 
 template <class... A> constexpr list::Form form_of(void (*)(Context&, A...)) {
     return (std::is_same_v<A, const Params&> || ...)     ? list::Form::params

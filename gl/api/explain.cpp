@@ -13,7 +13,7 @@ namespace spangle::gl {
 
 namespace {
 
-bool contains(const ArgText& arg, GLenum token) {
+bool accepts_token(const ArgText& arg, GLenum token) {
     for (unsigned i = 0; i < arg.count; ++i)
         if (arg.tokens[i] == token)
             return true;
@@ -33,7 +33,7 @@ bool name_wrong(Sentence& out, GLenum code, const CommandText& text, const ArgTe
     const auto token = static_cast<GLenum>(value);
     const auto number = static_cast<std::int32_t>(value);
     const auto size = static_cast<std::intptr_t>(value);
-    if (code == GL_INVALID_ENUM && arg.rule == ArgRule::token && !contains(arg, token)) {
+    if (code == GL_INVALID_ENUM && arg.rule == ArgRule::token && !accepts_token(arg, token)) {
         (out << arg.name << " ").hexadecimal(token) << " is not " << arg.kind;
         return true;
     }
@@ -160,8 +160,8 @@ void unpack_image(const CommandText& text, const ImageCommand& image, Arg (&out)
 } // namespace
 
 void explain_unpacked(Context& context, const CommandText& text, const Arg* args, unsigned count) {
-    const Unexplained error = context.unexplained;
-    context.unexplained = {};
+    const PendingError error = context.pending_error;
+    context.pending_error = {};
     Sentence out;
     // If a primitive is still open, an earlier vertex command raised the error.
     const CommandText& of = error.drawing && context.inside_begin_end() ? texts::Vertex : text;

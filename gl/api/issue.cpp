@@ -27,7 +27,7 @@ void refuse_feature(const char* text) {
     refuse(GL_INVALID_OPERATION, text);
 }
 
-bool allowed(Context& context, const list::Player& command) {
+bool may_run_here(Context& context, const list::Player& command) {
 #if SPANGLE_FEATURE_BANDS
     if ((context.gate & command.stops & gate_left_out) != 0)
         return false;
@@ -53,7 +53,7 @@ void watch(Context& context, Watcher* watcher) {
 }
 #endif
 
-bool admit(Context& context, const Command& command, [[maybe_unused]] const Arg (&args)[most_args]) {
+bool must_run_now(Context& context, const Command& command, [[maybe_unused]] const Arg (&args)[most_args]) {
     tell_watcher(context, command.text, args, command.args);
 #if SPANGLE_FEATURE_LISTS
     if ((context.gate & gate_compiling) != 0) { // only commands that lists record come here
@@ -69,13 +69,13 @@ bool admit(Context& context, const Command& command, [[maybe_unused]] const Arg 
             return false;
     }
 #endif
-    return allowed(context, command);
+    return may_run_here(context, command);
 }
 
 #if SPANGLE_ARGUMENTS_INLINE && !SPANGLE_FEATURE_LISTS
 Context* admitted(const Command& command) {
     Context* const context = current_context();
-    return context != nullptr && allowed(*context, command) ? context : nullptr;
+    return context != nullptr && may_run_here(*context, command) ? context : nullptr;
 }
 #endif
 
@@ -87,7 +87,7 @@ void issue_args(const Command& command, const Arg* args) {
     Arg given[most_args] = {};
     for (unsigned i = 0; i < command.args; ++i)
         given[i] = args[i];
-    if (admit(*context, command, given))
+    if (must_run_now(*context, command, given))
         call(*context, command.run, command.args, given);
     explain_error(*context, command.text, given, command.args);
 }

@@ -23,7 +23,7 @@ Context* outside_begin_end(const CommandText* text);
 /// The slow path of entry points: reports to the watcher, records while a list is compiled, and checks Begin
 /// and End. Returns whether the command is to run now. Errors of a recorded command are found when it is
 /// played, not here (GL 1.3, appendix B, corollary 9).
-bool admit(Context& context, const Command& command, const Arg (&args)[most_args]);
+bool must_run_now(Context& context, const Command& command, const Arg (&args)[most_args]);
 
 /// Whether the band leaves out the batch that the vertex belongs to, so that its components need no
 /// conversion. `stops` are the command's. Lists and watchers still get such vertices.
@@ -43,7 +43,7 @@ inline bool is_left_out([[maybe_unused]] std::uint8_t stops) {
 template <class... A>
 [[gnu::noinline, gnu::cold]] bool admit_given(const Command& command, Context& context, A... args) {
     const Arg given[most_args] = {args...};
-    return admit(context, command, given);
+    return must_run_now(context, command, given);
 }
 
 /// Issues a command that comes with every vertex: its function is called directly, without its descriptor.

@@ -49,14 +49,15 @@ ReusingArena::Slot ReusingArena::slot_of(std::size_t size) {
 
 void ReusingArena::insert(Block* block) {
     const Slot slot = slot_of(block->size());
-    Block*& head = free_[slot.first][slot.second];
+    Block*& head = free_blocks_[slot.first][slot.second];
     block->next_free = head;
     block->previous_free = nullptr;
     if (head != nullptr)
         head->previous_free = block;
     head = block;
-    first_map_ |= 1u << slot.first;
-    second_map_[slot.first] = static_cast<std::uint8_t>(second_map_[slot.first] | 1u << slot.second);
+    first_level_map_ |= 1u << slot.first;
+    second_level_map_[slot.first] =
+        static_cast<std::uint8_t>(second_level_map_[slot.first] | 1u << slot.second);
 }
 
 void ReusingArena::remove(Block* block) {
@@ -67,12 +68,13 @@ void ReusingArena::remove(Block* block) {
         block->previous_free->next_free = block->next_free;
         return;
     }
-    free_[slot.first][slot.second] = block->next_free;
+    free_blocks_[slot.first][slot.second] = block->next_free;
     if (block->next_free != nullptr)
         return;
-    second_map_[slot.first] = static_cast<std::uint8_t>(second_map_[slot.first] & ~(1u << slot.second));
-    if (second_map_[slot.first] == 0)
-        first_map_ &= ~(1u << slot.first);
+    second_level_map_[slot.first] =
+        static_cast<std::uint8_t>(second_level_map_[slot.first] & ~(1u << slot.second));
+    if (second_level_map_[slot.first] == 0)
+        first_level_map_ &= ~(1u << slot.first);
 }
 
 /// A free block of at least `size` bytes: the head of the first class whose every block is large enough.
@@ -82,15 +84,15 @@ ReusingArena::Block* ReusingArena::find(std::size_t size) const {
     Slot slot = slot_of(size);
     if (slot.first >= first_count)
         return nullptr;
-    std::uint32_t seconds = second_map_[slot.first] & (~0u << slot.second);
+    std::uint32_t seconds = second_level_map_[slot.first] & (~0u << slot.second);
     if (seconds == 0) {
-        const std::uint32_t firsts = slot.first + 1 < 32 ? first_map_ & (~0u << (slot.first + 1)) : 0;
+        const std::uint32_t firsts = slot.first + 1 < 32 ? first_level_map_ & (~0u << (slot.first + 1)) : 0;
         if (firsts == 0)
             return nullptr;
         slot.first = static_cast<unsigned>(std::countr_zero(firsts));
-        seconds = second_map_[slot.first];
+        seconds = second_level_map_[slot.first];
     }
-    return free_[slot.first][std::countr_zero(seconds)];
+    return free_blocks_[slot.first][std::countr_zero(seconds)];
 }
 
 void ReusingArena::give(void* memory, std::size_t bytes) {
@@ -121,7 +123,7 @@ void ReusingArena::give_region(std::uintptr_t begin, std::size_t bytes) {
 }
 
 /// Cuts a used block down to `size` bytes when the rest can be a block of its own.
-void ReusingArena::trim(Block* block, std::size_t size) {
+void ReusingArena::split_block(Block* block, std::size_t size) {
     if (block->size() < size + Block::header + Block::smallest)
         return;
     const std::size_t rest = block->size() - size - Block::header;
@@ -161,7 +163,7 @@ void* ReusingArena::allocate(std::size_t bytes) {
         return nullptr;
     remove(block);
     block->set(block->size(), false);
-    trim(block, size);
+    split_block(block, size);
     used_ += block->size() + Block::header;
     peak_ = used_ > peak_ ? used_ : peak_;
     return block->payload();
@@ -181,20 +183,20 @@ void ReusingArena::shrink(void* memory, std::size_t bytes) {
     if (size >= block->size())
         return;
     const std::size_t before = block->size();
-    trim(block, size);
+    split_block(block, size);
     used_ -= before - block->size();
 }
 
 bool ReusingArena::consistent() const {
     std::size_t free_bytes = 0, free_blocks = 0;
     for (unsigned first = 0; first < first_count; ++first) {
-        if (((first_map_ >> first & 1u) != 0) != (second_map_[first] != 0))
+        if (((first_level_map_ >> first & 1u) != 0) != (second_level_map_[first] != 0))
             return false;
         for (unsigned second = 0; second < second_count; ++second) {
             const Block* previous = nullptr;
-            if (((second_map_[first] >> second & 1) != 0) != (free_[first][second] != nullptr))
+            if (((second_level_map_[first] >> second & 1) != 0) != (free_blocks_[first][second] != nullptr))
                 return false;
-            for (Block* b = free_[first][second]; b != nullptr; previous = b, b = b->next_free) {
+            for (Block* b = free_blocks_[first][second]; b != nullptr; previous = b, b = b->next_free) {
                 const Slot slot = slot_of(b->size());
                 const bool alone = !b->after()->is_free() && (b->before == nullptr || !b->before->is_free());
                 if (!b->is_free() || b->previous_free != previous || slot.first != first ||
@@ -215,18 +217,18 @@ void GrowingArena::give(void* memory, std::size_t bytes) {
     if (memory == nullptr || bytes < skipped)
         return;
     next_ = static_cast<unsigned char*>(memory) + skipped;
-    left_ = bytes - skipped;
+    remaining_ = bytes - skipped;
 }
 
 void* GrowingArena::allocate(std::size_t bytes) {
-    if (bytes > left_)
+    if (bytes > remaining_)
         return nullptr;
     const std::size_t wanted = round_up(bytes < alignment ? alignment : bytes);
-    if (wanted > left_)
+    if (wanted > remaining_)
         return nullptr;
     unsigned char* const memory = next_;
     next_ += wanted;
-    left_ -= wanted;
+    remaining_ -= wanted;
     used_ += wanted;
     return memory;
 }

@@ -59,12 +59,12 @@ class ReusingArena {
     Block* find(std::size_t size) const;
     void insert(Block* block);
     void remove(Block* block);
-    void trim(Block* block, std::size_t size);
+    void split_block(Block* block, std::size_t size);
     void release(Block* block);
 
-    std::uint32_t first_map_ = 0;
-    std::uint8_t second_map_[first_count] = {};
-    Block* free_[first_count][second_count] = {};
+    std::uint32_t first_level_map_ = 0;
+    std::uint8_t second_level_map_[first_count] = {};
+    Block* free_blocks_[first_count][second_count] = {};
     std::size_t region_count_ = 0;
     std::size_t used_ = 0, peak_ = 0, capacity_ = 0;
 };
@@ -81,11 +81,11 @@ class GrowingArena {
     void shrink(void*, std::size_t) {}
     std::size_t used() const { return used_; }
     std::size_t peak() const { return used_; }
-    std::size_t capacity() const { return used_ + left_; }
+    std::size_t capacity() const { return used_ + remaining_; }
 
   private:
     unsigned char* next_ = nullptr;
-    std::size_t used_ = 0, left_ = 0;
+    std::size_t used_ = 0, remaining_ = 0;
 };
 
 #ifdef SPANGLE_SEPARATE_BLOCKS
@@ -100,37 +100,37 @@ using UnguardedArena = std::conditional_t<reuses_memory, ReusingArena, GrowingAr
 class Arena : public UnguardedArena {
   public:
     void give(void* memory, std::size_t bytes) {
-        const Held held(lock_);
+        const LockGuard held(lock_);
         UnguardedArena::give(memory, bytes);
     }
     /// Gives the memory unless there is some already.
     void give_first(void* memory, std::size_t bytes) {
-        const Held held(lock_);
+        const LockGuard held(lock_);
         if (UnguardedArena::capacity() == 0)
             UnguardedArena::give(memory, bytes);
     }
     void* allocate(std::size_t bytes) {
-        const Held held(lock_);
+        const LockGuard held(lock_);
         return UnguardedArena::allocate(bytes);
     }
     void free(void* block) {
-        const Held held(lock_);
+        const LockGuard held(lock_);
         UnguardedArena::free(block);
     }
     void shrink(void* block, std::size_t bytes) {
-        const Held held(lock_);
+        const LockGuard held(lock_);
         UnguardedArena::shrink(block, bytes);
     }
     std::size_t used() const {
-        const Held held(lock_);
+        const LockGuard held(lock_);
         return UnguardedArena::used();
     }
     std::size_t peak() const {
-        const Held held(lock_);
+        const LockGuard held(lock_);
         return UnguardedArena::peak();
     }
     std::size_t capacity() const {
-        const Held held(lock_);
+        const LockGuard held(lock_);
         return UnguardedArena::capacity();
     }
 

@@ -6,9 +6,9 @@
 #include "gl/context/arena.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/hooks.hpp"
-#include "gl/context/kept_runs.hpp"
 #include "gl/context/limits.hpp"
 #include "gl/context/reach.hpp"
+#include "gl/context/saved_runs.hpp"
 
 namespace spangle::gl {
 
@@ -39,7 +39,7 @@ GLbitfield client_groups(GLbitfield mask) {
 /// How many bytes of the context the groups save.
 std::size_t kept_bytes(GLbitfield groups) {
     std::size_t all = 0;
-    each_kept_run(groups, [&](const KeptRun& run) { all += units_of(run.unit_step) * run.bytes; });
+    each_saved_run(groups, [&](const SavedRun& run) { all += units_of(run.unit_step) * run.bytes; });
     return all;
 }
 
@@ -59,13 +59,13 @@ SPANGLE_INLINE void move_bytes(Context& context, unsigned char* held, unsigned c
 
 /// Saves or restores all bytes of the context that the groups save.
 void move_kept(Context& context, GLbitfield groups, unsigned char* saved, Move move) {
-    each_kept_run(groups, [&](const KeptRun& run) {
+    each_saved_run(groups, [&](const SavedRun& run) {
         unsigned char* held = reinterpret_cast<unsigned char*>(&context) + run.offset;
         std::uint32_t units = units_of(run.unit_step);
         do {
-            if (joins_kept_runs && run.bytes == sizeof(std::uint32_t)) // constant sizes need no call
+            if (joins_saved_runs && run.bytes == sizeof(std::uint32_t)) // constant sizes need no call
                 move_bytes(context, held, saved, sizeof(std::uint32_t), run.dirty, move);
-            else if (joins_kept_runs && run.bytes == 1)
+            else if (joins_saved_runs && run.bytes == 1)
                 move_bytes(context, held, saved, 1, run.dirty, move);
             else
                 move_bytes(context, held, saved, run.bytes, run.dirty, move);

@@ -7,9 +7,9 @@
 namespace spangle::gl {
 
 /// Whether the band leaves out the batch that has begun, so that its vertices need no work.
-inline bool leaves_out([[maybe_unused]] const Context& context) {
+inline bool is_skipped([[maybe_unused]] const Context& context) {
 #if SPANGLE_FEATURE_BANDS
-    return context.drawable.batches != nullptr && context.drawable.batches->leaves_out();
+    return context.drawable.batches != nullptr && context.drawable.batches->is_skipped();
 #else
     return false;
 #endif
@@ -19,7 +19,7 @@ inline bool leaves_out([[maybe_unused]] const Context& context) {
 inline void distrust_batches([[maybe_unused]] Context& context) {
 #if SPANGLE_FEATURE_BANDS
     if (context.drawable.batches != nullptr)
-        context.drawable.batches->distrust();
+        context.drawable.batches->invalidate();
 #endif
 }
 

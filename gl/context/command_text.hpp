@@ -52,7 +52,7 @@ struct CommandText {
 };
 
 /// An error whose message has not been sent yet. Only the caller of the command knows its name, and sends it.
-struct Unexplained {
+struct PendingError {
     GLenum code = GL_NO_ERROR;
     const char* rule = nullptr; ///< the rule that was broken; null: an argument breaks its own rule
     bool drawing = false; ///< raised while drawing a primitive, so that any vertex command may have raised it

@@ -98,8 +98,8 @@ struct Context {
     std::uint8_t dirty = dirty_all; ///< Dirty bits
     GLenum error_code = GL_NO_ERROR;
 #if SPANGLE_MESSAGES
-    Unexplained unexplained; ///< an error whose message has not been sent
-    Compiled compiled;       ///< the command that is being compiled into a list
+    PendingError pending_error; ///< an error whose message has not been sent
+    Compiled compiled;          ///< the command that is being compiled into a list
 #endif
 #if SPANGLE_WATCHED
     Watcher* watcher = nullptr; ///< not null when gate_watched is set

@@ -41,14 +41,14 @@ namespace spangle::gl {
 #if SPANGLE_MESSAGES
 void error(Context& context, GLenum code, const char* rule) {
     set_error(context, code - GL_INVALID_ENUM);
-    if (context.unexplained.code == GL_NO_ERROR) // only the first error of a command gets a message
-        context.unexplained = {code, rule};
+    if (context.pending_error.code == GL_NO_ERROR) // only the first error of a command gets a message
+        context.pending_error = {code, rule};
 }
 
 void drawing_error(Context& context, GLenum code, const char* rule) {
-    const bool first = context.unexplained.code == GL_NO_ERROR;
+    const bool first = context.pending_error.code == GL_NO_ERROR;
     error(context, code, rule);
-    context.unexplained.drawing = context.unexplained.drawing || first;
+    context.pending_error.drawing = context.pending_error.drawing || first;
 }
 #endif
 

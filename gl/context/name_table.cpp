@@ -9,7 +9,7 @@ namespace spangle::gl {
 /// The index of `name`, or of the free entry where it would go. The loop ends because the table is never
 /// full.
 std::uint32_t NameTable::index_of(std::uint32_t name) const {
-    std::uint32_t i = home(name);
+    std::uint32_t i = hash_slot(name);
     while (entries_[i].name != 0 && entries_[i].name != name)
         i = (i + 1) & (capacity_ - 1);
     return i;
@@ -43,7 +43,7 @@ bool NameTable::reserve(Arena& arena, std::uint32_t more) {
     const std::uint32_t old_capacity = capacity_;
     entries_ = larger;
     capacity_ = std::uint32_t{1} << log;
-    shift_ = 32 - log;
+    hash_shift_ = 32 - log;
     std::memset(static_cast<void*>(entries_), 0, sizeof(Entry) << log);
     for (std::uint32_t i = 0; i < old_capacity; ++i)
         if (old[i].name != 0)
@@ -69,7 +69,7 @@ void* NameTable::remove(std::uint32_t name) {
     // Pull later entries of the same cluster over the hole (D. Knuth, TAOCP 3, 6.4, algorithm R).
     for (std::uint32_t i = (hole + 1) & (capacity_ - 1); entries_[i].name != 0;
          i = (i + 1) & (capacity_ - 1)) {
-        const std::uint32_t from_home = (i - home(entries_[i].name)) & (capacity_ - 1);
+        const std::uint32_t from_home = (i - hash_slot(entries_[i].name)) & (capacity_ - 1);
         const std::uint32_t from_hole = (i - hole) & (capacity_ - 1);
         if (from_home >= from_hole) {
             entries_[hole] = entries_[i];

@@ -42,13 +42,13 @@ class NameTable {
     Entry& slot(std::uint32_t index) const { return entries_[index]; }
 
   private:
-    std::uint32_t home(std::uint32_t name) const { return name * 2654435769u >> shift_; }
+    std::uint32_t hash_slot(std::uint32_t name) const { return name * 2654435769u >> hash_shift_; }
     void place(std::uint32_t name, void* object);
     std::uint32_t index_of(std::uint32_t name) const;
 
     Entry* entries_ = nullptr;
     std::uint32_t capacity_ = 0, count_ = 0;
-    unsigned shift_ = 0; ///< 32 - log2(capacity), if the capacity is not 0
+    unsigned hash_shift_ = 0; ///< 32 - log2(capacity), if the capacity is not 0
 };
 
 } // namespace spangle::gl

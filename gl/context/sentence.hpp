@@ -42,11 +42,11 @@ class Sentence {
 
   private:
     char text_[most + 1] = {};
-    unsigned used_ = 0;
+    unsigned length_ = 0;
 
     void put(char c) {
-        if (used_ + 1 < sizeof text_)
-            text_[used_++] = c;
+        if (length_ + 1 < sizeof text_)
+            text_[length_++] = c;
     }
 };
 

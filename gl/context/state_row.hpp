@@ -31,7 +31,7 @@ constexpr std::uint16_t short_name(GLenum name) {
 /// What becomes of a written row.
 enum class Row : std::uint8_t {
     state,   ///< a StateRow
-    held,    ///< a HeldRow
+    held,    ///< an OwnQueryRow
     section, ///< no row: it sets the group of the rows that follow
 };
 
@@ -57,7 +57,7 @@ constexpr WrittenRow constant(GLenum name, std::int32_t value) {
 }
 
 template <class T>
-constexpr WrittenRow stored(GLenum name, std::size_t offset, Switch toggle = Switch::none) {
+constexpr WrittenRow stored_row(GLenum name, std::size_t offset, Switch toggle = Switch::none) {
     constexpr Source source = source_of_type<T>();
     static_assert(source != Source::integer || sizeof(std::remove_all_extents_t<T>) == 4);
     WrittenRow row = constant(name, static_cast<std::int32_t>(offset));
@@ -172,10 +172,10 @@ constexpr WrittenRow of_client_unit(WrittenRow row) {
 }
 
 #define STORED(NAME, MEMBER)                                                                                 \
-    stored<std::remove_reference_t<decltype(std::declval<Context&>().MEMBER)>>(NAME,                         \
-                                                                               offsetof(Context, MEMBER))
-#define SWITCH(NAME, MEMBER) stored<bool>(NAME, offsetof(Context, MEMBER), Switch::server)
-#define CLIENT_SWITCH(NAME, MEMBER) stored<bool>(NAME, offsetof(Context, MEMBER), Switch::client)
+    stored_row<std::remove_reference_t<decltype(std::declval<Context&>().MEMBER)>>(                          \
+        NAME, offsetof(Context, MEMBER))
+#define SWITCH(NAME, MEMBER) stored_row<bool>(NAME, offsetof(Context, MEMBER), Switch::server)
+#define CLIENT_SWITCH(NAME, MEMBER) stored_row<bool>(NAME, offsetof(Context, MEMBER), Switch::client)
 #define HELD(MEMBER) held(offsetof(Context, MEMBER), sizeof(std::declval<Context&>().MEMBER))
 
 } // namespace spangle::gl

@@ -42,8 +42,8 @@ namespace spangle::gl {
 constexpr WrittenRow light_switch(unsigned i) {
     if (i >= max_lights)
         return in(Group::lighting);
-    return stored<bool>(GL_LIGHT0 + i, offsetof(Context, lighting.light_enabled) + i * sizeof(bool),
-                        Switch::server);
+    return stored_row<bool>(GL_LIGHT0 + i, offsetof(Context, lighting.light_enabled) + i * sizeof(bool),
+                            Switch::server);
 }
 #endif
 

@@ -20,11 +20,11 @@ template <class Wanted> constexpr std::size_t count_rows(Wanted wanted) {
     return n;
 }
 
-constexpr bool computes(Source source) {
+constexpr bool is_computed_source(Source source) {
     return source == Source::computed || source == Source::computed_real;
 }
 constexpr bool is_computed(const WrittenRow& row) {
-    return computes(row.source) && !row.absent;
+    return is_computed_source(row.source) && !row.absent;
 }
 struct Computing {
     Compute* compute = nullptr;
@@ -58,7 +58,7 @@ constexpr auto computing = [] {
 }();
 
 /// The row in its final form. A row that is left out has no place and no values.
-constexpr StateRow packed(const WrittenRow& row) {
+constexpr StateRow pack_row(const WrittenRow& row) {
     StateRow out = row;
     std::size_t where = row.value;
     if (is_computed(row))
@@ -76,7 +76,7 @@ constexpr std::array<std::size_t, 4> unit_steps{0, sizeof(TextureUnitState), siz
 constexpr bool all_fit() {
     for (const WrittenRow& row : written_rows)
         if (row.value > 0xFFFF || row.bytes > 0xFFFF || row.step % 4 != 0 || row.step / 4 >> unit_bits != 0 ||
-            (row.function == 0 && computes(row.source)) ||
+            (row.function == 0 && is_computed_source(row.source)) ||
             (row.becomes != Row::held && row.step != unit_steps[static_cast<unsigned>(row.unit)]) ||
             (row.count == 0 && row.becomes == Row::state) ||
             (row.group == Group::none && row.becomes == Row::held))
@@ -139,7 +139,7 @@ template <bool switches> constexpr auto sorted_by_name() {
     std::size_t used = 0;
     for (const WrittenRow& row : written_rows)
         if (is_named<switches>(row))
-            rows[used++] = {packed(row), row.group};
+            rows[used++] = {pack_row(row), row.group};
     for (std::size_t i = 1; i < rows.size(); ++i)
         for (std::size_t k = i; k > 0 && rows[k].row.name < rows[k - 1].row.name; --k)
             std::swap(rows[k], rows[k - 1]);
@@ -156,7 +156,7 @@ constexpr bool same_text(const char* a, const char* b) {
 }
 /// Whether `row` can be extended by `next`.
 constexpr bool goes_on(const StateRow& row, const StateRow& next) {
-    return next.name == row.name + row.names && next.where == row.where + row.names * kept_by(row) &&
+    return next.name == row.name + row.names && next.where == row.where + row.names * bytes_per_state(row) &&
            row.names + 1u < 1u << names_bits && next.count == row.count && next.unit == row.unit &&
            next.source == row.source && next.toggle == row.toggle && same_text(next.missing, row.missing);
 }
@@ -196,17 +196,17 @@ constexpr auto groups_of_switches = groups_of_rows<true>();
 constexpr auto groups_of_others = groups_of_rows<false>();
 constexpr auto left_out_switches = left_out_names<true>();
 constexpr auto left_out_others = left_out_names<false>();
-constexpr StateRow left_out_row = packed(of_feature(false, "", absent_switch(0)));
+constexpr StateRow left_out_row = pack_row(of_feature(false, "", absent_switch(0)));
 
 constexpr bool is_held(const WrittenRow& row) {
     return row.becomes == Row::held;
 }
 constexpr auto held_rows = [] {
-    std::array<HeldRow, count_rows(is_held)> rows{};
+    std::array<OwnQueryRow, count_rows(is_held)> rows{};
     std::size_t used = 0;
     for (const WrittenRow& row : written_rows)
         if (is_held(row)) {
-            HeldRow& held = rows[used++];
+            OwnQueryRow& held = rows[used++];
             held.offset = static_cast<std::uint16_t>(row.value);
             held.bytes = static_cast<std::uint16_t>(row.bytes);
             held.unit_words = row.step / 4 & ((1u << unit_bits) - 1);
@@ -272,7 +272,7 @@ std::array<GroupedRows, 2> all_state() {
     return {GroupedRows{others, groups_of_others.data()}, GroupedRows{switches, groups_of_switches.data()}};
 }
 
-std::span<const HeldRow> all_held() {
+std::span<const OwnQueryRow> own_query_rows() {
     return held_rows;
 }
 
@@ -289,10 +289,10 @@ std::size_t offset_of(const Context& context, const StateRow& row, GLenum name, 
 }
 
 void load_state(const Context& context, const StateRow& row, GLenum name, Param* out) {
-    if (computes(row.source))
+    if (is_computed_source(row.source))
         return computing[row.where](context, name, out);
-    const auto* const from =
-        reinterpret_cast<const unsigned char*>(&context) + offset_of(context, row, name, kept_by(row));
+    const auto* const from = reinterpret_cast<const unsigned char*>(&context) +
+                             offset_of(context, row, name, bytes_per_state(row));
     if (row.source == Source::boolean)
         for (int i = 0; i < row.count; ++i)
             out[i] = Param::from_integer(reinterpret_cast<const bool*>(from)[i]);

@@ -100,7 +100,7 @@ struct StateRow {
 };
 
 /// Bytes that are saved with their group but queried by a command of their own (GetLight...).
-struct HeldRow {
+struct OwnQueryRow {
     std::uint16_t offset = 0, bytes = 0;
     std::uint16_t unit_words : unit_bits = 0; ///< 4-byte words from one unit's bytes to the next unit's; 0:
                                               ///< no units
@@ -127,10 +127,10 @@ struct GroupedRows {
 };
 /// Every row, in any order, in two parts.
 std::array<GroupedRows, 2> all_state();
-std::span<const HeldRow> all_held();
+std::span<const OwnQueryRow> own_query_rows();
 
 /// The bytes that each state of a row occupies in the context, for the first unit; 0 for none.
-constexpr std::uint32_t kept_by(const StateRow& row) {
+constexpr std::uint32_t bytes_per_state(const StateRow& row) {
     constexpr std::uint32_t of_each = 0x4441 | sizeof(void*) << 16; // 4 bits for each Source, in its order
     return row.count * (of_each >> static_cast<unsigned>(row.source) * 4 & 15);
 }

@@ -37,10 +37,10 @@ class Lock {
             pthread_mutex_lock(&mutex_);
             owner_.store(me, std::memory_order_relaxed);
         }
-        ++depth_;
+        ++recursion_depth_;
     }
     void give() {
-        if (--depth_ != 0)
+        if (--recursion_depth_ != 0)
             return;
         owner_.store(nullptr, std::memory_order_relaxed);
         pthread_mutex_unlock(&mutex_);
@@ -49,16 +49,16 @@ class Lock {
   private:
     pthread_mutex_t mutex_ = PTHREAD_MUTEX_INITIALIZER;
     std::atomic<const void*> owner_ = nullptr;
-    unsigned depth_ = 0; ///< how often the owner has taken it
+    unsigned recursion_depth_ = 0; ///< how often the owner has taken it
 };
 
 /// Holds a lock while it lives.
-class Held {
+class LockGuard {
   public:
-    explicit Held(Lock& lock) : lock_(lock) { lock_.take(); }
-    ~Held() { lock_.give(); }
-    Held(const Held&) = delete;
-    Held& operator=(const Held&) = delete;
+    explicit LockGuard(Lock& lock) : lock_(lock) { lock_.take(); }
+    ~LockGuard() { lock_.give(); }
+    LockGuard(const LockGuard&) = delete;
+    LockGuard& operator=(const LockGuard&) = delete;
 
   private:
     Lock& lock_;
@@ -83,8 +83,8 @@ struct Lock {
     void give() {}
 };
 
-struct Held {
-    explicit Held(Lock&) {}
+struct LockGuard {
+    explicit LockGuard(Lock&) {}
 };
 
 struct SharedObjects {

@@ -15,7 +15,7 @@
 namespace spangle::gl {
 
 /// Joins the rows of several tables. A section row gives its group to the rows that follow it.
-template <std::size_t... N> constexpr auto joined(const std::array<WrittenRow, N>&... parts) {
+template <std::size_t... N> constexpr auto concatenate(const std::array<WrittenRow, N>&... parts) {
     std::array<WrittenRow, (N + ...)> all{};
     std::size_t used = 0;
     Group group = Group::none;
@@ -32,6 +32,6 @@ template <std::size_t... N> constexpr auto joined(const std::array<WrittenRow, N
 }
 
 inline constexpr auto written_rows =
-    joined(vertex_rows, arrays_rows, raster_rows, texture_rows, fragment_rows, pixel_rows, limits_rows);
+    concatenate(vertex_rows, arrays_rows, raster_rows, texture_rows, fragment_rows, pixel_rows, limits_rows);
 
 } // namespace spangle::gl

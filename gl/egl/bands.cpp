@@ -63,7 +63,7 @@ void touch_rows(const Surface& surface, std::int32_t first, std::int32_t rows) {
 
 bool open_band(Display& display, Surface& surface, std::int32_t first, std::int32_t rows) {
     Band& band = surface.band;
-    const gl::Held held(display.native_lock);
+    const gl::LockGuard held(display.native_lock);
     if (surface.cut_off)
         return fail_cut_off();
     if (band.colors) {
@@ -113,7 +113,7 @@ void gather_extents(Surface& surface) {
 } // namespace
 
 bool send_band(Display& display, Surface& surface) {
-    const gl::Held held(display.native_lock);
+    const gl::LockGuard held(display.native_lock);
     if (surface.cut_off)
         return fail_cut_off();
     raster::resolve(pixels_of(surface));
@@ -129,7 +129,7 @@ bool send_band(Display& display, Surface& surface) {
 namespace {
 
 bool present_whole(Display& display, Surface& surface) {
-    const gl::Held held(display.native_lock);
+    const gl::LockGuard held(display.native_lock);
     if (surface.cut_off)
         return fail_cut_off();
     const hal::Result<void> shown = native_of(display, surface).present();
@@ -146,7 +146,7 @@ bool draw_each(Display& display, Surface& surface, void (*draw)(void*), void* da
             return false;
         give_rows(surface, begin_batches(surface));
         draw(data);
-        enter(SPANGLE_TEXT("spangle::frame"));
+        begin_call(SPANGLE_TEXT("spangle::frame"));
         if (thread().draw != &surface)
             return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("the window is current no more")) != EGL_FALSE;
         if (in_primitive())
@@ -227,20 +227,20 @@ namespace egl {
 namespace {
 
 /// Keeps the window alive while its frame is drawn, even if the program destroys it meanwhile.
-class FrameHold {
+class FrameGuard {
   public:
-    FrameHold(Display& display, Surface& surface) : display_(display), surface_(surface) {
+    FrameGuard(Display& display, Surface& surface) : display_(display), surface_(surface) {
         const Registry registry;
         ++surface_.frames;
     }
-    ~FrameHold() {
+    ~FrameGuard() {
         const Registry registry;
         --surface_.frames;
-        if (display_.sweep != nullptr)
-            display_.sweep(display_);
+        if (display_.free_unused_objects != nullptr)
+            display_.free_unused_objects(display_);
     }
-    FrameHold(const FrameHold&) = delete;
-    FrameHold& operator=(const FrameHold&) = delete;
+    FrameGuard(const FrameGuard&) = delete;
+    FrameGuard& operator=(const FrameGuard&) = delete;
 
   private:
     Display& display_;
@@ -250,10 +250,10 @@ class FrameHold {
 bool draw_frame(Display& display, Surface& surface, void (*draw)(void*), void* data) {
     if (surface.frames != 0)
         return fail(EGL_BAD_ACCESS, SPANGLE_TEXT("not inside of spangle::frame")) != EGL_FALSE;
-    const FrameHold hold(display, surface);
+    const FrameGuard hold(display, surface);
     return (surface.band.record == nullptr ? draw_bands(display, surface, draw, data)
                                            : draw_recorded(display, surface, draw, data)) &&
-           succeed() != EGL_FALSE;
+           end_call() != EGL_FALSE;
 }
 
 } // namespace
@@ -263,7 +263,7 @@ bool draw_frame(Display& display, Surface& surface, void (*draw)(void*), void* d
 #endif
 
 bool frame(EGLDisplay handle, void (*draw)(void*), void* data) {
-    egl::enter(SPANGLE_TEXT("spangle::frame"));
+    egl::begin_call(SPANGLE_TEXT("spangle::frame"));
     egl::Display* display = nullptr;
     {
         const egl::Registry registry;

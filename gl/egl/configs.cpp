@@ -164,13 +164,13 @@ Attribute attribute(const Display& display, const Config& c, EGLint name) {
 /// How eglChooseConfig compares a wish with a config's value, and the default of each wish (EGL 1.4, table
 /// 3.4).
 enum class Rule : std::uint8_t { at_least, exact, mask, ignored };
-struct Wish {
+struct AttributeRequest {
     std::uint32_t name : 14;
     std::int32_t value : 16;
     Rule rule : 2;
 };
-static_assert(sizeof(Wish) == 4); // boards keep this table in flash
-constexpr Wish defaults[] = {
+static_assert(sizeof(AttributeRequest) == 4); // boards keep this table in flash
+constexpr AttributeRequest defaults[] = {
     {EGL_BUFFER_SIZE, 0, Rule::at_least},
     {EGL_RED_SIZE, 0, Rule::at_least},
     {EGL_GREEN_SIZE, 0, Rule::at_least},
@@ -216,12 +216,12 @@ consteval int place_of(EGLint name) {
     return i;
 }
 
-struct Wishes {
+struct AttributeRequests {
     EGLint value[wish_count];
 };
 
 /// False when the list names an attribute that does not exist, or wishes a value no attribute has.
-bool read_wishes(const EGLint* list, Wishes& out) {
+bool read_wishes(const EGLint* list, AttributeRequests& out) {
     for (int i = 0; i < wish_count; ++i)
         out.value[i] = defaults[i].value;
     for (; list != nullptr && *list != EGL_NONE; list += 2) {
@@ -239,7 +239,7 @@ bool read_wishes(const EGLint* list, Wishes& out) {
     return true;
 }
 
-bool matches(const Display& display, const Config& config, const Wishes& wishes) {
+bool matches(const Display& display, const Config& config, const AttributeRequests& wishes) {
     // With a CONFIG_ID all other wishes are ignored (EGL 1.4, 3.4.1).
     const EGLint id = wishes.value[place_of(EGL_CONFIG_ID)];
     if (id != EGL_DONT_CARE)
@@ -264,7 +264,7 @@ constexpr bool in_order = !SPANGLE_HAS_PLATFORMS &&
 
 /// Whether config `a` is listed before `b` (EGL 1.4, 3.4.1.2): first those without a caveat, then those with
 /// more of the colour bits that were asked for, then the smaller buffers, then the lower id.
-bool before(const Display& display, const Wishes& wishes, const Config& a, const Config& b) {
+bool before(const Display& display, const AttributeRequests& wishes, const Config& a, const Config& b) {
     if (is_slow(a.drawn()) != is_slow(b.drawn()))
         return is_slow(b.drawn());
     EGLint bits_a = 0, bits_b = 0;
@@ -317,7 +317,7 @@ Config find_config(const Display&, EGLConfig handle) {
 
 #if SPANGLE_HAS_PLATFORMS
 Config made_of(Config config) {
-    if (const Drawn* const drawn = platforms().drawn; drawn != nullptr && config.id != 0) {
+    if (const DrawnFormat* const drawn = platforms().drawn; drawn != nullptr && config.id != 0) {
         config.format = drawn->format;
         config.precision = drawn->precision;
         config.multisampled = false;
@@ -352,7 +352,7 @@ using namespace spangle::egl;
 extern "C" {
 
 EGLBoolean eglGetConfigs(EGLDisplay dpy, EGLConfig* configs, EGLint config_size, EGLint* num_config) {
-    enter(SPANGLE_TEXT("eglGetConfigs"));
+    begin_call(SPANGLE_TEXT("eglGetConfigs"));
     const Registry registry;
     const Display* const display = find_display(dpy);
     if (display == nullptr)
@@ -372,19 +372,19 @@ EGLBoolean eglGetConfigs(EGLDisplay dpy, EGLConfig* configs, EGLint config_size,
         ++n;
     }
     *num_config = n;
-    return succeed();
+    return end_call();
 }
 
 EGLBoolean eglChooseConfig(EGLDisplay dpy, const EGLint* attrib_list, EGLConfig* configs, EGLint config_size,
                            EGLint* num_config) {
-    enter(SPANGLE_TEXT("eglChooseConfig"));
+    begin_call(SPANGLE_TEXT("eglChooseConfig"));
     const Registry registry;
     const Display* const display = find_display(dpy);
     if (display == nullptr)
         return EGL_FALSE;
     if (num_config == nullptr)
         return fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("num_config is a null pointer"));
-    Wishes wishes;
+    AttributeRequests wishes;
     if (!read_wishes(attrib_list, wishes))
         return fail(EGL_BAD_ATTRIBUTE,
                     SPANGLE_TEXT("attrib_list has an attribute or a value that configs do not have"));
@@ -409,11 +409,11 @@ EGLBoolean eglChooseConfig(EGLDisplay dpy, const EGLint* attrib_list, EGLConfig*
     for (EGLint i = 0; configs != nullptr && i < n; ++i)
         configs[i] = handle_of(config_of(found[i]));
     *num_config = n;
-    return succeed();
+    return end_call();
 }
 
 EGLBoolean eglGetConfigAttrib(EGLDisplay dpy, EGLConfig config, EGLint name, EGLint* value) {
-    enter(SPANGLE_TEXT("eglGetConfigAttrib"));
+    begin_call(SPANGLE_TEXT("eglGetConfigAttrib"));
     const Registry registry;
     const Display* const display = find_display(dpy);
     if (display == nullptr)
@@ -427,6 +427,6 @@ EGLBoolean eglGetConfigAttrib(EGLDisplay dpy, EGLConfig config, EGLint name, EGL
     if (value == nullptr)
         return fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("value is a null pointer"));
     *value = result.value;
-    return succeed();
+    return end_call();
 }
 }

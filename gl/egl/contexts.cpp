@@ -13,12 +13,12 @@ namespace spangle::egl {
 namespace {
 
 /// A surface and a context must agree in colour format, depth format and multisampling (EGL 1.4, 2.2).
-bool compatible(const Config& a, const Config& b) {
+bool are_compatible(const Config& a, const Config& b) {
     return a.format == b.format && a.depth == b.depth && a.multisampled == b.multisampled;
 }
 
 /// Whether the surface is current on another thread.
-bool elsewhere(const Surface* surface) {
+bool is_current_elsewhere(const Surface* surface) {
     return surface->bindings != 0 && thread().draw != surface && thread().read != surface;
 }
 
@@ -49,8 +49,8 @@ bool has_pixels(Display& display, Surface& surface) {
 
 /// Checks the arguments of eglMakeCurrent. On success it marks the objects as current at once, so that no
 /// other thread takes them meanwhile.
-EGLBoolean reserve(Display& display, Context& context, Surface& draw, Surface& read) {
-    if (!compatible(context.config, draw.config) || !compatible(context.config, read.config))
+EGLBoolean bind_current(Display& display, Context& context, Surface& draw, Surface& read) {
+    if (!are_compatible(context.config, draw.config) || !are_compatible(context.config, read.config))
         return fail(EGL_BAD_MATCH, SPANGLE_TEXT("the context's config has another colour format, "
                                                 "depth buffer or multisample buffer than the surface's"));
     // Records are replayed by the fixed policy only.
@@ -61,7 +61,7 @@ EGLBoolean reserve(Display& display, Context& context, Surface& draw, Surface& r
                                                 "at once, and not by a reference"));
     if (context.current && thread().context != &context)
         return fail(EGL_BAD_ACCESS, SPANGLE_TEXT("the context is current on another thread"));
-    if (elsewhere(&draw) || elsewhere(&read))
+    if (is_current_elsewhere(&draw) || is_current_elsewhere(&read))
         return fail(EGL_BAD_ACCESS, SPANGLE_TEXT("a surface is current on another thread"));
     if (!has_pixels(display, draw) || !has_pixels(display, read))
         return EGL_FALSE;
@@ -93,7 +93,7 @@ void show_pixels() {
     drawable.read_front_buffered = names_front(*t.read);
 #if SPANGLE_MESSAGES
     drawable.show = [](bool finish) {
-        enter(finish ? "glFinish" : "glFlush");
+        begin_call(finish ? "glFinish" : "glFlush");
         show_window(finish);
     };
 #else
@@ -108,10 +108,10 @@ void show_pixels() {
 #if SPANGLE_HAS_PLATFORMS
 
 void follow_current_window() {
-    enter(SPANGLE_TEXT("glViewport"));
+    begin_call(SPANGLE_TEXT("glViewport"));
     const Thread& t = thread();
     const EGLint before = t.error;
-    const gl::Held held(t.display->native_lock);
+    const gl::LockGuard held(t.display->native_lock);
     const std::uint8_t* const pixels = t.draw->frame.pixels;
     const std::int32_t width = t.draw->width, height = t.draw->height;
     if (t.draw->cut_off)
@@ -141,8 +141,8 @@ void release_current(const Context* next) {
     context->current = context == next;
     for (Surface* s : surfaces)
         --s->bindings;
-    if (display.sweep != nullptr)
-        display.sweep(display);
+    if (display.free_unused_objects != nullptr)
+        display.free_unused_objects(display);
 }
 
 } // namespace spangle::egl
@@ -153,7 +153,7 @@ extern "C" {
 
 EGLContext eglCreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_context,
                             const EGLint* attrib_list) {
-    enter(SPANGLE_TEXT("eglCreateContext"));
+    begin_call(SPANGLE_TEXT("eglCreateContext"));
     const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
@@ -191,12 +191,12 @@ EGLContext eglCreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_c
     if (platforms().created != nullptr)
         platforms().created(*gl);
 #endif
-    succeed();
+    end_call();
     return context;
 }
 
 EGLBoolean eglDestroyContext(EGLDisplay dpy, EGLContext handle) {
-    enter(SPANGLE_TEXT("eglDestroyContext"));
+    begin_call(SPANGLE_TEXT("eglDestroyContext"));
     const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
@@ -206,7 +206,7 @@ EGLBoolean eglDestroyContext(EGLDisplay dpy, EGLContext handle) {
         return EGL_FALSE;
     context->destroyed = true;
     free_destroyed(*display);
-    return succeed();
+    return end_call();
 }
 
 /// Between glBegin and glEnd it is refused, because GL defines no primitive whose drawable changes. The
@@ -217,7 +217,7 @@ EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLC
     Surface *draw_surface = nullptr, *read_surface = nullptr;
     {
         const Registry registry;
-        enter(SPANGLE_TEXT("eglMakeCurrent"));
+        begin_call(SPANGLE_TEXT("eglMakeCurrent"));
         if (ctx == EGL_NO_CONTEXT) { // allowed on a display that is not initialised (EGL 1.4, 3.7.3)
             if (find_entry(dpy) == nullptr)
                 return EGL_FALSE;
@@ -239,12 +239,12 @@ EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLC
         }
         if (in_primitive())
             return fail_in_primitive();
-        if (context != nullptr && reserve(*display, *context, *draw_surface, *read_surface) == EGL_FALSE)
+        if (context != nullptr && bind_current(*display, *context, *draw_surface, *read_surface) == EGL_FALSE)
             return EGL_FALSE;
     }
     release_current(context);
     if (context == nullptr)
-        return succeed();
+        return end_call();
     const Registry registry;
     thread().display = display;
     thread().context = context;
@@ -252,7 +252,7 @@ EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLC
     thread().read = read_surface;
     show_pixels();
     attach_record(*draw_surface);
-    return succeed();
+    return end_call();
 }
 
 EGLContext eglGetCurrentContext() {
@@ -260,7 +260,7 @@ EGLContext eglGetCurrentContext() {
 }
 
 EGLSurface eglGetCurrentSurface(EGLint readdraw) {
-    enter(SPANGLE_TEXT("eglGetCurrentSurface"));
+    begin_call(SPANGLE_TEXT("eglGetCurrentSurface"));
     if (readdraw == EGL_DRAW)
         return thread().draw;
     if (readdraw == EGL_READ)
@@ -274,7 +274,7 @@ EGLDisplay eglGetCurrentDisplay() {
 }
 
 EGLBoolean eglQueryContext(EGLDisplay dpy, EGLContext ctx, EGLint attribute, EGLint* value) {
-    enter(SPANGLE_TEXT("eglQueryContext"));
+    begin_call(SPANGLE_TEXT("eglQueryContext"));
     const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
@@ -302,6 +302,6 @@ EGLBoolean eglQueryContext(EGLDisplay dpy, EGLContext ctx, EGLint attribute, EGL
     default:
         return fail(EGL_BAD_ATTRIBUTE, SPANGLE_TEXT("attribute is not one of contexts"));
     }
-    return succeed();
+    return end_call();
 }
 }

@@ -58,7 +58,7 @@ template <class T> void sweep_list(T** link) {
     }
 }
 
-void sweep(Display& display) {
+void free_unused_objects(Display& display) {
     sweep_list(&display.surfaces);
     sweep_list(&display.contexts);
 }
@@ -70,7 +70,7 @@ constinit SPANGLE_THREAD_LOCAL const char* entered = nullptr; // name of the com
 } // namespace
 
 #if SPANGLE_MESSAGES
-void enter(const char* command) {
+void begin_call(const char* command) {
     entered = command;
 }
 #endif
@@ -95,7 +95,7 @@ EGLBoolean fail(EGLint error, [[maybe_unused]] const char* rule) {
     return EGL_FALSE;
 }
 
-EGLBoolean succeed() {
+EGLBoolean end_call() {
     this_thread.error = EGL_SUCCESS;
     return EGL_TRUE;
 }
@@ -148,8 +148,8 @@ gl::Arena& arena() {
 }
 
 void free_destroyed(Display& display) {
-    display.sweep = sweep;
-    sweep(display);
+    display.free_unused_objects = free_unused_objects;
+    free_unused_objects(display);
 }
 
 namespace {
@@ -183,7 +183,7 @@ bool is_drawn_elsewhere(const Display& display) {
 /// current on this thread.
 void cut_off_windows(Display& display) {
     {
-        const gl::Held held(display.native_lock);
+        const gl::LockGuard held(display.native_lock);
         for (Surface* s = display.surfaces; s != nullptr; s = s->next)
             s->cut_off = s->window;
     }
@@ -251,7 +251,7 @@ EGLDisplay eglGetDisplay(EGLNativeDisplayType display_id) {
 }
 
 EGLBoolean eglInitialize(EGLDisplay dpy, EGLint* major, EGLint* minor) {
-    enter(SPANGLE_TEXT("eglInitialize"));
+    begin_call(SPANGLE_TEXT("eglInitialize"));
     const Registry registry;
     Display* const display = find_entry(dpy);
     if (display == nullptr)
@@ -260,7 +260,7 @@ EGLBoolean eglInitialize(EGLDisplay dpy, EGLint* major, EGLint* minor) {
         if (is_drawn_elsewhere(*display))
             return fail(EGL_NOT_INITIALIZED, SPANGLE_TEXT("a window from before eglTerminate is "
                                                           "still current on another thread"));
-        const spangle::gl::Held held(display->native_lock);
+        const spangle::gl::LockGuard held(display->native_lock);
         const spangle::hal::Result<void> up = display->native->init();
         if (!up.ok())
             return fail(EGL_NOT_INITIALIZED, up.error().rule);
@@ -278,13 +278,13 @@ EGLBoolean eglInitialize(EGLDisplay dpy, EGLint* major, EGLint* minor) {
         *major = 1;
     if (minor != nullptr)
         *minor = 4;
-    return succeed();
+    return end_call();
 }
 
 /// The handle stays valid, and may be terminated or initialized again (EGL 1.4, 3.2), until eglGetDisplay
 /// needs the entry for another display.
 EGLBoolean eglTerminate(EGLDisplay dpy) {
-    enter(SPANGLE_TEXT("eglTerminate"));
+    begin_call(SPANGLE_TEXT("eglTerminate"));
     const Registry registry;
     Display* const display = find_entry(dpy);
     if (display == nullptr)
@@ -300,11 +300,11 @@ EGLBoolean eglTerminate(EGLDisplay dpy) {
     free_destroyed(*display);
     display->initialized = false;
     display->terminated = true;
-    return succeed();
+    return end_call();
 }
 
 const char* eglQueryString(EGLDisplay dpy, EGLint name) {
-    enter(SPANGLE_TEXT("eglQueryString"));
+    begin_call(SPANGLE_TEXT("eglQueryString"));
 #if SPANGLE_HAS_PLATFORMS
     if (dpy == EGL_NO_DISPLAY && name == EGL_EXTENSIONS)
         return client_extensions();
@@ -312,7 +312,7 @@ const char* eglQueryString(EGLDisplay dpy, EGLint name) {
     const Registry registry;
     if (find_display(dpy) == nullptr)
         return nullptr;
-    succeed();
+    end_call();
     switch (name) {
     case EGL_VENDOR:
         return "Spangle";
@@ -339,9 +339,9 @@ const char* eglQueryString(EGLDisplay dpy, EGLint name) {
 }
 
 EGLBoolean eglBindAPI(EGLenum api) {
-    enter(SPANGLE_TEXT("eglBindAPI"));
+    begin_call(SPANGLE_TEXT("eglBindAPI"));
     return api == EGL_OPENGL_API
-               ? succeed()
+               ? end_call()
                : fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("api is not EGL_OPENGL_API, the one there is"));
 }
 
@@ -352,11 +352,11 @@ EGLenum eglQueryAPI() {
 }
 
 EGLBoolean eglReleaseThread() {
-    enter(SPANGLE_TEXT("eglReleaseThread"));
+    begin_call(SPANGLE_TEXT("eglReleaseThread"));
     if (in_primitive())
         return fail_in_primitive();
     release_current();
-    return succeed();
+    return end_call();
 }
 
 EGLBoolean eglWaitGL() {
@@ -364,17 +364,17 @@ EGLBoolean eglWaitGL() {
 }
 
 EGLBoolean eglWaitClient() { // does what glFinish does (EGL 1.4, 3.8)
-    enter(SPANGLE_TEXT("eglWaitClient"));
+    begin_call(SPANGLE_TEXT("eglWaitClient"));
     if (in_primitive())
         return fail_in_primitive();
     show_window(true);
-    return succeed();
+    return end_call();
 }
 
 EGLBoolean eglWaitNative(EGLint engine) {
-    enter(SPANGLE_TEXT("eglWaitNative"));
+    begin_call(SPANGLE_TEXT("eglWaitNative"));
     return engine == EGL_CORE_NATIVE_ENGINE
-               ? succeed()
+               ? end_call()
                : fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("engine is not EGL_CORE_NATIVE_ENGINE"));
 }
 }

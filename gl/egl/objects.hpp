@@ -112,15 +112,15 @@ struct Display {
     Context* contexts = nullptr;
     /// Frees destroyed objects that nothing holds any more. Null until an object is first destroyed, so a
     /// program that destroys nothing does not link that code.
-    void (*sweep)(Display&) = nullptr;
+    void (*free_unused_objects)(Display&) = nullptr;
 };
 
 #if SPANGLE_THREADS
 extern gl::Lock registry_lock;
 /// Excludes other threads while it lives. Whoever reads or writes displays, their lists of objects, or the
 /// counts of who holds an object must have one. Its lock is taken before every other lock.
-struct Registry : gl::Held {
-    Registry() : Held(registry_lock) {}
+struct Registry : gl::LockGuard {
+    Registry() : LockGuard(registry_lock) {}
 };
 #else
 struct Registry {
@@ -144,12 +144,12 @@ EGLBoolean fail(EGLint error, const char* rule);
 
 #if SPANGLE_MESSAGES
 /// Sets the name of the command that this thread runs, which begins its messages.
-void enter(const char* command);
+void begin_call(const char* command);
 #else
-inline void enter(const char*) {}
+inline void begin_call(const char*) {}
 #endif
 
-EGLBoolean succeed();
+EGLBoolean end_call();
 
 /// Finds or makes the entry of a panel or of a window system; EGL_NO_DISPLAY when all entries are used.
 EGLDisplay display_of(hal::Display* native, hal::WindowSystem* system);

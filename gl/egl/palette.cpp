@@ -6,7 +6,7 @@ using namespace spangle::egl;
 
 extern "C" EGLBoolean eglSetPaletteSPANGLE(EGLDisplay dpy, EGLSurface handle, EGLint first, EGLint count,
                                            const std::uint8_t* rgb) {
-    enter(SPANGLE_TEXT("eglSetPaletteSPANGLE"));
+    begin_call(SPANGLE_TEXT("eglSetPaletteSPANGLE"));
     const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
@@ -23,7 +23,7 @@ extern "C" EGLBoolean eglSetPaletteSPANGLE(EGLDisplay dpy, EGLSurface handle, EG
         count > spangle::hal::palette_size - first || (count != 0 && rgb == nullptr))
         return fail(EGL_BAD_PARAMETER,
                     SPANGLE_TEXT("first and count leave the palette, or rgb is a null pointer"));
-    const spangle::gl::Held held(display->native_lock);
+    const spangle::gl::LockGuard held(display->native_lock);
     const auto result = native_of(*display, *surface).set_palette(first, count, rgb);
-    return result.ok() ? succeed() : fail(EGL_BAD_NATIVE_WINDOW, result.error().rule);
+    return result.ok() ? end_call() : fail(EGL_BAD_NATIVE_WINDOW, result.error().rule);
 }

@@ -16,32 +16,32 @@ namespace {
 
 /// While this object lives, the state that affects glReadPixels has its initial values (GL 1.3, 3.6.1 and
 /// 4.3.2).
-class PlainReading {
+class DefaultPixelState {
   public:
-    PlainReading() {
+    DefaultPixelState() {
         for (int i = 0; i < transfers; ++i) {
-            glGetFloatv(transfer_[i].name, &old_transfer_[i]);
+            glGetFloatv(transfer_[i].name, &saved_transfer_[i]);
             glPixelTransferf(transfer_[i].name, transfer_[i].initial);
         }
         for (int i = 0; i < stores; ++i) {
-            glGetIntegerv(store_[i].name, &old_store_[i]);
+            glGetIntegerv(store_[i].name, &saved_store_[i]);
             glPixelStorei(store_[i].name, store_[i].initial);
         }
         if (has_transfer) {
-            glGetIntegerv(GL_MAP_COLOR, &map_);
+            glGetIntegerv(GL_MAP_COLOR, &saved_map_color_);
             glPixelTransferi(GL_MAP_COLOR, GL_FALSE);
         }
     }
-    ~PlainReading() {
+    ~DefaultPixelState() {
         for (int i = 0; i < transfers; ++i)
-            glPixelTransferf(transfer_[i].name, old_transfer_[i]);
+            glPixelTransferf(transfer_[i].name, saved_transfer_[i]);
         for (int i = 0; i < stores; ++i)
-            glPixelStorei(store_[i].name, old_store_[i]);
+            glPixelStorei(store_[i].name, saved_store_[i]);
         if (has_transfer)
-            glPixelTransferi(GL_MAP_COLOR, map_);
+            glPixelTransferi(GL_MAP_COLOR, saved_map_color_);
     }
-    PlainReading(const PlainReading&) = delete;
-    PlainReading& operator=(const PlainReading&) = delete;
+    DefaultPixelState(const DefaultPixelState&) = delete;
+    DefaultPixelState& operator=(const DefaultPixelState&) = delete;
 
   private:
     template <class Value> struct Named {
@@ -58,11 +58,11 @@ class PlainReading {
                                                     {GL_PACK_SKIP_ROWS, 0},
                                                     {GL_PACK_SKIP_PIXELS, 0},
                                                     {GL_PACK_SWAP_BYTES, 0}};
-    GLfloat old_transfer_[known_transfers] = {};
-    GLint old_store_[stores] = {}, map_ = 0;
+    GLfloat saved_transfer_[known_transfers] = {};
+    GLint saved_store_[stores] = {}, saved_map_color_ = 0;
 };
 
-double decibels(double squares, std::uint64_t pixels) {
+double psnr_of(double squares, std::uint64_t pixels) {
     return squares > 0 ? 10 * std::log10(255.0 * 255.0 * 3.0 * static_cast<double>(pixels) / squares)
                        : PictureError::alike;
 }
@@ -91,7 +91,7 @@ DrawnPicture read_picture() {
     eglQuerySurface(display, surface, EGL_WIDTH, &out.width);
     eglQuerySurface(display, surface, EGL_HEIGHT, &out.height);
     glGetIntegerv(GL_DEPTH_BITS, &out.depth_bits);
-    const PlainReading plain;
+    const DefaultPixelState plain;
     const auto pixels = static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height);
     out.rgba.resize(4 * pixels);
     glReadPixels(0, 0, out.width, out.height, GL_RGBA, GL_UNSIGNED_BYTE, out.rgba.data());
@@ -108,10 +108,10 @@ double PictureError::identical_percent() const {
     return pixels == 0 ? 100 : 100 * static_cast<double>(identical) / static_cast<double>(pixels);
 }
 double PictureError::psnr_565() const {
-    return decibels(squares_565, pixels);
+    return psnr_of(squares_565, pixels);
 }
 double PictureError::psnr_888() const {
-    return decibels(squares_888, pixels);
+    return psnr_of(squares_888, pixels);
 }
 
 void PictureError::add(const PictureError& o) {

@@ -44,7 +44,7 @@ const Platforms& platforms() {
 
 const char* client_extensions() {
     const Registry registry; // only one thread may write the string
-    succeed();
+    end_call();
     if (extensions[0] == '\0') {
         append(extensions, "EGL_EXT_client_extensions EGL_EXT_platform_base EGL_MESA_platform_surfaceless "
                            "EGL_KHR_client_get_all_proc_addresses");
@@ -168,7 +168,7 @@ using namespace spangle::egl;
 extern "C" {
 
 EGLDisplay eglGetPlatformDisplayEXT(EGLenum platform, void* native_display, const EGLint* attrib_list) {
-    enter(SPANGLE_TEXT("eglGetPlatformDisplay"));
+    begin_call(SPANGLE_TEXT("eglGetPlatformDisplay"));
     if (attrib_list != nullptr && *attrib_list != EGL_NONE && platform != EGL_PLATFORM_X11_KHR) {
         fail(EGL_BAD_ATTRIBUTE, SPANGLE_TEXT("displays of this platform take no attributes"));
         return EGL_NO_DISPLAY;
@@ -184,36 +184,36 @@ EGLDisplay eglGetPlatformDisplay(EGLenum platform, void* native_display, const E
 
 EGLSurface eglCreatePlatformWindowSurfaceEXT(EGLDisplay dpy, EGLConfig config, void* native_window,
                                              const EGLint* attrib_list) {
-    enter(SPANGLE_TEXT("eglCreatePlatformWindowSurfaceEXT"));
+    begin_call(SPANGLE_TEXT("eglCreatePlatformWindowSurfaceEXT"));
     return create_pointed(dpy, config, native_window, false, attrib_list);
 }
 
 EGLSurface eglCreatePlatformWindowSurface(EGLDisplay dpy, EGLConfig config, void* native_window,
                                           const EGLAttrib* attrib_list) {
-    enter(SPANGLE_TEXT("eglCreatePlatformWindowSurface"));
+    begin_call(SPANGLE_TEXT("eglCreatePlatformWindowSurface"));
     return create_pointed_wide(dpy, config, native_window, false, attrib_list);
 }
 
 EGLSurface eglCreatePlatformPixmapSurfaceEXT(EGLDisplay dpy, EGLConfig config, void* native_pixmap,
                                              const EGLint* attrib_list) {
-    enter(SPANGLE_TEXT("eglCreatePlatformPixmapSurfaceEXT"));
+    begin_call(SPANGLE_TEXT("eglCreatePlatformPixmapSurfaceEXT"));
     return create_pointed(dpy, config, native_pixmap, true, attrib_list);
 }
 
 EGLSurface eglCreatePlatformPixmapSurface(EGLDisplay dpy, EGLConfig config, void* native_pixmap,
                                           const EGLAttrib* attrib_list) {
-    enter(SPANGLE_TEXT("eglCreatePlatformPixmapSurface"));
+    begin_call(SPANGLE_TEXT("eglCreatePlatformPixmapSurface"));
     return create_pointed_wide(dpy, config, native_pixmap, true, attrib_list);
 }
 
 EGLSurface eglCreatePixmapSurface(EGLDisplay dpy, EGLConfig config, EGLNativePixmapType pixmap,
                                   const EGLint* attrib_list) {
-    enter(SPANGLE_TEXT("eglCreatePixmapSurface"));
+    begin_call(SPANGLE_TEXT("eglCreatePixmapSurface"));
     return create_shown(dpy, config, pixmap, true, attrib_list);
 }
 
 EGLBoolean eglCopyBuffers(EGLDisplay dpy, EGLSurface handle, EGLNativePixmapType target) {
-    enter(SPANGLE_TEXT("eglCopyBuffers"));
+    begin_call(SPANGLE_TEXT("eglCopyBuffers"));
     const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
@@ -228,7 +228,7 @@ EGLBoolean eglCopyBuffers(EGLDisplay dpy, EGLSurface handle, EGLNativePixmapType
     if (!display->system->shows(surface->config.format) || surface->in_bands())
         return fail(EGL_BAD_MATCH, SPANGLE_TEXT("a pixmap of this display has another format "
                                                 "than the surface"));
-    const spangle::gl::Held held(display->native_lock);
+    const spangle::gl::LockGuard held(display->native_lock);
     if (!surface->has_pixels())
         return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("this surface has no buffer"));
     const auto opened = display->system->open(target, true, surface->config.format);
@@ -244,7 +244,7 @@ EGLBoolean eglCopyBuffers(EGLDisplay dpy, EGLSurface handle, EGLNativePixmapType
         shown = pixmap.present().ok();
     }
     display->system->close(pixmap);
-    return shown ? succeed() : fail(EGL_BAD_NATIVE_PIXMAP, SPANGLE_TEXT("the pixmap took no picture"));
+    return shown ? end_call() : fail(EGL_BAD_NATIVE_PIXMAP, SPANGLE_TEXT("the pixmap took no picture"));
 }
 }
 

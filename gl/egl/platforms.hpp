@@ -24,7 +24,7 @@ struct NativeDisplay {
 };
 
 /// The pixel format and the precision that programs are drawn in.
-struct Drawn {
+struct DrawnFormat {
     PixelFormat format;
     EGLint precision;
 };
@@ -48,7 +48,7 @@ struct Platforms {
     void (*planes)(const raster::Surface& picture) = nullptr;
     /// If not null, pbuffers and contexts have this format and precision and no samples, whatever their
     /// config says. So a program can be drawn in formats that it would not choose.
-    const Drawn* drawn = nullptr;
+    const DrawnFormat* drawn = nullptr;
     /// Called with each new context.
     void (*created)(gl::Context& context) = nullptr;
 };

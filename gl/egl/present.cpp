@@ -29,7 +29,7 @@ bool take(Display& display, Surface& surface, const hal::Frame& frame) {
 }
 
 bool next_frame(Display& display, Surface& surface) {
-    const gl::Held held(display.native_lock);
+    const gl::LockGuard held(display.native_lock);
     if (surface.cut_off)
         return fail_cut_off();
     surface.frame = {}; // acquire() may take the last buffer back
@@ -48,7 +48,7 @@ bool next_frame(Display& display, Surface& surface) {
 }
 
 bool present(Display& display, Surface& surface) {
-    const gl::Held held(display.native_lock);
+    const gl::LockGuard held(display.native_lock);
     const bool drawn = surface.has_pixels();
     if (drawn) {
         raster::resolve(pixels_of(surface));
@@ -99,7 +99,7 @@ void show_window(bool finish) {
 #endif
     if (!t.draw->window)
         return;
-    const gl::Held held(t.display->native_lock);
+    const gl::LockGuard held(t.display->native_lock);
     if (t.draw->cut_off)
         return;
     const EGLint before = thread().error;
@@ -123,7 +123,7 @@ extern "C" {
 
 /// Sets the interval of the current draw surface, whose display need not be `dpy` (EGL 1.4, 3.9.3).
 EGLBoolean eglSwapInterval(EGLDisplay dpy, EGLint interval) {
-    enter(SPANGLE_TEXT("eglSwapInterval"));
+    begin_call(SPANGLE_TEXT("eglSwapInterval"));
     const Registry registry;
     if (find_display(dpy) == nullptr)
         return EGL_FALSE;
@@ -131,17 +131,17 @@ EGLBoolean eglSwapInterval(EGLDisplay dpy, EGLint interval) {
     if (t.context == nullptr)
         return fail(EGL_BAD_CONTEXT, SPANGLE_TEXT("no context is current"));
     if (!t.draw->window || t.draw->cut_off)
-        return succeed(); // swaps of pbuffers and lost windows never wait
-    const spangle::gl::Held held(t.display->native_lock);
+        return end_call(); // swaps of pbuffers and lost windows never wait
+    const spangle::gl::LockGuard held(t.display->native_lock);
     native_of(*t.display, *t.draw)
         .swap_interval(interval < least_swap_interval  ? least_swap_interval
                        : interval > most_swap_interval ? most_swap_interval
                                                        : interval);
-    return succeed();
+    return end_call();
 }
 
 EGLBoolean eglSwapBuffers(EGLDisplay dpy, EGLSurface handle) {
-    enter(SPANGLE_TEXT("eglSwapBuffers"));
+    begin_call(SPANGLE_TEXT("eglSwapBuffers"));
     Display* display = nullptr;
     Surface* surface = nullptr;
     {
@@ -159,17 +159,17 @@ EGLBoolean eglSwapBuffers(EGLDisplay dpy, EGLSurface handle) {
         }
 #endif
         if (!surface->window || !surface->back_buffered)
-            return succeed(); // pbuffers and single-buffered windows have nothing to swap (EGL 1.4, 3.9.1)
+            return end_call(); // pbuffers and single-buffered windows have nothing to swap (EGL 1.4, 3.9.1)
         if (thread().draw != surface)
             return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("the surface is not the current draw surface"));
     }
     if (in_primitive())
         return fail_in_primitive();
     if (surface->in_bands() && surface->band.record != nullptr)
-        return present_record(*display, *surface) ? succeed() : EGL_FALSE;
+        return present_record(*display, *surface) ? end_call() : EGL_FALSE;
     if (surface->in_bands())
         return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("no memory holds a frame of this window; draw it by "
                                                   "spangle::frame"));
-    return present(*display, *surface) ? succeed() : EGL_FALSE;
+    return present(*display, *surface) ? end_call() : EGL_FALSE;
 }
 }

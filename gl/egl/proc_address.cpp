@@ -12,11 +12,11 @@ struct Entry {
     __eglMustCastToProperFunctionPointerType function;
 };
 
-template <class F> __eglMustCastToProperFunctionPointerType erase(F* function) {
+template <class F> __eglMustCastToProperFunctionPointerType erase_type(F* function) {
     return reinterpret_cast<__eglMustCastToProperFunctionPointerType>(function);
 }
 
-bool same(const char* a, const char* b) {
+bool are_equal_names(const char* a, const char* b) {
     for (; *a != '\0' && *a == *b; ++a)
         ++b;
     return *a == *b;
@@ -24,7 +24,7 @@ bool same(const char* a, const char* b) {
 
 __eglMustCastToProperFunctionPointerType find_egl(const char* name) {
 #define ENTRY(function)                                                                                      \
-    { #function, erase(function) }
+    { #function, erase_type(function) }
     const Entry table[] = {
         ENTRY(eglGetError),
         ENTRY(eglGetDisplay),
@@ -72,7 +72,7 @@ __eglMustCastToProperFunctionPointerType find_egl(const char* name) {
     };
 #undef ENTRY
     for (const Entry& entry : table)
-        if (same(entry.name, name))
+        if (are_equal_names(entry.name, name))
             return entry.function;
     return nullptr;
 }

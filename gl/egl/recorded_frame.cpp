@@ -22,7 +22,7 @@ struct RecordedFrame {
 namespace {
 
 /// Replays the record into the band in memory, and returns that band.
-raster::Surface replayed(Surface& surface, bool count) {
+raster::Surface replay_frame(Surface& surface, bool count) {
     raster::Surface band = pixels_of(surface);
     surface.band.record->record.replay(band, count);
     return band;
@@ -58,7 +58,7 @@ raster::Surface rows_of(std::int32_t y) {
         frame.shown = -1; // stays so if the display gives no buffer
         if (!open_band(*thread().display, surface, first, step < left ? step : left))
             return none;
-        raster::resolve(replayed(surface, false));
+        raster::resolve(replay_frame(surface, false));
         frame.shown = first;
         frame.used = frame.record.used();
     }
@@ -73,15 +73,15 @@ raster::Surface rows_of(std::int32_t y) {
 void count_recorded() {
     Surface& surface = *thread().draw;
     RecordedFrame& frame = *surface.band.record;
-    if (!frame.record.counts())
+    if (!frame.record.has_uncounted())
         return;
     (void)each_band(surface, [&](std::int32_t first, std::int32_t rows) {
         if (!open_band(*thread().display, surface, first, rows))
             return false;
-        (void)replayed(surface, true);
+        (void)replay_frame(surface, true);
         return true;
     });
-    frame.record.counted();
+    frame.record.mark_counted();
     frame.shown = -1;
     surface.band.first = 0;
     surface.band.rows = surface.height;
@@ -99,7 +99,7 @@ bool send_record(Display& display, Surface& surface) {
     return each_band(surface, [&](std::int32_t first, std::int32_t rows) {
         if (!open_band(display, surface, first, rows))
             return false;
-        (void)replayed(surface, true);
+        (void)replay_frame(surface, true);
         return send_band(display, surface);
     });
 }
@@ -153,7 +153,7 @@ bool draw_recorded(Display& display, Surface& surface, void (*draw)(void*), void
     frame.quiet = true;
     draw(data);
     frame.quiet = false;
-    enter(SPANGLE_TEXT("spangle::frame"));
+    begin_call(SPANGLE_TEXT("spangle::frame"));
     if (thread().draw != &surface)
         return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("the window is current no more")) != EGL_FALSE;
     if (in_primitive())

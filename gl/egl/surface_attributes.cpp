@@ -28,7 +28,7 @@ EGLBoolean refuse_texture(EGLDisplay dpy, EGLSurface handle, EGLint buffer) {
 extern "C" {
 
 EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute, EGLint* value) {
-    enter(SPANGLE_TEXT("eglQuerySurface"));
+    begin_call(SPANGLE_TEXT("eglQuerySurface"));
     const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
@@ -92,24 +92,24 @@ EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute, 
     default:
         return fail(EGL_BAD_ATTRIBUTE, SPANGLE_TEXT("attribute is not one of surfaces"));
     }
-    return succeed();
+    return end_call();
 }
 
 EGLBoolean eglSurfaceAttrib(EGLDisplay dpy, EGLSurface handle, EGLint attribute, EGLint value) {
-    enter(SPANGLE_TEXT("eglSurfaceAttrib"));
+    begin_call(SPANGLE_TEXT("eglSurfaceAttrib"));
     const Registry registry;
     if (find(dpy, handle) == nullptr)
         return EGL_FALSE;
     switch (attribute) {
     case EGL_MIPMAP_LEVEL:
-        return succeed(); // has no effect on surfaces that are no textures (EGL 1.4, 3.5.6)
+        return end_call(); // has no effect on surfaces that are no textures (EGL 1.4, 3.5.6)
     case EGL_MULTISAMPLE_RESOLVE:
-        return value == EGL_MULTISAMPLE_RESOLVE_DEFAULT ? succeed()
+        return value == EGL_MULTISAMPLE_RESOLVE_DEFAULT ? end_call()
                : value == EGL_MULTISAMPLE_RESOLVE_BOX
                    ? fail(EGL_BAD_MATCH, SPANGLE_TEXT("the config has no EGL_MULTISAMPLE_RESOLVE_BOX_BIT"))
                    : fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("value is none that the attribute takes"));
     case EGL_SWAP_BEHAVIOR:
-        return value == EGL_BUFFER_DESTROYED ? succeed()
+        return value == EGL_BUFFER_DESTROYED ? end_call()
                : value == EGL_BUFFER_PRESERVED
                    ? fail(EGL_BAD_MATCH, SPANGLE_TEXT("the config has no EGL_SWAP_BEHAVIOR_PRESERVED_BIT"))
                    : fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("value is none that the attribute takes"));
@@ -119,18 +119,18 @@ EGLBoolean eglSurfaceAttrib(EGLDisplay dpy, EGLSurface handle, EGLint attribute,
 }
 
 EGLBoolean eglBindTexImage(EGLDisplay dpy, EGLSurface handle, EGLint buffer) {
-    enter(SPANGLE_TEXT("eglBindTexImage"));
+    begin_call(SPANGLE_TEXT("eglBindTexImage"));
     return refuse_texture(dpy, handle, buffer);
 }
 
 EGLBoolean eglReleaseTexImage(EGLDisplay dpy, EGLSurface handle, EGLint buffer) {
-    enter(SPANGLE_TEXT("eglReleaseTexImage"));
+    begin_call(SPANGLE_TEXT("eglReleaseTexImage"));
     return refuse_texture(dpy, handle, buffer);
 }
 
 EGLSurface eglCreatePbufferFromClientBuffer(EGLDisplay dpy, EGLenum, EGLClientBuffer, EGLConfig,
                                             const EGLint*) {
-    enter(SPANGLE_TEXT("eglCreatePbufferFromClientBuffer"));
+    begin_call(SPANGLE_TEXT("eglCreatePbufferFromClientBuffer"));
     const Registry registry;
     if (find_display(dpy) != nullptr)
         fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("only OpenVG has client "

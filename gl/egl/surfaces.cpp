@@ -17,7 +17,7 @@ namespace {
 constexpr std::int32_t largest_pbuffer = gl::max_viewport_dim;
 
 /// What a surface has beyond its config.
-struct Extras {
+struct SurfaceOptions {
     bool color = false; ///< allocate a colour buffer; windows have their display's
     bool accum = false;
     Band band = {};
@@ -32,7 +32,8 @@ std::size_t bytes_of_sample(PixelFormat format, std::int32_t width, std::int32_t
 }
 
 /// Makes a surface with its buffers. Returns null, and frees everything, when memory runs out.
-Surface* make(const Config& config, std::int32_t width, std::int32_t height, const Extras& extras) {
+Surface* create_surface(const Config& config, std::int32_t width, std::int32_t height,
+                        const SurfaceOptions& extras) {
     gl::Arena& a = arena();
     const std::int32_t rows = extras.band.height != 0 ? extras.band.height : height;
     const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(rows);
@@ -95,18 +96,18 @@ bool read_accum(const EGLint* at, bool& accum, EGLint& problem) {
 EGLSurface keep(Display& display, Surface* surface) {
     surface->next = display.surfaces;
     display.surfaces = surface;
-    succeed();
+    end_call();
     return surface;
 }
 
-struct WindowWish {
+struct WindowAttributes {
     bool single = false; ///< without a back buffer
     bool accum = false;
     EGLint band_height = 0, record = 0;
 };
 
 /// Reads the attributes of a window. Returns EGL_SUCCESS, or the error in the list.
-EGLint read_window(const EGLint* list, WindowWish& out) {
+EGLint read_window(const EGLint* list, WindowAttributes& out) {
     EGLint problem = EGL_SUCCESS;
     for (; list != nullptr && *list != EGL_NONE; list += 2) {
         if (read_accum(list, out.accum, problem))
@@ -128,13 +129,13 @@ EGLint read_window(const EGLint* list, WindowWish& out) {
     return problem;
 }
 
-struct PbufferWish {
+struct PbufferAttributes {
     EGLint width = 0, height = 0;
     bool largest = false, accum = false;
 };
 
 /// Reads the attributes of a pbuffer. Returns 0, or the error in the list.
-EGLint read_pbuffer(const EGLint* list, PbufferWish& out) {
+EGLint read_pbuffer(const EGLint* list, PbufferAttributes& out) {
     EGLint problem = 0;
     for (; list != nullptr && *list != EGL_NONE; list += 2) {
         if (read_accum(list, out.accum, problem))
@@ -191,7 +192,7 @@ void cut_off(Display& display, Surface* window) {
     if (window == nullptr)
         return;
     {
-        const gl::Held held(display.native_lock);
+        const gl::LockGuard held(display.native_lock);
         window->cut_off = true;
     }
     show_pixels();
@@ -205,7 +206,7 @@ EGLSurface refuse_window(EGLint problem) {
 }
 
 /// The place where a new surface is shown.
-struct Shown {
+struct WindowTarget {
     hal::Display* native;
 
 #if SPANGLE_HAS_PLATFORMS
@@ -265,7 +266,7 @@ bool follow_window(Display& display, Surface& surface) {
         return fail(EGL_BAD_NATIVE_WINDOW, SPANGLE_TEXT("the window is larger than what GL draws")) !=
                EGL_FALSE;
     Surface* const other =
-        make(surface.config, info.width, info.height, {false, surface.accum != nullptr, {}, 0});
+        create_surface(surface.config, info.width, info.height, {false, surface.accum != nullptr, {}, 0});
     if (other == nullptr)
         return fail(EGL_BAD_ALLOC, SPANGLE_TEXT("no memory for the planes of a window that became larger; "
                                                 "see spangle::memory")) != EGL_FALSE;
@@ -316,9 +317,9 @@ EGLSurface spangle::egl::create_shown(EGLDisplay dpy, EGLConfig config, std::uin
     const Config found = find_config(*display, config);
     if (found.id == 0)
         return refuse_window(EGL_BAD_CONFIG);
-    WindowWish wish;
+    WindowAttributes wish;
     Band band;
-    Shown shown = {display->native};
+    WindowTarget shown = {display->native};
     EGLint problem = !fits_window(*display, found) ? EGL_BAD_MATCH : read_window(attrib_list, wish);
     if (problem == EGL_SUCCESS)
         problem = shown.open(*display, found, handle, pixmap);
@@ -332,7 +333,8 @@ EGLSurface spangle::egl::create_shown(EGLDisplay dpy, EGLConfig config, std::uin
         shown.close();
         return refuse_window(problem);
     }
-    Surface* const surface = make(found, info.width, info.height, {false, wish.accum, band, wish.record});
+    Surface* const surface =
+        create_surface(found, info.width, info.height, {false, wish.accum, band, wish.record});
     if (surface == nullptr) {
         shown.close();
         fail(EGL_BAD_ALLOC, SPANGLE_TEXT("no memory for depth, samples and the record; see spangle::memory"));
@@ -357,18 +359,18 @@ extern "C" {
 
 EGLSurface eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWindowType win,
                                   const EGLint* attrib_list) {
-    enter(SPANGLE_TEXT("eglCreateWindowSurface"));
+    begin_call(SPANGLE_TEXT("eglCreateWindowSurface"));
     return create_shown(dpy, config, win, false, attrib_list);
 }
 
 EGLSurface eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig config, const EGLint* attrib_list) {
-    enter(SPANGLE_TEXT("eglCreatePbufferSurface"));
+    begin_call(SPANGLE_TEXT("eglCreatePbufferSurface"));
     const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
         return EGL_NO_SURFACE;
     const Config found = made_of(find_config(*display, config));
-    PbufferWish wish;
+    PbufferAttributes wish;
     EGLint problem = found.id == 0 ? EGL_BAD_CONFIG : read_pbuffer(attrib_list, wish);
     if (problem == 0 && (wish.width > largest_pbuffer || wish.height > largest_pbuffer) && !wish.largest)
         problem = EGL_BAD_ALLOC;
@@ -378,7 +380,8 @@ EGLSurface eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig config, const EGLin
         return EGL_NO_SURFACE;
     }
     const auto cut = [](EGLint v) { return v > largest_pbuffer ? largest_pbuffer : v; };
-    Surface* const surface = make(found, cut(wish.width), cut(wish.height), {true, wish.accum, {}, 0});
+    Surface* const surface =
+        create_surface(found, cut(wish.width), cut(wish.height), {true, wish.accum, {}, 0});
     if (surface == nullptr) {
         fail(EGL_BAD_ALLOC, SPANGLE_TEXT("not enough memory; see spangle::memory"));
         return EGL_NO_SURFACE;
@@ -387,7 +390,7 @@ EGLSurface eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig config, const EGLin
 }
 
 EGLBoolean eglDestroySurface(EGLDisplay dpy, EGLSurface handle) {
-    enter(SPANGLE_TEXT("eglDestroySurface"));
+    begin_call(SPANGLE_TEXT("eglDestroySurface"));
     const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
@@ -397,6 +400,6 @@ EGLBoolean eglDestroySurface(EGLDisplay dpy, EGLSurface handle) {
         return EGL_FALSE;
     surface->destroyed = true;
     free_destroyed(*display);
-    return succeed();
+    return end_call();
 }
 }

@@ -7,7 +7,7 @@ namespace spangle::gl::list {
 namespace {
 
 /// Truncates toward zero; a magnitude beyond a GLuint gives the largest one.
-GLuint truncate(Real v) {
+GLuint to_list_name(Real v) {
     const numeric::detail::Unpacked u = numeric::detail::unpack(v);
     GLuint magnitude = 0xFFFFFFFF;
     if (u.exponent <= 0)
@@ -42,7 +42,7 @@ GLuint name_offset(GLenum type, const void* lists, GLsizei i) {
     case GL_SHORT:
         return static_cast<GLuint>(static_cast<GLshort>(value));
     case GL_FLOAT:
-        return truncate(numeric::from_float_bits(value));
+        return to_list_name(numeric::from_float_bits(value));
     default:
         return value;
     }

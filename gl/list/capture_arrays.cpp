@@ -83,7 +83,7 @@ template <class F> void capture_draw(Context& context, GLenum mode, GLsizei coun
 
 [[maybe_unused]] const Word* play_restart(Context& context, const Word* words) {
     if (context.inside_begin_end())
-        restart(context);
+        restart_primitive(context);
     return words;
 }
 
@@ -98,7 +98,7 @@ namespace encode {
 void ArrayElement(Context& context, GLint i) {
     if (i < 0)
         return list::record_error(context, GL_INVALID_VALUE, true);
-    if (restarts(context.array_bindings, static_cast<GLuint>(i)))
+    if (is_restart_index(context.array_bindings, static_cast<GLuint>(i)))
         return static_cast<void>(list::record(context, &list::player<&play_restart>, 0));
     if (!arrays_reach(context, static_cast<GLuint>(i)))
         return list::record_error(context, GL_INVALID_OPERATION, true,

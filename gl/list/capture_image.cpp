@@ -34,7 +34,7 @@ Extent extent_of(const ImageCommand& image, const PixelLayout& layout) {
             static_cast<std::uint32_t>(image.size[1]), static_cast<std::uint32_t>(image.size[2])};
 }
 
-bool sensible(const ImageCommand& image, GLsizei most, PixelLayout& layout) {
+bool is_readable_image(const ImageCommand& image, GLsizei most, PixelLayout& layout) {
     for (const GLsizei side : image.size)
         if (side < 0 || side > most)
             return false;
@@ -82,7 +82,7 @@ constexpr std::uint32_t fixed_words = 13;
 
 void capture_image(Context& context, const Player* player, const ImageCommand& image, GLsizei most) {
     PixelLayout layout;
-    const bool keep = sensible(image, most, layout);
+    const bool keep = is_readable_image(image, most, layout);
     const Extent extent = keep ? extent_of(image, layout) : Extent{0, 0, 0};
     const std::uint32_t data_words = extent.words();
     Word* to = record(context, player, fixed_words + data_words);

@@ -109,10 +109,10 @@ void copy_indices(const Layout& layout, std::uint32_t count, const Indices& indi
 }
 
 /// Makes the context's vertex arrays those of a record, for as long as this object lives.
-class RecordedArrays {
+class MeshArrays {
   public:
-    RecordedArrays(Context& context, const Header& header, const Word* at) : context_(context) {
-        std::memcpy(static_cast<void*>(&kept_), &context.arrays, sizeof kept_);
+    MeshArrays(Context& context, const Header& header, const Word* at) : context_(context) {
+        std::memcpy(static_cast<void*>(&saved_arrays_), &context.arrays, sizeof saved_arrays_);
         each_array(context.arrays, [](ClientArray& array) { array.enabled = false; });
         context.arrays.buffered = false;
         const Word* data = at + std::size_t{header.arrays} * array_words;
@@ -135,15 +135,15 @@ class RecordedArrays {
         }
         indices_ = {.type = header.index_type, .data = data};
     }
-    ~RecordedArrays() { std::memcpy(static_cast<void*>(&context_.arrays), &kept_, sizeof kept_); }
-    RecordedArrays(const RecordedArrays&) = delete;
-    RecordedArrays& operator=(const RecordedArrays&) = delete;
+    ~MeshArrays() { std::memcpy(static_cast<void*>(&context_.arrays), &saved_arrays_, sizeof saved_arrays_); }
+    MeshArrays(const MeshArrays&) = delete;
+    MeshArrays& operator=(const MeshArrays&) = delete;
 
     const Indices& indices() const { return indices_; }
 
   private:
     Context& context_;
-    ArraysState kept_;
+    ArraysState saved_arrays_;
     Indices indices_;
 };
 
@@ -190,11 +190,11 @@ const Word* play_mesh(Context& context, const Word* words, const CommandText* te
     const Word* const next = words + header.words;
     if (!allowed_outside(context, text))
         return next;
-    const KeptAttributes kept(context);
+    const SavedAttributes kept(context);
     cmd::Begin(context, header.mode);
     if (!context.inside_begin_end())
         return next;
-    const RecordedArrays arrays(context, header, words + header_words);
+    const MeshArrays arrays(context, header, words + header_words);
     context.engine->elements(context, header.count, arrays.indices());
     cmd::End(context);
     return next;

@@ -17,14 +17,14 @@ namespace spangle::gl::list {
 namespace {
 
 /// The first record of a list; null for an empty list, and for a name that is no list.
-const Word* body(const Context& context, GLuint name) {
+const Word* body_of_list(const Context& context, GLuint name) {
     void** const found = context.share->lists.find(name);
     return found != nullptr && *found != nullptr ? static_cast<Chunk*>(*found)->data() : nullptr;
 }
 
 /// Calls a list: returns the first record to play, which is `next` where there is nothing to call.
 const Word* enter(Context& context, GLuint name, const Word* next) {
-    const Word* const target = body(context, name);
+    const Word* const target = body_of_list(context, name);
     ListState& state = context.list;
     if (target == nullptr)
         return next;
@@ -66,7 +66,7 @@ const Player* player_at(const Word* at) {
         words += sizeof matrix.m / sizeof(Word);
         *arg = Passed<const Matrix16&>::arg(matrix);
     }
-    if (allowed(context, command)) {
+    if (may_run_here(context, command)) {
         call(context, command.run, command.args, args);
         explain_error(context, command.text, args, command.args);
     }
@@ -103,7 +103,7 @@ const Word* play_command(Context& context, const Command& command, const Word* w
         case 1:
             a = words[0];
         }
-        if ((context.gate & command.stops & gate_inside) == 0 || allowed(context, command)) {
+        if ((context.gate & command.stops & gate_inside) == 0 || may_run_here(context, command)) {
             command.run.few(context, a, b, c);
             const Arg given[] = {a, b, c};
             explain_error(context, command.text, given, command.args);
@@ -114,7 +114,7 @@ const Word* play_command(Context& context, const Command& command, const Word* w
 }
 
 void execute(Context& context, GLuint name) {
-    const Word* at = body(context, name);
+    const Word* at = body_of_list(context, name);
     if (at == nullptr)
         return;
     for (;;) {

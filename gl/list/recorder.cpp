@@ -93,7 +93,7 @@ void store_player(Word* to, const Player* player) {
 }
 
 /// Appends a chunk with room for a record of so many `words`. False: the arena has no room.
-bool grow(Context& context, std::uint32_t words) {
+bool grow_chunk(Context& context, std::uint32_t words) {
     ListRecorder& r = context.list.recorder;
     constexpr std::uint32_t first_words = 64, most_words = 4096;
     std::uint32_t size = r.last == nullptr ? first_words : r.last->words * 2;
@@ -126,7 +126,8 @@ Word* append(Context& context, const Player* player, std::uint32_t words) {
     ListRecorder& r = context.list.recorder;
     r.run = nullptr;
     const std::uint32_t needed = player_words + words;
-    if (r.out_of_memory || (static_cast<std::size_t>(r.end - r.write) < needed && !grow(context, needed)))
+    if (r.out_of_memory ||
+        (static_cast<std::size_t>(r.end - r.write) < needed && !grow_chunk(context, needed)))
         return nullptr;
     store_player(r.write, player);
     Word* const arguments = r.write + player_words;
@@ -139,7 +140,7 @@ void store_reals(Word*& to, const Real* from, std::uint32_t count) {
         *to++ = from[i].bits;
 }
 
-bool same(Real a, Real b) {
+bool are_equal_bits(Real a, Real b) {
     return a.bits == b.bits;
 }
 
@@ -287,13 +288,16 @@ void TexCoord(Context& context, Real s, Real t, Real r, Real q) {
     recorder.tex_coord[0] = s, recorder.tex_coord[1] = t, recorder.tex_coord[2] = r,
     recorder.tex_coord[3] = q;
     recorder.pending &= ~(field_tex2 | field_tex4);
-    recorder.pending |= same(r, numeric::zero) && same(q, numeric::one) ? field_tex2 : field_tex4;
+    recorder.pending |=
+        are_equal_bits(r, numeric::zero) && are_equal_bits(q, numeric::one) ? field_tex2 : field_tex4;
 }
 
 void Vertex(Context& context, Real x, Real y, Real z, Real w) {
     ListRecorder& r = context.list.recorder;
     const Real position[4] = {x, y, z, w};
-    const std::uint32_t components = !same(w, numeric::one) ? 4 : !same(z, numeric::zero) ? 3 : 2;
+    const std::uint32_t components = !are_equal_bits(w, numeric::one)    ? 4
+                                     : !are_equal_bits(z, numeric::zero) ? 3
+                                                                         : 2;
     const std::uint32_t fields = r.pending | components << field_position_shift;
     const std::uint32_t words = words_per_vertex(fields);
     Word* to = r.write;

@@ -63,8 +63,8 @@ void draw(Context& context, GLsizei width, GLsizei height, Real xorig, Real yori
                      unpack.lsb_first,
                      left,
                      low,
-                     inside(left, width, clip.x, clip.x + clip.w),
-                     inside(low, height, clip.y, clip.y + clip.h)};
+                     clip_interval(left, width, clip.x, clip.x + clip.w),
+                     clip_interval(low, height, clip.y, clip.y + clip.h)};
         context.engine->pixels(context, state, target, bits);
     });
 }

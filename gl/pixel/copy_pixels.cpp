@@ -118,12 +118,12 @@ void* set_aside(Context& context, BufferGroups& source) {
     return memory;
 }
 
-bool meet(std::int32_t a, std::int32_t a_end, std::int32_t b, std::int32_t b_end) {
+bool intervals_overlap(std::int32_t a, std::int32_t a_end, std::int32_t b, std::int32_t b_end) {
     return a < b_end && b < a_end;
 }
 
 /// Whether some pixel may be drawn before it is read.
-bool overlaps(const Context& context, const BufferGroups& source) {
+bool source_overlaps_target(const Context& context, const BufferGroups& source) {
     const Content content = source.content;
     if (content == Content::color && has_sample_buffer(context))
         return false; // it reads resolved colours, and draws to samples
@@ -133,11 +133,12 @@ bool overlaps(const Context& context, const BufferGroups& source) {
     const Real* const zoom = context.pixel_mode.zoom;
     const Rect area = drawing_rect(context);
     const ZoomAxis::Range columns =
-        ZoomAxis(at[0], zoom[0]).covered(source.n.begin, source.n.end, area.x, area.x + area.w);
+        ZoomAxis(at[0], zoom[0]).covered_fragments(source.n.begin, source.n.end, area.x, area.x + area.w);
     const ZoomAxis::Range rows =
-        ZoomAxis(at[1], zoom[1]).covered(source.m.begin, source.m.end, area.y, area.y + area.h);
-    return meet(columns.begin, columns.end, source.column(source.n.begin), source.column(source.n.end)) &&
-           meet(rows.begin, rows.end, source.row(source.m.begin), source.row(source.m.end));
+        ZoomAxis(at[1], zoom[1]).covered_fragments(source.m.begin, source.m.end, area.y, area.y + area.h);
+    return intervals_overlap(columns.begin, columns.end, source.column(source.n.begin),
+                             source.column(source.n.end)) &&
+           intervals_overlap(rows.begin, rows.end, source.row(source.m.begin), source.row(source.m.end));
 }
 
 /// The order in which an unzoomed copy reads each pixel before it overwrites it, as memmove does.
@@ -153,7 +154,8 @@ bool is_color_565(const Context& context, const BufferGroups& source) {
 
 void copy(Context& context, GLint x, GLint y, GLsizei width, GLsizei height, Content content) {
     const Rect all = context.drawable.read.area();
-    const Interval columns = inside(x, width, 0, all.w), rows = inside(y, height, all.y, all.y + all.h);
+    const Interval columns = clip_interval(x, width, 0, all.w),
+                   rows = clip_interval(y, height, all.y, all.y + all.h);
     if (columns.begin == columns.end || rows.begin == rows.end)
         return;
     BufferGroups source(context, content, x, y, columns, rows);
@@ -164,7 +166,7 @@ void copy(Context& context, GLint x, GLint y, GLsizei width, GLsizei height, Con
     const bool exact = is_color_565(context, source);
     void* aside = nullptr;
     // A recorded draw is replayed after the source may have changed.
-    if (context.drawable.recording != nullptr || (!moves && overlaps(context, source))) {
+    if (context.drawable.recording != nullptr || (!moves && source_overlaps_target(context, source))) {
         aside = set_aside(context, source);
         if (aside == nullptr)
             return error(context, GL_OUT_OF_MEMORY,

@@ -20,7 +20,7 @@ void get_color(const raster::Surface& surface, const Transfer& transfer, std::in
     const raster::StoredColor stored = raster::read_color(surface, x, y);
     for (int i = 0; i < 4; ++i)
         out.value[i] = fraction(stored.c[i].k, stored.c[i].max);
-    transfer.apply(out);
+    transfer.transfer_if_needed(out);
 }
 
 } // namespace

@@ -11,42 +11,43 @@ class ReadRows {
   public:
 #if SPANGLE_HAS_RECORDS
     explicit ReadRows(const Context& context)
-        : recording_(context.drawable.recording), rows_(read_surface(context)), all_(rows_.area()) {
+        : recording_(context.drawable.recording), row_surface_(read_surface(context)),
+          bounds_(row_surface_.area()) {
         if (recording_ != nullptr)
-            rows_.first_row = rows_.end_row = 0; // no row is in memory yet
+            row_surface_.first_row = row_surface_.end_row = 0; // no row is in memory yet
     }
 
     /// All pixels of the surface, in memory or not.
     const Rect& area() const {
-        return all_;
+        return bounds_;
     }
 
     /// The surface with row y of area() in memory, valid until the next call; null when the row cannot be
     /// had.
     const raster::Surface* with_row(std::int32_t y) {
         if (recording_ == nullptr)
-            return &rows_;
-        if (y < rows_.first_row || y >= rows_.end_row)
-            rows_ = recording_->rows(y);
-        return y < rows_.first_row || y >= rows_.end_row ? nullptr : &rows_;
+            return &row_surface_;
+        if (y < row_surface_.first_row || y >= row_surface_.end_row)
+            row_surface_ = recording_->rows(y);
+        return y < row_surface_.first_row || y >= row_surface_.end_row ? nullptr : &row_surface_;
     }
 
   private:
     const Recording* recording_;
-    raster::Surface rows_;
-    Rect all_;
+    raster::Surface row_surface_;
+    Rect bounds_;
 #else // all rows are in memory
-    explicit ReadRows(const Context& context) : rows_(read_surface(context)) {}
+    explicit ReadRows(const Context& context) : row_surface_(read_surface(context)) {}
 
     Rect area() const {
-        return rows_.area();
+        return row_surface_.area();
     }
     const raster::Surface* with_row(std::int32_t) const {
-        return &rows_;
+        return &row_surface_;
     }
 
   private:
-    const raster::Surface& rows_;
+    const raster::Surface& row_surface_;
 #endif
 };
 

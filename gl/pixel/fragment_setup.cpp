@@ -84,7 +84,7 @@ bool offsets(const PolygonState& polygon) {
            (polygon.offset_fill || polygon.offset_line || polygon.offset_point);
 }
 
-bool stipples(const PolygonState& polygon) {
+bool has_stipple(const PolygonState& polygon) {
     return SPANGLE_FEATURE_STIPPLE && polygon.polygon_stipple;
 }
 
@@ -93,24 +93,24 @@ bool has_mode(const PolygonState& polygon, GLenum mode) {
 }
 
 /// Whether antialiasing is on for any kind of primitive. Multisampling replaces it (GL 1.3, 3.2.1).
-bool smooths(const Context& context) {
+bool is_antialiased(const Context& context) {
     const PolygonState& polygon = context.polygon;
     return SPANGLE_FEATURE_ANTIALIASING && !multisampling(context) &&
            (polygon.point_smooth || polygon.line_smooth || polygon.polygon_smooth);
 }
 
 /// Whether fragments of this kind of primitive may have antialiasing coverage.
-bool has_coverage(const PolygonState& polygon, Drawn drawn) {
+bool has_coverage(const PolygonState& polygon, PrimitiveKind drawn) {
     switch (drawn) {
-    case Drawn::points:
+    case PrimitiveKind::points:
         return polygon.point_smooth;
-    case Drawn::lines:
+    case PrimitiveKind::lines:
         return polygon.line_smooth;
-    case Drawn::polygons:
+    case PrimitiveKind::polygons:
         return (polygon.polygon_smooth && has_mode(polygon, GL_FILL)) ||
                (polygon.line_smooth && has_mode(polygon, GL_LINE)) ||
                (polygon.point_smooth && has_mode(polygon, GL_POINT));
-    case Drawn::pixels:
+    case PrimitiveKind::pixels:
         break;
     }
     return false;
@@ -131,24 +131,24 @@ void fill_samples(const Context& context, raster::FragmentState& out) {
 /// True where the geometry of such primitives may reach beyond the view volume, up to the guard band, so that
 /// their fragments have to end at the viewport. Wide lines, and polygons of which points and lines are drawn,
 /// are clipped exactly instead: their fragments may lie beyond the viewport (GL 1.3, 2.11).
-bool ends_at_viewport(const Context& context, Drawn drawn) {
-    if (drawn == Drawn::polygons)
+bool ends_at_viewport(const Context& context, PrimitiveKind drawn) {
+    if (drawn == PrimitiveKind::polygons)
         return !SPANGLE_FEATURE_POLYGON_MODE ||
                (context.polygon.mode[0] == GL_FILL && context.polygon.mode[1] == GL_FILL);
-    return drawn == Drawn::lines && (!has_clipping || lines_are_thin(context));
+    return drawn == PrimitiveKind::lines && (!has_clipping || lines_are_thin(context));
 }
 
 /// Fills in the state that depends on the kind of primitive.
-void fill_modes(const Context& context, Drawn drawn, raster::FragmentState& out) {
+void fill_modes(const Context& context, PrimitiveKind drawn, raster::FragmentState& out) {
     const PolygonState& polygon = context.polygon;
-    out.coverage = smooths(context) && has_coverage(polygon, drawn);
+    out.coverage = is_antialiased(context) && has_coverage(polygon, drawn);
     if (ends_at_viewport(context, drawn) && !viewport_holds(context, out.scissor))
         out.scissor = in_viewport(context, out.scissor);
-    if (drawn != Drawn::polygons)
+    if (drawn != PrimitiveKind::polygons)
         return;
     out.depth_offset = offsets(polygon);
 #if SPANGLE_FEATURE_STIPPLE
-    out.polygon_stipple = stipples(polygon) ? polygon.stipple.row : nullptr;
+    out.polygon_stipple = has_stipple(polygon) ? polygon.stipple.row : nullptr;
 #endif
 }
 
@@ -171,7 +171,7 @@ void fill_colors(const Context& context, raster::FragmentState& out) {
         out.blend_color[c] = color_units(ops.blend_color[c]);
 }
 
-void fill(const Context& context, raster::FragmentState& out) {
+void fill_fragment_state(const Context& context, raster::FragmentState& out) {
     const FragmentOpsState& ops = context.fragment_ops;
     const bool indexed = is_indexed(context.drawable);
     if (!indexed)
@@ -193,13 +193,13 @@ void fill(const Context& context, raster::FragmentState& out) {
     out.count = counts_passed(context);
 }
 
-/// Compiles fragment state for the drawable by the context's engine. Type Kept is KeptStates, or empty where
-/// no states are kept.
+/// Compiles fragment state for the drawable by the context's engine. Type Kept is CompiledStateCache, or
+/// empty where no states are kept.
 template <class Kept>
 void compile(Context& context, [[maybe_unused]] Kept& kept, const raster::FragmentState& fragment,
              raster::DrawState& out) {
     const raster::Surface& target = context.drawable.surface;
-    if constexpr (kept_states != 0)
+    if constexpr (compiled_state_count != 0)
         kept.compile(*context.engine, fragment, target, context.share->texture_changes, out);
     else
         context.engine->compile(fragment, target, out);
@@ -218,7 +218,8 @@ template <class Recorder> [[maybe_unused]] void take_states(Context& context, Re
 /// them to the notes of the rows that batches reach.
 void record_states([[maybe_unused]] Context& context) {
 #if SPANGLE_FEATURE_BANDS
-    if (raster::BatchRows* const batches = context.drawable.batches; batches != nullptr && batches->notes())
+    if (raster::BatchRows* const batches = context.drawable.batches;
+        batches != nullptr && batches->is_recording())
         take_states(context, *batches);
 #endif
 #if SPANGLE_HAS_RECORDS
@@ -241,8 +242,8 @@ Rect drawing_rect(const Context& context) {
     if (!context.fragment_ops.scissor_test)
         return all;
     const GLint* const box = context.fragment_ops.scissor_box;
-    const Interval columns = inside(box[0], box[2], 0, all.w),
-                   rows = inside(box[1], box[3], all.y, all.y + all.h);
+    const Interval columns = clip_interval(box[0], box[2], 0, all.w),
+                   rows = clip_interval(box[1], box[3], all.y, all.y + all.h);
     return {columns.begin, rows.begin, columns.end - columns.begin, rows.end - rows.begin};
 }
 
@@ -288,7 +289,7 @@ const raster::DrawState& draw_state_of(const Context& context, [[maybe_unused]] 
     return context.fragments.state;
 }
 
-const raster::DrawState& draw_state(Context& context, Drawn drawn, raster::Colors colors) {
+const raster::DrawState& draw_state(Context& context, PrimitiveKind drawn, raster::Colors colors) {
     FragmentCache& cache = context.fragments;
     const std::uint32_t texture_changes = context.share->texture_changes;
     if ((context.dirty & dirty_fragment) != 0 || cache.texture_changes != texture_changes ||
@@ -296,7 +297,7 @@ const raster::DrawState& draw_state(Context& context, Drawn drawn, raster::Color
         cache.texture_changes = texture_changes;
         cache.drawn = drawn;
         cache.colors = colors;
-        cache.differs = offsets(context.polygon) || stipples(context.polygon) || smooths(context) ||
+        cache.differs = offsets(context.polygon) || has_stipple(context.polygon) || is_antialiased(context) ||
                         !viewport_holds(context, drawing_rect(context));
         // Members that are not filled in are 0, including padding. States that leave them out never read
         // them.
@@ -304,7 +305,7 @@ const raster::DrawState& draw_state(Context& context, Drawn drawn, raster::Color
         alignas(raster::FragmentState) unsigned char memory[sizeof(raster::FragmentState)] = {};
         auto& fragment = *std::launder(reinterpret_cast<raster::FragmentState*>(memory));
         fragment.perspective = true;
-        fill(context, fragment);
+        fill_fragment_state(context, fragment);
         fill_modes(context, drawn, fragment);
         fragment.colors = colors;
         compile(context, cache.kept, fragment, cache.state);

@@ -7,7 +7,7 @@
 namespace spangle::gl {
 
 /// The state that the next primitive is drawn with. The call is almost free while no state has changed.
-const raster::DrawState& draw_state(Context& context, Drawn drawn = Drawn::pixels,
+const raster::DrawState& draw_state(Context& context, PrimitiveKind drawn = PrimitiveKind::pixels,
                                     raster::Colors colors = raster::Colors::of_vertices);
 
 /// Whether back faces have a different stencil test than front faces (GL 2.0, 4.1.5).

@@ -17,7 +17,7 @@ Component luminance(const Pixel& pixel) {
     return {static_cast<std::uint32_t>(sum < most ? sum : most), 32};
 }
 
-Component pick(const Pixel& pixel, Channel channel) {
+Component component_of(const Pixel& pixel, Channel channel) {
     switch (channel) {
     case Channel::luminance:
         return luminance(pixel);
@@ -32,10 +32,10 @@ Component pick(const Pixel& pixel, Channel channel) {
 
 std::uint32_t Groups::element(const unsigned char* row, std::size_t group, unsigned component) const {
     if (layout_.kind == ElementKind::bitmap)
-        return bit_of(row, group, lsb_first_) ? 1 : 0;
+        return bit_of(row, group, is_lsb_first_) ? 1 : 0;
     const unsigned char* const from = row + group * layout_.group_bytes();
     const std::uint32_t offset = layout_.packed ? 0 : component * std::uint32_t{layout_.element_bytes};
-    const std::uint32_t element = load_element(from + offset, layout_.element_bytes, swap_bytes_);
+    const std::uint32_t element = load_element(from + offset, layout_.element_bytes, swaps_bytes_);
     if (raster::has_shortcuts && !layout_.packed)
         return element;
     return element >> layout_.shift[component] & all_ones(layout_.bits[component]);
@@ -60,8 +60,8 @@ Index Groups::index(const unsigned char* row, std::size_t group) const {
 
 ColorImage::ColorImage(const Context& context, const PixelLayout& layout)
     : groups_(layout, context.pixel_store.unpack), transfer_(context.pixel_mode),
-      indices_(layout.channel[0] == Channel::color_index),
-      swaps_(context.pixel_store.unpack.swap_bytes && layout.element_bytes > 1) {}
+      has_indices_(layout.channel[0] == Channel::color_index),
+      swaps_bytes_(context.pixel_store.unpack.swap_bytes && layout.element_bytes > 1) {}
 
 Pixel ColorImage::color(const unsigned char* row, std::size_t at) const {
     return group(Content::color, row, at).color;
@@ -69,10 +69,10 @@ Pixel ColorImage::color(const unsigned char* row, std::size_t at) const {
 
 Group ColorImage::group(Content content, const unsigned char* row, std::size_t at) const {
     Group group;
-    if (content == Content::depth || (content == Content::color && !indices_)) {
+    if (content == Content::depth || (content == Content::color && !has_indices_)) {
         group.color = groups_.color(row, at);
         if (content == Content::color)
-            transfer_.apply(group.color);
+            transfer_.transfer_if_needed(group.color);
         else
             group.color.value[0] = transfer_.depth(group.color.value[0]);
         return group;
@@ -90,7 +90,7 @@ Group ColorImage::group(Content content, const unsigned char* row, std::size_t a
 void pack_pixel(const PixelLayout& layout, bool swap_bytes, const Pixel& pixel, unsigned char* to) {
     std::uint32_t word = 0;
     for (unsigned i = 0; i < layout.components;) {
-        word |= encode_element(layout.kind, layout.bits[i], pick(pixel, layout.channel[i]))
+        word |= encode_element(layout.kind, layout.bits[i], component_of(pixel, layout.channel[i]))
                 << layout.shift[i];
         ++i;
         if (layout.packed && i < layout.components)

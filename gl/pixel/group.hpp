@@ -30,7 +30,7 @@ struct Group {
 class Groups {
   public:
     Groups(const PixelLayout& layout, const PixelStore& store)
-        : layout_(layout), swap_bytes_(store.swap_bytes), lsb_first_(store.lsb_first) {}
+        : layout_(layout), swaps_bytes_(store.swap_bytes), is_lsb_first_(store.lsb_first) {}
     explicit Groups(const PixelLayout& layout) : layout_(layout) {}
 
     /// The colour of a group after "final expansion to RGBA": L becomes R, G and B, missing colours are 0, a
@@ -42,7 +42,7 @@ class Groups {
     std::uint32_t element(const unsigned char* row, std::size_t group, unsigned component) const;
 
     const PixelLayout& layout_;
-    bool swap_bytes_ = false, lsb_first_ = false;
+    bool swaps_bytes_ = false, is_lsb_first_ = false;
 };
 
 /// A client image after pixel transfer, which DrawPixels and texture images are made of (GL 1.3, 3.6.4, 3.6.5
@@ -52,10 +52,10 @@ class ColorImage {
     ColorImage(const Context& context, const PixelLayout& layout);
 
     /// Whether every group is a colour that transfer leaves unchanged.
-    bool keeps_colors() const { return !indices_ && !transfer_.changes_colors(); }
+    bool keeps_colors() const { return !has_indices_ && !transfer_.changes_colors(); }
     /// Whether, in addition, bytes are not swapped. Rows may then be copied to a receiver that stores colours
     /// as the client does.
-    bool is_plain() const { return keeps_colors() && !swaps_; }
+    bool is_plain() const { return keeps_colors() && !swaps_bytes_; }
 
     Pixel color(const unsigned char* row, std::size_t group) const;
     Group group(Content content, const unsigned char* row, std::size_t group) const;
@@ -63,7 +63,7 @@ class ColorImage {
   private:
     Groups groups_;
     Transfer transfer_;
-    bool indices_, swaps_;
+    bool has_indices_, swaps_bytes_;
 };
 
 /// Writes the components that the format names, clamped to [0, 1]; L is R + G + B (GL 1.3, 4.3.2). A depth is

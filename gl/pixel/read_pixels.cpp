@@ -44,7 +44,8 @@ void read_row(const Read& r, std::int32_t x, std::int32_t y, std::int32_t count,
 void read(Read& r, const raster::Surface& surface, ReadRows& source, const PixelStore& pack, GLint x, GLint y,
           GLsizei width, GLsizei height, unsigned char* pixels) {
     const Rect& all = source.area();
-    const Interval columns = inside(x, width, 0, all.w), lines = inside(y, height, all.y, all.y + all.h);
+    const Interval columns = clip_interval(x, width, 0, all.w),
+                   lines = clip_interval(y, height, all.y, all.y + all.h);
     const std::int32_t count = columns.end - columns.begin;
     if (columns.begin == columns.end)
         return;
@@ -61,7 +62,7 @@ void read(Read& r, const raster::Surface& surface, ReadRows& source, const Pixel
     if constexpr (has_row_codes) {
         if (pays_converter(std::int64_t{count} * height) && keeps_colors(surface, r.transfer, r.content)) {
             SurfaceConverter converter(surface.format, GroupForm(r.layout, r.swap_bytes));
-            if (converter.works())
+            if (converter.is_supported())
                 return each_row([&](std::int32_t line, unsigned char* row) {
                     converter.convert(*r.surface, columns.begin, line, count,
                                       row + first * r.layout.group_bytes());

@@ -69,8 +69,8 @@ void convert(const GroupSource& source, RowForm form, std::int32_t n, std::int32
 
 /// Fills `out` with `count` fragments of group row m, beginning at walk `n`. A group that covers several
 /// fragments is converted once.
-void fill_row(const GroupSource& source, RowForm form, std::int32_t m, ZoomAxis::Walk n, std::int32_t count,
-              RectangleRow& out) {
+void fill_row(const GroupSource& source, RowForm form, std::int32_t m, ZoomAxis::GroupWalk n,
+              std::int32_t count, RectangleRow& out) {
     std::uint32_t words[4] = {};
     std::int32_t last = -1;
     for (std::int32_t i = 0; i < count; ++i, n.step()) {
@@ -94,13 +94,14 @@ constexpr GroupFields word_fields{2, false, true, {{11, 5}, {5, 6}, {0, 5}}};
 static_assert(row_chunk >= rectangle_chunk);
 
 /// Converts whole rows of groups, where each group is one fragment and transfer changes no colour.
-class WholeRows {
+class UnzoomedRows {
   public:
-    WholeRows(const GroupSource& source, RowForm form, bool zooms)
-        : source_(source), form_(form), works_(source.groups != nullptr && !zooms && form <= RowForm::words),
+    UnzoomedRows(const GroupSource& source, RowForm form, bool zooms)
+        : source_(source), form_(form),
+          is_usable_(source.groups != nullptr && !zooms && form <= RowForm::words),
           reader_(source.form, bits(source, form)) {}
 
-    bool works() const { return works_; }
+    bool is_supported() const { return is_usable_; }
 
     void fill(std::int32_t n, std::int32_t m, std::int32_t count, RectangleRow& out) {
         const std::uint8_t* const from = source_.groups(source_, n, m, count);
@@ -125,7 +126,7 @@ class WholeRows {
 
     const GroupSource& source_;
     RowForm form_;
-    bool works_;
+    bool is_usable_;
     RowReader reader_;
 };
 
@@ -142,32 +143,32 @@ class Rectangle {
           y_(context.current.raster.position[1], context.pixel_mode.zoom[1], shift.y)
 #if SPANGLE_ROW_CODES
           ,
-          whole_rows_(source, form, !x_.is_one())
+          unzoomed_rows_(source, form, !x_.is_unit_zoom())
 #endif
     {
         const Rect clip = drawing_rect(context);
         if (x_.is_empty() || y_.is_empty())
             return;
-        columns_ = x_.covered(source.n.begin, source.n.end, clip.x, clip.x + clip.w);
-        rows_ = y_.covered(source.m.begin, source.m.end, clip.y, clip.y + clip.h);
+        columns_ = x_.covered_fragments(source.n.begin, source.n.end, clip.x, clip.x + clip.w);
+        rows_ = y_.covered_fragments(source.m.begin, source.m.end, clip.y, clip.y + clip.h);
     }
 
     /// Calls put(y, x, count, row) for each row of each chunk.
-    template <class Put> void each(Put put) {
+    template <class Put> void for_each_fragment_row(Put put) {
         if (rows_.begin >= rows_.end)
             return;
         for (std::int32_t done = 0, all = columns_.end - columns_.begin; done < all;
              done += rectangle_chunk) {
             const std::int32_t count = all - done < rectangle_chunk ? all - done : rectangle_chunk;
             const std::int32_t x = order_.from_right ? columns_.end - done - count : columns_.begin + done;
-            chunk(x, count, put);
+            put_chunk(x, count, put);
         }
     }
 
   private:
-    template <class Put> void chunk(std::int32_t x, std::int32_t count, Put put) {
-        const ZoomAxis::Walk n = x_.from(x);
-        ZoomAxis::Walk m = y_.from(rows_.begin);
+    template <class Put> void put_chunk(std::int32_t x, std::int32_t count, Put put) {
+        const ZoomAxis::GroupWalk n = x_.from(x);
+        ZoomAxis::GroupWalk m = y_.from(rows_.begin);
         std::int32_t filled = -1;
         for (std::int32_t i = 0; i < rows_.end - rows_.begin; ++i) {
             const std::int32_t y = order_.from_top ? rows_.end - 1 - i : rows_.begin + i;
@@ -181,10 +182,10 @@ class Rectangle {
         }
     }
 
-    void fill(std::int32_t m, const ZoomAxis::Walk& n, std::int32_t count) {
+    void fill(std::int32_t m, const ZoomAxis::GroupWalk& n, std::int32_t count) {
 #if SPANGLE_ROW_CODES
-        if (whole_rows_.works())
-            return whole_rows_.fill(n.group(), m, count, row_);
+        if (unzoomed_rows_.is_supported())
+            return unzoomed_rows_.fill(n.group(), m, count, row_);
 #endif
         fill_row(source_, form_, m, n, count, row_);
     }
@@ -196,7 +197,7 @@ class Rectangle {
     ZoomAxis::Range columns_{0, 0}, rows_{0, 0};
     RectangleRow row_;
 #if SPANGLE_ROW_CODES
-    WholeRows whole_rows_;
+    UnzoomedRows unzoomed_rows_;
 #endif
 };
 
@@ -219,7 +220,7 @@ void emit_depths(raster::PixelSink& sink, std::int32_t y, std::int32_t x, std::i
 
 void emit(raster::PixelSource& source, raster::PixelSink& sink) {
     auto& fragments = static_cast<Fragments&>(source);
-    fragments.rectangle.each(
+    fragments.rectangle.for_each_fragment_row(
         [&](std::int32_t y, std::int32_t x, std::int32_t count, const RectangleRow& row) {
             if (fragments.form == RowForm::depth)
                 return emit_depths(sink, y, x, count, row.depth);
@@ -260,7 +261,7 @@ void draw_rectangle(Context& context, const GroupSource& source, raster::Colors 
     const raster::DrawState* const state =
         content == Content::stencil
             ? nullptr
-            : &draw_state(context, Drawn::pixels,
+            : &draw_state(context, PrimitiveKind::pixels,
                           content == Content::depth ? raster::Colors::of_vertices : colors);
     const RowForm form = state == nullptr            ? RowForm::stencil
                          : content == Content::depth ? RowForm::depth

@@ -106,7 +106,7 @@ void write_blocks(const CodeRow& from, const GroupFields& to, std::int32_t at, s
 
 } // namespace
 
-FieldReader::FieldReader(const GroupFields& from, const CodeBits& to) : from_(from) {
+FieldReader::FieldReader(const GroupFields& from, const CodeBits& to) : source_fields_(from) {
     for (unsigned c = 0; c < 4; ++c) {
         if (from.field[c].bits == 0 || to.of[c] == 0)
             continue;
@@ -120,22 +120,22 @@ void FieldReader::blocks(const std::uint8_t* from, std::int32_t count, CodeRow& 
     for (unsigned c = 0; c < 4; ++c) {
         if (scale_[c].factor == 0)
             continue;
-        const unsigned shift = from_.field[c].shift, bits = from_.field[c].bits;
+        const unsigned shift = source_fields_.field[c].shift, bits = source_fields_.field[c].bits;
         const auto each = [&]<int GroupBytes>(unsigned down, auto load) {
             read_field<GroupBytes>(from, count, down, bits, scale_[c], out.code[c] + at, load);
         };
-        if (from_.bytes == 1)
+        if (source_fields_.bytes == 1)
             each.template operator()<1>(shift, [](const std::uint8_t* p) {
                 Bytes bytes;
                 std::memcpy(&bytes, p, sizeof bytes);
                 return __builtin_convertvector(bytes, U16);
             });
-        else if (from_.bytes == 2 && from_.swapped)
+        else if (source_fields_.bytes == 2 && source_fields_.swapped)
             each.template operator()<2>(shift,
                                         [](const std::uint8_t* p) { return L::swap_bytes(L::load(p)); });
-        else if (from_.bytes == 2)
+        else if (source_fields_.bytes == 2)
             each.template operator()<2>(shift, [](const std::uint8_t* p) { return L::load(p); });
-        else if (from_.bytes == 3)
+        else if (source_fields_.bytes == 3)
             each.template operator()<3>(shift & 7, [byte = shift / 8](const std::uint8_t* first) {
                 const std::uint8_t* const p = first + byte;
                 return U16{p[0], p[3], p[6], p[9], p[12], p[15], p[18], p[21]};
@@ -155,8 +155,8 @@ void FieldReader::read(const std::uint8_t* from, std::int32_t count, CodeRow& ou
     if (rest == 0)
         return;
     std::uint8_t last[4 * lanes] = {}; // a copy, so that nothing behind the last group is read
-    std::memcpy(last, from + std::ptrdiff_t{whole} * from_.bytes,
-                static_cast<std::size_t>(rest * from_.bytes));
+    std::memcpy(last, from + std::ptrdiff_t{whole} * source_fields_.bytes,
+                static_cast<std::size_t>(rest * source_fields_.bytes));
     blocks(last, lanes, out, whole);
 }
 

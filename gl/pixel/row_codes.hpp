@@ -31,7 +31,7 @@ class FieldReader {
   private:
     void blocks(const std::uint8_t* from, std::int32_t count, CodeRow& out, std::int32_t at) const;
 
-    GroupFields from_;
+    GroupFields source_fields_;
     CodeScale scale_[4] = {}; ///< factor 0: the component is not read
 };
 

@@ -60,7 +60,7 @@ CodeBits own_bits(const GroupFields& fields) {
 }
 
 RowReader::RowReader(const GroupForm& from, const CodeBits& to)
-    : from_(from), bits_(to), fields_(from.fields, to) {
+    : source_form_(from), bits_(to), fields_(from.fields, to) {
     for (unsigned c = 0; c < 4; ++c)
         if (to.of[c] != 0 && !has_channel(from, c))
             for (std::uint16_t& code : row_.code[c])
@@ -68,33 +68,34 @@ RowReader::RowReader(const GroupForm& from, const CodeBits& to)
 }
 
 CodeRow& RowReader::read(const std::uint8_t* from, std::int32_t count) {
-    if (from_.fields.bytes != 0)
+    if (source_form_.fields.bytes != 0)
         fields_.read(from, count, row_);
     else
-        read_elements(from, *from_.layout, from_.swap, count, bits_, row_);
+        read_elements(from, *source_form_.layout, source_form_.swap, count, bits_, row_);
     return row_;
 }
 
 RowConverter::RowConverter(const GroupForm& from, const GroupForm& to)
-    : from_(from), to_(written(to)), luminance_(is_luminance(to)),
-      works_(luminance_ ? has_exact_sums(from.fields) : from.fields.bytes != 0 || to.fields.bytes != 0),
+    : source_form_(from), target_form_(written(to)), adds_luminance_(is_luminance(to)),
+      is_supported_(adds_luminance_ ? has_exact_sums(from.fields)
+                                    : from.fields.bytes != 0 || to.fields.bytes != 0),
       reader_(from, wanted_bits(from, to)) {}
 
 void RowConverter::convert(const std::uint8_t* from, std::uint8_t* to, std::int32_t count) {
     CodeRow& row = reader_.read(from, count);
-    if (luminance_)
+    if (adds_luminance_)
         add_luminance(row);
-    if (to_.fields.bytes != 0)
-        write_fields(row, to_.fields, count, to);
+    if (target_form_.fields.bytes != 0)
+        write_fields(row, target_form_.fields, count, to);
     else
-        write_elements(row, reader_.bits(), *to_.layout, to_.swap, count, to);
+        write_elements(row, reader_.bits(), *target_form_.layout, target_form_.swap, count, to);
 }
 
 void RowConverter::convert_row(const std::uint8_t* from, std::uint8_t* to, std::int32_t count) {
     for (; count > row_chunk; count -= row_chunk) {
         convert(from, to, row_chunk);
-        from += std::size_t{row_chunk} * from_.bytes();
-        to += std::size_t{row_chunk} * to_.bytes();
+        from += std::size_t{row_chunk} * source_form_.bytes();
+        to += std::size_t{row_chunk} * target_form_.bytes();
     }
     convert(from, to, count);
 }
@@ -105,8 +106,8 @@ const std::uint8_t* SurfaceRow::at(const raster::Surface& surface, std::int32_t 
     if (const unsigned bytes = raster::drawn_info(surface.format).bytes_per_pixel; bytes != 0)
         return row + std::ptrdiff_t{x} * static_cast<std::ptrdiff_t>(bytes);
     for (std::int32_t i = 0; i < count; ++i)
-        words_[i] = static_cast<std::uint16_t>(raster::load_narrow(surface.format, row, x + i, y));
-    return reinterpret_cast<const std::uint8_t*>(words_);
+        unpacked_pixels_[i] = static_cast<std::uint16_t>(raster::load_narrow(surface.format, row, x + i, y));
+    return reinterpret_cast<const std::uint8_t*>(unpacked_pixels_);
 }
 
 void SurfaceConverter::convert(const raster::Surface& surface, std::int32_t x, std::int32_t y,

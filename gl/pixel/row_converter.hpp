@@ -45,7 +45,7 @@ class RowReader {
     const CodeBits& bits() const { return bits_; }
 
   private:
-    GroupForm from_;
+    GroupForm source_form_;
     CodeBits bits_;
     FieldReader fields_;
     CodeRow row_{};
@@ -57,15 +57,15 @@ class RowConverter {
     RowConverter(const GroupForm& from, const GroupForm& to);
 
     /// False when this pair of formats is not supported; no other member may be called then.
-    bool works() const { return works_; }
+    bool is_supported() const { return is_supported_; }
     /// Converts `count` groups, at most row_chunk.
     void convert(const std::uint8_t* from, std::uint8_t* to, std::int32_t count);
     /// Converts any number of groups.
     void convert_row(const std::uint8_t* from, std::uint8_t* to, std::int32_t count);
 
   private:
-    GroupForm from_, to_;
-    bool luminance_, works_;
+    GroupForm source_form_, target_form_;
+    bool adds_luminance_, is_supported_;
     RowReader reader_;
 };
 
@@ -77,7 +77,7 @@ class SurfaceRow {
                            std::int32_t count);
 
   private:
-    std::uint16_t words_[row_chunk]; ///< unpacked pixels of formats whose pixels share bytes
+    std::uint16_t unpacked_pixels_[row_chunk]; ///< unpacked pixels of formats whose pixels share bytes
 };
 
 /// Converts rows of a surface to groups.
@@ -87,7 +87,7 @@ class SurfaceConverter {
     SurfaceConverter(PixelFormat surface, const GroupForm& to)
         : converter_(GroupForm(surface), to), bytes_(to.bytes()) {}
 
-    bool works() const { return converter_.works(); }
+    bool is_supported() const { return converter_.is_supported(); }
     /// Converts any number of pixels from (x, y) on.
     void convert(const raster::Surface& surface, std::int32_t x, std::int32_t y, std::int32_t count,
                  std::uint8_t* to);

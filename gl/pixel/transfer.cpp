@@ -14,7 +14,7 @@ Component scaled(Component c, Real scale, Real bias) {
     return is_identity(scale, bias) ? c : component(numeric::add(numeric::mul(to_real(c), scale), bias));
 }
 
-std::uint32_t entry(const PixelMap* map, std::uint32_t at) {
+std::uint32_t map_entry(const PixelMap* map, std::uint32_t at) {
     return map != nullptr ? map->entries()[at] : 0;
 }
 
@@ -24,7 +24,7 @@ std::uint32_t last_of(const PixelMap* map) {
 
 /// The entry that an index selects; such maps' sizes are powers of two.
 std::uint32_t entry_at(const PixelMap* map, Index index) {
-    return entry(map, rounded(index) & last_of(map));
+    return map_entry(map, rounded(index) & last_of(map));
 }
 
 [[gnu::noinline]] Index shifted_by(const PixelModeState& state, Index index) {
@@ -33,19 +33,19 @@ std::uint32_t entry_at(const PixelMap* map, Index index) {
 
 } // namespace
 
-Transfer::Transfer(const PixelModeState& state) : state_(state), maps_(state.map_color) {
+Transfer::Transfer(const PixelModeState& state) : state_(state), has_map_(state.map_color) {
     for (int c = 0; c < 4; ++c)
-        scales_ = scales_ || !is_identity(state.linear[c].scale, state.linear[c].bias);
+        has_scale_or_bias_ = has_scale_or_bias_ || !is_identity(state.linear[c].scale, state.linear[c].bias);
 }
 
-void Transfer::change(Pixel& color) const {
+void Transfer::transfer_color(Pixel& color) const {
     for (unsigned c = 0; c < 4; ++c) {
         Component& v = color.value[c];
         v = scaled(v, state_.linear[c].scale, state_.linear[c].bias);
-        if (!maps_)
+        if (!has_map_)
             continue;
         const PixelMap* const map = state_.map[map_r_to_r + c];
-        v = component(Real{entry(map, steps_of(v, last_of(map)))});
+        v = component(Real{map_entry(map, steps_of(v, last_of(map)))});
     }
 }
 
@@ -81,7 +81,7 @@ Component Transfer::depth(Component z) const {
 
 Transfer::Transfer(const PixelModeState& state) : state_(state) {}
 
-void Transfer::change(Pixel&) const {}
+void Transfer::transfer_color(Pixel&) const {}
 
 /// Returns what the initial maps give: each has one entry, 0.
 Pixel Transfer::color_of(Index) const {

@@ -20,12 +20,12 @@ class Transfer {
     explicit Transfer(const PixelModeState& state);
 
     /// Whether transfer may change a colour component.
-    bool changes_colors() const { return scales_ || maps_; }
+    bool changes_colors() const { return has_scale_or_bias_ || has_map_; }
 
     /// Applies scale and bias, then the maps of components.
-    void apply(Pixel& color) const {
+    void transfer_if_needed(Pixel& color) const {
         if (changes_colors())
-            change(color);
+            transfer_color(color);
     }
     /// Applies shift and offset, then the maps from indices to colours, whatever MAP_COLOR is.
     Pixel color_of(Index index) const;
@@ -36,10 +36,10 @@ class Transfer {
     Component depth(Component z) const;
 
   private:
-    void change(Pixel& color) const;
+    void transfer_color(Pixel& color) const;
 
     const PixelModeState& state_;
-    bool scales_ = false, maps_ = false;
+    bool has_scale_or_bias_ = false, has_map_ = false;
 };
 
 } // namespace spangle::gl

@@ -30,8 +30,8 @@ inline bool lines_are_thin(const Context& context) {
 /// The pixels of an area that lie in the viewport. May be empty.
 inline Rect in_viewport(const Context& context, const Rect& area) {
     const GLint(&v)[4] = context.transform.viewport;
-    const Interval columns = inside(v[0], v[2], area.x, area.x + area.w),
-                   rows = inside(v[1], v[3], area.y, area.y + area.h);
+    const Interval columns = clip_interval(v[0], v[2], area.x, area.x + area.w),
+                   rows = clip_interval(v[1], v[3], area.y, area.y + area.h);
     return {columns.begin, rows.begin, columns.end - columns.begin, rows.end - rows.begin};
 }
 

@@ -35,7 +35,8 @@ std::int64_t times(std::int64_t a, std::int32_t n) {
 
 } // namespace
 
-[[gnu::noinline]] Interval inside(std::int32_t at, std::int32_t size, std::int32_t low, std::int32_t high) {
+[[gnu::noinline]] Interval clip_interval(std::int32_t at, std::int32_t size, std::int32_t low,
+                                         std::int32_t high) {
     std::int32_t end = 0;
     if (__builtin_add_overflow(at, size, &end))
         end = high;
@@ -51,17 +52,17 @@ std::int32_t whole_pixels(numeric::Real at, numeric::Real origin, std::int32_t a
 }
 
 ZoomAxis::ZoomAxis(numeric::Real at, numeric::Real zoom, std::int32_t shift)
-    : at_(fixed(at) + shift * (one >> 8)), zoom_(fixed(zoom)) {}
+    : origin_(fixed(at) + shift * (one >> 8)), zoom_(fixed(zoom)) {}
 
 /// The first fragment whose centre is at or after the beginning of a group.
 [[gnu::noinline]] std::int32_t ZoomAxis::first_fragment(std::int32_t group) const {
-    const std::int64_t edge = at_ + times(zoom_, group);
+    const std::int64_t edge = origin_ + times(zoom_, group);
     const std::int64_t fragment = (edge - half + (one - 1)) >> fraction_bits; // |edge| < 2^62
     return numeric::saturate_i32(fragment);
 }
 
-ZoomAxis::Range ZoomAxis::covered(std::int32_t first, std::int32_t last, std::int32_t low,
-                                  std::int32_t high) const {
+ZoomAxis::Range ZoomAxis::covered_fragments(std::int32_t first, std::int32_t last, std::int32_t low,
+                                            std::int32_t high) const {
     const std::int32_t a = first_fragment(first), b = first_fragment(last);
     const Range all = zoom_ < 0 ? Range{b, a} : Range{a, b};
     return {all.begin > low ? all.begin : low, all.end < high ? all.end : high};
@@ -70,34 +71,34 @@ ZoomAxis::Range ZoomAxis::covered(std::int32_t first, std::int32_t last, std::in
 /// The walk begins with d / |zoom|, where d is the distance of the fragment's centre from the raster
 /// position, less 2^-32 for a negative zoom. Both are positive, as the fragment is covered, so the floor of
 /// the quotient is the group.
-ZoomAxis::Walk ZoomAxis::from(std::int32_t fragment) const {
+ZoomAxis::GroupWalk ZoomAxis::from(std::int32_t fragment) const {
     const std::int64_t center = fragment * one + half;
-    const std::int64_t d = zoom_ < 0 ? at_ - center - 1 : center - at_;
-    Walk walk;
-    walk.by_ = zoom_ < 0 ? -zoom_ : zoom_;
+    const std::int64_t d = zoom_ < 0 ? origin_ - center - 1 : center - origin_;
+    GroupWalk walk;
+    walk.divisor_ = zoom_ < 0 ? -zoom_ : zoom_;
     const auto divided = [&](std::int64_t n, std::int64_t& quotient, std::int64_t& rest) {
         const numeric::LongQuotient q =
-            numeric::divide_long(static_cast<std::uint64_t>(n), static_cast<std::uint64_t>(walk.by_));
+            numeric::divide_long(static_cast<std::uint64_t>(n), static_cast<std::uint64_t>(walk.divisor_));
         quotient = static_cast<std::int64_t>(q.quotient);
         rest = static_cast<std::int64_t>(q.remainder);
     };
-    divided(d, walk.group_, walk.rest_); // d >= 0: the fragment is covered
-    divided(one, walk.whole_, walk.part_);
+    divided(d, walk.group_, walk.remainder_); // d >= 0: the fragment is covered
+    divided(one, walk.step_quotient_, walk.step_remainder_);
     if (zoom_ < 0) {
-        walk.whole_ = -walk.whole_;
-        walk.part_ = -walk.part_;
+        walk.step_quotient_ = -walk.step_quotient_;
+        walk.step_remainder_ = -walk.step_remainder_;
     }
     return walk;
 }
 
-void ZoomAxis::Walk::step() {
-    group_ += whole_;
-    rest_ += part_;
-    if (rest_ >= by_) {
-        rest_ -= by_;
+void ZoomAxis::GroupWalk::step() {
+    group_ += step_quotient_;
+    remainder_ += step_remainder_;
+    if (remainder_ >= divisor_) {
+        remainder_ -= divisor_;
         ++group_;
-    } else if (rest_ < 0) {
-        rest_ += by_;
+    } else if (remainder_ < 0) {
+        remainder_ += divisor_;
         --group_;
     }
 }

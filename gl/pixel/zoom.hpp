@@ -19,7 +19,7 @@ struct Interval {
 };
 
 /// The part of [at, at + size), size >= 0, that lies in [low, high).
-Interval inside(std::int32_t at, std::int32_t size, std::int32_t low, std::int32_t high);
+Interval clip_interval(std::int32_t at, std::int32_t size, std::int32_t low, std::int32_t high);
 
 /// One axis of a zoomed rectangle. Group n covers the fragments whose centre lies in [at + zoom n, at + zoom
 /// (n + 1)), or for a negative zoom in [at + zoom (n + 1), at + zoom n). All numbers have 32 fraction bits:
@@ -32,30 +32,31 @@ class ZoomAxis {
     /// Whether the zoom is 0, so that nothing is drawn.
     bool is_empty() const { return zoom_ == 0; }
     /// Whether the zoom is 1, so that each group covers one fragment, in order.
-    bool is_one() const { return zoom_ == std::int64_t{1} << 32; }
+    bool is_unit_zoom() const { return zoom_ == std::int64_t{1} << 32; }
 
     using Range = Interval; ///< a range of fragments
     /// The fragments that groups [first, last) cover, cut to [low, high), which are coordinates of a surface.
-    Range covered(std::int32_t first, std::int32_t last, std::int32_t low, std::int32_t high) const;
+    Range covered_fragments(std::int32_t first, std::int32_t last, std::int32_t low, std::int32_t high) const;
 
     /// Steps from fragment to fragment, and says which group each belongs to.
-    class Walk {
+    class GroupWalk {
       public:
         std::int32_t group() const { return static_cast<std::int32_t>(group_); }
         void step();
 
       private:
         friend class ZoomAxis;
-        std::int64_t group_, rest_;      ///< the present group, and the remainder of the division
-        std::int64_t whole_, part_, by_; ///< whole and remainder: step per fragment; by: the divisor |zoom|
+        std::int64_t group_, remainder_; ///< the present group, and the remainder of the division
+        std::int64_t step_quotient_, step_remainder_,
+            divisor_; ///< quotient and remainder: step per fragment; divisor: |zoom|
     };
     /// A walk that begins at a fragment, which must be covered.
-    Walk from(std::int32_t fragment) const;
+    GroupWalk from(std::int32_t fragment) const;
 
   private:
     std::int32_t first_fragment(std::int32_t group) const;
 
-    std::int64_t at_, zoom_;
+    std::int64_t origin_, zoom_;
 };
 
 } // namespace spangle::gl

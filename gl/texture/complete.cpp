@@ -18,10 +18,10 @@ bool alike(const LevelShape& a, const LevelShape& b) {
     return a.internal_format == b.internal_format && a.border == b.border && a.dimensions == b.dimensions;
 }
 
-bool follows(const LevelShape& shape, const LevelShape& base, int step) {
+bool is_next_level(const LevelShape& shape, const LevelShape& base, int step) {
     for (unsigned axis = 0; axis < 3; ++axis) {
-        const std::uint32_t halved = base.inner(axis) >> step;
-        if (shape.inner(axis) != (halved > 1 ? halved : 1))
+        const std::uint32_t halved = base.size_without_border(axis) >> step;
+        if (shape.size_without_border(axis) != (halved > 1 ? halved : 1))
             return false;
     }
     return alike(shape, base);
@@ -42,12 +42,13 @@ int usable_levels(const TextureObject& texture, unsigned face) {
         return 0;
     // p = max(n, m, l) + base, q = min(p, max_level); a level's largest size keeps p below texture_levels.
     const int chain =
-        static_cast<int>(std::bit_width(base.inner(0) | base.inner(1) | base.inner(2))); // max(n, m, l) + 1
+        static_cast<int>(std::bit_width(base.size_without_border(0) | base.size_without_border(1) |
+                                        base.size_without_border(2))); // max(n, m, l) + 1
     const int wanted = texture.parameters.max_level - first;
     const int count = wanted < chain - 1 ? wanted + 1 : chain;
     for (int step = 1; step < count; ++step) {
         const LevelImage* image = texture.image(face, first + step);
-        if (image == nullptr || !follows(image->shape, base, step))
+        if (image == nullptr || !is_next_level(image->shape, base, step))
             return 0;
     }
     return count;
@@ -55,7 +56,7 @@ int usable_levels(const TextureObject& texture, unsigned face) {
 
 /// The number of levels to sample in every face; 0: the texture is incomplete.
 int usable_levels(const TextureObject& texture) {
-    if (there(texture.kind) == TextureKind::cube && !is_cube_complete(texture))
+    if (existing_kind(texture.kind) == TextureKind::cube && !is_cube_complete(texture))
         return 0;
     const int count = usable_levels(texture, 0);
     for (unsigned face = 1; face < texture.faces(); ++face)
@@ -76,7 +77,8 @@ const std::uint8_t* inner_texels(const LevelImage& image) {
 raster::TextureLevel view_of(const LevelImage& image) {
     const LevelShape& shape = image.shape;
     const auto side = [&](unsigned axis) {
-        return raster::spans_sample_any ? static_cast<std::uint16_t>(shape.inner(axis)) : shape.size[axis];
+        return raster::spans_sample_any ? static_cast<std::uint16_t>(shape.size_without_border(axis))
+                                        : shape.size[axis];
     };
     return {inner_texels(image), side(0), side(1), image.stride};
 }
@@ -95,7 +97,7 @@ void set_filters(const TextureObject& texture, raster::Texture& view) {
 }
 
 raster::TextureShape shape_of(TextureKind kind) {
-    switch (there(kind)) {
+    switch (existing_kind(kind)) {
     case TextureKind::one:
         return raster::TextureShape::line;
     case TextureKind::two:
@@ -179,12 +181,12 @@ void build(const TextureObject& texture) {
         view.level[l] = view_of(*texture.level[parameters.base_level + l]);
     view.shape = shape_of(texture.kind);
     if (samples_volumes)
-        view.depth = static_cast<std::uint16_t>(base.shape.inner(2));
+        view.depth = static_cast<std::uint16_t>(base.shape.size_without_border(2));
     set_faces(texture, view);
     set_format(texture, base, view);
     view.wrap_s = wrap_of(parameters.wrap[0]);
     // 1D textures repeat their single row.
-    view.wrap_t = base.shape.sides() > 1 ? wrap_of(parameters.wrap[1]) : raster::Wrap::repeat;
+    view.wrap_t = base.shape.dimension_count() > 1 ? wrap_of(parameters.wrap[1]) : raster::Wrap::repeat;
     if (samples_volumes)
         view.wrap_r = wrap_of(parameters.wrap[2]);
     set_filters(texture, view);

@@ -17,7 +17,7 @@ namespace spangle::gl {
 
 namespace {
 
-std::uint16_t side(std::uint32_t base, GLint step) {
+std::uint16_t level_size(std::uint32_t base, GLint step) {
     return static_cast<std::uint16_t>(base >> step > 1 ? base >> step : base == 0 ? 0u : 1u);
 }
 
@@ -31,15 +31,15 @@ struct CompressedImage {
 
     LevelShape shape(GLint step) const {
         LevelShape shape;
-        shape.size[0] = side(width, step);
-        shape.size[1] = side(height, step);
+        shape.size[0] = level_size(width, step);
+        shape.size[1] = level_size(height, step);
         shape.size[2] = 1;
         shape.internal_format = static_cast<std::uint16_t>(internal_format);
         shape.format = compressed_texels_of(internal_format);
         return shape;
     }
     std::uint32_t bytes(GLint step) const {
-        return compressed_bytes(internal_format, side(width, step), side(height, step));
+        return compressed_bytes(internal_format, level_size(width, step), level_size(height, step));
     }
     /// Bytes of the palette and all levels. The sum fits, as the size of the first level is limited.
     std::uint32_t all_bytes() const {

@@ -27,8 +27,8 @@ void copy_pixels(const Context& context, LevelImage& image, const TexelBox& box,
     const Transfer transfer(context.pixel_mode);
     ReadRows rows(context);
     const Rect& all = rows.area();
-    const Interval columns = inside(x, static_cast<GLsizei>(box.size[0]), 0, all.w),
-                   lines = inside(y, static_cast<GLsizei>(box.size[1]), all.y, all.y + all.h);
+    const Interval columns = clip_interval(x, static_cast<GLsizei>(box.size[0]), 0, all.w),
+                   lines = clip_interval(y, static_cast<GLsizei>(box.size[1]), all.y, all.y + all.h);
     if (columns.begin >= columns.end)
         return; // The distance to x might exceed 32 bits.
     const auto row_of = [&](std::int32_t py) {

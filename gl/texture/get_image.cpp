@@ -40,10 +40,10 @@ void pack_image(const LevelImage& image, const PixelStore& pack, const PixelLayo
     const std::uint8_t* texel = image.texels;
     if constexpr (has_row_codes) {
         RowConverter row(GroupForm(texels, false), GroupForm(layout, pack.swap_bytes));
-        for (unsigned z = 0; row.works() && z < shape.images(); ++z, slice += next_image)
+        for (unsigned z = 0; row.is_supported() && z < shape.images(); ++z, slice += next_image)
             for (unsigned y = 0; y < shape.size[1]; ++y, texel += shape.size[0] * texels.group_bytes())
                 row.convert_row(texel, slice + y * rows.stride, shape.size[0]);
-        if (row.works())
+        if (row.is_supported())
             return;
     }
     for (unsigned z = 0; z < shape.images(); ++z, slice += next_image)

@@ -55,7 +55,7 @@ LevelImage* writable(Context& context, const SubImage& sub) {
 } // namespace
 
 bool shape_of(Context& context, const ImageRequest& request, LevelShape& shape) {
-    const TextureKind kind = there(request.target.kind);
+    const TextureKind kind = existing_kind(request.target.kind);
     GLint internal_format = request.internal_format;
     if (!texel_format_of(internal_format, context.drawable.surface.format, shape.format)) {
         error(context, GL_INVALID_VALUE,

@@ -21,27 +21,27 @@ namespace {
 
 /// The two texels that texel i of the next level covers, counted from inside the border. Sizes are halved and
 /// rounded down, so a last odd texel is in no mean.
-struct Covered {
+struct CoveredTexels {
     std::int32_t of[2];
-    Covered(std::int32_t i, std::int32_t size, std::int32_t next_size) {
+    CoveredTexels(std::int32_t i, std::int32_t size, std::int32_t next_size) {
         of[0] = i < 0 ? i : i >= next_size ? size : 2 * i;
         of[1] = of[0] < 0 || of[0] >= size - 1 ? of[0] : of[0] + 1;
     }
 };
 
-class Halving {
+class LevelReduction {
   public:
-    Halving(const LevelImage& from, LevelImage& to)
-        : from_(from), to_(to), layout_(texel_layout(from.shape.format)) {
+    LevelReduction(const LevelImage& from, LevelImage& to)
+        : source_level_(from), target_level_(to), layout_(texel_layout(from.shape.format)) {
         for (unsigned axis = 0; axis < 3; ++axis) {
             border_[axis] = static_cast<std::int32_t>(from.shape.border_along(axis));
-            size_[axis] = static_cast<std::int32_t>(from.shape.inner(axis));
-            next_[axis] = static_cast<std::int32_t>(to.shape.inner(axis));
+            size_[axis] = static_cast<std::int32_t>(from.shape.size_without_border(axis));
+            target_size_[axis] = static_cast<std::int32_t>(to.shape.size_without_border(axis));
         }
     }
     void run() const {
-        for (std::int32_t z = -border_[2]; z < next_[2] + border_[2]; ++z)
-            for (std::int32_t y = -border_[1]; y < next_[1] + border_[1]; ++y)
+        for (std::int32_t z = -border_[2]; z < target_size_[2] + border_[2]; ++z)
+            for (std::int32_t y = -border_[1]; y < target_size_[1] + border_[1]; ++y)
                 row(y, z);
     }
 
@@ -53,31 +53,34 @@ class Halving {
             if (size_[0] > 1 && halver.works()) {
                 for (; x < 0; ++x)
                     texel(x, y, z);
-                const Covered cy(y, size_[1], next_[1]), cz(z, size_[2], next_[2]);
+                const CoveredTexels cy(y, size_[1], target_size_[1]), cz(z, size_[2], target_size_[2]);
                 const auto at = [&](unsigned i) {
-                    return from_.texels + place(from_, 0, cy.of[i & 1], cz.of[i >> 1]);
+                    return source_level_.texels + place(source_level_, 0, cy.of[i & 1], cz.of[i >> 1]);
                 };
-                halver.halve({at(0), at(1), at(2), at(3)}, next_[0], to_.own_texels() + place(to_, 0, y, z));
-                x = next_[0];
+                halver.halve({at(0), at(1), at(2), at(3)}, target_size_[0],
+                             target_level_.own_texels() + place(target_level_, 0, y, z));
+                x = target_size_[0];
             }
         }
-        for (; x < next_[0] + border_[0]; ++x)
+        for (; x < target_size_[0] + border_[0]; ++x)
             texel(x, y, z);
     }
     void texel(std::int32_t x, std::int32_t y, std::int32_t z) const {
-        const Covered cx(x, size_[0], next_[0]), cy(y, size_[1], next_[1]), cz(z, size_[2], next_[2]);
+        const CoveredTexels cx(x, size_[0], target_size_[0]), cy(y, size_[1], target_size_[1]),
+            cz(z, size_[2], target_size_[2]);
         const Groups texels(layout_);
         Pixel texel; // first the last texel read, then the mean
         std::uint32_t sum[4] = {};
         for (unsigned i = 0; i < 8; ++i) {
-            texel =
-                texels.color(from_.texels + place(from_, cx.of[i & 1], cy.of[i >> 1 & 1], cz.of[i >> 2]), 0);
+            texel = texels.color(source_level_.texels +
+                                     place(source_level_, cx.of[i & 1], cy.of[i >> 1 & 1], cz.of[i >> 2]),
+                                 0);
             for (unsigned c = 0; c < 4; ++c)
                 sum[c] += texel.value[c].code;
         }
         for (unsigned c = 0; c < 4; ++c)
             texel.value[c].code = (sum[c] + 4) >> 3;
-        pack_pixel(layout_, false, texel, to_.own_texels() + place(to_, x, y, z));
+        pack_pixel(layout_, false, texel, target_level_.own_texels() + place(target_level_, x, y, z));
     }
     std::size_t place(const LevelImage& image, std::int32_t x, std::int32_t y, std::int32_t z) const {
         const auto at = [&](std::int32_t v, unsigned axis) {
@@ -86,16 +89,16 @@ class Halving {
         return at(z, 2) * image.slice() + at(y, 1) * image.stride + at(x, 0) * texel_size(image.shape.format);
     }
 
-    const LevelImage& from_;
-    LevelImage& to_;
+    const LevelImage& source_level_;
+    LevelImage& target_level_;
     PixelLayout layout_;
-    std::int32_t border_[3], size_[3], next_[3];
+    std::int32_t border_[3], size_[3], target_size_[3];
 };
 
 LevelShape next_shape(const LevelShape& shape) {
     LevelShape next = shape;
     for (unsigned axis = 0; axis < shape.dimensions; ++axis) {
-        const std::uint32_t half = shape.inner(axis) / 2;
+        const std::uint32_t half = shape.size_without_border(axis) / 2;
         next.size[axis] = static_cast<std::uint16_t>((half > 1 ? half : 1) + 2u * shape.border);
     }
     return next;
@@ -111,7 +114,8 @@ void generate_mipmaps(Context& context, TextureObject& texture, unsigned face, G
     const LevelImage* from = is_level(base) ? texture.image(face, base) : nullptr;
     if (from == nullptr || from->shape.empty() || is_compressed(from->shape.internal_format))
         return;
-    const auto sides = from->shape.inner(0) | from->shape.inner(1) | from->shape.inner(2);
+    const auto sides = from->shape.size_without_border(0) | from->shape.size_without_border(1) |
+                       from->shape.size_without_border(2);
     const GLint longest = base + static_cast<GLint>(std::bit_width(sides)) - 1;
     const GLint end = last < longest ? last : longest;
     LevelImage* made[texture_levels] = {};
@@ -124,7 +128,7 @@ void generate_mipmaps(Context& context, TextureObject& texture, unsigned face, G
             return error(context, GL_OUT_OF_MEMORY,
                          SPANGLE_TEXT("GL_GENERATE_MIPMAP: no room in the arena for the levels"));
         }
-        Halving(*from, *made[l]).run();
+        LevelReduction(*from, *made[l]).run();
         from = made[l];
     }
     for (GLint l = base + 1; l <= end; ++l) {

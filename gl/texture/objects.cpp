@@ -25,7 +25,7 @@ void free_images(ShareGroup& share, TextureObject& texture) {
 }
 
 /// Binds the default texture instead. A deleted object is freed with its last binding.
-void unbind(ShareGroup& share, TextureObject*& bound) {
+void unbind_texture(ShareGroup& share, TextureObject*& bound) {
     TextureObject* const texture = bound;
     bound = nullptr;
     if (texture != nullptr && --texture->bindings == 0 && texture->deleted)
@@ -34,7 +34,8 @@ void unbind(ShareGroup& share, TextureObject*& bound) {
 
 TextureObject* make_object(Arena& arena, TextureKind kind) {
     static_assert(std::is_trivially_copyable_v<CubeTexture>); // so bytes make an object
-    const std::size_t bytes = there(kind) == TextureKind::cube ? sizeof(CubeTexture) : sizeof(TextureObject);
+    const std::size_t bytes =
+        existing_kind(kind) == TextureKind::cube ? sizeof(CubeTexture) : sizeof(TextureObject);
     void* const memory = arena.allocate(bytes);
     if (memory == nullptr)
         return nullptr;
@@ -72,7 +73,7 @@ void delete_name(Context& context, GLuint name) {
     ++texture->bindings; // held here, so that the loop frees no object it still compares
     for (TextureUnitState& unit : context.texture.unit)
         if (TextureObject*& bound = unit.bound[index_of(texture->kind)]; bound == texture)
-            unbind(*context.share, bound);
+            unbind_texture(*context.share, bound);
     if (--texture->bindings == 0)
         destroy_texture(*context.share, texture);
 }
@@ -108,7 +109,8 @@ bool find_named_objects(Context& context, const GLuint (&names)[texture_bindings
                 return false;
             }
             made |= 1u << i;
-        } else if (auto* const texture = static_cast<TextureObject*>(*slot); there(texture->kind) == kind) {
+        } else if (auto* const texture = static_cast<TextureObject*>(*slot);
+                   existing_kind(texture->kind) == kind) {
             found[i] = texture;
         }
     }
@@ -120,7 +122,7 @@ void bind_object(Context& context, TextureObject*& bound, TextureObject* object)
         return;
     if (object != nullptr)
         ++object->bindings;
-    unbind(*context.share, bound);
+    unbind_texture(*context.share, bound);
     bound = object;
     context.changed(dirty_fragment);
 }
@@ -132,7 +134,7 @@ GLuint texture_binding(const Context& context, TextureKind kind) {
 void release_textures(Context& context) {
     for (TextureUnitState& unit : context.texture.unit)
         for (TextureObject*& bound : unit.bound)
-            unbind(*context.share, bound);
+            unbind_texture(*context.share, bound);
     for (std::size_t kind = 0; kind < texture_kinds; ++kind)
         free_images(*context.share, context.texture.default_texture(static_cast<TextureKind>(kind)));
 }
@@ -163,11 +165,12 @@ void BindTexture(Context& context, GLenum target, GLuint texture) {
     TextureKind kind;
     if (!find_texture_target(context, target, kind))
         return;
-    TextureObject*& bound = context.texture.unit[context.texture.active_unit()].bound[index_of(there(kind))];
+    TextureObject*& bound =
+        context.texture.unit[context.texture.active_unit()].bound[index_of(existing_kind(kind))];
     TextureObject* object = texture == 0 ? nullptr : object_of(*context.share, texture, kind);
     if (texture != 0 && object == nullptr)
         return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("no room in the arena for a new object"));
-    if (object != nullptr && there(object->kind) != there(kind))
+    if (object != nullptr && existing_kind(object->kind) != existing_kind(kind))
         return error(context, GL_INVALID_OPERATION,
                      SPANGLE_TEXT("the texture was bound to another target before"));
     bind_object(context, bound, object);

@@ -15,7 +15,7 @@ constexpr std::size_t unit_bytes =
     sizeof(TexEnvState) + texture_kinds * (sizeof(GLuint) + sizeof(TextureParameters));
 
 /// Restores `to` from saved bytes. Returns whether it has changed.
-template <class T> bool restored(T& to, const unsigned char* saved) {
+template <class T> bool restore_saved(T& to, const unsigned char* saved) {
     if (std::memcmp(static_cast<const void*>(&to), saved, sizeof to) == 0)
         return false;
     std::memcpy(&to, saved, sizeof to);
@@ -58,18 +58,18 @@ bool restore_textures(Context& context, const void* from) {
     if (!find_named_objects(context, names, objects))
         return false;
     for (unsigned u = 0; u < texture_units; ++u)
-        if (restored(context.texture.unit[u].env, units + u * unit_bytes))
+        if (restore_saved(context.texture.unit[u].env, units + u * unit_bytes))
             context.changed(dirty_fragment);
     for (unsigned i = 0; i < texture_bindings; ++i) {
         const auto kind = static_cast<TextureKind>(i % texture_kinds);
         if (!texture_kind_is_there[i % texture_kinds])
             continue;
-        bind_object(context, context.texture.unit[i / texture_kinds].bound[index_of(there(kind))],
+        bind_object(context, context.texture.unit[i / texture_kinds].bound[index_of(existing_kind(kind))],
                     objects[i]);
         if (objects[i] == nullptr && names[i] != 0)
             continue; // the name now belongs to another kind of texture, so the parameters have no object
         TextureObject& bound = objects[i] != nullptr ? *objects[i] : context.texture.default_texture(kind);
-        if (restored(bound.parameters, binding(i) + sizeof(GLuint)))
+        if (restore_saved(bound.parameters, binding(i) + sizeof(GLuint)))
             texture_changed(context, bound);
     }
     return true;

@@ -36,7 +36,7 @@ inline constexpr unsigned kinds_there = [] {
     return set;
 }();
 /// The kind of a texture that exists: a constant in builds with one kind.
-[[gnu::always_inline]] constexpr TextureKind there(TextureKind kind) {
+[[gnu::always_inline]] constexpr TextureKind existing_kind(TextureKind kind) {
     return raster::one_of(kinds_there, kind);
 }
 inline constexpr auto kinds_before = [] {
@@ -59,12 +59,12 @@ struct LevelShape {
     raster::TexelFormat format = raster::TexelFormat::l8;
 
     /// Dimensions: a constant in builds with 2D textures and cube maps only.
-    unsigned sides() const {
+    unsigned dimension_count() const {
         return SPANGLE_FEATURE_TEXTURE_1D || SPANGLE_FEATURE_TEXTURE_3D ? dimensions : 2;
     }
-    std::uint32_t border_along(unsigned axis) const { return axis < sides() ? border : 0u; }
-    std::uint32_t inner(unsigned axis) const { return size[axis] - 2 * border_along(axis); }
-    bool is_volume() const { return sides() == 3; }
+    std::uint32_t border_along(unsigned axis) const { return axis < dimension_count() ? border : 0u; }
+    std::uint32_t size_without_border(unsigned axis) const { return size[axis] - 2 * border_along(axis); }
+    bool is_volume() const { return dimension_count() == 3; }
     unsigned images() const { return SPANGLE_FEATURE_TEXTURE_3D ? size[2] : 1; } ///< must not be empty
     bool empty() const { return size[0] == 0 || size[1] == 0 || size[2] == 0; }
 };
@@ -127,7 +127,7 @@ struct TextureObject {
     const LevelImage* image(unsigned face, GLint l) const {
         return const_cast<TextureObject*>(this)->image(face, l);
     }
-    unsigned faces() const { return there(kind) == TextureKind::cube ? cube_faces : 1; }
+    unsigned faces() const { return existing_kind(kind) == TextureKind::cube ? cube_faces : 1; }
 };
 
 /// A cube map. `object` is its first member, so that a pointer to one is a pointer to the other.

@@ -68,7 +68,7 @@ struct TextureState {
 
     /// The shape that a level of PROXY_TEXTURE_... was last given.
     LevelShape& proxy(TextureKind kind, GLint level) {
-        return proxies[kinds_before[index_of(there(kind))]][level];
+        return proxies[kinds_before[index_of(existing_kind(kind))]][level];
     }
 
     TextureObject& default_texture(TextureKind kind) {
@@ -90,7 +90,7 @@ struct TextureState {
         }
     }
     TextureObject& bound(unsigned u, TextureKind kind = TextureKind::two) {
-        TextureObject* const object = unit[u].bound[index_of(there(kind))];
+        TextureObject* const object = unit[u].bound[index_of(existing_kind(kind))];
         return object != nullptr ? *object : default_texture(kind);
     }
     const TextureObject& bound(unsigned u, TextureKind kind = TextureKind::two) const {

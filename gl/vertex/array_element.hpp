@@ -35,7 +35,7 @@ class ArrayReader {
     }
 
     /// Reads the three components of an element of an array that is_floats(3).
-    SPANGLE_INLINE static void read3(const std::uint8_t* at, Real* out) {
+    SPANGLE_INLINE static void read_3_floats(const std::uint8_t* at, Real* out) {
         out[0] = float_at(at);
         out[1] = float_at(at + 4);
         out[2] = float_at(at + 8);

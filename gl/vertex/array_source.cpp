@@ -8,7 +8,7 @@ namespace spangle::gl {
 
 namespace {
 
-bool reaches(const ClientArray& array, std::uint32_t highest) {
+bool is_within_buffer(const ClientArray& array, std::uint32_t highest) {
     const BufferObject* const buffer = array.buffer;
     if (!array.enabled || buffer == nullptr)
         return true;
@@ -27,7 +27,7 @@ bool arrays_reach(const Context& context, std::uint32_t highest) {
     if (!arrays.buffered)
         return true;
     bool all = true;
-    each_array(arrays, [&](const ClientArray& array) { all = all && reaches(array, highest); });
+    each_array(arrays, [&](const ClientArray& array) { all = all && is_within_buffer(array, highest); });
     return all;
 }
 
@@ -60,7 +60,7 @@ bool find_indices(const Context& context, std::uint32_t count, Indices& indices)
 AddressedArrays::AddressedArrays(Context& context) : context_(context) {
     if (!context.arrays.buffered)
         return;
-    kept_ = context.arrays;
+    saved_arrays_ = context.arrays;
     each_array(context.arrays, [&](ClientArray& array) {
         const BufferObject* const buffer = array.buffer;
         if (!array.enabled || buffer == nullptr)
@@ -74,7 +74,7 @@ AddressedArrays::AddressedArrays(Context& context) : context_(context) {
 
 AddressedArrays::~AddressedArrays() {
     if (context_.arrays.buffered)
-        context_.arrays = kept_;
+        context_.arrays = saved_arrays_;
 }
 
 } // namespace spangle::gl

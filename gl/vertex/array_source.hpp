@@ -21,7 +21,7 @@ void for_each_run(const ArrayBindings& bindings, std::uint32_t count, const Indi
 }
 
 /// ArrayElement of this index ends the primitive and begins another one (GL 3.1, 2.8).
-inline bool restarts(const ArrayBindings& bindings, std::uint32_t index) {
+inline bool is_restart_index(const ArrayBindings& bindings, std::uint32_t index) {
     return SPANGLE_FEATURE_PRIMITIVE_RESTART && bindings.restart && index == bindings.restart_index;
 }
 
@@ -46,7 +46,7 @@ class AddressedArrays {
 
   private:
     Context& context_;
-    ArraysState kept_;
+    ArraysState saved_arrays_;
 };
 
 #else

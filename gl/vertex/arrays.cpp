@@ -103,7 +103,7 @@ struct Allowed {
 };
 
 /// The arguments of a command that sets an array.
-struct Pointed {
+struct PointerArguments {
     GLint size;
     GLenum type;
     GLsizei stride;
@@ -112,7 +112,7 @@ struct Pointed {
 
 /// Sets an array, which lies in the buffer bound to ARRAY_BUFFER now (GL 1.5, 2.9.6). The arrays of a named
 /// vertex array object must lie in buffers (GL 3.0, 2.8).
-void point(Context& context, ClientArray& array, Allowed allowed, const Pointed& to) {
+void point(Context& context, ClientArray& array, Allowed allowed, const PointerArguments& to) {
     const auto& [size, type, stride, pointer] = to;
     if (size < allowed.least || size > allowed.most || stride < 0)
         return error(context, GL_INVALID_VALUE);

@@ -11,11 +11,11 @@ namespace spangle::gl {
 inline void begin_batch(Context& context) {
     context.engine->begin(context, context.primitive);
     const unsigned others = context.gate & ~unsigned{gate_left_out};
-    context.gate = static_cast<std::uint8_t>(leaves_out(context) ? others | gate_left_out : others);
+    context.gate = static_cast<std::uint8_t>(is_skipped(context) ? others | gate_left_out : others);
 }
 
 /// Ends the primitive and begins another one of the same mode.
-inline void restart(Context& context) {
+inline void restart_primitive(Context& context) {
     context.engine->end(context);
     begin_batch(context);
 }

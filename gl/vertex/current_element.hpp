@@ -35,17 +35,17 @@ inline void set_color_and_texture(Context& context, const ElementReader& reader,
 /// Saves the current attributes and restores them when a draw of arrays ends. GL leaves the attributes of
 /// enabled arrays undefined (GL 1.3, 2.8), but drivers keep all of them, and programs rely on that. Materials
 /// that track the current colour are restored, too.
-class KeptAttributes {
+class SavedAttributes {
   public:
-    explicit KeptAttributes(Context& context) : context_(context) {
+    explicit SavedAttributes(Context& context) : context_(context) {
         __builtin_memcpy(kept_, &context.current, sizeof kept_);
     }
-    ~KeptAttributes() {
+    ~SavedAttributes() {
         __builtin_memcpy(static_cast<void*>(&context_.current), kept_, sizeof kept_);
         follow_color(context_);
     }
-    KeptAttributes(const KeptAttributes&) = delete;
-    KeptAttributes& operator=(const KeptAttributes&) = delete;
+    SavedAttributes(const SavedAttributes&) = delete;
+    SavedAttributes& operator=(const SavedAttributes&) = delete;
 
   private:
     Context& context_;

@@ -16,16 +16,16 @@ class DoubleLighting {
     };
 
     void derive(const Context& context, unsigned) {
-        on_ = context.lighting.lighting;
-        two_side_ = context.lighting.two_side;
+        is_enabled_ = context.lighting.lighting;
+        has_two_sides_ = context.lighting.two_side;
         index_bits_ = context.drawable.index_bits;
-        tracks_ = on_ && context.lighting.color_material && index_bits_ == 0;
-        DoubleMath::normal_matrix(context.transform, normal_);
+        tracks_color_ = is_enabled_ && context.lighting.color_material && index_bits_ == 0;
+        DoubleMath::normal_matrix(context.transform, normal_matrix_);
     }
     void materials_changed() {}
-    bool needs_eye() const { return on_; }
-    bool two_sided() const { return on_ && two_side_; }
-    bool tracks_color() const { return tracks_; }
+    bool needs_eye() const { return is_enabled_; }
+    bool two_sided() const { return is_enabled_ && has_two_sides_; }
+    bool tracks_color() const { return tracks_color_; }
 
     static Input input(const Real (&n)[3]) {
         return {{DoubleMath::number(n[0]), DoubleMath::number(n[1]), DoubleMath::number(n[2])}};
@@ -39,11 +39,11 @@ class DoubleLighting {
                raster::DoubleVertex& out) const {
         const LightingState& state = context.lighting;
         const Material& given = state.material[side];
-        const Material material = index_bits_ != 0 ? weighing(given) : given;
+        const Material material = index_bits_ != 0 ? luminance_weights(given) : given;
         double n[3];
         for (int i = 0; i < 3; ++i)
-            n[i] = normal_[i] * vertex.normal[0] + normal_[3 + i] * vertex.normal[1] +
-                   normal_[6 + i] * vertex.normal[2];
+            n[i] = normal_matrix_[i] * vertex.normal[0] + normal_matrix_[3 + i] * vertex.normal[1] +
+                   normal_matrix_[6 + i] * vertex.normal[2];
         if (context.transform.normalize)
             unit(n);
         if (side != 0)
@@ -77,13 +77,13 @@ class DoubleLighting {
     }
 
   private:
-    bool on_ = false, two_side_ = false, tracks_ = false;
+    bool is_enabled_ = false, has_two_sides_ = false, tracks_color_ = false;
     unsigned index_bits_ = 0;
-    double normal_[9] = {}; ///< column-major
+    double normal_matrix_[9] = {}; ///< column-major
 
     /// The material that stands in where colours are indices: the sums of its three components are d_l and
     /// s_l, .30 R + .59 G + .11 B of the light (GL 1.3, 2.13.5).
-    static Material weighing(const Material& material) {
+    static Material luminance_weights(const Material& material) {
         Material out;
         constexpr double weight[3] = {.30, .59, .11};
         for (int c = 0; c < 3; ++c) {

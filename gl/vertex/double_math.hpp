@@ -133,8 +133,8 @@ struct DoubleMath {
         return {std::fmin(a, b) / (a + b), b < a};
     }
     /// The point where the edge from a, which is inside, to b meets a plane of the view volume. Its
-    /// coordinates are sums of minors, as in FixedClipping::cut().
-    static Point cut(const Point& a, const Point& b, int plane, int band, const Parameter&) {
+    /// coordinates are sums of minors, as in FixedClipping::clip_edge().
+    static Point clip_edge(const Point& a, const Point& b, int plane, int band, const Parameter&) {
         const int c = plane >> 1;
         const double s = (plane & 1) != 0 ? -1.0 : 1.0, k = plane < 4 ? band : 1;
         const double sum = distance(a, plane, band) - distance(b, plane, band);
@@ -232,7 +232,7 @@ struct DoubleMath {
         for (int c = 0; c < 4; ++c)
             out[c] = numeric::from_double(v.color[c]);
     }
-    static void reals(const Eye& v, Real (&out)[4]) {
+    static void to_reals(const Eye& v, Real (&out)[4]) {
         for (int c = 0; c < 4; ++c)
             out[c] = numeric::from_double(v.v[c]);
     }
@@ -296,8 +296,8 @@ struct DoubleMath {
   private:
     static std::int32_t snap(double v) {
         constexpr double most = 4.0 * 2048.0 - 1.0;
-        const double cut = v < -most ? -most : v > most ? most : v;
-        return static_cast<std::int32_t>(std::floor(cut * raster::subpixel_one + 0.5));
+        const double clip_edge = v < -most ? -most : v > most ? most : v;
+        return static_cast<std::int32_t>(std::floor(clip_edge * raster::subpixel_one + 0.5));
     }
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 /// The last target from `first` to `last` that is enabled, or eval_targets where none is: the map with the
 /// most components counts (GL 1.3, 5.1).
-unsigned largest(const bool (&enabled)[eval_targets], unsigned first, unsigned last) {
+unsigned last_enabled_target(const bool (&enabled)[eval_targets], unsigned first, unsigned last) {
     for (unsigned t = last; t >= first; --t)
         if (enabled[t])
             return t;
@@ -28,12 +28,12 @@ class Evaluation {
   public:
     /// `row`: the vertex map reduced at this v, kept from one vertex of a row to the next; null: not kept.
     Evaluation(Context& context, unsigned dimension, Real u, Real v, EvalRow* row = nullptr)
-        : context_(context), dimension_(dimension), at_{u, v}, row_(row) {}
+        : context_(context), dimension_(dimension), coordinate_{u, v}, row_(row) {}
 
     /// Gives a vertex with the values of the maps. The current values stay what they were (GL 1.3, 5.1).
     void run() {
         const bool(&on)[eval_targets] = context_.eval.enabled[dimension_];
-        const unsigned vertex = largest(on, eval_vertex_3, eval_vertex_4);
+        const unsigned vertex = last_enabled_target(on, eval_vertex_3, eval_vertex_4);
         if (vertex == eval_targets || !context_.inside_begin_end())
             return;
         const CurrentState before = context_.current;
@@ -53,7 +53,7 @@ class Evaluation {
   private:
     Context& context_;
     unsigned dimension_;
-    Real at_[2];
+    Real coordinate_[2];
     EvalRow* row_;
 
     void attributes(const bool (&on)[eval_targets], unsigned vertex, EvalSurface (&at)[4]) {
@@ -68,7 +68,8 @@ class Evaluation {
             auto_normal(vertex, at);
         else if (on[eval_normal])
             values(eval_normal, current.normal);
-        if (const unsigned texture = largest(on, eval_texture_1, eval_texture_4); texture != eval_targets) {
+        if (const unsigned texture = last_enabled_target(on, eval_texture_1, eval_texture_4);
+            texture != eval_targets) {
             Real(&strq)[4] = current.tex_coord[0].v;
             strq[1] = strq[2] = numeric::zero; // the defaults of components that smaller maps leave out
             strq[3] = numeric::one;
@@ -81,8 +82,8 @@ class Evaluation {
                                     EvalRow* row = nullptr) const {
         const EvalMap& map = map_of(context_, dimension_, target);
         const GLint order = map.side[0].order;
-        const EvalWeights u = weights(map.side[0], at_[0]);
-        const Real at_v = dimension_ == 0 ? map.side[1].from : at_[1];
+        const EvalWeights u = weights(map.side[0], coordinate_[0]);
+        const Real at_v = dimension_ == 0 ? map.side[1].from : coordinate_[1];
         const bool known = row != nullptr && row->known && row->at.bits == at_v.bits;
         EvalWeights v;
         if (!known)
@@ -164,7 +165,7 @@ void grid_vertex(Context& context, GLint i) {
 
 /// A map of vertices is enabled. Without one, a mesh has no vertices, however many points it asks for.
 bool has_vertices(const Context& context, unsigned dimension) {
-    return largest(context.eval.enabled[dimension], eval_vertex_3, eval_vertex_4) != eval_targets;
+    return last_enabled_target(context.eval.enabled[dimension], eval_vertex_3, eval_vertex_4) != eval_targets;
 }
 
 /// The maps of two neighbouring rows of a mesh, reduced to curves, so that each vertex is a point of a curve.
@@ -177,11 +178,11 @@ struct MeshRows {
 
 /// Draws points `first` to `last` of row j, or of column j, as a primitive of its own. A strip of quads takes
 /// the points of row j + 1, too. All rows of points belong to one primitive, which the caller begins.
-[[gnu::noinline]] void strip(Context& context, GLenum mode, GLint first, GLint last, GLint j, bool column,
-                             MeshRows& rows) {
+[[gnu::noinline]] void draw_mesh_strip(Context& context, GLenum mode, GLint first, GLint last, GLint j,
+                                       bool column, MeshRows& rows) {
     if (mode != GL_POINTS)
         cmd::Begin(context, mode);
-    for (std::int64_t at = first; at <= last && !leaves_out(context); ++at) {
+    for (std::int64_t at = first; at <= last && !is_skipped(context); ++at) {
         const auto i = static_cast<GLint>(at);
         const GLint v = column ? i : j;
         grid_vertex(context, column ? j : i, v, column ? nullptr : rows.row(v));
@@ -237,7 +238,7 @@ void EvalMesh1(Context& context, GLenum mode, GLint i1, GLint i2) {
     if (mode != GL_POINT && mode != GL_LINE)
         return error(context, GL_INVALID_ENUM);
     Begin(context, mode == GL_POINT ? GL_POINTS : GL_LINE_STRIP);
-    for (std::int64_t i = i1; has_vertices(context, 0) && !leaves_out(context) && i <= i2; ++i)
+    for (std::int64_t i = i1; has_vertices(context, 0) && !is_skipped(context) && i <= i2; ++i)
         grid_vertex(context, static_cast<GLint>(i));
     End(context);
 }
@@ -252,13 +253,13 @@ void EvalMesh2(Context& context, GLenum mode, GLint i1, GLint i2, GLint j1, GLin
     if (mode == GL_POINT)
         Begin(context, rows);
     for (std::int64_t j = j1, end = std::int64_t{j2} + (mode != GL_FILL); j < end; ++j)
-        strip(context, rows, i1, i2, static_cast<GLint>(j), false, kept);
+        draw_mesh_strip(context, rows, i1, i2, static_cast<GLint>(j), false, kept);
     if (mode == GL_POINT)
         End(context);
     if (mode != GL_LINE)
         return;
     for (std::int64_t i = i1, last = i2; i <= last; ++i)
-        strip(context, rows, j1, j2, static_cast<GLint>(i), true, kept);
+        draw_mesh_strip(context, rows, j1, j2, static_cast<GLint>(i), true, kept);
 }
 
 } // namespace cmd

@@ -15,7 +15,7 @@ namespace {
 
 /// Appends one value to the client's buffer, which need not be aligned. Sets `overflow` where the buffer is
 /// full.
-void feed(FeedbackState& f, Real value) {
+void write_feedback(FeedbackState& f, Real value) {
     if (f.written == f.size) {
         f.overflow = true;
         return;
@@ -27,9 +27,9 @@ void feed(FeedbackState& f, Real value) {
     ++f.written;
 }
 
-void feed(FeedbackState& f, const Real* values, int count) {
+void write_feedback(FeedbackState& f, const Real* values, int count) {
     for (int i = 0; i < count; ++i)
-        feed(f, values[i]);
+        write_feedback(f, values[i]);
 }
 
 bool is_feedback_type(GLenum type) {
@@ -39,7 +39,7 @@ bool is_feedback_type(GLenum type) {
 } // namespace
 
 void feed_count(Context& context, GLint count) {
-    feed(context.render.feedback, numeric::from_i32(count));
+    write_feedback(context.render.feedback, numeric::from_i32(count));
 }
 
 void feed_token(Context& context, GLenum token) {
@@ -48,11 +48,11 @@ void feed_token(Context& context, GLenum token) {
 
 void feed_vertex(Context& context, const FeedbackVertex& v) {
     FeedbackState& f = context.render.feedback;
-    feed(f, v.window, f.type == GL_2D ? 2 : f.type == GL_4D_COLOR_TEXTURE ? 4 : 3);
+    write_feedback(f, v.window, f.type == GL_2D ? 2 : f.type == GL_4D_COLOR_TEXTURE ? 4 : 3);
     if (f.type >= GL_3D_COLOR)
-        feed(f, v.color, v.colors);
+        write_feedback(f, v.color, v.colors);
     if (f.type >= GL_3D_COLOR_TEXTURE)
-        feed(f, v.texture, 4);
+        write_feedback(f, v.texture, 4);
 }
 
 namespace cmd {
@@ -77,7 +77,7 @@ void PassThrough(Context& context, Real token) {
     if (context.render.mode != GL_FEEDBACK)
         return;
     feed_token(context, GL_PASS_THROUGH_TOKEN);
-    feed(context.render.feedback, token);
+    write_feedback(context.render.feedback, token);
 }
 
 } // namespace cmd

@@ -57,8 +57,8 @@ struct FixedClipping {
     /// -1, and c the plane's coordinate. Each coordinate is computed as a sum of minors a_i b_j - b_i a_j,
     /// which lose nothing to cancellation. In the products with d_a and d_b, an end 2^40 times as far off as
     /// the other would leave nothing of the edge's direction.
-    [[gnu::noinline]] static Point cut(const Point& a, const Point& b, int plane, int band,
-                                       const Parameter& p) {
+    [[gnu::noinline]] static Point clip_edge(const Point& a, const Point& b, int plane, int band,
+                                             const Parameter& p) {
         const int c = plane >> 1, up = band_bits(plane, band);
         const bool minus = (plane & 1) != 0;
         const auto minor = [&](int i, int j) {

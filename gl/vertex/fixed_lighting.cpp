@@ -47,7 +47,7 @@ std::uint32_t scaled(std::uint32_t a, std::uint32_t b) {
 }
 
 /// The cosine, or 0 where it is negative.
-std::uint32_t positive(std::int32_t cosine) {
+std::uint32_t clamp_cosine(std::int32_t cosine) {
     return cosine < 0 ? 0u : static_cast<std::uint32_t>(cosine);
 }
 
@@ -106,7 +106,7 @@ std::uint32_t cosine(const std::int32_t (&n)[3], int fraction_bits, const numeri
 
 /// cosine^exponent, with 30 fraction bits. A cosine above 1 comes from rounding or an unnormalised normal and
 /// counts as 1. `exponent`: as numeric::power_exponent() gives it.
-std::uint32_t shine(std::uint32_t cosine, std::uint32_t exponent) {
+std::uint32_t specular_factor(std::uint32_t cosine, std::uint32_t exponent) {
     constexpr std::uint32_t one = 1u << factor_bits;
     return static_cast<std::uint32_t>(
         numeric::pow_unit(static_cast<std::int32_t>(cosine > one ? one : cosine), exponent));
@@ -116,8 +116,8 @@ numeric::Unit3 half_vector(const numeric::Unit3& to_light, const numeric::Unit3&
     return numeric::normalize(numeric::add(numeric::to_block(to_light), numeric::to_block(to_eye)));
 }
 
-/// Plain lighting (see FixedLighting::Fold::plain) has cosines with 29 fraction bits in a signed word, and
-/// sums with 49 fraction bits.
+/// Plain lighting (see FixedLighting::MaterialProducts::plain) has cosines with 29 fraction bits in a signed
+/// word, and sums with 49 fraction bits.
 constexpr int plain_factor_bits = 29, plain_sum_bits = intensity_bits + plain_factor_bits;
 
 /// v 2^e as a factor of plain lighting; 0 where v is not positive, saturated below 4.
@@ -173,59 +173,59 @@ void FixedLighting::derive(const Context& context, unsigned dirty) {
     if ((dirty & (dirty_lights | dirty_others)) != 0)
         derive_lights(context);
     else if ((dirty & dirty_materials) != 0)
-        folded_ = false;
+        has_material_products_ = false;
     // Where normals are made unit, derive_normals() keeps no product of a light and the normal matrix, so a
     // change of lights alone does not concern it.
-    const unsigned asked = dirty_matrices | dirty_others | (normalizes() ? dirty_none : dirty_lights);
-    if (on_ && (dirty & asked) != 0)
+    const unsigned asked = dirty_matrices | dirty_others | (makes_unit_normals() ? dirty_none : dirty_lights);
+    if (is_enabled_ && (dirty & asked) != 0)
         derive_normals(context.transform);
 }
 
 /// Derives everything that does not depend on the matrices. Lights do not, since they lie in eye space.
 void FixedLighting::derive_lights(const Context& context) {
     const LightingState& state = context.lighting;
-    on_ = state.lighting;
+    is_enabled_ = state.lighting;
     index_bits_ = context.drawable.index_bits;
-    tracks_color_ = on_ && state.color_material && !indexed(); // GL 1.3, corollary 16
-    folded_ = false;
-    if (!on_)
+    tracks_color_ = is_enabled_ && state.color_material && !indexed(); // GL 1.3, corollary 16
+    has_material_products_ = false;
+    if (!is_enabled_)
         return;
-    two_side_ = state.two_side;
-    local_viewer_ = state.local_viewer;
-    separate_ = raster::has_color_sum && state.color_control == GL_SEPARATE_SPECULAR_COLOR;
-    normalize_ = context.transform.normalize;
+    has_two_sides_ = state.two_side;
+    has_local_viewer_ = state.local_viewer;
+    has_separate_specular_ = raster::has_color_sum && state.color_control == GL_SEPARATE_SPECULAR_COLOR;
+    normalizes_ = context.transform.normalize;
     set_intensities(state.model_ambient, model_ambient_);
-    count_ = 0;
-    needs_eye_ = local_viewer_;
-    all_simple_ = !local_viewer_;
+    light_count_ = 0;
+    needs_eye_ = has_local_viewer_;
+    all_lights_are_simple_ = !has_local_viewer_;
     for (unsigned i = 0; i < max_lights; ++i) {
         if (!state.light_enabled[i])
             continue;
-        derive_source(state.light[i], source_[count_]);
-        all_simple_ = all_simple_ && source_[count_].simple();
-        needs_eye_ = needs_eye_ || !source_[count_].directional;
-        ++count_;
+        derive_source(state.light[i], lights_[light_count_]);
+        all_lights_are_simple_ = all_lights_are_simple_ && lights_[light_count_].simple();
+        needs_eye_ = needs_eye_ || !lights_[light_count_].directional;
+        ++light_count_;
     }
 }
 
 /// Derives the normal matrix, and each light's `facing`, which normals as given are multiplied with.
 void FixedLighting::derive_normals(const TransformState& transform) {
     const numeric::NormalMatrix normal = FixedMath::normal_matrix(transform);
-    if constexpr (always_given) { // normals are multiplied with each light's `facing` only
+    if constexpr (always_has_given_normals) { // normals are multiplied with each light's `facing` only
         normal_matrix_.column = numeric::detail::column_exponents<3, 3>(normal.at);
     } else {
         normal_matrix_ = numeric::to_block_matrix(normal);
         const std::int32_t(&row)[3] = normal_matrix_.row;
         const bool common = row[0] == row[1] && row[1] == row[2];
-        folded_ = folded_ && common == common_rows_;
-        common_rows_ = common;
+        has_material_products_ = has_material_products_ && common == rows_share_exponent_;
+        rows_share_exponent_ = common;
     }
-    for (int i = 0; i < count_; ++i)
-        if (source_[i].directional && !normalizes())
-            source_[i].facing = in_object_space(normal, source_[i].to_light, normal_matrix_.column);
+    for (int i = 0; i < light_count_; ++i)
+        if (lights_[i].directional && !makes_unit_normals())
+            lights_[i].facing = in_object_space(normal, lights_[i].to_light, normal_matrix_.column);
 }
 
-void FixedLighting::derive_source(const Light& light, Source& out) const {
+void FixedLighting::derive_source(const Light& light, LightSource& out) const {
     set_intensities(light.ambient, out.ambient);
     set_intensities(light.diffuse, out.diffuse);
     const Real(&p)[4] = light.position;
@@ -261,17 +261,17 @@ void FixedLighting::fold(const Context& context) {
     for (int side = 0; side < (two_sided() ? 2 : 1); ++side) {
         const Material& material = context.lighting.material[side];
         if (!raster::has_indices) {
-            fold_side(material, fold_[side]);
+            multiply_material(material, material_products_[side]);
             continue;
         }
-        fold_side(indexed() ? weighing(material) : material, fold_[side]);
+        multiply_material(indexed() ? weighing(material) : material, material_products_[side]);
         for (int i = 0; i < 3; ++i)
-            fold_[side].index[i] = material.indexes[i];
+            material_products_[side].index[i] = material.indexes[i];
     }
-    folded_ = true;
+    has_material_products_ = true;
 }
 
-void FixedLighting::fold_side(const Material& material, Fold& out) const {
+void FixedLighting::multiply_material(const Material& material, MaterialProducts& out) const {
     out.alpha = FixedMath::color_units(material.diffuse[3]);
     if (has_specular)
         out.shininess = numeric::power_exponent(material.shininess);
@@ -281,8 +281,8 @@ void FixedLighting::fold_side(const Material& material, Fold& out) const {
         const std::int32_t ambient = intensity(material.ambient[c]), diffuse = intensity(material.diffuse[c]),
                            specular = intensity(material.specular[c]);
         std::int64_t base = std::int64_t{intensity(material.emission[c])} + times(ambient, model_ambient_[c]);
-        for (int i = 0; i < count_; ++i) {
-            const Source& s = source_[i];
+        for (int i = 0; i < light_count_; ++i) {
+            const LightSource& s = lights_[i];
             const std::int32_t own = times(ambient, s.ambient[c]);
             if (has_local_lights)
                 out.ambient[i][c] = s.simple() ? 0 : own;
@@ -300,8 +300,8 @@ void FixedLighting::fold_side(const Material& material, Fold& out) const {
             std::int64_t{out.base[c]} * (1 << plain_factor_bits) + (std::int64_t{1} << (plain_sum_bits - 31));
     }
     // With diffuse below 2^28 the base and eight products with factors of 31 bits stay below 2^63.
-    out.plain = all_simple_ && !out.has_specular && (!normalizes() || common_rows_) && brightest < 1u << 28 &&
-                !indexed();
+    out.plain = all_lights_are_simple_ && !out.has_specular &&
+                (!makes_unit_normals() || rows_share_exponent_) && brightest < 1u << 28 && !indexed();
 }
 
 /// Adds a light's diffuse colour times n . l, which is `factor`, to the sums of plain lighting.
@@ -313,7 +313,7 @@ SPANGLE_RUN_INLINE void FixedLighting::add_factor(const std::int32_t (&diffuse)[
 }
 
 /// n . l of plain lighting: (N^T l) . n with normals as given, (N n) . l / |N n| with normals made unit.
-SPANGLE_INLINE std::int32_t FixedLighting::facing(const Source& source, const PlainNormal& n, bool unit,
+SPANGLE_INLINE std::int32_t FixedLighting::facing(const LightSource& source, const PlainNormal& n, bool unit,
                                                   int side) {
     const std::int32_t along = unit ? static_cast<std::int32_t>(
                                           numeric::row_sum<3>(source.to_light.m, n.m, 1 << 29) >> 30)
@@ -325,17 +325,18 @@ SPANGLE_INLINE std::int32_t FixedLighting::facing(const Source& source, const Pl
 }
 
 /// Sets the colour of plain lighting: base + sum of (n . l) * diffuse over the lights.
-SPANGLE_INLINE void FixedLighting::add_plain(int side, raster::FixedVertex& out, const PlainNormal& n,
-                                             bool unit) const {
-    const Fold& fold = fold_[side];
+SPANGLE_INLINE void FixedLighting::add_plain_light(int side, raster::FixedVertex& out, const PlainNormal& n,
+                                                   bool unit) const {
+    const MaterialProducts& fold = material_products_[side];
     std::int64_t sum[3] = {fold.plain_base[0], fold.plain_base[1], fold.plain_base[2]};
-    for (int i = 0; i < count_; ++i)
-        add_factor(fold.diffuse[i], facing(source_[i], n, unit, side), sum);
-    set_plain(fold, sum, out);
+    for (int i = 0; i < light_count_; ++i)
+        add_factor(fold.diffuse[i], facing(lights_[i], n, unit, side), sum);
+    set_plain_color(fold, sum, out);
 }
 
-SPANGLE_RUN_INLINE void FixedLighting::set_plain(const Fold& fold, const std::int64_t (&sum)[3],
-                                                 raster::FixedVertex& out) {
+SPANGLE_RUN_INLINE void FixedLighting::set_plain_color(const MaterialProducts& fold,
+                                                       const std::int64_t (&sum)[3],
+                                                       raster::FixedVertex& out) {
 #pragma GCC unroll numeric::runs_inline ? 3 : 1
     for (int c = 0; c < 3; ++c) {
         out.color[c] = plain_color(sum[c]);
@@ -346,14 +347,16 @@ SPANGLE_RUN_INLINE void FixedLighting::set_plain(const Fold& fold, const std::in
     out.color[3] = fold.alpha;
 }
 
-void FixedLighting::light_given(const Real (&normal)[3], int side, raster::FixedVertex& out) const {
+void FixedLighting::light_with_given_normal(const Real (&normal)[3], int side,
+                                            raster::FixedVertex& out) const {
     const numeric::Mantissas<3> n = numeric::load(normal_matrix_.column, normal);
-    add_plain(side, out, {{n.m[0], n.m[1], n.m[2]}, n.e, 0}, false);
+    add_plain_light(side, out, {{n.m[0], n.m[1], n.m[2]}, n.e, 0}, false);
 }
 
 /// Plain lighting with a normal that is made unit. False: nothing was lit, since the product of matrix and
-/// normal is so short that its direction would be inexact; light_fully() does it.
-bool FixedLighting::light_unit(const Real (&normal)[3], int side, raster::FixedVertex& out) const {
+/// normal is so short that its direction would be inexact; light_with_all_terms() does it.
+bool FixedLighting::light_with_unit_normal(const Real (&normal)[3], int side,
+                                           raster::FixedVertex& out) const {
     const numeric::Mantissas<3> loaded = numeric::load(normal_matrix_.column, normal);
     PlainNormal n;
     std::uint64_t square = 0;
@@ -369,14 +372,14 @@ bool FixedLighting::light_unit(const Real (&normal)[3], int side, raster::FixedV
         static_cast<std::int64_t>(square), 32 - zeros)); // 1/|n| = r 2^(zeros / 2 - 62)
     n.inverse = static_cast<std::int32_t>(r >> 1);
     n.e = zeros / 2 - 29;
-    add_plain(side, out, n, true);
+    add_plain_light(side, out, n, true);
     return true;
 }
 
 FixedLighting::Direction FixedLighting::direction_of(const Real (&normal)[3], int side) const {
     const numeric::Block3 n = numeric::transform(normal_matrix_, normal);
     Direction out;
-    if (normalizes()) {
+    if (makes_unit_normals()) {
         const numeric::Unit3 u = numeric::normalize(n);
         out = {{u.m[0], u.m[1], u.m[2]}, 30};
     } else {
@@ -390,22 +393,23 @@ FixedLighting::Direction FixedLighting::direction_of(const Real (&normal)[3], in
     return out;
 }
 
-void FixedLighting::add_directional(const Source& source, const Fold& fold, int i, const Direction& n,
-                                    Sum (&primary)[3], Sum (&specular)[3]) const {
+void FixedLighting::add_directional(const LightSource& source, const MaterialProducts& fold, int i,
+                                    const Direction& n, Sum (&primary)[3], Sum (&specular)[3]) const {
     const std::uint32_t facing = cosine(n.m, n.fraction_bits, source.to_light);
     if (facing == 0)
         return;
     add_weighted(fold.diffuse[i], facing, primary);
-    if (!has_specular || !fold.shines(i))
+    if (!has_specular || !fold.has_specular_of(i))
         return;
-    add_weighted(fold.specular[i], shine(cosine(n.m, n.fraction_bits, source.half), fold.shininess),
+    add_weighted(fold.specular[i], specular_factor(cosine(n.m, n.fraction_bits, source.half), fold.shininess),
                  specular);
 }
 
 /// Adds a light of any kind: positional lights, spots, and all lights under a local viewer need it. For other
 /// lights the result is that of add_directional().
-void FixedLighting::add_general(const Source& source, const Fold& fold, int i, const numeric::Block3& to_eye,
-                                const Direction& n, Sum (&primary)[3], Sum (&specular)[3]) const {
+void FixedLighting::add_general(const LightSource& source, const MaterialProducts& fold, int i,
+                                const numeric::Block3& to_eye, const Direction& n, Sum (&primary)[3],
+                                Sum (&specular)[3]) const {
     numeric::Unit3 to_light = source.to_light;
     Strength strength;
     if (!source.directional) {
@@ -423,26 +427,26 @@ void FixedLighting::add_general(const Source& source, const Fold& fold, int i, c
         const std::int32_t along = numeric::negate_saturate(numeric::dot(to_light, source.spot_axis));
         if (along < source.spot_cosine)
             return; // outside the cone nothing arrives, ambient light included
-        strength.factor = scaled(strength.factor, shine(positive(along), source.spot_exponent));
+        strength.factor = scaled(strength.factor, specular_factor(clamp_cosine(along), source.spot_exponent));
     }
     add_strong(fold.ambient[i], strength.factor, strength.shift, primary);
     const std::uint32_t facing = cosine(n.m, n.fraction_bits, to_light);
     if (facing == 0)
         return;
     add_strong(fold.diffuse[i], scaled(facing, strength.factor), strength.shift, primary);
-    if (!has_specular || !fold.shines(i))
+    if (!has_specular || !fold.has_specular_of(i))
         return;
     numeric::Unit3 half = source.half;
-    if (local_viewer_ || !source.directional)
-        half = half_vector(to_light, local_viewer_ ? numeric::normalize(to_eye) : toward_viewer);
+    if (has_local_viewer_ || !source.directional)
+        half = half_vector(to_light, has_local_viewer_ ? numeric::normalize(to_eye) : toward_viewer);
     add_strong(fold.specular[i],
-               scaled(shine(cosine(n.m, n.fraction_bits, half), fold.shininess), strength.factor),
+               scaled(specular_factor(cosine(n.m, n.fraction_bits, half), fold.shininess), strength.factor),
                strength.shift, specular);
 }
 
-void FixedLighting::light_fully(const Real (&normal)[3], const numeric::Block4& eye, int side,
-                                raster::FixedVertex& out) const {
-    const Fold& fold = fold_[side];
+void FixedLighting::light_with_all_terms(const Real (&normal)[3], const numeric::Block4& eye, int side,
+                                         raster::FixedVertex& out) const {
+    const MaterialProducts& fold = material_products_[side];
     const Direction n = direction_of(normal, side);
     Sum primary[3], specular[3] = {0, 0, 0};
     for (int c = 0; c < 3; ++c)
@@ -451,19 +455,19 @@ void FixedLighting::light_fully(const Real (&normal)[3], const numeric::Block4& 
     if (needs_eye())
         to_eye =
             numeric::negate(numeric::mul(numeric::xyz(eye), numeric::reciprocal(numeric::component(eye, 3))));
-    for (int i = 0; i < count_; ++i) {
-        const bool simple = raster::has_shortcuts && source_[i].simple() && !local_viewer_;
+    for (int i = 0; i < light_count_; ++i) {
+        const bool simple = raster::has_shortcuts && lights_[i].simple() && !has_local_viewer_;
         if (!has_local_lights || simple)
-            add_directional(source_[i], fold, i, n, primary, specular);
+            add_directional(lights_[i], fold, i, n, primary, specular);
         else
-            add_general(source_[i], fold, i, to_eye, n, primary, specular);
+            add_general(lights_[i], fold, i, to_eye, n, primary, specular);
     }
     if (indexed())
         return set_index(fold, primary, specular, out);
     for (int c = 0; c < 3; ++c) {
-        out.color[c] = to_color(separate_ ? primary[c] : primary[c] + specular[c]);
+        out.color[c] = to_color(has_separate_specular_ ? primary[c] : primary[c] + specular[c]);
 #if SPANGLE_SECONDARY_COLORS
-        out.secondary[c] = separate_ ? to_color(specular[c]) : 0;
+        out.secondary[c] = has_separate_specular_ ? to_color(specular[c]) : 0;
 #endif
     }
     out.color[3] = fold.alpha;
@@ -471,16 +475,17 @@ void FixedLighting::light_fully(const Real (&normal)[3], const numeric::Block4& 
 
 /// Sets the index a_m + d (1 - s') (d_m - a_m) + s' (s_m - a_m), at most s_m, where s' = min(s, 1) (GL 1.3,
 /// 2.13.5).
-void FixedLighting::set_index(const Fold& fold, const Sum (&primary)[3], const Sum (&specular)[3],
+void FixedLighting::set_index(const MaterialProducts& fold, const Sum (&primary)[3], const Sum (&specular)[3],
                               raster::FixedVertex& out) const {
     using Number = FixedMath::Scalar;
     constexpr Sum one = Sum{1} << sum_bits;
     const auto number = [](Sum v) { return Number{numeric::make_block(v, -sum_bits)}; };
     const Sum d = primary[0] + primary[1] + primary[2], s = specular[0] + specular[1] + specular[2],
-              shine = s < one ? s : one;
+              specular_factor = s < one ? s : one;
     const Number am = FixedMath::scalar(fold.index[0]), dm = FixedMath::scalar(fold.index[1]),
                  sm = FixedMath::scalar(fold.index[2]);
-    const Number c = am + number(d) * number(one - shine) * (dm - am) + number(shine) * (sm - am);
+    const Number c =
+        am + number(d) * number(one - specular_factor) * (dm - am) + number(specular_factor) * (sm - am);
     const bool beyond = numeric::compare(c.v, sm.v) > 0;
     FixedMath::set_index(FixedMath::real(beyond ? sm.v : c.v), index_bits_, out);
 }

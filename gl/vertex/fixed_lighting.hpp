@@ -22,10 +22,10 @@ class FixedLighting {
     /// Takes over state that changed. `dirty`: the Dirty bits of what changed since the last call.
     void derive(const Context& context, unsigned dirty);
     /// Told when a material or a tracked colour changes between Begin and End.
-    void materials_changed() { folded_ = false; }
+    void materials_changed() { has_material_products_ = false; }
 
-    bool needs_eye() const { return has_local_lights && on_ && needs_eye_; }
-    bool two_sided() const { return SPANGLE_TWO_SIDES && on_ && two_side_; }
+    bool needs_eye() const { return has_local_lights && is_enabled_ && needs_eye_; }
+    bool two_sided() const { return SPANGLE_TWO_SIDES && is_enabled_ && has_two_sides_; }
     /// The material follows the current colour, so every vertex is lit when it is given.
     bool tracks_color() const { return has_color_material && tracks_color_; }
 
@@ -40,12 +40,14 @@ class FixedLighting {
     /// Lights a vertex as above, from its normal in place.
     SPANGLE_INLINE void light(const Context& context, const Real (&normal)[3], const numeric::Block4& eye,
                               int side, raster::FixedVertex& out) {
-        if (!folded_) [[unlikely]]
+        if (!has_material_products_) [[unlikely]]
             fold(context);
-        if (!always_given && (!fold_[side].plain || (normalizes() && !light_unit(normal, side, out))))
-            light_fully(normal, eye, side, out);
-        else if (!normalizes())
-            light_given(normal, side, out);
+        if (!always_has_given_normals &&
+            (!material_products_[side].plain ||
+             (makes_unit_normals() && !light_with_unit_normal(normal, side, out))))
+            light_with_all_terms(normal, eye, side, out);
+        else if (!makes_unit_normals())
+            light_with_given_normal(normal, side, out);
     }
 
     /// The lighting input of a vertex that clipping made at t of the edge from a to b.
@@ -54,7 +56,7 @@ class FixedLighting {
   private:
     using Sum = std::int64_t; ///< 44 fraction bits
 
-    struct Source {
+    struct LightSource {
         bool directional = true, spot = false, attenuated = false;
         /// The light reaches every vertex with the same direction and strength.
         bool simple() const { return !has_local_lights || (directional && !spot); }
@@ -69,13 +71,13 @@ class FixedLighting {
         std::int32_t ambient[3], diffuse[3], specular[3]; ///< intensities, 20 fraction bits
     };
     /// The products of one side's material with every light, 20 fraction bits.
-    struct Fold {
+    struct MaterialProducts {
         std::int64_t plain_base[3]; ///< `base` as a sum of plain lighting, plus half a colour unit
         std::int32_t base[3];       ///< emission, model ambient, and ambient light that is not attenuated
         std::int32_t ambient[max_lights][3], diffuse[max_lights][3], specular[max_lights][3];
         bool has_specular = false;
         /// Light i may contribute to the specular sum.
-        bool shines(int i) const {
+        bool has_specular_of(int i) const {
             const std::int32_t(&s)[3] = specular[i];
             return has_specular && (!raster::has_shortcuts || (s[0] | s[1] | s[2]) != 0);
         }
@@ -95,43 +97,47 @@ class FixedLighting {
         std::int32_t m[3], e, inverse; ///< `inverse`: mantissa of 1 / the length of m
     };
 
-    bool on_ = false, needs_eye_ = false, two_side_ = false, tracks_color_ = false, folded_ = false;
-    bool normalize_ = false, local_viewer_ = false, separate_ = false;
-    bool all_simple_ = false;  ///< all lights are simple(), and the viewer is at infinity
-    bool common_rows_ = false; ///< the rows of the normal matrix share one exponent, and so do their products
-    unsigned index_bits_ = 0;  ///< bits of an index framebuffer; 0: the framebuffer has colours
-    int count_ = 0;            ///< enabled lights
-    Source source_[max_lights];
-    Fold fold_[SPANGLE_TWO_SIDES ? 2 : 1];
+    bool is_enabled_ = false, needs_eye_ = false, has_two_sides_ = false, tracks_color_ = false,
+         has_material_products_ = false;
+    bool normalizes_ = false, has_local_viewer_ = false, has_separate_specular_ = false;
+    bool all_lights_are_simple_ = false; ///< all lights are simple(), and the viewer is at infinity
+    bool rows_share_exponent_ =
+        false;                ///< the rows of the normal matrix share one exponent, and so do their products
+    unsigned index_bits_ = 0; ///< bits of an index framebuffer; 0: the framebuffer has colours
+    int light_count_ = 0;     ///< enabled lights
+    LightSource lights_[max_lights];
+    MaterialProducts material_products_[SPANGLE_TWO_SIDES ? 2 : 1];
     std::int32_t model_ambient_[3] = {};
     numeric::BlockMatrix3 normal_matrix_;
 
     /// In this build all lighting is plain, with normals as they are given.
-    static constexpr bool always_given =
+    static constexpr bool always_has_given_normals =
         !has_specular && !has_local_lights && !has_full_lighting && !raster::has_indices;
-    bool normalizes() const { return has_full_lighting && normalize_; }
+    bool makes_unit_normals() const { return has_full_lighting && normalizes_; }
     bool indexed() const { return raster::has_indices && index_bits_ != 0; }
     void derive_lights(const Context& context);
     void derive_normals(const TransformState& transform);
-    void derive_source(const Light& light, Source& out) const;
+    void derive_source(const Light& light, LightSource& out) const;
     void fold(const Context& context);
-    void fold_side(const Material& material, Fold& out) const;
-    [[gnu::noinline]] void set_index(const Fold& fold, const Sum (&primary)[3], const Sum (&specular)[3],
-                                     raster::FixedVertex& out) const;
-    void light_fully(const Real (&normal)[3], const numeric::Block4& eye, int side,
-                     raster::FixedVertex& out) const;
+    void multiply_material(const Material& material, MaterialProducts& out) const;
+    [[gnu::noinline]] void set_index(const MaterialProducts& fold, const Sum (&primary)[3],
+                                     const Sum (&specular)[3], raster::FixedVertex& out) const;
+    void light_with_all_terms(const Real (&normal)[3], const numeric::Block4& eye, int side,
+                              raster::FixedVertex& out) const;
     static void add_factor(const std::int32_t (&diffuse)[3], std::int32_t factor, std::int64_t (&sum)[3]);
-    static void set_plain(const Fold& fold, const std::int64_t (&sum)[3], raster::FixedVertex& out);
-    SPANGLE_INLINE static std::int32_t facing(const Source& source, const PlainNormal& n, bool unit,
+    static void set_plain_color(const MaterialProducts& fold, const std::int64_t (&sum)[3],
+                                raster::FixedVertex& out);
+    SPANGLE_INLINE static std::int32_t facing(const LightSource& source, const PlainNormal& n, bool unit,
                                               int side);
-    void add_plain(int side, raster::FixedVertex& out, const PlainNormal& n, bool unit) const;
-    void light_given(const Real (&normal)[3], int side, raster::FixedVertex& out) const;
-    bool light_unit(const Real (&normal)[3], int side, raster::FixedVertex& out) const;
+    void add_plain_light(int side, raster::FixedVertex& out, const PlainNormal& n, bool unit) const;
+    void light_with_given_normal(const Real (&normal)[3], int side, raster::FixedVertex& out) const;
+    bool light_with_unit_normal(const Real (&normal)[3], int side, raster::FixedVertex& out) const;
     Direction direction_of(const Real (&normal)[3], int side) const;
-    void add_directional(const Source& source, const Fold& fold, int i, const Direction& n, Sum (&primary)[3],
-                         Sum (&specular)[3]) const;
-    void add_general(const Source& source, const Fold& fold, int i, const numeric::Block3& to_eye,
-                     const Direction& n, Sum (&primary)[3], Sum (&specular)[3]) const;
+    void add_directional(const LightSource& source, const MaterialProducts& fold, int i, const Direction& n,
+                         Sum (&primary)[3], Sum (&specular)[3]) const;
+    void add_general(const LightSource& source, const MaterialProducts& fold, int i,
+                     const numeric::Block3& to_eye, const Direction& n, Sum (&primary)[3],
+                     Sum (&specular)[3]) const;
 };
 
 } // namespace spangle::gl

@@ -221,12 +221,12 @@ struct FixedMath : FixedClipping {
             clip.z = row<Point>(rows + 8, v, power);
             clip.e = v.e;
             if constexpr (!at_once)
-                of_w_.set(i, clip.w << (numeric::clz32(clip.w) & 31));
+                reciprocals_of_w_.set(i, clip.w << (numeric::clz32(clip.w) & 31));
         }
         /// Computes 1/w of the first `count` vertices.
         SPANGLE_INLINE void finish([[maybe_unused]] int count) {
             if constexpr (!at_once)
-                of_w_.finish(count);
+                reciprocals_of_w_.finish(count);
         }
 
         /// Sets window coordinates of vertex i. `planes` gets the planes of the view volume that the vertex
@@ -241,7 +241,8 @@ struct FixedMath : FixedClipping {
                 return false;
             const Lifted x(clip.x, zeros, t.lift[0]), y(clip.y, zeros, t.lift[1]),
                 z(clip.z, zeros, t.lift[2]);
-            if (raster::has_perspective && !numeric::wide_words && (x.lost() | y.lost() | z.lost()) != 0)
+            if (raster::has_perspective && !numeric::wide_words &&
+                (x.overflow_bits() | y.overflow_bits() | z.overflow_bits()) != 0)
                 return false;
             if (!drawn(clip, zeros, t))
                 return false;
@@ -273,7 +274,7 @@ struct FixedMath : FixedClipping {
                 return false;
             const Lifted x(clip.x, zeros, t.lift[0]), y(clip.y, zeros, t.lift[1]),
                 z(clip.z, zeros, t.lift[2]);
-            if ((x.lost() | y.lost() | z.lost()) != 0 || !drawn(clip, zeros, t))
+            if ((x.overflow_bits() | y.overflow_bits() | z.overflow_bits()) != 0 || !drawn(clip, zeros, t))
                 return false;
             const auto minus_r = static_cast<std::int32_t>(0u - inverse(i, zeros));
             out.x = t.x.place(x.times(minus_r), 32);
@@ -294,7 +295,7 @@ struct FixedMath : FixedClipping {
         /// its own.
         static constexpr bool at_once = numeric::cheap_branches;
         struct None {};
-        [[no_unique_address]] std::conditional_t<at_once, None, numeric::Reciprocals<N>> of_w_;
+        [[no_unique_address]] std::conditional_t<at_once, None, numeric::Reciprocals<N>> reciprocals_of_w_;
 
         /// In a build without perspective only vertices whose w is 1 are drawn.
         SPANGLE_INLINE static bool drawn(const Clipped& clip, int zeros, const Transforms& t) {
@@ -307,14 +308,14 @@ struct FixedMath : FixedClipping {
             if constexpr (at_once)
                 return numeric::reciprocal(clip_[i].w << zeros);
             else
-                return of_w_.at(i);
+                return reciprocals_of_w_.at(i);
         }
     };
 
     /// The part of an area into which no vertex from beyond the left, right, bottom or top plane falls.
     /// Rounding brings such a vertex onto the rim of the viewport at most, and the rim is left out.
     static raster::DrawState::Area inside_viewport(const Transforms& t, raster::DrawState::Area area) {
-        const auto cut = [](const Range& range, std::int32_t& begin, std::uint32_t& size) {
+        const auto clip_edge = [](const Range& range, std::int32_t& begin, std::uint32_t& size) {
             const auto half = static_cast<std::int32_t>(-range.minus_half) >> half_bits;
             const std::int32_t end = begin + static_cast<std::int32_t>(size), rim = range.middle + half;
             if (begin <= range.middle - half)
@@ -323,8 +324,8 @@ struct FixedMath : FixedClipping {
             if (end <= begin || rim <= begin)
                 size = 0;
         };
-        cut(t.x, area.x, area.w);
-        cut(t.y, area.y, area.h);
+        clip_edge(t.x, area.x, area.w);
+        clip_edge(t.y, area.y, area.h);
         return area;
     }
     /// Sets where a line ends, if its end is seen: in an area that inside_viewport() made, between near and
@@ -537,7 +538,7 @@ struct FixedMath : FixedClipping {
 #endif
         return v;
     }
-    [[gnu::noinline]] static void reals(const Eye& v, Real (&out)[4]) {
+    [[gnu::noinline]] static void to_reals(const Eye& v, Real (&out)[4]) {
         for (int c = 0; c < 4; ++c)
             out[c] = real(numeric::component(v, c));
     }
@@ -717,14 +718,14 @@ struct FixedMath : FixedClipping {
             return static_cast<std::int32_t>(static_cast<std::uint32_t>(v) << n);
         }
         /// Not 0: a word has no room for the lifted coordinate.
-        SPANGLE_INLINE std::int32_t lost() const {
+        SPANGLE_INLINE std::int32_t overflow_bits() const {
             const int n = numeric::wide_words ? 31 - by : by;
             return (word(n) >> n) ^ v;
         }
         SPANGLE_INLINE Quotient times(std::int32_t factor) const {
             if constexpr (numeric::wide_words)
                 return ((numeric::mul_s32(v, factor) >> by) + 1) >> 1;
-            if (!raster::has_perspective && lost() != 0) // saturated: only planes_of() uses it
+            if (!raster::has_perspective && overflow_bits() != 0) // saturated: only planes_of() uses it
                 return v < 0 ? INT32_MAX : INT32_MIN;
             return numeric::mul_high_rounded(word(by), factor);
         }

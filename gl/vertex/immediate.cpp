@@ -31,8 +31,8 @@ void set_tex_coord(Context& context, std::uint32_t unit, Real s, Real t, Real r,
 
 /// ArrayElement: sets the attributes whose arrays are enabled, then gives the vertex (GL 1.3, 2.8).
 void element(Context& context, std::uint32_t index) {
-    if (context.inside_begin_end() && restarts(context.array_bindings, index))
-        return restart(context);
+    if (context.inside_begin_end() && is_restart_index(context.array_bindings, index))
+        return restart_primitive(context);
     if (!arrays_reach(context, index))
         return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("an array element beyond its buffer"));
     const AddressedArrays addressed(context);
@@ -59,7 +59,7 @@ bool takes(Context& context, GLenum mode) {
 
 /// Draws `count` elements as one primitive, or as several where restart indices separate them.
 void draw(Context& context, GLenum mode, GLsizei count, const Indices& indices) {
-    const KeptAttributes kept(context);
+    const SavedAttributes kept(context);
     const AddressedArrays addressed(context);
     for_each_run(context.array_bindings, static_cast<std::uint32_t>(count), indices,
                  [&](std::uint32_t n, const Indices& run) {

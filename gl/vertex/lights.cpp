@@ -57,7 +57,7 @@ constexpr const char* beyond_lights =
     SPANGLE_TEXT("light is beyond the lights of this build (SPANGLE_LIGHTS)");
 
 /// Sets the error of a kind of lighting that this build does not have.
-void refuse(Context& context) {
+void refuse_pname(Context& context) {
     error(context, GL_INVALID_OPERATION,
           SPANGLE_TEXT("this build has no such lighting (SPANGLE_LIGHT_KINDS, SPANGLE_FULL_LIGHTING)"));
 }
@@ -100,7 +100,7 @@ void set_property(Material& m, GLenum pname, const void* v, std::uint32_t count)
 }
 
 /// ColorMaterial tracks this property, so Material does not set it (GL 1.3, corollary 11).
-bool tracked(const LightingState& state, unsigned side, GLenum pname) {
+bool is_tracked(const LightingState& state, unsigned side, GLenum pname) {
     if (!has_color_material || !state.color_material ||
         (sides_of(state.color_material_face) & (1u << side)) == 0)
         return false;
@@ -108,7 +108,7 @@ bool tracked(const LightingState& state, unsigned side, GLenum pname) {
     return mode == pname || (mode == GL_AMBIENT_AND_DIFFUSE && (pname == GL_AMBIENT || pname == GL_DIFFUSE));
 }
 
-void track(Context& context) {
+void track_color(Context& context) {
     LightingState& state = context.lighting;
     const unsigned sides = sides_of(state.color_material_face);
     const GLenum mode = state.color_material_parameter;
@@ -163,13 +163,13 @@ std::uint32_t property_size(GLenum pname) {
 } // namespace
 
 void color_material_enabled(Context& context) {
-    track(context);
+    track_color(context);
     context.changed(dirty_vertex);
 }
 
 void color_changed(Context& context) {
     materials_change(context);
-    track(context);
+    track_color(context);
 }
 
 namespace cmd {
@@ -185,7 +185,7 @@ void Light(Context& context, GLenum light, GLenum pname, const Params& params) {
         return error(context, GL_INVALID_VALUE);
     if ((pname == GL_DIFFUSE && too_bright(params)) ||
         (!has_local_lights && (spot || (pname == GL_POSITION && !numeric::is_zero(v[3])))))
-        return refuse(context);
+        return refuse_pname(context);
     Real* const to = property_of(context.lighting.light[light - GL_LIGHT0], pname);
     if (in_eye_space)
         to_eye(context, v, to, static_cast<int>(params.count));
@@ -212,12 +212,12 @@ void LightModel(Context& context, GLenum pname, const Params& params) {
         break;
     case GL_LIGHT_MODEL_LOCAL_VIEWER:
         if (!has_local_lights && params.v[0].integer() != 0)
-            return refuse(context);
+            return refuse_pname(context);
         state.local_viewer = params.v[0].integer() != 0;
         break;
     case GL_LIGHT_MODEL_TWO_SIDE:
         if (!SPANGLE_TWO_SIDES && params.v[0].integer() != 0)
-            return refuse(context);
+            return refuse_pname(context);
         state.two_side = params.v[0].integer() != 0;
         break;
     case GL_LIGHT_MODEL_COLOR_CONTROL: {
@@ -241,9 +241,9 @@ void Material(Context& context, GLenum face, GLenum pname, const Params& params)
     if (pname == GL_SHININESS && !in_range(params.v[0].real(), hundred_twenty_eight))
         return error(context, GL_INVALID_VALUE);
     if (!has_specular && pname == GL_SPECULAR && !is_black(params))
-        return refuse(context);
+        return refuse_pname(context);
     if ((pname == GL_DIFFUSE || pname == GL_AMBIENT_AND_DIFFUSE) && too_bright(params))
-        return refuse(context);
+        return refuse_pname(context);
     materials_change(context);
     for (unsigned side = 0; side < 2; ++side) {
         if ((sides & (1u << side)) == 0)
@@ -251,7 +251,7 @@ void Material(Context& context, GLenum face, GLenum pname, const Params& params)
         const bool both = pname == GL_AMBIENT_AND_DIFFUSE;
         for (const GLenum one :
              {both ? static_cast<GLenum>(GL_AMBIENT) : pname, both ? static_cast<GLenum>(GL_DIFFUSE) : pname})
-            if (!tracked(context.lighting, side, one))
+            if (!is_tracked(context.lighting, side, one))
                 set_property(context.lighting.material[side], one, params.v, params.count);
     }
 }
@@ -275,7 +275,7 @@ void ColorMaterial(Context& context, GLenum face, GLenum mode) {
     context.lighting.color_material_face = face;
     context.lighting.color_material_parameter = mode;
     if (has_color_material && context.lighting.color_material)
-        track(context);
+        track_color(context);
     context.changed(dirty_vertex);
 }
 

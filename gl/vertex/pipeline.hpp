@@ -45,44 +45,44 @@ template <class M, class L> class Pipeline {
     void begin(Context& context, GLenum mode) {
         context_ = &context;
         mode_ = mode;
-        full_ = corners_of(mode);
-        held_ = 0;
-        odd_ = false;
-        stipple_starts_ = true;
-        if (begins_left_out(context))
+        corners_needed_ = corners_of(mode);
+        corner_count_ = 0;
+        is_odd_triangle_ = false;
+        restarts_stipple_ = true;
+        if (begins_outside_band(context))
             return;
         for (int i = 0; i < slot_count; ++i)
-            corner_[i] = &slot_[i];
+            corner_[i] = &vertex_slot_[i];
         derive(context);
         if (tells_reach && is_told(context)) [[unlikely]]
-            reach_draw();
-        if (mode == GL_POLYGON && (outlined() || gathers()))
+            record_draw_reach();
+        if (mode == GL_POLYGON && (has_outlines() || gathers_polygons()))
             begin_polygon();
-        const Drawn drawn = mode == GL_POINTS       ? Drawn::points
-                            : mode <= GL_LINE_STRIP ? Drawn::lines
-                                                    : Drawn::polygons;
+        const PrimitiveKind drawn = mode == GL_POINTS       ? PrimitiveKind::points
+                                    : mode <= GL_LINE_STRIP ? PrimitiveKind::lines
+                                                            : PrimitiveKind::polygons;
         state_ = &draw_state(context, drawn);
-        context.fragments.primitive.stippled = drawn == Drawn::polygons;
+        context.fragments.primitive.stippled = drawn == PrimitiveKind::polygons;
     }
 
     SPANGLE_INLINE void vertex(Context& context, Real x, Real y, Real z, Real w) {
-        if (left_out())
+        if (is_outside_band())
             return;
-        Vertex& v = *corner_[held_];
+        Vertex& v = *corner_[corner_count_];
         const CurrentState& current = context.current;
         v.position[0] = x;
         v.position[1] = y;
         v.position[2] = z;
         v.position[3] = w;
         set_normal(v, current.normal);
-        if constexpr (keeps_places)
-            place(v);
+        if constexpr (caches_window_positions)
+            transform_with_cache(v);
         else
-            process(v);
-        attributes(current, v);
-        if (more_is_given())
-            given(current, v);
-        if (++held_ == full_)
+            transform_vertex(v);
+        set_attributes_of(current, v);
+        if (needs_vertex_state())
+            take_vertex_state(current, v);
+        if (++corner_count_ == corners_needed_)
             primitive();
     }
 
@@ -90,10 +90,10 @@ template <class M, class L> class Pipeline {
     void elements(Context& context, std::uint32_t count, const Indices& indices);
 
     void end() {
-        if (!left_out()) {
-            if (has_lines && mode_ == GL_LINE_LOOP && held_ == 2)
+        if (!is_outside_band()) {
+            if (has_lines && mode_ == GL_LINE_LOOP && corner_count_ == 2)
                 line(*corner_[1], *corner_[0]);
-            if (mode_ == GL_POLYGON && (outlined() || gathers()))
+            if (mode_ == GL_POLYGON && (has_outlines() || gathers_polygons()))
                 end_polygon();
         }
         if constexpr (skips_batches)
@@ -114,7 +114,7 @@ template <class M, class L> class Pipeline {
     static constexpr unsigned outside_mask = 0x3F, beyond_shift = 8, beyond_mask = 0x3F << beyond_shift,
                               unprojected = 1 << 14, ///< the vertex has no window coordinates yet
         uncolored = 1 << 15,                         ///< the vertex is still to be lit
-        is_cut = 1 << 16,                            ///< the vertex is a Cut
+        is_clipped_vertex = 1 << 16,                 ///< the vertex is a ClippedVertex
         edge_flag = 1 << 17,                         ///< the current edge flag when the vertex was given
         boundary = 1 << 18,   ///< outlines of the polygon at hand draw the edge that starts here
         is_pending = 1 << 19, ///< primitives of Pending that use the vertex are still to be drawn
@@ -123,7 +123,7 @@ template <class M, class L> class Pipeline {
     /// Builds with neither lighting nor generated coordinates do without normals.
     static constexpr bool has_normals = SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_TEXGEN;
     /// A vertex as it was given, in object space.
-    struct Given {
+    struct ObjectVertex {
         Real position[4]{numeric::zero, numeric::zero, numeric::zero, numeric::one};
 #if SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_TEXGEN
         Real normal[3]{};
@@ -131,17 +131,18 @@ template <class M, class L> class Pipeline {
         static constexpr Real normal[3]{};
 #endif
     };
-    struct Vertex : Given {
+    struct Vertex : ObjectVertex {
         std::uint32_t flags = 0;
 #if SPANGLE_VERTEX_CACHE != 1
-        std::uint32_t time = 0; ///< now_ when a cached vertex was processed; valid while both are equal
-        Real st[2]{};           ///< the coordinates that read_texture() made window.tex of
+        std::uint32_t cache_epoch =
+            0;        ///< cache_epoch_ when a cached vertex was processed; valid while both are equal
+        Real st[2]{}; ///< the coordinates that read_texture() made window.tex of
 #endif
         Window window{};
     };
     /// A vertex while it is clipped, or one that clipping made. It keeps values that other vertices compute
     /// when they need them.
-    struct Cut : Vertex {
+    struct ClippedVertex : Vertex {
         typename M::Point clip{};
 #if SPANGLE_FEATURE_FOG
         typename M::Depth eye_z{}; ///< z in eye space with its sign, or the fog coordinate
@@ -164,30 +165,34 @@ template <class M, class L> class Pipeline {
                                         vertex_cache > 1024 && std::has_single_bit(vertex_cache);
     static constexpr std::size_t first_vertices = grows_cache ? 128 : vertex_cache;
     /// Where a vertex fell that was given by itself, not as an element of arrays.
-    struct Placed {
-        Real position[3]{};     ///< position as given; its w was 1
-        std::uint32_t time = 0; ///< now_ when the place was kept; valid while both are equal
-        typename M::Place place{};
+    struct CachedPosition {
+        Real position[3]{};            ///< position as given; its w was 1
+        std::uint32_t cache_epoch = 0; ///< cache_epoch_ when the place was kept; valid while both are equal
+        typename M::Place transform_with_cache{};
     };
     static constexpr std::size_t
-        most_placed = 512, ///< the more the better, as far as the first-level cache of hosts reaches
-        placed_count = std::bit_floor(sizeof(Vertex) * vertex_cache / sizeof(Placed) < most_placed
-                                          ? sizeof(Vertex) * vertex_cache / sizeof(Placed)
-                                          : most_placed),
-        placed_room = (sizeof(Placed) * placed_count + sizeof(Vertex) - 1) / sizeof(Vertex), ///< in vertices
-        placed_overlap = placed_room < first_vertices ? placed_room : first_vertices;
+        most_cached_positions =
+            512, ///< the more the better, as far as the first-level cache of hosts reaches
+        cached_position_count =
+            std::bit_floor(sizeof(Vertex) * vertex_cache / sizeof(CachedPosition) < most_cached_positions
+                               ? sizeof(Vertex) * vertex_cache / sizeof(CachedPosition)
+                               : most_cached_positions),
+        cached_position_room = (sizeof(CachedPosition) * cached_position_count + sizeof(Vertex) - 1) /
+                               sizeof(Vertex), ///< in vertices
+        cached_position_overlap =
+            cached_position_room < first_vertices ? cached_position_room : first_vertices;
     /// Vertices that may come again. Elements by their index, or vertices given by themselves by their
     /// position, take turns in the same memory.
-    union Kept {
+    union VertexCache {
         Vertex vertex[first_vertices];
-        Placed placed[placed_count];
-        Kept() : vertex{} {}
+        CachedPosition cached_position[cached_position_count];
+        VertexCache() : vertex{} {}
     };
 #endif
     /// This build keeps the window positions of vertices given by themselves.
-    static constexpr bool keeps_places = vertex_cache != 1 && raster::has_shortcuts;
+    static constexpr bool caches_window_positions = vertex_cache != 1 && raster::has_shortcuts;
     /// Vertices of line strips are not kept: a small cache forgets them before another strip asks for them.
-    static constexpr bool forgets_strips =
+    static constexpr bool skips_cache_for_strips =
         vertex_cache < 1024 && raster::has_shortcuts && std::is_same_v<Window, raster::FixedVertex>;
     /// Room of Pending for vertices; a line strip of line_batch lines has one vertex more.
     static constexpr int pending_vertices = (numeric::cheap_branches ? 1 : 4) * line_batch + 1;
@@ -199,8 +204,8 @@ template <class M, class L> class Pipeline {
     /// plane.
     static constexpr int clip_vertices = slot_count + 6 +
                                          (SPANGLE_FEATURE_CLIP_PLANES ? max_clip_planes : 0) + 2 + clip_spare,
-                         cut_count = clip_vertices + clip_spare;
-    static_assert(cut_count <= 32);
+                         clipped_vertex_count = clip_vertices + clip_spare;
+    static_assert(clipped_vertex_count <= 32);
     static_assert(has_clipping || !(SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_POLYGON_MODE ||
                                     SPANGLE_FEATURE_SELECTION || SPANGLE_GATHERS_POLYGONS),
                   "user's planes, outlines, selection, feedback and antialiasing need SPANGLE_CLIPPING");
@@ -215,34 +220,37 @@ template <class M, class L> class Pipeline {
     raster::BatchRows* batches_ = nullptr;
     const raster::DrawState* state_ = nullptr;
     GLenum mode_ = GL_POINTS;
-    int held_ = 0, full_ = 0; ///< vertices in corner_, and how many make a primitive
-    bool odd_ = false;        ///< the strip has an odd number of triangles so far
-    bool fog_ = false, lit_ = false, flat_ = false, two_sided_ = false;
-    unsigned units_ = 0;          ///< bit u: texture unit u is on; bit u + third_coordinate: it uses r
-    unsigned thirds_ = 0;         ///< bit u: unit u uses r; as it was when the cached vertices were made
-    bool fog_given_ = false;      ///< fog takes its distance from fog coordinates
-    bool sums_ = false;           ///< vertices have secondary colours without lighting: COLOR_SUM
-    unsigned index_bits_ = 0;     ///< bits of an index framebuffer; 0: the framebuffer has colours
-    bool each_vertex_ = false;    ///< given() is called for each vertex
-    bool whole_polygons_ = false; ///< polygon() draws triangles and quads, too
-    bool outlines_ = false;       ///< PolygonMode makes lines or points of front or back faces
-    bool stencil_sides_ = false;  ///< back faces have a DrawState of their own
-    bool captures_ = false;       ///< primitives are selected or fed back, not drawn
-    bool cuts_lines_ = false;     ///< wide lines are clipped at viewport edges within the window
-    bool offsets_ = false;        ///< PolygonOffset is on for some polygon mode
-    bool modal_lines_ = false;    ///< lines are stippled, antialiased, or drawn to samples
-    bool modal_points_ = false;   ///< points likewise, or they are sprites, or have sizes of their own
-    bool fills_whole_ = false;    ///< filled polygons are antialiased, or drawn to samples
-    bool smooth_polygons_ = false;
-    bool multisampling_ = false;
-    bool stipple_starts_ = false;               ///< the next line starts the stipple pattern anew
-    GLenum face_mode_[2] = {};                  ///< polygon mode of front and back
-    bool front_is_ccw_ = false, culls_[2] = {}; ///< culls_: counter-clockwise and clockwise faces
-    Vertex* corner_[slot_count] = {};           ///< vertices of the primitive being assembled
-    unsigned layout_ = 0; ///< layout of the arrays that the cached vertices came from; see arrays_begin()
-    Given given_;         ///< position and normal of the element at hand
-    Real given_color_[4] = {}; ///< current colour during the last draw of elements
-    std::uint32_t now_ = 0;    ///< cached vertices of another `time` are invalid; see forget()
+    int corner_count_ = 0, corners_needed_ = 0; ///< vertices in corner_, and how many make a primitive
+    bool is_odd_triangle_ = false;              ///< the strip has an odd number of triangles so far
+    bool has_fog_ = false, is_lit_ = false, is_flat_shaded_ = false, has_two_sides_ = false;
+    unsigned units_ = 0;               ///< bit u: texture unit u is on; bit u + third_coordinate: it uses r
+    unsigned units_with_r_ = 0;        ///< bit u: unit u uses r; as it was when the cached vertices were made
+    bool has_fog_coordinates_ = false; ///< fog takes its distance from fog coordinates
+    bool has_color_sum_ = false;       ///< vertices have secondary colours without lighting: COLOR_SUM
+    unsigned index_bits_ = 0;          ///< bits of an index framebuffer; 0: the framebuffer has colours
+    bool needs_vertex_state_ = false;  ///< take_vertex_state() is called for each vertex
+    bool needs_polygon_path_ = false;  ///< polygon() draws triangles and quads, too
+    bool has_outlines_ = false;        ///< PolygonMode makes lines or points of front or back faces
+    bool has_two_sided_stencil_ = false; ///< back faces have a DrawState of their own
+    bool is_capturing_ = false;          ///< primitives are selected or fed back, not drawn
+    bool clips_wide_lines_ = false;      ///< wide lines are clipped at viewport edges within the window
+    bool has_polygon_offset_ = false;    ///< PolygonOffset is on for some polygon mode
+    bool has_special_lines_ = false;     ///< lines are stippled, antialiased, or drawn to samples
+    bool has_special_points_ = false;    ///< points likewise, or they are sprites, or have sizes of their own
+    bool fills_whole_polygons_ = false;  ///< filled polygons are antialiased, or drawn to samples
+    bool has_smooth_polygons_ = false;
+    bool is_multisampling_ = false;
+    bool restarts_stipple_ = false; ///< the next line starts the stipple pattern anew
+    GLenum face_mode_[2] = {};      ///< polygon mode of front and back
+    bool front_is_ccw_ = false,
+         culls_winding_[2] = {};      ///< culls_winding_: counter-clockwise and clockwise faces
+    Vertex* corner_[slot_count] = {}; ///< vertices of the primitive being assembled
+    unsigned cached_layout_ =
+        0; ///< layout of the arrays that the cached vertices came from; see arrays_begin()
+    ObjectVertex object_vertex_;   ///< position and normal of the element at hand
+    Real last_draw_color_[4] = {}; ///< current colour during the last draw of elements
+    std::uint32_t cache_epoch_ =
+        0; ///< cached vertices of another `cache_epoch` are invalid; see invalidate_cache()
     std::int32_t point_size_ = 0, line_width_ = 0; ///< in pixels, 1 to 64
     raster::LineStipple stipple_;
     typename M::Transforms transforms_;
@@ -253,41 +261,42 @@ template <class M, class L> class Pipeline {
     Real unlit_color_[4] = {}; ///< the current colour that unlit_ was converted from
     bool has_unlit_color_ = false;
 #if SPANGLE_VERTEX_CACHE != 1
-    bool keeps_placed_ = false; ///< kept_ holds `placed`, not `vertex`
-    std::uint32_t in_turn_ = 0; ///< number of vertices given by themselves since the last elements
+    bool caches_positions_ = false;     ///< vertex_cache_ holds `cached_position`, not `vertex`
+    std::uint32_t immediate_count_ = 0; ///< number of vertices given by themselves since the last elements
 #endif
 #if SPANGLE_CLIPPING
-    std::uint32_t free_cuts_ = 0; ///< bit i: cut_[i] is no corner of the polygon being clipped
+    std::uint32_t free_clipped_vertices_ =
+        0; ///< bit i: clipped_vertex_[i] is no corner of the polygon being clipped
 #endif
 #if SPANGLE_GATHERS_POLYGONS
-    Cut* gathered_ = nullptr; ///< in the arena: corners of a polygon that is drawn when it ends
-    int gathered_count_ = 0, gathered_room_ = 0;
+    ClippedVertex* gathered_ = nullptr; ///< in the arena: corners of a polygon that is drawn when it ends
+    int gathered_count_ = 0, gathered_capacity_ = 0;
     const Window** gathered_windows_ = nullptr; ///< room for the corners that clipping leaves of that polygon
-    bool gathering_lost_ = false;               ///< the arena had no room for all corners
+    bool gathering_failed_ = false;             ///< the arena had no room for all corners
 #endif
-    Vertex slot_[slot_count];
+    Vertex vertex_slot_[slot_count];
 #if SPANGLE_TWO_SIDES
-    typename M::Colors back_[slot_count]; ///< back colours of slot_, set where back_known
+    typename M::Colors back_colors_[slot_count]; ///< back colours of vertex_slot_, set where back_known
 #endif
 #if SPANGLE_FEATURE_FEEDBACK
-    typename M::Eye texture_[slot_count]; ///< of slot_, set while primitives are fed back
+    typename M::Eye texture_coords_[slot_count]; ///< of vertex_slot_, set while primitives are fed back
 #endif
 #if SPANGLE_VERTEX_CACHE != 1
-    Kept kept_;
-    struct Grown {
+    VertexCache vertex_cache_;
+    struct GrownCache {
         Vertex* elements = nullptr; ///< room for vertex_cache elements, or null
-        Vertex* base = nullptr;     ///< the elements that are kept now: `elements`, or kept_.vertex
+        Vertex* base = nullptr;     ///< the elements that are kept now: `elements`, or vertex_cache_.vertex
         std::uint32_t mask = 0;     ///< bits of an index that choose the place
     };
-    struct NotGrown {};
-    [[no_unique_address]] std::conditional_t<grows_cache, Grown, NotGrown> grown_;
+    struct FixedCache {};
+    [[no_unique_address]] std::conditional_t<grows_cache, GrownCache, FixedCache> grown_cache_;
 #endif
 #if SPANGLE_CLIPPING
-    Cut cut_[cut_count];
+    ClippedVertex clipped_vertex_[clipped_vertex_count];
 #endif
 
     /// A callback draws this band, and no part of the batch that begins reaches the band.
-    bool begins_left_out([[maybe_unused]] const Context& context) {
+    bool begins_outside_band([[maybe_unused]] const Context& context) {
         if constexpr (skips_batches) {
             batches_ = context.render.draws() ? context.drawable.batches : nullptr;
             return batches_ != nullptr && !batches_->begin_batch();
@@ -295,8 +304,8 @@ template <class M, class L> class Pipeline {
         return false;
     }
     /// The batch that has begun is left out of the band; true from its begin() to its end().
-    bool left_out() const {
-        return skips_batches && batches_ != nullptr && batches_->leaves_out();
+    bool is_outside_band() const {
+        return skips_batches && batches_ != nullptr && batches_->is_skipped();
     }
 
     void derive(Context& context) {
@@ -308,81 +317,84 @@ template <class M, class L> class Pipeline {
             }
             lighting_.derive(context, dirty);
             context.dirty = static_cast<std::uint8_t>(context.dirty & ~dirty_vertex);
-            forget();
+            invalidate_cache();
         }
         if constexpr (SPANGLE_FEATURE_FOG) {
-            fog_ = context.fog.fog;
-            fog_given_ = fog_ && context.fog.source == GL_FOG_COORDINATE;
+            has_fog_ = context.fog.fog;
+            has_fog_coordinates_ = has_fog_ && context.fog.source == GL_FOG_COORDINATE;
         }
         if constexpr (raster::has_indices)
             index_bits_ = context.drawable.index_bits;
-        lit_ = context.lighting.lighting;
-        sums_ = SPANGLE_FEATURE_SECONDARY_COLOR && !lit_ && sums_colors(context.lighting);
-        if (sums_)
+        is_lit_ = context.lighting.lighting;
+        has_color_sum_ = SPANGLE_FEATURE_SECONDARY_COLOR && !is_lit_ && sums_colors(context.lighting);
+        if (has_color_sum_)
             has_unlit_color_ = false;
-        two_sided_ = lighting_.two_sided();
+        has_two_sides_ = lighting_.two_sided();
         units_ = context.texture.units_in_use();
-        if (const unsigned thirds = units_ >> third_coordinate; thirds != thirds_) {
-            thirds_ = thirds;
-            forget();
+        if (const unsigned thirds = units_ >> third_coordinate; thirds != units_with_r_) {
+            units_with_r_ = thirds;
+            invalidate_cache();
         }
         const PolygonState& polygon = context.polygon;
-        flat_ = polygon.shade_model == GL_FLAT;
+        is_flat_shaded_ = polygon.shade_model == GL_FLAT;
         front_is_ccw_ = polygon.front_face == GL_CCW;
         for (int clockwise = 0; clockwise < 2; ++clockwise)
-            culls_[clockwise] = culls(polygon, front_is_ccw_ == (clockwise == 0));
-        captures_ = !context.render.draws();
+            culls_winding_[clockwise] = is_culled(polygon, front_is_ccw_ == (clockwise == 0));
+        is_capturing_ = !context.render.draws();
         if constexpr (SPANGLE_FEATURE_POLYGON_MODE) {
             for (int side = 0; side < 2; ++side)
                 face_mode_[side] = polygon.mode[side];
-            outlines_ =
+            has_outlines_ =
                 (face_mode_[0] != GL_FILL || face_mode_[1] != GL_FILL) && context.render.mode != GL_SELECT;
         }
-        cuts_lines_ = has_clipping && mode_ != GL_POINTS && mode_ <= GL_LINE_STRIP &&
-                      !lines_are_thin(context) && !viewport_holds_window(context);
-        stencil_sides_ = SPANGLE_FEATURE_STENCIL_SIDES && stencil_sides(context);
+        clips_wide_lines_ = has_clipping && mode_ != GL_POINTS && mode_ <= GL_LINE_STRIP &&
+                            !lines_are_thin(context) && !viewport_holds_window(context);
+        has_two_sided_stencil_ = SPANGLE_FEATURE_STENCIL_SIDES && stencil_sides(context);
         const bool sampled = has_sample_buffer(context);
-        multisampling_ = multisampling(context);
-        smooth_polygons_ = SPANGLE_FEATURE_ANTIALIASING && polygon.polygon_smooth && !multisampling_;
-        fills_whole_ = smooth_polygons_ || sampled;
-        each_vertex_ = lighting_.tracks_color() || outlined() || captures() || fog_given_ || indexed() ||
-                       sums_ || (mode_ == GL_POLYGON && gathers()) || (tells_reach && is_told(context));
-        modal_points_ = (SPANGLE_FEATURE_ANTIALIASING && polygon.point_smooth) || sampled ||
-                        ((mode_ == GL_POINTS || outlines_) && sizes_points(polygon));
-        offsets_ = SPANGLE_FEATURE_POLYGON_OFFSET &&
-                   (polygon.offset_fill || polygon.offset_line || polygon.offset_point);
-        whole_polygons_ = two_sided_ || exactly_clipped() || planes_.any() || stencil_sides_;
-        whole_polygons_ = whole_polygons_ || offsets() || fills_whole();
-        modal_lines_ = (SPANGLE_FEATURE_STIPPLE && polygon.line_stipple) ||
-                       (SPANGLE_FEATURE_ANTIALIASING && polygon.line_smooth) || sampled;
+        is_multisampling_ = multisampling(context);
+        has_smooth_polygons_ = SPANGLE_FEATURE_ANTIALIASING && polygon.polygon_smooth && !is_multisampling_;
+        fills_whole_polygons_ = has_smooth_polygons_ || sampled;
+        needs_vertex_state_ = lighting_.tracks_color() || has_outlines() || is_capturing() ||
+                              has_fog_coordinates_ || has_color_index() || has_color_sum_ ||
+                              (mode_ == GL_POLYGON && gathers_polygons()) ||
+                              (tells_reach && is_told(context));
+        has_special_points_ = (SPANGLE_FEATURE_ANTIALIASING && polygon.point_smooth) || sampled ||
+                              ((mode_ == GL_POINTS || has_outlines_) && sizes_points(polygon));
+        has_polygon_offset_ = SPANGLE_FEATURE_POLYGON_OFFSET &&
+                              (polygon.offset_fill || polygon.offset_line || polygon.offset_point);
+        needs_polygon_path_ =
+            has_two_sides_ || clips_to_view_volume() || planes_.any() || has_two_sided_stencil_;
+        needs_polygon_path_ = needs_polygon_path_ || has_polygon_offset() || fills_whole_polygons();
+        has_special_lines_ = (SPANGLE_FEATURE_STIPPLE && polygon.line_stipple) ||
+                             (SPANGLE_FEATURE_ANTIALIASING && polygon.line_smooth) || sampled;
 #if SPANGLE_FEATURE_STIPPLE
         stipple_.pattern = polygon.stipple_pattern;
         stipple_.factor = static_cast<std::uint32_t>(polygon.stipple_factor);
 #endif
         if constexpr (has_points || SPANGLE_FEATURE_POLYGON_MODE)
-            point_size_ = whole(polygon.point_size);
+            point_size_ = rounded_size(polygon.point_size);
         if constexpr (has_lines || SPANGLE_FEATURE_POLYGON_MODE)
-            line_width_ = whole(polygon.line_width);
+            line_width_ = rounded_size(polygon.line_width);
     }
 
     /// Makes all cached vertices invalid.
-    SPANGLE_RUN_CALL void forget() {
-        if (++now_ != 0)
+    SPANGLE_RUN_CALL void invalidate_cache() {
+        if (++cache_epoch_ != 0)
             return;
 #if SPANGLE_VERTEX_CACHE != 1
-        forget_all();
+        clear_cache();
 #endif
-        now_ = 1;
+        cache_epoch_ = 1;
     }
 
-    static bool culls(const PolygonState& p, bool front) {
+    static bool is_culled(const PolygonState& p, bool front) {
         if (!p.cull_face)
             return false;
         return p.cull_face_mode == GL_FRONT_AND_BACK || (p.cull_face_mode == GL_FRONT) == front;
     }
 
     /// The size of aliased points and lines in pixels: rounded, 1 to 64; 0 counts as 1 (GL 1.3, 3.3, 3.4.2).
-    SPANGLE_RUN_CALL static std::int32_t whole(Real size) {
+    SPANGLE_RUN_CALL static std::int32_t rounded_size(Real size) {
         return numeric::clamp<std::int32_t>(numeric::to_i32_round(size), 1, 64);
     }
 
@@ -397,70 +409,70 @@ template <class M, class L> class Pipeline {
         return false;
 #endif
     }
-    bool outlined() const {
-        return SPANGLE_FEATURE_POLYGON_MODE && outlines_;
+    bool has_outlines() const {
+        return SPANGLE_FEATURE_POLYGON_MODE && has_outlines_;
     }
-    bool offsets() const {
-        return SPANGLE_FEATURE_POLYGON_OFFSET && offsets_;
+    bool has_polygon_offset() const {
+        return SPANGLE_FEATURE_POLYGON_OFFSET && has_polygon_offset_;
     }
-    bool fogs() const {
-        return SPANGLE_FEATURE_FOG && fog_;
+    bool has_fog() const {
+        return SPANGLE_FEATURE_FOG && has_fog_;
     }
-    bool more_is_given() const {
+    bool needs_vertex_state() const {
         return (tells_reach || has_color_material || SPANGLE_FEATURE_POLYGON_MODE ||
                 SPANGLE_FEATURE_SELECTION || SPANGLE_FEATURE_FEEDBACK || SPANGLE_FEATURE_FOG ||
                 raster::has_indices || SPANGLE_FEATURE_SECONDARY_COLOR || SPANGLE_GATHERS_POLYGONS) &&
-               each_vertex_;
+               needs_vertex_state_;
     }
-    bool whole_polygons() const {
+    bool needs_polygon_path() const {
         return (SPANGLE_TWO_SIDES || SPANGLE_FEATURE_POLYGON_MODE || SPANGLE_FEATURE_SELECTION ||
                 SPANGLE_FEATURE_FEEDBACK || SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_STENCIL_SIDES ||
                 SPANGLE_FEATURE_POLYGON_OFFSET || SPANGLE_FEATURE_ANTIALIASING || raster::has_samples) &&
-               whole_polygons_;
+               needs_polygon_path_;
     }
-    bool modal_lines() const {
+    bool has_special_lines() const {
         return (SPANGLE_FEATURE_STIPPLE || SPANGLE_FEATURE_ANTIALIASING || raster::has_samples) &&
-               modal_lines_;
+               has_special_lines_;
     }
-    bool modal_points() const {
+    bool has_special_points() const {
         return (SPANGLE_FEATURE_ANTIALIASING || raster::has_samples || SPANGLE_FEATURE_POINT_PARAMETERS) &&
-               modal_points_;
+               has_special_points_;
     }
-    bool fills_whole() const {
-        return (SPANGLE_FEATURE_ANTIALIASING || raster::has_samples) && fills_whole_;
+    bool fills_whole_polygons() const {
+        return (SPANGLE_FEATURE_ANTIALIASING || raster::has_samples) && fills_whole_polygons_;
     }
     /// The size of antialiased points and lines in eighths of a pixel, for sizes from 1 to 64 (GL 1.3, 3.3).
     static std::int32_t eighths(Real size) {
         return numeric::clamp<std::int32_t>(((numeric::to_fixed(size, 16) >> 12) + 1) >> 1, 8, 512);
     }
     /// Polygons are outlined, captured or antialiased as a whole, so they may not be divided into triangles.
-    bool stays_whole() const {
-        return outlined() || captures() || fills_whole();
+    bool is_drawn_whole() const {
+        return has_outlines() || is_capturing() || fills_whole_polygons();
     }
-    bool captures() const {
-        return (SPANGLE_FEATURE_SELECTION || SPANGLE_FEATURE_FEEDBACK) && captures_;
+    bool is_capturing() const {
+        return (SPANGLE_FEATURE_SELECTION || SPANGLE_FEATURE_FEEDBACK) && is_capturing_;
     }
-    bool indexed() const {
+    bool has_color_index() const {
         return raster::has_indices && index_bits_ != 0;
     }
     /// Primitives are clipped to the view volume itself, not to the guard band. Outlines draw the edges that
     /// clipping makes, and captures report its result. A wide line ends where its middle leaves the volume.
-    bool exactly_clipped() const {
-        return outlined() || captures() || cuts_lines_;
+    bool clips_to_view_volume() const {
+        return has_outlines() || is_capturing() || clips_wide_lines_;
     }
     /// The planes to clip by; bit i: plane i. `flags`: the flags of all corners of a primitive, together.
     unsigned clip_planes(unsigned flags) const {
-        return exactly_clipped() ? flags & outside_mask : (flags & beyond_mask) >> beyond_shift;
+        return clips_to_view_volume() ? flags & outside_mask : (flags & beyond_mask) >> beyond_shift;
     }
 
-    static void set_normal([[maybe_unused]] Given& v, [[maybe_unused]] const Real (&normal)[3]) {
+    static void set_normal([[maybe_unused]] ObjectVertex& v, [[maybe_unused]] const Real (&normal)[3]) {
 #if SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_TEXGEN
         for (int c = 0; c < 3; ++c)
             v.normal[c] = normal[c];
 #endif
     }
 
-    template <int N> static bool same(const Real* a, const Real* b) {
+    template <int N> static bool equal_words(const Real* a, const Real* b) {
         std::uint32_t differ = 0;
         for (int i = 0; i < N; ++i)
             differ |= a[i].bits ^ b[i].bits;
@@ -472,7 +484,7 @@ template <class M, class L> class Pipeline {
     struct Pending {
         Vertex *vertex[pending_vertices], *fresh[line_batch];
         typename M::template Projections<line_batch> projections;
-        int count = 0, fresh_count = 0;
+        int count = 0, unprojected_count = 0;
         Pending() { vertex[0] = vertex[1] = nullptr; } // may be asked for while count is 0
     };
 
@@ -481,94 +493,96 @@ template <class M, class L> class Pipeline {
         const Window& window; ///< the window vertex of the side that is seen
     };
     /// The corners of a polygon whose front or back is seen. Only a back has window vertices of its own.
-    struct Seen {
+    struct VisibleFace {
         Vertex* const* corners;
         const Window* back = nullptr;
         const Window& operator()(int i) const { return back != nullptr ? back[i] : corners[i]->window; }
     };
 
     // pipeline_vertex.hpp
-    [[gnu::noinline]] void process(Vertex& v) const;
-    [[gnu::noinline]] void process_usual(Vertex& v, const std::uint8_t* words) const;
+    [[gnu::noinline]] void transform_vertex(Vertex& v) const;
+    [[gnu::noinline]] void process_common(Vertex& v, const std::uint8_t* words) const;
     SPANGLE_INLINE void divide(Vertex& v) const;
     SPANGLE_INLINE void set_flags(Vertex& v, bool divided, unsigned planes) const;
-    SPANGLE_INLINE void attributes(const CurrentState& current, Vertex& v);
+    SPANGLE_INLINE void set_attributes_of(const CurrentState& current, Vertex& v);
     SPANGLE_INLINE void set_unlit_color(const CurrentState& current);
     [[gnu::noinline]] typename M::Eye texture_of(const CurrentState& current, const Vertex& v,
                                                  int unit) const;
-    bool generates(int unit) const;
-    [[gnu::noinline]] void generated(const CurrentState& current, Vertex& v, int unit);
-    [[gnu::noinline]] void textures(const CurrentState& current, Vertex& v);
+    bool has_texgen(int unit) const;
+    [[gnu::noinline]] void generate_texture_coords(const CurrentState& current, Vertex& v, int unit);
+    [[gnu::noinline]] void set_texture_coords(const CurrentState& current, Vertex& v);
     [[gnu::noinline]] unsigned undivided_flags(const Vertex& v) const;
     template <class Point> [[gnu::noinline]] static unsigned flags_of(const Point& clip);
     [[gnu::noinline]] void light(const Vertex& v, int side, Window& out);
-    [[gnu::noinline]] void given(const CurrentState& current, Vertex& v);
+    [[gnu::noinline]] void take_vertex_state(const CurrentState& current, Vertex& v);
     [[gnu::noinline]] unsigned outside(const Vertex& v) const;
     void color(Vertex& v);
     [[gnu::noinline]] void light(Vertex& v);
     void color_back(Vertex& v);
-    void back_of(const Vertex& v, Window& out);
+    void light_back(const Vertex& v, Window& out);
     [[gnu::noinline]] bool project(Vertex& v);
 
-    // pipeline_placed.hpp
+    // pipeline_position_cache.hpp
 #if SPANGLE_VERTEX_CACHE != 1
-    [[gnu::noinline]] void keep_placed();
-    [[gnu::noinline]] void keep_elements();
-    [[gnu::noinline]] void forget_all();
-    [[gnu::noinline]] void place(Vertex& v);
-    static std::uint32_t placed_index(const Real* position);
+    [[gnu::noinline]] void cache_positions();
+    [[gnu::noinline]] void cache_elements();
+    [[gnu::noinline]] void clear_cache();
+    [[gnu::noinline]] void transform_with_cache(Vertex& v);
+    static std::uint32_t cached_position_index(const Real* position);
 #endif
 
     // pipeline_elements.hpp
-    void kept_elements(Context& context, const ElementReader& reader, std::uint32_t count,
-                       const Indices& indices);
+    void draw_cached_elements(Context& context, const ElementReader& reader, std::uint32_t count,
+                              const Indices& indices);
     void grow_cache(Context& context, std::uint32_t count);
     void arrays_begin(const ElementReader& reader, const CurrentState& current, bool textured);
     bool draws_lines() const;
-    bool is_usual(const ElementReader& reader) const;
-    bool is_usual_texture(const ElementReader& reader) const;
+    bool is_common(const ElementReader& reader) const;
+    bool is_common_texture(const ElementReader& reader) const;
     Vertex& cached(std::uint32_t index);
     void next_element(const CurrentState& current, Vertex& kept, const Real (&position)[4]);
     Vertex& element(const ElementReader& reader, std::uint32_t index);
-    SPANGLE_INLINE Vertex& unusual_element(Context& context, const ElementReader& reader,
+    SPANGLE_INLINE Vertex& general_element(Context& context, const ElementReader& reader,
                                            std::uint32_t index);
     template <class Place, class Finish>
-    SPANGLE_INLINE Vertex& usual_element(const ElementReader& reader, std::uint32_t index, bool normals,
-                                         bool textured, const Place& place, const Finish& finish);
+    SPANGLE_INLINE Vertex& common_element(const ElementReader& reader, std::uint32_t index, bool normals,
+                                          bool textured, const Place& transform_with_cache,
+                                          const Finish& finish);
     SPANGLE_INLINE static void read_position(const std::uint8_t* words, Vertex& v);
     [[gnu::noinline]] void read_texture(const std::uint8_t* words, Vertex& v);
     SPANGLE_INLINE static bool equal(const Real* v, const std::uint8_t* words);
     SPANGLE_INLINE static bool equal_texture(const Vertex& v, const std::uint8_t* words);
-    void lines_of(const ElementReader& reader, std::uint32_t count, const Indices& indices, bool normals);
+    void draw_line_elements(const ElementReader& reader, std::uint32_t count, const Indices& indices,
+                            bool normals);
     bool draws_places() const;
-    template <class I> void line_strip(const ElementReader& reader, std::uint32_t count, I indices);
+    template <class I> void draw_line_strip(const ElementReader& reader, std::uint32_t count, I indices);
     template <class I>
-    [[gnu::noinline]] std::uint32_t seen_strip(const ElementReader& reader, std::uint32_t count, I indices,
-                                               const raster::DrawState::Area& area) const;
+    [[gnu::noinline]] std::uint32_t draw_visible_strip(const ElementReader& reader, std::uint32_t count,
+                                                       I indices, const raster::DrawState::Area& area) const;
     template <class I>
-    [[gnu::noinline]] void line_elements(const ElementReader& reader, std::uint32_t count, I indices,
-                                         bool normals);
-    void strip_of(const ElementReader& reader, std::uint32_t count, const Indices& indices, bool normals,
-                  bool textured);
+    [[gnu::noinline]] void draw_lines_of_elements(const ElementReader& reader, std::uint32_t count, I indices,
+                                                  bool normals);
+    void draw_strip_elements(const ElementReader& reader, std::uint32_t count, const Indices& indices,
+                             bool normals, bool textured);
     template <class I>
-    [[gnu::noinline]] void strip_elements(const ElementReader& reader, std::uint32_t count, I indices,
-                                          bool normals, bool textured);
+    [[gnu::noinline]] void draw_strip_of_elements(const ElementReader& reader, std::uint32_t count, I indices,
+                                                  bool normals, bool textured);
     template <class I>
-    [[gnu::noinline]] void strip_batches(const ElementReader& reader, std::uint32_t count, I indices,
-                                         bool normals, bool textured);
+    [[gnu::noinline]] void draw_strip_batches(const ElementReader& reader, std::uint32_t count, I indices,
+                                              bool normals, bool textured);
     [[gnu::noinline]] void draw_strip(Pending& p, std::uint32_t first);
-    void let_go(Pending& p, int left);
-    SPANGLE_INLINE void add_fresh(Pending& p, Vertex& v, const std::uint8_t* words);
+    void release_drawn(Pending& p, int left);
+    SPANGLE_INLINE void add_unprojected(Pending& p, Vertex& v, const std::uint8_t* words);
     void divide(Pending& lines);
     [[gnu::noinline]] void draw_pending(Pending& p);
-    SPANGLE_INLINE Vertex& place_of(Vertex& cached);
+    SPANGLE_INLINE Vertex& slot_for_vertex(Vertex& cached);
     [[gnu::noinline]] Vertex* free_slot();
     int repeated_elements() const;
-    void elements_of(Context& context, const ElementReader& reader, std::uint32_t count,
-                     const Indices& indices);
-    template <class... V> bool misses_band(const V&... corner) const;
-    [[gnu::noinline]] void elements_in_turn(Context& context, const ElementReader& reader,
-                                            std::uint32_t count, const Indices& indices);
+    void draw_elements(Context& context, const ElementReader& reader, std::uint32_t count,
+                       const Indices& indices);
+    template <class... V> bool is_outside_rows(const V&... corner) const;
+    [[gnu::noinline]] void draw_elements_immediate(Context& context, const ElementReader& reader,
+                                                   std::uint32_t count, const Indices& indices);
 
     // pipeline_assembly.hpp
     static int corners_of(GLenum mode);
@@ -579,80 +593,83 @@ template <class M, class L> class Pipeline {
     [[gnu::noinline]] void outlined_fan(bool last);
     void flag_edges(Vertex* const* corners, int n);
     int first_corner(int n) const;
-    template <int N> SPANGLE_INLINE void face(Vertex* const* c, int provoking);
+    template <int N> SPANGLE_INLINE void draw_face(Vertex* const* c, int provoking);
 
     // pipeline_primitives.hpp
     void point(Vertex& v);
     void draw_point(const Vertex& v, const Window& window);
-    [[gnu::noinline]] void draw_modal_point(const Vertex& v, const Window& window);
+    [[gnu::noinline]] void draw_special_point(const Vertex& v, const Window& window);
 #if SPANGLE_FEATURE_POINT_PARAMETERS
-    Real attenuated(const Vertex& v) const;
-    Real faded(Real size, Window& point) const;
+    Real attenuated_size(const Vertex& v) const;
+    Real fade_point(Real size, Window& point) const;
     void draw_sprite(const raster::Surface& target, const Window& point, std::int32_t eighths);
 #endif
     void draw_line(const Vertex& a, const Window& at_a, const Vertex& b, const Window& at_b,
                    const Window& provoking);
-    [[gnu::noinline]] void draw_modal_line(const Window& a, const Window& b, const Window& provoking);
+    [[gnu::noinline]] void draw_special_line(const Window& a, const Window& b, const Window& provoking);
     void line(Vertex& a, Vertex& b);
     [[gnu::noinline]] void lines(Vertex* const* vertex, int n, int step, bool one_color);
-    [[gnu::noinline]] void seen_line(Vertex& a, Vertex& b);
-    [[gnu::noinline]] void cut_line(Vertex& a, Vertex& b);
+    [[gnu::noinline]] void draw_visible_line(Vertex& a, Vertex& b);
+    [[gnu::noinline]] void clip_and_draw_line(Vertex& a, Vertex& b);
     static std::int64_t area_of(const Window& a, const Window& b, const Window& c);
     static std::int64_t area_of(Vertex* const* corners, int n);
     [[gnu::noinline]] void triangle(Vertex& a, Vertex& b, Vertex& c);
-    SPANGLE_INLINE void usual_triangle(Vertex& a, Vertex& b, Vertex& c, bool whole);
-    void quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& provoking);
+    SPANGLE_INLINE void draw_common_triangle(Vertex& a, Vertex& b, Vertex& c, bool whole);
+    void draw_quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& provoking);
     [[gnu::noinline]] void polygon(Vertex* const* corners, int n, Vertex& provoking);
     /// `part` has room for n areas. `whole` has the sign of the area before the polygon was cut, or is 0.
-    void visible(Vertex* const* corners, int n, Vertex& provoking, std::int64_t* part, std::int64_t whole);
-    SPANGLE_INLINE void draw(const Seen& at, int n, const Window& provoking, int side,
+    void draw_visible(Vertex* const* corners, int n, Vertex& provoking, std::int64_t* part,
+                      std::int64_t whole);
+    SPANGLE_INLINE void draw(const VisibleFace& at, int n, const Window& provoking, int side,
                              const std::int64_t* part);
-    [[gnu::noinline]] void fill_whole(const Seen& at, int n, const Window& provoking,
-                                      const std::int64_t* part);
-    [[gnu::noinline]] void fill_corners(const Window* const* corner, int n, const Window& provoking,
+    [[gnu::noinline]] void fill_whole_polygon(const VisibleFace& at, int n, const Window& provoking,
+                                              const std::int64_t* part);
+    [[gnu::noinline]] void fill_polygon(const Window* const* corner, int n, const Window& provoking,
                                         const std::int64_t* part);
-    [[gnu::noinline]] void set_offset(const Seen& at, int n, GLenum mode, const std::int64_t* part);
-    [[gnu::noinline]] void outline(const Seen& at, int n, const Window& provoking, GLenum mode);
+    [[gnu::noinline]] void set_offset(const VisibleFace& at, int n, GLenum mode, const std::int64_t* part);
+    [[gnu::noinline]] void outline(const VisibleFace& at, int n, const Window& provoking, GLenum mode);
     [[gnu::noinline]] void draw_back(Vertex* const* corners, int n, const Vertex& provoking,
                                      const std::int64_t* part);
 
     // pipeline_capture.hpp
     [[gnu::noinline]] void capture_line(const Corner& a, const Corner& b, const Window& provoking);
     [[gnu::noinline]] void begin_capture(GLenum token, int n);
-    [[gnu::noinline]] void capture(const Corner& corner);
+    [[gnu::noinline]] void capture_vertex(const Corner& corner);
 #if SPANGLE_FEATURE_FEEDBACK
-    void feed(const Corner& corner);
+    void write_feedback_vertex(const Corner& corner);
 #endif
-    [[gnu::noinline]] void captured_line(Vertex& a, Vertex& b);
+    [[gnu::noinline]] void capture_clipped_line(Vertex& a, Vertex& b);
 
     // pipeline_gather.hpp
-    bool gathers() const;
+    bool gathers_polygons() const;
     bool has_gathered() const;
     [[gnu::noinline]] void gather(Vertex& v);
     [[gnu::noinline]] void draw_gathered();
-    void cut_gathered(Vertex** work, int room, std::int64_t* part);
+    void clip_gathered(Vertex** work, int room, std::int64_t* part);
     void free_gathered();
 
     // pipeline_reach.hpp
-    [[gnu::noinline]] void reach_draw() const;
-    [[gnu::noinline]] void reach_vertex(const CurrentState& current, const Vertex& v) const;
-    void reach_cut(unsigned flags) const;
+    [[gnu::noinline]] void record_draw_reach() const;
+    [[gnu::noinline]] void record_vertex_reach(const CurrentState& current, const Vertex& v) const;
+    void record_clip_reach(unsigned flags) const;
 
     // pipeline_clip.hpp
     bool needs_eye() const;
-    [[gnu::noinline]] Cut& to_be_cut(Vertex& v, Cut& out);
-    [[gnu::noinline]] void mix(const Cut& a, const Cut& b, const typename M::Parameter& t, Cut& out);
-    int band() const;
-    static bool to_be_clipped(unsigned flags);
-    bool refuses(unsigned flags);
-    bool keeps(int plane, const Cut& v) const;
-    void cut(int plane, const Cut& inside, const Cut& outside, Cut& out);
+    [[gnu::noinline]] ClippedVertex& to_clip_vertex(Vertex& v, ClippedVertex& out);
+    [[gnu::noinline]] void mix(const ClippedVertex& a, const ClippedVertex& b, const typename M::Parameter& t,
+                               ClippedVertex& out);
+    int clip_volume_scale() const;
+    static bool needs_clipping(unsigned flags);
+    bool refuse_clipping(unsigned flags);
+    bool is_inside_plane(int plane, const ClippedVertex& v) const;
+    void clip_edge(int plane, const ClippedVertex& inside, const ClippedVertex& outside, ClippedVertex& out);
 #if SPANGLE_FEATURE_CLIP_PLANES
-    void cut_by_user(const typename M::Plane& plane, const Cut& inside, const Cut& outside, Cut& out);
+    void clip_by_user_plane(const typename M::Plane& plane, const ClippedVertex& inside,
+                            const ClippedVertex& outside, ClippedVertex& out);
 #endif
     bool clip_line(Vertex* (&ends)[2]);
-    Cut* free_cut();
-    void keep_cuts(Vertex* const* corners, int n);
+    ClippedVertex* free_clipped_vertex();
+    void keep_clipped_vertices(Vertex* const* corners, int n);
     int clip_polygon(Vertex** corners, Vertex** work, int room, int n, unsigned planes);
 };
 
@@ -664,8 +681,8 @@ template <class M, class L> class Pipeline {
 #include "gl/vertex/pipeline_elements.hpp"
 #include "gl/vertex/pipeline_gather.hpp"
 #include "gl/vertex/pipeline_line_strips.hpp"
-#include "gl/vertex/pipeline_placed.hpp"
 #include "gl/vertex/pipeline_points.hpp"
+#include "gl/vertex/pipeline_position_cache.hpp"
 #include "gl/vertex/pipeline_primitives.hpp"
 #include "gl/vertex/pipeline_reach.hpp"
 #include "gl/vertex/pipeline_vertex.hpp"

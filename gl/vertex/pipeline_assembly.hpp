@@ -25,13 +25,13 @@ template <class M, class L> inline void Pipeline<M, L>::swap(int i, int j) {
 /// to c[2].
 template <class M, class L>
 template <int N>
-SPANGLE_INLINE void Pipeline<M, L>::face(Vertex* const* c, int provoking) {
+SPANGLE_INLINE void Pipeline<M, L>::draw_face(Vertex* const* c, int provoking) {
     if constexpr (faces_are_polygons)
         polygon(c, N, *c[provoking]);
     else if constexpr (N == 3)
         triangle(*c[0], *c[1], *c[2]);
     else
-        quad(*c[0], *c[1], *c[2], *c[3], *c[provoking]);
+        draw_quad(*c[0], *c[1], *c[2], *c[3], *c[provoking]);
 }
 
 /// All corners of the primitive have been given: draws it, and moves the corners that the next primitive
@@ -40,41 +40,41 @@ template <class M, class L> void Pipeline<M, L>::primitive() {
     Vertex* const* const c = corner_;
     switch (mode_) {
     case GL_POINTS:
-        held_ = 0;
+        corner_count_ = 0;
         return point(*c[0]);
     case GL_LINES:
-        held_ = 0;
+        corner_count_ = 0;
         return line(*c[0], *c[1]);
     case GL_LINE_STRIP:
-        held_ = 1;
+        corner_count_ = 1;
         swap(0, 1);
         return line(*c[1], *c[0]);
     case GL_LINE_LOOP: // the first vertex of the loop stays in front
-        held_ = 2;
-        if (full_ == 2) {
-            full_ = 3;
+        corner_count_ = 2;
+        if (corners_needed_ == 2) {
+            corners_needed_ = 3;
             return line(*c[0], *c[1]);
         }
         swap(1, 2);
         return line(*c[2], *c[1]);
     case GL_TRIANGLES:
-        held_ = 0;
-        return face<3>(c, 2);
+        corner_count_ = 0;
+        return draw_face<3>(c, 2);
     case GL_TRIANGLE_STRIP: // the newest takes the place of the oldest, so all face one way
-        face<3>(c, 2);
-        swap(odd_ ? 1 : 0, 2);
-        odd_ = !odd_;
-        held_ = 2;
+        draw_face<3>(c, 2);
+        swap(is_odd_triangle_ ? 1 : 0, 2);
+        is_odd_triangle_ = !is_odd_triangle_;
+        corner_count_ = 2;
         return;
     case GL_TRIANGLE_FAN:
-        face<3>(c, 2);
+        draw_face<3>(c, 2);
         break;
     case GL_POLYGON:
         if constexpr (!has_polygons)
             return;
-        if (gathers())
+        if (gathers_polygons())
             return gather(*c[0]);
-        if (outlined())
+        if (has_outlines())
             return outlined_fan(false);
         polygon(c, 3, *c[0]);
         break;
@@ -82,31 +82,31 @@ template <class M, class L> void Pipeline<M, L>::primitive() {
         // GL leaves open which diagonal divides a quad (GL 1.3, 2.6.1). It ends at the provoking vertex here,
         // as in QUAD_STRIP and in Mesa, so that quads of four colours look as they do elsewhere.
         Vertex* const from_second[4] = {c[1], c[2], c[3], c[0]};
-        held_ = 0;
-        return face<4>(from_second, 2);
+        corner_count_ = 0;
+        return draw_face<4>(from_second, 2);
     }
     case GL_QUAD_STRIP:
         swap(2, 3); // v0 v1 v3 v2
-        face<4>(c, 2);
+        draw_face<4>(c, 2);
         swap(0, 3);
         break;
     }
     swap(1, 2);
-    held_ = 2;
+    corner_count_ = 2;
 }
 
 /// Begins a polygon that is not drawn as a fan of filled triangles.
 template <class M, class L> void Pipeline<M, L>::begin_polygon() {
-    if (gathers())
-        full_ = 1;
-    else if (outlined())
-        full_ = 4; // the last triangle, known only at the end, has one edge more
+    if (gathers_polygons())
+        corners_needed_ = 1;
+    else if (has_outlines())
+        corners_needed_ = 4; // the last triangle, known only at the end, has one edge more
 }
 
 template <class M, class L> void Pipeline<M, L>::end_polygon() {
-    if (gathers())
+    if (gathers_polygons())
         draw_gathered();
-    else if (outlined() && held_ == 3)
+    else if (has_outlines() && corner_count_ == 3)
         outlined_fan(true);
 }
 
@@ -116,14 +116,14 @@ template <class M, class L> void Pipeline<M, L>::outlined_fan(bool last) {
     const auto flag = [](Vertex& v, bool is_edge) {
         v.flags = is_edge && (v.flags & edge_flag) != 0 ? v.flags | boundary : v.flags & ~boundary;
     };
-    flag(*corner_[0], !odd_);
+    flag(*corner_[0], !is_odd_triangle_);
     flag(*corner_[1], true);
     flag(*corner_[2], last);
-    odd_ = true;
+    is_odd_triangle_ = true;
     polygon(corner_, 3, *corner_[0]);
     swap(1, 2);
     swap(2, 3);
-    held_ = 3;
+    corner_count_ = 3;
 }
 
 /// The corner, of n, at which outlines and feedback begin: the vertex that was given first. Quads have their

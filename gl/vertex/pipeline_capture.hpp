@@ -7,13 +7,13 @@ namespace spangle::gl {
 
 template <class M, class L>
 void Pipeline<M, L>::capture_line(const Corner& a, const Corner& b, const Window& provoking) {
-    begin_capture(stipple_starts_ ? GL_LINE_RESET_TOKEN : GL_LINE_TOKEN, 2);
-    stipple_starts_ = mode_ == GL_LINES;
-    capture({a.vertex, flat_ ? provoking : a.window});
-    capture({b.vertex, flat_ ? provoking : b.window});
+    begin_capture(restarts_stipple_ ? GL_LINE_RESET_TOKEN : GL_LINE_TOKEN, 2);
+    restarts_stipple_ = mode_ == GL_LINES;
+    capture_vertex({a.vertex, is_flat_shaded_ ? provoking : a.window});
+    capture_vertex({b.vertex, is_flat_shaded_ ? provoking : b.window});
 }
 
-/// Begins a primitive of which clipping left n corners; capture() takes each of them next.
+/// Begins a primitive of which clipping left n corners; capture_vertex() takes each of them next.
 template <class M, class L>
 void Pipeline<M, L>::begin_capture([[maybe_unused]] GLenum token, [[maybe_unused]] int n) {
 #if SPANGLE_FEATURE_FEEDBACK
@@ -25,41 +25,43 @@ void Pipeline<M, L>::begin_capture([[maybe_unused]] GLenum token, [[maybe_unused
 #endif
 }
 
-template <class M, class L> void Pipeline<M, L>::capture([[maybe_unused]] const Corner& corner) {
+template <class M, class L> void Pipeline<M, L>::capture_vertex([[maybe_unused]] const Corner& corner) {
 #if SPANGLE_FEATURE_SELECTION
     if (context_->render.mode == GL_SELECT)
         return record_hit(*context_, M::depth_word(corner.vertex.window));
 #endif
 #if SPANGLE_FEATURE_FEEDBACK
-    feed(corner);
+    write_feedback_vertex(corner);
 #endif
 }
 
 #if SPANGLE_FEATURE_FEEDBACK
-template <class M, class L> void Pipeline<M, L>::feed(const Corner& corner) {
+template <class M, class L> void Pipeline<M, L>::write_feedback_vertex(const Corner& corner) {
     const Vertex& v = corner.vertex;
-    const bool cut = (v.flags & is_cut) != 0;
+    const bool clip_edge = (v.flags & is_clipped_vertex) != 0;
     FeedbackVertex out;
     M::window_of(transforms_,
-                 cut ? M::narrow(static_cast<const Cut&>(v).clip) : M::to_clip(transforms_, v.position),
+                 clip_edge ? M::narrow(static_cast<const ClippedVertex&>(v).clip)
+                           : M::to_clip(transforms_, v.position),
                  out.window);
-    if (indexed())
+    if (has_color_index())
         out.color[0] = M::index_of(corner.window);
     else
         M::color_of(corner.window, out.color);
-    out.colors = indexed() ? 1 : 4;
-    M::reals(cut ? static_cast<const Cut&>(v).texture : texture_[&v - slot_], out.texture);
+    out.colors = has_color_index() ? 1 : 4;
+    M::to_reals(clip_edge ? static_cast<const ClippedVertex&>(v).texture : texture_coords_[&v - vertex_slot_],
+                out.texture);
     feed_vertex(*context_, out);
 }
 #endif
 
-template <class M, class L> void Pipeline<M, L>::captured_line(Vertex& a, Vertex& b) {
+template <class M, class L> void Pipeline<M, L>::capture_clipped_line(Vertex& a, Vertex& b) {
     const unsigned both = a.flags & b.flags;
     if ((both & outside_mask) != 0)
         return;
     color(a);
     color(b);
-    cut_line(a, b);
+    clip_and_draw_line(a, b);
 }
 
 } // namespace spangle::gl

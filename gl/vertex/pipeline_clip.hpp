@@ -8,46 +8,48 @@
 namespace spangle::gl {
 
 template <class M, class L> inline bool Pipeline<M, L>::needs_eye() const {
-    return planes_.any() || (SPANGLE_TWO_SIDES && lit_ && lighting_.needs_eye()) || modal_points();
+    return planes_.any() || (SPANGLE_TWO_SIDES && is_lit_ && lighting_.needs_eye()) || has_special_points();
 }
 
-/// Makes a Cut of a vertex, with all values that clipping mixes. The vertex is lit first.
-template <class M, class L> typename Pipeline<M, L>::Cut& Pipeline<M, L>::to_be_cut(Vertex& v, Cut& out) {
+/// Makes a ClippedVertex of a vertex, with all values that clipping mixes. The vertex is lit first.
+template <class M, class L>
+typename Pipeline<M, L>::ClippedVertex& Pipeline<M, L>::to_clip_vertex(Vertex& v, ClippedVertex& out) {
     color(v);
     static_cast<Vertex&>(out) = v;
     out.clip = M::clip_point(transforms_, v.position);
-    out.flags |= is_cut;
+    out.flags |= is_clipped_vertex;
 #if SPANGLE_FEATURE_FOG
-    if (fog_)
-        out.eye_z = fog_given_ ? M::fog_coordinate(v.window) : M::depth(transforms_, v.position);
+    if (has_fog_)
+        out.eye_z = has_fog_coordinates_ ? M::fog_coordinate(v.window) : M::depth(transforms_, v.position);
 #endif
 #if SPANGLE_TWO_SIDES || SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_POINT_PARAMETERS
     if (needs_eye())
         out.eye = M::eye_point(transforms_, v.position);
 #endif
 #if SPANGLE_FEATURE_FEEDBACK
-    if (captures())
-        out.texture = texture_[&v - slot_];
+    if (is_capturing())
+        out.texture = texture_coords_[&v - vertex_slot_];
 #endif
 #if SPANGLE_TWO_SIDES
     out.light = L::input(v.normal);
     if ((v.flags & back_known) != 0)
-        out.back = back_[&v - slot_];
+        out.back = back_colors_[&v - vertex_slot_];
 #endif
     return out;
 }
 
 /// Sets everything but the position of a new vertex at t of the edge from a to b.
 template <class M, class L>
-void Pipeline<M, L>::mix(const Cut& a, const Cut& b, const typename M::Parameter& t, Cut& out) {
-    [[maybe_unused]] const auto mix_part = [&](auto Cut::*part) SPANGLE_RUN_LAMBDA {
+void Pipeline<M, L>::mix(const ClippedVertex& a, const ClippedVertex& b, const typename M::Parameter& t,
+                         ClippedVertex& out) {
+    [[maybe_unused]] const auto mix_part = [&](auto ClippedVertex::*part) SPANGLE_RUN_LAMBDA {
         out.*part = M::mix(a.*part, b.*part, t);
     };
     M::mix(a.window, b.window, t, units_, out.window);
 #if SPANGLE_FEATURE_FOG
-    if (fog_) {
+    if (has_fog_) {
         out.eye_z = M::mix(a.eye_z, b.eye_z, t);
-        if (fog_given_)
+        if (has_fog_coordinates_)
             M::set_fog_coordinate(out.eye_z, out.window);
         else
             M::set_fog(out.eye_z, out.window);
@@ -55,13 +57,13 @@ void Pipeline<M, L>::mix(const Cut& a, const Cut& b, const typename M::Parameter
 #endif
 #if SPANGLE_TWO_SIDES || SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_POINT_PARAMETERS
     if (needs_eye())
-        mix_part(&Cut::eye);
+        mix_part(&ClippedVertex::eye);
 #endif
 #if SPANGLE_FEATURE_FEEDBACK
-    if (captures())
-        mix_part(&Cut::texture);
+    if (is_capturing())
+        mix_part(&ClippedVertex::texture);
 #endif
-    out.flags = flags_of(out.clip) | is_cut;
+    out.flags = flags_of(out.clip) | is_clipped_vertex;
 #if SPANGLE_TWO_SIDES
     L::mix(a.light, b.light, t, out.light);
     if ((a.flags & b.flags & back_known) != 0) {
@@ -71,32 +73,34 @@ void Pipeline<M, L>::mix(const Cut& a, const Cut& b, const typename M::Parameter
 #endif
 }
 
-template <class M, class L> inline int Pipeline<M, L>::band() const {
-    return exactly_clipped() ? 1 : M::guard_band;
+template <class M, class L> inline int Pipeline<M, L>::clip_volume_scale() const {
+    return clips_to_view_volume() ? 1 : M::guard_band;
 }
 
 /// The vertex lies inside of a plane. Planes 0 to 5 are those of the view volume; the user's planes begin at
 /// user_shift. They cut last, so that a plane and its complement cut the same polygon.
-template <class M, class L> inline bool Pipeline<M, L>::keeps(int plane, const Cut& v) const {
+template <class M, class L>
+inline bool Pipeline<M, L>::is_inside_plane(int plane, const ClippedVertex& v) const {
 #if SPANGLE_FEATURE_CLIP_PLANES
     if (plane >= user_shift) {
         const typename M::Plane& user = planes_[plane - user_shift];
         return !M::outside(user, M::distance(user, v.eye));
     }
 #endif
-    return !M::beyond(v.clip, plane, band());
+    return !M::beyond(v.clip, plane, clip_volume_scale());
 }
 
 /// Makes the new vertex where an edge meets a plane. Polygons that share the edge get the same integers.
 template <class M, class L>
-inline void Pipeline<M, L>::cut(int plane, const Cut& inside, const Cut& outside, Cut& out) {
+inline void Pipeline<M, L>::clip_edge(int plane, const ClippedVertex& inside, const ClippedVertex& outside,
+                                      ClippedVertex& out) {
 #if SPANGLE_FEATURE_CLIP_PLANES
     if (plane >= user_shift)
-        return cut_by_user(planes_[plane - user_shift], inside, outside, out);
+        return clip_by_user_plane(planes_[plane - user_shift], inside, outside, out);
 #endif
-    const auto t =
-        M::intersect(M::distance(inside.clip, plane, band()), M::distance(outside.clip, plane, band()));
-    out.clip = M::cut(inside.clip, outside.clip, plane, band(), t);
+    const auto t = M::intersect(M::distance(inside.clip, plane, clip_volume_scale()),
+                                M::distance(outside.clip, plane, clip_volume_scale()));
+    out.clip = M::clip_edge(inside.clip, outside.clip, plane, clip_volume_scale(), t);
     mix(inside, outside, t, out);
     // Rounding must not leave the new vertex outside of the plane it lies on.
     out.flags &= ~(1u << plane | 1u << (static_cast<unsigned>(plane) + beyond_shift));
@@ -107,9 +111,9 @@ inline void Pipeline<M, L>::cut(int plane, const Cut& inside, const Cut& outside
 /// Makes the new vertex where an edge meets a plane of the user. The edge is taken from the side where the
 /// distance is positive, whichever side is kept: a plane and its complement get the same integers.
 template <class M, class L>
-inline void Pipeline<M, L>::cut_by_user(const typename M::Plane& plane, const Cut& inside, const Cut& outside,
-                                        Cut& out) {
-    const Cut &a = M::turned(plane) ? outside : inside, &b = M::turned(plane) ? inside : outside;
+inline void Pipeline<M, L>::clip_by_user_plane(const typename M::Plane& plane, const ClippedVertex& inside,
+                                               const ClippedVertex& outside, ClippedVertex& out) {
+    const ClippedVertex &a = M::turned(plane) ? outside : inside, &b = M::turned(plane) ? inside : outside;
     const auto t = M::intersect(M::distance(plane, a.eye), M::distance(plane, b.eye));
     out.clip = M::mix(a.clip, b.clip, t);
     mix(a, b, t, out);
@@ -118,15 +122,15 @@ inline void Pipeline<M, L>::cut_by_user(const typename M::Plane& plane, const Cu
 #endif
 
 /// Some corner may be beyond a plane, or has no window coordinates yet. `flags`: of all corners together.
-template <class M, class L> inline bool Pipeline<M, L>::to_be_clipped(unsigned flags) {
+template <class M, class L> inline bool Pipeline<M, L>::needs_clipping(unsigned flags) {
     return has_clipping && (flags & (beyond_mask | unprojected)) != 0;
 }
 
 /// True, with the error set: a primitive would have to be clipped, which this build does not do. `flags`: of
 /// all corners together.
-template <class M, class L> inline bool Pipeline<M, L>::refuses(unsigned flags) {
+template <class M, class L> inline bool Pipeline<M, L>::refuse_clipping(unsigned flags) {
     if (tells_reach && has_clipping)
-        reach_cut(flags);
+        record_clip_reach(flags);
     if (has_clipping || (flags & (beyond_mask | unprojected)) == 0)
         return false;
     drawing_error(*context_, GL_INVALID_OPERATION,
@@ -139,39 +143,40 @@ template <class M, class L> inline bool Pipeline<M, L>::refuses(unsigned flags) 
 
 #if SPANGLE_CLIPPING
 
-/// A place in cut_ for a new vertex; null: all places hold corners.
-template <class M, class L> inline auto Pipeline<M, L>::free_cut() -> Cut* {
-    if (free_cuts_ == 0)
+/// A place in clipped_vertex_ for a new vertex; null: all places hold corners.
+template <class M, class L> inline auto Pipeline<M, L>::free_clipped_vertex() -> ClippedVertex* {
+    if (free_clipped_vertices_ == 0)
         return nullptr;
-    const int i = std::countr_zero(free_cuts_);
-    free_cuts_ &= free_cuts_ - 1;
-    return &cut_[i];
+    const int i = std::countr_zero(free_clipped_vertices_);
+    free_clipped_vertices_ &= free_clipped_vertices_ - 1;
+    return &clipped_vertex_[i];
 }
 
-/// Frees all places of cut_ but those of the n corners.
-template <class M, class L> void Pipeline<M, L>::keep_cuts(Vertex* const* corners, int n) {
-    free_cuts_ = static_cast<std::uint32_t>((std::uint64_t{1} << cut_count) - 1);
+/// Frees all places of clipped_vertex_ but those of the n corners.
+template <class M, class L> void Pipeline<M, L>::keep_clipped_vertices(Vertex* const* corners, int n) {
+    free_clipped_vertices_ = static_cast<std::uint32_t>((std::uint64_t{1} << clipped_vertex_count) - 1);
     for (int i = 0; i < n; ++i) {
         const std::uintptr_t at =
-            reinterpret_cast<std::uintptr_t>(corners[i]) - reinterpret_cast<std::uintptr_t>(cut_);
-        if (at < sizeof cut_)
-            free_cuts_ &= ~(1u << at / sizeof(Cut));
+            reinterpret_cast<std::uintptr_t>(corners[i]) - reinterpret_cast<std::uintptr_t>(clipped_vertex_);
+        if (at < sizeof clipped_vertex_)
+            free_clipped_vertices_ &= ~(1u << at / sizeof(ClippedVertex));
     }
 }
 
 /// Clips a line to all planes; its ends become Cuts. False: nothing of the line is left.
 template <class M, class L> inline bool Pipeline<M, L>::clip_line(Vertex* (&ends)[2]) {
     int made = 2;
-    Cut* end[2] = {&to_be_cut(*ends[0], cut_[0]), &to_be_cut(*ends[1], cut_[1])};
+    ClippedVertex* end[2] = {&to_clip_vertex(*ends[0], clipped_vertex_[0]),
+                             &to_clip_vertex(*ends[1], clipped_vertex_[1])};
     for (int plane = 0; plane < user_shift + planes_.count(); ++plane) {
-        const bool first_in = keeps(plane, *end[0]), second_in = keeps(plane, *end[1]);
+        const bool first_in = is_inside_plane(plane, *end[0]), second_in = is_inside_plane(plane, *end[1]);
         if (!first_in && !second_in)
             return false;
         if (first_in && second_in)
             continue;
-        Cut& fresh = cut_[made++];
+        ClippedVertex& fresh = clipped_vertex_[made++];
         const int outer = first_in ? 1 : 0;
-        cut(plane, *end[1 - outer], *end[outer], fresh);
+        clip_edge(plane, *end[1 - outer], *end[outer], fresh);
         end[outer] = &fresh;
     }
     ends[0] = end[0];
@@ -187,23 +192,23 @@ inline int Pipeline<M, L>::clip_polygon(Vertex** corners, Vertex** work, int roo
         if ((planes >> plane & 1) == 0)
             continue;
         int m = 0;
-        keep_cuts(corners, n);
+        keep_clipped_vertices(corners, n);
         for (int i = 0; i < n; ++i) {
             // A convex polygon meets a plane twice. A quad that crosses itself, or one that rounding bent
             // at the limits of the mantissas, may do so more often; it may be left out (GL 1.3, 2.6.1).
             if (m + 2 > room)
                 return 0;
-            Cut& here = static_cast<Cut&>(*corners[i]);
-            Cut& next = static_cast<Cut&>(*corners[i + 1 == n ? 0 : i + 1]);
-            const bool here_in = keeps(plane, here), next_in = keeps(plane, next);
+            ClippedVertex& here = static_cast<ClippedVertex&>(*corners[i]);
+            ClippedVertex& next = static_cast<ClippedVertex&>(*corners[i + 1 == n ? 0 : i + 1]);
+            const bool here_in = is_inside_plane(plane, here), next_in = is_inside_plane(plane, next);
             if (here_in)
                 work[m++] = &here;
             if (here_in == next_in)
                 continue;
-            Cut* const fresh = free_cut();
+            ClippedVertex* const fresh = free_clipped_vertex();
             if (fresh == nullptr)
                 return 0;
-            cut(plane, here_in ? here : next, here_in ? next : here, *fresh);
+            clip_edge(plane, here_in ? here : next, here_in ? next : here, *fresh);
             // An edge that leaves the volume starts an edge along the plane, which is a boundary. An edge
             // that enters goes on from the new vertex, a boundary if it was one before (GL 1.3, 2.11).
             fresh->flags |= here_in ? unsigned{boundary} : here.flags & boundary;

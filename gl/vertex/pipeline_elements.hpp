@@ -11,25 +11,25 @@ template <class M, class L>
 inline void Pipeline<M, L>::elements(Context& context, std::uint32_t count, const Indices& indices) {
     if constexpr (skips_batches) {
         if (batches_ == nullptr)
-            return elements_of(context, ElementReader(context.arrays), count, indices);
+            return draw_elements(context, ElementReader(context.arrays), count, indices);
         const int repeated = count > piece ? repeated_elements() : -1;
         const std::uint32_t step = repeated < 0 ? count : piece;
-        if (left_out())
-            return batches_->leave_out(repeated < 0 ? 0 : (count + piece - 1) / piece);
+        if (is_outside_band())
+            return batches_->skip_pieces(repeated < 0 ? 0 : (count + piece - 1) / piece);
         const ElementReader reader(context.arrays);
         for (std::uint32_t first = 0; first < count; first += step) {
             if (repeated >= 0 && !batches_->begin_piece())
                 continue;
             const std::uint32_t from = first == 0 ? 0 : first - static_cast<std::uint32_t>(repeated),
                                 end = count - first < step ? count : first + step;
-            held_ = 0;
-            odd_ = false; // as in the first piece, so that strips turn the same way
-            elements_of(context, reader, end - from, indices.from(from));
+            corner_count_ = 0;
+            is_odd_triangle_ = false; // as in the first piece, so that strips turn the same way
+            draw_elements(context, reader, end - from, indices.from(from));
             if (repeated >= 0)
                 batches_->end_piece();
         }
     } else {
-        elements_of(context, ElementReader(context.arrays), count, indices);
+        draw_elements(context, ElementReader(context.arrays), count, indices);
     }
 }
 
@@ -43,21 +43,21 @@ template <class M, class L> int Pipeline<M, L>::repeated_elements() const {
 }
 
 template <class M, class L>
-void Pipeline<M, L>::elements_of(Context& context, const ElementReader& reader, std::uint32_t count,
-                                 const Indices& indices) {
+void Pipeline<M, L>::draw_elements(Context& context, const ElementReader& reader, std::uint32_t count,
+                                   const Indices& indices) {
 #if SPANGLE_VERTEX_CACHE != 1
     if constexpr (raster::has_shortcuts)
-        if (!more_is_given() && reader.seldom == nullptr && reader.vertex.on())
-            return kept_elements(context, reader, count, indices);
+        if (!needs_vertex_state() && reader.seldom == nullptr && reader.vertex.on())
+            return draw_cached_elements(context, reader, count, indices);
 #endif
-    elements_in_turn(context, reader, count, indices);
+    draw_elements_immediate(context, reader, count, indices);
 }
 
 /// Takes elements one by one. Materials that follow the colour need that, and so do draws without a vertex
 /// array. Builds without shortcuts take all elements so.
 template <class M, class L>
-void Pipeline<M, L>::elements_in_turn(Context& context, const ElementReader& reader, std::uint32_t count,
-                                      const Indices& indices) {
+void Pipeline<M, L>::draw_elements_immediate(Context& context, const ElementReader& reader,
+                                             std::uint32_t count, const Indices& indices) {
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint32_t index = indices.at(i);
         set_attributes(context, reader, index);
@@ -66,7 +66,7 @@ void Pipeline<M, L>::elements_in_turn(Context& context, const ElementReader& rea
         Real v[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
         reader.vertex.read(index, v);
 #if SPANGLE_VERTEX_CACHE != 1
-        if (!raster::has_shortcuts && !more_is_given()) {
+        if (!raster::has_shortcuts && !needs_vertex_state()) {
             next_element(context.current, cached(index), v);
             continue;
         }
@@ -83,55 +83,55 @@ void Pipeline<M, L>::elements_in_turn(Context& context, const ElementReader& rea
 template <class M, class L>
 inline void Pipeline<M, L>::next_element(const CurrentState& current, Vertex& kept,
                                          const Real (&position)[4]) {
-    const bool known = kept.time == now_ && same<4>(kept.position, position) &&
-                       (!has_normals || same<3>(kept.normal, current.normal));
-    Vertex& next = place_of(kept);
+    const bool known = kept.cache_epoch == cache_epoch_ && equal_words<4>(kept.position, position) &&
+                       (!has_normals || equal_words<3>(kept.normal, current.normal));
+    Vertex& next = slot_for_vertex(kept);
     if (!known) {
         for (int c = 0; c < 4; ++c)
             next.position[c] = position[c];
         set_normal(next, current.normal);
-        process(next);
+        transform_vertex(next);
     } else if (&next != &kept) {
         next = kept;
     }
-    attributes(current, next);
-    corner_[held_] = &next;
-    if (++held_ == full_)
+    set_attributes_of(current, next);
+    corner_[corner_count_] = &next;
+    if (++corner_count_ == corners_needed_)
         primitive();
 }
 
 /// Draws elements from the cache of vertices.
 template <class M, class L>
-inline void Pipeline<M, L>::kept_elements(Context& context, const ElementReader& reader, std::uint32_t count,
-                                          const Indices& indices) {
+inline void Pipeline<M, L>::draw_cached_elements(Context& context, const ElementReader& reader,
+                                                 std::uint32_t count, const Indices& indices) {
     CurrentState& current = context.current;
-    in_turn_ = 0;
-    if (keeps_placed_)
-        keep_elements();
+    immediate_count_ = 0;
+    if (caches_positions_)
+        cache_elements();
     if constexpr (grows_cache)
         grow_cache(context, count);
-    const bool textured = is_usual_texture(reader), normals = lit_ && reader.normal.on();
+    const bool textured = is_common_texture(reader), normals = is_lit_ && reader.normal.on();
     arrays_begin(reader, current, textured);
-    if (!lit_)
+    if (!is_lit_)
         set_unlit_color(current);
     const auto next = [&](Vertex& v) {
-        corner_[held_] = &v;
-        if (++held_ == full_)
+        corner_[corner_count_] = &v;
+        if (++corner_count_ == corners_needed_)
             primitive();
     };
-    if (!is_usual(reader) || (reader.textured || units_ != 0) != textured)
+    if (!is_common(reader) || (reader.textured || units_ != 0) != textured)
         for (std::uint32_t i = 0; i < count; ++i)
-            next(unusual_element(context, reader, indices.at(i)));
+            next(general_element(context, reader, indices.at(i)));
     else if (raster::has_shortcuts && draws_lines())
-        lines_of(reader, count, indices, normals);
-    else if (raster::has_shortcuts && mode_ == GL_TRIANGLE_STRIP && !whole_polygons_)
-        strip_of(reader, count, indices, normals, textured);
+        draw_line_elements(reader, count, indices, normals);
+    else if (raster::has_shortcuts && mode_ == GL_TRIANGLE_STRIP && !needs_polygon_path_)
+        draw_strip_elements(reader, count, indices, normals, textured);
     else
         for (std::uint32_t i = 0; i < count; ++i)
-            next(usual_element(
+            next(common_element(
                 reader, indices.at(i), normals, textured,
-                [this](Vertex& cached) -> Vertex& { return place_of(cached); },
-                [this](Vertex& v, const std::uint8_t* words) { process_usual(v, words); }));
+                [this](Vertex& cached) -> Vertex& { return slot_for_vertex(cached); },
+                [this](Vertex& v, const std::uint8_t* words) { process_common(v, words); }));
 }
 
 #if SPANGLE_GROWS_CACHE
@@ -139,15 +139,15 @@ inline void Pipeline<M, L>::kept_elements(Context& context, const ElementReader&
 /// Chooses where elements are kept. The first draw with more than first_vertices elements gets a cache of
 /// vertex_cache elements in the arena, if there is room; it stays.
 template <class M, class L> inline void Pipeline<M, L>::grow_cache(Context& context, std::uint32_t count) {
-    if (grown_.elements == nullptr && count > first_vertices) {
+    if (grown_cache_.elements == nullptr && count > first_vertices) {
         void* const memory = context.arena->allocate(sizeof(Vertex) * vertex_cache);
         context.render.kept_vertices = memory;
         if (memory != nullptr)
-            grown_.elements = new (memory) Vertex[vertex_cache];
+            grown_cache_.elements = new (memory) Vertex[vertex_cache];
     }
-    const bool all = grown_.elements != nullptr;
-    grown_.base = all ? grown_.elements : kept_.vertex;
-    grown_.mask = static_cast<std::uint32_t>(all ? vertex_cache : first_vertices) - 1;
+    const bool all = grown_cache_.elements != nullptr;
+    grown_cache_.base = all ? grown_cache_.elements : vertex_cache_.vertex;
+    grown_cache_.mask = static_cast<std::uint32_t>(all ? vertex_cache : first_vertices) - 1;
 }
 
 #endif
@@ -160,15 +160,15 @@ inline void Pipeline<M, L>::arrays_begin(const ElementReader& reader, const Curr
     const unsigned layout = reader.vertex.components() << 8 | reader.normal.components() << 4 |
                             (textured ? 4u : 0u) | (reader.color.on() ? 2u : 0u) |
                             (reader.textured ? 1u : 0u);
-    if (layout != layout_ || !same<4>(given_color_, current.color) ||
-        (!reader.normal.on() && !same<3>(given_.normal, current.normal)))
-        forget();
-    layout_ = layout;
-    given_.position[2] = numeric::zero; // components that the array leaves out
-    given_.position[3] = numeric::one;
-    set_normal(given_, current.normal);
+    if (layout != cached_layout_ || !equal_words<4>(last_draw_color_, current.color) ||
+        (!reader.normal.on() && !equal_words<3>(object_vertex_.normal, current.normal)))
+        invalidate_cache();
+    cached_layout_ = layout;
+    object_vertex_.position[2] = numeric::zero; // components that the array leaves out
+    object_vertex_.position[3] = numeric::one;
+    set_normal(object_vertex_, current.normal);
     for (int c = 0; c < 4; ++c)
-        given_color_[c] = current.color[c];
+        last_draw_color_[c] = current.color[c];
 }
 
 template <class M, class L> inline bool Pipeline<M, L>::draws_lines() const {
@@ -176,26 +176,26 @@ template <class M, class L> inline bool Pipeline<M, L>::draws_lines() const {
 }
 
 /// The usual arrays: positions of three floats, normals of three floats if they count, and no colours.
-template <class M, class L> inline bool Pipeline<M, L>::is_usual(const ElementReader& reader) const {
-    return reader.vertex.is_floats(3) && (!lit_ || !reader.normal.on() || reader.normal.is_floats(3)) &&
+template <class M, class L> inline bool Pipeline<M, L>::is_common(const ElementReader& reader) const {
+    return reader.vertex.is_floats(3) && (!is_lit_ || !reader.normal.on() || reader.normal.is_floats(3)) &&
            !reader.color.on();
 }
 
 /// The usual texture coordinates: two floats for the first unit, the only one that is on.
-template <class M, class L> inline bool Pipeline<M, L>::is_usual_texture(const ElementReader& reader) const {
+template <class M, class L> inline bool Pipeline<M, L>::is_common_texture(const ElementReader& reader) const {
     bool others = false;
     for (int u = 1; u < texture_units; ++u)
         others = others || reader.tex_coord[u].on();
-    return units_ == 1 && reader.tex_coord[0].is_floats(2) && !others && !generates(0) && !draws_lines();
+    return units_ == 1 && reader.tex_coord[0].is_floats(2) && !others && !has_texgen(0) && !draws_lines();
 }
 
 template <class M, class L>
 inline typename Pipeline<M, L>::Vertex& Pipeline<M, L>::cached(std::uint32_t index) {
     // The address stays in a register, as the base of all accesses to the vertex.
     if constexpr (grows_cache)
-        return *numeric::kept_in_register(&grown_.base[index & grown_.mask]);
+        return *numeric::kept_in_register(&grown_cache_.base[index & grown_cache_.mask]);
     else
-        return *numeric::kept_in_register(&kept_.vertex[numeric::remainder<vertex_cache>(index)]);
+        return *numeric::kept_in_register(&vertex_cache_.vertex[numeric::remainder<vertex_cache>(index)]);
 }
 
 /// The vertex of an element without colour and texture coordinates. If the arrays still hold the position and
@@ -204,15 +204,16 @@ template <class M, class L>
 inline typename Pipeline<M, L>::Vertex& Pipeline<M, L>::element(const ElementReader& reader,
                                                                 std::uint32_t index) {
     Vertex& v = cached(index);
-    reader.vertex.read(index, given_.position);
+    reader.vertex.read(index, object_vertex_.position);
     if constexpr (has_normals)
         if (reader.normal.on())
-            reader.normal.read(index, given_.normal);
-    if (v.time == now_ && same<4>(v.position, given_.position) && same<3>(v.normal, given_.normal))
+            reader.normal.read(index, object_vertex_.normal);
+    if (v.cache_epoch == cache_epoch_ && equal_words<4>(v.position, object_vertex_.position) &&
+        equal_words<3>(v.normal, object_vertex_.normal))
         return v;
-    Vertex& fresh = place_of(v);
-    static_cast<Given&>(fresh) = given_;
-    process(fresh);
+    Vertex& fresh = slot_for_vertex(v);
+    static_cast<ObjectVertex&>(fresh) = object_vertex_;
+    transform_vertex(fresh);
     return fresh;
 }
 
@@ -220,49 +221,49 @@ inline typename Pipeline<M, L>::Vertex& Pipeline<M, L>::element(const ElementRea
 /// moment keeps its own and is copied, since another index may have brought it.
 template <class M, class L>
 SPANGLE_INLINE typename Pipeline<M, L>::Vertex&
-Pipeline<M, L>::unusual_element(Context& context, const ElementReader& reader, std::uint32_t index) {
+Pipeline<M, L>::general_element(Context& context, const ElementReader& reader, std::uint32_t index) {
     Vertex& kept = element(reader, index);
-    Vertex& v = place_of(kept);
+    Vertex& v = slot_for_vertex(kept);
     if (&v != &kept)
         v = kept;
     set_color_and_texture(context, reader, index);
-    attributes(context.current, v);
+    set_attributes_of(context.current, v);
     return v;
 }
 
-/// The vertex of an element where arrays are is_usual(), with coordinates of is_usual_texture() if
-/// `textured`. Unlit vertices take the current colour, which all vertices with this `time` share. For a new
-/// vertex `place` says where it is stored, and `finish` does the work of process_usual().
+/// The vertex of an element where arrays are is_common(), with coordinates of is_common_texture() if
+/// `textured`. Unlit vertices take the current colour, which all vertices with this `cache_epoch` share. For
+/// a new vertex `place` says where it is stored, and `finish` does the work of process_common().
 template <class M, class L>
 template <class Place, class Finish>
 SPANGLE_INLINE typename Pipeline<M, L>::Vertex&
-Pipeline<M, L>::usual_element(const ElementReader& reader, std::uint32_t index, bool normals, bool textured,
-                              const Place& place, const Finish& finish) {
+Pipeline<M, L>::common_element(const ElementReader& reader, std::uint32_t index, bool normals, bool textured,
+                               const Place& place, const Finish& finish) {
     Vertex& v = cached(index);
     const std::uint8_t* const words = reader.vertex.words(index);
-    const bool of_now = v.time == now_;
+    const bool of_now = v.cache_epoch == cache_epoch_;
     if (of_now && equal(v.position, words) && (!normals || equal(v.normal, reader.normal.words(index))) &&
         (!textured || equal_texture(v, reader.tex_coord[0].words(index)))) [[likely]]
         return v;
     Vertex& fresh = place(v);
-    fresh.time = now_;
+    fresh.cache_epoch = cache_epoch_;
     if constexpr (has_normals) {
         if (normals)
-            ArrayReader::read3(reader.normal.words(index), fresh.normal);
-        else if (lit_)
-            set_normal(fresh, given_.normal);
+            ArrayReader::read_3_floats(reader.normal.words(index), fresh.normal);
+        else if (is_lit_)
+            set_normal(fresh, object_vertex_.normal);
     }
     finish(fresh, words);
     if (textured)
         read_texture(reader.tex_coord[0].words(index), fresh);
-    if (!lit_ && !(of_now && &fresh == &v))
+    if (!is_lit_ && !(of_now && &fresh == &v))
         M::copy_color(unlit_, fresh.window);
     return fresh;
 }
 
 template <class M, class L>
 SPANGLE_INLINE void Pipeline<M, L>::read_position(const std::uint8_t* words, Vertex& v) {
-    ArrayReader::read3(words, v.position);
+    ArrayReader::read_3_floats(words, v.position);
     v.position[3] = numeric::one;
 }
 
@@ -287,18 +288,18 @@ SPANGLE_INLINE bool Pipeline<M, L>::equal_texture(const Vertex& v, const std::ui
 }
 
 template <class M, class L>
-SPANGLE_INLINE void Pipeline<M, L>::add_fresh(Pending& p, Vertex& v, const std::uint8_t* words) {
+SPANGLE_INLINE void Pipeline<M, L>::add_unprojected(Pending& p, Vertex& v, const std::uint8_t* words) {
     read_position(words, v);
-    p.fresh[p.fresh_count] = &v;
-    p.projections.add(p.fresh_count++, transforms_, v.position, v.window, fogs());
+    p.fresh[p.unprojected_count] = &v;
+    p.projections.add(p.unprojected_count++, transforms_, v.position, v.window, has_fog());
 }
 
 /// Draws lines of elements, several at a time. Each step, transform, division and set-up in the rasterizer,
 /// takes all of them, so that no operation waits for another's result.
 template <class M, class L>
 template <class I>
-void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint32_t count, const I indices,
-                                   bool normals) {
+void Pipeline<M, L>::draw_lines_of_elements(const ElementReader& reader, std::uint32_t count, const I indices,
+                                            bool normals) {
     Pending lines;
     int held = 0; // lines.count, which is only set for draw_pending(): this may stay in a register
     const auto draw = [&] {
@@ -311,22 +312,23 @@ void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint32_t co
             draw();
         if ((cached.flags & is_pending) == 0) [[likely]]
             return cached;
-        return lines.vertex[0] == &slot_[0] ? slot_[1] : slot_[0]; // the vertex left over lies in `cached`
+        return lines.vertex[0] == &vertex_slot_[0] ? vertex_slot_[1]
+                                                   : vertex_slot_[0]; // the vertex left over lies in `cached`
     };
     const auto begin = [&](Vertex& v, const std::uint8_t* words) {
         if constexpr (numeric::cheap_branches) // where branches are cheap, a batch gains nothing
-            return process_usual(v, words);
-        add_fresh(lines, v, words);
+            return process_common(v, words);
+        add_unprojected(lines, v, words);
     };
     for (std::uint32_t i = 0; i < count; ++i) {
-        Vertex& v = usual_element(reader, indices.at(i), normals, false, place, begin);
+        Vertex& v = common_element(reader, indices.at(i), normals, false, place, begin);
         v.flags |= is_pending;
         lines.vertex[held++] = &v;
         if (i == 0 && mode_ == GL_LINE_LOOP) {
             divide(lines);
-            slot_[2] = v;
+            vertex_slot_[2] = v;
         }
-        if (!numeric::cheap_branches && lines.fresh_count == line_batch)
+        if (!numeric::cheap_branches && lines.unprojected_count == line_batch)
             divide(lines);
         if (held == pending_vertices)
             draw();
@@ -336,21 +338,21 @@ void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint32_t co
         return;
     lines.vertex[0]->flags &= ~is_pending;
     if (mode_ == GL_LINE_LOOP && count > 1) { // end() closes the loop
-        corner_[0] = &slot_[2];
+        corner_[0] = &vertex_slot_[2];
         corner_[1] = lines.vertex[0];
-        held_ = 2;
+        corner_count_ = 2;
     }
 }
 
 /// Draws lines of elements, with a loop of its own for aligned indices of 16 bits.
 template <class M, class L>
-inline void Pipeline<M, L>::lines_of(const ElementReader& reader, std::uint32_t count, const Indices& indices,
-                                     bool normals) {
+inline void Pipeline<M, L>::draw_line_elements(const ElementReader& reader, std::uint32_t count,
+                                               const Indices& indices, bool normals) {
     const auto lines = [&](const auto& of) {
-        if constexpr (forgets_strips)
+        if constexpr (skips_cache_for_strips)
             if (draws_places())
-                return line_strip(reader, count, of);
-        line_elements(reader, count, of, normals);
+                return draw_line_strip(reader, count, of);
+        draw_lines_of_elements(reader, count, of, normals);
     };
     if (const Indices::Shorts shorts = indices.shorts(); shorts.data != nullptr)
         return lines(shorts);
@@ -359,13 +361,13 @@ inline void Pipeline<M, L>::lines_of(const ElementReader& reader, std::uint32_t 
 
 /// Draws a triangle strip of elements, with a loop of its own for aligned indices of 16 bits.
 template <class M, class L>
-inline void Pipeline<M, L>::strip_of(const ElementReader& reader, std::uint32_t count, const Indices& indices,
-                                     bool normals, bool textured) {
+inline void Pipeline<M, L>::draw_strip_elements(const ElementReader& reader, std::uint32_t count,
+                                                const Indices& indices, bool normals, bool textured) {
     const auto strip = [&](const auto& of) {
         if constexpr (!numeric::cheap_branches)
             if (count > line_batch)
-                return strip_batches(reader, count, of, normals, textured);
-        strip_elements(reader, count, of, normals, textured);
+                return draw_strip_batches(reader, count, of, normals, textured);
+        draw_strip_of_elements(reader, count, of, normals, textured);
     };
     if (const Indices::Shorts shorts = indices.shorts(); shorts.data != nullptr)
         return strip(shorts);
@@ -376,8 +378,8 @@ inline void Pipeline<M, L>::strip_of(const ElementReader& reader, std::uint32_t 
 /// long before the test for facing needs them.
 template <class M, class L>
 template <class I>
-void Pipeline<M, L>::strip_batches(const ElementReader& reader, std::uint32_t count, const I indices,
-                                   bool normals, bool textured) {
+void Pipeline<M, L>::draw_strip_batches(const ElementReader& reader, std::uint32_t count, const I indices,
+                                        bool normals, bool textured) {
     Pending corners;
     int held = 0; // corners.count, in a register
     std::uint32_t first = 0;
@@ -392,22 +394,23 @@ void Pipeline<M, L>::strip_batches(const ElementReader& reader, std::uint32_t co
         if (taken())
             draw();
         Vertex* v = &cached;
-        for (Vertex* slot = slot_; taken() && (v == corners.vertex[0] || v == corners.vertex[1]); ++slot)
+        for (Vertex* slot = vertex_slot_; taken() && (v == corners.vertex[0] || v == corners.vertex[1]);
+             ++slot)
             v = slot; // one of the two vertices left over lies there
         return *v;
     };
-    const auto begin = [&](Vertex& v, const std::uint8_t* words) { add_fresh(corners, v, words); };
+    const auto begin = [&](Vertex& v, const std::uint8_t* words) { add_unprojected(corners, v, words); };
     for (std::uint32_t i = 0; i < count; ++i) {
-        Vertex& v = usual_element(reader, indices.at(i), normals, textured, place, begin);
+        Vertex& v = common_element(reader, indices.at(i), normals, textured, place, begin);
         v.flags |= is_pending;
         corners.vertex[held++] = &v;
-        if (corners.fresh_count == line_batch)
+        if (corners.unprojected_count == line_batch)
             divide(corners);
         if (held == pending_vertices)
             draw();
     }
     draw();
-    let_go(corners, 0);
+    release_drawn(corners, 0);
 }
 
 /// Draws the triangles of the pending vertices, the first of which is number `first` of the strip. The last
@@ -416,13 +419,14 @@ template <class M, class L> void Pipeline<M, L>::draw_strip(Pending& p, std::uin
     divide(p);
     for (int i = 2; i < p.count; ++i) {
         const bool even = ((first + static_cast<std::uint32_t>(i)) & 1) == 0; // all triangles face one way
-        usual_triangle(*p.vertex[even ? i - 2 : i - 1], *p.vertex[even ? i - 1 : i - 2], *p.vertex[i], false);
+        draw_common_triangle(*p.vertex[even ? i - 2 : i - 1], *p.vertex[even ? i - 1 : i - 2], *p.vertex[i],
+                             false);
     }
-    let_go(p, p.count < 2 ? p.count : 2);
+    release_drawn(p, p.count < 2 ? p.count : 2);
 }
 
 /// Lets go of all pending vertices but the last `left`, which the next primitive starts from.
-template <class M, class L> inline void Pipeline<M, L>::let_go(Pending& p, int left) {
+template <class M, class L> inline void Pipeline<M, L>::release_drawn(Pending& p, int left) {
     for (int i = 0; i < p.count - left; ++i)
         p.vertex[i]->flags &= ~is_pending;
     for (int i = 0; i < left; ++i) {
@@ -435,36 +439,36 @@ template <class M, class L> inline void Pipeline<M, L>::let_go(Pending& p, int l
 /// Draws a triangle strip, vertex by vertex. The addresses of its last two vertices stay in registers.
 template <class M, class L>
 template <class I>
-void Pipeline<M, L>::strip_elements(const ElementReader& reader, std::uint32_t count, const I indices,
-                                    bool normals, bool textured) {
+void Pipeline<M, L>::draw_strip_of_elements(const ElementReader& reader, std::uint32_t count, const I indices,
+                                            bool normals, bool textured) {
     Vertex *even = nullptr, *odd = nullptr; // the last two vertices: in this order all triangles face one way
     const auto place = [&](Vertex& cached) -> Vertex& {
         Vertex* v = &cached;
-        for (Vertex* slot = slot_; v == even || v == odd; ++slot) // of three, one is free
+        for (Vertex* slot = vertex_slot_; v == even || v == odd; ++slot) // of three, one is free
             v = slot;
         return *v;
     };
     for (std::uint32_t i = 0; i < count; ++i) {
-        Vertex* const v =
-            &usual_element(reader, indices.at(i), normals, textured, place,
-                           [this](Vertex& fresh, const std::uint8_t* words) { process_usual(fresh, words); });
+        Vertex* const v = &common_element(
+            reader, indices.at(i), normals, textured, place,
+            [this](Vertex& fresh, const std::uint8_t* words) { process_common(fresh, words); });
         if (i >= 2)
-            usual_triangle(*even, *odd, *v, false);
+            draw_common_triangle(*even, *odd, *v, false);
         ((i & 1) == 0 ? even : odd) = v;
     }
 }
 
 /// Divides the fresh vertices by w.
 template <class M, class L> inline void Pipeline<M, L>::divide(Pending& lines) {
-    lines.projections.finish(lines.fresh_count);
-    for (int i = 0; i < lines.fresh_count; ++i) {
+    lines.projections.finish(lines.unprojected_count);
+    for (int i = 0; i < lines.unprojected_count; ++i) {
         Vertex& v = *lines.fresh[i];
         unsigned planes = 0;
         const bool divided = lines.projections.divide(i, transforms_, v.position, v.window, planes);
         set_flags(v, divided, planes);
         v.flags |= is_pending;
     }
-    lines.fresh_count = 0;
+    lines.unprojected_count = 0;
 }
 
 /// Draws the pending lines and lets go of their vertices. The last vertex stays if the next line starts from
@@ -473,34 +477,34 @@ template <class M, class L> void Pipeline<M, L>::draw_pending(Pending& p) {
     divide(p);
     const int step = mode_ == GL_LINES ? 2 : 1, left = step == 2 ? p.count & 1 : p.count != 0 ? 1 : 0;
     if constexpr (pending_vertices == line_batch + 1)
-        lines(p.vertex, p.count, step, !lit_);
+        lines(p.vertex, p.count, step, !is_lit_);
     else
         for (int i = 0; i + 1 < p.count; i += line_batch)
-            lines(p.vertex + i, p.count - i <= line_batch ? p.count - i : line_batch + 1, step, !lit_);
-    let_go(p, left);
+            lines(p.vertex + i, p.count - i <= line_batch ? p.count - i : line_batch + 1, step, !is_lit_);
+    release_drawn(p, left);
 }
 
 /// The place for a new vertex whose place in the cache is `cached`.
 template <class M, class L>
-SPANGLE_INLINE typename Pipeline<M, L>::Vertex& Pipeline<M, L>::place_of(Vertex& cached) {
+SPANGLE_INLINE typename Pipeline<M, L>::Vertex& Pipeline<M, L>::slot_for_vertex(Vertex& cached) {
     Vertex* v = &cached;
-    for (int i = 0; i < held_; ++i)
+    for (int i = 0; i < corner_count_; ++i)
         if (corner_[i] == v)
             v = free_slot(); // a corner of the primitive at hand lies there
-    v->time = now_;
+    v->cache_epoch = cache_epoch_;
     return *v;
 }
 
 /// A slot in which none of the corners of the primitive at hand lies. At most three of the four are taken.
 template <class M, class L> typename Pipeline<M, L>::Vertex* Pipeline<M, L>::free_slot() {
-    for (Vertex& v : slot_) {
+    for (Vertex& v : vertex_slot_) {
         bool held = false;
-        for (int i = 0; i < held_; ++i)
+        for (int i = 0; i < corner_count_; ++i)
             held = held || corner_[i] == &v;
         if (!held)
             return &v;
     }
-    return slot_;
+    return vertex_slot_;
 }
 
 #endif

@@ -11,9 +11,9 @@
 namespace spangle::gl {
 
 /// Polygons are gathered in the current modes.
-template <class M, class L> inline bool Pipeline<M, L>::gathers() const {
-    return captures() ? SPANGLE_FEATURE_FEEDBACK && context_->render.mode == GL_FEEDBACK
-                      : SPANGLE_FEATURE_ANTIALIASING && smooth_polygons_;
+template <class M, class L> inline bool Pipeline<M, L>::gathers_polygons() const {
+    return is_capturing() ? SPANGLE_FEATURE_FEEDBACK && context_->render.mode == GL_FEEDBACK
+                          : SPANGLE_FEATURE_ANTIALIASING && has_smooth_polygons_;
 }
 
 /// The polygon at hand was gathered.
@@ -27,25 +27,26 @@ template <class M, class L> inline bool Pipeline<M, L>::has_gathered() const {
 
 /// Adds a vertex to the gathered polygon. Its room in the arena doubles when it is full.
 template <class M, class L> void Pipeline<M, L>::gather([[maybe_unused]] Vertex& v) {
-    held_ = 0;
+    corner_count_ = 0;
 #if SPANGLE_GATHERS_POLYGONS
-    if (gathered_count_ == gathered_room_) {
-        const int room = gathered_room_ != 0 ? 2 * gathered_room_ : 8;
-        void* const memory = room < (1 << 20)
-                                 ? context_->arena->allocate(sizeof(Cut) * static_cast<std::size_t>(room))
-                                 : nullptr;
-        gathering_lost_ = gathering_lost_ || memory == nullptr;
+    if (gathered_count_ == gathered_capacity_) {
+        const int room = gathered_capacity_ != 0 ? 2 * gathered_capacity_ : 8;
+        void* const memory =
+            room < (1 << 20)
+                ? context_->arena->allocate(sizeof(ClippedVertex) * static_cast<std::size_t>(room))
+                : nullptr;
+        gathering_failed_ = gathering_failed_ || memory == nullptr;
         if (memory == nullptr)
             return;
-        auto* const more = static_cast<Cut*>(memory);
+        auto* const more = static_cast<ClippedVertex*>(memory);
         for (int i = 0; i < gathered_count_; ++i)
-            new (more + i) Cut(gathered_[i]);
+            new (more + i) ClippedVertex(gathered_[i]);
         context_->arena->free(gathered_);
         context_->render.gathered = gathered_ = more;
-        gathered_room_ = room;
+        gathered_capacity_ = room;
     }
     color_back(v);
-    Cut& corner = to_be_cut(v, *new (gathered_ + gathered_count_++) Cut);
+    ClippedVertex& corner = to_clip_vertex(v, *new (gathered_ + gathered_count_++) ClippedVertex);
     if ((v.flags & edge_flag) != 0)
         corner.flags |= boundary;
 #endif
@@ -57,14 +58,14 @@ template <class M, class L> void Pipeline<M, L>::draw_gathered() {
     const auto places = static_cast<std::size_t>(room);
     void* const memory =
         n < 3 ? nullptr : context_->arena->allocate(places * (sizeof(std::int64_t) + 3 * sizeof(Vertex*)));
-    if (gathering_lost_ || (n >= 3 && memory == nullptr)) {
+    if (gathering_failed_ || (n >= 3 && memory == nullptr)) {
         drawing_error(*context_, GL_OUT_OF_MEMORY,
                       SPANGLE_TEXT("no room in the arena for a polygon that is fed back or antialiased"));
     } else if (n >= 3) {
         auto* const part = static_cast<std::int64_t*>(memory);
         auto** const work = reinterpret_cast<Vertex**>(part + room);
         gathered_windows_ = static_cast<const Window**>(static_cast<void*>(work + 2 * room));
-        cut_gathered(work, room, part);
+        clip_gathered(work, room, part);
     }
     context_->arena->free(memory);
     free_gathered();
@@ -73,8 +74,8 @@ template <class M, class L> void Pipeline<M, L>::draw_gathered() {
 
 /// Clips the gathered polygon and draws what is left. `work` has room for 2 * `room` corners.
 template <class M, class L>
-inline void Pipeline<M, L>::cut_gathered([[maybe_unused]] Vertex** work, [[maybe_unused]] int room,
-                                         [[maybe_unused]] std::int64_t* part) {
+inline void Pipeline<M, L>::clip_gathered([[maybe_unused]] Vertex** work, [[maybe_unused]] int room,
+                                          [[maybe_unused]] std::int64_t* part) {
 #if SPANGLE_GATHERS_POLYGONS
     const int n = gathered_count_;
     unsigned all = outside_mask, any = 0, all_user = ~0u, any_user = 0;
@@ -91,7 +92,7 @@ inline void Pipeline<M, L>::cut_gathered([[maybe_unused]] Vertex** work, [[maybe
     const unsigned planes = clip_planes(any) | any_user << user_shift;
     const int left = planes != 0 ? clip_polygon(work, work + room, room, n, planes) : n;
     if (left >= 3)
-        visible(work, left, *gathered_, part, 0);
+        draw_visible(work, left, *gathered_, part, 0);
 #endif
 }
 
@@ -99,8 +100,8 @@ template <class M, class L> inline void Pipeline<M, L>::free_gathered() {
 #if SPANGLE_GATHERS_POLYGONS
     context_->arena->free(gathered_);
     context_->render.gathered = gathered_ = nullptr;
-    gathered_count_ = gathered_room_ = 0;
-    gathering_lost_ = false;
+    gathered_count_ = gathered_capacity_ = 0;
+    gathering_failed_ = false;
 #endif
 }
 

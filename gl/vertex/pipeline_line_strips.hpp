@@ -11,23 +11,24 @@ namespace spangle::gl {
 
 /// The lines of this draw have one colour, no plane of the user cuts them, and no mode changes their drawing.
 template <class M, class L> inline bool Pipeline<M, L>::draws_places() const {
-    return mode_ == GL_LINE_STRIP && !lit_ && !fog_ && units_ == 0 && !planes_.any() && !modal_lines();
+    return mode_ == GL_LINE_STRIP && !is_lit_ && !has_fog_ && units_ == 0 && !planes_.any() &&
+           !has_special_lines();
 }
 
-/// Draws a line strip. Where lines are not seen whole, a batch of them goes through line_elements().
+/// Draws a line strip. Where lines are not seen whole, a batch of them goes through draw_lines_of_elements().
 template <class M, class L>
 template <class I>
-void Pipeline<M, L>::line_strip(const ElementReader& reader, std::uint32_t count, const I indices) {
+void Pipeline<M, L>::draw_line_strip(const ElementReader& reader, std::uint32_t count, const I indices) {
     const raster::DrawState::Area area =
         M::inside_viewport(transforms_, raster::strip_area(*state_, line_width_));
     if (area.w == 0)
-        return line_elements(reader, count, indices, false);
+        return draw_lines_of_elements(reader, count, indices, false);
     for (std::uint32_t i = 0; i < count;) {
-        i += seen_strip(reader, count - i, indices.from(i), area);
+        i += draw_visible_strip(reader, count - i, indices.from(i), area);
         const std::uint32_t left = count - i, now = left < line_batch ? left : line_batch;
         if (now < 2)
             return;
-        line_elements(reader, now, indices.from(i), false);
+        draw_lines_of_elements(reader, now, indices.from(i), false);
         i += now - 1;
     }
 }
@@ -36,8 +37,8 @@ void Pipeline<M, L>::line_strip(const ElementReader& reader, std::uint32_t count
 /// the lines from there on are not drawn.
 template <class M, class L>
 template <class I>
-std::uint32_t Pipeline<M, L>::seen_strip(const ElementReader& reader, std::uint32_t count, const I indices,
-                                         const raster::DrawState::Area& area) const {
+std::uint32_t Pipeline<M, L>::draw_visible_strip(const ElementReader& reader, std::uint32_t count,
+                                                 const I indices, const raster::DrawState::Area& area) const {
     const raster::DrawState::Area where = area;
     // Instructions with two operands have little room for offsets: there the address is a value of its own.
     const typename M::Transforms* const transforms =

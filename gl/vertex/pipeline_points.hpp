@@ -8,14 +8,14 @@
 namespace spangle::gl {
 
 template <class M, class L>
-void Pipeline<M, L>::draw_modal_point([[maybe_unused]] const Vertex& v, const Window& window) {
+void Pipeline<M, L>::draw_special_point([[maybe_unused]] const Vertex& v, const Window& window) {
     const PolygonState& polygon = context_->polygon;
     Window point = window;
     Real size = polygon.point_size;
 #if SPANGLE_FEATURE_POINT_PARAMETERS
-    size = attenuated(v);
-    if (multisampling_)
-        size = faded(size, point);
+    size = attenuated_size(v);
+    if (is_multisampling_)
+        size = fade_point(size, point);
 #endif
     each_primitive_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
         const Window moved = shifted(point, shift);
@@ -24,14 +24,14 @@ void Pipeline<M, L>::draw_modal_point([[maybe_unused]] const Vertex& v, const Wi
             return draw_sprite(target, moved, eighths(size));
 #endif
         if constexpr (raster::has_samples)
-            if (multisampling_)
+            if (is_multisampling_)
                 return raster::draw_disc(*state_, target, moved, eighths(size));
 #if SPANGLE_FEATURE_ANTIALIASING
         if (polygon.point_smooth)
             return raster::draw_smooth_point(*state_, target, context_->fragments.primitive, moved,
                                              eighths(size));
 #endif
-        raster::draw_point(*state_, target, moved, whole(size));
+        raster::draw_point(*state_, target, moved, rounded_size(size));
     });
 }
 
@@ -39,15 +39,15 @@ void Pipeline<M, L>::draw_modal_point([[maybe_unused]] const Vertex& v, const Wi
 
 /// The size of a point: size sqrt(1 / (a + b d + c d^2)), clamped; d is the distance from the eye (GL 1.4,
 /// 3.3).
-template <class M, class L> Real Pipeline<M, L>::attenuated(const Vertex& v) const {
+template <class M, class L> Real Pipeline<M, L>::attenuated_size(const Vertex& v) const {
     const PolygonState& p = context_->polygon;
     const auto& [a, b, c] = p.point_attenuation;
     Real size = p.point_size;
     if (a != numeric::one || b != numeric::zero || c != numeric::zero) {
         Real eye[4], squares = numeric::zero;
-        M::reals((v.flags & is_cut) != 0 ? M::narrow(static_cast<const Cut&>(v).eye)
-                                         : M::to_eye(transforms_, v.position),
-                 eye);
+        M::to_reals((v.flags & is_clipped_vertex) != 0 ? M::narrow(static_cast<const ClippedVertex&>(v).eye)
+                                                       : M::to_eye(transforms_, v.position),
+                    eye);
         for (int i = 0; i < 3; ++i) {
             const Real part = eye[3] == numeric::one ? eye[i] : numeric::div(eye[i], eye[3]);
             squares = numeric::add(squares, numeric::mul(part, part));
@@ -62,7 +62,7 @@ template <class M, class L> Real Pipeline<M, L>::attenuated(const Vertex& v) con
 
 /// The size of a point, at least the fade threshold. Alpha of a smaller point is scaled by the ratio of the
 /// areas (GL 1.4, 3.3).
-template <class M, class L> Real Pipeline<M, L>::faded(Real size, Window& point) const {
+template <class M, class L> Real Pipeline<M, L>::fade_point(Real size, Window& point) const {
     const Real threshold = context_->polygon.point_fade_threshold;
     if (!(size < threshold))
         return size;

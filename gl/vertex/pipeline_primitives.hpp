@@ -8,7 +8,7 @@ namespace spangle::gl {
 template <class M, class L> inline void Pipeline<M, L>::point(Vertex& v) {
     if constexpr (!has_points)
         return;
-    if ((v.flags & outside_mask) != 0 || (planes_.any() && outside(v) != 0) || refuses(v.flags) ||
+    if ((v.flags & outside_mask) != 0 || (planes_.any() && outside(v) != 0) || refuse_clipping(v.flags) ||
         !project(v))
         return;
     color(v);
@@ -16,32 +16,32 @@ template <class M, class L> inline void Pipeline<M, L>::point(Vertex& v) {
 }
 
 template <class M, class L> inline void Pipeline<M, L>::draw_point(const Vertex& v, const Window& window) {
-    if (captures()) {
+    if (is_capturing()) {
         begin_capture(GL_POINT_TOKEN, 1);
-        return capture({v, window});
+        return capture_vertex({v, window});
     }
-    if (modal_points())
-        return draw_modal_point(v, window);
+    if (has_special_points())
+        return draw_special_point(v, window);
     raster::draw_point(*state_, context_->drawable.surface, window, point_size_);
 }
 
 template <class M, class L>
 inline void Pipeline<M, L>::draw_line(const Vertex& a, const Window& at_a, const Vertex& b,
                                       const Window& at_b, const Window& provoking) {
-    if (captures())
+    if (is_capturing())
         return capture_line({a, at_a}, {b, at_b}, provoking);
-    if (modal_lines())
-        return draw_modal_line(at_a, at_b, provoking);
+    if (has_special_lines())
+        return draw_special_line(at_a, at_b, provoking);
     raster::draw_line(*state_, context_->drawable.surface, at_a, at_b, provoking, line_width_);
 }
 
 /// Draws a line that is stippled, antialiased, or drawn to samples. The stipple starts anew with each
 /// primitive and each line of LINES (GL 1.3, 3.4.2).
 template <class M, class L>
-void Pipeline<M, L>::draw_modal_line(const Window& a, const Window& b, const Window& provoking) {
-    if (stipple_starts_)
+void Pipeline<M, L>::draw_special_line(const Window& a, const Window& b, const Window& provoking) {
+    if (restarts_stipple_)
         stipple_.position = 0;
-    stipple_starts_ = mode_ == GL_LINES;
+    restarts_stipple_ = mode_ == GL_LINES;
     const PolygonState& polygon = context_->polygon;
     const raster::LineStipple start = stipple_;
     each_primitive_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
@@ -49,7 +49,7 @@ void Pipeline<M, L>::draw_modal_line(const Window& a, const Window& b, const Win
         [[maybe_unused]] raster::LineStipple* const stipple = polygon.line_stipple ? &stipple_ : nullptr;
         stipple_ = start;
         if constexpr (raster::has_samples)
-            if (multisampling_)
+            if (is_multisampling_)
                 return raster::draw_line_rectangle(*state_, target, from, to, provoking,
                                                    eighths(polygon.line_width), stipple);
 #if SPANGLE_FEATURE_ANTIALIASING
@@ -68,10 +68,10 @@ void Pipeline<M, L>::draw_modal_line(const Window& a, const Window& b, const Win
 template <class M, class L> inline void Pipeline<M, L>::line(Vertex& a, Vertex& b) {
     if constexpr (!has_lines)
         return;
-    if (captures())
-        return captured_line(a, b);
+    if (is_capturing())
+        return capture_clipped_line(a, b);
     if constexpr (!raster::has_shortcuts)
-        return seen_line(a, b);
+        return draw_visible_line(a, b);
     Vertex* const ends[2] = {&a, &b};
     lines(ends, 2, 1, false);
 }
@@ -86,14 +86,14 @@ void Pipeline<M, L>::lines(Vertex* const* vertex, int n, int step, bool one_colo
         any |= vertex[i]->flags;
         window[i] = &vertex[i]->window;
     }
-    const bool one_by_one = planes_.any() || modal_lines();
+    const bool one_by_one = planes_.any() || has_special_lines();
     if ((any & (outside_mask | beyond_mask | unprojected)) != 0 || one_by_one) [[unlikely]] {
         for (int i = 0; i + 1 < n; i += step)
-            seen_line(*vertex[i], *vertex[i + 1]);
+            draw_visible_line(*vertex[i], *vertex[i + 1]);
         return;
     }
     if ((any & uncolored) != 0)
-        for (int i = flat_ ? 1 : 0; i < n; i += flat_ ? step : 1)
+        for (int i = is_flat_shaded_ ? 1 : 0; i < n; i += is_flat_shaded_ ? step : 1)
             color(*vertex[i]);
     const Window* const painted = one_color ? window[0] : nullptr;
     if constexpr (line_batch > 2)
@@ -104,19 +104,19 @@ void Pipeline<M, L>::lines(Vertex* const* vertex, int n, int step, bool one_colo
 }
 
 /// Draws a line that may be outside of the view volume.
-template <class M, class L> void Pipeline<M, L>::seen_line(Vertex& a, Vertex& b) {
+template <class M, class L> void Pipeline<M, L>::draw_visible_line(Vertex& a, Vertex& b) {
     if ((a.flags & b.flags & outside_mask) != 0)
         return;
-    if (!flat_)
+    if (!is_flat_shaded_)
         color(a);
     color(b);
-    cut_line(a, b);
+    clip_and_draw_line(a, b);
 }
 
 /// Draws a line that may be beyond a plane, or whose ends may have no window coordinates yet.
-template <class M, class L> void Pipeline<M, L>::cut_line(Vertex& a, Vertex& b) {
+template <class M, class L> void Pipeline<M, L>::clip_and_draw_line(Vertex& a, Vertex& b) {
     Vertex* ends[2] = {&a, &b};
-    if (refuses(a.flags | b.flags))
+    if (refuse_clipping(a.flags | b.flags))
         return;
 #if SPANGLE_CLIPPING
     if ((clip_planes(a.flags | b.flags) != 0 || planes_.any()) && !clip_line(ends))
@@ -145,9 +145,9 @@ template <class M, class L> inline std::int64_t Pipeline<M, L>::area_of(Vertex* 
 /// not be computed.
 template <class M, class L>
 template <class... V>
-inline bool Pipeline<M, L>::misses_band([[maybe_unused]] const V&... corner) const {
+inline bool Pipeline<M, L>::is_outside_rows([[maybe_unused]] const V&... corner) const {
     if constexpr (skips_batches) {
-        if (batches_ == nullptr || batches_->notes())
+        if (batches_ == nullptr || batches_->is_recording())
             return false;
         const raster::Surface& surface = context_->drawable.surface;
         const std::int32_t low = surface.first_row * raster::subpixel_one,
@@ -162,27 +162,27 @@ inline bool Pipeline<M, L>::misses_band([[maybe_unused]] const V&... corner) con
 /// Draws a triangle whose last corner is the provoking vertex. If it must be clipped or lit from behind,
 /// polygon() draws it.
 template <class M, class L> void Pipeline<M, L>::triangle(Vertex& a, Vertex& b, Vertex& c) {
-    usual_triangle(a, b, c, whole_polygons());
+    draw_common_triangle(a, b, c, needs_polygon_path());
 }
 
 template <class M, class L>
-SPANGLE_INLINE void Pipeline<M, L>::usual_triangle(Vertex& a, Vertex& b, Vertex& c, bool whole) {
+SPANGLE_INLINE void Pipeline<M, L>::draw_common_triangle(Vertex& a, Vertex& b, Vertex& c, bool whole) {
     const unsigned any = a.flags | b.flags | c.flags;
     if ((any & (outside_mask | beyond_mask | unprojected)) != 0 || whole) [[unlikely]] {
         if ((a.flags & b.flags & c.flags & outside_mask) != 0)
             return;
-        if (refuses(any))
+        if (refuse_clipping(any))
             return;
-        if (to_be_clipped(any) || whole) {
+        if (needs_clipping(any) || whole) {
             Vertex* const corners[3] = {&a, &b, &c};
             return polygon(corners, 3, c);
         }
     }
     const std::int64_t area = area_of(a.window, b.window, c.window);
-    if (culls_[area < 0 ? 1 : 0] || area == 0 || misses_band(a, b, c))
+    if (culls_winding_[area < 0 ? 1 : 0] || area == 0 || is_outside_rows(a, b, c))
         return;
     if ((any & uncolored) != 0) {
-        if (!flat_)
+        if (!is_flat_shaded_)
             color(a), color(b);
         color(c);
     }
@@ -191,24 +191,24 @@ SPANGLE_INLINE void Pipeline<M, L>::usual_triangle(Vertex& a, Vertex& b, Vertex&
 
 /// Draws a quad as two triangles, which both face the way of the whole quad.
 template <class M, class L>
-void Pipeline<M, L>::quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& provoking) {
+void Pipeline<M, L>::draw_quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& provoking) {
     if constexpr (!has_polygons)
         return;
     const unsigned any = a.flags | b.flags | c.flags | d.flags;
     if ((a.flags & b.flags & c.flags & d.flags & outside_mask) != 0)
         return;
-    if (refuses(any))
+    if (refuse_clipping(any))
         return;
-    if (to_be_clipped(any) || whole_polygons()) {
+    if (needs_clipping(any) || needs_polygon_path()) {
         Vertex* const corners[4] = {&a, &b, &c, &d};
         return polygon(corners, 4, provoking);
     }
     const std::int64_t first = area_of(a.window, b.window, c.window),
                        second = area_of(a.window, c.window, d.window);
-    if (culls_[first + second > 0 ? 0 : 1] || misses_band(a, b, c, d))
+    if (culls_winding_[first + second > 0 ? 0 : 1] || is_outside_rows(a, b, c, d))
         return;
     if ((any & uncolored) != 0) {
-        if (!flat_)
+        if (!is_flat_shaded_)
             color(a), color(b), color(c), color(d);
         color(provoking);
     }
@@ -226,9 +226,9 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
         all &= corners[i]->flags;
         any |= corners[i]->flags;
     }
-    if (all != 0 || refuses(any))
+    if (all != 0 || refuse_clipping(any))
         return;
-    if (outlined())
+    if (has_outlines())
         flag_edges(corners, n);
     unsigned planes = clip_planes(any);
     if (planes_.any()) {
@@ -251,7 +251,7 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
     Vertex* clipped[clip_vertices];
     // A quad that is clipped is divided by the same diagonal as a whole one, so that its colours do not move
     // while it leaves the view volume.
-    if (planes != 0 && n == 4 && !stays_whole()) {
+    if (planes != 0 && n == 4 && !is_drawn_whole()) {
         Vertex* const first[3] = {corners[0], corners[1], corners[2]};
         Vertex* const second[3] = {corners[0], corners[2], corners[3]};
         polygon(first, 3, provoking);
@@ -262,9 +262,9 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
             for (int i = 0; i < n; ++i)
                 color_back(*corners[i]);
         for (int i = 0; i < n; ++i)
-            clipped[i] = &to_be_cut(*corners[i], cut_[i]);
+            clipped[i] = &to_clip_vertex(*corners[i], clipped_vertex_[i]);
         // A sliver that snapping turns over covers pixels that the rest of the polygon, or its part beyond
-        // the plane, draws as well. visible() drops it by the sign of the whole polygon's area.
+        // the plane, draws as well. draw_visible() drops it by the sign of the whole polygon's area.
         if (planes >> user_shift != 0 && (any & (beyond_mask | unprojected)) == 0)
             whole = area_of(corners, n);
         n = clip_polygon(clipped, scratch, clip_vertices, n, planes);
@@ -273,13 +273,13 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
         corners = clipped;
     }
 #endif
-    visible(corners, n, provoking, part, whole);
+    draw_visible(corners, n, provoking, part, whole);
 }
 
 /// Culls, colours and draws a polygon that was clipped.
 template <class M, class L>
-inline void Pipeline<M, L>::visible(Vertex* const* corners, int n, Vertex& provoking, std::int64_t* part,
-                                    std::int64_t whole) {
+inline void Pipeline<M, L>::draw_visible(Vertex* const* corners, int n, Vertex& provoking, std::int64_t* part,
+                                         std::int64_t whole) {
     std::int64_t area = 0; // `part[i]` is that of triangle 0, i, i + 1
     for (int i = 0; i < n; ++i)
         if ((corners[i]->flags & unprojected) != 0 && !project(*corners[i]))
@@ -290,16 +290,16 @@ inline void Pipeline<M, L>::visible(Vertex* const* corners, int n, Vertex& provo
             part[i] = 0;
         area += part[i];
     }
-    if (area == 0 && (n == 3 || whole != 0) && !captures())
+    if (area == 0 && (n == 3 || whole != 0) && !is_capturing())
         return;
     const bool ccw = area > 0;
-    if (culls_[ccw ? 0 : 1])
+    if (culls_winding_[ccw ? 0 : 1])
         return;
-    if (SPANGLE_FEATURE_STENCIL_SIDES && stencil_sides_)
+    if (SPANGLE_FEATURE_STENCIL_SIDES && has_two_sided_stencil_)
         state_ = &draw_state_of(*context_, ccw == front_is_ccw_ ? 0 : 1);
-    if (SPANGLE_TWO_SIDES && ccw != front_is_ccw_ && two_sided_)
+    if (SPANGLE_TWO_SIDES && ccw != front_is_ccw_ && has_two_sides_)
         return draw_back(corners, n, provoking, part);
-    for (int i = 0; i < n && !flat_; ++i)
+    for (int i = 0; i < n && !is_flat_shaded_; ++i)
         color(*corners[i]);
     color(provoking);
     draw({corners}, n, provoking.window, ccw == front_is_ccw_ ? 0 : 1, part);
@@ -307,20 +307,20 @@ inline void Pipeline<M, L>::visible(Vertex* const* corners, int n, Vertex& provo
 
 /// Draws a polygon in the polygon mode of its side. at(i) is the window vertex of corner i, coloured.
 template <class M, class L>
-SPANGLE_INLINE void Pipeline<M, L>::draw(const Seen& at, int n, const Window& provoking, int side,
+SPANGLE_INLINE void Pipeline<M, L>::draw(const VisibleFace& at, int n, const Window& provoking, int side,
                                          const std::int64_t* part) {
-    if (offsets() && !captures())
+    if (has_polygon_offset() && !is_capturing())
         set_offset(at, n, face_mode_[side], part);
-    if (outlined() && face_mode_[side] != GL_FILL)
+    if (has_outlines() && face_mode_[side] != GL_FILL)
         return outline(at, n, provoking, face_mode_[side]);
-    if (captures()) {
+    if (is_capturing()) {
         begin_capture(GL_POLYGON_TOKEN, n);
         for (int i = first_corner(n), left = n; left > 0; i = i + 1 < n ? i + 1 : 0, --left)
-            capture({*at.corners[i], flat_ ? provoking : at(i)});
+            capture_vertex({*at.corners[i], is_flat_shaded_ ? provoking : at(i)});
         return;
     }
-    if (fills_whole())
-        return fill_whole(at, n, provoking, part);
+    if (fills_whole_polygons())
+        return fill_whole_polygon(at, n, provoking, part);
     for (int i = 1; i + 1 < n; ++i)
         if (part[i] != 0)
             raster::draw_triangle(*state_, context_->drawable.surface, at(0), at(i), at(i + 1), provoking,
@@ -329,7 +329,8 @@ SPANGLE_INLINE void Pipeline<M, L>::draw(const Seen& at, int n, const Window& pr
 
 /// Fills a polygon that is antialiased or drawn to samples.
 template <class M, class L>
-void Pipeline<M, L>::fill_whole(const Seen& at, int n, const Window& provoking, const std::int64_t* part) {
+void Pipeline<M, L>::fill_whole_polygon(const VisibleFace& at, int n, const Window& provoking,
+                                        const std::int64_t* part) {
     const Window* some[clip_vertices];
     const Window** corner = some;
 #if SPANGLE_GATHERS_POLYGONS
@@ -338,18 +339,18 @@ void Pipeline<M, L>::fill_whole(const Seen& at, int n, const Window& provoking, 
 #endif
     for (int i = 0; i < n; ++i)
         corner[i] = &at(i);
-    fill_corners(corner, n, provoking, part);
+    fill_polygon(corner, n, provoking, part);
 }
 
 /// Fills the polygon with these corners. An antialiased one is drawn as a whole, since triangles of a fan
 /// would each cover a part of the pixels on their common edges.
 template <class M, class L>
-void Pipeline<M, L>::fill_corners(const Window* const* corner, int n, const Window& provoking,
+void Pipeline<M, L>::fill_polygon(const Window* const* corner, int n, const Window& provoking,
                                   const std::int64_t* part) {
     Window moved[clip_vertices];
     each_primitive_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
 #if SPANGLE_FEATURE_ANTIALIASING
-        if (smooth_polygons_) // only without multisampling, so never shifted
+        if (has_smooth_polygons_) // only without multisampling, so never shifted
             return raster::draw_smooth_polygon(*state_, target, context_->fragments.primitive, corner, n,
                                                provoking);
 #endif
@@ -364,7 +365,7 @@ void Pipeline<M, L>::fill_corners(const Window* const* corner, int n, const Wind
 /// Sets the depth offset that all fragments of a polygon get. Where its triangles lie in different planes,
 /// the largest one decides.
 template <class M, class L>
-void Pipeline<M, L>::set_offset(const Seen& at, int n, GLenum mode, const std::int64_t* part) {
+void Pipeline<M, L>::set_offset(const VisibleFace& at, int n, GLenum mode, const std::int64_t* part) {
     const PolygonState& polygon = context_->polygon;
     raster::PrimitiveState& out = context_->fragments.primitive;
     const bool on = mode == GL_FILL   ? polygon.offset_fill
@@ -383,9 +384,10 @@ void Pipeline<M, L>::set_offset(const Seen& at, int n, GLenum mode, const std::i
 
 /// Draws the boundary edges as lines, or the vertices that start them as points (GL 1.3, 3.5.4).
 template <class M, class L>
-void Pipeline<M, L>::outline(const Seen& at, int n, const Window& provoking, GLenum mode) {
+void Pipeline<M, L>::outline(const VisibleFace& at, int n, const Window& provoking, GLenum mode) {
     Vertex* const* const corners = at.corners;
-    stipple_starts_ = stipple_starts_ || mode_ != GL_POLYGON; // those come in parts, and the stipple goes on
+    restarts_stipple_ =
+        restarts_stipple_ || mode_ != GL_POLYGON; // those come in parts, and the stipple goes on
     context_->fragments.primitive.stippled = false;
     for (int i = first_corner(n), next = 0, left = n; left > 0; i = next, --left) {
         next = i + 1 < n ? i + 1 : 0;
@@ -396,7 +398,7 @@ void Pipeline<M, L>::outline(const Seen& at, int n, const Window& provoking, GLe
             continue;
         }
         Window v = at(i);
-        if (flat_)
+        if (is_flat_shaded_)
             M::copy_color(provoking, v);
         draw_point(*corners[i], v);
     }
@@ -410,16 +412,16 @@ template <class M, class L>
 void Pipeline<M, L>::draw_back(Vertex* const* corners, int n, const Vertex& provoking,
                                const std::int64_t* part) {
     Window flat = provoking.window;
-    back_of(provoking, flat);
+    light_back(provoking, flat);
     if (has_gathered()) { // nobody else has these corners: they can be overwritten
         for (int i = 0; i < n; ++i)
-            back_of(*corners[i], corners[i]->window);
+            light_back(*corners[i], corners[i]->window);
         return draw({corners}, n, flat, 1, part);
     }
     Window back[clip_vertices];
     for (int i = 0; i < n; ++i) {
         back[i] = corners[i]->window;
-        back_of(*corners[i], back[i]);
+        light_back(*corners[i], back[i]);
     }
     draw({corners, back}, n, flat, 1, part);
 }

@@ -9,7 +9,7 @@
 namespace spangle::gl {
 
 /// Reports the values that are known when a primitive begins.
-template <class M, class L> void Pipeline<M, L>::reach_draw() const {
+template <class M, class L> void Pipeline<M, L>::record_draw_reach() const {
     Context& context = *context_;
     const auto tell = [&](Range range, std::int32_t value) {
         reach(context, range, static_cast<std::uint32_t>(value));
@@ -18,28 +18,28 @@ template <class M, class L> void Pipeline<M, L>::reach_draw() const {
     tell(Range::SURFACE_WIDTH, surface.width);
     tell(Range::SURFACE_HEIGHT, surface.height);
     tell(Range::BAND_ROWS, surface.area().h);
-    if (mode_ == GL_POINTS || outlined())
-        tell(Range::POINT_SIZE, whole(context.polygon.point_size));
-    if ((mode_ != GL_POINTS && mode_ <= GL_LINE_STRIP) || outlined())
-        tell(Range::LINE_WIDTH, whole(context.polygon.line_width));
+    if (mode_ == GL_POINTS || has_outlines())
+        tell(Range::POINT_SIZE, rounded_size(context.polygon.point_size));
+    if ((mode_ != GL_POINTS && mode_ <= GL_LINE_STRIP) || has_outlines())
+        tell(Range::LINE_WIDTH, rounded_size(context.polygon.line_width));
 }
 
 /// Reports the position and texture coordinates of a vertex, and whether they need a division.
 template <class M, class L>
-void Pipeline<M, L>::reach_vertex(const CurrentState& current, const Vertex& v) const {
+void Pipeline<M, L>::record_vertex_reach(const CurrentState& current, const Vertex& v) const {
     Context& context = *context_;
     std::uint32_t bits = 0;
     for (const Real x : v.position)
         bits = std::max(bits, bits_before_point(x));
     reach(context, Range::POSITION_BITS, bits);
     Real clip[4];
-    M::reals(M::to_clip(transforms_, v.position), clip);
+    M::to_reals(M::to_clip(transforms_, v.position), clip);
     bool divides = !(clip[3] == numeric::one);
     for (int u = 0; u < texture_units; ++u) {
         if ((units_ >> u & 1) == 0)
             continue;
         Real strq[4];
-        M::reals(texture_of(current, v, u), strq);
+        M::to_reals(texture_of(current, v, u), strq);
         for (int c = 0; c < 3; ++c)
             reach(context, Range::TEXTURE_BITS, bits_before_point(strq[c]));
         divides = divides || !(strq[3] == numeric::one);
@@ -50,7 +50,7 @@ void Pipeline<M, L>::reach_vertex(const CurrentState& current, const Vertex& v) 
 
 /// Reports a primitive that the view volume cuts, which a build without SPANGLE_CLIPPING would refuse.
 /// `flags`: of all corners together.
-template <class M, class L> inline void Pipeline<M, L>::reach_cut(unsigned flags) const {
+template <class M, class L> inline void Pipeline<M, L>::record_clip_reach(unsigned flags) const {
     if ((flags & (beyond_mask | unprojected)) != 0 || clip_planes(flags) != 0)
         reach(*context_, Range::CUTS, 1);
 }

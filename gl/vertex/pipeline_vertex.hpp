@@ -10,7 +10,7 @@ inline void Pipeline<M, L>::raster_position(Context& context, const Real (&posit
     context_ = &context;
     derive(context);
     const CurrentState& current = context.current;
-    Vertex& v = slot_[0];
+    Vertex& v = vertex_slot_[0];
     for (int c = 0; c < 4; ++c)
         v.position[c] = position[c];
     set_normal(v, current.normal);
@@ -21,26 +21,26 @@ inline void Pipeline<M, L>::raster_position(Context& context, const Real (&posit
     if (!out.valid)
         return;
     Real eye[4];
-    M::reals(M::to_eye(transforms_, v.position), eye);
+    M::to_reals(M::to_eye(transforms_, v.position), eye);
     M::window_of(transforms_, clip, out.position);
     out.distance = context.fog.source == GL_FOG_COORDINATE ? current.fog_coord : numeric::abs(eye[2]);
     v.flags = 0;
     if (tells_reach && is_told(context))
-        reach_vertex(current, v);
-    if (lit_)
+        record_vertex_reach(current, v);
+    if (is_lit_)
         light(v, 0, v.window);
-    if (indexed()) { // the framebuffer has either indices or colours: the other value stays
-        if (!lit_)
+    if (has_color_index()) { // the framebuffer has either indices or colours: the other value stays
+        if (!is_lit_)
             M::set_index(current.index, index_bits_, v.window);
         out.index = M::index_of(v.window);
     } else {
         for (int c = 0; c < 4; ++c)
             out.color[c] = numeric::clamp01(current.color[c]);
-        if (lit_)
+        if (is_lit_)
             M::color_of(v.window, out.color);
     }
     for (int u = 0; u < texture_units; ++u)
-        M::reals(texture_of(current, v, u), out.tex_coord[u].v);
+        M::to_reals(texture_of(current, v, u), out.tex_coord[u].v);
 #if SPANGLE_FEATURE_SELECTION
     if (context.render.mode == GL_SELECT) {
         M::project(transforms_, clip, v.window);
@@ -50,7 +50,7 @@ inline void Pipeline<M, L>::raster_position(Context& context, const Real (&posit
 }
 
 template <class M, class L> inline void Pipeline<M, L>::settle_colors() {
-    for (int i = 0; i < held_; ++i) {
+    for (int i = 0; i < corner_count_; ++i) {
         color(*corner_[i]);
         color_back(*corner_[i]);
     }
@@ -59,20 +59,20 @@ template <class M, class L> inline void Pipeline<M, L>::settle_colors() {
 
 /// Computes the window position of a vertex whose position and normal are set; else, the flags say what is
 /// still to be done.
-template <class M, class L> void Pipeline<M, L>::process(Vertex& v) const {
+template <class M, class L> void Pipeline<M, L>::transform_vertex(Vertex& v) const {
     divide(v);
 }
 
 /// Reads a position that is_usual() and processes the vertex: w is known to be 1, and the position stays in
 /// registers.
-template <class M, class L> void Pipeline<M, L>::process_usual(Vertex& v, const std::uint8_t* words) const {
+template <class M, class L> void Pipeline<M, L>::process_common(Vertex& v, const std::uint8_t* words) const {
     read_position(words, v);
     divide(v);
 }
 
 template <class M, class L> SPANGLE_INLINE void Pipeline<M, L>::divide(Vertex& v) const {
     typename M::template Projections<1> projection;
-    projection.add(0, transforms_, v.position, v.window, fogs());
+    projection.add(0, transforms_, v.position, v.window, has_fog());
     projection.finish(1);
     unsigned planes = 0;
     const bool divided = projection.divide(0, transforms_, v.position, v.window, planes);
@@ -82,7 +82,7 @@ template <class M, class L> SPANGLE_INLINE void Pipeline<M, L>::divide(Vertex& v
 template <class M, class L>
 SPANGLE_INLINE void Pipeline<M, L>::set_flags(Vertex& v, bool divided, unsigned planes) const {
     v.flags = divided ? planes : undivided_flags(v);
-    if (lit_)
+    if (is_lit_)
         v.flags |= uncolored;
 }
 
@@ -96,58 +96,60 @@ template <class M, class L> unsigned Pipeline<M, L>::undivided_flags(const Verte
 
 /// Copies the current texture coordinates to a vertex, and the current colour if it is not lit.
 template <class M, class L>
-SPANGLE_INLINE void Pipeline<M, L>::attributes(const CurrentState& current, Vertex& v) {
+SPANGLE_INLINE void Pipeline<M, L>::set_attributes_of(const CurrentState& current, Vertex& v) {
     if (raster::has_textures && units_ != 0)
-        textures(current, v);
-    if (lit_)
+        set_texture_coords(current, v);
+    if (is_lit_)
         return;
     set_unlit_color(current);
     M::copy_color(unlit_, v.window);
 }
 
 template <class M, class L> SPANGLE_INLINE void Pipeline<M, L>::set_unlit_color(const CurrentState& current) {
-    if (has_unlit_color_ && same<4>(unlit_color_, current.color))
+    if (has_unlit_color_ && equal_words<4>(unlit_color_, current.color))
         return;
     M::set_color(unlit_, current.color);
-    if (SPANGLE_FEATURE_SECONDARY_COLOR && sums_)
+    if (SPANGLE_FEATURE_SECONDARY_COLOR && has_color_sum_)
         M::set_secondary_color(unlit_, current.secondary_color);
     for (int c = 0; c < 4; ++c)
         unlit_color_[c] = current.color[c];
-    has_unlit_color_ = !sums_; // else a second colour would have to be compared, too
+    has_unlit_color_ = !has_color_sum_; // else a second colour would have to be compared, too
 }
 
 /// All four coordinates of a vertex behind the texture matrix of a unit.
 template <class M, class L>
 typename M::Eye Pipeline<M, L>::texture_of(const CurrentState& current, const Vertex& v, int unit) const {
-    const Real(&given)[4] = current.tex_coord[unit].v;
-    typename M::Scalar strq[4] = {M::scalar(given[0]), M::scalar(given[1]), M::scalar(given[2]),
-                                  M::scalar(given[3])};
+    const Real(&take_vertex_state)[4] = current.tex_coord[unit].v;
+    typename M::Scalar strq[4] = {M::scalar(take_vertex_state[0]), M::scalar(take_vertex_state[1]),
+                                  M::scalar(take_vertex_state[2]), M::scalar(take_vertex_state[3])};
     if ((texgen_.units() >> unit & 1) != 0)
-        texgen_.generate(transforms_, unit, v.position, v.normal, given, strq);
+        texgen_.generate(transforms_, unit, v.position, v.normal, take_vertex_state, strq);
     return M::texture_of(transforms_, strq, unit);
 }
 
 /// The coordinates of this unit are generated, or need r besides s, t and q.
-template <class M, class L> inline bool Pipeline<M, L>::generates(int unit) const {
+template <class M, class L> inline bool Pipeline<M, L>::has_texgen(int unit) const {
     return (SPANGLE_FEATURE_TEXGEN || raster::has_third_coordinates) &&
            ((texgen_.units() | units_ >> third_coordinate) >> unit & 1) != 0;
 }
 
-template <class M, class L> void Pipeline<M, L>::generated(const CurrentState& current, Vertex& v, int unit) {
-    const Real(&given)[4] = current.tex_coord[unit].v;
-    typename M::Scalar strq[4] = {M::scalar(given[0]), M::scalar(given[1]), M::scalar(given[2]),
-                                  M::scalar(given[3])};
+template <class M, class L>
+void Pipeline<M, L>::generate_texture_coords(const CurrentState& current, Vertex& v, int unit) {
+    const Real(&take_vertex_state)[4] = current.tex_coord[unit].v;
+    typename M::Scalar strq[4] = {M::scalar(take_vertex_state[0]), M::scalar(take_vertex_state[1]),
+                                  M::scalar(take_vertex_state[2]), M::scalar(take_vertex_state[3])};
     if ((texgen_.units() >> unit & 1) != 0)
-        texgen_.generate(transforms_, unit, v.position, v.normal, given, strq);
-    M::set_texture(transforms_, strq, unit, texgen_.keeps_q(unit) && given[3] == numeric::one, v.window);
+        texgen_.generate(transforms_, unit, v.position, v.normal, take_vertex_state, strq);
+    M::set_texture(transforms_, strq, unit, texgen_.keeps_q(unit) && take_vertex_state[3] == numeric::one,
+                   v.window);
 }
 
-template <class M, class L> void Pipeline<M, L>::textures(const CurrentState& current, Vertex& v) {
+template <class M, class L> void Pipeline<M, L>::set_texture_coords(const CurrentState& current, Vertex& v) {
     for (int u = 0; u < texture_units; ++u) {
         if ((units_ >> u & 1) == 0)
             continue;
-        if (generates(u))
-            generated(current, v, u);
+        if (has_texgen(u))
+            generate_texture_coords(current, v, u);
         else
             M::set_texture(transforms_, current.tex_coord[u].v, u, v.window);
         if constexpr (!raster::has_perspective)
@@ -171,9 +173,9 @@ template <class M, class L> template <class Point> unsigned Pipeline<M, L>::flag
 /// Sets the colours of a vertex in `out` by lighting; side 0 is the front, 1 the back.
 template <class M, class L> void Pipeline<M, L>::light(const Vertex& v, int side, Window& out) {
 #if SPANGLE_TWO_SIDES
-    if ((v.flags & is_cut) != 0) {
-        const Cut& cut = static_cast<const Cut&>(v);
-        return lighting_.light(*context_, cut.light, M::narrow(cut.eye), side, out);
+    if ((v.flags & is_clipped_vertex) != 0) {
+        const ClippedVertex& clip_edge = static_cast<const ClippedVertex&>(v);
+        return lighting_.light(*context_, clip_edge.light, M::narrow(clip_edge.eye), side, out);
     }
 #endif
     typename M::Eye eye{};
@@ -184,18 +186,18 @@ template <class M, class L> void Pipeline<M, L>::light(const Vertex& v, int side
 
 /// Takes what few programs use from the current state when a vertex is given: edge flag, fog coordinate,
 /// index. If the material follows the current colour, the vertex is lit at once.
-template <class M, class L> void Pipeline<M, L>::given(const CurrentState& current, Vertex& v) {
+template <class M, class L> void Pipeline<M, L>::take_vertex_state(const CurrentState& current, Vertex& v) {
     if (tells_reach && is_told(*context_))
-        reach_vertex(current, v);
+        record_vertex_reach(current, v);
     if (current.edge_flag)
         v.flags |= edge_flag;
-    if (fog_given_)
+    if (has_fog_coordinates_)
         M::set_fog_coordinate(M::fog_coordinate(current.fog_coord), v.window);
-    if (indexed() && !lit_)
+    if (has_color_index() && !is_lit_)
         M::set_index(current.index, index_bits_, v.window);
 #if SPANGLE_FEATURE_FEEDBACK
-    if (captures())
-        texture_[&v - slot_] = texture_of(current, v, 0);
+    if (is_capturing())
+        texture_coords_[&v - vertex_slot_] = texture_of(current, v, 0);
 #endif
     if (lighting_.tracks_color()) {
         color(v);
@@ -216,30 +218,31 @@ template <class M, class L> inline void Pipeline<M, L>::color(Vertex& v) {
 
 template <class M, class L> void Pipeline<M, L>::light(Vertex& v) {
     static constexpr typename M::Eye unseen{};
-    if ((SPANGLE_TWO_SIDES && (v.flags & is_cut) != 0) || lighting_.needs_eye())
+    if ((SPANGLE_TWO_SIDES && (v.flags & is_clipped_vertex) != 0) || lighting_.needs_eye())
         light(v, 0, v.window);
     else
         lighting_.light(*context_, v.normal, unseen, 0, v.window);
     v.flags &= ~uncolored;
 }
 
-/// Lights the back of a vertex of slot_ as well, before the material changes.
+/// Lights the back of a vertex of vertex_slot_ as well, before the material changes.
 template <class M, class L> inline void Pipeline<M, L>::color_back([[maybe_unused]] Vertex& v) {
 #if SPANGLE_TWO_SIDES
-    if (!two_sided_ || (v.flags & (back_known | is_cut)) != 0)
+    if (!has_two_sides_ || (v.flags & (back_known | is_clipped_vertex)) != 0)
         return;
     Window lit;
     light(v, 1, lit);
-    M::copy_color(lit, back_[&v - slot_]);
+    M::copy_color(lit, back_colors_[&v - vertex_slot_]);
     v.flags |= back_known;
 #endif
 }
 
 /// Sets the colours of the back of a vertex in `out`.
-template <class M, class L> inline void Pipeline<M, L>::back_of(const Vertex& v, Window& out) {
+template <class M, class L> inline void Pipeline<M, L>::light_back(const Vertex& v, Window& out) {
 #if SPANGLE_TWO_SIDES
     if ((v.flags & back_known) != 0)
-        return M::copy_color((v.flags & is_cut) != 0 ? static_cast<const Cut&>(v).back : back_[&v - slot_],
+        return M::copy_color((v.flags & is_clipped_vertex) != 0 ? static_cast<const ClippedVertex&>(v).back
+                                                                : back_colors_[&v - vertex_slot_],
                              out);
 #endif
     light(v, 1, out);
@@ -251,8 +254,9 @@ template <class M, class L> bool Pipeline<M, L>::project(Vertex& v) {
     if (!has_clipping || (v.flags & unprojected) == 0) // builds without clipping refuse other vertices
         return true;
     // The place must be the same whether a polygon that the vertex belongs to is clipped or not.
-    const typename M::Clip clip = M::narrow((v.flags & is_cut) != 0 ? static_cast<const Cut&>(v).clip
-                                                                    : M::clip_point(transforms_, v.position));
+    const typename M::Clip clip =
+        M::narrow((v.flags & is_clipped_vertex) != 0 ? static_cast<const ClippedVertex&>(v).clip
+                                                     : M::clip_point(transforms_, v.position));
     if (!M::in_front(clip))
         return false;
     M::project(transforms_, clip, v.window);

@@ -10,7 +10,7 @@ namespace spangle::gl {
 class ShadowLighting {
   public:
     using Product = FixedLighting;
-    using Input = Both<Product::Input, DoubleLighting::Input>;
+    using Input = FixedAndDouble<Product::Input, DoubleLighting::Input>;
 
     void derive(const Context& context, unsigned dirty) {
         fixed_.derive(context, dirty);

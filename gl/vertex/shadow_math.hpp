@@ -9,19 +9,19 @@
 namespace spangle::gl {
 
 /// A number in integers and its twin in double.
-template <class F, class D> struct Both {
+template <class F, class D> struct FixedAndDouble {
     F fixed;
     D twin;
 };
 
 struct ShadowMath {
     using Window = raster::ShadowVertex;
-    using Clip = Both<FixedMath::Clip, DoubleMath::Clip>;
-    using Eye = Both<FixedMath::Eye, DoubleMath::Eye>;
-    using Depth = Both<FixedMath::Depth, DoubleMath::Depth>;
-    using Point = Both<FixedMath::Point, DoubleMath::Point>;
-    using Parameter = Both<FixedMath::Parameter, DoubleMath::Parameter>;
-    using Transforms = Both<FixedMath::Transforms, DoubleMath::Transforms>;
+    using Clip = FixedAndDouble<FixedMath::Clip, DoubleMath::Clip>;
+    using Eye = FixedAndDouble<FixedMath::Eye, DoubleMath::Eye>;
+    using Depth = FixedAndDouble<FixedMath::Depth, DoubleMath::Depth>;
+    using Point = FixedAndDouble<FixedMath::Point, DoubleMath::Point>;
+    using Parameter = FixedAndDouble<FixedMath::Parameter, DoubleMath::Parameter>;
+    using Transforms = FixedAndDouble<FixedMath::Transforms, DoubleMath::Transforms>;
 
     static void derive(const TransformState& state, Transforms& out) {
         FixedMath::derive(state, out.fixed);
@@ -73,8 +73,8 @@ struct ShadowMath {
     }
     static bool in_front(const Clip& c) { return FixedMath::in_front(c.fixed); }
 
-    using Plane = Both<FixedMath::Plane, DoubleMath::Plane>;
-    using Distance = Both<numeric::Wide, DoubleMath::Distance>;
+    using Plane = FixedAndDouble<FixedMath::Plane, DoubleMath::Plane>;
+    using Distance = FixedAndDouble<numeric::Wide, DoubleMath::Distance>;
 
     static Plane plane(const Real (&equation)[4]) {
         return {FixedMath::plane(equation), DoubleMath::plane(equation)};
@@ -85,7 +85,7 @@ struct ShadowMath {
     static Distance distance(const Plane& p, const Point& eye) {
         return {FixedMath::distance(p.fixed, eye.fixed), DoubleMath::distance(p.twin, eye.twin)};
     }
-    static Both<numeric::Block, double> distance(const Plane& p, const Eye& eye) {
+    static FixedAndDouble<numeric::Block, double> distance(const Plane& p, const Eye& eye) {
         return {FixedMath::distance(p.fixed, eye.fixed), DoubleMath::distance(p.twin, eye.twin)};
     }
     static bool turned(const Plane& p) { return p.fixed.turned; }
@@ -101,11 +101,11 @@ struct ShadowMath {
             return {fixed, DoubleMath::intersect(a.twin, b.twin)};
         return {fixed, {std::ldexp(static_cast<double>(fixed.part.m), fixed.part.e), fixed.from_second}};
     }
-    static Point cut(const Point& a, const Point& b, int plane, int band, const Parameter& t) {
+    static Point clip_edge(const Point& a, const Point& b, int plane, int band, const Parameter& t) {
         const bool crosses =
             !DoubleMath::beyond(a.twin, plane, band) && DoubleMath::beyond(b.twin, plane, band);
-        return {FixedMath::cut(a.fixed, b.fixed, plane, band, t.fixed),
-                crosses ? DoubleMath::cut(a.twin, b.twin, plane, band, t.twin)
+        return {FixedMath::clip_edge(a.fixed, b.fixed, plane, band, t.fixed),
+                crosses ? DoubleMath::clip_edge(a.twin, b.twin, plane, band, t.twin)
                         : DoubleMath::mix(a.twin, b.twin, t.twin)};
     }
     static Point mix(const Point& a, const Point& b, const Parameter& t) {
@@ -189,7 +189,7 @@ struct ShadowMath {
         FixedMath::window_of(t.fixed, c.fixed, out);
     }
     static void color_of(const Window& v, Real (&out)[4]) { FixedMath::color_of(v.fixed, out); }
-    static void reals(const Eye& v, Real (&out)[4]) { FixedMath::reals(v.fixed, out); }
+    static void to_reals(const Eye& v, Real (&out)[4]) { FixedMath::to_reals(v.fixed, out); }
 
     static void set_color(Window& out, const Real (&rgba)[4]) {
         FixedMath::set_color(out.fixed, rgba);
@@ -230,9 +230,9 @@ struct ShadowMath {
     static void set_fog(const Depth& eye_z, Window& out) {
         FixedMath::set_fog(eye_z.fixed, out.fixed);
         DoubleMath::set_fog(eye_z.twin, out.twin);
-        relative(raster::ShadowStage::vertex_fog,
-                 std::ldexp(static_cast<double>(out.fixed.fog_mantissa), out.fixed.fog_exponent),
-                 out.twin.fog);
+        report_relative(raster::ShadowStage::vertex_fog,
+                        std::ldexp(static_cast<double>(out.fixed.fog_mantissa), out.fixed.fog_exponent),
+                        out.twin.fog);
     }
 
     static void set_fog_coordinate(const Depth& coordinate, Window& out) {
@@ -269,7 +269,7 @@ struct ShadowMath {
         return std::ldexp(static_cast<double>(v.w_mantissa), v.w_exponent);
     }
 
-    static void relative(raster::ShadowStage stage, double fixed, double exact) {
+    static void report_relative(raster::ShadowStage stage, double fixed, double exact) {
         raster::ShadowReport* const report = raster::shadow_report();
         if (report != nullptr && exact != 0.0)
             (*report)[stage].add_difference((fixed - exact) / exact, exact);
@@ -285,7 +285,7 @@ struct ShadowMath {
         (*report)[raster::ShadowStage::snapping].add(v.fixed.x, v.twin.x);
         (*report)[raster::ShadowStage::snapping].add(v.fixed.y, v.twin.y);
         (*report)[raster::ShadowStage::window_z].add(v.fixed.z / double{raster::depth_one}, v.twin.z, 1.0);
-        relative(raster::ShadowStage::inverse_w, inverse_w(v.fixed), v.twin.inv_w);
+        report_relative(raster::ShadowStage::inverse_w, inverse_w(v.fixed), v.twin.inv_w);
     }
 
     static void report_texture(const raster::FixedVertex::TexCoord& fixed,

@@ -13,7 +13,7 @@ template <class M> class TexGen {
     using Scalar = typename M::Scalar;
 
     void derive(const Context& context) {
-        units_ = 0;
+        generating_units_ = 0;
         bool normals = false;
         for (int u = 0; u < texture_units; ++u) {
             const TextureUnitState& state = context.texture.unit[u];
@@ -24,7 +24,7 @@ template <class M> class TexGen {
                 unit.mode[c] = state.gen_on[c] ? gen.mode : GLenum{GL_NONE};
                 if (!state.gen_on[c])
                     continue;
-                units_ |= 1u << u;
+                generating_units_ |= 1u << u;
                 const bool linear = gen.mode == GL_OBJECT_LINEAR || gen.mode == GL_EYE_LINEAR;
                 for (int k = 0; linear && k < 4; ++k)
                     unit.plane[c][k] =
@@ -33,13 +33,13 @@ template <class M> class TexGen {
             }
             normals = normals || unit.mapped;
         }
-        normalize_ = context.transform.normalize;
+        normalizes_ = context.transform.normalize;
         if (normals)
-            M::normal_matrix(context.transform, normal_);
+            M::normal_matrix(context.transform, normal_matrix_);
     }
 
     /// Bit u: some coordinate of unit u is generated.
-    unsigned units() const { return units_; }
+    unsigned units() const { return generating_units_; }
     /// The q of this unit is not generated.
     bool keeps_q(int unit) const { return unit_[unit].mode[3] == GL_NONE; }
 
@@ -87,10 +87,10 @@ template <class M> class TexGen {
         bool mapped = false; ///< some coordinate needs the normal
         Scalar plane[4][4];
     };
-    unsigned units_ = 0;
-    bool normalize_ = false;
+    unsigned generating_units_ = 0;
+    bool normalizes_ = false;
     Unit unit_[texture_units];
-    Scalar normal_[9]; ///< column-major
+    Scalar normal_matrix_[9]; ///< column-major
 
     /// The scalar product of n components; the components of `a` are `step` apart.
     static Scalar dot(const Scalar* a, const Scalar* b, int n, int step = 1) {
@@ -109,8 +109,8 @@ template <class M> class TexGen {
     void eye_normal(const Real (&given)[3], Scalar (&n)[3]) const {
         const Scalar v[3] = {M::scalar(given[0]), M::scalar(given[1]), M::scalar(given[2])};
         for (int i = 0; i < 3; ++i)
-            n[i] = dot(normal_ + i, v, 3, 3);
-        if (normalize_)
+            n[i] = dot(normal_matrix_ + i, v, 3, 3);
+        if (normalizes_)
             make_unit(n);
     }
 

@@ -11,26 +11,26 @@ namespace spangle::gl {
 template <class M> class UserPlanes {
   public:
     void derive(const TransformState& state) {
-        count_ = 0;
+        plane_count_ = 0;
         for (int i = 0; i < max_clip_planes; ++i)
             if (state.clip_plane_on[i])
-                plane_[count_++] = M::plane(state.clip_plane[i]);
+                plane_[plane_count_++] = M::plane(state.clip_plane[i]);
     }
 
-    bool any() const { return count_ != 0; }
-    int count() const { return count_; }
+    bool any() const { return plane_count_ != 0; }
+    int count() const { return plane_count_; }
     const typename M::Plane& operator[](int i) const { return plane_[i]; }
 
     /// Bit i: the point is outside of plane i.
     unsigned outside(const typename M::Eye& eye) const {
         unsigned planes = 0;
-        for (int i = 0; i < count_; ++i)
+        for (int i = 0; i < plane_count_; ++i)
             planes |= M::outside(plane_[i], M::distance(plane_[i], eye)) ? 1u << i : 0u;
         return planes;
     }
 
   private:
-    int count_ = 0;
+    int plane_count_ = 0;
     typename M::Plane plane_[max_clip_planes];
 };
 

@@ -92,7 +92,7 @@ std::uint64_t bus_cycles(const BusCaps& caps, std::uint64_t bits) {
 }
 
 /// What a list asks of the bus. It is summed before times are computed, as divisions are dear on small cores.
-struct Work {
+struct BusWork {
     std::uint64_t bytes = 0, read_bits = 0, micros = 0;
     std::uint32_t commands = 0;
 
@@ -135,14 +135,14 @@ std::int64_t wire_nanoseconds(const BusCaps& caps, std::uint64_t bytes) {
 }
 
 std::uint64_t OpList::bytes() const {
-    Work work;
+    BusWork work;
     for (std::size_t i = 0; i < size_; ++i)
         work.add(ops_[i]);
     return work.bytes;
 }
 
 std::uint32_t OpList::duration(const BusCaps& caps) const {
-    Work work;
+    BusWork work;
     for (std::size_t i = 0; i < size_; ++i)
         work.add(ops_[i]);
     std::uint64_t micros = work.micros + wire_time(caps, work.bytes);

@@ -11,22 +11,24 @@ class FramePlan {
   public:
     /// `spans`: a plan of the row hash, whose code is `code`; or null.
     FramePlan(const WindowPlan& rows, SpanPlan* spans, const RowHashCode* code)
-        : rows_(rows), spans_(spans), code_(code),
-          by_spans_(spans != nullptr && spans->total() < rows.total()) {}
+        : window_plan_(rows), span_plan_(spans), row_hashes_(code),
+          uses_spans_(spans != nullptr && spans->total_cost() < rows.total_cost()) {}
 
     /// The next window from the top, or false after the last.
-    bool next(Rect& window) { return by_spans_ ? code_->next(*spans_, window) : rows_.next(window); }
+    bool next(Rect& window) {
+        return uses_spans_ ? row_hashes_->next(*span_plan_, window) : window_plan_.next(window);
+    }
     void rewind() {
-        rows_.rewind();
-        if (by_spans_)
-            spans_->rewind();
+        window_plan_.rewind();
+        if (uses_spans_)
+            span_plan_->rewind();
     }
 
   private:
-    WindowPlan rows_;
-    SpanPlan* spans_;
-    const RowHashCode* code_;
-    bool by_spans_;
+    WindowPlan window_plan_;
+    SpanPlan* span_plan_;
+    const RowHashCode* row_hashes_;
+    bool uses_spans_;
 };
 
 } // namespace spangle::hal

@@ -17,32 +17,32 @@ const RowHashCode row_hash_code = {
     [](SpanPlan& plan, Rect& window) { return plan.next(window); }};
 
 SpanPlan::SpanPlan(const RowHash& hash, const WindowCost& cost)
-    : changed_(hash.changed()), width_(hash.width()), height_(hash.height()), cost_(cost), total_(0),
-      windows_(hash.memory().windows) {
+    : changed_cells_(hash.changed()), width_(hash.width()), height_(hash.height()), cost_(cost),
+      total_cost_(0), windows_(hash.memory().windows) {
     for (Rect w; next(w);)
-        total_ += cost_.window + static_cast<std::uint32_t>(w.w * w.h) * cost_.pixel;
+        total_cost_ += cost_.window + static_cast<std::uint32_t>(w.w * w.h) * cost_.pixel;
     rewind();
 }
 
 bool SpanPlan::next(Rect& out) {
-    while (row_ < height_ && (count_ == 0 || !settled()))
+    while (next_row_ < height_ && (window_count_ == 0 || !settled()))
         plan_row();
-    if (count_ == 0)
+    if (window_count_ == 0)
         return false;
     const Window& w = window(0);
     out = {w.begin, w.top, w.end - w.begin, w.bottom - w.top};
-    first_ = (first_ + 1) % room;
-    --count_;
+    first_window_ = (first_window_ + 1) % room;
+    --window_count_;
     return true;
 }
 
 void SpanPlan::plan_row() {
-    std::uint32_t cells = changed_[row_];
-    for (std::int32_t i = 0; i < count_ && cells != 0; ++i)
-        if (window(i).bottom == row_)
-            cells = absorb(window(i), cells);
+    std::uint32_t cells = changed_cells_[next_row_];
+    for (std::int32_t i = 0; i < window_count_ && cells != 0; ++i)
+        if (window(i).bottom == next_row_)
+            cells = merge_window(window(i), cells);
     open_windows(cells);
-    ++row_;
+    ++next_row_;
 }
 
 SpanPlan::Run SpanPlan::first_run(std::uint32_t cells) const {
@@ -58,19 +58,19 @@ std::uint32_t SpanPlan::without(std::uint32_t cells, Run run) {
 
 /// The cost of the window that the plain way opens for this run: nothing where the row above has the same
 /// run.
-std::int32_t SpanPlan::saved(Run run) const {
-    if (row_ != 0) {
+std::int32_t SpanPlan::saved_bytes(Run run) const {
+    if (next_row_ != 0) {
         const std::int32_t first = run.begin / cell, last = (run.end - 1) / cell;
         const std::uint32_t inside = 0xFFFFFFFFu >> (31 - (last - first)) << first;
         const std::uint32_t around = inside | inside << 1 | inside >> 1;
-        if ((changed_[row_ - 1] & around) == inside)
+        if ((changed_cells_[next_row_ - 1] & around) == inside)
             return 0;
     }
     return static_cast<std::int32_t>(cost_.window);
 }
 
 /// Widens the window above by the runs that it can afford; returns the cells that it did not take.
-std::uint32_t SpanPlan::absorb(Window& above, std::uint32_t cells) const {
+std::uint32_t SpanPlan::merge_window(Window& above, std::uint32_t cells) const {
     std::int32_t begin = above.begin, end = above.end, pixels = 0, spare = above.spare;
     std::uint32_t taken = 0;
     for (std::uint32_t rest = cells; rest != 0;) {
@@ -80,7 +80,7 @@ std::uint32_t SpanPlan::absorb(Window& above, std::uint32_t cells) const {
             begin = run.begin < begin ? run.begin : begin;
             end = run.end > end ? run.end : end;
             pixels += run.end - run.begin;
-            spare += saved(run);
+            spare += saved_bytes(run);
             taken |= rest ^ after;
         }
         rest = after;
@@ -91,7 +91,7 @@ std::uint32_t SpanPlan::absorb(Window& above, std::uint32_t cells) const {
     if (taken == 0 || spare < 0)
         return cells;
     above = {static_cast<std::int16_t>(begin), static_cast<std::int16_t>(end), above.top,
-             static_cast<std::int16_t>(row_ + 1), spare};
+             static_cast<std::int16_t>(next_row_ + 1), spare};
     return cells & ~taken;
 }
 
@@ -103,14 +103,15 @@ void SpanPlan::open_windows(std::uint32_t cells) {
         while (cells != 0) {
             const Run next = first_run(cells);
             const std::int32_t gap = (next.begin - run.end) * static_cast<std::int32_t>(cost_.pixel);
-            if (spare + saved(next) < gap)
+            if (spare + saved_bytes(next) < gap)
                 break;
-            spare += saved(next) - gap;
+            spare += saved_bytes(next) - gap;
             run.end = next.end;
             cells = without(cells, next);
         }
-        window(count_++) = {static_cast<std::int16_t>(run.begin), static_cast<std::int16_t>(run.end),
-                            static_cast<std::int16_t>(row_), static_cast<std::int16_t>(row_ + 1), spare};
+        window(window_count_++) = {static_cast<std::int16_t>(run.begin), static_cast<std::int16_t>(run.end),
+                                   static_cast<std::int16_t>(next_row_),
+                                   static_cast<std::int16_t>(next_row_ + 1), spare};
     }
 }
 

@@ -24,9 +24,9 @@ class SpanPlan {
 
     /// The next window from the top, or false after the last.
     bool next(Rect& window);
-    void rewind() { row_ = first_ = count_ = 0; }
+    void rewind() { next_row_ = first_window_ = window_count_ = 0; }
     /// Cost of all windows; UINT32_MAX without a plan.
-    std::uint32_t total() const { return total_; }
+    std::uint32_t total_cost() const { return total_cost_; }
 
   private:
     static constexpr std::int32_t room = RowHashMemory::window_count, most_runs = 16;
@@ -35,22 +35,24 @@ class SpanPlan {
         std::int32_t begin, end; ///< columns
     };
 
-    Window& window(std::int32_t i) const { return windows_[(first_ + i) % room]; }
-    bool settled() const { return row_ == height_ || count_ > room - most_runs || window(0).bottom < row_; }
+    Window& window(std::int32_t i) const { return windows_[(first_window_ + i) % room]; }
+    bool settled() const {
+        return next_row_ == height_ || window_count_ > room - most_runs || window(0).bottom < next_row_;
+    }
     void plan_row();
-    std::int32_t saved(Run run) const;
-    std::uint32_t absorb(Window& above, std::uint32_t cells) const;
+    std::int32_t saved_bytes(Run run) const;
+    std::uint32_t merge_window(Window& above, std::uint32_t cells) const;
     void open_windows(std::uint32_t cells);
     Run first_run(std::uint32_t cells) const;
     static std::uint32_t without(std::uint32_t cells, Run run);
 
-    const std::uint32_t* changed_ = nullptr;
+    const std::uint32_t* changed_cells_ = nullptr;
     std::int32_t width_ = 0, height_ = 0;
     WindowCost cost_;
-    std::uint32_t total_ = UINT32_MAX;
-    std::int32_t row_ = 0;      ///< the next row to be planned
-    Window* windows_ = nullptr; ///< a ring of `count_` windows from `first_` on, by their top
-    std::int32_t first_ = 0, count_ = 0;
+    std::uint32_t total_cost_ = UINT32_MAX;
+    std::int32_t next_row_ = 0; ///< the next row to be planned
+    Window* windows_ = nullptr; ///< a ring of `window_count_` windows from `first_window_` on, by their top
+    std::int32_t first_window_ = 0, window_count_ = 0;
 };
 
 } // namespace spangle::hal

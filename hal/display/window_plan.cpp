@@ -40,7 +40,7 @@ std::uint32_t WindowPlan::payload(const Rect& r) const {
 }
 
 WindowPlan::Run WindowPlan::run_from(std::int32_t first) const {
-    Run run{first, first, rows_[first], total_};
+    Run run{first, first, rows_[first], total_cost_};
     while (run.last + 1 < height_ && rows_[run.last + 1] == run.columns)
         ++run.last;
     return run;
@@ -78,7 +78,7 @@ void WindowPlan::plan() {
         ring[count++ % reach] = run;
         const Choice best = best_group(ring, count);
         links_[run.last] = static_cast<std::uint16_t>(best.first);
-        total_ = best.cost;
+        total_cost_ = best.cost;
         last = y = run.last;
     }
     reverse_links(last);
@@ -96,28 +96,29 @@ void WindowPlan::reverse_links(std::int32_t last) {
 
 bool WindowPlan::next_group(Rect& window) {
     window = Rect{};
-    while (at_ < height_ && empty(rows_[at_]))
-        ++at_;
-    if (at_ >= height_)
+    while (next_row_ < height_ && empty(rows_[next_row_]))
+        ++next_row_;
+    if (next_row_ >= height_)
         return false;
-    const std::int32_t first = at_, last = links_[first];
+    const std::int32_t first = next_row_, last = links_[first];
     RowSpan box;
-    for (; at_ <= last; ++at_)
-        box = around(box, rows_[at_]);
+    for (; next_row_ <= last; ++next_row_)
+        box = around(box, rows_[next_row_]);
     window = {box.begin, first, box.end - box.begin, last - first + 1};
     return true;
 }
 
 bool WindowPlan::next(Rect& window) {
-    if (pending_.h == 0)
+    if (pending_window_.h == 0)
         return false;
-    window = pending_;
-    while (next_group(pending_)) {
-        const std::int32_t x0 = window.x < pending_.x ? window.x : pending_.x;
-        const std::int32_t x1 =
-            window.x + window.w > pending_.x + pending_.w ? window.x + window.w : pending_.x + pending_.w;
-        const Rect joined = {x0, window.y, x1 - x0, pending_.y + pending_.h - window.y};
-        if (payload(joined) > payload(window) + payload(pending_) + cost_.window)
+    window = pending_window_;
+    while (next_group(pending_window_)) {
+        const std::int32_t x0 = window.x < pending_window_.x ? window.x : pending_window_.x;
+        const std::int32_t x1 = window.x + window.w > pending_window_.x + pending_window_.w
+                                    ? window.x + window.w
+                                    : pending_window_.x + pending_window_.w;
+        const Rect joined = {x0, window.y, x1 - x0, pending_window_.y + pending_window_.h - window.y};
+        if (payload(joined) > payload(window) + payload(pending_window_) + cost_.window)
             break;
         window = joined;
     }

@@ -39,11 +39,11 @@ class WindowPlan {
     /// The next window from the top, or false after the last.
     bool next(Rect& window);
     void rewind() {
-        at_ = 0;
-        next_group(pending_);
+        next_row_ = 0;
+        next_group(pending_window_);
     }
     /// Cost of all windows as planned.
-    std::uint32_t total() const { return total_; }
+    std::uint32_t total_cost() const { return total_cost_; }
 
   private:
     struct Run {
@@ -67,9 +67,9 @@ class WindowPlan {
     std::uint16_t* links_; ///< while planning: group's first row at its last; then its last row at its first
     std::int32_t height_;
     WindowCost cost_;
-    std::uint32_t total_ = 0;
-    std::int32_t at_ = 0;
-    Rect pending_; ///< read ahead, to be joined with what follows
+    std::uint32_t total_cost_ = 0;
+    std::int32_t next_row_ = 0;
+    Rect pending_window_; ///< read ahead, to be joined with what follows
 };
 
 } // namespace spangle::hal

@@ -41,26 +41,26 @@ template <class Color, class Value> class Row {
   public:
     Row() = default;
     Row(const Picture& picture, std::int32_t y)
-        : at_(picture.pixels + static_cast<std::ptrdiff_t>(y) * picture.stride),
-          bytes_(format_info(picture.format).bytes_per_pixel),
-          high_(picture.format == PixelFormat::rgb565_be ? 0 : 1),
+        : source_(picture.pixels + static_cast<std::ptrdiff_t>(y) * picture.stride),
+          bytes_per_pixel_(format_info(picture.format).bytes_per_pixel),
+          high_bits_(picture.format == PixelFormat::rgb565_be ? 0 : 1),
           palette_(is_indexed(picture.format) ? picture.palette : nullptr),
           thresholds_(dither_row(picture.height - 1 - y)) {}
 
     std::uint32_t operator[](std::int32_t x) const {
-        return Value{}(Color(pixel(x), high_), dither_threshold(thresholds_, x));
+        return Value{}(Color(pixel(x), high_bits_), dither_threshold(thresholds_, x));
     }
 
   private:
     const std::uint8_t* pixel(std::int32_t x) const {
         if constexpr (SPANGLE_FEATURE_COLOR_INDEX && std::is_same_v<Color, Of888>)
             if (palette_ != nullptr)
-                return palette_->color[at_[x]];
-        return at_ + static_cast<std::ptrdiff_t>(x) * bytes_;
+                return palette_->color[source_[x]];
+        return source_ + static_cast<std::ptrdiff_t>(x) * bytes_per_pixel_;
     }
 
-    const std::uint8_t* at_ = nullptr;
-    std::int32_t bytes_ = 0, high_ = 0;
+    const std::uint8_t* source_ = nullptr;
+    std::int32_t bytes_per_pixel_ = 0, high_bits_ = 0;
     const Palette* palette_ = nullptr;
     std::uint32_t thresholds_ = 0;
 };

@@ -16,7 +16,7 @@ Fault fault_of(DeviceClass kind, int error) {
         return Fault::busy;
     case ETIMEDOUT:
     case EAGAIN:
-    case EINTR: // both only after the patience of persist() ended
+    case EINTR: // both only after the patience of retry_interrupted() ended
         return Fault::timeout;
     case ENXIO: // an I2C adapter's word for "no acknowledge" (Linux, i2c/fault-codes)
         return kind == DeviceClass::i2c ? Fault::no_answer : Fault::gone;

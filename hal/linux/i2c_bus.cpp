@@ -53,10 +53,11 @@ Result<void> I2cBus::open() {
     if (config_.clock_hz == 0 || config_.message_bytes < 2 || config_.message_bytes > most_bytes)
         return Error{Fault::bad_argument, "i2c: a clock, and messages of 2 to 8192 bytes"};
     close_device();
-    device_ = persist([&] { return ::open(config_.device, O_RDWR | O_CLOEXEC); });
+    device_ = retry_interrupted([&] { return ::open(config_.device, O_RDWR | O_CLOEXEC); });
     if (device_ < 0)
         return failed("open");
-    if (persist([&] { return ioctl(device_, I2C_SLAVE, static_cast<unsigned long>(config_.address)); }) < 0) {
+    if (retry_interrupted(
+            [&] { return ioctl(device_, I2C_SLAVE, static_cast<unsigned long>(config_.address)); }) < 0) {
         const bool taken = errno == EBUSY;
         const Error error = failed("address", taken ? "a kernel driver has this device; unbind it" : nullptr);
         close_device();
@@ -94,7 +95,8 @@ Result<void> I2cBus::put(Byte kind, const std::uint8_t* bytes, std::size_t count
 /// Sends the message. What was cut off goes on in another message, behind a control byte of its own.
 Result<void> I2cBus::flush() {
     while (message_.size() > 1) {
-        const auto sent = persist([&] { return ::write(device_, message_.data(), message_.size()); });
+        const auto sent =
+            retry_interrupted([&] { return ::write(device_, message_.data(), message_.size()); });
         if (sent < 0)
             return failed("write", errno == ENXIO || errno == EREMOTEIO
                                        ? "no acknowledge; is the address right, and the panel powered?"

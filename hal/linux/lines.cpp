@@ -41,7 +41,7 @@ Result<void> Lines::open_checked(const char* chip, std::span<const unsigned> off
 template <class Call> Result<void> Lines::run(const char* operation, Call call) {
     if (!opened())
         return error_.say(Fault::bad_argument, "gpio", operation, "the lines were not opened");
-    if (persist(call) < 0)
+    if (retry_interrupted(call) < 0)
         return failed(operation);
     return {};
 }
@@ -79,17 +79,17 @@ Result<std::uint64_t> EdgeLine::next_edge(std::uint32_t timeout_micros) {
     std::uint64_t time = 0;
     // Edges from before this call are dropped: they would start the frame in the middle of a scan.
     for (int stale = 0; stale < most_stale_edges; ++stale) {
-        const int queued = persist([&] { return wait(0); });
+        const int queued = retry_interrupted([&] { return wait(0); });
         if (queued < 0)
             return failed("wait for edge");
         if (queued == 0)
             break;
-        if (persist([&] { return take(time); }) < 0)
+        if (retry_interrupted([&] { return take(time); }) < 0)
             return failed("read edge");
     }
     const std::int64_t deadline = monotonic_now() + std::int64_t{timeout_micros} * 1000;
     std::int64_t left = std::int64_t{timeout_micros} * 1000;
-    const int came = persist([&] {
+    const int came = retry_interrupted([&] {
         const int answer = wait(left > 0 ? left : 0);
         left = deadline - monotonic_now();
         return answer;
@@ -99,7 +99,7 @@ Result<std::uint64_t> EdgeLine::next_edge(std::uint32_t timeout_micros) {
     if (came == 0)
         return error_.say(Fault::timeout, name_, "wait for edge",
                           "none came in time; is the panel's TE output wired, and TEON (35h) sent?");
-    if (persist([&] { return take(time); }) < 0)
+    if (retry_interrupted([&] { return take(time); }) < 0)
         return failed("read edge");
     return time;
 }

@@ -17,7 +17,7 @@ namespace {
 
 gpiod_chip* open_path(const char* path) {
     gpiod_chip* chip = nullptr;
-    persist([&] { return (chip = gpiod_chip_open(path)) != nullptr ? 0 : -1; });
+    retry_interrupted([&] { return (chip = gpiod_chip_open(path)) != nullptr ? 0 : -1; });
     return chip;
 }
 
@@ -97,7 +97,8 @@ Result<void> Lines::open(const char* chip, std::span<const unsigned> offsets, co
         line_consumer,
         levels != nullptr ? GPIOD_LINE_REQUEST_DIRECTION_OUTPUT : GPIOD_LINE_REQUEST_DIRECTION_INPUT, 0};
     const Values values = values_of(levels != nullptr ? *levels : 0);
-    if (persist([&] { return gpiod_line_request_bulk(&request->bulk, &config, values.data()); }) != 0) {
+    if (retry_interrupted([&] { return gpiod_line_request_bulk(&request->bulk, &config, values.data()); }) !=
+        0) {
         const int error = errno;
         char text[64];
         const char* const user = error == EBUSY ? holder(request->bulk, count) : nullptr;
@@ -164,7 +165,7 @@ Result<void> EdgeLine::open(const LineRef& ref) {
     const int type =
         ref.inverted ? GPIOD_LINE_REQUEST_EVENT_FALLING_EDGE : GPIOD_LINE_REQUEST_EVENT_RISING_EDGE;
     const gpiod_line_request_config config = {line_consumer, type, 0};
-    if (persist([&] { return gpiod_line_request(line, &config, 0); }) != 0) {
+    if (retry_interrupted([&] { return gpiod_line_request(line, &config, 0); }) != 0) {
         const int error = errno;
         char text[64];
         const bool taken = error == EBUSY && gpiod_line_update(line) == 0 && gpiod_line_is_used(line);

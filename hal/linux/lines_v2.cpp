@@ -14,22 +14,22 @@
 namespace spangle::hal {
 namespace {
 
-template <auto Free> struct Freed {
+template <auto Free> struct FreeDeleter {
     template <class T> void operator()(T* object) const { Free(object); }
 };
-using Chip = std::unique_ptr<gpiod_chip, Freed<gpiod_chip_close>>;
-using ChipInfo = std::unique_ptr<gpiod_chip_info, Freed<gpiod_chip_info_free>>;
-using LineInfo = std::unique_ptr<gpiod_line_info, Freed<gpiod_line_info_free>>;
-using Settings = std::unique_ptr<gpiod_line_settings, Freed<gpiod_line_settings_free>>;
-using LineConfig = std::unique_ptr<gpiod_line_config, Freed<gpiod_line_config_free>>;
-using RequestConfig = std::unique_ptr<gpiod_request_config, Freed<gpiod_request_config_free>>;
-using LineRequest = std::unique_ptr<gpiod_line_request, Freed<gpiod_line_request_release>>;
-using Events = std::unique_ptr<gpiod_edge_event_buffer, Freed<gpiod_edge_event_buffer_free>>;
+using Chip = std::unique_ptr<gpiod_chip, FreeDeleter<gpiod_chip_close>>;
+using ChipInfo = std::unique_ptr<gpiod_chip_info, FreeDeleter<gpiod_chip_info_free>>;
+using LineInfo = std::unique_ptr<gpiod_line_info, FreeDeleter<gpiod_line_info_free>>;
+using Settings = std::unique_ptr<gpiod_line_settings, FreeDeleter<gpiod_line_settings_free>>;
+using LineConfig = std::unique_ptr<gpiod_line_config, FreeDeleter<gpiod_line_config_free>>;
+using RequestConfig = std::unique_ptr<gpiod_request_config, FreeDeleter<gpiod_request_config_free>>;
+using LineRequest = std::unique_ptr<gpiod_line_request, FreeDeleter<gpiod_line_request_release>>;
+using Events = std::unique_ptr<gpiod_edge_event_buffer, FreeDeleter<gpiod_edge_event_buffer_free>>;
 using Values = std::array<gpiod_line_value, Lines::most>;
 
 Chip open_path(const char* path) {
     Chip chip;
-    persist([&] {
+    retry_interrupted([&] {
         chip.reset(gpiod_chip_open(path));
         return chip ? 0 : -1;
     });
@@ -93,7 +93,7 @@ LineRequest request_lines(gpiod_chip* chip, gpiod_line_config* lines) {
         return nullptr;
     gpiod_request_config_set_consumer(config.get(), line_consumer);
     LineRequest request;
-    persist([&] {
+    retry_interrupted([&] {
         request.reset(gpiod_chip_request_lines(chip, config.get(), lines));
         return request ? 0 : -1;
     });

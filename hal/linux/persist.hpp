@@ -14,7 +14,7 @@ inline constexpr int most_patience = 100; ///< waits of 1 ms
 
 /// Repeats a call while a signal interrupts it (EINTR) or the device is not ready (EAGAIN), within these
 /// bounds. Returns its last answer, which is negative on an error in errno.
-template <class Call> auto persist(Call call) {
+template <class Call> auto retry_interrupted(Call call) {
     int interrupted = 0, waited = 0;
     for (;;) {
         const auto answer = call();

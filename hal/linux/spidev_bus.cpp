@@ -21,12 +21,12 @@ constexpr std::size_t default_bufsiz = 4096, largest_bufsiz = 1 << 20;
 
 std::size_t kernel_bufsiz() {
     unsigned long size = 0;
-    const int file =
-        persist([] { return ::open("/sys/module/spidev/parameters/bufsiz", O_RDONLY | O_CLOEXEC); });
+    const int file = retry_interrupted(
+        [] { return ::open("/sys/module/spidev/parameters/bufsiz", O_RDONLY | O_CLOEXEC); });
     if (file < 0)
         return default_bufsiz;
     char text[24] = {};
-    if (persist([&] { return ::read(file, text, sizeof text - 1); }) > 0)
+    if (retry_interrupted([&] { return ::read(file, text, sizeof text - 1); }) > 0)
         std::sscanf(text, "%lu", &size);
     ::close(file);
     const std::size_t whole = size - size % dma_alignment;
@@ -82,7 +82,7 @@ Result<void> SpidevBus::open() {
         return Error{Fault::bad_argument, "spidev: start bytes stand for D/C, which has a line too"};
     close_device();
     dc_.close();
-    device_ = persist([&] { return ::open(config_.device, O_RDWR | O_CLOEXEC); });
+    device_ = retry_interrupted([&] { return ::open(config_.device, O_RDWR | O_CLOEXEC); });
     if (device_ < 0)
         return failed("open");
     const Result<void> opened = open_rest();
@@ -114,18 +114,18 @@ Result<void> SpidevBus::configure() {
     if (three_wire() && config_.read_hz != 0)
         mode |= SPI_3WIRE;
     std::uint32_t hz = config_.write_hz;
-    if (persist([&] { return ioctl(device_, SPI_IOC_WR_MODE, &mode); }) < 0)
+    if (retry_interrupted([&] { return ioctl(device_, SPI_IOC_WR_MODE, &mode); }) < 0)
         return failed("set SPI mode");
     if (const auto r = configure_word(); !r)
         return r;
-    if (persist([&] { return ioctl(device_, SPI_IOC_WR_MAX_SPEED_HZ, &hz); }) < 0) {
+    if (retry_interrupted([&] { return ioctl(device_, SPI_IOC_WR_MAX_SPEED_HZ, &hz); }) < 0) {
         char operation[48];
         std::snprintf(operation, sizeof operation, "set the clock to %u Hz", static_cast<unsigned>(hz));
         return failed(operation);
     }
     // A controller that cannot go so fast takes its fastest: deadlines follow it.
     actual_hz_ = config_.write_hz;
-    if (persist([&] { return ioctl(device_, SPI_IOC_RD_MAX_SPEED_HZ, &hz); }) >= 0 && hz != 0 &&
+    if (retry_interrupted([&] { return ioctl(device_, SPI_IOC_RD_MAX_SPEED_HZ, &hz); }) >= 0 && hz != 0 &&
         hz < actual_hz_)
         actual_hz_ = hz;
     return {};
@@ -136,13 +136,13 @@ Result<void> SpidevBus::configure() {
 Result<void> SpidevBus::configure_word() {
     std::uint8_t bits = three_wire() ? word_bits : byte_bits;
     packed_ = false;
-    if (persist([&] { return ioctl(device_, SPI_IOC_WR_BITS_PER_WORD, &bits); }) >= 0)
+    if (retry_interrupted([&] { return ioctl(device_, SPI_IOC_WR_BITS_PER_WORD, &bits); }) >= 0)
         return {};
     if (!three_wire() || errno != EINVAL)
         return failed("set bits per word");
     packed_ = true;
     bits = byte_bits;
-    if (persist([&] { return ioctl(device_, SPI_IOC_WR_BITS_PER_WORD, &bits); }) < 0)
+    if (retry_interrupted([&] { return ioctl(device_, SPI_IOC_WR_BITS_PER_WORD, &bits); }) < 0)
         return failed("set bits per word");
     return {};
 }
@@ -254,7 +254,7 @@ Result<void> SpidevBus::send(bool data, const std::uint8_t* bytes, std::size_t c
         transfer.tx_buf = address(bytes);
         transfer.len = static_cast<std::uint32_t>(count);
         transfer.speed_hz = config_.write_hz;
-        const int sent = persist([&] { return ioctl(device_, SPI_IOC_MESSAGE(1), &transfer); });
+        const int sent = retry_interrupted([&] { return ioctl(device_, SPI_IOC_MESSAGE(1), &transfer); });
         if (sent < 0)
             return failed("write");
         const auto taken = static_cast<std::size_t>(sent);
@@ -301,7 +301,7 @@ Result<void> SpidevBus::read(const Op& op) {
     transfers[1].len = static_cast<std::uint32_t>(answer.size());
     transfers[1].bits_per_word = byte_bits;
     transfers[0].speed_hz = transfers[1].speed_hz = config_.read_hz;
-    const int moved = persist([&] { return ioctl(device_, SPI_IOC_MESSAGE(2), transfers); });
+    const int moved = retry_interrupted([&] { return ioctl(device_, SPI_IOC_MESSAGE(2), transfers); });
     if (moved < 0)
         return failed("read");
     if (static_cast<std::uint32_t>(moved) != transfers[0].len + transfers[1].len)

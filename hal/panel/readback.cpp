@@ -60,7 +60,7 @@ void widen_565(std::uint8_t* rgb, std::uint32_t pixels) {
 }
 
 /// The identity that is read from a data line that floats high.
-std::uint32_t ones(const Identity& identity) {
+std::uint32_t all_ones_identity(const Identity& identity) {
     return 0xFFFFFFu >> (24u - 8u * (identity.bytes < 3 ? identity.bytes : 3u));
 }
 
@@ -144,7 +144,7 @@ static Result<PanelStatus> read_identity_alone(Bus& bus, const PanelDesc& panel,
         return done.error();
     PanelStatus status;
     status.id = big_endian(scratch.id, static_cast<int>(bytes));
-    status.status = status.id == ones(panel.identity) ? 0xFFFFFFFF : 0;
+    status.status = status.id == all_ones_identity(panel.identity) ? 0xFFFFFFFF : 0;
     return status;
 }
 
@@ -155,7 +155,8 @@ Result<void> check_identity(Bus& bus, const PanelDesc& panel, ReadScratch& scrat
     if (!answer)
         return answer.error();
     const std::uint32_t id = answer.value().id, status = answer.value().status;
-    const bool floating = (id == 0 && status == 0) || (id == ones(panel.identity) && status == 0xFFFFFFFF);
+    const bool floating =
+        (id == 0 && status == 0) || (id == all_ones_identity(panel.identity) && status == 0xFFFFFFFF);
     if (floating)
         return Error{Fault::no_answer, "panel: the identity and RDDST (09h) read a line nobody drives", id};
     if ((id & panel.identity.mask) != panel.identity.id)

@@ -65,13 +65,13 @@ struct FtdiBus::Engine {
     Result<void> address(bool data);
     Result<void> write(const std::uint8_t* bytes, std::size_t count);
     Result<void> answer(std::uint8_t* into, std::size_t count, std::uint32_t micros);
-    Result<void> fence(std::uint32_t micros = 0);
-    std::uint32_t patience(std::size_t bytes) const;
+    Result<void> wait_for_wire(std::uint32_t micros = 0);
+    std::uint32_t timeout_for(std::size_t bytes) const;
 };
 
 // --- The stream
 
-std::uint32_t FtdiBus::Engine::patience(std::size_t bytes) const {
+std::uint32_t FtdiBus::Engine::timeout_for(std::size_t bytes) const {
     const std::uint64_t slowest = clock_of(divisor_for(config.write_hz));
     return config.timeout_ms + static_cast<std::uint32_t>(std::uint64_t{bytes} * 8 * 1000 / slowest);
 }
@@ -82,7 +82,7 @@ Result<void> FtdiBus::Engine::send_stage() {
     if (stage().empty())
         return {};
     in_step = false;
-    if (const auto r = link.push(stage().data(), stage().size(), patience(2 * stage_bytes)); !r)
+    if (const auto r = link.push(stage().data(), stage().size(), timeout_for(2 * stage_bytes)); !r)
         return r;
     filling ^= 1;
     const auto room = link.make_room();
@@ -146,14 +146,14 @@ Result<void> FtdiBus::Engine::address(bool data) {
 
 Result<void> FtdiBus::Engine::answer(std::uint8_t* into, std::size_t count, std::uint32_t micros) {
     const Clock::time_point deadline =
-        Clock::now() + std::chrono::milliseconds(patience(count)) + std::chrono::microseconds(micros);
+        Clock::now() + std::chrono::milliseconds(timeout_for(count)) + std::chrono::microseconds(micros);
     packets.resize(8 * link.packet_bytes());
     while (count != 0) {
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
         if (left.count() <= 0)
             return link.say(Fault::timeout, "read", "the engine did not answer in time");
         const auto came =
-            link.receive(packets.data(), packets.size(), static_cast<std::uint32_t>(left.count()));
+            link.read_bulk(packets.data(), packets.size(), static_cast<std::uint32_t>(left.count()));
         if (!came)
             return came.error();
         for (std::size_t at = 0; at < came.value(); at += link.packet_bytes()) {
@@ -170,7 +170,7 @@ Result<void> FtdiBus::Engine::answer(std::uint8_t* into, std::size_t count, std:
 }
 
 /// Returns when the chip has executed everything: its pins then have the levels that were set.
-Result<void> FtdiBus::Engine::fence(std::uint32_t micros) {
+Result<void> FtdiBus::Engine::wait_for_wire(std::uint32_t micros) {
     std::uint8_t pins = 0;
     if (const auto r = say({GET_LOW, SEND_IMMEDIATE}); !r)
         return r;
@@ -198,7 +198,7 @@ Result<void> FtdiBus::Engine::open() {
                                                       : link.open(known_ids, std::size(known_ids), interface);
     if (!opened)
         return opened;
-    if (const auto r = control.adopt(link, config.channel); !r)
+    if (const auto r = control.take_device(link, config.channel); !r)
         return r;
     for (auto& s : stages)
         s.reserve(stage_bytes);
@@ -235,7 +235,7 @@ Result<void> FtdiBus::Engine::start() {
     sent_levels = ~levels; // so that all of them are sent
     if (const auto r = set_levels(levels); !r)
         return r;
-    return fence();
+    return wait_for_wire();
 }
 
 FtdiBus::FtdiBus(const FtdiConfig& config) : TransferBus({}, config.asynchronous), config_(config) {
@@ -311,7 +311,7 @@ Result<void> FtdiBus::flush() {
     Engine& e = *engine_;
     if (const auto r = e.set_levels(e.levels | bit_of(config_.pins.select)); !r)
         return r;
-    return e.stage().empty() && e.in_step ? Result<void>{} : e.fence();
+    return e.stage().empty() && e.in_step ? Result<void>{} : e.wait_for_wire();
 }
 
 /// Reads an answer. The panel is selected from the command to the last bit of the answer. D/C stays low: the
@@ -378,7 +378,7 @@ Result<std::uint64_t> FtdiBus::await_te(std::uint32_t at_most_micros) {
     Engine& e = *engine_;
     if (const auto r = e.say({WAIT_LOW, WAIT_HIGH}); !r)
         return r.error();
-    const auto waited = e.fence(at_most_micros);
+    const auto waited = e.wait_for_wire(at_most_micros);
     if (waited.error().fault == Fault::timeout)
         return e.link.say(Fault::timeout, "wait for edge",
                           "none came in time; is the panel's TE output wired, and TEON (35h) sent?");

@@ -25,7 +25,7 @@ void FtdiControl::release() {
     context_ = nullptr;
 }
 
-Result<void> FtdiControl::adopt(UsbLink& link, std::uint8_t channel) {
+Result<void> FtdiControl::take_device(UsbLink& link, std::uint8_t channel) {
     release();
     link_ = &link;
     context_ = ftdi_new();

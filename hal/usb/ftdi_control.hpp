@@ -18,7 +18,7 @@ class FtdiControl {
     FtdiControl& operator=(const FtdiControl&) = delete;
 
     /// Controls the chip behind this link, which keeps owning it: release() must come before the link closes.
-    Result<void> adopt(UsbLink& link, std::uint8_t channel);
+    Result<void> take_device(UsbLink& link, std::uint8_t channel);
     void release();
     /// Empties the chip's buffers and puts it into MPSSE mode: all pins inputs, the engine as after power-on.
     Result<void> start_mpsse();

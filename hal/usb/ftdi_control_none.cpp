@@ -10,7 +10,7 @@ FtdiControl::~FtdiControl() {
 
 void FtdiControl::release() {}
 
-Result<void> FtdiControl::adopt(UsbLink& link, std::uint8_t) {
+Result<void> FtdiControl::take_device(UsbLink& link, std::uint8_t) {
     return link.say(Fault::unsupported, "open", "this build has no libftdi1");
 }
 

@@ -68,7 +68,7 @@ struct GudDisplay::State {
     bool drawn_since() const { return canvas->extents.cleared || any(canvas->touched); }
     bool put_off() const { return sender.busy() && !(waits && config.pacing == Pacing::block); }
     void accept();
-    void collect();
+    void collect_damage();
     Result<void> settle();
     void show();
 };
@@ -79,8 +79,8 @@ GudDisplay::~GudDisplay() {
     State& s = *state_;
     (void)s.settle();
     if (s.ready)
-        (void)s.sender.alone([](GudSession& session) {
-            session.disable();
+        (void)s.sender.with_exclusive_session([](GudSession& session) {
+            session.disable_display();
             return Result<void>{};
         });
 }
@@ -88,7 +88,7 @@ GudDisplay::~GudDisplay() {
 // --- Coming up
 
 Result<void> GudDisplay::State::connect() {
-    return sender.alone([](GudSession& s) { return s.connect(); });
+    return sender.with_exclusive_session([](GudSession& s) { return s.connect(); });
 }
 
 /// Connects to the same display after it was gone; it then holds nothing of the picture.
@@ -148,7 +148,7 @@ Result<void> GudDisplay::init() {
 }
 
 bool GudDisplay::connected() const {
-    return state_->ready && state_->session.alive() && state_->session.plugged();
+    return state_->ready && state_->session.is_alive() && state_->session.is_plugged();
 }
 
 // --- Frames
@@ -171,7 +171,7 @@ Result<void> GudDisplay::present() {
     }
     if (const auto r = s.settle(); !r)
         return r;
-    if (!s.session.alive())
+    if (!s.session.is_alive())
         if (const auto r = s.connect_again(); !r)
             return r;
     s.accept();
@@ -195,7 +195,7 @@ void GudDisplay::swap_interval(std::int32_t interval) {
 
 /// The frame that was drawn becomes damage; the next one starts with nothing touched.
 void GudDisplay::State::accept() {
-    collect();
+    collect_damage();
     presented = true;
     canvas->extents.cleared = false;
     std::fill(canvas->touched.begin(), canvas->touched.end(), RowSpan{});
@@ -203,7 +203,7 @@ void GudDisplay::State::accept() {
 
 /// Collects damage: what was drawn, and after a full clear what had been there. `damage` also keeps what was
 /// put off, and what a failed present left over.
-void GudDisplay::State::collect() {
+void GudDisplay::State::collect_damage() {
     const RowExtents& extents = canvas->extents;
     const bool everything = extents.cleared && extents.clear_value != clear_value;
     const auto w = static_cast<std::int16_t>(canvas->width);
@@ -230,7 +230,7 @@ void GudDisplay::State::show() {
 
 /// Waits for the frame under way. What did not arrive becomes damage again.
 Result<void> GudDisplay::State::settle() {
-    GudSender::Sent sent = sender.wait();
+    GudSender::SentFrame sent = sender.wait();
     if (sent.frame == nullptr)
         return {};
     spare = std::move(sent.frame);

@@ -3,23 +3,23 @@
 namespace spangle::hal::gud {
 namespace {
 
-std::uint64_t number(const std::uint8_t* from, int bytes) {
+std::uint64_t read_number(const std::uint8_t* from, int bytes) {
     std::uint64_t value = 0;
     for (int i = 0; i < bytes; ++i)
         value |= std::uint64_t{from[i]} << 8 * i;
     return value;
 }
 
-std::uint32_t number32(const std::uint8_t* from) {
-    return static_cast<std::uint32_t>(number(from, 4));
+std::uint32_t read_u32(const std::uint8_t* from) {
+    return static_cast<std::uint32_t>(read_number(from, 4));
 }
 
-std::uint16_t number16(const std::uint8_t* from) {
-    return static_cast<std::uint16_t>(number(from, 2));
+std::uint16_t read_u16(const std::uint8_t* from) {
+    return static_cast<std::uint16_t>(read_number(from, 2));
 }
 
 /// A number of a detailed timing: twelve bits, the upper four in another byte (VESA E-EDID 1.4, 3.10.2).
-std::uint16_t twelve(unsigned low, unsigned high_nibble) {
+std::uint16_t join_12_bits(unsigned low, unsigned high_nibble) {
     return static_cast<std::uint16_t>(low | (high_nibble & 0xF) << 8);
 }
 
@@ -67,26 +67,26 @@ const char* status_text(std::uint8_t status) {
 }
 
 bool parse(Descriptor& into, const std::uint8_t* bytes, std::size_t count) {
-    if (count != descriptor_bytes || number32(bytes) != magic || bytes[4] != 1)
+    if (count != descriptor_bytes || read_u32(bytes) != magic || bytes[4] != 1)
         return false;
-    into.flags = number32(bytes + 5);
+    into.flags = read_u32(bytes + 5);
     into.compression = bytes[9];
-    into.max_buffer_size = number32(bytes + 10);
-    into.min_width = number32(bytes + 14);
-    into.max_width = number32(bytes + 18);
-    into.min_height = number32(bytes + 22);
-    into.max_height = number32(bytes + 26);
+    into.max_buffer_size = read_u32(bytes + 10);
+    into.min_width = read_u32(bytes + 14);
+    into.max_width = read_u32(bytes + 18);
+    into.min_height = read_u32(bytes + 22);
+    into.max_height = read_u32(bytes + 26);
     return true;
 }
 
 Mode parse_mode(const std::uint8_t* bytes) {
     Mode mode;
-    mode.clock_khz = number32(bytes);
+    mode.clock_khz = read_u32(bytes);
     for (int i = 0; i < 4; ++i) {
-        mode.horizontal[i] = number16(bytes + 4 + 2 * i);
-        mode.vertical[i] = number16(bytes + 12 + 2 * i);
+        mode.horizontal[i] = read_u16(bytes + 4 + 2 * i);
+        mode.vertical[i] = read_u16(bytes + 12 + 2 * i);
     }
-    mode.flags = number32(bytes + 20);
+    mode.flags = read_u32(bytes + 20);
     return mode;
 }
 
@@ -95,9 +95,9 @@ Mode edid_mode(const std::uint8_t* edid, std::size_t count) {
     if (count < edid_block)
         return mode;
     const std::uint8_t* const d = edid + 54; // the first descriptor
-    mode.clock_khz = number16(d) * 10u;
-    const std::uint16_t sizes[2] = {twelve(d[2], d[4] >> 4u), twelve(d[5], d[7] >> 4u)};
-    const std::uint16_t blanks[2] = {twelve(d[3], d[4]), twelve(d[6], d[7])};
+    mode.clock_khz = read_u16(d) * 10u;
+    const std::uint16_t sizes[2] = {join_12_bits(d[2], d[4] >> 4u), join_12_bits(d[5], d[7] >> 4u)};
+    const std::uint16_t blanks[2] = {join_12_bits(d[3], d[4]), join_12_bits(d[6], d[7])};
     const unsigned front[2] = {d[8] | (d[11] >> 6u & 3u) << 8, (d[10] >> 4u) | (d[11] >> 2u & 3u) << 4};
     const unsigned sync[2] = {d[9] | (d[11] >> 4u & 3u) << 8, (d[10] & 0xFu) | (d[11] & 3u) << 4};
     for (int axis = 0; axis < 2; ++axis) {
@@ -112,7 +112,7 @@ Mode edid_mode(const std::uint8_t* edid, std::size_t count) {
 }
 
 Property parse_property(const std::uint8_t* bytes) {
-    return {number16(bytes), number(bytes + 2, 8)};
+    return {read_u16(bytes), read_number(bytes + 2, 8)};
 }
 
 void append(Bytes& to, std::uint64_t value, int bytes) {

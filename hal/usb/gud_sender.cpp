@@ -5,14 +5,14 @@
 namespace spangle::hal {
 
 GudSender::GudSender(GudSession& session, std::uint32_t poll_ms)
-    : session_(session), period_(poll_ms), thread_([this] { run(); }) {}
+    : session_(session), poll_period_(poll_ms), thread_([this] { run(); }) {}
 
 GudSender::~GudSender() {
     {
         const std::lock_guard lock(mutex_);
-        stopping_ = true;
+        is_stopping_ = true;
     }
-    changed_.notify_all();
+    state_changed_.notify_all();
     thread_.join();
 }
 
@@ -20,14 +20,14 @@ void GudSender::start(std::unique_ptr<GudFrame> frame) {
     {
         const std::lock_guard lock(mutex_);
         frame_ = std::move(frame);
-        under_way_ = true;
+        is_sending_ = true;
     }
-    changed_.notify_all();
+    state_changed_.notify_all();
 }
 
-GudSender::Sent GudSender::wait() {
+GudSender::SentFrame GudSender::wait() {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return !under_way_; });
+    state_changed_.wait(lock, [this] { return !is_sending_; });
     return {std::move(frame_), outcome_};
 }
 
@@ -41,15 +41,15 @@ Result<void> GudSender::send(const GudFrame& frame) {
 /// The thread. A frame that was started is sent first, whatever else is due.
 void GudSender::run() {
     std::unique_lock lock(mutex_);
-    while (!stopping_) {
-        if (under_way_) {
+    while (!is_stopping_) {
+        if (is_sending_) {
             outcome_ = send(*frame_);
-            under_way_ = false;
-            changed_.notify_all();
-        } else if (!polls()) {
-            changed_.wait(lock);
-        } else if (std::chrono::steady_clock::now() < last_poll_ + period_) {
-            changed_.wait_until(lock, last_poll_ + period_);
+            is_sending_ = false;
+            state_changed_.notify_all();
+        } else if (!wants_polls_now()) {
+            state_changed_.wait(lock);
+        } else if (std::chrono::steady_clock::now() < last_poll_ + poll_period_) {
+            state_changed_.wait_until(lock, last_poll_ + poll_period_);
         } else {
             session_.poll();
             last_poll_ = std::chrono::steady_clock::now();

@@ -25,29 +25,29 @@ class GudSender {
     /// Starts to send a frame; one may be under way at a time. The frame is the sender's until wait() gives
     /// it back, and nobody else can reach it.
     void start(std::unique_ptr<GudFrame> frame);
-    bool busy() const { return under_way_; } ///< wait() would wait
-    struct Sent {
+    bool busy() const { return is_sending_; } ///< wait() would wait
+    struct SentFrame {
         std::unique_ptr<GudFrame> frame; ///< null: none was started
         Result<void> outcome;
     };
-    Sent wait();
+    SentFrame wait();
 
     /// Runs `use` with the session while nothing else uses it; no frame may be under way.
-    template <class Use> Result<void> alone(Use use) {
+    template <class Use> Result<void> with_exclusive_session(Use use) {
         const std::lock_guard lock(mutex_);
         const Result<void> result = use(session_);
         last_poll_ = std::chrono::steady_clock::now();
-        changed_.notify_all(); // the device may want polls now
+        state_changed_.notify_all(); // the device may want polls now
         return result;
     }
 
   private:
     GudSession& session_;
-    const std::chrono::milliseconds period_;
+    const std::chrono::milliseconds poll_period_;
     std::mutex mutex_; ///< its holder may use the session
-    std::condition_variable changed_;
-    bool stopping_ = false;
-    std::atomic<bool> under_way_ = false;
+    std::condition_variable state_changed_;
+    bool is_stopping_ = false;
+    std::atomic<bool> is_sending_ = false;
     std::unique_ptr<GudFrame> frame_; ///< under way, or sent
     Result<void> outcome_;
     std::chrono::steady_clock::time_point last_poll_;
@@ -55,7 +55,7 @@ class GudSender {
 
     void run();
     Result<void> send(const GudFrame& frame);
-    bool polls() const { return session_.alive() && session_.wants_polls(); }
+    bool wants_polls_now() const { return session_.is_alive() && session_.wants_polls(); }
 };
 
 } // namespace spangle::hal

@@ -44,11 +44,11 @@ std::size_t compress(const std::uint8_t* raw, std::size_t count, Bytes& into) {
 
 /// Explains an error. A STALL gives no reason, but the device's status does.
 Error GudSession::explain(const char* operation, const Error& error) {
-    if (!link_.refused())
+    if (!link_.is_refused())
         return error;
     std::uint8_t status = 0;
     const auto word = link_.get("GET_STATUS", gud::GET_STATUS, 0, &status, 1, config_.control_timeout_ms);
-    if (!word && !link_.refused())
+    if (!word && !link_.is_refused())
         return word.error();
     if (!word || word.value() != 1)
         return link_.say(error.fault, operation, "the device refused this and gave no reason");
@@ -89,7 +89,7 @@ Result<void> GudSession::connect() {
     const auto up = come_up();
     if (!up)
         link_.close();
-    alive_ = up.ok();
+    is_alive_ = up.ok();
     return up;
 }
 
@@ -144,7 +144,7 @@ Result<void> GudSession::choose_connector() {
         if (plugged)
             connector_ = static_cast<std::uint8_t>(i);
     }
-    plugged_ = plugged;
+    is_plugged_ = plugged;
     wants_polls_ = (list[connector_ * gud::connector_bytes + 1] & gud::POLL_STATUS) != 0;
     return {};
 }
@@ -220,14 +220,14 @@ Result<void> GudSession::enable() {
 /// Closes the link if the device is gone; connect() looks for it again.
 Result<void> GudSession::check(const Result<void>& sent) {
     if (sent.error().fault == Fault::gone) {
-        alive_ = false;
+        is_alive_ = false;
         link_.close();
     }
     return sent;
 }
 
-void GudSession::disable() {
-    if (!alive_)
+void GudSession::disable_display() {
+    if (!is_alive_)
         return;
     (void)set(gud::SET_DISPLAY_ENABLE, {0});
     (void)set(gud::SET_CONTROLLER_ENABLE, {0});
@@ -236,13 +236,13 @@ void GudSession::disable() {
 // --- Pixels
 
 Result<void> GudSession::send(gud::Buffer buffer, const std::uint8_t* bytes) {
-    if (!alive_)
+    if (!is_alive_)
         return link_.say(Fault::gone, "send pixels", "the device was unplugged");
     const bool may_compress = config_.compress && (device_.compression & gud::COMPRESSION_LZ4) != 0 &&
                               (device_.flags & gud::FULL_UPDATE) == 0;
-    const std::size_t fewer = may_compress ? compress(bytes, buffer.length, packed_) : 0;
+    const std::size_t fewer = may_compress ? compress(bytes, buffer.length, compressed_) : 0;
     buffer.compressed_length = static_cast<std::uint32_t>(fewer);
-    const std::uint8_t* const data = fewer != 0 ? packed_.data() : bytes;
+    const std::uint8_t* const data = fewer != 0 ? compressed_.data() : bytes;
     const std::size_t count = fewer != 0 ? fewer : buffer.length;
     const auto sent = transfer(buffer, data, count);
     if (sent || sent.error().fault == Fault::gone || sent.error().fault == Fault::timeout)
@@ -253,11 +253,11 @@ Result<void> GudSession::send(gud::Buffer buffer, const std::uint8_t* bytes) {
 
 /// Sends a buffer. Devices of full updates get SET_BUFFER only after a buffer that failed.
 Result<void> GudSession::transfer(const gud::Buffer& buffer, const std::uint8_t* bytes, std::size_t count) {
-    if ((device_.flags & gud::FULL_UPDATE) == 0 || bulk_failed_)
+    if ((device_.flags & gud::FULL_UPDATE) == 0 || has_bulk_failed_)
         if (const auto r = set(gud::SET_BUFFER, gud::buffer(buffer)); !r)
             return r;
     const auto sent = link_.send(bytes, count, config_.bulk_timeout_ms);
-    bulk_failed_ = !sent;
+    has_bulk_failed_ = !sent;
     return sent ? sent : explain("send pixels", sent.error());
 }
 
@@ -265,7 +265,7 @@ void GudSession::poll() {
     Bytes status;
     const auto came = get(gud::GET_CONNECTOR_STATUS, connector_, status, 1);
     if (came && !status.empty())
-        plugged_ = (status[0] & 3u) != 0;
+        is_plugged_ = (status[0] & 3u) != 0;
     else if (!came)
         (void)check(came.error());
 }

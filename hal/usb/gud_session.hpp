@@ -18,7 +18,7 @@ class GudSession {
     /// Finds the device and sets its mode. On an error nothing stays open.
     Result<void> connect();
     /// Switches the display off.
-    void disable();
+    void disable_display();
     /// Sends a rectangle that the device's buffer holds, in its format; compressed where that is less. It is
     /// sent once more after a failure that may pass.
     Result<void> send(gud::Buffer buffer, const std::uint8_t* bytes);
@@ -26,9 +26,9 @@ class GudSession {
     void poll();
 
     /// Whether the device is there, as far as is known. Any thread may ask.
-    bool alive() const { return alive_; }
+    bool is_alive() const { return is_alive_; }
     /// Whether a screen is plugged into the device's connector, as it last reported. Any thread may ask.
-    bool plugged() const { return plugged_; }
+    bool is_plugged() const { return is_plugged_; }
     bool wants_polls() const { return wants_polls_; }
     const gud::Descriptor& device() const { return device_; }
     const gud::Mode& mode() const { return mode_; }
@@ -44,9 +44,9 @@ class GudSession {
     gud::Mode mode_;
     std::uint8_t format_ = 0, connector_ = 0;
     bool wants_polls_ = false;
-    bool bulk_failed_ = false; ///< a device of full updates then needs one SET_BUFFER
-    std::atomic<bool> alive_ = false, plugged_ = true;
-    gud::Bytes packed_;
+    bool has_bulk_failed_ = false; ///< a device of full updates then needs one SET_BUFFER
+    std::atomic<bool> is_alive_ = false, is_plugged_ = true;
+    gud::Bytes compressed_;
 
     // Requests, whose errors give the device's reason for a refusal.
     Error explain(const char* name, const Error& error);

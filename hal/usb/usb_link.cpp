@@ -76,14 +76,14 @@ const libusb_endpoint_descriptor* bulk_endpoint(const libusb_interface_descripto
 } // namespace
 
 /// A transfer of the pipe, used again and again.
-struct UsbLink::Flight {
+struct UsbLink::BulkTransfer {
     libusb_transfer* transfer = libusb_alloc_transfer(0);
     int done = 1;
 
-    Flight() = default;
-    Flight(const Flight&) = delete;
-    Flight& operator=(const Flight&) = delete;
-    ~Flight() { libusb_free_transfer(transfer); }
+    BulkTransfer() = default;
+    BulkTransfer(const BulkTransfer&) = delete;
+    BulkTransfer& operator=(const BulkTransfer&) = delete;
+    ~BulkTransfer() { libusb_free_transfer(transfer); }
     static void LIBUSB_CALL finished(libusb_transfer* t) { *static_cast<int*>(t->user_data) = 1; }
 
     int submit(libusb_device_handle* handle, std::uint8_t endpoint, const std::uint8_t* bytes,
@@ -104,7 +104,7 @@ struct UsbLink::Flight {
     }
 };
 
-UsbLink::UsbLink(const char* noun) : noun_(noun) {
+UsbLink::UsbLink(const char* noun) : device_noun_(noun) {
     std::snprintf(name_, sizeof name_, "%s", noun);
 }
 
@@ -114,7 +114,7 @@ UsbLink::~UsbLink() {
 
 void UsbLink::close() {
     take_back();
-    flights_.reset();
+    transfers_.reset();
     if (handle_ != nullptr) {
         libusb_release_interface(handle_, interface_); // the kernel's driver comes back
         libusb_close(handle_);
@@ -129,7 +129,7 @@ void UsbLink::close() {
 }
 
 Error UsbLink::failed(const char* operation, int code) {
-    refused_ = code == LIBUSB_ERROR_PIPE;
+    is_refused_ = code == LIBUSB_ERROR_PIPE;
     const char* cause = libusb_strerror(code);
     if (code == LIBUSB_ERROR_ACCESS)
         cause = "permission denied; install the udev rules 60-spangle.rules and join group 'plugdev'";
@@ -162,9 +162,9 @@ bool UsbLink::find_pipe(libusb_device* device, int interface) {
         const libusb_endpoint_descriptor* const in = bulk_endpoint(side, LIBUSB_ENDPOINT_IN);
         found = side.bInterfaceClass == LIBUSB_CLASS_VENDOR_SPEC && out != nullptr;
         interface_ = side.bInterfaceNumber;
-        out_ = out != nullptr ? out->bEndpointAddress : std::uint8_t{0};
-        in_ = in != nullptr ? in->bEndpointAddress : std::uint8_t{0};
-        packet_bytes_ = in != nullptr ? in->wMaxPacketSize : std::size_t{0};
+        out_endpoint_ = out != nullptr ? out->bEndpointAddress : std::uint8_t{0};
+        in_endpoint_ = in != nullptr ? in->bEndpointAddress : std::uint8_t{0};
+        max_packet_bytes_ = in != nullptr ? in->wMaxPacketSize : std::size_t{0};
     }
     libusb_free_config_descriptor(config);
     return found;
@@ -173,17 +173,17 @@ bool UsbLink::find_pipe(libusb_device* device, int interface) {
 void UsbLink::set_name(libusb_device* device) {
     libusb_device_descriptor id{};
     libusb_get_device_descriptor(device, &id);
-    std::snprintf(name_, sizeof name_, "%s %04x:%04x", noun_, id.idVendor, id.idProduct);
+    std::snprintf(name_, sizeof name_, "%s %04x:%04x", device_noun_, id.idVendor, id.idProduct);
 }
 
-Result<void> UsbLink::claim() {
+Result<void> UsbLink::claim_interface() {
     set_name(libusb_get_device(handle_));
     libusb_set_auto_detach_kernel_driver(handle_, 1);
     int code = libusb_claim_interface(handle_, interface_);
     if (code == LIBUSB_SUCCESS) {
-        flights_ = std::make_unique<Flight[]>(2);
-        submitted_ = completed_ = 0;
-        if (flights_[0].transfer != nullptr && flights_[1].transfer != nullptr)
+        transfers_ = std::make_unique<BulkTransfer[]>(2);
+        submitted_count_ = completed_count_ = 0;
+        if (transfers_[0].transfer != nullptr && transfers_[1].transfer != nullptr)
             return {};
         code = LIBUSB_ERROR_NO_MEM;
     }
@@ -212,8 +212,8 @@ Result<void> UsbLink::open(const UsbId* ids, std::size_t count, int interface) {
     if (listed >= 0)
         libusb_free_device_list(devices, 1);
     if (handle_ != nullptr)
-        return claim();
-    const Error error = code == LIBUSB_ERROR_NOT_FOUND ? error_.say(Fault::gone, noun_, "open",
+        return claim_interface();
+    const Error error = code == LIBUSB_ERROR_NOT_FOUND ? error_.say(Fault::gone, device_noun_, "open",
                                                                     "none is plugged in; lsusb lists what is")
                                                        : failed("open", code);
     close();
@@ -234,7 +234,7 @@ Result<void> UsbLink::open_file(const char* path, int interface) {
     }
     const int code = libusb_wrap_sys_device(context_, file_, &handle_);
     if (code == LIBUSB_SUCCESS && find_pipe(libusb_get_device(handle_), interface))
-        return claim();
+        return claim_interface();
     const Error error = code != LIBUSB_SUCCESS ? failed("open", code)
                                                : error_.say(Fault::wrong_device, path, "open",
                                                             "no vendor interface with a bulk output");
@@ -246,7 +246,7 @@ Result<void> UsbLink::open_file(const char* path, int interface) {
 
 Result<std::size_t> UsbLink::get(const char* name, std::uint8_t request, std::uint16_t value,
                                  std::uint8_t* into, std::size_t count, std::uint32_t timeout_ms) {
-    refused_ = false;
+    is_refused_ = false;
     const int came = libusb_control_transfer(handle_, std::uint8_t{LIBUSB_ENDPOINT_IN} | to_interface,
                                              request, value, static_cast<std::uint16_t>(interface_), into,
                                              static_cast<std::uint16_t>(count), timeout_ms);
@@ -255,7 +255,7 @@ Result<std::size_t> UsbLink::get(const char* name, std::uint8_t request, std::ui
 
 Result<void> UsbLink::set(const char* name, std::uint8_t request, std::uint16_t value,
                           const std::uint8_t* from, std::size_t count, std::uint32_t timeout_ms) {
-    refused_ = false;
+    is_refused_ = false;
     const int went = libusb_control_transfer(
         handle_, to_interface, request, value, static_cast<std::uint16_t>(interface_),
         const_cast<std::uint8_t*>(from), static_cast<std::uint16_t>(count), timeout_ms);
@@ -267,7 +267,7 @@ Result<void> UsbLink::set(const char* name, std::uint8_t request, std::uint16_t 
 }
 
 Result<void> UsbLink::clear_halt() {
-    const int code = libusb_clear_halt(handle_, out_);
+    const int code = libusb_clear_halt(handle_, out_endpoint_);
     return code == LIBUSB_SUCCESS ? Result<void>{} : failed("clear halt", code);
 }
 
@@ -283,21 +283,21 @@ Result<void> UsbLink::check_alive(const char* operation) {
 
 /// Cancels all transfers: then none is under way any more, and the bytes are the caller's again.
 void UsbLink::take_back() {
-    for (unsigned i = completed_; i != submitted_; ++i)
-        libusb_cancel_transfer(flights_[i % 2].transfer);
-    while (completed_ != submitted_)
-        flights_[completed_++ % 2].complete(context_);
+    for (unsigned i = completed_count_; i != submitted_count_; ++i)
+        libusb_cancel_transfer(transfers_[i % 2].transfer);
+    while (completed_count_ != submitted_count_)
+        transfers_[completed_count_++ % 2].complete(context_);
 }
 
-Error UsbLink::abandon(int code) {
+Error UsbLink::close_after_error(int code) {
     take_back();
     return failed("send pixels", code);
 }
 
 Result<void> UsbLink::settle_to(unsigned under_way) {
-    while (submitted_ - completed_ > under_way)
-        if (const int code = flights_[completed_++ % 2].complete(context_); code != LIBUSB_SUCCESS)
-            return abandon(code);
+    while (submitted_count_ - completed_count_ > under_way)
+        if (const int code = transfers_[completed_count_++ % 2].complete(context_); code != LIBUSB_SUCCESS)
+            return close_after_error(code);
     return {};
 }
 
@@ -310,13 +310,14 @@ Result<void> UsbLink::settle() {
 }
 
 Result<void> UsbLink::push(const std::uint8_t* bytes, std::size_t count, std::uint32_t timeout_ms) {
-    refused_ = false;
+    is_refused_ = false;
     if (const auto r = make_room(); !r)
         return r;
-    const int code = flights_[submitted_ % 2].submit(handle_, out_, bytes, count, timeout_ms);
+    const int code =
+        transfers_[submitted_count_ % 2].submit(handle_, out_endpoint_, bytes, count, timeout_ms);
     if (code != LIBUSB_SUCCESS)
-        return abandon(code);
-    ++submitted_;
+        return close_after_error(code);
+    ++submitted_count_;
     return {};
 }
 
@@ -327,10 +328,11 @@ Result<void> UsbLink::send(const std::uint8_t* bytes, std::size_t count, std::ui
     return settle();
 }
 
-Result<std::size_t> UsbLink::receive(std::uint8_t* into, std::size_t count, std::uint32_t timeout_ms) {
-    refused_ = false;
+Result<std::size_t> UsbLink::read_bulk(std::uint8_t* into, std::size_t count, std::uint32_t timeout_ms) {
+    is_refused_ = false;
     int came = 0;
-    const int code = libusb_bulk_transfer(handle_, in_, into, static_cast<int>(count), &came, timeout_ms);
+    const int code =
+        libusb_bulk_transfer(handle_, in_endpoint_, into, static_cast<int>(count), &came, timeout_ms);
     if (code != LIBUSB_SUCCESS)
         return failed("read", code);
     return static_cast<std::size_t>(came);

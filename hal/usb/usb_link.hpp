@@ -57,27 +57,27 @@ class UsbLink {
 
     /// Receives what the device sends, at most `count` bytes, in whole packets: a packet that is not full
     /// ends it.
-    Result<std::size_t> receive(std::uint8_t* into, std::size_t count, std::uint32_t timeout_ms);
-    std::size_t packet_bytes() const { return packet_bytes_; } ///< packet size of receive()
+    Result<std::size_t> read_bulk(std::uint8_t* into, std::size_t count, std::uint32_t timeout_ms);
+    std::size_t packet_bytes() const { return max_packet_bytes_; } ///< packet size of read_bulk()
     /// Whether the device refused the last request by a STALL.
-    bool refused() const { return refused_; }
+    bool is_refused() const { return is_refused_; }
     Result<void> clear_halt();
     Error say(Fault fault, const char* operation, const char* cause) {
         return error_.say(fault, name_, operation, cause);
     }
 
   private:
-    struct Flight;
-    const char* noun_;
+    struct BulkTransfer;
+    const char* device_noun_;
     libusb_context* context_ = nullptr;
     libusb_device_handle* handle_ = nullptr;
     int file_ = -1;
     int interface_ = 0;
-    std::uint8_t out_ = 0, in_ = 0; ///< endpoints; 0: none
-    std::size_t packet_bytes_ = 0;
-    bool refused_ = false;
-    std::unique_ptr<Flight[]> flights_; ///< two: pieces take turns
-    unsigned submitted_ = 0, completed_ = 0;
+    std::uint8_t out_endpoint_ = 0, in_endpoint_ = 0; ///< endpoints; 0: none
+    std::size_t max_packet_bytes_ = 0;
+    bool is_refused_ = false;
+    std::unique_ptr<BulkTransfer[]> transfers_; ///< two: pieces take turns
+    unsigned submitted_count_ = 0, completed_count_ = 0;
     ErrorText error_;
     char name_[48] = "";
 
@@ -86,8 +86,8 @@ class UsbLink {
     bool find_pipe(libusb_device* device, int interface);
     Result<void> settle_to(unsigned under_way);
     void take_back();
-    Error abandon(int code);
-    Result<void> claim();
+    Error close_after_error(int code);
+    Result<void> claim_interface();
     Error failed(const char* operation, int code);
 };
 

@@ -16,7 +16,7 @@ constexpr int steps[tables][4] = {{2, 8, -2, -8},       {5, 17, -5, -17},    {9,
                                   {13, 42, -13, -42},   {18, 60, -18, -60},  {24, 80, -24, -80},
                                   {33, 106, -33, -106}, {47, 183, -47, -183}};
 
-int moved(int base, int step) {
+int add_clamped(int base, int step) {
     return std::clamp(base + step, 0, 255);
 }
 
@@ -37,7 +37,7 @@ struct Half {
     long error = LONG_MAX;
 };
 
-int expanded(int code, int bits) {
+int expand_bits(int code, int bits) {
     return bits == 4 ? code * 17 : code << 3 | code >> 2;
 }
 
@@ -48,7 +48,7 @@ int best_step(const Color& base, const Color& texel, int table, long& error) {
     for (int s = 0; s < 4; ++s) {
         long sum = 0;
         for (std::size_t c = 0; c < 3; ++c) {
-            const long d = moved(base[c], steps[table][s]) - texel[c];
+            const long d = add_clamped(base[c], steps[table][s]) - texel[c];
             sum += d * d;
         }
         if (sum < error) {
@@ -59,12 +59,12 @@ int best_step(const Color& base, const Color& texel, int table, long& error) {
     return best;
 }
 
-Half fit(const Texels& texels, bool flip, bool second, const Color& code, int bits) {
+Half fit_half(const Texels& texels, bool flip, bool second, const Color& code, int bits) {
     Half half;
     half.code = code;
     Color base{};
     for (std::size_t c = 0; c < 3; ++c)
-        base[c] = expanded(code[c], bits);
+        base[c] = expand_bits(code[c], bits);
     for (int table = 0; table < tables; ++table) {
         long sum = 0, one = 0;
         for (int i = 0; i < 16 && sum < half.error; ++i)
@@ -81,7 +81,7 @@ Half fit(const Texels& texels, bool flip, bool second, const Color& code, int bi
 }
 
 /// Fits half a block with base colours around its mean.
-std::array<Half, candidates> fits(const Texels& texels, bool flip, bool second, int bits) {
+std::array<Half, candidates> fit_candidates(const Texels& texels, bool flip, bool second, int bits) {
     const int most = (1 << bits) - 1;
     Color sum{};
     for (int i = 0; i < 16; ++i)
@@ -94,7 +94,7 @@ std::array<Half, candidates> fits(const Texels& texels, bool flip, bool second, 
         Color code{};
         for (std::size_t c = 0; c < 3; ++c)
             code[c] = std::clamp((sum[c] * most + 8 * 255 / 2) / (8 * 255) + offset[c], 0, most);
-        out[static_cast<std::size_t>(n)] = fit(texels, flip, second, code, bits);
+        out[static_cast<std::size_t>(n)] = fit_half(texels, flip, second, code, bits);
     }
     return out;
 }
@@ -116,7 +116,8 @@ bool is_near(const Color& a, const Color& b) {
 
 void try_pairs(const Texels& texels, bool flip, bool differential, Block& best) {
     const int bits = differential ? 5 : 4;
-    const auto first = fits(texels, flip, false, bits), second = fits(texels, flip, true, bits);
+    const auto first = fit_candidates(texels, flip, false, bits),
+               second = fit_candidates(texels, flip, true, bits);
     for (const Half& a : first)
         for (const Half& b : second)
             if (a.error + b.error < best.error && (!differential || is_near(a.code, b.code)))
@@ -135,7 +136,7 @@ void write(const Block& block, const Texels& texels, std::uint8_t* to) {
         const Half& half = block.half[in_second(block.flip, i >> 2, i & 3) ? 1 : 0];
         Color base{};
         for (std::size_t c = 0; c < 3; ++c)
-            base[c] = expanded(half.code[c], block.differential ? 5 : 4);
+            base[c] = expand_bits(half.code[c], block.differential ? 5 : 4);
         long error = 0;
         const auto step = static_cast<unsigned>(best_step(base, texels.color[i], half.table, error));
         high |= (step >> 1) << i;
@@ -159,7 +160,7 @@ void decode_block(const std::uint8_t* from, Color (&texel)[16]) {
             const int byte = from[c], delta = (byte & 7) >= 4 ? (byte & 7) - 8 : byte & 7;
             const int code =
                 !differential ? (second ? byte & 15 : byte >> 4) : (byte >> 3) + (second ? delta : 0);
-            texel[i][c] = moved(expanded(code, differential ? 5 : 4), step);
+            texel[i][c] = add_clamped(expand_bits(code, differential ? 5 : 4), step);
         }
     }
 }

@@ -25,7 +25,7 @@ std::string list_of(const std::vector<std::string>& values) {
     return out + line + "\n";
 }
 
-template <class T> std::string numbers(const T* first, std::size_t count) {
+template <class T> std::string number_list(const T* first, std::size_t count) {
     std::string out;
     for (std::size_t i = 0; i < count; ++i)
         out += fmt::format("{}{}", i != 0 ? ", " : "", first[i]);
@@ -93,7 +93,7 @@ class MeshText {
         std::string arrays, entries;
         for (std::size_t n = 0; n < mesh_.parts.size(); ++n) {
             arrays += vertices(mesh_.parts[n], n) + indices(mesh_.parts[n], n);
-            entries += entry(mesh_.parts[n], n);
+            entries += part_entry(mesh_.parts[n], n);
         }
         const auto scale = [](Number number, double step) {
             return number == Number::fixed ? "1.0f" : real(step);
@@ -120,10 +120,10 @@ class MeshText {
             members += fmt::format("    {} texcoord[2];\n", type_of(o.texcoord));
         std::vector<std::string> values;
         for (const BakedVertex& v : part.vertices) {
-            std::string value = "{" + numbers(v.position, 3);
-            value += normals ? ", " + numbers(v.normal, 3) : "";
-            value += colors ? ", " + numbers(v.color, 4) : "";
-            value += texcoords ? ", " + numbers(v.texcoord, 2) : "";
+            std::string value = "{" + number_list(v.position, 3);
+            value += normals ? ", " + number_list(v.normal, 3) : "";
+            value += colors ? ", " + number_list(v.color, 4) : "";
+            value += texcoords ? ", " + number_list(v.texcoord, 2) : "";
             values.push_back(value + "}");
         }
         return fmt::format(
@@ -155,7 +155,7 @@ class MeshText {
                                                 : "GL_TRIANGLES";
     }
 
-    std::string entry(const BakedPart& part, std::size_t n) const {
+    std::string part_entry(const BakedPart& part, std::size_t n) const {
         const auto array = [n](bool has, const char* token, const char* member) {
             return has ? fmt::format("{{{}, vertices{}[0].{}}}", token, n, member)
                        : std::string("{0, nullptr}");

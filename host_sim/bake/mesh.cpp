@@ -25,7 +25,7 @@ std::int32_t nearest(double v, Number number) {
 }
 
 /// The largest magnitude of any component of `get(vertex)` in the whole model.
-template <class Get> double largest(const cli::Model& model, const Get& get) {
+template <class Get> double largest_component(const cli::Model& model, const Get& get) {
     double most = 0.0;
     for (const cli::ModelPart& part : model.parts)
         for (const cli::ModelVertex& v : part.vertices)
@@ -249,10 +249,10 @@ BakedMesh bake_mesh(const cli::Model& model, const MeshOptions& options) {
     };
     mesh.position_step =
         step(options.position,
-             largest(model, [](const cli::ModelVertex& v) { return std::to_array(v.position); }));
+             largest_component(model, [](const cli::ModelVertex& v) { return std::to_array(v.position); }));
     mesh.texcoord_step =
         step(options.texcoord,
-             largest(model, [](const cli::ModelVertex& v) { return std::to_array(v.texcoord); }));
+             largest_component(model, [](const cli::ModelVertex& v) { return std::to_array(v.texcoord); }));
     // GL is given the steps as floats, so errors are measured with the floats.
     const auto as_float = [](double step) {
         const auto kept = static_cast<float>(step);

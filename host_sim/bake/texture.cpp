@@ -56,13 +56,13 @@ struct Picture {
     Bytes rgba;
 };
 
-int halved(int side) {
+int half_size(int side) {
     return side > 1 ? side / 2 : 1;
 }
 
 /// The next level: means of 2 x 2 texels, as GENERATE_MIPMAP makes them.
 Picture half_of(const Picture& from) {
-    Picture to{halved(from.width), halved(from.height), {}};
+    Picture to{half_size(from.width), half_size(from.height), {}};
     to.rgba.resize(static_cast<std::size_t>(to.width * to.height) * 4);
     for (int y = 0; y < to.height; ++y)
         for (int x = 0; x < to.width; ++x)
@@ -170,7 +170,7 @@ BakedLevel encode_palette(const TextureFormat& format, const std::vector<Picture
 Bytes decode_palette(const TextureFormat& format, const BakedLevel& level, int number) {
     std::size_t at = (std::size_t{1} << format.index_bits) * format.texel_bytes;
     int width = level.width, height = level.height;
-    for (; number > 0; --number, width = halved(width), height = halved(height))
+    for (; number > 0; --number, width = half_size(width), height = half_size(height))
         at += (static_cast<std::size_t>(width * height) * format.index_bits + 7) / 8;
     Bytes rgba(static_cast<std::size_t>(width * height) * 4);
     for (std::size_t i = 0; i < rgba.size() / 4; ++i) {

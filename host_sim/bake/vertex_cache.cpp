@@ -19,11 +19,11 @@ std::size_t cache_misses(const IndexList& indices, unsigned entries) {
 namespace {
 
 /// Lists the triangles at each vertex.
-struct Fans {
+struct AdjacentTriangles {
     std::vector<std::size_t> first;
     std::vector<std::size_t> triangle;
 
-    Fans(const IndexList& triangles, std::size_t vertices)
+    AdjacentTriangles(const IndexList& triangles, std::size_t vertices)
         : first(vertices + 1, 0), triangle(triangles.size()) {
         for (const std::uint32_t v : triangles)
             ++first[v + 1];
@@ -38,36 +38,37 @@ struct Fans {
 class TriangleOrder {
   public:
     TriangleOrder(const IndexList& triangles, std::size_t vertices, unsigned entries)
-        : triangles_(triangles), fans_(triangles, vertices), entries_(entries), live_(vertices, 0),
-          time_(vertices, 0), emitted_(triangles.size() / 3, false), now_(entries + 1u) {
+        : triangles_(triangles), adjacent_triangles_(triangles, vertices), cache_size_(entries),
+          triangles_left_(vertices, 0), cache_time_(vertices, 0), is_emitted_(triangles.size() / 3, false),
+          clock_(entries + 1u) {
         for (const std::uint32_t v : triangles)
-            ++live_[v];
+            ++triangles_left_[v];
     }
 
     IndexList run() {
-        out_.reserve(triangles_.size());
+        ordered_.reserve(triangles_.size());
         for (std::uint32_t at = triangles_.empty() ? unused : triangles_[0]; at != unused;) {
             candidates_.clear();
-            for (std::size_t i = fans_.first[at]; i < fans_.first[at + 1]; ++i)
-                emit(fans_.triangle[i]);
+            for (std::size_t i = adjacent_triangles_.first[at]; i < adjacent_triangles_.first[at + 1]; ++i)
+                emit_triangle(adjacent_triangles_.triangle[i]);
             at = next_vertex();
         }
-        return std::move(out_);
+        return std::move(ordered_);
     }
 
   private:
-    void emit(std::size_t triangle) {
-        if (emitted_[triangle])
+    void emit_triangle(std::size_t triangle) {
+        if (is_emitted_[triangle])
             return;
-        emitted_[triangle] = true;
+        is_emitted_[triangle] = true;
         for (std::size_t c = 0; c < 3; ++c) {
             const std::uint32_t v = triangles_[3 * triangle + c];
-            out_.push_back(v);
+            ordered_.push_back(v);
             candidates_.push_back(v);
-            dead_ends_.push_back(v);
-            --live_[v];
-            if (now_ - time_[v] > entries_)
-                time_[v] = now_++;
+            dead_end_stack_.push_back(v);
+            --triangles_left_[v];
+            if (clock_ - cache_time_[v] > cache_size_)
+                cache_time_[v] = clock_++;
         }
     }
 
@@ -77,9 +78,9 @@ class TriangleOrder {
         std::uint32_t best = unused;
         std::size_t best_age = 0;
         for (const std::uint32_t v : candidates_)
-            if (live_[v] > 0) {
-                const std::size_t age = now_ - time_[v], needed = 2 * std::size_t{live_[v]};
-                const std::size_t score = age + needed <= entries_ ? age + 1 : 1;
+            if (triangles_left_[v] > 0) {
+                const std::size_t age = clock_ - cache_time_[v], needed = 2 * std::size_t{triangles_left_[v]};
+                const std::size_t score = age + needed <= cache_size_ ? age + 1 : 1;
                 if (score > best_age) {
                     best_age = score;
                     best = v;
@@ -89,24 +90,25 @@ class TriangleOrder {
     }
 
     std::uint32_t after_dead_end() {
-        for (; !dead_ends_.empty(); dead_ends_.pop_back())
-            if (live_[dead_ends_.back()] > 0)
-                return dead_ends_.back();
-        for (; cursor_ < live_.size(); ++cursor_)
-            if (live_[cursor_] > 0)
+        for (; !dead_end_stack_.empty(); dead_end_stack_.pop_back())
+            if (triangles_left_[dead_end_stack_.back()] > 0)
+                return dead_end_stack_.back();
+        for (; cursor_ < triangles_left_.size(); ++cursor_)
+            if (triangles_left_[cursor_] > 0)
                 return static_cast<std::uint32_t>(cursor_);
         return unused;
     }
 
     const IndexList& triangles_;
-    Fans fans_;
-    unsigned entries_;
-    std::vector<std::uint32_t> live_; ///< for each vertex, the number of its triangles not drawn yet
-    std::vector<std::size_t> time_;   ///< for each vertex, the moment at which it came into the cache
-    std::vector<bool> emitted_;
-    std::size_t now_, cursor_ = 0;
-    std::vector<std::uint32_t> candidates_, dead_ends_;
-    IndexList out_;
+    AdjacentTriangles adjacent_triangles_;
+    unsigned cache_size_;
+    std::vector<std::uint32_t>
+        triangles_left_;                  ///< for each vertex, the number of its triangles not drawn yet
+    std::vector<std::size_t> cache_time_; ///< for each vertex, the moment at which it came into the cache
+    std::vector<bool> is_emitted_;
+    std::size_t clock_, cursor_ = 0;
+    std::vector<std::uint32_t> candidates_, dead_end_stack_;
+    IndexList ordered_;
 };
 
 /// Builds strips that continue from triangle to triangle across the edge through which the strip leaves.
@@ -115,18 +117,18 @@ class StripBuilder {
 
   public:
     StripBuilder(const IndexList& triangles, std::size_t reach)
-        : triangles_(triangles), reach_(reach), used_(triangles.size() / 3, false) {
-        for (std::size_t t = 0; t < used_.size(); ++t)
+        : triangles_(triangles), search_range_(reach), is_used_(triangles.size() / 3, false) {
+        for (std::size_t t = 0; t < is_used_.size(); ++t)
             for (std::size_t c = 0; c < 3; ++c)
                 edges_.push_back({corner(t, c), corner(t, c + 1), t});
         std::sort(edges_.begin(), edges_.end());
     }
 
     IndexList run() {
-        for (std::size_t t = 0; t < used_.size(); ++t)
-            if (!used_[t])
+        for (std::size_t t = 0; t < is_used_.size(); ++t)
+            if (!is_used_[t])
                 append(longest_from(t));
-        return std::move(out_);
+        return std::move(ordered_);
     }
 
   private:
@@ -148,29 +150,30 @@ class StripBuilder {
         for (auto e = std::lower_bound(edges_.begin(), edges_.end(), Edge{from, to, 0});
              e != edges_.end() && e->from == from && e->to == to && e->triangle <= last && asked < most_asked;
              ++e, ++asked)
-            if (!used_[e->triangle])
+            if (!is_used_[e->triangle])
                 for (std::size_t c = 0; c < 3; ++c)
                     if (corner(e->triangle, c) == from && corner(e->triangle, c + 1) == to) {
                         apex = corner(e->triangle, c + 2);
                         return e->triangle;
                     }
-        return used_.size();
+        return is_used_.size();
     }
 
     /// Builds a strip from this corner on, as long as there is an unused neighbour, and marks its triangles
     /// as used.
-    IndexList follow(std::size_t t, std::size_t c, std::vector<std::size_t>& taken) {
+    IndexList follow_strip(std::size_t t, std::size_t c, std::vector<std::size_t>& taken) {
         IndexList strip{corner(t, c), corner(t, c + 1), corner(t, c + 2)};
         taken.assign(1, t);
-        used_[t] = true;
+        is_used_[t] = true;
         for (;;) {
             const std::uint32_t a = strip[strip.size() - 2], b = strip.back();
             const bool odd = (strip.size() & 1) != 0; // the next triangle's number in the strip is odd
             std::uint32_t apex = 0;
-            const std::size_t next = odd ? across(b, a, t + reach_, apex) : across(a, b, t + reach_, apex);
-            if (next == used_.size())
+            const std::size_t next =
+                odd ? across(b, a, t + search_range_, apex) : across(a, b, t + search_range_, apex);
+            if (next == is_used_.size())
                 return strip;
-            used_[next] = true;
+            is_used_[next] = true;
             taken.push_back(next);
             strip.push_back(apex);
         }
@@ -180,36 +183,36 @@ class StripBuilder {
         IndexList best;
         std::vector<std::size_t> taken, best_taken;
         for (std::size_t c = 0; c < 3; ++c) {
-            IndexList strip = follow(t, c, taken);
+            IndexList strip = follow_strip(t, c, taken);
             for (const std::size_t undone : taken)
-                used_[undone] = false;
+                is_used_[undone] = false;
             if (strip.size() > best.size()) {
                 best.swap(strip);
                 best_taken.swap(taken);
             }
         }
         for (const std::size_t done : best_taken)
-            used_[done] = true;
+            is_used_[done] = true;
         return best;
     }
 
     /// Appends a strip. An even number of indices stands before it, so that its first triangle keeps its
     /// winding.
     void append(const IndexList& strip) {
-        if (!out_.empty()) {
-            out_.push_back(out_.back());
-            out_.push_back(strip.front());
-            if ((out_.size() & 1) != 0)
-                out_.push_back(strip.front());
+        if (!ordered_.empty()) {
+            ordered_.push_back(ordered_.back());
+            ordered_.push_back(strip.front());
+            if ((ordered_.size() & 1) != 0)
+                ordered_.push_back(strip.front());
         }
-        out_.insert(out_.end(), strip.begin(), strip.end());
+        ordered_.insert(ordered_.end(), strip.begin(), strip.end());
     }
 
     const IndexList& triangles_;
-    std::size_t reach_;
-    std::vector<bool> used_;
+    std::size_t search_range_;
+    std::vector<bool> is_used_;
     std::vector<Edge> edges_;
-    IndexList out_;
+    IndexList ordered_;
 };
 
 } // namespace

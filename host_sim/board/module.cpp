@@ -47,8 +47,9 @@ std::unique_ptr<Controller> make_controller(const hal::PanelDesc& panel, hal::Bu
 
 Chip chip_of(const hal::PanelDesc& panel) {
     const auto index = static_cast<std::size_t>(panel.controller);
-    const Chip chip =
-        index < std::size(chips) ? strapped(chips[index], {panel.memory.width, panel.memory.height}) : Chip{};
+    const Chip chip = index < std::size(chips)
+                          ? with_memory_size(chips[index], {panel.memory.width, panel.memory.height})
+                          : Chip{};
     if (chip.width == 0)
         throw std::invalid_argument(std::string(panel.name) + ": its controller has no such memory");
     return chip;
@@ -82,7 +83,7 @@ Image picture_of(const std::vector<Rgb666>& pixels, int width, int height) {
     return out;
 }
 
-Image seen(Controller& controller, Time now) {
+Image picture_of_glass(Controller& controller, Time now) {
     const GlassMount& mount = controller.mount();
     Image glass = picture_of(controller.glass(now), mount.width, mount.height);
     if (mount.round)

@@ -21,7 +21,7 @@ GlassMount mount_of(const hal::PanelDesc& panel);
 Image picture_of(const std::vector<Rgb666>& pixels, int width, int height);
 /// What the glass shows now, when the module is held with its controller's first row up. The picture is
 /// transparent outside round glass.
-Image seen(Controller& controller, Time now);
+Image picture_of_glass(Controller& controller, Time now);
 /// Makes the pixels transparent black that a disc which fills the picture does not reach.
 void hide_corners(Image& glass);
 /// Turns a picture of the glass back to the picture that was drawn: first rotation, then mirroring is undone.

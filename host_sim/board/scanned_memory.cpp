@@ -23,7 +23,7 @@ void widen(PixelFormat format, const std::uint8_t* p, std::uint8_t* rgb) {
 /// Sets the address of the picture that the next refresh scans. The first address counts at once, because
 /// nothing was scanned before.
 void ScannedMemory::show(const std::uint8_t* pixels) {
-    next_ = pixels;
+    next_address_ = pixels;
     if (address_ == nullptr)
         address_ = pixels;
 }
@@ -33,28 +33,28 @@ void ScannedMemory::palette(std::int32_t first, std::int32_t count, const std::u
 }
 
 void ScannedMemory::advance(std::uint64_t ns) {
-    now_ += ns;
-    for (; scanned_to_ + timing_.line_ns <= now_; scanned_to_ += timing_.line_ns)
+    current_time_ += ns;
+    for (; scanned_until_ + timing_.line_ns <= current_time_; scanned_until_ += timing_.line_ns)
         if (!stands_still)
             scan_line();
 }
 
 void ScannedMemory::scan_line() {
-    if (address_ != nullptr && line_ < timing_.lines) {
+    if (address_ != nullptr && scan_line_ < timing_.lines) {
         const int bytes = format_info(format_).bytes_per_pixel;
         for (int x = 0; x < glass_.width; ++x) {
-            const std::uint8_t* const pixel = address_ + line_ * stride_ + x * bytes;
+            const std::uint8_t* const pixel = address_ + scan_line_ * stride_ + x * bytes;
             if (bytes == 1)
-                std::copy_n(palette_[*pixel], 3, glass_.at(x, line_));
+                std::copy_n(palette_[*pixel], 3, glass_.at(x, scan_line_));
             else
-                widen(format_, pixel, glass_.at(x, line_));
+                widen(format_, pixel, glass_.at(x, scan_line_));
         }
     }
-    if (++line_ == timing_.lines && on_refresh && address_ != nullptr)
+    if (++scan_line_ == timing_.lines && on_refresh && address_ != nullptr)
         on_refresh(glass_);
-    if (line_ == timing_.lines + timing_.blanking) {
-        line_ = 0;
-        address_ = next_;
+    if (scan_line_ == timing_.lines + timing_.blanking) {
+        scan_line_ = 0;
+        address_ = next_address_;
     }
 }
 

@@ -26,14 +26,14 @@ class ScannedMemory final : public hal::ScanOut {
 
     /// Lets time go by. Each line is read when its time of scanning has passed.
     void advance(std::uint64_t ns);
-    std::uint64_t now() const { return now_; }
+    std::uint64_t now() const { return current_time_; }
     std::uint64_t period() const {
         return static_cast<std::uint64_t>(timing_.lines + timing_.blanking) * timing_.line_ns;
     }
 
     void show(const std::uint8_t* pixels) override;
     const std::uint8_t* scanned() const override { return address_; }
-    std::uint32_t micros() override { return static_cast<std::uint32_t>(now_ / 1000); }
+    std::uint32_t micros() override { return static_cast<std::uint32_t>(current_time_ / 1000); }
     void clean(const std::uint8_t* from, std::size_t bytes) override {
         if (on_clean)
             on_clean(from, bytes);
@@ -48,9 +48,9 @@ class ScannedMemory final : public hal::ScanOut {
     ScanTiming timing_;
     Image glass_;
     std::uint8_t palette_[hal::palette_size][3] = {};
-    const std::uint8_t *address_ = nullptr, *next_ = nullptr;
-    std::uint64_t now_ = 0, scanned_to_ = 0; ///< ns: the present; the lines before were scanned
-    int line_ = 0;
+    const std::uint8_t *address_ = nullptr, *next_address_ = nullptr;
+    std::uint64_t current_time_ = 0, scanned_until_ = 0; ///< ns: the present; the lines before were scanned
+    int scan_line_ = 0;
 
     void scan_line();
 };

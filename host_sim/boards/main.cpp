@@ -93,13 +93,13 @@ class Comparison {
                 print(std::string(frame.scene.id) + ": frame " + std::to_string(frame.index) + " " +
                       (there ? "looks different" : "was not seen"));
             }
-            if (!pictures_.empty() && frame.index + 1 == frames_ && unwritten_.empty())
-                unwritten_ = sim::write_png(shown, pictures_ + "-" + frame.scene.id + ".png");
+            if (!pictures_.empty() && frame.index + 1 == frames_ && missing_pictures_.empty())
+                missing_pictures_ = sim::write_png(shown, pictures_ + "-" + frame.scene.id + ".png");
         });
         if (!problem.empty())
             return fail(problem);
-        if (!unwritten_.empty())
-            return fail(unwritten_);
+        if (!missing_pictures_.empty())
+            return fail(missing_pictures_);
         return wrong == 0 ? 0 : 1;
     }
     PixelFormat format() { return desk_->display().info().format; }
@@ -107,7 +107,7 @@ class Comparison {
   private:
     std::unique_ptr<sim::Desk> desk_;
     int frames_;
-    std::string pictures_, unwritten_;
+    std::string pictures_, missing_pictures_;
 };
 
 int replay(const Twin& twin, int frames, const Words& words) {
@@ -153,7 +153,7 @@ int screens(const Twin& twin, int frames, const Words& words) {
             sim::Image screen;
             if (!sim::read_ppm(words[0] + "/" + std::to_string(n) + ".ppm", screen).empty())
                 return false;
-            shown = sim::reduced(screen, scale);
+            shown = sim::shrink_picture(screen, scale);
             return true;
         },
         [&](const sim::Image& shown, const sim::Image& glass) { return sim::shows(shown, glass, format); });

@@ -10,7 +10,7 @@ namespace {
 class Observer final : public demo::Watcher {
   public:
     Observer(const scenes::Scene& scene, const std::function<void(const PlayedFrame&)>& presented)
-        : scene_(scene), presented_(presented) {}
+        : scene_(scene), on_present_(presented) {}
 
     void begin_frame() override {
         hash_ = {};
@@ -18,11 +18,11 @@ class Observer final : public demo::Watcher {
         gl::observe(*gl::current_context(), &counters_, false);
     }
     void drawn(const demo::Rows& rows) override { hash_.add(rows); }
-    void presented() override { presented_({scene_, frame_++, hash_.value(), counters_.fragments}); }
+    void presented() override { on_present_({scene_, frame_++, hash_.value(), counters_.fragments}); }
 
   private:
     const scenes::Scene& scene_;
-    const std::function<void(const PlayedFrame&)>& presented_;
+    const std::function<void(const PlayedFrame&)>& on_present_;
     raster::Counters counters_;
     demo::PictureHash hash_;
     int frame_ = 0;

@@ -47,7 +47,7 @@ std::string read_ppm(const std::string& path, Image& out) {
     return "";
 }
 
-Image reduced(const Image& screen, int scale) {
+Image shrink_picture(const Image& screen, int scale) {
     Image out(screen.width / scale, screen.height / scale);
     for (int y = 0; y < screen.height; ++y)
         for (int x = 0; x < screen.width; ++x) {

@@ -14,7 +14,7 @@ std::string read_ppm(const std::string& path, Image& out);
 
 /// The screen without magnification, if each of its pixels is drawn as `scale` by `scale` equal pixels; else
 /// empty.
-Image reduced(const Image& screen, int scale);
+Image shrink_picture(const Image& screen, int scale);
 
 /// Whether each pixel of the screen shows the same step of the format as the glass. Emulators spread steps
 /// over 255ths in their own way.

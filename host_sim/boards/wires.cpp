@@ -100,38 +100,38 @@ std::vector<WireEvent> read_trace(std::istream& trace, const Wiring& wiring) {
 }
 
 WiredPanel::WiredPanel(const hal::Board& board, const Wiring& wiring, std::vector<WireEvent> events)
-    : board_(board), sees_pauses_(wiring.pause_register != 0),
+    : board_(board), has_pauses_(wiring.pause_register != 0),
       controller_(make_controller(*board.display.panel, board.bus)), events_(std::move(events)),
-      selected_(wiring.select.address == 0) {}
+      is_selected_(wiring.select.address == 0) {}
 
 void WiredPanel::take(const WireEvent& event) {
     using Kind = WireEvent::Kind;
     const auto period = static_cast<unsigned>(1000000000u / board_.write_hz);
     switch (event.kind) {
     case Kind::byte:
-        now_ += Time{8} * period;
-        if (!selected_)
+        current_time_ += Time{8} * period;
+        if (!is_selected_)
             break;
-        controller_->write(static_cast<std::uint8_t>(event.value), data_, now_, period);
-        payload_ += board_.bus == hal::BusKind::spi_start && !started_ ? 0 : 1;
-        started_ = true;
+        controller_->write(static_cast<std::uint8_t>(event.value), is_data_, current_time_, period);
+        payload_ += board_.bus == hal::BusKind::spi_start && !is_started_ ? 0 : 1;
+        is_started_ = true;
         break;
     case Kind::select:
     case Kind::release:
-        selected_ = event.kind == Kind::select;
-        started_ = false;
-        controller_->select(selected_, now_);
+        is_selected_ = event.kind == Kind::select;
+        is_started_ = false;
+        controller_->select(is_selected_, current_time_);
         break;
     case Kind::data:
     case Kind::command:
-        data_ = event.kind == Kind::data;
+        is_data_ = event.kind == Kind::data;
         break;
     case Kind::reset_low:
     case Kind::reset_high:
-        controller_->reset(event.kind == Kind::reset_low, now_);
+        controller_->reset(event.kind == Kind::reset_low, current_time_);
         break;
     case Kind::pause:
-        now_ += event.value;
+        current_time_ += event.value;
         break;
     }
 }
@@ -150,14 +150,14 @@ bool WiredPanel::at_end() const {
 }
 
 Image WiredPanel::glass() {
-    now_ += 2 * controller_->refresh_time();
-    return upright(seen(*controller_, now_), board_.display.orientation);
+    current_time_ += 2 * controller_->refresh_time();
+    return upright(picture_of_glass(*controller_, current_time_), board_.display.orientation);
 }
 
 std::string WiredPanel::violations() const {
     std::string text;
     for (const Violation& v : controller_->violations())
-        if (sees_pauses_ || (v.rule != Rule::too_early && v.rule != Rule::reset_pulse))
+        if (has_pauses_ || (v.rule != Rule::too_early && v.rule != Rule::reset_pulse))
             text += v.text + "\n";
     return text;
 }

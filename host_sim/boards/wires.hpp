@@ -64,12 +64,12 @@ class WiredPanel {
     void take(const WireEvent& event);
 
     const hal::Board& board_;
-    bool sees_pauses_;
+    bool has_pauses_;
     std::unique_ptr<Controller> controller_;
     std::vector<WireEvent> events_;
     std::size_t next_ = 0;
-    Time now_ = 1000000; ///< ns; power-on was a while ago
-    bool selected_ = false, data_ = false, started_ = false;
+    Time current_time_ = 1000000; ///< ns; power-on was a while ago
+    bool is_selected_ = false, is_data_ = false, is_started_ = false;
     std::uint64_t payload_ = 0;
 };
 

@@ -54,13 +54,13 @@ template <class Bus> struct WithLines {
 constexpr const char* bad_line = "lines are CHIP:NUMBER, as gpiochip0:24";
 
 /// Opens the bus of `held`, and hands both over to `out`.
-template <class Held> void open(const std::shared_ptr<Held>& held, Attached& out) {
+template <class Held> void open(const std::shared_ptr<Held>& held, Attachment& out) {
     if (const auto opened = held->bus->open(); !opened)
         out.error = opened.error().rule;
     out.bus = std::shared_ptr<hal::Bus>(held, held->bus.get());
 }
 
-void attach_spidev(const BusOptions& options, Attached& out) {
+void attach_spidev(const BusOptions& options, Attachment& out) {
     auto held = std::make_shared<WithLines<hal::SpidevBus>>(options);
     if (!held->read_lines()) {
         out.error = bad_line;
@@ -75,7 +75,7 @@ void attach_spidev(const BusOptions& options, Attached& out) {
     open(held, out);
 }
 
-void attach_i2c(const BusOptions& options, Attached& out) {
+void attach_i2c(const BusOptions& options, Attachment& out) {
     auto held = std::make_shared<WithLines<hal::I2cBus>>(options);
     if (!held->read_lines()) {
         out.error = bad_line;
@@ -89,10 +89,10 @@ void attach_i2c(const BusOptions& options, Attached& out) {
     open(held, out);
 }
 #else
-void attach_spidev(const BusOptions&, Attached& out) {
+void attach_spidev(const BusOptions&, Attachment& out) {
     out.error = "this build has no spidev";
 }
-void attach_i2c(const BusOptions&, Attached& out) {
+void attach_i2c(const BusOptions&, Attachment& out) {
     out.error = "this build has no i2c-dev";
 }
 #endif
@@ -103,7 +103,7 @@ struct Ftdi {
     std::unique_ptr<hal::FtdiBus> bus;
 };
 
-void attach_ftdi(const BusOptions& options, Attached& out) {
+void attach_ftdi(const BusOptions& options, Attachment& out) {
     auto held = std::make_shared<Ftdi>();
     held->options = options;
     hal::FtdiConfig config = hal::ftdi_config(out.board);
@@ -123,7 +123,7 @@ struct Gud {
     std::unique_ptr<hal::GudDisplay> display;
 };
 
-void attach_gud(const BusOptions& options, Attached& out) {
+void attach_gud(const BusOptions& options, Attachment& out) {
     auto held = std::make_shared<Gud>();
     held->options = options;
     hal::GudConfig config;
@@ -132,10 +132,10 @@ void attach_gud(const BusOptions& options, Attached& out) {
     out.display = std::shared_ptr<hal::Display>(held, held->display.get());
 }
 #else
-void attach_ftdi(const BusOptions&, Attached& out) {
+void attach_ftdi(const BusOptions&, Attachment& out) {
     out.error = "this build has no libusb";
 }
-void attach_gud(const BusOptions&, Attached& out) {
+void attach_gud(const BusOptions&, Attachment& out) {
     out.error = "this build has no libusb";
 }
 #endif
@@ -169,8 +169,8 @@ const hal::Board* find_board(const std::string& name) {
     return nullptr;
 }
 
-Attached attach(const BusOptions& options, const hal::Board& board) {
-    Attached out;
+Attachment attach(const BusOptions& options, const hal::Board& board) {
+    Attachment out;
     out.board = board;
     out.error = mismatch(options, board);
     if (!out.error.empty())
@@ -195,11 +195,11 @@ Attached attach(const BusOptions& options, const hal::Board& board) {
     return out;
 }
 
-Attached attach(const BusOptions& options) {
+Attachment attach(const BusOptions& options) {
     const hal::Board* const board = find_board(options.board_name());
     if (board != nullptr)
         return attach(options, *board);
-    Attached out;
+    Attachment out;
     out.error = "no board '" + options.board_name() + "'; `spangle boards` lists them";
     return out;
 }
@@ -211,7 +211,7 @@ I2cAnswer ask_i2c(const BusOptions& options, unsigned address) {
     constexpr std::uint32_t patience_us = 1000000;
     BusOptions there = options;
     there.address = address;
-    const Attached on = attach(there);
+    const Attachment on = attach(there);
     if (!on.error.empty())
         return {on.error};
     hal::Op op;

@@ -30,7 +30,7 @@ struct BusOptions {
 };
 
 /// An open bus with a panel of this board, or a display that needs no bus, or why there is neither.
-struct Attached {
+struct Attachment {
     std::string error;
     hal::Board board;                         ///< unused for a GUD display
     std::unique_ptr<sim::SimBoard> simulated; ///< null: the display is real
@@ -43,9 +43,9 @@ struct Attached {
 /// Why no panel of this board can hang where `options` say; empty if one can. This opens nothing.
 std::string mismatch(const BusOptions& options, const hal::Board& board);
 /// Opens what `options` name, as the board describes it. GUD displays are found by init().
-Attached attach(const BusOptions& options);
+Attachment attach(const BusOptions& options);
 /// Does the same with a board that the caller describes.
-Attached attach(const BusOptions& options, const hal::Board& board);
+Attachment attach(const BusOptions& options, const hal::Board& board);
 const hal::Board* find_board(const std::string& name);
 
 /// Whether a controller acknowledges an address of an I2C bus.

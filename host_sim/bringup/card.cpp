@@ -23,7 +23,7 @@ void fill(sim::Image& image, int x, int y, int w, int h, Color c) {
 }
 
 /// Draws a letter of five columns and seven rows.
-void letter(sim::Image& image, int x, int y, int scale, std::string_view shape) {
+void draw_letter(sim::Image& image, int x, int y, int scale, std::string_view shape) {
     for (int i = 0; i < 35; ++i)
         if (shape[static_cast<std::size_t>(i)] == '#')
             fill(image, x + i % 5 * scale, y + i / 5 * scale, scale, scale, white);
@@ -94,11 +94,11 @@ sim::Image card(int width, int height, bool round) {
     const int row = h / 8, scale = std::max(1, std::min(w / 16, h / 32));
     // The F stands in the upper half, left of the middle, so that it looks different in every turn and mirror
     // image.
-    letter(image, left + w / 8, top + row, std::max(1, std::min(w / 12, h / 20)), letters[3]);
+    draw_letter(image, left + w / 8, top + row, std::max(1, std::min(w / 12, h / 20)), letters[3]);
     const Color colors[] = {red, green, blue};
     for (int i = 0; i < 3; ++i) {
         const int y = top + h / 2 + i * row;
-        letter(image, left + w / 8, y, std::max(1, scale / 2), letters[i]);
+        draw_letter(image, left + w / 8, y, std::max(1, scale / 2), letters[i]);
         fill(image, left + w / 2, y, w / 4 - i * w / 16, row * 3 / 4, colors[i]);
     }
     return image;

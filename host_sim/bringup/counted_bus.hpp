@@ -11,9 +11,9 @@ class CountedBus final : public hal::Bus {
   public:
     explicit CountedBus(hal::Bus& bus) : bus_(bus) {}
 
-    std::uint64_t bytes() const { return bytes_; }
-    std::uint64_t commands() const { return commands_; }
-    std::uint64_t pixel_bytes() const { return pixel_bytes_; }
+    std::uint64_t bytes() const { return byte_count_; }
+    std::uint64_t commands() const { return command_count_; }
+    std::uint64_t pixel_bytes() const { return pixel_byte_count_; }
 
     hal::BusCaps caps() const override { return bus_.caps(); }
     hal::Result<hal::Buffer> acquire(std::size_t size) override { return bus_.acquire(size); }
@@ -30,19 +30,19 @@ class CountedBus final : public hal::Bus {
 
   private:
     hal::Bus& bus_;
-    std::uint64_t bytes_ = 0, commands_ = 0, pixel_bytes_ = 0;
+    std::uint64_t byte_count_ = 0, command_count_ = 0, pixel_byte_count_ = 0;
 
     void note(const hal::Op& op) {
         using Kind = hal::Op::Kind;
         const bool command = op.kind == Kind::command || op.kind == Kind::read || op.kind == Kind::wait_line;
         if (command)
-            ++commands_, ++bytes_;
+            ++command_count_, ++byte_count_;
         if (op.kind == Kind::command)
-            bytes_ += op.length;
+            byte_count_ += op.length;
         const bool pixels = op.kind == Kind::pixels || op.kind == Kind::repeat;
         const std::uint64_t sent = pixels ? std::uint64_t{op.length} * op.rows : 0;
-        bytes_ += sent;
-        pixel_bytes_ += sent;
+        byte_count_ += sent;
+        pixel_byte_count_ += sent;
     }
 };
 

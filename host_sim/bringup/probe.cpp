@@ -26,12 +26,12 @@ const Identity& identity_of(const hal::PanelDesc& panel) {
     return panel.controller == hal::Controller::ili9341 ? ili9341 : panel.identity;
 }
 
-std::uint32_t dummies(const Identity& identity, hal::BusKind kind) {
+std::uint32_t dummy_clocks(const Identity& identity, hal::BusKind kind) {
     return kind == hal::BusKind::i8080 ? identity.parallel_dummy_bits : identity.dummy_bits;
 }
 
 bool asks_the_same(const Identity& a, const Identity& b, hal::BusKind kind) {
-    return a.command == b.command && a.bytes == b.bytes && dummies(a, kind) == dummies(b, kind);
+    return a.command == b.command && a.bytes == b.bytes && dummy_clocks(a, kind) == dummy_clocks(b, kind);
 }
 
 /// Whether the panel has an identity, and hangs on such a bus.
@@ -58,7 +58,8 @@ hal::Result<Answer> ask(hal::Bus& bus, const Identity& identity) {
     const std::uint32_t count = std::min<std::uint32_t>(identity.bytes, 3);
     hal::Op storage[1];
     hal::OpList ops(storage, nullptr, 1);
-    ops.read(identity.command, static_cast<std::uint8_t>(dummies(identity, bus.caps().kind)), bytes, count);
+    ops.read(identity.command, static_cast<std::uint8_t>(dummy_clocks(identity, bus.caps().kind)), bytes,
+             count);
     if (const auto done = run(bus, ops); !done)
         return done.error();
     Answer answer{identity};

@@ -48,7 +48,7 @@ constexpr Question questions[] = {
     {"Where does the top of the F point? u: up; r: right; d: down; l: left", "urdl", turn},
 };
 
-Verdict ask_one(const Question& question, Guess& guess, const Ask& ask) {
+Verdict ask_one(const Question& question, Guess& guess, const AskFunction& ask) {
     for (std::string answer; ask(question.text, answer);) {
         const char letter = answer.empty() ? '\0' : answer[0];
         const std::string_view answers = question.answers;
@@ -64,7 +64,7 @@ Verdict ask_one(const Question& question, Guess& guess, const Ask& ask) {
 
 /// Moves the picture on the glass. The window moves along the picture's axes, but the offset is along those
 /// of the memory.
-Guess moved(Guess guess, int right, int down) {
+Guess move_guess(Guess guess, int right, int down) {
     const unsigned order = address_order(guess.panel.mount, guess.orientation);
     if ((order & hal::dcs::MV) != 0)
         std::swap(right, down);
@@ -75,7 +75,7 @@ Guess moved(Guess guess, int right, int down) {
     return guess;
 }
 
-Verdict ask_edges(Guess& guess, const Ask& ask) {
+Verdict ask_edges(Guess& guess, const AskFunction& ask) {
     std::string hint;
     for (std::string answer; ask("How many pixels must the picture move to the right, and down, until its "
                                  "white frame lies on the "
@@ -88,7 +88,7 @@ Verdict ask_edges(Guess& guess, const Ask& ask) {
             continue;
         if (right == 0 && down == 0)
             return Verdict::right;
-        const Guess there = moved(guess, right, down);
+        const Guess there = move_guess(guess, right, down);
         if (const char* rule = hal::flaw(there.panel)) {
             hint = fmt::format(" (not {} {}: {})", right, down, rule);
             continue;
@@ -99,7 +99,7 @@ Verdict ask_edges(Guess& guess, const Ask& ask) {
     return Verdict::over;
 }
 
-Verdict ask_all(Guess& guess, const Ask& ask) {
+Verdict ask_all(Guess& guess, const AskFunction& ask) {
     for (const Question& question : questions)
         if (const Verdict v = ask_one(question, guess, ask); v != Verdict::right)
             return v;
@@ -143,8 +143,8 @@ Guess first_guess(const hal::PanelDesc& like, hal::Extent glass) {
     return guess;
 }
 
-Wizardry ask_until_right(const Guess& start, const Show& show, const Ask& ask) {
-    Wizardry found{"", start};
+WizardResult ask_until_right(const Guess& start, const Show& show, const AskFunction& ask) {
+    WizardResult found{"", start};
     for (found.cards = 1; found.cards <= most_cards; ++found.cards) {
         found.error = show(found.guess);
         if (!found.error.empty())
@@ -163,7 +163,7 @@ Wizardry ask_until_right(const Guess& start, const Show& show, const Ask& ask) {
     return found;
 }
 
-struct Stand::Parts {
+struct RealPanel::Parts {
     struct Panel final : hal::PanelDisplay {
         using hal::PanelDisplay::PanelDisplay;
     };
@@ -173,13 +173,14 @@ struct Stand::Parts {
         : books(config), display(bus, config, books.memory()) {}
 };
 
-Stand::Stand(hal::Bus& bus, const hal::PanelConfig& config) : parts_(std::make_unique<Parts>(bus, config)) {}
-Stand::~Stand() = default;
+RealPanel::RealPanel(hal::Bus& bus, const hal::PanelConfig& config)
+    : parts_(std::make_unique<Parts>(bus, config)) {}
+RealPanel::~RealPanel() = default;
 
-hal::PanelDisplay& Stand::display() {
+hal::PanelDisplay& RealPanel::display() {
     return parts_->display;
 }
-const hal::PanelDisplay& Stand::display() const {
+const hal::PanelDisplay& RealPanel::display() const {
     return parts_->display;
 }
 
@@ -199,7 +200,7 @@ std::string pixels_of(const hal::PanelConfig& display) {
     return text;
 }
 
-std::string definition(const Guess& guess, const hal::Board& like) {
+std::string board_definition(const Guess& guess, const hal::Board& like) {
     const hal::PanelDesc& p = guess.panel;
     return fmt::format(R"(#pragma once
 

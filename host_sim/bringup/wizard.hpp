@@ -17,7 +17,7 @@ struct Guess {
     hal::Orientation orientation{};
 };
 
-struct Wizardry {
+struct WizardResult {
     std::string error; ///< what went wrong; empty: the card looks right with `guess`
     Guess guess;
     int cards = 0; ///< number of cards shown
@@ -29,17 +29,17 @@ Guess first_guess(const hal::PanelDesc& like, hal::Extent glass);
 /// Shows the card according to this guess. Returns why it cannot, or an empty string.
 using Show = std::function<std::string(const Guess&)>;
 /// Asks a question, and takes the answer. Returns false when nobody answers any more.
-using Ask = std::function<bool(const std::string& question, std::string& answer)>;
+using AskFunction = std::function<bool(const std::string& question, std::string& answer)>;
 
-Wizardry ask_until_right(const Guess& start, const Show& show, const Ask& ask);
+WizardResult ask_until_right(const Guess& start, const Show& show, const AskFunction& ask);
 
 /// A display of this guess on a bus. It lives as long as this object.
-class Stand {
+class RealPanel {
   public:
-    Stand(hal::Bus& bus, const hal::PanelConfig& config);
-    ~Stand();
-    Stand(const Stand&) = delete;
-    Stand& operator=(const Stand&) = delete;
+    RealPanel(hal::Bus& bus, const hal::PanelConfig& config);
+    ~RealPanel();
+    RealPanel(const RealPanel&) = delete;
+    RealPanel& operator=(const RealPanel&) = delete;
     hal::PanelDisplay& display();
     const hal::PanelDisplay& display() const;
 
@@ -49,6 +49,6 @@ class Stand {
 };
 
 /// Writes the source of a header that describes the board with what was found.
-std::string definition(const Guess& guess, const hal::Board& like);
+std::string board_definition(const Guess& guess, const hal::Board& like);
 
 } // namespace spangle::bringup

@@ -50,12 +50,12 @@ const Wrong* find_wrong(const std::string& name) {
 }
 
 /// Loses pixels' bytes: one in 256, chosen by noise.
-void SpoiltBus::lose(const hal::Op& op) {
-    std::vector<std::uint8_t>& kept = bytes_.emplace_back();
+void SpoiltBus::drop_pixels(const hal::Op& op) {
+    std::vector<std::uint8_t>& kept = changed_bytes_.emplace_back();
     for (std::uint32_t y = 0; y < op.rows; ++y)
         for (std::uint32_t i = 0; i < op.length; ++i) {
-            noise_ = noise_ * 1664525u + 1013904223u;
-            if (noise_ >> 24 != 0)
+            noise_state_ = noise_state_ * 1664525u + 1013904223u;
+            if (noise_state_ >> 24 != 0)
                 kept.push_back(op.data[static_cast<std::ptrdiff_t>(y) * op.stride + i]);
         }
     hal::Op less = op;
@@ -67,7 +67,7 @@ void SpoiltBus::lose(const hal::Op& op) {
 }
 
 /// Turns all data of an operation into commands.
-void SpoiltBus::mistake(const hal::Op& op) {
+void SpoiltBus::change_operation(const hal::Op& op) {
     const bool pixels = op.kind == hal::Op::Kind::pixels || op.kind == hal::Op::Kind::repeat;
     if (pixels)
         return; // black pixels are NOPs, others set registers at random; none lights the panel
@@ -77,12 +77,12 @@ void SpoiltBus::mistake(const hal::Op& op) {
 
 hal::Result<hal::Token> SpoiltBus::submit(const hal::Op* ops, std::size_t count) {
     ops_.clear();
-    bytes_.clear();
+    changed_bytes_.clear();
     for (const hal::Op& op : std::span(ops, count)) {
         if (line_ == Line::too_fast && op.kind == hal::Op::Kind::pixels)
-            lose(op);
+            drop_pixels(op);
         else if (line_ == Line::no_data_command)
-            mistake(op);
+            change_operation(op);
         else
             ops_.push_back(op);
     }

@@ -41,14 +41,14 @@ class SpoiltBus final : public hal::Bus {
     }
 
   private:
-    void lose(const hal::Op& op);
-    void mistake(const hal::Op& op);
+    void drop_pixels(const hal::Op& op);
+    void change_operation(const hal::Op& op);
 
     hal::Bus& bus_;
     Line line_;
-    std::uint32_t noise_ = 1;
+    std::uint32_t noise_state_ = 1;
     std::vector<hal::Op> ops_;
-    std::deque<std::vector<std::uint8_t>> bytes_; ///< data of the changed operations
+    std::deque<std::vector<std::uint8_t>> changed_bytes_; ///< data of the changed operations
 };
 
 std::span<const Wrong> wrongs();

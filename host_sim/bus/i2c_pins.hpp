@@ -14,21 +14,21 @@ class I2cPins {
     /// Sets the levels of both lines, which start high. Times never go back, and one line changes at a time.
     void set(bool scl, bool sda, Time now);
     /// The number of messages to other addresses, of reads, and of bytes that a START or a STOP cut short.
-    unsigned strays() const { return strays_; }
+    unsigned stray_messages() const { return stray_messages_; }
 
   private:
     enum class Phase : std::uint8_t { idle, address, bytes, other };
     I2cTarget& target_;
     unsigned address_;
-    bool scl_ = true, sda_ = true;
+    bool scl_level_ = true, sda_level_ = true;
     Phase phase_ = Phase::idle;
-    unsigned shift_ = 0, bits_ = 0, strays_ = 0;
-    ClockPeriod period_;
-    unsigned shortest_ = ClockPeriod::unknown;
+    unsigned shift_register_ = 0, bit_count_ = 0, stray_messages_ = 0;
+    ClockPeriod clock_period_;
+    unsigned shortest_period_ = ClockPeriod::unknown;
 
     void start(Time now);
     void stop(Time now);
-    void rise(Time now);
+    void clock_rises(Time now);
     void byte(Time now);
 };
 

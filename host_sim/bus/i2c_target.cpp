@@ -9,37 +9,37 @@ constexpr std::uint8_t co = 0x80, dc = 0x40;
 
 void I2cTarget::start(Time now) {
     controller_.select(true, now);
-    expects_ = Expects::control;
+    next_byte_ = Expects::control;
 }
 
 void I2cTarget::byte(std::uint8_t value, Time now, unsigned period_ns) {
-    switch (expects_) {
+    switch (next_byte_) {
     case Expects::nothing:
         return;
     case Expects::control:
         if ((value & ~(co | dc)) != 0) {
             controller_.report(
                 Rule::control_byte,
-                hex(value) + " is no control byte: a message, or its next part, begins with one", now);
-            expects_ = Expects::nothing;
+                hex_text(value) + " is no control byte: a message, or its next part, begins with one", now);
+            next_byte_ = Expects::nothing;
             return;
         }
-        data_ = (value & dc) != 0;
-        expects_ = (value & co) != 0 ? Expects::one_byte : Expects::bytes;
+        is_data_ = (value & dc) != 0;
+        next_byte_ = (value & co) != 0 ? Expects::one_byte : Expects::bytes;
         return;
     case Expects::one_byte:
-        expects_ = Expects::control;
+        next_byte_ = Expects::control;
         [[fallthrough]];
     case Expects::bytes:
-        controller_.write(value, data_, now, period_ns);
+        controller_.write(value, is_data_, now, period_ns);
         return;
     }
 }
 
 void I2cTarget::stop(Time now) {
-    if (expects_ == Expects::one_byte)
+    if (next_byte_ == Expects::one_byte)
         controller_.report(Rule::control_byte, "the message ended behind a control byte", now);
-    expects_ = Expects::nothing;
+    next_byte_ = Expects::nothing;
     controller_.select(false, now);
 }
 

@@ -18,8 +18,8 @@ class I2cTarget {
   private:
     enum class Expects : std::uint8_t { nothing, control, one_byte, bytes };
     Controller& controller_;
-    Expects expects_ = Expects::nothing;
-    bool data_ = false;
+    Expects next_byte_ = Expects::nothing;
+    bool is_data_ = false;
 };
 
 } // namespace spangle::sim

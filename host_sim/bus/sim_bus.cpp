@@ -12,7 +12,7 @@ hal::Result<hal::Buffer> SimBus::acquire(std::size_t size) {
     return hal::Buffer{buffers_.back().get(), size};
 }
 
-std::uint64_t SimBus::checksum(const Watched& w) {
+std::uint64_t SimBus::checksum(const WatchedBuffer& w) {
     std::uint64_t sum = 0;
     for (std::uint32_t row = 0; row < w.rows; ++row) {
         const std::uint8_t* const at = w.data + static_cast<std::ptrdiff_t>(row) * w.stride;
@@ -25,15 +25,15 @@ std::uint64_t SimBus::checksum(const Watched& w) {
 hal::Result<hal::Token> SimBus::submit(const hal::Op* ops, std::size_t count) {
     if (ops == nullptr && count != 0)
         return hal::Error{hal::Fault::bad_argument, "SimBus: submit without operations"};
-    if (failure_ != hal::Fault::none && failure_ != hal::Fault::short_write &&
-        failure_ != hal::Fault::timeout) {
-        const hal::Fault fault = std::exchange(failure_, hal::Fault::none);
+    if (next_fault_ != hal::Fault::none && next_fault_ != hal::Fault::short_write &&
+        next_fault_ != hal::Fault::timeout) {
+        const hal::Fault fault = std::exchange(next_fault_, hal::Fault::none);
         return hal::Error{fault, "SimBus: the transfer was made to fail"};
     }
-    const std::size_t sent = failure_ == hal::Fault::short_write ? count / 2 : count;
-    wire_ = std::max(wire_, now_);
+    const std::size_t sent = next_fault_ == hal::Fault::short_write ? count / 2 : count;
+    wire_end_ = std::max(wire_end_, now_);
     ++counters_.transfers;
-    watched_.clear();
+    watched_buffers_.clear();
     if (!is_framed())
         chip_select(true);
     for (std::size_t i = 0; i < sent; ++i)
@@ -41,7 +41,7 @@ hal::Result<hal::Token> SimBus::submit(const hal::Op* ops, std::size_t count) {
     end_message();
     if (!is_framed())
         chip_select(false);
-    token_end_ = wire_;
+    token_end_ = wire_end_;
     return hal::Token{++last_token_};
 }
 
@@ -52,85 +52,85 @@ bool SimBus::done(hal::Token token) const {
 hal::Result<void> SimBus::wait(hal::Token token, std::uint32_t timeout_micros) {
     if (token.id == 0 || token.id > last_token_)
         return hal::Error{hal::Fault::bad_argument, "SimBus: wait for a token that was never given"};
-    if (failure_ == hal::Fault::short_write) {
-        failure_ = hal::Fault::none;
+    if (next_fault_ == hal::Fault::short_write) {
+        next_fault_ = hal::Fault::none;
         now_ = std::max(now_, token_end_); // the transfer is over, and half of it was lost
         return hal::Error{hal::Fault::short_write, "SimBus: half of the transfer was made to be lost"};
     }
-    if (std::exchange(unheard_, false)) {
+    if (std::exchange(is_unacknowledged_, false)) {
         now_ = std::max(now_, token_end_);
         return hal::Error{hal::Fault::no_answer, "SimBus: nobody acknowledged the address"};
     }
     const Time deadline = now_ + static_cast<Time>(timeout_micros) * 1000;
-    if (failure_ == hal::Fault::timeout || (token.id == last_token_ && token_end_ > deadline)) {
-        if (failure_ == hal::Fault::timeout)
+    if (next_fault_ == hal::Fault::timeout || (token.id == last_token_ && token_end_ > deadline)) {
+        if (next_fault_ == hal::Fault::timeout)
             token_end_ = deadline + 1'000'000'000; // the transfer hangs for another second
-        failure_ = hal::Fault::none;
+        next_fault_ = hal::Fault::none;
         now_ = deadline;
         return hal::Error{hal::Fault::timeout, "SimBus: the transfer did not end in time"};
     }
     if (token.id == last_token_) {
         now_ = std::max(now_, token_end_);
-        for (const Watched& w : watched_)
+        for (const WatchedBuffer& w : watched_buffers_)
             if (checksum(w) != w.checksum)
                 controller_.report(Rule::buffer_changed, "a buffer was drawn into while it was on the wire",
                                    now_);
-        watched_.clear();
+        watched_buffers_.clear();
     }
     return {};
 }
 
 void SimBus::chip_select(bool selected) {
     if (listener_ != nullptr && selected)
-        listener_->chip_select(wire_, true);
-    controller_.select(selected, wire_);
+        listener_->chip_select(wire_end_, true);
+    controller_.select(selected, wire_end_);
     if (listener_ != nullptr && !selected)
-        listener_->chip_select(wire_, false);
+        listener_->chip_select(wire_end_, false);
 }
 
 /// Begins a message unless one of this kind is open. An I2C message holds commands or data; a message that a
 /// start byte opens holds one index, or data.
 void SimBus::begin_message(bool data) {
-    if (in_message_ && data == message_data_ && (data || is_i2c()))
+    if (is_in_message_ && data == message_is_data_ && (data || is_i2c()))
         return;
     end_message();
-    in_message_ = true;
-    message_data_ = data;
+    is_in_message_ = true;
+    message_is_data_ = data;
     if (!is_i2c()) { // an index ends when CS rises
         constexpr std::uint8_t index = 0x70, value = 0x72;
         chip_select(true);
         carry(data ? value : index, data);
         return;
     }
-    in_message_ = false;
+    is_in_message_ = false;
     constexpr std::uint8_t address = 0x3C << 1, data_follows = 0x40;
-    condition(&Listener::start);
+    send_condition(&Listener::start);
     if (carry(address, false))
-        target_.start(wire_);
+        target_.start(wire_end_);
     else
-        unheard_ = true;
-    in_message_ = true;
+        is_unacknowledged_ = true;
+    is_in_message_ = true;
     carry(data ? data_follows : std::uint8_t{0}, data);
 }
 
 void SimBus::end_message() {
-    if (!in_message_)
+    if (!is_in_message_)
         return;
-    in_message_ = false;
+    is_in_message_ = false;
     if (is_i2c()) {
-        target_.stop(wire_);
-        condition(&Listener::stop);
+        target_.stop(wire_end_);
+        send_condition(&Listener::stop);
     } else
         chip_select(false);
 }
 
 /// Puts START or STOP of I2C on the wire. UM10204 (table 10) asks for times around them that take one period
 /// of the clock each.
-void SimBus::condition(void (Listener::*which)(Time, unsigned)) {
+void SimBus::send_condition(void (Listener::*which)(Time, unsigned)) {
     const unsigned period = period_ns();
     if (listener_ != nullptr)
-        (listener_->*which)(wire_, period);
-    wire_ += period;
+        (listener_->*which)(wire_end_, period);
+    wire_end_ += period;
     counters_.busy_ns += period;
 }
 
@@ -147,19 +147,19 @@ bool SimBus::carry(std::uint8_t byte, bool data) {
     const unsigned period = period_ns(), cycles = 8u / caps_.bits_per_cycle;
     // Times are exact over a whole transfer, although a clock's period is seldom a whole number of
     // nanoseconds.
-    owed_ += Time(1'000'000'000) * cycles;
-    const Time length = owed_ / caps_.write_hz;
-    owed_ %= caps_.write_hz;
+    owed_wire_time_ += Time(1'000'000'000) * cycles;
+    const Time length = owed_wire_time_ / caps_.write_hz;
+    owed_wire_time_ %= caps_.write_hz;
     if (listener_ != nullptr)
-        listener_->byte(wire_, period, data, byte, counters_.bytes != drop_at_);
-    wire_ += length;
+        listener_->byte(wire_end_, period, data, byte, counters_.bytes != drop_at_);
+    wire_end_ += length;
     counters_.busy_ns += length;
     if (counters_.bytes++ == drop_at_)
         return false;
     if (!is_i2c())
-        controller_.write(byte, data, wire_, period);
-    else if (in_message_)
-        target_.byte(byte, wire_, period);
+        controller_.write(byte, data, wire_end_, period);
+    else if (is_in_message_)
+        target_.byte(byte, wire_end_, period);
     return true;
 }
 
@@ -169,7 +169,7 @@ void SimBus::run(const hal::Op& op) {
     case Kind::command:
         ++counters_.commands;
         if (!is_i2c()) { // on I2C a command costs only the bytes of its message
-            wire_ += caps_.command_cost_ns;
+            wire_end_ += caps_.command_cost_ns;
             counters_.busy_ns += caps_.command_cost_ns;
         }
         send(op.command, false);
@@ -177,8 +177,8 @@ void SimBus::run(const hal::Op& op) {
             send(op.data[i], !op.parameters_are_commands);
         break;
     case Kind::pixels: {
-        const Watched w{op.data, op.length, op.rows, op.stride, 0};
-        watched_.push_back({w.data, w.length, w.rows, w.stride, checksum(w)});
+        const WatchedBuffer w{op.data, op.length, op.rows, op.stride, 0};
+        watched_buffers_.push_back({w.data, w.length, w.rows, w.stride, checksum(w)});
         for (std::uint32_t row = 0; row < op.rows; ++row) {
             const std::uint8_t* const at = op.data + static_cast<std::ptrdiff_t>(row) * op.stride;
             for (std::uint32_t i = 0; i < op.length; ++i)
@@ -195,7 +195,7 @@ void SimBus::run(const hal::Op& op) {
         break;
     case Kind::delay:
         end_message();
-        wire_ += static_cast<Time>(op.micros) * 1000;
+        wire_end_ += static_cast<Time>(op.micros) * 1000;
         break;
     case Kind::wait_te:
         wait_te(op);
@@ -207,13 +207,13 @@ void SimBus::run(const hal::Op& op) {
         read(op);
         break;
     case Kind::reset:
-        controller_.reset(true, wire_);
+        controller_.reset(true, wire_end_);
         if (listener_ != nullptr)
-            listener_->reset(wire_, true);
-        wire_ += static_cast<Time>(op.micros) * 1000;
-        controller_.reset(false, wire_);
+            listener_->reset(wire_end_, true);
+        wire_end_ += static_cast<Time>(op.micros) * 1000;
+        controller_.reset(false, wire_end_);
         if (listener_ != nullptr)
-            listener_->reset(wire_, false);
+            listener_->reset(wire_end_, false);
         break;
     }
 }
@@ -226,17 +226,17 @@ void SimBus::read(const hal::Op& op) {
                            : static_cast<unsigned>((1'000'000'000ull + caps_.read_hz / 2) / caps_.read_hz);
     if (caps_.bits_per_cycle == 1) {
         for (int i = 0; i < op.dummy_bits; ++i)
-            controller_.read_bit(wire_ += period, period);
+            controller_.read_bit(wire_end_ += period, period);
         for (std::uint32_t i = 0; i < op.length; ++i) {
-            op.into[i] = controller_.read_byte(wire_, period);
-            wire_ += static_cast<Time>(period) * 8;
+            op.into[i] = controller_.read_byte(wire_end_, period);
+            wire_end_ += static_cast<Time>(period) * 8;
         }
         return;
     }
     for (int i = 0; i < op.dummy_bits / 8; ++i)
-        controller_.read_byte(wire_ += period, period);
+        controller_.read_byte(wire_end_ += period, period);
     for (std::uint32_t i = 0; i < op.length; ++i)
-        op.into[i] = controller_.read_byte(wire_ += period, period);
+        op.into[i] = controller_.read_byte(wire_end_ += period, period);
 }
 
 void SimBus::wait_line(const hal::Op& op) {
@@ -247,24 +247,24 @@ void SimBus::wait_line(const hal::Op& op) {
     look.dummy_bits = op.dummy_bits;
     look.into = answer;
     look.length = sizeof answer;
-    const Time deadline = wire_ + static_cast<Time>(op.micros) * 1000;
+    const Time deadline = wire_end_ + static_cast<Time>(op.micros) * 1000;
     do
         read(look);
-    while (!hal::line_reached(op, answer) && wire_ < deadline);
-    hal::tell_moment(op, static_cast<std::uint32_t>(wire_ / 1000));
+    while (!hal::line_reached(op, answer) && wire_end_ < deadline);
+    hal::tell_moment(op, static_cast<std::uint32_t>(wire_end_ / 1000));
 }
 
 void SimBus::wait_te(const hal::Op& op) {
-    const Time step = controller_.line_time(), deadline = wire_ + static_cast<Time>(op.micros) * 1000;
+    const Time step = controller_.line_time(), deadline = wire_end_ + static_cast<Time>(op.micros) * 1000;
     // No command comes while the bus waits, so an edge that two refreshes do not bring never comes.
-    const Time last_look = std::min(deadline, wire_ + 2 * controller_.refresh_time());
-    while (wire_ < last_look && controller_.te(wire_))
-        wire_ += step; // waits for the next rising edge of TE; TE may be high already
-    while (wire_ < last_look && !controller_.te(wire_))
-        wire_ += step;
-    if (wire_ >= last_look)
-        wire_ = std::max(wire_, deadline);
-    hal::tell_moment(op, static_cast<std::uint32_t>(wire_ / 1000));
+    const Time last_look = std::min(deadline, wire_end_ + 2 * controller_.refresh_time());
+    while (wire_end_ < last_look && controller_.te(wire_end_))
+        wire_end_ += step; // waits for the next rising edge of TE; TE may be high already
+    while (wire_end_ < last_look && !controller_.te(wire_end_))
+        wire_end_ += step;
+    if (wire_end_ >= last_look)
+        wire_end_ = std::max(wire_end_, deadline);
+    hal::tell_moment(op, static_cast<std::uint32_t>(wire_end_ / 1000));
 }
 
 } // namespace spangle::sim

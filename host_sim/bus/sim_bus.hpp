@@ -36,16 +36,16 @@ class SimBus final : public hal::Bus {
     /// Lets time pass in which the processor does something else, mostly drawing.
     void pass(Time ns) { now_ += ns; }
     /// Lets time pass until the wire has nothing left to carry.
-    void settle() { now_ = wire_ > now_ ? wire_ : now_; }
+    void settle() { now_ = wire_end_ > now_ ? wire_end_ : now_; }
     void listen(Listener* listener) { listener_ = listener; }
 
     /// Makes the next transfer fail this way; short_write loses its second half.
-    void fail_next(hal::Fault fault) { failure_ = fault; }
+    void fail_next(hal::Fault fault) { next_fault_ = fault; }
     /// Makes the wire lose byte `n`, counted from now.
     void drop_byte(std::uint64_t n) { drop_at_ = counters_.bytes + n; }
 
   private:
-    struct Watched {
+    struct WatchedBuffer {
         const std::uint8_t* data;
         std::uint32_t length, rows;
         std::int32_t stride;
@@ -58,15 +58,15 @@ class SimBus final : public hal::Bus {
     std::vector<std::unique_ptr<std::uint8_t[]>> buffers_;
     BusCounters counters_;
     Listener* listener_ = nullptr;
-    Time now_ = 0, wire_ = 0; ///< ns: the processor's time; end of what the wire was given
-    Time owed_ = 0;           ///< time of the wire not yet passed, in units of 1 ns / write_hz
+    Time now_ = 0, wire_end_ = 0; ///< ns: the processor's time; end of what the wire was given
+    Time owed_wire_time_ = 0;     ///< time of the wire not yet passed, in units of 1 ns / write_hz
     std::uint32_t last_token_ = 0;
     Time token_end_ = 0;
-    std::vector<Watched> watched_;
-    hal::Fault failure_ = hal::Fault::none;
+    std::vector<WatchedBuffer> watched_buffers_;
+    hal::Fault next_fault_ = hal::Fault::none;
     std::uint64_t drop_at_ = ~std::uint64_t{0};
-    bool in_message_ = false, message_data_ = false;
-    bool unheard_ = false; ///< no target acknowledged an address
+    bool is_in_message_ = false, message_is_data_ = false;
+    bool is_unacknowledged_ = false; ///< no target acknowledged an address
 
     /// Period of SCK, WRX or SCL in ns; an I2C byte takes a ninth clock for its acknowledge.
     unsigned period_ns() const {
@@ -81,12 +81,12 @@ class SimBus final : public hal::Bus {
     void chip_select(bool selected);
     void begin_message(bool data);
     void end_message();
-    void condition(void (Listener::*which)(Time, unsigned));
+    void send_condition(void (Listener::*which)(Time, unsigned));
     void run(const hal::Op& op);
     void read(const hal::Op& op);
     void wait_line(const hal::Op& op);
     void wait_te(const hal::Op& op);
-    static std::uint64_t checksum(const Watched& w);
+    static std::uint64_t checksum(const WatchedBuffer& w);
 };
 
 } // namespace spangle::sim

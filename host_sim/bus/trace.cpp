@@ -12,7 +12,7 @@ constexpr std::uint64_t longest_entry = 1024;
 } // namespace
 
 VcdFile::VcdFile(const std::string& path, hal::BusKind bus, std::uint64_t most_bytes)
-    : bus_(bus), most_bytes_(most_bytes) {
+    : bus_(bus), byte_limit_(most_bytes) {
     std::fill(std::begin(levels_), std::end(levels_), static_cast<signed char>(-1));
     problem_ = file_.open(path);
     if (!problem_.empty())
@@ -58,22 +58,22 @@ VcdFile::VcdFile(const std::string& path, hal::BusKind bus, std::uint64_t most_b
 
 /// Whether another entry fits into the file. The first entry that does not fit ends the dump with a comment
 /// that says so.
-bool VcdFile::room() {
-    if (full_ || !file_.is_open())
+bool VcdFile::has_room() {
+    if (is_full_ || !file_.is_open())
         return false;
-    full_ = file_.size() + longest_entry > most_bytes_;
-    if (full_)
+    is_full_ = file_.size() + longest_entry > byte_limit_;
+    if (is_full_)
         write("$comment stopped here: the file has reached its limit $end\n");
-    return !full_;
+    return !is_full_;
 }
 
 /// Writes a moment that is later than the last one. Moments never go back, though clocks are rounded whose
 /// period is no whole number of nanoseconds.
-void VcdFile::at(Time t) {
-    if (t <= last_)
+void VcdFile::write_time(Time t) {
+    if (t <= last_event_)
         return;
     write("#" + std::to_string(t) + "\n");
-    last_ = t;
+    last_event_ = t;
 }
 
 void VcdFile::set(char wire, bool high) {
@@ -86,13 +86,13 @@ void VcdFile::set(char wire, bool high) {
 }
 
 /// Writes one bit: the line changes while the clock is low, and stands still while the clock is high.
-void VcdFile::clocked(Time begin, unsigned period_ns, bool high) {
-    at(begin);
+void VcdFile::write_clocked_byte(Time begin, unsigned period_ns, bool high) {
+    write_time(begin);
     set(clock, false);
     if (is_i2c()) // a change at the clock's edge could look like the end of a message
-        at(begin + period_ns / 8);
+        write_time(begin + period_ns / 8);
     set(line, high);
-    at(begin + period_ns / 2);
+    write_time(begin + period_ns / 2);
     set(clock, true);
 }
 
@@ -100,54 +100,55 @@ void VcdFile::parallel(Time begin, unsigned period_ns, std::uint8_t value) {
     set(clock, false);
     for (int bit = 0; bit < 8; ++bit)
         set(static_cast<char>(first_line + bit), (value >> bit & 1) != 0);
-    at(begin + period_ns / 2);
+    write_time(begin + period_ns / 2);
     set(clock, true);
 }
 
 void VcdFile::byte(Time begin, unsigned period_ns, bool data, std::uint8_t value, bool heard) {
-    if (!room())
+    if (!has_room())
         return;
-    at(begin);
+    write_time(begin);
     if (bus_ == hal::BusKind::spi4 || bus_ == hal::BusKind::i8080)
         set(dc, data);
     if (bus_ == hal::BusKind::i8080)
         return parallel(begin, period_ns, value);
     for (int bit = 7; bit >= 0; --bit)
-        clocked(begin + static_cast<Time>(7 - bit) * period_ns, period_ns, (value >> bit & 1) != 0);
+        write_clocked_byte(begin + static_cast<Time>(7 - bit) * period_ns, period_ns,
+                           (value >> bit & 1) != 0);
     if (is_i2c()) // the target that heard the byte pulls the line low
-        clocked(begin + Time{8} * period_ns, period_ns, !heard);
+        write_clocked_byte(begin + Time{8} * period_ns, period_ns, !heard);
 }
 
 /// Writes START: the line falls while the clock is high (UM10204, 3.1.4).
 void VcdFile::start(Time begin, unsigned period_ns) {
-    if (!room())
+    if (!has_room())
         return;
-    at(begin + period_ns / 2);
+    write_time(begin + period_ns / 2);
     set(line, false);
 }
 
 /// Writes STOP: the line rises while the clock is high.
 void VcdFile::stop(Time begin, unsigned period_ns) {
-    if (!room())
+    if (!has_room())
         return;
-    clocked(begin, period_ns, false);
-    at(begin + period_ns * 3 / 4);
+    write_clocked_byte(begin, period_ns, false);
+    write_time(begin + period_ns * 3 / 4);
     set(line, true);
 }
 
 void VcdFile::chip_select(Time t, bool selected) {
-    if (!room())
+    if (!has_room())
         return;
-    at(t);
+    write_time(t);
     if (!selected && bus_ != hal::BusKind::i8080)
         set(clock, false);
     set(cs, !selected);
 }
 
 void VcdFile::reset(Time t, bool low) {
-    if (!room())
+    if (!has_room())
         return;
-    at(t);
+    write_time(t);
     set(rst, !low);
 }
 
@@ -156,7 +157,7 @@ void VcdFile::reset(Time t, bool low) {
 std::string VcdFile::commit() {
     constexpr Time moment = 1000;
     if (file_.is_open())
-        at(last_ + moment);
+        write_time(last_event_ + moment);
     return file_.commit();
 }
 

@@ -21,8 +21,8 @@ class Listener {
     /// A message begins, and ends, on I2C; each takes one period.
     virtual void start(Time begin, unsigned period_ns) = 0;
     virtual void stop(Time begin, unsigned period_ns) = 0;
-    virtual void chip_select(Time at, bool selected) = 0;
-    virtual void reset(Time at, bool low) = 0;
+    virtual void chip_select(Time write_time, bool selected) = 0;
+    virtual void reset(Time write_time, bool low) = 0;
 };
 
 /// A value change dump for GTKWave, PulseView and sigrok. Wires of 4-wire serial: CS DC SCK SDA RST; of
@@ -37,17 +37,17 @@ class VcdFile final : public Listener {
     /// Why nothing can be written to the file; empty if it can.
     const std::string& problem() const { return problem_; }
     /// Whether the limit was reached; nothing more was written from then on.
-    bool is_full() const { return full_; }
+    bool is_full() const { return is_full_; }
     /// The last moment at which something happened, in ns, before commit().
-    Time end() const { return last_; }
+    Time end() const { return last_event_; }
     /// Gives the file its name. Returns what went wrong, or an empty string.
     std::string commit();
 
     void byte(Time begin, unsigned period_ns, bool data, std::uint8_t value, bool heard) override;
     void start(Time begin, unsigned period_ns) override;
     void stop(Time begin, unsigned period_ns) override;
-    void chip_select(Time at, bool selected) override;
-    void reset(Time at, bool low) override;
+    void chip_select(Time write_time, bool selected) override;
+    void reset(Time write_time, bool low) override;
 
   private:
     /// The wires, by the character that stands for each in the file.
@@ -55,18 +55,18 @@ class VcdFile final : public Listener {
 
     Output file_;
     hal::BusKind bus_;
-    std::uint64_t most_bytes_;
+    std::uint64_t byte_limit_;
     std::string problem_;
-    bool full_ = false;
-    Time last_ = 0;
+    bool is_full_ = false;
+    Time last_event_ = 0;
     signed char levels_[128]; ///< level of each wire, 0 or 1; -1: not written yet
 
     bool is_i2c() const { return bus_ == hal::BusKind::i2c; }
-    bool room();
-    void at(Time t);
+    bool has_room();
+    void write_time(Time t);
     void set(char wire, bool high);
     void write(std::string_view text) { file_.write(text); }
-    void clocked(Time begin, unsigned period_ns, bool high);
+    void write_clocked_byte(Time begin, unsigned period_ns, bool high);
     void parallel(Time begin, unsigned period_ns, std::uint8_t value);
 };
 

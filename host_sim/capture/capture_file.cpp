@@ -125,10 +125,10 @@ std::string CaptureReader::open(const std::string& path) {
 
 bool CaptureReader::next(DrawnFrame& frame, double& microseconds) {
     std::int32_t kind = 0;
-    if (whole_ || !get(file_, kind))
+    if (is_complete_ || !get(file_, kind))
         return false;
     if (kind == is_end) {
-        whole_ = read_end();
+        is_complete_ = read_end();
         return false;
     }
     DrawnPicture& p = frame.picture;

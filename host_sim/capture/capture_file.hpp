@@ -46,12 +46,12 @@ class CaptureReader {
     bool next(DrawnFrame& frame, double& microseconds);
     const CaptureEnd& end() const { return end_; }
     /// Whether the end was found.
-    bool whole() const { return whole_; }
+    bool whole() const { return is_complete_; }
 
   private:
     std::ifstream file_;
     CaptureEnd end_;
-    bool whole_ = false;
+    bool is_complete_ = false;
 
     bool read_end();
 };

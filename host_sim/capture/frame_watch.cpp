@@ -47,10 +47,10 @@ FrameWatch::FrameWatch() {
 }
 
 Coverage& FrameWatch::of(const raster::Surface& surface) {
-    Watched& found = surfaces_[surface.color];
+    WatchedSurface& found = surfaces_[surface.color];
     if (found.coverage == nullptr || found.width != surface.width || found.height != surface.height) {
         if (found.coverage != nullptr)
-            of_former_ += found.coverage->mismatches();
+            earlier_mismatches_ += found.coverage->mismatches();
         found = {std::make_unique<Coverage>(surface.width, surface.height), surface.width, surface.height};
     }
     return *found.coverage;
@@ -73,7 +73,7 @@ DrawnFrame FrameWatch::take(const raster::Surface& surface) {
 
 std::uint64_t FrameWatch::mismatches() const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    std::uint64_t out = of_former_;
+    std::uint64_t out = earlier_mismatches_;
     for (const auto& [pixels, watched] : surfaces_)
         out += watched.coverage->mismatches();
     return out;

@@ -23,13 +23,13 @@ class FrameWatch : public raster::Observer {
     std::uint64_t mismatches() const;
 
   private:
-    struct Watched {
+    struct WatchedSurface {
         std::unique_ptr<Coverage> coverage;
         int width = 0, height = 0;
     };
     mutable std::mutex mutex_; ///< guards the members below: threads draw to surfaces of their own
-    std::map<const std::uint8_t*, Watched> surfaces_;
-    std::uint64_t of_former_ = 0; ///< mismatches counted before surfaces changed their size
+    std::map<const std::uint8_t*, WatchedSurface> surfaces_;
+    std::uint64_t earlier_mismatches_ = 0; ///< mismatches counted before surfaces changed their size
 
     Coverage& of(const raster::Surface& surface);
     Coverage& current();

@@ -199,7 +199,7 @@ int bake(const BakeOptions& options) {
     sim::Output header;
     if (std::string problem = open(header, "--output", o.output); !problem.empty())
         return refuse(problem);
-    if (o.json && !claimed().empty())
+    if (o.json && !claiming_option().empty())
         return refuse("--json prints on standard output, which --output takes; name a file for the header");
     Baked baked;
     if (std::string problem = bake_all(o, baked); !problem.empty())

@@ -16,7 +16,7 @@
 namespace spangle::cli {
 namespace {
 
-hal::PanelConfig config_of(const bringup::Attached& on, const bringup::Guess& guess) {
+hal::PanelConfig config_of(const bringup::Attachment& on, const bringup::Guess& guess) {
     hal::PanelConfig config = on.board.display;
     config.panel = &guess.panel;
     config.orientation = guess.orientation;
@@ -39,11 +39,12 @@ std::string show_on(hal::Display& display, bool round, const bringup::Wrong& wro
 }
 
 /// Shows the card on a display with the settings of `guess`. Returns what failed, or an empty string.
-std::string show_card(const bringup::Attached& on, const bringup::Guess& guess, const bringup::Wrong& wrong) {
+std::string show_card(const bringup::Attachment& on, const bringup::Guess& guess,
+                      const bringup::Wrong& wrong) {
     if (on.display != nullptr)
         return show_on(*on.display, false, wrong);
     bringup::SpoiltBus bus(*on.bus, wrong.line);
-    bringup::Stand stand(bus, config_of(on, guess));
+    bringup::RealPanel stand(bus, config_of(on, guess));
     return show_on(stand.display(), guess.panel.round, wrong);
 }
 
@@ -64,7 +65,7 @@ void wait_for_enter(const char* what) {
 }
 
 /// Prints what a display on USB tells of itself.
-int probe_gud(const bringup::Attached& on) {
+int probe_gud(const bringup::Attachment& on) {
     if (const auto ready = on.display->init(); !ready)
         return refuse(ready.error().rule);
     const hal::DisplayInfo info = on.display->info();
@@ -89,7 +90,7 @@ int probe_i2c(const BringupOptions& options) {
 }
 
 /// Shows the card on a display on USB, which has no settings to find, and prints what a program needs.
-int wizard_gud(const bringup::Attached& on) {
+int wizard_gud(const bringup::Attachment& on) {
     if (const std::string problem = show_card(on, {}, bringup::nothing_wrong); !problem.empty())
         return refuse(problem);
     wait_for_enter("the test card is on the display; if it looks wrong, its firmware is what to change");
@@ -104,7 +105,7 @@ int wizard_gud(const bringup::Attached& on) {
 int probe(const BringupOptions& options) {
     if (!options.bus.i2c.empty())
         return probe_i2c(options);
-    const bringup::Attached on = bringup::attach(options.bus);
+    const bringup::Attachment on = bringup::attach(options.bus);
     if (!on.error.empty())
         return refuse(on.error);
     if (on.display != nullptr)
@@ -132,7 +133,7 @@ int card(const BringupOptions& options) {
     sim::Output shot;
     if (const std::string problem = open(shot, "--shot", options.shot); !problem.empty())
         return refuse(problem);
-    const bringup::Attached on = bringup::attach(options.bus);
+    const bringup::Attachment on = bringup::attach(options.bus);
     if (!on.error.empty())
         return refuse(on.error);
     bringup::Guess guess{*on.board.display.panel, on.board.display.orientation};
@@ -151,7 +152,7 @@ int wizard(const BringupOptions& options) {
         return refuse(rule);
     if (!options.shot.empty() && sim::is_standard_output(options.shot))
         return refuse("the definition is printed on standard output; --shot needs a file");
-    const bringup::Attached on = bringup::attach(options.bus);
+    const bringup::Attachment on = bringup::attach(options.bus);
     if (!on.error.empty())
         return refuse(on.error);
     if (on.display != nullptr)
@@ -164,7 +165,7 @@ int wizard(const BringupOptions& options) {
          height < 1 || width > 1024 || height > 1024))
         return refuse("--glass takes WIDTHxHEIGHT, each 1 to 1024, not '" + options.glass + "'");
     glass = {static_cast<std::int16_t>(width), static_cast<std::int16_t>(height)};
-    const bringup::Wizardry found = bringup::ask_until_right(
+    const bringup::WizardResult found = bringup::ask_until_right(
         bringup::first_guess(*on.board.display.panel, glass),
         [&](const bringup::Guess& guess) {
             const std::string problem = show_card(on, guess, bringup::nothing_wrong);
@@ -178,7 +179,7 @@ int wizard(const BringupOptions& options) {
         });
     if (!found.error.empty())
         return refuse(found.error);
-    print_text(bringup::definition(found.guess, on.board));
+    print_text(bringup::board_definition(found.guess, on.board));
     return 0;
 }
 

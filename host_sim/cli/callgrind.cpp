@@ -22,12 +22,12 @@ std::uint64_t collected(std::vector<std::string> words, int frames, std::string&
     if (readlink("/proc/self/exe", self, sizeof self - 1) > 0)
         words[3] = self; // the path of this program; /proc/self/exe would be valgrind's
     words.insert(words.end(), {"--frames", std::to_string(frames)});
-    const process::Scratch said;
+    const process::TemporaryFile said;
     if (said.descriptor() < 0) {
         problem = "no temporary file can be made";
         return 0;
     }
-    const process::Ended ended =
+    const process::ExitStatus ended =
         process::run(words, {process::inherited, process::nowhere, said.descriptor()});
     if (ended.status != 0)
         problem = ended.status == process::no_program ? "valgrind is not installed" : "valgrind failed";

@@ -33,7 +33,7 @@ constexpr bool sanitized = __has_feature(address_sanitizer);
 constexpr bool sanitized = false;
 #endif
 
-void lower(int resource, rlim_t most) {
+void lower_limit(int resource, rlim_t most) {
     rlimit limit{};
     getrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
     limit.rlim_cur = std::min(limit.rlim_cur, most);
@@ -42,16 +42,16 @@ void lower(int resource, rlim_t most) {
 
 /// Sets the limits of the child. A few bytes of a broken file can ask for all memory there is, and the system
 /// would end other programs for it. Processor time is limited too, in case the waiting parent is stopped.
-void confine(const ReadLimits& limits, pid_t parent) {
+void limit_process(const ReadLimits& limits, pid_t parent) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) // the parent ended before prctl() took effect
         _exit(lost);
     std::signal(SIGPIPE, SIG_IGN);
     if (!sanitized)
-        lower(RLIMIT_DATA, limits.memory);
-    lower(RLIMIT_CPU, static_cast<rlim_t>(limits.seconds) + 1);
-    lower(RLIMIT_FSIZE, 0);
-    lower(RLIMIT_CORE, 0);
+        lower_limit(RLIMIT_DATA, limits.memory);
+    lower_limit(RLIMIT_CPU, static_cast<rlim_t>(limits.seconds) + 1);
+    lower_limit(RLIMIT_FSIZE, 0);
+    lower_limit(RLIMIT_CORE, 0);
     const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
     if (nowhere < 0)
         return;
@@ -74,7 +74,7 @@ bool put(int pipe, const std::string& bytes) {
 
 /// Runs the reader in the child and exits. Nothing of the parent's is cleaned up, because it belongs to the
 /// parent.
-[[noreturn]] void serve(const std::function<std::string()>& read, int pipe) {
+[[noreturn]] void serve_reader(const std::function<std::string()>& read, int pipe) {
     int status = thrown;
     try {
         status = put(pipe, read()) ? handed_over : lost;
@@ -120,7 +120,7 @@ int wait_for(pid_t child) {
     return status;
 }
 
-std::string meaning(int status, const ReadLimits& limits) {
+std::string describe_status(int status, const ReadLimits& limits) {
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
         return "takes longer than " + std::to_string(limits.seconds) + " s";
     if (WIFSIGNALED(status))
@@ -134,8 +134,8 @@ std::string meaning(int status, const ReadLimits& limits) {
 
 } // namespace
 
-std::string confined(const std::function<std::string()>& read, const ReadLimits& limits,
-                     std::string& answer) {
+std::string run_confined(const std::function<std::string()>& read, const ReadLimits& limits,
+                         std::string& answer) {
     answer.clear();
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0)
@@ -149,15 +149,15 @@ std::string confined(const std::function<std::string()>& read, const ReadLimits&
     }
     if (child == 0) {
         close(ends[0]);
-        confine(limits, parent);
-        serve(read, ends[1]);
+        limit_process(limits, parent);
+        serve_reader(read, ends[1]);
     }
     close(ends[1]);
     std::string problem = take(ends[0], limits, answer);
     close(ends[0]);
     if (!problem.empty())
         kill(child, SIGKILL);
-    const std::string end = meaning(wait_for(child), limits);
+    const std::string end = describe_status(wait_for(child), limits);
     return problem.empty() ? end : problem;
 }
 

@@ -18,7 +18,8 @@ struct ReadLimits {
 /// Runs `read` in a child process and takes the bytes that it returns into `answer`. What the child writes to
 /// standard output and standard error is lost, and it cannot make files. Returns an empty string, or why
 /// there is no answer, as a clause about the reader ("takes longer than 60 s").
-std::string confined(const std::function<std::string()>& read, const ReadLimits& limits, std::string& answer);
+std::string run_confined(const std::function<std::string()>& read, const ReadLimits& limits,
+                         std::string& answer);
 
 /// Makes text from a file fit for one line of a terminal: control characters become spaces, and what is
 /// longer than a few lines is cut.

@@ -65,10 +65,10 @@ struct RunFiles {
         if (problem.empty())
             problem = cli::open(difference, "--difference", options.difference);
         if (problem.empty())
-            problem = cli::claim("--vcd", options.vcd);
-        if (problem.empty() && options.json && !cli::claimed().empty())
-            problem =
-                "--json prints on standard output, which " + cli::claimed() + " takes; name a file there";
+            problem = cli::claim_output("--vcd", options.vcd);
+        if (problem.empty() && options.json && !cli::claiming_option().empty())
+            problem = "--json prints on standard output, which " + cli::claiming_option() +
+                      " takes; name a file there";
         return problem;
     }
     std::string write(const cli::RunResult& result) {

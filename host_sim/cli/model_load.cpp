@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr float sharpest_smooth_edge = 66.0f; // degrees; edges of cubes stay sharp without normals
 
 /// Replaces what is no number by 0, so that a broken file still has a picture.
-float tame(float v) {
+float finite_or_zero(float v) {
     return std::isfinite(v) ? v : 0.0f;
 }
 
@@ -33,7 +33,7 @@ class Reader {
     Reader(const aiScene& scene, const fs::path& file, int largest_texture, Model& model)
         : scene_(scene), folder_(file.parent_path()), largest_texture_(largest_texture), model_(model) {}
 
-    void read() { node(*scene_.mRootNode, aiMatrix4x4()); }
+    void read() { add_node(*scene_.mRootNode, aiMatrix4x4()); }
     bool too_much() const {
         return model_.triangles > most_triangles || vertices_ > most_vertices || indices_ > most_indices;
     }
@@ -53,13 +53,13 @@ class Reader {
     std::map<std::string, int> images_;
     std::size_t vertices_ = 0, indices_ = 0, texels_ = 0;
 
-    void node(const aiNode& n, const aiMatrix4x4& parent) {
+    void add_node(const aiNode& n, const aiMatrix4x4& parent) {
         const aiMatrix4x4 world = parent * n.mTransformation;
         // A few nodes can repeat a mesh without end, so this stops as soon as there is too much.
         for (unsigned i = 0; i < n.mNumMeshes && !too_much(); ++i)
             mesh(*scene_.mMeshes[n.mMeshes[i]], world);
         for (unsigned i = 0; i < n.mNumChildren && !too_much(); ++i)
-            node(*n.mChildren[i], world);
+            add_node(*n.mChildren[i], world);
     }
 
     /// Whether a mesh has colours of its own. Old exporters write an empty, black layer that was never shown.
@@ -86,10 +86,11 @@ class Reader {
             const aiVector3D t = m.HasTextureCoords(0) ? m.mTextureCoords[0][i] : aiVector3D(0, 0, 0);
             const aiColor4D c = part.colored ? m.mColors[0][i] : aiColor4D(1, 1, 1, 1);
             const std::array<float, 4>& d = part.diffuse;
-            part.vertices.push_back({{p.x, p.y, p.z},
-                                     {tame(n.x), tame(n.y), tame(n.z)},
-                                     {tame(t.x), tame(t.y)},
-                                     {tame(c.r * d[0]), tame(c.g * d[1]), tame(c.b * d[2]), d[3]}});
+            part.vertices.push_back(
+                {{p.x, p.y, p.z},
+                 {finite_or_zero(n.x), finite_or_zero(n.y), finite_or_zero(n.z)},
+                 {finite_or_zero(t.x), finite_or_zero(t.y)},
+                 {finite_or_zero(c.r * d[0]), finite_or_zero(c.g * d[1]), finite_or_zero(c.b * d[2]), d[3]}});
         }
         std::vector<std::uint32_t> by_kind[3];
         for (unsigned i = 0; i < m.mNumFaces; ++i) {
@@ -116,18 +117,18 @@ class Reader {
         const auto color = [&m](const char* key, unsigned type, unsigned index, std::array<float, 4>& into) {
             aiColor4D c;
             if (m.Get(key, type, index, c) == AI_SUCCESS)
-                into = {tame(c.r), tame(c.g), tame(c.b), tame(c.a)};
+                into = {finite_or_zero(c.r), finite_or_zero(c.g), finite_or_zero(c.b), finite_or_zero(c.a)};
         };
         color(AI_MATKEY_COLOR_DIFFUSE, part.diffuse);
         color(AI_MATKEY_COLOR_SPECULAR, part.specular);
         color(AI_MATKEY_COLOR_EMISSIVE, part.emission);
         float value = 0.0f;
         if (m.Get(AI_MATKEY_SHININESS, value) == AI_SUCCESS)
-            part.shininess = std::clamp(tame(value), 0.0f, 128.0f);
+            part.shininess = std::clamp(finite_or_zero(value), 0.0f, 128.0f);
         if (part.shininess <= 0.0f) // no highlight was meant; an exponent of 0 would light everything
             part.specular = {0.0f, 0.0f, 0.0f, 1.0f};
         if (m.Get(AI_MATKEY_OPACITY, value) == AI_SUCCESS)
-            part.diffuse[3] = std::clamp(tame(value), 0.0f, 1.0f);
+            part.diffuse[3] = std::clamp(finite_or_zero(value), 0.0f, 1.0f);
         if (part.diffuse[3] <= 0.0f) // exporters write 0 for opaque; nobody models what cannot be seen
             part.diffuse[3] = 1.0f;
         aiString name;
@@ -180,7 +181,7 @@ class Reader {
 
     bool decode(const std::string& name, ModelImage& out) const {
         if (const aiTexture* t = scene_.GetEmbeddedTexture(name.c_str()))
-            return embedded(*t, out);
+            return read_embedded(*t, out);
         // Exporters leave Windows paths, absolute paths and odd case behind. This looks first for the path
         // itself, then for the bare name near the model.
         std::string bare = name.substr(
@@ -195,23 +196,23 @@ class Reader {
     }
 
     /// Reads a picture within the model's file, which is in a format of pictures, or plain texels.
-    bool embedded(const aiTexture& t, ModelImage& out) const {
+    bool read_embedded(const aiTexture& t, ModelImage& out) const {
         return (t.mHeight == 0 ? read_picture(t.pcData, t.mWidth, largest_texture_, out)
                                : read_texels(t.pcData, t.mWidth, t.mHeight, largest_texture_, out))
             .empty();
     }
 };
 
-bool finite(const ModelVertex& v) {
+bool is_finite(const ModelVertex& v) {
     return std::isfinite(v.position[0]) && std::isfinite(v.position[1]) && std::isfinite(v.position[2]);
 }
 
 /// Moves and scales the model into the unit sphere. Returns false when the model has no extent.
-bool fit(Model& model) {
+bool fit_to_view(Model& model) {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     for (const ModelPart& part : model.parts)
         for (const ModelVertex& v : part.vertices)
-            if (finite(v))
+            if (is_finite(v))
                 for (int i = 0; i < 3; ++i) {
                     low[i] = std::min(low[i], static_cast<double>(v.position[i]));
                     high[i] = std::max(high[i], static_cast<double>(v.position[i]));
@@ -226,9 +227,10 @@ bool fit(Model& model) {
         for (ModelVertex& v : part.vertices)
             for (int i = 0; i < 3; ++i)
                 v.position[i] =
-                    finite(v) ? static_cast<float>(
-                                    (static_cast<double>(v.position[i]) - (low[i] + high[i]) / 2.0) * scale)
-                              : 0.0f;
+                    is_finite(v)
+                        ? static_cast<float>((static_cast<double>(v.position[i]) - (low[i] + high[i]) / 2.0) *
+                                             scale)
+                        : 0.0f;
     return true;
 }
 
@@ -250,9 +252,9 @@ std::string read_scene(const std::string& path, int largest_texture, Model& mode
     reader.read();
     if (reader.too_much())
         return "model '" + path + "' has " + reader.how_much();
-    return model.parts.empty() ? "model '" + path + "' holds nothing to draw"
-           : !fit(model)       ? "model '" + path + "' has no extent"
-                               : "";
+    return model.parts.empty()   ? "model '" + path + "' holds nothing to draw"
+           : !fit_to_view(model) ? "model '" + path + "' has no extent"
+                                 : "";
 }
 
 /// Lets a process of its own fill a result; `what` is "picture" or "model".
@@ -279,7 +281,7 @@ ModelResult read_apart(const char* what, const std::string& path, const ReadLimi
         return pack(there);
     };
     std::string bytes;
-    std::string problem = confined(work, limits, bytes);
+    std::string problem = run_confined(work, limits, bytes);
     if (problem.empty())
         problem = unpack(bytes, result);
     if (!problem.empty())

@@ -32,7 +32,7 @@ class Packer {
             bytes.append(reinterpret_cast<const char*>(values.data()),
                          values.size() * sizeof(typename T::value_type));
     }
-    template <class T, class Fields> void each(const T& values, Fields fields) {
+    template <class T, class Fields> void each_field(const T& values, Fields fields) {
         size(values.size());
         for (const auto& value : values)
             fields(value);
@@ -45,31 +45,31 @@ class Packer {
 /// Reads fields from bytes. It allocates nothing before it has seen that the bytes to fill it are there.
 class Unpacker {
   public:
-    explicit Unpacker(std::string_view bytes) : left_(bytes) {}
+    explicit Unpacker(std::string_view bytes) : rest_(bytes) {}
 
-    bool good() const { return good_; }
-    bool finished() const { return good_ && left_.empty(); }
+    bool is_valid() const { return is_valid_; }
+    bool is_at_end() const { return is_valid_ && rest_.empty(); }
 
     template <class T> void number(T& value) {
         if (take(sizeof value))
-            std::memcpy(&value, taken_, sizeof value);
+            std::memcpy(&value, last_taken_, sizeof value);
     }
     template <class T> void list(T& values, std::size_t most) {
         using Value = typename T::value_type;
         std::uint64_t count = 0;
         number(count);
-        good_ = good_ && count <= most;
-        if (!good_ || !take(static_cast<std::size_t>(count) * sizeof(Value)))
+        is_valid_ = is_valid_ && count <= most;
+        if (!is_valid_ || !take(static_cast<std::size_t>(count) * sizeof(Value)))
             return;
         values.resize(static_cast<std::size_t>(count));
         if (count != 0)
-            std::memcpy(values.data(), taken_, values.size() * sizeof(Value));
+            std::memcpy(values.data(), last_taken_, values.size() * sizeof(Value));
     }
-    template <class T, class Fields> void each(T& values, Fields fields) {
+    template <class T, class Fields> void each_field(T& values, Fields fields) {
         std::uint64_t left = 0;
         number(left);
-        good_ = good_ && left <= most_listed;
-        for (; left > 0 && good_; --left)
+        is_valid_ = is_valid_ && left <= most_listed;
+        for (; left > 0 && is_valid_; --left)
             fields(values.emplace_back());
     }
     void size(std::size_t& value) {
@@ -86,47 +86,48 @@ class Unpacker {
     void flag(bool& value) {
         std::uint8_t byte = 0;
         number(byte);
-        good_ = good_ && byte <= 1;
+        is_valid_ = is_valid_ && byte <= 1;
         value = byte == 1;
     }
 
   private:
-    std::string_view left_;
-    const char* taken_ = nullptr;
-    bool good_ = true;
+    std::string_view rest_;
+    const char* last_taken_ = nullptr;
+    bool is_valid_ = true;
 
     bool take(std::size_t size) {
-        good_ = good_ && size <= left_.size();
-        if (!good_)
+        is_valid_ = is_valid_ && size <= rest_.size();
+        if (!is_valid_)
             return false;
-        taken_ = left_.data();
-        left_.remove_prefix(size);
+        last_taken_ = rest_.data();
+        rest_.remove_prefix(size);
         return true;
     }
 };
 
-template <std::size_t N> bool finite(const float (&values)[N]) {
+template <std::size_t N> bool is_finite(const float (&values)[N]) {
     return std::all_of(values, values + N, [](float v) { return std::isfinite(v); });
 }
-bool finite(const std::array<float, 4>& values) {
+bool is_finite(const std::array<float, 4>& values) {
     return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
 }
 
-bool drawable(const ModelPart& part, std::size_t images) {
+bool is_drawable(const ModelPart& part, std::size_t images) {
     const auto corners = static_cast<std::size_t>(part.kind) + 1;
     return !part.indices.empty() && part.indices.size() % corners == 0 &&
            std::all_of(part.indices.begin(), part.indices.end(),
                        [&part](std::uint32_t i) { return i < part.vertices.size(); }) &&
            std::all_of(part.vertices.begin(), part.vertices.end(),
                        [](const ModelVertex& v) {
-                           return finite(v.position) && finite(v.normal) && finite(v.texcoord) &&
-                                  finite(v.color);
+                           return is_finite(v.position) && is_finite(v.normal) && is_finite(v.texcoord) &&
+                                  is_finite(v.color);
                        }) &&
-           finite(part.diffuse) && finite(part.specular) && finite(part.emission) && part.shininess >= 0.0f &&
-           part.shininess <= 128.0f && part.image >= -1 && part.image < static_cast<int>(images);
+           is_finite(part.diffuse) && is_finite(part.specular) && is_finite(part.emission) &&
+           part.shininess >= 0.0f && part.shininess <= 128.0f && part.image >= -1 &&
+           part.image < static_cast<int>(images);
 }
 
-bool drawable(const ModelImage& image) {
+bool is_drawable(const ModelImage& image) {
     const auto side = [](int n) {
         return n > 0 && n <= sim::longest_side && std::has_single_bit(static_cast<unsigned>(n));
     };
@@ -160,9 +161,9 @@ template <class Wire, class Result> void result_fields(Wire& wire, Result& resul
     wire.list(result.error, longest_text);
     wire.list(model.name, longest_text);
     wire.size(model.triangles);
-    wire.each(model.notes, [&wire](auto& note) { wire.list(note, longest_text); });
-    wire.each(model.images, [&wire](auto& image) { image_fields(wire, image); });
-    wire.each(model.parts, [&wire](auto& part) { part_fields(wire, part); });
+    wire.each_field(model.notes, [&wire](auto& note) { wire.list(note, longest_text); });
+    wire.each_field(model.images, [&wire](auto& image) { image_fields(wire, image); });
+    wire.each_field(model.parts, [&wire](auto& part) { part_fields(wire, part); });
 }
 
 } // namespace
@@ -177,11 +178,11 @@ std::string unpack(std::string_view bytes, ModelResult& result) {
     Unpacker from(bytes);
     result_fields(from, result);
     const Model& model = result.model;
-    const bool sound = from.finished() && model.triangles <= most_triangles &&
+    const bool sound = from.is_at_end() && model.triangles <= most_triangles &&
                        std::all_of(model.images.begin(), model.images.end(),
-                                   [](const ModelImage& i) { return drawable(i); }) &&
+                                   [](const ModelImage& i) { return is_drawable(i); }) &&
                        std::all_of(model.parts.begin(), model.parts.end(), [&model](const ModelPart& part) {
-                           return drawable(part, model.images.size());
+                           return is_drawable(part, model.images.size());
                        });
     result.error = one_line(result.error);
     for (std::string& note : result.model.notes)

@@ -55,7 +55,7 @@ int run(const std::vector<std::string>& program, const fs::path& words) {
     process::Streams streams;
     if (!words.empty())
         streams.out = streams.error = ::open(words.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-    const process::Ended ended = process::run(program, streams);
+    const process::ExitStatus ended = process::run(program, streams);
     const std::string why =
         ended.error == 0 ? ""
                          : "spangle: cannot run '" + program[0] + "': " + std::strerror(ended.error) + "\n";

@@ -1,5 +1,5 @@
 // Reads pictures with SDL_image, and scales them to what GL 1.x takes as a texture. The files are not
-// trusted: these functions run within confined().
+// trusted: these functions run within run_confined().
 #pragma once
 
 #include <cstddef>

@@ -28,11 +28,11 @@ constexpr int usual_frames = 60; ///< frames recorded of a program, which needs 
 
 /// Returns the cheapest tier within the bound, or the most accurate where no bound is asked. Null: no tier is
 /// within the bound.
-const Recorded* choose(const std::vector<Recorded>& all, double max_error) {
+const TierRecord* choose(const std::vector<TierRecord>& all, double max_error) {
     if (max_error < 0.0)
         return &all.front();
     const auto at =
-        std::find_if(all.rbegin(), all.rend(), [&](const Recorded& r) { return r.error <= max_error; });
+        std::find_if(all.rbegin(), all.rend(), [&](const TierRecord& r) { return r.error <= max_error; });
     return at == all.rend() ? nullptr : &*at;
 }
 
@@ -143,7 +143,7 @@ int profile(ProfileOptions options) {
             return refuse(problem);
 
     const std::string title = title_of(options);
-    std::vector<Recorded> all;
+    std::vector<TierRecord> all;
     const bool drawn = options.trace.empty() && !options.program;
     const pair::Folder folder;
     if (folder.path().empty())
@@ -152,7 +152,7 @@ int profile(ProfileOptions options) {
             drawn ? record_drawn(options, all) : record_replayed(options, folder.path(), all);
         !problem.empty())
         return refuse(problem);
-    const Recorded* const chosen = choose(all, options.max_error);
+    const TierRecord* const chosen = choose(all, options.max_error);
     if (chosen == nullptr)
         return refuse(fmt::format("no tier is within {} %: {} differs in {:.4f} % of its pixels",
                                   options.max_error, all.front().tier, all.front().error));

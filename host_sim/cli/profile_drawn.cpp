@@ -30,7 +30,7 @@ Precision precision_of(const std::string& tier) {
     return tier == "exact" ? Precision::exact : tier == "balanced" ? Precision::balanced : Precision::fast;
 }
 
-std::string record(ProfileOptions& options, const std::string& tier, Recorded& out) {
+std::string record(ProfileOptions& options, const std::string& tier, TierRecord& out) {
     Model model;
     Program program;
     std::string problem = make_program(options.run, model, program);
@@ -50,7 +50,7 @@ std::string record(ProfileOptions& options, const std::string& tier, Recorded& o
     }
     if (const GLenum error = glGetError(); error != GL_NO_ERROR)
         return fmt::format("{} raised GL error 0x{:04X}{}{}", program.name, error,
-                           Session::complaint().empty() ? "" : ": ", Session::complaint());
+                           Session::last_error_text().empty() ? "" : ": ", Session::last_error_text());
     options.run.dither = glIsEnabled(GL_DITHER) != GL_FALSE; // the reference dithers as the program did
     out.tier = tier;
     out.frames = options.run.frames;
@@ -59,7 +59,7 @@ std::string record(ProfileOptions& options, const std::string& tier, Recorded& o
 }
 
 /// Draws the recorded frames again, and compares each with the double reference.
-std::string compare(const ProfileOptions& options, Recorded& out) {
+std::string compare(const ProfileOptions& options, TierRecord& out) {
     RunOptions run = options.run;
     run.precision = precision_of(out.tier);
     run.compare = true;
@@ -72,7 +72,7 @@ std::string compare(const ProfileOptions& options, Recorded& out) {
 
 } // namespace
 
-std::string record_drawn(ProfileOptions& options, std::vector<Recorded>& out) {
+std::string record_drawn(ProfileOptions& options, std::vector<TierRecord>& out) {
     std::string problem;
     for (const std::string& tier : options.tiers)
         if (problem.empty()) {
@@ -85,7 +85,7 @@ std::string record_drawn(ProfileOptions& options, std::vector<Recorded>& out) {
 
 #else
 
-std::string record_drawn(ProfileOptions&, std::vector<Recorded>&) {
+std::string record_drawn(ProfileOptions&, std::vector<TierRecord>&) {
     return "this build does not record: it leaves out messages or display lists";
 }
 

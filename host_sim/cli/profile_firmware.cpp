@@ -46,7 +46,7 @@ std::string last_words(const fs::path& path) {
 
 /// The size of the picture as WIDTHxHEIGHT. The windows of a trace have sizes of their own, of which the
 /// largest counts.
-std::string size_of(const ProfileOptions& options, const Recorded& chosen) {
+std::string size_of(const ProfileOptions& options, const TierRecord& chosen) {
     const bool drawn = options.trace.empty();
     return drawn ? options.size
                  : fmt::format("{}x{}", chosen.record.reach(gl::Range::SURFACE_WIDTH),
@@ -67,7 +67,7 @@ std::string write_model(const std::string& model, const fs::path& path) {
 
 } // namespace
 
-std::string measure_firmware(const ProfileOptions& options, const Recorded& chosen, const fs::path& folder,
+std::string measure_firmware(const ProfileOptions& options, const TierRecord& chosen, const fs::path& folder,
                              nlohmann::json& out) {
     const fs::path script = find_tool();
     if (script.empty())

@@ -14,7 +14,7 @@ namespace spangle::cli {
 /// that it prints. Scenes and models are measured as they are, and traces as programs that make the same
 /// calls. If firmware cannot replay a trace, only the size of an image with its commands is measured. Returns
 /// what went wrong, or an empty string.
-std::string measure_firmware(const ProfileOptions& options, const Recorded& chosen,
+std::string measure_firmware(const ProfileOptions& options, const TierRecord& chosen,
                              const std::filesystem::path& folder, nlohmann::json& out);
 
 } // namespace spangle::cli

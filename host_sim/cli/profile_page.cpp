@@ -23,7 +23,7 @@ th{background:#f4f4f4}.chain{background:#fdf3d8}.taken{font-weight:bold}
 </style></head><body>
 )";
 
-std::string escaped(const std::string& text) {
+std::string escape_html(const std::string& text) {
     std::string out;
     for (const char c : text)
         out += c == '<'   ? std::string("&lt;")
@@ -34,7 +34,7 @@ std::string escaped(const std::string& text) {
 }
 
 /// Writes a number in groups of three digits: 1234567 as 1,234,567.
-std::string grouped(std::int64_t number) {
+std::string with_thousands(std::int64_t number) {
     std::string digits = std::to_string(number);
     for (std::ptrdiff_t at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > (number < 0 ? 1 : 0);
          at -= 3)
@@ -51,7 +51,7 @@ std::string tiers(const ProfileReport& report) {
     std::string out =
         "<h2>Accuracy</h2>\n<table><tr><th>tier</th><th>pixels that differ</th><th>at most, steps of "
         "RGB565</th><th>PSNR</th></tr>\n";
-    for (const Recorded& r : *report.all)
+    for (const TierRecord& r : *report.all)
         out += fmt::format("<tr{}><td>{}</td><td>{:.4f} %</td><td>{}</td><td>{:.1f} dB</td></tr>\n",
                            &r == report.chosen ? " class=taken" : "", r.tier, r.error, r.max_lsb, r.psnr_db);
     return out +
@@ -61,12 +61,12 @@ std::string tiers(const ProfileReport& report) {
 /// One row of a table that compares the whole library with the profile.
 std::string versus(const char* what, const nlohmann::json& whole, const nlohmann::json& profiled) {
     const auto a = whole.get<std::int64_t>(), b = profiled.get<std::int64_t>();
-    return fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{:+.1f} %</td></tr>\n", what, grouped(a),
-                       grouped(b),
+    return fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{:+.1f} %</td></tr>\n", what,
+                       with_thousands(a), with_thousands(b),
                        a != 0 ? 100.0 * static_cast<double>(b - a) / static_cast<double>(a) : 0.0);
 }
 
-std::string builds(const nlohmann::json& firmware) {
+std::string list_builds(const nlohmann::json& firmware) {
     const nlohmann::json &whole = firmware["whole"], &profiled = firmware["profiled"];
     std::string out =
         "<h2>Whole library and profile</h2>\n<table><tr><th>on a Cortex-M4</th><th>whole</th><th>profile</th>"
@@ -81,7 +81,7 @@ std::string builds(const nlohmann::json& firmware) {
     }
     out += "</table>\n";
     if (firmware.contains("unmeasured"))
-        out += "<p>It was not run: " + escaped(firmware["unmeasured"].get<std::string>()) + "</p>\n";
+        out += "<p>It was not run: " + escape_html(firmware["unmeasured"].get<std::string>()) + "</p>\n";
     if (profiled.contains("frames"))
         out += firmware.value("same_bytes", false)
                    ? "<p>Both draw the same bytes.</p>\n"
@@ -94,7 +94,7 @@ std::string builds(const nlohmann::json& firmware) {
     out += "<h2>Flash by "
            "folder</h2>\n<table><tr><th>folder</th><th>whole</th><th>profile</th><th>difference</th></tr>\n";
     for (const std::string& room : rooms)
-        out += versus(escaped(room).c_str(), whole["flash_of"].value(room, nlohmann::json(0)),
+        out += versus(escape_html(room).c_str(), whole["flash_of"].value(room, nlohmann::json(0)),
                       profiled["flash_of"].value(room, nlohmann::json(0)));
     return out + "</table>\n";
 }
@@ -104,7 +104,7 @@ std::string cost(const nlohmann::json& key, const char* name) {
     return key.contains(name) ? fmt::format("{:.1f}", key[name].get<double>()) : "-";
 }
 
-std::string keys(const nlohmann::json& told) {
+std::string list_state_keys(const nlohmann::json& told) {
     std::string out = "<h2>State keys</h2>\n<table><tr><th>state</th><th>pixels</th><th>share</th><th>drawn "
                       "by</th><th>instructions a pixel</th><th>in the whole library</th></tr>\n";
     double all = 0.0;
@@ -114,8 +114,8 @@ std::string keys(const nlohmann::json& told) {
         if (key["pixels"] != 0 || key["fused"] == true)
             out += fmt::format(
                 "<tr{}><td class=words>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                key["fused"] == true ? "" : " class=chain", escaped(key["key"].get<std::string>()),
-                grouped(key["pixels"].get<std::int64_t>()),
+                key["fused"] == true ? "" : " class=chain", escape_html(key["key"].get<std::string>()),
+                with_thousands(key["pixels"].get<std::int64_t>()),
                 bar(all > 0.0 ? key["pixels"].get<double>() / all : 0.0),
                 key["fused"] == true ? "a loop of its own" : "the chain", cost(key, "instructions_a_pixel"),
                 cost(key, "instructions_a_pixel_whole"));
@@ -128,10 +128,11 @@ std::string lines(const nlohmann::json& firmware) {
                       "class=words>command</th><th>calls</th><th>"
                       "instructions</th><th>of the frame</th></tr>\n";
     for (const nlohmann::json& line : firmware["lines"])
-        out += fmt::format("<tr><td>{}</td><td class=words>{}</td><td>{:g}</td><td>{}</td><td>{}</td></tr>\n",
-                           escaped(line["line"].get<std::string>()), line["command"].get<std::string>(),
-                           line["calls"].get<double>(), grouped(line["instructions"].get<std::int64_t>()),
-                           bar(line["instructions"].get<double>() / frame));
+        out +=
+            fmt::format("<tr><td>{}</td><td class=words>{}</td><td>{:g}</td><td>{}</td><td>{}</td></tr>\n",
+                        escape_html(line["line"].get<std::string>()), line["command"].get<std::string>(),
+                        line["calls"].get<double>(), with_thousands(line["instructions"].get<std::int64_t>()),
+                        bar(line["instructions"].get<double>() / frame));
     return out + "</table>\n<p>Of a frame of the profiled build. A command that draws pays for what was "
                  "asked before it.</p>\n";
 }
@@ -142,10 +143,10 @@ std::string to_page(const ProfileReport& report) {
     const nlohmann::json told = to_json(report);
     std::string out =
         head + fmt::format("<h1>What {} takes</h1>\n<p>In the tier {}, {} frames recorded.</p>\n",
-                           escaped(report.title), report.chosen->tier, report.chosen->frames);
+                           escape_html(report.title), report.chosen->tier, report.chosen->frames);
     if (report.firmware.is_object())
-        out += builds(report.firmware);
-    out += tiers(report) + keys(told);
+        out += list_builds(report.firmware);
+    out += tiers(report) + list_state_keys(told);
     if (report.firmware.is_object() && !report.firmware["lines"].empty())
         out += lines(report.firmware);
     out += "<h2>Systems and limits</h2>\n<p>";

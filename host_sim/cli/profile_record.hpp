@@ -11,7 +11,7 @@
 namespace spangle::cli {
 
 /// What a program asked for in one tier, and how far its pictures are from the reference.
-struct Recorded {
+struct TierRecord {
     std::string tier, picture_hash;
     profile::Record record;
     int frames = 0;
@@ -25,11 +25,11 @@ std::string title_of(const ProfileOptions& options);
 
 /// Records a scene or a model in this process; --dither becomes what the program set. Returns what went
 /// wrong, or an empty string.
-std::string record_drawn(ProfileOptions& options, std::vector<Recorded>& out);
+std::string record_drawn(ProfileOptions& options, std::vector<TierRecord>& out);
 
 /// Records a trace, or a program of which a trace is made first. Each tier is a replay on the drop-in pair.
 /// The option --trace becomes the recorded trace, which may lie in the folder.
 std::string record_replayed(ProfileOptions& options, const std::filesystem::path& folder,
-                            std::vector<Recorded>& out);
+                            std::vector<TierRecord>& out);
 
 } // namespace spangle::cli

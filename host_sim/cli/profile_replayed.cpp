@@ -54,7 +54,7 @@ std::string pictures_of(const std::string& trace, const fs::path& folder, std::v
     return out.empty() ? "the trace shows no frame" : "";
 }
 
-std::string compare(const std::vector<fs::path>& ours, const std::vector<fs::path>& theirs, Recorded& out) {
+std::string compare(const std::vector<fs::path>& ours, const std::vector<fs::path>& theirs, TierRecord& out) {
     if (ours.size() != theirs.size())
         return fmt::format("the replay in the tier {} shows {} frames, and {} in double", out.tier,
                            ours.size(), theirs.size());
@@ -84,7 +84,7 @@ std::string compare(const std::vector<fs::path>& ours, const std::vector<fs::pat
 /// Replays the trace while the drop-in pair records. A run for pictures cannot record as well: its retracer
 /// reads the pictures by commands that the program never called.
 std::string record(const std::string& trace, const std::string& format, const fs::path& folder,
-                   Recorded& out) {
+                   TierRecord& out) {
     const fs::path file = folder / ("record-" + out.tier);
     pair::set("SPANGLE_RECORD", file.string());
     pair::set("SPANGLE_RECORD_FORMAT", format == "program" ? "" : format);
@@ -107,7 +107,7 @@ bool shows_frames(const std::string& trace, const fs::path& folder) {
 
 } // namespace
 
-std::string record_replayed(ProfileOptions& options, const fs::path& folder, std::vector<Recorded>& out) {
+std::string record_replayed(ProfileOptions& options, const fs::path& folder, std::vector<TierRecord>& out) {
     std::string problem = options.program ? "" : pair::trace_problem(options.trace);
     if (problem.empty())
         problem = pair::use();
@@ -144,7 +144,7 @@ std::string record_replayed(ProfileOptions& options, const fs::path& folder, std
     for (const std::string& tier : options.tiers) {
         if (!problem.empty())
             break;
-        Recorded& one = out.emplace_back();
+        TierRecord& one = out.emplace_back();
         one.tier = tier;
         pair::set("SPANGLE_PRECISION", tier);
         std::vector<fs::path> pictures;

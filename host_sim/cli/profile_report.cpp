@@ -71,7 +71,7 @@ std::string cost(const nlohmann::json& firmware, const std::string& key) {
 
 nlohmann::json to_json(const ProfileReport& report) {
     nlohmann::json out;
-    for (const Recorded& r : *report.all)
+    for (const TierRecord& r : *report.all)
         out["tiers"][r.tier] = {{"different_percent", r.error},
                                 {"max_lsb", r.max_lsb},
                                 {"psnr_565_db", r.psnr_db},
@@ -110,7 +110,7 @@ nlohmann::json to_json(const ProfileReport& report) {
 
 std::string to_text(const ProfileReport& report) {
     std::string out;
-    for (const Recorded& r : *report.all)
+    for (const TierRecord& r : *report.all)
         out += fmt::format("  {:<10}{:9.4f} % of pixels differ, at most {} steps of RGB565, {:.1f} dB{}\n",
                            r.tier, r.error, r.max_lsb, r.psnr_db,
                            &r == report.chosen ? "   <- the profile's" : "");

@@ -13,8 +13,8 @@ namespace spangle::cli {
 
 struct ProfileReport {
     std::string title;
-    const std::vector<Recorded>* all;
-    const Recorded* chosen; ///< the element of `all` that the profile is made for
+    const std::vector<TierRecord>* all;
+    const TierRecord* chosen; ///< the element of `all` that the profile is made for
     const profile::Profile* made;
     nlohmann::json firmware; ///< figures of both builds on the emulated board
                              ///< (host_sim/profile/firmware/measure.py); null: not measured

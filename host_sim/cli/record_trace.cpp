@@ -73,14 +73,14 @@ std::string without_refused_contexts(const fs::path& trace, const fs::path& fold
     const fs::path all = folder / "all.trace", words = folder / "words";
     std::error_code problem;
     fs::rename(trace, all, problem);
-    const Ended ended =
+    const ToolResult ended =
         run_bounded({"apitrace", "trim", "--calls=" + calls, "-o", trace.string(), all.string()}, words);
     return ended.problem.empty() && ended.status == 0 && !problem ? "" : "apitrace cannot trim the trace";
 }
 
 } // namespace
 
-Ended run_bounded(const std::vector<std::string>& command, const fs::path& words) {
+ToolResult run_bounded(const std::vector<std::string>& command, const fs::path& words) {
     if (!found(command[0]))
         return {0, command[0] + " is not installed; `./dev setup --programs` installs it"};
     std::vector<std::string> bounded = {"timeout", "--kill-after", grace, std::to_string(longest)};
@@ -118,7 +118,7 @@ std::string record_trace(const std::vector<std::string>& program, const std::str
     std::vector<std::string> command = {"apitrace", "trace", "-a", api, "-o", to.string()};
     command.insert(command.end(), program.begin(), program.end());
     const fs::path words = folder / "words";
-    const Ended ended = run_bounded(command, words);
+    const ToolResult ended = run_bounded(command, words);
     pair::set("SPANGLE_SIZE", "");
     pair::set("SPANGLE_SIGNAL", "");
     if (!ended.problem.empty())

@@ -9,13 +9,13 @@ namespace spangle::cli {
 
 /// How a tool ended. A `problem` says that the tool is not installed, or took too long; then the status means
 /// nothing.
-struct Ended {
+struct ToolResult {
     int status = 0;
     std::string problem;
 };
 
 /// Runs a tool to its end; `words` takes what it prints.
-Ended run_bounded(const std::vector<std::string>& command, const std::filesystem::path& words);
+ToolResult run_bounded(const std::vector<std::string>& command, const std::filesystem::path& words);
 
 /// The first function that a tracer or retracer could not find, according to what it printed. Empty if it
 /// found all.

@@ -50,15 +50,15 @@ std::string reason_in(const fs::path& file) {
 }
 
 /// Restores an environment variable to its old value at the end of a scope.
-class Kept {
+class ScopedVariable {
   public:
-    explicit Kept(const char* variable) : variable_(variable) {
+    explicit ScopedVariable(const char* variable) : variable_(variable) {
         const char* const value = std::getenv(variable);
         value_ = value != nullptr ? value : "";
     }
-    ~Kept() { pair::set(variable_, value_); }
-    Kept(const Kept&) = delete;
-    Kept& operator=(const Kept&) = delete;
+    ~ScopedVariable() { pair::set(variable_, value_); }
+    ScopedVariable(const ScopedVariable&) = delete;
+    ScopedVariable& operator=(const ScopedVariable&) = delete;
 
   private:
     const char* variable_;
@@ -66,15 +66,15 @@ class Kept {
 };
 
 /// What a retracer printed about calls that it could not make, or that raised errors.
-struct Complaints {
+struct RetraceErrors {
     std::string unavailable; ///< name of the first function that does not exist
     std::string first_error;
     int errors = 0;
 };
 
-Complaints complaints_of(const fs::path& words) {
+RetraceErrors complaints_of(const fs::path& words) {
     constexpr std::string_view error = "glGetError(";
-    Complaints out;
+    RetraceErrors out;
     out.unavailable = unavailable_function(words);
     std::ifstream in(words, std::ios::binary);
     for (std::string line; std::getline(in, line);) {
@@ -96,7 +96,7 @@ Complaints complaints_of(const fs::path& words) {
 class Replays final : public trade::Recording {
   public:
     explicit Replays(std::string trace) : trace_(std::move(trace)) {}
-    explicit Replays(std::vector<std::string> program) : program_(std::move(program)) {}
+    explicit Replays(std::vector<std::string> program) : program_words_(std::move(program)) {}
 
     std::string settle(trade::Setting& setting) override;
     std::string capture(PixelFormat format, EGLint precision, const trade::Setting& setting,
@@ -108,16 +108,16 @@ class Replays final : public trade::Recording {
     using Key = std::pair<PixelFormat, EGLint>;
 
     pair::Folder folder_;
-    std::string trace_;                ///< file; empty: the program is not yet recorded
-    std::vector<std::string> program_; ///< words of the program; empty: a trace is given
-    std::map<Key, fs::path> kept_;     ///< captures that will be asked for again
-    std::string told_;                 ///< message about the trace's errors; empty: not printed yet
+    std::string trace_;                      ///< file; empty: the program is not yet recorded
+    std::vector<std::string> program_words_; ///< words of the program; empty: a trace is given
+    std::map<Key, fs::path> saved_captures_; ///< captures that will be asked for again
+    std::string trace_message_;              ///< message about the trace's errors; empty: not printed yet
     int files_ = 0;
 
     std::string replay(PixelFormat format, EGLint precision, const trade::Setting& setting, bool times_only,
                        const fs::path& file);
     std::string draws(trade::Setting& setting);
-    void tell_errors(const Complaints& found);
+    void tell_errors(const RetraceErrors& found);
 };
 
 std::string Replays::replay(PixelFormat format, EGLint precision, const trade::Setting& setting,
@@ -125,7 +125,8 @@ std::string Replays::replay(PixelFormat format, EGLint precision, const trade::S
     std::string problem = folder_.path().empty() ? pair::Folder::problem() : pair::use();
     if (!problem.empty())
         return problem;
-    const Kept display("DISPLAY"); // the retracer unsets DISPLAY, which a program recorded next needs
+    const ScopedVariable display(
+        "DISPLAY"); // the retracer unsets DISPLAY, which a program recorded next needs
     for (const char* const variable : other_variables)
         pair::set(variable, "");
     pair::set("SPANGLE_CAPTURE", file.string());
@@ -139,11 +140,11 @@ std::string Replays::replay(PixelFormat format, EGLint precision, const trade::S
         // Without --benchmark the retracer asks for errors after each call.
         command.insert(command.end() - 1, "--benchmark");
     const fs::path words = folder_.path() / "words";
-    const Ended ended = run_bounded(command, words);
+    const ToolResult ended = run_bounded(command, words);
     pair::set("SPANGLE_CAPTURE", "");
     if (!ended.problem.empty())
         return ended.problem;
-    const Complaints found = complaints_of(words);
+    const RetraceErrors found = complaints_of(words);
     if (!found.unavailable.empty())
         return fmt::format("the replay misses the function {}; Spangle is OpenGL 1.5", found.unavailable);
     if (ended.status != 0)
@@ -156,12 +157,12 @@ std::string Replays::replay(PixelFormat format, EGLint precision, const trade::S
 
 /// Prints once how many calls raise errors. These are the program's own, which went on after them where it
 /// was recorded, too.
-void Replays::tell_errors(const Complaints& found) {
-    if (found.errors == 0 || !told_.empty())
+void Replays::tell_errors(const RetraceErrors& found) {
+    if (found.errors == 0 || !trace_message_.empty())
         return;
-    told_ = fmt::format("spangle: {} calls raise errors of OpenGL, {} the first\n", found.errors,
-                        found.first_error);
-    tell(told_);
+    trace_message_ = fmt::format("spangle: {} calls raise errors of OpenGL, {} the first\n", found.errors,
+                                 found.first_error);
+    tell(trace_message_);
 }
 
 std::string Replays::capture(PixelFormat format, EGLint precision, const trade::Setting& setting,
@@ -170,7 +171,7 @@ std::string Replays::capture(PixelFormat format, EGLint precision, const trade::
     const bool again = precision == EGL_PRECISION_DOUBLE_SPANGLE;
     const Key key{format, precision};
     fs::path file = folder_.path() / fmt::format("{}.capture", files_);
-    if (const auto kept = kept_.find(key); kept != kept_.end()) {
+    if (const auto kept = saved_captures_.find(key); kept != saved_captures_.end()) {
         file = kept->second;
     } else {
         ++files_;
@@ -181,7 +182,7 @@ std::string Replays::capture(PixelFormat format, EGLint precision, const trade::
         return problem;
     std::error_code ignored;
     if (again)
-        kept_[key] = file;
+        saved_captures_[key] = file;
     else
         fs::remove(file, ignored); // the file stays readable while it is open
     return "";
@@ -225,8 +226,8 @@ std::string Replays::settle(trade::Setting& setting) {
     // A tracer sees only one way to windows. Most programs use GLX, others EGL.
     for (const char* const api : {"gl", "egl"}) {
         trade::Setting own = setting;
-        kept_.clear();
-        problem = record_trace(program_, api, own.width, own.height, own.frames, folder_.path(), file);
+        saved_captures_.clear();
+        problem = record_trace(program_words_, api, own.width, own.height, own.frames, folder_.path(), file);
         if (!problem.empty())
             break;
         trace_ = file.string();

@@ -26,8 +26,8 @@
 
 namespace spangle::cli {
 
+using trade::count_differences;
 using trade::Coverage;
-using trade::differences;
 using trade::FrameCoverage;
 
 namespace {
@@ -56,27 +56,27 @@ class Comparison {
         reference_.make_current();
         program.draw(f);
         const FrameCoverage ideal = coverage_->end_frame();
-        unsnapped_ += differences(covered.snapped, ideal.exact);
-        snapping_ += differences(ideal.snapped, ideal.exact);
+        unsnapped_pixels_ += count_differences(covered.snapped, ideal.exact);
+        snapping_pixels_ += count_differences(ideal.snapped, ideal.exact);
         const sim::Image theirs = reference_.read();
         const std::vector<bool> mask = coverage_->take_mask();
         const sim::Difference d = sim::compare_565(ours, theirs, &mask);
-        total_.pixels += d.pixels;
-        total_.identical += d.identical;
-        total_.max_lsb = std::max(total_.max_lsb, d.max_lsb);
+        difference_.pixels += d.pixels;
+        difference_.identical += d.identical;
+        difference_.max_lsb = std::max(difference_.max_lsb, d.max_lsb);
         worst_psnr_ = std::min(worst_psnr_, d.psnr_db);
         picture_ = sim::difference_picture(ours, theirs);
     }
 
     void finish(Report& report, const Coverage& ours) const {
         report.compared = true;
-        report.identical_565_percent = total_.identical_percent();
-        report.max_lsb = total_.max_lsb;
+        report.identical_565_percent = difference_.identical_percent();
+        report.max_lsb = difference_.max_lsb;
         report.psnr_565_db = worst_psnr_;
         report.coverage_mismatches = ours.mismatches();
-        report.coverage_unsnapped = unsnapped_;
-        report.coverage_snapping = snapping_;
-        report.covered = total_.pixels;
+        report.coverage_unsnapped = unsnapped_pixels_;
+        report.coverage_snapping = snapping_pixels_;
+        report.covered = difference_.pixels;
     }
     const sim::Image& picture() const { return picture_; }
 
@@ -84,9 +84,9 @@ class Comparison {
     Session reference_;
     std::unique_ptr<Coverage> coverage_;
     raster::Counters counters_;
-    sim::Difference total_;
+    sim::Difference difference_;
     double worst_psnr_ = 99.0;
-    std::uint64_t unsnapped_ = 0, snapping_ = 0;
+    std::uint64_t unsnapped_pixels_ = 0, snapping_pixels_ = 0;
     sim::Image picture_;
 };
 
@@ -94,13 +94,13 @@ class Comparison {
 class ShadowSession {
   public:
     explicit ShadowSession(bool wanted)
-        : wanted_(wanted), old_(raster::report_shadow(wanted ? &report_ : nullptr)) {}
-    ~ShadowSession() { raster::report_shadow(old_); }
+        : is_wanted_(wanted), previous_report_(raster::report_shadow(wanted ? &report_ : nullptr)) {}
+    ~ShadowSession() { raster::report_shadow(previous_report_); }
     ShadowSession(const ShadowSession&) = delete;
     ShadowSession& operator=(const ShadowSession&) = delete;
 
     void finish(Report& report) const {
-        for (int i = 0; wanted_ && i < raster::shadow_stages; ++i) {
+        for (int i = 0; is_wanted_ && i < raster::shadow_stages; ++i) {
             const raster::ShadowRecord& r = report_.stage[i];
             const auto stage = static_cast<raster::ShadowStage>(i);
             if (r.count != 0)
@@ -110,13 +110,13 @@ class ShadowSession {
     }
 
   private:
-    bool wanted_;
+    bool is_wanted_;
     raster::ShadowReport report_;
-    raster::ShadowReport* old_;
+    raster::ShadowReport* previous_report_;
 };
 
 /// Shows progress in a line that is rewritten, on terminals and for long runs only.
-void progress(int frame, int frames) {
+void print_progress(int frame, int frames) {
     if (frames < 30 || isatty(STDERR_FILENO) == 0)
         return;
     tell(fmt::format("\rframe {} of {}{}", frame + 1, frames, frame + 1 == frames ? "\r\033[K" : ""));
@@ -210,7 +210,7 @@ RunResult run(const RunOptions& options) {
 
     screen.start();
     Report& report = result.report;
-    for (int f = 0; f < options.frames && !window.closed(); ++f) {
+    for (int f = 0; f < options.frames && !window.is_closed(); ++f) {
         counters.triangles = counters.fragments = 0;
         const bool read = f + 1 == options.frames || options.compare;
         int calls = 0;
@@ -236,12 +236,13 @@ RunResult run(const RunOptions& options) {
         }
         if (window.is_open())
             show();
-        progress(f, options.frames);
+        print_progress(f, options.frames);
         ++report.frames;
     }
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
-        result.error = fmt::format("{} raised GL error 0x{:04X}{}{}", program.name, error,
-                                   Session::complaint().empty() ? "" : ": ", Session::complaint());
+        result.error =
+            fmt::format("{} raised GL error 0x{:04X}{}{}", program.name, error,
+                        Session::last_error_text().empty() ? "" : ": ", Session::last_error_text());
         return result;
     }
 
@@ -268,7 +269,7 @@ RunResult run(const RunOptions& options) {
     // The frames that were asked for are reported. Now the scene goes on while the window is open.
     session.make_current();
     session.observe(nullptr);
-    for (int f = report.frames; result.error.empty() && window.can_be_closed() && !window.closed(); ++f) {
+    for (int f = report.frames; result.error.empty() && window.can_be_closed() && !window.is_closed(); ++f) {
         if (!screen.presents())
             program.draw(f);
         else if (!session.frame([&] { program.draw(f); }))

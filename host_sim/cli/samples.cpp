@@ -105,7 +105,7 @@ constexpr Cell cells[rows * columns] = {
      }},
 };
 
-void enlarge(const std::vector<GLubyte>& rgba, sim::Image& out, int left, int top) {
+void enlarge_picture(const std::vector<GLubyte>& rgba, sim::Image& out, int left, int top) {
     for (int y = 0; y < scale * cell_height; ++y)
         for (int x = 0; x < scale * cell_width; ++x)
             std::copy_n(
@@ -139,7 +139,7 @@ bool draw_cell(EGLDisplay display, const Cell& cell, sim::Image& out, int left, 
         cell.draw();
     });
     if (!rgba.empty())
-        enlarge(rgba, out, left, top);
+        enlarge_picture(rgba, out, left, top);
     return !rgba.empty();
 }
 

@@ -28,7 +28,7 @@ void print_text(const std::string& text) {
         tell(text);
 }
 
-std::string claim(const char* option, const std::string& path) {
+std::string claim_output(const char* option, const std::string& path) {
     if (path.empty() || !sim::is_standard_output(path))
         return "";
     if (!taken_by().empty())
@@ -37,14 +37,14 @@ std::string claim(const char* option, const std::string& path) {
     return "";
 }
 
-const std::string& claimed() {
+const std::string& claiming_option() {
     return taken_by();
 }
 
 std::string open(sim::Output& file, const char* option, const std::string& path) {
     if (path.empty())
         return "";
-    const std::string rule = claim(option, path);
+    const std::string rule = claim_output(option, path);
     return rule.empty() ? file.open(path) : rule;
 }
 

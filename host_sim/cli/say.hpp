@@ -30,9 +30,9 @@ template <class... Values> void print(fmt::format_string<Values...> format, Valu
 
 /// Notes a file that an option names. Only one file may be standard output, and words go to standard error
 /// from then on. Returns the rule that is broken, or an empty string.
-std::string claim(const char* option, const std::string& path);
+std::string claim_output(const char* option, const std::string& path);
 /// The option whose file is standard output; empty: none is.
-const std::string& claimed();
+const std::string& claiming_option();
 /// Notes the file and opens it, unless `path` is empty.
 std::string open(sim::Output& file, const char* option, const std::string& path);
 /// Writes the picture into the file, as PNG. Returns what went wrong, or an empty string.

@@ -59,21 +59,21 @@ std::string Screen::open_display(const RunOptions& options) {
             return rule;
     } else if (std::string rule = present_as(options.present, board); !rule.empty())
         return rule;
-    attached_ = bringup::attach(options.bus, board);
-    if (!attached_.error.empty())
-        return attached_.error;
-    if (attached_.simulated != nullptr)
-        display_ = &attached_.simulated->display();
-    else if (attached_.display != nullptr)
-        display_ = attached_.display.get();
+    attachment_ = bringup::attach(options.bus, board);
+    if (!attachment_.error.empty())
+        return attachment_.error;
+    if (attachment_.simulated != nullptr)
+        display_ = &attachment_.simulated->display();
+    else if (attachment_.display != nullptr)
+        display_ = attachment_.display.get();
     else {
-        attached_.board.display.reset_line = attached_.reset;
-        counted_.emplace(*attached_.bus);
-        stand_.emplace(*counted_, attached_.board.display);
-        display_ = &stand_->display();
+        attachment_.board.display.reset_line = attachment_.reset;
+        counted_bus_.emplace(*attachment_.bus);
+        real_panel_.emplace(*counted_bus_, attachment_.board.display);
+        display_ = &real_panel_->display();
     }
     if (SPANGLE_EXTENTS == 0)
-        display_ = &whole_.emplace(*display_);
+        display_ = &whole_frames_.emplace(*display_);
     return "";
 }
 
@@ -84,23 +84,24 @@ std::string Screen::open(const RunOptions& options, Session& session) {
     return problem.empty() ? session.open_display(*display_, options.precision, options.bands) : problem;
 }
 
-Screen::Counts Screen::counts() const {
-    if (attached_.simulated != nullptr) {
-        const sim::BoardCounters c = attached_.simulated->counters();
-        return {c.bytes, c.commands, c.pixel_bytes, c.busy_ns, attached_.simulated->now()};
+Screen::Counts Screen::read_counts() const {
+    if (attachment_.simulated != nullptr) {
+        const sim::BoardCounters c = attachment_.simulated->counters();
+        return {c.bytes, c.commands, c.pixel_bytes, c.busy_ns, attachment_.simulated->now()};
     }
-    return counted_ ? Counts{counted_->bytes(), counted_->commands(), counted_->pixel_bytes(), 0, 0}
-                    : Counts{};
+    return counted_bus_
+               ? Counts{counted_bus_->bytes(), counted_bus_->commands(), counted_bus_->pixel_bytes(), 0, 0}
+               : Counts{};
 }
 
 void Screen::start() {
-    before_ = counts();
-    started_ = finished_ = Clock::now();
+    counts_before_ = read_counts();
+    start_time_ = finish_time_ = Clock::now();
 }
 
 std::string Screen::finish() {
     const auto shown = display_ == nullptr ? hal::Result<void>{} : display_->finish();
-    finished_ = Clock::now();
+    finish_time_ = Clock::now();
     return shown.ok() ? "" : shown.error().rule;
 }
 
@@ -111,33 +112,34 @@ void Screen::describe(const RunOptions& options, const Session& session, Report&
         report.board = fmt::format("off-screen {}x{}", session.width(), session.height());
         return;
     }
-    const Counts now = counts();
-    const double seconds = static_cast<double>(now.busy_ns - before_.busy_ns) * 1e-9;
-    report.bus_bytes = now.bytes - before_.bytes;
-    report.bus_pixel_bytes = now.pixel_bytes - before_.pixel_bytes;
-    report.bus_commands = now.commands - before_.commands;
+    const Counts now = read_counts();
+    const double seconds = static_cast<double>(now.busy_ns - counts_before_.busy_ns) * 1e-9;
+    report.bus_bytes = now.bytes - counts_before_.bytes;
+    report.bus_pixel_bytes = now.pixel_bytes - counts_before_.pixel_bytes;
+    report.bus_commands = now.commands - counts_before_.commands;
     report.fps_at_bus_clock = seconds > 0.0 ? report.frames / seconds : 0.0;
-    if (attached_.display == nullptr)
-        report.full_frame_bytes = frame_bytes(attached_.board.display);
-    report.board = attached_.display != nullptr
+    if (attachment_.display == nullptr)
+        report.full_frame_bytes = frame_bytes(attachment_.board.display);
+    report.board = attachment_.display != nullptr
                        ? fmt::format("GUD display {}x{}", session.width(), session.height())
-                       : attached_.board.name;
+                       : attachment_.board.name;
     if (real()) {
-        report.board += " at " + attached_.where;
-        report.measured_fps = report.frames / std::chrono::duration<double>(finished_ - started_).count();
+        report.board += " at " + attachment_.where;
+        report.measured_fps =
+            report.frames / std::chrono::duration<double>(finish_time_ - start_time_).count();
     }
     if (options.bands.height != 0) {
         const std::size_t record =
             options.bands.record ? static_cast<std::size_t>(options.bands.record_bytes) : 0;
-        report.bands = BandMemory{hal::bus_memory(attached_.board), session.surface_bytes() - record,
+        report.bands = BandMemory{hal::bus_memory(attachment_.board), session.surface_bytes() - record,
                                   session.record_peak()};
     }
     if (!options.present.any())
         return;
-    report.presents = stand_ ? static_cast<const bringup::Stand&>(*stand_).display().counters()
-                             : attached_.simulated->presents();
-    report.virtual_fps =
-        real() ? *report.measured_fps : report.frames / (static_cast<double>(now.now - before_.now) * 1e-9);
+    report.presents = real_panel_ ? static_cast<const bringup::RealPanel&>(*real_panel_).display().counters()
+                                  : attachment_.simulated->presents();
+    report.virtual_fps = real() ? *report.measured_fps
+                                : report.frames / (static_cast<double>(now.now - counts_before_.now) * 1e-9);
 }
 
 } // namespace spangle::cli

@@ -27,7 +27,7 @@ class Screen {
     std::string open(const RunOptions& options, Session& session);
 
     /// The simulated board; null for a real display, and off screen.
-    sim::SimBoard* simulated() { return attached_.simulated.get(); }
+    sim::SimBoard* simulated() { return attachment_.simulated.get(); }
     /// Whether frames are presented; off screen they are only drawn.
     bool presents() const { return display_ != nullptr; }
     /// Starts the counters and clocks.
@@ -44,16 +44,16 @@ class Screen {
         sim::Time busy_ns = 0, now = 0;
     };
 
-    bringup::Attached attached_;
-    std::optional<bringup::CountedBus> counted_;
-    std::optional<bringup::Stand> stand_; ///< the display of a real panel
-    std::optional<WholeFrames> whole_;    ///< presents whole frames, if the build tells no damage
+    bringup::Attachment attachment_;
+    std::optional<bringup::CountedBus> counted_bus_;
+    std::optional<bringup::RealPanel> real_panel_; ///< the display of a real panel
+    std::optional<WholeFrames> whole_frames_;      ///< presents whole frames, if the build tells no damage
     hal::Display* display_ = nullptr;
-    Counts before_;
-    Clock::time_point started_, finished_;
+    Counts counts_before_;
+    Clock::time_point start_time_, finish_time_;
 
-    Counts counts() const;
-    bool real() const { return !attached_.where.empty(); }
+    Counts read_counts() const;
+    bool real() const { return !attachment_.where.empty(); }
     std::string open_display(const RunOptions& options);
 };
 

@@ -58,7 +58,7 @@ Session::~Session() {
         eglTerminate(display_);
 }
 
-EGLConfig Session::choose(Precision precision, bool window) const {
+EGLConfig Session::choose_config(Precision precision, bool window) const {
     const EGLint wish[] = {EGL_RENDERABLE_TYPE,
                            EGL_OPENGL_BIT,
                            EGL_SURFACE_TYPE,
@@ -102,7 +102,7 @@ std::string Session::open_display(hal::Display& display, Precision precision, co
         return egl_problem("eglInitialize");
     const EGLint window[] = {EGL_BAND_HEIGHT_SPANGLE, bands.height, EGL_BAND_RECORD_SPANGLE,
                              bands.record ? bands.record_bytes : 0, EGL_NONE};
-    return open(choose(precision, true), bands.height != 0 ? window : nullptr, nullptr);
+    return open(choose_config(precision, true), bands.height != 0 ? window : nullptr, nullptr);
 }
 
 std::string Session::open_picture(int width, int height, Precision precision) {
@@ -114,10 +114,10 @@ std::string Session::open_picture(int width, int height, Precision precision) {
     if (!eglInitialize(display_, nullptr, nullptr))
         return egl_problem("eglInitialize");
     const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
-    return open(choose(precision, false), nullptr, size);
+    return open(choose_config(precision, false), nullptr, size);
 }
 
-const std::string& Session::complaint() {
+const std::string& Session::last_error_text() {
     return first_message();
 }
 

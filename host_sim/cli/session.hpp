@@ -31,7 +31,7 @@ class Session {
     bool frame(const std::function<void()>& draw);
     const std::string& error() const { return error_; }
     /// The first message of the library since a session was opened; empty if there is none.
-    static const std::string& complaint();
+    static const std::string& last_error_text();
     int width() const { return width_; }
     int height() const { return height_; }
     /// Bytes of Spangle's memory (spangle::memory) that the surface and the context took.
@@ -56,7 +56,7 @@ class Session {
     std::string error_;
 
     std::string open(EGLConfig config, const EGLint* window, const EGLint* picture);
-    EGLConfig choose(Precision precision, bool window) const;
+    EGLConfig choose_config(Precision precision, bool window) const;
 };
 
 } // namespace spangle::cli

@@ -188,7 +188,7 @@ int print_bytes(const trade::Sweep& what) {
 }
 
 /// Prints what was found out. Writes the page too, unless the sweep is only a part of a larger one.
-int report(const TradeOptions& options, const trade::Swept& swept, bool whole) {
+int report(const TradeOptions& options, const trade::SweepResult& swept, bool whole) {
     int missed = 0;
     for (const trade::Table::Row& row : swept.accuracy.rows)
         for (const std::string& box : trade::missed_boxes(swept.accuracy, row)) {
@@ -310,7 +310,7 @@ int trade(const TradeOptions& options, bool merging) {
         return problem.empty() ? 0 : refuse(problem);
     }
     if (merging) {
-        const trade::Swept swept = trade::merge_folders(options.parts, options.out);
+        const trade::SweepResult swept = trade::merge_folders(options.parts, options.out);
         return swept.problem.empty() ? report(options, swept, true) : refuse(swept.problem);
     }
     Corpus corpus;
@@ -336,7 +336,7 @@ int trade(const TradeOptions& options, bool merging) {
             tell(fmt::format("\r\033[K{} of {}: {} in {}{}", job.number + 1, job.of, job.scene,
                              job.format.name, job.number + 1 == job.of ? "\r\033[K" : ""));
         };
-    const trade::Swept swept = trade::sweep(sweep, options.out);
+    const trade::SweepResult swept = trade::sweep(sweep, options.out);
     return swept.problem.empty() ? report(options, swept, options.shard.empty()) : refuse(swept.problem);
 }
 

@@ -42,7 +42,7 @@ bool Window::can_be_closed() const {
 namespace {
 
 /// Draws a picture into a rectangle of the window, as large as fits with the picture's proportions.
-void blit(const sim::Image& image, SDL_Surface* to, int x, int room_width, int room_height) {
+void copy_scaled(const sim::Image& image, SDL_Surface* to, int x, int room_width, int room_height) {
     if (image.width == 0)
         return;
     SDL_Surface* const from =
@@ -63,14 +63,14 @@ void Window::show(const sim::Image& glass, const sim::Image& memory, const sim::
     SDL_Event event;
     while (SDL_PollEvent(&event) != 0)
         if (event.type == SDL_QUIT)
-            closed_ = true;
+            is_closed_ = true;
     SDL_Surface* const screen = SDL_GetWindowSurface(window_);
     if (screen == nullptr)
         return;
     constexpr Uint8 bezel = 40;
     SDL_FillRect(screen, nullptr, SDL_MapRGB(screen->format, bezel, bezel, bezel));
-    blit(glass, screen, 0, screen->w / 2, screen->h);
-    blit(memory, screen, screen->w / 2, screen->w / 2, screen->h);
+    copy_scaled(glass, screen, 0, screen->w / 2, screen->h);
+    copy_scaled(memory, screen, screen->w / 2, screen->w / 2, screen->h);
     SDL_SetWindowTitle(window_, fmt::format("{}: glass | controller memory | {} bytes, {} commands", title_,
                                             counters.bytes, counters.commands)
                                     .c_str());

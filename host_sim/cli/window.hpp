@@ -23,12 +23,12 @@ class Window {
     /// Whether the user sees the window. Drivers that show nothing open windows that nobody can close.
     bool can_be_closed() const;
     /// Whether the user has closed the window.
-    bool closed() const { return closed_; }
+    bool is_closed() const { return is_closed_; }
     void show(const sim::Image& glass, const sim::Image& memory, const sim::BoardCounters& counters);
 
   private:
     SDL_Window* window_ = nullptr;
-    bool closed_ = false;
+    bool is_closed_ = false;
     std::string title_;
     int scale_ = 2;
 };

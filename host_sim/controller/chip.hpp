@@ -167,7 +167,7 @@ inline constexpr Chip chips[] = {
 
 /// Returns the chip with a memory of the wanted size, as its pins select it. The width is 0 where the chip
 /// has no such memory.
-constexpr Chip strapped(const Chip& chip, MemorySize wanted) {
+constexpr Chip with_memory_size(const Chip& chip, MemorySize wanted) {
     Chip out = chip;
     bool known = wanted.width == chip.width && wanted.height == chip.height;
     for (const MemorySize& size : chip.other_sizes)

@@ -29,7 +29,7 @@ std::string Controller::violations_text() const {
     return text;
 }
 
-std::string hex(unsigned v) {
+std::string hex_text(unsigned v) {
     char text[8];
     std::snprintf(text, sizeof text, "%02Xh", v);
     return text;

@@ -86,6 +86,6 @@ class PowerOnNoise {
 };
 
 /// A byte as datasheets write it, such as "2Ch".
-std::string hex(unsigned v);
+std::string hex_text(unsigned v);
 
 } // namespace spangle::sim

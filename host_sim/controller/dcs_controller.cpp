@@ -52,8 +52,8 @@ int expected_parameters(std::uint8_t command) {
 } // namespace
 
 DcsController::DcsController(const Chip& chip, const GlassMount& glass, bool parallel)
-    : Controller(chip.name, glass), chip_(chip), parallel_(parallel),
-      memory_(static_cast<std::size_t>(chip.width * chip.height)), shown_(memory_.size()) {
+    : Controller(chip.name, glass), chip_(chip), is_parallel_(parallel),
+      memory_(static_cast<std::size_t>(chip.width * chip.height)), scanned_memory_(memory_.size()) {
     PowerOnNoise noise;
     for (Rgb666& p : memory_) {
         const std::uint32_t n = noise.next();
@@ -64,31 +64,32 @@ DcsController::DcsController(const Chip& chip, const GlassMount& glass, bool par
 }
 
 void DcsController::power_on_registers() {
-    awake_ = on_ = inverted_ = idle_ = partial_ = scrolling_ = te_on_ = te_with_hblank_ = false;
+    is_awake_ = is_display_on_ = is_inverted_ = is_idle_ = is_partial_ = is_scrolling_ = has_te_ =
+        te_with_hblank_ = false;
     madctl_ = 0;
     colmod_ = dcs::pixel_format_18_bits;
     te_line_ = 0;
-    xs_ = ys_ = 0;
-    xe_ = chip_.width - 1;
-    ye_ = chip_.height - 1;
+    column_start_ = page_start_ = 0;
+    column_end_ = chip_.width - 1;
+    page_end_ = chip_.height - 1;
     partial_start_ = 0;
     partial_end_ = chip_.height - 1;
     scroll_top_ = scroll_start_ = 0;
     scroll_height_ = chip_.height;
-    makers_.clear();
-    keys_turned_ = 0;
+    maker_registers_.clear();
+    unlocked_keys_ = 0;
     has_command_ = false;
-    pixel_fill_ = 0;
+    pixel_byte_count_ = 0;
     forget_read();
 }
 
 // --- pins of the controller
 
 void DcsController::reset(bool low, Time now) {
-    if (low == in_reset_)
+    if (low == is_in_reset_)
         return;
     scan_until(now);
-    in_reset_ = low;
+    is_in_reset_ = low;
     if (low) {
         reset_fell_at_ = now;
         return;
@@ -103,7 +104,7 @@ void DcsController::reset(bool low, Time now) {
 /// Raising CS between bytes ends no command (a fact of these controllers): parameters and pixels may go on
 /// afterwards. It does end an answer, because the controller lets go of the data line.
 void DcsController::select(bool chip_select, Time now) {
-    selected_ = chip_select;
+    is_selected_ = chip_select;
     if (chip_select)
         return;
     end_read(now);
@@ -111,7 +112,7 @@ void DcsController::select(bool chip_select, Time now) {
 }
 
 void DcsController::write(std::uint8_t byte, bool data, Time now, unsigned period_ns) {
-    if (!selected_ || in_reset_)
+    if (!is_selected_ || is_in_reset_)
         return;
     if (!data) {
         end_command(now);
@@ -130,10 +131,10 @@ void DcsController::write(std::uint8_t byte, bool data, Time now, unsigned perio
 
 /// Reports a clock that is too fast once per command: a frame at the wrong clock is one mistake.
 void DcsController::check_write_clock(Time now, unsigned period_ns) {
-    const unsigned shortest = parallel_ ? chip_.parallel_write_ns : chip_.serial_write_got_ns;
-    if (period_ns >= shortest || write_too_fast_)
+    const unsigned shortest = is_parallel_ ? chip_.parallel_write_ns : chip_.serial_write_got_ns;
+    if (period_ns >= shortest || has_written_too_fast_)
         return;
-    write_too_fast_ = true;
+    has_written_too_fast_ = true;
     report(Rule::write_clock,
            "a write cycle of " + std::to_string(period_ns) + " ns; this controller takes " +
                std::to_string(shortest) + " ns",
@@ -145,14 +146,14 @@ void DcsController::check_write_clock(Time now, unsigned period_ns) {
 void DcsController::begin_command(std::uint8_t command, Time now) {
     if (now < ready_at_)
         report(Rule::too_early,
-               "command " + hex(command) + " before the reset or sleep change before it is over", now);
+               "command " + hex_text(command) + " before the reset or sleep change before it is over", now);
     has_command_ = true;
     command_ = command;
     parameters_.clear();
     parameter_count_ = 0;
     stream_pixels_ = stream_bytes_ = 0;
-    pixel_fill_ = 0;
-    stream_tore_ = write_too_fast_ = false;
+    pixel_byte_count_ = 0;
+    has_torn_ = has_written_too_fast_ = false;
     if (writes_memory())
         begin_write(command == dcs::memory_write, now);
     else if (expected_parameters(command) == 0)
@@ -167,7 +168,7 @@ void DcsController::end_command(Time now) {
     const int expected = expected_parameters(command_);
     if (expected >= 0 && parameter_count_ != static_cast<std::size_t>(expected))
         report(Rule::parameter_count,
-               "command " + hex(command_) + " got " + std::to_string(parameter_count_) +
+               "command " + hex_text(command_) + " got " + std::to_string(parameter_count_) +
                    " parameters instead of " + std::to_string(expected),
                now);
     end_read(now);
@@ -185,13 +186,13 @@ void DcsController::turn_key() {
             continue;
         if (std::equal(parameters_.begin(), parameters_.end(), key.parameters.begin(),
                        key.parameters.begin() + key.count)) {
-            keys_turned_ = std::max(keys_turned_, i <= keys_turned_ ? i + 1 : 0);
+            unlocked_keys_ = std::max(unlocked_keys_, i <= unlocked_keys_ ? i + 1 : 0);
             return;
         }
         wrong = true;
     }
     if (wrong)
-        keys_turned_ = 0;
+        unlocked_keys_ = 0;
 }
 
 /// Keeps the parameters of a command from 60h on in the maker's register, or reports that the register is
@@ -202,15 +203,15 @@ void DcsController::end_maker_register(Time now) {
     for (int i = 0; i < chip_.key_count; ++i)
         if (command_ == chip_.keys[static_cast<std::size_t>(i)].command)
             return;
-    if (keys_turned_ == chip_.key_count)
-        makers_[command_] = parameters_;
+    if (unlocked_keys_ == chip_.key_count)
+        maker_registers_[command_] = parameters_;
     else
-        report(Rule::locked_register, "register " + hex(command_) + " was written without its key", now);
+        report(Rule::locked_register, "register " + hex_text(command_) + " was written without its key", now);
 }
 
 std::vector<std::uint8_t> DcsController::maker_register(std::uint8_t command) const {
-    const auto found = makers_.find(command);
-    return found == makers_.end() ? std::vector<std::uint8_t>{} : found->second;
+    const auto found = maker_registers_.find(command);
+    return found == maker_registers_.end() ? std::vector<std::uint8_t>{} : found->second;
 }
 
 void DcsController::parameter(std::uint8_t byte, Time now) {
@@ -227,7 +228,7 @@ void DcsController::execute(Time now) {
     const auto word = [&p](std::size_t i) { return p[i] << 8 | p[i + 1]; };
     switch (command_) {
     case dcs::soft_reset: // SWRESET resets registers only; the memory stays
-        if (!awake_)
+        if (!is_awake_)
             sleep_out_allowed_at_ = std::max(sleep_out_allowed_at_, now + 5 * ms);
         else
             sleep_out_allowed_at_ = now + 120 * ms;
@@ -238,34 +239,34 @@ void DcsController::execute(Time now) {
     case dcs::sleep_in:
         if (now < sleep_in_allowed_at_)
             report(Rule::too_early, "SLPIN less than 120 ms after SLPOUT", now);
-        awake_ = false;
+        is_awake_ = false;
         ready_at_ = now + 5 * ms;
         sleep_out_allowed_at_ = now + 120 * ms;
         break;
     case dcs::sleep_out:
         if (now < sleep_out_allowed_at_)
             report(Rule::too_early, "SLPOUT less than 120 ms after SLPIN or reset", now);
-        awake_ = true;
+        is_awake_ = true;
         ready_at_ = now + 5 * ms;
         sleep_in_allowed_at_ = now + 120 * ms;
         break;
     case dcs::partial_mode_on:
-        partial_ = true;
+        is_partial_ = true;
         break;
     case dcs::normal_mode_on:
-        partial_ = scrolling_ = false;
+        is_partial_ = is_scrolling_ = false;
         break;
     case dcs::inversion_off:
-        inverted_ = false;
+        is_inverted_ = false;
         break;
     case dcs::inversion_on:
-        inverted_ = true;
+        is_inverted_ = true;
         break;
     case dcs::display_off:
-        on_ = false;
+        is_display_on_ = false;
         break;
     case dcs::display_on:
-        on_ = true;
+        is_display_on_ = true;
         break;
     case dcs::column_address_set:
         set_window(true, now);
@@ -286,10 +287,10 @@ void DcsController::execute(Time now) {
         scroll_height_ = word(2);
         break;
     case dcs::tearing_line_off:
-        te_on_ = false;
+        has_te_ = false;
         break;
     case dcs::tearing_line_on:
-        te_on_ = true;
+        has_te_ = true;
         te_with_hblank_ = (p[0] & 1) != 0;
         break;
     case dcs::address_mode:
@@ -297,19 +298,20 @@ void DcsController::execute(Time now) {
         break;
     case dcs::scroll_start:
         scroll_start_ = word(0);
-        scrolling_ = true;
+        is_scrolling_ = true;
         break;
     case dcs::idle_mode_off:
-        idle_ = false;
+        is_idle_ = false;
         break;
     case dcs::idle_mode_on:
-        idle_ = true;
+        is_idle_ = true;
         break;
     case dcs::pixel_format:
         colmod_ = p[0];
-        pixel_fill_ = 0;
+        pixel_byte_count_ = 0;
         if (static_cast<unsigned>(format()) != (colmod_ & 7u))
-            report(Rule::color_format, "COLMOD " + hex(colmod_) + " names no format of this controller", now);
+            report(Rule::color_format, "COLMOD " + hex_text(colmod_) + " names no format of this controller",
+                   now);
         break;
     case dcs::tearing_scanline:
         te_line_ = word(0);
@@ -331,8 +333,8 @@ void DcsController::set_window(bool columns, Time now) {
                now);
     if (end >= bound && chip_.out_of_range_clamps)
         end = bound - 1;
-    (columns ? xs_ : ys_) = start;
-    (columns ? xe_ : ye_) = end;
+    (columns ? column_start_ : page_start_) = start;
+    (columns ? column_end_ : page_end_) = end;
 }
 
 } // namespace spangle::sim

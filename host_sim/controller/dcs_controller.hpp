@@ -23,7 +23,9 @@ class DcsController final : public Controller {
     void reset(bool low, Time now) override;
     void select(bool chip_select, Time now) override;
     void write(std::uint8_t byte, bool data, Time now, unsigned period_ns) override;
-    bool answers() const override { return answering_ && (read_at_ < read_bits_.size() || reads_memory()); }
+    bool answers() const override {
+        return is_answering_ && (read_position_ < read_bits_.size() || reads_memory());
+    }
     bool drive_bit() override;
     void read_clock(Time now, unsigned period_ns) override;
     bool te(Time now) override;
@@ -42,8 +44,8 @@ class DcsController final : public Controller {
     const Chip& chip() const { return chip_; }
     int scan_line(Time now) const;
     std::uint64_t frames_scanned(Time now) const;
-    bool awake() const { return awake_; }
-    bool display_on() const { return on_; }
+    bool is_awake() const { return is_awake_; }
+    bool display_on() const { return is_display_on_; }
     std::uint8_t madctl() const { return madctl_; }
     /// The parameters last written to one of the maker's registers; empty after reset.
     std::vector<std::uint8_t> maker_register(std::uint8_t command) const;
@@ -56,39 +58,40 @@ class DcsController final : public Controller {
 
   private:
     Chip chip_;
-    bool parallel_;
-    std::vector<Rgb666> memory_, shown_; ///< the frame memory, and what the last scan put on the glass
+    bool is_parallel_;
+    std::vector<Rgb666> memory_,
+        scanned_memory_; ///< the frame memory, and what the last scan put on the glass
 
     // --- registers that commands set
-    bool awake_ = false, on_ = false, inverted_ = false, idle_ = false, partial_ = false, scrolling_ = false,
-         te_on_ = false, te_with_hblank_ = false;
+    bool is_awake_ = false, is_display_on_ = false, is_inverted_ = false, is_idle_ = false,
+         is_partial_ = false, is_scrolling_ = false, has_te_ = false, te_with_hblank_ = false;
     std::uint8_t madctl_ = 0, colmod_ = dcs::pixel_format_18_bits;
     int te_line_ = 0;
-    std::map<std::uint8_t, std::vector<std::uint8_t>> makers_;
-    int keys_turned_ = 0;
-    int xs_ = 0, xe_ = 0, ys_ = 0, ye_ = 0;
+    std::map<std::uint8_t, std::vector<std::uint8_t>> maker_registers_;
+    int unlocked_keys_ = 0;
+    int column_start_ = 0, column_end_ = 0, page_start_ = 0, page_end_ = 0;
     int partial_start_ = 0, partial_end_ = 0;
     int scroll_top_ = 0, scroll_height_ = 0, scroll_start_ = 0;
     /// The modes of the frame that is being scanned. Changes of a mode wait for the next frame.
     struct Modes {
         bool visible = false, partial = false, scrolling = false, idle = false;
         int partial_start = 0, partial_end = 0, scroll_start = 0;
-    } modes_;
+    } frame_modes_;
 
     // --- decoder of commands and pixels
-    bool selected_ = false, has_command_ = false, in_reset_ = false;
+    bool is_selected_ = false, has_command_ = false, is_in_reset_ = false;
     std::uint8_t command_ = 0;
     std::vector<std::uint8_t> parameters_;
     std::size_t parameter_count_ = 0;
     std::array<std::uint8_t, 3> pixel_bytes_{};
-    int pixel_fill_ = 0, x_ = 0, y_ = 0;
+    int pixel_byte_count_ = 0, column_ = 0, page_ = 0;
     std::uint64_t stream_pixels_ = 0, stream_bytes_ = 0, pixels_written_ = 0;
-    bool stream_tore_ = false, write_too_fast_ = false;
+    bool has_torn_ = false, has_written_too_fast_ = false;
     std::vector<bool> read_bits_;
-    std::size_t read_at_ = 0, read_dummies_ = 0;
+    std::size_t read_position_ = 0, read_dummy_bits_ = 0;
     std::uint64_t read_clocks_ = 0; ///< bits that the host has taken
-    bool answering_ = false, read_too_fast_ = false;
-    int read_x_ = 0, read_y_ = 0;
+    bool is_answering_ = false, has_read_too_fast_ = false;
+    int read_column_ = 0, read_page_ = 0;
 
     // --- moments in virtual time, ns
     Time ready_at_ = 0, sleep_out_allowed_at_ = 0, sleep_in_allowed_at_ = 0, reset_fell_at_ = 0,
@@ -115,12 +118,12 @@ class DcsController final : public Controller {
     void push_pixels();
     bool writes_memory() const { return command_ == dcs::memory_write || command_ == dcs::memory_write_on; }
     bool reads_memory() const { return command_ == dcs::memory_read || command_ == dcs::memory_read_on; }
-    bool locate(int x, int y, int& column, int& row) const;
+    bool locate_cell(int x, int y, int& column, int& row) const;
     enum class Format : std::uint8_t { rgb444 = 3, rgb565 = 5, rgb666 = 6 };
     Format format() const;
     std::uint64_t bytes_of(std::uint64_t pixels) const;
     bool reads_565() const { return chip_.reads_write_depth && format() == Format::rgb565; }
-    Rgb666 decode(int nibble) const;
+    Rgb666 decode_pixel(int nibble) const;
     std::uint64_t window_pixels() const;
     void scan_until(Time now);
     void begin_line(Time line);

@@ -8,7 +8,7 @@ namespace spangle::sim {
 /// The pixel format that COLMOD selects. For a value that names no format, which execute() has reported, the
 /// model goes on with 16 bits a pixel, or with 18 where this bus has no 16.
 DcsController::Format DcsController::format() const {
-    const unsigned takes = parallel_ ? chip_.parallel_depths : chip_.serial_depths, asked = colmod_ & 7u;
+    const unsigned takes = is_parallel_ ? chip_.parallel_depths : chip_.serial_depths, asked = colmod_ & 7u;
     if ((takes >> asked & 1u) != 0)
         return static_cast<Format>(asked);
     return (takes & depths({5})) != 0 ? Format::rgb565 : Format::rgb666;
@@ -26,14 +26,15 @@ std::uint64_t DcsController::bytes_of(std::uint64_t pixels) const {
 }
 
 std::uint64_t DcsController::window_pixels() const {
-    return xs_ > xe_ || ys_ > ye_
+    return column_start_ > column_end_ || page_start_ > page_end_
                ? 1
-               : static_cast<std::uint64_t>(xe_ - xs_ + 1) * static_cast<std::uint64_t>(ye_ - ys_ + 1);
+               : static_cast<std::uint64_t>(column_end_ - column_start_ + 1) *
+                     static_cast<std::uint64_t>(page_end_ - page_start_ + 1);
 }
 
 /// Finds the memory cell of a host address, if there is one (ST7735R datasheet, 9.11; the other chips do the
 /// same).
-bool DcsController::locate(int x, int y, int& column, int& row) const {
+bool DcsController::locate_cell(int x, int y, int& column, int& row) const {
     const int c = (madctl_ & dcs::rows_and_columns_exchanged) != 0 ? y : x,
               r = (madctl_ & dcs::rows_and_columns_exchanged) != 0 ? x : y;
     column = (madctl_ & dcs::columns_mirrored) != 0 ? chip_.width - 1 - c : c;
@@ -43,14 +44,15 @@ bool DcsController::locate(int x, int y, int& column, int& row) const {
 
 void DcsController::begin_write(bool restart, Time now) {
     scan_until(now);
-    if (!awake_)
+    if (!is_awake_)
         report(Rule::write_in_sleep, "RAMWR while asleep", now);
     if (restart) {
-        x_ = xs_;
-        y_ = ys_;
+        column_ = column_start_;
+        page_ = page_start_;
     }
     int c0, r0, c1, r1;
-    const bool inside = locate(xs_, ys_, c0, r0) && locate(xe_, ye_, c1, r1);
+    const bool inside =
+        locate_cell(column_start_, page_start_, c0, r0) && locate_cell(column_end_, page_end_, c1, r1);
     if (!inside)
         return; // the command that set the window has reported it
     const auto [left, right] = std::minmax(c0, c1);
@@ -65,19 +67,20 @@ void DcsController::begin_write(bool restart, Time now) {
 
 void DcsController::pixel_byte(std::uint8_t byte, Time now) {
     ++stream_bytes_;
-    pixel_bytes_[static_cast<std::size_t>(pixel_fill_++)] = byte;
+    pixel_bytes_[static_cast<std::size_t>(pixel_byte_count_++)] = byte;
     const Format f = format();
     const int whole = f == Format::rgb565 ? 2 : 3;
-    if (f == Format::rgb444 && pixel_fill_ == 2) // RRRRGGGG BBBBRRRR GGGGBBBB: two pixels in three bytes
-        put_pixel(decode(0), now);
-    if (pixel_fill_ < whole)
+    if (f == Format::rgb444 &&
+        pixel_byte_count_ == 2) // RRRRGGGG BBBBRRRR GGGGBBBB: two pixels in three bytes
+        put_pixel(decode_pixel(0), now);
+    if (pixel_byte_count_ < whole)
         return;
-    pixel_fill_ = 0;
-    put_pixel(decode(3), now);
+    pixel_byte_count_ = 0;
+    put_pixel(decode_pixel(3), now);
 }
 
 /// Decodes the pixel in pixel_bytes_. `nibble` is the place of the red of a 12-bit pixel, in nibbles.
-Rgb666 DcsController::decode(int nibble) const {
+Rgb666 DcsController::decode_pixel(int nibble) const {
     const auto six = [](int v) { return static_cast<std::uint8_t>(v & 63); };
     if (format() == Format::rgb666)
         return {six(pixel_bytes_[0] >> 2), six(pixel_bytes_[1] >> 2), six(pixel_bytes_[2] >> 2)};
@@ -95,12 +98,12 @@ Rgb666 DcsController::decode(int nibble) const {
 
 void DcsController::put_pixel(Rgb666 color, Time now) {
     int column, row;
-    if (locate(x_, y_, column, row)) {
-        if (te_on_ && !stream_tore_ && on_ && stream_pixels_ != 0) {
+    if (locate_cell(column_, page_, column, row)) {
+        if (has_te_ && !has_torn_ && is_display_on_ && stream_pixels_ != 0) {
             // The scan stands in this row: the rows above show the new picture, and those below the old one.
             const int line = scan_line(now);
-            if (line == row && line > 0 && x_ == xs_) {
-                stream_tore_ = true;
+            if (line == row && line > 0 && column_ == column_start_) {
+                has_torn_ = true;
                 report(Rule::tear,
                        "the write crossed the scan line at row " + std::to_string(row) + ", frame " +
                            std::to_string(frames_scanned(now)),
@@ -113,11 +116,11 @@ void DcsController::put_pixel(Rgb666 color, Time now) {
         ++pixels_written_;
     }
     ++stream_pixels_;
-    if (++x_ <= xe_)
+    if (++column_ <= column_end_)
         return;
-    x_ = xs_;
-    if (++y_ > ye_)
-        y_ = ys_;
+    column_ = column_start_;
+    if (++page_ > page_end_)
+        page_ = page_start_;
 }
 
 void DcsController::end_write(Time now) {
@@ -128,13 +131,13 @@ void DcsController::end_write(Time now) {
         if (bytes_of(window) != window * other && stream_bytes_ == window * other) {
             report(Rule::color_format,
                    "the window was filled with " + std::to_string(other) + " bytes a pixel, COLMOD is " +
-                       hex(colmod_),
+                       hex_text(colmod_),
                    now);
             return;
         }
     // A stream of 12-bit pixels with an odd count ends with two bytes, the second of which is half used; that
     // is no fault.
-    const bool half = format() == Format::rgb444 ? pixel_fill_ == 1 : pixel_fill_ != 0;
+    const bool half = format() == Format::rgb444 ? pixel_byte_count_ == 1 : pixel_byte_count_ != 0;
     if (half)
         report(Rule::half_pixel, "the pixel stream ended inside a pixel: one byte slipped", now);
     if (stream_pixels_ % window != 0 || stream_pixels_ > window)

@@ -6,12 +6,12 @@ namespace spangle::sim {
 void DcsController::push_read(std::initializer_list<std::uint8_t> bytes, int dummy_bits) {
     // A parallel bus has one dummy byte. A serial bus has as many clocks as the chip takes to turn the data
     // line round.
-    const int dummies = parallel_ ? 8 : dummy_bits;
-    answering_ = true;
-    read_dummies_ = static_cast<std::size_t>(dummies);
-    read_bits_.assign(read_dummies_, false);
+    const int dummies = is_parallel_ ? 8 : dummy_bits;
+    is_answering_ = true;
+    read_dummy_bits_ = static_cast<std::size_t>(dummies);
+    read_bits_.assign(read_dummy_bits_, false);
     push_bytes(bytes.begin(), bytes.size());
-    read_at_ = 0;
+    read_position_ = 0;
 }
 
 void DcsController::push_bytes(const std::uint8_t* bytes, std::size_t count) {
@@ -22,9 +22,9 @@ void DcsController::push_bytes(const std::uint8_t* bytes, std::size_t count) {
 
 void DcsController::forget_read() {
     read_bits_.clear();
-    read_at_ = read_dummies_ = 0;
+    read_position_ = read_dummy_bits_ = 0;
     read_clocks_ = 0;
-    answering_ = read_too_fast_ = false;
+    is_answering_ = has_read_too_fast_ = false;
 }
 
 void DcsController::prepare_read(Time now) {
@@ -37,19 +37,19 @@ void DcsController::prepare_read(Time now) {
         break;
     case dcs::read_status: {
         const unsigned format = (colmod_ & 7u) << 20;
-        const unsigned s = bit(awake_, 31) | bit(madctl_ & dcs::rows_mirrored, 30) |
-                           bit(madctl_ & dcs::columns_mirrored, 29) |
-                           bit(madctl_ & dcs::rows_and_columns_exchanged, 28) |
-                           bit(madctl_ & dcs::refresh_upwards, 27) | bit(madctl_ & dcs::blue_first, 26) |
-                           bit(madctl_ & dcs::refresh_leftwards, 25) | format | bit(idle_, 19) |
-                           bit(partial_, 18) | bit(awake_, 17) | bit(!partial_, 16) | bit(scrolling_, 15) |
-                           bit(inverted_, 13) | bit(on_, 10) | bit(te_on_, 9) | bit(te_with_hblank_, 5);
+        const unsigned s =
+            bit(is_awake_, 31) | bit(madctl_ & dcs::rows_mirrored, 30) |
+            bit(madctl_ & dcs::columns_mirrored, 29) | bit(madctl_ & dcs::rows_and_columns_exchanged, 28) |
+            bit(madctl_ & dcs::refresh_upwards, 27) | bit(madctl_ & dcs::blue_first, 26) |
+            bit(madctl_ & dcs::refresh_leftwards, 25) | format | bit(is_idle_, 19) | bit(is_partial_, 18) |
+            bit(is_awake_, 17) | bit(!is_partial_, 16) | bit(is_scrolling_, 15) | bit(is_inverted_, 13) |
+            bit(is_display_on_, 10) | bit(has_te_, 9) | bit(te_with_hblank_, 5);
         push_read({byte(s >> 24), byte(s >> 16), byte(s >> 8), byte(s)}, chip_.register_dummy_bits);
         break;
     }
     case dcs::read_power_mode:
-        push_read({byte(bit(awake_, 7) | bit(idle_, 6) | bit(partial_, 5) | bit(awake_, 4) |
-                        bit(!partial_, 3) | bit(on_, 2))},
+        push_read({byte(bit(is_awake_, 7) | bit(is_idle_, 6) | bit(is_partial_, 5) | bit(is_awake_, 4) |
+                        bit(!is_partial_, 3) | bit(is_display_on_, 2))},
                   0);
         break;
     case dcs::read_address_mode:
@@ -59,13 +59,13 @@ void DcsController::prepare_read(Time now) {
         push_read({byte(colmod_ & 0x77u)}, 0);
         break;
     case dcs::read_image_mode:
-        push_read({byte(bit(scrolling_, 7) | bit(inverted_, 5))}, 0);
+        push_read({byte(bit(is_scrolling_, 7) | bit(is_inverted_, 5))}, 0);
         break;
     case dcs::read_signal_mode:
-        push_read({byte(bit(te_on_, 7) | bit(te_with_hblank_, 6))}, 0);
+        push_read({byte(bit(has_te_, 7) | bit(te_with_hblank_, 6))}, 0);
         break;
     case dcs::read_self_diagnosis:
-        push_read({byte(awake_ ? 0xC0 : 0x00)}, 0);
+        push_read({byte(is_awake_ ? 0xC0 : 0x00)}, 0);
         break;
     case dcs::read_scanline: {
         const int line = scan_line(now);
@@ -74,8 +74,8 @@ void DcsController::prepare_read(Time now) {
         break;
     }
     case dcs::memory_read:
-        read_x_ = xs_;
-        read_y_ = ys_;
+        read_column_ = column_start_;
+        read_page_ = page_start_;
         [[fallthrough]];
     case dcs::memory_read_on:
         push_read({}, chip_.pixel_dummy_bits);
@@ -99,7 +99,7 @@ void DcsController::prepare_read(Time now) {
 void DcsController::push_pixels() {
     int column, row;
     Rgb666 p;
-    if (locate(read_x_, read_y_, column, row))
+    if (locate_cell(read_column_, read_page_, column, row))
         p = memory_[static_cast<std::size_t>(row * chip_.width + column)];
     const int word = p.r >> 1 << 11 | p.g << 5 | p.b >> 1;
     const std::array<int, 3> six_each{p.r << 2, p.g << 2, p.b << 2}, as_written{word >> 8, word & 255, 0};
@@ -107,30 +107,30 @@ void DcsController::push_pixels() {
     for (std::size_t i = 0; i < 3; ++i)
         bytes[i] = static_cast<std::uint8_t>(reads_565() ? as_written[i] : six_each[i]);
     push_bytes(bytes.data(), reads_565() ? 2 : 3);
-    if (++read_x_ <= xe_)
+    if (++read_column_ <= column_end_)
         return;
-    read_x_ = xs_;
-    if (++read_y_ > ye_)
-        read_y_ = ys_;
+    read_column_ = column_start_;
+    if (++read_page_ > page_end_)
+        read_page_ = page_start_;
 }
 
 bool DcsController::drive_bit() {
     if (!answers())
         return false;
-    if (read_at_ >= read_bits_.size()) {
+    if (read_position_ >= read_bits_.size()) {
         read_bits_.clear();
-        read_at_ = 0;
+        read_position_ = 0;
         push_pixels();
     }
-    return read_bits_[read_at_++];
+    return read_bits_[read_position_++];
 }
 
 void DcsController::read_clock(Time now, unsigned period_ns) {
     ++read_clocks_;
-    const unsigned shortest = parallel_ ? chip_.parallel_read_ns : chip_.serial_read_ns;
-    if (period_ns >= shortest || read_too_fast_)
+    const unsigned shortest = is_parallel_ ? chip_.parallel_read_ns : chip_.serial_read_ns;
+    if (period_ns >= shortest || has_read_too_fast_)
         return;
-    read_too_fast_ = true;
+    has_read_too_fast_ = true;
     report(Rule::read,
            "read with a cycle of " + std::to_string(period_ns) + " ns; this controller answers in " +
                std::to_string(shortest) + " ns",
@@ -140,14 +140,14 @@ void DcsController::read_clock(Time now, unsigned period_ns) {
 /// Reports an answer of which exactly the dummy clocks are missing: the host took the first of them for data.
 /// More clocks than an answer has are no fault, because some hosts read whole bytes and shift.
 void DcsController::end_read(Time now) {
-    if (!answering_ || read_dummies_ == 0 || read_clocks_ == 0)
+    if (!is_answering_ || read_dummy_bits_ == 0 || read_clocks_ == 0)
         return;
     const std::uint64_t pixel = reads_565() ? 16 : 24;
     const bool slipped = reads_memory()
-                             ? read_clocks_ % pixel == 0 && (read_clocks_ - read_dummies_) % pixel != 0
-                             : read_clocks_ + read_dummies_ == read_bits_.size();
+                             ? read_clocks_ % pixel == 0 && (read_clocks_ - read_dummy_bits_) % pixel != 0
+                             : read_clocks_ + read_dummy_bits_ == read_bits_.size();
     if (slipped)
-        report(Rule::read, "command " + hex(command_) + " was read without its dummy clocks", now);
+        report(Rule::read, "command " + hex_text(command_) + " was read without its dummy clocks", now);
 }
 
 } // namespace spangle::sim

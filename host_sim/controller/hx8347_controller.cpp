@@ -40,16 +40,16 @@ void Hx8347Controller::power_on() {
     registers_[9] = (height - 1) & 0xFF;
     registers_[PIXELS] = 0x06;
     index_ = 0;
-    values_ = 1; // no register waits for its value
-    pixel_fill_ = 0;
-    stream_ = 0;
-    answering_ = false;
+    value_count_ = 1; // no register waits for its value
+    pixel_byte_count_ = 0;
+    stream_pixels_ = 0;
+    is_answering_ = false;
 }
 
 void Hx8347Controller::reset(bool low, Time now) {
-    if (low == in_reset_)
+    if (low == is_in_reset_)
         return;
-    in_reset_ = low;
+    is_in_reset_ = low;
     if (low) {
         reset_fell_at_ = now;
         return;
@@ -63,26 +63,26 @@ void Hx8347Controller::reset(bool low, Time now) {
 /// On a serial bus, a start byte follows each falling CS. The index of the register stays; a pixel that was
 /// cut off does not.
 void Hx8347Controller::select(bool chip_select, Time now) {
-    selected_ = chip_select;
-    started_ = false;
-    answering_ = false;
-    if (pixel_fill_ != 0 && bus_ == RegisterBus::start_byte)
+    is_selected_ = chip_select;
+    has_start_byte_ = false;
+    is_answering_ = false;
+    if (pixel_byte_count_ != 0 && bus_ == RegisterBus::start_byte)
         report(Rule::half_pixel, "CS rose inside a pixel", now);
     if (bus_ == RegisterBus::start_byte)
-        pixel_fill_ = 0;
+        pixel_byte_count_ = 0;
 }
 
 void Hx8347Controller::write(std::uint8_t byte, bool data, Time now, unsigned period_ns) {
-    if (!selected_ || in_reset_)
+    if (!is_selected_ || is_in_reset_)
         return;
     const unsigned shortest = bus_ == RegisterBus::parallel ? parallel_ns : serial_ns;
-    if (period_ns < shortest && !too_fast_)
+    if (period_ns < shortest && !is_too_fast_)
         report(Rule::write_clock,
                "a write cycle of " + std::to_string(period_ns) + " ns; this controller takes " +
                    std::to_string(shortest) + " ns",
                now);
-    too_fast_ = period_ns < shortest;
-    if (bus_ == RegisterBus::start_byte && !started_)
+    is_too_fast_ = period_ns < shortest;
+    if (bus_ == RegisterBus::start_byte && !has_start_byte_)
         return start(byte, now);
     const bool is_index = bus_ == RegisterBus::start_byte ? index_follows_ : !data;
     if (is_index)
@@ -93,55 +93,59 @@ void Hx8347Controller::write(std::uint8_t byte, bool data, Time now, unsigned pe
 
 /// Takes the start byte 0111 0 ID RS RW. RS = 1 announces a value, RS = 0 an index; RW = 1 announces a read.
 void Hx8347Controller::start(std::uint8_t byte, Time now) {
-    started_ = true;
+    has_start_byte_ = true;
     index_follows_ = (byte & 0x02) == 0;
     if ((byte & 0xFD) != 0x70)
-        report(Rule::control_byte, hex(byte) + " is no start byte of a write", now);
+        report(Rule::control_byte, hex_text(byte) + " is no start byte of a write", now);
 }
 
 void Hx8347Controller::choose(std::uint8_t index, Time now) {
     if (now < ready_at_)
-        report(Rule::too_early, "index " + hex(index) + " before the reset is over", now);
+        report(Rule::too_early, "index " + hex_text(index) + " before the reset is over", now);
     end_register(now);
     index_ = index;
-    values_ = 0;
+    value_count_ = 0;
     answer_bit_ = 0;
-    answering_ = bus_ == RegisterBus::parallel && index != GRAM;
+    is_answering_ = bus_ == RegisterBus::parallel && index != GRAM;
     if (index != GRAM)
         return;
     check_window(now);
-    x_ = word(WINDOW);
-    y_ = word(WINDOW + 4);
-    stream_ = 0;
-    pixel_fill_ = 0;
+    column_ = word(WINDOW);
+    row_ = word(WINDOW + 4);
+    stream_pixels_ = 0;
+    pixel_byte_count_ = 0;
 }
 
 void Hx8347Controller::end_register(Time now) {
     if (index_ != GRAM) {
-        if (values_ != 1 && answer_bit_ == 0)
+        if (value_count_ != 1 && answer_bit_ == 0)
             report(Rule::parameter_count,
-                   "register " + hex(index_) + " got " + std::to_string(values_) + " values instead of one",
+                   "register " + hex_text(index_) + " got " + std::to_string(value_count_) +
+                       " values instead of one",
                    now);
         return;
     }
-    if (pixel_fill_ != 0)
+    if (pixel_byte_count_ != 0)
         report(Rule::half_pixel, "the pixel stream ended inside a pixel: one byte slipped", now);
-    if (values_ != 0 && stream_ != window())
+    if (value_count_ != 0 && stream_pixels_ != window())
         report(Rule::pixel_count,
-               std::to_string(stream_) + " pixels were sent to a window of " + std::to_string(window()), now);
-    pixel_fill_ = 0;
+               std::to_string(stream_pixels_) + " pixels were sent to a window of " +
+                   std::to_string(window()),
+               now);
+    pixel_byte_count_ = 0;
 }
 
 void Hx8347Controller::store(std::uint8_t value, Time now) {
-    ++values_;
-    answering_ = false;
+    ++value_count_;
+    is_answering_ = false;
     if (index_ == GRAM)
         return pixel_byte(value, now);
     if (index_ == ID)
         return;
     registers_[index_] = value;
     if (index_ == PIXELS && (value & 7) != 5 && (value & 7) != 6)
-        report(Rule::color_format, "register 17h " + hex(value) + " names no format of this controller", now);
+        report(Rule::color_format, "register 17h " + hex_text(value) + " names no format of this controller",
+               now);
 }
 
 std::uint64_t Hx8347Controller::window() const {
@@ -162,34 +166,35 @@ void Hx8347Controller::check_window(Time now) {
 }
 
 void Hx8347Controller::pixel_byte(std::uint8_t byte, Time now) {
-    pixel_[static_cast<std::size_t>(pixel_fill_++)] = byte;
-    if (pixel_fill_ < pixel_bytes())
+    pixel_bytes_[static_cast<std::size_t>(pixel_byte_count_++)] = byte;
+    if (pixel_byte_count_ < pixel_bytes())
         return;
-    pixel_fill_ = 0;
+    pixel_byte_count_ = 0;
     const auto six = [](int v) { return static_cast<std::uint8_t>(v & 63); };
-    const int word = pixel_[0] << 8 | pixel_[1];
-    put(pixel_bytes() == 3 ? Rgb666{six(pixel_[0] >> 2), six(pixel_[1] >> 2), six(pixel_[2] >> 2)}
-                           : Rgb666{six(word >> 11 << 1), six(word >> 5), six((word & 31) << 1)},
+    const int word = pixel_bytes_[0] << 8 | pixel_bytes_[1];
+    put(pixel_bytes() == 3
+            ? Rgb666{six(pixel_bytes_[0] >> 2), six(pixel_bytes_[1] >> 2), six(pixel_bytes_[2] >> 2)}
+            : Rgb666{six(word >> 11 << 1), six(word >> 5), six((word & 31) << 1)},
         now);
 }
 
 void Hx8347Controller::put(Rgb666 color, Time now) {
-    if (stream_++ == window())
+    if (stream_pixels_++ == window())
         report(Rule::pixel_count, "more pixels than the window's " + std::to_string(window()), now);
-    const int c = order(MV) ? y_ : x_, r = order(MV) ? x_ : y_;
+    const int c = order(MV) ? row_ : column_, r = order(MV) ? column_ : row_;
     const int column = order(MX) ? width - 1 - c : c, row = order(MY) ? height - 1 - r : r;
     if (column >= 0 && column < width && row >= 0 && row < height)
         memory_[static_cast<std::size_t>(row * width + column)] = color;
-    if (++x_ <= word(WINDOW + 2))
+    if (++column_ <= word(WINDOW + 2))
         return;
-    x_ = word(WINDOW);
-    if (++y_ > word(WINDOW + 6))
-        y_ = word(WINDOW + 4);
+    column_ = word(WINDOW);
+    if (++row_ > word(WINDOW + 6))
+        row_ = word(WINDOW + 4);
 }
 
 /// A register is read as it was written, without a dummy cycle before the answer.
 bool Hx8347Controller::drive_bit() {
-    return answering_ && (registers_[index_] >> (7 - answer_bit_++ % 8) & 1) != 0;
+    return is_answering_ && (registers_[index_] >> (7 - answer_bit_++ % 8) & 1) != 0;
 }
 
 void Hx8347Controller::read_clock(Time now, unsigned period_ns) {

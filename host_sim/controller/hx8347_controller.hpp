@@ -21,7 +21,7 @@ class Hx8347Controller final : public Controller {
     void reset(bool low, Time now) override;
     void select(bool chip_select, Time now) override;
     void write(std::uint8_t byte, bool data, Time now, unsigned period_ns) override;
-    bool answers() const override { return answering_; }
+    bool answers() const override { return is_answering_; }
     bool drive_bit() override;
     void read_clock(Time now, unsigned period_ns) override;
 
@@ -39,14 +39,14 @@ class Hx8347Controller final : public Controller {
     std::vector<Rgb666> memory_;
     std::array<std::uint8_t, 256> registers_{};
     std::uint8_t index_ = 0;
-    bool selected_ = false, in_reset_ = false, started_ = false, index_follows_ = false;
-    bool answering_ = false, too_fast_ = false;
-    int values_ = 0; ///< number of values written since the index
+    bool is_selected_ = false, is_in_reset_ = false, has_start_byte_ = false, index_follows_ = false;
+    bool is_answering_ = false, is_too_fast_ = false;
+    int value_count_ = 0; ///< number of values written since the index
     int answer_bit_ = 0;
     Time reset_fell_at_ = 0, ready_at_ = 0;
-    std::array<std::uint8_t, 3> pixel_{};
-    int pixel_fill_ = 0, x_ = 0, y_ = 0;
-    std::uint64_t stream_ = 0; ///< pixels since index 22h was chosen
+    std::array<std::uint8_t, 3> pixel_bytes_{};
+    int pixel_byte_count_ = 0, column_ = 0, row_ = 0;
+    std::uint64_t stream_pixels_ = 0; ///< pixels since index 22h was chosen
 
     void power_on();
     void start(std::uint8_t byte, Time now);

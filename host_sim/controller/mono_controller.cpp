@@ -75,14 +75,15 @@ MonoController::MonoController(const MonoChip& chip, const GlassMount& glass, Ol
 
 void MonoController::power_on() {
     mode_ = Mode::page;
-    column_ = page_ = first_column_ = first_page_ = start_line_ = offset_ = 0;
+    column_ = page_ = first_column_ = first_page_ = start_line_ = display_offset_ = 0;
     last_column_ = chip_.width - 1;
     last_page_ = pages() - 1;
-    multiplex_ = chip_.height;
-    remap_ = com_reversed_ = all_on_ = inverted_ = on_ = scrolling_ = modifying_ = false;
-    com_alternating_ = true;
-    pump_ = mono_.pump_at_reset;
-    stream_ = 0;
+    multiplex_ratio_ = chip_.height;
+    is_segment_remapped_ = is_com_reversed_ = is_entirely_on_ = is_inverted_ = is_display_on_ =
+        is_scrolling_ = is_read_modify_write_ = false;
+    is_com_alternating_ = true;
+    has_charge_pump_ = mono_.pump_at_reset;
+    stream_bytes_ = 0;
 }
 
 void MonoController::execute(std::uint8_t command, std::span<const std::uint8_t> parameters, Time now) {
@@ -93,7 +94,7 @@ void MonoController::execute(std::uint8_t command, std::span<const std::uint8_t>
     case 0x0:
     case 0x1:
         if (mode_ != Mode::page)
-            report(Rule::window, "column " + hex(command) + " is heeded in page mode only", now);
+            report(Rule::window, "column " + hex_text(command) + " is heeded in page mode only", now);
         else
             column_ = command < 0x10 ? (column_ & 0xF0) | low : low << 4 | (column_ & 15);
         if (column_ >= chip_.width && command >= 0x10)
@@ -108,7 +109,7 @@ void MonoController::execute(std::uint8_t command, std::span<const std::uint8_t>
         return;
     case 0xB:
         if (mode_ != Mode::page)
-            report(Rule::window, "page " + hex(command) + " is heeded in page mode only", now);
+            report(Rule::window, "page " + hex_text(command) + " is heeded in page mode only", now);
         else
             page_ = low;
         if (page_ >= pages())
@@ -120,36 +121,36 @@ void MonoController::execute(std::uint8_t command, std::span<const std::uint8_t>
     switch (command) {
     case 0x2E:
     case 0x2F:
-        scrolling_ = command == 0x2F;
+        is_scrolling_ = command == 0x2F;
         break;
     case 0xA0:
     case 0xA1:
-        remap_ = command == 0xA1;
+        is_segment_remapped_ = command == 0xA1;
         break;
     case 0xA4:
     case 0xA5:
-        all_on_ = command == 0xA5;
+        is_entirely_on_ = command == 0xA5;
         break;
     case 0xA6:
     case 0xA7:
-        inverted_ = command == 0xA7;
+        is_inverted_ = command == 0xA7;
         break;
     case 0xAE:
     case 0xAF:
-        on_ = command == 0xAF;
+        is_display_on_ = command == 0xAF;
         break;
     case 0xC0:
     case 0xC8:
-        com_reversed_ = command == 0xC8;
+        is_com_reversed_ = command == 0xC8;
         break;
     case 0xE0:
-        modifying_ = true;
-        kept_column_ = column_;
+        is_read_modify_write_ = true;
+        read_modify_write_column_ = column_;
         break;
     case 0xEE:
-        if (modifying_)
-            column_ = kept_column_;
-        modifying_ = false;
+        if (is_read_modify_write_)
+            column_ = read_modify_write_column_;
+        is_read_modify_write_ = false;
         break;
     default:
         break;
@@ -158,7 +159,7 @@ void MonoController::execute(std::uint8_t command, std::span<const std::uint8_t>
 
 void MonoController::execute_with(std::uint8_t command, std::span<const std::uint8_t> p, Time now) {
     if (command == mono_.pump_command)
-        pump_ = (p[0] & mono_.pump_bit) != 0;
+        has_charge_pump_ = (p[0] & mono_.pump_bit) != 0;
     switch (command) {
     case 0x20:
         mode_ = static_cast<Mode>((p[0] & 3) < 3 ? p[0] & 3 : 2);
@@ -170,15 +171,16 @@ void MonoController::execute_with(std::uint8_t command, std::span<const std::uin
         set_range(first_page_, last_page_, page_, p, pages(), now);
         break;
     case 0xA8:
-        multiplex_ = (p[0] & 63) + 1;
-        if (multiplex_ < 16)
-            report(Rule::window, "a multiplex ratio of " + std::to_string(multiplex_) + " is below 16", now);
+        multiplex_ratio_ = (p[0] & 63) + 1;
+        if (multiplex_ratio_ < 16)
+            report(Rule::window, "a multiplex ratio of " + std::to_string(multiplex_ratio_) + " is below 16",
+                   now);
         break;
     case 0xD3:
-        offset_ = p[0] & 63;
+        display_offset_ = p[0] & 63;
         break;
     case 0xDA:
-        com_alternating_ = (p[0] & 0x10) != 0;
+        is_com_alternating_ = (p[0] & 0x10) != 0;
         break;
     default:
         break;
@@ -195,16 +197,16 @@ std::uint64_t MonoController::window() const {
 
 /// Writes a byte of eight pixels. The remap of A1h changes where later bytes go, and moves nothing in memory.
 void MonoController::data(std::uint8_t byte, Time now) {
-    if (scrolling_)
+    if (is_scrolling_)
         report_once(Rule::busy, "the memory is written while it scrolls", now);
-    ++stream_;
-    if (stream_ > window() || (mode_ == Mode::page && column_ >= chip_.width)) {
+    ++stream_bytes_;
+    if (stream_bytes_ > window() || (mode_ == Mode::page && column_ >= chip_.width)) {
         report_once(Rule::pixel_count,
                     "more bytes than fit from the pointer on; the window has " + std::to_string(window()),
                     now);
     }
     column_ %= chip_.width;
-    const int segment = remap_ ? chip_.width - 1 - column_ : column_;
+    const int segment = is_segment_remapped_ ? chip_.width - 1 - column_ : column_;
     if (segment < glass_.x || segment >= glass_.x + glass_.width || page_ * 8 >= glass_.y + glass_.height)
         report_once(Rule::window,
                     "no glass at column " + std::to_string(segment) + " of page " + std::to_string(page_),
@@ -237,11 +239,12 @@ void MonoController::advance() {
 /// Reports a stream that filled only a part of its window. It leaves the pointer in the middle of the window,
 /// so a byte was lost.
 void MonoController::end_data(Time now) {
-    if (mode_ != Mode::page && stream_ != 0 && (column_ != first_column_ || page_ != first_page_))
+    if (mode_ != Mode::page && stream_bytes_ != 0 && (column_ != first_column_ || page_ != first_page_))
         report_once(Rule::pixel_count,
-                    std::to_string(stream_) + " bytes were sent to a window of " + std::to_string(window()),
+                    std::to_string(stream_bytes_) + " bytes were sent to a window of " +
+                        std::to_string(window()),
                     now);
-    stream_ = 0;
+    stream_bytes_ = 0;
 }
 
 bool MonoController::bit(int column, int row) const {
@@ -257,13 +260,14 @@ Rgb666 MonoController::cell(int column, int row) const {
 /// shuffled.
 OledController::Lit MonoController::lit(int column, int line) const {
     const bool alternating = glass_.height > 32;
-    if (com_alternating_ != alternating)
-        line = com_alternating_ ? line % (chip_.height / 2) * 2 + line / (chip_.height / 2)
-                                : line / 2 + line % 2 * (chip_.height / 2);
-    if (!on_ || (mono_.pump_command != 0 && !pump_) || line >= multiplex_)
+    if (is_com_alternating_ != alternating)
+        line = is_com_alternating_ ? line % (chip_.height / 2) * 2 + line / (chip_.height / 2)
+                                   : line / 2 + line % 2 * (chip_.height / 2);
+    if (!is_display_on_ || (mono_.pump_command != 0 && !has_charge_pump_) || line >= multiplex_ratio_)
         return {true, {}};
-    const int driven = com_reversed_ ? multiplex_ - 1 - line : line;
-    const bool set = all_on_ || bit(column, (driven + offset_ + start_line_) % chip_.height) != inverted_;
+    const int driven = is_com_reversed_ ? multiplex_ratio_ - 1 - line : line;
+    const bool set = is_entirely_on_ ||
+                     bit(column, (driven + display_offset_ + start_line_) % chip_.height) != is_inverted_;
     return {false, set ? Rgb666{63, 63, 63} : Rgb666{}};
 }
 

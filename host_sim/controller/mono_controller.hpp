@@ -22,7 +22,7 @@ class MonoController final : public OledController {
   public:
     MonoController(const MonoChip& chip, const GlassMount& glass, OledBus bus);
 
-    bool display_on() const { return on_; }
+    bool display_on() const { return is_display_on_; }
     bool bit(int column, int row) const;
 
   private:
@@ -33,12 +33,13 @@ class MonoController final : public OledController {
     Mode mode_ = Mode::page;
     int column_ = 0, page_ = 0;
     int first_column_ = 0, last_column_ = 0, first_page_ = 0, last_page_ = 0;
-    int kept_column_ = 0; ///< column at which read-modify-write (E0h) began
-    bool modifying_ = false;
-    int start_line_ = 0, offset_ = 0, multiplex_ = 64;
-    bool remap_ = false, com_reversed_ = false, com_alternating_ = true, all_on_ = false, inverted_ = false,
-         on_ = false, pump_ = false, scrolling_ = false;
-    std::uint64_t stream_ = 0; ///< number of data bytes since the last command
+    int read_modify_write_column_ = 0; ///< column at which read-modify-write (E0h) began
+    bool is_read_modify_write_ = false;
+    int start_line_ = 0, display_offset_ = 0, multiplex_ratio_ = 64;
+    bool is_segment_remapped_ = false, is_com_reversed_ = false, is_com_alternating_ = true,
+         is_entirely_on_ = false, is_inverted_ = false, is_display_on_ = false, has_charge_pump_ = false,
+         is_scrolling_ = false;
+    std::uint64_t stream_bytes_ = 0; ///< number of data bytes since the last command
 
     void power_on() override;
     void execute(std::uint8_t command, std::span<const std::uint8_t> parameters, Time now) override;

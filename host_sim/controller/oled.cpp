@@ -6,9 +6,9 @@ OledController::OledController(const OledChip& chip, const GlassMount& glass, Ol
     : Controller(chip.name, glass), chip_(chip), bus_(bus) {}
 
 void OledController::reset(bool low, Time now) {
-    if (low == in_reset_)
+    if (low == is_in_reset_)
         return;
-    in_reset_ = low;
+    is_in_reset_ = low;
     if (low) {
         reset_fell_at_ = now;
         return;
@@ -16,25 +16,26 @@ void OledController::reset(bool low, Time now) {
     if (now - reset_fell_at_ < Time{chip_.reset_low_us} * 1000)
         report(Rule::reset_pulse, "reset was low for less than " + std::to_string(chip_.reset_low_us) + " us",
                now);
-    missing_ = 0;
+    missing_parameters_ = 0;
     ready_at_ = now + Time{chip_.reset_to_command_us} * 1000;
     power_on();
 }
 
 /// Raising CS between bytes ends nothing: parameters and data may go on afterwards.
 void OledController::select(bool chip_select, Time) {
-    selected_ = chip_select;
+    is_selected_ = chip_select;
 }
 
 void OledController::write(std::uint8_t byte, bool data_byte, Time now, unsigned period_ns) {
-    if (!selected_ || in_reset_)
+    if (!is_selected_ || is_in_reset_)
         return;
-    const bool is_parameter = missing_ != 0 && data_byte == chip_.parameters_are_data;
-    if (missing_ != 0 && !is_parameter) {
+    const bool is_parameter = missing_parameters_ != 0 && data_byte == chip_.parameters_are_data;
+    if (missing_parameters_ != 0 && !is_parameter) {
         report(Rule::parameter_count,
-               "command " + hex(command_) + " still waits for " + std::to_string(missing_) + " parameters",
+               "command " + hex_text(command_) + " still waits for " + std::to_string(missing_parameters_) +
+                   " parameters",
                now);
-        missing_ = 0;
+        missing_parameters_ = 0;
     }
     if (!is_parameter && !data_byte)
         begin(byte, now);
@@ -48,25 +49,25 @@ void OledController::write(std::uint8_t byte, bool data_byte, Time now, unsigned
 void OledController::begin(std::uint8_t command, Time now) {
     end_data(now);
     if (now < ready_at_)
-        report(Rule::too_early, "command " + hex(command) + " before the reset is over", now);
+        report(Rule::too_early, "command " + hex_text(command) + " before the reset is over", now);
     command_ = command;
     parameters_.clear();
-    reported_ = 0;
-    write_too_fast_ = false;
+    reported_rules_ = 0;
+    has_written_too_fast_ = false;
     for (const OledCommand& known : chip_.commands)
         if (command >= known.first && command - known.first < known.count) {
-            missing_ = known.parameters;
-            if (missing_ == 0)
+            missing_parameters_ = known.parameters;
+            if (missing_parameters_ == 0)
                 execute(command, {}, now);
             return;
         }
     report(Rule::parameter_count,
-           hex(command) + " is no command of this controller: is a byte missing, or one too many?", now);
+           hex_text(command) + " is no command of this controller: is a byte missing, or one too many?", now);
 }
 
 void OledController::parameter(std::uint8_t byte, Time now) {
     parameters_.push_back(byte);
-    if (--missing_ == 0)
+    if (--missing_parameters_ == 0)
         execute(command_, parameters_, now);
 }
 
@@ -75,9 +76,9 @@ void OledController::check_clock(Time now, unsigned period_ns) {
     const unsigned shortest = bus_ == OledBus::serial     ? chip_.serial_write_got_ns
                               : bus_ == OledBus::parallel ? chip_.parallel_write_ns
                                                           : chip_.i2c_ns;
-    if (period_ns >= shortest || write_too_fast_)
+    if (period_ns >= shortest || has_written_too_fast_)
         return;
-    write_too_fast_ = true;
+    has_written_too_fast_ = true;
     report(Rule::write_clock,
            "a write cycle of " + std::to_string(period_ns) + " ns; this controller takes " +
                std::to_string(shortest) + " ns",
@@ -86,9 +87,9 @@ void OledController::check_clock(Time now, unsigned period_ns) {
 
 void OledController::report_once(Rule rule, const std::string& text, Time at) {
     const std::uint32_t bit = 1u << static_cast<unsigned>(rule);
-    if ((reported_ & bit) == 0)
+    if ((reported_rules_ & bit) == 0)
         report(rule, text, at);
-    reported_ |= bit;
+    reported_rules_ |= bit;
 }
 
 void OledController::set_range(int& first, int& last, int& at, std::span<const std::uint8_t> p, int bound,

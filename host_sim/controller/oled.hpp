@@ -69,10 +69,10 @@ class OledController : public Controller {
 
   private:
     OledBus bus_;
-    bool selected_ = false, in_reset_ = false, write_too_fast_ = false;
-    std::uint32_t reported_ = 0; ///< rules already reported, bit 1 << rule each
+    bool is_selected_ = false, is_in_reset_ = false, has_written_too_fast_ = false;
+    std::uint32_t reported_rules_ = 0; ///< rules already reported, bit 1 << rule each
     Time reset_fell_at_ = 0, ready_at_ = 0;
-    std::uint8_t command_ = 0, missing_ = 0;
+    std::uint8_t command_ = 0, missing_parameters_ = 0;
     std::vector<std::uint8_t> parameters_;
 
     void begin(std::uint8_t command, Time now);

@@ -69,27 +69,28 @@ const WindowedChip ssd0323 = {.chip = {.name = "SSD0323",
                                         .com_split = 0x40},
                               .grey = true,
                               .first_com = 4};
-const WindowedChip ssd1351 = {.chip = {.name = "SSD1351",
-                                       .width = 128,
-                                       .height = 128,
-                                       .commands = ssd1351_commands,
-                                       .parameters_are_data = true,
-                                       .serial_write_ns = 50,
-                                       .serial_write_got_ns = 50},
-                              .remap = {.vertical = 0x01,
-                                        .columns = 0x02,
-                                        .nibbles = 0,
-                                        .order = 0x04,
-                                        .com_reversed = 0x10,
-                                        .com_split = 0x20},
-                              .order_set_is_rgb = true,
-                              .stream_command = 0x5C,
-                              .multiplex_command = 0xCA,
-                              .shown = {Shown::all_off, Shown::all_on, Shown::memory, Shown::inverse},
-                              .offset_at_reset = 0x60,
-                              .lock_command = 0xFD,
-                              .unlock_all = 0xB1,
-                              .locked = ssd1351_locked};
+const WindowedChip ssd1351 = {
+    .chip = {.name = "SSD1351",
+             .width = 128,
+             .height = 128,
+             .commands = ssd1351_commands,
+             .parameters_are_data = true,
+             .serial_write_ns = 50,
+             .serial_write_got_ns = 50},
+    .remap = {.vertical = 0x01,
+              .columns = 0x02,
+              .nibbles = 0,
+              .order = 0x04,
+              .com_reversed = 0x10,
+              .com_split = 0x20},
+    .order_set_is_rgb = true,
+    .stream_command = 0x5C,
+    .multiplex_command = 0xCA,
+    .shown = {DisplayMode::all_off, DisplayMode::all_on, DisplayMode::memory, DisplayMode::inverse},
+    .offset_at_reset = 0x60,
+    .lock_command = 0xFD,
+    .unlock_all = 0xB1,
+    .locked = ssd1351_locked};
 const WindowedChip ssd1331 = {.chip = {.name = "SSD1331",
                                        .width = 96,
                                        .height = 64,
@@ -105,7 +106,7 @@ const WindowedChip ssd1331 = {.chip = {.name = "SSD1331",
                               .clear_command = 0x25};
 
 WindowedController::WindowedController(const WindowedChip& chip, const GlassMount& glass, OledBus bus)
-    : OledController(chip.chip, glass, bus), windowed_(chip),
+    : OledController(chip.chip, glass, bus), windowed_chip_(chip),
       memory_(static_cast<std::size_t>(chip.chip.width * chip.chip.height)) {
     PowerOnNoise noise;
     for (std::uint16_t& cell : memory_)
@@ -114,40 +115,41 @@ WindowedController::WindowedController(const WindowedChip& chip, const GlassMoun
 }
 
 void WindowedController::power_on() {
-    remap_ = windowed_.grey ? 0 : 0x40;
+    remap_bits_ = windowed_chip_.grey ? 0 : 0x40;
     first_column_ = first_row_ = column_ = row_ = start_line_ = 0;
-    last_column_ = addresses() - 1;
+    last_column_ = address_count() - 1;
     last_row_ = chip_.height - 1;
-    offset_ = windowed_.offset_at_reset;
-    multiplex_ = chip_.height;
-    shown_ = Shown::memory;
-    on_ = streaming_ = scrolling_ = unlocked_ = false;
-    pixel_fill_ = 0;
-    stream_ = 0;
+    display_offset_ = windowed_chip_.offset_at_reset;
+    multiplex_ratio_ = chip_.height;
+    display_mode_ = DisplayMode::memory;
+    is_display_on_ = is_streaming_ = is_scrolling_ = is_unlocked_ = false;
+    pixel_byte_count_ = 0;
+    stream_pixels_ = 0;
 }
 
-bool WindowedController::locks(std::uint8_t command) const {
-    return std::find(windowed_.locked.begin(), windowed_.locked.end(), command) != windowed_.locked.end();
+bool WindowedController::is_locked_out(std::uint8_t command) const {
+    return std::find(windowed_chip_.locked.begin(), windowed_chip_.locked.end(), command) !=
+           windowed_chip_.locked.end();
 }
 
 void WindowedController::execute(std::uint8_t command, std::span<const std::uint8_t> p, Time now) {
     if (now < busy_until_)
-        report(Rule::busy, "command " + hex(command) + " while the controller draws", now);
-    streaming_ = command == windowed_.stream_command && command != 0;
-    if (locks(command) && !unlocked_) {
+        report(Rule::busy, "command " + hex_text(command) + " while the controller draws", now);
+    is_streaming_ = command == windowed_chip_.stream_command && command != 0;
+    if (is_locked_out(command) && !is_unlocked_) {
         report(Rule::locked_register,
-               "register " + hex(command) + " was written without the key that opens it", now);
+               "register " + hex_text(command) + " was written without the key that opens it", now);
         return;
     }
-    if (command == windowed_.lock_command && command != 0)
-        unlocked_ = p[0] == windowed_.unlock_all;
-    if (command == windowed_.multiplex_command)
-        multiplex_ = std::min((p[0] & 127) + 1, chip_.height);
-    if (command == windowed_.clear_command && command != 0)
+    if (command == windowed_chip_.lock_command && command != 0)
+        is_unlocked_ = p[0] == windowed_chip_.unlock_all;
+    if (command == windowed_chip_.multiplex_command)
+        multiplex_ratio_ = std::min((p[0] & 127) + 1, chip_.height);
+    if (command == windowed_chip_.clear_command && command != 0)
         clear(p, now);
     switch (command) {
     case 0x15:
-        set_range(first_column_, last_column_, column_, p, addresses(), now);
+        set_range(first_column_, last_column_, column_, p, address_count(), now);
         break;
     case 0x75:
         set_range(first_row_, last_row_, row_, p, chip_.height, now);
@@ -156,28 +158,29 @@ void WindowedController::execute(std::uint8_t command, std::span<const std::uint
     case 0x2F:
     case 0x9E:
     case 0x9F:
-        scrolling_ = (command & 1) != 0;
+        is_scrolling_ = (command & 1) != 0;
         break;
     case 0xA0:
-        remap_ = p[0];
-        if (!windowed_.grey && (remap_ & 0x80) != 0)
-            report(Rule::color_format, "A0h " + hex(remap_) + ": three bytes a pixel are not modelled", now);
+        remap_bits_ = p[0];
+        if (!windowed_chip_.grey && (remap_bits_ & 0x80) != 0)
+            report(Rule::color_format,
+                   "A0h " + hex_text(remap_bits_) + ": three bytes a pixel are not modelled", now);
         break;
     case 0xA1:
         start_line_ = p[0] % chip_.height;
         break;
     case 0xA2:
-        offset_ = p[0] % chip_.height;
+        display_offset_ = p[0] % chip_.height;
         break;
     case 0xA4:
     case 0xA5:
     case 0xA6:
     case 0xA7:
-        shown_ = windowed_.shown[command - 0xA4u];
+        display_mode_ = windowed_chip_.shown[command - 0xA4u];
         break;
     case 0xAE:
     case 0xAF:
-        on_ = command == 0xAF;
+        is_display_on_ = command == 0xAF;
         break;
     default:
         break;
@@ -198,35 +201,36 @@ void WindowedController::clear(std::span<const std::uint8_t> p, Time now) {
 }
 
 void WindowedController::data(std::uint8_t byte, Time now) {
-    if (windowed_.stream_command != 0 && !streaming_) {
-        report_once(Rule::parameter_count, "data " + hex(byte) + " without the command that takes pixels",
-                    now);
+    if (windowed_chip_.stream_command != 0 && !is_streaming_) {
+        report_once(Rule::parameter_count,
+                    "data " + hex_text(byte) + " without the command that takes pixels", now);
         return;
     }
-    if (scrolling_ || now < busy_until_)
+    if (is_scrolling_ || now < busy_until_)
         report_once(Rule::busy, "the memory is written while the controller moves or draws in it", now);
     if (!two_bytes())
         return put(byte, now);
-    pixel_[static_cast<std::size_t>(pixel_fill_++)] = byte;
-    if (pixel_fill_ < 2)
+    pixel_bytes_[static_cast<std::size_t>(pixel_byte_count_++)] = byte;
+    if (pixel_byte_count_ < 2)
         return;
-    pixel_fill_ = 0;
-    put(static_cast<unsigned>(pixel_[0] << 8 | pixel_[1]), now);
+    pixel_byte_count_ = 0;
+    put(static_cast<unsigned>(pixel_bytes_[0] << 8 | pixel_bytes_[1]), now);
 }
 
 /// Writes the value of one column address: two greys, or one colour.
 void WindowedController::put(unsigned value, Time now) {
-    if (++stream_ > window())
+    if (++stream_pixels_ > window())
         report_once(Rule::pixel_count,
                     "more data than the window's " + std::to_string(window()) + " addresses hold", now);
-    const int address = bit(windowed_.remap.columns) ? addresses() - 1 - column_ : column_;
-    const int left = windowed_.grey ? 2 * address : address;
+    const int address = bit(windowed_chip_.remap.columns) ? address_count() - 1 - column_ : column_;
+    const int left = windowed_chip_.grey ? 2 * address : address;
     if (left < glass_.x || left >= glass_.x + glass_.width || row_ < glass_.y ||
         row_ >= glass_.y + glass_.height)
         report_once(Rule::window,
                     "no glass at column " + std::to_string(left) + " of row " + std::to_string(row_), now);
-    if (windowed_.grey) {
-        const bool swapped = bit(windowed_.remap.nibbles); // else the low nibble belongs to the lower segment
+    if (windowed_chip_.grey) {
+        const bool swapped =
+            bit(windowed_chip_.remap.nibbles); // else the low nibble belongs to the lower segment
         memory_[index(left, row_)] = static_cast<std::uint16_t>(swapped ? value >> 4 : value & 15);
         memory_[index(left + 1, row_)] = static_cast<std::uint16_t>(swapped ? value & 15 : value >> 4);
     } else {
@@ -244,7 +248,7 @@ void WindowedController::advance() {
         at = at == last ? first : at + 1;
         return at == first;
     };
-    if (bit(windowed_.remap.vertical)) {
+    if (bit(windowed_chip_.remap.vertical)) {
         if (step(row_, first_row_, last_row_))
             step(column_, first_column_, last_column_);
     } else if (step(column_, first_column_, last_column_)) {
@@ -255,21 +259,21 @@ void WindowedController::advance() {
 /// Reports a stream that filled only a part of its window, or of a pixel. It leaves the pointer in the
 /// middle, so a byte was lost.
 void WindowedController::end_data(Time now) {
-    if (pixel_fill_ != 0)
+    if (pixel_byte_count_ != 0)
         report(Rule::half_pixel, "the pixel stream ended inside a pixel: one byte slipped", now);
-    if (stream_ != 0 && stream_ % window() != 0)
+    if (stream_pixels_ != 0 && stream_pixels_ % window() != 0)
         report_once(Rule::pixel_count,
-                    std::to_string(stream_) + " addresses were written of a window of " +
+                    std::to_string(stream_pixels_) + " addresses were written of a window of " +
                         std::to_string(window()),
                     now);
-    pixel_fill_ = 0;
-    stream_ = 0;
+    pixel_byte_count_ = 0;
+    stream_pixels_ = 0;
 }
 
 Rgb666 WindowedController::cell(int column, int row) const {
     const unsigned v = value(column, row);
     const auto six = [](unsigned bits) { return static_cast<std::uint8_t>(bits); };
-    if (windowed_.grey) {
+    if (windowed_chip_.grey) {
         const std::uint8_t grey = six(v << 2 | v >> 2);
         return {grey, grey, grey};
     }
@@ -279,20 +283,21 @@ Rgb666 WindowedController::cell(int column, int row) const {
 /// The state of a pixel of the glass, whose even lines are on the COM pins of one side, and odd lines on
 /// those of the other side.
 OledController::Lit WindowedController::lit(int column, int line) const {
-    if (!bit(windowed_.remap.com_split))
+    if (!bit(windowed_chip_.remap.com_split))
         line = line / 2 + line % 2 * (glass_.height / 2);
-    if (!on_ || line >= multiplex_)
+    if (!is_display_on_ || line >= multiplex_ratio_)
         return {true, {}};
-    const int driven = bit(windowed_.remap.com_reversed) ? multiplex_ - 1 - line : line;
-    Rgb666 p = cell(column, (driven + offset_ + start_line_ + windowed_.first_com) % chip_.height);
-    if (shown_ == Shown::all_on || shown_ == Shown::all_off) {
-        const auto all = static_cast<std::uint8_t>(shown_ == Shown::all_on ? 63 : 0);
+    const int driven = bit(windowed_chip_.remap.com_reversed) ? multiplex_ratio_ - 1 - line : line;
+    Rgb666 p =
+        cell(column, (driven + display_offset_ + start_line_ + windowed_chip_.first_com) % chip_.height);
+    if (display_mode_ == DisplayMode::all_on || display_mode_ == DisplayMode::all_off) {
+        const auto all = static_cast<std::uint8_t>(display_mode_ == DisplayMode::all_on ? 63 : 0);
         p = {all, all, all};
     }
-    if (shown_ == Shown::inverse)
+    if (display_mode_ == DisplayMode::inverse)
         p = {static_cast<std::uint8_t>(63 - p.r), static_cast<std::uint8_t>(63 - p.g),
              static_cast<std::uint8_t>(63 - p.b)};
-    if (!windowed_.grey && bit(windowed_.remap.order) != windowed_.order_set_is_rgb)
+    if (!windowed_chip_.grey && bit(windowed_chip_.remap.order) != windowed_chip_.order_set_is_rgb)
         std::swap(p.r, p.b);
     return {false, p};
 }

@@ -13,7 +13,7 @@ struct RemapBits {
     std::uint8_t vertical, columns, nibbles, order, com_reversed, com_split;
 };
 
-enum class Shown : std::uint8_t { memory, all_on, all_off, inverse };
+enum class DisplayMode : std::uint8_t { memory, all_on, all_off, inverse };
 
 struct WindowedChip {
     OledChip chip;
@@ -23,7 +23,8 @@ struct WindowedChip {
     std::uint8_t stream_command = 0; ///< the command that takes pixels; 0: data are pixels at any time
     std::uint8_t multiplex_command = 0xA8;
     /// What the commands A4h to A7h make the glass show.
-    std::array<Shown, 4> shown{Shown::memory, Shown::all_on, Shown::all_off, Shown::inverse};
+    std::array<DisplayMode, 4> shown{DisplayMode::memory, DisplayMode::all_on, DisplayMode::all_off,
+                                     DisplayMode::inverse};
     std::uint8_t offset_at_reset = 0;
     int first_com = 0; ///< COM line at which the glass begins; A2h makes up for it
     std::uint8_t lock_command = 0, unlock_all = 0; ///< the key that opens `locked`
@@ -37,22 +38,22 @@ class WindowedController final : public OledController {
   public:
     WindowedController(const WindowedChip& chip, const GlassMount& glass, OledBus bus);
 
-    bool display_on() const { return on_; }
-    std::uint8_t remap() const { return remap_; }
+    bool display_on() const { return is_display_on_; }
+    std::uint8_t remap() const { return remap_bits_; }
     /// A cell of the memory: 0..15 on grey chips, else 16 bits as RGB565.
     unsigned value(int column, int row) const { return memory_[index(column, row)]; }
 
   private:
-    const WindowedChip windowed_;
+    const WindowedChip windowed_chip_;
     std::vector<std::uint16_t> memory_;
-    std::uint8_t remap_ = 0;
+    std::uint8_t remap_bits_ = 0;
     int first_column_ = 0, last_column_ = 0, first_row_ = 0, last_row_ = 0, column_ = 0, row_ = 0;
-    int start_line_ = 0, offset_ = 0, multiplex_ = 0;
-    Shown shown_ = Shown::memory;
-    bool on_ = false, streaming_ = false, scrolling_ = false, unlocked_ = false;
-    std::array<std::uint8_t, 2> pixel_{};
-    int pixel_fill_ = 0;
-    std::uint64_t stream_ = 0; ///< column addresses written since the last command
+    int start_line_ = 0, display_offset_ = 0, multiplex_ratio_ = 0;
+    DisplayMode display_mode_ = DisplayMode::memory;
+    bool is_display_on_ = false, is_streaming_ = false, is_scrolling_ = false, is_unlocked_ = false;
+    std::array<std::uint8_t, 2> pixel_bytes_{};
+    int pixel_byte_count_ = 0;
+    std::uint64_t stream_pixels_ = 0; ///< column addresses written since the last command
     Time busy_until_ = 0;
 
     void power_on() override;
@@ -61,11 +62,11 @@ class WindowedController final : public OledController {
     void end_data(Time now) override;
     void put(unsigned value, Time now);
     void clear(std::span<const std::uint8_t> corners, Time now);
-    bool locks(std::uint8_t command) const;
-    bool bit(std::uint8_t mask) const { return (remap_ & mask) != 0; }
-    bool two_bytes() const { return !windowed_.grey && (remap_ & 0xC0) != 0; }
+    bool is_locked_out(std::uint8_t command) const;
+    bool bit(std::uint8_t mask) const { return (remap_bits_ & mask) != 0; }
+    bool two_bytes() const { return !windowed_chip_.grey && (remap_bits_ & 0xC0) != 0; }
     /// The number of column addresses.
-    int addresses() const { return windowed_.grey ? chip_.width / 2 : chip_.width; }
+    int address_count() const { return windowed_chip_.grey ? chip_.width / 2 : chip_.width; }
     std::uint64_t window() const;
     std::size_t index(int column, int row) const {
         return static_cast<std::size_t>(row * chip_.width + column);

@@ -42,7 +42,7 @@ Capture::Capture() {
     check(file_.open(options().capture));
     if (!options().times_only)
         counters_.observer = &frames_;
-    begun_ = trade::thread_microseconds();
+    frame_begin_us_ = trade::thread_microseconds();
 }
 
 void Capture::watch(gl::Context& context) {
@@ -53,26 +53,26 @@ void Capture::watch(gl::Context& context) {
 }
 
 void Capture::take(const raster::Surface& picture) {
-    const double time = trade::thread_microseconds() - begun_;
-    if (finished_ || counters_.fragments == 0)
+    const double time = trade::thread_microseconds() - frame_begin_us_;
+    if (is_finished_ || counters_.fragments == 0)
         return;
     counters_.fragments = 0;
     file_.add(options().times_only ? trade::DrawnFrame{} : frames_.take(picture), time);
-    if (++taken_ == static_cast<std::uint64_t>(options().frames)) {
+    if (++frame_count_ == static_cast<std::uint64_t>(options().frames)) {
         finish();
         std::_Exit(0);
     }
-    begun_ = trade::thread_microseconds();
+    frame_begin_us_ = trade::thread_microseconds();
 }
 
 void Capture::finish() {
-    if (finished_)
+    if (is_finished_)
         return;
-    finished_ = true;
+    is_finished_ = true;
     trade::CaptureEnd end;
-    end.frames = taken_;
+    end.frames = frame_count_;
     end.mismatches = frames_.mismatches();
-    end.missed = missed_ ? "a function of OpenGL 2.0 or later" : "";
+    end.missed = has_missing_function_ ? "a function of OpenGL 2.0 or later" : "";
     if (stages_ != nullptr)
         end.stages = stages_->stages();
     check(file_.finish(end));

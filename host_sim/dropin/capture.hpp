@@ -30,7 +30,7 @@ class Capture {
     /// program ends after the last frame that was asked for.
     void take(const raster::Surface& picture);
     /// Notes that the program called a function which Spangle does not have.
-    void miss() { missed_ = true; }
+    void note_missing_function() { has_missing_function_ = true; }
 
   private:
     Capture();
@@ -40,9 +40,9 @@ class Capture {
     trade::FrameWatch frames_;
     raster::Counters counters_;
     std::unique_ptr<StageReport> stages_;
-    std::uint64_t taken_ = 0;
-    double begun_ = 0; ///< us of this thread's time, when the last frame was taken
-    bool missed_ = false, finished_ = false;
+    std::uint64_t frame_count_ = 0;
+    double frame_begin_us_ = 0; ///< us of this thread's time, when the last frame was taken
+    bool has_missing_function_ = false, is_finished_ = false;
 };
 
 } // namespace spangle::dropin

@@ -26,12 +26,12 @@ constexpr const char* extension_list =
 /// How a wish is compared with a value of a configuration. `defaults` holds the wishes of attributes that the
 /// program does not name (GLX 1.4, table 3.4).
 enum class Rule { at_least, exact, mask, ignored };
-struct Wish {
+struct AttributeRequest {
     int name;
     unsigned value;
     Rule rule;
 };
-constexpr Wish defaults[] = {
+constexpr AttributeRequest defaults[] = {
     {FBCONFIG_ID, DONT_CARE, Rule::exact},
     {BUFFER_SIZE, 0, Rule::at_least},
     {LEVEL, 0, Rule::exact},
@@ -68,7 +68,7 @@ constexpr Wish defaults[] = {
     {SWAP_INTERVAL, DONT_CARE, Rule::ignored},
 };
 
-bool holds(const SpangleFbConfig& config, const Wish& wish) {
+bool satisfies(const SpangleFbConfig& config, const AttributeRequest& wish) {
     if (wish.value == DONT_CARE || wish.rule == Rule::ignored)
         return true;
     int has = 0;
@@ -80,11 +80,11 @@ bool holds(const SpangleFbConfig& config, const Wish& wish) {
 }
 
 /// Reads a list of attributes and values. Returns false when the list names an attribute that does not exist.
-bool read_wishes(const int* list, std::vector<Wish>& out) {
+bool read_wishes(const int* list, std::vector<AttributeRequest>& out) {
     out.assign(std::begin(defaults), std::end(defaults));
     for (; list != nullptr && *list != 0; list += 2) {
-        const auto at =
-            std::find_if(out.begin(), out.end(), [list](const Wish& w) { return w.name == list[0]; });
+        const auto at = std::find_if(out.begin(), out.end(),
+                                     [list](const AttributeRequest& w) { return w.name == list[0]; });
         if (at == out.end())
             return false;
         at->value = static_cast<unsigned>(list[1]);
@@ -94,10 +94,12 @@ bool read_wishes(const int* list, std::vector<Wish>& out) {
 
 /// Returns the configurations that fulfil all wishes, in memory that the program frees with XFree (GLX 1.4,
 /// 3.3.3). Null: there are none.
-GLXFBConfig* list_of(const std::vector<SpangleFbConfig>& all, const std::vector<Wish>& wishes, int& count) {
+GLXFBConfig* list_of(const std::vector<SpangleFbConfig>& all, const std::vector<AttributeRequest>& wishes,
+                     int& count) {
     std::vector<GLXFBConfig> chosen;
     for (const SpangleFbConfig& config : all)
-        if (std::all_of(wishes.begin(), wishes.end(), [&](const Wish& w) { return holds(config, w); }))
+        if (std::all_of(wishes.begin(), wishes.end(),
+                        [&](const AttributeRequest& w) { return satisfies(config, w); }))
             chosen.push_back(&config);
     count = 0;
     const std::size_t bytes = chosen.size() * sizeof(GLXFBConfig);
@@ -118,7 +120,7 @@ XVisualInfo* visual_info(Display* display, const SpangleFbConfig& config) {
 
 /// The attributes of glXChooseVisual, whose booleans stand without a value (GLX 1.4, 3.3.4).
 struct VisualWish {
-    std::vector<Wish> wishes;
+    std::vector<AttributeRequest> wishes;
     bool rgba = false;
 };
 bool read_visual_wish(const int* list, VisualWish& out) {
@@ -133,7 +135,7 @@ bool read_visual_wish(const int* list, VisualWish& out) {
             out.wishes[1].value = True;
         else if (name != USE_GL) {
             const auto known = std::find_if(std::begin(defaults), std::end(defaults),
-                                            [name](const Wish& w) { return w.name == name; });
+                                            [name](const AttributeRequest& w) { return w.name == name; });
             if (known == std::end(defaults))
                 return false;
             out.wishes.push_back({name, static_cast<unsigned>(*list++), known->rule});
@@ -144,7 +146,7 @@ bool read_visual_wish(const int* list, VisualWish& out) {
 
 /// Whether glXChooseVisual prefers `a` where both fulfil its wishes (GLX 1.4, 3.3.4). Fewer samples and a
 /// smaller accumulation buffer come first; then the deeper depth buffer if one is wished, else the flatter.
-bool smaller(const SpangleFbConfig& a, const SpangleFbConfig& b, bool wants_depth) {
+bool is_smaller_config(const SpangleFbConfig& a, const SpangleFbConfig& b, bool wants_depth) {
     const auto key = [wants_depth](const SpangleFbConfig& c) {
         return std::tuple(c.samples, c.accum, wants_depth ? -c.depth : c.depth, c.stencil, c.id);
     };
@@ -171,7 +173,7 @@ XExtCodes codes_of(Display* display) {
     return codes;
 }
 
-void raise(Display* display, int code, int opcode, Request request, XID resource) {
+void raise_x_error(Display* display, int code, int opcode, Request request, XID resource) {
     xError error = {};
     LockDisplay(display);
     error.type = X_Error;
@@ -188,11 +190,12 @@ void raise(Display* display, int code, int opcode, Request request, XID resource
 
 void report(Display* display, Problem problem, Request request, XID resource) {
     const XExtCodes codes = codes_of(display);
-    raise(display, codes.first_error + static_cast<int>(problem), codes.major_opcode, request, resource);
+    raise_x_error(display, codes.first_error + static_cast<int>(problem), codes.major_opcode, request,
+                  resource);
 }
 
 void report_core(Display* display, int error, Request request, XID resource) {
-    raise(display, error, codes_of(display).major_opcode, request, resource);
+    raise_x_error(display, error, codes_of(display).major_opcode, request, resource);
 }
 
 } // namespace spangle::dropin::glx
@@ -242,7 +245,7 @@ GLXFBConfig* glXGetFBConfigs(Display* display, int screen, int* count) {
 }
 
 GLXFBConfig* glXChooseFBConfig(Display* display, int screen, const int* list, int* count) {
-    std::vector<Wish> wishes;
+    std::vector<AttributeRequest> wishes;
     *count = 0;
     return read_wishes(list, wishes) ? list_of(configs(display, screen), wishes, *count) : nullptr;
 }
@@ -267,13 +270,13 @@ XVisualInfo* glXChooseVisual(Display* display, int screen, int* list) {
     if (!read_visual_wish(list, wish) || !wish.rgba)
         return nullptr; // Spangle has no visuals of colour indices
     bool wants_depth = false;
-    for (const Wish& w : wish.wishes)
+    for (const AttributeRequest& w : wish.wishes)
         wants_depth = wants_depth || (w.name == DEPTH_SIZE && w.value != 0);
     GLXFBConfig best = nullptr;
     for (const SpangleFbConfig& config : configs(display, screen)) {
         const bool good = std::all_of(wish.wishes.begin(), wish.wishes.end(),
-                                      [&](const Wish& w) { return holds(config, w); });
-        if (good && (best == nullptr || smaller(config, *best, wants_depth)))
+                                      [&](const AttributeRequest& w) { return satisfies(config, w); });
+        if (good && (best == nullptr || is_smaller_config(config, *best, wants_depth)))
             best = &config;
     }
     if (best == nullptr)

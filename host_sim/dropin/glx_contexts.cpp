@@ -64,7 +64,7 @@ void report_refusal(Display* display, Request request, GLXDrawable drawable) {
 }
 
 /// The attributes with which glXCreateContextAttribsARB is called.
-struct ContextWish {
+struct ContextAttributes {
     int major = 1, minor = 0, flags = 0;
     int error = Success;        ///< X's error with which the list is refused
     bool profile_error = false; ///< the list of attributes is refused with GLXBadProfileARB
@@ -84,8 +84,8 @@ bool is_profile(int mask) {
 /// Reads and checks the attributes. A value that no version knows is BadValue. A version that does not exist,
 /// or that lacks what is asked for with it, is BadMatch (GLX_ARB_create_context,
 /// GLX_ARB_create_context_profile).
-ContextWish context_wish(const int* list) {
-    ContextWish wish;
+ContextAttributes context_wish(const int* list) {
+    ContextAttributes wish;
     bool color_index = false;
     for (; list != nullptr && *list != 0; list += 2) {
         const int value = list[1];
@@ -272,7 +272,7 @@ GLXContext glXCreateContextAttribsARB(Display* display, GLXFBConfig config, GLXC
         report(display, Problem::fb_config, Request::create_context_attribs, 0);
         return nullptr;
     }
-    const ContextWish wish = context_wish(list);
+    const ContextAttributes wish = context_wish(list);
     if (wish.profile_error) {
         report(display, Problem::profile, Request::create_context_attribs, 0);
         return nullptr;

@@ -15,7 +15,7 @@ __attribute__((used)) std::intptr_t spangle_dropin_later();
 
 std::intptr_t spangle_dropin_later() {
     if (spangle::dropin::Capture* const capture = spangle::dropin::Capture::get())
-        capture->miss();
+        capture->note_missing_function();
     spangle::gl::refuse_feature(SPANGLE_TEXT("a function of OpenGL 2.0 or later; GL_VERSION is 1.x"));
     return 0;
 }

@@ -54,7 +54,7 @@ bool flag_of(const char* variable) {
 
 /// The value whose name an environment variable holds; `usual` where it is not set.
 template <class Row, unsigned Count, class Value>
-Value named(const char* variable, const Row (&table)[Count], Value usual) {
+Value read_named_option(const char* variable, const Row (&table)[Count], Value usual) {
     const char* const value = value_of(variable);
     if (value == nullptr)
         return usual;
@@ -93,7 +93,7 @@ bool panel_format(const char* variable) {
 }
 
 std::optional<PixelFormat> format_of(const char* variable) {
-    return named(variable, names::formats, std::optional<PixelFormat>());
+    return read_named_option(variable, names::formats, std::optional<PixelFormat>());
 }
 
 /// The bus of a real display, as the environment describes it.
@@ -135,7 +135,8 @@ Options read() {
     Options out;
     read_board(out);
     read_size("SPANGLE_SIZE", out);
-    out.precision = named("SPANGLE_PRECISION", names::precisions, EGLint{EGL_PRECISION_EXACT_SPANGLE});
+    out.precision =
+        read_named_option("SPANGLE_PRECISION", names::precisions, EGLint{EGL_PRECISION_EXACT_SPANGLE});
     out.panel_format = panel_format("SPANGLE_FORMAT") && out.board != nullptr;
     out.shot = text_of("SPANGLE_SHOT");
     out.report = text_of("SPANGLE_REPORT");

@@ -73,13 +73,13 @@ void widen(RowSpan& span, const RowSpan& by) {
 struct Side {
     std::int32_t from, to, length;
 };
-Side middle(std::int32_t picture, std::int32_t glass) {
+Side centered(std::int32_t picture, std::int32_t glass) {
     return {std::max((picture - glass) / 2, 0), std::max((glass - picture) / 2, 0), std::min(picture, glass)};
 }
 
 /// Copies the picture to the frame, and tells which columns of each row changed.
 void copy(const sim::Image& picture, const hal::DisplayInfo& glass, const hal::Frame& to) {
-    const Side across = middle(picture.width, glass.width), down = middle(picture.height, glass.height);
+    const Side across = centered(picture.width, glass.width), down = centered(picture.height, glass.height);
     const std::int32_t step = format_info(glass.format).bytes_per_pixel;
     std::vector<std::uint8_t> row(static_cast<std::size_t>(glass.width * step));
     for (std::int32_t y = 0; y < glass.height; ++y) {
@@ -146,17 +146,17 @@ Stage::Size Stage::window_size() const {
 }
 
 void Stage::show(const hal::Frame& frame, const hal::DisplayInfo& info) {
-    if (finished_ || !is_copied(info.format))
+    if (is_finished_ || !is_copied(info.format))
         return;
     if (has_board())
         send(frame, info);
     if (target_.simulated() == nullptr &&
         (has_board() || !options().shot.empty() || !options().report.empty()))
-        last_ = picture_of(frame, info);
-    triangles_ += counters_.triangles;
-    fragments_ += counters_.fragments;
+        last_picture_ = picture_of(frame, info);
+    triangle_count_ += counters_.triangles;
+    fragment_count_ += counters_.fragments;
     counters_.triangles = counters_.fragments = 0;
-    if (++frames_ == options().frames) {
+    if (++frame_count_ == options().frames) {
         finish();
         if (!options().end_by_signal)
             std::_Exit(0);
@@ -175,13 +175,13 @@ void Stage::send(const hal::Frame& frame, const hal::DisplayInfo& info) {
 }
 
 sim::Image Stage::picture() const {
-    return target_.simulated() != nullptr ? target_.simulated()->glass() : last_;
+    return target_.simulated() != nullptr ? target_.simulated()->glass() : last_picture_;
 }
 
 void Stage::finish() {
-    if (finished_ || frames_ == 0)
+    if (is_finished_ || frame_count_ == 0)
         return;
-    finished_ = true;
+    is_finished_ = true;
     if (has_board())
         if (const auto shown = target_.display()->finish(); !shown.ok())
             stop(shown.error().rule);
@@ -203,11 +203,11 @@ void Stage::write_report() const {
     const auto number = [&text](const char* name, auto value) {
         text += std::string(name) + ' ' + std::to_string(value) + '\n';
     };
-    number("frames", frames_);
-    number("triangles", triangles_);
-    number("fragments", fragments_);
-    number("width", has_board() ? glass_.width : last_.width);
-    number("height", has_board() ? glass_.height : last_.height);
+    number("frames", frame_count_);
+    number("triangles", triangle_count_);
+    number("fragments", fragment_count_);
+    number("width", has_board() ? glass_.width : last_picture_.width);
+    number("height", has_board() ? glass_.height : last_picture_.height);
     text += "picture_hash " + sim::hash(picture()) + '\n';
     if (has_board())
         text += target_.figures();

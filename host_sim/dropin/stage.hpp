@@ -46,11 +46,11 @@ class Stage {
     Target target_;
     Size glass_;
     PixelFormat format_ = PixelFormat::rgba8888;
-    sim::Image last_;
-    long frames_ = 0;
-    bool finished_ = false;
+    sim::Image last_picture_;
+    long frame_count_ = 0;
+    bool is_finished_ = false;
     raster::Counters counters_;
-    std::uint64_t triangles_ = 0, fragments_ = 0;
+    std::uint64_t triangle_count_ = 0, fragment_count_ = 0;
 };
 
 } // namespace spangle::dropin

@@ -86,7 +86,7 @@ void say(unsigned code, const char* text) {
     platforms.created = created;
     if (!options().capture.empty())
         platforms.planes = planes;
-    static egl::Drawn drawn;
+    static egl::DrawnFormat drawn;
     if (options().capture_format) {
         drawn = {*options().capture_format, options().precision};
         platforms.drawn = &drawn;

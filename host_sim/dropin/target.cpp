@@ -10,16 +10,16 @@ namespace {
 
 /// Blocks signals while it lives, so that threads made meanwhile take none: signals are meant for the
 /// program.
-class WithoutSignals {
+class SignalBlock {
   public:
-    WithoutSignals() {
+    SignalBlock() {
         sigset_t all;
         sigfillset(&all);
         pthread_sigmask(SIG_SETMASK, &all, &before_);
     }
-    ~WithoutSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-    WithoutSignals(const WithoutSignals&) = delete;
-    WithoutSignals& operator=(const WithoutSignals&) = delete;
+    ~SignalBlock() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    SignalBlock(const SignalBlock&) = delete;
+    SignalBlock& operator=(const SignalBlock&) = delete;
 
   private:
     sigset_t before_;
@@ -28,18 +28,18 @@ class WithoutSignals {
 } // namespace
 
 std::string Target::open(const bringup::BusOptions& bus, const hal::Board& board) {
-    const WithoutSignals quiet;
-    attached_ = bringup::attach(bus, board);
-    if (!attached_.error.empty())
-        return attached_.error;
-    hal::Display* display = attached_.display.get();
-    if (attached_.simulated != nullptr) {
-        display = &attached_.simulated->display();
+    const SignalBlock quiet;
+    attachment_ = bringup::attach(bus, board);
+    if (!attachment_.error.empty())
+        return attachment_.error;
+    hal::Display* display = attachment_.display.get();
+    if (attachment_.simulated != nullptr) {
+        display = &attachment_.simulated->display();
     } else if (display == nullptr) {
-        attached_.board.display.reset_line = attached_.reset;
-        counted_.emplace(*attached_.bus);
-        stand_.emplace(*counted_, attached_.board.display);
-        display = &stand_->display();
+        attachment_.board.display.reset_line = attachment_.reset;
+        counted_bus_.emplace(*attachment_.bus);
+        real_panel_.emplace(*counted_bus_, attachment_.board.display);
+        display = &real_panel_->display();
     }
     if (const auto up = display->init(); !up.ok())
         return up.error().rule;
@@ -50,22 +50,22 @@ std::string Target::open(const bringup::BusOptions& bus, const hal::Board& board
 }
 
 void Target::close() {
-    if (attached_.simulated != nullptr)
+    if (attachment_.simulated != nullptr)
         return;
     display_ = nullptr;
-    stand_.reset();
-    counted_.reset();
-    attached_ = {};
+    real_panel_.reset();
+    counted_bus_.reset();
+    attachment_ = {};
 }
 
 sim::BoardCounters Target::counters() const {
-    if (attached_.simulated != nullptr)
-        return attached_.simulated->counters();
+    if (attachment_.simulated != nullptr)
+        return attachment_.simulated->counters();
     sim::BoardCounters out;
-    if (counted_) {
-        out.bytes = counted_->bytes();
-        out.commands = counted_->commands();
-        out.pixel_bytes = counted_->pixel_bytes();
+    if (counted_bus_) {
+        out.bytes = counted_bus_->bytes();
+        out.commands = counted_bus_->commands();
+        out.pixel_bytes = counted_bus_->pixel_bytes();
     }
     return out;
 }
@@ -81,18 +81,18 @@ std::string Target::figures() const {
     number("bus_commands", now.commands - before_.commands);
     number("busy_ns", now.busy_ns - before_.busy_ns);
     const hal::DisplayInfo info = display_->info();
-    if (attached_.display != nullptr) {
+    if (attachment_.display != nullptr) {
         text += "board GUD display " + std::to_string(info.width) + 'x' + std::to_string(info.height) + '\n';
         number("wire_bits", 8 * format_info(info.format).bytes_per_pixel);
     } else {
-        text += std::string("board ") + attached_.board.name + '\n';
-        number("wire_bits", hal::wire_info(hal::wire_format(attached_.board.display)).bits);
+        text += std::string("board ") + attachment_.board.name + '\n';
+        number("wire_bits", hal::wire_info(hal::wire_format(attachment_.board.display)).bits);
     }
-    if (attached_.simulated == nullptr) {
-        text += "where " + attached_.where + '\n';
+    if (attachment_.simulated == nullptr) {
+        text += "where " + attachment_.where + '\n';
         number("shown_ns",
                std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - started_).count());
-    } else if (const std::string broken = attached_.simulated->violations_text(); !broken.empty()) {
+    } else if (const std::string broken = attachment_.simulated->violations_text(); !broken.empty()) {
         text += "violations\n" + broken;
     }
     return text;

@@ -25,16 +25,16 @@ class Target {
     /// The display; null while none is open.
     hal::Display* display() const { return display_; }
     /// The simulated board; null for a real display.
-    const sim::SimBoard* simulated() const { return attached_.simulated.get(); }
+    const sim::SimBoard* simulated() const { return attachment_.simulated.get(); }
     /// The figures of the run, one a line, then the rules that a simulated bus saw broken.
     std::string figures() const;
 
   private:
     using Clock = std::chrono::steady_clock;
 
-    bringup::Attached attached_;
-    std::optional<bringup::CountedBus> counted_;
-    std::optional<bringup::Stand> stand_; ///< the display of a real panel
+    bringup::Attachment attachment_;
+    std::optional<bringup::CountedBus> counted_bus_;
+    std::optional<bringup::RealPanel> real_panel_; ///< the display of a real panel
     hal::Display* display_ = nullptr;
     Clock::time_point started_;
     sim::BoardCounters before_; ///< counters after the display was started

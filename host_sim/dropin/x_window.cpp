@@ -44,26 +44,26 @@ void store(std::uint32_t value, const XPixels& pixels, std::uint8_t* to) {
 
 } // namespace
 
-XImage::XImage(const XWindows& windows) : windows_(windows), shared_(windows.has_shared_memory()) {}
+XImage::XImage(const XWindows& windows) : windows_(windows), is_shared_(windows.has_shared_memory()) {}
 
 XImage::~XImage() {
     free_shared();
 }
 
 void XImage::free_shared() {
-    if (mapped_ == nullptr)
+    if (segment_memory_ == nullptr)
         return;
     forget(connection(), xcb_shm_detach_checked(connection(), segment_));
     xcb_flush(connection());
-    shmdt(mapped_);
-    mapped_ = nullptr;
-    mapped_bytes_ = 0;
+    shmdt(segment_memory_);
+    segment_memory_ = nullptr;
+    segment_bytes_ = 0;
 }
 
 std::uint8_t* XImage::resize(std::size_t bytes) {
-    if (shared_ && mapped_ != nullptr)
+    if (is_shared_ && segment_memory_ != nullptr)
         wait_for_server(connection());
-    if (shared_ && bytes > mapped_bytes_) {
+    if (is_shared_ && bytes > segment_bytes_) {
         free_shared();
         const int id = shmget(IPC_PRIVATE, bytes, IPC_CREAT | 0600);
         void* const memory = id < 0 ? nullptr : shmat(id, nullptr, 0);
@@ -72,30 +72,30 @@ std::uint8_t* XImage::resize(std::size_t bytes) {
             xcb_generic_error_t* const problem =
                 xcb_request_check(connection(), xcb_shm_attach_checked(connection(), segment_,
                                                                        static_cast<std::uint32_t>(id), 0));
-            shared_ = problem == nullptr; // a server on another machine cannot share memory
+            is_shared_ = problem == nullptr; // a server on another machine cannot share memory
             std::free(problem);
-            if (shared_) {
-                mapped_ = static_cast<std::uint8_t*>(memory);
-                mapped_bytes_ = bytes;
+            if (is_shared_) {
+                segment_memory_ = static_cast<std::uint8_t*>(memory);
+                segment_bytes_ = bytes;
             } else {
                 shmdt(memory);
             }
         } else {
-            shared_ = false;
+            is_shared_ = false;
         }
         if (id >= 0)
             shmctl(id, IPC_RMID, nullptr); // the memory is freed when the last process detaches it
     }
-    if (shared_)
-        return mapped_;
-    own_.resize(bytes);
-    return own_.data();
+    if (is_shared_)
+        return segment_memory_;
+    private_memory_.resize(bytes);
+    return private_memory_.data();
 }
 
 void XImage::put(xcb_drawable_t to, xcb_gcontext_t gc, int width, int height, int depth, int row_bytes) {
     const auto w = static_cast<std::uint16_t>(width), h = static_cast<std::uint16_t>(height);
     const auto d = static_cast<std::uint8_t>(depth);
-    if (shared_) {
+    if (is_shared_) {
         forget(connection(), xcb_shm_put_image_checked(connection(), to, gc, w, h, 0, 0, w, h, 0, 0, d,
                                                        XCB_IMAGE_FORMAT_Z_PIXMAP, 0, segment_, 0));
     } else {
@@ -103,17 +103,17 @@ void XImage::put(xcb_drawable_t to, xcb_gcontext_t gc, int width, int height, in
         for (int y = 0; y < height; y += rows) {
             const int n = std::min(rows, height - y);
             forget(connection(),
-                   xcb_put_image_checked(connection(), XCB_IMAGE_FORMAT_Z_PIXMAP, to, gc, w,
-                                         static_cast<std::uint16_t>(n), 0, static_cast<std::int16_t>(y), 0, d,
-                                         static_cast<std::uint32_t>(n * row_bytes),
-                                         own_.data() + static_cast<std::ptrdiff_t>(y) * row_bytes));
+                   xcb_put_image_checked(
+                       connection(), XCB_IMAGE_FORMAT_Z_PIXMAP, to, gc, w, static_cast<std::uint16_t>(n), 0,
+                       static_cast<std::int16_t>(y), 0, d, static_cast<std::uint32_t>(n * row_bytes),
+                       private_memory_.data() + static_cast<std::ptrdiff_t>(y) * row_bytes));
         }
     }
     xcb_flush(connection());
 }
 
 XWindow::XWindow(XWindows& windows, xcb_drawable_t drawable, bool pixmap, PixelFormat format)
-    : windows_(windows), drawable_(drawable), pixmap_(pixmap), format_(format), image_(windows) {
+    : windows_(windows), drawable_(drawable), is_pixmap_(pixmap), format_(format), image_(windows) {
     xcb_connection_t* const c = windows_.connection();
     xcb_generic_error_t* problem = nullptr;
     xcb_get_geometry_reply_t* const reply =
@@ -129,7 +129,7 @@ XWindow::XWindow(XWindows& windows, xcb_drawable_t drawable, bool pixmap, PixelF
     gc_ = xcb_generate_id(c);
     const std::uint32_t no_events[] = {0};
     forget(c, xcb_create_gc_checked(c, gc_, drawable_, XCB_GC_GRAPHICS_EXPOSURES, no_events));
-    if (!pixmap_)
+    if (!is_pixmap_)
         wish_size();
     ask_size();
 }
@@ -172,9 +172,9 @@ bool XWindow::ask_size() const {
 }
 
 hal::DisplayInfo XWindow::info() const {
-    const bool lives = ask_size() || pixmap_; // pixmaps live as long as anybody uses them
+    const bool lives = ask_size() || is_pixmap_; // pixmaps live as long as anybody uses them
     hal::DisplayInfo out;
-    out.name = pixmap_ ? "X pixmap" : "X window";
+    out.name = is_pixmap_ ? "X pixmap" : "X window";
     out.width = lives ? width_ : 0;
     out.height = lives ? height_ : 0;
     out.format = format_;
@@ -189,12 +189,12 @@ hal::Result<hal::Frame> XWindow::acquire() {
         buffer_height_ = height_;
         buffer_.assign(
             static_cast<std::size_t>(stride) * static_cast<std::size_t>(stored_rows(format_, height_)), 0);
-        presented_ = false;
+        is_presented_ = false;
     }
     hal::Frame frame;
     frame.pixels = buffer_.data();
     frame.stride = stride;
-    frame.age = presented_ ? 1 : 0;
+    frame.age = is_presented_ ? 1 : 0;
     return frame;
 }
 
@@ -206,9 +206,9 @@ hal::Result<void> XWindow::present() {
     hal::Frame frame;
     frame.pixels = buffer_.data();
     frame.stride = row_bytes(format_, buffer_width_);
-    if (!pixmap_)
+    if (!is_pixmap_)
         Stage::get().show(frame, shown);
-    if (!pixmap_ && Stage::get().has_board()) {
+    if (!is_pixmap_ && Stage::get().has_board()) {
         const sim::Image glass = Stage::get().picture();
         put(glass.rgba.data(), glass.width, glass.height);
     } else if (format_ == PixelFormat::rgba8888) {
@@ -216,7 +216,7 @@ hal::Result<void> XWindow::present() {
     } else {
         put(picture_of(frame, shown).rgba.data(), buffer_width_, buffer_height_);
     }
-    presented_ = true;
+    is_presented_ = true;
     return {};
 }
 

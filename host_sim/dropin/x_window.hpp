@@ -33,11 +33,11 @@ class XImage {
     xcb_connection_t* connection() const { return windows_.connection(); }
 
     const XWindows& windows_;
-    bool shared_;
+    bool is_shared_;
     xcb_shm_seg_t segment_ = 0;
-    std::uint8_t* mapped_ = nullptr;
-    std::size_t mapped_bytes_ = 0;
-    std::vector<std::uint8_t> own_;
+    std::uint8_t* segment_memory_ = nullptr;
+    std::size_t segment_bytes_ = 0;
+    std::vector<std::uint8_t> private_memory_;
 };
 
 class XWindow final : public hal::Display {
@@ -64,7 +64,7 @@ class XWindow final : public hal::Display {
 
     XWindows& windows_;
     xcb_drawable_t drawable_;
-    bool pixmap_;
+    bool is_pixmap_;
     PixelFormat format_;
     int depth_ = 0;
     XPixels pixels_;
@@ -72,7 +72,7 @@ class XWindow final : public hal::Display {
     mutable std::int32_t width_ = 1, height_ = 1; ///< pixels, as the server told last
     std::int32_t buffer_width_ = 0, buffer_height_ = 0;
     std::vector<std::uint8_t> buffer_;
-    bool presented_ = false;
+    bool is_presented_ = false;
     XImage image_;
 };
 

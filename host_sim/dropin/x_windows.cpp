@@ -22,10 +22,10 @@ namespace spangle::dropin {
 
 namespace {
 
-template <class T> struct Freed {
+template <class T> struct FreeDeleter {
     void operator()(T* reply) const { std::free(reply); }
 };
-template <class T> using Reply = std::unique_ptr<T, Freed<T>>;
+template <class T> using Reply = std::unique_ptr<T, FreeDeleter<T>>;
 
 const xcb_screen_t* screen_of(xcb_connection_t* connection) {
     return xcb_setup_roots_iterator(xcb_get_setup(connection)).data;
@@ -114,7 +114,7 @@ XWindows::XWindows(_XDisplay* display) : display_(display), connection_(XGetXCBC
 hal::Result<void> XWindows::init() {
     if (xcb_connection_has_error(connection_) != 0)
         return hal::Error{hal::Fault::gone, "X: the connection is broken"};
-    shared_memory_ = shares_memory(connection_) && std::getenv("SPANGLE_NO_SHM") == nullptr;
+    has_shared_memory_ = shares_memory(connection_) && std::getenv("SPANGLE_NO_SHM") == nullptr;
     const xcb_screen_t* const screen = screen_of(connection_);
     const xcb_visualtype_t* const visual = true_color(*screen, screen->root_depth);
     visual_ = visual != nullptr ? visual->visual_id : screen->root_visual;

@@ -44,7 +44,7 @@ class XWindows final : public hal::WindowSystem {
 
     xcb_connection_t* connection() const { return connection_; }
     XPixels pixels_of_depth(int depth) const;
-    bool has_shared_memory() const { return shared_memory_; }
+    bool has_shared_memory() const { return has_shared_memory_; }
     /// Whether the server no longer has the window with this handle.
     bool is_gone(std::uintptr_t handle);
 
@@ -55,7 +55,7 @@ class XWindows final : public hal::WindowSystem {
     _XDisplay* display_;
     bool is_watched_ = false; ///< Xlib will tell when this connection is closed
     xcb_connection_t* connection_;
-    bool shared_memory_ = false;
+    bool has_shared_memory_ = false;
     std::uint32_t visual_ = 0;
 };
 

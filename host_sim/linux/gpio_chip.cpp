@@ -30,8 +30,9 @@ enum class Edges { none, rising, falling };
 class RequestFile final : public OpenFile {
   public:
     RequestFile(GpioChip& chip, std::vector<unsigned> offsets, Edges edges, bool v2)
-        : chip_(chip), offsets_(std::move(offsets)), edges_(edges), v2_(v2), looked_(chip.kernel_->now()),
-          level_(edges == Edges::none || chip.level(offsets_[0], looked_)) {}
+        : chip_(chip), offsets_(std::move(offsets)), edges_(edges), is_v2_(v2),
+          sampled_until_(chip.kernel_->now()),
+          sampled_level_(edges == Edges::none || chip.level(offsets_[0], sampled_until_)) {}
     ~RequestFile() override {
         for (const unsigned line : offsets_)
             chip_.lines_[line].consumer.clear();
@@ -79,22 +80,22 @@ class RequestFile final : public OpenFile {
 
     Time readable(Time until) override {
         Time now = chip_.kernel_->now();
-        look(now);
-        while (queue_.empty() && now < until)
-            look(now = now + edge_step < until ? now + edge_step : until);
-        return queue_.empty() ? never : now;
+        sample_edges(now);
+        while (edge_times_.empty() && now < until)
+            sample_edges(now = now + edge_step < until ? now + edge_step : until);
+        return edge_times_.empty() ? never : now;
     }
 
     long read(void* into, std::size_t count) override {
-        const std::size_t size = v2_ ? sizeof(gpio_v2_line_event) : sizeof(gpioevent_data);
+        const std::size_t size = is_v2_ ? sizeof(gpio_v2_line_event) : sizeof(gpioevent_data);
         if (edges_ == Edges::none || count < size)
             return -EINVAL;
-        look(chip_.kernel_->now());
-        if (queue_.empty())
+        sample_edges(chip_.kernel_->now());
+        if (edge_times_.empty())
             return -EAGAIN;
-        const Time at = queue_.front();
-        queue_.pop_front();
-        if (v2_) {
+        const Time at = edge_times_.front();
+        edge_times_.pop_front();
+        if (is_v2_) {
             gpio_v2_line_event event{};
             event.timestamp_ns = at;
             event.id =
@@ -127,10 +128,10 @@ class RequestFile final : public OpenFile {
     GpioChip& chip_;
     std::vector<unsigned> offsets_;
     Edges edges_;
-    bool v2_;
-    Time looked_;
-    bool level_;
-    std::deque<Time> queue_;
+    bool is_v2_;
+    Time sampled_until_;
+    bool sampled_level_;
+    std::deque<Time> edge_times_;
 
     long set(std::uint64_t values, std::uint64_t mask) {
         if (!chip_.is_output(offsets_[0]))
@@ -149,18 +150,19 @@ class RequestFile final : public OpenFile {
     }
 
     /// Records the edges up to `now`, of the last second at most.
-    void look(Time now) {
+    void sample_edges(Time now) {
         if (edges_ == Edges::none)
             return;
-        const Time since = now - looked_ > 1'000'000'000 ? now - 1'000'000'000 : looked_;
+        const Time since = now - sampled_until_ > 1'000'000'000 ? now - 1'000'000'000 : sampled_until_;
         for (Time at = since; at < now;) {
             at = at + edge_step < now ? at + edge_step : now;
             const bool level = chip_.level(offsets_[0], at);
-            if (level != level_ && level == (edges_ == Edges::rising) && queue_.size() < event_queue)
-                queue_.push_back(at);
-            level_ = level;
+            if (level != sampled_level_ && level == (edges_ == Edges::rising) &&
+                edge_times_.size() < event_queue)
+                edge_times_.push_back(at);
+            sampled_level_ = level;
         }
-        looked_ = now;
+        sampled_until_ = now;
     }
 };
 
@@ -176,17 +178,17 @@ class ChipFile final : public OpenFile {
             info = {};
             copy_text(info.name, chip_.name_);
             copy_text(info.label, chip_.label_);
-            info.lines = chip_.count_;
+            info.lines = chip_.line_count_;
             return 0;
         }
         case GPIO_GET_LINEINFO_IOCTL: {
             auto& info = *static_cast<gpioline_info*>(argument);
             const unsigned offset = info.line_offset;
-            if (offset >= chip_.count_)
+            if (offset >= chip_.line_count_)
                 return -EINVAL;
             info = {};
             info.line_offset = offset;
-            info.flags = (chip_.requested(offset) ? GPIOLINE_FLAG_KERNEL : 0) |
+            info.flags = (chip_.is_requested(offset) ? GPIOLINE_FLAG_KERNEL : 0) |
                          (chip_.is_output(offset) ? GPIOLINE_FLAG_IS_OUT : 0);
             copy_text(info.consumer, chip_.lines_[offset].consumer);
             return 0;
@@ -194,11 +196,11 @@ class ChipFile final : public OpenFile {
         case GPIO_V2_GET_LINEINFO_IOCTL: {
             auto& info = *static_cast<gpio_v2_line_info*>(argument);
             const unsigned offset = info.offset;
-            if (offset >= chip_.count_)
+            if (offset >= chip_.line_count_)
                 return -EINVAL;
             info = {};
             info.offset = offset;
-            info.flags = (chip_.requested(offset) ? GPIO_V2_LINE_FLAG_USED : 0) |
+            info.flags = (chip_.is_requested(offset) ? GPIO_V2_LINE_FLAG_USED : 0) |
                          (chip_.is_output(offset) ? GPIO_V2_LINE_FLAG_OUTPUT : GPIO_V2_LINE_FLAG_INPUT);
             copy_text(info.consumer, chip_.lines_[offset].consumer);
             return 0;
@@ -206,17 +208,17 @@ class ChipFile final : public OpenFile {
         case GPIO_GET_LINEHANDLE_IOCTL: {
             auto& wanted = *static_cast<gpiohandle_request*>(argument);
             const std::vector<unsigned> offsets(wanted.lineoffsets, wanted.lineoffsets + wanted.lines);
-            wanted.fd = static_cast<int>(grant(offsets, wanted.consumer_label, Edges::none, false,
-                                               (wanted.flags & GPIOHANDLE_REQUEST_OUTPUT) != 0,
-                                               RequestFile::values_of(wanted.default_values)));
+            wanted.fd = static_cast<int>(open_request(offsets, wanted.consumer_label, Edges::none, false,
+                                                      (wanted.flags & GPIOHANDLE_REQUEST_OUTPUT) != 0,
+                                                      RequestFile::values_of(wanted.default_values)));
             return wanted.fd < 0 ? wanted.fd : 0;
         }
         case GPIO_GET_LINEEVENT_IOCTL: {
             auto& wanted = *static_cast<gpioevent_request*>(argument);
             const Edges edges =
                 (wanted.eventflags & GPIOEVENT_REQUEST_RISING_EDGE) != 0 ? Edges::rising : Edges::falling;
-            wanted.fd =
-                static_cast<int>(grant({wanted.lineoffset}, wanted.consumer_label, edges, false, false, 0));
+            wanted.fd = static_cast<int>(
+                open_request({wanted.lineoffset}, wanted.consumer_label, edges, false, false, 0));
             return wanted.fd < 0 ? wanted.fd : 0;
         }
         case GPIO_V2_GET_LINE_IOCTL: {
@@ -226,9 +228,9 @@ class ChipFile final : public OpenFile {
             const Edges edges = (flags & GPIO_V2_LINE_FLAG_EDGE_RISING) != 0    ? Edges::rising
                                 : (flags & GPIO_V2_LINE_FLAG_EDGE_FALLING) != 0 ? Edges::falling
                                                                                 : Edges::none;
-            wanted.fd = static_cast<int>(grant(offsets, wanted.consumer, edges, true,
-                                               (flags & GPIO_V2_LINE_FLAG_OUTPUT) != 0,
-                                               RequestFile::values_of(wanted.config)));
+            wanted.fd = static_cast<int>(open_request(offsets, wanted.consumer, edges, true,
+                                                      (flags & GPIO_V2_LINE_FLAG_OUTPUT) != 0,
+                                                      RequestFile::values_of(wanted.config)));
             return wanted.fd < 0 ? wanted.fd : 0;
         }
         default:
@@ -239,26 +241,27 @@ class ChipFile final : public OpenFile {
   private:
     GpioChip& chip_;
 
-    long grant(const std::vector<unsigned>& offsets, const char* consumer, Edges edges, bool v2, bool output,
-               std::uint64_t values) {
+    long open_request(const std::vector<unsigned>& offsets, const char* consumer, Edges edges, bool v2,
+                      bool output, std::uint64_t values) {
         if (offsets.empty() || offsets.size() > GpioChip::most_lines)
             return -EINVAL;
         for (const unsigned line : offsets)
-            if (line >= chip_.count_)
+            if (line >= chip_.line_count_)
                 return -EINVAL;
         for (const unsigned line : offsets)
-            if (chip_.requested(line))
+            if (chip_.is_requested(line))
                 return -EBUSY;
         for (const unsigned line : offsets)
             chip_.lines_[line].consumer = consumer;
         chip_.set_direction(offsets, output);
         if (output)
             chip_.drive(offsets, values, ~std::uint64_t{0});
-        return chip_.kernel_->install(std::make_unique<RequestFile>(chip_, offsets, edges, v2), chip_.node());
+        return chip_.kernel_->add_open_file(std::make_unique<RequestFile>(chip_, offsets, edges, v2),
+                                            chip_.node());
     }
 };
 
-GpioChip::GpioChip(std::string label, unsigned lines) : label_(std::move(label)), count_(lines) {}
+GpioChip::GpioChip(std::string label, unsigned lines) : label_(std::move(label)), line_count_(lines) {}
 
 void GpioChip::attach(Kernel& kernel, unsigned number) {
     kernel_ = &kernel;
@@ -274,7 +277,7 @@ std::string GpioChip::node() const {
     return "/dev/" + name_;
 }
 
-void GpioChip::occupy(unsigned line, const std::string& consumer) {
+void GpioChip::take_line(unsigned line, const std::string& consumer) {
     lines_[line].consumer = consumer;
 }
 
@@ -291,7 +294,7 @@ int GpioChip::gone_error() const {
 }
 
 std::uint64_t GpioChip::levels() const {
-    return levels_ & (outputs_ | ~pulled_down);
+    return levels_ & (output_mask_ | ~pulled_down);
 }
 
 bool GpioChip::level(unsigned line, Time now) const {
@@ -303,7 +306,7 @@ bool GpioChip::level(unsigned line, Time now) const {
 void GpioChip::set_direction(const std::vector<unsigned>& offsets, bool output) {
     for (const unsigned line : offsets) {
         const std::uint64_t bit = std::uint64_t{1} << line;
-        outputs_ = output ? outputs_ | bit : outputs_ & ~bit;
+        output_mask_ = output ? output_mask_ | bit : output_mask_ & ~bit;
         if (!output)
             levels_ |= bit;
     }

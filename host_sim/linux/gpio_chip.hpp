@@ -27,13 +27,13 @@ class GpioChip final : public Device, public PinHeader {
     // --- what hangs on the pins
     Settling settling = Settling::together;
     /// Gives the line to another consumer, so that requests of it fail.
-    void occupy(unsigned line, const std::string& consumer);
+    void take_line(unsigned line, const std::string& consumer);
     void vacate(unsigned line);
 
     /// The levels of all lines: bit n is that of line n.
     std::uint64_t levels() const;
-    bool is_output(unsigned line) const { return (outputs_ >> line & 1) != 0; }
-    bool requested(unsigned line) const { return !lines_[line].consumer.empty(); }
+    bool is_output(unsigned line) const { return (output_mask_ >> line & 1) != 0; }
+    bool is_requested(unsigned line) const { return !lines_[line].consumer.empty(); }
 
     std::unique_ptr<OpenFile> open() override;
     int gone_error() const override;
@@ -47,9 +47,9 @@ class GpioChip final : public Device, public PinHeader {
 
     std::string label_, name_;
     Kernel* kernel_ = nullptr;
-    unsigned count_;
+    unsigned line_count_;
     std::array<Line, most_lines> lines_;
-    std::uint64_t outputs_ = 0;
+    std::uint64_t output_mask_ = 0;
     std::uint64_t levels_ = ~std::uint64_t{0}; ///< driven levels of outputs; 1 for all other lines
 
     void drive(const std::vector<unsigned>& offsets, std::uint64_t values, std::uint64_t mask);

@@ -12,10 +12,10 @@ namespace spangle::sim {
 class I2cAdapter final : public Device {
   public:
     /// A byte that reached the controller, as command or as data.
-    struct Received {
+    struct ReceivedByte {
         std::uint8_t byte;
         bool data;
-        friend bool operator==(const Received&, const Received&) = default;
+        friend bool operator==(const ReceivedByte&, const ReceivedByte&) = default;
     };
 
     /// `panel` is the controller at the address; null: bytes are only recorded.
@@ -28,7 +28,7 @@ class I2cAdapter final : public Device {
     std::size_t longest_message = 8192;
     std::uint32_t hz = 400000;
 
-    const std::vector<Received>& received() const { return recorder_.received; }
+    const std::vector<ReceivedByte>& received() const { return recorder_.received; }
     void forget() {
         recorder_.received.clear();
         recorder_.forget_violations();
@@ -38,7 +38,7 @@ class I2cAdapter final : public Device {
     std::string wrong() const { return recorder_.violations_text(); }
     /// Replaces the controller on the bus; null removes it.
     void replace(Controller* panel) { recorder_.panel = panel; }
-    std::uint64_t messages() const { return messages_; }
+    std::uint64_t message_count() const { return messages_; }
 
     std::unique_ptr<OpenFile> open() override;
     int gone_error() const override;
@@ -50,7 +50,7 @@ class I2cAdapter final : public Device {
     struct Recorder final : Controller {
         explicit Recorder(Controller* to) : Controller("I2C", {}), panel(to) {}
         Controller* panel;
-        std::vector<Received> received;
+        std::vector<ReceivedByte> received;
 
         void reset(bool, Time) override {}
         void select(bool chip_select, Time now) override;

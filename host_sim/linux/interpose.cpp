@@ -203,7 +203,7 @@ int spangle_cond_clockwait(pthread_cond_t* condition, pthread_mutex_t* mutex, cl
     until = *deadline;
     for (std::uint64_t calls = ~std::uint64_t{0};;) {
         const int answer = real(condition, mutex, clock, &until);
-        if (answer != ETIMEDOUT || !waits || kernel.stalled() || kernel.calls() == calls)
+        if (answer != ETIMEDOUT || !waits || kernel.has_stalled_calls() || kernel.calls() == calls)
             return answer;
         calls = kernel.calls();
         clock_gettime(clock, &until);

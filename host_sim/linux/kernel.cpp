@@ -23,15 +23,15 @@ class TextFile final : public OpenFile {
   public:
     explicit TextFile(std::string text) : text_(std::move(text)) {}
     long read(void* into, std::size_t count) override {
-        const std::size_t left = text_.size() - at_, taken = count < left ? count : left;
-        std::memcpy(into, text_.data() + at_, taken);
-        at_ += taken;
+        const std::size_t left = text_.size() - position_, taken = count < left ? count : left;
+        std::memcpy(into, text_.data() + position_, taken);
+        position_ += taken;
         return static_cast<long>(taken);
     }
 
   private:
     std::string text_;
-    std::size_t at_ = 0;
+    std::size_t position_ = 0;
 };
 
 } // namespace
@@ -65,50 +65,50 @@ Kernel& Kernel::instance() {
 
 void Kernel::add_device(const std::string& path, Device& device, unsigned major, unsigned minor) {
     const std::lock_guard lock(mutex_);
-    nodes_[path] = {&device, major, minor};
+    device_nodes_[path] = {&device, major, minor};
 }
 
 void Kernel::add_text(const std::string& path, const std::string& text) {
     const std::lock_guard lock(mutex_);
-    texts_[path] = text;
+    text_files_[path] = text;
 }
 
 void Kernel::add_link(const std::string& path, const std::string& target) {
     const std::lock_guard lock(mutex_);
-    links_[path] = target;
+    symbolic_links_[path] = target;
 }
 
 void Kernel::forget_all() {
     const std::lock_guard lock(mutex_);
-    nodes_.clear();
-    texts_.clear();
-    links_.clear();
-    judge_ = nullptr;
-    for (auto& [number, entry] : files_)
+    device_nodes_.clear();
+    text_files_.clear();
+    symbolic_links_.clear();
+    fault_judge_ = nullptr;
+    for (auto& [number, entry] : open_files_)
         entry.dead = true;
 }
 
 void Kernel::unplug(const std::string& path) {
     const std::lock_guard lock(mutex_);
-    nodes_.at(path).present = false;
-    for (auto& [number, entry] : files_)
+    device_nodes_.at(path).present = false;
+    for (auto& [number, entry] : open_files_)
         entry.dead = entry.dead || entry.path == path;
 }
 
 void Kernel::plug(const std::string& path) {
     const std::lock_guard lock(mutex_);
-    nodes_.at(path).present = true;
+    device_nodes_.at(path).present = true;
 }
 
 int Kernel::open_files() const {
     const std::lock_guard lock(mutex_);
-    return static_cast<int>(files_.size());
+    return static_cast<int>(open_files_.size());
 }
 
 bool Kernel::device_number(const char* path, unsigned& major, unsigned& minor) const {
     const std::lock_guard lock(mutex_);
-    const auto it = nodes_.find(path);
-    if (it == nodes_.end() || !it->second.present)
+    const auto it = device_nodes_.find(path);
+    if (it == device_nodes_.end() || !it->second.present)
         return false;
     major = it->second.major;
     minor = it->second.minor;
@@ -117,13 +117,13 @@ bool Kernel::device_number(const char* path, unsigned& major, unsigned& minor) c
 
 bool Kernel::text_exists(const char* path) const {
     const std::lock_guard lock(mutex_);
-    return texts_.count(path) != 0;
+    return text_files_.count(path) != 0;
 }
 
 bool Kernel::link_target(const char* path, std::string& target) const {
     const std::lock_guard lock(mutex_);
-    const auto it = links_.find(path);
-    if (it == links_.end())
+    const auto it = symbolic_links_.find(path);
+    if (it == symbolic_links_.end())
         return false;
     target = it->second;
     return true;
@@ -152,20 +152,20 @@ Time Kernel::sleep(Time ns) {
 
 void Kernel::set_judge(Judge judge) {
     const std::lock_guard lock(mutex_);
-    judge_ = std::move(judge);
+    fault_judge_ = std::move(judge);
 }
 
 void Kernel::release() {
     {
         const std::lock_guard lock(mutex_);
-        ++releases_;
+        ++release_count_;
     }
-    released_.notify_all();
+    release_signal_.notify_all();
 }
 
-bool Kernel::stalled() const {
+bool Kernel::has_stalled_calls() const {
     const std::lock_guard lock(mutex_);
-    return stalled_ != 0;
+    return stalled_calls_ != 0;
 }
 
 Time Kernel::device_cpu() const {
@@ -175,21 +175,21 @@ Time Kernel::device_cpu() const {
 
 std::uint64_t Kernel::calls() const {
     const std::lock_guard lock(mutex_);
-    return calls_;
+    return call_count_;
 }
 
 Verdict Kernel::judge(const Call& call) {
-    ++calls_;
+    ++call_count_;
     now_ += call_ns;
-    const Verdict verdict = judge_ ? judge_(call) : Verdict{};
+    const Verdict verdict = fault_judge_ ? fault_judge_(call) : Verdict{};
     if (verdict.stall) {
-        ++stalled_;
-        const std::uint64_t before = releases_;
+        ++stalled_calls_;
+        const std::uint64_t before = release_count_;
         std::unique_lock lock(mutex_);
         mutex_.unlock(); // releases the lock that the call itself holds
-        released_.wait(lock, [&] { return releases_ != before; });
+        release_signal_.wait(lock, [&] { return release_count_ != before; });
         mutex_.lock();
-        --stalled_;
+        --stalled_calls_;
     }
     return verdict;
 }
@@ -198,41 +198,41 @@ Verdict Kernel::judge(const Call& call) {
 
 bool Kernel::open(const char* path, long& answer) {
     const std::lock_guard lock(mutex_);
-    if (const auto text = texts_.find(path); text != texts_.end()) {
-        answer = install(std::make_unique<TextFile>(text->second), path);
+    if (const auto text = text_files_.find(path); text != text_files_.end()) {
+        answer = add_open_file(std::make_unique<TextFile>(text->second), path);
         return true;
     }
-    const auto node = nodes_.find(path);
-    if (node == nodes_.end())
+    const auto node = device_nodes_.find(path);
+    if (node == device_nodes_.end())
         return false;
     const Verdict verdict = judge({Call::Kind::open, node->first});
     if (!node->second.present || verdict.error != 0) {
         answer = node->second.present ? -verdict.error : -ENOENT;
         return true;
     }
-    answer = install(node->second.device->open(), path);
+    answer = add_open_file(node->second.device->open(), path);
     return true;
 }
 
-int Kernel::install(std::unique_ptr<OpenFile> file, const std::string& path) {
+int Kernel::add_open_file(std::unique_ptr<OpenFile> file, const std::string& path) {
     const std::lock_guard lock(mutex_);
     const int own = file->descriptor();
     // An eventfd reserves a number that nobody else gets.
     const int number = own >= 0 ? own : eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
     if (number < 0)
         return -errno;
-    files_[number] = {std::move(file), path};
+    open_files_[number] = {std::move(file), path};
     return number;
 }
 
 bool Kernel::close(int file) {
     const std::lock_guard lock(mutex_);
-    return files_.erase(file) != 0;
+    return open_files_.erase(file) != 0;
 }
 
 Kernel::Entry* Kernel::find(int file) {
-    const auto it = files_.find(file);
-    return it != files_.end() ? &it->second : nullptr;
+    const auto it = open_files_.find(file);
+    return it != open_files_.end() ? &it->second : nullptr;
 }
 
 template <class Answer>
@@ -241,10 +241,10 @@ bool Kernel::answer(int file, Call::Kind kind, unsigned long request, Answer dev
     Entry* const entry = find(file);
     if (entry == nullptr)
         return false;
-    const auto node = nodes_.find(entry->path);
-    const Verdict verdict = node != nodes_.end() ? judge({kind, node->first, request}) : Verdict{};
+    const auto node = device_nodes_.find(entry->path);
+    const Verdict verdict = node != device_nodes_.end() ? judge({kind, node->first, request}) : Verdict{};
     if (entry->dead && !entry->file->answers_when_dead(request))
-        out = node != nodes_.end() ? -node->second.device->gone_error() : -ENODEV;
+        out = node != device_nodes_.end() ? -node->second.device->gone_error() : -ENODEV;
     else if (verdict.error == 0 || verdict.late) {
         const Time before = thread_cpu();
         out = device(*entry->file, verdict.limit);

@@ -93,7 +93,7 @@ class Kernel {
     void set_judge(Judge judge);
     /// Lets stalled calls go on.
     void release();
-    bool stalled() const;
+    bool has_stalled_calls() const;
     std::uint64_t calls() const;
     /// Processor time that the devices took to answer, by which a program's own work can be told from theirs.
     Time device_cpu() const;
@@ -114,7 +114,7 @@ class Kernel {
 
     /// Opens a file on behalf of a device that answers with another file. Returns its number, or negative
     /// errno.
-    int install(std::unique_ptr<OpenFile> file, const std::string& path);
+    int add_open_file(std::unique_ptr<OpenFile> file, const std::string& path);
 
   private:
     struct Node {
@@ -129,15 +129,15 @@ class Kernel {
     };
 
     mutable std::recursive_mutex mutex_; ///< guards all members, so that one call runs at a time
-    std::condition_variable_any released_;
-    std::map<std::string, Node> nodes_;
-    std::map<std::string, std::string> texts_, links_;
-    std::map<int, Entry> files_;
-    Judge judge_;
+    std::condition_variable_any release_signal_;
+    std::map<std::string, Node> device_nodes_;
+    std::map<std::string, std::string> text_files_, symbolic_links_;
+    std::map<int, Entry> open_files_;
+    Judge fault_judge_;
     Time now_ = 0;
     Time device_cpu_ = 0;
-    std::uint64_t calls_ = 0, releases_ = 0;
-    int stalled_ = 0;
+    std::uint64_t call_count_ = 0, release_count_ = 0;
+    int stalled_calls_ = 0;
 
     Entry* find(int file);
     Verdict judge(const Call& call);

@@ -27,19 +27,19 @@ PanelModule::PanelModule(const hal::PanelDesc& panel, const ModuleWiring& wiring
 
 void PanelModule::power_cycle() {
     controller_ = make_controller(panel_, is_parallel() ? hal::BusKind::i8080 : panel_.serial_bus);
-    serial_.emplace(*controller_, wiring_.bus == ModuleWiring::Bus::spi3);
-    parallel_.emplace(*controller_, wiring_.bus == ModuleWiring::Bus::parallel16 ? 16u : 8u);
+    serial_pins_.emplace(*controller_, wiring_.bus == ModuleWiring::Bus::spi3);
+    parallel_pins_.emplace(*controller_, wiring_.bus == ModuleWiring::Bus::parallel16 ? 16u : 8u);
     if (!wired(wiring_.select) && is_parallel())
-        parallel_->set(ParallelPins::Pin::select, false, kernel_.now());
+        parallel_pins_->set(ParallelPins::Pin::select, false, kernel_.now());
     if (!wired(wiring_.select) && !is_parallel() && wired(wiring_.clock))
-        serial_->set(SerialPins::Pin::select, false, kernel_.now());
+        serial_pins_->set(SerialPins::Pin::select, false, kernel_.now());
 }
 
 /// Passes changed lines on to the pins, data lines before clocks. By changing both in one system call the
 /// host promises that their order does not matter.
 void PanelModule::lines_changed(std::uint64_t levels, Time now) {
     if (wired(wiring_.backlight))
-        backlit_ = high(levels, wiring_.backlight);
+        has_backlight_ = high(levels, wiring_.backlight);
     if (is_parallel())
         parallel_changed(levels, now);
     else
@@ -50,7 +50,7 @@ void PanelModule::serial_changed(std::uint64_t levels, Time now) {
     using Pin = SerialPins::Pin;
     const auto set = [&](Pin pin, unsigned line) {
         if (wired(line))
-            serial_->set(pin, high(levels, line), now);
+            serial_pins_->set(pin, high(levels, line), now);
     };
     set(Pin::reset, wiring_.reset);
     set(Pin::select, wiring_.select);
@@ -65,7 +65,7 @@ void PanelModule::parallel_changed(std::uint64_t levels, Time now) {
     using Pin = ParallelPins::Pin;
     const auto set = [&](Pin pin, unsigned line) {
         if (wired(line))
-            parallel_->set(pin, high(levels, line), now);
+            parallel_pins_->set(pin, high(levels, line), now);
     };
     set(Pin::reset, wiring_.reset);
     set(Pin::select, wiring_.select);
@@ -74,26 +74,26 @@ void PanelModule::parallel_changed(std::uint64_t levels, Time now) {
     const unsigned lines = wiring_.bus == ModuleWiring::Bus::parallel16 ? 16 : 8;
     for (unsigned i = 0; i < lines; ++i)
         value |= (high(levels, wiring_.data[i]) ? 1u : 0u) << i;
-    parallel_->drive(value);
+    parallel_pins_->drive(value);
     set(Pin::write, wiring_.clock);
     set(Pin::read, wiring_.answer);
 }
 
 bool PanelModule::input(unsigned line, Time now) {
     if (line == wiring_.te)
-        return !te_cut_ && controller_->te(now);
+        return !is_te_cut_ && controller_->te(now);
     if (!is_parallel())
-        return serial_->miso();
+        return serial_pins_->miso();
     for (unsigned i = 0; i < wiring_.data.size(); ++i)
         if (line == wiring_.data[i])
-            return (parallel_->answer() >> i & 1) != 0;
+            return (parallel_pins_->answer() >> i & 1) != 0;
     return true;
 }
 
 Image PanelModule::glass(hal::Orientation orientation) {
     Controller& c = *controller_;
     kernel_.advance(2 * c.refresh_time());
-    return upright(seen(c, kernel_.now()), orientation);
+    return upright(picture_of_glass(c, kernel_.now()), orientation);
 }
 
 std::string PanelModule::violations_text() const {

@@ -40,13 +40,13 @@ class PanelModule {
     /// The controller of a DCS panel, which tells more than others.
     DcsController& dcs() { return dynamic_cast<DcsController&>(*controller_); }
     /// The serial pins, for an SPI controller that drives clock, select and data itself.
-    SerialPins& serial() { return *serial_; }
-    bool backlit() const { return backlit_; }
+    SerialPins& serial() { return *serial_pins_; }
+    bool is_backlight_on() const { return has_backlight_; }
 
     /// Turns the power off and on: all state is lost, and the memory holds noise.
     void power_cycle();
     /// Breaks the TE line, or mends it.
-    void cut_te(bool cut) { te_cut_ = cut; }
+    void cut_te(bool cut) { is_te_cut_ = cut; }
     /// Returns the picture that a viewer sees two refreshes from now, upright.
     Image glass(hal::Orientation orientation);
     std::string violations_text() const;
@@ -56,9 +56,9 @@ class PanelModule {
     ModuleWiring wiring_;
     Kernel& kernel_;
     std::unique_ptr<Controller> controller_;
-    std::optional<SerialPins> serial_;
-    std::optional<ParallelPins> parallel_;
-    bool backlit_ = false, te_cut_ = false;
+    std::optional<SerialPins> serial_pins_;
+    std::optional<ParallelPins> parallel_pins_;
+    bool has_backlight_ = false, is_te_cut_ = false;
 
     bool is_parallel() const {
         return wiring_.bus == ModuleWiring::Bus::parallel8 || wiring_.bus == ModuleWiring::Bus::parallel16;

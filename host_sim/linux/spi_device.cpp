@@ -83,14 +83,14 @@ class SpiFile final : public OpenFile {
         using Pin = SerialPins::Pin;
         Kernel& kernel = *device_.kernel_;
         now_ = kernel.now() + device_.message_ns;
-        ++device_.messages_;
+        ++device_.message_count_;
         device_.pins_.set(Pin::clock, (device_.settings_.mode & SPI_CPOL) != 0, now_);
         device_.pins_.set(Pin::select, false, now_);
         std::size_t done = 0;
         for (std::size_t i = 0; i < count; ++i)
             done += transfer(transfers[i], limit - done);
         device_.pins_.set(Pin::select, true, now_);
-        device_.largest_ = done > device_.largest_ ? done : device_.largest_;
+        device_.largest_message_ = done > device_.largest_message_ ? done : device_.largest_message_;
         kernel.advance(now_ - kernel.now());
         return static_cast<long>(done);
     }

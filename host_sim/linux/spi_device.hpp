@@ -29,8 +29,8 @@ class SpiDevice final : public Device {
         std::uint8_t bits = 8;
     };
     const Settings& settings() const { return settings_; }
-    std::uint64_t messages() const { return messages_; }
-    std::size_t largest_message() const { return largest_; }
+    std::uint64_t message_count() const { return message_count_; }
+    std::size_t largest_message() const { return largest_message_; }
 
     std::unique_ptr<OpenFile> open() override;
     int gone_error() const override;
@@ -40,8 +40,8 @@ class SpiDevice final : public Device {
     SerialPins& pins_;
     Kernel* kernel_ = nullptr;
     Settings settings_;
-    std::uint64_t messages_ = 0;
-    std::size_t largest_ = 0;
+    std::uint64_t message_count_ = 0;
+    std::size_t largest_message_ = 0;
 };
 
 } // namespace spangle::sim

@@ -42,7 +42,7 @@ int named_descriptor(const std::string& path) {
 
 /// Follows symbolic links, the last of which may name something that does not exist. Returns false where they
 /// form a circle.
-bool follow(std::string& path) {
+bool follow_links(std::string& path) {
     for (int hops = 0; named_descriptor(path) < 0; ++hops) {
         struct stat status {};
         if (lstat(path.c_str(), &status) != 0 || !S_ISLNK(status.st_mode))
@@ -57,7 +57,7 @@ bool follow(std::string& path) {
     return true;
 }
 
-const char* advice(int error) {
+const char* advice_for(int error) {
     switch (error) {
     case ENOSPC:
     case EDQUOT:
@@ -95,7 +95,7 @@ Output::~Output() {
 
 std::string Output::problem(int error) const {
     return "cannot write " + (descriptor_ == 1 ? "standard output" : "'" + path_ + "'") + ": " +
-           std::strerror(error) + advice(error);
+           std::strerror(error) + advice_for(error);
 }
 
 std::string Output::open(const std::string& path) {
@@ -106,7 +106,7 @@ std::string Output::open(const std::string& path) {
     error_ = 0;
     if (path.empty())
         return "cannot write to a file without a name";
-    if (!follow(target_))
+    if (!follow_links(target_))
         return problem(ELOOP);
     descriptor_ = named_descriptor(target_);
     if (descriptor_ >= 0)
@@ -142,34 +142,34 @@ std::string Output::open_new_file(bool exists) {
         return "cannot write '" + path_ + "': there is no folder " + folder;
     if (exists && access(target_.c_str(), W_OK) != 0)
         return problem(errno);
-    replaces_ = true;
+    replaces_file_ = true;
     file_ = access("/proc/self/fd", X_OK) == 0
                 ? ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666)
                 : -1;
     if (file_ >= 0)
         return "";
     static int count = 0;
-    unfinished_ = target_ + "." + std::to_string(getpid()) + "-" + std::to_string(++count) + ".part";
-    file_ = ::open(unfinished_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+    temporary_name_ = target_ + "." + std::to_string(getpid()) + "-" + std::to_string(++count) + ".part";
+    file_ = ::open(temporary_name_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
     if (file_ >= 0)
         return "";
     const int error = errno;
-    unfinished_.clear();
+    temporary_name_.clear();
     return problem(error);
 }
 
 bool Output::write(std::string_view bytes) {
     if (file_ < 0 && error_ == 0)
         error_ = EBADF;
-    kept_ += bytes;
+    buffer_ += bytes;
     size_ += bytes.size();
-    return kept_.size() < most_kept ? error_ == 0 : flush();
+    return buffer_.size() < most_kept ? error_ == 0 : flush();
 }
 
 bool Output::flush() {
     if (error_ == 0 && file_ >= 0)
-        error_ = put(file_, kept_);
-    kept_.clear();
+        error_ = put(file_, buffer_);
+    buffer_.clear();
     return error_ == 0;
 }
 
@@ -188,29 +188,29 @@ int Output::take_place() {
         if (fchmod(file_, old.st_mode & 07777) != 0)
             return errno;
     }
-    if (unfinished_.empty()) {
+    if (temporary_name_.empty()) {
         static int count = 0;
         std::string name = target_ + "." + std::to_string(getpid()) + "-" + std::to_string(++count) + ".link";
         const std::string open_file = "/proc/self/fd/" + std::to_string(file_);
         if (linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0)
             return errno;
-        unfinished_ = std::move(name);
+        temporary_name_ = std::move(name);
     }
     const int closed = close(std::exchange(file_, -1)) == 0 ? 0 : errno;
     if (closed != 0)
         return closed;
-    if (std::rename(unfinished_.c_str(), target_.c_str()) != 0)
+    if (std::rename(temporary_name_.c_str(), target_.c_str()) != 0)
         return errno;
-    unfinished_.clear();
+    temporary_name_.clear();
     return 0;
 }
 
 std::string Output::commit() {
     flush();
-    if (error_ == 0 && replaces_)
+    if (error_ == 0 && replaces_file_)
         error_ = take_place();
     // Some file systems tell only when a file is closed that there was no room.
-    if (file_ >= 0 && !replaces_ && close(std::exchange(file_, -1)) != 0 && error_ == 0)
+    if (file_ >= 0 && !replaces_file_ && close(std::exchange(file_, -1)) != 0 && error_ == 0)
         error_ = errno;
     std::string text = error_ == 0 ? "" : problem(error_);
     discard();
@@ -220,11 +220,11 @@ std::string Output::commit() {
 void Output::discard() {
     if (file_ >= 0)
         close(std::exchange(file_, -1));
-    if (!unfinished_.empty())
-        unlink(unfinished_.c_str());
-    unfinished_.clear();
-    kept_.clear();
-    replaces_ = false;
+    if (!temporary_name_.empty())
+        unlink(temporary_name_.c_str());
+    temporary_name_.clear();
+    buffer_.clear();
+    replaces_file_ = false;
 }
 
 std::string write_file(const std::string& path, std::string_view bytes) {
@@ -236,7 +236,7 @@ std::string write_file(const std::string& path, std::string_view bytes) {
 }
 
 bool is_standard_output(std::string path) {
-    return follow(path) && named_descriptor(path) == STDOUT_FILENO;
+    return follow_links(path) && named_descriptor(path) == STDOUT_FILENO;
 }
 
 Output& standard_output() {

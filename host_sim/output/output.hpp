@@ -34,15 +34,15 @@ class Output {
     std::string commit();
 
   private:
-    std::string path_;       ///< path as the user gave it, for messages
-    std::string target_;     ///< path of a regular file after its symbolic links
-    std::string unfinished_; ///< name of the new file; empty: without a name, or nothing is replaced
+    std::string path_;           ///< path as the user gave it, for messages
+    std::string target_;         ///< path of a regular file after its symbolic links
+    std::string temporary_name_; ///< name of the new file; empty: without a name, or nothing is replaced
     int file_ = -1;
-    int descriptor_ = -1;   ///< descriptor of this program that `path_` names, or -1
-    bool replaces_ = false; ///< writes a regular file, which may not exist yet
-    int error_ = 0;         ///< errno of the first write that failed
+    int descriptor_ = -1;        ///< descriptor of this program that `path_` names, or -1
+    bool replaces_file_ = false; ///< writes a regular file, which may not exist yet
+    int error_ = 0;              ///< errno of the first write that failed
     std::uint64_t size_ = 0;
-    std::string kept_;
+    std::string buffer_;
 
     std::string open_descriptor();
     std::string open_new_file(bool exists);

@@ -22,21 +22,21 @@ class BusLog final : public sim::Listener {
 
     void clear() {
         entries_.clear();
-        bytes_ = commands_ = 0;
+        byte_count_ = command_count_ = 0;
     }
     const std::vector<Entry>& entries() const { return entries_; }
-    std::uint32_t bytes() const { return bytes_; }
-    std::uint32_t commands() const { return commands_; }
+    std::uint32_t bytes() const { return byte_count_; }
+    std::uint32_t commands() const { return command_count_; }
 
     void byte(sim::Time, unsigned, bool data, std::uint8_t value, bool) override {
-        ++bytes_;
-        if (!data || bytes_ == 1) {
-            commands_ += data ? 0 : 1;
-            counting_ = entries_.size() < most_commands;
-            if (counting_)
+        ++byte_count_;
+        if (!data || byte_count_ == 1) {
+            command_count_ += data ? 0 : 1;
+            is_counting_ = entries_.size() < most_commands;
+            if (is_counting_)
                 entries_.push_back({data ? std::uint8_t{0} : value, !data, 0, {}});
         }
-        if (!data || !counting_)
+        if (!data || !is_counting_)
             return;
         Entry& last = entries_.back();
         if (last.bytes < most_bytes)
@@ -50,8 +50,8 @@ class BusLog final : public sim::Listener {
 
   private:
     std::vector<Entry> entries_;
-    std::uint32_t bytes_ = 0, commands_ = 0;
-    bool counting_ = false;
+    std::uint32_t byte_count_ = 0, command_count_ = 0;
+    bool is_counting_ = false;
 };
 
 } // namespace spangle::page

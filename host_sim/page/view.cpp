@@ -137,7 +137,7 @@ std::string View::open(const Choice& choice) {
 void View::find_camera() {
     float projection[16];
     glGetFloatv(GL_PROJECTION_MATRIX, projection);
-    camera_ = projection[11] < 0.0f;
+    has_camera_ = projection[11] < 0.0f;
     yaw_ = pitch_ = distance_ = 0.0f;
 }
 
@@ -168,11 +168,11 @@ std::string View::draw(bool next) {
         return problem("eglMakeCurrent");
     log_.clear();
     frame_ += next || frame_ < 0 ? 1 : 0;
-    if (camera_ && (yaw_ != 0.0f || pitch_ != 0.0f))
+    if (has_camera_ && (yaw_ != 0.0f || pitch_ != 0.0f))
         draw_from_aside();
     else
         scene_->draw(frame_);
-    if (camera_) {
+    if (has_camera_) {
         float modelview[16];
         glGetFloatv(GL_MODELVIEW_MATRIX, modelview);
         distance_ = -modelview[14];
@@ -185,7 +185,7 @@ std::string View::present() {
     return eglSwapBuffers(display_, surface_) ? "" : problem("eglSwapBuffers");
 }
 
-std::string View::digest() const {
+std::string View::picture_digest() const {
     return sim::hash(glass()) + "-" + sim::hash(memory()) + "-" + std::to_string(counters().bytes);
 }
 
@@ -212,7 +212,7 @@ std::string digest_of(const Choice& choice) {
         if (wrong.empty())
             wrong = view.present();
     }
-    return wrong.empty() ? view.digest() : "error: " + wrong;
+    return wrong.empty() ? view.picture_digest() : "error: " + wrong;
 }
 
 } // namespace spangle::page

@@ -48,7 +48,7 @@ class View {
 
     /// Whether the scene has a perspective, so that a viewer can walk around its object. orbit() takes
     /// degrees.
-    bool has_camera() const { return camera_; }
+    bool has_camera() const { return has_camera_; }
     void orbit(float yaw, float pitch);
 
     sim::Image glass() const { return board_->glass(); }
@@ -59,7 +59,7 @@ class View {
     const BusLog& log() const { return log_; }
     /// A text made of glass, controller memory and bytes on the bus so far. Equal texts mean equal pictures
     /// and traffic.
-    std::string digest() const;
+    std::string picture_digest() const;
 
   private:
     BusLog log_;
@@ -70,7 +70,7 @@ class View {
     EGLContext context_ = EGL_NO_CONTEXT;
     float yaw_ = 0.0f, pitch_ = 0.0f;
     float distance_ = 0.0f; ///< distance from the eye to the object of the scene
-    bool camera_ = false;
+    bool has_camera_ = false;
     int frame_ = -1; ///< the frame drawn last
 
     void close();

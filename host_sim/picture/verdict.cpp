@@ -33,7 +33,7 @@ std::string describe(const Mismatch& m, const Image& actual, const Image& expect
 }
 
 /// Writes evidence of a failure. Returns "\n  actual: FILE", or why the file could not be written.
-std::string leave(const char* what, const Image& image, const std::string& path) {
+std::string write_evidence(const char* what, const Image& image, const std::string& path) {
     const std::string problem = write_png(image, path);
     std::error_code ignored;
     return std::string("\n  ") + what + ": " +
@@ -41,8 +41,8 @@ std::string leave(const char* what, const Image& image, const std::string& path)
 }
 
 std::string leave_both(const Image& actual, const Image& expected, const std::string& stem) {
-    return leave("actual", actual, stem + ".actual.png") +
-           leave("difference", difference_picture(actual, expected), stem + ".difference.png");
+    return write_evidence("actual", actual, stem + ".actual.png") +
+           write_evidence("difference", difference_picture(actual, expected), stem + ".difference.png");
 }
 
 bool updating() {
@@ -131,10 +131,11 @@ Verdict check_golden(const Image& actual, const std::string& golden, int toleran
     if (!fs::exists(golden, ignored)) {
         if (updating())
             return update(actual, golden);
-        return {false,
-                "there is no golden picture " + fs::absolute(golden, ignored).string() +
-                    "; look at what was drawn, and run once with SPANGLE_UPDATE_GOLDEN=1 if it is right" +
-                    (evidence == Evidence::none ? "" : leave("actual", actual, stem + ".actual.png"))};
+        return {
+            false,
+            "there is no golden picture " + fs::absolute(golden, ignored).string() +
+                "; look at what was drawn, and run once with SPANGLE_UPDATE_GOLDEN=1 if it is right" +
+                (evidence == Evidence::none ? "" : write_evidence("actual", actual, stem + ".actual.png"))};
     }
     Image expected;
     if (const std::string problem = read_png(golden, expected); !problem.empty())
@@ -152,8 +153,10 @@ Verdict check_hash(const Image& actual, const std::string& expected, const std::
     const std::string is = hash(actual);
     if (is == expected)
         return {};
-    return {false, "its hash is " + is + " instead of " + expected +
-                       (evidence_stem.empty() ? "" : leave("actual", actual, evidence_stem + ".actual.png"))};
+    return {
+        false,
+        "its hash is " + is + " instead of " + expected +
+            (evidence_stem.empty() ? "" : write_evidence("actual", actual, evidence_stem + ".actual.png"))};
 }
 
 Verdict check_ascii(const Image& actual, const std::string& art, const Legend& legend,

@@ -18,7 +18,7 @@ bool connect(int from, int stream) {
 }
 
 /// Runs in the child, and turns it into the program. If that fails, the parent reads the error from the pipe.
-[[noreturn]] void become(char* const arguments[], const Streams& streams, int pipe) {
+[[noreturn]] void exec_program(char* const arguments[], const Streams& streams, int pipe) {
     // The command line ignores these signals (main.cpp), and a child would inherit that.
     std::signal(SIGPIPE, SIG_DFL);
     std::signal(SIGXFSZ, SIG_DFL);
@@ -42,7 +42,7 @@ int error_from(int pipe) {
 
 } // namespace
 
-Ended run(const std::vector<std::string>& words, const Streams& streams) {
+ExitStatus run(const std::vector<std::string>& words, const Streams& streams) {
     std::vector<char*> arguments;
     arguments.reserve(words.size() + 1);
     for (const std::string& word : words)
@@ -53,8 +53,8 @@ Ended run(const std::vector<std::string>& words, const Streams& streams) {
         return {could_not_run, errno};
     const pid_t child = fork();
     if (child == 0)
-        become(arguments.data(), streams, ends[1]);
-    Ended ended{could_not_run, child < 0 ? errno : 0};
+        exec_program(arguments.data(), streams, ends[1]);
+    ExitStatus ended{could_not_run, child < 0 ? errno : 0};
     close(ends[1]);
     if (child > 0)
         ended.error = error_from(ends[0]);
@@ -69,12 +69,12 @@ Ended run(const std::vector<std::string>& words, const Streams& streams) {
     return ended;
 }
 
-Scratch::~Scratch() {
+TemporaryFile::~TemporaryFile() {
     if (file_ != nullptr)
         std::fclose(file_);
 }
 
-bool Scratch::put(const std::string& text) {
+bool TemporaryFile::put(const std::string& text) {
     if (file_ == nullptr || std::fwrite(text.data(), 1, text.size(), file_) != text.size())
         return false;
     const bool written = std::fflush(file_) == 0;
@@ -82,7 +82,7 @@ bool Scratch::put(const std::string& text) {
     return written;
 }
 
-std::string Scratch::text() const {
+std::string TemporaryFile::text() const {
     std::string text;
     if (file_ == nullptr)
         return text;

@@ -17,21 +17,21 @@ struct Streams {
     int in = inherited, out = inherited, error = inherited;
 };
 
-struct Ended {
+struct ExitStatus {
     int status;    ///< exit status of the program, or one of the three above
     int error = 0; ///< errno of why it could not be run; 0: it ran
 };
 
 /// Runs a program, found by PATH, to its end. Signals have their default actions in it.
-Ended run(const std::vector<std::string>& words, const Streams& streams = {});
+ExitStatus run(const std::vector<std::string>& words, const Streams& streams = {});
 
 /// A file without a name, for what a program reads or prints.
-class Scratch {
+class TemporaryFile {
   public:
-    Scratch() : file_(std::tmpfile()) {}
-    ~Scratch();
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
+    TemporaryFile() : file_(std::tmpfile()) {}
+    ~TemporaryFile();
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
     /// The file's descriptor; -1 if no file could be made.
     int descriptor() const { return file_ != nullptr ? fileno(file_) : -1; }
     /// Stores `text`, to be read from its beginning. Returns false if it could not be stored.

@@ -18,7 +18,7 @@ using namespace key_names;
 namespace {
 
 /// The part of a key that lists of fused spans can express; everything else has its default value.
-Key sayable(const Key& key) {
+Key expressible_key(const Key& key) {
     Key k;
     k.number = key.number;
     k.kind = key.kind;
@@ -65,7 +65,7 @@ bool is_fusible(const Key& key) {
     if (key.number == Number::exact && divides(key.kind, key.fog) && key.unit[0].on &&
         key.unit[0].filter == Filter::linear)
         return false;
-    return key.number != Number::reference && key == sayable(key);
+    return key.number != Number::reference && key == expressible_key(key);
 }
 
 namespace {

@@ -56,14 +56,14 @@ Recorder::Recorder() {
     listening = this;
 }
 
-Recorder::Recorder(PixelFormat colors) : colors_(colors) {
+Recorder::Recorder(PixelFormat colors) : color_format_(colors) {
     listening = this;
 }
 
 Recorder::Recorder(gl::Context& context) : context_(&context) {
     listening = this;
     add(context);
-    inspect(context);
+    note_state(context);
 }
 
 Recorder::~Recorder() {
@@ -79,18 +79,18 @@ void Recorder::add(gl::Context& context) {
 /// The surface that keys are made for: the program's own, or one of the formats asked for.
 raster::Surface Recorder::target(const gl::Context& context) const {
     raster::Surface surface = context.drawable.surface;
-    if (!colors_)
+    if (!color_format_)
         return surface;
-    surface.format = *colors_;
+    surface.format = *color_format_;
     if (surface.depth_format != DepthFormat::none)
-        surface.depth_format = stencil_ ? DepthFormat::z24s8 : DepthFormat::z16;
+        surface.depth_format = has_stencil_ ? DepthFormat::z24s8 : DepthFormat::z16;
     return surface;
 }
 
 raster::AnyFunction Recorder::count(const std::pair<const raster::DrawState*, int>& variant,
                                     std::uint64_t pixels) {
     const std::lock_guard lock(mutex_);
-    const Counted& counted = counted_.at(variant);
+    const CountedFunction& counted = counted_states_.at(variant);
     record_.keys[counted.key].pixels += pixels;
     return counted.run;
 }
@@ -121,12 +121,12 @@ void Recorder::keep_one_color(const raster::FragmentState& fragment, const raste
 void Recorder::compiled(gl::Context& context, const raster::FragmentState& fragment,
                         raster::DrawState& state) {
     const std::lock_guard lock(mutex_);
-    stencil_ = stencil_ || fragment.stencil_test;
+    has_stencil_ = has_stencil_ || fragment.stencil_test;
     const raster::Surface surface = target(context);
     record_.tiers |= 1u << static_cast<unsigned>(fragment.tier);
     const bool one_color =
         fragment.flat && !state.textured_or_fogged && !state.pixels && state.variant[0].run != nullptr;
-    if (colors_ && !state.nothing)
+    if (color_format_ && !state.nothing)
         keep_one_color(fragment, surface, state);
     for (int i = 0; i < raster::kind_count; ++i) {
         raster::Variant& variant = state.variant[i];
@@ -137,7 +137,7 @@ void Recorder::compiled(gl::Context& context, const raster::FragmentState& fragm
         const bool optional = kind == Kind::flat ? !fragment.flat : one_color;
         const bool never = kind == Kind::full && fragment.tier == raster::Tier::fast;
         record_.keys[place].needed = record_.keys[place].needed || !(optional || never);
-        counted_[{&state, i}] = {variant.run, place};
+        counted_states_[{&state, i}] = {variant.run, place};
         variant.run = reinterpret_cast<raster::AnyFunction>(Spans::of[i]);
         variant.walk = nullptr;
         variant.shapes = nullptr;
@@ -160,15 +160,15 @@ void Recorder::value(std::uint32_t word) {
 
 /// Notes switches of lighting that are limits, not optional systems. A program that only turns them off names
 /// them, too.
-void Recorder::switched(std::uint32_t word) {
+void Recorder::note_switch(std::uint32_t word) {
     if (word == GL_COLOR_MATERIAL)
         record_.light_kinds |= light_follows_colors;
     record_.full_lighting = record_.full_lighting || word == GL_COLOR_MATERIAL || word == GL_NORMALIZE ||
                             word == GL_RESCALE_NORMAL;
 }
 
-void Recorder::arguments(gl::Context& context, const gl::CommandText& text, const gl::Arg* args,
-                         unsigned count) {
+void Recorder::note_arguments(gl::Context& context, const gl::CommandText& text, const gl::Arg* args,
+                              unsigned count) {
     gl::Arg given[gl::most_explained] = {};
     const unsigned n = gl::unpack(text, args, count, given);
     for (unsigned i = 0; i < n && i < text.count; ++i) {
@@ -179,7 +179,7 @@ void Recorder::arguments(gl::Context& context, const gl::CommandText& text, cons
             std::strcmp(arg.name, "internalformat") == 0)
             value(word);
         if (arg.rule == gl::ArgRule::token)
-            switched(word);
+            note_switch(word);
         if (arg.rule == gl::ArgRule::token && texture)
             record_.texture_units = std::max(record_.texture_units, static_cast<int>(word - GL_TEXTURE0) + 1);
         if (word >= GL_LIGHT0 && word < GL_LIGHT0 + 8 && arg.rule == gl::ArgRule::token)
@@ -219,17 +219,17 @@ void Recorder::command(gl::Context& context, const gl::CommandText& text, const 
     ++record_.commands[text.name];
     for (const char* const feature : features_of(text.name))
         record_.features.insert(feature);
-    inspect(context);
+    note_state(context);
     if (args != nullptr && count != 0)
-        arguments(context, text, args, count);
+        note_arguments(context, text, args, count);
 }
 
 const Record& Recorder::finish() {
     const std::lock_guard lock(mutex_);
     if (context_ != nullptr)
-        inspect(*context_);
+        note_state(*context_);
     // A surface with a stencil buffer has depths of 24 bits for every draw.
-    if (colors_ && stencil_) {
+    if (color_format_ && has_stencil_) {
         for (KeyUse& use : record_.keys)
             if (use.key.depth_format != DepthFormat::none)
                 use.key.depth_format = DepthFormat::z24s8;

@@ -47,29 +47,30 @@ class Recorder final : public gl::Watcher {
     std::size_t place_of(const raster::Key& key);
     void keep_one_color(const raster::FragmentState& fragment, const raster::Surface& surface,
                         const raster::DrawState& state);
-    void inspect(gl::Context& context);
+    void note_state(gl::Context& context);
     void inspect_textures(gl::Context& context);
-    void arguments(gl::Context& context, const gl::CommandText& text, const gl::Arg* args, unsigned count);
+    void note_arguments(gl::Context& context, const gl::CommandText& text, const gl::Arg* args,
+                        unsigned count);
     void value(std::uint32_t word);
-    void switched(std::uint32_t word);
+    void note_switch(std::uint32_t word);
     /// Counts pixels for the key of a variant. Returns the function that draws them.
     raster::AnyFunction count(const std::pair<const raster::DrawState*, int>& variant, std::uint64_t pixels);
 
     raster::Surface target(const gl::Context& context) const;
 
     gl::Context* context_ = nullptr; ///< a context that outlives this object
-    std::optional<PixelFormat> colors_;
-    bool stencil_ = false;
+    std::optional<PixelFormat> color_format_;
+    bool has_stencil_ = false;
     std::mutex mutex_;
     Record record_;
     /// The number of changes of textures that were looked at, by address of the share group.
-    std::map<const void*, std::uint32_t> textures_seen_;
+    std::map<const void*, std::uint32_t> texture_ids_;
     /// The function that draws a kind in a state, and the index of the key for which it counts.
-    struct Counted {
+    struct CountedFunction {
         raster::AnyFunction run;
         std::size_t key;
     };
-    std::map<std::pair<const raster::DrawState*, int>, Counted> counted_;
+    std::map<std::pair<const raster::DrawState*, int>, CountedFunction> counted_states_;
 };
 
 } // namespace spangle::profile

@@ -16,12 +16,12 @@ using numeric::Real;
 
 namespace {
 
-bool bright(const Real (&color)[4]) {
+bool exceeds_sixteen(const Real (&color)[4]) {
     constexpr std::uint32_t sixteen = 0x41800000;
     return std::any_of(color, color + 3, [](Real c) { return (c.bits & 0x7FFFFFFF) >= sixteen; });
 }
 
-bool black(const Real (&color)[4]) {
+bool is_black(const Real (&color)[4]) {
     return std::all_of(color, color + 3, [](Real c) { return numeric::is_zero(c); });
 }
 
@@ -37,7 +37,8 @@ void Recorder::inspect_textures(gl::Context& context) {
                 record_.texture_formats |= 1u << static_cast<unsigned>(image->shape.format);
                 int levels = level + 1;
                 for (unsigned side = 0; side < 3; ++side)
-                    for (unsigned texels = image->shape.inner(side); texels > 1u << (levels - 1 - level);)
+                    for (unsigned texels = image->shape.size_without_border(side);
+                         texels > 1u << (levels - 1 - level);)
                         ++levels;
                 record_.texture_levels = std::max(record_.texture_levels, levels);
             }
@@ -52,7 +53,7 @@ void Recorder::inspect_textures(gl::Context& context) {
 }
 
 /// Notes the limits that the state has reached through the commands before.
-void Recorder::inspect(gl::Context& context) {
+void Recorder::note_state(gl::Context& context) {
     Record& r = record_;
     if (context.drawable.surface.color != nullptr) {
         const raster::Surface surface = target(context);
@@ -77,17 +78,17 @@ void Recorder::inspect(gl::Context& context) {
                       lighting.color_material;
     for (const gl::Light& light : lighting.light) {
         kind(local, !numeric::is_zero(light.position[3]) || !(light.spot_cutoff == gl::no_spot_cutoff));
-        r.full_lighting = r.full_lighting || bright(light.diffuse);
+        r.full_lighting = r.full_lighting || exceeds_sixteen(light.diffuse);
     }
     for (const gl::Material& material : lighting.material) {
-        kind(specular, !black(material.specular));
-        r.full_lighting = r.full_lighting || bright(material.diffuse);
+        kind(specular, !is_black(material.specular));
+        r.full_lighting = r.full_lighting || exceeds_sixteen(material.diffuse);
     }
     gl::each_array(context.arrays, [&](const gl::ClientArray& array) {
         if (array.enabled && array.type - GL_BYTE < 13)
             r.array_types |= 1u << (array.type - GL_BYTE);
     });
-    const auto [seen, first] = textures_seen_.try_emplace(context.share, 0);
+    const auto [seen, first] = texture_ids_.try_emplace(context.share, 0);
     if (first || seen->second != context.share->texture_changes) {
         seen->second = context.share->texture_changes;
         inspect_textures(context);

@@ -19,13 +19,13 @@ constexpr double worth = 0.05;
 constexpr double passes = 33;
 
 /// The name of a tier, as the first word of a sentence.
-std::string capital(std::string tier) {
+std::string capitalized(std::string tier) {
     if (tier[0] >= 'a' && tier[0] <= 'z')
         tier[0] = static_cast<char>(tier[0] - 'a' + 'A');
     return tier;
 }
 
-std::string difference(const Table& table, const Table::Row& row) {
+std::string difference_text(const Table& table, const Table::Row& row) {
     const double identical = table.number(row, "identical").value_or(100);
     if (identical >= 100)
         return "no pixel differs";
@@ -35,7 +35,7 @@ std::string difference(const Table& table, const Table::Row& row) {
                        table.text(row, "max_lsb") == "1" ? "" : "s", psnr);
 }
 
-std::string gain(double relative, const Axis& by) {
+std::string gain_text(double relative, const Axis& by) {
     const int less = static_cast<int>(std::lround(100 * (1 - relative)));
     const bool is_time = by.name[0] == 't';
     if (less == 0)
@@ -117,21 +117,21 @@ Advice advise_job(const Table& accuracy, const std::vector<Candidate>& all, cons
             best = &c;
     out.take = best->tier;
     if (best == &first)
-        out.why = fmt::format("{}: {}.", capital(first.tier), difference(accuracy, *first.row));
+        out.why = fmt::format("{}: {}.", capitalized(first.tier), difference_text(accuracy, *first.row));
     for (const Candidate& c : all) {
         if (&c == &first)
             continue;
         const bool seen = accuracy.number(*c.row, "psnr_565").value_or(0) < passes;
         const bool pays = c.relative < 1 - worth;
-        const std::string off = difference(accuracy, *c.row);
+        const std::string off = difference_text(accuracy, *c.row);
         if (by == nullptr)
-            out.why += fmt::format(" {}: {}{}.", capital(c.tier), off, c.also);
+            out.why += fmt::format(" {}: {}{}.", capitalized(c.tier), off, c.also);
         else if (seen)
-            out.why +=
-                fmt::format(" {} shows: {}, for {}{}.", capital(c.tier), off, gain(c.relative, *by), c.also);
+            out.why += fmt::format(" {} shows: {}, for {}{}.", capitalized(c.tier), off,
+                                   gain_text(c.relative, *by), c.also);
         else
-            out.why += fmt::format(" {} {}: {}{}; {}.", capital(c.tier), pays ? "pays" : "hardly pays",
-                                   gain(c.relative, *by), c.also, off);
+            out.why += fmt::format(" {} {}: {}{}; {}.", capitalized(c.tier), pays ? "pays" : "hardly pays",
+                                   gain_text(c.relative, *by), c.also, off);
     }
     if (!out.why.empty() && out.why.front() == ' ')
         out.why.erase(0, 1);

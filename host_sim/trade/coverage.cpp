@@ -11,13 +11,13 @@ constexpr std::int64_t one = raster::subpixel_one;
 
 /// Whether an edge owns the centres on it: left and bottom edges do (raster/primitive/edge.hpp). Vertices are
 /// counter-clockwise, y points up.
-bool owns(std::int64_t dx, std::int64_t dy) {
+bool owns_center(std::int64_t dx, std::int64_t dy) {
     return dy < 0 || (dy == 0 && dx > 0);
 }
 
 } // namespace
 
-std::uint64_t differences(const std::vector<bool>& a, const std::vector<bool>& b) {
+std::uint64_t count_differences(const std::vector<bool>& a, const std::vector<bool>& b) {
     std::uint64_t n = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
         n += a[i] != b[i] ? 1 : 0;
@@ -26,8 +26,8 @@ std::uint64_t differences(const std::vector<bool>& a, const std::vector<bool>& b
 
 Coverage::Coverage(int width, int height)
     : width_(width), height_(height),
-      hits_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
-      mask_(hits_.size()), frame_{mask_, mask_} {
+      hit_count_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+      covered_mask_(hit_count_.size()), frame_{covered_mask_, covered_mask_} {
     triangle = [](Observer& self, const std::int32_t x[3], const std::int32_t y[3], const double* ex,
                   const double* ey,
                   Rect scissor) { static_cast<Coverage&>(self).begin(x, y, ex, ey, scissor); };
@@ -58,18 +58,18 @@ void Coverage::begin(const std::int32_t x[3], const std::int32_t y[3], const dou
 
 void Coverage::add(std::int32_t y, std::int32_t from, std::int32_t to) {
     for (std::int32_t x = from; x < to; ++x) {
-        mask_[static_cast<std::size_t>((height_ - 1 - y) * width_ + x)] = true;
+        covered_mask_[static_cast<std::size_t>((height_ - 1 - y) * width_ + x)] = true;
         if (triangle_.open)
-            ++hits_[static_cast<std::size_t>(y * width_ + x)];
+            ++hit_count_[static_cast<std::size_t>(y * width_ + x)];
     }
 }
 
-bool Coverage::inside(std::int64_t px, std::int64_t py) const {
+bool Coverage::is_inside(std::int64_t px, std::int64_t py) const {
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3;
         const std::int64_t dx = triangle_.x[j] - triangle_.x[i], dy = triangle_.y[j] - triangle_.y[i];
         const std::int64_t e = dx * (py - triangle_.y[i]) - dy * (px - triangle_.x[i]);
-        if (e < 0 || (e == 0 && !owns(dx, dy)))
+        if (e < 0 || (e == 0 && !owns_center(dx, dy)))
             return false;
     }
     return true;
@@ -102,8 +102,8 @@ void Coverage::close_triangle() {
     const int y0 = cut(low / one - 1, s.y, s.y + s.h), y1 = cut(high / one + 2, s.y, s.y + s.h);
     for (int y = y0; y < y1; ++y)
         for (int x = x0; x < x1; ++x) {
-            std::uint8_t& hits = hits_[static_cast<std::size_t>(y * width_ + x)];
-            const bool wanted = inside(x * one + one / 2, y * one + one / 2);
+            std::uint8_t& hits = hit_count_[static_cast<std::size_t>(y * width_ + x)];
+            const bool wanted = is_inside(x * one + one / 2, y * one + one / 2);
             mismatches_ += hits != (wanted ? 1 : 0) ? 1 : 0;
             if (wanted)
                 frame_.snapped[static_cast<std::size_t>(y * width_ + x)] = true;
@@ -115,15 +115,15 @@ void Coverage::close_triangle() {
 
 FrameCoverage Coverage::end_frame() {
     close_triangle();
-    const std::vector<bool> empty(mask_.size());
+    const std::vector<bool> empty(covered_mask_.size());
     FrameCoverage out{empty, empty};
     std::swap(out, frame_);
     return out;
 }
 
 std::vector<bool> Coverage::take_mask() {
-    std::vector<bool> out(mask_.size());
-    out.swap(mask_);
+    std::vector<bool> out(covered_mask_.size());
+    out.swap(covered_mask_);
     return out;
 }
 

@@ -16,7 +16,7 @@ struct FrameCoverage {
         exact; ///< pixels that unsnapped vertices cover, where the policy knows them; else as `snapped`
 };
 /// The number of pixels that only one of the two covers.
-std::uint64_t differences(const std::vector<bool>& a, const std::vector<bool>& b);
+std::uint64_t count_differences(const std::vector<bool>& a, const std::vector<bool>& b);
 
 class Coverage : public raster::Observer {
   public:
@@ -39,8 +39,8 @@ class Coverage : public raster::Observer {
     };
     int width_, height_;
     Triangle triangle_{};
-    std::vector<std::uint8_t> hits_;
-    std::vector<bool> mask_;
+    std::vector<std::uint8_t> hit_count_;
+    std::vector<bool> covered_mask_;
     FrameCoverage frame_;
     std::uint64_t mismatches_ = 0;
 
@@ -48,7 +48,7 @@ class Coverage : public raster::Observer {
                Rect scissor);
     void add(std::int32_t y, std::int32_t begin, std::int32_t end);
     void close_triangle();
-    bool inside(std::int64_t px, std::int64_t py) const;
+    bool is_inside(std::int64_t px, std::int64_t py) const;
     bool inside_exact(double px, double py) const;
 };
 

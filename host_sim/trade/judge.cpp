@@ -19,9 +19,9 @@ sim::Image image_of(const DrawnPicture& drawn) {
 }
 
 void judge(const DrawnFrame& ours, const DrawnFrame& twin, Measured& out) {
-    out.off_snapped += differences(ours.coverage.snapped, twin.coverage.snapped);
-    out.off_unsnapped += differences(ours.coverage.snapped, twin.coverage.exact);
-    out.off_ideal += differences(twin.coverage.snapped, twin.coverage.exact);
+    out.off_snapped += count_differences(ours.coverage.snapped, twin.coverage.snapped);
+    out.off_unsnapped += count_differences(ours.coverage.snapped, twin.coverage.exact);
+    out.off_ideal += count_differences(twin.coverage.snapped, twin.coverage.exact);
     out.error.add(compare(ours.picture, twin.picture, &twin.mask));
 }
 

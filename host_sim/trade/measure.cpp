@@ -22,7 +22,7 @@ namespace spangle::trade {
 namespace {
 
 /// A context whose drawing is counted and watched.
-struct Watched {
+struct MeasuredContext {
     Offscreen screen;
     std::optional<Coverage> coverage;
     raster::Counters counters;
@@ -56,7 +56,7 @@ std::string gl_problem(const Program& program) {
 
 void measure_pictures(const Program& program, const Tier& tier, const Format& format, const Setting& s,
                       Measured& out) {
-    Watched ours, twin;
+    MeasuredContext ours, twin;
     out.problem = ours.open(program, s, format.format, tier.precision, own_knobs(tier));
     if (out.problem.empty())
         out.problem = twin.open(program, s, format.format, EGL_PRECISION_DOUBLE_SPANGLE);

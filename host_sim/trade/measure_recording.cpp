@@ -50,12 +50,12 @@ RowSpan differing(const std::uint8_t* a, const std::uint8_t* b, std::int32_t wid
 /// before.
 class Bus {
   public:
-    Bus() { usable_ = board_.display().init().ok(); }
+    Bus() { is_usable_ = board_.display().init().ok(); }
 
     void show(const DrawnPicture& picture) {
         const auto frame = board_.display().acquire();
-        usable_ = usable_ && frame.ok();
-        if (!usable_)
+        is_usable_ = is_usable_ && frame.ok();
+        if (!is_usable_)
             return;
         const hal::Frame& to = frame.value();
         std::vector<std::uint8_t> row(2 * static_cast<std::size_t>(picture.width));
@@ -75,19 +75,21 @@ class Bus {
                 known = {std::min(known.begin, changed.begin), std::max(known.end, changed.end)};
             }
         }
-        usable_ = board_.display().present().ok();
-        if (shown_++ == 0)
-            first_ = board_.counters().bytes;
+        is_usable_ = board_.display().present().ok();
+        if (present_count_++ == 0)
+            first_present_bytes_ = board_.counters().bytes;
     }
     /// The mean bytes of a frame after the first; 0 where there was only one.
     std::uint64_t bytes() const {
-        return usable_ && shown_ > 1 ? (board_.counters().bytes - first_) / (shown_ - 1) : 0;
+        return is_usable_ && present_count_ > 1
+                   ? (board_.counters().bytes - first_present_bytes_) / (present_count_ - 1)
+                   : 0;
     }
 
   private:
     sim::SimBoard board_{boards::ili9341_spi};
-    bool usable_ = false;
-    std::uint64_t shown_ = 0, first_ = 0;
+    bool is_usable_ = false;
+    std::uint64_t present_count_ = 0, first_present_bytes_ = 0;
 };
 
 std::string measure_pictures(Recording& from, const Tier& tier, const Format& format, const Setting& s,

@@ -57,7 +57,7 @@ if (axis) {
 </script></body></html>
 )";
 
-std::string escaped(const std::string& text) {
+std::string escape_html(const std::string& text) {
     std::string out;
     for (const char c : text)
         out += c == '<'   ? std::string("&lt;")
@@ -85,71 +85,74 @@ std::string base64(const std::string& bytes) {
 class Page {
   public:
     Page(const std::string& folder, const Table& accuracy, const Table& cost)
-        : folder_(folder), accuracy_(accuracy), cost_(cost) {}
+        : folder_(folder), accuracy_table_(accuracy), cost_table_(cost) {}
 
     std::string html() {
         std::set<std::string> formats;
-        for (const Table::Row& row : accuracy_.rows)
-            formats.insert(accuracy_.text(row, "format"));
-        html_ = head;
-        html_ += "<h1>Speed against accuracy</h1>\n<p>Every program, in every tier, against the same frames "
-                 "drawn in "
-                 "double. docs/trade.md says how to read the figures.</p>\n";
-        advice();
+        for (const Table::Row& row : accuracy_table_.rows)
+            formats.insert(accuracy_table_.text(row, "format"));
+        html_text_ = head;
+        html_text_ +=
+            "<h1>Speed against accuracy</h1>\n<p>Every program, in every tier, against the same frames "
+            "drawn in "
+            "double. docs/trade.md says how to read the figures.</p>\n";
+        write_advice();
         tier_plots();
         if (formats.size() > 1)
-            plot(plot_formats(accuracy_),
-                 "Lower looks more like double, further left sends less. A name without room is left out.");
-        figures();
+            write_plot(
+                plot_formats(accuracy_table_),
+                "Lower looks more like double, further left sends less. A name without room is left out.");
+        write_figures();
         pictures();
-        return html_ + foot;
+        return html_text_ + foot;
     }
-    const std::string& problem() const { return problem_; }
-    const std::string& note() const { return note_; }
+    const std::string& problem() const { return error_; }
+    const std::string& note() const { return notice_; }
 
   private:
     const std::string& folder_;
-    const Table &accuracy_, &cost_;
-    std::string html_, problem_, note_;
+    const Table &accuracy_table_, &cost_table_;
+    std::string html_text_, error_, notice_;
 
     /// Adds a plot for each axis that has figures; a list selects which plot is shown.
     void tier_plots() {
-        const std::vector<Axis> axes = axes_of(cost_);
+        const std::vector<Axis> axes = axes_of(cost_table_);
         if (axes.empty())
-            return plot({"", "no cost was measured"}, "");
+            return write_plot({"", "no cost was measured"}, "");
         if (axes.size() > 1) {
-            html_ += "<label>across <select id=axis>";
+            html_text_ += "<label>across <select id=axis>";
             for (std::size_t i = 0; i < axes.size(); ++i)
-                html_ += fmt::format("<option value={}>{}</option>", i, axes[i].name);
-            html_ += "</select></label>\n";
+                html_text_ += fmt::format("<option value={}>{}</option>", i, axes[i].name);
+            html_text_ += "</select></label>\n";
         }
         for (std::size_t i = 0; i < axes.size(); ++i) {
-            const Plot tiers = plot_tiers(accuracy_, cost_, axes[i]);
-            plot(tiers,
-                 "Higher is nearer to double, further left is quicker. A name without room is left out.",
-                 fmt::format(" data-axis={}", i));
+            const Plot tiers = plot_tiers(accuracy_table_, cost_table_, axes[i]);
+            write_plot(
+                tiers,
+                "Higher is nearer to double, further left is quicker. A name without room is left out.",
+                fmt::format(" data-axis={}", i));
             if (!tiers.problem.empty())
                 return; // the other axes have the same problem
         }
     }
 
-    void plot(const Plot& plot, const char* caption, const std::string& attribute = "") {
+    void write_plot(const Plot& plot, const char* caption, const std::string& attribute = "") {
         if (plot.problem.empty()) {
-            html_ += fmt::format("<figure{}>{}<figcaption>{}</figcaption></figure>\n", attribute, plot.svg,
-                                 caption);
+            html_text_ += fmt::format("<figure{}>{}<figcaption>{}</figcaption></figure>\n", attribute,
+                                      plot.svg, caption);
             return;
         }
-        html_ += fmt::format("<p>No plot here: {}.</p>\n", escaped(plot.problem));
-        note_ += plot.problem + "\n";
+        html_text_ += fmt::format("<p>No plot here: {}.</p>\n", escape_html(plot.problem));
+        notice_ += plot.problem + "\n";
     }
 
-    void advice() {
-        html_ +=
+    void write_advice() {
+        html_text_ +=
             "<h2>What to choose</h2>\n<table><tr><th>program<th>format<th>take<th class=words>why</tr>\n";
-        for (const Advice& a : advise(accuracy_, cost_))
-            html_ += fmt::format("<tr><td>{}<td>{}<td class=take>{}<td class=words>{}</tr>\n",
-                                 escaped(a.scene), a.format, a.take, escaped(a.why));
-        html_ += "</table>\n";
+        for (const Advice& a : advise(accuracy_table_, cost_table_))
+            html_text_ += fmt::format("<tr><td>{}<td>{}<td class=take>{}<td class=words>{}</tr>\n",
+                                      escape_html(a.scene), a.format, a.take, escape_html(a.why));
+        html_text_ += "</table>\n";
     }
 
     struct CostColumn {
@@ -168,13 +171,14 @@ class Page {
             for (const auto& f : figures)
                 all.push_back({target_column(target, f.figure), fmt::format("{} {}", target, f.title)});
         for (const CostColumn& column : all)
-            if (std::any_of(cost_.rows.begin(), cost_.rows.end(),
-                            [&](const Table::Row& row) { return !cost_.text(row, column.name).empty(); }))
+            if (std::any_of(cost_table_.rows.begin(), cost_table_.rows.end(), [&](const Table::Row& row) {
+                    return !cost_table_.text(row, column.name).empty();
+                }))
                 out.push_back(column);
         return out;
     }
 
-    void figures() {
+    void write_figures() {
         struct Column {
             const char *name, *title;
         };
@@ -195,28 +199,29 @@ class Page {
                                       {"wrong_texels", "wrong texels %"},
                                       {"frame_bytes", "frame bytes"},
                                       {"bus_bytes", "bus bytes"}};
-        html_ += "<h2>Figures</h2>\n<div class=wide><table><tr>";
+        html_text_ += "<h2>Figures</h2>\n<div class=wide><table><tr>";
         for (const Column& column : columns)
-            html_ += fmt::format("<th>{}", column.title);
+            html_text_ += fmt::format("<th>{}", column.title);
         const std::vector<CostColumn> costs = cost_columns_with_figures();
         for (const CostColumn& column : costs)
-            html_ += "<th>" + column.title;
-        html_ += "</tr>\n";
-        for (const Table::Row& row : accuracy_.rows) {
-            const std::vector<std::string> missed = missed_boxes(accuracy_, row);
+            html_text_ += "<th>" + column.title;
+        html_text_ += "</tr>\n";
+        for (const Table::Row& row : accuracy_table_.rows) {
+            const std::vector<std::string> missed = missed_boxes(accuracy_table_, row);
             std::string all;
             for (const std::string& one : missed)
                 all += (all.empty() ? "" : "; ") + one;
-            html_ += missed.empty() ? "<tr>" : fmt::format("<tr class=missed title=\"{}\">", escaped(all));
+            html_text_ +=
+                missed.empty() ? "<tr>" : fmt::format("<tr class=missed title=\"{}\">", escape_html(all));
             for (const Column& column : columns)
-                html_ += "<td>" + escaped(accuracy_.text(row, column.name));
+                html_text_ += "<td>" + escape_html(accuracy_table_.text(row, column.name));
             const Table::Row* const cost =
-                find_row(cost_, accuracy_.text(row, "job"), accuracy_.text(row, "tier"));
+                find_row(cost_table_, accuracy_table_.text(row, "job"), accuracy_table_.text(row, "tier"));
             for (const CostColumn& column : costs)
-                html_ += "<td>" + (cost != nullptr ? cost_.text(*cost, column.name) : "");
-            html_ += "</tr>\n";
+                html_text_ += "<td>" + (cost != nullptr ? cost_table_.text(*cost, column.name) : "");
+            html_text_ += "</tr>\n";
         }
-        html_ +=
+        html_text_ +=
             "</table></div>\n<p>A row in red breaks what its tier promises; point at it to see which.</p>\n";
     }
 
@@ -225,38 +230,39 @@ class Page {
         std::ifstream file(path, std::ios::binary);
         std::ostringstream bytes;
         bytes << file.rdbuf();
-        if (!file && problem_.empty())
-            problem_ = "cannot read '" + path + "'";
-        return fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", escaped(what),
+        if (!file && error_.empty())
+            error_ = "cannot read '" + path + "'";
+        return fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", escape_html(what),
                            base64(bytes.str()));
     }
 
     /// Adds the rows of one program in one format, one for each tier.
     void scene(const std::vector<const Table::Row*>& rows) {
-        const std::string &job = accuracy_.text(*rows.front(), "job"),
-                          &name = accuracy_.text(*rows.front(), "scene"),
-                          &format = accuracy_.text(*rows.front(), "format");
-        html_ +=
+        const std::string &job = accuracy_table_.text(*rows.front(), "job"),
+                          &name = accuracy_table_.text(*rows.front(), "scene"),
+                          &format = accuracy_table_.text(*rows.front(), "format");
+        html_text_ +=
             fmt::format("<div class=scene id=\"job{}\"><h3>{}, {}</h3>\n<label>tier <input type=range min=0 "
                         "max={} value={} step=1 aria-label=\"tier\"></label>\n<div class=pair>\n",
-                        job, escaped(name), format, rows.size() - 1, rows.size() - 1);
+                        job, escape_html(name), format, rows.size() - 1, rows.size() - 1);
         for (const char* what : {"picture", "off"})
             for (std::size_t i = 0; i < rows.size(); ++i) {
-                const std::string& tier = accuracy_.text(*rows[i], "tier");
+                const std::string& tier = accuracy_table_.text(*rows[i], "tier");
                 const bool picture = what[0] == 'p';
-                html_ += fmt::format("<figure data-tier={}>{}<figcaption>{}</figcaption></figure>\n", i,
-                                     image(job, picture ? tier : tier + "-off"),
-                                     picture ? tier : "where " + tier + " differs from double");
+                html_text_ += fmt::format("<figure data-tier={}>{}<figcaption>{}</figcaption></figure>\n", i,
+                                          image(job, picture ? tier : tier + "-off"),
+                                          picture ? tier : "where " + tier + " differs from double");
             }
-        html_ += fmt::format("<figure>{}<figcaption>double</figcaption></figure>\n</div></div>\n",
-                             image(job, "double"));
+        html_text_ += fmt::format("<figure>{}<figcaption>double</figcaption></figure>\n</div></div>\n",
+                                  image(job, "double"));
     }
 
     void pictures() {
-        html_ += "<h2>Pictures</h2>\n<p>The last frame. Move a slider from one tier to the next.</p>\n";
+        html_text_ += "<h2>Pictures</h2>\n<p>The last frame. Move a slider from one tier to the next.</p>\n";
         std::vector<const Table::Row*> rows;
-        for (const Table::Row& row : accuracy_.rows) {
-            if (!rows.empty() && accuracy_.text(*rows.front(), "job") != accuracy_.text(row, "job")) {
+        for (const Table::Row& row : accuracy_table_.rows) {
+            if (!rows.empty() &&
+                accuracy_table_.text(*rows.front(), "job") != accuracy_table_.text(row, "job")) {
                 scene(rows);
                 rows.clear();
             }

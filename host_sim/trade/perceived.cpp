@@ -28,14 +28,14 @@ void to_xyz(const double rgb[3], double xyz[3]) {
 }
 
 /// The CIELab colour of X, Y, Z, each relative to that of white.
-std::array<double, 3> lab(const double v[3]) {
+std::array<double, 3> to_lab(const double v[3]) {
     const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116; };
     const double x = f(v[0]), y = f(v[1]), z = f(v[2]);
     return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
 }
 
 /// Luminance and two opponent colours, linear in light (YyCxCz).
-Planes opponents(const sim::Image& image) {
+Planes to_opponent_colors(const sim::Image& image) {
     Planes out;
     const std::size_t pixels = image.rgba.size() / 4;
     for (auto& plane : out)
@@ -53,8 +53,8 @@ Planes opponents(const sim::Image& image) {
 }
 
 /// A Gaussian along one axis, of that deviation in pixels. Beyond the border the last value continues.
-std::vector<double> blurred(const std::vector<double>& from, int width, int height, int step_x, int step_y,
-                            double deviation) {
+std::vector<double> blur(const std::vector<double>& from, int width, int height, int step_x, int step_y,
+                         double deviation) {
     const int reach = static_cast<int>(std::ceil(3 * deviation));
     std::vector<double> weight(static_cast<std::size_t>(reach) + 1), out(from.size());
     double sum = 0;
@@ -77,10 +77,10 @@ std::vector<double> blurred(const std::vector<double>& from, int width, int heig
 /// The picture as the eye sees it: FLIP's contrast sensitivity, as one Gaussian for each channel.
 Planes seen(const sim::Image& image) {
     constexpr double deviation[3] = {0.72, 1.1, 1.9}; // pixels, for luminance, red-green, blue-yellow
-    Planes planes = opponents(image);
+    Planes planes = to_opponent_colors(image);
     for (std::size_t c = 0; c < 3; ++c) {
-        planes[c] = blurred(planes[c], image.width, image.height, 1, 0, deviation[c]);
-        planes[c] = blurred(planes[c], image.width, image.height, 0, 1, deviation[c]);
+        planes[c] = blur(planes[c], image.width, image.height, 1, 0, deviation[c]);
+        planes[c] = blur(planes[c], image.width, image.height, 0, 1, deviation[c]);
     }
     return planes;
 }
@@ -89,7 +89,7 @@ std::array<double, 3> lab_at(const Planes& planes, std::size_t i) {
     const double y = (planes[0][i] + 16) / 116;
     const double v[3] = {std::clamp(y + planes[1][i] / 500, 0.0, 1.0), std::clamp(y, 0.0, 1.0),
                          std::clamp(y - planes[2][i] / 200, 0.0, 1.0)};
-    std::array<double, 3> out = lab(v);
+    std::array<double, 3> out = to_lab(v);
     out[1] *= 0.01 * out[0]; // Hunt: colours of dark places are seen less
     out[2] *= 0.01 * out[0];
     return out;
@@ -101,7 +101,7 @@ double hyab(const std::array<double, 3>& a, const std::array<double, 3>& b) {
 
 /// FLIP's exponent, and its map of errors into 0 .. 1, which gives most of the range to errors that are not
 /// extreme.
-double squeezed(double distance, double largest) {
+double compress_distance(double distance, double largest) {
     constexpr double exponent = 0.7, knee = 0.4, at_knee = 0.95;
     const double error = std::pow(distance, exponent), most = std::pow(largest, exponent), bend = knee * most;
     return error < bend ? error * at_knee / bend : at_knee + (error - bend) / (most - bend) * (1 - at_knee);
@@ -111,7 +111,7 @@ double largest_distance() {
     sim::Image green(1, 1), blue(1, 1);
     green.rgba = {0, 255, 0, 255};
     blue.rgba = {0, 0, 255, 255};
-    return hyab(lab_at(opponents(green), 0), lab_at(opponents(blue), 0));
+    return hyab(lab_at(to_opponent_colors(green), 0), lab_at(to_opponent_colors(blue), 0));
 }
 
 } // namespace
@@ -123,7 +123,7 @@ double perceived_difference(const sim::Image& a, const sim::Image& b) {
     const double most = largest_distance();
     double sum = 0;
     for (std::size_t i = 0; i < one[0].size(); ++i)
-        sum += squeezed(hyab(lab_at(one, i), lab_at(other, i)), most);
+        sum += compress_distance(hyab(lab_at(one, i), lab_at(other, i)), most);
     return sum / static_cast<double>(one[0].size());
 }
 

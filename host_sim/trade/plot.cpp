@@ -19,12 +19,12 @@ namespace {
 
 /// Lets gnuplot draw a script.
 Plot drawn(const std::string& script) {
-    process::Scratch in;
-    const process::Scratch out;
+    process::TemporaryFile in;
+    const process::TemporaryFile out;
     Plot plot;
     if (!in.put(script) || out.descriptor() < 0)
         return {"", "no temporary file can be made"};
-    const process::Ended ended =
+    const process::ExitStatus ended =
         process::run({"gnuplot", "-"}, {in.descriptor(), out.descriptor(), process::nowhere});
     if (ended.status == process::no_program)
         plot.problem = "gnuplot is not installed (Debian: gnuplot-nox)";
@@ -83,7 +83,7 @@ template <class Get> Scale scale_of(const std::vector<Dot>& dots, bool by_octave
 }
 
 /// The plot of the dots. Each tier has its own colour, for its points and their names.
-std::string plotted(const std::vector<Dot>& dots, const std::vector<std::string>& tiers, bool by_octaves) {
+std::string plot_dots(const std::vector<Dot>& dots, const std::vector<std::string>& tiers, bool by_octaves) {
     constexpr const char* colors[] = {"#1b6ca8", "#e08e0b", "#c0392b", "#2e8b57", "#7d3c98", "#555555"};
     const Scale across = scale_of(dots, by_octaves, [](const Dot&dot) { return dot.x; }),
                 up = scale_of(dots, false, [](const Dot&dot) { return dot.y; });
@@ -190,7 +190,7 @@ Plot plot_tiers(const Table& accuracy, const Table& cost, const Axis& axis) {
                  fmt::format("set xlabel '{}{}, % of the first tier'\n", axis.name,
                              axis.of_frame ? " for a frame" : "") +
                  "set ylabel 'PSNR in RGB565, dB (99: identical)'\n" +
-                 plotted(dots, tier_names(accuracy), false));
+                 plot_dots(dots, tier_names(accuracy), false));
 }
 
 Plot plot_formats(const Table& accuracy) {
@@ -209,7 +209,7 @@ Plot plot_formats(const Table& accuracy) {
     return drawn(look() +
                  "set xlabel 'bytes of a whole frame'\nset logscale x 2\n"
                  "set ylabel 'looks different, FLIP-like mean'\n" +
-                 plotted(dots, tier_names(accuracy), true));
+                 plot_dots(dots, tier_names(accuracy), true));
 }
 
 } // namespace spangle::trade

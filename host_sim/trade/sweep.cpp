@@ -23,7 +23,7 @@ std::string make_folder(const std::string& folder) {
     return problem ? "cannot make folder '" + folder + "': " + problem.message() : "";
 }
 
-std::string write_tables(const std::string& folder, const Swept& swept) {
+std::string write_tables(const std::string& folder, const SweepResult& swept) {
     std::string problem = sim::write_file(folder + accuracy_file, to_csv(swept.accuracy));
     return problem.empty() ? sim::write_file(folder + cost_file, to_csv(swept.cost)) : problem;
 }
@@ -44,7 +44,7 @@ std::string write_pictures(const std::string& folder, const Job& job, const Tier
 }
 
 std::string run_job(const Sweep& what, const Program& program, const Job& job, const std::string& folder,
-                    Swept& out) {
+                    SweepResult& out) {
     what.progress(job);
     Setting setting = what.setting;
     if (program.recording != nullptr)
@@ -100,8 +100,8 @@ std::string merge_files(const std::vector<std::string>& parts, const char* file,
 
 } // namespace
 
-Swept sweep(const Sweep& what, const std::string& folder) {
-    Swept out;
+SweepResult sweep(const Sweep& what, const std::string& folder) {
+    SweepResult out;
     out.accuracy.columns = accuracy_columns();
     out.cost.columns = cost_columns();
     out.problem = make_folder(folder);
@@ -118,8 +118,8 @@ Swept sweep(const Sweep& what, const std::string& folder) {
     return out;
 }
 
-Swept merge_folders(const std::vector<std::string>& parts, const std::string& folder) {
-    Swept out;
+SweepResult merge_folders(const std::vector<std::string>& parts, const std::string& folder) {
+    SweepResult out;
     out.problem = merge_files(parts, accuracy_file, out.accuracy);
     if (out.problem.empty())
         out.problem = merge_files(parts, cost_file, out.cost);

@@ -34,15 +34,15 @@ struct Sweep {
     std::function<void(const Job&)> progress = [](const Job&) {};
 };
 
-struct Swept {
+struct SweepResult {
     Table accuracy, cost;
     std::string problem; ///< empty if everything was measured and written
 };
 
 /// Makes the folder, measures, and writes accuracy.csv, cost.csv and the pictures.
-Swept sweep(const Sweep& what, const std::string& folder);
+SweepResult sweep(const Sweep& what, const std::string& folder);
 
 /// Merges the folders of shards: CSV files and pictures become those that one sweep would have written.
-Swept merge_folders(const std::vector<std::string>& parts, const std::string& folder);
+SweepResult merge_folders(const std::vector<std::string>& parts, const std::string& folder);
 
 } // namespace spangle::trade

@@ -11,7 +11,7 @@ namespace spangle::trade {
 
 namespace {
 
-std::string quoted(const std::string& cell) {
+std::string quote_cell(const std::string& cell) {
     if (cell.find_first_of(",\"\n\r") == std::string::npos)
         return cell;
     std::string out = "\"";
@@ -28,7 +28,7 @@ std::string column_of(const char* stage) {
     return out;
 }
 
-std::string figure(double v) {
+std::string figure_text(double v) {
     return fmt::format("{:.6g}", v);
 }
 
@@ -88,7 +88,7 @@ std::string to_csv(const Table& table) {
     std::string out;
     const auto line = [&out](const Table::Row& row) {
         for (std::size_t i = 0; i < row.size(); ++i)
-            out += (i == 0 ? "" : ",") + quoted(row[i]);
+            out += (i == 0 ? "" : ",") + quote_cell(row[i]);
         out += '\n';
     };
     line(table.columns);
@@ -143,11 +143,11 @@ Table::Row accuracy_row(const Job& job, const Tier& tier, const Setting& s, cons
                       std::to_string(s.frames),
                       s.dither ? "on" : "off",
                       std::to_string(m.error.pixels),
-                      figure(m.error.identical_percent()),
+                      figure_text(m.error.identical_percent()),
                       std::to_string(m.error.max_lsb),
-                      figure(m.error.psnr_565()),
-                      figure(m.error.psnr_888()),
-                      figure(m.psnr_to_888),
+                      figure_text(m.error.psnr_565()),
+                      figure_text(m.error.psnr_888()),
+                      figure_text(m.psnr_to_888),
                       fmt::format("{:.5f}", m.perceived),
                       std::to_string(m.off_own),
                       std::to_string(m.off_snapped),
@@ -155,15 +155,15 @@ Table::Row accuracy_row(const Job& job, const Tier& tier, const Setting& s, cons
                       std::to_string(m.off_ideal),
                       m.error.compared_depths != 0 ? std::to_string(m.error.depth_steps) : "",
                       m.error.compared_depths != 0 ? std::to_string(m.error.order_flips) : "",
-                      coord != nullptr ? figure(coord->worst) : "",
-                      coord != nullptr ? figure(coord->rms) : "",
-                      coord != nullptr ? figure(wrong()) : "",
+                      coord != nullptr ? figure_text(coord->worst) : "",
+                      coord != nullptr ? figure_text(coord->rms) : "",
+                      coord != nullptr ? figure_text(wrong()) : "",
                       std::to_string(m.frame_bytes),
                       m.bus_bytes != 0 ? std::to_string(m.bus_bytes) : ""};
     for (int i = 0; i < raster::shadow_stages; ++i) {
         const StageError* const stage = stage_of(m, raster::name_of(static_cast<raster::ShadowStage>(i)));
-        out.push_back(stage != nullptr ? figure(stage->worst) : "");
-        out.push_back(stage != nullptr ? figure(stage->rms) : "");
+        out.push_back(stage != nullptr ? figure_text(stage->worst) : "");
+        out.push_back(stage != nullptr ? figure_text(stage->rms) : "");
     }
     return out;
 }

@@ -59,7 +59,7 @@ std::string image_path(const std::string& folder, const Target& target, const st
     return fmt::format("{}/{}/{}-{}.elf", folder, target.name, name, tier.name);
 }
 
-std::string read_said(std::string_view text, Said& out) {
+std::string read_firmware_report(std::string_view text, FirmwareReport& out) {
     std::istringstream lines{std::string(text)};
     std::string rest;
     for (std::string line; std::getline(lines, line);) {
@@ -91,14 +91,14 @@ std::string count_on(const Target& target, const std::string& image, const Setti
     ImageSizes sizes;
     if (std::string problem = read_sizes(image, sizes); !problem.empty())
         return problem;
-    const process::Scratch out_file, error_file;
-    const process::Ended ended =
+    const process::TemporaryFile out_file, error_file;
+    const process::ExitStatus ended =
         process::run(command_of(target, image, setting),
                      {process::nowhere, out_file.descriptor(), error_file.descriptor()});
     if (ended.status == process::no_program)
         return fmt::format("{} is not installed (./dev setup --all installs it)", target.machine[0]);
-    Said said;
-    if (std::string problem = read_said(out_file.text() + error_file.text(), said);
+    FirmwareReport said;
+    if (std::string problem = read_firmware_report(out_file.text() + error_file.text(), said);
         !problem.empty() || ended.status != 0)
         return fmt::format("{} ended with status {}: {}", image, ended.status,
                            problem.empty() ? "it failed after its frames" : problem);

@@ -50,12 +50,12 @@ struct ImageSizes {
 std::string read_sizes(const std::string& image, ImageSizes& out);
 
 /// What the firmware reports: "frame INSTRUCTIONS HASH" for each frame, "NAME BYTES" for memory.
-struct Said {
+struct FirmwareReport {
     std::vector<std::uint64_t> frames;
     std::uint32_t hash = 0; ///< hash of the last frame's picture
     std::uint64_t own = 0, surface = 0, peak = 0, stack = 0;
 };
 /// Reads the report. Returns what is missing, or an empty string.
-std::string read_said(std::string_view text, Said& out);
+std::string read_firmware_report(std::string_view text, FirmwareReport& out);
 
 } // namespace spangle::trade

@@ -39,13 +39,13 @@ std::vector<std::uint8_t> FtdiAdapter::descriptors() const {
 void FtdiAdapter::power_cycle() {
     mode_ = Mode::serial;
     latency_ms_ = 16;
-    engine.purge(true, true);
+    engine.purge_buffers(true, true);
     engine.restart();
 }
 
 bool FtdiAdapter::control(const UsbSetup& setup, const std::uint8_t*, std::vector<std::uint8_t>& in) {
-    if (refused_ == setup.request && (setup.type & 0x60) == 0x40) {
-        refused_ = -1;
+    if (refused_request_ == setup.request && (setup.type & 0x60) == 0x40) {
+        refused_request_ = -1;
         return false;
     }
     if (setup.type == 0x80 && setup.request == 0) { // the standard request GET_STATUS
@@ -63,7 +63,7 @@ bool FtdiAdapter::vendor(const UsbSetup& setup) {
     }
     switch (setup.request) {
     case RESET: // value 0 clears both directions, 1 what came from the host, 2 what goes to the host
-        engine.purge(setup.value != 2, setup.value != 1);
+        engine.purge_buffers(setup.value != 2, setup.value != 1);
         return setup.value <= 2;
     case SET_LATENCY_TIMER:
         latency_ms_ = setup.value;
@@ -92,15 +92,15 @@ bool FtdiAdapter::bulk_out(std::uint8_t endpoint, const std::uint8_t* bytes, std
 bool FtdiAdapter::bulk_in(std::uint8_t endpoint, std::size_t most, std::vector<std::uint8_t>& in) {
     if (endpoint != in_endpoint())
         return false;
-    engine.idle();
+    engine.retry_waiting_stream();
     do {
         const std::size_t room = std::min(packet_bytes, most - in.size());
         in.insert(in.end(), std::begin(modem_status), std::end(modem_status));
         const auto payload = engine.take_answers(room - std::size(modem_status));
         in.insert(in.end(), payload.begin(), payload.end());
-        if (garble_ && !payload.empty()) {
+        if (garbles_answer_ && !payload.empty()) {
             in.back() ^= 0x18; // flips the pins of select and D/C
-            garble_ = false;
+            garbles_answer_ = false;
         }
     } while (in.size() % packet_bytes == 0 && in.size() < most);
     return true;

@@ -26,9 +26,9 @@ class FtdiAdapter final : public UsbFunction {
     void clear_halt() override {}
     void power_cycle();
     /// Makes the next request of this number fail.
-    void refuse(std::uint8_t request) { refused_ = request; }
+    void refuse(std::uint8_t request) { refused_request_ = request; }
     /// Flips bits in the next answer.
-    void garble_answer() { garble_ = true; }
+    void garble_answer() { garbles_answer_ = true; }
 
     /// Receives the bytes of the stream, where a test wants to see them.
     std::vector<std::uint8_t>* log = nullptr;
@@ -39,8 +39,8 @@ class FtdiAdapter final : public UsbFunction {
     enum class Mode { serial, mpsse };
     Mode mode_ = Mode::serial;
     unsigned latency_ms_ = 16;
-    int refused_ = -1;
-    bool garble_ = false;
+    int refused_request_ = -1;
+    bool garbles_answer_ = false;
     std::string violations_;
 
     std::uint8_t out_endpoint() const { return static_cast<std::uint8_t>(0x02 + 2 * channel); }

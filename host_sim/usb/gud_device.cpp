@@ -120,9 +120,10 @@ Bytes GudDevice::descriptors() const {
 
 void GudDevice::power_cycle() {
     status_ = ok;
-    checked_ = committed_ = controller_enabled_ = display_enabled_ = halted_ = buffer_set_ = false;
-    values_.clear();
-    received_.clear();
+    is_checked_ = is_committed_ = is_controller_enabled_ = is_display_enabled_ = is_halted_ = has_buffer_ =
+        false;
+    checked_properties_.clear();
+    received_bytes_.clear();
     picture_ = Image(0, 0);
 }
 
@@ -132,9 +133,9 @@ bool GudDevice::control(const UsbSetup& setup, const std::uint8_t* out, Bytes& i
     ++counters_.requests;
     in.clear();
     if ((setup.type & 0x60) == 0)
-        return standard(setup, in);
+        return handle_standard_request(setup, in);
     if ((setup.type & 0x7F) != 0x41 || setup.index != 0) {
-        violation("a request to no interface of this device");
+        add_violation("a request to no interface of this device");
         return false;
     }
     const bool to_host = (setup.type & 0x80) != 0;
@@ -162,7 +163,7 @@ bool GudDevice::control(const UsbSetup& setup, const std::uint8_t* out, Bytes& i
 }
 
 /// Answers the standard requests that the operating system sends to any device.
-bool GudDevice::standard(const UsbSetup& setup, Bytes& in) const {
+bool GudDevice::handle_standard_request(const UsbSetup& setup, Bytes& in) const {
     if ((setup.type & 0x80) != 0 && setup.request == 8) // the standard request GET_CONFIGURATION
         in = {1};
     return setup.request == 8 || setup.request == 9 || setup.request == 11 || setup.request == 1;
@@ -222,7 +223,7 @@ bool GudDevice::get(const UsbSetup& setup, Bytes& in) {
 
 std::uint8_t GudDevice::set(const UsbSetup& setup, const std::uint8_t* out) {
     if (setup.value != 0 && setup.request != set_force_detect)
-        violation("a request that is not a connector's, with a value");
+        add_violation("a request that is not a connector's, with a value");
     switch (setup.request) {
     case set_force_detect:
         return setup.value < connectors ? ok : invalid_parameter;
@@ -231,11 +232,11 @@ std::uint8_t GudDevice::set(const UsbSetup& setup, const std::uint8_t* out) {
     case set_state_check:
         return check_state(out, setup.length);
     case set_state_commit:
-        if (!checked_) {
-            violation("SET_STATE_COMMIT of a state that was not checked");
+        if (!is_checked_) {
+            add_violation("SET_STATE_COMMIT of a state that was not checked");
             return invalid_parameter;
         }
-        committed_ = true;
+        is_committed_ = true;
         picture_ = Image(mode_.width, mode_.height);
         for (std::size_t i = 0; i < picture_.rgba.size(); ++i) // noise makes a forgotten frame visible
             picture_.rgba[i] = i % 4 == 3 ? 255 : static_cast<std::uint8_t>(i * 2654435761u >> 24);
@@ -244,9 +245,9 @@ std::uint8_t GudDevice::set(const UsbSetup& setup, const std::uint8_t* out) {
     case set_display_enable:
         if (setup.length != 1)
             return protocol_error;
-        (setup.request == set_controller_enable ? controller_enabled_ : display_enabled_) = out[0] != 0;
-        if (display_enabled_ && !controller_enabled_)
-            violation("the display is on and its controller off");
+        (setup.request == set_controller_enable ? is_controller_enabled_ : is_display_enabled_) = out[0] != 0;
+        if (is_display_enabled_ && !is_controller_enabled_)
+            add_violation("the display is on and its controller off");
         return ok;
     default:
         return not_supported;
@@ -255,7 +256,7 @@ std::uint8_t GudDevice::set(const UsbSetup& setup, const std::uint8_t* out) {
 
 /// Checks the state that the host wants: a mode, a format, a connector, and all properties of both lists.
 std::uint8_t GudDevice::check_state(const std::uint8_t* bytes, std::size_t count) {
-    checked_ = false;
+    is_checked_ = false;
     if (count < state_bytes || (count - state_bytes) % property_bytes != 0)
         return protocol_error;
     const GudMode wanted = {take(bytes, 4), static_cast<std::uint16_t>(take(bytes + 4, 2)),
@@ -267,23 +268,24 @@ std::uint8_t GudDevice::check_state(const std::uint8_t* bytes, std::size_t count
         return invalid_parameter;
     if (std::find(formats.begin(), formats.end(), format_) == formats.end())
         return invalid_parameter;
-    values_.clear();
+    checked_properties_.clear();
     for (std::size_t at = state_bytes; at < count; at += property_bytes)
-        values_.push_back({static_cast<std::uint16_t>(take(bytes + at, 2)), take(bytes + at + 2, 4)});
+        checked_properties_.push_back(
+            {static_cast<std::uint16_t>(take(bytes + at, 2)), take(bytes + at + 2, 4)});
     for (const auto* list : {&properties, &connector_properties})
         for (const Property& p : *list)
-            if (std::none_of(values_.begin(), values_.end(),
+            if (std::none_of(checked_properties_.begin(), checked_properties_.end(),
                              [&](const Property& v) { return v.id == p.id; })) {
-                violation("SET_STATE_CHECK without property " + std::to_string(p.id));
+                add_violation("SET_STATE_CHECK without property " + std::to_string(p.id));
                 return invalid_parameter;
             }
     mode_ = wanted;
-    checked_ = true;
+    is_checked_ = true;
     return ok;
 }
 
 std::uint64_t GudDevice::value_of(std::uint16_t property) const {
-    for (const Property& v : values_)
+    for (const Property& v : checked_properties_)
         if (v.id == property)
             return v.value;
     return ~std::uint64_t{0};
@@ -297,12 +299,12 @@ std::size_t GudDevice::picture_bytes(std::uint32_t width, std::uint32_t height) 
 
 std::uint8_t GudDevice::set_buffer(const std::uint8_t* bytes, std::size_t count) {
     ++counters_.buffers;
-    received_.clear();
-    buffer_set_ = false;
+    received_bytes_.clear();
+    has_buffer_ = false;
     if (count != buffer_bytes)
         return protocol_error;
-    if (!committed_ || !controller_enabled_) {
-        violation("SET_BUFFER before a state was committed and the controller enabled");
+    if (!is_committed_ || !is_controller_enabled_) {
+        add_violation("SET_BUFFER before a state was committed and the controller enabled");
         return invalid_parameter;
     }
     const Buffer b = {take(bytes, 4),      take(bytes + 4, 4),  take(bytes + 8, 4), take(bytes + 12, 4),
@@ -321,54 +323,55 @@ std::uint8_t GudDevice::set_buffer(const std::uint8_t* bytes, std::size_t count)
     else if (b.compressed && b.compressed_length >= b.length + (tells_by_length ? 0 : 1))
         wrong = "compressed to no less";
     if (!wrong.empty()) {
-        violation("SET_BUFFER " + wrong);
+        add_violation("SET_BUFFER " + wrong);
         return invalid_parameter;
     }
     counters_.compressed += b.compressed;
-    buffer_ = b;
-    buffer_set_ = true;
+    buffer_request_ = b;
+    has_buffer_ = true;
     return ok;
 }
 
 bool GudDevice::bulk_out(std::uint8_t, const std::uint8_t* bytes, std::size_t count) {
     counters_.bulk_bytes += count;
-    if (stall_bulk_)
-        halted_ = true;
-    stall_bulk_ = false;
-    if (halted_)
+    if (stalls_bulk_)
+        is_halted_ = true;
+    stalls_bulk_ = false;
+    if (is_halted_)
         return false;
-    if (full_update && !buffer_set_ && committed_) {
-        buffer_ = {0,
-                   0,
-                   mode_.width,
-                   mode_.height,
-                   static_cast<std::uint32_t>(picture_bytes(mode_.width, mode_.height)),
-                   0,
-                   false};
-        buffer_set_ = true;
+    if (full_update && !has_buffer_ && is_committed_) {
+        buffer_request_ = {0,
+                           0,
+                           mode_.width,
+                           mode_.height,
+                           static_cast<std::uint32_t>(picture_bytes(mode_.width, mode_.height)),
+                           0,
+                           false};
+        has_buffer_ = true;
     }
-    if (!buffer_set_) {
-        violation("pixels without SET_BUFFER");
-        halted_ = true;
+    if (!has_buffer_) {
+        add_violation("pixels without SET_BUFFER");
+        is_halted_ = true;
         return false;
     }
-    received_.insert(received_.end(), bytes, bytes + count);
-    const std::size_t expected = buffer_.compressed ? buffer_.compressed_length : buffer_.length;
-    if (received_.size() < expected)
+    received_bytes_.insert(received_bytes_.end(), bytes, bytes + count);
+    const std::size_t expected =
+        buffer_request_.compressed ? buffer_request_.compressed_length : buffer_request_.length;
+    if (received_bytes_.size() < expected)
         return true;
-    Bytes pixels(buffer_.length);
-    bool good = received_.size() == expected;
-    if (good && buffer_.compressed)
-        good = LZ4_decompress_safe(reinterpret_cast<const char*>(received_.data()),
+    Bytes pixels(buffer_request_.length);
+    bool good = received_bytes_.size() == expected;
+    if (good && buffer_request_.compressed)
+        good = LZ4_decompress_safe(reinterpret_cast<const char*>(received_bytes_.data()),
                                    reinterpret_cast<char*>(pixels.data()), static_cast<int>(expected),
                                    static_cast<int>(pixels.size())) == static_cast<int>(pixels.size());
     else if (good)
-        pixels = received_;
-    received_.clear();
-    buffer_set_ = false;
+        pixels = received_bytes_;
+    received_bytes_.clear();
+    has_buffer_ = false;
     if (!good) {
-        violation("a buffer that does not hold what SET_BUFFER said");
-        halted_ = true;
+        add_violation("a buffer that does not hold what SET_BUFFER said");
+        is_halted_ = true;
         return false;
     }
     ++counters_.flushes;
@@ -377,10 +380,10 @@ bool GudDevice::bulk_out(std::uint8_t, const std::uint8_t* bytes, std::size_t co
 }
 
 void GudDevice::draw(const Bytes& pixels) {
-    const std::size_t pitch = picture_bytes(buffer_.width, 1);
-    for (std::uint32_t y = 0; y < buffer_.height; ++y)
-        for (std::uint32_t x = 0; x < buffer_.width; ++x)
-            put_pixel(buffer_.x + x, buffer_.y + y, pixels, x, y * pitch);
+    const std::size_t pitch = picture_bytes(buffer_request_.width, 1);
+    for (std::uint32_t y = 0; y < buffer_request_.height; ++y)
+        for (std::uint32_t x = 0; x < buffer_request_.width; ++x)
+            put_pixel(buffer_request_.x + x, buffer_request_.y + y, pixels, x, y * pitch);
 }
 
 /// Draws a pixel of the buffer into the picture. Components are widened to a byte. Formats are little-endian

@@ -45,13 +45,13 @@ class GudDevice final : public UsbFunction {
     bool control(const UsbSetup& setup, const std::uint8_t* out, std::vector<std::uint8_t>& in) override;
     bool bulk_out(std::uint8_t endpoint, const std::uint8_t* bytes, std::size_t count) override;
     bool bulk_in(std::uint8_t, std::size_t, std::vector<std::uint8_t>&) override { return false; }
-    void clear_halt() override { halted_ = false, received_.clear(); }
+    void clear_halt() override { is_halted_ = false, received_bytes_.clear(); }
     void power_cycle();
     /// Makes the next request of this number fail with this GUD status.
     void refuse(std::uint8_t request, std::uint8_t status) {
         refused_request_ = request, refused_status_ = status;
     }
-    void stall_bulk() { stall_bulk_ = true; }
+    void stall_bulk() { stalls_bulk_ = true; }
     /// Makes every reply to this request have no bytes.
     void empty(std::uint8_t request) { empty_request_ = request; }
     /// Makes GET_STATUS after this request have no bytes.
@@ -60,7 +60,7 @@ class GudDevice final : public UsbFunction {
     bool refuses_status = false;
 
     // --- the picture
-    bool enabled() const { return controller_enabled_ && display_enabled_ && committed_; }
+    bool enabled() const { return is_controller_enabled_ && is_display_enabled_ && is_committed_; }
     /// The picture on the glass, black unless the display is enabled.
     Image glass() const;
     std::uint64_t value_of(std::uint16_t property) const;
@@ -84,16 +84,17 @@ class GudDevice final : public UsbFunction {
     int empty_request_ = -1, hidden_request_ = -1, last_request_ = -1;
     int connector_ = -1;
     GudMode mode_;
-    std::vector<Property> values_; ///< values of the state that was checked
-    bool checked_ = false, committed_ = false, controller_enabled_ = false, display_enabled_ = false;
-    bool halted_ = false, stall_bulk_ = false, buffer_set_ = false;
-    Buffer buffer_;
-    std::vector<std::uint8_t> received_;
+    std::vector<Property> checked_properties_; ///< values of the state that was checked
+    bool is_checked_ = false, is_committed_ = false, is_controller_enabled_ = false,
+         is_display_enabled_ = false;
+    bool is_halted_ = false, stalls_bulk_ = false, has_buffer_ = false;
+    Buffer buffer_request_;
+    std::vector<std::uint8_t> received_bytes_;
     Image picture_;
 
     using Bytes = std::vector<std::uint8_t>;
-    void violation(const std::string& text) { violations_ += text + "\n"; }
-    bool standard(const UsbSetup& setup, Bytes& in) const;
+    void add_violation(const std::string& text) { violations_ += text + "\n"; }
+    bool handle_standard_request(const UsbSetup& setup, Bytes& in) const;
     bool get(const UsbSetup& setup, Bytes& in);
     std::uint8_t set(const UsbSetup& setup, const std::uint8_t* out);
     std::uint8_t check_state(const std::uint8_t* bytes, std::size_t count);

@@ -17,17 +17,17 @@ class MpsseEngine : public PinHeader {
     static constexpr unsigned clock_pin = 0, out_pin = 1, in_pin = 2, wait_pin = 5;
 
     /// `clock` is the clock on which bits take time.
-    explicit MpsseEngine(Kernel& clock) : clock_(clock) {}
+    explicit MpsseEngine(Kernel& clock) : kernel_(clock) {}
 
     /// Starts the engine as when its mode is set: pins are inputs, and clocks have their first rates. Bytes
     /// that wait in the buffers stay.
     void restart();
-    void purge(bool stream, bool answers);
+    void purge_buffers(bool stream, bool answers);
     void feed(const std::uint8_t* bytes, std::size_t count);
     /// Takes at most `most` bytes of the answers that the host may read now.
     std::vector<std::uint8_t> take_answers(std::size_t most);
     /// Lets a stream that waits for its pin look again.
-    void idle();
+    void retry_waiting_stream();
 
     std::uint32_t clock_hz() const;
     std::uint64_t levels() const;
@@ -37,12 +37,12 @@ class MpsseEngine : public PinHeader {
     std::uint64_t bad_commands() const { return bad_commands_; }
 
   private:
-    Kernel& clock_;
-    std::vector<std::uint8_t> stream_; ///< bytes of commands not yet run
+    Kernel& kernel_;
+    std::vector<std::uint8_t> pending_commands_; ///< bytes of commands not yet run
     std::vector<std::uint8_t> answers_;
-    unsigned outputs_ = 0, values_ = 0;
+    unsigned output_mask_ = 0, pin_values_ = 0;
     unsigned divisor_ = 0;
-    bool full_base_ = false, loopback_ = true;
+    bool is_60_mhz_ = false, has_loopback_ = true;
     std::size_t longest_burst_ = 0;
     std::uint64_t bad_commands_ = 0;
     std::string violations_;
@@ -54,7 +54,7 @@ class MpsseEngine : public PinHeader {
     bool wait_for(bool high);
     std::size_t write_bytes(std::size_t at);
     void read_bytes(std::size_t at);
-    std::uint8_t exchange(std::uint8_t out);
+    std::uint8_t exchange_byte(std::uint8_t out);
     void set_pins(unsigned shift, std::uint8_t values, std::uint8_t outputs);
     std::uint8_t get_pins(unsigned shift);
     void changed();

@@ -44,19 +44,19 @@ class UsbfsFile final : public OpenFile {
         if (read_end_ >= 0)
             ::close(read_end_);
         read_end_ = -1;
-        gone_ = true;
+        is_gone_ = true;
     }
 
     long read(void* into, std::size_t count) override {
-        const std::size_t left = at_ < descriptors_.size() ? descriptors_.size() - at_ : 0;
+        const std::size_t left = position_ < descriptors_.size() ? descriptors_.size() - position_ : 0;
         const std::size_t taken = std::min(count, left);
         if (taken != 0) // nothing is copied for a device without descriptors
-            std::memcpy(into, descriptors_.data() + at_, taken);
-        at_ += taken;
+            std::memcpy(into, descriptors_.data() + position_, taken);
+        position_ += taken;
         return static_cast<long>(taken);
     }
     long seek(long offset) override {
-        at_ = static_cast<std::size_t>(offset);
+        position_ = static_cast<std::size_t>(offset);
         return offset;
     }
 
@@ -94,9 +94,9 @@ class UsbfsFile final : public OpenFile {
         case USBDEVFS_SUBMITURB:
             return submit(static_cast<usbdevfs_urb*>(argument));
         case USBDEVFS_DISCARDURB:
-            return discard(static_cast<usbdevfs_urb*>(argument));
+            return discard_urb(static_cast<usbdevfs_urb*>(argument));
         case USBDEVFS_REAPURBNDELAY:
-            return reap(static_cast<usbdevfs_urb**>(argument));
+            return reap_urb(static_cast<usbdevfs_urb**>(argument));
         default:
             return -ENOTTY;
         }
@@ -107,10 +107,11 @@ class UsbfsFile final : public OpenFile {
   private:
     UsbfsDevice& device_;
     std::vector<std::uint8_t> descriptors_;
-    std::size_t at_ = 0;
+    std::size_t position_ = 0;
     int read_end_ = -1, write_end_ = -1;
-    bool gone_ = false;
-    std::deque<usbdevfs_urb*> waiting_, done_; ///< transfers that the device has; transfers to be reaped
+    bool is_gone_ = false;
+    std::deque<usbdevfs_urb*> pending_urbs_,
+        completed_urbs_; ///< transfers that the device has; transfers to be reaped
 
     void fill() {
         const char zeros[page] = {};
@@ -137,60 +138,60 @@ class UsbfsFile final : public OpenFile {
     }
 
     long submit(usbdevfs_urb* urb) {
-        if (gone_)
+        if (is_gone_)
             return -ENODEV;
         urb->actual_length = 0;
         urb->status = -EINPROGRESS;
-        waiting_.push_back(urb);
+        pending_urbs_.push_back(urb);
         device_.most_under_way =
-            std::max(device_.most_under_way, static_cast<int>(waiting_.size() + done_.size()));
+            std::max(device_.most_under_way, static_cast<int>(pending_urbs_.size() + completed_urbs_.size()));
         run();
         return 0;
     }
 
-    long discard(usbdevfs_urb* urb) {
-        const auto it = std::find(waiting_.begin(), waiting_.end(), urb);
-        if (it == waiting_.end())
+    long discard_urb(usbdevfs_urb* urb) {
+        const auto it = std::find(pending_urbs_.begin(), pending_urbs_.end(), urb);
+        if (it == pending_urbs_.end())
             return -EINVAL;
-        waiting_.erase(it);
+        pending_urbs_.erase(it);
         finish(urb, -ENOENT);
         return 0;
     }
 
-    long reap(usbdevfs_urb** urb) {
-        if (done_.empty()) {
-            if (!gone_)
+    long reap_urb(usbdevfs_urb** urb) {
+        if (completed_urbs_.empty()) {
+            if (!is_gone_)
                 fill();
-            return gone_ ? -ENODEV : -EAGAIN;
+            return is_gone_ ? -ENODEV : -EAGAIN;
         }
-        *urb = done_.front();
-        done_.pop_front();
+        *urb = completed_urbs_.front();
+        completed_urbs_.pop_front();
         return 0;
     }
 
     void finish(usbdevfs_urb* urb, int status) {
         urb->status = status;
-        done_.push_back(urb);
+        completed_urbs_.push_back(urb);
         drain();
     }
 
     /// Works off the transfers in order, until the device keeps one.
     void run() {
-        while (!waiting_.empty()) {
-            usbdevfs_urb* const urb = waiting_.front();
+        while (!pending_urbs_.empty()) {
+            usbdevfs_urb* const urb = pending_urbs_.front();
             const bool bulk = urb->type == USBDEVFS_URB_TYPE_BULK;
             const auto fate = bulk && device_.fate
                                   ? device_.fate(static_cast<std::size_t>(urb->buffer_length))
                                   : UsbfsDevice::Fate::normal;
             if (fate == UsbfsDevice::Fate::silent)
                 return;
-            waiting_.pop_front();
+            pending_urbs_.pop_front();
             switch (fate) {
             case UsbfsDevice::Fate::unplug:
                 finish(urb, -ESHUTDOWN);
-                for (usbdevfs_urb* other : waiting_)
+                for (usbdevfs_urb* other : pending_urbs_)
                     finish(other, -ESHUTDOWN);
-                waiting_.clear();
+                pending_urbs_.clear();
                 device_.unplug();
                 return;
             case UsbfsDevice::Fate::stall:

@@ -67,7 +67,7 @@ bool UsbipDevice::plug() {
         return false;
     }
     socket_ = ends[0];
-    thread_ = std::thread([this] { serve(); });
+    thread_ = std::thread([this] { serve_socket(); });
     return true;
 }
 
@@ -78,7 +78,8 @@ bool UsbipDevice::attach(int socket) {
     if (file < 0)
         return false;
     char line[64]; // holds port, socket, device and speed
-    const int count = std::snprintf(line, sizeof line, "0 %d %u %d", socket, device_id, high_speed_ ? 3 : 2);
+    const int count =
+        std::snprintf(line, sizeof line, "0 %d %u %d", socket, device_id, is_high_speed_ ? 3 : 2);
     bool attached = false;
     for (int tries = 0; tries < most_tries && !attached; ++tries) {
         attached = ::write(file, line, static_cast<std::size_t>(count)) == count;
@@ -99,7 +100,7 @@ void UsbipDevice::unplug() {
     ::shutdown(socket_, SHUT_RDWR);
     thread_.join();
     ::close(socket_);
-    waiting_.clear();
+    pending_transfers_.clear();
 }
 
 bool UsbipDevice::receive(void* into, std::size_t count) {
@@ -113,19 +114,19 @@ bool UsbipDevice::send(const void* from, std::size_t count) {
 // --- Packets of the host
 
 /// Serves the host until one of both ends hangs up.
-void UsbipDevice::serve() {
+void UsbipDevice::serve_socket() {
     Packet packet;
     bool there = true;
     while (there && receive(packet.data(), packet.size())) {
         if (word(packet, command) == cmd_submit)
-            there = submitted(packet);
+            there = handle_submit(packet);
         else
             there = word(packet, command) == cmd_unlink && unlinked(packet);
     }
     ::shutdown(socket_, SHUT_RDWR);
 }
 
-bool UsbipDevice::submitted(const Packet& packet) {
+bool UsbipDevice::handle_submit(const Packet& packet) {
     Transfer t;
     t.sequence = word(packet, sequence);
     t.length = word(packet, buffer_length);
@@ -143,22 +144,22 @@ bool UsbipDevice::submitted(const Packet& packet) {
         const std::size_t length = t.to_host ? t.bytes.size() : t.length;
         return finish(t, result, result == 0 ? length : 0);
     }
-    waiting_.push_back(std::move(t));
+    pending_transfers_.push_back(std::move(t));
     return run();
 }
 
 /// The host takes a transfer back. Answers with status 0 if the transfer was done before.
 bool UsbipDevice::unlinked(const Packet& packet) {
     const std::lock_guard lock(mutex_);
-    const auto it = std::find_if(waiting_.begin(), waiting_.end(),
+    const auto it = std::find_if(pending_transfers_.begin(), pending_transfers_.end(),
                                  [&](const Transfer& t) { return t.sequence == word(packet, victim); });
     Packet answer{};
     put_word(answer, command, ret_unlink);
     put_word(answer, sequence, word(packet, sequence));
-    put_word(answer, status, it != waiting_.end() ? static_cast<std::uint32_t>(-ECONNRESET) : 0);
-    const bool head = it == waiting_.begin();
-    if (it != waiting_.end())
-        waiting_.erase(it);
+    put_word(answer, status, it != pending_transfers_.end() ? static_cast<std::uint32_t>(-ECONNRESET) : 0);
+    const bool head = it == pending_transfers_.begin();
+    if (it != pending_transfers_.end())
+        pending_transfers_.erase(it);
     return send(answer.data(), answer.size()) && (!head || run());
 }
 
@@ -167,14 +168,14 @@ bool UsbipDevice::unlinked(const Packet& packet) {
 /// Works off the waiting transfers in order, until the device keeps one. Returns false when the connection
 /// ends.
 bool UsbipDevice::run() {
-    while (!waiting_.empty()) {
-        Transfer& next = waiting_.front();
+    while (!pending_transfers_.empty()) {
+        Transfer& next = pending_transfers_.front();
         const Fate met = fate && !next.to_host ? fate(next.length) : Fate::normal;
         if (met == Fate::silent)
             return true;
         if (met == Fate::unplug || !carry(next, met))
             return false;
-        waiting_.pop_front();
+        pending_transfers_.pop_front();
     }
     return true;
 }
@@ -206,8 +207,8 @@ bool UsbipDevice::finish(const Transfer& t, int result, std::size_t length) {
 
 int UsbipDevice::control(Transfer& t) {
     std::vector<std::uint8_t> in;
-    const bool answered =
-        (t.setup.type & 0x60) == 0 ? standard(t.setup, in) : function_.control(t.setup, t.bytes.data(), in);
+    const bool answered = (t.setup.type & 0x60) == 0 ? handle_standard_request(t.setup, in)
+                                                     : function_.control(t.setup, t.bytes.data(), in);
     in.resize(std::min<std::size_t>(in.size(), t.setup.length));
     if (t.to_host)
         t.bytes = std::move(in);
@@ -216,7 +217,7 @@ int UsbipDevice::control(Transfer& t) {
 
 /// Answers what a device's USB engine answers without its firmware (USB 2.0, 9.4). The device has one
 /// configuration, one setting of each interface, no strings and no other speed.
-bool UsbipDevice::standard(const UsbSetup& setup, std::vector<std::uint8_t>& in) {
+bool UsbipDevice::handle_standard_request(const UsbSetup& setup, std::vector<std::uint8_t>& in) {
     constexpr std::size_t device_bytes = 18;
     constexpr unsigned get_status = 0, clear_feature = 1, get_descriptor = 6, of_endpoint = 2;
     const std::vector<std::uint8_t> all = function_.descriptors();

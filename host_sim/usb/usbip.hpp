@@ -18,7 +18,7 @@ class UsbipDevice {
     using Fate = UsbFate;
 
     explicit UsbipDevice(UsbFunction& function, bool high_speed = true)
-        : function_(function), high_speed_(high_speed) {}
+        : function_(function), is_high_speed_(high_speed) {}
     ~UsbipDevice() { unplug(); }
     UsbipDevice(const UsbipDevice&) = delete;
     UsbipDevice& operator=(const UsbipDevice&) = delete;
@@ -47,20 +47,20 @@ class UsbipDevice {
     using Packet = std::array<std::uint8_t, 48>;
 
     UsbFunction& function_;
-    bool high_speed_;
+    bool is_high_speed_;
     int socket_ = -1;
     std::thread thread_;
-    std::mutex mutex_;             ///< guards the function and the members below
-    std::deque<Transfer> waiting_; ///< transfers of the bulk pipe, which is worked off in order
+    std::mutex mutex_;                       ///< guards the function and the members below
+    std::deque<Transfer> pending_transfers_; ///< transfers of the bulk pipe, which is worked off in order
 
     bool attach(int socket);
-    void serve();
-    bool submitted(const Packet& packet);
+    void serve_socket();
+    bool handle_submit(const Packet& packet);
     bool unlinked(const Packet& packet);
     bool run();
     bool carry(Transfer& transfer, Fate fate);
     int control(Transfer& transfer);
-    bool standard(const UsbSetup& setup, std::vector<std::uint8_t>& in);
+    bool handle_standard_request(const UsbSetup& setup, std::vector<std::uint8_t>& in);
     bool finish(const Transfer& transfer, int status, std::size_t length);
     bool receive(void* into, std::size_t count);
     bool send(const void* from, std::size_t count);

@@ -13,18 +13,18 @@ BatchRows::BatchRows(std::int32_t height)
 }
 
 void BatchRows::begin_frame() {
-    noting_ = trusted_ = true;
-    sharing_ = 0;
-    number_ = 0;
-    for (Entry& entry : table_)
+    is_recording_ = is_valid_ = true;
+    log2_sharing_ = 0;
+    next_number_ = 0;
+    for (RowRange& entry : table_)
         entry = none;
 }
 
 void BatchRows::begin_band(std::int32_t first, std::int32_t end) {
-    if (noting_)
-        noted_ = number_;
-    noting_ = false;
-    number_ = 0; // every band has the same batches
+    if (is_recording_)
+        recorded_count_ = next_number_;
+    is_recording_ = false;
+    next_number_ = 0; // every band has the same batches
     band_ = {static_cast<std::uint8_t>(first >> shift_), static_cast<std::uint8_t>((end - 1) >> shift_)};
 }
 
@@ -45,62 +45,62 @@ void BatchRows::note(Recorder& self, const DrawState&, const Primitive& primitiv
               {static_cast<std::uint8_t>(low >> own.shift_), static_cast<std::uint8_t>(high >> own.shift_)});
 }
 
-void BatchRows::widen(Entry& entry, Entry by) {
+void BatchRows::widen(RowRange& entry, RowRange by) {
     entry.low = by.low < entry.low ? by.low : entry.low;
     entry.high = by.high > entry.high ? by.high : entry.high;
 }
 
 /// The entry of a batch or piece. While rows are noted, the table makes room for every number.
-BatchRows::Entry& BatchRows::at(std::uint32_t number) {
-    while (number >> sharing_ >= entries) {
+BatchRows::RowRange& BatchRows::at(std::uint32_t number) {
+    while (number >> log2_sharing_ >= entries) {
         for (std::uint32_t i = 0; i < entries / 2; ++i) {
             table_[i] = table_[2 * i];
             widen(table_[i], table_[2 * i + 1]);
         }
         for (std::uint32_t i = entries / 2; i < entries; ++i)
             table_[i] = none;
-        ++sharing_;
+        ++log2_sharing_;
     }
-    return table_[number >> sharing_];
+    return table_[number >> log2_sharing_];
 }
 
 /// Whether a batch or piece reaches the current band. A number that the first band did not have is drawn,
 /// too, although the callback then breaks its promise.
-bool BatchRows::meets(std::uint32_t number) {
-    if (!trusted_ || number >= noted_)
+bool BatchRows::reaches_band(std::uint32_t number) {
+    if (!is_valid_ || number >= recorded_count_)
         return true;
-    const Entry& entry = table_[number >> sharing_];
+    const RowRange& entry = table_[number >> log2_sharing_];
     return entry.low <= band_.high && entry.high >= band_.low;
 }
 
-void BatchRows::add_piece() {
+void BatchRows::merge_piece() {
     widen(batch_, piece_);
     piece_ = none;
 }
 
 bool BatchRows::begin_batch() {
-    batch_number_ = number_++;
-    left_out_ = !noting_ && !meets(batch_number_);
+    batch_number_ = next_number_++;
+    is_skipped_ = !is_recording_ && !reaches_band(batch_number_);
     batch_ = piece_ = none;
-    return !left_out_;
+    return !is_skipped_;
 }
 
 bool BatchRows::begin_piece() {
-    return noting_ || meets(number_++);
+    return is_recording_ || reaches_band(next_number_++);
 }
 
 void BatchRows::end_piece() {
-    if (!noting_)
+    if (!is_recording_)
         return;
-    widen(at(number_++), piece_);
-    add_piece();
+    widen(at(next_number_++), piece_);
+    merge_piece();
 }
 
 void BatchRows::end_batch() {
-    left_out_ = false;
-    if (!noting_)
+    is_skipped_ = false;
+    if (!is_recording_)
         return;
-    add_piece(); // primitives that were drawn outside of any piece
+    merge_piece(); // primitives that were drawn outside of any piece
     widen(at(batch_number_), batch_);
 }
 

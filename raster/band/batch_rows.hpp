@@ -26,18 +26,18 @@ class BatchRows : public Recorder {
     void begin_band(std::int32_t first, std::int32_t end);
     /// The callback has read from a band, so what it draws may differ from band to band: every band of this
     /// frame is drawn whole.
-    void distrust() { trusted_ = false; }
+    void invalidate() { is_valid_ = false; }
 
-    bool notes() const { return noting_; }
+    bool is_recording() const { return is_recording_; }
     /// From now on, primitives of this state are noted as well as drawn.
     void take(DrawState& live);
 
     /// False: the batch that begins here is left out.
     bool begin_batch();
     /// True from a begin_batch() that returned false until end_batch().
-    bool leaves_out() const { return left_out_; }
+    bool is_skipped() const { return is_skipped_; }
     /// Skips the numbers of all pieces of a batch that is left out.
-    void leave_out(std::uint32_t pieces) { number_ += pieces; }
+    void skip_pieces(std::uint32_t pieces) { next_number_ += pieces; }
     /// False: the next piece of this batch is left out. True: end_piece() must follow.
     bool begin_piece();
     void end_piece();
@@ -46,30 +46,30 @@ class BatchRows : public Recorder {
 
   private:
     /// A range of rows in units of 1 << shift_, lowest and highest included. low > high: empty.
-    struct Entry {
+    struct RowRange {
         std::uint8_t low, high;
     };
     static constexpr std::uint32_t entries = 128;
-    static constexpr Entry none = {255, 0};
+    static constexpr RowRange none = {255, 0};
 
     static void note(Recorder& self, const DrawState& state, const Primitive& primitive);
-    static void widen(Entry& entry, Entry by);
+    static void widen(RowRange& entry, RowRange by);
     /// Adds the rows of the latest piece to those of its batch.
-    void add_piece();
-    Entry& at(std::uint32_t number);
-    bool meets(std::uint32_t number);
+    void merge_piece();
+    RowRange& at(std::uint32_t number);
+    bool reaches_band(std::uint32_t number);
 
     std::int32_t height_;
     std::uint8_t shift_ = 0;
-    bool noting_ = false, trusted_ = false, left_out_ = false;
-    std::uint8_t sharing_ = 0; ///< each entry holds the rows of 1 << sharing_ batches or pieces
-    Entry band_ = none;        ///< rows of the current band
-    Entry batch_ = none;       ///< rows noted so far for the current batch
-    Entry piece_ = none;       ///< rows noted so far for the current piece
-    std::uint32_t number_ = 0; ///< number of the next batch or piece
+    bool is_recording_ = false, is_valid_ = false, is_skipped_ = false;
+    std::uint8_t log2_sharing_ = 0; ///< each entry holds the rows of 1 << log2_sharing_ batches or pieces
+    RowRange band_ = none;          ///< rows of the current band
+    RowRange batch_ = none;         ///< rows noted so far for the current batch
+    RowRange piece_ = none;         ///< rows noted so far for the current piece
+    std::uint32_t next_number_ = 0; ///< number of the next batch or piece
     std::uint32_t batch_number_ = 0;
-    std::uint32_t noted_ = 0; ///< count of numbers that the first band gave out
-    Entry table_[entries];
+    std::uint32_t recorded_count_ = 0; ///< count of numbers that the first band gave out
+    RowRange table_[entries];
 };
 
 } // namespace spangle::raster

@@ -24,7 +24,7 @@ bool same(const void* a, const void* b, std::size_t bytes) {
 
 } // namespace
 
-Record::Record() : Recorder{keep_primitive, keep_pixels} {
+Record::Record() : Recorder{record_primitive, record_pixels} {
     clear();
 }
 
@@ -35,10 +35,10 @@ void Record::give(void* memory, std::size_t bytes) {
 }
 
 void Record::clear() {
-    used_ = counted_ = 0;
+    used_ = counted_bytes_ = 0;
     block_ = states_ = texture_ = nowhere;
-    full_ = counts_ = false;
-    for (Live& live : live_)
+    is_full_ = has_uncounted_ = false;
+    for (LiveState& live : live_states_)
         live = {};
     for (std::uint32_t& place : vertex_)
         place = nowhere;
@@ -47,13 +47,13 @@ void Record::clear() {
 // --- memory
 
 bool Record::room(std::size_t bytes) {
-    if (!full_ && bytes <= size_ - used_)
+    if (!is_full_ && bytes <= size_ - used_)
         return true;
-    if (!full_ && on_full != nullptr) {
-        full_ = true;
+    if (!is_full_ && on_full != nullptr) {
+        is_full_ = true;
         on_full();
     }
-    full_ = true;
+    is_full_ = true;
     return false;
 }
 
@@ -183,8 +183,8 @@ Record::State* Record::store(const DrawState& live) {
 }
 
 /// The stored copy of a live state, made when the first primitive needs it.
-Record::State* Record::stored(const DrawState& live) {
-    for (Live& known : live_) {
+Record::State* Record::find_or_store(const DrawState& live) {
+    for (LiveState& known : live_states_) {
         if (known.state != &live)
             continue;
         if (known.stored == nowhere)
@@ -197,12 +197,12 @@ Record::State* Record::stored(const DrawState& live) {
 }
 
 void Record::take(DrawState& live) {
-    Live* slot = nullptr;
-    for (Live& known : live_)
+    LiveState* slot = nullptr;
+    for (LiveState& known : live_states_)
         if (known.state == &live)
             slot = &known;
     if (slot == nullptr)
-        slot = &live_[next_live_++ % live_states];
+        slot = &live_states_[next_live_state_++ % live_states];
     *slot = {&live, nowhere};
     if (live.nothing)
         return; // such a state draws nothing in any band
@@ -211,17 +211,17 @@ void Record::take(DrawState& live) {
     live.paths = {};
 }
 
-void Record::counted() {
-    counted_ = used_;
+void Record::mark_counted() {
+    counted_bytes_ = used_;
     block_ = nowhere; // counted and uncounted primitives may not share a block
-    counts_ = false;
+    has_uncounted_ = false;
 }
 
 void Record::forget_counters() {
     for (std::uint32_t place = states_; place != nowhere; place = at<State>(place)->next)
         if (at<State>(place)->counters != nullptr)
-            at<State>(place)->counters = &uncounted_;
-    counts_ = false;
+            at<State>(place)->counters = &discarded_counters_;
+    has_uncounted_ = false;
 }
 
 // --- clears, accumulation, stencil values

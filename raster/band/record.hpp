@@ -28,7 +28,7 @@ class Record : public Recorder {
     void (*on_full)() = nullptr;
 
     bool empty() const { return used_ == 0; }
-    bool full() const { return full_; }
+    bool full() const { return is_full_; }
     std::size_t size() const { return size_; }
     std::size_t used() const { return used_; }
     std::size_t peak() const { return peak_; }
@@ -45,11 +45,11 @@ class Record : public Recorder {
                  std::uint8_t mask, std::uint8_t sample);
 
     /// Draws all that lies in the surface's rows. With `count`, primitives that have not been counted yet
-    /// update the counters of their states; counted() marks them as counted.
+    /// update the counters of their states; mark_counted() marks them as counted.
     void replay(const Surface& band, bool count);
     /// Whether anything was recorded that is to be counted.
-    bool counts() const { return counts_; }
-    void counted();
+    bool has_uncounted() const { return has_uncounted_; }
+    void mark_counted();
     /// The counters that recorded states point to are about to end.
     void forget_counters();
 
@@ -59,7 +59,7 @@ class Record : public Recorder {
     struct Item;
     struct Polygon;
     struct Run;
-    class PixelKeeper;
+    class PixelRecorder;
     enum class Content : std::uint8_t;
 
     /// Rows [first, end).
@@ -68,14 +68,14 @@ class Record : public Recorder {
         bool empty() const { return first >= end; }
     };
 
-    static void keep_primitive(Recorder& self, const DrawState& state, const Primitive& primitive);
-    static void keep_pixels(Recorder& self, const DrawState& state, const FixedVertex& at,
-                            PixelSource& source);
+    static void record_primitive(Recorder& self, const DrawState& state, const Primitive& primitive);
+    static void record_pixels(Recorder& self, const DrawState& state, const FixedVertex& at,
+                              PixelSource& source);
 
     template <class T> T* at(std::uint32_t place) const { return reinterpret_cast<T*>(memory_ + place); }
     bool room(std::size_t bytes);
     std::uint32_t append(std::size_t bytes);
-    State* stored(const DrawState& live);
+    State* find_or_store(const DrawState& live);
     State* store(const DrawState& live);
     State* equal_to(const State& state) const;
     bool store_textures(DrawState& draw);
@@ -105,16 +105,16 @@ class Record : public Recorder {
     std::uint32_t block_ = nowhere;  ///< the last block, which may take more items; or nowhere
     std::uint32_t states_ = nowhere; ///< head of the list of states
     std::uint32_t texture_ = nowhere;
-    std::size_t counted_ = 0; ///< bytes of the record whose primitives have been counted
-    bool full_ = false, counts_ = false;
-    struct Live {
+    std::size_t counted_bytes_ = 0; ///< bytes of the record whose primitives have been counted
+    bool is_full_ = false, has_uncounted_ = false;
+    struct LiveState {
         const DrawState* state = nullptr;
         std::uint32_t stored = nowhere;
-    } live_[live_states];
-    unsigned next_live_ = 0;
+    } live_states_[live_states];
+    unsigned next_live_state_ = 0;
     std::uint32_t vertex_[1u << log2_vertices];
     PrimitiveState primitive_; ///< state of the primitive that is being drawn
-    Counters uncounted_;
+    Counters discarded_counters_;
 };
 
 } // namespace spangle::raster

@@ -41,7 +41,7 @@ void Record::replay(const Surface& band, bool count) {
     for (std::uint32_t place = 0; place < used_;) {
         Block& block = *at<Block>(place);
         if (block.first < rows.y + rows.h && block.end > rows.y)
-            replay_block(block, band, count && place >= counted_);
+            replay_block(block, band, count && place >= counted_bytes_);
         place += block.bytes;
     }
     // States become as they were stored, so that equal states are found again.
@@ -92,7 +92,7 @@ void Record::replay_block(Block& block, const Surface& band, bool count) {
     case Content::polygon:
     case Content::pixels:
         State& state = *at<State>(block.state);
-        state.draw.counters = count || state.counters == nullptr ? state.counters : &uncounted_;
+        state.draw.counters = count || state.counters == nullptr ? state.counters : &discarded_counters_;
         return block.content == Content::pixels    ? replay_pixels(block, state.draw, band)
                : block.content == Content::polygon ? replay_polygon(block, state.draw, band)
                                                    : replay_primitives(block, state.draw, band);

@@ -15,33 +15,33 @@ class VertexCode {
 
     explicit VertexCode(const DrawState& draw) : VertexCode(draw.needs, unsnaps(draw)) {}
     /// `rests`: set-up reads what snapping took off the coordinates.
-    VertexCode(const Needs& needs, bool rests) : needs_(needs), rests_(rests) {
-        words_ =
-            4 + (rests_ ? 1 : 0) + (needs.z ? 1 : 0) + 4 + (needs.secondary ? 3 : 0) + (needs.fog ? 1 : 0);
+    VertexCode(const Needs& needs, bool rests) : attributes_(needs), has_snap_rests_(rests) {
+        word_count_ = 4 + (has_snap_rests_ ? 1 : 0) + (needs.z ? 1 : 0) + 4 + (needs.secondary ? 3 : 0) +
+                      (needs.fog ? 1 : 0);
         for (int i = 0; i < max_texture_units; ++i)
-            words_ += needs.unit[i] ? words_of_unit + (needs.r[i] ? 1 : 0) : 0;
+            word_count_ += needs.unit[i] ? words_of_unit + (needs.r[i] ? 1 : 0) : 0;
     }
-    int words() const { return words_; }
+    int words() const { return word_count_; }
 
     void encode(const FixedVertex& v, std::uint32_t* to) const {
         put(to, v.x);
         put(to, v.y);
         put(to, v.w_mantissa);
-        put(to, exponents(v));
-        if (rests_)
-            put(to, both(v.x_rest, v.y_rest));
+        put(to, pack_exponents(v));
+        if (has_snap_rests_)
+            put(to, pack_halves(v.x_rest, v.y_rest));
         put(to, v.color);
-        if (needs_.z)
+        if (attributes_.z)
             put(to, v.z);
-        if (needs_.secondary)
+        if (attributes_.secondary)
             put(to, v.secondary);
-        if (needs_.fog)
+        if (attributes_.fog)
             put(to, v.fog_mantissa);
         for (int i = 0; i < max_texture_units; ++i) {
-            if (!needs_.unit[i])
+            if (!attributes_.unit[i])
                 continue;
             put(to, v.tex[i]);
-            if (needs_.r[i])
+            if (attributes_.r[i])
                 put(to, v.r[i]);
         }
     }
@@ -55,7 +55,7 @@ class VertexCode {
         get(from, pair);
         v.w_exponent = static_cast<std::int16_t>(pair >> 16);
         v.fog_exponent = static_cast<std::int16_t>(pair & 0xFFFF);
-        if (rests_) {
+        if (has_snap_rests_) {
             get(from, pair);
 #if SPANGLE_TIER_SET & 1
             v.x_rest = static_cast<std::int16_t>(pair >> 16);
@@ -63,17 +63,17 @@ class VertexCode {
 #endif
         }
         get(from, v.color);
-        if (needs_.z)
+        if (attributes_.z)
             get(from, v.z);
-        if (needs_.secondary)
+        if (attributes_.secondary)
             get(from, v.secondary);
-        if (needs_.fog)
+        if (attributes_.fog)
             get(from, v.fog_mantissa);
         for (int i = 0; i < max_texture_units; ++i) {
-            if (!needs_.unit[i])
+            if (!attributes_.unit[i])
                 continue;
             get(from, v.tex[i]);
-            if (needs_.r[i])
+            if (attributes_.r[i])
                 get(from, v.r[i]);
         }
     }
@@ -82,10 +82,10 @@ class VertexCode {
     static constexpr int words_of_unit = static_cast<int>(sizeof(FixedVertex::TexCoord) / 4);
 
     /// Both exponents in one word, so that no word has unused bits that differ between equal vertices.
-    std::uint32_t exponents(const FixedVertex& v) const {
-        return both(v.w_exponent, needs_.fog ? v.fog_exponent : std::int16_t{0});
+    std::uint32_t pack_exponents(const FixedVertex& v) const {
+        return pack_halves(v.w_exponent, attributes_.fog ? v.fog_exponent : std::int16_t{0});
     }
-    static std::uint32_t both(std::int16_t high, std::int16_t low) {
+    static std::uint32_t pack_halves(std::int16_t high, std::int16_t low) {
         return std::uint32_t{static_cast<std::uint16_t>(high)} << 16 | static_cast<std::uint16_t>(low);
     }
     template <class T> static void put(std::uint32_t*& to, const T& value) {
@@ -99,9 +99,9 @@ class VertexCode {
         from += sizeof(T) / 4;
     }
 
-    Needs needs_;
-    bool rests_; ///< set-up reads what snapping took off the coordinates
-    int words_;
+    Needs attributes_;
+    bool has_snap_rests_; ///< set-up reads what snapping took off the coordinates
+    int word_count_;
 };
 
 } // namespace spangle::raster

@@ -33,15 +33,15 @@ SPANGLE_INLINE constexpr int clz32(std::uint32_t v) {
 template <bool Counted = long_products> class LeadingZeros {
   public:
     SPANGLE_INLINE constexpr int of(std::uint32_t v) {
-        if (v >> down_ == 1) [[likely]]
-            return 31 - down_;
+        if (v >> last_shift_ == 1) [[likely]]
+            return 31 - last_shift_;
         const int zeros = clz32(v);
-        down_ = (31 - zeros) & 31; // 0 has 32
+        last_shift_ = (31 - zeros) & 31; // 0 has 32
         return zeros;
     }
 
   private:
-    int down_ = 31; ///< shift that leaves 1 of the value before
+    int last_shift_ = 31; ///< shift that leaves 1 of the value before
 };
 template <> class LeadingZeros<true> {
   public:
@@ -74,7 +74,7 @@ SPANGLE_INLINE constexpr bool shift_loses(std::int32_t v, std::uint32_t n) {
 } // namespace detail
 
 /// Whether v * 2^n does not fit a signed word.
-SPANGLE_INLINE constexpr bool loses(std::int32_t v, std::uint32_t n) {
+SPANGLE_INLINE constexpr bool loses_bits(std::int32_t v, std::uint32_t n) {
     if constexpr (three_operands)
         return n >= static_cast<std::uint32_t>(clz32(static_cast<std::uint32_t>(v ^ (v >> 31))));
     return detail::shift_loses(v, n); // here clz32() is a library call

@@ -148,8 +148,8 @@ template <int N>
 /// Finds the exponents of the components, scaled by their columns, from the exponents of floats alone.
 /// Returns the largest.
 template <int N>
-SPANGLE_INLINE constexpr std::int32_t exponents(const Columns<N>& column, const Real (&v)[N],
-                                                std::int32_t (&e)[N]) {
+SPANGLE_INLINE constexpr std::int32_t product_exponents(const Columns<N>& column, const Real (&v)[N],
+                                                        std::int32_t (&e)[N]) {
     std::int32_t top = e[0] = static_cast<std::int32_t>((v[0].bits >> 23) & 255) + column.e[0];
 #pragma GCC unroll runs_inline ? 4 : 1
     for (int i = 1; i < N; ++i) {
@@ -162,8 +162,8 @@ SPANGLE_INLINE constexpr std::int32_t exponents(const Columns<N>& column, const 
 /// Brings the components under an exponent two above the largest, which leaves 30 bits. `shifted` shifts an
 /// unsigned word down.
 template <int N, class Shifted>
-SPANGLE_INLINE constexpr Mantissas<N> aligned(const Real (&v)[N], const std::int32_t (&e)[N],
-                                              std::int32_t top, const Shifted& shifted) {
+SPANGLE_INLINE constexpr Mantissas<N> align_mantissas(const Real (&v)[N], const std::int32_t (&e)[N],
+                                                      std::int32_t top, const Shifted& shifted) {
     Mantissas<N> out{};
     top += 2; // 30 bits
     std::uint32_t one = 0x80000000u;
@@ -197,10 +197,10 @@ template <int N> SPANGLE_INLINE constexpr Mantissas<N> load(const Columns<N>& co
         return {{r.m[0], r.m[1], r.m[2]}, r.e};
     }
     std::int32_t e[N];
-    const std::int32_t top = detail::exponents<N>(column, v, e);
+    const std::int32_t top = detail::product_exponents<N>(column, v, e);
     if (top < column.least) [[unlikely]]
         return detail::load_small<N>(column, v);
-    return detail::aligned<N>(
+    return detail::align_mantissas<N>(
         v, e, top, [](std::uint32_t m, std::uint32_t down) __attribute__((always_inline)) {
             return shifted_out(m, down);
         });
@@ -211,10 +211,10 @@ template <int N> SPANGLE_INLINE constexpr Mantissas<N> load(const Columns<N>& co
 template <int N>
 SPANGLE_INLINE constexpr bool load_usual(const Columns<N>& column, const Real (&v)[N], Mantissas<N>& out) {
     std::int32_t e[N];
-    const std::int32_t top = detail::exponents<N>(column, v, e);
+    const std::int32_t top = detail::product_exponents<N>(column, v, e);
     if (static_cast<std::uint32_t>(top - column.least) >= column.usual) [[unlikely]]
         return false;
-    out = detail::aligned<N>(
+    out = detail::align_mantissas<N>(
         v, e, top, [](std::uint32_t m, std::uint32_t down) __attribute__((always_inline)) {
             return shifted_some(m, down);
         });

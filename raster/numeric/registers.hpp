@@ -21,7 +21,7 @@ template <class T> SPANGLE_INLINE constexpr T factor32(T v) {
 
 /// Returns v, but nothing is computed from it before `first` is known. This takes fewer registers where words
 /// have 32 bits.
-SPANGLE_INLINE std::uint32_t later(std::uint32_t v, [[maybe_unused]] std::uint32_t& first) {
+SPANGLE_INLINE std::uint32_t evaluate_after(std::uint32_t v, [[maybe_unused]] std::uint32_t& first) {
 #if __SIZEOF_POINTER__ == 4
     asm("" : "+r"(v), "+r"(first)); // NOLINT(hicpp-no-assembler): no instruction
 #endif
@@ -110,11 +110,11 @@ template <class T> SPANGLE_INLINE void kept_in_memory([[maybe_unused]] T& v) {
 }
 
 /// Two words that one instruction reads, where there is such an instruction.
-template <class A, class B> struct Two {
+template <class A, class B> struct WordPair {
     A a;
     B b;
 };
-template <class A, class B> SPANGLE_INLINE Two<A, B> load_two(const Two<A, B>& from) {
+template <class A, class B> SPANGLE_INLINE WordPair<A, B> load_two(const WordPair<A, B>& from) {
 #if defined(__thumb2__)
     A a;
     B b;
@@ -126,7 +126,8 @@ template <class A, class B> SPANGLE_INLINE Two<A, B> load_two(const Two<A, B>& f
 }
 /// load_two(), but not before `first` is computed: this takes fewer registers.
 template <class A, class B>
-SPANGLE_INLINE Two<A, B> load_two_after([[maybe_unused]] std::uint32_t& first, const Two<A, B>& from) {
+SPANGLE_INLINE WordPair<A, B> load_two_after([[maybe_unused]] std::uint32_t& first,
+                                             const WordPair<A, B>& from) {
 #if defined(__thumb2__)
     A a;
     B b;

@@ -5,8 +5,8 @@
 namespace spangle::raster {
 
 bool RowEdge::enter(const OutlinePoint& from, const OutlinePoint& to, std::int32_t row) {
-    down_ = from.y > to.y;
-    const OutlinePoint &a = down_ ? to : from, &b = down_ ? from : to;
+    goes_down_ = from.y > to.y;
+    const OutlinePoint &a = goes_down_ ? to : from, &b = goes_down_ ? from : to;
     const std::int32_t bottom = row * outline_one, top = bottom + outline_one;
     const std::int32_t y0 = a.y > bottom ? a.y : bottom, y1 = b.y < top ? b.y : top;
     if (y0 >= y1)
@@ -20,21 +20,21 @@ bool RowEdge::enter(const OutlinePoint& from, const OutlinePoint& to, std::int32
         return a.x * (1 << up) +
                static_cast<std::int32_t>(numeric::quotient(along, static_cast<std::uint32_t>(b.y - a.y)));
     };
-    low_ = at(y0);
-    high_ = at(y1);
+    lower_x_ = at(y0);
+    upper_x_ = at(y1);
     height_ = y1 - y0;
     return true;
 }
 
 inline std::int64_t RowEdge::beyond(std::int32_t column) const {
-    const std::int64_t u = low_ - std::int64_t{column} * (1 << 16),
-                       v = high_ - std::int64_t{column} * (1 << 16);
+    const std::int64_t u = lower_x_ - std::int64_t{column} * (1 << 16),
+                       v = upper_x_ - std::int64_t{column} * (1 << 16);
     if (u <= 0 && v <= 0)
         return 0;
     if (u >= 0 && v >= 0)
         return (u + v) * height_;
     const std::int64_t positive = u > 0 ? u : v;
-    const auto width = static_cast<std::uint32_t>(u > 0 ? u - v : v - u); // low_ and high_ are words
+    const auto width = static_cast<std::uint32_t>(u > 0 ? u - v : v - u); // lower_x_ and upper_x_ are words
     return numeric::quotient(positive * positive, width) * height_;       // a triangle
 }
 
@@ -46,11 +46,11 @@ void RowEdge::add(std::int32_t begin, std::int32_t end, std::int64_t* change) co
     const std::int64_t whole = height_ * std::int64_t{2 << 16};
     std::int64_t before = 0;
     const auto put = [&](std::int64_t area) {
-        change[x - begin] += down_ ? before - area : area - before;
+        change[x - begin] += goes_down_ ? before - area : area - before;
         before = area;
     };
     if (x == first() && x == last()) // most edges lie in one column
-        put(whole - std::int64_t{(low_ & 0xFFFF) + (high_ & 0xFFFF)} * height_), ++x;
+        put(whole - std::int64_t{(lower_x_ & 0xFFFF) + (upper_x_ & 0xFFFF)} * height_), ++x;
     else if (x < reached)
         for (std::int64_t here = beyond(x); x < reached; ++x) {
             const std::int64_t next = beyond(x + 1);
@@ -62,7 +62,7 @@ void RowEdge::add(std::int32_t begin, std::int32_t end, std::int64_t* change) co
 }
 
 AreaRow::AreaRow(const Outline& outline, std::int32_t row)
-    : outline_(outline), unkept_(outline.count), row_(row) {
+    : outline_(outline), first_unstored_edge_(outline.count), row_(row) {
     struct {
         std::int32_t first = INT32_MAX, last = INT32_MIN;
     } side[2];
@@ -76,19 +76,19 @@ AreaRow::AreaRow(const Outline& outline, std::int32_t row)
             auto& own = side[edge.down() ? 1 : 0];
             own.first = edge.first() < own.first ? edge.first() : own.first;
             own.last = edge.last() > own.last ? edge.last() : own.last;
-            if (edges_ < kept_edges)
-                edge_[edges_++] = edge;
-            else if (i < unkept_)
-                unkept_ = i;
+            if (edge_count_ < stored_edges)
+                edge_[edge_count_++] = edge;
+            else if (i < first_unstored_edge_)
+                first_unstored_edge_ = i;
         }
         from = to;
     }
-    if (edges_ == 0)
+    if (edge_count_ == 0)
         return;
     const auto& left = side[side[1].first < side[0].first ? 1 : 0];
     const auto& right = side[side[1].first < side[0].first ? 0 : 1];
-    first_ = left.first;
-    last_ = left.last > right.last ? left.last : right.last;
+    first_column_ = left.first;
+    last_column_ = left.last > right.last ? left.last : right.last;
     if (left.last + 1 < right.first) {
         core_begin_ = left.last + 1;
         core_end_ = right.first;
@@ -98,9 +98,9 @@ AreaRow::AreaRow(const Outline& outline, std::int32_t row)
 void AreaRow::fill(std::int32_t begin, std::int32_t end, std::uint32_t* coverage) const {
     std::int64_t change[window] = {};
     const std::int32_t n = end - begin;
-    for (int i = 0; i < edges_; ++i)
+    for (int i = 0; i < edge_count_; ++i)
         edge_[i].add(begin, end, change);
-    for (int i = unkept_; i < outline_.count; ++i)
+    for (int i = first_unstored_edge_; i < outline_.count; ++i)
         if (RowEdge edge; edge.enter(outline_[i], outline_[i + 1], row_))
             edge.add(begin, end, change);
     std::int64_t sum = 0;

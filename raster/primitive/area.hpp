@@ -33,9 +33,9 @@ class RowEdge {
     bool enter(const OutlinePoint& from, const OutlinePoint& to, std::int32_t row);
 
     /// The first and the last column that this part lies in.
-    std::int32_t first() const { return (low_ < high_ ? low_ : high_) >> 16; }
-    std::int32_t last() const { return (low_ < high_ ? high_ : low_) >> 16; }
-    bool down() const { return down_; }
+    std::int32_t first() const { return (lower_x_ < upper_x_ ? lower_x_ : upper_x_) >> 16; }
+    std::int32_t last() const { return (lower_x_ < upper_x_ ? upper_x_ : lower_x_) >> 16; }
+    bool down() const { return goes_down_; }
     /// Adds the signed area right of this part to columns [begin, end); a whole pixel counts full_coverage.
     /// Each column of `change` takes the difference to the column before.
     void add(std::int32_t begin, std::int32_t end, std::int64_t* change) const;
@@ -44,9 +44,9 @@ class RowEdge {
     /// Twice the integral of max(x - column, 0) over the height.
     std::int64_t beyond(std::int32_t column) const;
 
-    std::int32_t low_, high_; ///< x at the lower and at the upper end
+    std::int32_t lower_x_, upper_x_; ///< x at the lower and at the upper end
     std::int32_t height_;
-    bool down_;
+    bool goes_down_;
 };
 
 /// The corners of a polygon, whatever structure holds them.
@@ -65,9 +65,9 @@ inline Outline outline_of(const OutlinePoint* corners, int count) {
 class AreaRow {
   public:
     AreaRow(const Outline& outline, std::int32_t row);
-    bool empty() const { return edges_ == 0; }
-    std::int32_t first() const { return first_; } ///< first column that the outline reaches
-    std::int32_t last() const { return last_; }
+    bool empty() const { return edge_count_ == 0; }
+    std::int32_t first() const { return first_column_; } ///< first column that the outline reaches
+    std::int32_t last() const { return last_column_; }
     /// The columns between the edges that go up and those that go down, where these lie apart. No edge
     /// reaches them, so they have one coverage. core_begin() == core_end() if there are none.
     std::int32_t core_begin() const { return core_begin_; }
@@ -80,13 +80,13 @@ class AreaRow {
 
   private:
     /// Edges of the row that are stored. Any further edges are computed again by each fill().
-    static constexpr int kept_edges = 40;
-    RowEdge edge_[kept_edges];
-    int edges_ = 0;
+    static constexpr int stored_edges = 40;
+    RowEdge edge_[stored_edges];
+    int edge_count_ = 0;
     Outline outline_;
-    int unkept_; ///< edges of the outline from this one on are not kept
+    int first_unstored_edge_; ///< edges of the outline from this one on are not kept
     std::int32_t row_;
-    std::int32_t first_ = INT32_MAX, last_ = INT32_MIN;
+    std::int32_t first_column_ = INT32_MAX, last_column_ = INT32_MIN;
     std::int32_t core_begin_ = 0, core_end_ = 0;
 };
 

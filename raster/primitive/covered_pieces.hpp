@@ -51,10 +51,10 @@ template <class P> class CoveredPieces {
         const std::int32_t end = right < coverage.end() ? right : coverage.end();
         Row row{y, left, right, x, x};
         while (x < end) {
-            const bool whole = x >= coverage.full_begin() && x < coverage.full_end();
-            std::int32_t till = whole ? coverage.full_end()
-                                : x < coverage.full_begin() && coverage.full_begin() < end
-                                    ? coverage.full_begin()
+            const bool whole = x >= coverage.full_run_begin() && x < coverage.full_run_end();
+            std::int32_t till = whole ? coverage.full_run_end()
+                                : x < coverage.full_run_begin() && coverage.full_run_begin() < end
+                                    ? coverage.full_run_begin()
                                     : end;
             till = till < end ? till : end;
             row.first = x;
@@ -88,7 +88,7 @@ template <class P> class CoveredPieces {
         std::int32_t next;
     };
     /// Pieces of one source. `whole`: their pixels are fully covered, and no coverages are stored.
-    struct Group {
+    struct PieceGroup {
         PieceSource source;
         bool whole;
         std::int32_t first, last;
@@ -99,7 +99,7 @@ template <class P> class CoveredPieces {
 
     /// Adds a piece to those of its source; returns where its n coverages go.
     std::uint32_t* place(const Row& row, const PieceSource& source, bool whole, std::int32_t n) {
-        if (count_ == pieces || used_ + n > coverages)
+        if (piece_count_ == pieces || coverage_count_ + n > coverages)
             flush();
         std::int32_t g = 0;
         while (g < group_count_ && !group_[g].is_of(source, whole))
@@ -113,30 +113,30 @@ template <class P> class CoveredPieces {
             // twice.
             for (; g > 0 && source.is_before(group_[g - 1].source); --g)
                 group_[g] = group_[g - 1];
-            group_[g] = {source, whole, count_, -1};
+            group_[g] = {source, whole, piece_count_, -1};
             ++group_count_;
         }
-        Group& group = group_[g];
-        std::uint32_t* const to = coverage_ + used_;
-        used_ += n;
+        PieceGroup& group = group_[g];
+        std::uint32_t* const to = coverage_ + coverage_count_;
+        coverage_count_ += n;
         if (group.last >= 0) {
             Piece& before = piece_[group.last];
-            if (group.last == count_ - 1 && before.row.y == row.y && before.row.last == row.first) {
+            if (group.last == piece_count_ - 1 && before.row.y == row.y && before.row.last == row.first) {
                 before.row.right = row.right;
                 before.row.last = row.last;
                 return to;
             }
-            before.next = count_;
+            before.next = piece_count_;
         }
-        group.last = count_;
-        piece_[count_++] = {row, used_ - n, -1};
+        group.last = piece_count_;
+        piece_[piece_count_++] = {row, coverage_count_ - n, -1};
         return to;
     }
 
     [[gnu::noinline]] void flush() {
         std::int32_t anchor_x = 0, anchor_y = 0;
         for (std::int32_t g = 0; g < group_count_; ++g) {
-            const Group& group = group_[g];
+            const PieceGroup& group = group_[g];
             if (g == 0 || group.source.part != group_[g - 1].source.part) {
                 if (set_up_.run != nullptr)
                     set_up_.run(set_up_.of, group.source.part);
@@ -149,10 +149,10 @@ template <class P> class CoveredPieces {
             pen_.span.anchor_x = anchor_x;
             pen_.span.anchor_y = anchor_y;
         }
-        count_ = used_ = group_count_ = 0;
+        piece_count_ = coverage_count_ = group_count_ = 0;
     }
 
-    void draw(const Group& group) {
+    void draw(const PieceGroup& group) {
         primitive_.coverage = nullptr;
         for (std::int32_t i = group.first; i >= 0; i = piece_[i].next) {
             if (!group.whole)
@@ -166,10 +166,10 @@ template <class P> class CoveredPieces {
     Pen<P>& pen_;
     PrimitiveState& primitive_;
     SetUp set_up_;
-    std::int32_t count_ = 0, used_ = 0, group_count_ = 0;
+    std::int32_t piece_count_ = 0, coverage_count_ = 0, group_count_ = 0;
     Piece piece_[pieces];
     std::uint32_t coverage_[coverages];
-    Group group_[groups];
+    PieceGroup group_[groups];
 };
 
 } // namespace spangle::raster

@@ -55,13 +55,13 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
     }
 
     SPANGLE_INLINE static Mask is_along_x(Int ax, Int ay, Int bx, Int by) {
-        return L::no(L::less(absolute(bx - ax), absolute(by - ay)));
+        return L::no(L::less(abs_value(bx - ax), abs_value(by - ay)));
     }
 
     /// Whether a line that advances by `along` and `aside` may have the major axis x and the direction up. A
     /// line of no length may have any.
-    SPANGLE_INLINE static Mask goes(X x, Up up, Int along, Int aside) {
-        const Int forward = L::select(up, along, Int(-along)), sideways = absolute(aside);
+    SPANGLE_INLINE static Mask has_direction(X x, Up up, Int along, Int aside) {
+        const Int forward = L::select(up, along, Int(-along)), sideways = abs_value(aside);
         return L::select(x, L::no(L::less(forward, sideways)), L::less(sideways, forward));
     }
 
@@ -88,7 +88,7 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
     /// The tie-break of a minor coordinate on the boundary of two fragments: 0 if it belongs to the upper
     /// fragment, -1 if to the lower one. It belongs to the upper one only if the shifted line lies above it.
     /// That is so for y(x + e) - e^2 on x-major lines with a rising slope, and never for x(y + e^2) - e.
-    SPANGLE_INLINE Int tie() const {
+    SPANGLE_INLINE Int break_tie() const {
         const Int not_rising = (rise - 1) >> 31;
         return L::select(along_x, not_rising, Int(~(rise ^ rise)));
     }
@@ -99,7 +99,7 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
     SPANGLE_INLINE Int first(Int& remainder) const {
         constexpr std::int32_t bias = 2;
         const Int inside = low_minor & (subpixel_one - 1);
-        remainder = (center(major) - low) * rise + (inside + bias * subpixel_one) * length() + tie();
+        remainder = (center(major) - low) * rise + (inside + bias * subpixel_one) * length() + break_tie();
         return (low_minor >> subpixel_bits) - bias + L::divide_small(remainder, length() * subpixel_one);
     }
 
@@ -116,7 +116,7 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
         rise = b_minor - a_minor;
         return b_minor;
     }
-    SPANGLE_INLINE static Int absolute(Int v) {
+    SPANGLE_INLINE static Int abs_value(Int v) {
         const Int sign = v >> 31;
         return (v ^ sign) - sign;
     }
@@ -131,7 +131,7 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
     /// on the diamond's edge, x decides to which side the shift moves it, and points on the centre line are
     /// moved below it. So where x is not above the centre, the distance counts as one more.
     SPANGLE_INLINE static Mask outside(Int x, Int y) {
-        const Int before = x - 1, distance = (before ^ (before >> 31)) + absolute(y);
+        const Int before = x - 1, distance = (before ^ (before >> 31)) + abs_value(y);
         return L::less(Int{} + (subpixel_one / 2 - 1), distance);
     }
 };
@@ -146,8 +146,8 @@ class DiamondWalk {
     bool ascends; ///< from the first end point to the second
 
     DiamondWalk(std::int32_t ax, std::int32_t ay, std::int32_t bx, std::int32_t by, std::int32_t shift) {
-        using One = Diamond<LineLanes<1>>;
-        const One line(ax, ay, bx, by, shift);
+        using SingleLane = Diamond<LineLanes<1>>;
+        const SingleLane line(ax, ay, bx, by, shift);
         along_x = line.along_x;
         ascends = line.ascends;
         major = line.major;
@@ -160,9 +160,9 @@ class DiamondWalk {
         low_minor_ = line.low_minor;
         length_ = line.length();
         rise_ = line.rise;
-        tie_ = line.tie();
+        tie_break_ = line.break_tie();
         denominator_ = length_ * subpixel_one;
-        if (length_ <= One::small_length)
+        if (length_ <= SingleLane::small_length)
             minor = line.first(remainder_);
         else
             place();
@@ -202,13 +202,13 @@ class DiamondWalk {
         const std::int32_t from_low = major * subpixel_one + subpixel_one / 2 - low_;
         const std::int32_t inside = low_minor_ & (subpixel_one - 1);
         const std::int64_t numerator =
-            numeric::mul_long(from_low, rise_) + numeric::mul_long(inside, length_) + tie_;
+            numeric::mul_long(from_low, rise_) + numeric::mul_long(inside, length_) + tie_break_;
         const auto q = numeric::floor_divide(numerator, static_cast<std::uint32_t>(denominator_));
         remainder_ = static_cast<std::int32_t>(q.remainder);
         minor = (low_minor_ >> subpixel_bits) + static_cast<std::int32_t>(q.quotient);
     }
 
-    std::int32_t low_, low_minor_, length_, rise_, denominator_, remainder_, tie_;
+    std::int32_t low_, low_minor_, length_, rise_, denominator_, remainder_, tie_break_;
 };
 
 } // namespace spangle::raster

@@ -31,7 +31,7 @@ void draw_lines<FixedVertex>(const DrawState& state, const Surface& target, cons
 }
 
 DrawState::Area strip_area(const DrawState& state, std::int32_t width) {
-    if (!has_paths || width != 1 || detail::observed(state.counters) ||
+    if (!has_paths || width != 1 || detail::has_observer(state.counters) ||
         state.variant[static_cast<unsigned>(Kind::flat)].walk == nullptr)
         return {};
     return state.paths;

@@ -35,22 +35,22 @@ class Edge {
     static Edge at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row);
 
     /// The first column whose centre is on the edge or right of it.
-    std::int32_t column() const { return x_; }
+    std::int32_t column() const { return column_; }
 
     /// Moves to the centre of the next row up, exactly, in 32 bits.
     void step() {
-        x_ += whole_;
-        remainder_ += part_;
+        column_ += columns_per_row_;
+        remainder_ += remainder_step_;
         if (remainder_ > 0) {
-            ++x_;
+            ++column_;
             remainder_ -= denominator_;
         }
     }
 
   private:
-    std::int32_t x_;
-    std::int32_t remainder_;    ///< of the ceil division that gave x_: -denominator < remainder <= 0
-    std::int32_t whole_, part_; ///< advance per row: whole + part / denominator columns
+    std::int32_t column_;
+    std::int32_t remainder_; ///< of the ceil division that gave column_: -denominator < remainder <= 0
+    std::int32_t columns_per_row_, remainder_step_; ///< advance per row: columns + step / denominator
     std::int32_t denominator_;
 };
 
@@ -67,10 +67,10 @@ inline Edge Edge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int
     const std::int64_t numerator = -(numeric::mul_long(above, dx) + numeric::mul_long(inside, dy));
     const auto down = numeric::floor_divide(numerator, static_cast<std::uint32_t>(e.denominator_));
     const auto slope = numeric::floor_divide(dx, static_cast<std::uint32_t>(dy));
-    e.x_ = (x0 >> subpixel_bits) - static_cast<std::int32_t>(down.quotient);
+    e.column_ = (x0 >> subpixel_bits) - static_cast<std::int32_t>(down.quotient);
     e.remainder_ = -static_cast<std::int32_t>(down.remainder);
-    e.whole_ = static_cast<std::int32_t>(slope.quotient);
-    e.part_ = static_cast<std::int32_t>(slope.remainder) * subpixel_one;
+    e.columns_per_row_ = static_cast<std::int32_t>(slope.quotient);
+    e.remainder_step_ = static_cast<std::int32_t>(slope.remainder) * subpixel_one;
     return e;
 }
 
@@ -82,9 +82,9 @@ class SmallEdge {
     static constexpr std::int32_t extent = 64 * subpixel_one; ///< largest |dx| and dy
 
     static SmallEdge at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row);
-    std::int32_t column() const { return static_cast<std::int32_t>(at_ >> 32); }
-    void step() { at_ += step_; }
-    Trapezoids::Side side() const { return {at_, step_}; }
+    std::int32_t column() const { return static_cast<std::int32_t>(position_ >> 32); }
+    void step() { position_ += slope_; }
+    Trapezoids::Side side() const { return {position_, slope_}; }
 
     /// floor(v 2^32 / dy), v < 2^29, dy <= 2^14. Where words have 32 bits, the fraction is computed in digits
     /// of 18 and 14 bits.
@@ -101,7 +101,7 @@ class SmallEdge {
     }
 
   private:
-    std::uint64_t at_, step_; ///< mod 2^64
+    std::uint64_t position_, slope_; ///< mod 2^64
 };
 
 inline SmallEdge SmallEdge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1,
@@ -113,7 +113,7 @@ inline SmallEdge SmallEdge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1
     const std::uint64_t slope = divided(static_cast<std::uint32_t>(dx) + (dy << 14), dy);
     const auto whole = static_cast<std::uint32_t>(slope >> 32), fraction = static_cast<std::uint32_t>(slope);
     SmallEdge e;
-    e.step_ = std::uint64_t{whole - (1u << 14)} << 32 | fraction;
+    e.slope_ = std::uint64_t{whole - (1u << 14)} << 32 | fraction;
     // The row's centre is `above` subpixels above the vertex, at most 64 rows of 256: that is above / 256
     // steps.
     const auto above = static_cast<std::uint32_t>(row * subpixel_one + subpixel_one / 2 - y0);
@@ -124,7 +124,7 @@ inline SmallEdge SmallEdge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1
     constexpr std::uint64_t bias = (std::uint64_t{1} << 32) - (1u << 8);
     const std::uint64_t start = static_cast<std::uint64_t>(std::int64_t{x0} - subpixel_one / 2)
                                 << (32 - subpixel_bits);
-    e.at_ = start + columns + bias;
+    e.position_ = start + columns + bias;
     return e;
 }
 
@@ -146,17 +146,17 @@ class LowEdge {
         const std::int32_t above = row * subpixel_one + subpixel_one / 2 - y0;
         constexpr std::int32_t bias = (1 << 26) - 32;
         LowEdge e;
-        e.step_ = (static_cast<std::uint32_t>(slope) << 7) + static_cast<std::uint32_t>(fine);
-        e.at_ = static_cast<std::uint32_t>(x0 * (1 << (26 - subpixel_bits)) + (bias - (1 << 25))) +
-                static_cast<std::uint32_t>(slope * above >> 1) +
-                static_cast<std::uint32_t>(fine * above >> 8);
+        e.slope_ = (static_cast<std::uint32_t>(slope) << 7) + static_cast<std::uint32_t>(fine);
+        e.position_ = static_cast<std::uint32_t>(x0 * (1 << (26 - subpixel_bits)) + (bias - (1 << 25))) +
+                      static_cast<std::uint32_t>(slope * above >> 1) +
+                      static_cast<std::uint32_t>(fine * above >> 8);
         return e;
     }
-    SPANGLE_INLINE std::int32_t column() const { return static_cast<std::int32_t>(at_) >> 26; }
-    SPANGLE_INLINE void step() { at_ += step_; }
+    SPANGLE_INLINE std::int32_t column() const { return static_cast<std::int32_t>(position_) >> 26; }
+    SPANGLE_INLINE void step() { position_ += slope_; }
 
   private:
-    std::uint32_t at_, step_; ///< mod 2^32
+    std::uint32_t position_, slope_; ///< mod 2^32
 };
 
 /// An edge of at most 15 pixels, for processors whose divisions are calls (numeric::divides): columns are
@@ -168,31 +168,31 @@ class ShortEdge {
     SPANGLE_INLINE static ShortEdge at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1,
                                        std::int32_t row) {
         ShortEdge e;
-        e.x_ = x0 >> subpixel_bits;
+        e.column_ = x0 >> subpixel_bits;
         e.denominator_ = (y1 - y0) * subpixel_one;
-        e.part_ = (x1 - x0) * subpixel_one;
+        e.remainder_step_ = (x1 - x0) * subpixel_one;
         const std::int32_t above = row * subpixel_one + subpixel_one / 2 - y0;
         const std::int32_t inside = (x0 & (subpixel_one - 1)) - subpixel_one / 2;
         e.remainder_ = above * (x1 - x0) + inside * (y1 - y0);
         e.walk();
         return e;
     }
-    SPANGLE_INLINE std::int32_t column() const { return x_; }
+    SPANGLE_INLINE std::int32_t column() const { return column_; }
     /// Moves one row up, to a row that the edge reaches.
     SPANGLE_INLINE void step() {
-        remainder_ += part_;
+        remainder_ += remainder_step_;
         walk();
     }
 
   private:
     SPANGLE_INLINE void walk() {
         while (remainder_ > 0)
-            ++x_, remainder_ -= denominator_;
+            ++column_, remainder_ -= denominator_;
         while (remainder_ <= -denominator_)
-            --x_, remainder_ += denominator_;
+            --column_, remainder_ += denominator_;
     }
 
-    std::int32_t x_, denominator_, part_;
+    std::int32_t column_, denominator_, remainder_step_;
     std::int32_t remainder_; ///< of the ceil division: -denominator < remainder <= 0
 };
 
@@ -203,20 +203,20 @@ template <class E> class TriangleRows {
   public:
     TriangleRows(const std::int32_t xs[3], const std::int32_t ys[3], bool middle_left, std::int32_t row_begin,
                  std::int32_t row_end)
-        : xs_(xs), ys_(ys), middle_left_(middle_left) {
+        : xs_(xs), ys_(ys), middle_is_left_(middle_left) {
         const std::int32_t low = first_center(ys[0]), high = first_center(ys[2]);
-        row_ = low < row_begin ? row_begin : low;
-        end_ = high < row_end ? high : row_end;
-        stop_ = row_;
-        if (row_ >= end_) {
-            end_ = row_;
+        current_row_ = low < row_begin ? row_begin : low;
+        end_row_ = high < row_end ? high : row_end;
+        middle_row_ = current_row_;
+        if (current_row_ >= end_row_) {
+            end_row_ = current_row_;
             return;
         }
-        set(!middle_left, E::at(xs[0], ys[0], xs[2], ys[2], row_));
+        set(!middle_left, E::at(xs[0], ys[0], xs[2], ys[2], current_row_));
         const std::int32_t middle = first_center(ys[1]);
-        if (row_ < middle) {
-            set(middle_left, E::at(xs[0], ys[0], xs[1], ys[1], row_));
-            stop_ = middle < end_ ? middle : end_;
+        if (current_row_ < middle) {
+            set(middle_left, E::at(xs[0], ys[0], xs[1], ys[1], current_row_));
+            middle_row_ = middle < end_row_ ? middle : end_row_;
         }
     }
 
@@ -225,16 +225,16 @@ template <class E> class TriangleRows {
     template <bool Cut> Row* fill(Row* to, int room, std::int32_t begin, std::int32_t end) {
         const Row* const full = to + room;
         while (to != full) {
-            if (row_ == stop_) {
-                if (row_ == end_)
+            if (current_row_ == middle_row_) {
+                if (current_row_ == end_row_)
                     break;
-                set(middle_left_, E::at(xs_[1], ys_[1], xs_[2], ys_[2], row_));
-                stop_ = end_;
+                set(middle_is_left_, E::at(xs_[1], ys_[1], xs_[2], ys_[2], current_row_));
+                middle_row_ = end_row_;
             }
             // Local copies of the edges stay in registers.
             E left = left_, right = right_;
-            std::int32_t y = row_;
-            const std::int32_t stop = stop_;
+            std::int32_t y = current_row_;
+            const std::int32_t stop = middle_row_;
             do {
                 const std::int32_t l = left.column(), r = right.column();
                 std::int32_t from = l, till = r;
@@ -247,7 +247,7 @@ template <class E> class TriangleRows {
                 left.step();
                 right.step();
             } while (++y != stop && to != full);
-            row_ = y;
+            current_row_ = y;
             left_ = left;
             right_ = right;
         }
@@ -258,8 +258,8 @@ template <class E> class TriangleRows {
     void set(bool left, const E& e) { (left ? left_ : right_) = e; }
 
     const std::int32_t *xs_, *ys_;
-    bool middle_left_;
-    std::int32_t row_, stop_, end_;
+    bool middle_is_left_;
+    std::int32_t current_row_, middle_row_, end_row_;
     E left_{}, right_{};
 };
 

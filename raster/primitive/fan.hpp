@@ -39,13 +39,13 @@ class RowCenters {
         add(Edge::at(low.x, low.y, high.x, high.y, row).column());
     }
     void add(std::int32_t column) {
-        found_.begin = column < found_.begin ? column : found_.begin;
-        found_.end = column > found_.end ? column : found_.end;
+        columns_.begin = column < columns_.begin ? column : columns_.begin;
+        columns_.end = column > columns_.end ? column : columns_.end;
     }
-    Columns columns() const { return found_.begin > found_.end ? Columns{} : found_; }
+    Columns columns() const { return columns_.begin > columns_.end ? Columns{} : columns_; }
 
   private:
-    Columns found_{INT32_MAX, INT32_MIN};
+    Columns columns_{INT32_MAX, INT32_MIN};
 };
 
 /// The centres of a row that a triangle covers.
@@ -73,31 +73,31 @@ class FanEdge {
         const bool up = a.y < b.y || (a.y == b.y && a.x < b.x); // as corners are sorted
         low_ = up ? a : b;
         high_ = up ? b : a;
-        begin_ = first_center(low_.y);
-        end_ = first_center(high_.y);
+        first_row_ = first_center(low_.y);
+        end_row_ = first_center(high_.y);
     }
     /// Adds the column where the edge meets `row` to `first` and `second`, if the edge reaches that row.
     void add(std::int32_t row, RowCenters& first, RowCenters& second) {
-        if (row < begin_ || row >= end_)
+        if (row < first_row_ || row >= end_row_)
             return;
-        if (row == at_ + 1)
+        if (row == current_row_ + 1)
             edge_.step();
         else
             edge_ = Edge::at(low_.x, low_.y, high_.x, high_.y, row);
-        at_ = row;
+        current_row_ = row;
         first.add(edge_.column());
         second.add(edge_.column());
     }
 
   private:
     Position low_, high_;
-    std::int32_t begin_, end_;
-    std::int32_t at_ = INT32_MIN; ///< the row that edge_ is at
+    std::int32_t first_row_, end_row_;
+    std::int32_t current_row_ = INT32_MIN; ///< the row that edge_ is at
     Edge edge_;
 };
 
 /// Whether two vertices differ in position only: all planes through such vertices are constant.
-inline bool say_the_same(const FixedVertex& a, const FixedVertex& b) {
+inline bool have_equal_attributes(const FixedVertex& a, const FixedVertex& b) {
     FixedVertex moved = a;
     place(moved, position(b));
 #if SPANGLE_TIER_SET & 1
@@ -106,48 +106,51 @@ inline bool say_the_same(const FixedVertex& a, const FixedVertex& b) {
 #endif
     return __builtin_memcmp(&moved, &b, sizeof b) == 0;
 }
-inline bool say_the_same(const DoubleVertex& a, const DoubleVertex& b) {
+inline bool have_equal_attributes(const DoubleVertex& a, const DoubleVertex& b) {
     DoubleVertex moved = a;
     place(moved, position(b));
     moved.x_exact = b.x_exact;
     moved.y_exact = b.y_exact;
     return __builtin_memcmp(&moved, &b, sizeof b) == 0;
 }
-inline bool say_the_same(const ShadowVertex& a, const ShadowVertex& b) {
-    return say_the_same(a.fixed, b.fixed) && say_the_same(a.twin, b.twin);
+inline bool have_equal_attributes(const ShadowVertex& a, const ShadowVertex& b) {
+    return have_equal_attributes(a.fixed, b.fixed) && have_equal_attributes(a.twin, b.twin);
 }
 
 } // namespace detail
 
 /// The covered centres of one row: those of the whole fan, and those of each triangle, where these are kept.
 struct FanRow {
-    static constexpr int kept = !has_shortcuts ? 0 : host_lanes > 1 ? 6 : 2; ///< most triangles in `own`
+    static constexpr int kept = !has_shortcuts   ? 0
+                                : host_lanes > 1 ? 6
+                                                 : 2; ///< most triangles in `triangle_columns`
     std::int32_t row = 0;
-    detail::Columns all, own[kept == 0 ? 1 : kept];
+    detail::Columns all, triangle_columns[kept == 0 ? 1 : kept];
 };
 
 /// A fan of triangles: triangle i, counted from 1, has corners 0, i and i + 1.
 template <class V> class Fan {
   public:
-    Fan(const V* const* corner, int corners) : corner_(corner), corners_(corners) {
-        if (!keeps())
+    Fan(const V* const* corner, int corners) : corner_(corner), corner_count_(corners) {
+        if (!stores_triangles())
             return;
         for (int i = 1; i < corners; ++i)
-            side_[i] = detail::FanEdge(position(*corner[i]), position(*corner[i + 1 < corners ? i + 1 : 0]));
+            outer_edges_[i] =
+                detail::FanEdge(position(*corner[i]), position(*corner[i + 1 < corners ? i + 1 : 0]));
         for (int i = 1; i < corners; ++i) // the first and the last spoke are sides, too
-            spoke_[i] = detail::FanEdge(position(*corner[0]), position(*corner[i]));
+            inner_edges_[i] = detail::FanEdge(position(*corner[0]), position(*corner[i]));
     }
 
-    int corners() const { return corners_; }
+    int corners() const { return corner_count_; }
     const V& operator[](int i) const { return *corner_[i]; }
     detail::Sorted<V> part(int i) const { return detail::sorted(*corner_[0], *corner_[i], *corner_[i + 1]); }
 
     /// A triangle of non-zero area, if all triangles have the same planes; otherwise 0.
     int uniform_part() const {
-        for (int i = 1; i < corners_; ++i)
-            if (!detail::say_the_same(*corner_[0], *corner_[i]))
+        for (int i = 1; i < corner_count_; ++i)
+            if (!detail::have_equal_attributes(*corner_[0], *corner_[i]))
                 return 0;
-        int i = corners_ - 2;
+        int i = corner_count_ - 2;
         while (i > 0 && part(i).area2 == 0)
             --i;
         return i;
@@ -156,43 +159,45 @@ template <class V> class Fan {
     /// Finds the centres of a row. It is fast where rows are asked for upwards, one by one.
     void find(FanRow& out, std::int32_t row) {
         out.row = row;
-        if (!keeps()) {
+        if (!stores_triangles()) {
             out.all = centers(row);
             return;
         }
-        detail::RowCenters all, own[edges];
-        for (int i = 1; i < corners_; ++i)
-            spoke_[i].add(row, i > 1 ? own[i - 1] : all, i + 1 < corners_ ? own[i] : all);
-        for (int i = 1; i + 1 < corners_; ++i)
-            side_[i].add(row, all, own[i]);
+        detail::RowCenters all, triangle_columns[edges];
+        for (int i = 1; i < corner_count_; ++i)
+            inner_edges_[i].add(row, i > 1 ? triangle_columns[i - 1] : all,
+                                i + 1 < corner_count_ ? triangle_columns[i] : all);
+        for (int i = 1; i + 1 < corner_count_; ++i)
+            outer_edges_[i].add(row, all, triangle_columns[i]);
         out.all = all.columns();
-        for (int i = 1; i + 1 < corners_; ++i)
-            out.own[i - 1] = own[i].columns();
+        for (int i = 1; i + 1 < corner_count_; ++i)
+            out.triangle_columns[i - 1] = triangle_columns[i].columns();
     }
     /// The centres of any row that the whole fan covers.
     detail::Columns centers(std::int32_t row) const {
         detail::RowCenters found;
-        for (int i = 0; i < corners_; ++i) {
-            const Position a = position(*corner_[i]), b = position(*corner_[i + 1 < corners_ ? i + 1 : 0]);
+        for (int i = 0; i < corner_count_; ++i) {
+            const Position a = position(*corner_[i]),
+                           b = position(*corner_[i + 1 < corner_count_ ? i + 1 : 0]);
             const bool up = a.y < b.y || (a.y == b.y && a.x < b.x); // as corners are sorted
             found.add(up ? a : b, up ? b : a, row);
         }
         return found.columns();
     }
     /// The centres that triangle i covers in a row that was found. `kept`: find() wrote this row, so its
-    /// `own` is valid.
-    detail::Columns own(const FanRow& row, int i, bool kept = true) const {
+    /// `triangle_columns` is valid.
+    detail::Columns triangle_columns(const FanRow& row, int i, bool kept = true) const {
         if (row.all.none())
             return {};
-        return kept && keeps() ? row.own[i - 1] : detail::centers(part(i), row.row);
+        return kept && stores_triangles() ? row.triangle_columns[i - 1] : detail::centers(part(i), row.row);
     }
 
   private:
-    bool keeps() const { return FanRow::kept != 0 && corners_ <= FanRow::kept + 2; }
+    bool stores_triangles() const { return FanRow::kept != 0 && corner_count_ <= FanRow::kept + 2; }
     const V* const* corner_;
-    int corners_;
+    int corner_count_;
     static constexpr int edges = FanRow::kept == 0 ? 1 : FanRow::kept + 2;
-    detail::FanEdge side_[edges], spoke_[edges];
+    detail::FanEdge outer_edges_[edges], inner_edges_[edges];
 };
 
 } // namespace spangle::raster

@@ -27,8 +27,8 @@ struct LineInterval {
     }
 };
 
-template <class P, class Kept>
-void draw_x_major(Pen<P>& pen, DiamondWalk walk, std::int32_t width, const Kept& kept) {
+template <class P, class Mask>
+void draw_x_major(Pen<P>& pen, DiamondWalk walk, std::int32_t width, const Mask& kept) {
     while (walk.count > 0) {
         const std::int32_t row = walk.minor, left = walk.major;
         const bool drawn = kept(left);
@@ -44,8 +44,8 @@ void draw_x_major(Pen<P>& pen, DiamondWalk walk, std::int32_t width, const Kept&
     }
 }
 
-template <class P, class Kept>
-void draw_y_major(Pen<P>& pen, DiamondWalk walk, std::int32_t width, const Kept& kept) {
+template <class P, class Mask>
+void draw_y_major(Pen<P>& pen, DiamondWalk walk, std::int32_t width, const Mask& kept) {
     for (; walk.count > 0; walk.step())
         if (kept(walk.major))
             pen.add(walk.major, walk.minor, walk.minor + width);
@@ -62,7 +62,7 @@ void draw_line_of(const DrawState& state, const Surface& target, const typename 
     Pen<P> pen(state, target);
     const Position pa = position(a), pb = position(b);
     DiamondWalk walk(pa.x, pa.y, pb.x, pb.y, (width - 1) * (subpixel_one / 2));
-    const typename Pattern::Kept kept = pattern.along(walk);
+    const typename Pattern::Mask kept = pattern.along(walk);
     if (state.nothing && !keep(state, Primitive::Shape::line, width, Pattern::of(kept), provoking, a, b))
         return;
     if (walk.count == 0)

@@ -5,15 +5,15 @@
 #include <type_traits>
 
 #include "raster/primitive/line.hpp"
-#include "raster/primitive/lines_in_turn.hpp"
-#include "raster/primitive/lines_together.hpp"
+#include "raster/primitive/scalar_lines.hpp"
+#include "raster/primitive/vector_lines.hpp"
 
 namespace spangle::raster {
 
 namespace detail {
 
 /// Whether an observer wants to be told of rows.
-inline bool observed([[maybe_unused]] const Counters* counters) {
+inline bool has_observer([[maybe_unused]] const Counters* counters) {
 #ifndef SPANGLE_FIRMWARE
     return counters != nullptr && counters->observer != nullptr;
 #else
@@ -42,7 +42,7 @@ inline void touch_line(const Surface& target, const Position& a, const Position&
         if (left < row->begin || right > row->end) {
             for (DiamondWalk walk(a.x, a.y, b.x, b.y, 0); walk.count > 0; walk.step()) {
                 const std::int32_t x = walk.along_x ? walk.major : walk.minor;
-                touch(target, walk.along_x ? walk.minor : walk.major, x, x + 1);
+                mark_damage(target, walk.along_x ? walk.minor : walk.major, x, x + 1);
             }
             return;
         }
@@ -56,37 +56,38 @@ template <class L> class LineBatch {
   public:
     LineBatch(const DrawState& state, const Surface& target, std::int32_t width)
         : state_(state), target_(target), width_(width),
-          area_(width == 1 && !detail::observed(state.counters) ? state.paths : DrawState::Area{}) {}
+          area_(width == 1 && !detail::has_observer(state.counters) ? state.paths : DrawState::Area{}) {}
 
-    /// Draws lines from vertices i to i + 1, i = 0, step, .... They have the colour of `painted`, or where
-    /// that is null each that of its second vertex. A line that is the only one may have another provoking
-    /// vertex.
-    void draw(const FixedVertex* const* v, int n, int step, const FixedVertex* painted,
+    /// Draws lines from vertices i to i + 1, i = 0, step, .... They have the colour of `flat_shaded_vertex`,
+    /// or where that is null each that of its second vertex. A line that is the only one may have another
+    /// provoking vertex.
+    void draw(const FixedVertex* const* v, int n, int step, const FixedVertex* flat_shaded_vertex,
               const FixedVertex* provoking) {
         vertex_ = v;
-        step_ = step;
+        vertex_step_ = step;
         provoking_ = provoking;
-        count_ = step == 1 ? n - 1 : n / 2;
+        line_count_ = step == 1 ? n - 1 : n / 2;
         const bool inside = set_up_.take(v, n, step, area_);
-        if (!inside || walk_of(Kind::flat) == nullptr || (painted == nullptr && !one_color_each())) {
-            if (count_ != 1)
-                return one_by_one(v, n, step, painted);
+        if (!inside || walk_of(Kind::flat) == nullptr ||
+            (flat_shaded_vertex == nullptr && !have_one_color_each())) {
+            if (line_count_ != 1)
+                return draw_one_by_one(v, n, step, flat_shaded_vertex);
             if (!inside)
                 return rows();
             return walk(set_up_colored());
         }
-        if (painted != nullptr)
-            paint(flat_word(state_, painted->color));
+        if (flat_shaded_vertex != nullptr)
+            set_flat_words(flat_word(state_, flat_shaded_vertex->color));
         else
-            paint();
+            set_flat_words();
         set_up(state_.needs.z);
         walk(Kind::flat);
     }
     /// Draws a strip, as draw_strip() does.
-    void draw(const LineEnd* ends, int n, const FixedVertex& painted) {
-        count_ = n - 1;
-        set_up_.take(ends, count_);
-        paint(flat_word(state_, painted.color));
+    void draw(const LineEnd* ends, int n, const FixedVertex& flat_shaded_vertex) {
+        line_count_ = n - 1;
+        set_up_.take(ends, line_count_);
+        set_flat_words(flat_word(state_, flat_shaded_vertex.color));
         set_up(state_.needs.z);
         walk(Kind::flat);
     }
@@ -94,32 +95,32 @@ template <class L> class LineBatch {
   private:
     AnyFunction walk_of(Kind kind) const { return state_.variant[static_cast<unsigned>(kind)].walk; }
 
-    const FixedVertex& first(int i) const { return *vertex_[i * step_]; }
-    const FixedVertex& second(int i) const { return *vertex_[i * step_ + 1]; }
+    const FixedVertex& first(int i) const { return *vertex_[i * vertex_step_]; }
+    const FixedVertex& second(int i) const { return *vertex_[i * vertex_step_ + 1]; }
 
-    bool one_color_each() const {
+    bool have_one_color_each() const {
         bool one = true;
-        for (int i = 0; i < count_ && !state_.fragment.flat; ++i)
+        for (int i = 0; i < line_count_ && !state_.fragment.flat; ++i)
             one = one & detail::same_color(first(i), second(i));
         return one;
     }
-    SPANGLE_INLINE void paint(std::uint32_t word) {
+    SPANGLE_INLINE void set_flat_words(std::uint32_t word) {
         paths_.one_color = true;
 #pragma GCC unroll 4
-        for (int i = 0; i < count_; i += L::count)
+        for (int i = 0; i < line_count_; i += L::count)
             L::store(&paths_.at(Paths::flat, i), typename L::Int{} + static_cast<std::int32_t>(word));
     }
-    void paint() {
+    void set_flat_words() {
         paths_.one_color = false;
-        for (int i = 0; i < count_; ++i)
-            paths_.at(Paths::flat, i) =
-                static_cast<std::int32_t>(flat_word(state_, (count_ == 1 ? provoking() : second(i)).color));
+        for (int i = 0; i < line_count_; ++i)
+            paths_.at(Paths::flat, i) = static_cast<std::int32_t>(
+                flat_word(state_, (line_count_ == 1 ? provoking() : second(i)).color));
     }
 
-    [[gnu::noinline]] void one_by_one(const FixedVertex* const* v, int n, int step,
-                                      const FixedVertex* painted) {
+    [[gnu::noinline]] void draw_one_by_one(const FixedVertex* const* v, int n, int step,
+                                           const FixedVertex* flat_shaded_vertex) {
         for (int i = 0; i + 1 < n; i += step)
-            draw(v + i, 2, 1, painted, nullptr);
+            draw(v + i, 2, 1, flat_shaded_vertex, nullptr);
     }
 
     /// Sets up all lines. With one colour each, only depth has a plane, which varies along one axis.
@@ -145,7 +146,7 @@ template <class L> class LineBatch {
             paths_.at(Paths::depth_step, 0) = static_cast<std::int32_t>(span.z.dx);
         }
         if (span.kind == Kind::flat)
-            paint(span.flat_word);
+            set_flat_words(span.flat_word);
         else if (state_.needs.rgb)
             for (int c = 0; c < 3; ++c) {
                 paths_.color[c] = span.color_value[c].at(at.from_begin, 0);
@@ -160,15 +161,15 @@ template <class L> class LineBatch {
         if (draw == nullptr)
             return rows();
         if (target_.touched != nullptr)
-            for (int i = 0; i < count_; ++i)
+            for (int i = 0; i < line_count_; ++i)
                 detail::touch_line(target_, set_up_.end(i, 0), set_up_.end(i, 1));
         if (Counters* const counters = state_.counters; counters != nullptr)
-            for (int i = 0; i < count_; ++i)
+            for (int i = 0; i < line_count_; ++i)
                 if (paths_.at(Paths::count, i) > 0) { // NOLINT(clang-analyzer-*): set_up() stored each
                     ++counters->triangles;
                     counters->fragments += static_cast<std::uint32_t>(paths_.at(Paths::count, i));
                 }
-        reinterpret_cast<PathFunction>(draw)(state_, target_, paths_, count_);
+        reinterpret_cast<PathFunction>(draw)(state_, target_, paths_, line_count_);
     }
 
     /// Draws the only line as rows.
@@ -182,20 +183,20 @@ template <class L> class LineBatch {
     const DrawState::Area area_;
     const FixedVertex* const* vertex_ = nullptr;
     const FixedVertex* provoking_ = nullptr; ///< provoking vertex of the only line, or null
-    int step_ = 1, count_ = 0;
-    std::conditional_t<L::count == 1, LinesInTurn, LinesTogether<L>> set_up_;
+    int vertex_step_ = 1, line_count_ = 0;
+    std::conditional_t<L::count == 1, ScalarLines, VectorLines<L>> set_up_;
     Paths paths_;
 };
 
 /// draw_lines and draw_line, in batches of this kind.
 template <class L>
 void draw_lines_by(const DrawState& state, const Surface& target, const FixedVertex* const* vertex, int n,
-                   int step, const FixedVertex* painted, std::int32_t width) {
+                   int step, const FixedVertex* flat_shaded_vertex, std::int32_t width) {
     LineBatch<L> batch(state, target, width);
     const int most = step == 1 ? Paths::size + 1 : 2 * Paths::size;
     while (n > 1) {
         const int now = n < most ? n : most, left = step == 1 ? 1 : 0;
-        batch.draw(vertex, now, step, painted, nullptr);
+        batch.draw(vertex, now, step, flat_shaded_vertex, nullptr);
         vertex += now - left;
         n -= now - left;
     }

@@ -15,7 +15,7 @@ namespace detail {
 
 /// floor(sqrt(v)). The inverse root of the upper half of v is off by less than 2^-29; the root from it is
 /// then corrected in steps of 1.
-constexpr std::uint32_t whole_root(std::uint64_t v) {
+constexpr std::uint32_t integer_sqrt(std::uint64_t v) {
     if (v == 0)
         return 0;
     if constexpr (!has_shortcuts) { // bit by bit
@@ -55,18 +55,19 @@ constexpr Position snapped(const OutlinePoint& p) {
 class LineOutline {
   public:
     LineOutline(const Position& a, const Position& b, std::int32_t eighths)
-        : from_(outline_point(a)), dx_(std::int64_t{b.x} - a.x), dy_(std::int64_t{b.y} - a.y),
-          length_(detail::whole_root(static_cast<std::uint64_t>(dx_ * dx_ + dy_ * dy_) << 16)) {
+        : start_(outline_point(a)), dx_(std::int64_t{b.x} - a.x), dy_(std::int64_t{b.y} - a.y),
+          length_(detail::integer_sqrt(static_cast<std::uint64_t>(dx_ * dx_ + dy_ * dy_) << 16)) {
         constexpr std::int64_t up = std::int64_t{outline_one} * subpixel_one / 16;
-        aside_ = length_ == 0 ? OutlinePoint{}
-                              : OutlinePoint{of_length(-dy_ * eighths * up), of_length(dx_ * eighths * up)};
+        half_width_ = length_ == 0 ? OutlinePoint{}
+                                   : OutlinePoint{divide_by_length(-dy_ * eighths * up),
+                                                  divide_by_length(dx_ * eighths * up)};
     }
     bool empty() const { return length_ == 0; }
     /// The number of parts of length 1, of which the last may be shorter.
     std::uint32_t parts() const { return static_cast<std::uint32_t>((length_ + one - 1) / one); }
     /// Calls draw(begin, end) for each stretch of parts that the stipple leaves, or for the whole line. The
     /// stipple does not advance.
-    template <class Draw> void each_kept(const LineStipple* stipple, Draw draw) const {
+    template <class Draw> void each_stippled_part(const LineStipple* stipple, Draw draw) const {
         for (std::uint32_t begin = 0, end, n = parts(); begin < n; begin = end) {
             const bool kept = stipple == nullptr || stipple->at(stipple->position + begin);
             end = stipple == nullptr ? n : begin + 1;
@@ -78,18 +79,21 @@ class LineOutline {
     }
     /// The corners of the rectangle from the beginning of part `begin` to that of part `end`.
     void corners(std::uint32_t begin, std::uint32_t end, OutlinePoint (&out)[4]) const {
-        around(begin * one, end * one < length_ ? end * one : length_, 1, out);
+        rectangle_around(begin * one, end * one < length_ ? end * one : length_, 1, out);
     }
     /// The corners of a rectangle that is twice as wide as that of corners(), and longer at the ends of the
     /// line. Only the cuts between parts bound it.
     void strip(std::uint32_t begin, std::uint32_t end, OutlinePoint (&out)[4]) const {
-        around(begin == 0 ? -one : begin * one, end * one < length_ ? end * one : length_ + one, 2, out);
+        rectangle_around(begin == 0 ? -one : begin * one, end * one < length_ ? end * one : length_ + one, 2,
+                         out);
     }
 
   private:
     static constexpr std::int64_t one = std::int64_t{subpixel_one} << 8; ///< length_ of one pixel
-    void around(std::int64_t begin, std::int64_t end, std::int32_t widths, OutlinePoint (&out)[4]) const {
-        const OutlinePoint a = at(begin), b = at(end), aside = {aside_.x * widths, aside_.y * widths};
+    void rectangle_around(std::int64_t begin, std::int64_t end, std::int32_t widths,
+                          OutlinePoint (&out)[4]) const {
+        const OutlinePoint a = at(begin), b = at(end),
+                           aside = {half_width_.x * widths, half_width_.y * widths};
         out[0] = {a.x - aside.x, a.y - aside.y};
         out[1] = {b.x - aside.x, b.y - aside.y};
         out[2] = {b.x + aside.x, b.y + aside.y};
@@ -97,17 +101,17 @@ class LineOutline {
     }
     OutlinePoint at(std::int64_t way) const {
         constexpr int up = outline_one / subpixel_one;
-        return {from_.x + of_length(dx_ * up * way), from_.y + of_length(dy_ * up * way)};
+        return {start_.x + divide_by_length(dx_ * up * way), start_.y + divide_by_length(dy_ * up * way)};
     }
     /// v / length_, which is a word without sign.
-    std::int32_t of_length(std::int64_t v) const {
+    std::int32_t divide_by_length(std::int64_t v) const {
         return static_cast<std::int32_t>(numeric::quotient(v, static_cast<std::uint32_t>(length_)));
     }
 
-    OutlinePoint from_;
+    OutlinePoint start_;
     std::int64_t dx_, dy_; ///< subpixels
     std::int64_t length_;  ///< subpixels with 8 more bits
-    OutlinePoint aside_{};
+    OutlinePoint half_width_{};
 };
 
 /// The rectangle's corners as vertices: what varies along the line does not vary across it.

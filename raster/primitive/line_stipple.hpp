@@ -17,17 +17,17 @@ struct LineStipple {
 
 /// Pattern of a line without a stipple: all fragments are drawn.
 struct SolidLine {
-    struct Kept {
+    struct Mask {
         constexpr bool operator()(std::int32_t) const { return true; }
     };
-    Kept along(const DiamondWalk&) { return {}; }
-    static const LineStipple* of(const Kept&) { return nullptr; }
+    Mask along(const DiamondWalk&) { return {}; }
+    static const LineStipple* of(const Mask&) { return nullptr; }
 };
 
 /// Pattern of a stippled line: the fragments that the stipple leaves, counted from the first end point.
 struct StippledLine {
     LineStipple& stipple;
-    struct Kept {
+    struct Mask {
         LineStipple stipple;
         std::int32_t from; ///< major coordinate of the line's first fragment
         bool ascends;
@@ -37,12 +37,12 @@ struct StippledLine {
         }
     };
     /// Takes a line before it is clipped; the stipple moves to its end.
-    Kept along(const DiamondWalk& walk) {
-        const Kept kept{stipple, walk.ascends ? walk.major : walk.major + walk.count - 1, walk.ascends};
+    Mask along(const DiamondWalk& walk) {
+        const Mask kept{stipple, walk.ascends ? walk.major : walk.major + walk.count - 1, walk.ascends};
         stipple.advance(static_cast<std::uint32_t>(walk.count));
         return kept;
     }
-    static const LineStipple* of(const Kept& kept) { return &kept.stipple; }
+    static const LineStipple* of(const Mask& kept) { return &kept.stipple; }
 };
 
 } // namespace spangle::raster

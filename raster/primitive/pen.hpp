@@ -23,7 +23,7 @@ template <class P> class Pen {
   public:
     Span<P> span;
 
-    Pen(const DrawState& state, const Surface& target) : clip_(state.fragment.scissor) {
+    Pen(const DrawState& state, const Surface& target) : scissor_(state.fragment.scissor) {
         span.state = &state;
         span.target = &target;
         span.depth = nullptr;
@@ -36,18 +36,18 @@ template <class P> class Pen {
             is_set_up_ = true;
     }
 
-    const Rect& clip() const { return clip_; }
-    std::int32_t row_begin() const { return clip_.y; }
-    std::int32_t row_end() const { return clip_.y + clip_.h; }
-    std::int32_t column_begin() const { return clip_.x; }
-    std::int32_t column_end() const { return clip_.x + clip_.w; }
-    /// Takes all columns of a primitive. True: some of them may be drawn; cuts() then says whether some may
-    /// have to be clipped.
-    bool sees(std::int32_t left, std::int32_t right) {
-        cuts_ = left < clip_.x || right > column_end();
-        return !cuts_ || (left < column_end() && right > clip_.x);
+    const Rect& clip() const { return scissor_; }
+    std::int32_t row_begin() const { return scissor_.y; }
+    std::int32_t row_end() const { return scissor_.y + scissor_.h; }
+    std::int32_t column_begin() const { return scissor_.x; }
+    std::int32_t column_end() const { return scissor_.x + scissor_.w; }
+    /// Takes all columns of a primitive. True: some of them may be drawn; needs_scissor() then says whether
+    /// some may have to be clipped.
+    bool reaches_scissor(std::int32_t left, std::int32_t right) {
+        needs_clipping_ = left < scissor_.x || right > column_end();
+        return !needs_clipping_ || (left < column_end() && right > scissor_.x);
     }
-    bool cuts() const { return cuts_; }
+    bool needs_scissor() const { return needs_clipping_; }
 
     /// Must be called once per primitive that reaches a pixel, after its set-up.
     void begin() {
@@ -63,7 +63,7 @@ template <class P> class Pen {
 
     /// Draws rows from rows() up to `end`, one at least.
     void draw(const Row* end) {
-        note(end);
+        record_rows(end);
         const Variant& variant = span.state->variant[static_cast<unsigned>(span.kind)];
         reinterpret_cast<RowsFunction<P>>(variant.run)(span, rows_, end);
     }
@@ -72,31 +72,31 @@ template <class P> class Pen {
     /// are `batch`.
     SPANGLE_INLINE void add(std::int32_t y, std::int32_t left, std::int32_t right) {
         std::int32_t first = left, last = right;
-        if (cuts_) {
-            first = left < clip_.x ? clip_.x : left;
+        if (needs_clipping_) {
+            first = left < scissor_.x ? scissor_.x : left;
             last = right < column_end() ? right : column_end();
             if (first >= last)
                 return;
         }
-        rows_[count_] = {y, left, right, first, last};
-        if (++count_ == batch)
+        rows_[row_count_] = {y, left, right, first, last};
+        if (++row_count_ == batch)
             flush();
     }
 
     /// Draws the rows that add() left; must be called after the last.
     void flush() {
-        if (count_ != 0)
-            draw(rows_ + count_);
-        count_ = 0;
+        if (row_count_ != 0)
+            draw(rows_ + row_count_);
+        row_count_ = 0;
     }
 
   private:
     /// Records rows that are about to be drawn: touched columns, counters, observers.
-    void note(const Row* end) {
+    void record_rows(const Row* end) {
         const Surface& target = *span.target;
         if (target.touched != nullptr)
             for (const Row* row = rows_; row != end; ++row)
-                touch(target, row->y, row->first, row->last);
+                mark_damage(target, row->y, row->first, row->last);
         Counters* const counters = span.state->counters;
         if (counters == nullptr)
             return;
@@ -109,10 +109,10 @@ template <class P> class Pen {
         }
     }
 
-    const Rect& clip_;
+    const Rect& scissor_;
     [[maybe_unused]] bool is_set_up_ = false;
-    bool cuts_ = true; ///< some column may lie outside of the scissor rectangle
-    int count_ = 0;
+    bool needs_clipping_ = true; ///< some column may lie outside of the scissor rectangle
+    int row_count_ = 0;
     Row rows_[batch];
 };
 

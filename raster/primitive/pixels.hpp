@@ -11,8 +11,8 @@ namespace spangle::raster {
 template <class P> class PixelPen : public PixelSink {
   public:
     PixelPen(const DrawState& state, const Surface& target, const typename P::Vertex& at)
-        : PixelSink{run, depth}, pen_(state, target), at_(at) {
-        Setup<P>(pen_.span, at_);
+        : PixelSink{run, depth}, pen_(state, target), fragment_(at) {
+        Setup<P>(pen_.span, fragment_);
         pen_.begin();
     }
     ~PixelPen() { pen_.flush(); }
@@ -25,7 +25,7 @@ template <class P> class PixelPen : public PixelSink {
     static void run(PixelSink& sink, std::int32_t y, std::int32_t begin, std::int32_t end,
                     const void* pixels) {
         Pen<P>& pen = self(sink).pen_;
-        if (y < pen.row_begin() || y >= pen.row_end() || begin >= end || !pen.sees(begin, end))
+        if (y < pen.row_begin() || y >= pen.row_end() || begin >= end || !pen.reaches_scissor(begin, end))
             return;
         pen.span.pixels = pixels;
         pen.add(y, begin, end);
@@ -35,12 +35,12 @@ template <class P> class PixelPen : public PixelSink {
     static void depth(PixelSink& sink, std::uint32_t z) {
         PixelPen& own = self(sink);
         own.pen_.flush();
-        set_depth(own.at_, z);
-        Setup<P>(own.pen_.span, own.at_);
+        set_depth(own.fragment_, z);
+        Setup<P>(own.pen_.span, own.fragment_);
     }
 
     Pen<P> pen_;
-    typename P::Vertex at_;
+    typename P::Vertex fragment_;
 };
 
 template <class P>

@@ -26,7 +26,7 @@ void draw_point_of(const DrawState& state, const Surface& target, const typename
     const std::int32_t top = low + size < pen.row_end() ? low + size : pen.row_end();
     if (state.nothing && !keep(state, Primitive::Shape::point, size, nullptr, v, v))
         return;
-    if (y >= top || !pen.sees(left, left + size))
+    if (y >= top || !pen.reaches_scissor(left, left + size))
         return;
     Setup<P>(pen.span, v);
     pen.begin();

@@ -24,7 +24,7 @@ std::int64_t saturated(bool negative, std::uint64_t mantissa, int exponent) {
 }
 
 /// How fast depth changes along the axis where it does most, from pixel to pixel; times |area2|, in 2^-38.
-std::uint64_t steepest(const FixedVertex& a, const FixedVertex& b, const FixedVertex& c) {
+std::uint64_t steepest_slope(const FixedVertex& a, const FixedVertex& b, const FixedVertex& c) {
     const auto z1 = std::int64_t{b.z} - a.z, z2 = std::int64_t{c.z} - a.z;
     const std::uint64_t along_x = numeric::abs_u64(z1 * (c.y - a.y) - z2 * (b.y - a.y));
     const std::uint64_t along_y = numeric::abs_u64(z1 * (c.x - a.x) - z2 * (b.x - a.x));
@@ -41,7 +41,7 @@ void set_depth_offset<FixedVertex>(PrimitiveState& out, const PolygonOffset& off
     const int bits = of_16 ? 16 : 24, resolved_bits = of_16 ? 16 : 23;
     const auto units = numeric::detail::unpack(offset.units), factor = numeric::detail::unpack(offset.factor);
     out.depth_offset = saturated(units.negative, units.mantissa, units.exponent + 32 - resolved_bits);
-    const std::uint64_t most = steepest(a, b, c);
+    const std::uint64_t most = steepest_slope(a, b, c);
     if (most == 0 || area2 == 0)
         return;
     // m = most / |area2| 2^-22 = q 2^exponent; q loses less than 2^-30 of itself.

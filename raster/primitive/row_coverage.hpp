@@ -10,12 +10,12 @@ class RowCoverage {
     /// Columns [begin, end) may be asked for.
     RowCoverage(const AreaRow& area, std::int32_t begin, std::int32_t end)
         : area_(area), begin_(area.first() < begin ? begin : area.first()),
-          end_(area.last() < end ? area.last() + 1 : end), at_(begin_), till_(begin_),
-          full_begin_(area.core_begin()), full_end_(area.core_end()) {
-        if (full_end_ - full_begin_ < least_run)
-            full_end_ = full_begin_ = end_;
-        else if (area.fill(full_begin_, full_begin_ + 1, coverage_); coverage_[0] != full_coverage)
-            full_end_ = full_begin_ = end_;
+          end_(area.last() < end ? area.last() + 1 : end), known_begin_(begin_), known_end_(begin_),
+          full_run_begin_(area.core_begin()), full_run_end_(area.core_end()) {
+        if (full_run_end_ - full_run_begin_ < least_run)
+            full_run_end_ = full_run_begin_ = end_;
+        else if (area.fill(full_run_begin_, full_run_begin_ + 1, coverage_); coverage_[0] != full_coverage)
+            full_run_end_ = full_run_begin_ = end_;
     }
 
     std::int32_t begin() const { return begin_; }
@@ -23,28 +23,28 @@ class RowCoverage {
 
     /// The run of fully covered pixels that is long enough to be drawn by itself. If there is none, it is
     /// empty and lies at end().
-    std::int32_t full_begin() const { return full_begin_; }
-    std::int32_t full_end() const { return full_end_; }
+    std::int32_t full_run_begin() const { return full_run_begin_; }
+    std::int32_t full_run_end() const { return full_run_end_; }
     /// Shorter runs of fully covered pixels are drawn together with their neighbours.
     static constexpr std::int32_t least_run = host_lanes > 1 ? 2 * packet : 2;
 
     /// The coverages from column x on. `count`: how many are wanted, then how many are there, which may be
     /// fewer.
     const std::uint32_t* from(std::int32_t x, std::int32_t& count) {
-        if (x < at_ || x >= till_) {
-            at_ = x;
-            till_ = end_ - x < AreaRow::window ? end_ : x + AreaRow::window;
-            area_.fill(at_, till_, coverage_);
+        if (x < known_begin_ || x >= known_end_) {
+            known_begin_ = x;
+            known_end_ = end_ - x < AreaRow::window ? end_ : x + AreaRow::window;
+            area_.fill(known_begin_, known_end_, coverage_);
         }
-        count = till_ - x < count ? till_ - x : count;
-        return coverage_ + (x - at_);
+        count = known_end_ - x < count ? known_end_ - x : count;
+        return coverage_ + (x - known_begin_);
     }
 
   private:
     const AreaRow& area_;
     std::int32_t begin_, end_;
-    std::int32_t at_, till_; ///< columns whose coverage is known
-    std::int32_t full_begin_, full_end_;
+    std::int32_t known_begin_, known_end_; ///< columns whose coverage is known
+    std::int32_t full_run_begin_, full_run_end_;
     std::uint32_t coverage_[AreaRow::window];
 };
 

@@ -11,7 +11,7 @@ using numeric::clz32;
 // --- geometry
 
 /// Sets the anchor: the pixel that the lowest vertex (x, y) lies in.
-SPANGLE_INLINE void Setup<Fixed>::start(std::int32_t x, std::int32_t y) {
+SPANGLE_INLINE void Setup<Fixed>::set_anchor(std::int32_t x, std::int32_t y) {
     span_.anchor_x = x >> subpixel_bits;
     span_.anchor_y = y >> subpixel_bits;
     const std::int32_t ox = subpixel_one / 2 - (x & (subpixel_one - 1));
@@ -27,7 +27,7 @@ void Setup<Fixed>::along_axis(const Vertex& from, const Vertex& to, const Axis& 
     const PerPixel per_pixel(axis.begin, axis.end);
     (axis.along_x ? by().dx[0] : by().dy[0]) = per_pixel.coefficient;
     by().exponent = per_pixel.exponent;
-    start(axis.along_x ? axis.begin : from.x, axis.along_x ? from.y : axis.begin);
+    set_anchor(axis.along_x ? axis.begin : from.x, axis.along_x ? from.y : axis.begin);
 }
 
 /// Interpolates along the longer axis of the box of three corners, which are sorted upwards.
@@ -61,7 +61,7 @@ SPANGLE_INLINE void Setup<Fixed>::in_plane(std::uint32_t top, int zeros, bool ne
     by().dy[0] = coefficient(x2);
     by().dy[1] = coefficient(x1);
     by().exponent = 54 + up - zeros; // 256 d / area2 = c 2^-exponent
-    start(v(0).x, v(0).y);
+    set_anchor(v(0).x, v(0).y);
 }
 
 /// Makes planes go through the snapped vertices again (unsnap()).
@@ -102,7 +102,7 @@ SPANGLE_INLINE void Setup<Fixed>::add_depth() {
     const auto d1 = static_cast<std::int32_t>((z1 >> 1) - (z0 >> 1)),
                d2 = static_cast<std::int32_t>((z2 >> 1) - (z0 >> 1));
     const auto lift = static_cast<std::uint32_t>(33 - by().exponent);
-    if (liftable(difference_bits(d1, d2), lift)) [[likely]]
+    if (fits_lifted(difference_bits(d1, d2), lift)) [[likely]]
         return add_lifted(span_.z, first, d1, d2, lift, by());
     add_steep(span_.z, first, d1, d2, 1);
 }
@@ -175,7 +175,7 @@ template <class F> SPANGLE_INLINE void Setup<Fixed>::each_step(F add) const {
 SPANGLE_INLINE void Setup<Fixed>::stepped_colors(std::uint32_t bits, std::uint32_t bias) {
     const Coefficients& by = this->by();
     const auto lift = static_cast<std::uint32_t>(32 + color_up - by.exponent);
-    if (liftable(bits, lift)) [[likely]] {
+    if (fits_lifted(bits, lift)) [[likely]] {
         return each_step([&](auto& at, std::uint32_t first, std::int32_t d1, std::int32_t d2) __attribute__((
             always_inline)) { add_lifted(at, (first << color_up) + bias, d1, d2, lift, by); });
     }
@@ -189,7 +189,7 @@ void Setup<Fixed>::stepped_colors_apart(std::uint32_t bits, std::uint32_t bias) 
 template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::affine_colors(std::uint32_t bits, std::uint32_t bias) {
     const Coefficients& by = this->by();
     const auto lift = static_cast<std::uint32_t>(32 + color_up - by.exponent);
-    if (liftable(bits, lift)) [[likely]] {
+    if (fits_lifted(bits, lift)) [[likely]] {
         return each_color<Rgb>([&](const ColorSource& from, int i, Interpolant<std::uint32_t>& at, auto&) {
             add_lifted(at, (from.first(i) << color_up) + bias, from.difference(1, i), from.difference(2, i),
                        lift, by);
@@ -198,13 +198,13 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::affine_colors(std::uint32_
     steep_colors(bias);
 }
 
-/// The affine colour is off by range(c) range(q) / (4 min(q)) at most (bounded(); a 16th beyond the vertices,
-/// which unsnap() allows, changes that by less), and by what set-up loses. That is 2^-18 of 255 in affine
-/// colours, and thrice that in planes over w where 1/w varies by no more than twice: together 2^-8 of a
-/// 255th.
+/// The affine colour is off by range(c) range(q) / (4 min(q)) at most (is_within_tolerance(); a 16th beyond
+/// the vertices, which unsnap() allows, changes that by less), and by what set-up loses. That is 2^-18 of 255
+/// in affine colours, and thrice that in planes over w where 1/w varies by no more than twice: together 2^-8
+/// of a 255th.
 SPANGLE_INLINE void Setup<Fixed>::guessed_colors(std::uint32_t bits) {
     constexpr std::uint32_t lost = 1u << 17; // 8.24
-    const std::uint64_t product = numeric::mul_u32(widest_, q_range_);
+    const std::uint64_t product = numeric::mul_u32(widest_color_range_, q_range_);
     if (q_least_ < 1u << 28 || product >> 52 != 0)
         return divided_colors();
     // 16 product / (4 q), below 2^26; the quotients leave out less than 16 and 1.
@@ -259,12 +259,13 @@ SPANGLE_INLINE bool Setup<Fixed>::nearly_affine(std::uint32_t bits) const {
 /// they may be guessed.
 template <bool Rgb> SPANGLE_INLINE bool Setup<Fixed>::needs_division(std::uint32_t bits) {
     if (Rgb && state_.guesses)
-        return !weights() && !bounded(widest_, state_.four_color_tolerances);
+        return !weights() && !is_within_tolerance(widest_color_range_, state_.four_color_tolerances);
     return !(has_shortcuts && nearly_affine(bits)) && !weights() && !colors_affine(bits);
 }
 
 /// Sets up attributes without textures and fog.
-template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::plain(std::uint32_t bits, const Vertex& painted) {
+template <bool Rgb>
+SPANGLE_INLINE void Setup<Fixed>::set_up_without_coordinates(std::uint32_t bits, const Vertex& painted) {
     Kind kind = Kind::affine;
     if (bits == 0)
         kind = state_.variant[0].run != nullptr ? Kind::flat : Kind::affine;
@@ -272,7 +273,7 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::plain(std::uint32_t bits, 
         kind = Kind::full;
     const bool guesses = Rgb && has_fused_spans && state_.guesses;
     if (unsnaps(state_) && bits != 0 && (kind == Kind::affine || guesses) &&
-        !colors_stay_inside(guesses ? widest_ : 2 * bits))
+        !colors_stay_inside(guesses ? widest_color_range_ : 2 * bits))
         snap();
     span_.kind = kind;
     if (kind == Kind::flat)
@@ -305,25 +306,25 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::attributes_of(const Vertex
     const std::uint32_t bits = flat                      ? 0
                                : !has_shortcuts          ? color_range<Rgb>()
                                : !Rgb || !state_.guesses ? color_bits<Rgb>()
-                                                         : 2 * (widest_ = color_range<Rgb>());
+                                                         : 2 * (widest_color_range_ = color_range<Rgb>());
     if (state_.needs.z && !has_24_bits())
         add_depth();
     if constexpr (Rgb) {
         if (unsnaps(state_) && bits != 0)
-            return smooth_exactly(bits);
+            return set_up_exact_colors(bits);
     } else if (unsnaps(state_) && (bits != 0 || state_.textured_or_fogged)) {
         unsnap();
     }
     if ((has_textures || has_fog) && !Rgb && state_.textured_or_fogged)
-        with_coordinates(bits, painted);
+        set_up_with_coordinates(bits, painted);
     else
-        plain<Rgb>(bits, painted);
+        set_up_without_coordinates<Rgb>(bits, painted);
 }
 
 /// Not in line, lest the other tiers keep registers for it.
-void Setup<Fixed>::smooth_exactly(std::uint32_t bits) {
+void Setup<Fixed>::set_up_exact_colors(std::uint32_t bits) {
     unsnap();
-    plain<true>(bits, v(0));
+    set_up_without_coordinates<true>(bits, v(0));
 }
 
 /// Sets up all but the usual triangle, and is therefore not inline.
@@ -356,13 +357,13 @@ Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const V
                     const Vertex& provoking, const Area& area)
     : span_(span), state_(*span.state) {
     span.basis.v[0] = &a, span.basis.v[1] = &b, span.basis.v[2] = &c;
-    third_ = &c;
+    third_vertex_ = &c;
     if (area.word != 0) [[likely]] {
         const int zeros = clz32(area.word);
         in_plane(area.word << zeros, 32 - area.exponent + zeros, area.sign < 0);
     } else {
         along_longer_axis(a, b, c);
-        third_ = &v(0) != &a && &v(1) != &a ? &a : &v(0) != &b && &v(1) != &b ? &b : &c;
+        third_vertex_ = &v(0) != &a && &v(1) != &a ? &a : &v(0) != &b && &v(1) != &b ? &b : &c;
         if (has_24_bits())
             add_depth_24(a, b, c);
     }
@@ -378,7 +379,7 @@ Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const V
                     bool along_x, std::int32_t begin, std::int32_t end, bool of_x)
     : span_(span), state_(*span.state) {
     along_axis(a, b, {begin, end, along_x, of_x});
-    third_ = &a;
+    third_vertex_ = &a;
     if (has_24_bits()) // before attributes() unsnaps the axis: depth does not depend on what else is drawn
         add_depth_24_along();
     attributes(provoking);

@@ -103,7 +103,7 @@ template <> class Setup<Fixed> {
         bool of_x;    ///< begin and end are x of vertices, else y
     };
 
-    void start(std::int32_t x, std::int32_t y);
+    void set_anchor(std::int32_t x, std::int32_t y);
     void unsnap();
     void snap();
     bool unsnap_plane();
@@ -115,24 +115,24 @@ template <> class Setup<Fixed> {
     void along_longer_axis(const Vertex& a, const Vertex& b, const Vertex& c);
     void in_plane(std::uint32_t top, int zeros, bool negative);
     template <bool Rgb> void attributes_of(const Vertex& provoking);
-    [[gnu::noinline]] void smooth_exactly(std::uint32_t bits);
+    [[gnu::noinline]] void set_up_exact_colors(std::uint32_t bits);
     void attributes(const Vertex& provoking);
-    template <bool Rgb> void plain(std::uint32_t color_bits, const Vertex& painted);
-    void with_coordinates(std::uint32_t color_bits, const Vertex& painted);
+    template <bool Rgb> void set_up_without_coordinates(std::uint32_t color_bits, const Vertex& painted);
+    void set_up_with_coordinates(std::uint32_t color_bits, const Vertex& painted);
     bool weights();
     void weights_of_several_exponents();
     void load_unit(int unit, UnitValues& u) const;
     void load_homogeneous(int unit, UnitValues& u) const;
     void load_fog(std::int32_t fog[3]) const;
     void load_any_fog(std::int32_t fog[3]) const;
-    bool bounded(std::uint32_t range, std::uint64_t four_tolerances) const;
+    bool is_within_tolerance(std::uint32_t range, std::uint64_t four_tolerances) const;
     bool unit_affine(int unit, const UnitValues& u, bool same_w) const;
     template <bool Rgb> std::uint32_t color_bits() const;
     bool nearly_affine(std::uint32_t bits) const;
     bool colors_affine(std::uint32_t bits);
     template <bool Rgb> std::uint32_t color_range() const;
     template <bool Rgb> bool needs_division(std::uint32_t bits);
-    bool grays(std::uint32_t color_bits, const Vertex& painted) const;
+    bool is_gray(std::uint32_t color_bits, const Vertex& painted) const;
     const Vertex& v(int i) const { return *span_.basis.v[i]; }
     std::int32_t& q(int i) const { return span_.basis.q[i]; }
     Coefficients& by() const { return span_.basis.by; }
@@ -184,12 +184,13 @@ template <> class Setup<Fixed> {
     Axis axis_;
     /// The vertex of a triangle beside v(0) and v(1); v(0) of lines and points. Thin triangles have v(0) as
     /// v(2).
-    const Vertex* third_;
+    const Vertex* third_vertex_;
     /// Exact tier: how far an attribute may lie beyond its values at the vertices, within coverage, as a part
     /// of its range, in 2^-32. 0 where planes go through snapped vertices.
     std::uint32_t beyond_;
     std::uint32_t q_least_, q_range_;
-    std::uint32_t widest_; ///< largest range of a colour component, where attributes_of() needed it
+    std::uint32_t
+        widest_color_range_; ///< largest range of a colour component, where attributes_of() needed it
 };
 
 } // namespace spangle::raster

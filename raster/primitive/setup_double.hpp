@@ -23,7 +23,7 @@ template <> class Setup<Double> {
         double origin_x, origin_y; ///< reference vertex 0, pixels
         double x1, y1, x2, y2;     ///< d/dx = d1 x1 + d2 x2, d/dy = d1 y1 + d2 y2
     };
-    static Plane through(double ax, double ay, double bx, double by, double cx, double cy);
+    static Plane plane_through(double ax, double ay, double bx, double by, double cx, double cy);
     /// Gradients of an attribute with these values at the three reference vertices.
     void add(const Plane& plane, Interpolant<double>& at, double v0, double v1, double v2,
              double* dy = nullptr);

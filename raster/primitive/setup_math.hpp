@@ -135,10 +135,10 @@ SPANGLE_INLINE std::uint32_t difference_bits(std::int32_t d1, std::int32_t d2) {
 
 /// Whether words hold differences with these difference_bits() 2^lift times as large. Products of such words
 /// with coefficients below 2^30 need no shift by n = 32 - lift: their high words are the result.
-SPANGLE_INLINE bool liftable(std::uint32_t bits, std::uint32_t lift) {
+SPANGLE_INLINE bool fits_lifted(std::uint32_t bits, std::uint32_t lift) {
     return has_shortcuts && lift <= static_cast<std::uint32_t>(numeric::clz32(bits | 1));
 }
-SPANGLE_INLINE std::int32_t lifted(std::int32_t d, std::uint32_t lift) {
+SPANGLE_INLINE std::int32_t shift_by_lift(std::int32_t d, std::uint32_t lift) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(d) << lift);
 }
 SPANGLE_INLINE std::uint32_t lifted_word(std::int32_t d1, std::int32_t d2, const std::int32_t (&c)[2]) {

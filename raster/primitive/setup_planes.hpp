@@ -26,10 +26,10 @@ Setup<Fixed>::scaled_plane(const Coefficients& by, std::int32_t d1, std::int32_t
     return {scaled_words(g.center, n), scaled_words(g.dx, n), scaled_words(g.dy, n)};
 }
 
-/// Makes a plane from differences that are liftable().
+/// Makes a plane from differences that are fits_lifted().
 SPANGLE_INLINE static void add_lifted(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t d1,
                                       std::int32_t d2, std::uint32_t lift, const Coefficients& by) {
-    const std::int32_t a = lifted(d1, lift), b = lifted(d2, lift);
+    const std::int32_t a = shift_by_lift(d1, lift), b = shift_by_lift(d2, lift);
     at.dx = lifted_word(a, b, by.dx);
     at.dy = lifted_word(a, b, by.dy);
     at.value = first + lifted_word(a, b, by.center);
@@ -114,7 +114,8 @@ SPANGLE_RUN_INLINE void Setup<Fixed>::over_w(std::int32_t v[3]) const {
 
 /// Whether the affine form of an attribute is within a tolerance. Its |error| over a triangle is at most
 /// range(c) range(q) / (4 min(q)): the covariance of c and q under any weights, over the mean of q.
-SPANGLE_INLINE bool Setup<Fixed>::bounded(std::uint32_t range, std::uint64_t four_tolerances) const {
+SPANGLE_INLINE bool Setup<Fixed>::is_within_tolerance(std::uint32_t range,
+                                                      std::uint64_t four_tolerances) const {
     return numeric::mul_u32(range, q_range_) <= four_tolerances * q_least_;
 }
 

@@ -74,8 +74,8 @@ bool Setup<Fixed>::colors_affine(std::uint32_t bits) {
     if ((any || !has_chain) && four == any_color_tolerance)
         return true;
     if constexpr (!has_shortcuts)
-        return bounded(bits, four); // `bits` is their range here
-    return bounded(2 * bits, four) || bounded(color_range<false>(), four);
+        return is_within_tolerance(bits, four); // `bits` is their range here
+    return is_within_tolerance(2 * bits, four) || is_within_tolerance(color_range<false>(), four);
 }
 
 } // namespace spangle::raster

@@ -20,8 +20,8 @@ double exact(std::int32_t snapped, double before) {
 
 } // namespace
 
-Setup<Double>::Plane Setup<Double>::through(double ax, double ay, double bx, double by, double cx,
-                                            double cy) {
+Setup<Double>::Plane Setup<Double>::plane_through(double ax, double ay, double bx, double by, double cx,
+                                                  double cy) {
     const double x1 = bx - ax, y1 = by - ay, x2 = cx - ax, y2 = cy - ay, area = x1 * y2 - x2 * y1;
     return {ax, ay, y2 / area, -x2 / area, -y1 / area, x1 / area};
 }
@@ -29,9 +29,9 @@ Setup<Double>::Plane Setup<Double>::through(double ax, double ay, double bx, dou
 Setup<Double>::Setup(Span<Double>& span, const Vertex& a, const Vertex& b, const Vertex& c,
                      const Vertex& provoking, std::int64_t)
     : span_(span), v_{&a, &b, &c},
-      snapped_(through(pixels(a.x), pixels(a.y), pixels(b.x), pixels(b.y), pixels(c.x), pixels(c.y))),
-      exact_(through(exact(a.x, a.x_exact), exact(a.y, a.y_exact), exact(b.x, b.x_exact),
-                     exact(b.y, b.y_exact), exact(c.x, c.x_exact), exact(c.y, c.y_exact))) {
+      snapped_(plane_through(pixels(a.x), pixels(a.y), pixels(b.x), pixels(b.y), pixels(c.x), pixels(c.y))),
+      exact_(plane_through(exact(a.x, a.x_exact), exact(a.y, a.y_exact), exact(b.x, b.x_exact),
+                           exact(b.y, b.y_exact), exact(c.x, c.x_exact), exact(c.y, c.y_exact))) {
     // Vertices too near to one line say little of what lies between them, and 1/w must not come near 0 beyond
     // its least vertex: the rules of Setup<Fixed>::unsnap_plane() and snap_where_w_ends().
     const double sum =

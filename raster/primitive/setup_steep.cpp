@@ -112,7 +112,7 @@ bool Setup<Fixed>::loses_texels(const UnitValues units[]) const {
                       texels = units[i].shift + (width > height ? width : height);
             bits = texels > bits ? texels : bits;
         }
-    const Vertex &a = v(0), &b = v(1), &c = *third_;
+    const Vertex &a = v(0), &b = v(1), &c = *third_vertex_;
     if (&a == &c) // lines and points
         return false;
     const std::int32_t x1 = b.x - a.x, y1 = b.y - a.y, x2 = c.x - a.x, y2 = c.y - a.y;
@@ -124,8 +124,8 @@ bool Setup<Fixed>::loses_texels(const UnitValues units[]) const {
 
 /// Makes all planes over w anew.
 void Setup<Fixed>::steepen(std::int32_t fog[3]) {
-    if (&v(2) != third_) {
-        span_.basis.v[2] = third_;
+    if (&v(2) != third_vertex_) {
+        span_.basis.v[2] = third_vertex_;
         if (has_fog && state_.needs.fog) {
             span_.fog_exponent = -24; // load_fog()
             load_any_fog(fog);

@@ -198,12 +198,12 @@ bool Setup<Fixed>::unit_affine(int unit, const UnitValues& u, bool same_w) const
     return within(u.s, state_.log2_width[unit]) && within(u.t, state_.log2_height[unit]);
 }
 
-/// add_steep() for one coordinate, inline where differences are liftable().
+/// add_steep() for one coordinate, inline where differences are fits_lifted().
 void Setup<Fixed>::add_words(Interpolant<std::uint32_t>& at, std::uint32_t first, const std::int32_t v[3],
                              int up) {
     const std::int32_t d1 = v[1] - v[0], d2 = v[2] - v[0];
     const int n = by().exponent - up;
-    if (const auto lift = static_cast<std::uint32_t>(32 - n); liftable(difference_bits(d1, d2), lift))
+    if (const auto lift = static_cast<std::uint32_t>(32 - n); fits_lifted(difference_bits(d1, d2), lift))
         return add_lifted(at, first, d1, d2, lift, by());
     if (!has_shortcuts || n <= 32 || n >= 64) [[unlikely]]
         return void(add_steep(at, first, d1, d2, up));
@@ -272,19 +272,19 @@ SPANGLE_INLINE Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool sam
         return 1u << (26 - (k.affine_fog_bits != 0 ? k.affine_fog_bits : balanced_knobs.affine_fog_bits));
     }>(state_);
     const bool always = of_tier<[](const Knobs& k) { return k.affine_fog_bits == 0; }>(state_);
-    const bool affine =
-        span_.fog_exponent == -24 && (same_w || always || bounded(range_of(fog[0], fog[1], fog[2]), four));
+    const bool affine = span_.fog_exponent == -24 &&
+                        (same_w || always || is_within_tolerance(range_of(fog[0], fog[1], fog[2]), four));
     return affine ? Kind::affine : Kind::textured;
 }
 
 /// Whether red, green and blue are equal at every vertex: stages then interpolate one colour, not three.
-SPANGLE_INLINE bool Setup<Fixed>::grays(std::uint32_t color_bits, const Vertex& painted) const {
+SPANGLE_INLINE bool Setup<Fixed>::is_gray(std::uint32_t color_bits, const Vertex& painted) const {
     const auto gray = [](const Vertex& v)
                           SPANGLE_RUN_LAMBDA { return v.color[0] == v.color[1] && v.color[0] == v.color[2]; };
     return color_bits == 0 ? gray(painted) : gray(v(0)) && gray(v(1)) && gray(v(2));
 }
 
-void Setup<Fixed>::with_coordinates(std::uint32_t color_bits, const Vertex& painted) {
+void Setup<Fixed>::set_up_with_coordinates(std::uint32_t color_bits, const Vertex& painted) {
     const Needs& needs = state_.needs;
     UnitValues units[max_texture_units];
     std::int32_t fog[3] = {};
@@ -304,7 +304,7 @@ void Setup<Fixed>::with_coordinates(std::uint32_t color_bits, const Vertex& pain
     if (unsnaps(state_))
         snap_where_w_ends();
     span_.kind = choose_kind(units, same_w, color_bits, fog);
-    span_.gray = state_.variant[static_cast<unsigned>(span_.kind)].gray && grays(color_bits, painted);
+    span_.gray = state_.variant[static_cast<unsigned>(span_.kind)].gray && is_gray(color_bits, painted);
 
     if (has_division && span_.kind != Kind::affine)
         span_.q_dy = add_projective(span_.q, span_.basis.q);

@@ -20,15 +20,15 @@ void draw_disc_of(const DrawState& state, const Surface& target, const typename 
     Pen<P> pen(state, target);
     std::int32_t y = first_center(low) < pen.row_begin() ? pen.row_begin() : first_center(low);
     const std::int32_t top = first_center(high + 1) < pen.row_end() ? first_center(high + 1) : pen.row_end();
-    if (y >= top || !pen.sees(first_center(static_cast<std::int32_t>(at.x - radius)),
-                              first_center(static_cast<std::int32_t>(at.x + radius + 1))))
+    if (y >= top || !pen.reaches_scissor(first_center(static_cast<std::int32_t>(at.x - radius)),
+                                         first_center(static_cast<std::int32_t>(at.x + radius + 1))))
         return;
     Setup<P>(pen.span, v);
     pen.begin();
     for (; y < top; ++y) {
         const std::int64_t up = y * subpixel_one + subpixel_one / 2 - at.y;
         const auto half = static_cast<std::int32_t>(
-            detail::whole_root(static_cast<std::uint64_t>(radius * radius - up * up)));
+            detail::integer_sqrt(static_cast<std::uint64_t>(radius * radius - up * up)));
         const std::int32_t left = first_center(at.x - half), right = first_center(at.x + half + 1);
         if (left < right)
             pen.add(y, left, right);
@@ -58,7 +58,7 @@ void draw_parts(const DrawState& state, const Surface& target, const Sorted<type
     Pen<P> pen(state, target);
     Setup<P>(pen.span, *t.a.vertex, *t.b.vertex, *t.c.vertex, provoking, t.area2);
     pen.begin();
-    line.each_kept(&stipple, [&](std::uint32_t begin, std::uint32_t end) {
+    line.each_stippled_part(&stipple, [&](std::uint32_t begin, std::uint32_t end) {
         OutlinePoint outline[4];
         Position quad[4];
         line.strip(begin, end, outline);

@@ -26,7 +26,7 @@ template <class P> class SmoothFan {
         const detail::PixelBox box(outline);
         rows_.begin = box.rows.begin < pen_.row_begin() ? pen_.row_begin() : box.rows.begin;
         rows_.end = box.rows.end < pen_.row_end() ? box.rows.end : pen_.row_end();
-        if (rows_.none() || !pen_.sees(box.columns.begin, box.columns.end))
+        if (rows_.none() || !pen_.reaches_scissor(box.columns.begin, box.columns.end))
             return;
         pen_.begin();
         if (is_thin())
@@ -115,8 +115,9 @@ template <class P> class SmoothFan {
             return;
         RowCoverage coverage(area, pen_.column_begin(), pen_.column_end());
         for (int i = 1; i + 1 < fan_.corners(); ++i)
-            if (const detail::Columns own = fan_.own(here, i); !own.none())
-                pieces.add(coverage, y, own.begin, own.end, {i, 0, 0});
+            if (const detail::Columns triangle_columns = fan_.triangle_columns(here, i);
+                !triangle_columns.none())
+                pieces.add(coverage, y, triangle_columns.begin, triangle_columns.end, {i, 0, 0});
         if (here.all.begin <= coverage.begin() && here.all.end >= coverage.end())
             return;
         if (!here.all.none() || !before.all.none() || !next.all.none()) {
@@ -154,8 +155,8 @@ template <class P> class SmoothFan {
                 continue;
             }
             for (int i = 1; i + 1 < fan_.corners(); ++i)
-                if (const detail::Columns own = fan_.own(*nearest, i, kept);
-                    column >= own.begin && column < own.end)
+                if (const detail::Columns triangle_columns = fan_.triangle_columns(*nearest, i, kept);
+                    column >= triangle_columns.begin && column < triangle_columns.end)
                     pieces.add(coverage, y, x, x + 1, {i, x - column, y - nearest->row});
         }
     }
@@ -198,7 +199,7 @@ void draw_smooth_line_of(const DrawState& state, const Surface& target, Primitiv
     for (int i = 0; i < 4; ++i)
         fan[i] = &corners.at[i];
     SmoothFan<P> painted(state, target, primitive, fan, 4, provoking);
-    line.each_kept(stipple, [&](std::uint32_t begin, std::uint32_t end) {
+    line.each_stippled_part(stipple, [&](std::uint32_t begin, std::uint32_t end) {
         OutlinePoint outline[4];
         line.corners(begin, end, outline);
         painted.draw(outline_of(outline, 4));
@@ -222,16 +223,16 @@ class DiscRow {
             add(low, high < center.y ? high : center.y);
         if (low < high && high > center.y)
             add(low > center.y ? low : center.y, high);
-        for (int i = 0; i < side_; ++i) // the left side mirrors the right
-            point_[2 * side_ - 1 - i] = {2 * center.x - point_[i].x, point_[i].y};
+        for (int i = 0; i < right_count_; ++i) // the left side mirrors the right
+            point_[2 * right_count_ - 1 - i] = {2 * center.x - point_[i].x, point_[i].y};
     }
-    Outline outline() const { return outline_of(point_, 2 * side_); }
+    Outline outline() const { return outline_of(point_, 2 * right_count_); }
 
   private:
     static constexpr int chords = 12;
     const OutlinePoint center_;
     const std::int32_t radius_;
-    int side_ = 0; ///< points on the right side
+    int right_count_ = 0; ///< points on the right side
     OutlinePoint point_[2 * (2 * chords + 1)];
 
     /// Adds the points on the right side between two y, both below or both above the centre.
@@ -240,10 +241,10 @@ class DiscRow {
         const bool above = from >= center_.y;
         const auto root = [&](std::int32_t y) {
             const std::int32_t away = above ? center_.y + radius_ - y : y - (center_.y - radius_);
-            return std::int64_t{detail::whole_root(static_cast<std::uint64_t>(away) << (2 * root_bits))};
+            return std::int64_t{detail::integer_sqrt(static_cast<std::uint64_t>(away) << (2 * root_bits))};
         };
         const std::int64_t first = root(from), last = root(to);
-        for (int i = side_ == 0 ? 0 : 1; i <= chords; ++i) {
+        for (int i = right_count_ == 0 ? 0 : 1; i <= chords; ++i) {
             const std::int64_t u = first + numeric::quotient((last - first) * i, chords);
             const auto away = static_cast<std::int32_t>((u * u) >> (2 * root_bits));
             const std::int32_t y = i == 0        ? from
@@ -252,8 +253,8 @@ class DiscRow {
                                                  : center_.y - radius_ + away;
             const std::int64_t r = radius_, up = y - center_.y;
             const auto half =
-                static_cast<std::int32_t>(detail::whole_root(static_cast<std::uint64_t>(r * r - up * up)));
-            point_[side_++] = {center_.x + half, y};
+                static_cast<std::int32_t>(detail::integer_sqrt(static_cast<std::uint64_t>(r * r - up * up)));
+            point_[right_count_++] = {center_.x + half, y};
         }
     }
 };
@@ -272,7 +273,7 @@ void draw_smooth_point_of(const DrawState& state, const Surface& target, Primiti
     const std::int32_t top = box.rows.end < pen.row_end() ? box.rows.end : pen.row_end();
     if (state.nothing && !keep(state, Primitive::Shape::smooth_point, eighths, nullptr, v, v))
         return;
-    if (y >= top || !pen.sees(box.columns.begin, box.columns.end))
+    if (y >= top || !pen.reaches_scissor(box.columns.begin, box.columns.end))
         return;
     Setup<P>(pen.span, v);
     pen.begin();

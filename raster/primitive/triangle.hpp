@@ -127,7 +127,7 @@ void draw_rows(Pen<P>& pen, const Sorted<typename P::Vertex>& t, const typename 
     Row* const begin = pen.rows();
     Row* const full = begin + pen.batch;
     const auto fill = [&] {
-        return !has_shortcuts || pen.cuts()
+        return !has_shortcuts || pen.needs_scissor()
                    ? rows.template fill<true>(begin, pen.batch, pen.column_begin(), pen.column_end())
                    : rows.template fill<false>(begin, pen.batch, 0, 0);
     };
@@ -150,8 +150,8 @@ SPANGLE_INLINE void draw_low(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
     const std::int32_t xs[3] = {t.a.x, t.b.x, t.c.x}, ys[3] = {t.a.y, t.b.y, t.c.y};
     Row* const begin = pen.rows();
     const auto rows = [&]<class E>(E) {
-        return pen.cuts() ? low_rows<E, true>(begin, xs, ys, t.area2 < 0, pen.clip())
-                          : low_rows<E, false>(begin, xs, ys, t.area2 < 0, pen.clip());
+        return pen.needs_scissor() ? low_rows<E, true>(begin, xs, ys, t.area2 < 0, pen.clip())
+                                   : low_rows<E, false>(begin, xs, ys, t.area2 < 0, pen.clip());
     };
     const Row* const end = width <= Low::extent ? rows(Low()) : rows(SmallEdge());
     if (end == begin)
@@ -171,7 +171,7 @@ SPANGLE_INLINE bool draw_tile(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
         const DrawState& state = *pen.span.state;
         Tile tile;
         int tiles;
-        if (!state.tiles || pen.cuts() || state.counters != nullptr ||
+        if (!state.tiles || pen.needs_scissor() || state.counters != nullptr ||
             !make_tile(tile, tiles, *t.a.vertex, *t.b.vertex, *t.c.vertex, t.area2 < 0, left, right,
                        pen.clip()))
             return false;
@@ -201,7 +201,7 @@ SPANGLE_INLINE bool draw_trapezoids(Pen<P>& pen, const Sorted<typename P::Vertex
                                     std::int32_t right) {
     if constexpr (host_lanes > 1 && std::is_same_v<P, Fixed>) {
         const DrawState& state = *pen.span.state;
-        if (!state.shapes || pen.cuts() || state.counters != nullptr || width > SmallEdge::extent ||
+        if (!state.shapes || pen.needs_scissor() || state.counters != nullptr || width > SmallEdge::extent ||
             t.c.y - t.a.y > SmallEdge::extent || right > pen.column_end() - Lanes<8>::count)
             return false;
         const std::int32_t low = first_center(t.a.y), high = first_center(t.c.y),
@@ -239,7 +239,7 @@ SPANGLE_INLINE void draw_triangle_of(const DrawState& state, const Surface& targ
     const std::int32_t left = first_center(least), right = first_center(most);
     if (state.nothing && !keep(state, Primitive::Shape::triangle, 0, nullptr, provoking, a, b, c))
         return;
-    if (!pen.sees(left, right))
+    if (!pen.reaches_scissor(left, right))
         return;
     if constexpr (!has_shortcuts)
         return detail::draw_rows<Edge>(pen, sorted(), provoking);

@@ -112,7 +112,7 @@ SPANGLE_INLINE bool is_touched(const Surface& target, const Tile& tile, std::int
         while (first != last && !alive(last - 1))
             --last;
         if (first != last)
-            touch(target, tile.y + row, tile.x + first, tile.x + last);
+            mark_damage(target, tile.y + row, tile.x + first, tile.x + last);
     }
 }
 

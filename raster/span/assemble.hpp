@@ -37,13 +37,13 @@ class ChainEnd {
   protected:
     explicit ChainEnd(Variant& variant) : variant_(variant) {}
     void append(AnyFunction stage) {
-        variant_.chain[count_++] = stage;
-        variant_.chain[count_] = nullptr;
+        variant_.chain[stage_count_++] = stage;
+        variant_.chain[stage_count_] = nullptr;
     }
     Variant& variant_;
 
   private:
-    int count_ = 0;
+    int stage_count_ = 0;
 };
 
 /// Appends stages of number system N to a chain.
@@ -100,28 +100,28 @@ template <class N, class When16, class When24> void add_depth(ChainBuilder<N>& c
 
 template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
     using System = Colorless<N>;
-    using One = OneLane<System>;
-    using Offset16 = OffsetDepthValue<One>;
-    using Offset24 = OffsetDepthValue<One, DepthValueOf<One, DepthFormat::z24s8>>;
+    using SingleLane = OneLane<System>;
+    using Offset16 = OffsetDepthValue<SingleLane>;
+    using Offset24 = OffsetDepthValue<SingleLane, DepthValueOf<SingleLane, DepthFormat::z24s8>>;
     if (SPANGLE_FEATURE_STIPPLE && key.polygon_stipple)
-        chain.template add<PolygonStipple<One>>();
+        chain.template add<PolygonStipple<SingleLane>>();
     // In builds without shortcuts all depths have an offset, if only of 0.
     const bool offset = SPANGLE_FEATURE_POLYGON_OFFSET && (key.depth_offset || !has_shortcuts);
     bool depth = key.depth_offset || key.depth != Compare::always || key.depth_write;
     if constexpr (has_format(DepthFormat::z24s8)) {
         if (key.stencil) {
-            chain.template choose<StencilDepth<One, Offset24>, StencilDepth<System>>(offset);
+            chain.template choose<StencilDepth<SingleLane, Offset24>, StencilDepth<System>>(offset);
             depth = false; // the stencil's stage tests the depth, too
         }
     }
     if (depth && offset)
-        add_depth<N, DepthGeneral<One, DepthFormat::z16, Offset16>,
-                  DepthGeneral<One, DepthFormat::z24s8, Offset24>>(chain, key);
+        add_depth<N, DepthGeneral<SingleLane, DepthFormat::z16, Offset16>,
+                  DepthGeneral<SingleLane, DepthFormat::z24s8, Offset24>>(chain, key);
     else if (depth)
         add_depth<N, DepthGeneral<System, DepthFormat::z16>, DepthGeneral<System, DepthFormat::z24s8>>(chain,
                                                                                                        key);
     if (key.count)
-        chain.template add<Count<One>>();
+        chain.template add<Count<SingleLane>>();
 }
 
 template <class N> inline constexpr bool is_fixed = std::is_same_v<typename N::Policy, Fixed>;
@@ -152,20 +152,20 @@ template <class N> void add_inverses(ChainBuilder<N>& chain, const Key& key) {
     }
 }
 
-/// Adds straight runs of coordinates; `One` is their stage with one lane.
-template <class N, int Unit, class One> void add_straight_runs(ChainBuilder<N>& chain) {
+/// Adds straight runs of coordinates; `SingleLane` is their stage with one lane.
+template <class N, int Unit, class SingleLane> void add_straight_runs(ChainBuilder<N>& chain) {
     if constexpr (by_lanes<N> && divides_in_lanes)
         chain.add(&PacketRuns<PlacesOf<N>>::template run<Unit>, true);
     else
-        chain.template add<One>();
+        chain.template add<SingleLane>();
 }
-template <class N, class One, int Unit> void add_other_runs([[maybe_unused]] ChainBuilder<N>& chain) {
+template <class N, class SingleLane, int Unit> void add_other_runs([[maybe_unused]] ChainBuilder<N>& chain) {
 #if SPANGLE_MIXES_RUNS
     if constexpr (has_mixed_runs && is_fixed<N>) {
         if constexpr (is_exact<N>)
-            add_straight_runs<N, Unit, CoordAlong<One, Unit, CoordRuns>>(chain);
+            add_straight_runs<N, Unit, CoordAlong<SingleLane, Unit, CoordRuns>>(chain);
         else
-            chain.template add<CoordAlong<One, Unit, CubicRuns>>();
+            chain.template add<CoordAlong<SingleLane, Unit, CubicRuns>>();
     }
 #endif
 }
@@ -191,7 +191,7 @@ template <class N, int Unit> void add_exact_coordinates(ChainBuilder<N>& chain, 
 /// Adds the stages of a unit's coordinates and of its level of detail.
 template <class N, int Unit>
 void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
-    using One =
+    using SingleLane =
         std::conditional_t<is_exact<N>, Exact, OneLane<Colorless<N>>>; // the exact tier has other runs
     if (has_third_coordinates && wants_r(*state.unit[Unit].texture))
         return; // the texture function finds its coordinates itself
@@ -200,20 +200,20 @@ void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState
     if (key.kind < Kind::textured)
         chain.template add<Coord<Colorless<N>, Unit, false>>();
     else if (has_other_runs<N>(key))
-        add_other_runs<N, One, Unit>(chain);
+        add_other_runs<N, SingleLane, Unit>(chain);
     else if constexpr (is_exact<N> && by_lanes<N>)
         add_exact_coordinates<N, Unit>(chain, key);
     else if constexpr (is_exact<N>)
-        chain.template choose<CoordAlong<One, Unit, DividedCoords>, Coord<One, Unit, true>>(
+        chain.template choose<CoordAlong<SingleLane, Unit, DividedCoords>, Coord<SingleLane, Unit, true>>(
             divides(key.kind, key.fog));
     else
-        add_straight_runs<N, Unit, Coord<One, Unit, true>>(chain);
+        add_straight_runs<N, Unit, Coord<SingleLane, Unit, true>>(chain);
     if (!wants_lod(*state.unit[Unit].texture))
         return;
     if constexpr (by_lanes<N> && divides_in_lanes)
         chain.add(&PacketLevels<PlacesOf<N>>::template run<Unit>, true);
     else
-        chain.template add<Lod<One, Unit>>();
+        chain.template add<Lod<SingleLane, Unit>>();
 }
 
 template <class N, int Unit>
@@ -221,13 +221,13 @@ void add_unit(ChainBuilder<N>& chain, const Key& key, const FragmentState& state
     if (!key.unit[Unit].on)
         return;
     add_coordinates<N, Unit>(chain, key, state);
-    using One = OneLane<N>;
+    using SingleLane = OneLane<N>;
     if (has_combine && key.combine)
         return; // one stage combines all units
     if constexpr (by_packets<N>)
         chain.add(&PacketTexture<N>::template run<Unit>, !has_volume<N, Unit>(state));
     else
-        chain.template choose<Texture2D<One, Unit, true>, Texture2D<One, Unit, false>>(
+        chain.template choose<Texture2D<SingleLane, Unit, true>, Texture2D<SingleLane, Unit, false>>(
             wants_lod(*state.unit[Unit].texture));
 }
 /// Adds unit 0, which has no levels of detail here, with texels counted in steps (counts_steps()).
@@ -305,31 +305,31 @@ constexpr bool only_color(const Key& key) {
 }
 
 template <class N> void add_narrow_output(ChainBuilder<N>& chain, const Key& key) {
-    using One = OneLane<N>;
+    using SingleLane = OneLane<N>;
     if (key.blend)
-        chain.template add<Blend<One, StoredNarrow<One>>>();
-    chain.template add<StoreNarrow<One>>();
+        chain.template add<Blend<SingleLane, StoredNarrow<SingleLane>>>();
+    chain.template add<StoreNarrow<SingleLane>>();
     chain.runs(&by_narrow_row<typename N::Policy, &chain_span<N>>);
     if constexpr (is_fixed<N>)
         if (only_color(key))
-            chain.runs(&narrow_rows<One, &chain_span<N>>);
+            chain.runs(&narrow_rows<SingleLane, &chain_span<N>>);
 }
 
 template <class N> void add_divided_primary(ChainBuilder<N>& chain, bool alpha) {
-    using One = OneLane<N>;
+    using SingleLane = OneLane<N>;
     if constexpr (by_lanes<N>)
         chain.add(alpha ? &PacketDivided<N>::template primary<true>
                         : &PacketDivided<N>::template primary<false>,
                   true);
     else
-        chain.template choose<GouraudQ<One, true>, GouraudQ<One, false>>(alpha);
+        chain.template choose<GouraudQ<SingleLane, true>, GouraudQ<SingleLane, false>>(alpha);
 }
 
 /// Adds the primary colour, of vertices or images. An index stands in its red.
 template <class N> void add_primary(ChainBuilder<N>& chain, const Key& key) {
-    using One = OneLane<N>;
+    using SingleLane = OneLane<N>;
     if (has_pixel_colors && key.pixels)
-        chain.template add<PixelColor<One>>();
+        chain.template add<PixelColor<SingleLane>>();
     else if (!key.color)
         chain.template add<White<N>>();
     else if constexpr (!by_stages<N>)
@@ -341,14 +341,15 @@ template <class N> void add_primary(ChainBuilder<N>& chain, const Key& key) {
 }
 
 template <class N> void add_color_sum(ChainBuilder<N>& chain, const Key& key) {
-    using One = OneLane<N>;
+    using SingleLane = OneLane<N>;
     if constexpr (!by_stages<N>)
         chain.add(&PacketColors<N>::sum, false);
     else if constexpr (by_lanes<N>)
         key.kind == Kind::full ? chain.add(&PacketDivided<N>::sum, true)
                                : chain.template add<ColorSumLanes<N>>();
     else
-        chain.template choose<ColorSum<One, true>, ColorSum<One, false>>(key.kind == Kind::full);
+        chain.template choose<ColorSum<SingleLane, true>, ColorSum<SingleLane, false>>(key.kind ==
+                                                                                       Kind::full);
 }
 
 template <class N> void add_fog_coordinate(ChainBuilder<N>& chain, const Key& key) {
@@ -370,22 +371,22 @@ template <class N> void add_fogged_unit(ChainBuilder<N>& chain, const Key& key, 
 
 /// Assembles the chain for a surface of indices.
 template <class N> void assemble_index(ChainBuilder<N>& chain, const Key& key) {
-    using One = OneLane<N>;
+    using SingleLane = OneLane<N>;
     add_tests(chain, key);
     add_inverses(chain, key);
     add_primary(chain, key);
     if (has_fog && key.fog) {
         add_fog_coordinate(chain, key);
-        chain.template add<FogIndex<One>>();
+        chain.template add<FogIndex<SingleLane>>();
     }
     if (SPANGLE_FEATURE_ANTIALIASING && key.coverage)
-        chain.template add<IndexCoverage<One>>();
-    chain.template add<StoreIndex<One>>();
+        chain.template add<IndexCoverage<SingleLane>>();
+    chain.template add<StoreIndex<SingleLane>>();
 }
 
 /// Assembles every stage that the key asks for; modes are decided at run time.
 template <class N> void assemble(Variant& variant, const Key& key, const FragmentState& state) {
-    using One = OneLane<N>;
+    using SingleLane = OneLane<N>;
     ChainBuilder<N> chain(variant);
     if constexpr (has_format(PixelFormat::index8) &&
                   !is_balanced<N>) // balanced numbers never draw indices (key.cpp)
@@ -409,15 +410,15 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
     if (has_fog && key.fog && !around) {
         add_fog_coordinate(chain, key);
         if constexpr (is_fixed<N>)
-            chain.template choose<FogLinear<N>, Fog<std::conditional_t<by_lanes<N>, N, One>>>(
+            chain.template choose<FogLinear<N>, Fog<std::conditional_t<by_lanes<N>, N, SingleLane>>>(
                 by_stages<N> && key.fog_mode == FogMode::linear);
         else
             chain.template add<Fog<N>>();
     }
     if (SPANGLE_FEATURE_ANTIALIASING && key.coverage)
-        chain.template add<Coverage<One>>();
+        chain.template add<Coverage<SingleLane>>();
     if (has_samples && key.samples)
-        chain.template add<SampleCoverage<One>>();
+        chain.template add<SampleCoverage<SingleLane>>();
     if (key.alpha != Compare::always)
         chain.template add<AlphaTest<N>>();
     if (!early)

@@ -72,8 +72,8 @@ template <class S, class M> M system_of(bool (S::*)(Px<M>&) const);
 
 /// Calls move(field in Px<M>, field of the packet) for fragments [i, i + M::lanes), or one(...) with the lane
 /// where the packet has more lanes.
-template <unsigned Fields, class M, class K, class Move, class One>
-SPANGLE_INLINE void for_fields(Px<M>& p, K& k, std::int32_t i, Move move, One one) {
+template <unsigned Fields, class M, class K, class Move, class SingleLane>
+SPANGLE_INLINE void for_fields(Px<M>& p, K& k, std::int32_t i, Move move, SingleLane one) {
     const std::int32_t g = i / K::lanes, lane = i % K::lanes;
     const auto field = [&](auto& fragment, auto& stored) {
         if constexpr (M::lanes == K::lanes)
@@ -170,9 +170,9 @@ class PacketCopy {
         color_.enter(k.color_plane, color * k.n);
         depth_.enter(k.depth_plane, depth * k.n);
     }
-    SPANGLE_INLINE void leave() const {
-        color_.leave();
-        depth_.leave();
+    SPANGLE_INLINE void write_back() const {
+        color_.write_back();
+        depth_.write_back();
     }
 
   private:
@@ -188,7 +188,7 @@ class PacketCopy {
             copy(words, at, bytes);
             plane = words;
         }
-        SPANGLE_INLINE void leave() const {
+        SPANGLE_INLINE void write_back() const {
             if (bytes != 0)
                 copy(at, words, bytes);
         }
@@ -318,7 +318,7 @@ SPANGLE_INLINE void chain_row(const Span<typename N::Policy>& span, const RowIn<
         for (const AnyFunction* f = stages; *f != nullptr && k.alive; ++f)
             reinterpret_cast<ChainStage<N>> (*f)(k, span);
         if (copied)
-            copy.leave();
+            copy.write_back();
     }
 }
 template <class N> SPANGLE_INLINE void chain_span(const Span<typename N::Policy>& span) {

@@ -132,24 +132,24 @@ class CoordRuns {
     std::uint32_t s; ///< at the current pixel; ds is the difference per pixel (TexCoords)
 
   private:
-    /// next_ lies between s and t, lest a compiler store four words as one, which narrower loads would wait
-    /// for.
-    std::int32_t next_;
+    /// run_end_ lies between s and t, lest a compiler store four words as one, which narrower loads would
+    /// wait for.
+    std::int32_t run_end_;
 
   public:
     std::uint32_t t, ds;
 
   private:
-    int log2_;
+    int log2_run_;
 
   public:
     std::uint32_t dt;
 
     SPANGLE_INLINE CoordRuns(const Span<Fixed>& span, std::int32_t x, int unit)
-        : next_(x), log2_(-1), row_(span, unit), unit_(unit), span_(&span) {}
+        : run_end_(x), log2_run_(-1), row_(span, unit), unit_(unit), span_(&span) {}
 
     /// Makes s and t valid at pixel x; returns the end of its run.
-    SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return x < next_ ? next_ : start_run(x); }
+    SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return x < run_end_ ? run_end_ : start_run(x); }
     SPANGLE_INLINE void step() {
         s += ds;
         t += dt;
@@ -157,16 +157,16 @@ class CoordRuns {
 
   private:
     SPANGLE_RUN_SELDOM std::int32_t start_run(std::int32_t x) {
-        if (log2_ < 0) {
-            if (span_->length <= short_row && one_run(x))
-                return next_;
-            first_run(x);
+        if (log2_run_ < 0) {
+            if (span_->length <= short_row && is_one_run(x))
+                return run_end_;
+            start_first_run(x);
         }
-        const std::int32_t from = next_;
-        next_ += std::int32_t{1} << log2_;
-        if (has_shortcuts && next_ <= last_whole_) [[likely]] {
-            row_.q0 += run_.q;
-            const Inverse inverse(row_.q(0), zeros_);
+        const std::int32_t from = run_end_;
+        run_end_ += std::int32_t{1} << log2_run_;
+        if (has_shortcuts && run_end_ <= last_full_run_end_) [[likely]] {
+            row_.q0 += run_steps_.q;
+            const Inverse inverse(row_.q(0), w_zeros_);
             // The coordinates are done one after the other: few registers.
             const auto along = [&](std::uint64_t& row, std::uint64_t run, std::int64_t& last,
                                    std::uint32_t& v, std::uint32_t& dv) SPANGLE_RUN_INLINE_LAMBDA {
@@ -176,27 +176,27 @@ class CoordRuns {
                 dv = per_pixel(difference(end, last));
                 last = end;
             };
-            along(row_.s0, run_.s, last_.s, s, ds);
-            along(row_.t0, run_.t, last_.t, t, dt);
+            along(row_.s0, run_steps_.s, run_start_.s, s, ds);
+            along(row_.t0, run_steps_.t, run_start_.t, t, dt);
         } else {
-            other_run(from);
+            start_clipped_run(from);
         }
         if (x != from) {
             s += static_cast<std::uint32_t>(x - from) * ds;
             t += static_cast<std::uint32_t>(x - from) * dt;
         }
-        return next_;
+        return run_end_;
     }
     /// Looks at a short row as a whole: its ends cost less than logarithms, and say more. False: the row
     /// takes several runs, or its coordinates saturate.
-    SPANGLE_RUN_SELDOM bool one_run(std::int32_t x) {
+    SPANGLE_RUN_SELDOM bool is_one_run(std::int32_t x) {
         const auto& wraps = span_->state->wraps[unit_];
         if (!(wraps.s && wraps.t))
             return false;
         const int exponent = span_->unit[unit_].exponent;
         const std::int32_t steps = span_->length - 1;
         const Inverse first(row_.q(0)), last(row_.q(steps));
-        const Sample begin(row_, 0, first, exponent), end(row_, steps, last, exponent);
+        const DividedCoord begin(row_, 0, first, exponent), end(row_, steps, last, exponent);
         const std::int64_t s_range = difference(end.s, begin.s), t_range = difference(end.t, begin.t);
         const auto by_s = static_cast<std::int32_t>(s_range), by_t = static_cast<std::int32_t>(t_range);
         if (by_s != s_range || by_t != t_range)
@@ -221,29 +221,29 @@ class CoordRuns {
         dt = static_cast<std::uint32_t>(by_t / n);
         s = static_cast<std::uint32_t>(begin.s) + static_cast<std::uint32_t>(x) * ds;
         t = static_cast<std::uint32_t>(begin.t) + static_cast<std::uint32_t>(x) * dt;
-        next_ = span_->length;
+        run_end_ = span_->length;
         return true;
     }
     /// Makes the start of the first run of a row.
-    SPANGLE_RUN_SELDOM void first_run(std::int32_t x) {
-        log2_ = choose_log2();
-        next_ = x & -(std::int32_t{1} << log2_);
-        row_.begin_at(next_);
+    SPANGLE_RUN_SELDOM void start_first_run(std::int32_t x) {
+        log2_run_ = choose_log2();
+        run_end_ = x & -(std::int32_t{1} << log2_run_);
+        row_.begin_at(run_end_);
         exponent_ = span_->unit[unit_].exponent;
-        last_ = Sample(row_, 0, Inverse(row_.q(0), zeros_), exponent_);
+        run_start_ = DividedCoord(row_, 0, Inverse(row_.q(0), w_zeros_), exponent_);
         if (!has_shortcuts)
             return;
-        run_ = {row_.ds << log2_, row_.dt << log2_, row_.dq << log2_};
+        run_steps_ = {row_.ds << log2_run_, row_.dt << log2_run_, row_.dq << log2_run_};
         const auto& wraps = span_->state->wraps[unit_];
-        last_whole_ = wraps.s && wraps.t ? span_->length - 1 : 0;
+        last_full_run_end_ = wraps.s && wraps.t ? span_->length - 1 : 0;
     }
     /// Makes any run: also one cut short by the end of the row, or one of coordinates that do not wrap.
-    SPANGLE_RUN_SELDOM void other_run(std::int32_t from) {
+    SPANGLE_RUN_SELDOM void start_clipped_run(std::int32_t from) {
         const auto& unit = span_->unit[unit_];
-        const std::int32_t limit = span_->length - 1, to = next_ < limit ? next_ : limit;
+        const std::int32_t limit = span_->length - 1, to = run_end_ < limit ? run_end_ : limit;
         row_.begin_at(to - from);
-        const Sample end(row_, exponent_);
-        const Inverse length = to == next_ ? Inverse{} : Inverse(to - from);
+        const DividedCoord end(row_, exponent_);
+        const Inverse length = to == run_end_ ? Inverse{} : Inverse(to - from);
         const auto along = [&](std::int64_t v0, std::int64_t v1, bool wraps, std::int32_t base,
                                std::uint32_t& v, std::uint32_t& dv) SPANGLE_RUN_LAMBDA {
             v = inner::to_coord(v0, wraps, base);
@@ -251,12 +251,12 @@ class CoordRuns {
                 wraps ? difference(v1, v0)
                       : std::int64_t{static_cast<std::int32_t>(inner::to_coord(v1, false, base))} -
                             static_cast<std::int32_t>(v);
-            dv = to == next_ ? per_pixel(d) : inner::slope(d, to - from, length);
+            dv = to == run_end_ ? per_pixel(d) : inner::slope(d, to - from, length);
         };
-        along(last_.s, end.s, span_->state->wraps[unit_].s, unit.s_base, s, ds);
-        along(last_.t, end.t, span_->state->wraps[unit_].t, unit.t_base, t, dt);
-        last_.s = end.s; // written out, because compilers call memcpy() for both
-        last_.t = end.t;
+        along(run_start_.s, end.s, span_->state->wraps[unit_].s, unit.s_base, s, ds);
+        along(run_start_.t, end.t, span_->state->wraps[unit_].t, unit.t_base, t, dt);
+        run_start_.s = end.s; // written out, because compilers call memcpy() for both
+        run_start_.t = end.t;
     }
 
   public: // public for packets, which find several runs at once
@@ -264,13 +264,13 @@ class CoordRuns {
     static constexpr int max_log2 = 6, row_log2 = 16; ///< log2 of 64 pixels; stands for the whole row
 
   private:
-    struct Sample {
+    struct DividedCoord {
         std::int64_t s, t; ///< repeats, 32 fraction bits
-        Sample() = default;
-        SPANGLE_INLINE Sample(const inner::HomogeneousRow& row, int exponent)
-            : Sample(row, 0, Inverse(row.q(0)), exponent) {}
-        SPANGLE_RUN_INLINE Sample(const inner::HomogeneousRow& row, std::int32_t x, const Inverse& inverse,
-                                  int exponent) {
+        DividedCoord() = default;
+        SPANGLE_INLINE DividedCoord(const inner::HomogeneousRow& row, int exponent)
+            : DividedCoord(row, 0, Inverse(row.q(0)), exponent) {}
+        SPANGLE_RUN_INLINE DividedCoord(const inner::HomogeneousRow& row, std::int32_t x,
+                                        const Inverse& inverse, int exponent) {
             s = inner::to_repeats(row.s(x), inverse, exponent);
             t = inner::to_repeats(row.t(x), inverse, exponent);
         }
@@ -279,9 +279,9 @@ class CoordRuns {
     /// The difference of a run's ends, divided by its length.
     SPANGLE_INLINE std::uint32_t per_pixel(std::int64_t d) const {
         if constexpr (numeric::wide_words)
-            return static_cast<std::uint32_t>(d >> log2_);
-        return static_cast<std::uint32_t>(d) >> log2_ | static_cast<std::uint32_t>(d >> 32)
-                                                            << 1 << (31 - log2_);
+            return static_cast<std::uint32_t>(d >> log2_run_);
+        return static_cast<std::uint32_t>(d) >> log2_run_ | static_cast<std::uint32_t>(d >> 32)
+                                                                << 1 << (31 - log2_run_);
     }
 
   public:
@@ -325,11 +325,11 @@ class CoordRuns {
     inner::HomogeneousRow row_; ///< begins where the last sample was taken
     struct {
         std::uint64_t s, t, q;
-    } run_; ///< differences from run to run
-    Sample last_;
+    } run_steps_; ///< differences from run to run
+    DividedCoord run_start_;
     /// Last pixel at which a run may end that is not cut short; 0 if coordinates do not wrap.
-    std::int32_t last_whole_;
-    [[no_unique_address]] numeric::LeadingZeros<> zeros_; ///< leading zeros of w at the ends of runs
+    std::int32_t last_full_run_end_;
+    [[no_unique_address]] numeric::LeadingZeros<> w_zeros_; ///< leading zeros of w at the ends of runs
     int exponent_, unit_;
     const Span<Fixed>* span_;
 };

@@ -19,25 +19,25 @@ struct Differences {
     SPANGLE_INLINE bool straight() const { return (second | third) == 0; }
     /// The value n pixels after v, or before it. A row that is one run may be so wide that the square of n
     /// does not fit a word: all of this is mod 2^32.
-    SPANGLE_INLINE constexpr std::uint32_t ahead(std::uint32_t v, std::int32_t n) const {
-        return v + static_cast<std::uint32_t>(n) * first + pairs(n) * second + triples(n) * third;
+    SPANGLE_INLINE constexpr std::uint32_t value_after(std::uint32_t v, std::int32_t n) const {
+        return v + static_cast<std::uint32_t>(n) * first + choose_2(n) * second + choose_3(n) * third;
     }
     constexpr void jump(std::uint32_t& v, std::int32_t n) {
-        v = ahead(v, n);
-        first += static_cast<std::uint32_t>(n) * second + pairs(n) * third;
+        v = value_after(v, n);
+        first += static_cast<std::uint32_t>(n) * second + choose_2(n) * third;
         second += static_cast<std::uint32_t>(n) * third;
     }
 
   private:
     /// n (n - 1) / 2: the even factor is halved before it is multiplied.
-    SPANGLE_INLINE static constexpr std::uint32_t pairs(std::int32_t n) {
+    SPANGLE_INLINE static constexpr std::uint32_t choose_2(std::int32_t n) {
         const std::int32_t odd = n & 1;
         return static_cast<std::uint32_t>(n >> (1 - odd)) * static_cast<std::uint32_t>((n - 1) >> odd);
     }
     /// n (n - 1) (n - 2) / 6. The product of pairs(n) and n - 2 is three times that; mod 2^32 a division by 3
     /// is a product with the inverse of 3, 0xAAAAAAAB.
-    SPANGLE_INLINE static constexpr std::uint32_t triples(std::int32_t n) {
-        return pairs(n) * static_cast<std::uint32_t>(n - 2) * 0xAAAAAAABu;
+    SPANGLE_INLINE static constexpr std::uint32_t choose_3(std::int32_t n) {
+        return choose_2(n) * static_cast<std::uint32_t>(n - 2) * 0xAAAAAAABu;
     }
 };
 
@@ -85,10 +85,10 @@ class CubicRuns {
     std::uint32_t s, t; ///< at the current pixel (TexCoords)
 
     SPANGLE_INLINE CubicRuns(const Span<Fixed>& span, std::int32_t x, int unit)
-        : span_(&span), row_(span, unit), unit_(unit), next_(x), log2_(unknown) {}
+        : span_(&span), row_(span, unit), unit_(unit), run_end_(x), log2_run_(unknown) {}
 
     /// Makes s and t valid at pixel x; returns the end of its run.
-    SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return x < next_ ? next_ : start_run(x); }
+    SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return x < run_end_ ? run_end_ : start_run(x); }
     SPANGLE_INLINE void step() {
         ds.step(s);
         dt.step(t);
@@ -97,10 +97,10 @@ class CubicRuns {
     Differences ds, dt; ///< differences from pixel to pixel
 
     /// Asked before the first run. True where the row has no runs, but a division for each of its fragments.
-    template <int lanes = host_lanes> SPANGLE_INLINE bool divides() {
+    template <int lanes = host_lanes> SPANGLE_INLINE bool divides_each_fragment() {
         static_assert(lanes > 1, "the length stays known until start_run()");
         const int log2 = choose_log2();
-        log2_ = unknown - 1 - log2;
+        log2_run_ = unknown - 1 - log2;
         return log2 == 0;
     }
 
@@ -111,12 +111,13 @@ class CubicRuns {
     static constexpr int max_log2 = 4, row_log2 = 16; ///< log2 of 16 pixels; stands for the whole row
     static constexpr int ratio_bits = 26;
 
-    struct Sample {
+    struct DividedCoord {
         std::int64_t s, t; ///< repeats, 32 fraction bits
         std::int32_t q, zeros;
         std::uint32_t mantissa;
-        Sample() = default;
-        SPANGLE_INLINE Sample(const inner::HomogeneousRow& row, std::int32_t x, int exponent) : q(row.q(x)) {
+        DividedCoord() = default;
+        SPANGLE_INLINE DividedCoord(const inner::HomogeneousRow& row, std::int32_t x, int exponent)
+            : q(row.q(x)) {
             const Inverse inverse(q);
             zeros = inverse.zeros;
             mantissa = inverse.mantissa;
@@ -124,7 +125,7 @@ class CubicRuns {
             t = inner::to_repeats(row.t(x), inverse, exponent);
         }
         /// d / q with ratio_bits fraction bits.
-        SPANGLE_INLINE std::int32_t ratio(std::int32_t d) const {
+        SPANGLE_INLINE std::int32_t quotient_of(std::int32_t d) const {
             return static_cast<std::int32_t>(numeric::mul_s32_u32(d, mantissa) >> (62 - ratio_bits - zeros));
         }
     };
@@ -136,52 +137,54 @@ class CubicRuns {
 
     [[gnu::noinline]] std::int32_t start_run(std::int32_t x) {
         const auto& unit = span_->unit[unit_];
-        const bool first = log2_ < 0;
+        const bool first = log2_run_ < 0;
         if (first)
-            log2_ = host_lanes > 1 && log2_ != unknown ? unknown - 1 - log2_ : choose_log2();
-        if (log2_ == 0)
+            log2_run_ = host_lanes > 1 && log2_run_ != unknown ? unknown - 1 - log2_run_ : choose_log2();
+        if (log2_run_ == 0)
             return one_pixel(x);
-        const bool whole = log2_ == row_log2;
-        const std::int32_t length = whole ? span_->length - 1 : 1 << log2_, from = whole ? 0 : x & -length;
-        const Sample start = first ? Sample(row_, from, unit.exponent) : last_;
-        last_ = Sample(row_, from + length, unit.exponent);
+        const bool whole = log2_run_ == row_log2;
+        const std::int32_t length = whole ? span_->length - 1 : 1 << log2_run_,
+                           from = whole ? 0 : x & -length;
+        const DividedCoord start = first ? DividedCoord(row_, from, unit.exponent) : run_start_;
+        run_start_ = DividedCoord(row_, from + length, unit.exponent);
         s = static_cast<std::uint32_t>(start.s);
         t = static_cast<std::uint32_t>(start.t);
         if (whole) {
             const Inverse steps(length);
-            ds = {inner::slope(difference(last_.s, start.s), length, steps), 0, 0};
-            dt = {inner::slope(difference(last_.t, start.t), length, steps), 0, 0};
-            next_ = span_->length;
+            ds = {inner::slope(difference(run_start_.s, start.s), length, steps), 0, 0};
+            dt = {inner::slope(difference(run_start_.t, start.t), length, steps), 0, 0};
+            run_end_ = span_->length;
         } else {
-            const std::int32_t dq = last_.q - start.q, e0 = start.ratio(dq), e1 = last_.ratio(dq);
-            ds = through(difference(last_.s, start.s), e0, e1);
-            dt = through(difference(last_.t, start.t), e0, e1);
-            next_ = from + length;
+            const std::int32_t dq = run_start_.q - start.q, e0 = start.quotient_of(dq),
+                               e1 = run_start_.quotient_of(dq);
+            ds = differences_through(difference(run_start_.s, start.s), e0, e1);
+            dt = differences_through(difference(run_start_.t, start.t), e0, e1);
+            run_end_ = from + length;
         }
         if (const std::int32_t skipped = x - from; skipped != 0) {
             ds.jump(s, skipped);
             dt.jump(t, skipped);
         }
-        return next_;
+        return run_end_;
     }
 
     /// Divides at one fragment, which is a run of its own.
     std::int32_t one_pixel(std::int32_t x) {
         DividedCoords::divide(*span_, row_, unit_, x, s, t);
         ds = dt = {};
-        next_ = x + 1;
-        return next_;
+        run_end_ = x + 1;
+        return run_end_;
     }
 
     /// Forward differences of the cubic a x + b x^2 + c x^3, where x counts runs of L pixels: a = D (1 + e0),
     /// b = D (e1 - 2 e0), c = D (e0 - e1). Its slopes at the ends are D (1 + e0) and D / (1 + e0) = D (1 -
     /// e1).
-    Differences through(std::int64_t d, std::int32_t e0, std::int32_t e1) const {
+    Differences differences_through(std::int64_t d, std::int32_t e0, std::int32_t e1) const {
         const std::int64_t d0 = d * e0 >> ratio_bits, d1 = d * e1 >> ratio_bits;
-        const std::int64_t length = std::uint32_t{1}
-                                    << log2_; // unsigned first, so that the compiler knows it is not negative
+        const std::int64_t length =
+            std::uint32_t{1} << log2_run_; // unsigned first, so that the compiler knows it is not negative
         const std::int64_t c = d0 - d1, b = (d1 - 2 * d0) * length, a = (d + d0) * length * length;
-        const int bits = 3 * log2_;
+        const int bits = 3 * log2_run_;
         const auto down = [bits, half = std::uint32_t{1} << (bits - 1)](std::int64_t v) {
             return numeric::low_word_after(v + half, bits);
         };
@@ -206,7 +209,7 @@ class CubicRuns {
         const inner::RunBound bound(*span_, unit_, row_);
         const std::int32_t q = log2_fraction8(static_cast<std::uint64_t>(least)),
                            exponent = unit.exponent << 8;
-        // through() takes differences of at most 16 repeats and ratios of 1/q of at most 2.
+        // differences_through() takes differences of at most 16 repeats and ratios of 1/q of at most 2.
         if (bound.repeats + exponent > 2 * q)
             return 0;
         // A straight row is off by at most L^2 |N| |dQ| / (4 Q^3). The margin is for three logarithms.
@@ -231,9 +234,9 @@ class CubicRuns {
     const Span<Fixed>* span_;
     inner::HomogeneousRow row_;
     int unit_;
-    Sample last_;
-    std::int32_t next_;
-    int log2_;
+    DividedCoord run_start_;
+    std::int32_t run_end_;
+    int log2_run_;
 };
 
 } // namespace SPANGLE_INSTRUCTIONS

@@ -73,16 +73,16 @@ inline constexpr PatternThresholds cell_thresholds[4] = {
 template <bool SwapsBytes> class DitheredPair {
   public:
     SPANGLE_INLINE explicit DitheredPair(std::uint32_t components)
-        : whole_(DitheredWord{components}.word() * 0x10001),
-          fraction_((half(components >> 21) << 11 | half(components >> 10) << 5 | half(components)) *
-                    0x10001) {}
+        : integer_part_(DitheredWord{components}.word() * 0x10001),
+          fraction_part_((half(components >> 21) << 11 | half(components >> 10) << 5 | half(components)) *
+                         0x10001) {}
     SPANGLE_INLINE std::uint32_t at(std::uint32_t thresholds) const {
-        const std::uint32_t words = whole_ + (((fraction_ + thresholds) & 0x82108210) >> 4);
+        const std::uint32_t words = integer_part_ + (((fraction_part_ + thresholds) & 0x82108210) >> 4);
         return SwapsBytes ? std::rotl(__builtin_bswap32(words), 16) : words;
     }
 
   private:
-    std::uint32_t whole_, fraction_;
+    std::uint32_t integer_part_, fraction_part_;
     SPANGLE_INLINE static std::uint32_t half(std::uint32_t component) { return ((component & 31) + 1) >> 1; }
 };
 

@@ -20,7 +20,7 @@ class ExactFilter {
 
   public:
     SPANGLE_INLINE ExactFilter(const U16& right, const U16& down)
-        : right_(right), down_(lane_joined(256 - down, down)) {}
+        : right_weight_(right), row_weights_(lane_joined(256 - down, down)) {}
 
     SPANGLE_INLINE ExactLanes::Color operator()(const LaneBytes& c00, const LaneBytes& c10,
                                                 const LaneBytes& c01, const LaneBytes& c11) const {
@@ -31,14 +31,14 @@ class ExactFilter {
     }
 
   private:
-    U16 right_;
-    LaneWords down_; ///< weights of rows j and j + 1, 256ths
+    U16 right_weight_;
+    LaneWords row_weights_; ///< weights of rows j and j + 1, 256ths
 
     SPANGLE_INLINE U16 row(const U16& c, const U16& next) const {
-        return ((c << 8) + (next - c) * right_) ^ 0x8000;
+        return ((c << 8) + (next - c) * right_weight_) ^ 0x8000;
     }
     SPANGLE_INLINE ExactLanes::T component(const U16& near, const U16& far) const {
-        return (lane_products_added(lane_joined(near, far), down_) + L::splat32(1u << 23))
+        return (lane_products_added(lane_joined(near, far), row_weights_) + L::splat32(1u << 23))
                << (color_fraction_bits - 16);
     }
 };

@@ -71,10 +71,10 @@ template <> struct FilterWords<1> {
     /// a is the weight of column i + 1, in 256ths.
     SPANGLE_INLINE std::uint32_t operator()(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01,
                                             std::uint32_t c11, std::uint32_t a) const {
-        const Sums n = sums(c00, c10, c01, c11, a);
+        const Sums n = weighted_sums(c00, c10, c01, c11, a);
         const std::uint32_t g = inner::stored_steps<6>.at(n.g);
         if (inner::stored_steps<6>.open(n.g, g)) [[unlikely]]
-            return added(c00, c10, c01, c11, a, b);
+            return add_texels(c00, c10, c01, c11, a, b);
         return inner::stored_steps<5>.at(n.r) << 11 | g << 5 | inner::stored_steps<5>.at(n.b);
     }
     /// The dithered word. The sums n are steps with 16 fraction bits. The sum of the chain is at least n, and
@@ -83,14 +83,14 @@ template <> struct FilterWords<1> {
     SPANGLE_INLINE std::uint32_t operator()(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01,
                                             std::uint32_t c11, std::uint32_t a,
                                             std::uint32_t threshold32) const {
-        const Sums n = sums(c00, c10, c01, c11, a);
+        const Sums n = weighted_sums(c00, c10, c01, c11, a);
         const std::uint32_t t = threshold32 << 11;
         return (n.r + t) >> 16 << 11 | (n.g + t) >> 16 << 5 | (n.b + t) >> 16;
     }
 
     /// The stored word as the chain makes it, for the rare n that do not decide.
-    [[gnu::noinline]] static std::uint32_t added(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01,
-                                                 std::uint32_t c11, std::uint32_t a, std::uint32_t b) {
+    [[gnu::noinline]] static std::uint32_t add_texels(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01,
+                                                      std::uint32_t c11, std::uint32_t a, std::uint32_t b) {
         const auto color = [](std::uint32_t c) {
             return Exact::Color{Exact::texel5(c >> 11), Exact::texel6((c >> 5) & 63), Exact::texel5(c & 31),
                                 color_one};
@@ -105,8 +105,8 @@ template <> struct FilterWords<1> {
     struct Sums {
         std::uint32_t r, g, b;
     };
-    SPANGLE_INLINE Sums sums(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01, std::uint32_t c11,
-                             std::uint32_t a) const {
+    SPANGLE_INLINE Sums weighted_sums(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01,
+                                      std::uint32_t c11, std::uint32_t a) const {
         const auto both = [](std::uint32_t c) { return c >> 11 | (c & 31) << 16; };
         const auto green = [](std::uint32_t c) { return (c >> 5) & 63; };
         const auto mix = [](std::uint32_t near, std::uint32_t far, std::uint32_t weight) {
@@ -137,7 +137,7 @@ template <> struct FilterWords<8> {
             return least >> (15 - Bits);
         };
         const U16 word = joined(c00, c10, c01, c11, a, steps);
-        return L::any(open) ? redone(word, open, {c00, c10, c01, c11}, a, b) : word;
+        return L::any(open) ? redo_exactly(word, open, {c00, c10, c01, c11}, a, b) : word;
     }
     /// The dithered words. Thresholds count in the bits that are left, so that the dropped bits change
     /// nothing.
@@ -172,8 +172,8 @@ template <> struct FilterWords<8> {
                   blue = steps(five, sum<5>(c00 & 31, c10 & 31, c01 & 31, c11 & 31, a));
         return r << 11 | g << 5 | blue;
     }
-    [[gnu::noinline, gnu::cold]] static U16 redone(U16 word, const U16& open, const Texels& c, const U16& a,
-                                                   const U16& b) {
+    [[gnu::noinline, gnu::cold]] static U16 redo_exactly(U16 word, const U16& open, const Texels& c,
+                                                         const U16& a, const U16& b) {
         each_open(open, [&](int i) {
             word[i] = static_cast<std::uint16_t>(
                 FilterWords<1>(b[i])(c.c00[i], c.c10[i], c.c01[i], c.c11[i], a[i]));

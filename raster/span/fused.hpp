@@ -154,7 +154,7 @@ template <class Case> SPANGLE_INLINE void enter_fused(Span<Fixed>& span, const R
     }
     span.y = row.y;
     if constexpr (Case::key.dither)
-        span.counted_from = row.first & 3;
+        span.dither_column = row.first & 3;
     point_at(span.color, span.depth, *span.target, row.first, row.y,
              format_info(Case::key.format).bytes_per_pixel, 1);
 }
@@ -171,12 +171,12 @@ SPANGLE_INLINE RowPlace place_of(const Surface& target, const Row& row, std::int
 
 /// The place from which fragments are counted. Pixel 0 of the span becomes the first pixel that is drawn.
 template <class Case> SPANGLE_INLINE RowPlace enter_counted(Span<Fixed>& span, const Row& row) {
-    const std::int32_t counted_from = Case::numbered ? row.first : row.last;
+    const std::int32_t dither_column = Case::numbered ? row.first : row.last;
     span.x = row.first;
     span.y = row.y;
     if constexpr (Case::key.dither)
-        span.counted_from = counted_from & 3;
-    return place_of<Case>(*span.target, row, counted_from);
+        span.dither_column = dither_column & 3;
+    return place_of<Case>(*span.target, row, dither_column);
 }
 
 /// Draws the fragments of a row one by one, counted up to 0: the last index needs no register.
@@ -215,7 +215,7 @@ template <class Case> SPANGLE_INLINE void fused_narrow_row(Span<Fixed>& span, co
     using N = typename Case::template System<1>;
     using List = typename Case::template List<1>;
     if constexpr (takes_rows<List> && Case::key.dither)
-        span.counted_from = row.last & 3;
+        span.dither_column = row.last & 3;
     List list(span, row.first - span.x);
     if constexpr (takes_rows<List>)
         fused_texels<N>(list, place_of<Case>(*span.target, row, row.last), row.last - row.first);
@@ -380,8 +380,8 @@ template <class Case, int Wide = host_lanes>
             if (span.state->fragment.scissor.w >= 8)
                 return fused_plain_rows<Case>(span, row, end);
         if constexpr (Case::patterned)
-            if (!PatchOfRows::are_many(row, end, Case::Few::most + 1))
-                return fused_narrow_plain_rows<typename Case::Few>(span, row, end);
+            if (!PatchOfRows::are_many(row, end, Case::FewFragments::most + 1))
+                return fused_narrow_plain_rows<typename Case::FewFragments>(span, row, end);
         fused_narrow_plain_rows<Case>(span, row, end);
     } else if constexpr (Case::apart || (Wide == 1 && !has_shortcuts)) {
         do {

@@ -31,13 +31,13 @@ namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Takes the place of a stage that a key does without; I keeps the bases of a Seq distinct.
-template <class N, int I> struct None : StageBase {
-    template <class S> SPANGLE_INLINE None(const S&, std::int32_t) {}
+template <class N, int I> struct NoStage : StageBase {
+    template <class S> SPANGLE_INLINE NoStage(const S&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>&) const { return true; }
 };
 
 /// Whether fused lists can draw a key. The chain draws everything else.
-constexpr bool fusible(const Key& key) {
+constexpr bool is_fusible_key(const Key& key) {
     return !key.second_unit() && !key.unit[0].general && !key.color_sum && !key.stencil && !key.masked &&
            !key.logic && !key.count && key.alpha == Compare::always &&
            (!key.fog || key.fog_mode == FogMode::linear) &&
@@ -68,7 +68,7 @@ inline constexpr Shapes trapezoids_of = {nullptr, Draw};
 /// The fused loops of a key. Gray: only for primitives whose colours are gray. Apart: every attribute over w
 /// divides for itself, as in the chain, for primitives that the stages of stage_divided.hpp do not serve.
 template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
-    static_assert(fusible(K));
+    static_assert(is_fusible_key(K));
     static constexpr bool textured = K.unit[0].on;
     template <class N>
     using Image = TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env,
@@ -129,7 +129,8 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static constexpr bool bytes_dithered = packed&& K.dither && (std::is_same_v<N, ExactBytes<8>> ||
                                                                  std::is_same_v<N, CoarseBytes<8>>);
     template <class N>
-    using Test = std::conditional_t<tested, Depth<N, DepthFormat::z16, K.depth, K.depth_write>, None<N, 0>>;
+    using Test =
+        std::conditional_t<tested, Depth<N, DepthFormat::z16, K.depth, K.depth_write>, NoStage<N, 0>>;
     enum class Walk { rows, few, paths, tiles };
     /// Whether colours come from a pattern, as they are stored.
     template <int L, Walk By>
@@ -148,11 +149,11 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             if constexpr (divided && !Apart)
                 return std::type_identity<Divide<N>>{};
             else
-                return std::type_identity<None<N, 5>>{};
+                return std::type_identity<NoStage<N, 5>>{};
         }
         static auto color() {
             if constexpr ((raw && textured) || is_packed<N>)
-                return std::type_identity<None<N, 1>>{};
+                return std::type_identity<NoStage<N, 1>>{};
             else if constexpr (raw && K.kind == Kind::flat)
                 return std::type_identity<std::conditional_t<
                     !K.dither, FlatWord<L>,
@@ -191,7 +192,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
                 else
                     return std::type_identity<LinearWalk<Texture, 0, Runs, raw && K.dither>>{};
             } else {
-                return std::type_identity<None<N, 2>>{};
+                return std::type_identity<NoStage<N, 2>>{};
             }
         }
         using FogCoordinate =
@@ -199,7 +200,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
                                std::conditional_t<Apart, FogCoord<N, true>, FogCoordDivided<N>>>;
         static auto fog_light() {
             if constexpr (!fogs_light(K))
-                return std::type_identity<None<N, 6>>{};
+                return std::type_identity<NoStage<N, 6>>{};
             else if constexpr (L > 1)
                 return std::type_identity<FogLightLanes<N>>{};
             else
@@ -207,7 +208,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         }
         static auto fog() {
             if constexpr (!K.fog || stores_light<L>)
-                return std::type_identity<None<N, 3>>{};
+                return std::type_identity<NoStage<N, 3>>{};
             else if constexpr (fogs_light(K))
                 return std::type_identity<std::conditional_t<(L > 1), FogShareLanes<N, counts_steps(K)>,
                                                              FogShare<N, counts_steps(K)>>>{};
@@ -222,7 +223,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             else if constexpr (K.blend && !is_packed<N> && !bytes_dithered<N>)
                 return std::type_identity<BlendAlpha<N, K.format>>{};
             else
-                return std::type_identity<None<N, 4>>{};
+                return std::type_identity<NoStage<N, 4>>{};
         }
         static auto store() {
             if constexpr (in_pattern<L, By>)
@@ -275,7 +276,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     using Pattern = std::conditional_t<patterned, DitherRows<swaps>, NoPattern>;
     using LanePattern = std::conditional_t<patterned, DitherLaneRows<K.format>, NoPattern>;
     /// The case for so few fragments that a pattern of their colour costs more than their words.
-    struct Few {
+    struct FewFragments {
         static constexpr Key key = K;
         static constexpr bool tested = FusedCase::tested, patterned = false;
         static constexpr std::int32_t most = 4;
@@ -297,18 +298,18 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         static constexpr Key key = K;
         static constexpr bool plain = false, tested = FusedCase::tested;
         using N = Raw565<8>;
-        using Guessed = LitGuessed<Test<N>, Image<Balanced<8>>, full, Gray, K.fog, K.dither>;
-        using Patch = typename Guessed::Patch;
+        using GuessedStage = LitGuessed<Test<N>, Image<Balanced<8>>, full, Gray, K.fog, K.dither>;
+        using Patch = typename GuessedStage::Patch;
         using LanePattern = NoPattern;
         template <int> using System = N;
-        template <int> using List = Seq<N, Guessed, StoreRaw<8, K.format>>;
+        template <int> using List = Seq<N, GuessedStage, StoreRaw<8, K.format>>;
         static constexpr Key untested() {
             Key key = K;
             key.depth = Compare::always;
             key.depth_write = false;
             return key;
         }
-        [[gnu::noinline]] static void redo(Span<Fixed>& span, const Row& fragment) {
+        [[gnu::noinline]] static void redraw_fragment(Span<Fixed>& span, const Row& fragment) {
             using Case = FusedCase<untested(), Gray>;
             enter_fused<Case>(span, fragment);
             fused_narrow_row<Case>(span, fragment);
@@ -319,7 +320,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         }
     };
     /// The one lane of a `lit` case.
-    template <class Products> struct One {
+    template <class Products> struct SingleLane {
         using N = ExactLit;
         using Test = FusedCase::Test<N>;
         using Draw = LitOne<Products, Image<N>, full, Gray, K.fog, K.format, K.dither>;
@@ -335,8 +336,8 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         using N = Balanced<8>;
         using Test = FusedCase::Test<N>;
         using Texture = TexelLanes<Image<N>>;
-        using Fog = std::conditional_t<fogged, FogFactorLanes<N>, None<N, 0>>;
-        using FogColor = std::conditional_t<fogged, FogShare<N, counts_steps(K)>, None<N, 0>>;
+        using Fog = std::conditional_t<fogged, FogFactorLanes<N>, NoStage<N, 0>>;
+        using FogColor = std::conditional_t<fogged, FogShare<N, counts_steps(K)>, NoStage<N, 0>>;
     };
     using PathStages = typename Stages<1, Walk::paths>::List;
     template <int L> using TileList = typename Stages<L, Walk::tiles>::List;

@@ -97,10 +97,10 @@ template <class Case>
     return true;
 }
 
-/// draw_patch() with one fragment at a time. Case has One: Patch, N, Test, Draw.
+/// draw_patch() with one fragment at a time. Case has SingleLane: Patch, N, Test, Draw.
 template <class Case, class Products>
 [[gnu::noinline]] bool draw_patch_one(Span<Fixed>& span, const Row* row, const Row* end) {
-    using Lit = typename Case::template One<Products>;
+    using Lit = typename Case::template SingleLane<Products>;
     const PatchOfRows rows(row, end);
     typename Lit::Patch patch;
     if (rows.count < PatchOfRows::few_for_one || !rows.fits || !patch.set(span, rows.patch)) [[unlikely]]
@@ -115,7 +115,8 @@ template <class Case, class Products>
         p.go_to(0);
         do {
             if (test(p) && !fragment.draw(p.i, place.color)) [[unlikely]]
-                Case::Lit::redo(span, {at.y, at.x + p.i, at.x + p.i + 1, at.x + p.i, at.x + p.i + 1});
+                Case::Lit::redraw_fragment(span,
+                                           {at.y, at.x + p.i, at.x + p.i + 1, at.x + p.i, at.x + p.i + 1});
             test.step();
             p.go_to(numeric::factor32(p.i + 1)); // one index serves all planes, not a pointer for each
         } while (p.i != n);

@@ -16,8 +16,9 @@ template <class Case> class FoggedRows {
     SPANGLE_INLINE explicit FoggedRows(const Span<Fixed>& span) : combine_(span) {
         const auto& fragment = span.state->fragment;
         const int log2_width = span.state->log2_width[0], log2_height = span.state->log2_height[0];
-        image_ = {1u << log2_width, 1u << log2_height};
-        tables_ = {fragment.unit[0].texture->level[0].texels, numeric::kept_in_register(Combine::sixths)};
+        image_size_ = {1u << log2_width, 1u << log2_height};
+        factor_tables_ = {fragment.unit[0].texture->level[0].texels,
+                          numeric::kept_in_register(Combine::sixths)};
         end_step_z_ = {nullptr, span.z.dx};
         step_coord_ = {span.s[0].dx, span.t[0].dx};
         z_ = origin(span, span.z);
@@ -59,14 +60,15 @@ template <class Case> class FoggedRows {
                 std::uint32_t word;
                 if constexpr (dithers) { // this order takes the fewest registers
                     std::uint32_t at = texel(s, t);
-                    const std::uint32_t f = numeric::later(N::clamped_fraction(fog), at);
+                    const std::uint32_t f = numeric::evaluate_after(N::clamped_fraction(fog), at);
                     typename Combine::Shares shares = combine_.shares(f, thresholds_[i >> 1 & 3]);
-                    at = numeric::later(at, shares.g);
-                    at = numeric::later(at, shares.r);
-                    const auto [texels, sixths] = numeric::load_two_after(shares.b, tables_);
-                    word = combine_.word(lit(light, f, N::L::load(texels + 2 * at)), shares, sixths, fifths_);
+                    at = numeric::evaluate_after(at, shares.g);
+                    at = numeric::evaluate_after(at, shares.r);
+                    const auto [texels, sixths] = numeric::load_two_after(shares.b, factor_tables_);
+                    word = combine_.word(lit(light, f, N::L::load(texels + 2 * at)), shares, sixths,
+                                         fifths_table_);
                 } else {
-                    const auto [texels, sixths] = numeric::load_two(tables_);
+                    const auto [texels, sixths] = numeric::load_two(factor_tables_);
                     const std::uint32_t at = texel(s, t);
                     const std::uint32_t word565 = N::L::load(texels + 2 * at), f = N::clamped_fraction(fog);
                     word = combine_.word(lit(light, f, word565), f, sixths, combine_.fifths);
@@ -95,8 +97,8 @@ template <class Case> class FoggedRows {
     static constexpr bool dithers = Case::key.dither;
     using Combine = FoggedTexel<Case::key.format, true, dithers>;
     /// A plane's value at column 0 of row 0 of the window, and its difference from row to row.
-    using Origin = numeric::Two<std::uint32_t, std::uint32_t>;
-    using Plane = numeric::Two<std::uint8_t*, std::int32_t>;
+    using Origin = numeric::WordPair<std::uint32_t, std::uint32_t>;
+    using Plane = numeric::WordPair<std::uint8_t*, std::int32_t>;
 
     SPANGLE_INLINE static Origin origin(const Span<Fixed>& span, const Span<Fixed>::Affine& plane,
                                         std::uint32_t more = 0) {
@@ -124,7 +126,7 @@ template <class Case> class FoggedRows {
     }
     /// The number of the texel, counted from the first texel of the image.
     SPANGLE_INLINE std::uint32_t texel(std::uint32_t s, std::uint32_t t) const {
-        const auto [width, height] = numeric::load_two(image_);
+        const auto [width, height] = numeric::load_two(image_size_);
         const auto column = static_cast<std::uint32_t>(std::uint64_t{s} * width >> 32),
                    row = static_cast<std::uint32_t>(std::uint64_t{t} * height >> 32);
         return row * width + column;
@@ -141,15 +143,15 @@ template <class Case> class FoggedRows {
         return color;
     }
 
-    numeric::Two<std::uint32_t, std::uint32_t> image_; ///< width and height
+    numeric::WordPair<std::uint32_t, std::uint32_t> image_size_; ///< width and height
     /// The texels, and the table of factors of their green.
-    numeric::Two<const std::uint8_t*, typename Combine::Factors> tables_;
-    typename Combine::Factors fifths_ = Combine::fifths;
+    numeric::WordPair<const std::uint8_t*, typename Combine::Factors> factor_tables_;
+    typename Combine::Factors fifths_table_ = Combine::fifths;
     const std::uint32_t* thresholds_ = nullptr;
     Combine combine_;
     /// The end of the row in the colour plane, and the step of depth.
-    numeric::Two<std::uint8_t*, std::uint32_t> end_step_z_;
-    numeric::Two<std::uint32_t, std::uint32_t> step_coord_, step_light_[lights];
+    numeric::WordPair<std::uint8_t*, std::uint32_t> end_step_z_;
+    numeric::WordPair<std::uint32_t, std::uint32_t> step_coord_, step_light_[lights];
     Origin z_, s_, t_, fog_, light_[lights];
     Plane color_, depth_;
 };

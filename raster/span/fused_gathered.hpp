@@ -38,7 +38,7 @@ template <class Case> class GatheredPacket {
 
     /// Stores all `count` fragments, by groups up to `end`.
     [[gnu::noinline]] void flush(std::ptrdiff_t count, const Group* end) {
-        pad(count);
+        pad_group(count);
         for (std::ptrdiff_t i = 0; i < count; i += 8)
             finish(i);
         for (const Group* group = groups; group != end; ++group)
@@ -54,7 +54,7 @@ template <class Case> class GatheredPacket {
         return v;
     }
     /// Fragments behind the last one look at the first texel of the image.
-    SPANGLE_INLINE void pad(std::ptrdiff_t count) {
+    SPANGLE_INLINE void pad_group(std::ptrdiff_t count) {
         const typename L::U16 none = L::splat(0);
         store(index, count, none);
         for (Values& values : colors)
@@ -69,7 +69,7 @@ template <class Case> class GatheredPacket {
         p.color.a = N::from_units(color_one);
         const typename L::U16 f = load(fogs, i);
         if constexpr (Case::fogged)
-            FogLight<N>::dim(p, f);
+            FogLight<N>::apply_fog(p, f);
         texture_.combine_words(p, texture_.words_of(index + i));
         if constexpr (Case::fogged)
             fog_.add(p, f);
@@ -80,7 +80,7 @@ template <class Case> class GatheredPacket {
             word = dithered565_lanes<N>(p.color, load(thresholds, i));
         else
             word = truncated565<N>(p.color);
-        store(words_, i, Words565<L, Case::key.format>::ordered(word));
+        store(words_, i, Words565<L, Case::key.format>::to_wire_order(word));
     }
 
     typename Case::Texture texture_;
@@ -97,7 +97,7 @@ template <class Case> class GatheredPlanes {
 
     /// The planes are valid from this row up, and from its first column to the right.
     SPANGLE_INLINE explicit GatheredPlanes(const PlaneRow& at)
-        : texture_(at, 0), fog_inside_(Case::fogged && at.fog_inside), planes_(planes(at)),
+        : texture_(at, 0), fog_is_inside_(Case::fogged && at.fog_inside), planes_(planes(at)),
           thresholds_(at.x, at.y) {}
     SPANGLE_INLINE bool takes() const { return texture_.is_small(); }
     SPANGLE_INLINE void next_row() { planes_.next_row(); }
@@ -134,8 +134,8 @@ template <class Case> class GatheredPlanes {
 
     /// The fog factor as FogFactorLanes makes it.
     SPANGLE_INLINE typename L::U16 fog_factor() const {
-        return fog_inside_ ? planes_.template high<fog>()
-                           : N::clamped_fraction(planes_.template words<fog>());
+        return fog_is_inside_ ? planes_.template high<fog>()
+                              : N::clamped_fraction(planes_.template words<fog>());
     }
     SPANGLE_INLINE Planes planes(const PlaneRow& at) const {
         const auto s = texture_.s_plane(at, 0), t = texture_.t_plane(at, 0);
@@ -151,7 +151,7 @@ template <class Case> class GatheredPlanes {
     }
 
     typename Case::Texture texture_;
-    const bool fog_inside_;
+    const bool fog_is_inside_;
     Planes planes_;
     [[no_unique_address]] Thresholds thresholds_; ///< nothing to walk: eight columns are two periods
 };
@@ -162,7 +162,7 @@ template <class Case> class GatheredRows {
   public:
     using Packet = GatheredPacket<Case>;
     SPANGLE_INLINE GatheredRows(const PlaneRow& at, Packet& packet)
-        : planes_(at), p_(at), packet_(packet), end_(packet.groups) {}
+        : planes_(at), fragment_(at), packet_(packet), group_end_(packet.groups) {}
     SPANGLE_INLINE bool takes() const { return planes_.takes(); }
 
     /// Draws columns [first, last) of row y, whose address is `row`. The row comes after the last one drawn.
@@ -170,7 +170,7 @@ template <class Case> class GatheredRows {
     SPANGLE_INLINE void draw(const RowPlace& row, std::int32_t y, std::int32_t first, std::int32_t last) {
         planes_.start(first, y);
         each_whole_group<true>(
-            planes_, p_, row, first,
+            planes_, fragment_, row, first,
             last, [&](std::int32_t n) __attribute__((always_inline)) { group(n < 8 ? n : 8); });
     }
     SPANGLE_INLINE void next_row() { planes_.next_row(); }
@@ -180,31 +180,31 @@ template <class Case> class GatheredRows {
         if (row.last <= room) [[likely]]
             return draw(row_of<Case>(target, row.y), row.y, row.first, row.last);
         each_group<Case::key.format>(
-            planes_, p_, at, target, row,
+            planes_, fragment_, at, target, row,
             room, [&](std::int32_t n) __attribute__((always_inline)) { group(n); });
     }
     SPANGLE_INLINE void flush() {
-        packet_.flush(count_, end_);
-        end_ = packet_.groups;
-        count_ = 0;
+        packet_.flush(fragment_count_, group_end_);
+        group_end_ = packet_.groups;
+        fragment_count_ = 0;
     }
 
   private:
     /// Puts a group into the packet whose live lanes are among its first n.
     SPANGLE_INLINE void group(std::int32_t n) {
-        if (!planes_.put(packet_, p_, count_, *end_))
+        if (!planes_.put(packet_, fragment_, fragment_count_, *group_end_))
             return;
-        ++end_;
-        count_ += n;
-        if (count_ > Packet::most) [[unlikely]]
+        ++group_end_;
+        fragment_count_ += n;
+        if (fragment_count_ > Packet::most) [[unlikely]]
             flush();
     }
 
     GatheredPlanes<Case> planes_;
-    Px<typename Case::N> p_;
+    Px<typename Case::N> fragment_;
     Packet& packet_;
-    typename Packet::Group* end_;
-    std::ptrdiff_t count_ = 0; ///< fragments in the packet
+    typename Packet::Group* group_end_;
+    std::ptrdiff_t fragment_count_ = 0; ///< fragments in the packet
 };
 
 /// Draws rows in any order. False: nothing is drawn, because the image is too large for it.

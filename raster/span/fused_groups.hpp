@@ -31,7 +31,7 @@ SPANGLE_INLINE void each_group(List& list, Px<N>& p, At& at, const Surface& targ
                                std::int32_t room, Draw draw) {
     at.x = row.first < room ? row.first : room;
     at.y = row.y;
-    at.counted_from = at.x;
+    at.dither_column = at.x;
     point_at(at.color, at.depth, target, at.x, at.y, format_info(Format).bytes_per_pixel, 1);
     list.start(at, 0);
     p.color_plane = at.color;
@@ -94,7 +94,7 @@ template <class Case> SPANGLE_INLINE RowPlace row_of(const Surface& target, std:
 struct PlainRow {
     Span<Fixed>& planes;
     std::uint8_t *color, *depth;
-    std::int32_t x, y, counted_from; ///< as in PlaneRow
+    std::int32_t x, y, dither_column; ///< as in PlaneRow
     std::int32_t anchor_x = planes.anchor_x, anchor_y = planes.anchor_y;
     Span<Fixed>::Affine z = planes.z, color_value[3] = {planes.color_value[0], planes.color_value[1],
                                                         planes.color_value[2]};
@@ -126,16 +126,16 @@ template <class Case, class Open = DivideOpen<Case>> class LaneRows {
     SPANGLE_INLINE LaneRows(Span<Fixed>& span, std::int32_t y, const Pattern& pattern)
         : LaneRows(At{span, nullptr, nullptr, span.anchor_x, y, span.anchor_x}, Open{}, pattern) {}
     SPANGLE_INLINE LaneRows(const At& at, const Open& open, const Pattern& pattern)
-        : at_(at), list_(at_, 0), p_(at_), open_(open), pattern_(pattern) {}
+        : row_position_(at), stages_(row_position_, 0), p_(row_position_), open_(open), pattern_(pattern) {}
 
     /// Draws columns [first, last) of row y, whose address is `row`. Seven more columns lie inside of the
     /// scissor rectangle.
     SPANGLE_INLINE void draw(const RowPlace& row, std::int32_t y, std::int32_t first, std::int32_t last) {
         enter(y);
-        at_.x = first;
-        list_.start(at_, 0);
+        row_position_.x = first;
+        stages_.start(row_position_, 0);
         each_whole_group<Case::tested>(
-            list_, p_, row, first,
+            stages_, p_, row, first,
             last, [&](std::int32_t left) __attribute__((always_inline)) { group(last - left); });
     }
     SPANGLE_INLINE void next_row() {}
@@ -146,29 +146,29 @@ template <class Case, class Open = DivideOpen<Case>> class LaneRows {
             return draw(row_of<Case>(target, row.y), row.y, row.first, row.last);
         enter(row.y);
         each_group<Case::key.format>(
-            list_, p_, at_, target, row,
-            room, [&](std::int32_t) __attribute__((always_inline)) { group(at_.x + p_.i); });
+            stages_, p_, row_position_, target, row,
+            room, [&](std::int32_t) __attribute__((always_inline)) { group(row_position_.x + p_.i); });
     }
 
     SPANGLE_INLINE Open& open() { return open_; }
 
   private:
     SPANGLE_INLINE void enter(std::int32_t y) {
-        at_.y = y;
+        row_position_.y = y;
         if constexpr (!std::is_same_v<Pattern, NoPattern>)
-            at_.words = pattern_.row(y);
+            row_position_.words = pattern_.row(y);
     }
     /// Runs the list on a group that starts at column x.
     SPANGLE_INLINE void group(std::int32_t x) {
         if constexpr (Case::plain)
-            list_.all(p_);
-        else if (!list_(p_))
+            stages_.all(p_);
+        else if (!stages_(p_))
             return;
-        open_(at_, p_, x);
+        open_(row_position_, p_, x);
     }
 
-    At at_;
-    typename Case::template List<8> list_;
+    At row_position_;
+    typename Case::template List<8> stages_;
     Px<typename Case::template System<8>> p_;
     [[no_unique_address]] Open open_;
     const Pattern& pattern_;

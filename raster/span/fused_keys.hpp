@@ -9,54 +9,54 @@
 namespace spangle::raster {
 
 /// A key under construction: each function sets what differs from the defaults.
-struct Say {
+struct KeyBuilder {
     Key key;
-    constexpr Say(Number number, Kind kind) {
+    constexpr KeyBuilder(Number number, Kind kind) {
         key.number = number;
         key.kind = kind;
     }
-    constexpr Say depth(Compare func) const {
-        Say s = *this;
+    constexpr KeyBuilder depth(Compare func) const {
+        KeyBuilder s = *this;
         s.key.depth = func;
         s.key.depth_write = true;
         s.key.depth_format = DepthFormat::z16;
         return s;
     }
-    constexpr Say texture(TexelFormat texels, BaseFormat base, Filter filter, TexEnv env) const {
-        Say s = *this;
+    constexpr KeyBuilder texture(TexelFormat texels, BaseFormat base, Filter filter, TexEnv env) const {
+        KeyBuilder s = *this;
         s.key.unit[0] = {true, false, texels, base, filter, env};
         s.key.color = env != TexEnv::replace;
         return s;
     }
-    constexpr Say alpha() const {
-        Say s = *this;
+    constexpr KeyBuilder alpha() const {
+        KeyBuilder s = *this;
         s.key.color_alpha = true;
         return s;
     }
-    constexpr Say blend() const {
-        Say s = *this;
+    constexpr KeyBuilder blend() const {
+        KeyBuilder s = *this;
         s.key.blend = true;
         s.key.blending = blend_over;
         return s;
     }
-    constexpr Say fog() const {
-        Say s = *this;
+    constexpr KeyBuilder fog() const {
+        KeyBuilder s = *this;
         s.key.fog = true;
         s.key.fog_mode = FogMode::linear;
         return s;
     }
-    constexpr Say cubic() const {
-        Say s = *this;
+    constexpr KeyBuilder cubic() const {
+        KeyBuilder s = *this;
         s.key.cubic = true;
         return s;
     }
-    constexpr Say coarse() const {
-        Say s = blend();
+    constexpr KeyBuilder coarse() const {
+        KeyBuilder s = blend();
         s.key.coarse = true;
         return s;
     }
-    constexpr Say dither() const {
-        Say s = *this;
+    constexpr KeyBuilder dither() const {
+        KeyBuilder s = *this;
         s.key.dither = true;
         return s;
     }
@@ -70,14 +70,14 @@ constexpr auto nearest = Filter::nearest, linear = Filter::linear;
 constexpr auto replace = TexEnv::replace, modulate = TexEnv::modulate;
 constexpr auto t565 = TexelFormat::rgb565, t888 = TexelFormat::rgb888, t8888 = TexelFormat::rgba8888;
 
-constexpr Say flat(Number::raw565, Kind::flat), smooth(Number::raw565, Kind::affine);
-constexpr Say straight(Number::raw565, Kind::affine),
+constexpr KeyBuilder flat(Number::raw565, Kind::flat), smooth(Number::raw565, Kind::affine);
+constexpr KeyBuilder straight(Number::raw565, Kind::affine),
     bent(Number::raw565, Kind::textured); // texels as they are
-constexpr Say affine(Number::balanced, Kind::affine), textured(Number::balanced, Kind::textured),
+constexpr KeyBuilder affine(Number::balanced, Kind::affine), textured(Number::balanced, Kind::textured),
     full(Number::balanced, Kind::full);
-constexpr Say fine_affine(Number::exact, Kind::affine), fine(Number::exact, Kind::textured),
+constexpr KeyBuilder fine_affine(Number::exact, Kind::affine), fine(Number::exact, Kind::textured),
     fine_full(Number::exact, Kind::full); // the exact tier
-constexpr Say fine_bent = bent.cubic();
+constexpr KeyBuilder fine_bent = bent.cubic();
 
 } // namespace table_words
 
@@ -91,7 +91,7 @@ inline constexpr bool is_all = false;
 #define SPANGLE_FUSED "raster/span/fused_list.inc"
 #endif
 using namespace table_words;
-template <Say S> constexpr Key entry() {
+template <KeyBuilder S> constexpr Key entry() {
     return S.key;
 }
 inline constexpr Key keys[] = {

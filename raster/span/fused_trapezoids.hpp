@@ -18,7 +18,7 @@ SPANGLE_INLINE void draw_trapezoids(Rows& rows, const Surface& target, const Tra
         for (Trapezoids::Side left = part.left, right = part.right; y < part.end; ++y) {
             const std::int32_t first = left.column(), last = right.column();
             if (first < last) {
-                touch(target, y, first, last);
+                mark_damage(target, y, first, last);
                 rows.draw(at, y, first, last);
             }
             rows.next_row();

@@ -85,7 +85,7 @@ bool alpha_is_read(const Key& key, const FragmentState& state) {
 }
 
 /// Whether the colour is 16 bits from its source to the surface.
-bool raw(const Key& key, const FragmentState& state) {
+bool is_raw_565(const Key& key, const FragmentState& state) {
     if (!spans_are_raw || (!has_format(PixelFormat::rgb565_be) && !has_format(PixelFormat::rgb565_le)))
         return false;
     if (!is_565(key.format) || key.fog || key.color_sum || key.alpha != Compare::always || key.blend ||
@@ -158,7 +158,7 @@ Key key_of_any_kind(const FragmentState& state, const Surface& target) {
     const std::uint8_t channels = has_alpha(target.format) ? 0xF : 0x7;
     key.masked = (state.color_mask & channels) != channels;
     key.coverage = SPANGLE_FEATURE_ANTIALIASING && state.coverage && alpha_is_read(key, state);
-    key.combine = combines(state);
+    key.combine = uses_combiners(state);
     // Combiners may ask for the primary colour in any unit, and for alpha as a colour.
     key.color = color_survives(state, false);
     key.color_alpha = key.combine || (color_survives(state, true) && alpha_is_read(key, state));
@@ -175,7 +175,7 @@ Key key_of_kind(const Key& any, const FragmentState& state, Kind kind) {
     key.kind = kind;
     if (drawn_indexed(key.format))
         return key;
-    if (raw(key, state)) {
+    if (is_raw_565(key, state)) {
         key.number = Number::raw565;
         key.color_alpha = false;
         key.dither = state.dither && key.color; // without a colour of vertices dithering changes nothing

@@ -176,7 +176,7 @@ struct InverseLanes {
                 using Vector = std::remove_cvref_t<decltype(of)>;
                 const auto repeats = inner::LongPair<Vector>::products(of, m).after(
                     static_cast<std::uint32_t>(30 - exponent) - n);
-                return wraps ? repeats.low_words() : clamped(repeats, base).low_words();
+                return wraps ? repeats.low_words() : clamp_repeats(repeats, base).low_words();
             },
             v, mantissa, zeros);
     }
@@ -188,7 +188,7 @@ struct InverseLanes {
                 using Vector = std::remove_cvref_t<decltype(of)>;
                 const auto repeats = inner::LongPair<Vector>::products(of, m).after(
                     static_cast<std::uint32_t>(30 - exponent) - n);
-                (wraps ? repeats : clamped(repeats, base)).template store<LaneWords::apart>(to + lane);
+                (wraps ? repeats : clamp_repeats(repeats, base)).template store<LaneWords::apart>(to + lane);
             },
             v, mantissa, zeros);
     }
@@ -207,8 +207,8 @@ struct InverseLanes {
 
   private:
     template <class Vector>
-    SPANGLE_INLINE static inner::LongPair<Vector> clamped(const inner::LongPair<Vector>& repeats,
-                                                          std::int32_t base) {
+    SPANGLE_INLINE static inner::LongPair<Vector> clamp_repeats(const inner::LongPair<Vector>& repeats,
+                                                                std::int32_t base) {
         return (repeats.after(32 - clamped_coord_bits) + (std::int64_t{base} << clamped_coord_bits))
             .saturated();
     }

@@ -35,7 +35,7 @@ struct NearQuotient {
     /// Limits for what of() adds to the base, so that the sum is in [0, most]. The base is at least -(2^15 -
     /// 1) and at most `most` + 2^15.
     SPANGLE_INLINE std::uint32_t least() const { return static_cast<std::uint32_t>(within(0)); }
-    SPANGLE_INLINE std::uint32_t largest(std::int32_t most) const {
+    SPANGLE_INLINE std::uint32_t largest_error(std::int32_t most) const {
         return static_cast<std::uint32_t>(within(most));
     }
 
@@ -51,14 +51,14 @@ struct NearHalves {
     static constexpr int fraction_bits = 0; ///< fraction bits of quotients
     /// The inaccuracy of 1/q, in 2^-16, where |u| is at most `most` 2^-32, below 2^30. What the series leaves
     /// out is below 8/7 u^4; u is rounded down twice, and its powers once each.
-    SPANGLE_INLINE static std::uint32_t inaccuracy(std::uint32_t most) {
+    SPANGLE_INLINE static std::uint32_t reciprocal_error(std::uint32_t most) {
         const std::uint32_t size = (most >> 16) + 1, square = (size * size >> 16) + 1,
                             fourth = (square * square >> 16) + 1;
         return 4 + fourth + (fourth >> 2);
     }
     /// The inaccuracy of a quotient whose whole part is at most `size`, in 2^-16.
-    SPANGLE_INLINE static std::uint32_t of_quotient(std::uint32_t size, std::uint32_t inaccuracy) {
-        return size * inaccuracy;
+    SPANGLE_INLINE static std::uint32_t of_quotient(std::uint32_t size, std::uint32_t reciprocal_error) {
+        return size * reciprocal_error;
     }
     /// The window of a quotient that is off by `off`. Lanes round d down twice and its product once, which
     /// makes up to 3.
@@ -79,13 +79,13 @@ struct NearWords {
     static constexpr int fraction_bits = 14;
     /// The inaccuracy of 1/q in 2^-32. Over a patch the plane of u is off by less than 2^8, and 1/q by a
     /// third more. The powers of u are rounded down once each, and the sum is rounded to 30 bits.
-    SPANGLE_INLINE static std::uint32_t inaccuracy(std::uint32_t most) {
+    SPANGLE_INLINE static std::uint32_t reciprocal_error(std::uint32_t most) {
         const std::uint32_t square = numeric::mul_high_u32(most, most) + 1,
                             fourth = numeric::mul_high_u32(square, square) + 1;
         return 352 + fourth + (fourth >> 2);
     }
-    SPANGLE_INLINE static std::uint32_t of_quotient(std::uint32_t size, std::uint32_t inaccuracy) {
-        return static_cast<std::uint32_t>(numeric::mul_u32(size, inaccuracy) >> 16) + 1 +
+    SPANGLE_INLINE static std::uint32_t of_quotient(std::uint32_t size, std::uint32_t reciprocal_error) {
+        return static_cast<std::uint32_t>(numeric::mul_u32(size, reciprocal_error) >> 16) + 1 +
                (1u << (16 - fraction_bits)); // what of() drops
     }
     SPANGLE_INLINE static std::uint32_t window(std::uint32_t off) { return (2 * off >> 2) + 3; }
@@ -120,23 +120,23 @@ template <class Products> class NearDivisionOf {
         const std::int64_t m = static_cast<std::int64_t>(span.q.at(column_, row_)) >> guard_bits;
         if (m < 1 << 28 || m > INT32_MAX)
             return;
-        zeros_ = numeric::clz32(static_cast<std::uint32_t>(m));
-        mantissa_ = numeric::reciprocal(static_cast<std::uint32_t>(m) << zeros_);
+        leading_zeros_ = numeric::clz32(static_cast<std::uint32_t>(m));
+        mantissa_ = numeric::reciprocal(static_cast<std::uint32_t>(m) << leading_zeros_);
         const Slopes of(-over_m(span.q.dx, 0), -over_m(span.q.dy, 0));
         if (!of.fit)
             return;
-        const std::uint64_t most = spread(0, of.dx, of.dy, 1u << 29);
+        const std::uint64_t most = plane_range(0, of.dx, of.dy, 1u << 29);
         u = plane(0, of.dx, of.dy);
         serves = most <= 1u << 29;
-        inaccuracy_ = Products::inaccuracy(static_cast<std::uint32_t>(most));
+        reciprocal_error_ = Products::reciprocal_error(static_cast<std::uint32_t>(most));
     }
 
     /// Makes the quotient a/q 2^(exponent + 16), plus `more` / 2^16. False where 16 bits do not hold it.
     ///
     /// A is a/m rounded down, so that d = a/m - A + A u is what rounding left, and changes by the slopes of
     /// a/m and those of u times A. These slopes lose less than 2^8 2^-32 of A over a patch. d is multiplied
-    /// by a factor that is off by `inaccuracy_`. An eighth is reserved for what else planes lose, for what
-    /// the bits lose of which divided values are made (2^-6), and for `more`, whose part below 1 is
+    /// by a factor that is off by `reciprocal_error_`. An eighth is reserved for what else planes lose, for
+    /// what the bits lose of which divided values are made (2^-6), and for `more`, whose part below 1 is
     /// multiplied. All of these losses are taken off d, a fourth more than they are, because that is
     /// multiplied, too.
     SPANGLE_INLINE bool quotient(NearQuotient& to, const Projective& plane_of, int exponent,
@@ -157,12 +157,12 @@ template <class Products> class NearDivisionOf {
         const Slopes d(with_base(a.dx, u.dx), with_base(a.dy, u.dy));
         if (!d.fit)
             return false;
-        const std::uint64_t most = spread(rest, d.dx, d.dy, most_d);
+        const std::uint64_t most = plane_range(rest, d.dx, d.dy, most_d);
         if (most > most_d)
             return false;
         const std::uint32_t size = (static_cast<std::uint32_t>(most) >> 16) + 1;
         std::uint32_t off =
-            Products::of_quotient(size, inaccuracy_) + (numeric::abs_u32(base) >> 8) + (1u << 13);
+            Products::of_quotient(size, reciprocal_error_) + (numeric::abs_u32(base) >> 8) + (1u << 13);
         off += off >> 2;
         to.d = plane(rest - static_cast<std::int32_t>(off) + static_cast<std::int32_t>(more & 0xFFFF), d.dx,
                      d.dy);
@@ -183,13 +183,13 @@ template <class Products> class NearDivisionOf {
         const auto top = static_cast<std::int32_t>(static_cast<std::uint32_t>(v >> 32));
         const std::uint32_t low = numeric::mul_high_u32(static_cast<std::uint32_t>(v), mantissa_);
         return numeric::words_after(numeric::mul_s32_u32(top, mantissa_) + low,
-                                    14 - zeros_ - exponent); // shift is 5 .. 21
+                                    14 - leading_zeros_ - exponent); // shift is 5 .. 21
     }
     /// How far from 0 a plane gets at most: over the whole patch, or, where that is more than `enough`,
     /// between the vertices of the primitive. The centres of a line's fragments lie up to a pixel beyond
     /// those vertices.
-    SPANGLE_INLINE std::uint64_t spread(std::int32_t center, std::int32_t dx, std::int32_t dy,
-                                        std::uint32_t enough) const {
+    SPANGLE_INLINE std::uint64_t plane_range(std::int32_t center, std::int32_t dx, std::int32_t dy,
+                                             std::uint32_t enough) const {
         const std::uint32_t x = numeric::abs_u32(dx), y = numeric::abs_u32(dy);
         const std::uint64_t over_patch = numeric::mul_u32(x, static_cast<std::uint32_t>(patch_.columns)) +
                                          numeric::mul_u32(y, static_cast<std::uint32_t>(patch_.rows)) +
@@ -221,9 +221,9 @@ template <class Products> class NearDivisionOf {
     const Patch& patch_;
     std::int32_t column_, row_;
     const FixedVertex* const (&vertices_)[3]; ///< vertices of the primitive
-    int zeros_ = 1;
+    int leading_zeros_ = 1;
     std::uint32_t mantissa_ = 0;
-    std::uint32_t inaccuracy_ = 0; ///< inaccuracy of 1/q, in the unit of Products::inaccuracy()
+    std::uint32_t reciprocal_error_ = 0; ///< inaccuracy of 1/q, in the unit of Products::reciprocal_error()
 };
 using NearDivision = NearDivisionOf<NearHalves>;
 
@@ -268,12 +268,12 @@ class NearInverse {
   public:
     using L = Lanes<8>;
     SPANGLE_INLINE explicit NearInverse(const L::U16& u)
-        : more_(u + L::mul_high_signed(u, u + L::mul_high_signed(u, u))) {}
+        : correction_(u + L::mul_high_signed(u, u + L::mul_high_signed(u, u))) {}
     /// The quotient without its base.
-    SPANGLE_INLINE L::U16 of(const L::U16& d) const { return d + L::mul_high_signed(d, more_); }
+    SPANGLE_INLINE L::U16 of(const L::U16& d) const { return d + L::mul_high_signed(d, correction_); }
 
   private:
-    L::U16 more_;
+    L::U16 correction_;
 };
 
 } // namespace SPANGLE_INSTRUCTIONS

@@ -31,7 +31,7 @@ struct Packed {
     }
     /// True where blending leaves what is stored (clear), or stores the colour itself (solid).
     SPANGLE_INLINE static bool clear(const Color& s) { return s.a() == 0; }
-    SPANGLE_INLINE static bool solid(const Color& s) { return s.a() == 255; }
+    SPANGLE_INLINE static bool is_opaque(const Color& s) { return s.a() == 255; }
     /// The stored word that Balanced<1>::over and to8 make.
     SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under) {
         const Rounded x(s, under);
@@ -134,8 +134,8 @@ struct PackedExact : Packed {
 
 /// Packed for the fast tier (Coarse): all three components are blended at once.
 struct PackedCoarse : Packed {
-    SPANGLE_INLINE static bool clear(const Color& s) { return s.word < 4u << 24; }    // alpha is 0 of 32
-    SPANGLE_INLINE static bool solid(const Color& s) { return s.word >= 252u << 24; } // alpha is 32 of 32
+    SPANGLE_INLINE static bool clear(const Color& s) { return s.word < 4u << 24; }        // alpha is 0 of 32
+    SPANGLE_INLINE static bool is_opaque(const Color& s) { return s.word >= 252u << 24; } // alpha is 32 of 32
     /// Alpha in 32nds, where both 0 and 32 give 0.
     SPANGLE_INLINE static std::uint32_t weight(const Color& s) { return (s.word + (4u << 24)) >> 27; }
     SPANGLE_INLINE static bool whole(const Color& s) { return weight(s) == 0; }

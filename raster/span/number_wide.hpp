@@ -59,7 +59,8 @@ struct ExactLanes {
     /// Weights of four texels, for LINEAR: those of column i + 1 and of row j + 1 are given in 256ths.
     class Weights {
       public:
-        SPANGLE_INLINE explicit Weights(const L::U16& b) : near_(256u - L::widened(b)), far_(L::widened(b)) {}
+        SPANGLE_INLINE explicit Weights(const L::U16& b)
+            : near_weight_(256u - L::widened(b)), far_weight_(L::widened(b)) {}
         /// The weighted component of four texels whose components have 8 bits, k / 255: nothing is rounded.
         SPANGLE_INLINE T bytes(const L::U16& c00, const L::U16& c10, const L::U16& c01, const L::U16& c11,
                                const T& right) const {
@@ -77,10 +78,10 @@ struct ExactLanes {
         }
 
       private:
-        T near_, far_; ///< weights of rows j and j + 1, 256ths
+        T near_weight_, far_weight_; ///< weights of rows j and j + 1, 256ths
         SPANGLE_INLINE T sum(const T& c00, const T& c10, const T& c01, const T& c11, const T& right) const {
             const T left = 256u - right;
-            return (c00 * left + c10 * right) * near_ + (c01 * left + c11 * right) * far_;
+            return (c00 * left + c10 * right) * near_weight_ + (c01 * left + c11 * right) * far_weight_;
         }
     };
     SPANGLE_INLINE static T clamped_fraction(const L::U32& v) {

@@ -18,10 +18,12 @@ template <class Case> class PathList {
     static constexpr int longest = 16;
 
     PathList(const Surface& target, const Paths& paths, int count)
-        : target_(target), paths_(paths), count_(count), before_(dithers ? PathPixels::before(target) : 0) {
+        : target_(target), paths_(paths), count_(count),
+          pixels_before_(dithers ? PathPixels::before(target) : 0) {
         const int colors = !dithers ? 0 : paths.one_color ? 1 : count;
         for (int i = 0; i < colors; ++i)
-            cells_[i].make(static_cast<std::uint32_t>(paths.at(Paths::flat, i)), target.color_stride / 2);
+            dither_cells_[i].make(static_cast<std::uint32_t>(paths.at(Paths::flat, i)),
+                                  target.color_stride / 2);
     }
 
     /// Adds paths i to i + 3. Returns false if one of them is too long.
@@ -43,33 +45,34 @@ template <class Case> class PathList {
 
     /// The dithered words of the colour of path i.
     const inner::Half* cells([[maybe_unused]] int i) const {
-        return cells_[dithers && !paths_.one_color ? i : 0].words();
+        return dither_cells_[dithers && !paths_.one_color ? i : 0].words();
     }
 
     /// Draws the fragments that were added, and forgets them.
     SPANGLE_INLINE void draw() {
-        const auto back = static_cast<std::ptrdiff_t>(before_) * 2;
+        const auto back = static_cast<std::ptrdiff_t>(pixels_before_) * 2;
         std::uint8_t* const color = target_.color - back;
         // There may be no depth plane.
         std::uint8_t* const depth = Case::tested ? target_.depth - back : nullptr;
-        using One = Lanes<1>;
-        for (const std::int32_t *f = fragment_, *const end = next_; f != end; f += 2) {
+        using SingleLane = Lanes<1>;
+        for (const std::int32_t *f = fragment_, *const end = next_fragment_; f != end; f += 2) {
             const std::ptrdiff_t offset = f[0];
             const auto* const half = reinterpret_cast<const std::uint8_t*>(f + 1);
-            std::uint32_t color_word = One::load(half + (little ? 0 : 2));
+            std::uint32_t color_word = SingleLane::load(half + (little ? 0 : 2));
             if constexpr (dithers)
-                color_word = cells_[color_word / 16].words()[color_word & 15];
+                color_word = dither_cells_[color_word / 16].words()[color_word & 15];
             bool live = true;
             if constexpr (Case::tested) {
-                const std::uint32_t incoming = One::load(half + (little ? 2 : 0)),
-                                    stored = One::load(depth + offset);
+                const std::uint32_t incoming = SingleLane::load(half + (little ? 2 : 0)),
+                                    stored = SingleLane::load(depth + offset);
                 live = compare<Case::key.depth>(incoming, stored);
                 if constexpr (Case::key.depth_write)
-                    One::store(depth + offset, One::select(live, incoming, stored));
+                    SingleLane::store(depth + offset, SingleLane::select(live, incoming, stored));
             }
-            One::store(color + offset, One::select(live, color_word, One::load(color + offset)));
+            SingleLane::store(color + offset,
+                              SingleLane::select(live, color_word, SingleLane::load(color + offset)));
         }
-        next_ = fragment_;
+        next_fragment_ = fragment_;
     }
 
   private:
@@ -96,7 +99,7 @@ template <class Case> class PathList {
         const auto load_word = [&](Paths::Word word) { return std::bit_cast<Word>(load(word)); };
         const Int rise = load(Paths::rise), denominator = load(Paths::denominator),
                   along = load(Paths::along) * scale, aside = load(Paths::aside) * scale;
-        Int at = (load(Paths::first) + static_cast<std::int32_t>(before_)) * scale,
+        Int at = (load(Paths::first) + static_cast<std::int32_t>(pixels_before_)) * scale,
             left = ~load(Paths::rest); // its sign becomes the mask `over`
         Word depth{}, depth_step{};
         if constexpr (Case::tested)
@@ -121,7 +124,7 @@ template <class Case> class PathList {
             at += along + (aside & over);
             depth += depth_step;
         }
-        std::int32_t* out = next_; // kept in a register
+        std::int32_t* out = next_fragment_; // kept in a register
 #pragma GCC unroll 4
         for (int path = 0; path < 4; ++path) {
             const Int* const from = path < 2 ? low : high;
@@ -132,18 +135,18 @@ template <class Case> class PathList {
                                           : __builtin_shufflevector(from[k], from[k + 1], 2, 3, 6, 7));
             out += 2 * own[path];
         }
-        next_ = out;
+        next_fragment_ = out;
     }
 
     const Surface& target_;
     const Paths& paths_;
     const int count_;
-    const std::uint32_t before_;
+    const std::uint32_t pixels_before_;
     /// Two words per fragment: its offset in bytes, and its depth code above its colour or the number of its
     /// dithered colour.
     alignas(16) std::int32_t fragment_[2 * (Paths::size + 1) * longest];
-    std::int32_t* next_ = fragment_;
-    DitherCells<Case::swaps> cells_[dithers ? Paths::size : 1];
+    std::int32_t* next_fragment_ = fragment_;
+    DitherCells<Case::swaps> dither_cells_[dithers ? Paths::size : 1];
 };
 
 } // namespace spangle::raster

@@ -20,7 +20,7 @@ inline double clamp01(double v) {
 }
 
 /// v, or 0 where the texels of v do not fit an int32 (1/w or q are not positive, which GL leaves undefined).
-inline double tame(double v) {
+inline double bounded_or_zero(double v) {
     return std::fabs(v) < 1 << 20 ? v : 0;
 }
 

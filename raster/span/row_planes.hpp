@@ -86,8 +86,8 @@ template <int Count> class LanePlanes : public RowPlanes<Count> {
     /// The high half of plane I in each lane. Where the sum of low halves wraps, it carries.
     template <int I> SPANGLE_INLINE L::U16 high() const {
         const L::Words& at = this->at_[I / 4];
-        return L::splat_half<I % 4 * 2 + 1>(at) + above_[I] +
-               L::at_most(L::splat_half<I % 4 * 2>(at), room_[I]);
+        return L::splat_half<I % 4 * 2 + 1>(at) + high_difference_[I] +
+               L::at_most(L::splat_half<I % 4 * 2>(at), carry_limit_[I]);
     }
     template <int I> SPANGLE_INLINE L::U32 words() const {
         return this->template first<I>() + L::offsets(this->dx_[I / 4][I % 4], 0);
@@ -101,12 +101,12 @@ template <int Count> class LanePlanes : public RowPlanes<Count> {
         const L::U16 columns = L::offsets16(L::splat(1), L::splat(0));
         const L::U16 low = L::splat_half<I % 4 * 2>(this->dx_[I / 4]),
                      high = L::splat_half<I % 4 * 2 + 1>(this->dx_[I / 4]);
-        room_[I] = ~(low * columns);
-        above_[I] = high * columns + L::mul_high(low, columns) + 1;
+        carry_limit_[I] = ~(low * columns);
+        high_difference_[I] = high * columns + L::mul_high(low, columns) + 1;
     }
-    /// The difference of a plane between each lane and the first: its high half plus 1 (above_), and 2^16 - 1
-    /// less its low half (room_).
-    L::U16 above_[Count], room_[Count];
+    /// The difference of a plane between each lane and the first: its high half plus 1 (high_difference_),
+    /// and 2^16 - 1 less its low half (carry_limit_).
+    L::U16 high_difference_[Count], carry_limit_[Count];
 };
 
 } // namespace SPANGLE_INSTRUCTIONS

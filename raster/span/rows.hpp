@@ -39,7 +39,7 @@ struct PlaneRow {
     Span<Fixed>& planes;
     std::uint8_t *color, *depth;        ///< addresses of the fragment from which the list counts
     std::int32_t x, y;                  ///< window position of pixel 0
-    std::int32_t counted_from;          ///< column of the fragment from which the list counts
+    std::int32_t dither_column;         ///< column of the fragment from which the list counts
     const inner::Half* words = nullptr; ///< the words of this row in DitherRows
     const Span<Fixed>::Affine& z = planes.z;
     const Span<Fixed>::Affine (&color_value)[4] = planes.color_value;

@@ -24,11 +24,11 @@ template <class N> class Fragment {
   public:
     Fragment(const Span<Fixed>& fixed, const Span<Double>& twin, std::int32_t x, ShadowReport& report)
         : fixed_(fixed), twin_(twin), x_(x), report_(report) {
-        f_.go_to(x - fixed.begin);
-        d_.go_to(x - fixed.begin);
-        f_.color_plane = d_.color_plane = fixed.color;
-        f_.depth_plane = d_.depth_plane = fixed.depth;
-        f_.live = d_.live = true;
+        fixed_fragment_.go_to(x - fixed.begin);
+        double_fragment_.go_to(x - fixed.begin);
+        fixed_fragment_.color_plane = double_fragment_.color_plane = fixed.color;
+        fixed_fragment_.depth_plane = double_fragment_.depth_plane = fixed.depth;
+        fixed_fragment_.live = double_fragment_.live = true;
     }
 
     void compare_all() {
@@ -51,17 +51,17 @@ template <class N> class Fragment {
     const Span<Double>& twin_;
     std::int32_t x_;
     ShadowReport& report_;
-    Px<N> f_;
-    Px<Reference> d_;
+    Px<N> fixed_fragment_;
+    Px<Reference> double_fragment_;
 
     /// Runs a stage in both policies. False: one of them dropped the fragment.
     template <class FixedStage, class DoubleStage> bool run() {
         FixedStage fixed(fixed_, x_);
         if constexpr (FixedStage::runs)
             fixed.begin(x_);
-        const bool alive = fixed(f_);
+        const bool alive = fixed(fixed_fragment_);
         DoubleStage twin(twin_, x_);
-        return twin(d_) && alive;
+        return twin(double_fragment_) && alive;
     }
     template <template <class> class Stage> bool run() { return run<Stage<N>, Stage<Reference>>(); }
 
@@ -69,10 +69,10 @@ template <class N> class Fragment {
         const auto one = [&](auto fixed, double exact) {
             report_[stage].add(static_cast<double>(fixed) / static_cast<double>(N::one), exact, 1.0);
         };
-        one(f_.color.r, d_.color.r);
-        one(f_.color.g, d_.color.g);
-        one(f_.color.b, d_.color.b);
-        one(f_.color.a, d_.color.a);
+        one(fixed_fragment_.color.r, double_fragment_.color.r);
+        one(fixed_fragment_.color.g, double_fragment_.color.g);
+        one(fixed_fragment_.color.b, double_fragment_.color.b);
+        one(fixed_fragment_.color.a, double_fragment_.color.a);
     }
 
     void depth(const DrawState& state) {
@@ -111,9 +111,9 @@ template <class N> class Fragment {
             const double c = steps ? v * word_24 / most : (v * word_24 - 0.5) / 255.0;
             report_[ShadowStage::primary].add(c, exact, 1.0);
         };
-        one(fixed.r.at, 31 * 8, d_.color.r);
-        one(fixed.g.at, 63 * 4, d_.color.g);
-        one(fixed.b.at, 31 * 8, d_.color.b);
+        one(fixed.r.at, 31 * 8, double_fragment_.color.r);
+        one(fixed.g.at, 63 * 4, double_fragment_.color.g);
+        one(fixed.b.at, 31 * 8, double_fragment_.color.b);
     }
 
     template <int Unit> void coord(const DrawState& state, ShadowStage stage) {
@@ -142,10 +142,10 @@ template <class N> class Fragment {
             const double place = exact * size + nearest_bias;
             return std::floor(place) == std::floor(place + difference * size);
         };
-        const bool same_s = axis(f_.coord[Unit].s[0], d_.coord[Unit].s[0], state.wraps[Unit].s,
-                                 state.log2_width[Unit], state.halves[Unit].s != 0);
-        const bool same_t = axis(f_.coord[Unit].t[0], d_.coord[Unit].t[0], state.wraps[Unit].t,
-                                 state.log2_height[Unit], state.halves[Unit].t != 0);
+        const bool same_s = axis(fixed_fragment_.coord[Unit].s[0], double_fragment_.coord[Unit].s[0],
+                                 state.wraps[Unit].s, state.log2_width[Unit], state.halves[Unit].s != 0);
+        const bool same_t = axis(fixed_fragment_.coord[Unit].t[0], double_fragment_.coord[Unit].t[0],
+                                 state.wraps[Unit].t, state.log2_height[Unit], state.halves[Unit].t != 0);
         report_[stage].flips += same_s && same_t ? 0 : 1;
     }
 
@@ -157,7 +157,8 @@ template <class N> class Fragment {
             return;
         run<Lod<N, Unit>, Lod<Reference, Unit>>();
         // Below 0 texels are magnified; by how much makes no difference.
-        report_[lod].add(std::fmax(f_.lod[Unit][0] / 256.0, 0), std::fmax(d_.lod[Unit][0] / 256.0, 0));
+        report_[lod].add(std::fmax(fixed_fragment_.lod[Unit][0] / 256.0, 0),
+                         std::fmax(double_fragment_.lod[Unit][0] / 256.0, 0));
     }
     template <int Unit>
     void unit(const DrawState& state, ShadowStage coord_stage, ShadowStage lod, ShadowStage texture_stage) {
@@ -171,7 +172,7 @@ template <class N> class Fragment {
         colors(texture_stage);
     }
     void units(const DrawState& state) {
-        if (!combines(state.fragment)) {
+        if (!uses_combiners(state.fragment)) {
             unit<0>(state, ShadowStage::coord0, ShadowStage::lod0, ShadowStage::texture0);
             if constexpr (max_texture_units > 1)
                 unit<1>(state, ShadowStage::coord1, ShadowStage::lod1, ShadowStage::texture1);
@@ -199,8 +200,9 @@ template <class N> class Fragment {
                 run<FogCoord<N, true>, FogCoord<Reference, true>>();
             else
                 run<FogCoord<N, false>, FogCoord<Reference, false>>();
-            report_[ShadowStage::fog_factor].add(fog_factor(state.fragment.fog_mode, f_.fog) * word_24,
-                                                 reference_fog(state.fragment, d_.fog));
+            report_[ShadowStage::fog_factor].add(fog_factor(state.fragment.fog_mode, fixed_fragment_.fog) *
+                                                     word_24,
+                                                 reference_fog(state.fragment, double_fragment_.fog));
             fog(state);
             colors(ShadowStage::fog);
         }

@@ -23,41 +23,41 @@ template <class N> class SharedRows {
   private:
     PacketRows rows_;
     [[no_unique_address]] std::conditional_t<divides_in_lanes, RowRuns, NoRowRuns> runs_;
-    std::int32_t n_ = 0; ///< fragments of all pieces
+    std::int32_t fragment_count_ = 0; ///< fragments of all pieces
     alignas(32) std::uint8_t color_[4 * packet_length], depth_[4 * packet_length];
 
     void add(const Row& row, std::int32_t number) {
         Row rest = row;
         if (const std::int32_t whole = (row.last - row.first) & -packet_length; whole != 0) {
             rest.first = row.first + whole;
-            alone({row.y, row.left, row.right, row.first, rest.first}, number);
+            draw_separately({row.y, row.left, row.right, row.first, rest.first}, number);
         }
         while (rest.first != rest.last) {
             Piece& piece = rows_.piece[rows_.pieces++];
-            const std::int32_t room = packet_length - n_, length = rest.last - rest.first;
+            const std::int32_t room = packet_length - fragment_count_, length = rest.last - rest.first;
             piece.row = rest;
             piece.row.last = rest.first = length < room ? rest.last : rest.first + room;
             if (divides_in_lanes)
                 piece.number = number;
-            piece.at = n_;
-            n_ += piece.row.last - piece.row.first;
-            if (n_ == packet_length)
+            piece.at = fragment_count_;
+            fragment_count_ += piece.row.last - piece.row.first;
+            if (fragment_count_ == packet_length)
                 draw();
         }
     }
     /// Draws the pieces that are left.
     void draw() {
         if (rows_.pieces == 1)
-            alone(rows_.piece[0].row, rows_.piece[0].number);
+            draw_separately(rows_.piece[0].row, rows_.piece[0].number);
         else if (rows_.pieces != 0)
-            together();
-        rows_.pieces = n_ = 0;
+            draw_shared();
+        rows_.pieces = fragment_count_ = 0;
     }
-    void alone(const Row& row, std::int32_t number) {
+    void draw_separately(const Row& row, std::int32_t number) {
         enter(rows_.span, row);
         chain_row<N>(rows_.span, {&runs_, number});
     }
-    void together() {
+    void draw_shared() {
         const Span<Fixed>& span = rows_.span;
         const DrawState& state = *span.state;
         // Some stages look along a row before they ask for places.
@@ -66,11 +66,11 @@ template <class N> class SharedRows {
         k.rows = &rows_;
         k.row = {&runs_, 0};
         k.x = 0;
-        k.n = n_;
+        k.n = fragment_count_;
         k.alive = true;
         k.some_dead = false;
         for (std::int32_t g = 0; g < Packet<N>::groups; ++g)
-            k.live[g] = N::L::first(n_ - g * N::lanes);
+            k.live[g] = N::L::first(fragment_count_ - g * N::lanes);
         k.color_plane = color_;
         k.depth_plane = depth_;
         for (std::int32_t n = 0; n < rows_.pieces; ++n) {
@@ -83,9 +83,9 @@ template <class N> class SharedRows {
                 piece, [](std::uint8_t * packet, std::uint8_t * plane, std::int32_t bytes)
                            __attribute__((always_inline)) { inner::PacketCopy::copy(packet, plane, bytes); });
         }
-        for (std::int32_t i = n_; i % N::lanes != 0; ++i) {
-            rows_.x[i] = rows_.x[n_ - 1];
-            rows_.y[i] = rows_.y[n_ - 1];
+        for (std::int32_t i = fragment_count_; i % N::lanes != 0; ++i) {
+            rows_.x[i] = rows_.x[fragment_count_ - 1];
+            rows_.y[i] = rows_.y[fragment_count_ - 1];
         }
         const AnyFunction* const stages = state.variant[static_cast<unsigned>(span.kind)].chain;
         for (const AnyFunction* f = stages; *f != nullptr && k.alive; ++f)

@@ -103,16 +103,16 @@ template <class P> struct Span {
     Kind kind;
     bool gray; ///< the colour is gray: its red stands for green and blue, too (Variant::gray)
     std::uint8_t
-        counted_from; ///< where fused lists dither: column, mod 4, of the fragment from which they count
+        dither_column; ///< where fused lists dither: column, mod 4, of the fragment from which they count
     std::uint32_t flat_word; ///< Kind::flat: the colour as a 16-bit surface stores it
 
     Basis basis;
     Affine z; ///< the depth plane of depth buffers of 16 bits
-    struct Absent {};
+    struct NoPlane {};
     /// The depth plane of depth buffers of 24 bits. With 40 bits below the code it is within half a code
     /// anywhere.
     [[no_unique_address]] std::conditional_t<!all && has_format(DepthFormat::z24s8),
-                                             Interpolant<std::uint64_t>, Absent>
+                                             Interpolant<std::uint64_t>, NoPlane>
         z24;
     Affine color_value[4];         ///< planes of R, G, B and A
     Affine secondary[secondaries]; ///< planes of R, G and B
@@ -143,14 +143,14 @@ template <class P> struct Span {
     /// A guess of the colours of Kind::full (stage_guess.hpp): color_value is at most the exact colour, and
     /// the exact colour is at most a doubt more. The projective planes of colours exist when `project` is
     /// null; until then `project` makes them from `basis`.
-    struct Guess {
+    struct ColorGuess {
         /// Compared with the bits of a component below a step of 5 or 6 bits, moved to the top: from this
         /// value on the doubt may reach the next step.
-        std::uint32_t open5, open6;
+        std::uint32_t doubt5, doubt6;
         void (*project)(Span&);
         void doubt(std::uint32_t most) { // most > 0
-            open5 = most >> 27 == 0 ? 0 - (most << 5) : 0;
-            open6 = most >> 26 == 0 ? 0 - (most << 6) : 0;
+            doubt5 = most >> 27 == 0 ? 0 - (most << 5) : 0;
+            doubt6 = most >> 26 == 0 ? 0 - (most << 6) : 0;
         }
     } guess;
     std::int32_t fog_exponent; ///< fog_q / q * 2^fog_exponent = fog coordinate

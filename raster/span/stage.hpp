@@ -98,9 +98,9 @@ template <class L> class Ramp {
     template <class S>
     SPANGLE_INLINE Ramp(const S& span, std::int32_t x, const Span<Fixed>::Affine& plane,
                         std::uint32_t more = 0)
-        : offset_(L::offsets(plane.dx, plane.dy)),
-          by_(L::splat32(plane.dx * static_cast<std::uint32_t>(L::count))),
-          row_(L::splat32(plane.dy * static_cast<std::uint32_t>(L::rows))) {
+        : lane_offsets_(L::offsets(plane.dx, plane.dy)),
+          step_(L::splat32(plane.dx * static_cast<std::uint32_t>(L::count))),
+          row_step_(L::splat32(plane.dy * static_cast<std::uint32_t>(L::rows))) {
         start(span, x, plane, more);
     }
     /// Starts at pixel x with the value of the plane plus `more`.
@@ -113,20 +113,20 @@ template <class L> class Ramp {
             start(L::splat32(span.at(x, plane) + more));
     }
     /// `first` holds the value of the first lane, in all lanes.
-    SPANGLE_INLINE void start(const typename L::U32& first) { at = first + offset_; }
-    SPANGLE_INLINE void step() { at += by_; }
+    SPANGLE_INLINE void start(const typename L::U32& first) { at = first + lane_offsets_; }
+    SPANGLE_INLINE void step() { at += step_; }
     /// Steps as step() does, in lists whose planes alone are more words than Thumb's first eight registers.
     SPANGLE_INLINE void step_aside() {
         if constexpr (L::count == 1)
-            at = numeric::sum_aside(at, by_);
+            at = numeric::sum_aside(at, step_);
         else
             step();
     }
-    SPANGLE_INLINE void next_row() { at += row_; }
+    SPANGLE_INLINE void next_row() { at += row_step_; }
 
   private:
-    typename L::U32 offset_, by_,
-        row_; ///< differences between the lanes of a group, from group to group, and from row to row
+    typename L::U32 lane_offsets_, step_,
+        row_step_; ///< differences between the lanes of a group, from group to group, and from row to row
 };
 
 /// Several stages one after the other are a stage again. The types `S` are distinct (a second texture unit

@@ -119,7 +119,7 @@ template <class N> inline constexpr Thresholds<N> thresholds_of;
 template <class N> class ThresholdRow {
   public:
     SPANGLE_INLINE explicit ThresholdRow(const Span<Fixed>& s)
-        : row_(numeric::factor32(thresholds_of<N>.at[s.y & 3] + s.counted_from)) {}
+        : row_(numeric::factor32(thresholds_of<N>.at[s.y & 3] + s.dither_column)) {}
     SPANGLE_INLINE const typename N::Threshold& at(std::int32_t i) const { return row_[i & 3]; }
 
   private:
@@ -158,7 +158,7 @@ template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBa
         asm("" : "+r"(s.word));
         if constexpr (Dither) {
             Words::store(at, N::over(s, Words::load(at), dither.at(p.i)));
-        } else if (N::solid(s)) {
+        } else if (N::is_opaque(s)) {
             auto copy = s;
             asm("" : "+r"(copy.word));
             Words::store(at, N::opaque(copy));

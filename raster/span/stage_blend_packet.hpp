@@ -32,11 +32,11 @@ template <class N> class PacketBlend {
     const FragmentState& state_;
     const std::int32_t groups_;
     const Color* const stored_;
-    Color* const colors_; ///< the components before the one at work are results, the others are sources
+    Color* const color_format_; ///< the components before the one at work are results, the others are sources
     const Color one_, constant_;
 
     PacketBlend(const FragmentState& state, std::int32_t groups, const Color* stored, Color* colors)
-        : state_(state), groups_(groups), stored_(stored), colors_(colors),
+        : state_(state), groups_(groups), stored_(stored), color_format_(colors),
           one_(all(color_one)), constant_{N::from_units(state.blend_color[0]),
                                           N::from_units(state.blend_color[1]),
                                           N::from_units(state.blend_color[2]),
@@ -54,8 +54,8 @@ template <class N> class PacketBlend {
 
     /// Blends component c. MIN and MAX read no factor.
     [[gnu::noinline]] void component(const Blending& by, int c) const {
-        const Result to(colors_, c, groups_);
-        const Operand cs = Operand::of(colors_, c), cd = Operand::of(stored_, c);
+        const Result to(color_format_, c, groups_);
+        const Operand cs = Operand::of(color_format_, c), cd = Operand::of(stored_, c);
         const auto set = [&](auto f, const Operand& a, const Operand& b) __attribute__((always_inline)) {
             to.set(f, a, b);
         };
@@ -133,10 +133,10 @@ template <class N> class PacketBlend {
         switch (factor) {
         case BlendFactor::src_color:
         case BlendFactor::one_minus_src_color:
-            return Operand::of(colors_, c);
+            return Operand::of(color_format_, c);
         case BlendFactor::src_alpha:
         case BlendFactor::one_minus_src_alpha:
-            return Operand::of(colors_, 3);
+            return Operand::of(color_format_, 3);
         case BlendFactor::dst_color:
         case BlendFactor::one_minus_dst_color:
             return Operand::of(stored_, c);
@@ -156,7 +156,7 @@ template <class N> class PacketBlend {
         return to.set(
             [one](const T& s, const T& d)
                 __attribute__((always_inline)) { return component::smaller<N>(s, one - d); },
-            Operand::of(colors_, 3), Operand::of(stored_, 3));
+            Operand::of(color_format_, 3), Operand::of(stored_, 3));
     }
 };
 

@@ -10,7 +10,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Colours of packets of number system N.
 template <class N> class PacketColors {
-    using One = OneLane<N>;
+    using SingleLane = OneLane<N>;
     using Affine = Span<Fixed>::Affine;
     using Projective = Span<Fixed>::Projective;
 
@@ -42,18 +42,19 @@ template <class N> class PacketColors {
             if (divides)
                 inverse = Inverse(unguarded(q));
             q += span.q.dx;
-            typename One::T v[4];
-            v[3] = One::from_units(color_one);
+            typename SingleLane::T v[4];
+            v[3] = SingleLane::from_units(color_one);
             for (int c = 0; c < channels; ++c) {
-                v[c] = divides ? One::from_units(inner::projective_color(unguarded(at[c]), inverse))
-                               : One::from_affine(static_cast<std::uint32_t>(at[c]));
+                v[c] = divides ? SingleLane::from_units(inner::projective_color(unguarded(at[c]), inverse))
+                               : SingleLane::from_affine(static_cast<std::uint32_t>(at[c]));
                 at[c] += by[c];
             }
             auto& stored = k.color[i / N::lanes];
-            typename One::Color color{v[0], v[1], v[2], v[3]};
+            typename SingleLane::Color color{v[0], v[1], v[2], v[3]};
             if (adds) {
                 lane_of(stored, i % N::lanes, color);
-                color = {One::add(color.r, v[0]), One::add(color.g, v[1]), One::add(color.b, v[2]), color.a};
+                color = {SingleLane::add(color.r, v[0]), SingleLane::add(color.g, v[1]),
+                         SingleLane::add(color.b, v[2]), color.a};
             }
             set_lane(stored, i % N::lanes, color);
         }

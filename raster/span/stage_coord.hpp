@@ -69,16 +69,16 @@ template <bool Cubic> struct CoordWalk {
         else
             return by;
     }
-    SPANGLE_INLINE std::uint32_t ahead(std::int32_t steps) const {
+    SPANGLE_INLINE std::uint32_t value_after(std::int32_t steps) const {
         if constexpr (Cubic)
-            return by.ahead(at, steps);
+            return by.value_after(at, steps);
         else
             return straight_ahead(static_cast<std::uint32_t>(steps));
     }
     SPANGLE_INLINE std::uint32_t straight_ahead(std::uint32_t steps) const { return at + steps * slope(); }
     SPANGLE_INLINE void step(std::int32_t steps) {
         if constexpr (!Cubic)
-            at = ahead(steps);
+            at = value_after(steps);
         else if (steps == 1)
             by.step(at);
         else

@@ -133,14 +133,15 @@ template <class N, Compare Func, bool Write> struct Depth<N, DepthFormat::z16, F
     SPANGLE_INLINE static bool test(typename L::Mask& live, const Place& at,
                                     const typename L::U16& incoming) {
         const typename L::U16 stored = L::load(at);
-        live = L::both(live, passes(incoming, stored));
+        live = L::both(live, compare_depth_lanes(incoming, stored));
         if constexpr (Write)
             L::store(at, L::select(live, incoming, stored));
         return L::any(live);
     }
 
   private:
-    SPANGLE_INLINE static typename L::Mask passes(typename L::U16 incoming, typename L::U16 stored) {
+    SPANGLE_INLINE static typename L::Mask compare_depth_lanes(typename L::U16 incoming,
+                                                               typename L::U16 stored) {
         switch (Func) {
         case Compare::never:
             return L::negate(L::all);
@@ -186,7 +187,7 @@ struct Depth<N, DepthFormat::z24s8, Func, Write> : DepthValueOf<N, DepthFormat::
 
 /// The lanes that pass a comparison whose mode is known at run time.
 template <class L, class V>
-SPANGLE_INLINE typename L::Mask passing(Compare func, const V& incoming, const V& stored) {
+SPANGLE_INLINE typename L::Mask compare_depths(Compare func, const V& incoming, const V& stored) {
     // An enumerator is the set of outcomes that it lets pass (see compare()).
     const auto when = [func](unsigned outcome) {
         return (static_cast<unsigned>(func) & outcome) != 0 ? L::all : L::negate(L::all);
@@ -209,14 +210,14 @@ template <class N, DepthFormat Format, class Value = DepthValueOf<N, Format>> st
         if constexpr (N::lanes > 1 && Format == DepthFormat::z16) {
             std::uint8_t* const at = p.depth_plane + p.bytes();
             const typename L::U16 incoming = L::high_half(this->z.at), stored = L::load(at);
-            p.live &= passing<L>(func, incoming, stored);
+            p.live &= compare_depths<L>(func, incoming, stored);
             if (write)
                 L::store(at, L::select(p.live, incoming, stored));
             return L::any(p.live);
         } else if constexpr (N::lanes > 1) {
             std::uint8_t* const at = p.depth_plane + 4 * p.i;
             const typename L::U32 incoming = this->words(), stored = L::load32(at);
-            p.live &= passing<L>(func, incoming >> 8, stored >> 8);
+            p.live &= compare_depths<L>(func, incoming >> 8, stored >> 8);
             if (write)
                 L::store32(at, L::select(p.live, (incoming & ~0xFFu) | (stored & 0xFFu), stored));
             return L::any(p.live);

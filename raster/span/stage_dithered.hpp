@@ -21,7 +21,7 @@ template <class N> struct WalkedFractions : inner::DitherPlace<typename N::L> {
 template <class N> class NumberedFractions {
   public:
     SPANGLE_INLINE NumberedFractions(const PlaneRow& row, std::int32_t)
-        : from_(numeric::factor32(inner::dither_numbered<27>.from(row.counted_from, row.y))) {}
+        : from_(numeric::factor32(inner::dither_numbered<27>.from(row.dither_column, row.y))) {}
     SPANGLE_INLINE std::uint32_t of(const Px<N>& p) const {
         std::uint32_t t;
         const std::uint32_t bytes = numeric::factor32(static_cast<std::uint32_t>(p.twice) << 29) >> 28;

@@ -16,7 +16,7 @@ template <bool Numbered> class GuardedRampOf {
   public:
     SPANGLE_INLINE GuardedRampOf(const Span<Fixed>& span, std::int32_t x,
                                  const Span<Fixed>::Projective& plane)
-        : by_(plane.dx << up) {
+        : step_(plane.dx << up) {
         start(span, x, plane);
     }
     SPANGLE_INLINE void start(const Span<Fixed>& span, std::int32_t x, const Span<Fixed>::Projective& plane) {
@@ -25,11 +25,11 @@ template <bool Numbered> class GuardedRampOf {
     SPANGLE_INLINE std::int32_t value(std::int32_t) const {
         return static_cast<std::int32_t>(static_cast<std::uint32_t>(at_ >> 32));
     }
-    SPANGLE_INLINE void step() { at_ += by_; }
+    SPANGLE_INLINE void step() { at_ += step_; }
 
   private:
     static constexpr int up = 32 - guard_bits;
-    std::uint64_t at_, by_;
+    std::uint64_t at_, step_;
 };
 
 /// With words of 32 bits a step would load four words and store two. It costs less to multiply the value and
@@ -39,22 +39,22 @@ template <> class GuardedRampOf<true> {
   public:
     SPANGLE_INLINE GuardedRampOf(const Span<Fixed>& span, std::int32_t x,
                                  const Span<Fixed>::Projective& plane)
-        : origin_(plane.value), by_(plane.dx), down_(plane.dy) {
+        : origin_(plane.value), step_(plane.dx), row_step_(plane.dy) {
         start(span, x, plane);
     }
     /// Starts again on the plane that the ramp was made of.
     SPANGLE_INLINE void start(const Span<Fixed>& span, std::int32_t x, const Span<Fixed>::Projective&) {
         const auto columns = static_cast<std::uint32_t>(x + (span.x - span.anchor_x)),
                    rows = static_cast<std::uint32_t>(span.y - span.anchor_y);
-        const std::uint32_t guard = origin_.guard + columns * by_.guard + rows * down_.guard;
-        at_.value = origin_.value + columns * by_.value + rows * down_.value +
+        const std::uint32_t guard = origin_.guard + columns * step_.guard + rows * row_step_.guard;
+        at_.value = origin_.value + columns * step_.value + rows * row_step_.value +
                     static_cast<std::uint32_t>(static_cast<std::int32_t>(guard) >> guard_bits);
         at_.guard = guard & guard_mask;
     }
     SPANGLE_INLINE std::int32_t value(std::int32_t i) const {
         const auto steps = static_cast<std::uint32_t>(i);
-        const std::uint32_t guard = at_.guard + steps * by_.guard;
-        return static_cast<std::int32_t>(at_.value + steps * by_.value + (guard >> guard_bits));
+        const std::uint32_t guard = at_.guard + steps * step_.guard;
+        return static_cast<std::int32_t>(at_.value + steps * step_.value + (guard >> guard_bits));
     }
     SPANGLE_INLINE void step() {}
 
@@ -67,7 +67,7 @@ template <> class GuardedRampOf<true> {
             : value(static_cast<std::uint32_t>(v >> guard_bits)),
               guard(static_cast<std::uint32_t>(v) & guard_mask) {}
     };
-    Parts at_, origin_, by_, down_;
+    Parts at_, origin_, step_, row_step_;
 };
 using GuardedRamp = GuardedRampOf<!numeric::wide_words>;
 
@@ -175,8 +175,9 @@ template <class T, int Unit> class NearestDivided : public T {
 
     SPANGLE_INLINE NearestDivided(const Span<Fixed>& span, std::int32_t x)
         : T(span, x), s_(span, x, span.unit[Unit].s), t_(span, x, span.unit[Unit].t),
-          up_(span.unit[Unit].exponent + 2),
-          most_(19 - (this->log2_width > this->log2_height ? this->log2_width : this->log2_height)),
+          coordinate_shift_(span.unit[Unit].exponent + 2),
+          largest_near_shift_(19 -
+                              (this->log2_width > this->log2_height ? this->log2_width : this->log2_height)),
           width_(numeric::factor32(1u << this->log2_width)), bias_{nearest_bias(this->log2_width),
                                                                    nearest_bias(this->log2_height)} {}
     /// True where 1/w divides these coordinates, and there is more than one texel along each axis.
@@ -199,16 +200,17 @@ template <class T, int Unit> class NearestDivided : public T {
 
   private:
     GuardedRamp s_, t_;
-    /// `up_` is the shift without the zeros of 1/w; at shifts of up to `most_` the low word does not count.
-    int up_, most_;
+    /// `coordinate_shift_` is the shift without the zeros of 1/w; at shifts of up to `largest_near_shift_`
+    /// the low word does not count.
+    int coordinate_shift_, largest_near_shift_;
     std::uint32_t width_, bias_[2];
 
     /// The number of the texel. Only the high word of the product in repeat_fraction() counts, where its low
     /// word lies below the bias: the shift brings in no more than `up` bits.
     SPANGLE_INLINE std::uint32_t place(std::int32_t s, std::int32_t t, const Inverse& inverse) const {
-        const int up = inverse.zeros + up_;
-        if (up > most_) [[unlikely]]
-            return far_place(s, t, inverse.mantissa, inverse.zeros, up_ - 2, this->log2_width,
+        const int up = inverse.zeros + coordinate_shift_;
+        if (up > largest_near_shift_) [[unlikely]]
+            return far_place(s, t, inverse.mantissa, inverse.zeros, coordinate_shift_ - 2, this->log2_width,
                              this->log2_height);
         const auto repeats = [&](std::int32_t v, int axis) {
             const std::int32_t high = numeric::mul_high_s32_u32(v, inverse.mantissa);

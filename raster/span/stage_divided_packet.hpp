@@ -16,9 +16,9 @@ namespace inner {
 /// A plane with guard bits in eight lanes, in as many vectors of words of 64 bits as they take.
 template <class Vector = LaneWords::Vector> class GuardedLanes {
   public:
-    GuardedLanes() : at_{}, by_{} {}
+    GuardedLanes() : at_{}, step_{} {}
     SPANGLE_INLINE GuardedLanes(const Span<Fixed>& span, std::int32_t x, const Span<Fixed>::Projective& plane)
-        : by_(Long{} + 8 * plane.dx) {
+        : step_(Long{} + 8 * plane.dx) {
         const std::uint64_t first = span.at(x, plane), two = 2 * plane.dx, four = 4 * plane.dx;
         if constexpr (vectors == 2) {
             at_[0] = Long{first, first + two, first + four, first + four + two};
@@ -39,14 +39,14 @@ template <class Vector = LaneWords::Vector> class GuardedLanes {
     }
     SPANGLE_INLINE void step() {
         for (Long& v : at_)
-            v += by_;
+            v += step_;
     }
 
   private:
     using Long = Longs<Vector>;
     static constexpr int vectors = sizeof(Vector) == 32 ? 2 : 4;
     /// Lanes 0, 2, 4 and 6 are in one half of the vectors, the other lanes in the other half.
-    Long at_[vectors], by_;
+    Long at_[vectors], step_;
     SPANGLE_INLINE static Vector low_words(const Long& a, const Long& b) {
         return __builtin_shufflevector(std::bit_cast<Vector>(a >> guard_bits),
                                        std::bit_cast<Vector>(b >> guard_bits), 0, 2, 4, 6);
@@ -77,26 +77,26 @@ template <class Places> class PlaneLanesOf {
   public:
     SPANGLE_INLINE PlaneLanesOf(const Places& k, const Span<Fixed>& span,
                                 const Span<Fixed>::Projective& plane)
-        : rows_(k.rows), in_rows_(plane) {
+        : rows_(k.rows), row_starts_(plane) {
         if (rows_ == nullptr)
-            along_ = inner::GuardedLanes<>(span, k.x, plane);
+            ramp_ = inner::GuardedLanes<>(span, k.x, plane);
     }
     /// The values at the next eight fragments, without guard bits, signed.
     SPANGLE_INLINE LaneWords next() {
         const std::int32_t i = first_;
         first_ += 8;
         if (rows_ != nullptr)
-            return in_rows_.at(Lanes<8>::gather(rows_->x + i), Lanes<8>::gather(rows_->y + i));
-        const LaneWords value = along_.value();
-        along_.step();
+            return row_starts_.at(Lanes<8>::gather(rows_->x + i), Lanes<8>::gather(rows_->y + i));
+        const LaneWords value = ramp_.value();
+        ramp_.step();
         return value;
     }
 
   private:
     const PacketRows* rows_;
     std::int32_t first_ = 0;
-    PlaneInRows in_rows_;
-    inner::GuardedLanes<> along_;
+    PlaneInRows row_starts_;
+    inner::GuardedLanes<> ramp_;
 };
 
 /// Divided attributes of packets of number system N.
@@ -249,7 +249,7 @@ template <class N> class PacketDivided {
     [[gnu::noinline]] static bool along_cubic(const Span<Fixed>& span, int unit, std::int32_t x,
                                               std::int32_t from, std::int32_t end, Coord* to) {
         CubicRuns run(span, x, unit);
-        if (run.divides())
+        if (run.divides_each_fragment())
             return false;
         for (std::int32_t i = from; i < end;) {
             const std::int32_t next = run.begin(x), room = end - i,

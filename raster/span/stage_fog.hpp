@@ -65,8 +65,8 @@ template <class N> struct FogLight : StageBase {
     static constexpr unsigned in = field_color | field_fog, out = field_color;
     static constexpr bool anywhere = true;
     template <class S> SPANGLE_INLINE FogLight(const S&, std::int32_t) {}
-    SPANGLE_INLINE bool operator()(Px<N>& p) const { return dim(p, N::clamped_fraction(p.fog)); }
-    SPANGLE_INLINE static bool dim(Px<N>& p, typename N::T f) {
+    SPANGLE_INLINE bool operator()(Px<N>& p) const { return apply_fog(p, N::clamped_fraction(p.fog)); }
+    SPANGLE_INLINE static bool apply_fog(Px<N>& p, typename N::T f) {
         p.color.r = N::scaled(p.color.r, f);
         p.color.g = N::scaled(p.color.g, f);
         p.color.b = N::scaled(p.color.b, f);
@@ -119,7 +119,7 @@ template <class N> struct FogLightLanes : FogFactorLanes<N> {
     using FogFactorLanes<N>::FogFactorLanes;
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         p.fog_factor = this->factor();
-        return FogLight<N>::dim(p, p.fog_factor);
+        return FogLight<N>::apply_fog(p, p.fog_factor);
     }
 };
 template <class N, bool Steps> struct FogShareLanes : FogShare<N, Steps> {

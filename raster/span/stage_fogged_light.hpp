@@ -51,11 +51,11 @@ class FoggedTexel {
         std::uint32_t texel = light.texel;
         const std::uint32_t by = Is565 ? of6[texel >> 5 & 63] : Scales::green(texel);
         std::uint32_t g = Share::sum(g_.of_fog(f, 0), light.g, by);
-        texel = numeric::later(texel, g);
-        f = numeric::later(f, g);
+        texel = numeric::evaluate_after(texel, g);
+        f = numeric::evaluate_after(f, g);
         std::uint32_t r = Share::sum(r_.of_fog(f, 0), light.r, Is565 ? of5[texel >> 11] : Scales::red(texel));
-        texel = numeric::later(texel, r);
-        f = numeric::later(f, r);
+        texel = numeric::evaluate_after(texel, r);
+        f = numeric::evaluate_after(f, r);
         std::uint32_t b = Share::sum(b_.of_fog(f, 0), light.b, Is565 ? of5[texel & 31] : Scales::blue(texel));
         return joined_high(r, g, b);
     }
@@ -64,9 +64,9 @@ class FoggedTexel {
                                              Factors of5) {
         std::uint32_t texel = light.texel;
         std::uint32_t g = Share::sum(shares.g, light.g, Is565 ? of6[texel >> 5 & 63] : Scales::green(texel));
-        texel = numeric::later(texel, g);
+        texel = numeric::evaluate_after(texel, g);
         std::uint32_t r = Share::sum(shares.r, light.r, Is565 ? of5[texel >> 11] : Scales::red(texel));
-        texel = numeric::later(texel, r);
+        texel = numeric::evaluate_after(texel, r);
         std::uint32_t b = Share::sum(shares.b, light.b, Is565 ? of5[texel & 31] : Scales::blue(texel));
         return Low ? joined_low(r, g, b) : joined_high(r, g, b);
     }
@@ -103,7 +103,7 @@ class FoggedTexel {
         /// Bits below those of the sum are cleared, so that none of them carries into it: both products are
         /// rounded down.
         SPANGLE_INLINE std::uint32_t of_fog(std::uint32_t f, [[maybe_unused]] std::uint32_t threshold) const {
-            const auto [color, whole] = numeric::load_two(color_whole_);
+            const auto [color, whole] = numeric::load_two(color_integer_);
             const std::uint32_t share = numeric::without_low<lowest>(whole - color * f);
             return Dither ? share + threshold : share;
         }
@@ -114,9 +114,9 @@ class FoggedTexel {
       private:
         static constexpr int lowest = Dither ? 17 : 16;
         SPANGLE_INLINE HighShare(std::uint32_t color, int)
-            : color_whole_{color, numeric::factor32(color * 0xFFFF + (Dither ? 0 : 128u << 16))} {}
+            : color_integer_{color, numeric::factor32(color * 0xFFFF + (Dither ? 0 : 128u << 16))} {}
         /// The fog's colour, and its share where f is 0.
-        numeric::Two<std::uint32_t, std::uint32_t> color_whole_;
+        numeric::WordPair<std::uint32_t, std::uint32_t> color_integer_;
     };
     /// The fog's share where products end in the low half-word.
     class LowShare {
@@ -146,9 +146,10 @@ template <PixelFormat Format, bool Is565, bool Dither> class FoggedLightStore : 
     static constexpr bool effect = true;
 
     template <class S>
-    SPANGLE_INLINE FoggedLightStore(const S& s, std::int32_t) : texel_(s), thresholds_(s.counted_from, s.y) {}
+    SPANGLE_INLINE FoggedLightStore(const S& s, std::int32_t)
+        : texel_(s), thresholds_(s.dither_column, s.y) {}
     template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t) {
-        thresholds_ = Thresholds(s.counted_from, s.y);
+        thresholds_ = Thresholds(s.dither_column, s.y);
     }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const std::uint32_t f = N::clamped_fraction(p.fog);

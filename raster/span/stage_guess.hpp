@@ -26,13 +26,14 @@ template <int Count, bool Dither> struct GouraudGuessed : GuessedTops<Count, Dit
 
     template <class S>
     SPANGLE_INLINE GouraudGuessed(const S& at, std::int32_t x)
-        : GuessedTops<Count, Dither>(at, x), here_{at}, limit_(at.planes.guess) {}
+        : GuessedTops<Count, Dither>(at, x), current_row_{at}, limit_(at.planes.guess) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const typename N::Tops v = this->tops(p);
         if constexpr (Count == 1) {
-            if (v.r << 5 >= limit_.open5 || v.g << 6 >= limit_.open6 || v.b << 5 >= limit_.open5)
+            if (v.r << 5 >= limit_.doubt5 || v.g << 6 >= limit_.doubt6 || v.b << 5 >= limit_.doubt5)
                 [[unlikely]] {
-                p.color.word = divided_word(here_.row.planes, here_.row.counted_from + p.i, here_.row.y);
+                p.color.word = divided_word(current_row_.row.planes, current_row_.row.dither_column + p.i,
+                                            current_row_.row.y);
                 return true;
             }
         } else {
@@ -44,32 +45,32 @@ template <int Count, bool Dither> struct GouraudGuessed : GuessedTops<Count, Dit
 
   private:
     /// With one lane the stage divides at once, and must know where it is.
-    struct Here {
+    struct RowPosition {
         const PlaneRow& row;
     };
-    struct Nowhere {
-        template <class S> SPANGLE_INLINE explicit Nowhere(const S&) {}
+    struct NoPosition {
+        template <class S> SPANGLE_INLINE explicit NoPosition(const S&) {}
     };
-    [[no_unique_address]] std::conditional_t<Count == 1, Here, Nowhere> here_;
+    [[no_unique_address]] std::conditional_t<Count == 1, RowPosition, NoPosition> current_row_;
     /// The test in eight lanes. A component with ones in place of its step bits, negated, is what it lacks of
     /// the next step. The doubt is the same for steps of five bits and of six.
-    class Missing {
+    class MissingToNextStep {
       public:
-        SPANGLE_INLINE explicit Missing(const Span<Fixed>::Guess& guess)
-            : most_(L::splat((guess.open5 >> (16 + 5)) - (1u << (16 - 5)) - 1)) {}
+        SPANGLE_INLINE explicit MissingToNextStep(const Span<Fixed>::ColorGuess& guess)
+            : lane_limit_(L::splat((guess.doubt5 >> (16 + 5)) - (1u << (16 - 5)) - 1)) {}
         SPANGLE_INLINE typename L::Mask reached(const typename N::Tops& v) const {
             const typename L::U16 five = L::maximum_signed(v.r | rest(5), v.b | rest(5)),
                                   least = L::maximum_signed(five, v.g | rest(6));
-            return L::less_signed(most_, least);
+            return L::less_signed(lane_limit_, least);
         }
 
       private:
         SPANGLE_INLINE static std::uint16_t rest(int bits) {
             return static_cast<std::uint16_t>(0xFFFF0000u >> bits);
         }
-        typename L::U16 most_;
+        typename L::U16 lane_limit_;
     };
-    std::conditional_t<Count == 1, Span<Fixed>::Guess, Missing> limit_;
+    std::conditional_t<Count == 1, Span<Fixed>::ColorGuess, MissingToNextStep> limit_;
 };
 
 /// Divides and stores the colours of the open lanes of eight fragments, the first of which is at (x, y).

@@ -47,16 +47,17 @@ class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
     SPANGLE_INLINE bool row(std::int32_t n) {
         if (!this->in_row(n))
             return false;
-        near_ = this->row_of(t.texel());
-        far_ = this->row_of(t.next_texel());
-        across_ = Weights(N::L::splat(t.position() & 255));
+        near_row_ = this->row_of(t.texel());
+        far_row_ = this->row_of(t.next_texel());
+        column_weights_ = Weights(N::L::splat(t.position() & 255));
         return true;
     }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if (p.row)
             return filter(
-                p, s.line(), across_, [&](std::uint32_t) __attribute__((always_inline)) { return near_; },
-                [&](std::uint32_t) __attribute__((always_inline)) { return far_; });
+                p, s.line(),
+                column_weights_, [&](std::uint32_t) __attribute__((always_inline)) { return near_row_; },
+                [&](std::uint32_t) __attribute__((always_inline)) { return far_row_; });
         return filter(
             p, s, Weights(t.template fractions<typename N::L>()),
             [&](std::uint32_t k) __attribute__((always_inline)) { return this->row_of(t.texel(k)); },
@@ -69,8 +70,8 @@ class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
                                           std::conditional_t<N::lanes == 1, inner::DitherRow<typename N::L>,
                                                              inner::DitherPlace<typename N::L>>>;
     [[no_unique_address]] Thresholds dither_;
-    const std::uint8_t *near_, *far_; ///< addresses of the two rows of texels
-    Weights across_{N::L::splat(0)};
+    const std::uint8_t *near_row_, *far_row_; ///< addresses of the two rows of texels
+    Weights column_weights_{N::L::splat(0)};
 
     /// `near` and `far` give the address of the row of texels of a lane.
     template <class Along, class Near, class Far>
@@ -88,13 +89,13 @@ class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
         };
         // Texels are arguments: if they were named before, lanes would be spilled.
         if constexpr (Dither)
-            return this->environment(
+            return this->apply_texture_function(
                 p, {weights(texels(near, i), texels(near, next), texels(far, i), texels(far, next),
                             along.template fractions<typename N::L>(), dither_.threshold())});
         else
-            return this->environment(p, T::Colors::mix(weights, texels(near, i), texels(near, next),
-                                                       texels(far, i), texels(far, next),
-                                                       along.template fractions<typename N::L>()));
+            return this->apply_texture_function(
+                p, T::Colors::mix(weights, texels(near, i), texels(near, next), texels(far, i),
+                                  texels(far, next), along.template fractions<typename N::L>()));
     }
 };
 

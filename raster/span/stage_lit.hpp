@@ -45,14 +45,14 @@ template <bool Full, bool Gray, bool Fog, class Products = NearHalves> struct Li
         for (int i = 0; Full && i < colors; ++i) {
             if (!by.quotient(color[i], span.color_q[i], 0))
                 return false;
-            color[i].base = limited(color[i].base);
+            color[i].base = limit_base(color[i].base);
             color_window = color[i].window > color_window ? color[i].window : color_window;
         }
         if (Fog) {
             if (!by.quotient(fog, span.fog_q, usual_fog))
                 return false;
             const auto half = static_cast<std::int32_t>((fog.window - 1) >> Products::fraction_bits) / 2;
-            fog.base = limited(fog.base + half);
+            fog.base = limit_base(fog.base + half);
             fog_off = fog.window - 1 - (static_cast<std::uint32_t>(half) << Products::fraction_bits);
         }
         u = by.u;
@@ -69,7 +69,7 @@ template <bool Full, bool Gray, bool Fog, class Products = NearHalves> struct Li
 
     /// Limits a base. A base beyond the limits leaves the sum outside of 0 and 1 whatever of() adds, and so
     /// does the limit.
-    SPANGLE_INLINE static std::int32_t limited(std::int32_t base) {
+    SPANGLE_INLINE static std::int32_t limit_base(std::int32_t base) {
         return numeric::clamp<std::int32_t>(base, -INT16_MAX, 0xFFFF - INT16_MIN);
     }
 };
@@ -83,15 +83,15 @@ class LitAxis {
     using L = Lanes<8>;
     SPANGLE_INLINE LitAxis(const NearQuotient& of, int log2_size)
         : base_(L::splat(static_cast<std::uint32_t>(of.base))), window_(L::splat(of.window)),
-          whole_(L::splat(0xFFFF0000u >> log2_size)) {}
+          whole_texels_(L::splat(0xFFFF0000u >> log2_size)) {}
     SPANGLE_INLINE L::U16 at(L::U16& open, const L::U16& d, const NearInverse& inverse) const {
         const L::U16 v = inverse.of(d) + base_;
-        open |= ((v + window_) ^ v) & whole_;
+        open |= ((v + window_) ^ v) & whole_texels_;
         return v;
     }
 
   private:
-    L::U16 base_, window_, whole_;
+    L::U16 base_, window_, whole_texels_;
 };
 
 /// A quotient, limited to the range of its attribute.
@@ -100,7 +100,7 @@ class LitRatio {
     using L = Lanes<8>;
     SPANGLE_INLINE LitRatio(const NearQuotient& of, std::int32_t most)
         : base_(L::splat(static_cast<std::uint32_t>(of.base))), least_(L::splat(of.least())),
-          largest_(L::splat(of.largest(most))) {}
+          largest_(L::splat(of.largest_error(most))) {}
     SPANGLE_INLINE L::U16 at(const L::U16& d, const NearInverse& inverse) const {
         return base_ + L::clamped_signed(inverse.of(d), least_, largest_);
     }
@@ -121,7 +121,7 @@ class LitGuessed : public TexelLanes<T> {
     static constexpr bool kill = Test::kill, effect = Test::effect;
 
     SPANGLE_INLINE LitGuessed(const LitRow<Patch>& row, std::int32_t x)
-        : TexelLanes<T>(row, x), test_(row, x), patch_(row.patch), small_(this->is_small()),
+        : TexelLanes<T>(row, x), test_(row, x), patch_(row.patch), is_small_(this->is_small()),
           planes_(planes(row, x)), values_(values(row, x)), s_(patch_.s, this->log2_width),
           t_(patch_.t, this->log2_height), fog_(fog(patch_)), r_(color(row, x, 0)), g_(other(row, x, 1)),
           b_(other(row, x, 2)), thresholds_(row.x + x, row.y),
@@ -238,7 +238,7 @@ class LitGuessed : public TexelLanes<T> {
         L::U16 r, g, b;
     };
     SPANGLE_INLINE auto texels_at(const L::U16& s, const L::U16& t) const {
-        if (small_) [[likely]]
+        if (is_small_) [[likely]]
             return this->words_of(this->index_at(s, t));
         return this->words_at(L::widened(s) << 16, L::widened(t) << 16);
     }
@@ -248,14 +248,14 @@ class LitGuessed : public TexelLanes<T> {
             return {repeated<5>(texels & 0xF800), repeated<6>((texels << 5) & 0xFC00),
                     repeated<5>(texels << 11)};
         else
-            return {repeated8(L::byte(texels, 0)), repeated8(L::byte(texels, 1)),
-                    repeated8(L::byte(texels, 2))};
+            return {replicate_bits(L::byte(texels, 0)), replicate_bits(L::byte(texels, 1)),
+                    replicate_bits(L::byte(texels, 2))};
     }
     template <unsigned Bits> SPANGLE_INLINE static L::U16 repeated(const L::U16& top) {
         constexpr std::uint32_t again = (1u << (16 - Bits)) + (1u << (16 - 2 * Bits)) + (Bits == 5 ? 2 : 0);
         return top + L::mul_high(top, L::splat(again));
     }
-    SPANGLE_INLINE static L::U16 repeated8(const L::U16& k) { return k | k << 8; }
+    SPANGLE_INLINE static L::U16 replicate_bits(const L::U16& k) { return k | k << 8; }
     SPANGLE_INLINE L::U16 lit(L::U16 c, L::U16 factor, L::U16 rest, int i) const {
         const L::U16 v = L::mul_high(c, factor);
         return HasFog ? v + L::mul_high(fog_color_[i], rest) : v;
@@ -272,7 +272,7 @@ class LitGuessed : public TexelLanes<T> {
 
     [[no_unique_address]] Test test_;
     const Patch& patch_;
-    const bool small_;
+    const bool is_small_;
     NearPlanes<HasFog ? 4 : 3> planes_;
     NearPlanes<1 + Patch::colors> values_;
     LitAxis s_, t_;

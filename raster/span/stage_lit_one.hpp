@@ -14,7 +14,7 @@ class NumberedRamp {
   public:
     template <class S>
     SPANGLE_INLINE NumberedRamp(const S& row, std::int32_t x, const Interpolant<std::uint32_t>& plane)
-        : by_(plane.dx) {
+        : step_(plane.dx) {
         start(row, x, plane);
     }
     template <class S>
@@ -22,11 +22,11 @@ class NumberedRamp {
         at_ = row.at(x, plane);
     }
     SPANGLE_INLINE std::uint32_t value(std::int32_t i) const {
-        return at_ + static_cast<std::uint32_t>(i) * by_;
+        return at_ + static_cast<std::uint32_t>(i) * step_;
     }
 
   private:
-    std::uint32_t at_, by_;
+    std::uint32_t at_, step_;
 };
 
 /// What is made of quotients. Colours and fog have the fraction bits of the products. A component, which is
@@ -126,7 +126,7 @@ template <class Products> class LitAxisOne {
     SPANGLE_INLINE LitAxisOne(const PlaneRow& row, std::int32_t x, const NearQuotient& of, int log2_size)
         : size(Size::of(log2_size)), d_(row, x, of.d),
           base_(static_cast<std::uint32_t>(of.base) << Products::fraction_bits),
-          undecided_(0 - (of.window << unused_bits << log2_size)) {}
+          undecided_from_(0 - (of.window << unused_bits << log2_size)) {}
     SPANGLE_INLINE void start(const PlaneRow& row, std::int32_t x, const NearQuotient& of) {
         d_.start(row, x, of.d);
     }
@@ -136,7 +136,8 @@ template <class Products> class LitAxisOne {
     };
     SPANGLE_INLINE Texel texel(std::int32_t i, std::int32_t inverse) const {
         const std::uint64_t texels = size.times(Products::of(base_, d_.value(i), inverse) << unused_bits);
-        return {static_cast<std::uint32_t>(texels >> 32), static_cast<std::uint32_t>(texels) >= undecided_};
+        return {static_cast<std::uint32_t>(texels >> 32),
+                static_cast<std::uint32_t>(texels) >= undecided_from_};
     }
 
   private:
@@ -164,7 +165,7 @@ template <class Products> class LitAxisOne {
 
   private:
     NumberedRamp d_;
-    std::uint32_t base_, undecided_; ///< fractions of a texel from this one on may reach the next texel
+    std::uint32_t base_, undecided_from_; ///< fractions of a texel from this one on may reach the next texel
 };
 
 /// A quotient at one fragment.
@@ -226,7 +227,7 @@ class LitOne : public T {
     static constexpr bool effect = true;
 
     SPANGLE_INLINE LitOne(const LitRow<Patch>& row, std::int32_t x)
-        : T(row, x), u_(row, x, row.patch.u), s_(row, x, row.patch.s, this->log2_width),
+        : T(row, x), ramp_(row, x, row.patch.u), s_(row, x, row.patch.s, this->log2_width),
           t_(row, x, row.patch.t, this->log2_height), fog_(fog(row, x)), r_(row, x, row.patch, 0),
           g_(other(row, x, 1)), b_(other(row, x, 2)), thresholds_(row.x + x, row.y) {
         const std::uint32_t under = Numbers::of_patch(row.patch.under) + Numbers::template under<Full>;
@@ -242,7 +243,7 @@ class LitOne : public T {
     SPANGLE_INLINE void start(const LitRow<Patch>& row, std::int32_t x) {
         const Patch& patch = row.patch;
         thresholds_ = Thresholds(row.x + x, row.y);
-        u_.start(row, x, patch.u);
+        ramp_.start(row, x, patch.u);
         s_.start(row, x, patch.s);
         t_.start(row, x, patch.t);
         if constexpr (HasFog)
@@ -255,7 +256,7 @@ class LitOne : public T {
     }
     /// Draws fragment i. False: the guess leaves the fragment open.
     SPANGLE_INLINE bool draw(std::int32_t i, std::uint8_t* color_plane) const {
-        const std::int32_t inverse = Products::inverse(u_.value(i));
+        const std::int32_t inverse = Products::inverse(ramp_.value(i));
         const auto s = s_.texel(i, inverse), t = t_.texel(i, inverse);
         if (s.open || t.open) [[unlikely]]
             return false;
@@ -325,7 +326,7 @@ class LitOne : public T {
             return StageBase{};
     }
 
-    NumberedRamp u_;
+    NumberedRamp ramp_;
     LitAxisOne<Products> s_, t_;
     [[no_unique_address]] std::conditional_t<HasFog, LitRatioOne<Products>, StageBase> fog_;
     Color r_;

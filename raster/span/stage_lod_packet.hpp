@@ -22,13 +22,13 @@ class LevelLanes {
         const Texture& texture = *span.state->fragment.unit[which].texture;
         const TextureLevel& base = texture.level[0];
         const int width = span.state->log2_width[which];
-        line_ = texture.shape == TextureShape::line;
-        together_ = !line_ && is_power_of_two(base.width) && is_power_of_two(base.height);
-        up_ = span.state->log2_height[which] - width;
+        is_1d_ = texture.shape == TextureShape::line;
+        shares_logarithm_ = !is_1d_ && is_power_of_two(base.width) && is_power_of_two(base.height);
+        log2_aspect_ = span.state->log2_height[which] - width;
         const auto& halves = span.state->halves[which];
         const std::int32_t exponent = unit.exponent << 8;
-        u_ = (together_ ? width << 8 : log2_fraction8(base.width) + (halves.s << 8)) + exponent;
-        v_ = together_ ? 0 : log2_fraction8(base.height) + (halves.t << 8) + exponent;
+        bias_u_ = (shares_logarithm_ ? width << 8 : log2_fraction8(base.width) + (halves.s << 8)) + exponent;
+        bias_v_ = shares_logarithm_ ? 0 : log2_fraction8(base.height) + (halves.t << 8) + exponent;
     }
     /// The levels at fragments with these s, t and q, which have no guard bits.
     SPANGLE_INLINE LaneWords at(const LaneWords& s, const LaneWords& t, const LaneWords& q) const {
@@ -46,10 +46,10 @@ class LevelLanes {
         std::int32_t dx, dy; ///< differences from pixel to pixel, and from row to row
     };
     Slopes s_, t_, q_;
-    bool line_;          ///< 1D textures: only s counts
-    bool together_;      ///< both sides are powers of two: one logarithm serves both axes
-    int up_;             ///< log2 of the height less log2 of the width
-    std::int32_t u_, v_; ///< constants that are added to the logarithms
+    bool is_1d_;                   ///< 1D textures: only s counts
+    bool shares_logarithm_;        ///< both sides are powers of two: one logarithm serves both axes
+    int log2_aspect_;              ///< log2 of the height less log2 of the width
+    std::int32_t bias_u_, bias_v_; ///< constants that are added to the logarithms
 
     template <class Vector>
     SPANGLE_INLINE inner::LongPair<Vector> along(const Slopes& of, const Vector& v, const Vector& q) const {
@@ -57,17 +57,18 @@ class LevelLanes {
     }
     template <class Vector>
     SPANGLE_INLINE Vector texels(const inner::LongPair<Vector>& ds, const inner::LongPair<Vector>& dt) const {
-        const auto u = static_cast<std::uint32_t>(u_);
-        if (together_) {
+        const auto u = static_cast<std::uint32_t>(bias_u_);
+        if (shares_logarithm_) {
             const inner::LongPair<Vector> of_t =
-                up_ >= 0 ? inner::LongPair<Vector>{dt.even << up_, dt.odd << up_}
-                         : inner::LongPair<Vector>{dt.even >> -up_, dt.odd >> -up_};
+                log2_aspect_ >= 0
+                    ? inner::LongPair<Vector>{dt.even << log2_aspect_, dt.odd << log2_aspect_}
+                    : inner::LongPair<Vector>{dt.even >> -log2_aspect_, dt.odd >> -log2_aspect_};
             return inner::lane_log2(inner::larger(ds, of_t)) + u;
         }
         const Vector of_s = inner::lane_log2(ds) + u;
-        if (line_)
+        if (is_1d_)
             return of_s;
-        const Vector of_t = inner::lane_log2(dt) + static_cast<std::uint32_t>(v_);
+        const Vector of_t = inner::lane_log2(dt) + static_cast<std::uint32_t>(bias_v_);
         return lane_words::larger(of_s, of_t);
     }
 };

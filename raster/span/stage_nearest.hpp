@@ -34,27 +34,28 @@ class NearestWalk : public TexelWalk<T, Unit, Runs, NearestPosition> {
     SPANGLE_INLINE bool row(std::int32_t n) {
         if (!this->in_row(n))
             return false;
-        row_at_ = this->row_of(t.texel());
+        texel_row_ = this->row_of(t.texel());
         if constexpr (in_order) {
-            row_at_ = numeric::factor32(this->texel(row_at_, s.texel() + static_cast<std::uint32_t>(n)));
+            texel_row_ =
+                numeric::factor32(this->texel(texel_row_, s.texel() + static_cast<std::uint32_t>(n)));
             return s.one_to_one(static_cast<std::uint32_t>(n)) && inside(n);
         }
         if constexpr (N::lanes > 1)
-            one_to_one_ = s.one_to_one(static_cast<std::uint32_t>(n));
+            is_one_to_one_ = s.one_to_one(static_cast<std::uint32_t>(n));
         return true;
     }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if (p.row) {
             if constexpr (in_order)
-                return this->combine(p,
-                                     [&](std::uint32_t) { return row_at_ + p.template bytes<T::bytes>(); });
+                return this->combine(
+                    p, [&](std::uint32_t) { return texel_row_ + p.template bytes<T::bytes>(); });
             if constexpr (N::lanes > 1 && T::loads_words) {
-                if (one_to_one_ && inside(N::lanes))
-                    return this->combine_words(p, N::L::load32(this->texel(row_at_, s.texel())));
+                if (is_one_to_one_ && inside(N::lanes))
+                    return this->combine_words(p, N::L::load32(this->texel(texel_row_, s.texel())));
             }
             return this->combine(
                 p, [&](std::uint32_t k)
-                       __attribute__((always_inline)) { return this->texel(row_at_, s.texel(k)); });
+                       __attribute__((always_inline)) { return this->texel(texel_row_, s.texel(k)); });
         }
         return this->combine(
             p, [&](std::uint32_t k) __attribute__((always_inline)) {
@@ -78,12 +79,12 @@ class NearestWalk : public TexelWalk<T, Unit, Runs, NearestPosition> {
         std::uint32_t v;
         SPANGLE_INLINE explicit Width(int log2_width) : v(numeric::factor32(1u << log2_width)) {}
     };
-    struct Unused {
-        SPANGLE_INLINE explicit Unused(int) {}
+    struct NoWidth {
+        SPANGLE_INLINE explicit NoWidth(int) {}
     };
-    [[no_unique_address]] std::conditional_t<by_product, Width, Unused> width_;
-    const std::uint8_t* row_at_;
-    bool one_to_one_;
+    [[no_unique_address]] std::conditional_t<by_product, Width, NoWidth> width_;
+    const std::uint8_t* texel_row_;
+    bool is_one_to_one_;
 
     /// True where n texels are left in the row.
     SPANGLE_INLINE bool inside(std::int32_t n) const {

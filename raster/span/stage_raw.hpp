@@ -34,15 +34,16 @@ template <PixelFormat Format> class DitherLaneRows {
         using L = Lanes<8>;
         const inner::DitheredLanes<L> lanes(components);
         for (std::int32_t y = 0; y < 4; ++y) {
-            const auto words = Words565<L, Format>::ordered(lanes.at(inner::DitherRow<L>(0, y).threshold()));
-            L::store(reinterpret_cast<std::uint8_t*>(of_[y]), words);
-            L::store(reinterpret_cast<std::uint8_t*>(of_[y] + 4), words);
+            const auto words =
+                Words565<L, Format>::to_wire_order(lanes.at(inner::DitherRow<L>(0, y).threshold()));
+            L::store(reinterpret_cast<std::uint8_t*>(thresholds_of_[y]), words);
+            L::store(reinterpret_cast<std::uint8_t*>(thresholds_of_[y] + 4), words);
         }
     }
-    SPANGLE_INLINE const inner::Half* row(std::int32_t y) const { return of_[y & 3]; }
+    SPANGLE_INLINE const inner::Half* row(std::int32_t y) const { return thresholds_of_[y & 3]; }
 
   private:
-    inner::Half of_[4][12];
+    inner::Half thresholds_of_[4][12];
 };
 
 /// Gives all fragments of the primitive one colour, as a word.
@@ -115,7 +116,7 @@ struct RowPattern : StageBase {
     using N = Raw565<1>;
     const inner::Half* words; ///< words from the fragment on at which the list starts to count
     SPANGLE_INLINE RowPattern(const PlaneRow& row, std::int32_t)
-        : words(numeric::factor32(row.words + (row.counted_from & 3))) {}
+        : words(numeric::factor32(row.words + (row.dither_column & 3))) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         p.color.word = words[p.i & 3];
         return true;
@@ -146,7 +147,7 @@ template <int Count, PixelFormat Format, bool Host = true> struct StoreRaw : Sta
         const auto at = p.color_plane + p.bytes();
         typename L::U16 word = p.color.word;
         if constexpr (Host)
-            word = Words565<L, Format>::ordered(word);
+            word = Words565<L, Format>::to_wire_order(word);
         if (Count > 1 || p.selects)
             word = L::select(p.live, word, L::load(at));
         L::store(at, word);

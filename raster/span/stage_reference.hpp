@@ -134,8 +134,8 @@ template <int Unit> struct ReferenceCoord : ReferenceStage {
     using ReferenceStage::ReferenceStage;
     bool operator()(Px<Reference>& p) const {
         const auto& unit = span.unit[Unit];
-        p.coord[Unit].s[0] = tame(span.at(x, unit.s) / span.at(x, unit.q));
-        p.coord[Unit].t[0] = tame(span.at(x, unit.t) / span.at(x, unit.q));
+        p.coord[Unit].s[0] = bounded_or_zero(span.at(x, unit.s) / span.at(x, unit.q));
+        p.coord[Unit].t[0] = bounded_or_zero(span.at(x, unit.t) / span.at(x, unit.q));
         return true;
     }
 };
@@ -372,9 +372,9 @@ Reference::Color Texture2D<Reference, Unit, HasLod>::in_volume(const TextureUnit
         rho =
             base.width * std::fmax(slope(of[face.s], of[face.major]), slope(of[face.t], of[face.major])) / 2;
     } else {
-        s = tame(of[0].v / w.v);
-        t = tame(of[1].v / w.v);
-        sampler.r = tame(of[2].v / w.v);
+        s = bounded_or_zero(of[0].v / w.v);
+        t = bounded_or_zero(of[1].v / w.v);
+        sampler.r = bounded_or_zero(of[2].v / w.v);
         rho = base.width * slope(of[0], w);
         if (texture.shape != TextureShape::line)
             rho = std::fmax(rho, base.height * slope(of[1], w));

@@ -58,12 +58,15 @@ template <class Places> class PacketRuns {
 
     /// The most ends in a packet: a part has at most one more end than fragments.
     static constexpr std::int32_t most_ends = 2 * packet_length;
-    static constexpr std::int32_t few = 2; ///< at most so many ends take longer in lanes than one by one
+    static constexpr std::int32_t few_ends = 2; ///< at most so many ends take longer in lanes than one by one
 
     PacketRuns(const Places& k, const Span<Fixed>& span, int unit)
-        : k_(k), span_(span), unit_(span.unit[unit]), wraps_s_(span.state->wraps[unit].s),
-          wraps_t_(span.state->wraps[unit].t), which_(unit), shortest_(RunLimits(*span.state, unit).shortest),
-          short_length_(shortest_ != 0 && (unit_.shares_q ? span.q : unit_.q).dx != 0 ? 1 << shortest_ : 0) {
+        : packet_(k), span_(span), unit_(span.unit[unit]), wraps_s_(span.state->wraps[unit].s),
+          wraps_t_(span.state->wraps[unit].t), unit_number_(unit),
+          log2_shortest_run_(RunLimits(*span.state, unit).shortest),
+          shortest_run_(log2_shortest_run_ != 0 && (unit_.shares_q ? span.q : unit_.q).dx != 0
+                            ? 1 << log2_shortest_run_
+                            : 0) {
         if (k.rows == nullptr) {
             std::int32_t number = 0;
             if constexpr (divides_in_lanes)
@@ -79,7 +82,7 @@ template <class Places> class PacketRuns {
     }
     SPANGLE_INLINE void add_part(std::int32_t left, std::int32_t y, std::int32_t length, std::int32_t number,
                                  std::int32_t x, std::int32_t at, std::int32_t n) {
-        Part& part = part_[parts_++];
+        Part& part = row_parts_[part_count_++];
         part.left = static_cast<std::uint32_t>(left - span_.anchor_x);
         part.y = static_cast<std::uint32_t>(y - span_.anchor_y);
         part.length = length;
@@ -88,7 +91,7 @@ template <class Places> class PacketRuns {
         part.at = at;
         part.n = n;
         if (wraps_s_ && wraps_t_ && length <= CoordRuns::short_row)
-            plan_whole(part);
+            plan_whole_row(part);
         else
             plan_runs(part);
     }
@@ -96,30 +99,30 @@ template <class Places> class PacketRuns {
     template <class Coord> SPANGLE_INLINE void find(Coord* to) {
         divide();
         PacketBits open = 0; // one bit for each part whose row is more than one run
-        for (std::int32_t n = 0; n < parts_; ++n) {
-            if (part_[n].log2 != whole)
-                put_runs(part_[n]);
-            else if (!put_whole(part_[n]))
+        for (std::int32_t n = 0; n < part_count_; ++n) {
+            if (row_parts_[n].log2 != whole)
+                store_runs(row_parts_[n]);
+            else if (!store_whole_row(row_parts_[n]))
                 open |= PacketBits{1} << n;
         }
         if (open != 0)
-            put_open(open);
-        for (std::int32_t i = 0; i < k_.n; i += lanes, ++to) {
+            store_open_rows(open);
+        for (std::int32_t i = 0; i < packet_.n; i += lanes, ++to) {
             __builtin_memcpy(to->s, s_ + i, sizeof to->s);
             __builtin_memcpy(to->t, t_ + i, sizeof to->t);
         }
     }
-    [[gnu::noinline]] void put_open(PacketBits open) {
-        ends_ = 0;
+    [[gnu::noinline]] void store_open_rows(PacketBits open) {
+        end_count_ = 0;
         for (PacketBits left = open; left != 0; left &= left - 1)
-            plan_runs(part_[std::countr_zero(left)]);
+            plan_runs(row_parts_[std::countr_zero(left)]);
         divide();
         for (PacketBits left = open; left != 0; left &= left - 1) {
-            const Part& part = part_[std::countr_zero(left)];
+            const Part& part = row_parts_[std::countr_zero(left)];
             std::uint32_t *const s = s_ + part.at + part.n, *const t = t_ + part.at + part.n;
             // Ramps also write behind the part, so that these groups are restored below.
             const auto behind_s = Lanes<8>::gather(s), behind_t = Lanes<8>::gather(t);
-            put_runs(part);
+            store_runs(part);
             store(s, behind_s);
             store(t, behind_t);
         }
@@ -127,38 +130,39 @@ template <class Places> class PacketRuns {
 
     // The next three functions find which ends there are.
 
-    SPANGLE_INLINE void plan_whole(Part& part) {
+    SPANGLE_INLINE void plan_whole_row(Part& part) {
         part.log2 = whole;
-        part.first_end = ends_;
-        x_[ends_] = part.left;
-        x_[ends_ + 1] = part.left + static_cast<std::uint32_t>(part.length - 1);
-        y_[ends_] = y_[ends_ + 1] = part.y;
-        ends_ += 2;
+        part.first_end = end_count_;
+        end_columns_[end_count_] = part.left;
+        end_columns_[end_count_ + 1] = part.left + static_cast<std::uint32_t>(part.length - 1);
+        y_[end_count_] = y_[end_count_ + 1] = part.y;
+        end_count_ += 2;
     }
     [[gnu::noinline]] void plan_runs(Part& part) {
         part.log2 = log2_of(part);
-        part.first_end = ends_;
+        part.first_end = end_count_;
         const std::int32_t step = std::int32_t{1} << part.log2, first = part.x & -step,
                            runs = (part.x + part.n - first + step - 1) >> part.log2,
                            end = first + (runs << part.log2), last = part.length - 1;
-        fill(x_ + ends_, part.left + static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(step),
-             runs);
-        fill(y_ + ends_, part.y, 0, runs);
-        ends_ += runs;
+        fill(end_columns_ + end_count_, part.left + static_cast<std::uint32_t>(first),
+             static_cast<std::uint32_t>(step), runs);
+        fill(y_ + end_count_, part.y, 0, runs);
+        end_count_ += runs;
         if (step == 1) // runs of one pixel do not go on to their end
             return;
-        x_[ends_] = part.left + static_cast<std::uint32_t>(end < last ? end : last);
-        y_[ends_++] = part.y;
+        end_columns_[end_count_] = part.left + static_cast<std::uint32_t>(end < last ? end : last);
+        y_[end_count_++] = part.y;
     }
     SPANGLE_INLINE std::int32_t log2_of(const Part& part) {
-        if (part.length <= short_length_)
-            return shortest_;
+        if (part.length <= shortest_run_)
+            return log2_shortest_run_;
         if constexpr (divides_in_lanes)
-            if (k_.row.runs != nullptr)
-                return run_log2(span_, which_, *k_.row.runs, static_cast<std::uint32_t>(part.number));
-        if (k_.rows != nullptr)
-            enter(k_.rows->span, k_.rows->piece[&part - part_].row);
-        return CoordRuns(span_, 0, which_).choose_log2();
+            if (packet_.row.runs != nullptr)
+                return run_log2(span_, unit_number_, *packet_.row.runs,
+                                static_cast<std::uint32_t>(part.number));
+        if (packet_.rows != nullptr)
+            enter(packet_.rows->span, packet_.rows->piece[&part - row_parts_].row);
+        return CoordRuns(span_, 0, unit_number_).choose_log2();
     }
 
     // The next functions find w at each end, and s and t in repeats, or as they are stored where they do not
@@ -166,15 +170,15 @@ template <class Places> class PacketRuns {
 
     SPANGLE_INLINE void divide() {
         const auto& q_plane = unit_.shares_q ? span_.q : unit_.q;
-        if (ends_ > few)
+        if (end_count_ > few_ends)
             divide_in_lanes(q_plane);
         else
             divide_each(q_plane);
     }
     [[gnu::noinline]] void divide_each(const Span<Fixed>::Projective& q_plane) {
         const int exponent = unit_.exponent;
-        for (std::int32_t i = 0; i < ends_; ++i) {
-            const auto x = static_cast<std::int32_t>(x_[i]), y = static_cast<std::int32_t>(y_[i]);
+        for (std::int32_t i = 0; i < end_count_; ++i) {
+            const auto x = static_cast<std::int32_t>(end_columns_[i]), y = static_cast<std::int32_t>(y_[i]);
             const Inverse inverse(unguarded(q_plane.at(x, y)));
             q_at_[i] = inverse.q;
             s_at_[i] = stored(inner::to_repeats(unguarded(unit_.s.at(x, y)), inverse, exponent), wraps_s_,
@@ -187,11 +191,12 @@ template <class Places> class PacketRuns {
         return wraps ? repeats : static_cast<std::int32_t>(inner::to_coord(repeats, false, base));
     }
     [[gnu::noinline]] void divide_in_lanes(const Span<Fixed>::Projective& q_plane) {
-        store(x_ + ends_, LaneWords::splat(x_[0])); // for the lanes beyond the last end
-        store(y_ + ends_, LaneWords::splat(y_[0]));
+        store(end_columns_ + end_count_,
+              LaneWords::splat(end_columns_[0])); // for the lanes beyond the last end
+        store(y_ + end_count_, LaneWords::splat(y_[0]));
         const PlaneInRows s(unit_.s), t(unit_.t), q(q_plane);
-        for (std::int32_t i = 0; i < ends_; i += lanes) {
-            const LaneWords x = Lanes<8>::gather(x_ + i), y = Lanes<8>::gather(y_ + i);
+        for (std::int32_t i = 0; i < end_count_; i += lanes) {
+            const LaneWords x = Lanes<8>::gather(end_columns_ + i), y = Lanes<8>::gather(y_ + i);
             const InverseLanes inverse(q.at(x, y));
             store(q_at_ + i, inverse.q);
             inverse.repeats(s.at(x, y), unit_.exponent, wraps_s_, unit_.s_base, s_at_ + i);
@@ -201,8 +206,8 @@ template <class Places> class PacketRuns {
 
     // The next functions write the fragments between the ends.
 
-    /// False: the row takes several runs (CoordRuns::one_run()).
-    SPANGLE_INLINE bool put_whole(const Part& part) {
+    /// False: the row takes several runs (CoordRuns::is_one_run()).
+    SPANGLE_INLINE bool store_whole_row(const Part& part) {
         const std::int32_t begin = part.first_end, end = begin + 1;
         const std::int64_t s_range = CoordRuns::difference(s_at_[end], s_at_[begin]),
                            t_range = CoordRuns::difference(t_at_[end], t_at_[begin]);
@@ -210,7 +215,7 @@ template <class Places> class PacketRuns {
         if (by_s != s_range || by_t != t_range)
             return false;
         const DrawState& draw = *span_.state;
-        if (1 << shortest_ < CoordRuns::short_row) {
+        if (1 << log2_shortest_run_ < CoordRuns::short_row) {
             const std::uint32_t q0 = q_at_[begin], q1 = q_at_[end], least = q0 < q1 ? q0 : q1,
                                 range = q0 < q1 ? q1 - q0 : q0 - q1;
             // Half of the allowed error, so that four times that is 2^(1 - texel_bits).
@@ -219,7 +224,8 @@ template <class Places> class PacketRuns {
                 return numeric::mul_u32(numeric::abs_u32(v), range) <= std::uint64_t{least}
                                                                            << (up - log2_size);
             };
-            if (!is_within(by_s, draw.log2_width[which_]) || !is_within(by_t, draw.log2_height[which_]))
+            if (!is_within(by_s, draw.log2_width[unit_number_]) ||
+                !is_within(by_t, draw.log2_height[unit_number_]))
                 return false;
         }
         const std::int32_t n = part.length > 1 ? part.length - 1 : 1;
@@ -229,7 +235,7 @@ template <class Places> class PacketRuns {
         fill(t_ + part.at, static_cast<std::uint32_t>(t_at_[begin]) + x * dt, dt, part.n);
         return true;
     }
-    [[gnu::noinline]] void put_runs(const Part& part) {
+    [[gnu::noinline]] void store_runs(const Part& part) {
         const std::int64_t *s = s_at_ + part.first_end, *t = t_at_ + part.first_end;
         std::uint32_t *to_s = s_ + part.at, *to_t = t_ + part.at;
         const int log2 = part.log2;
@@ -290,16 +296,17 @@ template <class Places> class PacketRuns {
         v.store(reinterpret_cast<std::uint8_t*>(to));
     }
 
-    const Places& k_;
+    const Places& packet_;
     const Span<Fixed>& span_;
     const Span<Fixed>::Unit& unit_;
     const bool wraps_s_, wraps_t_;
-    const int which_;
-    /// log2 of the length of the shortest runs; rows of up to short_length_ pixels have runs of that length.
-    const std::int32_t shortest_, short_length_;
-    std::int32_t parts_ = 0, ends_ = 0;
-    Part part_[packet_length];
-    std::uint32_t x_[most_ends + lanes], y_[most_ends + lanes]; ///< places of the ends, from the anchor
+    const int unit_number_;
+    /// log2 of the length of the shortest runs; rows of up to shortest_run_ pixels have runs of that length.
+    const std::int32_t log2_shortest_run_, shortest_run_;
+    std::int32_t part_count_ = 0, end_count_ = 0;
+    Part row_parts_[packet_length];
+    std::uint32_t end_columns_[most_ends + lanes],
+        y_[most_ends + lanes]; ///< places of the ends, from the anchor
     std::uint32_t q_at_[most_ends + lanes];
     std::int64_t s_at_[most_ends + lanes], t_at_[most_ends + lanes];
     std::uint32_t s_[packet_length + lanes], t_[packet_length + lanes]; ///< coordinates of the fragments

@@ -21,7 +21,7 @@ template <class L, PixelFormat Format> struct Words565 {
         return swaps ? L::swap_bytes(word) : word;
     }
     /// The word in the byte order of the surface.
-    SPANGLE_INLINE static typename L::U16 ordered(typename L::U16 word) {
+    SPANGLE_INLINE static typename L::U16 to_wire_order(typename L::U16 word) {
         return swaps ? L::swap_bytes(word) : word;
     }
     /// Loads a word into both halves of 32 bits (one lane).
@@ -29,10 +29,12 @@ template <class L, PixelFormat Format> struct Words565 {
         const std::uint32_t word = L::load(at), other = swaps ? __builtin_bswap32(word) : word << 16;
         return other | (swaps ? other >> 16 : word);
     }
-    SPANGLE_INLINE static void store(std::uint8_t* at, typename L::U16 word) { L::store(at, ordered(word)); }
+    SPANGLE_INLINE static void store(std::uint8_t* at, typename L::U16 word) {
+        L::store(at, to_wire_order(word));
+    }
     /// Stores words of live lanes; memory under the other lanes stays as it is.
     SPANGLE_INLINE static void store_where(typename L::Mask live, std::uint8_t* at, typename L::U16 word) {
-        L::store(at, L::select(live, ordered(word), L::load(at)));
+        L::store(at, L::select(live, to_wire_order(word), L::load(at)));
     }
 };
 

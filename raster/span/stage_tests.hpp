@@ -19,7 +19,7 @@ template <class N> struct AlphaTest : StageBase {
         : func(s.state->fragment.alpha_func), ref(s.state->fragment.alpha_ref) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if constexpr (N::lanes > 1) {
-            p.live &= passing<L>(func, N::to8(p.color.a), L::splat(ref));
+            p.live &= compare_depths<L>(func, N::to8(p.color.a), L::splat(ref));
             return L::any(p.live);
         } else {
             return compare<std::uint32_t>(func, static_cast<std::uint32_t>(N::to8(p.color.a)), ref);
@@ -123,14 +123,14 @@ template <class N, class Value = DepthValueOf<N, DepthFormat::z24s8>> struct Ste
         const StencilState& stencil = state.stencil;
         const auto word = L::load32(at);
         const U16 stored = L::byte(word, 0), mask = L::splat(stencil.compare_mask & 0xFF);
-        const auto allowed =
-            passing<L>(stencil.func, L::splat(stencil.ref & stencil.compare_mask & 0xFF), stored & mask);
+        const auto allowed = compare_depths<L>(
+            stencil.func, L::splat(stencil.ref & stencil.compare_mask & 0xFF), stored & mask);
         auto depth = word >> 8;
         typename L::Mask passes = allowed;
         U16 result = stencil_results<L>(stencil.pass, stored, stencil.ref);
         if (state.depth_test) {
             const auto incoming = this->words() >> 8;
-            passes &= passing<L>(state.depth_func, incoming, depth);
+            passes &= compare_depths<L>(state.depth_func, incoming, depth);
             result = L::select(passes, result, stencil_results<L>(stencil.depth_fail, stored, stencil.ref));
             if (state.depth_write)
                 depth = L::select(passes, incoming, depth);

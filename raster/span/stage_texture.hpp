@@ -50,7 +50,7 @@ template <class N> struct TextureFunction {
 
     /// The colour of the texture at s and t.
     [[gnu::noinline]] Color sample(std::uint32_t s, std::uint32_t t, std::int32_t lod) const {
-        return wants_lod ? minified(lod, s, t) : filtered(0, texture.mag, s, t);
+        return wants_lod ? sample_minified(lod, s, t) : filtered(0, texture.mag, s, t);
     }
 
     /// How a texture is sampled: the level and the filter that lambda selects (GL 1.3, 3.8.8).
@@ -63,7 +63,7 @@ template <class N> struct TextureFunction {
         }
     };
     /// Lambda with its bias added, limited to the texture's range.
-    SPANGLE_INLINE std::int32_t biased(std::int32_t lod) const {
+    SPANGLE_INLINE std::int32_t with_lod_bias(std::int32_t lod) const {
         lod += lod_bias;
         lod = lod < texture.min_lod ? texture.min_lod : lod;
         return lod > texture.max_lod ? texture.max_lod : lod;
@@ -72,8 +72,8 @@ template <class N> struct TextureFunction {
     SPANGLE_INLINE static std::uint32_t weight_behind(std::int32_t biased_lod) {
         return (static_cast<std::uint32_t>(biased_lod) & 255) << 8;
     }
-    Sampling sampling(std::int32_t lod) const {
-        lod = biased(lod);
+    Sampling choose_sampling(std::int32_t lod) const {
+        lod = with_lod_bias(lod);
         const bool late =
             texture.mag == Filter::linear && texture.min == Filter::nearest && texture.mip != MipFilter::none;
         const bool magnified = lod <= (late ? 128 : 0);
@@ -91,8 +91,8 @@ template <class N> struct TextureFunction {
     }
 
     // Sampling of one level, which textures of three coordinates use, too (stage_texture_volume.hpp).
-    [[gnu::noinline]] Color minified(std::int32_t lod, std::uint32_t s, std::uint32_t t) const {
-        const Sampling how = sampling(lod);
+    [[gnu::noinline]] Color sample_minified(std::int32_t lod, std::uint32_t s, std::uint32_t t) const {
+        const Sampling how = choose_sampling(lod);
         const Color a = filtered(how.level, how.filter, s, t);
         return how.next == 0 ? a : between_levels<N>(a, filtered(how.level + 1, how.filter, s, t), how.next);
     }
@@ -205,7 +205,7 @@ struct TextureFixed : StageBase {
             return true;
         } else if constexpr (is_raw<N>) {
             static_assert(N::lanes == 1 && Env == TexEnv::replace);
-            p.color.word = raw(address(0));
+            p.color.word = raw_texel(address(0));
             return true;
         } else if constexpr (is_packed<N>) {
             static_assert(Texels == TexelFormat::rgba8888 && Env == TexEnv::replace);
@@ -214,15 +214,15 @@ struct TextureFixed : StageBase {
         } else if constexpr (N::lanes == 1 && by_fractions) {
             return modulate(p, address(0));
         } else if constexpr (N::lanes == 1) {
-            return environment(p, read_texel<N, Texels>(address(0)));
+            return apply_texture_function(p, read_texel<N, Texels>(address(0)));
         } else {
-            return environment(p, Colors::unpack(words(address)));
+            return apply_texture_function(p, Colors::unpack(words(address)));
         }
     }
     /// combine_words() takes the texels of all lanes as words.
     static constexpr bool loads_words = Texels == TexelFormat::rgba8888 && N::lanes > 1;
     template <class Words> SPANGLE_INLINE bool combine_words(Px<N>& p, const Words& words) const {
-        return environment(p, Colors::unpack(words));
+        return apply_texture_function(p, Colors::unpack(words));
     }
     /// Sprites, text and floors: little else is done with a texel than to fetch it.
     static constexpr bool stores_texels = Env == TexEnv::replace || Texels == TexelFormat::rgba8888;
@@ -255,7 +255,8 @@ struct TextureFixed : StageBase {
     }
     static constexpr bool by_fractions =
         Env == TexEnv::modulate && Base == BaseFormat::rgb && Texels == TexelFormat::rgb565;
-    /// MODULATE with factors from tables, which are those that environment() would compute from the texel.
+    /// MODULATE with factors from tables, which are those that apply_texture_function() would compute from
+    /// the texel.
     SPANGLE_INLINE static bool modulate(Px<N>& p, const std::uint8_t* texel) {
         const std::uint32_t word = Lanes<1>::load(texel);
         p.color.r = N::scaled(p.color.r, texel_factor<5, N, Steps>(word >> 11));
@@ -263,7 +264,7 @@ struct TextureFixed : StageBase {
         p.color.b = N::scaled(p.color.b, texel_factor<5, N, Steps>(word & 31));
         return true;
     }
-    SPANGLE_INLINE bool environment(Px<N>& p, const Color& s) const {
+    SPANGLE_INLINE bool apply_texture_function(Px<N>& p, const Color& s) const {
         if constexpr (is_raw<N> || (Env == TexEnv::replace && Base == BaseFormat::rgba))
             p.color = s; // also for systems that combine colours only with what is stored
         else if constexpr (Env == TexEnv::blend)
@@ -275,7 +276,7 @@ struct TextureFixed : StageBase {
         return true;
     }
     /// The 565 word of a texel.
-    SPANGLE_INLINE static std::uint32_t raw(const std::uint8_t* texel) {
+    SPANGLE_INLINE static std::uint32_t raw_texel(const std::uint8_t* texel) {
         if constexpr (Texels == TexelFormat::rgb565)
             return Lanes<1>::load(texel);
         else

@@ -14,11 +14,11 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 /// Samples textures for packets of number system N, which has eight lanes.
 template <class N> class LaneTexture {
-    using One = OneLane<N>;
+    using SingleLane = OneLane<N>;
     using L = typename N::L;
     using U16 = typename L::U16;
     using Color = typename N::Color;
-    using Sampling = typename TextureFunction<One>::Sampling;
+    using Sampling = typename TextureFunction<SingleLane>::Sampling;
     using Span = raster::Span<typename N::Policy>;
     static constexpr int lanes = N::lanes;
     static_assert(lanes == 8);
@@ -33,7 +33,7 @@ template <class N> class LaneTexture {
         fill_last_group(coord, k.n);
         constexpr std::int32_t group = sizeof coord[0] / sizeof coord[0].s[0];
         const LaneTexture stage(unit, {coord[0].s, coord[0].t, group, k.lod[which], nullptr, nullptr}, k.n);
-        if (stage.together(texels))
+        if (stage.sample_in_lanes(texels))
             return;
         for (std::int32_t i = 0; i < k.n; ++i)
             set_lane(texels[i / lanes], i % lanes,
@@ -51,17 +51,17 @@ template <class N> class LaneTexture {
         const std::uint32_t* face; ///< face of a cube map
     };
     const Texture& texture_;
-    const TextureFunction<One> function_;
+    const TextureFunction<SingleLane> function_;
     const Places places_;
-    const std::int32_t n_, groups_;
+    const std::int32_t fragment_count_, group_count_;
 
     LaneTexture(const TextureUnit& unit, const Places& places, std::int32_t n)
-        : texture_(*unit.texture), function_(unit), places_(places), n_(n), groups_((n + lanes - 1) / lanes) {
-    }
+        : texture_(*unit.texture), function_(unit), places_(places), fragment_count_(n),
+          group_count_((n + lanes - 1) / lanes) {}
 
     /// One mask for each of a fragment's four texels: all ones where the texel lies beyond the image and has
     /// the border's colour.
-    using Beyond = U16[4][texel_groups];
+    using BorderMasks = U16[4][texel_groups];
 
     /// Lanes beyond the last fragment look where that fragment does. Nothing that they find is stored, but
     /// stages of one lane leave their coordinates as they were, and dead lanes that met the border would cost
@@ -83,9 +83,9 @@ template <class N> class LaneTexture {
         std::int32_t* const lod = k.lod[which];
         VolumePlaces at;
         find_places(k, span, which, at);
-        if (LaneTexture(unit, {at.s, at.t, lanes, lod, at.r, at.face}, k.n).together(texels))
+        if (LaneTexture(unit, {at.s, at.t, lanes, lod, at.r, at.face}, k.n).sample_in_lanes(texels))
             return;
-        const VolumeFunction<One> function(unit);
+        const VolumeFunction<SingleLane> function(unit);
         for (std::int32_t i = 0; i < k.n; ++i)
             set_lane(texels[i / lanes], i % lanes,
                      function.sample({at.s[i], at.t[i], at.r[i], at.face[i], lod[i]}));
@@ -112,7 +112,7 @@ template <class N> class LaneTexture {
     }
 
     /// False: fragments take too many levels or filters, or the image is one that lanes cannot read.
-    [[gnu::noinline]] bool together(Color* texels) const {
+    [[gnu::noinline]] bool sample_in_lanes(Color* texels) const {
         if (!function_.wants_lod)
             return filtered(0, texture_.mag, texels);
         alignas(16) std::uint16_t next[packet_length] = {};
@@ -121,30 +121,31 @@ template <class N> class LaneTexture {
         return each_by_its_own(texels);
     }
     /// True where all fragments take the same levels by the same filter. The larger lambda is, the larger is
-    /// the level, and the filter changes once at most (TextureFunction::sampling()); so the fragments of the
-    /// least and of the largest lambda speak for all. Within one level, weights of the level behind ascend
-    /// with lambda, too.
+    /// the level, and the filter changes once at most (TextureFunction::choose_sampling()); so the fragments
+    /// of the least and of the largest lambda speak for all. Within one level, weights of the level behind
+    /// ascend with lambda, too.
     bool all_alike(Sampling& how, std::uint16_t* next) const {
         std::int32_t least = places_.lod[0], most = least;
-        for (std::int32_t i = 1; i < n_; ++i) {
+        for (std::int32_t i = 1; i < fragment_count_; ++i) {
             const std::int32_t lod = places_.lod[i];
             least = lod < least ? lod : least;
             most = lod > most ? lod : most;
         }
-        how = function_.sampling(least);
-        if (!how.alike(function_.sampling(most)))
+        how = function_.choose_sampling(least);
+        if (!how.alike(function_.choose_sampling(most)))
             return false;
         if (how.next == 0)
             return true;
-        for (std::int32_t i = 0; i < n_; ++i)
-            next[i] = static_cast<std::uint16_t>(function_.weight_behind(function_.biased(places_.lod[i])));
+        for (std::int32_t i = 0; i < fragment_count_; ++i)
+            next[i] =
+                static_cast<std::uint16_t>(function_.weight_behind(function_.with_lod_bias(places_.lod[i])));
         return true;
     }
     [[gnu::noinline]] bool each_by_its_own(Color* texels) const {
         Sampling how[packet_length];
         alignas(16) std::uint16_t next[packet_length] = {};
-        for (std::int32_t i = 0; i < n_; ++i) {
-            how[i] = function_.sampling(places_.lod[i]);
+        for (std::int32_t i = 0; i < fragment_count_; ++i) {
+            how[i] = function_.choose_sampling(places_.lod[i]);
             next[i] = static_cast<std::uint16_t>(how[i].next);
         }
         return in_kinds(how, next, texels);
@@ -158,7 +159,7 @@ template <class N> class LaneTexture {
         Color behind[texel_groups];
         if (!filtered(how.level + 1, how.filter, behind))
             return false;
-        for (std::int32_t g = 0; g < groups_; ++g)
+        for (std::int32_t g = 0; g < group_count_; ++g)
             texels[g] = between_levels<N>(texels[g], behind[g], L::gather(next + g * lanes));
         return true;
     }
@@ -183,13 +184,13 @@ template <class N> class LaneTexture {
             to.filter = filter;
             return filtered(level, filter, to.colors) ? to.colors : nullptr;
         };
-        PacketBits left = first_bits(n_);
+        PacketBits left = first_bits(fragment_count_);
         for (int kind = 0; left != 0; ++kind) {
             if (kind == most)
                 return false;
             const Sampling& one = how[std::countr_zero(left)];
             alignas(16) std::uint16_t chosen[packet_length] = {};
-            for (std::int32_t i = 0; i < n_; ++i)
+            for (std::int32_t i = 0; i < fragment_count_; ++i)
                 if (how[i].alike(one)) {
                     chosen[i] = 0xFFFF;
                     left &= ~(PacketBits{1} << i);
@@ -198,7 +199,7 @@ template <class N> class LaneTexture {
             const Color* const behind = one.next != 0 ? seen_by(one.level + 1, one.filter) : found;
             if (found == nullptr || behind == nullptr)
                 return false;
-            for (std::int32_t g = 0; g < groups_; ++g) {
+            for (std::int32_t g = 0; g < group_count_; ++g) {
                 const Color mixed = one.next != 0
                                         ? between_levels<N>(found[g], behind[g], L::gather(next + g * lanes))
                                         : found[g];
@@ -235,7 +236,7 @@ template <class N> class LaneTexture {
 
     bool one_face() const {
         std::uint32_t others = 0;
-        for (std::int32_t i = 1; i < n_; ++i)
+        for (std::int32_t i = 1; i < fragment_count_; ++i)
             others |= places_.face[i] ^ places_.face[0];
         return others == 0;
     }
@@ -254,7 +255,7 @@ template <class N> class LaneTexture {
                 return false;
             to_face[face] = static_cast<std::uint32_t>(at);
         }
-        for (std::int32_t i = 0; i < groups_ * lanes; ++i)
+        for (std::int32_t i = 0; i < group_count_ * lanes; ++i)
             first[i] = to_face[places_.face[i]];
         return true;
     }
@@ -269,18 +270,19 @@ template <class N> class LaneTexture {
         TexelNumbers k;
         const bool linear = filter == Filter::linear;
         const AxisLanes axis(texture_.wrap_r, depth);
-        const bool has_all = axis.find(linear, places_.r, lanes, groups_, k) || texture_.border_texels != 0;
+        const bool has_all =
+            axis.find(linear, places_.r, lanes, group_count_, k) || texture_.border_texels != 0;
         const auto by_slice = [&](U16* numbers, Color* colors) {
             std::uint32_t first[packet_length];
             U16 beyond[texel_groups];
-            for (std::int32_t g = 0; g < groups_; ++g) {
+            for (std::int32_t g = 0; g < group_count_; ++g) {
                 beyond[g] = has_all ? L::splat(0) : axis.move_inside(numbers[g]);
                 for (int lane = 0; lane < lanes; ++lane)
                     first[g * lanes + lane] =
                         static_cast<std::uint32_t>(static_cast<std::int16_t>(numbers[g][lane]) * bytes);
             }
             in_image(image, first, filter, colors);
-            for (std::int32_t g = 0; g < groups_ && !has_all; ++g)
+            for (std::int32_t g = 0; g < group_count_ && !has_all; ++g)
                 colors[g] = chosen_of(beyond[g], border(), colors[g]);
         };
         by_slice(k.at, to);
@@ -288,7 +290,7 @@ template <class N> class LaneTexture {
             return true;
         Color behind[texel_groups];
         by_slice(k.next, behind);
-        for (std::int32_t g = 0; g < groups_; ++g) {
+        for (std::int32_t g = 0; g < group_count_; ++g) {
             const U16 none = L::splat(0);
             to[g] = chosen_of(L::equal(k.weight[g], none), to[g],
                               between_levels<N>(to[g], behind[g], k.weight[g] << 8));
@@ -302,15 +304,15 @@ template <class N> class LaneTexture {
         const bool linear = filter == Filter::linear;
         TexelNumbers s, t;
         const AxisLanes along_s(texture_.wrap_s, image.width), along_t(texture_.wrap_t, image.height);
-        const bool in_s = along_s.find(linear, places_.s, places_.group, groups_, s),
-                   in_t = along_t.find(linear, places_.t, places_.group, groups_, t);
-        const TexelFetch fetch(texture_, image, first, linear, s, t, groups_);
+        const bool in_s = along_s.find(linear, places_.s, places_.group, group_count_, s),
+                   in_t = along_t.find(linear, places_.t, places_.group, group_count_, t);
+        const TexelFetch fetch(texture_, image, first, linear, s, t, group_count_);
         const bool words = words_of(texture_) == TexelWords::rgb565;
         if ((in_s && in_t) || texture_.border_texels != 0) [[likely]]
             return words ? mix<TexelFetch::Words>(fetch, linear, s.weight, t.weight, nullptr, to)
                          : mix<TexelFetch::Bytes>(fetch, linear, s.weight, t.weight, nullptr, to);
-        Beyond beyond;
-        for (std::int32_t g = 0; g < groups_; ++g) {
+        BorderMasks beyond;
+        for (std::int32_t g = 0; g < group_count_; ++g) {
             const U16 none = L::splat(0), at_s = in_s ? none : along_s.move_inside(s.at[g]),
                       at_t = in_t ? none : along_t.move_inside(t.at[g]),
                       next_s = in_s || !linear ? none : along_s.move_inside(s.next[g]),
@@ -324,15 +326,15 @@ template <class N> class LaneTexture {
             return mix<TexelFetch::Bytes>(fetch, linear, s.weight, t.weight, &beyond, to);
         mix<TexelFetch::Words>(fetch, linear, s.weight, t.weight, nullptr, to);
         // The border's colour has more bits than a word of 16.
-        for (std::int32_t i = 0; i < n_; ++i) {
+        for (std::int32_t i = 0; i < fragment_count_; ++i) {
             const auto meets = [&](int corner) { return beyond[corner][i / lanes][i % lanes] != 0; };
             if (linear ? meets(1) || meets(2) : meets(0)) // corners 1 and 2 have both columns and both rows
                 set_lane(to[i / lanes], i % lanes, one_fragment(image, first, filter, i));
         }
     }
     /// The colour of one fragment, as chains of one lane find it.
-    [[gnu::noinline]] typename One::Color one_fragment(TextureLevel image, const std::uint32_t* first,
-                                                       Filter filter, std::int32_t i) const {
+    [[gnu::noinline]] typename SingleLane::Color one_fragment(TextureLevel image, const std::uint32_t* first,
+                                                              Filter filter, std::int32_t i) const {
         if (first != nullptr)
             image.texels += static_cast<std::int32_t>(first[i]);
         const std::int32_t at = i / lanes * places_.group + i % lanes;
@@ -355,22 +357,24 @@ template <class N> class LaneTexture {
     /// and of the second row. Texels that lie `beyond` the image get the border's colour; null: none does.
     template <class Words>
     [[gnu::noinline]] void mix(const TexelFetch& fetch, bool linear, const U16* right, const U16* down,
-                               const Beyond* beyond, Color* to) const {
+                               const BorderMasks* beyond, Color* to) const {
         Words texel;
         fetch.fetch(texel);
         if constexpr (std::is_same_v<Words, TexelFetch::Bytes>)
             if (beyond != nullptr) [[unlikely]]
                 put_border(*beyond, linear ? 4 : 1, texel);
         const auto& [c00, c10, c01, c11] = texel;
-        for (std::int32_t g = 0; g < groups_; ++g)
-            to[g] = linear ? mixed(c00[g], c10[g], c01[g], c11[g], right[g], down[g]) : unpacked(c00[g]);
+        for (std::int32_t g = 0; g < group_count_; ++g)
+            to[g] =
+                linear ? blend_texels(c00[g], c10[g], c01[g], c11[g], right[g], down[g]) : unpacked(c00[g]);
     }
     /// Replaces fetched texels that lie beyond the image by the border's colour.
-    [[gnu::noinline]] void put_border(const Beyond& beyond, int corners, TexelFetch::Bytes& texel) const {
+    [[gnu::noinline]] void put_border(const BorderMasks& beyond, int corners,
+                                      TexelFetch::Bytes& texel) const {
         const std::uint8_t* const b = texture_.border_color;
         const U16 low = L::splat(b[1] * 256U + b[0]), high = L::splat(b[3] * 256U + b[2]);
         for (int corner = 0; corner < corners; ++corner)
-            for (std::int32_t g = 0; g < groups_; ++g) {
+            for (std::int32_t g = 0; g < group_count_; ++g) {
                 LaneBytes& of = texel[corner][g];
                 of.low = L::select(beyond[corner][g], low, of.low);
                 of.high = L::select(beyond[corner][g], high, of.high);
@@ -381,12 +385,12 @@ template <class N> class LaneTexture {
     SPANGLE_INLINE static Color unpacked(const LaneBytes& c) {
         return {N::from8(c.at(0)), N::from8(c.at(1)), N::from8(c.at(2)), N::from8(c.at(3))};
     }
-    SPANGLE_INLINE static Color mixed(const U16& c00, const U16& c10, const U16& c01, const U16& c11,
-                                      const U16& right, const U16& down) {
+    SPANGLE_INLINE static Color blend_texels(const U16& c00, const U16& c10, const U16& c01, const U16& c11,
+                                             const U16& right, const U16& down) {
         return Colors565::mix(typename Colors565::Weights(down), c00, c10, c01, c11, right);
     }
-    SPANGLE_INLINE static Color mixed(const LaneBytes& c00, const LaneBytes& c10, const LaneBytes& c01,
-                                      const LaneBytes& c11, const U16& right, const U16& down) {
+    SPANGLE_INLINE static Color blend_texels(const LaneBytes& c00, const LaneBytes& c10, const LaneBytes& c01,
+                                             const LaneBytes& c11, const U16& right, const U16& down) {
         if constexpr (is_exact<N>) {
             return ExactFilter(right, down)(c00, c10, c01, c11);
         } else {

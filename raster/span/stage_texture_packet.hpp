@@ -12,7 +12,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 /// The texture function for packets of number system N. It makes the same bytes as Texture2D.
 template <class N> class PacketTexture {
-    using One = OneLane<N>;
+    using SingleLane = OneLane<N>;
     using L = typename N::L;
     using Color = typename N::Color;
     static constexpr int lanes = N::lanes;
@@ -46,16 +46,16 @@ template <class N> class PacketTexture {
     }
 
   private:
-    Packet<N>& k_;
+    Packet<N>& packet_;
     const TextureUnit& unit_;
     const Texture& texture_;
-    const TextureFunction<One> function_;
-    const std::int32_t n_; ///< fragments, up to whole groups
-    const int which_;
+    const TextureFunction<SingleLane> function_;
+    const std::int32_t fragment_count_; ///< fragments, up to whole groups
+    const int unit_number_;
 
     PacketTexture(Packet<N>& k, const TextureUnit& unit, int which)
-        : k_(k), unit_(unit), texture_(*unit.texture), function_(unit), n_((k.n + lanes - 1) & -lanes),
-          which_(which) {}
+        : packet_(k), unit_(unit), texture_(*unit.texture), function_(unit),
+          fragment_count_((k.n + lanes - 1) & -lanes), unit_number_(which) {}
 
     using Span = raster::Span<typename N::Policy>;
 
@@ -82,26 +82,26 @@ template <class N> class PacketTexture {
             if (wants_r(*unit.texture))
                 return in_volume(k, span, which, texels);
         const PacketTexture stage(k, unit, which);
-        if (!has_shortcuts || !stage.together(texels))
+        if (!has_shortcuts || !stage.sample_in_lanes(texels))
             stage.one_by_one(texels);
     }
 
     [[gnu::noinline]] static void in_volume(Packet<N>& k, const Span& span, int which, Color* texels) {
         const VolumeCoords coords(span, which);
-        const VolumeFunction<One> function(span.state->fragment.unit[which]);
+        const VolumeFunction<SingleLane> function(span.state->fragment.unit[which]);
         for (std::int32_t i = 0; i < k.n; ++i)
             set_lane(texels[i / lanes], i % lanes, function.sample(coords.at(k.x + i)));
     }
 
     /// False: fragments take different levels or filters, or some see the border colour.
-    bool together(Color* texels) const {
-        using Sampling = typename TextureFunction<One>::Sampling;
+    bool sample_in_lanes(Color* texels) const {
+        using Sampling = typename TextureFunction<SingleLane>::Sampling;
         Sampling how = {0, texture_.mag, 0};
         std::uint16_t next[packet_length] = {};
         if (function_.wants_lod) {
-            how = function_.sampling(k_.lod[which_][0]);
-            for (std::int32_t i = 0; i < k_.n; ++i) {
-                const Sampling other = function_.sampling(k_.lod[which_][i]);
+            how = function_.choose_sampling(packet_.lod[unit_number_][0]);
+            for (std::int32_t i = 0; i < packet_.n; ++i) {
+                const Sampling other = function_.choose_sampling(packet_.lod[unit_number_][i]);
                 if (!other.alike(how))
                     return false;
                 next[i] = static_cast<std::uint16_t>(other.next);
@@ -113,17 +113,17 @@ template <class N> class PacketTexture {
             Color behind[Packet<N>::groups];
             if (!filtered(how.level + 1, how.filter, behind))
                 return false;
-            for (std::int32_t g = 0; g * lanes < n_; ++g)
+            for (std::int32_t g = 0; g * lanes < fragment_count_; ++g)
                 texels[g] = between_levels<N>(texels[g], behind[g], L::gather(next + g * lanes));
         }
         return true;
     }
     [[gnu::noinline]] void one_by_one(Color* texels) const {
-        for (std::int32_t i = 0; i < k_.n; ++i) {
-            const auto& coord = k_.coord[which_][i / lanes];
+        for (std::int32_t i = 0; i < packet_.n; ++i) {
+            const auto& coord = packet_.coord[unit_number_][i / lanes];
             set_lane(texels[i / lanes], i % lanes,
                      function_.sample(coord.s[i % lanes], coord.t[i % lanes],
-                                      function_.wants_lod ? k_.lod[which_][i] : 0));
+                                      function_.wants_lod ? packet_.lod[unit_number_][i] : 0));
         }
     }
 
@@ -132,7 +132,7 @@ template <class N> class PacketTexture {
         const TexelWords words = words_of(texture_);
         if (words == TexelWords::none)
             return false;
-        const auto& coord = k_.coord[which_][0];
+        const auto& coord = packet_.coord[unit_number_][0];
         constexpr std::int32_t group = sizeof coord / sizeof coord.s[0];
         const bool linear = filter == Filter::linear, border = texture_.border_texels != 0;
         // Texels of indirect formats are found by column and row, not by bytes.
@@ -141,9 +141,9 @@ template <class N> class PacketTexture {
                            stride = indirect ? 1 : static_cast<std::int32_t>(image.stride);
         TexelOffsets s, t;
         const bool stored = find_texels<lanes>(s, linear, {texture_.wrap_s, image.width, bytes, border},
-                                               coord.s, group, n_) &&
+                                               coord.s, group, fragment_count_) &&
                             find_texels<lanes>(t, linear, {texture_.wrap_t, image.height, stride, border},
-                                               coord.t, group, n_);
+                                               coord.t, group, fragment_count_);
         if (!stored)
             return false;
         if (words == TexelWords::rgb565)
@@ -160,18 +160,18 @@ template <class N> class PacketTexture {
         using Texels = TexelColors<N, sizeof(Word) == 2, true>;
         Word texel[4][packet_length];
         const auto fetch = [&](const std::int32_t* across, const std::int32_t* up, Word* words) {
-            fetch_texels(texture_, image, across, up, n_, words);
+            fetch_texels(texture_, image, across, up, fragment_count_, words);
         };
         fetch(s.at, t.at, texel[0]);
         if (!linear) {
-            for (std::int32_t g = 0, i = 0; i < n_; ++g, i += lanes)
+            for (std::int32_t g = 0, i = 0; i < fragment_count_; ++g, i += lanes)
                 to[g] = Texels::unpack(L::gather(texel[0] + i));
             return;
         }
         fetch(s.next, t.at, texel[1]);
         fetch(s.at, t.next, texel[2]);
         fetch(s.next, t.next, texel[3]);
-        for (std::int32_t g = 0, i = 0; i < n_; ++g, i += lanes)
+        for (std::int32_t g = 0, i = 0; i < fragment_count_; ++g, i += lanes)
             to[g] = Texels::mix(typename Texels::Weights(L::gather(t.weight + i)), L::gather(texel[0] + i),
                                 L::gather(texel[1] + i), L::gather(texel[2] + i), L::gather(texel[3] + i),
                                 L::gather(s.weight + i));

@@ -46,20 +46,21 @@ template <class T> struct CubeFace {
 class VolumeCoords {
   public:
     VolumeCoords(const Span<Fixed>& span, int unit)
-        : span_(span), at_(span.unit[unit]), texture_(*span.state->fragment.unit[unit].texture),
-          lod_(raster::wants_lod(texture_)) {}
+        : span_(span), unit_coords_(span.unit[unit]), texture_(*span.state->fragment.unit[unit].texture),
+          has_lod_(raster::wants_lod(texture_)) {}
 
     [[gnu::noinline]] VolumePlace at(std::int32_t x) const {
-        Planes s(span_.at(x, at_.s), at_.s.dx, at_.s_dy), t(span_.at(x, at_.t), at_.t.dx, at_.t_dy),
-            r(span_.at(x, at_.r), at_.r.dx, at_.r_dy);
+        Planes s(span_.at(x, unit_coords_.s), unit_coords_.s.dx, unit_coords_.s_dy),
+            t(span_.at(x, unit_coords_.t), unit_coords_.t.dx, unit_coords_.t_dy),
+            r(span_.at(x, unit_coords_.r), unit_coords_.r.dx, unit_coords_.r_dy);
         const bool cube = has_cube_maps && texture_.shape == TextureShape::cube;
         VolumePlace place;
         place.face = cube ? face(s, t, r) : 0;
         const Planes q =
             // The other coordinates are divided by q.
-            cube ? r : Planes(span_.at(x, at_.q), at_.q.dx, at_.q_dy);
+            cube ? r : Planes(span_.at(x, unit_coords_.q), unit_coords_.q.dx, unit_coords_.q_dy);
         const Inverse inverse(positive(q.v));
-        const int exponent = cube ? 0 : at_.exponent;
+        const int exponent = cube ? 0 : unit_coords_.exponent;
         const auto repeats = [&](std::int32_t v) SPANGLE_RUN_LAMBDA {
             const std::int64_t of = inner::to_repeats(v, inverse, exponent);
             // Maps -1 .. 1 to 0 .. 1: s = (sc / |ma| + 1) / 2.
@@ -72,7 +73,7 @@ class VolumeCoords {
         place.r = volume ? word(third, texture_.wrap_r)
                          : static_cast<std::uint32_t>(numeric::clamp<std::int64_t>(third >> 2, 0, 1 << 30));
         place.lod = 0;
-        if (!lod_)
+        if (!has_lod_)
             return place;
         const TextureLevel& base = texture_.level[0];
         std::int32_t most = steps(s, q, base.width);
@@ -82,7 +83,7 @@ class VolumeCoords {
         if (volume)
             also(steps(r, q, texture_.depth));
         place.lod = level_of_detail(most - 2 * log2_fraction8(static_cast<std::uint64_t>(positive(q.v))) +
-                                    (cube ? -256 : at_.exponent << 8));
+                                    (cube ? -256 : unit_coords_.exponent << 8));
         return place;
     }
 
@@ -92,19 +93,21 @@ class VolumeCoords {
         std::int32_t v, dx, dy;
         Planes(std::uint64_t value, std::uint64_t across, std::uint64_t up)
             : v(unguarded(value)), dx(unguarded(across)), dy(unguarded(up)) {}
-        Planes turned(bool back) const { return back ? Planes{negated(v), negated(dx), negated(dy)} : *this; }
+        Planes turned(bool back) const {
+            return back ? Planes{negate_wide(v), negate_wide(dx), negate_wide(dy)} : *this;
+        }
 
       private:
         Planes(std::int32_t value, std::int32_t across, std::int32_t up) : v(value), dx(across), dy(up) {}
-        static std::int32_t negated(std::int32_t v) {
+        static std::int32_t negate_wide(std::int32_t v) {
             return static_cast<std::int32_t>(0 - static_cast<std::uint32_t>(v));
         }
     };
 
     const Span<Fixed>& span_;
-    const Span<Fixed>::Unit& at_;
+    const Span<Fixed>::Unit& unit_coords_;
     const Texture& texture_;
-    const bool lod_;
+    const bool has_lod_;
 
     static std::int32_t positive(std::int32_t q) { return q > 0 ? q : 1; }
 
@@ -140,10 +143,10 @@ template <class N> class VolumeFunction {
     using Color = typename N::Color;
 
   public:
-    explicit VolumeFunction(const TextureUnit& unit) : plane_(unit), texture_(*unit.texture) {}
+    explicit VolumeFunction(const TextureUnit& unit) : slice_(unit), texture_(*unit.texture) {}
 
     [[gnu::noinline]] Color sample(const VolumePlace& place) const {
-        const auto how = plane_.wants_lod ? plane_.sampling(place.lod)
+        const auto how = slice_.wants_lod ? slice_.choose_sampling(place.lod)
                                           : typename TextureFunction<N>::Sampling{0, texture_.mag, 0};
         const Color a = level(place, how.level, how.filter);
         return how.next == 0 ? a
@@ -152,7 +155,7 @@ template <class N> class VolumeFunction {
     }
 
   private:
-    TextureFunction<N> plane_;
+    TextureFunction<N> slice_;
     const Texture& texture_;
 
     Color level(const VolumePlace& place, int level, Filter filter) const {
@@ -172,7 +175,7 @@ template <class N> class VolumeFunction {
         const TexelIndex i = wrapped_linear(texture_.wrap_s, place.s, w, image.width),
                          j = wrapped_linear(texture_.wrap_t, place.t, h, image.height);
         if (!texture_.compares)
-            return plane_.filtered(image, i, j);
+            return slice_.filtered(image, i, j);
         const std::int32_t i0 = wrap_texel(texture_.wrap_s, i.i, image.width),
                            i1 = wrap_texel(texture_.wrap_s, i.i + 1, image.width),
                            j0 = wrap_texel(texture_.wrap_t, j.i, image.height),
@@ -199,7 +202,7 @@ template <class N> class VolumeFunction {
     Color slice(const VolumePlace& place, const TextureLevel& base, std::int32_t k, std::int32_t depth,
                 Filter filter) const {
         if (texture_.border_texels == 0 && (k < 0 || k >= depth))
-            return plane_.border;
+            return slice_.border;
         TextureLevel image = base;
         const std::ptrdiff_t bytes =
             static_cast<std::ptrdiff_t>(base.stride) * (base.height + 2 * texture_.border_texels);
@@ -211,7 +214,7 @@ template <class N> class VolumeFunction {
     /// 3.8.14).
     Color texel(const VolumePlace& place, const TextureLevel& image, std::int32_t i, std::int32_t j) const {
         if (!has_depth_textures || !texture_.compares)
-            return plane_.texel(image, i, j);
+            return slice_.texel(image, i, j);
         const std::uint32_t most = texture_.format == TexelFormat::z16 ? 0xFFFF : 0xFFFFFF;
         const auto r = static_cast<std::uint32_t>((std::uint64_t{place.r} * most + (1u << 29)) >> 30);
         const bool passes = compare(texture_.compare, r, depth_of(image, i, j, most));
@@ -220,9 +223,9 @@ template <class N> class VolumeFunction {
     }
     std::uint32_t depth_of(const TextureLevel& image, std::int32_t i, std::int32_t j,
                            std::uint32_t most) const {
-        if (!plane_.stored(image, i, j)) // the red of the border's colour is compared
+        if (!slice_.stored(image, i, j)) // the red of the border's colour is compared
             return static_cast<std::uint32_t>(std::uint64_t{texture_.border_color[0]} * most / 255);
-        const std::uint8_t* const at = plane_.address(image, i, j);
+        const std::uint8_t* const at = slice_.address(image, i, j);
         if (most == 0xFFFF)
             return Lanes<1>::load(at);
         std::uint32_t code;

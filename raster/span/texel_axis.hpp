@@ -33,9 +33,9 @@ class AxisLanes {
 
     AxisLanes(Wrap wrap, std::int32_t size)
         : wrap_(wrap), repeats_(wrap == Wrap::repeat || wrap == Wrap::mirrored_repeat),
-          whole_(wrap == Wrap::mirrored_repeat ? 2 * size : size),
-          shift_(is_power_of_two(size) ? (repeats_ ? 16 : clamped_coord_bits - 16) - log2_of(whole_) : -1),
-          size_(L::splat(static_cast<std::uint32_t>(whole_))), last_(size_ - 1) {}
+          period_(wrap == Wrap::mirrored_repeat ? 2 * size : size),
+          shift_(is_power_of_two(size) ? (repeats_ ? 16 : clamped_coord_bits - 16) - log2_of(period_) : -1),
+          texel_count_(L::splat(static_cast<std::uint32_t>(period_))), last_texel_(texel_count_ - 1) {}
 
     /// `coord` holds words in groups of eight that are `group` words apart. False: some fragment meets a
     /// texel beyond the image.
@@ -47,7 +47,8 @@ class AxisLanes {
     /// Moves numbers of texels beyond the image to its edge, on an axis that does not repeat. Returns all
     /// ones in lanes whose number was moved.
     SPANGLE_INLINE U16 move_inside(U16& number) const {
-        const U16 inside = L::clamped_signed(number, L::splat(0), last_), moved = ~L::equal(inside, number);
+        const U16 inside = L::clamped_signed(number, L::splat(0), last_texel_),
+                  moved = ~L::equal(inside, number);
         number = inside;
         return moved;
     }
@@ -55,9 +56,9 @@ class AxisLanes {
   private:
     Wrap wrap_;
     bool repeats_;
-    std::int32_t whole_; ///< texels of one period of a repeating axis, or of the image
-    int shift_;          ///< shift from a coordinate to a place; -1: a product makes it
-    U16 size_, last_;
+    std::int32_t period_; ///< texels of one period of a repeating axis, or of the image
+    int shift_;           ///< shift from a coordinate to a place; -1: a product makes it
+    U16 texel_count_, last_texel_;
 
     static constexpr std::uint32_t bias = 1u << (16 - nearest_bias_bits),
                                    /// These are nearest_bias() and linear_origin() in 2^-16 texel.
@@ -68,9 +69,11 @@ class AxisLanes {
             return repeats_ ? v >> shift_ : lane_shifted_signed(v, shift_);
         const auto [low, high] = v.halves();
         if (repeats_)
-            return lane_joined(high * size_, L::mul_high(high, size_)) + L::widened(L::mul_high(low, size_));
-        return (lane_joined(high * size_, L::mul_high_signed(high, size_)) << (32 - clamped_coord_bits)) +
-               (lane_joined(low * size_, L::mul_high(low, size_)) >> (clamped_coord_bits - 16));
+            return lane_joined(high * texel_count_, L::mul_high(high, texel_count_)) +
+                   L::widened(L::mul_high(low, texel_count_));
+        return (lane_joined(high * texel_count_, L::mul_high_signed(high, texel_count_))
+                << (32 - clamped_coord_bits)) +
+               (lane_joined(low * texel_count_, L::mul_high(low, texel_count_)) >> (clamped_coord_bits - 16));
     }
     /// Calls f(group, coordinates) for all groups.
     template <class F>
@@ -81,12 +84,16 @@ class AxisLanes {
     }
 
     /// Wraps the number of a texel that is at most one beyond the period, at its end or at its beginning.
-    SPANGLE_INLINE U16 from_end(const U16& i) const { return i - (L::less_signed(last_, i) & size_); }
+    SPANGLE_INLINE U16 from_end(const U16& i) const {
+        return i - (L::less_signed(last_texel_, i) & texel_count_);
+    }
     SPANGLE_INLINE U16 from_beginning(const U16& i) const {
-        return i + (L::less_signed(i, L::splat(0)) & size_);
+        return i + (L::less_signed(i, L::splat(0)) & texel_count_);
     }
     /// Mirrors the second half of the period, which is the image backwards.
-    SPANGLE_INLINE U16 mirrored(const U16& i) const { return last_ - L::maximum_signed(i, last_ - i); }
+    SPANGLE_INLINE U16 mirrored(const U16& i) const {
+        return last_texel_ - L::maximum_signed(i, last_texel_ - i);
+    }
 
     [[gnu::noinline]] bool find_nearest(const std::uint32_t* coord, std::int32_t group, std::int32_t groups,
                                         TexelNumbers& to) const {
@@ -105,18 +112,18 @@ class AxisLanes {
         if (wrap_ != Wrap::clamp_to_border) {
             each(
                 coord, group, groups, [&](std::int32_t g, const U32& v) __attribute__((always_inline)) {
-                    to.at[g] = L::clamped_signed(texel(v), L::splat(0), last_);
+                    to.at[g] = L::clamped_signed(texel(v), L::splat(0), last_texel_);
                 });
             return true;
         }
         U16 outside = L::splat(0);
         each(
             coord, group, groups, [&](std::int32_t g, const U32& v) __attribute__((always_inline)) {
-                const U16 i = L::clamped_signed(texel(v), L::splat(0xFFFF), size_);
+                const U16 i = L::clamped_signed(texel(v), L::splat(0xFFFF), texel_count_);
                 // A coordinate of 1 is the last texel (GL 1.3, 3.8.8).
                 const L::Mask beyond = L::less(L::splat32(1u << clamped_coord_bits), v);
-                to.at[g] = i + (L::equal(i, size_) & ~beyond);
-                outside |= to.at[g] | (last_ - to.at[g]);
+                to.at[g] = i + (L::equal(i, texel_count_) & ~beyond);
+                outside |= to.at[g] | (last_texel_ - to.at[g]);
             });
         return !L::any(L::less_signed(outside, L::splat(0)));
     }
@@ -147,23 +154,23 @@ class AxisLanes {
         if (wrap_ == Wrap::clamp_to_edge) {
             each_place(
                 as_it_is, [&](std::int32_t g, const U16& i) __attribute__((always_inline)) {
-                    to.at[g] = L::clamped_signed(i, L::splat(0), last_);
-                    to.next[g] = L::clamped_signed(i + 1, L::splat(0), last_);
+                    to.at[g] = L::clamped_signed(i, L::splat(0), last_texel_);
+                    to.next[g] = L::clamped_signed(i + 1, L::splat(0), last_texel_);
                 });
             return true;
         }
         U16 outside = L::splat(0);
         const auto into_border = [&](std::int32_t g, const U16& i) __attribute__((always_inline)) {
-            to.at[g] = L::clamped_signed(i, L::splat(0xFFFF), size_);
-            to.next[g] = L::clamped_signed(i + 1, L::splat(0xFFFF), size_);
-            outside |= to.at[g] | (last_ - to.next[g]);
+            to.at[g] = L::clamped_signed(i, L::splat(0xFFFF), texel_count_);
+            to.next[g] = L::clamped_signed(i + 1, L::splat(0xFFFF), texel_count_);
+            outside |= to.at[g] | (last_texel_ - to.next[g]);
         };
         if (wrap_ == Wrap::clamp_to_border)
             each_place(as_it_is, into_border);
         else // CLAMP limits to [0, 1] first: at the edge half of the border mixes in
             each_place(
                 [&](const U32& v) __attribute__((always_inline)) {
-                    return L::minimum(L::positive(v), L::splat32(static_cast<std::uint32_t>(whole_) << 16));
+                    return L::minimum(L::positive(v), L::splat32(static_cast<std::uint32_t>(period_) << 16));
                 },
                 into_border);
         return !L::any(L::less_signed(outside, L::splat(0)));

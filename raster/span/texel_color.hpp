@@ -104,14 +104,14 @@ template <class N, bool Is565, bool Alpha> struct TexelColors {
                     Alpha ? N::from8(L::byte(v, 3)) : N::from_units(color_one)};
     }
     /// The LINEAR filter of the exact tier with one lane; b is the weight of row j + 1, in 256ths.
-    struct Exactly {
+    struct ExactBilinear {
         std::uint32_t b;
-        SPANGLE_INLINE explicit Exactly(std::uint32_t weight) : b(weight) {}
+        SPANGLE_INLINE explicit ExactBilinear(std::uint32_t weight) : b(weight) {}
     };
     using Weights = std::conditional_t<
         is_raw<N>, FilterWords<N::lanes>,
         std::conditional_t<
-            std::is_same_v<N, Exact>, Exactly,
+            std::is_same_v<N, Exact>, ExactBilinear,
             std::conditional_t<is_exact<N>, ExactLanes::Weights,
                                std::conditional_t<Is565, Filter565<N::lanes>, Filter8<N::lanes>>>>>;
     template <class V, class W>

@@ -27,12 +27,12 @@ class TexelFetch {
     /// `first` holds bytes from the texels of the image to those that a fragment looks at; null stands for 0.
     TexelFetch(const Texture& texture, const TextureLevel& image, const std::uint32_t* first, bool linear,
                const TexelNumbers& s, const TexelNumbers& t, std::int32_t groups)
-        : texture_(texture), image_(image), first_(first), s_(s), t_(t), corners_(linear ? 4 : 1),
-          groups_(groups),
-          steps_(L::splat32(image.stride << 16 |
-                            static_cast<std::uint32_t>(texel_bytes(sampled(texture.format))))),
+        : texture_(texture), image_(image), first_texel_(first), s_(s), t_(t), texel_count_(linear ? 4 : 1),
+          group_count_(groups),
+          texel_steps_(L::splat32(image.stride << 16 |
+                                  static_cast<std::uint32_t>(texel_bytes(sampled(texture.format))))),
           has_pairs_(linear && image.width + 2 * texture.border_texels > 1),
-          last_left_(L::splat(static_cast<std::uint32_t>(image.width - 2 + texture.border_texels))) {}
+          last_left_column_(L::splat(static_cast<std::uint32_t>(image.width - 2 + texture.border_texels))) {}
 
     [[gnu::noinline]] void fetch(Words& to) const {
         if (is_indirect(texture_.format))
@@ -88,20 +88,20 @@ class TexelFetch {
   private:
     const Texture& texture_;
     const TextureLevel& image_;
-    const std::uint32_t* const first_;
+    const std::uint32_t* const first_texel_;
     const TexelNumbers &s_, &t_;
-    const int corners_;
-    const std::int32_t groups_;
-    const LaneWords steps_; ///< bytes from texel to texel and from row to row
-    const bool has_pairs_;  ///< two columns are looked at, and the image has at least two
-    const U16 last_left_;   ///< the last column but one, which still has a right neighbour
+    const int texel_count_;
+    const std::int32_t group_count_;
+    const LaneWords texel_steps_; ///< bytes from texel to texel and from row to row
+    const bool has_pairs_;        ///< two columns are looked at, and the image has at least two
+    const U16 last_left_column_;  ///< the last column but one, which still has a right neighbour
 
     /// Calls f(corner, group, texels along s, texels along t).
     template <class F> SPANGLE_INLINE void each_group(F f) const {
-        for (int corner = 0; corner < corners_; ++corner) {
+        for (int corner = 0; corner < texel_count_; ++corner) {
             const U16* const s = (corner & 1) != 0 ? s_.next : s_.at;
             const U16* const t = (corner & 2) != 0 ? t_.next : t_.at;
-            for (std::int32_t g = 0; g < groups_; ++g)
+            for (std::int32_t g = 0; g < group_count_; ++g)
                 f(corner, g, s[g], t[g]);
         }
     }
@@ -114,9 +114,9 @@ class TexelFetch {
         }
     };
     SPANGLE_INLINE Places places(std::int32_t g, const U16& s, const U16& t) const {
-        U32 offsets = lane_products_added(lane_joined(s, t), steps_);
-        if (first_ != nullptr)
-            offsets += L::gather(first_ + 8 * g);
+        U32 offsets = lane_products_added(lane_joined(s, t), texel_steps_);
+        if (first_texel_ != nullptr)
+            offsets += L::gather(first_texel_ + 8 * g);
         Places to{image_.texels, {}};
         L::store32(reinterpret_cast<std::uint8_t*>(to.offset), offsets);
         // The offsets go through memory: GCC 12 would take lanes out of vectors, which is longer.
@@ -132,12 +132,12 @@ class TexelFetch {
     /// that are neighbours, or the same column, are loaded together. Where an image repeats, columns may be
     /// neither.
     template <unsigned Size, class Put> SPANGLE_INLINE void each_texel(Put put) const {
-        for (std::int32_t g = 0; g < groups_; ++g) {
+        for (std::int32_t g = 0; g < group_count_; ++g) {
             const U16 &at = s_.at[g], &next = s_.next[g];
             if (has_pairs_) {
                 // `left` and the column after it both exist. `at` and `next` should each be one of these two
                 // columns.
-                const U16 left = L::minimum_signed(L::minimum_signed(at, next), last_left_);
+                const U16 left = L::minimum_signed(L::minimum_signed(at, next), last_left_column_);
                 if (!L::any_bits(((at - left) | (next - left)) & 0xFFFE)) [[likely]] {
                     const U16 is_at = L::equal(at, left), is_next = L::equal(next, left);
                     for (int row = 0; row < 2; ++row) {
@@ -149,7 +149,7 @@ class TexelFetch {
                     continue;
                 }
             }
-            for (int corner = 0; corner < corners_; ++corner)
+            for (int corner = 0; corner < texel_count_; ++corner)
                 put(corner, g,
                     one_texel<Size>(
                         places(g, (corner & 1) != 0 ? next : at, (corner & 2) != 0 ? t_.next[g] : t_.at[g])));

@@ -18,30 +18,31 @@ template <bool Cubic, int FractionBits, bool Aside> class TexelAxis {
     /// Position 0 lies `origin` into the texture. Along an axis of one texel there is nothing to walk in
     /// whole texels.
     SPANGLE_INLINE TexelAxis(int log2_size, std::uint32_t v, std::uint32_t origin, const Step& dv)
-        : log2_(log2_size), shift_(32 - FractionBits - log2_size), v_{v - origin, dv} {
+        : log2_size_(log2_size), shift_(32 - FractionBits - log2_size), coordinate_{v - origin, dv} {
         if (FractionBits == 0 && log2_size == 0) {
             shift_ = 31;
-            v_ = {};
+            coordinate_ = {};
         }
     }
     SPANGLE_INLINE std::uint32_t position(std::uint32_t lane = 0) const {
-        return v_.ahead(static_cast<std::int32_t>(lane)) >> shift_;
+        return coordinate_.value_after(static_cast<std::int32_t>(lane)) >> shift_;
     }
     /// The number of lane 0's texel in the image, where this axis gives its row and `column` its column.
     SPANGLE_INLINE std::uint32_t place(const TexelAxis& column) const {
         static_assert(FractionBits == 0);
-        return numeric::joined_aside(v_.at, shift_, column.log2_, column.v_.at, column.shift_);
+        return numeric::joined_aside(coordinate_.at, shift_, column.log2_size_, column.coordinate_.at,
+                                     column.shift_);
     }
     /// texel() of lane 0 by a product with the size, which is a factor32(); positions have no fraction here.
     SPANGLE_INLINE std::uint32_t texel_of(std::uint32_t size) const {
         static_assert(FractionBits == 0 && numeric::long_products);
-        return static_cast<std::uint32_t>(std::uint64_t{v_.at} * size >> 32);
+        return static_cast<std::uint32_t>(std::uint64_t{coordinate_.at} * size >> 32);
     }
     SPANGLE_INLINE std::uint32_t texel(std::uint32_t lane = 0) const {
         return position(lane) >> FractionBits;
     }
     SPANGLE_INLINE std::uint32_t next_texel(std::uint32_t lane = 0) const {
-        return (texel(lane) + 1) & ((1u << log2_) - 1);
+        return (texel(lane) + 1) & ((1u << log2_size_) - 1);
     }
     /// The fraction of the position of every lane.
     template <class L> SPANGLE_INLINE typename L::U16 fractions() const {
@@ -53,39 +54,41 @@ template <bool Cubic, int FractionBits, bool Aside> class TexelAxis {
                 return static_cast<std::uint16_t>(position(lane) & mask);
             });
         else
-            return L::low_half(L::ramp(v_.at, v_.by) >> shift_) & mask;
+            return L::low_half(L::ramp(coordinate_.at, coordinate_.by) >> shift_) & mask;
     }
     /// This axis as a straight line, where it is straight.
     SPANGLE_INLINE TexelAxis<false, FractionBits, Aside> line() const {
-        return {log2_, shift_, {v_.at, v_.slope()}};
+        return {log2_size_, shift_, {coordinate_.at, coordinate_.slope()}};
     }
     SPANGLE_INLINE void step(std::int32_t pixels) {
         if constexpr (Aside && !Cubic)
-            v_.at = numeric::sum_aside(v_.at, static_cast<std::uint32_t>(pixels) * v_.by);
+            coordinate_.at =
+                numeric::sum_aside(coordinate_.at, static_cast<std::uint32_t>(pixels) * coordinate_.by);
         else
-            v_.step(pixels);
+            coordinate_.step(pixels);
     }
-    SPANGLE_INLINE void step_straight(std::uint32_t pixels) { v_.step_straight(pixels); }
-    SPANGLE_INLINE bool straight() const { return v_.straight(); }
+    SPANGLE_INLINE void step_straight(std::uint32_t pixels) { coordinate_.step_straight(pixels); }
+    SPANGLE_INLINE bool straight() const { return coordinate_.straight(); }
     /// True where n steps stay in one position.
-    SPANGLE_INLINE bool constant(std::uint32_t n) const { return v_.constant(n, shift_); }
+    SPANGLE_INLINE bool constant(std::uint32_t n) const { return coordinate_.constant(n, shift_); }
     /// True where n pixels have one position each, in order: the step is one, or so nearly that no position
     /// is met twice.
     SPANGLE_INLINE bool one_to_one(std::uint32_t n) const {
         static_assert(!Cubic);
-        const auto excess = static_cast<std::int32_t>(v_.by - (1u << shift_));
+        const auto excess = static_cast<std::int32_t>(coordinate_.by - (1u << shift_));
         if (excess == 0) // sprites: the step is one texel, and no product is needed
             return true;
-        const std::int64_t last = std::int64_t{v_.at & ((1u << shift_) - 1)} + std::int64_t{excess} * (n - 1);
+        const std::int64_t last =
+            std::int64_t{coordinate_.at & ((1u << shift_) - 1)} + std::int64_t{excess} * (n - 1);
         return last >= 0 && last >> shift_ == 0;
     }
 
   private:
     template <bool, int, bool> friend class TexelAxis;
-    int log2_, shift_;
-    CoordWalk<Cubic> v_;
+    int log2_size_, shift_;
+    CoordWalk<Cubic> coordinate_;
     SPANGLE_INLINE TexelAxis(int log2_size, int shift, const CoordWalk<Cubic>& v)
-        : log2_(log2_size), shift_(shift), v_(v) {}
+        : log2_size_(log2_size), shift_(shift), coordinate_(v) {}
 };
 
 /// The walk for T, a TextureFixed. Positions have F::fraction_bits, and position 0 lies F::origin(log2 of the

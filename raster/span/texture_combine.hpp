@@ -193,7 +193,7 @@ template <class N> class TextureCombine {
 };
 
 /// Whether some unit combines; then all units are sampled before.
-inline bool combines(const FragmentState& state) {
+inline bool uses_combiners(const FragmentState& state) {
     bool any = false;
     for (const TextureUnit& unit : state.unit)
         any = any || (unit.texture != nullptr && unit.env == TexEnv::combine);

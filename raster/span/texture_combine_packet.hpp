@@ -43,16 +43,17 @@ template <class N> class PacketCombine {
   private:
     const FragmentState& state_;
     const Room* const texels_;
-    const int which_;
+    const int unit_number_;
     const Color* const primary_;
-    Color* const colors_; ///< the results of the unit before; then, from red to alpha, those of this one
+    Color* const
+        color_format_; ///< the results of the unit before; then, from red to alpha, those of this one
     const Color& constant_;
     const Color white_;
     const std::int32_t groups_;
 
     PacketCombine(const FragmentState& state, const Room* texels, int which, const Color* primary,
                   Color* colors, const Color& constant, std::int32_t groups)
-        : state_(state), texels_(texels), which_(which), primary_(primary), colors_(colors),
+        : state_(state), texels_(texels), unit_number_(which), primary_(primary), color_format_(colors),
           constant_(constant), white_(white()), groups_(groups) {}
     static Color white() {
         const T one = component::one<N>();
@@ -63,13 +64,13 @@ template <class N> class PacketCombine {
     Operand source(CombineSource from, int c) const {
         switch (from) {
         case CombineSource::texture:
-            return texture(which_, c);
+            return texture(unit_number_, c);
         case CombineSource::constant:
             return Operand::constant(constant_, c);
         case CombineSource::primary_color:
             return Operand::of(primary_, c);
         case CombineSource::previous:
-            return Operand::of(colors_, c);
+            return Operand::of(color_format_, c);
         default:
             return texture(static_cast<int>(from) - static_cast<int>(CombineSource::texture0), c);
         }
@@ -107,10 +108,10 @@ template <class N> class PacketCombine {
             component(unit.alpha, 3);
         const auto scale = [&](int c, unsigned log2) {
             if (log2 != 0)
-                Result(colors_, c, groups_)
+                Result(color_format_, c, groups_)
                     .set(
                         [log2](const T& v) __attribute__((always_inline)) { return Math::scaled(v, log2); },
-                        Operand::of(colors_, c));
+                        Operand::of(color_format_, c));
         };
         for (int c = 0; c < 3; ++c)
             scale(c, unit.rgb.log2_scale);
@@ -125,13 +126,13 @@ template <class N> class PacketCombine {
         }
         for (std::int32_t g = 0; g < groups_; ++g) {
             const T v = Math::dot3({a[0][g], a[1][g], a[2][g], T{}}, {b[0][g], b[1][g], b[2][g], T{}});
-            colors_[g] = {v, v, v, alpha ? v : colors_[g].a};
+            color_format_[g] = {v, v, v, alpha ? v : color_format_[g].a};
         }
     }
     /// Component c of the result, clamped but not scaled.
     [[gnu::noinline]] void component(const Combiner& by, int c) const {
         Room room[3];
-        const Result to(colors_, c, groups_);
+        const Result to(color_format_, c, groups_);
         const auto argument_of = [&](int i) { return argument(by.argument[i], c, room[i]); };
         const Operand a = argument_of(0);
         if (by.func == CombineFunc::replace) {

@@ -95,7 +95,7 @@ void clear_accum(const Surface& s, Rect area, const std::int16_t (&value)[4]) {
 namespace {
 
 /// The intersection of two areas; w or h is not positive if it is empty.
-Rect common(const Rect& a, const Rect& b) {
+Rect intersection(const Rect& a, const Rect& b) {
     const auto later = [](std::int32_t v, std::int32_t w) { return v > w ? v : w; };
     const auto sooner = [](std::int32_t v, std::int32_t w) { return v < w ? v : w; };
     const std::int32_t x = later(a.x, b.x), y = later(a.y, b.y);
@@ -112,7 +112,7 @@ void accum(const Surface& s, const AccumRequest& r, const Surface& source) {
     case Op::accumulate:
     case Op::load:
         resolve(source);
-        return pass(s, r, common(r.area, source.area()), source);
+        return pass(s, r, intersection(r.area, source.area()), source);
     case Op::multiply:
     case Op::add:
         return pass(s, r, r.area, s);

@@ -390,7 +390,7 @@ std::uint32_t clear_value(const Surface& s, const ClearRequest& r) {
 void record(const Surface& s, const ClearRequest& r) {
     if (!clears_all(s, r) || s.extents == nullptr) {
         for (std::int32_t y = r.area.y; y < r.area.y + r.area.h; ++y)
-            touch(s, y, r.area.x, r.area.x + r.area.w);
+            mark_damage(s, y, r.area.x, r.area.x + r.area.w);
         return;
     }
     for (std::int32_t i = 0; i < s.extents->height; ++i)

@@ -5,7 +5,8 @@
 namespace spangle::raster {
 namespace {
 
-template <unsigned Bits> std::uint32_t narrowed(std::uint32_t c, bool dither, std::uint32_t threshold) {
+template <unsigned Bits>
+std::uint32_t narrow_component(std::uint32_t c, bool dither, std::uint32_t threshold) {
     return dither ? dithered_step<Bits, 255>(c, threshold) : c >> (8 - Bits);
 }
 
@@ -45,15 +46,15 @@ void fill_pairs(std::uint8_t* row, std::int32_t x, std::int32_t end, const std::
 std::uint32_t narrow_word(PixelFormat format, const Rgb8& c, bool dither, std::uint32_t threshold) {
     switch (drawn(format)) {
     case PixelFormat::rgb444:
-        return narrowed<4>(c.r, dither, threshold) << 8 | narrowed<4>(c.g, dither, threshold) << 4 |
-               narrowed<4>(c.b, dither, threshold);
+        return narrow_component<4>(c.r, dither, threshold) << 8 |
+               narrow_component<4>(c.g, dither, threshold) << 4 | narrow_component<4>(c.b, dither, threshold);
     case PixelFormat::rgb332:
-        return narrowed<3>(c.r, dither, threshold) << 5 | narrowed<3>(c.g, dither, threshold) << 2 |
-               narrowed<2>(c.b, dither, threshold);
+        return narrow_component<3>(c.r, dither, threshold) << 5 |
+               narrow_component<3>(c.g, dither, threshold) << 2 | narrow_component<2>(c.b, dither, threshold);
     case PixelFormat::grey4:
-        return narrowed<4>(luma(c.r, c.g, c.b), dither, threshold);
+        return narrow_component<4>(luma(c.r, c.g, c.b), dither, threshold);
     default:
-        return narrowed<1>(luma(c.r, c.g, c.b), dither, threshold);
+        return narrow_component<1>(luma(c.r, c.g, c.b), dither, threshold);
     }
 }
 

@@ -84,7 +84,7 @@ std::uint8_t read_stencil(const Surface& s, std::int32_t x, std::int32_t y) {
 }
 
 void write_color(const Surface& s, std::int32_t x, std::int32_t y, const std::uint32_t k[4]) {
-    touch(s, y, x, x + 1);
+    mark_damage(s, y, x, x + 1);
     if (drawn_narrow(s.format))
         return store_narrow(s.format, s.color_row(y), x, y, word_of(s.format, k));
     const std::uint32_t v = pack_pixel(drawn(s.format), k);

@@ -12,8 +12,8 @@ namespace {
 
 /// The means of the fields of four words. `fields` masks fields that have two zero bits above each; `halves`
 /// has four times a half in each field.
-constexpr std::uint32_t mean(const std::uint32_t (&v)[sample_count], std::uint32_t fields,
-                             std::uint32_t halves) {
+constexpr std::uint32_t average(const std::uint32_t (&v)[sample_count], std::uint32_t fields,
+                                std::uint32_t halves) {
     std::uint32_t sum = halves;
     for (const std::uint32_t word : v)
         sum += word & fields;
@@ -26,26 +26,26 @@ constexpr std::uint32_t mean_565(const std::uint32_t (&v)[sample_count]) {
     std::uint32_t apart[sample_count] = {};
     for (unsigned i = 0; i < sample_count; ++i)
         apart[i] = v[i] | v[i] << 16;
-    const std::uint32_t sum = mean(apart, 0x07E0F81F, 2u << 21 | 2u << 11 | 2u);
+    const std::uint32_t sum = average(apart, 0x07E0F81F, 2u << 21 | 2u << 11 | 2u);
     return (sum | sum >> 16) & 0xFFFF;
 }
 constexpr std::uint32_t mean_bytes(const std::uint32_t (&v)[sample_count]) {
     std::uint32_t high[sample_count] = {};
     for (unsigned i = 0; i < sample_count; ++i)
         high[i] = v[i] >> 8;
-    return mean(v, 0x00FF00FF, 0x00020002) | mean(high, 0x00FF00FF, 0x00020002) << 8;
+    return average(v, 0x00FF00FF, 0x00020002) | average(high, 0x00FF00FF, 0x00020002) << 8;
 }
 
 class Resolve {
   public:
-    explicit Resolve(const Surface& s) : to_(s) {
+    explicit Resolve(const Surface& s) : resolved_(s) {
         for (unsigned i = 0; i < sample_count; ++i)
-            from_[i] = sample_of(s, i);
+            samples_[i] = sample_of(s, i);
     }
 
     void row(std::int32_t y, RowSpan span) const {
-        touch(to_, y, span.begin, span.end);
-        switch (to_.format) {
+        mark_damage(resolved_, y, span.begin, span.end);
+        switch (resolved_.format) {
         case PixelFormat::rgb565_be:
         case PixelFormat::rgb565_le:
             return words<std::uint16_t>(y, span);
@@ -60,35 +60,35 @@ class Resolve {
   private:
     template <class Word> void words(std::int32_t y, RowSpan span) const {
         constexpr std::intptr_t bytes = sizeof(Word);
-        const bool swaps = bytes == 2 && (to_.format == PixelFormat::rgb565_be) ==
+        const bool swaps = bytes == 2 && (resolved_.format == PixelFormat::rgb565_be) ==
                                              (std::endian::native == std::endian::little);
         for (std::int32_t x = span.begin; x < span.end; ++x) {
             std::uint32_t v[sample_count];
             for (unsigned i = 0; i < sample_count; ++i) {
                 Word word;
-                __builtin_memcpy(&word, from_[i].color_row(y) + x * bytes, sizeof word);
+                __builtin_memcpy(&word, samples_[i].color_row(y) + x * bytes, sizeof word);
                 v[i] = swaps ? swap_bytes_16(word) : word;
             }
             const std::uint32_t found = bytes == 2 ? mean_565(v) : mean_bytes(v);
             const auto word = static_cast<Word>(swaps ? swap_bytes_16(found) : found);
-            __builtin_memcpy(to_.color_row(y) + x * bytes, &word, sizeof word);
+            __builtin_memcpy(resolved_.color_row(y) + x * bytes, &word, sizeof word);
         }
     }
 
     void pixel(std::int32_t x, std::int32_t y) const {
         std::uint32_t k[4] = {};
-        for (const Surface& sample : from_) {
+        for (const Surface& sample : samples_) {
             const StoredColor color = read_color(sample, x, y);
             for (int c = 0; c < 4; ++c)
                 k[c] += color.c[c].k;
         }
         for (std::uint32_t& sum : k)
             sum = (sum + sample_count / 2) / sample_count;
-        write_color(to_, x, y, k);
+        write_color(resolved_, x, y, k);
     }
 
-    const Surface& to_;
-    Surface from_[sample_count];
+    const Surface& resolved_;
+    Surface samples_[sample_count];
 };
 
 } // namespace

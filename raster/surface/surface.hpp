@@ -6,7 +6,7 @@
 namespace spangle::raster {
 
 /// Widens the touched interval of GL row y to hold columns [begin, end).
-inline void touch(const Surface& s, std::int32_t y, std::int32_t begin, std::int32_t end) {
+inline void mark_damage(const Surface& s, std::int32_t y, std::int32_t begin, std::int32_t end) {
     if (s.touched == nullptr)
         return;
     RowSpan& row = s.touched[static_cast<std::intptr_t>(y) * s.touched_step];

@@ -320,8 +320,8 @@ TEST(BatchTable, NumbersOfPieces) {
     raster::BatchRows table(80);
     const auto batch = [&](std::initializer_list<int> pieces, std::string& drawn) {
         if (!table.begin_batch()) {
-            EXPECT_TRUE(table.leaves_out());
-            table.leave_out(static_cast<std::uint32_t>(pieces.size()));
+            EXPECT_TRUE(table.is_skipped());
+            table.skip_pieces(static_cast<std::uint32_t>(pieces.size()));
             drawn += '.';
             return;
         }
@@ -353,7 +353,7 @@ TEST(BatchTable, NumbersOfPieces) {
     EXPECT_EQ(frame(), "...B-p");
     table.begin_band(20, 40);
     EXPECT_EQ(frame(), "B-p-Bpp..");
-    table.distrust();
+    table.invalidate();
     EXPECT_EQ(frame(), "BpppBppBBpp");
 }
 

@@ -271,7 +271,7 @@ struct Beholder {
     sim::SimBoard& sim;
     int reach;
     bringup::Guess shown;
-    std::unique_ptr<bringup::Stand> stand;
+    std::unique_ptr<bringup::RealPanel> stand;
     sim::Image glass, card;
 
     std::string show(const bringup::Guess& guess) {
@@ -279,7 +279,7 @@ struct Beholder {
         hal::PanelConfig config;
         config.panel = &shown.panel;
         config.orientation = guess.orientation;
-        stand = std::make_unique<bringup::Stand>(sim.bus(), config);
+        stand = std::make_unique<bringup::RealPanel>(sim.bus(), config);
         if (const auto ready = stand->display().init(); !ready)
             return ready.error().rule;
         const hal::DisplayInfo info = stand->display().info();
@@ -347,7 +347,7 @@ TEST(Wizard, FindsWhatTheModuleIs) {
     }
 }
 
-bringup::Wizardry answered(std::vector<std::string> answers, const bringup::Guess& start) {
+bringup::WizardResult answered(std::vector<std::string> answers, const bringup::Guess& start) {
     std::size_t next = 0;
     return bringup::ask_until_right(
         start, [](const auto&) { return std::string(); },
@@ -390,7 +390,7 @@ TEST(Wizard, TurnsAndMovesAlongThePicturesAxes) {
 
 TEST(Wizard, TheDefinitionSaysAll) {
     bringup::Guess guess{hal::panels::st7735_80x160_26, {hal::Rotation::r90}};
-    const std::string text = bringup::definition(guess, boards::st7735_128x160);
+    const std::string text = bringup::board_definition(guess, boards::st7735_128x160);
     for (const char* const part :
          {"panels::st7735_128x160;", "p.memory = {132, 162};", "p.glass = {80, 160};", "p.offset = {26, 1};",
           "p.mount = 0xC0;", "ColorOrder::bgr;", "p.inverted = true;", "Rotation::r90", "BusKind::spi4"})
@@ -407,7 +407,7 @@ TEST(Wizard, TheDefinitionCompiles) {
             const auto rotation = static_cast<hal::Rotation>(n % 4);
             const bool turned =
                 board->display.wire.converts() || board->display.wire.format == hal::WireFormat::none;
-            std::string text = bringup::definition(
+            std::string text = bringup::board_definition(
                 {*board->display.panel, {turned ? rotation : hal::Rotation{}, n % 3 == 0}}, *board);
             text.erase(0, text.find("#include")); // one file holds many definitions
             for (const char* const name : {"my_panel", "my_board"})
@@ -435,7 +435,7 @@ sim::Image card_with(const bringup::Wrong& wrong) {
     config.panel = &guess.panel;
     config.orientation = guess.orientation;
     bringup::SpoiltBus bus(sim.bus(), wrong.line);
-    bringup::Stand stand(bus, config);
+    bringup::RealPanel stand(bus, config);
     EXPECT_TRUE(stand.display().init().ok());
     const hal::DisplayInfo info = stand.display().info();
     EXPECT_TRUE(bringup::show(stand.display(), bringup::card(info.width, info.height), wrong.swapped).ok());
@@ -461,7 +461,7 @@ TEST(Wrong, EachLooksLikeNoOther) {
 TEST(CountedBus, CountsWhatTheWiresCarry) {
     sim::SimBoard sim(boards::st7735_128x160);
     bringup::CountedBus counted(sim.bus());
-    bringup::Stand stand(counted, boards::st7735_128x160.display);
+    bringup::RealPanel stand(counted, boards::st7735_128x160.display);
     ASSERT_TRUE(stand.display().init().ok());
     EXPECT_EQ(counted.bytes(), sim.counters().bytes);
     EXPECT_EQ(counted.commands(), sim.counters().commands);

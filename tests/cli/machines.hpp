@@ -48,7 +48,9 @@ struct OnSpidev final : Machine {
         return w;
     }
     sim::Image glass() override { return module.glass(boards::ili9341_spi.display.orientation); }
-    std::string wrong() override { return module.violations_text() + (module.backlit() ? "" : "no light\n"); }
+    std::string wrong() override {
+        return module.violations_text() + (module.is_backlight_on() ? "" : "no light\n");
+    }
 };
 
 struct OnI2c final : Machine {

@@ -395,7 +395,7 @@ PixelFormat planes_format{};
 
 /// The host draws the program in a format that the program did not choose, and pbuffers have that format.
 TEST_F(Platform, PbuffersHaveWhatTheHostDraws) {
-    static const egl::Drawn drawn = {PixelFormat::rgb565_be, EGL_PRECISION_FAST_SPANGLE};
+    static const egl::DrawnFormat drawn = {PixelFormat::rgb565_be, EGL_PRECISION_FAST_SPANGLE};
     egl::Platforms platforms = egl::platforms();
     platforms.drawn = &drawn;
     platforms.planes = [](const raster::Surface& picture) {

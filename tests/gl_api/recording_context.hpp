@@ -98,7 +98,7 @@ class RecordingContext : public ::testing::Test {
         std::memcpy(static_cast<void*>(&copy), context, sizeof copy);
         copy.error_code = 0;
 #if SPANGLE_MESSAGES
-        copy.unexplained = {};
+        copy.pending_error = {};
         copy.compiled = {};
 #endif
         copy.dirty = 0;

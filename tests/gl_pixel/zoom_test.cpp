@@ -30,8 +30,8 @@ void check(long long at, long long zoom, int first, int last, int low, int high)
     ASSERT_EQ(axis.is_empty(), zoom == 0);
     if (zoom == 0)
         return;
-    const ZoomAxis::Range range = axis.covered(first, last, low, high);
-    ZoomAxis::Walk walk = axis.from(range.begin < range.end ? range.begin : low);
+    const ZoomAxis::Range range = axis.covered_fragments(first, last, low, high);
+    ZoomAxis::GroupWalk walk = axis.from(range.begin < range.end ? range.begin : low);
     for (int x = low; x < high; ++x) {
         const int wanted = covering(at, zoom, x, first, last);
         ASSERT_EQ(x >= range.begin && x < range.end, wanted >= 0) << at << ' ' << zoom << ' ' << x;
@@ -69,18 +69,18 @@ TEST(PixelZoom, NumbersBeyondEverySurface) {
     for (const float at : large)
         for (const float zoom : large) {
             const ZoomAxis axis(from_float(at), from_float(zoom));
-            const ZoomAxis::Range range = axis.covered(0, INT32_MAX, 0, 2048);
+            const ZoomAxis::Range range = axis.covered_fragments(0, INT32_MAX, 0, 2048);
             EXPECT_TRUE(range.begin >= range.end || (range.begin == 0 && range.end == 2048))
                 << at << ' ' << zoom;
         }
     for (const float zoom : {1e-45f, 1e-30f, 2.3e-10f, -2.3e-10f, -1e-20f, 1e-9f}) {
         const ZoomAxis axis(from_float(3.5f), from_float(zoom));
-        const ZoomAxis::Range range = axis.covered(0, INT32_MAX, 0, 2048);
+        const ZoomAxis::Range range = axis.covered_fragments(0, INT32_MAX, 0, 2048);
         if (axis.is_empty())
             continue; // less than 2^-33 is 0
         ASSERT_LE(range.begin, range.end + 2048);
         if (range.begin < range.end) {
-            ZoomAxis::Walk walk = axis.from(range.begin);
+            ZoomAxis::GroupWalk walk = axis.from(range.begin);
             for (int x = range.begin; x < range.end; ++x, walk.step())
                 ASSERT_GE(walk.group(), 0);
         }

@@ -20,7 +20,7 @@ Real coordinate(std::mt19937& random, int spread) {
     return Real{(word & 0x807FFFFFu) | exponent << 23};
 }
 
-TEST(SeenEnds, FallWhereVerticesDo) {
+TEST(VisibleEnds, FallWhereVerticesDo) {
     std::mt19937 random(31);
     long seen = 0, inside = 0, missed = 0;
     for (int round = 0; round < 400; ++round) {
@@ -69,7 +69,7 @@ TEST(SeenEnds, FallWhereVerticesDo) {
 }
 
 /// The seen area excludes the rim of the viewport, because vertices from outside may lie on the rim.
-TEST(SeenEnds, AreInsideOfTheRim) {
+TEST(VisibleEnds, AreInsideOfTheRim) {
     TransformState state;
     const GLint viewport[4] = {10, 20, 30, 41};
     std::copy_n(viewport, 4, state.viewport);

@@ -211,7 +211,7 @@ void expect_good_plan(const Masks& rows, std::int32_t columns, WindowCost cost, 
     }
     for (std::size_t y = 0; y < rows.size(); ++y)
         ASSERT_EQ(rows[y] & ~covered[y], 0u) << "row " << y;
-    EXPECT_EQ(bytes, plan.total());
+    EXPECT_EQ(bytes, plan.total_cost());
     const std::uint64_t plain = plain_cost(rows, columns, cost);
     costs.planned += bytes;
     costs.plain += plain;
@@ -263,7 +263,7 @@ TEST(SpanPlan, BlocksBesideEachOtherStayApartAndDearCommandsJoinThem) {
     ASSERT_TRUE(cheap.next(w));
     EXPECT_EQ(w, (Rect{80, 0, 16, 10}));
     EXPECT_FALSE(cheap.next(w));
-    EXPECT_EQ(cheap.total(), 2 * (11 + 16 * 10 * 2));
+    EXPECT_EQ(cheap.total_cost(), 2 * (11 + 16 * 10 * 2));
     SpanPlan dear(changed.hash, {2000, 2});
     ASSERT_TRUE(dear.next(w));
     EXPECT_EQ(w, (Rect{0, 0, 96, 10}));
@@ -286,6 +286,6 @@ TEST(SpanPlan, NothingChangedIsNoWindow) {
     SpanPlan plan(changed.hash, {11, 2});
     Rect w;
     EXPECT_FALSE(plan.next(w));
-    EXPECT_EQ(plan.total(), 0u);
-    EXPECT_EQ(SpanPlan().total(), UINT32_MAX);
+    EXPECT_EQ(plan.total_cost(), 0u);
+    EXPECT_EQ(SpanPlan().total_cost(), UINT32_MAX);
 }

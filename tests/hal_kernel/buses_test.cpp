@@ -100,7 +100,7 @@ TEST_P(KernelBus, FramesArriveToTheBit) {
     KernelRig rig(GetParam());
     ASSERT_NO_FATAL_FAILURE(rig.start());
     rig.catch_up();
-    EXPECT_TRUE(rig.module.backlit());
+    EXPECT_TRUE(rig.module.is_backlight_on());
     ASSERT_TRUE(test::draw_pattern(*rig.display, 1));
     ASSERT_NO_FATAL_FAILURE(rig.present());
     EXPECT_EQ(rig.glass_difference(), "");

@@ -53,7 +53,7 @@ struct KernelI2c : testing::Test {
         replay(trace.take(), header, levels);
         EXPECT_EQ(linux_test::dots_difference(*display, *oled, now), "");
         EXPECT_EQ(oled->violations_text(), "");
-        EXPECT_EQ(pins.strays(), 0u);
+        EXPECT_EQ(pins.stray_messages(), 0u);
     }
 };
 
@@ -79,7 +79,7 @@ TEST_F(KernelI2c, AnotherAddressIsNotItsOwn) {
     config.address = 0x3D;
     ASSERT_NO_FATAL_FAILURE(start());
     replay(trace.take(), header, levels);
-    EXPECT_GT(pins.strays(), 0u);
+    EXPECT_GT(pins.stray_messages(), 0u);
 }
 
 } // namespace

@@ -58,7 +58,7 @@ TEST(RaspberryPiExample, DrawsACube) {
     Pi pi;
     ASSERT_EQ(Pi::run("20"), 0);
     EXPECT_EQ(pi.kernel.open_files(), 0);
-    EXPECT_TRUE(pi.module.backlit());
+    EXPECT_TRUE(pi.module.is_backlight_on());
     const sim::Image glass = pi.module.glass(boards::ili9341_spi.display.orientation);
     EXPECT_EQ(pi.module.violations_text(), "");
     EXPECT_EQ(glass.width, 320);

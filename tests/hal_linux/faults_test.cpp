@@ -163,7 +163,7 @@ TEST_P(Faults, ATransferThatABusyMachineDelaysIsNoFault) {
     rig.start();
     ASSERT_TRUE(draw_and_stall(rig));
     std::thread processor([&rig] {
-        for (int i = 0; i < 2000 && !rig.machine.kernel.stalled(); ++i)
+        for (int i = 0; i < 2000 && !rig.machine.kernel.has_stalled_calls(); ++i)
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         std::this_thread::sleep_for(std::chrono::milliseconds(400));
         rig.machine.kernel.release();
@@ -223,7 +223,7 @@ TEST_P(Faults, ReplugBetweenFramesIsNoticed) {
 TEST_P(Faults, BusyLinesAndPermissions) {
     Rig rig(GetParam());
     const unsigned line = is_spidev(GetParam()) ? 25 : 11;
-    rig.machine.chip.occupy(line, "somebody");
+    rig.machine.chip.take_line(line, "somebody");
     const auto busy = rig.open();
     EXPECT_EQ(busy.error().fault, Fault::busy);
     EXPECT_NE(std::string(busy.error().rule).find("in use by 'somebody'"), std::string::npos)

@@ -79,7 +79,7 @@ TEST(GpioBus, LinesRestHighAndAreGivenBack) {
         EXPECT_EQ(rig.machine.chip.levels() >> line & 1, 1u) << line;
     rig.gpio.reset();
     for (unsigned line = 0; line < 54; ++line)
-        EXPECT_FALSE(rig.machine.chip.requested(line)) << line;
+        EXPECT_FALSE(rig.machine.chip.is_requested(line)) << line;
 }
 
 TEST(GpioBus, TellsItsSpeed) {

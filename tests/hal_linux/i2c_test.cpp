@@ -57,7 +57,7 @@ struct I2c : testing::Test {
         return token ? bus->wait(token.value(), 1000000) : token.error();
     }
     void expect_frame() {
-        std::vector<sim::I2cAdapter::Received> want = {{0x21, false}, {0, false}, {127, false}};
+        std::vector<sim::I2cAdapter::ReceivedByte> want = {{0x21, false}, {0, false}, {127, false}};
         for (const std::uint8_t byte : pixels)
             want.push_back({byte, true});
         EXPECT_EQ(adapter.received(), want);
@@ -69,7 +69,7 @@ TEST_F(I2c, ParametersAreCommandsAndPixelsAreData) {
     ASSERT_TRUE(open().ok());
     ASSERT_TRUE(frame().ok());
     expect_frame();
-    EXPECT_EQ(adapter.messages(), 3u) << "one of commands, 1023 and 1 bytes of data";
+    EXPECT_EQ(adapter.message_count(), 3u) << "one of commands, 1023 and 1 bytes of data";
     EXPECT_EQ(bus->caps().write_hz, 400000u / 9 * 8 + 3);
     EXPECT_EQ(bus->caps().read_hz, 0u);
 }
@@ -83,7 +83,7 @@ TEST_F(I2c, ShortMessagesForSmallAdapters) {
     ASSERT_TRUE(open().ok());
     ASSERT_TRUE(frame().ok());
     expect_frame();
-    EXPECT_EQ(adapter.messages(), 1u + (1024 + 30) / 31);
+    EXPECT_EQ(adapter.message_count(), 1u + (1024 + 30) / 31);
 }
 
 TEST_F(I2c, AMessageCutShortGoesOnBehindItsOwnControlByte) {
@@ -139,7 +139,7 @@ TEST_F(I2c, TheModelNoticesAMissingControlByte) {
     EXPECT_TRUE(adapter.received().empty());
     adapter.forget();
     EXPECT_EQ(::write(file, mixed, sizeof mixed), 9);
-    const std::vector<sim::I2cAdapter::Received> want = {
+    const std::vector<sim::I2cAdapter::ReceivedByte> want = {
         {0x21, false}, {0x05, false}, {0x55, true}, {0x66, true}, {0x77, true}};
     EXPECT_EQ(adapter.received(), want);
     EXPECT_EQ(adapter.wrong(), "");

@@ -49,13 +49,13 @@ TEST(Lines, ChipsGoByLabelToo) {
     hal::Lines lines;
     const unsigned line[] = {2};
     ASSERT_TRUE(lines.open_outputs("second chip", line, 0).ok());
-    EXPECT_TRUE(second.requested(2));
-    EXPECT_FALSE(machine.chip.requested(2));
+    EXPECT_TRUE(second.is_requested(2));
+    EXPECT_FALSE(machine.chip.is_requested(2));
     const auto missing = lines.open_outputs("third chip", line, 0);
     EXPECT_EQ(missing.error().fault, Fault::gone);
     EXPECT_SAYS(missing.error(), "third chip line 2: open:");
     EXPECT_SAYS(missing.error(), "gpiodetect");
-    EXPECT_FALSE(second.requested(2)) << "opening again gives back what was held";
+    EXPECT_FALSE(second.is_requested(2)) << "opening again gives back what was held";
 }
 
 TEST(Lines, TurnRound) {
@@ -92,12 +92,12 @@ TEST(Lines, ErrorsSayDeviceOperationAndCause) {
         "/dev/gpiochip0 lines 4,17,9: open: Permission denied; install the udev rules 60-spangle.rules and "
         "join group 'gpio'");
     machine.no_faults();
-    machine.chip.occupy(17, "backlight");
+    machine.chip.take_line(17, "backlight");
     const auto busy = lines.open_outputs(chip_path, three, 0);
     EXPECT_EQ(busy.error().fault, Fault::busy);
     EXPECT_STREQ(busy.error().rule,
                  "/dev/gpiochip0 lines 4,17,9: request: the line is in use by 'backlight'");
-    EXPECT_FALSE(machine.chip.requested(4)) << "all lines or none";
+    EXPECT_FALSE(machine.chip.is_requested(4)) << "all lines or none";
     machine.chip.vacate(17);
     const unsigned beyond[] = {54};
     EXPECT_EQ(lines.open_outputs(chip_path, beyond, 0).error().fault, Fault::unsupported);
@@ -216,7 +216,7 @@ TEST_F(Edges, SignalsDoNotEndTheWait) {
 }
 
 TEST_F(Edges, ABusyLineNamesItsHolder) {
-    machine.chip.occupy(23, "other program");
+    machine.chip.take_line(23, "other program");
     const auto busy = line.open({chip_path, 23});
     EXPECT_EQ(busy.error().fault, Fault::busy);
     EXPECT_STREQ(busy.error().rule,

@@ -36,10 +36,10 @@ TEST(Spidev, MessagesFillTheKernelsBuffer) {
         const std::size_t whole = bufsiz / 128 * 128;
         EXPECT_EQ(rig.spidev->message_bytes(), whole);
         ASSERT_TRUE(rig.draw(1));
-        const std::uint64_t before = rig.spi.messages();
+        const std::uint64_t before = rig.spi.message_count();
         ASSERT_TRUE(rig.display->present().ok());
         // The panel has the window from the black frame of init(), so a frame is RAMWR and pixels only.
-        EXPECT_EQ(rig.spi.messages() - before, 1 + (240 * 320 * 2 + whole - 1) / whole);
+        EXPECT_EQ(rig.spi.message_count() - before, 1 + (240 * 320 * 2 + whole - 1) / whole);
         EXPECT_EQ(rig.spi.largest_message(), whole);
         EXPECT_EQ(rig.glass_difference(), "");
     }
@@ -72,9 +72,9 @@ struct Messages {
     }
     template <class... Ops> std::uint64_t of(const Ops&... ops) {
         const Op list[] = {ops...};
-        const std::uint64_t before = rig.spi.messages();
+        const std::uint64_t before = rig.spi.message_count();
         EXPECT_TRUE(run(rig.bus(), list).ok());
-        return rig.spi.messages() - before;
+        return rig.spi.message_count() - before;
     }
 };
 

@@ -52,7 +52,7 @@ struct Hanging {
         });
         const Op ops[] = {invoff()};
         token = rig.bus().submit(ops, 1).value();
-        while (!rig.machine.kernel.stalled())
+        while (!rig.machine.kernel.has_stalled_calls())
             std::this_thread::yield();
         rig.machine.no_faults();
     }
@@ -168,7 +168,7 @@ TEST(Transfer, AListIsRefusedWholeBeforeItsFirstByte) {
         EXPECT_STREQ(refused.error().rule, c.rule);
     }
     EXPECT_EQ(bus.submit(nullptr, 1).error().fault, Fault::bad_argument);
-    EXPECT_EQ(spi.messages(), 0u);
+    EXPECT_EQ(spi.message_count(), 0u);
     EXPECT_EQ(bus.backlight(true).error().fault, Fault::unsupported);
     EXPECT_TRUE(bus.submit(nullptr, 0).ok()) << "nothing is something that can be done";
 }
@@ -225,11 +225,11 @@ TEST(Transfer, ThePinsBesideTheBus) {
     Rig rig(Transport::spi);
     const auto level = [&](unsigned line) { return (rig.machine.chip.levels() >> line & 1) != 0; };
     rig.start();
-    EXPECT_TRUE(rig.module.backlit()) << "lit when the bus opens";
+    EXPECT_TRUE(rig.module.is_backlight_on()) << "lit when the bus opens";
     ASSERT_TRUE(rig.bus().backlight(false).ok());
-    EXPECT_FALSE(rig.module.backlit());
+    EXPECT_FALSE(rig.module.is_backlight_on());
     ASSERT_TRUE(rig.bus().backlight(true).ok());
-    EXPECT_TRUE(rig.module.backlit());
+    EXPECT_TRUE(rig.module.is_backlight_on());
     Op reset = op_of(Op::Kind::reset);
     reset.micros = 25;
     // A signal cuts the sleep short; the reset pulse must still be as long as it was asked for.

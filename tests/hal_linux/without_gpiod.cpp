@@ -34,7 +34,7 @@ TEST(WithoutGpiod, ThreeWirePanelsWork) {
         kernel.advance(1'000'000'000);
         const auto token = bus.submit(ops, 1);
         ASSERT_TRUE(bus.wait(token.value(), 1000000).ok());
-        EXPECT_TRUE(controller.awake());
+        EXPECT_TRUE(controller.is_awake());
     }
     kernel.forget_all();
 }

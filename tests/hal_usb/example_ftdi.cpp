@@ -32,7 +32,7 @@ TEST(FtdiExample, DrawsAClock) {
     Rig rig(options);
     rig.usb.attach(rig.kernel, path);
     ASSERT_EQ(run("3"), 0);
-    EXPECT_TRUE(rig.module.backlit());
+    EXPECT_TRUE(rig.module.is_backlight_on());
     const sim::Image glass = rig.module.glass(options.orientation);
     EXPECT_EQ(rig.module.violations_text() + rig.adapter.violations(), "");
     ASSERT_EQ(glass.width, 320);

@@ -242,15 +242,15 @@ TEST(Ftdi, BacklightAndUnopened) {
     EXPECT_EQ(rig.bus->backlight(false).error().fault, Fault::bad_argument);
     EXPECT_EQ(run(*rig.bus, {command(0x29)}).error().fault, Fault::unsupported);
     ASSERT_TRUE(rig.bus->open().ok());
-    EXPECT_TRUE(rig.module.backlit());
+    EXPECT_TRUE(rig.module.is_backlight_on());
     ASSERT_TRUE(rig.bus->backlight(false).ok());
-    EXPECT_FALSE(rig.module.backlit());
+    EXPECT_FALSE(rig.module.is_backlight_on());
     ASSERT_TRUE(run(*rig.bus, {command(0x29)}).ok());
-    EXPECT_FALSE(rig.module.backlit());
+    EXPECT_FALSE(rig.module.is_backlight_on());
     ASSERT_TRUE(rig.bus->open().ok());
-    EXPECT_FALSE(rig.module.backlit()) << "as it was left";
+    EXPECT_FALSE(rig.module.is_backlight_on()) << "as it was left";
     ASSERT_TRUE(rig.bus->backlight(true).ok());
-    EXPECT_TRUE(rig.module.backlit());
+    EXPECT_TRUE(rig.module.is_backlight_on());
 }
 
 TEST(Ftdi, TheKernelsDriverLetsGo) {

@@ -113,7 +113,7 @@ TEST_F(Mpsse, WaitsForItsPin) {
     feed({0x89, 0x88, 0x81});
     for (int i = 0; i < 2; ++i) {
         EXPECT_EQ(answers(), Bytes{});
-        engine.idle();
+        engine.retry_waiting_stream();
     }
     EXPECT_EQ(answers().size(), 1u);
 }

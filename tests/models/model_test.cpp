@@ -150,22 +150,23 @@ TEST_F(Models, AReaderHandsOverNoMoreThanItMay) {
 
 TEST_F(Models, WhateverEndsAReaderIsASentence) {
     std::string answer;
-    EXPECT_EQ(cli::confined([]() { return std::string(100000, 'x'); }, {}, answer), "");
+    EXPECT_EQ(cli::run_confined([]() { return std::string(100000, 'x'); }, {}, answer), "");
     EXPECT_EQ(answer, std::string(100000, 'x'));
-    EXPECT_EQ(cli::confined(
+    EXPECT_EQ(cli::run_confined(
                   []() -> std::string {
                       raise(SIGKILL);
                       return "";
                   },
                   {}, answer),
               "crashes its reader (Killed)");
-    EXPECT_EQ(cli::confined([]() -> std::string { throw 1; }, {}, answer), "crashes its reader (status 2)");
-    EXPECT_EQ(cli::confined([]() -> std::string { throw std::bad_alloc(); }, {}, answer),
+    EXPECT_EQ(cli::run_confined([]() -> std::string { throw 1; }, {}, answer),
+              "crashes its reader (status 2)");
+    EXPECT_EQ(cli::run_confined([]() -> std::string { throw std::bad_alloc(); }, {}, answer),
               "asks for more than 2 GiB of memory");
-    EXPECT_EQ(cli::confined([]() -> std::string { _exit(0); }, {}, answer), "");
+    EXPECT_EQ(cli::run_confined([]() -> std::string { _exit(0); }, {}, answer), "");
     EXPECT_EQ(answer, "");
     const std::string made = (folder / "made").string();
-    EXPECT_NE(cli::confined(
+    EXPECT_NE(cli::run_confined(
                   [&made]() -> std::string {
                       std::ofstream(made) << "a reader's file" << std::flush;
                       return "";

@@ -98,8 +98,8 @@ TEST(Kernels, ProductsOfHalvesAreLongOnes) {
         ASSERT_EQ(detail::add_halves(-3, a, b), std::int64_t{a} * b - 3) << a << ' ' << b;
         const int up = static_cast<int>(v % 32);
         ASSERT_EQ(shifted_up(a, up), a * (std::int64_t{1} << up)) << a << ' ' << b << ' ' << up;
-        ASSERT_EQ(detail::shift_loses(a, v % 40), loses(a, v % 40)) << a << ' ' << v % 40;
-        ASSERT_EQ(detail::shift_loses(a >> up, v % 40), loses(a >> up, v % 40)) << a << ' ' << up;
+        ASSERT_EQ(detail::shift_loses(a, v % 40), loses_bits(a, v % 40)) << a << ' ' << v % 40;
+        ASSERT_EQ(detail::shift_loses(a >> up, v % 40), loses_bits(a >> up, v % 40)) << a << ' ' << up;
         ASSERT_EQ(mul_by_half(u, v >> 16), std::uint64_t{u} * (v >> 16) >> 16) << u << ' ' << v;
         ASSERT_EQ(detail::halves_by_half(u, v >> 16), mul_by_half(u, v >> 16)) << u << ' ' << v;
         const std::uint64_t wide = std::uint64_t{u} << 32 | v;

@@ -73,7 +73,7 @@ TEST(PageChecks, ADigestNamesGlassMemoryAndBytes) {
                   std::to_string(view.counters().bytes),
               gears);
     show(view);
-    EXPECT_NE(view.digest(), gears);
+    EXPECT_NE(view.picture_digest(), gears);
 }
 
 TEST(PageViewer, WalksAroundAndComesBackToTheSamePicture) {

@@ -89,7 +89,7 @@ TEST(Area, ColumnsTogetherAreThoseAlone) {
 TEST(Root, IsWhole) {
     std::mt19937_64 random(6);
     const auto check = [](std::uint64_t v) {
-        const std::uint64_t root = detail::whole_root(v);
+        const std::uint64_t root = detail::integer_sqrt(v);
         ASSERT_LE(root * root, v);
         ASSERT_LE(v - root * root, 2 * root) << v;
     };

@@ -18,16 +18,17 @@ TEST(SetupMath, BitsBoundDifferences) {
         for (const std::int32_t d : {a, b}) {
             ASSERT_LE(numeric::abs_u32(d), bits);
             for (int n = 0; n <= numeric::clz32(bits) && n < 32; ++n) {
-                ASSERT_TRUE(liftable(bits, static_cast<std::uint32_t>(n)));
-                ASSERT_EQ(std::int64_t{lifted(d, static_cast<std::uint32_t>(n))}, std::int64_t{d} << n);
+                ASSERT_TRUE(fits_lifted(bits, static_cast<std::uint32_t>(n)));
+                ASSERT_EQ(std::int64_t{shift_by_lift(d, static_cast<std::uint32_t>(n))},
+                          std::int64_t{d} << n);
             }
         }
         if (const int room = numeric::clz32(bits); bits != 0) {
-            ASSERT_FALSE(liftable(bits, static_cast<std::uint32_t>(room + 1)));
+            ASSERT_FALSE(fits_lifted(bits, static_cast<std::uint32_t>(room + 1)));
         }
     }
-    EXPECT_FALSE(liftable(1, 0u - 1)) << "coefficients that must be shifted up";
-    EXPECT_FALSE(liftable(0, 32)) << "no shift of a word is that long";
+    EXPECT_FALSE(fits_lifted(1, 0u - 1)) << "coefficients that must be shifted up";
+    EXPECT_FALSE(fits_lifted(0, 32)) << "no shift of a word is that long";
 }
 
 TEST(SetupMath, LiftedDifferencesGiveTheWordsOfTheShiftedSum) {
@@ -41,7 +42,7 @@ TEST(SetupMath, LiftedDifferencesGiveTheWordsOfTheShiftedSum) {
         const auto room = static_cast<std::uint32_t>(numeric::clz32(difference_bits(d1, d2) | 1));
         for (std::uint32_t lift = 0; lift <= room; ++lift) {
             const std::int64_t sum = std::int64_t{d1} * c[0] + std::int64_t{d2} * c[1];
-            ASSERT_EQ(lifted_word(lifted(d1, lift), lifted(d2, lift), c),
+            ASSERT_EQ(lifted_word(shift_by_lift(d1, lift), shift_by_lift(d2, lift), c),
                       static_cast<std::uint32_t>(sum >> (32 - lift)));
         }
     }

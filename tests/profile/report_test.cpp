@@ -21,15 +21,15 @@ const char* const chain = "balanced full fog(exp) dither";
 /// Makes two keys, one of which has a loop, and figures that all differ.
 class Report : public testing::Test {
   protected:
-    std::vector<Recorded> all;
+    std::vector<TierRecord> all;
     profile::Profile made{};
     ProfileReport report;
 
     Report() {
-        Recorded& exact = all.emplace_back();
+        TierRecord& exact = all.emplace_back();
         exact.tier = "exact";
         exact.error = 0.25;
-        Recorded& one = all.emplace_back();
+        TierRecord& one = all.emplace_back();
         one.tier = "balanced";
         one.frames = 7;
         one.error = 1.5;

@@ -300,7 +300,7 @@ class Run {
                 "the memory has another size");
         const int line = c.scan_line(now_);
         require(line >= 0 && line < chip_.height + chip_.porch_lines, "the beam is nowhere");
-        if (!c.awake())
+        if (!c.is_awake())
             require(!c.te(now_), "TE while asleep");
         if (!first_->at_pins()) // pixels of 12 bits are the smallest
             require(c.pixels_written() <= bytes_ * 2 / 3 + 1, "more pixels than bytes");
@@ -310,7 +310,7 @@ class Run {
         DcsController &a = first_->controller, &b = twin_->controller;
         require(a.memory() == b.memory(), "pins and bytes leave different memories");
         require(a.glass(now_) == b.glass(now_), "pins and bytes show different glasses");
-        require(a.madctl() == b.madctl() && a.awake() == b.awake() && a.display_on() == b.display_on(),
+        require(a.madctl() == b.madctl() && a.is_awake() == b.is_awake() && a.display_on() == b.display_on(),
                 "pins and bytes leave different registers");
         require(a.pixels_written() == b.pixels_written(), "pins and bytes write different pixels");
     }

@@ -179,7 +179,7 @@ TEST(Controller, ResetsKeepMemoryAndRestoreRegisters) {
     h.send(0x01);
     h.now += 5 * ms;
     EXPECT_EQ(h.cell(7, 7), red18);
-    EXPECT_FALSE(h.chip.awake());
+    EXPECT_FALSE(h.chip.is_awake());
     EXPECT_EQ(h.read(0x0B, 0, 1)[0], 0x00);
     EXPECT_EQ(h.read(0x0C, 0, 1)[0], 0x66);
     h.now += 120 * ms;
@@ -402,10 +402,10 @@ TEST(Controller, AnSt7796sReadsAsItWasWritten) {
 
 TEST(Controller, PinsChooseTheMemoryOfAnSt7735) {
     const Chip& st = chip_named("ST7735");
-    EXPECT_EQ(strapped(st, {132, 162}).width, 132);
-    const Chip small = strapped(st, {128, 160});
+    EXPECT_EQ(with_memory_size(st, {132, 162}).width, 132);
+    const Chip small = with_memory_size(st, {128, 160});
     EXPECT_EQ(small.height, 160);
-    EXPECT_EQ(strapped(st, {128, 128}).width, 0);
+    EXPECT_EQ(with_memory_size(st, {128, 128}).width, 0);
     Host h(small);
     h.wake();
     h.send(0x36, {0xC0}); // mirrored both ways: the first pixel goes to the last cell of this memory

@@ -26,7 +26,7 @@ struct Heard final : Controller {
     void reset(bool, Time) override {}
     void select(bool selected, Time) override { text += selected ? "[" : "]"; }
     void write(std::uint8_t byte, bool data, Time, unsigned period_ns) override {
-        text += (data ? "d" : "c") + hex(byte) + " ";
+        text += (data ? "d" : "c") + hex_text(byte) + " ";
         period = period_ns;
     }
     std::vector<Rgb666> glass(Time) override { return {}; }
@@ -85,7 +85,7 @@ TEST_F(I2cLines, AMessageIsAddressedAndEnds) {
     stop();
     EXPECT_EQ(heard.text, "[dA5h d5Ah ][cAEh ]");
     EXPECT_EQ(heard.period, 5000u);
-    EXPECT_EQ(pins.strays(), 0u);
+    EXPECT_EQ(pins.stray_messages(), 0u);
 }
 
 TEST_F(I2cLines, ARepeatedStartEndsTheMessageBefore) {
@@ -99,7 +99,7 @@ TEST_F(I2cLines, ARepeatedStartEndsTheMessageBefore) {
     byte(0x01);
     stop();
     EXPECT_EQ(heard.text, "[cAEh ][d01h ]");
-    EXPECT_EQ(pins.strays(), 0u);
+    EXPECT_EQ(pins.stray_messages(), 0u);
 }
 
 TEST_F(I2cLines, OtherAddressesAndReadsAreNotItsOwn) {
@@ -111,7 +111,7 @@ TEST_F(I2cLines, OtherAddressesAndReadsAreNotItsOwn) {
         stop();
     }
     EXPECT_EQ(heard.text, "");
-    EXPECT_EQ(pins.strays(), 2u);
+    EXPECT_EQ(pins.stray_messages(), 2u);
 }
 
 TEST_F(I2cLines, AByteThatIsCutShortIsAStray) {
@@ -123,7 +123,7 @@ TEST_F(I2cLines, AByteThatIsCutShortIsAStray) {
     bit(true);
     stop();
     EXPECT_EQ(heard.text, "[]");
-    EXPECT_EQ(pins.strays(), 1u);
+    EXPECT_EQ(pins.stray_messages(), 1u);
 }
 
 /// A dump of SCL and SDA holds the messages of an I2C target: replayed edge by edge it fills another
@@ -166,7 +166,7 @@ TEST(I2cDump, Replays) {
         }
         EXPECT_GT(starts, 2) << board->name;
         EXPECT_EQ(stops, starts) << board->name << ": each message ends";
-        EXPECT_EQ(pins.strays(), 0u) << board->name;
+        EXPECT_EQ(pins.stray_messages(), 0u) << board->name;
         EXPECT_EQ(again->violations_text(), "") << board->name;
         EXPECT_EQ(again->cells(), sent->cells()) << board->name;
     }

@@ -29,7 +29,7 @@ DcsController controller_of(const hal::Board& board) {
     const sim::GlassMount mount{
         .x = panel.offset.x, .y = panel.offset.y, .width = panel.glass.width, .height = panel.glass.height};
     const sim::Chip& chip = sim::chips[static_cast<unsigned>(panel.controller)];
-    return {sim::strapped(chip, {panel.memory.width, panel.memory.height}), mount,
+    return {sim::with_memory_size(chip, {panel.memory.width, panel.memory.height}), mount,
             board.bus == hal::BusKind::i8080};
 }
 

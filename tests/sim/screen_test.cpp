@@ -62,14 +62,14 @@ TEST(Screen, MagnifiedPixelsMustBeEqual) {
     for (int i = 0; i < 2; ++i)
         for (int k = 0; k < 2; ++k)
             large.at(2 + i, k)[0] = 7;
-    const Image small = reduced(large, 2);
+    const Image small = shrink_picture(large, 2);
     ASSERT_EQ(small.width, 2);
     ASSERT_EQ(small.height, 1);
     EXPECT_EQ(small.at(0, 0)[0], 255);
     EXPECT_EQ(small.at(1, 0)[0], 7);
     large.at(3, 1)[0] = 8;
-    EXPECT_EQ(reduced(large, 2).width, 0);
-    EXPECT_EQ(reduced(Image(3, 2), 2).width, 0);
+    EXPECT_EQ(shrink_picture(large, 2).width, 0);
+    EXPECT_EQ(shrink_picture(Image(3, 2), 2).width, 0);
 }
 
 } // namespace

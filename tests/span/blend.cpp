@@ -236,9 +236,9 @@ TEST(Coarse, DitheredPackedHasTheSameBits) {
                     const std::uint32_t under = r5 << 11 | k << 5 | b5;
                     const auto c = PackedCoarse::from_word(s | g << 8 | b << 16 | a << 24),
                                d = PackedCoarse::dithered(c, t);
-                    ASSERT_EQ(PackedCoarse::clear(c)   ? under
-                              : PackedCoarse::solid(c) ? PackedCoarse::opaque(d)
-                                                       : PackedCoarse::over(d, under),
+                    ASSERT_EQ(PackedCoarse::clear(c)       ? under
+                              : PackedCoarse::is_opaque(c) ? PackedCoarse::opaque(d)
+                                                           : PackedCoarse::over(d, under),
                               want)
                         << s << " " << a << " " << k << " " << t;
                 }
@@ -260,10 +260,10 @@ TEST(Coarse, PackedHasTheSameBits) {
                                                over.operator()<5>(255 - other, b5);
                     const std::uint32_t under = r5 << 11 | k << 5 | b5;
                     const auto c = PackedCoarse::from_word(s | other << 8 | (255 - other) << 16 | a << 24);
-                    ASSERT_EQ(PackedCoarse::whole(c), PackedCoarse::clear(c) || PackedCoarse::solid(c));
-                    ASSERT_EQ(PackedCoarse::clear(c)   ? under
-                              : PackedCoarse::solid(c) ? PackedCoarse::opaque(c)
-                                                       : PackedCoarse::over(c, under),
+                    ASSERT_EQ(PackedCoarse::whole(c), PackedCoarse::clear(c) || PackedCoarse::is_opaque(c));
+                    ASSERT_EQ(PackedCoarse::clear(c)       ? under
+                              : PackedCoarse::is_opaque(c) ? PackedCoarse::opaque(c)
+                                                           : PackedCoarse::over(c, under),
                               want)
                         << s << " " << a << " " << k << " " << other;
                 }

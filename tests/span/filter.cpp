@@ -250,7 +250,8 @@ TEST(Filter, WordsAreThoseOfTheExactTier) {
     std::mt19937 random(2);
     const auto check = [&](std::uint32_t c00, std::uint32_t c10, std::uint32_t c01, std::uint32_t c11,
                            std::uint32_t a, std::uint32_t b) {
-        ASSERT_EQ(FilterWords<1>(b)(c00, c10, c01, c11, a), FilterWords<1>::added(c00, c10, c01, c11, a, b))
+        ASSERT_EQ(FilterWords<1>(b)(c00, c10, c01, c11, a),
+                  FilterWords<1>::add_texels(c00, c10, c01, c11, a, b))
             << c00 << ' ' << c10 << ' ' << c01 << ' ' << c11 << ' ' << a << ' ' << b;
         const auto t = static_cast<std::uint32_t>(2 * (random() & 15) + 1);
         const auto texel = [](std::uint32_t word) {

@@ -18,7 +18,7 @@ std::uint32_t green(const FogShare<B>& share, std::uint32_t light, std::uint32_t
     Px<B> p;
     p.color = {0, light, 0, 0};
     p.fog = f;
-    FogLight<B>::dim(p, B::clamped_fraction(f));
+    FogLight<B>::apply_fog(p, B::clamped_fraction(f));
     p.color.g = B::scaled(p.color.g, texel_factors<B>.of6[texel]);
     EXPECT_TRUE(share(p));
     return p.color.g;
@@ -122,7 +122,7 @@ TEST(FoggedLight, DitheredKeepsWhatIsExact) {
 
 /// Colours may be counted in steps only if the stages behind MODULATE are sums.
 TEST(FoggedLight, CountsStepsWhereNothingElseFollows) {
-    Key key = Say(Number::balanced, Kind::affine)
+    Key key = KeyBuilder(Number::balanced, Kind::affine)
                   .texture(TexelFormat::rgb565, BaseFormat::rgb, Filter::nearest, TexEnv::modulate)
                   .fog()
                   .key;

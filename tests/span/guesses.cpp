@@ -76,7 +76,7 @@ void hold_the_divided_colour(bool dither) {
             continue;
         ++guessed;
         // If set-up leaves no step open, the doubt may still be at most one step.
-        const std::uint32_t doubt = span.guess.open5 == 0 ? 1u << 27 : (0 - span.guess.open5) >> 5;
+        const std::uint32_t doubt = span.guess.doubt5 == 0 ? 1u << 27 : (0 - span.guess.doubt5) >> 5;
         span.guess.project(span);
         for (std::int32_t y = 0; y < height; ++y)
             for (std::int32_t x = 0; x < width; ++x) {
@@ -116,14 +116,14 @@ TEST(Guesses, DoubtsOpenWhatTheyReach) {
     RandomVertices source(80);
     for (int i = 0; i < 100000; ++i) {
         const std::uint32_t most = 1 + (source.word() >> (1 + source.below(31))), v = source.word();
-        Span<Fixed>::Guess guess{};
+        Span<Fixed>::ColorGuess guess{};
         guess.doubt(most);
         const auto reaches = [&](int bits) {
             const std::uint64_t step = std::uint64_t{1} << (32 - bits);
             return v % step + most >= step;
         };
-        ASSERT_EQ(v << 5 >= guess.open5, reaches(5)) << v << ' ' << most;
-        ASSERT_EQ(v << 6 >= guess.open6, reaches(6)) << v << ' ' << most;
+        ASSERT_EQ(v << 5 >= guess.doubt5, reaches(5)) << v << ' ' << most;
+        ASSERT_EQ(v << 6 >= guess.doubt6, reaches(6)) << v << ' ' << most;
     }
 }
 

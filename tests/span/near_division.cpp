@@ -192,7 +192,7 @@ TEST(NearDivision, LimitsAreThoseOfTheSum) {
             const L::U16 limited =
                 L::splat(static_cast<std::uint32_t>(base)) +
                 L::clamped_signed(L::splat(static_cast<std::uint32_t>(v)), L::splat(quotient.least()),
-                                  L::splat(quotient.largest(65280)));
+                                  L::splat(quotient.largest_error(65280)));
             const std::int32_t want = std::min(std::max(base + v, 0), 65280);
             if (base + 32767 >= 0 && base - 32768 <= 65280) {
                 ASSERT_EQ(limited[v & 7], want) << base << " + " << v;

@@ -107,7 +107,7 @@ template <class N> void combine_anything() {
             TextureCombine<One>::units(state, of_units, expected);
             expect_equal(found.at(i), expected, "round", round);
         }
-        combined += combines(state) ? 1 : 0;
+        combined += uses_combiners(state) ? 1 : 0;
         crossed += state.unit[0].texture != nullptr && state.unit[1].texture == nullptr ? 1 : 0;
         if (testing::Test::HasFatalFailure())
             return;

@@ -132,13 +132,13 @@ TEST(Runs, AJumpOverAWideRowIsThatManySteps) {
         std::uint32_t v = 12345;
         jumped.jump(v, n);
         ASSERT_EQ(v, at) << n;
-        ASSERT_EQ(start.ahead(12345, n), at) << n;
+        ASSERT_EQ(start.value_after(12345, n), at) << n;
         ASSERT_EQ(jumped.first, stepped.first) << n;
         ASSERT_EQ(jumped.second, stepped.second) << n;
         stepped.step(at);
     }
     // These are constants, because a compiler refuses a constant whose computation overflows.
-    constexpr std::uint32_t wide = start.ahead(12345, 2047), back = start.ahead(12345, -2047);
+    constexpr std::uint32_t wide = start.value_after(12345, 2047), back = start.value_after(12345, -2047);
     EXPECT_NE(wide, back);
 }
 

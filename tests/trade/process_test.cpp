@@ -20,19 +20,19 @@ TEST(Process, GivesTheStatusOfTheProgram) {
 
 /// A program that ends with the status of a shell did run; a missing program did not.
 TEST(Process, TellsMissingProgramsFromThoseThatEndSo) {
-    const Ended ran = run({"sh", "-c", "exit 127"}), missing = run({"no-such-program-of-spangle"});
+    const ExitStatus ran = run({"sh", "-c", "exit 127"}), missing = run({"no-such-program-of-spangle"});
     EXPECT_EQ(ran.status, no_program);
     EXPECT_EQ(ran.error, 0);
     EXPECT_EQ(missing.status, no_program);
     EXPECT_EQ(missing.error, ENOENT);
-    const Ended folder = run({"/"});
+    const ExitStatus folder = run({"/"});
     EXPECT_EQ(folder.status, could_not_run);
     EXPECT_EQ(folder.error, EACCES);
 }
 
 TEST(Process, ConnectsEachStream) {
-    Scratch in;
-    const Scratch out, error;
+    TemporaryFile in;
+    const TemporaryFile out, error;
     ASSERT_TRUE(in.put("three words here"));
     EXPECT_EQ(
         run({"sh", "-c", "cat; echo problem >&2"}, {in.descriptor(), out.descriptor(), error.descriptor()})
@@ -40,7 +40,7 @@ TEST(Process, ConnectsEachStream) {
         0);
     EXPECT_EQ(out.text(), "three words here");
     EXPECT_EQ(error.text(), "problem\n");
-    const Scratch quiet;
+    const TemporaryFile quiet;
     EXPECT_EQ(run({"sh", "-c", "cat && echo gone && echo heard >&2"}, {nowhere, nowhere, quiet.descriptor()})
                   .status,
               0);

@@ -89,17 +89,17 @@ TEST(OwnTierWords, AreReadOrSayWhatIsWrong) {
 }
 
 TEST(FirmwareWords, AreReadOrQuoted) {
-    Said said;
-    EXPECT_EQ(
-        read_said("qemu: a warning\nframe 1000 0000abcd\nframe 1002 00c0ffee\nown 100\nsurface 20\npeak "
+    FirmwareReport said;
+    EXPECT_EQ(read_firmware_report(
+                  "qemu: a warning\nframe 1000 0000abcd\nframe 1002 00c0ffee\nown 100\nsurface 20\npeak "
                   "70\nstack 8\n",
                   said),
-        "");
+              "");
     EXPECT_THAT(said.frames, testing::ElementsAre(1000, 1002));
     EXPECT_EQ(said.hash, 0xC0FFEEu) << "of the last frame";
     EXPECT_EQ(said.own + said.surface + said.peak + said.stack, 198u);
-    EXPECT_THAT(read_said("no context: it does not fit\n", said = {}), HasSubstr("no context"));
-    EXPECT_THAT(read_said("frame 1000 0000abcd\n", said = {}), HasSubstr("does not say"));
+    EXPECT_THAT(read_firmware_report("no context: it does not fit\n", said = {}), HasSubstr("no context"));
+    EXPECT_THAT(read_firmware_report("frame 1000 0000abcd\n", said = {}), HasSubstr("does not say"));
 }
 
 /// Writes an image with code, initialised variables, other variables, a stack, and a section that is not

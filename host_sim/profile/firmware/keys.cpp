@@ -16,7 +16,7 @@ namespace {
 using namespace raster;
 
 /// The figures of a key while frames were counted.
-struct Drawn {
+struct KeyFigures {
     Key key;
     std::uint32_t calls;
     std::uint64_t pixels, ticks;
@@ -30,7 +30,7 @@ struct Watched {
     std::uint32_t key[kind_count];
 };
 
-Drawn drawn[most_keys]; ///< the first has no key: it counts a call that draws nothing
+KeyFigures drawn[most_keys]; ///< the first has no key: it counts a call that draws nothing
 std::uint32_t keys = 1;
 Watched watched[most_states];
 bool on;
@@ -62,7 +62,7 @@ template <class Draw> void count(std::uint32_t place, std::uint32_t pixels, cons
     const std::uint32_t end = now();
     if (!on)
         return;
-    Drawn& one = drawn[place];
+    KeyFigures& one = drawn[place];
     ++one.calls;
     one.pixels += pixels;
     one.ticks += ticks_between(begin, end);
@@ -94,12 +94,12 @@ constexpr PathFunction path_counters[kind_count] = {&paths<0>, &paths<1>, &paths
 }
 
 /// Prints words on the output of the board.
-struct Printed {
-    Printed& operator<<(const char* text) {
+struct Printer {
+    Printer& operator<<(const char* text) {
         print(text);
         return *this;
     }
-    Printed& operator<<(unsigned number) {
+    Printer& operator<<(unsigned number) {
         print(number);
         return *this;
     }
@@ -122,7 +122,7 @@ std::size_t counting_bytes() {
 }
 
 void forget_counts() {
-    for (Drawn& one : drawn)
+    for (KeyFigures& one : drawn)
         one = {};
     for (Watched& one : watched)
         one = {};
@@ -131,8 +131,8 @@ void forget_counts() {
 
 void print_counts() {
     for (std::uint32_t i = 0; i < keys; ++i) {
-        const Drawn& one = drawn[i];
-        Printed out;
+        const KeyFigures& one = drawn[i];
+        Printer out;
         out << "key " << one.calls << " " << static_cast<unsigned>(one.pixels) << " "
             << static_cast<unsigned>(one.ticks) << " ";
         if (i != 0)

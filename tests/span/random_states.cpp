@@ -189,7 +189,7 @@ struct Sweep {
     }
 };
 
-TEST(Whatever, IsDrawnAsItsStagesOneAfterTheOther) {
+TEST(RandomStates, IsDrawnAsItsStagesOneAfterTheOther) {
     Sweep sweep;
     for (int n = 0; n < 8000 && !HasFatalFailure(); ++n)
         sweep.round(n);

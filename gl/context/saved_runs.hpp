@@ -11,7 +11,7 @@
 namespace spangle::gl {
 
 /// Consecutive bytes of the context that the same attribute groups save.
-struct KeptRun {
+struct SavedRun {
     std::uint16_t offset = 0, bytes = 0; ///< the first unit's place in Context
     std::uint16_t unit_step = 0;         ///< bytes from one unit's run to the next unit's; 0: no units
     Dirty dirty = dirty_all;             ///< derived state that depends on these bytes
@@ -19,40 +19,40 @@ struct KeptRun {
 };
 
 /// The groups that save a row of `group`. Server switches belong to GL_ENABLE_BIT, too (GL 1.3, table 6.4).
-constexpr std::uint32_t kept_with(Group group, Switch toggle) {
+constexpr std::uint32_t groups_that_save(Group group, Switch toggle) {
     const auto bit = [](Group g) { return 1u << static_cast<unsigned>(g); };
     return bit(group) | (toggle == Switch::server ? bit(Group::enable) : 0);
 }
 
 /// Whether a table holds maximal runs, as on hosts. Boards lack the flash for it; there each row of the state
 /// table is a run of its own.
-inline constexpr bool joins_kept_runs = numeric::wide_words;
+inline constexpr bool joins_saved_runs = numeric::wide_words;
 
-/// The table of all runs; empty unless joins_kept_runs.
-std::span<const KeptRun> kept_runs();
+/// The table of all runs; empty unless joins_saved_runs.
+std::span<const SavedRun> saved_runs();
 
 /// Calls visit(run) for every run that one of the groups saves, always in the same order.
-template <class Visit> SPANGLE_INLINE void each_kept_run(std::uint32_t groups, Visit visit) {
-    if constexpr (joins_kept_runs) {
-        for (const KeptRun& run : kept_runs())
+template <class Visit> SPANGLE_INLINE void each_saved_run(std::uint32_t groups, Visit visit) {
+    if constexpr (joins_saved_runs) {
+        for (const SavedRun& run : saved_runs())
             if ((run.groups & groups) != 0)
                 visit(run);
         return;
     }
-    const auto visit_kept = [&](const KeptRun& run) {
+    const auto visit_kept = [&](const SavedRun& run) {
         if ((run.groups & groups) != 0)
             visit(run);
     };
     for (const GroupedRows& part : all_state()) {
         const Group* group = part.groups;
         for (const StateRow& row : part.rows)
-            visit_kept({row.where, static_cast<std::uint16_t>(row.names * kept_by(row)),
+            visit_kept({row.where, static_cast<std::uint16_t>(row.names * bytes_per_state(row)),
                         static_cast<std::uint16_t>(unit_step(row)), derived_from(row.where),
-                        kept_with(*group++, row.toggle)});
+                        groups_that_save(*group++, row.toggle)});
     }
-    for (const HeldRow& row : all_held())
+    for (const OwnQueryRow& row : own_query_rows())
         visit_kept({row.offset, row.bytes, static_cast<std::uint16_t>(row.unit_step()),
-                    derived_from(row.offset), kept_with(row.group, Switch::none)});
+                    derived_from(row.offset), groups_that_save(row.group, Switch::none)});
 }
 
 } // namespace spangle::gl

@@ -28,14 +28,14 @@ inline constexpr CoefficientTable coefficient_table;
 
 } // namespace detail
 
-template <class L> class LinesTogether {
+template <class L> class VectorLines {
   public:
     /// Takes lines from vertex 0 to 1, from vertex `step` to step + 1, and so on. True: all vertices lie in
     /// the area.
     SPANGLE_INLINE bool take(const FixedVertex* const* vertex, int n, int step, const DrawState::Area& area) {
         vertex_ = vertex;
-        step_ = step;
-        count_ = step == 1 ? n - 1 : n / 2;
+        vertex_step_ = step;
+        line_count_ = step == 1 ? n - 1 : n / 2;
         // Lanes 2 and 3 hold arbitrary words, so all lanes are counted without signs: unsigned words may
         // wrap.
         const Word low = {static_cast<std::uint32_t>(area.x), static_cast<std::uint32_t>(area.y), 0, 0};
@@ -50,13 +50,13 @@ template <class L> class LinesTogether {
 
     /// The first or second end of line i, after take().
     Position end(int i, int second) const {
-        return position(*vertex_[i * step_ + second]); // NOLINT(clang-analyzer-core.NullDereference)
+        return position(*vertex_[i * vertex_step_ + second]); // NOLINT(clang-analyzer-core.NullDereference)
     }
 
     /// Sets up all of the paths but their colour. Returns the interval of the first line.
     SPANGLE_INLINE PathInterval<std::int32_t> set_up(Paths& paths, std::int32_t pixels_per_row, bool depth) {
         PathInterval<std::int32_t> of_first{};
-        for (int i = 0; i < count_; i += L::count) {
+        for (int i = 0; i < line_count_; i += L::count) {
             Int x[2], y[2], z[2];
             ends(i, 0, x[0], y[0], z[0]);
             ends(i, 1, x[1], y[1], z[1]);
@@ -87,15 +87,15 @@ template <class L> class LinesTogether {
     SPANGLE_INLINE void ends(int i, int second, Int& x, Int& y, Int& z) const {
         static_assert(L::count == 4);
         Int r[4];
-        const FixedVertex* const* const at = vertex_ + i * step_ + second;
-        if (i + 4 <= count_) [[likely]] {
+        const FixedVertex* const* const at = vertex_ + i * vertex_step_ + second;
+        if (i + 4 <= line_count_) [[likely]] {
 #pragma GCC unroll 4
             for (int k = 0; k < 4; ++k)
-                r[k] = row(*at[k * step_]);
+                r[k] = row(*at[k * vertex_step_]);
         } else {
 #pragma GCC unroll 4
             for (int k = 0; k < 4; ++k)
-                r[k] = row(*(i + k < count_ ? at[k * step_] : vertex_[0]));
+                r[k] = row(*(i + k < line_count_ ? at[k * vertex_step_] : vertex_[0]));
         }
         const Int a = __builtin_shufflevector(r[0], r[1], 0, 4, 1, 5),
                   b = __builtin_shufflevector(r[2], r[3], 0, 4, 1, 5);
@@ -191,7 +191,7 @@ template <class L> class LinesTogether {
     }
 
     const FixedVertex* const* vertex_ = nullptr;
-    int step_ = 1, count_ = 0;
+    int vertex_step_ = 1, line_count_ = 0;
 };
 
 } // namespace spangle::raster

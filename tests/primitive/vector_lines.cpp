@@ -1,6 +1,6 @@
 // Lines in lanes: words of a vertex that no line reads may hold anything. This file is compiled so that
 // signed overflow traps, with GCC in the lanes of vectors, too.
-#include "raster/primitive/lines_together.hpp"
+#include "raster/primitive/vector_lines.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ template <class L> void expect_taken() {
                 b.z = depth_one - depth;
                 a.w_mantissa = b.w_mantissa = word;
                 const FixedVertex* const ends[2] = {&a, &b};
-                LinesTogether<L> lines;
+                VectorLines<L> lines;
                 EXPECT_TRUE(lines.take(ends, 2, 1, area)) << word;
                 Paths paths;
                 lines.set_up(paths, 100, true);
@@ -36,7 +36,7 @@ template <class L> void expect_taken() {
     }
 }
 
-TEST(LinesTogether, LooksAtNothingButPlaces) {
+TEST(VectorLines, LooksAtNothingButPlaces) {
     expect_taken<HostLines>();
 }
 

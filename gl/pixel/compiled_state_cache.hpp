@@ -11,9 +11,9 @@ namespace spangle::gl {
 struct Engine;
 
 /// Number of compiled states that are kept: boards have no RAM for them, and compile each change.
-inline constexpr unsigned kept_states = numeric::wide_words ? 8 : 0;
+inline constexpr unsigned compiled_state_count = numeric::wide_words ? 8 : 0;
 
-class KeptStates {
+class CompiledStateCache {
   public:
     /// Writes the compiled form of a state for a drawable. It is copied if the same state was compiled before
     /// and no texture has changed since; `texture_changes` is the share group's.
@@ -22,20 +22,20 @@ class KeptStates {
 
   private:
     /// What the compiled form depends on beside the state.
-    struct Origin {
+    struct CacheKey {
         std::uint32_t texture_changes;
         PixelFormat format;
         DepthFormat depth_format;
-        bool has_depth, one_stride; ///< one_stride: colour and depth planes have the same stride
-        bool is_known = false;      ///< a state is kept here
-        friend bool operator==(const Origin&, const Origin&) = default;
+        bool has_depth, shares_stride; ///< shares_stride: colour and depth planes have the same stride
+        bool is_known = false;         ///< a state is kept here
+        friend bool operator==(const CacheKey&, const CacheKey&) = default;
     };
-    struct Kept {
-        Origin origin;
+    struct Entry {
+        CacheKey origin;
         raster::DrawState state;
     };
-    Kept kept_[kept_states == 0 ? 1 : kept_states];
-    unsigned next_ = 0; ///< index of the state that the next new one replaces
+    Entry entries_[compiled_state_count == 0 ? 1 : compiled_state_count];
+    unsigned next_replaced_ = 0; ///< index of the state that the next new one replaces
 };
 
 } // namespace spangle::gl

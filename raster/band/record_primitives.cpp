@@ -31,7 +31,7 @@ void Record::remember_vertex(const std::uint32_t* words, int, std::uint32_t plac
     vertex_[hash] = place;
 }
 
-void Record::keep_primitive(Recorder& self, const DrawState& state, const Primitive& primitive) {
+void Record::record_primitive(Recorder& self, const DrawState& state, const Primitive& primitive) {
     static_cast<Record&>(self).add(state, primitive);
 }
 
@@ -42,7 +42,7 @@ void Record::add(const DrawState& live, const Primitive& p) {
                        end = all.high < scissor.y + scissor.h ? all.high : scissor.y + scissor.h;
     if (first >= end)
         return;
-    State* const state = stored(live);
+    State* const state = find_or_store(live);
     if (state == nullptr)
         return;
     const auto of_state = static_cast<std::uint32_t>(reinterpret_cast<std::uint8_t*>(state) - memory_);
@@ -114,7 +114,7 @@ void Record::add(const DrawState& live, const Primitive& p) {
     block->first = item.first < block->first ? item.first : block->first;
     block->end = item.end > block->end ? item.end : block->end;
     ++block->items;
-    counts_ = counts_ || state->counters != nullptr;
+    has_uncounted_ = has_uncounted_ || state->counters != nullptr;
 }
 
 void Record::add_polygon(const DrawState& live, const Primitive& p, std::uint32_t state, Rows rows) {
@@ -130,14 +130,14 @@ void Record::add_polygon(const DrawState& live, const Primitive& p, std::uint32_
         polygon->pointers()[i] =
             new (polygon->vertices() + i) FixedVertex(i < p.corners ? *p.corner[i] : *p.provoking);
     const State& kept = *at<State>(state);
-    counts_ = counts_ || kept.counters != nullptr;
+    has_uncounted_ = has_uncounted_ || kept.counters != nullptr;
 }
 
 /// Stores runs of pixels in the order in which they come.
-class Record::PixelKeeper : public PixelSink {
+class Record::PixelRecorder : public PixelSink {
   public:
-    PixelKeeper(Record& record, const DrawState& live, std::uint32_t state, const FixedVertex& at)
-        : PixelSink{run, depth}, record_(record), live_(live) {
+    PixelRecorder(Record& record, const DrawState& live, std::uint32_t state, const FixedVertex& at)
+        : PixelSink{run, depth}, record_(record), live_state_(live) {
         Block* const block = record.open(Content::pixels, state, {INT16_MAX, 0}, sizeof(FixedVertex));
         if (block == nullptr)
             return;
@@ -148,7 +148,7 @@ class Record::PixelKeeper : public PixelSink {
     }
 
   private:
-    static PixelKeeper& self(PixelSink& sink) { return static_cast<PixelKeeper&>(sink); }
+    static PixelRecorder& self(PixelSink& sink) { return static_cast<PixelRecorder&>(sink); }
 
     /// Appends a run, with room for its payload; null without room.
     Run* put(const Run& run) {
@@ -168,8 +168,8 @@ class Record::PixelKeeper : public PixelSink {
 
     static void run(PixelSink& sink, std::int32_t y, std::int32_t begin, std::int32_t end,
                     const void* pixels) {
-        PixelKeeper& own = self(sink);
-        const Rect& clip = own.live_.fragment.scissor;
+        PixelRecorder& own = self(sink);
+        const Rect& clip = own.live_state_.fragment.scissor;
         const std::int32_t first = begin > clip.x ? begin : clip.x,
                            last = end < clip.x + clip.w ? end : clip.x + clip.w;
         if (y < clip.y || y >= clip.y + clip.h)
@@ -186,9 +186,9 @@ class Record::PixelKeeper : public PixelSink {
                 static_cast<std::uint16_t>(count),
                 {},
                 0};
-        run.form = pixels == nullptr ? Run::Form::plain
-                   : live_.words     ? Run::Form::words
-                                     : form_of(units, count);
+        run.form = pixels == nullptr   ? Run::Form::plain
+                   : live_state_.words ? Run::Form::words
+                                       : form_of(units, count);
         Run* const to = put(run);
         if (to == nullptr)
             return;
@@ -213,18 +213,18 @@ class Record::PixelKeeper : public PixelSink {
     }
 
     Record& record_;
-    const DrawState& live_;
+    const DrawState& live_state_;
     std::uint32_t block_ = nowhere;
 };
 
-void Record::keep_pixels(Recorder& self, const DrawState& live, const FixedVertex& vertex,
-                         PixelSource& source) {
+void Record::record_pixels(Recorder& self, const DrawState& live, const FixedVertex& vertex,
+                           PixelSource& source) {
     auto& record = static_cast<Record&>(self);
-    const State* const state = record.stored(live);
+    const State* const state = record.find_or_store(live);
     if (state == nullptr)
         return;
-    record.counts_ = record.counts_ || state->counters != nullptr;
-    PixelKeeper keeper(
+    record.has_uncounted_ = record.has_uncounted_ || state->counters != nullptr;
+    PixelRecorder keeper(
         record, live,
         static_cast<std::uint32_t>(reinterpret_cast<const std::uint8_t*>(state) - record.memory_), vertex);
     source.emit(source, keeper);

@@ -9,16 +9,16 @@
 
 namespace spangle::raster {
 
-class LinesInTurn {
+class ScalarLines {
   public:
     /// Takes lines from vertex 0 to 1, from vertex `step` to step + 1, and so on. True: all vertices lie in
     /// the area.
     SPANGLE_INLINE bool take(const FixedVertex* const* vertex, int n, int step, const DrawState::Area& area) {
-        end_ = own_;
-        step_ = step;
-        count_ = step == 1 ? n - 1 : n / 2;
+        end_ = own_ends_;
+        vertex_step_ = step;
+        line_count_ = step == 1 ? n - 1 : n / 2;
         const DrawState::Area where = area; // a copy stays in registers
-        LineEnd* own = own_;
+        LineEnd* own = own_ends_;
         for (const FixedVertex* const* const end = vertex + n; vertex != end; ++vertex, ++own) {
             *own = line_end(**vertex);
             if (!where.holds(own->x, own->y))
@@ -29,11 +29,11 @@ class LinesInTurn {
     /// Takes a strip of `count` lines; `ends` are not copied.
     void take(const LineEnd* ends, int count) {
         end_ = ends;
-        step_ = 1;
-        count_ = count;
+        vertex_step_ = 1;
+        line_count_ = count;
     }
     /// The first or second end of line i.
-    Position end(int i, int second) const { return position(end_[i * step_ + second]); }
+    Position end(int i, int second) const { return position(end_[i * vertex_step_ + second]); }
 
     /// Sets up all of the paths but their colour. Without depth it returns the interval of the last line that
     /// has fragments.
@@ -42,8 +42,8 @@ class LinesInTurn {
         constexpr std::false_type no;
         PathInterval<std::int32_t> at{};
         numeric::LeadingZeros<> zeros; // counts those of lengths
-        for (int i = 0; i < count_;) {
-            const LineEnd &a = end_[i * step_], &b = end_[i * step_ + 1];
+        for (int i = 0; i < line_count_;) {
+            const LineEnd &a = end_[i * vertex_step_], &b = end_[i * vertex_step_ + 1];
             const auto follow = [&](auto along_x, auto ascends) __attribute__((always_inline)) {
                 return this->follow(along_x, ascends, i, paths, row, depth, at, zeros);
             };
@@ -64,8 +64,8 @@ class LinesInTurn {
     SPANGLE_INLINE int follow(X x, Up up, int i, Paths& paths, std::int32_t row, bool depth,
                               PathInterval<std::int32_t>& at, numeric::LeadingZeros<>& zeros) const {
         using Line = Diamond<L, X, Up>;
-        const LineEnd* const first = end_ + i * step_;
-        const LineEnd* const last = step_ == 1 ? end_ + (count_ - 1) : first;
+        const LineEnd* const first = end_ + i * vertex_step_;
+        const LineEnd* const last = vertex_step_ == 1 ? end_ + (line_count_ - 1) : first;
         std::int32_t a = major<X>(*first), a_minor = minor<X>(*first);
         std::int32_t past = Line::first_past(x, up, a, a_minor);
         const LineEnd* ends = first;
@@ -83,7 +83,7 @@ class LinesInTurn {
             if (ends == last)
                 break;
             a = b, a_minor = b_minor, past = line.second_past();
-            if (!Line::goes(x, up, major<X>(ends[2]) - a, minor<X>(ends[2]) - a_minor))
+            if (!Line::has_direction(x, up, major<X>(ends[2]) - a, minor<X>(ends[2]) - a_minor))
                 break;
         }
         return i + 1 + static_cast<int>(ends - first);
@@ -106,11 +106,11 @@ class LinesInTurn {
         const auto length = static_cast<std::uint32_t>(Up::value ? at.end - at.begin : at.begin - at.end);
         const int zeros = count.of(length);
         const auto lift = static_cast<std::uint32_t>(zeros) - 20; // 32 less the shift of set_path_depth()
-        if (numeric::loses(difference, lift)) [[unlikely]]
+        if (numeric::loses_bits(difference, lift)) [[unlikely]]
             return set_any_depth(paths, ends, at.begin, at.end, at.from_begin);
         const auto per_pixel = static_cast<std::int32_t>(numeric::half_reciprocal(length, zeros));
         const std::int32_t coefficient = Up::value ? per_pixel : -per_pixel;
-        const std::int32_t high = lifted(difference, lift);
+        const std::int32_t high = shift_by_lift(difference, lift);
         // (128 - f) coefficient / 256 = (f - 128) 2^24 (-coefficient) / 2^32, f: fraction of begin
         const auto to_center =
             static_cast<std::int32_t>((static_cast<std::uint32_t>(at.begin) << 24) ^ 0x80000000u);
@@ -125,8 +125,8 @@ class LinesInTurn {
     [[gnu::noinline]] void set_any_depth(Paths& paths, const LineEnd* ends, std::int32_t begin,
                                          std::int32_t end, std::int32_t from_begin) const {
         const auto from_first = static_cast<int>(ends - end_);
-        set_path_depth(paths, step_ == 1 ? from_first : from_first / 2, ends[0].depth, half_difference(ends),
-                       PerPixel(begin, end), begin, from_begin);
+        set_path_depth(paths, vertex_step_ == 1 ? from_first : from_first / 2, ends[0].depth,
+                       half_difference(ends), PerPixel(begin, end), begin, from_begin);
     }
     /// Half the difference between the depth codes of two ends.
     SPANGLE_INLINE static std::int32_t half_difference(const LineEnd* ends) {
@@ -134,8 +134,8 @@ class LinesInTurn {
     }
 
     const LineEnd* end_ = nullptr;
-    int step_ = 1, count_ = 0;
-    LineEnd own_[2 * Paths::size]; ///< ends of the vertices that take() was given
+    int vertex_step_ = 1, line_count_ = 0;
+    LineEnd own_ends_[2 * Paths::size]; ///< ends of the vertices that take() was given
 };
 
 } // namespace spangle::raster

@@ -1,4 +1,4 @@
-#include "gl/context/kept_runs.hpp"
+#include "gl/context/saved_runs.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,34 +10,35 @@ namespace spangle::gl {
 
 namespace {
 
-constexpr KeptRun run_of(const WrittenRow& row) {
+constexpr SavedRun run_of(const WrittenRow& row) {
     const std::size_t bytes = row.becomes == Row::held ? row.bytes
                               : row.absent             ? 0
-                                                       : row.names * kept_by(row);
+                                                       : row.names * bytes_per_state(row);
     return {static_cast<std::uint16_t>(row.value), static_cast<std::uint16_t>(bytes),
-            static_cast<std::uint16_t>(row.step), derived_from(row.value), kept_with(row.group, row.toggle)};
+            static_cast<std::uint16_t>(row.step), derived_from(row.value),
+            groups_that_save(row.group, row.toggle)};
 }
 
-constexpr bool same_kind(const KeptRun& a, const KeptRun& b) {
+constexpr bool same_kind(const SavedRun& a, const SavedRun& b) {
     return a.unit_step == b.unit_step && a.dirty == b.dirty && a.groups == b.groups;
 }
 
 struct Joined {
-    std::array<KeptRun, written_rows.size()> run{};
+    std::array<SavedRun, written_rows.size()> run{};
     std::size_t count = 0;
 };
 /// The runs of all rows in the order of their offsets; adjacent runs of one kind are joined.
 constexpr Joined join_all() {
     Joined all;
     for (const WrittenRow& row : written_rows)
-        if (const KeptRun run = run_of(row);
+        if (const SavedRun run = run_of(row);
             row.becomes != Row::section && run.bytes != 0 && row.group != Group::none)
             all.run[all.count++] = run;
     const auto end = all.run.begin() + static_cast<std::ptrdiff_t>(all.count);
-    std::sort(all.run.begin(), end, [](const KeptRun& a, const KeptRun& b) { return a.offset < b.offset; });
+    std::sort(all.run.begin(), end, [](const SavedRun& a, const SavedRun& b) { return a.offset < b.offset; });
     std::size_t used = 0;
     for (std::size_t i = 0; i < all.count; ++i) {
-        const KeptRun& next = all.run[i];
+        const SavedRun& next = all.run[i];
         if (used != 0 && same_kind(all.run[used - 1], next) &&
             all.run[used - 1].offset + all.run[used - 1].bytes == next.offset)
             all.run[used - 1].bytes = static_cast<std::uint16_t>(all.run[used - 1].bytes + next.bytes);
@@ -50,7 +51,7 @@ constexpr Joined join_all() {
 
 constexpr auto runs = [] {
     constexpr Joined all = join_all();
-    std::array<KeptRun, joins_kept_runs ? all.count : 0> kept{};
+    std::array<SavedRun, joins_saved_runs ? all.count : 0> kept{};
     for (std::size_t i = 0; i < kept.size(); ++i)
         kept[i] = all.run[i];
     return kept;
@@ -58,7 +59,7 @@ constexpr auto runs = [] {
 
 } // namespace
 
-std::span<const KeptRun> kept_runs() {
+std::span<const SavedRun> saved_runs() {
     return runs;
 }
 
