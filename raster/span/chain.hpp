@@ -309,7 +309,7 @@ SPANGLE_INLINE void chain_row(const Span<typename N::Policy>& span, const RowIn<
         k.some_dead = false;
         for (auto& live : k.live)
             live = N::L::all;
-        const bool copied = N::lanes > 1 && k.n < packet_length;
+        const bool copied = k.n % N::lanes != 0; // the last group has pixels beyond the packet
         if (copied) {
             for (std::int32_t g = k.n / N::lanes; g < Packet<N>::groups; ++g)
                 k.live[g] = N::L::first(k.n - g * N::lanes);

@@ -23,12 +23,15 @@ template <class N> class SharedRows {
   private:
     PacketRows rows_;
     [[no_unique_address]] std::conditional_t<divides_in_lanes, RowRuns, NoRowRuns> runs_;
+    /// So many fragments of one row, and multiples of them, are drawn as rows that share no packet. Along a
+    /// row planes are stepped; in a shared packet they are multiplied.
+    static constexpr std::int32_t separate_length = 4 * N::lanes;
     std::int32_t fragment_count_ = 0; ///< fragments of all pieces
     alignas(32) std::uint8_t color_[4 * packet_length], depth_[4 * packet_length];
 
     void add(const Row& row, std::int32_t number) {
         Row rest = row;
-        if (const std::int32_t whole = (row.last - row.first) & -packet_length; whole != 0) {
+        if (const std::int32_t whole = (row.last - row.first) & -separate_length; whole != 0) {
             rest.first = row.first + whole;
             draw_separately({row.y, row.left, row.right, row.first, rest.first}, number);
         }
