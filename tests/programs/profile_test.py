@@ -30,13 +30,13 @@ def traces(place, environment):
     light = recorded("light", place, environment, "--trace", HERE / "traces/redbook_light.trace")
     if light is not None:
         check("LIGHTING" in light["features"] and "FOG" not in light["features"], f"light: {light['features']}")
-        check(light["limits"]["COLOR_FORMATS"] == 1 and light["limits"]["DEPTH_FORMATS"] == 3, f"light is for a board: {light['limits']}")
+        check(light["limits"]["COLOR_FORMATS"] == "rgb565" and light["limits"]["DEPTH_FORMATS"] == "z16", f"light is for a board: {light['limits']}")
         check(light["commands"]["glVertex"] == 2528 and "glReadPixels" not in light["commands"], f"light: {light['commands']}")
         check(light["tiers"]["balanced"]["different_percent"] < 1, f"light: {light['tiers']}")
         check(sum(key["pixels"] for key in light["keys"]) > 100000, f"light: {light['keys']}")
     own = recorded("own", place, environment, "--trace", HERE / "traces/redbook_light.trace", "--format", "program")
     if own is not None:
-        check(own["limits"]["COLOR_FORMATS"] == 8, f"a retracer's own surfaces have eight bits a component: {own['limits']}")
+        check(own["limits"]["COLOR_FORMATS"] == "rgba8888", f"a retracer's own surfaces have eight bits a component: {own['limits']}")
     gears = recorded("gears", place, environment, "--trace", HERE / "traces/demos_gears.trace", "--frames", "2")
     if gears is not None:
         check(gears["frames"] == 2 and "LISTS" in gears["features"], f"gears: {gears['frames']} {gears['features']}")
