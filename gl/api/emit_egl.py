@@ -1,4 +1,4 @@
-"""The public header of EGL, made from its table (commands/egl.json): sections of tokens and commands, each with its comment."""
+"""The public header of EGL, made from its table (egl.json): sections of tokens and commands, each with its comment."""
 import json
 import textwrap
 
@@ -7,7 +7,7 @@ from command_table import API
 WIDTH = 110
 TOP = """/* EGL 1.4 as Spangle has it: it connects rendering contexts with displays. Types are those of Khronos'
  * headers with EGL_NO_X11. For C89 and up, and C++.
- * Written by gl/api/generate.py from gl/api/commands/egl.json: change that, not this.
+ * Written by gl/api/generate.py from gl/api/egl.json: change that, not this.
  *
  * A comment holds for all that stands below it, up to the next comment or empty line. A function that fails
  * returns EGL_FALSE, null or 0, does nothing else, and leaves an error for eglGetError. Where a comment names
@@ -62,7 +62,7 @@ def declaration(command):
 
 def egl_header():
     """The text of spangle/EGL/egl.h. Tokens of one name, and commands of one name, stand once."""
-    data = json.loads((API / "commands/egl.json").read_text())
+    data = json.loads((API / "egl.json").read_text())
     seen = set()
     out = [TOP]
     for section in data["sections"]:

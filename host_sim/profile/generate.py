@@ -22,7 +22,7 @@ def commands():
     """Yields (command, feature). A command that two features offer has no row, because its tokens tell them apart."""
     for path in sorted(COMMANDS.glob("*.json")):
         table = json.loads(path.read_text())
-        for family in table.get("families", []) if isinstance(table, dict) else []:  # EGL's table has none
+        for family in table["families"] if isinstance(table, dict) else []:
             for feature in (family.get("feature"), family.get("and")):
                 if feature and "|" not in feature:
                     yield f"gl{family['name']}", feature

@@ -161,8 +161,8 @@ SPANGLE_INLINE void run_stage(K& k, S& s, std::int32_t from, std::int32_t to, st
     }
 }
 
-/// Copies of a packet that is not full, in both planes. Lanes load and store whole groups of pixels, so they
-/// work on the copy: pixels beyond the packet are not touched.
+/// Copies of a packet whose last group of lanes is not full, in both planes. Lanes load and store whole
+/// groups of pixels, so they work on the copy: pixels beyond the packet are not touched.
 class PacketCopy {
   public:
     /// `color` and `depth` are bytes of a pixel; 0: no stage finds a pixel by its number.

@@ -8,9 +8,6 @@ namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 namespace component {
 
-/// How a function that is not inlined takes a component: one lane in a register, several lanes by reference.
-template <class N> using Argument = std::conditional_t<N::lanes == 1, typename N::T, const typename N::T&>;
-
 /// The component with the value v, in all lanes.
 template <class N> SPANGLE_INLINE typename N::T constant(std::uint32_t v) {
     if constexpr (N::lanes == 1)

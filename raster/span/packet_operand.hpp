@@ -27,6 +27,11 @@ template <class N> struct PacketOperand {
     SPANGLE_INLINE static PacketOperand constant(const Color& color, int c) {
         return {&color, components[c], 0};
     }
+    /// 0 in all groups.
+    SPANGLE_INLINE static PacketOperand zero() {
+        static constexpr Color none{};
+        return constant(none, 0);
+    }
     SPANGLE_INLINE const T& operator[](std::int32_t group) const { return colors[group * step].*component; }
 };
 

@@ -23,8 +23,8 @@ template <class N> class SharedRows {
   private:
     PacketRows rows_;
     [[no_unique_address]] std::conditional_t<divides_in_lanes, RowRuns, NoRowRuns> runs_;
-    /// So many fragments of one row, and multiples of them, are drawn as rows that share no packet. Along a
-    /// row planes are stepped; in a shared packet they are multiplied.
+    /// A row shares packets with others only for what its length exceeds multiples of this number. Planes are
+    /// stepped along a row, but multiplied in a shared packet, which takes longer.
     static constexpr std::int32_t separate_length = 4 * N::lanes;
     std::int32_t fragment_count_ = 0; ///< fragments of all pieces
     alignas(32) std::uint8_t color_[4 * packet_length], depth_[4 * packet_length];

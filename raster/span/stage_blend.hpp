@@ -216,17 +216,35 @@ template <class N, PixelFormat Format> struct BlendBytesDithered : StageBase {
     }
 };
 
-/// The equations of blending, for any format.
+/// How alpha is blended: the factor SRC_ALPHA_SATURATE is 1 for alpha (GL 1.3, table 4.1).
+inline Blending blending_of_alpha(const FragmentState& state) {
+    Blending b = state.blend_alpha;
+    if (b.src == BlendFactor::src_alpha_saturate)
+        b.src = BlendFactor::one;
+    return b;
+}
+
+/// The equations of blending for one fragment, for any format. PacketBlend has them for packets of lanes.
 template <class N> struct BlendEquations {
+    static_assert(N::lanes == 1);
     using T = typename N::T;
     using Color = typename N::Color;
-    using Argument = component::Argument<N>;
     const FragmentState& state;
     SPANGLE_INLINE explicit BlendEquations(const FragmentState& of) : state(of) {}
 
+    /// The colour that s and the stored colour d blend to.
+    SPANGLE_INLINE Color blend(const Color& s, const Color& d) const {
+        const std::uint32_t* const constant = state.blend_color;
+        const auto rgb = [&](T cs, T cd, int i) {
+            return combine(state.blend_rgb, s, d, cs, cd, N::from_units(constant[i]));
+        };
+        return {rgb(s.r, d.r, 0), rgb(s.g, d.g, 1), rgb(s.b, d.b, 2),
+                combine(blending_of_alpha(state), s, d, s.a, d.a, N::from_units(constant[3]))};
+    }
+
+  private:
     /// One component of the result. MIN and MAX read no factor (GL 1.4, 4.1.7).
-    [[gnu::noinline]] T combine(const Blending& by, const Color& s, const Color& d, Argument cs, Argument cd,
-                                Argument cc) const {
+    [[gnu::noinline]] T combine(const Blending& by, const Color& s, const Color& d, T cs, T cd, T cc) const {
         if (by.equation == BlendEquation::min)
             return component::smaller<N>(cs, cd);
         if (by.equation == BlendEquation::max)
@@ -246,8 +264,8 @@ template <class N> struct BlendEquations {
         return source;
     }
     /// The product value * factor; the factors 0 and 1 are exact (GL 1.3, 4.1.7).
-    [[gnu::noinline]] T times(Argument value, BlendFactor factor, const Color& s, const Color& d, Argument cs,
-                              Argument cd, Argument cc) const {
+    [[gnu::noinline]] T times(T value, BlendFactor factor, const Color& s, const Color& d, T cs, T cd,
+                              T cc) const {
         const T one = N::from_units(color_one);
         switch (factor) {
         case BlendFactor::zero:
@@ -296,25 +314,10 @@ template <class N, class From> struct Blend : StageBase, BlendEquations<N> {
     SPANGLE_INLINE Blend(const S& s, std::int32_t x) : BlendEquations<N>(s.state->fragment), from(s, x) {}
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        const Color s = p.color, d = from.load(p);
-        const FragmentState& state = this->state;
-        const std::uint32_t* const constant = state.blend_color;
-        const auto rgb = [&](component::Argument<N> cs, component::Argument<N> cd, int i) {
-            return this->combine(state.blend_rgb, s, d, cs, cd, N::from_units(constant[i]));
-        };
-        p.color = {rgb(s.r, d.r, 0), rgb(s.g, d.g, 1), rgb(s.b, d.b, 2),
-                   this->combine(of_alpha(state.blend_alpha), s, d, s.a, d.a, N::from_units(constant[3]))};
+        p.color = this->blend(p.color, from.load(p));
         return true;
     }
     SPANGLE_INLINE void step() { from.step(); }
-
-  private:
-    /// The factor SRC_ALPHA_SATURATE is 1 for alpha.
-    static Blending of_alpha(Blending b) {
-        if (b.src == BlendFactor::src_alpha_saturate)
-            b.src = BlendFactor::one;
-        return b;
-    }
 };
 
 } // namespace SPANGLE_INSTRUCTIONS

@@ -25,18 +25,18 @@ template <class N> class PacketBlend {
         for (int c = 0; c < 3; ++c)
             by.component(state.blend_rgb, c);
         if (alpha)
-            by.component(of_alpha(state.blend_alpha), 3);
+            by.component(blending_of_alpha(state), 3);
     }
 
   private:
     const FragmentState& state_;
     const std::int32_t groups_;
     const Color* const stored_;
-    Color* const color_format_; ///< the components before the one at work are results, the others are sources
+    Color* const colors_; ///< the components before the one at work are results, the others are sources
     const Color one_, constant_;
 
     PacketBlend(const FragmentState& state, std::int32_t groups, const Color* stored, Color* colors)
-        : state_(state), groups_(groups), stored_(stored), color_format_(colors),
+        : state_(state), groups_(groups), stored_(stored), colors_(colors),
           one_(all(color_one)), constant_{N::from_units(state.blend_color[0]),
                                           N::from_units(state.blend_color[1]),
                                           N::from_units(state.blend_color[2]),
@@ -45,17 +45,10 @@ template <class N> class PacketBlend {
         const T v = N::from_units(units);
         return {v, v, v, v};
     }
-    /// The factor SRC_ALPHA_SATURATE is 1 for alpha.
-    static Blending of_alpha(Blending b) {
-        if (b.src == BlendFactor::src_alpha_saturate)
-            b.src = BlendFactor::one;
-        return b;
-    }
-
     /// Blends component c. MIN and MAX read no factor.
     [[gnu::noinline]] void component(const Blending& by, int c) const {
-        const Result to(color_format_, c, groups_);
-        const Operand cs = Operand::of(color_format_, c), cd = Operand::of(stored_, c);
+        const Result to(colors_, c, groups_);
+        const Operand cs = Operand::of(colors_, c), cd = Operand::of(stored_, c);
         const auto set = [&](auto f, const Operand& a, const Operand& b) __attribute__((always_inline)) {
             to.set(f, a, b);
         };
@@ -87,7 +80,6 @@ template <class N> class PacketBlend {
 
     /// The products value * factor in component c; the factors 0 and 1 are exact. `to` is room for them.
     Operand times(const Operand& value, BlendFactor factor, int c, Color* to) const {
-        static constexpr Color zero{};
         const Result result(to, c, groups_);
         const auto by = [&](const Operand& of) __attribute__((always_inline)) {
             return result.set(
@@ -103,7 +95,7 @@ template <class N> class PacketBlend {
         const bool rest = is_rest(factor);
         switch (factor) {
         case BlendFactor::zero:
-            return Operand::constant(zero, c);
+            return Operand::zero();
         case BlendFactor::one:
             return value;
         case BlendFactor::src_alpha_saturate:
@@ -133,10 +125,10 @@ template <class N> class PacketBlend {
         switch (factor) {
         case BlendFactor::src_color:
         case BlendFactor::one_minus_src_color:
-            return Operand::of(color_format_, c);
+            return Operand::of(colors_, c);
         case BlendFactor::src_alpha:
         case BlendFactor::one_minus_src_alpha:
-            return Operand::of(color_format_, 3);
+            return Operand::of(colors_, 3);
         case BlendFactor::dst_color:
         case BlendFactor::one_minus_dst_color:
             return Operand::of(stored_, c);
@@ -146,9 +138,15 @@ template <class N> class PacketBlend {
         case BlendFactor::constant_color:
         case BlendFactor::one_minus_constant_color:
             return Operand::constant(constant_, c);
-        default: // CONSTANT_ALPHA, ONE_MINUS_CONSTANT_ALPHA
+        case BlendFactor::constant_alpha:
+        case BlendFactor::one_minus_constant_alpha:
             return Operand::constant(constant_, 3);
+        case BlendFactor::zero:
+        case BlendFactor::one:
+        case BlendFactor::src_alpha_saturate:
+            break; // times() does these itself
         }
+        return Operand::zero();
     }
     /// min(As, 1 - Ad), in the place of the result.
     Operand saturating(const Result& to) const {
@@ -156,7 +154,7 @@ template <class N> class PacketBlend {
         return to.set(
             [one](const T& s, const T& d)
                 __attribute__((always_inline)) { return component::smaller<N>(s, one - d); },
-            Operand::of(color_format_, 3), Operand::of(stored_, 3));
+            Operand::of(colors_, 3), Operand::of(stored_, 3));
     }
 };
 

@@ -147,8 +147,7 @@ template <class N> class TextureCombine {
 
     /// Results are clamped to [0, 1] before they are scaled as well as after. That changes nothing, as scales
     /// are at least 1.
-    using Component = component::Argument<N>;
-    static T result(CombineFunc func, Component a, Component b, Component c) {
+    static T result(CombineFunc func, T a, T b, T c) {
         switch (func) {
         case CombineFunc::replace:
             return a;

@@ -45,15 +45,14 @@ template <class N> class PacketCombine {
     const Room* const texels_;
     const int unit_number_;
     const Color* const primary_;
-    Color* const
-        color_format_; ///< the results of the unit before; then, from red to alpha, those of this one
+    Color* const colors_; ///< the results of the unit before; then, from red to alpha, those of this one
     const Color& constant_;
     const Color white_;
     const std::int32_t groups_;
 
     PacketCombine(const FragmentState& state, const Room* texels, int which, const Color* primary,
                   Color* colors, const Color& constant, std::int32_t groups)
-        : state_(state), texels_(texels), unit_number_(which), primary_(primary), color_format_(colors),
+        : state_(state), texels_(texels), unit_number_(which), primary_(primary), colors_(colors),
           constant_(constant), white_(white()), groups_(groups) {}
     static Color white() {
         const T one = component::one<N>();
@@ -70,17 +69,17 @@ template <class N> class PacketCombine {
         case CombineSource::primary_color:
             return Operand::of(primary_, c);
         case CombineSource::previous:
-            return Operand::of(color_format_, c);
-        default:
-            return texture(static_cast<int>(from) - static_cast<int>(CombineSource::texture0), c);
+            return Operand::of(colors_, c);
+        case CombineSource::texture0:
+            break;
         }
+        return texture(static_cast<int>(from) - static_cast<int>(CombineSource::texture0), c);
     }
     /// Component c of a texture colour. What its base format lacks is filled in (GL 1.3, table 3.21).
     Operand texture(int from, int c) const {
-        static constexpr Color zero{};
         const Texture* const image = state_.unit[from].texture;
         if (image == nullptr || (image->base == BaseFormat::alpha && c < 3))
-            return Operand::constant(zero, c);
+            return Operand::zero();
         if ((image->base == BaseFormat::luminance || image->base == BaseFormat::rgb) && c == 3)
             return Operand::constant(white_, c);
         return Operand::of(texels_[from], c);
@@ -108,10 +107,10 @@ template <class N> class PacketCombine {
             component(unit.alpha, 3);
         const auto scale = [&](int c, unsigned log2) {
             if (log2 != 0)
-                Result(color_format_, c, groups_)
+                Result(colors_, c, groups_)
                     .set(
                         [log2](const T& v) __attribute__((always_inline)) { return Math::scaled(v, log2); },
-                        Operand::of(color_format_, c));
+                        Operand::of(colors_, c));
         };
         for (int c = 0; c < 3; ++c)
             scale(c, unit.rgb.log2_scale);
@@ -126,25 +125,24 @@ template <class N> class PacketCombine {
         }
         for (std::int32_t g = 0; g < groups_; ++g) {
             const T v = Math::dot3({a[0][g], a[1][g], a[2][g], T{}}, {b[0][g], b[1][g], b[2][g], T{}});
-            color_format_[g] = {v, v, v, alpha ? v : color_format_[g].a};
+            colors_[g] = {v, v, v, alpha ? v : colors_[g].a};
         }
     }
     /// Component c of the result, clamped but not scaled.
     [[gnu::noinline]] void component(const Combiner& by, int c) const {
         Room room[3];
-        const Result to(color_format_, c, groups_);
+        const Result to(colors_, c, groups_);
         const auto argument_of = [&](int i) { return argument(by.argument[i], c, room[i]); };
-        const Operand a = argument_of(0);
-        if (by.func == CombineFunc::replace) {
-            to.set(
-                [](const T& v) __attribute__((always_inline)) { return v; }, a);
-            return;
-        }
-        const Operand b = argument_of(1);
+        const Operand a = argument_of(0),
+                      b = by.func == CombineFunc::replace ? Operand::zero() : argument_of(1);
         const auto two = [&](auto f) __attribute__((always_inline)) {
             to.set(f, a, b);
         };
         switch (by.func) {
+        case CombineFunc::replace:
+            to.set(
+                [](const T& v) __attribute__((always_inline)) { return v; }, a);
+            return;
         case CombineFunc::modulate:
             return two([](const T& v, const T& w) __attribute__((always_inline)) { return N::mul(v, w); });
         case CombineFunc::add:
@@ -158,9 +156,12 @@ template <class N> class PacketCombine {
                     __attribute__((always_inline)) { return N::lerp(w, v, by_c); },
                 a, b, argument_of(2));
             return;
-        default:
+        case CombineFunc::subtract:
             return two([](const T& v, const T& w)
                            __attribute__((always_inline)) { return N::subtract(v, w); });
+        case CombineFunc::dot3_rgb:
+        case CombineFunc::dot3_rgba:
+            return; // dot3() makes these of all components at once
         }
     }
 };

@@ -82,7 +82,7 @@ class GlxContexts : public testing::Test {
     }
     void SetUp() override {
         if (server->name().empty())
-            GTEST_SKIP() << "There is no Xvfb";
+            GTEST_SKIP() << "there is no Xvfb; ./dev setup --programs installs it";
         display = XOpenDisplay(server->name().c_str());
         ASSERT_NE(display, nullptr);
         XSetErrorHandler(note_error);

@@ -22,9 +22,9 @@ class LvglDisplay {
         lv_display_set_flush_cb(lvgl_, &flush);
         lv_display_set_buffers(lvgl_, buffer, nullptr, bytes, LV_DISPLAY_RENDER_MODE_PARTIAL);
     }
-    /// It is not copied: LVGL holds its address.
+    /// A display is not copied, because LVGL holds its address.
     LvglDisplay(const LvglDisplay&) = delete;
-    /// It is not assigned either.
+    /// A display is not assigned, for the same reason.
     LvglDisplay& operator=(const LvglDisplay&) = delete;
 
     /// LVGL's handle, for its own calls.

@@ -1,6 +1,6 @@
 /* EGL 1.4 as Spangle has it: it connects rendering contexts with displays. Types are those of Khronos'
  * headers with EGL_NO_X11. For C89 and up, and C++.
- * Written by gl/api/generate.py from gl/api/commands/egl.json: change that, not this.
+ * Written by gl/api/generate.py from gl/api/egl.json: change that, not this.
  *
  * A comment holds for all that stands below it, up to the next comment or empty line. A function that fails
  * returns EGL_FALSE, null or 0, does nothing else, and leaves an error for eglGetError. Where a comment names

@@ -57,7 +57,7 @@ struct Program {
     struct Step {
         /// The command byte.
         const std::uint8_t* command;
-        /// Its `count` parameters, in the program's memory.
+        /// The `count` parameters of the command, in the program's memory.
         const std::uint8_t* params;
         /// The number of parameters.
         std::uint8_t count;

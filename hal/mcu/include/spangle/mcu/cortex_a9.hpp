@@ -18,7 +18,7 @@ struct GlobalTimer {
 
     /// Lets the timer run.
     void start() const { reg(base() + 0x208) = 1; }
-    /// Its low 32 bits.
+    /// The low 32 bits of the timer.
     std::uint32_t ticks() const { return reg(base() + 0x200); }
     /// Microseconds, which wrap where ticks() do.
     std::uint32_t micros() const { return ticks() / (clock_hz / 1000000); }

@@ -11,10 +11,10 @@ namespace spangle::mcu {
 struct RiscvTimer {
     /// The register's address.
     std::uintptr_t mtime;
-    /// Its clock in Hz.
+    /// The clock of the timer in Hz.
     std::uint32_t clock_hz;
 
-    /// Its low 32 bits.
+    /// The low 32 bits of the timer.
     std::uint32_t ticks() const { return reg(mtime); }
     /// Microseconds, which wrap where ticks() do.
     std::uint32_t micros() const {
