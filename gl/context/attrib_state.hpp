@@ -6,7 +6,7 @@
 
 namespace spangle::gl {
 
-class SavedAttributes; // gl/context/attrib_stack.cpp
+struct SavedAttributes; // gl/context/attrib_stack.cpp
 
 struct AttribStack {
     SavedAttributes* top = nullptr;

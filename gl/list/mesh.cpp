@@ -190,7 +190,7 @@ const Word* play_mesh(Context& context, const Word* words, const CommandText* te
     const Word* const next = words + header.words;
     if (!allowed_outside(context, text))
         return next;
-    const SavedAttributes kept(context);
+    const CurrentStateGuard kept(context);
     cmd::Begin(context, header.mode);
     if (!context.inside_begin_end())
         return next;

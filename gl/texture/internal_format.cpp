@@ -71,7 +71,7 @@ constexpr unsigned place_of(GLenum token) {
                                                   : all_kept;
 }
 constexpr bool are_kept_as(TexelFormat format, auto... tokens) {
-    return ((kept[place_of(tokens)] == format) && ...);
+    return ((kept[place_of(static_cast<GLenum>(tokens))] == format) && ...);
 }
 static_assert(are_kept_as(a8, GL_ALPHA, GL_ALPHA4, GL_ALPHA8, GL_ALPHA12, GL_ALPHA16) &&
               are_kept_as(l8, 1, GL_LUMINANCE, GL_LUMINANCE4, GL_LUMINANCE8, GL_LUMINANCE12,

@@ -35,17 +35,17 @@ inline void set_color_and_texture(Context& context, const ElementReader& reader,
 /// Saves the current attributes and restores them when a draw of arrays ends. GL leaves the attributes of
 /// enabled arrays undefined (GL 1.3, 2.8), but drivers keep all of them, and programs rely on that. Materials
 /// that track the current colour are restored, too.
-class SavedAttributes {
+class CurrentStateGuard {
   public:
-    explicit SavedAttributes(Context& context) : context_(context) {
+    explicit CurrentStateGuard(Context& context) : context_(context) {
         __builtin_memcpy(kept_, &context.current, sizeof kept_);
     }
-    ~SavedAttributes() {
+    ~CurrentStateGuard() {
         __builtin_memcpy(static_cast<void*>(&context_.current), kept_, sizeof kept_);
         follow_color(context_);
     }
-    SavedAttributes(const SavedAttributes&) = delete;
-    SavedAttributes& operator=(const SavedAttributes&) = delete;
+    CurrentStateGuard(const CurrentStateGuard&) = delete;
+    CurrentStateGuard& operator=(const CurrentStateGuard&) = delete;
 
   private:
     Context& context_;

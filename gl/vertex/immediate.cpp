@@ -59,7 +59,7 @@ bool takes(Context& context, GLenum mode) {
 
 /// Draws `count` elements as one primitive, or as several where restart indices separate them.
 void draw(Context& context, GLenum mode, GLsizei count, const Indices& indices) {
-    const SavedAttributes kept(context);
+    const CurrentStateGuard kept(context);
     const AddressedArrays addressed(context);
     for_each_run(context.array_bindings, static_cast<std::uint32_t>(count), indices,
                  [&](std::uint32_t n, const Indices& run) {

@@ -1,6 +1,6 @@
 // Powers of numbers in [0, 1], for specular and spot exponents and for fog: x^n = 2^(-n L) with L = -log2(x).
-// The number in a name is the error bound: exact is 2^-21 (the exponent 128 multiplies what log2 gets wrong
-// by 88), _14 and _10 are the tiers balanced and fast.
+// A power is within 2^-21: the exponent 128 multiplies the error of log2 by 88. All tiers use these
+// functions.
 #pragma once
 
 #include <cstdint>
@@ -62,8 +62,8 @@ struct Exp2Table {
 };
 inline constexpr Exp2Table exp2_table;
 
-/// -log2(x) for x = v / 2^30, 0 < v < 2^30, Q5.32. Within 2^-31 (terms 4), 2^-21.5 (terms 2).
-template <int terms> SPANGLE_INLINE constexpr std::uint64_t minus_log2(std::uint32_t v) {
+/// -log2(x) for x = v / 2^30, 0 < v < 2^30, in Q5.32. The error is at most 2^-31.
+SPANGLE_INLINE constexpr std::uint64_t minus_log2(std::uint32_t v) {
     const int zeros = clz32(v);         // >= 2
     const std::uint32_t a = v << zeros; // [1, 2) in Q1.31
     const std::uint32_t i = (a >> 25) & 63;
@@ -72,15 +72,10 @@ template <int terms> SPANGLE_INLINE constexpr std::uint64_t minus_log2(std::uint
     const auto r =
         static_cast<std::int32_t>(static_cast<std::int64_t>(mul_u32(a, c) - (std::uint64_t{1} << 47)) >> 9);
     // log2(1 + r) = r/ln2 (1 - r/2 + r^2/3 - r^3/4): the bracket in Q2.30.
-    std::int32_t bracket = 1 << 30;
-    if constexpr (terms == 4) {
-        constexpr std::int32_t third = 0x15555555, quarter = 0x10000000; // Q0.30
-        const std::int32_t tail = third - static_cast<std::int32_t>(mul_s32(r, quarter) >> 38);
-        const std::int32_t half = (1 << 29) - static_cast<std::int32_t>(mul_s32(r, tail) >> 38);
-        bracket -= static_cast<std::int32_t>(mul_s32(r, half) >> 38);
-    } else {
-        bracket -= r >> 9; // r/2: Q0.38 to Q0.30
-    }
+    constexpr std::int32_t third = 0x15555555, quarter = 0x10000000; // Q0.30
+    const std::int32_t tail = third - static_cast<std::int32_t>(mul_s32(r, quarter) >> 38);
+    const std::int32_t half = (1 << 29) - static_cast<std::int32_t>(mul_s32(r, tail) >> 38);
+    const std::int32_t bracket = (1 << 30) - static_cast<std::int32_t>(mul_s32(r, half) >> 38);
     const auto scaled =
         static_cast<std::int32_t>((mul_s32(bracket, static_cast<std::int32_t>(log2_e_q31 >> 1))) >> 30);
     const std::int64_t fraction =
@@ -90,37 +85,23 @@ template <int terms> SPANGLE_INLINE constexpr std::uint64_t minus_log2(std::uint
     return static_cast<std::uint64_t>(l < 0 ? 0 : l);
 }
 
-/// 2^(-q / 2^24) in Q0.30: relative error 2^-26 (terms 3), 2^-20 (2), 2^-14 (1).
-template <int terms> SPANGLE_INLINE constexpr std::uint32_t exp2_minus(std::uint32_t q) {
+} // namespace detail
+
+/// 2^-q, q in Q8.24, the result in Q0.30 (1 is 2^30). The relative error is at most 2^-26.
+SPANGLE_INLINE constexpr std::uint32_t exp2_neg(std::uint32_t q) {
     const std::uint32_t down = q >> 24;
     if (down > 30)
         return 0;
     constexpr std::uint32_t ln2_q32 = 0xB17217F8;                                   // ln 2, to the nearest
     const auto y = static_cast<std::uint32_t>(mul_u32(q & 0x3FFFF, ln2_q32) >> 24); // Q0.32, < 2^-6.5
     std::uint32_t fall = y;                                                         // 1 - e^-y
-    if constexpr (terms >= 2)
-        fall -= mul_high_u32(y, y) >> 1;
-    if constexpr (terms >= 3)
-        fall += mul_high_u32(mul_high_u32(y, y), y) / 6;
-    const std::uint64_t product = mul_u32(exp2_table.at[(q >> 18) & 63], 0x80000000u - (fall >> 1)); // Q2.62
+    fall -= mul_high_u32(y, y) >> 1;
+    fall += mul_high_u32(mul_high_u32(y, y), y) / 6;
+    const std::uint64_t product =
+        mul_u32(detail::exp2_table.at[(q >> 18) & 63], 0x80000000u - (fall >> 1)); // Q2.62
     const std::uint32_t shift = 32 + down;
     return static_cast<std::uint32_t>(((product >> (shift - 1)) + 1) >> 1);
 }
-
-template <int log_terms, int exp_terms>
-constexpr std::int32_t pow_unit(std::int32_t x, std::uint32_t exponent) {
-    constexpr std::int32_t unit = 1 << 30;
-    if (exponent == 0 || x >= unit)
-        return unit; // 0^0 = 1 (GL 1.3, 2.1.1)
-    if (x <= 0)
-        return 0;
-    const std::uint64_t l = minus_log2<log_terms>(static_cast<std::uint32_t>(x));
-    const std::uint64_t q = mul_u32(exponent, static_cast<std::uint32_t>(l >> 32)) +
-                            ((mul_u32(exponent, static_cast<std::uint32_t>(l)) + (1u << 31)) >> 32);
-    return q >> 32 != 0 ? 0 : static_cast<std::int32_t>(exp2_minus<exp_terms>(static_cast<std::uint32_t>(q)));
-}
-
-} // namespace detail
 
 /// GL's exponents, 0 .. 128, in the form that pow_unit() takes: Q8.24, clamped.
 constexpr std::uint32_t power_exponent(Real n) {
@@ -128,39 +109,18 @@ constexpr std::uint32_t power_exponent(Real n) {
     return static_cast<std::uint32_t>(clamp<std::int32_t>(q, 0, 128 << 23)) << 1;
 }
 
-/// x^n, x and the result in Q2.30, x clamped to [0, 1], n from power_exponent(). 0^0 = 1; never falls where x
-/// rises.
+/// x^n. x and the result are in Q2.30, x is clamped to [0, 1], and n comes from power_exponent(). 0^0 is 1.
+/// The result never falls where x rises. The error is at most 2^-21.
 constexpr std::int32_t pow_unit(std::int32_t x, std::uint32_t exponent) {
-    return detail::pow_unit<4, 3>(x, exponent);
-}
-constexpr std::int32_t pow_unit_14(std::int32_t x, std::uint32_t exponent) {
-    return detail::pow_unit<2, 2>(x, exponent);
-}
-constexpr std::int32_t pow_unit_10(std::int32_t x, std::uint32_t exponent) {
-    return detail::pow_unit<2, 1>(x, exponent);
-}
-constexpr std::int32_t pow_unit(std::int32_t x, Real n) {
-    return pow_unit(x, power_exponent(n));
-}
-
-/// 2^-q, q in Q8.24, result in Q0.30 (1 is 2^30).
-constexpr std::uint32_t exp2_neg(std::uint32_t q) {
-    return detail::exp2_minus<3>(q);
-}
-constexpr std::uint32_t exp2_neg_14(std::uint32_t q) {
-    return detail::exp2_minus<2>(q);
-}
-constexpr std::uint32_t exp2_neg_10(std::uint32_t q) {
-    return detail::exp2_minus<1>(q);
-}
-
-/// q / ln 2 in Q8.24, saturated: exp(-x) = exp2_neg(to_base_2(x)).
-constexpr std::uint32_t to_base_2(std::uint32_t q) {
-    const std::uint64_t v = (mul_u32(q, detail::log2_e_q31) + (1u << 30)) >> 31;
-    return v > 0xFFFFFFFF ? 0xFFFFFFFFu : static_cast<std::uint32_t>(v);
-}
-constexpr std::uint32_t exp_neg(std::uint32_t q) {
-    return exp2_neg(to_base_2(q));
+    constexpr std::int32_t unit = 1 << 30;
+    if (exponent == 0 || x >= unit)
+        return unit; // 0^0 = 1 (GL 1.3, 2.1.1)
+    if (x <= 0)
+        return 0;
+    const std::uint64_t l = detail::minus_log2(static_cast<std::uint32_t>(x));
+    const std::uint64_t q = mul_u32(exponent, static_cast<std::uint32_t>(l >> 32)) +
+                            ((mul_u32(exponent, static_cast<std::uint32_t>(l)) + (1u << 31)) >> 32);
+    return q >> 32 != 0 ? 0 : static_cast<std::int32_t>(exp2_neg(static_cast<std::uint32_t>(q)));
 }
 
 } // namespace spangle::numeric

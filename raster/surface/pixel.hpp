@@ -63,17 +63,6 @@ constexpr StoredColor unpack_pixel(PixelFormat format, std::uint32_t bytes) {
     }
 }
 
-/// The bits of a pixel that the mask (bit 0 red, 1 green, 2 blue, 3 alpha) opens, in the layout of
-/// pack_pixel().
-constexpr std::uint32_t pixel_mask(PixelFormat format, std::uint8_t color_mask) {
-    const FormatInfo f = format_info(format);
-    const std::uint8_t bits[4] = {f.red_bits, f.green_bits, f.blue_bits, f.alpha_bits};
-    std::uint32_t open[4] = {};
-    for (unsigned i = 0; i < 4; ++i)
-        open[i] = (color_mask >> i & 1) != 0 ? (1u << bits[i]) - 1 : 0;
-    return pack_pixel(format, open);
-}
-
 /// Reads pixel (x, y) in GL window coordinates, which must lie in the surface.
 StoredColor read_color(const Surface& s, std::int32_t x, std::int32_t y);
 
