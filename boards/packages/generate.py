@@ -96,7 +96,7 @@ if(CONFIG_SPANGLE)
     zephyr_library_include_directories(${{root}})
     zephyr_library_compile_options(-std=gnu++20 {' '.join(ABOUT["flags"])}
         "$<$<COMPILE_LANG_AND_ID:CXX,GNU>:{";".join(ABOUT["gcc_flags"])}>")
-    file(GLOB spans ${{root}}/raster/span/fused_part_*.cpp)
+    file(GLOB spans ${{root}}/raster/fused/part_*.cpp)
     set_source_files_properties(${{spans}} PROPERTIES COMPILE_OPTIONS $<$<CXX_COMPILER_ID:GNU>:-fipa-modref>)
     zephyr_compile_definitions({' '.join(ABOUT["definitions"])})
     foreach(folder
@@ -146,7 +146,7 @@ def export(folder):
             if path.suffix in (".cpp", ".hpp", ".h", ".inc") and not path.name.endswith("_reference.cpp"):
                 # The parts of the table of fused spans keep the pass modref; raster/CMakeLists.txt says why.
                 before = pragma() if path.suffix == ".cpp" else ""
-                if path.name.startswith("fused_part_"):
+                if path.match("raster/fused/part_*.cpp"):
                     before = before.replace(', "no-ipa-modref"', "")
                 outfile.write(source / room / path.name, before + path.read_text())
     for public in ABOUT["includes"]:

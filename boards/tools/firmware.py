@@ -18,9 +18,10 @@ INCLUDES = [f"-I{ROOT}"] + [f"-I{ROOT}/{room}/include" for room in ("raster/form
 SOUND_CALLS = ["-fno-delete-null-pointer-checks", "-fno-ipa-modref"]
 FLAGS = ["-std=c++20", "-ffreestanding", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", "-fno-tree-loop-distribute-patterns",
          "-ffunction-sections", "-fdata-sections", "-ffp-contract=off", "-DSPANGLE_FIRMWARE=1", "-DSPANGLE_MESSAGES=0", *SOUND_CALLS, *INCLUDES]
-CORE = ["raster/numeric", "raster/surface", "raster/span", "raster/primitive", "raster/band", "hal/bus", "hal/panel", "hal/display",
+CORE = ["raster/numeric", "raster/surface", "raster/compile", "raster/ops", "raster/chain", "raster/fused",
+        "raster/primitive", "raster/band", "hal/bus", "hal/panel", "hal/display",
         "gl/api", "gl/api/generated", "gl/context", "gl/vertex", "gl/pixel", "gl/texture", "gl/list", "gl/egl"]
-HOT = ("raster/span", "raster/primitive", "raster/surface", "gl/vertex", "gl/list")  # built with -O2; the other rooms are built for size
+HOT = ("raster/compile", "raster/ops", "raster/chain", "raster/fused", "raster/primitive", "raster/surface", "gl/vertex", "gl/list")  # built with -O2; the other rooms are built for size
 # The ids of the scenes, and the names of their objects in boards/scenes.
 SCENES = {"S1": "clear", "S2": "two_triangles", "S3": "gouraud", "S4": "plane", "S4b": "plane_linear", "S4r": "plane_rolled", "S5": "gears",
           "S6": "torus", "S7": "sprites", "S8": "wireframe", "S9": "torus_textured", "HUD": "hud", "BAKED": "rocket", "TINY": "tiny",
@@ -65,7 +66,7 @@ def source_flags(source):
     """Returns the flags of one source behind SOUND_CALLS. The loops of the fused spans keep the pass modref (raster/CMakeLists.txt says
     why).
     """
-    return ["-fipa-modref"] if source.name.startswith("fused_part_") else []
+    return ["-fipa-modref"] if source.match("raster/fused/part_*.cpp") else []
 
 
 def missing(targets):

@@ -1,7 +1,7 @@
 // The errors that the shadow policy measures in each stage, for programs outside of this repository.
 #include <spangle/reference.hpp>
 
-#include "raster/span/shadow.hpp"
+#include "raster/reference/shadow.hpp"
 
 namespace spangle {
 

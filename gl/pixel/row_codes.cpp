@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "raster/span/lanes.hpp"
+#include "raster/ops/lanes.hpp"
 
 namespace spangle::gl {
 

@@ -5,7 +5,7 @@
 #include <bit>
 
 #include "gl/pixel/pixel_layout.hpp"
-#include "raster/span/lanes.hpp"
+#include "raster/ops/lanes.hpp"
 #include <spangle/raster/limits.hpp>
 
 /// True in builds that convert rows of pixels by vector lanes (row_codes.hpp): host builds with shortcuts.

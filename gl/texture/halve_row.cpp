@@ -2,7 +2,7 @@
 
 #if SPANGLE_ROW_CODES && SPANGLE_FEATURE_MIPMAP_GENERATION
 
-#include "raster/span/lanes.hpp"
+#include "raster/ops/lanes.hpp"
 
 namespace spangle::gl {
 

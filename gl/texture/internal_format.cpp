@@ -3,7 +3,7 @@
 #include <iterator>
 
 #include "gl/texture/compressed_format.hpp"
-#include "raster/span/texel.hpp"
+#include "raster/ops/texel.hpp"
 
 namespace spangle::gl {
 

@@ -4,7 +4,7 @@
 
 #include "gl/vertex/double_math.hpp"
 #include "gl/vertex/fixed_math.hpp"
-#include "raster/span/shadow.hpp"
+#include "raster/reference/shadow.hpp"
 
 namespace spangle::gl {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "raster/span/shadow.hpp"
+#include "raster/reference/shadow.hpp"
 
 namespace spangle::trade {
 

@@ -122,7 +122,7 @@ std::string to_text(const ProfileReport& report) {
                               : "\n  the chain    is left out";
     if (report.made->chain && report.firmware.is_object())
         out += fmt::format(", in {} bytes of flash",
-                           report.firmware["profiled"]["flash_of"].value("raster/span", std::int64_t{0}));
+                           report.firmware["profiled"]["flash_of"].value("raster/compile", std::int64_t{0}));
     out += "\n\n  pixels      share    drawn by   each*  state key\n";
     std::vector<profile::KeyUse> keys = report.chosen->record.keys;
     std::stable_sort(keys.begin(), keys.end(),

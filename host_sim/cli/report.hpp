@@ -12,7 +12,7 @@
 namespace spangle::cli {
 
 /// The error of one stage of the pipeline in integers, compared with its double twin
-/// (raster/span/shadow.hpp).
+/// (raster/reference/shadow.hpp).
 struct StageError {
     std::string stage, unit;
     std::uint64_t count;     ///< number of values compared

@@ -22,7 +22,7 @@
 #include "host_sim/cli/session.hpp"
 #include "host_sim/cli/window.hpp"
 #include "host_sim/trade/coverage.hpp"
-#include "raster/span/shadow.hpp"
+#include "raster/reference/shadow.hpp"
 
 namespace spangle::cli {
 

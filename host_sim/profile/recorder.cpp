@@ -11,7 +11,7 @@
 #include "gl/api/explain.hpp"
 #include "gl/context/context.hpp"
 #include "host_sim/profile/needs.hpp"
-#include "raster/span/fused_table.hpp"
+#include "raster/fused/table.hpp"
 #include "raster/span/rows.hpp"
 
 namespace spangle::profile {

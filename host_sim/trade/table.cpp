@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "raster/span/shadow.hpp"
+#include "raster/reference/shadow.hpp"
 
 namespace spangle::trade {
 

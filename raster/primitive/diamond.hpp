@@ -11,8 +11,8 @@
 #include <cstdint>
 
 #include "raster/numeric/reciprocal.hpp"
+#include "raster/ops/line_lanes.hpp"
 #include "raster/primitive/edge.hpp"
-#include "raster/span/line_lanes.hpp"
 
 namespace spangle::raster {
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
+#include "raster/ops/lanes.hpp"
 #include "raster/primitive/setup.hpp"
-#include "raster/span/lanes.hpp"
 #include "raster/span/rows.hpp"
 #include "raster/surface/surface.hpp"
 

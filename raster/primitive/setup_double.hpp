@@ -3,7 +3,7 @@
 #pragma once
 
 #include "raster/primitive/setup.hpp"
-#include "raster/span/policy_double.hpp"
+#include "raster/reference/policy_double.hpp"
 
 namespace spangle::raster {
 

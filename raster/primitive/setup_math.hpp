@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "raster/numeric/reciprocal.hpp"
+#include "raster/ops/number.hpp"
 #include "raster/span/draw_state.hpp"
-#include "raster/span/number.hpp"
 #include "raster/span/of_tier.hpp"
 #include "raster/span/vertex.hpp"
 

@@ -1,10 +1,10 @@
 // What the files of set-up share inline: gradients, and the loop over the colours that a state needs.
 #pragma once
 
+#include "raster/ops/lanes.hpp"
+#include "raster/ops/line_lanes.hpp"
 #include "raster/primitive/setup.hpp"
 #include "raster/primitive/setup_math.hpp"
-#include "raster/span/lanes.hpp"
-#include "raster/span/line_lanes.hpp"
 
 namespace spangle::raster {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "raster/primitive/setup_double.hpp"
-#include "raster/span/shadow.hpp"
+#include "raster/reference/shadow.hpp"
 
 namespace spangle::raster {
 

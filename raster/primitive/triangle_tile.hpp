@@ -5,9 +5,9 @@
 #include <bit>
 #include <cstddef>
 
+#include "raster/ops/lanes.hpp"
+#include "raster/ops/tile.hpp"
 #include "raster/primitive/edge.hpp"
-#include "raster/span/lanes.hpp"
-#include "raster/span/tile.hpp"
 #include "raster/surface/surface.hpp"
 
 namespace spangle::raster {

@@ -3,7 +3,8 @@
 
 usage: includes.py BUILD_DIR
 
-The tool reads the compiler's own dependency records of a Ninja build (`ninja -t deps`), so macros and generated includes count.
+The tool reads the compiler's own dependency records of a Ninja build (`ninja -t deps`), so macros and generated includes count. It
+also reads the include lines of headers, because a header without a source file of its own room is compiled for another room only.
 """
 import pathlib
 import re
@@ -15,7 +16,11 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 NUMERIC, FORMAT = {"raster/numeric"}, {"raster/format"}
 SURFACE = NUMERIC | FORMAT | {"raster/surface", "raster/include"}
 SPAN = SURFACE | {"raster/span"}
-PRIMITIVE = SPAN | {"raster/primitive"}
+OPS = SPAN | {"raster/ops"}
+CHAIN, FUSED = OPS | {"raster/chain"}, OPS | {"raster/fused"}  # they do not know of each other: the fused spans can be deleted
+COMPILE = CHAIN | FUSED | {"raster/compile"}
+REFERENCE = CHAIN | {"raster/reference"}
+PRIMITIVE = OPS | {"raster/reference", "raster/primitive"}  # its files *_reference.hpp, *_double.hpp and *_shadow.hpp are for hosts
 RASTER = PRIMITIVE | {"raster/band"}
 HAL_BUS = FORMAT | {"hal/bus"}
 HAL_PANEL = HAL_BUS | {"hal/panel"}
@@ -31,6 +36,11 @@ MAY_INCLUDE = {
     "raster/format": FORMAT,
     "raster/surface": SURFACE,
     "raster/span": SPAN,
+    "raster/ops": OPS,
+    "raster/chain": CHAIN,
+    "raster/fused": FUSED,
+    "raster/compile": COMPILE,
+    "raster/reference": REFERENCE,
     "raster/primitive": PRIMITIVE,
     "raster/band": RASTER,
     "hal/bus": HAL_BUS | {"hal/include"},
@@ -74,6 +84,16 @@ def records(build):
             yield lines[0].split(": #deps")[0], inside
 
 
+def named_by_headers():
+    """Yields each header of a room with each file of the tree that it includes by its path."""
+    for room in MAY_INCLUDE:
+        for header in sorted((ROOT / room).glob("**/*.hpp")):
+            path = str(header.relative_to(ROOT))
+            if room_of(path) == room:
+                for used in re.findall(r'^#include "(\w+/[^"]+)"', header.read_text(), re.M):
+                    yield path, used
+
+
 def main():
     if len(sys.argv) != 2:
         print(__doc__.strip())
@@ -89,6 +109,10 @@ def main():
             other = room_of(used)
             if other is not None and other != room and other not in MAY_INCLUDE[room]:
                 bad.add(f"{source} ({room}) may not include {used} ({other})")
+    for header, used in named_by_headers():
+        room, other = room_of(header), room_of(used)
+        if other is not None and other != room and other not in MAY_INCLUDE[room]:
+            bad.add(f"{header} ({room}) may not include {used} ({other})")
     for line in sorted(bad):
         print(line)
     print(f"{checked} compilations checked, {len(bad)} forbidden includes")

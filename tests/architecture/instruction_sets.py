@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks that no other object can call what is compiled for AVX2, because the linker keeps only one of the functions of a name.
 
-usage: instruction_sets.py OBJECT    which is the one of raster/span/chain_avx2.cpp
+usage: instruction_sets.py OBJECT    which is the one of raster/chain/chain_avx2.cpp
 """
 import re
 import subprocess

@@ -1,5 +1,5 @@
 // Measures products, mixtures, filters and blending of colours.
-#include "raster/span/number.hpp"
+#include "raster/ops/number.hpp"
 #include "tests/bounds/bounds.hpp"
 
 namespace spangle::test {

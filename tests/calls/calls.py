@@ -24,7 +24,7 @@ import firmware  # noqa: E402
 import generate  # noqa: E402
 from checks import check, failures  # noqa: E402
 
-SPANS = sorted((ROOT / "raster/span").glob("fused_part_*.cpp"))
+SPANS = sorted((ROOT / "raster/fused").glob("part_*.cpp"))
 # Scripts may call a compiler with flags of their own if they name the list of flags, or if they compile nothing to code.
 NAMES_THE_LIST = re.compile(r"SOUND_CALLS|sound_calls|gcc_flags|firmware\.FLAGS|-fsyntax-only")
 USER = """cmake_minimum_required(VERSION 3.22)

@@ -11,7 +11,7 @@
 #include <spangle/GL/gl.h>
 #include <spangle/reference.hpp>
 
-#include "raster/span/shadow.hpp"
+#include "raster/reference/shadow.hpp"
 
 namespace spangle::test {
 namespace {

@@ -8,7 +8,7 @@
 #include <spangle/GL/gl.h>
 #include <spangle/reference.hpp>
 
-#include "raster/span/shadow.hpp"
+#include "raster/reference/shadow.hpp"
 #include "tests/headless_gl.hpp"
 
 namespace spangle::test {

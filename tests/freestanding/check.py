@@ -21,7 +21,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "boards/tools"))
 import firmware  # noqa: E402
 
-ROOMS = ["raster/numeric", "raster/surface", "raster/span", "raster/primitive", "raster/band", "hal/bus", "hal/panel", "hal/display",
+ROOMS = ["raster/numeric", "raster/surface", "raster/compile", "raster/ops", "raster/chain", "raster/fused",
+         "raster/primitive", "raster/band", "hal/bus", "hal/panel", "hal/display",
          "gl/api", "gl/api/generated", "gl/context", "gl/vertex", "gl/pixel", "gl/texture", "gl/list", "gl/egl"]
 COMMON = ["-std=c++20", "-Os", "-ffreestanding", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics",
           "-ffunction-sections", "-fdata-sections", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-DSPANGLE_FIRMWARE=1", *firmware.SOUND_CALLS,

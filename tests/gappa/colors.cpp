@@ -1,7 +1,7 @@
 // The obligations of colours: products, mixtures, blending, filters.
 #include <cstdio>
 
-#include "raster/span/number.hpp"
+#include "raster/ops/number.hpp"
 #include "tests/gappa/obligations.hpp"
 
 namespace spangle::gappa {

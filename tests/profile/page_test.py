@@ -30,7 +30,7 @@ FIGURES = """import json, sys
 path = sys.argv[sys.argv.index("--out") + 1]
 assert sys.argv[sys.argv.index("--size") + 1] == "96x64", sys.argv
 key = {"pixels": 10, "instructions_a_pixel": 12.5}
-build = lambda n: {"flash": 4000001 * n, "flash_of": {"raster/span": 3000 * n, f"only/{n}": 7}, "ram": 20001 * n, "instructions": 900001 * n,
+build = lambda n: {"flash": 4000001 * n, "flash_of": {"raster/compile": 3000 * n, f"only/{n}": 7}, "ram": 20001 * n, "instructions": 900001 * n,
                    "ram_of": {"variables": 11 * n, "arena": 12 * n, "stack": 13 * n}, "frames": ["0a"], "keys": {}}
 lines = [{"line": f"a&b.cpp:{n}", "command": "glEnd", "calls": n + 0.5, "instructions": 1000 * n} for n in (3, 2)]
 json.dump({"board": "none", "whole": build(2), "profiled": build(1), "lines": lines, "same_bytes": True}, open(path, "w"))

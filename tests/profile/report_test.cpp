@@ -61,7 +61,7 @@ class Report : public testing::Test {
                  {{{"line", "x.cpp:12"}, {"command", "glEnd"}, {"calls", 2.5}, {"instructions", 61234}}})},
             {"whole",
              {{"flash", 400001},
-              {"flash_of", {{"gl/list", 5001}, {"raster/span", 7001}}},
+              {"flash_of", {{"gl/list", 5001}, {"raster/compile", 7001}}},
               {"ram", 30001},
               {"instructions", 900001},
               {"ram_of", {{"variables", 101}, {"arena", 102}, {"stack", 103}}},
@@ -69,7 +69,7 @@ class Report : public testing::Test {
               {"keys", {{loop, {{"pixels", 1}, {"instructions_a_pixel", 81.5}}}}}}},
             {"profiled",
              {{"flash", 200002},
-              {"flash_of", {{"raster/span", 6002}}},
+              {"flash_of", {{"raster/compile", 6002}}},
               {"ram", 20002},
               {"instructions", 800002},
               {"ram_of", {{"variables", 201}, {"arena", 202}, {"stack", 203}}},
@@ -137,7 +137,7 @@ TEST_F(Report, SaysWhyNothingWasRun) {
     report.firmware = {{"unmeasured", "call 3 <is> odd"},
                        {"lines", json::array()},
                        {"whole", {{"flash", 4001}, {"flash_of", json::object()}}},
-                       {"profiled", {{"flash", 2002}, {"flash_of", {{"raster/span", 6002}}}}}};
+                       {"profiled", {{"flash", 2002}, {"flash_of", {{"raster/compile", 6002}}}}}};
     EXPECT_THAT(to_text(report), AllOf(HasSubstr("It was not run: call 3 <is> odd"), HasSubstr("2002"),
                                        Not(HasSubstr("BYTES."))));
     EXPECT_THAT(to_page(report), AllOf(HasSubstr("It was not run: call 3 &lt;is&gt; odd"), HasSubstr("2,002"),

@@ -41,12 +41,12 @@ def flash():
         image = pathlib.Path(name) / "image.elf"
         pathlib.Path(f"{image}.map").write_text(
             " .text.ignored  0x1 0x999 x.o\n\nLinker script and memory map\n\n .text.draw\n                0x0 0x10 /x/objects/gl_vertex_draw.cpp.o\n"
-            " .text.a         0x0 0x20 /x/objects/raster_span_fused_part_1.o\n .rodata.b       0x0 0x30 /x/objects/raster_span_key.cpp.o\n"
+            " .text.a         0x0 0x20 /x/objects/raster_fused_part_1.o\n .rodata.b       0x0 0x30 /x/objects/raster_compile_key.cpp.o\n"
             " .data           0x0 0x8 /x/objects/replay.cpp.o\n")
         before, figures.firmware.sizes = figures.firmware.sizes, lambda *_: {".text": 0x60, ".data": 0x10, ".bss": 0x1000}
         total, rooms = figures.flash_of(image)
         figures.firmware.sizes = before
-    check(total == 0x70 and rooms == {"raster/span": 0x30, "fused spans": 0x20, "the program": 8, "gl/vertex": 0x10, "others": 8}, f"flash: {total} {rooms}")
+    check(total == 0x70 and rooms == {"raster/compile": 0x30, "raster/fused": 0x20, "the program": 8, "gl/vertex": 0x10, "others": 8}, f"flash: {total} {rooms}")
 
 
 def literals():

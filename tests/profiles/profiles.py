@@ -32,7 +32,7 @@ GOLDEN = HERE / "golden.json"
 TARGET, BOARD, FRAMES = "cortex-m4", "mps2_an386", 3
 BUFFERS = 320 * 240 * (2 + 2)  # bytes of the screen's colour and depth
 MACHINE = ["qemu-system-arm", "-M", "mps2-an386"]
-HOT = tuple(f"raster/span/fused_part_{part}.cpp" for part in range(8))
+HOT = tuple(f"raster/fused/part_{part}.cpp" for part in range(8))
 
 
 @dataclasses.dataclass(frozen=True)

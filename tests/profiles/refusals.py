@@ -47,7 +47,7 @@ def cmake_definitions(name, folder):
     subprocess.run(["cmake", "-S", str(ROOT), "-B", str(folder), "-G", "Ninja", f"-DSPANGLE_PROFILE={name}", "-DSPANGLE_TESTS=OFF", "-DSPANGLE_HOST=OFF"],
                    check=True, capture_output=True)
     for entry in json.loads((folder / "compile_commands.json").read_text()):
-        if entry["file"].endswith("raster/span/fused_part_0.cpp"):
+        if entry["file"].endswith("raster/fused/part_0.cpp"):
             found = re.findall(r'-D(SPANGLE_[^\s]+)', entry["command"].replace('\\"', '"'))
             usual = {f"SPANGLE_{limit}={value}" for limit, value in profile.limits().items()}
             return {d for d in found if not re.fullmatch(r"SPANGLE_FEATURE_\w+=1", d)} - usual

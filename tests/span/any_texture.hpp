@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "raster/span/texel_other.hpp"
+#include "raster/ops/texel_other.hpp"
 #include "tests/random.hpp"
 
 namespace spangle::raster::test {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "raster/span/number.hpp"
-#include "raster/span/texel.hpp"
+#include "raster/ops/number.hpp"
+#include "raster/ops/texel.hpp"
 #include "tests/random.hpp"
 
 namespace spangle::raster::test {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "raster/span/number_packed.hpp"
+#include "raster/ops/number_packed.hpp"
 
 namespace spangle::raster::test {
 namespace {

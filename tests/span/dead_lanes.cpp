@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "raster/span/assemble.hpp"
+#include "raster/chain/assemble.hpp"
 
 namespace spangle::raster::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "raster/ops/stage_dithered.hpp"
 #include "raster/primitive/setup_math.hpp"
-#include "raster/span/stage_dithered.hpp"
 
 namespace spangle::raster::test {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "raster/span/number_wide.hpp"
-#include "raster/span/texel.hpp"
+#include "raster/ops/number_wide.hpp"
+#include "raster/ops/texel.hpp"
 #include "tests/random.hpp"
 
 namespace spangle::raster::test {

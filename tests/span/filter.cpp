@@ -5,9 +5,9 @@
 #include <cstring>
 #include <random>
 
-#include "raster/span/filter.hpp"
-#include "raster/span/filter_words.hpp"
-#include "raster/span/texel.hpp"
+#include "raster/ops/filter.hpp"
+#include "raster/ops/filter_words.hpp"
+#include "raster/ops/texel.hpp"
 
 namespace spangle::raster::test {
 namespace {

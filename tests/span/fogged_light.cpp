@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "raster/ops/stage_fogged_light.hpp"
 #include "raster/span/fused_keys.hpp"
-#include "raster/span/stage_fogged_light.hpp"
 
 namespace spangle::raster::test {
 namespace {

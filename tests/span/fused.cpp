@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "raster/span/fused_cases.hpp"
+#include "raster/fused/cases.hpp"
 #include "tests/span/state_of_key.hpp"
 
 namespace spangle::raster::test {

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "raster/span/stage_divided.hpp"
+#include "raster/ops/stage_divided.hpp"
 
 namespace spangle::raster::test {
 namespace {

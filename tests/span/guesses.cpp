@@ -1,8 +1,8 @@
 // The exact tier guesses colours. The divided colour must lie in the range that set-up gives for the guess.
 #include <gtest/gtest.h>
 
+#include "raster/ops/stage_guess.hpp"
 #include "raster/primitive/setup.hpp"
-#include "raster/span/stage_guess.hpp"
 #include "tests/span/state_of_key.hpp"
 
 namespace spangle::raster::test {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "raster/ops/stage_coord.hpp"
 #include "raster/span/rows.hpp"
-#include "raster/span/stage_coord.hpp"
 #include "tests/span/sweep.hpp"
 
 namespace spangle::raster::test {

@@ -1,8 +1,8 @@
 // Dividing eight fragments at once gives the same integers as dividing them one by one.
 #include <gtest/gtest.h>
 
-#include "raster/span/lane_division.hpp"
-#include "raster/span/stage_color.hpp"
+#include "raster/ops/lane_division.hpp"
+#include "raster/ops/stage_color.hpp"
 #include "tests/random.hpp"
 
 namespace spangle::raster::test {

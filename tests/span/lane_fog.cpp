@@ -1,7 +1,7 @@
 // Fog factors of eight fragments at once are the integers of one fragment.
 #include <gtest/gtest.h>
 
-#include "raster/span/stage_fog.hpp"
+#include "raster/ops/stage_fog.hpp"
 #include "tests/random.hpp"
 
 namespace spangle::raster::test {

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "raster/span/stage_lit_one.hpp"
+#include "raster/ops/stage_lit_one.hpp"
 
 namespace spangle::raster::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "raster/span/near_division.hpp"
+#include "raster/ops/near_division.hpp"
 
 namespace spangle::raster::test {
 namespace {

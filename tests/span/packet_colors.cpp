@@ -1,8 +1,8 @@
 // Colours that packets of lanes blend and combine are those of one fragment after the other.
 #include <gtest/gtest.h>
 
-#include "raster/span/stage_blend_packet.hpp"
-#include "raster/span/texture_combine_packet.hpp"
+#include "raster/ops/stage_blend_packet.hpp"
+#include "raster/ops/texture_combine_packet.hpp"
 #include "tests/span/any_state.hpp"
 
 namespace spangle::raster::test {

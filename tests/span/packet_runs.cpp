@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "raster/span/shared_rows.hpp"
-#include "raster/span/stage_lod_packet.hpp"
-#include "raster/span/stage_raw.hpp"
-#include "raster/span/stage_runs_packet.hpp"
+#include "raster/chain/shared_rows.hpp"
+#include "raster/ops/stage_lod_packet.hpp"
+#include "raster/ops/stage_raw.hpp"
+#include "raster/ops/stage_runs_packet.hpp"
 #include "tests/random.hpp"
 
 namespace spangle::raster::test {

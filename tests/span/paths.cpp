@@ -1,12 +1,12 @@
 // Compares lines drawn as paths with the same lines drawn as rows: colour, depth, touched columns, counters.
 #include <gtest/gtest.h>
 
+#include "raster/ops/dither_pattern.hpp"
+#include "raster/ops/stage_raw.hpp"
 #include "raster/primitive/draw.hpp"
 #include "raster/primitive/line_batch.hpp"
 #include "raster/primitive/line_end.hpp"
 #include "raster/primitive/setup_math.hpp"
-#include "raster/span/dither_pattern.hpp"
-#include "raster/span/stage_raw.hpp"
 #include "tests/span/sweep.hpp"
 
 namespace spangle::raster::test {

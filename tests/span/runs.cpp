@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "raster/span/cubic_runs.hpp"
-#include "raster/span/stage_coord.hpp"
+#include "raster/ops/cubic_runs.hpp"
+#include "raster/ops/stage_coord.hpp"
 
 namespace spangle::raster::test {
 namespace {

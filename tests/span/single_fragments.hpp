@@ -2,8 +2,8 @@
 // known in advance.
 #pragma once
 
-#include "raster/span/assemble.hpp"
-#include "raster/span/fused_table.hpp"
+#include "raster/chain/assemble.hpp"
+#include "raster/fused/table.hpp"
 #include "tests/span/any_state.hpp"
 
 namespace spangle::raster::test {

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "raster/span/fused_table.hpp"
+#include "raster/fused/table.hpp"
 #include "tests/span/sweep.hpp"
 
 namespace spangle::raster::test {

@@ -4,7 +4,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "raster/span/assemble.hpp"
+#include "raster/chain/assemble.hpp"
 #include "tests/span/any_texture.hpp"
 
 namespace spangle::raster::test {

@@ -1,7 +1,7 @@
 // Trapezoids store the bytes of their chain, in the fragments that exact rows find.
 #include <gtest/gtest.h>
 
-#include "raster/span/lanes.hpp"
+#include "raster/ops/lanes.hpp"
 #include "raster/span/trapezoids.hpp"
 #include "tests/span/expect_chain.hpp"
 

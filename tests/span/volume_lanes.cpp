@@ -2,7 +2,7 @@
 // one fragment after the other.
 #include <gtest/gtest.h>
 
-#include "raster/span/stage_volume_packet.hpp"
+#include "raster/ops/stage_volume_packet.hpp"
 #include "tests/span/any_texture.hpp"
 
 namespace spangle::raster::test {

@@ -2,7 +2,7 @@
 // shadow policy: volumes, cube maps, compared depths, and levels of all of them.
 #include <gtest/gtest.h>
 
-#include "raster/span/shadow.hpp"
+#include "raster/reference/shadow.hpp"
 #include "tests/span/any_texture.hpp"
 #include "tests/stages/canvas.hpp"
 

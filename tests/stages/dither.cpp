@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "raster/span/policy_double.hpp"
+#include "raster/reference/policy_double.hpp"
 #include "tests/stages/canvas.hpp"
 
 namespace spangle::raster::test {

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "raster/span/shadow.hpp"
+#include "raster/reference/shadow.hpp"
 #include "tests/stages/canvas.hpp"
 
 namespace spangle::raster::test {

@@ -2,7 +2,7 @@
 // 3).
 #include <gtest/gtest.h>
 
-#include "raster/span/shadow.hpp"
+#include "raster/reference/shadow.hpp"
 #include "tests/stages/canvas.hpp"
 
 namespace spangle::raster::test {

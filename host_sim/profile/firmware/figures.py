@@ -22,7 +22,7 @@ def flash_of(image):
     for address, size, path in re.findall(r"^ \.(?:text|rodata|data|vectors|init_array)\S*\s+0x([0-9a-f]+)\s+0x([0-9a-f]+) (\S+)$", text, re.M):
         name = pathlib.PurePath(path).name
         room = next((room for room in sorted(firmware.CORE, key=len, reverse=True) if name.startswith(room.replace("/", "_") + "_")), None)
-        out["fused spans" if "fused_part" in name else room or ("the program" if "/objects/" in path and "hal_mcu" not in name else "others")] += int(size, 16)
+        out[room or ("the program" if "/objects/" in path and "hal_mcu" not in name else "others")] += int(size, 16)
     sizes = firmware.sizes(TARGET, image)
     total = sizes.get(".text", 0) + sizes.get(".data", 0)
     out["others"] += total - sum(out.values())

@@ -1,0 +1,435 @@
+// Makes the chain of a key: the stages in GL's order (Red Book, appendix E), one line each. Every policy uses
+// it.
+#pragma once
+
+#include "raster/chain/chain.hpp"
+#include "raster/chain/shared_rows.hpp"
+#include "raster/ops/stage_antialias.hpp"
+#include "raster/ops/stage_blend_packet.hpp"
+#include "raster/ops/stage_color.hpp"
+#include "raster/ops/stage_color_packet.hpp"
+#include "raster/ops/stage_combine.hpp"
+#include "raster/ops/stage_coord.hpp"
+#include "raster/ops/stage_coord_packet.hpp"
+#include "raster/ops/stage_depth.hpp"
+#include "raster/ops/stage_divided_packet.hpp"
+#include "raster/ops/stage_fog.hpp"
+#include "raster/ops/stage_index.hpp"
+#include "raster/ops/stage_lod_packet.hpp"
+#include "raster/ops/stage_narrow.hpp"
+#include "raster/ops/stage_pixels.hpp"
+#include "raster/ops/stage_runs_packet.hpp"
+#include "raster/ops/stage_samples.hpp"
+#include "raster/ops/stage_store.hpp"
+#include "raster/ops/stage_tests.hpp"
+#include "raster/ops/stage_texture_lod.hpp"
+#include "raster/ops/stage_texture_packet.hpp"
+#include "raster/span/draw_state.hpp"
+#include "raster/span/instructions.hpp"
+#include "raster/span/key.hpp"
+#include <spangle/raster/features.hpp>
+
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
+
+/// A chain of any number system to which stages are appended.
+class ChainEnd {
+  protected:
+    explicit ChainEnd(Variant& variant) : variant_(variant) {}
+    void append(AnyFunction stage) {
+        variant_.chain[stage_count_++] = stage;
+        variant_.chain[stage_count_] = nullptr;
+    }
+    Variant& variant_;
+
+  private:
+    int stage_count_ = 0;
+};
+
+/// Appends stages of number system N to a chain.
+template <class N> class ChainBuilder : ChainEnd {
+  public:
+    explicit ChainBuilder(Variant& variant) : ChainEnd(variant) {
+        variant.run = reinterpret_cast<AnyFunction>(&chain_rows<N>);
+        if constexpr (N::lanes > 1)
+            variant.shares = true;
+    }
+    /// Runs the chain by another function than chain_rows().
+    void runs(RowsFunction<typename N::Policy> run) {
+        variant_.run = reinterpret_cast<AnyFunction>(run);
+        not_shared();
+    }
+    template <class S> void add() {
+        add(&chain_stage<std::conditional_t<uses_color<S>, N, Colorless<N>>, S>, inner::is_shared<S>);
+    }
+    /// `shared`: the stage can draw packets that rows share.
+    SPANGLE_INLINE void add(ChainStage<N> stage, bool shared) {
+        append(reinterpret_cast<AnyFunction>(stage));
+        if (!shared)
+            not_shared();
+    }
+    template <bool there, class S> void add_if() {
+        if constexpr (there)
+            add<S>();
+    }
+    /// Adds one of two stages, decided at run time.
+    template <class WhenTrue, class WhenFalse> void choose(bool condition) {
+        condition ? add<WhenTrue>() : add<WhenFalse>();
+    }
+
+  private:
+    void not_shared() {
+        if constexpr (N::lanes > 1) // chains of one lane never share packets
+            variant_.shares = false;
+    }
+};
+
+/// The depth test may go first when no stage after it can drop the fragment: the same bytes with less work.
+constexpr bool early_tests(const Key& key) {
+    return key.alpha == Compare::always && !key.samples;
+}
+
+/// Adds the depth stage of the format that the key names.
+template <class N, class When16, class When24> void add_depth(ChainBuilder<N>& chain, const Key& key) {
+    if constexpr (has_format(DepthFormat::z16))
+        if (key.depth_format == DepthFormat::z16)
+            return chain.template add<When16>();
+    if constexpr (has_format(DepthFormat::z24s8))
+        chain.template add<When24>();
+}
+
+template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
+    using System = Colorless<N>;
+    using SingleLane = OneLane<System>;
+    using Offset16 = OffsetDepthValue<SingleLane>;
+    using Offset24 = OffsetDepthValue<SingleLane, DepthValueOf<SingleLane, DepthFormat::z24s8>>;
+    if (SPANGLE_FEATURE_STIPPLE && key.polygon_stipple)
+        chain.template add<PolygonStipple<SingleLane>>();
+    // In builds without shortcuts all depths have an offset, if only of 0.
+    const bool offset = SPANGLE_FEATURE_POLYGON_OFFSET && (key.depth_offset || !has_shortcuts);
+    bool depth = key.depth_offset || key.depth != Compare::always || key.depth_write;
+    if constexpr (has_format(DepthFormat::z24s8)) {
+        if (key.stencil) {
+            chain.template choose<StencilDepth<SingleLane, Offset24>, StencilDepth<System>>(offset);
+            depth = false; // the stencil's stage tests the depth, too
+        }
+    }
+    if (depth && offset)
+        add_depth<N, DepthGeneral<SingleLane, DepthFormat::z16, Offset16>,
+                  DepthGeneral<SingleLane, DepthFormat::z24s8, Offset24>>(chain, key);
+    else if (depth)
+        add_depth<N, DepthGeneral<System, DepthFormat::z16>, DepthGeneral<System, DepthFormat::z24s8>>(chain,
+                                                                                                       key);
+    if (key.count)
+        chain.template add<Count<SingleLane>>();
+}
+
+template <class N> inline constexpr bool is_fixed = std::is_same_v<typename N::Policy, Fixed>;
+
+/// Textures are sampled a packet at a time; otherwise by a stage of single fragments, with the same bytes.
+template <class N> inline constexpr bool by_packets = is_fixed<N>;
+
+/// Stages that differ by a parameter are separate functions; small builds have one function for all of them.
+template <class N> inline constexpr bool by_stages = !is_fixed<N> || has_shortcuts;
+
+/// Whether texture coordinates have the runs of another tier than this number system's.
+template <class N> constexpr bool has_other_runs([[maybe_unused]] const Key& key) {
+#if SPANGLE_MIXES_RUNS
+    return has_mixed_runs && is_fixed<N> && key.other_runs;
+#else
+    return false;
+#endif
+}
+/// Attributes over w are divided in lanes, all by one 1/w.
+template <class N> inline constexpr bool by_lanes = is_fixed<N> && (N::lanes > 1);
+template <class N> void add_inverses(ChainBuilder<N>& chain, const Key& key) {
+    if constexpr (by_lanes<N>) {
+        const bool colors = key.kind == Kind::full && (key.color || key.color_sum) && !key.pixels,
+                   others =
+                       key.kind >= Kind::textured && (key.fog || (is_exact<N> && divides(key.kind, key.fog)));
+        if (colors || others)
+            chain.add(&PacketDivided<N>::inverses, true);
+    }
+}
+
+/// Adds straight runs of coordinates; `SingleLane` is their stage with one lane.
+template <class N, int Unit, class SingleLane> void add_straight_runs(ChainBuilder<N>& chain) {
+    if constexpr (by_lanes<N> && divides_in_lanes)
+        chain.add(&PacketRuns<PlacesOf<N>>::template run<Unit>, true);
+    else
+        chain.template add<SingleLane>();
+}
+template <class N, class SingleLane, int Unit> void add_other_runs([[maybe_unused]] ChainBuilder<N>& chain) {
+#if SPANGLE_MIXES_RUNS
+    if constexpr (has_mixed_runs && is_fixed<N>) {
+        if constexpr (is_exact<N>)
+            add_straight_runs<N, Unit, CoordAlong<SingleLane, Unit, CoordRuns>>(chain);
+        else
+            chain.template add<CoordAlong<SingleLane, Unit, CubicRuns>>();
+    }
+#endif
+}
+
+/// Whether the texture function of a unit finds its coordinates itself, and only along rows: packets cannot
+/// be shared then.
+template <class N, int Unit> bool has_volume([[maybe_unused]] const FragmentState& state) {
+    if constexpr (N::lanes > 1 && !divides_in_lanes && has_third_coordinates && Unit < max_texture_units)
+        return state.unit[Unit].texture != nullptr && wants_r(*state.unit[Unit].texture);
+    return false;
+}
+
+/// Adds coordinates of the exact tier, where attributes over w are divided in lanes.
+template <class N, int Unit> void add_exact_coordinates(ChainBuilder<N>& chain, const Key& key) {
+    if (divides(key.kind, key.fog))
+        chain.add(&PacketDivided<N>::template coordinates<Unit>, true);
+    else if constexpr (divides_in_lanes)
+        chain.add(&PacketDivided<N>::template along_cubics<Unit>, true);
+    else
+        chain.template add<Coord<Exact, Unit, true>>();
+}
+
+/// Adds the stages of a unit's coordinates and of its level of detail.
+template <class N, int Unit>
+void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
+    using SingleLane =
+        std::conditional_t<is_exact<N>, Exact, OneLane<Colorless<N>>>; // the exact tier has other runs
+    if (has_third_coordinates && wants_r(*state.unit[Unit].texture))
+        return; // the texture function finds its coordinates itself
+    if constexpr (is_balanced<N> && !by_stages<N>)
+        return chain.add(&PacketCoordinates<PlacesOf<N>>::template run<Unit>, false);
+    if (key.kind < Kind::textured)
+        chain.template add<Coord<Colorless<N>, Unit, false>>();
+    else if (has_other_runs<N>(key))
+        add_other_runs<N, SingleLane, Unit>(chain);
+    else if constexpr (is_exact<N> && by_lanes<N>)
+        add_exact_coordinates<N, Unit>(chain, key);
+    else if constexpr (is_exact<N>)
+        chain.template choose<CoordAlong<SingleLane, Unit, DividedCoords>, Coord<SingleLane, Unit, true>>(
+            divides(key.kind, key.fog));
+    else
+        add_straight_runs<N, Unit, Coord<SingleLane, Unit, true>>(chain);
+    if (!wants_lod(*state.unit[Unit].texture))
+        return;
+    if constexpr (by_lanes<N> && divides_in_lanes)
+        chain.add(&PacketLevels<PlacesOf<N>>::template run<Unit>, true);
+    else
+        chain.template add<Lod<SingleLane, Unit>>();
+}
+
+template <class N, int Unit>
+void add_unit(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
+    if (!key.unit[Unit].on)
+        return;
+    add_coordinates<N, Unit>(chain, key, state);
+    using SingleLane = OneLane<N>;
+    if (has_combine && key.combine)
+        return; // one stage combines all units
+    if constexpr (by_packets<N>)
+        chain.add(&PacketTexture<N>::template run<Unit>, !has_volume<N, Unit>(state));
+    else
+        chain.template choose<Texture2D<SingleLane, Unit, true>, Texture2D<SingleLane, Unit, false>>(
+            wants_lod(*state.unit[Unit].texture));
+}
+/// Adds unit 0, which has no levels of detail here, with texels counted in steps (counts_steps()).
+template <class N>
+void add_unit_in_steps(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
+    add_coordinates<N, 0>(chain, key, state);
+    if constexpr (by_packets<N>)
+        chain.add(&PacketTexture<N>::run_steps, !has_volume<N, 0>(state));
+    else
+        chain.template add<Texture2D<OneLane<N>, 0, false, true>>();
+}
+
+template <class N> void add_units(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
+    add_unit<N, 0>(chain, key, state);
+    if constexpr (max_texture_units > 1)
+        add_unit<N, 1>(chain, key, state);
+    if constexpr (has_combine) {
+        if (!key.combine)
+            return;
+        if constexpr (by_packets<N>)
+            chain.add(&PacketTexture<N>::combined, !has_volume<N, 0>(state) && !has_volume<N, 1>(state));
+        else
+            chain.template add<CombineUnits<OneLane<N>>>();
+    }
+}
+
+template <class N, PixelFormat Format, class Chain> void add_coarse(Chain& chain, bool dither) {
+    if constexpr (has_tier(Tier::fast) && is_balanced<N> && is_565(Format))
+        chain.template choose<BlendCoarse<N, Format, true>, BlendCoarse<N, Format, false>>(dither);
+}
+
+template <class N, PixelFormat Format> void add_any_blending(ChainBuilder<N>& chain) {
+    if constexpr (by_lanes<N>)
+        chain.add(&blend_packet<N, Format>, true);
+    else
+        chain.template add<Blend<N, Stored<N, Format>>>();
+}
+
+template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, const Key& key) {
+    if (key.coarse)
+        add_coarse<N, Format>(chain, key.dither);
+    else if (key.blend && !key.blend_general && key.blending == blend_over)
+        chain.template add<BlendAlpha<N, Format>>();
+    else if (key.blend)
+        add_any_blending<N, Format>(chain);
+    if constexpr (is_balanced<N> && has_textures && has_fog && is_565(Format))
+        if (counts_steps(key))
+            return chain.template add<StoreSteps<N, Format>>();
+    constexpr bool only_merged =
+        // StoreMerged can do all that the other stores do.
+        is_fixed<N> && !has_shortcuts && !has_tier(Tier::fast);
+    if (only_merged || key.masked || key.logic)
+        chain.template add<StoreMerged<N, Format>>();
+    if constexpr (!only_merged)
+        if (!key.masked && !key.logic)
+            chain.template choose<StoreDithered<N, Format>, Store<N, Format>>(key.dither && !key.coarse);
+}
+
+/// Adds the output of the one of these formats that the key names.
+template <class N, PixelFormat... Format> void add_wide_output(ChainBuilder<N>& chain, const Key& key) {
+    const auto add = [&]<PixelFormat F>() {
+        if constexpr (has_format(F))
+            if (drawn(key.format) == F)
+                add_output<N, F>(chain, key);
+    };
+    (add.template operator()<Format>(), ...);
+}
+
+/// Whether the fragments have nothing but a colour.
+constexpr bool only_color(const Key& key) {
+    return key.kind == Kind::affine && key.color && !key.unit[0].on && !key.second_unit() && !key.color_sum &&
+           !key.fog && key.alpha == Compare::always && !key.stencil && key.depth == Compare::always &&
+           !key.depth_write && !key.blend && !key.masked && !key.logic && !key.count && !key.pixels &&
+           !key.coverage && !key.polygon_stipple && !key.samples;
+}
+
+template <class N> void add_narrow_output(ChainBuilder<N>& chain, const Key& key) {
+    using SingleLane = OneLane<N>;
+    if (key.blend)
+        chain.template add<Blend<SingleLane, StoredNarrow<SingleLane>>>();
+    chain.template add<StoreNarrow<SingleLane>>();
+    chain.runs(&by_narrow_row<typename N::Policy, &chain_span<N>>);
+    if constexpr (is_fixed<N>)
+        if (only_color(key))
+            chain.runs(&narrow_rows<SingleLane, &chain_span<N>>);
+}
+
+template <class N> void add_divided_primary(ChainBuilder<N>& chain, bool alpha) {
+    using SingleLane = OneLane<N>;
+    if constexpr (by_lanes<N>)
+        chain.add(alpha ? &PacketDivided<N>::template primary<true>
+                        : &PacketDivided<N>::template primary<false>,
+                  true);
+    else
+        chain.template choose<GouraudQ<SingleLane, true>, GouraudQ<SingleLane, false>>(alpha);
+}
+
+/// Adds the primary colour, of vertices or images. An index stands in its red.
+template <class N> void add_primary(ChainBuilder<N>& chain, const Key& key) {
+    using SingleLane = OneLane<N>;
+    if (has_pixel_colors && key.pixels)
+        chain.template add<PixelColor<SingleLane>>();
+    else if (!key.color)
+        chain.template add<White<N>>();
+    else if constexpr (!by_stages<N>)
+        chain.add(&PacketColors<N>::primary, false);
+    else if (key.kind == Kind::full)
+        add_divided_primary(chain, key.color_alpha);
+    else
+        chain.template choose<Gouraud<N, true>, Gouraud<N, false>>(key.color_alpha);
+}
+
+template <class N> void add_color_sum(ChainBuilder<N>& chain, const Key& key) {
+    using SingleLane = OneLane<N>;
+    if constexpr (!by_stages<N>)
+        chain.add(&PacketColors<N>::sum, false);
+    else if constexpr (by_lanes<N>)
+        key.kind == Kind::full ? chain.add(&PacketDivided<N>::sum, true)
+                               : chain.template add<ColorSumLanes<N>>();
+    else
+        chain.template choose<ColorSum<SingleLane, true>, ColorSum<SingleLane, false>>(key.kind ==
+                                                                                       Kind::full);
+}
+
+template <class N> void add_fog_coordinate(ChainBuilder<N>& chain, const Key& key) {
+    if constexpr (by_lanes<N>)
+        key.kind >= Kind::textured ? chain.add(&PacketDivided<N>::fog, true)
+                                   : chain.template add<FogCoord<N, false>>();
+    else
+        chain.template choose<FogCoord<OneLane<N>, true>, FogCoord<N, false>>(key.kind >= Kind::textured);
+}
+
+/// Adds fog in two parts, before and after the texture unit (fogs_light()).
+template <class N> void add_fogged_unit(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
+    add_fog_coordinate(chain, key);
+    chain.template add<FogLight<N>>();
+    const bool steps = counts_steps(key);
+    steps ? add_unit_in_steps<N>(chain, key, state) : add_unit<N, 0>(chain, key, state);
+    chain.template choose<FogShare<N, true>, FogShare<N>>(steps);
+}
+
+/// Assembles the chain for a surface of indices.
+template <class N> void assemble_index(ChainBuilder<N>& chain, const Key& key) {
+    using SingleLane = OneLane<N>;
+    add_tests(chain, key);
+    add_inverses(chain, key);
+    add_primary(chain, key);
+    if (has_fog && key.fog) {
+        add_fog_coordinate(chain, key);
+        chain.template add<FogIndex<SingleLane>>();
+    }
+    if (SPANGLE_FEATURE_ANTIALIASING && key.coverage)
+        chain.template add<IndexCoverage<SingleLane>>();
+    chain.template add<StoreIndex<SingleLane>>();
+}
+
+/// Assembles every stage that the key asks for; modes are decided at run time.
+template <class N> void assemble(Variant& variant, const Key& key, const FragmentState& state) {
+    using SingleLane = OneLane<N>;
+    ChainBuilder<N> chain(variant);
+    if constexpr (has_format(PixelFormat::index8) &&
+                  !is_balanced<N>) // balanced numbers never draw indices (key.cpp)
+        if (drawn_indexed(key.format))
+            return assemble_index(chain, key);
+    const bool early = early_tests(key);
+    if (early)
+        add_tests(chain, key);
+    add_inverses(chain, key);
+    add_primary(chain, key);
+    const bool around = is_balanced<N> && has_textures && has_fog && fogs_light(key);
+    if constexpr (is_balanced<N> && has_textures && has_fog)
+        if (around)
+            add_fogged_unit(chain, key, state);
+    if constexpr (has_textures)
+        if (!around)
+            add_units(chain, key, state);
+    if constexpr (has_color_sum)
+        if (key.color_sum)
+            add_color_sum(chain, key);
+    if (has_fog && key.fog && !around) {
+        add_fog_coordinate(chain, key);
+        if constexpr (is_fixed<N>)
+            chain.template choose<FogLinear<N>, Fog<std::conditional_t<by_lanes<N>, N, SingleLane>>>(
+                by_stages<N> && key.fog_mode == FogMode::linear);
+        else
+            chain.template add<Fog<N>>();
+    }
+    if (SPANGLE_FEATURE_ANTIALIASING && key.coverage)
+        chain.template add<Coverage<SingleLane>>();
+    if (has_samples && key.samples)
+        chain.template add<SampleCoverage<SingleLane>>();
+    if (key.alpha != Compare::always)
+        chain.template add<AlphaTest<N>>();
+    if (!early)
+        add_tests(chain, key);
+    if constexpr (!std::is_same_v<N, Balanced<host_lanes>> &&
+                  has_narrow_formats) // balanced numbers never draw narrow formats (key.cpp)
+        if (drawn_narrow(key.format))
+            return add_narrow_output<N>(chain, key);
+    add_wide_output<N, PixelFormat::rgb565_be, PixelFormat::rgb565_le, PixelFormat::rgb888,
+                    PixelFormat::rgba8888>(chain, key);
+}
+
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

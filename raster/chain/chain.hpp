@@ -1,0 +1,272 @@
+// A chain is any list of stages, run over packets of fragments through one function pointer per stage. A
+// state draws with its chain when no fused span exists. Every fused span is compared with the chain.
+#pragma once
+
+#include "raster/ops/packet.hpp"
+
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
+
+namespace inner {
+
+/// The number system that a stage is made for: that of the packet, or the same with one lane.
+template <class S, class M> M system_of(bool (S::*)(Px<M>&));
+template <class S, class M> M system_of(bool (S::*)(Px<M>&) const);
+
+/// Calls move(field in Px<M>, field of the packet) for fragments [i, i + M::lanes), or one(...) with the lane
+/// where the packet has more lanes.
+template <unsigned Fields, class M, class K, class Move, class SingleLane>
+SPANGLE_INLINE void for_fields(Px<M>& p, K& k, std::int32_t i, Move move, SingleLane one) {
+    const std::int32_t g = i / K::lanes, lane = i % K::lanes;
+    const auto field = [&](auto& fragment, auto& stored) {
+        if constexpr (M::lanes == K::lanes)
+            move(fragment, stored);
+        else
+            one(fragment, stored, lane);
+    };
+    if constexpr ((Fields & field_color) != 0)
+        field(p.color, k.color[g]);
+    for (int unit = 0; unit < max_texture_units; ++unit) {
+        if ((Fields & field_coord << unit) != 0) {
+            for (int l = 0; l < M::lanes; ++l) {
+                move(p.coord[unit].s[l], k.coord[unit][g].s[lane + l]);
+                move(p.coord[unit].t[l], k.coord[unit][g].t[lane + l]);
+            }
+        }
+        if ((Fields & field_lod << unit) != 0)
+            for (int l = 0; l < M::lanes; ++l)
+                move(p.lod[unit][l], k.lod[unit][i + l]);
+    }
+    if constexpr ((Fields & field_fog) != 0)
+        field(p.fog, k.fog[g]);
+}
+
+/// What a stage that kills has left of a packet.
+struct Outcome {
+    bool any = false, died = false;
+    template <class S, class K> SPANGLE_INLINE void tell(K& k) const {
+        if constexpr (S::kill) {
+            k.alive = any;
+            k.some_dead = k.some_dead || died;
+        }
+    }
+};
+
+/// Runs a stage on fragments [i, i + M::lanes) of a packet.
+template <class M, class K, class S>
+SPANGLE_INLINE void run_group(K& k, S& s, std::int32_t i, Outcome& outcome) {
+    using L = typename K::L;
+    typename L::Mask& live = k.live[i / K::lanes];
+    Px<M> p;
+    p.color_plane = k.color_plane;
+    p.depth_plane = k.depth_plane;
+    p.go_to(i);
+    if constexpr (M::lanes > 1)
+        p.live = live;
+    else
+        p.live = true;
+    for_fields<S::in>(
+        p, k, i, [](auto& fragment, auto& stored) { fragment = stored; },
+        [](auto& fragment, auto& stored, int lane) { lane_of(stored, lane, fragment); });
+    [[maybe_unused]] const bool alive = s(p);
+    for_fields<S::out>(
+        p, k, i, [](auto& fragment, auto& stored) { stored = fragment; },
+        [](auto& fragment, auto& stored, int lane) { set_lane(stored, lane, fragment); });
+    if constexpr (S::kill) {
+        outcome.any = outcome.any || alive;
+        if constexpr (M::lanes > 1) {
+            const typename L::Mask left = alive ? p.live : L::negate(L::all);
+            outcome.died = outcome.died || L::any(L::both(live, L::negate(left)));
+            live = left;
+        } else if (!alive) {
+            outcome.died = true;
+            L::kill(live, i % K::lanes);
+        }
+    }
+}
+
+/// Runs a stage on fragments [from, to); fragment i is in column x0 + i. `Check`: some of them may be dead.
+template <bool Check, class M, class K, class S>
+SPANGLE_INLINE void run_stage(K& k, S& s, std::int32_t from, std::int32_t to, std::int32_t x0,
+                              Outcome& outcome) {
+    using L = typename K::L;
+    std::int32_t next = 0;
+    if constexpr (S::runs)
+        next = s.begin(x0 + from);
+    for (std::int32_t i = from; i < to; i += M::lanes) {
+        if constexpr (S::runs) {
+            if (x0 + i == next)
+                next = s.begin(next);
+        }
+        if (!Check || L::lane(k.live[i / K::lanes], i % K::lanes))
+            run_group<M>(k, s, i, outcome);
+        s.step();
+    }
+}
+
+/// Copies of a packet whose last group of lanes is not full, in both planes. Lanes load and store whole
+/// groups of pixels, so they work on the copy: pixels beyond the packet are not touched.
+class PacketCopy {
+  public:
+    /// `color` and `depth` are bytes of a pixel; 0: no stage finds a pixel by its number.
+    template <class N> SPANGLE_INLINE void enter(Packet<N>& k, std::int32_t color, std::int32_t depth) {
+        color_.enter(k.color_plane, color * k.n);
+        depth_.enter(k.depth_plane, depth * k.n);
+    }
+    SPANGLE_INLINE void write_back() const {
+        color_.write_back();
+        depth_.write_back();
+    }
+
+  private:
+    struct Plane {
+        alignas(16) std::uint8_t words[4 * packet_length];
+        std::uint8_t* at;
+        std::int32_t bytes;
+        SPANGLE_INLINE void enter(std::uint8_t*& plane, std::int32_t n) {
+            at = plane;
+            bytes = n;
+            if (bytes == 0)
+                return;
+            copy(words, at, bytes);
+            plane = words;
+        }
+        SPANGLE_INLINE void write_back() const {
+            if (bytes != 0)
+                copy(at, words, bytes);
+        }
+    } color_, depth_;
+
+  public:
+    /// Copies 1 to 256 bytes between memory that does not overlap, in line.
+    SPANGLE_INLINE static void copy(std::uint8_t* to, const std::uint8_t* from, std::int32_t bytes) {
+        static_assert(4 * packet_length <= 256);
+        if (bytes < 2)
+            *to = *from;
+        else if (bytes < 4)
+            both_ends<2>(to, from, bytes);
+        else if (bytes < 8)
+            both_ends<4>(to, from, bytes);
+        else if (bytes < 16)
+            both_ends<8>(to, from, bytes);
+        else if (bytes < 32)
+            both_ends<16>(to, from, bytes);
+        else if (bytes < 64)
+            both_ends<32>(to, from, bytes);
+        else if (bytes < 128)
+            both_ends<64>(to, from, bytes);
+        else
+            both_ends<128>(to, from, bytes);
+    }
+
+  private:
+    /// Copies Size to 2 Size bytes: the first Size bytes and the last Size bytes, which may overlap.
+    template <int Size>
+    SPANGLE_INLINE static void both_ends(std::uint8_t* to, const std::uint8_t* from, std::int32_t bytes) {
+        const std::int32_t last = bytes - Size;
+        __builtin_memcpy(to, from, Size);
+        __builtin_memcpy(to + last, from + last, Size);
+    }
+};
+
+/// Runs a stage. With one lane it looks which fragments are alive only after some fragment has died; lanes
+/// are masked instead.
+template <class M, class K, class S>
+SPANGLE_INLINE void run_asking(K& k, S& s, std::int32_t from, std::int32_t to, std::int32_t x0,
+                               Outcome& outcome) {
+    constexpr bool asks = M::lanes == 1 && (S::kill || S::effect);
+    if (asks && (k.some_dead || !has_shortcuts))
+        run_stage<asks, M>(k, s, from, to, x0, outcome);
+    else if constexpr (!asks || has_shortcuts)
+        run_stage<false, M>(k, s, from, to, x0, outcome);
+}
+
+/// True where a stage can draw packets that rows share: it has one lane, or it is told where each lane lies.
+template <class S>
+inline constexpr bool is_shared =
+    S::anywhere || decltype(system_of(&S::operator()))::lanes == 1 ||
+    std::is_constructible_v<S, const PlaneLanes<Lanes<host_lanes>>&, std::int32_t>;
+
+/// Runs a stage on a packet that rows share. Lanes know where each of them lies, and stages of one lane go
+/// along the pieces of rows.
+template <class M, class S, class K> [[gnu::noinline]] void run_in_rows(K& k) {
+    Outcome outcome;
+    if constexpr (M::lanes > 1) {
+        if constexpr (std::is_constructible_v<S, const PlaneLanes<typename K::L>&, std::int32_t>) {
+            for (std::int32_t i = 0; i < k.n; i += M::lanes) {
+                const PlaneLanes<typename K::L> places(*k.rows, i);
+                S s(places, 0);
+                run_group<M>(k, s, i, outcome);
+            }
+        }
+    } else {
+        Span<Fixed>& span = k.rows->span;
+        for (std::int32_t n = 0; n < k.rows->pieces; ++n) {
+            const Piece& piece = k.rows->piece[n];
+            enter(span, piece.row);
+            const std::int32_t x0 = span.begin - piece.at;
+            S s(span, span.begin);
+            run_asking<M>(k, s, piece.at, piece.at + piece.row.last - piece.row.first, x0, outcome);
+        }
+    }
+    outcome.tell<S>(k);
+}
+
+} // namespace inner
+
+template <class S> inline constexpr bool uses_color = ((S::in | S::out) & field_color) != 0;
+
+/// Runs one stage (or a Seq of stages) on a packet.
+template <class N, class S> void chain_stage(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
+    using M = decltype(inner::system_of(&S::operator()));
+    static_assert(M::lanes == N::lanes || M::lanes == 1);
+    auto& k = static_cast<std::conditional_t<uses_color<S>, Packet<N>&, PlacesOf<N>&>>(places);
+    if constexpr (N::lanes > 1 && !S::anywhere)
+        if (k.rows != nullptr)
+            return inner::run_in_rows<M, S>(k);
+    S s(span, k.x);
+    inner::Outcome outcome;
+    inner::run_asking<M>(k, s, 0, k.n, k.x, outcome);
+    outcome.tell<S>(k);
+}
+
+/// Draws one row of the span with the chain of its kind.
+template <class N>
+SPANGLE_INLINE void chain_row(const Span<typename N::Policy>& span, const RowIn<N::lanes>& row) {
+    const AnyFunction* const stages = span.state->variant[static_cast<unsigned>(span.kind)].chain;
+    const std::int32_t color_bytes = span.state->color_bytes, depth_bytes = span.state->depth_bytes;
+    Packet<N> k;
+    k.row = row;
+    [[maybe_unused]] inner::PacketCopy copy;
+    if constexpr (N::lanes > 1)
+        k.rows = nullptr;
+    for (k.x = span.begin; k.x < span.end; k.x += k.n) {
+        // A packet of lanes that is not full costs as much as a full one, so packets start at the span's
+        // first pixel.
+        const std::int32_t start = N::lanes > 1 ? k.x : k.x & -packet_length;
+        const std::int32_t boundary = start + packet_length, i = k.x - span.begin;
+        k.n = (boundary < span.end ? boundary : span.end) - k.x;
+        k.color_plane = span.color + i * color_bytes;
+        k.depth_plane = span.depth + i * depth_bytes;
+        k.alive = true;
+        k.some_dead = false;
+        for (auto& live : k.live)
+            live = N::L::all;
+        const bool copied = k.n % N::lanes != 0; // the last group has pixels beyond the packet
+        if (copied) {
+            for (std::int32_t g = k.n / N::lanes; g < Packet<N>::groups; ++g)
+                k.live[g] = N::L::first(k.n - g * N::lanes);
+            copy.enter(k, color_bytes, depth_bytes);
+        }
+        for (const AnyFunction* f = stages; *f != nullptr && k.alive; ++f)
+            reinterpret_cast<ChainStage<N>> (*f)(k, span);
+        if (copied)
+            copy.write_back();
+    }
+}
+template <class N> SPANGLE_INLINE void chain_span(const Span<typename N::Policy>& span) {
+    chain_row<N>(span, {});
+}
+
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -1,0 +1,25 @@
+// The instruction sets that the chain of this build is compiled for, beside the one of the compiler's
+// options. Only 64-bit x86 hosts have another: SPANGLE_AVX2, which CMake defines.
+#pragma once
+
+#include "raster/span/draw_state.hpp"
+
+#if SPANGLE_AVX2
+
+namespace spangle::raster {
+
+/// True where the processor has AVX2 and the environment variable SPANGLE_INSTRUCTIONS is not "base". The
+/// answer stays what it was the first time: draws that are compiled hold functions of one set.
+bool uses_avx2();
+
+namespace avx2 { // defined in chain_avx2.cpp
+
+/// These do what assemble_any() and runner_of() of raster/chain/assemble_chain.hpp do.
+void assemble_chain(Variant& variant, const Key& key, const FragmentState& state);
+AnyFunction chain_runner(Number number, bool narrow);
+
+} // namespace avx2
+
+} // namespace spangle::raster
+
+#endif

@@ -1,0 +1,246 @@
+// The primary colour of a fragment, and the colour sum (GL 1.3, 3.9).
+#pragma once
+
+#include "raster/ops/stage.hpp"
+#include "raster/span/draw_state.hpp"
+#include "raster/span/instructions.hpp"
+
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
+
+/// The value of a projective plane without its guard bits.
+SPANGLE_INLINE std::int32_t unguarded(std::uint64_t v) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(v >> guard_bits));
+}
+
+/// A colour that is affine in the window (or constant). Alpha: some stage reads alpha.
+template <class N, bool Alpha> struct Gouraud : StageBase {
+    static constexpr unsigned out = field_color;
+    Ramp<typename N::L> r, g, b;
+    [[no_unique_address]] std::conditional_t<Alpha, Ramp<typename N::L>, StageBase> a;
+
+    template <class S>
+    SPANGLE_INLINE Gouraud(const S& s, std::int32_t x)
+        : r(s, x, s.color_value[0]), g(s, x, s.color_value[1]), b(s, x, s.color_value[2]), a(alpha(s, x)) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        p.color.r = N::from_affine(r.at);
+        p.color.g = N::from_affine(g.at);
+        p.color.b = N::from_affine(b.at);
+        if constexpr (Alpha)
+            p.color.a = N::from_affine(a.at);
+        else
+            p.color.a = N::from_units(color_one);
+        return true;
+    }
+    SPANGLE_INLINE void step() {
+        r.step();
+        g.step();
+        b.step();
+        if constexpr (Alpha)
+            a.step();
+    }
+    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
+        r.start(s, x, s.color_value[0]);
+        g.start(s, x, s.color_value[1]);
+        b.start(s, x, s.color_value[2]);
+        if constexpr (Alpha)
+            a.start(s, x, s.color_value[3]);
+    }
+
+  private:
+    template <class S> SPANGLE_INLINE static auto alpha(const S& s, std::int32_t x) {
+        if constexpr (Alpha)
+            return Ramp<typename N::L>(s, x, s.color_value[3]);
+        else
+            return StageBase{};
+    }
+};
+
+/// A colour whose red, green and blue are one plane and whose alpha is 1: white light, or none.
+template <class N> struct GouraudGray : StageBase {
+    static constexpr unsigned out = field_color;
+    Ramp<typename N::L> v;
+    template <class S> SPANGLE_INLINE GouraudGray(const S& s, std::int32_t x) : v(s, x, s.color_value[0]) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        const typename N::T c = N::from_affine(v.at);
+        p.color = {c, c, c, N::from_units(color_one)};
+        return true;
+    }
+    SPANGLE_INLINE void step() { v.step(); }
+    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
+        v.start(s, x, s.color_value[0]);
+    }
+};
+
+/// Stands in place of a primary colour that a texture replaces.
+template <class N> struct White : StageBase {
+    static constexpr unsigned out = field_color;
+    static constexpr bool anywhere = true;
+    template <class S> SPANGLE_INLINE White(const S&, std::int32_t) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        const typename N::T one = N::from_units(color_one);
+        p.color = {one, one, one, one};
+        return true;
+    }
+};
+
+/// An affine colour of which only the top bits are stored.
+template <int Count> struct Gouraud<Raw565<Count>, false> : StageBase {
+    static constexpr unsigned out = field_color;
+    using N = Raw565<Count>;
+    Ramp<typename N::L> r, g, b;
+
+    template <class S>
+    SPANGLE_INLINE Gouraud(const S& s, std::int32_t x)
+        : r(s, x, s.color_value[0]), g(s, x, s.color_value[1]), b(s, x, s.color_value[2]) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        p.color = N::from_affine(r.at, g.at, b.at);
+        return true;
+    }
+    SPANGLE_INLINE void step() {
+        r.step_aside();
+        g.step_aside();
+        b.step_aside();
+    }
+    SPANGLE_INLINE void next_row() {
+        r.next_row();
+        g.next_row();
+        b.next_row();
+    }
+    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
+        r.start(s, x, s.color_value[0]);
+        g.start(s, x, s.color_value[1]);
+        b.start(s, x, s.color_value[2]);
+    }
+};
+
+namespace inner {
+
+/// A colour from colour * q and 1/q, in colour units. A colour that rounding made more than one becomes the
+/// number below one.
+SPANGLE_INLINE std::uint32_t projective_color(std::int32_t over_w, const Inverse& inverse) {
+    // The quotient has 28 fraction bits, and color_one is 255/256 of 2^28.
+    const auto most = static_cast<std::int32_t>(inverse.q - (inverse.q >> 8) - 1); // 255/256 are one
+    const std::int32_t least = over_w < 0 ? 0 : over_w, v = least < most ? least : most;
+    // v / q 2^28 = v mantissa 2^(zeros - 34), v < 2^(32 - zeros)
+    return numeric::mul_high_u32(static_cast<std::uint32_t>(v) << inverse.zeros, inverse.mantissa) >> 2;
+}
+
+} // namespace inner
+
+/// Perspective-correct colour, divided at every fragment (GL 1.3, equation 3.6).
+template <class N, bool Alpha> struct GouraudQ : StageBase {
+    static constexpr unsigned out = field_color;
+    static constexpr int channels = Alpha ? 4 : 3;
+    std::uint64_t q, dq, c[channels], dc[channels];
+
+    SPANGLE_INLINE GouraudQ(const Span<Fixed>& s, std::int32_t x) : q(s.at(x, s.q)), dq(s.q.dx) {
+        for (int i = 0; i < channels; ++i)
+            c[i] = s.at(x, s.color_q[i]), dc[i] = s.color_q[i].dx;
+    }
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        const Inverse inverse(unguarded(q));
+        p.color.r = N::from_units(inner::projective_color(unguarded(c[0]), inverse));
+        p.color.g = N::from_units(inner::projective_color(unguarded(c[1]), inverse));
+        p.color.b = N::from_units(inner::projective_color(unguarded(c[2]), inverse));
+        if constexpr (Alpha)
+            p.color.a = N::from_units(inner::projective_color(unguarded(c[3]), inverse));
+        else
+            p.color.a = N::from_units(color_one);
+        return true;
+    }
+    SPANGLE_INLINE void step() {
+        q += dq;
+        for (int i = 0; i < channels; ++i)
+            c[i] += dc[i];
+    }
+};
+
+/// Adds the secondary colour, component by component, clamped to 1.
+template <class N, bool Projective> struct ColorSum : StageBase {
+    static constexpr unsigned in = field_color, out = field_color;
+    using Word = std::conditional_t<Projective, std::uint64_t, std::uint32_t>;
+    Word q{}, dq{}, c[3], dc[3];
+
+    SPANGLE_INLINE ColorSum(const Span<Fixed>& s, std::int32_t x) {
+        for (int i = 0; i < 3; ++i) {
+            if constexpr (Projective)
+                c[i] = s.at(x, s.secondary_q[i]), dc[i] = s.secondary_q[i].dx;
+            else
+                c[i] = s.at(x, s.secondary[i]), dc[i] = s.secondary[i].dx;
+        }
+        if constexpr (Projective)
+            q = s.at(x, s.q), dq = s.q.dx;
+    }
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        if constexpr (Projective) {
+            const Inverse inverse(unguarded(q));
+            sum(p, N::from_units(inner::projective_color(unguarded(c[0]), inverse)),
+                N::from_units(inner::projective_color(unguarded(c[1]), inverse)),
+                N::from_units(inner::projective_color(unguarded(c[2]), inverse)));
+        } else {
+            sum(p, N::from_affine(c[0]), N::from_affine(c[1]), N::from_affine(c[2]));
+        }
+        return true;
+    }
+    SPANGLE_INLINE void step() {
+        if constexpr (Projective)
+            q += dq;
+        for (int i = 0; i < 3; ++i)
+            c[i] += dc[i];
+    }
+
+  private:
+    SPANGLE_INLINE static void sum(Px<N>& p, typename N::T r, typename N::T g, typename N::T b) {
+        p.color.r = N::add(p.color.r, r);
+        p.color.g = N::add(p.color.g, g);
+        p.color.b = N::add(p.color.b, b);
+    }
+};
+
+namespace inner {
+
+/// The fog coordinate (s7.24) from fog * q and 1/q.
+inline std::uint32_t projective_fog(std::int32_t over_w, int exponent, const Inverse& inverse) {
+    const std::int64_t product = numeric::mul_s32_u32(over_w, inverse.mantissa); // f/q 2^(62 - zeros)
+    const int down = 38 - inverse.zeros - exponent;
+    return static_cast<std::uint32_t>(down >= 0 ? numeric::saturate_i32(numeric::times_two_to(product, -down))
+                                                : numeric::scale_saturate(product, -down));
+}
+
+} // namespace inner
+
+/// Finds the fog coordinate, s7.24.
+template <class N, bool Projective> struct FogCoord;
+
+template <class N> struct FogCoord<N, false> : StageBase {
+    static constexpr unsigned out = field_fog;
+    Ramp<typename N::L> v;
+    template <class S> SPANGLE_INLINE FogCoord(const S& s, std::int32_t x) : v(s, x, s.fog) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        p.fog = v.at;
+        return true;
+    }
+    SPANGLE_INLINE void step() { v.step(); }
+    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) { v.start(s, x, s.fog); }
+};
+
+template <class N> struct FogCoord<N, true> : StageBase {
+    static_assert(N::lanes == 1);
+    static constexpr unsigned out = field_fog;
+    std::uint64_t q, dq, f, df;
+    int exponent;
+    SPANGLE_INLINE FogCoord(const Span<Fixed>& s, std::int32_t x)
+        : q(s.at(x, s.q)), dq(s.q.dx), f(s.at(x, s.fog_q)), df(s.fog_q.dx), exponent(s.fog_exponent) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        p.fog = inner::projective_fog(unguarded(f), exponent, Inverse(unguarded(q)));
+        return true;
+    }
+    SPANGLE_INLINE void step() {
+        q += dq;
+        f += df;
+    }
+};
+
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -1,0 +1,92 @@
+// The level of detail (GL 1.3, 3.8.8): lambda = log2 of the largest derivative of u and v along x and y,
+// which is one of the approximations that the specification allows.
+#pragma once
+
+#include "raster/ops/stage_coord.hpp"
+#include "raster/ops/texel.hpp"
+#include "raster/span/instructions.hpp"
+
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
+
+/// Levels of detail of one unit.
+class LevelOfDetail {
+  public:
+    LevelOfDetail(const Span<Fixed>& span, int unit) : span_(span), unit_(unit) {}
+
+    [[gnu::noinline]] std::int32_t affine() const {
+        const auto steps = [](std::uint64_t dx, std::uint64_t dy, bool wraps) SPANGLE_RUN_LAMBDA {
+            const std::uint64_t m = largest(numeric::abs_u64(static_cast<std::int64_t>(dx)),
+                                            numeric::abs_u64(static_cast<std::int64_t>(dy)));
+            return m << (wraps ? 0 : 32 - clamped_coord_bits);
+        };
+        const auto& unit = span_.unit[unit_];
+        const std::uint64_t ds = steps(unit.s.dx, unit.s_dy, span_.state->wraps[unit_].s);
+        const std::uint64_t dt = steps(unit.t.dx, unit.t_dy, span_.state->wraps[unit_].t);
+        return level_of_detail(in_texels(ds, dt) - (32 << 8));
+    }
+
+    /// Lambda at pixel x. d(S/Q) = (dS Q - S dQ) / Q^2, of which only the logarithm is needed.
+    [[gnu::noinline]] std::int32_t projective(std::int32_t x) const {
+        const auto& unit = span_.unit[unit_];
+        const auto& q = unit.shares_q ? span_.q : unit.q;
+        const std::uint64_t q_dy = unit.shares_q ? span_.q_dy : unit.q_dy;
+        const std::int32_t at_q = positive(span_.at(x, q)), at_s = unguarded(span_.at(x, unit.s)),
+                           at_t = unguarded(span_.at(x, unit.t));
+        const auto numerator = [&](std::uint64_t dv, std::int32_t v, std::uint64_t dq) SPANGLE_RUN_LAMBDA {
+            return numeric::abs_u64(numeric::mul_s32(unguarded(dv), at_q) -
+                                    numeric::mul_s32(v, unguarded(dq)));
+        };
+        const std::uint64_t ds = largest(numerator(unit.s.dx, at_s, q.dx), numerator(unit.s_dy, at_s, q_dy));
+        const std::uint64_t dt = largest(numerator(unit.t.dx, at_t, q.dx), numerator(unit.t_dy, at_t, q_dy));
+        return level_of_detail(in_texels(ds, dt) - 2 * log2_fraction8(static_cast<std::uint64_t>(at_q)) +
+                               (unit.exponent << 8));
+    }
+
+  private:
+    const Span<Fixed>& span_;
+    int unit_;
+
+    static std::uint64_t largest(std::uint64_t a, std::uint64_t b) { return a > b ? a : b; }
+
+    /// The logarithm of the largest of the four derivatives, in texels.
+    std::int32_t in_texels(std::uint64_t ds, std::uint64_t dt) const {
+        const Texture& texture = *span_.state->fragment.unit[unit_].texture;
+        const TextureLevel& base = texture.level[0];
+        const int width = span_.state->log2_width[unit_], height = span_.state->log2_height[unit_];
+        if (texture.shape != TextureShape::line && is_power_of_two(base.width) &&
+            is_power_of_two(base.height)) {
+            const int up = height - width;
+            return log2_fraction8(largest(ds, up >= 0 ? dt << up : dt >> -up)) + (width << 8);
+        }
+        const auto& halves = span_.state->halves[unit_];
+        const auto along = [](std::uint64_t d, std::uint32_t size, int halved) SPANGLE_RUN_LAMBDA {
+            return log2_fraction8(d) + log2_fraction8(size) + (halved << 8);
+        };
+        const std::int32_t u = along(ds, base.width, halves.s), v = along(dt, base.height, halves.t);
+        return texture.shape == TextureShape::line || u > v ? u : v;
+    }
+
+    static std::int32_t positive(std::uint64_t q) {
+        const std::int32_t v = unguarded(q);
+        return v > 0 ? v : 1;
+    }
+};
+
+template <class N, int Unit> struct Lod : StageBase {
+    static_assert(N::lanes == 1);
+    static constexpr unsigned out = field_lod << Unit;
+    LevelOfDetail lod;
+    bool varies;
+    std::int32_t x, constant;
+    SPANGLE_INLINE Lod(const Span<Fixed>& s, std::int32_t first)
+        : lod(s, Unit), varies(s.kind >= Kind::textured), x(first), constant(varies ? 0 : lod.affine()) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) {
+        p.lod[Unit][0] = varies ? lod.projective(x) : constant;
+        return true;
+    }
+    SPANGLE_INLINE void step() { ++x; }
+};
+
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

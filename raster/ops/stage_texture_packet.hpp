@@ -1,0 +1,182 @@
+// The texture function of one unit in the chain, a packet at a time: modes are looked at once per packet, and
+// texels are combined in lanes.
+#pragma once
+
+#include "raster/ops/stage_texture_lanes.hpp"
+#include "raster/ops/texel_packet.hpp"
+#include "raster/ops/texture_combine_packet.hpp"
+#include "raster/span/instructions.hpp"
+
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
+
+/// The texture function for packets of number system N. It makes the same bytes as Texture2D.
+template <class N> class PacketTexture {
+    using SingleLane = OneLane<N>;
+    using L = typename N::L;
+    using Color = typename N::Color;
+    static constexpr int lanes = N::lanes;
+
+  public:
+    template <int Unit> static void run(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
+        apply(static_cast<Packet<N>&>(places), span, Unit, false);
+    }
+    /// Samples unit 0 and does MODULATE with texels in steps, N::in_steps().
+    static void run_steps(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
+        apply(static_cast<Packet<N>&>(places), span, 0, true);
+    }
+    /// Samples and combines all units that are on, when one of them combines.
+    static void combined(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
+        auto& k = static_cast<Packet<N>&>(places);
+        const FragmentState& state = span.state->fragment;
+        Color texels[max_texture_units][Packet<N>::groups];
+        for (int u = 0; u < max_texture_units; ++u)
+            if (state.unit[u].texture != nullptr)
+                sample(k, span, u, texels[u]);
+        if constexpr (lanes > 1) {
+            PacketCombine<N>::units(state, texels, (k.n + lanes - 1) / lanes, k.color);
+        } else {
+            for (std::int32_t i = 0; i < k.n; ++i) {
+                Color texel[max_texture_units];
+                for (int u = 0; u < max_texture_units; ++u)
+                    texel[u] = state.unit[u].texture != nullptr ? texels[u][i] : Color{};
+                TextureCombine<N>::units(state, texel, k.color[i]);
+            }
+        }
+    }
+
+  private:
+    Packet<N>& packet_;
+    const TextureUnit& unit_;
+    const Texture& texture_;
+    const TextureFunction<SingleLane> function_;
+    const std::int32_t fragment_count_; ///< fragments, up to whole groups
+    const int unit_number_;
+
+    PacketTexture(Packet<N>& k, const TextureUnit& unit, int which)
+        : packet_(k), unit_(unit), texture_(*unit.texture), function_(unit),
+          fragment_count_((k.n + lanes - 1) & -lanes), unit_number_(which) {}
+
+    using Span = raster::Span<typename N::Policy>;
+
+    [[gnu::noinline]] static void apply(Packet<N>& k, const Span& span, int which, bool steps) {
+        const TextureUnit& unit = span.state->fragment.unit[which];
+        Color texels[Packet<N>::groups];
+        sample(k, span, which, texels);
+        if constexpr (is_balanced<N>)
+            for (std::int32_t g = 0; steps && g * lanes < k.n; ++g)
+                texels[g] = N::in_steps(texels[g]);
+        const Color constant = env_color<N>(unit);
+        for (std::int32_t g = 0; g * lanes < k.n; ++g)
+            apply_env<N>(unit.env, unit.texture->base, k.color[g], texels[g], constant);
+    }
+    [[gnu::noinline]] static void sample(Packet<N>& k, const Span& span, int which, Color* texels) {
+        if constexpr (lanes > 1)
+            LaneTexture<N>::sample(k, span, which, texels);
+        else
+            sample_one(k, span, which, texels);
+    }
+    static void sample_one(Packet<N>& k, const Span& span, int which, Color* texels) {
+        const TextureUnit& unit = span.state->fragment.unit[which];
+        if constexpr (has_third_coordinates)
+            if (wants_r(*unit.texture))
+                return in_volume(k, span, which, texels);
+        const PacketTexture stage(k, unit, which);
+        if (!has_shortcuts || !stage.sample_in_lanes(texels))
+            stage.one_by_one(texels);
+    }
+
+    [[gnu::noinline]] static void in_volume(Packet<N>& k, const Span& span, int which, Color* texels) {
+        const VolumeCoords coords(span, which);
+        const VolumeFunction<SingleLane> function(span.state->fragment.unit[which]);
+        for (std::int32_t i = 0; i < k.n; ++i)
+            set_lane(texels[i / lanes], i % lanes, function.sample(coords.at(k.x + i)));
+    }
+
+    /// False: fragments take different levels or filters, or some see the border colour.
+    bool sample_in_lanes(Color* texels) const {
+        using Sampling = typename TextureFunction<SingleLane>::Sampling;
+        Sampling how = {0, texture_.mag, 0};
+        std::uint16_t next[packet_length] = {};
+        if (function_.wants_lod) {
+            how = function_.choose_sampling(packet_.lod[unit_number_][0]);
+            for (std::int32_t i = 0; i < packet_.n; ++i) {
+                const Sampling other = function_.choose_sampling(packet_.lod[unit_number_][i]);
+                if (!other.alike(how))
+                    return false;
+                next[i] = static_cast<std::uint16_t>(other.next);
+            }
+        }
+        if (!filtered(how.level, how.filter, texels))
+            return false;
+        if (how.next != 0) {
+            Color behind[Packet<N>::groups];
+            if (!filtered(how.level + 1, how.filter, behind))
+                return false;
+            for (std::int32_t g = 0; g * lanes < fragment_count_; ++g)
+                texels[g] = between_levels<N>(texels[g], behind[g], L::gather(next + g * lanes));
+        }
+        return true;
+    }
+    [[gnu::noinline]] void one_by_one(Color* texels) const {
+        for (std::int32_t i = 0; i < packet_.n; ++i) {
+            const auto& coord = packet_.coord[unit_number_][i / lanes];
+            set_lane(texels[i / lanes], i % lanes,
+                     function_.sample(coord.s[i % lanes], coord.t[i % lanes],
+                                      function_.wants_lod ? packet_.lod[unit_number_][i] : 0));
+        }
+    }
+
+    [[gnu::noinline]] bool filtered(int level, Filter filter, Color* to) const {
+        const TextureLevel& image = texture_.level[level];
+        const TexelWords words = words_of(texture_);
+        if (words == TexelWords::none)
+            return false;
+        const auto& coord = packet_.coord[unit_number_][0];
+        constexpr std::int32_t group = sizeof coord / sizeof coord.s[0];
+        const bool linear = filter == Filter::linear, border = texture_.border_texels != 0;
+        // Texels of indirect formats are found by column and row, not by bytes.
+        const bool indirect = is_indirect(texture_.format);
+        const std::int32_t bytes = indirect ? 1 : texel_bytes(sampled(texture_.format)),
+                           stride = indirect ? 1 : static_cast<std::int32_t>(image.stride);
+        TexelOffsets s, t;
+        const bool stored = find_texels<lanes>(s, linear, {texture_.wrap_s, image.width, bytes, border},
+                                               coord.s, group, fragment_count_) &&
+                            find_texels<lanes>(t, linear, {texture_.wrap_t, image.height, stride, border},
+                                               coord.t, group, fragment_count_);
+        if (!stored)
+            return false;
+        if (words == TexelWords::rgb565)
+            combine<std::uint16_t>(image, linear, s, t, to);
+        else
+            combine<std::uint32_t>(image, linear, s, t, to);
+        return true;
+    }
+
+    /// Combines texels of type Word, one per lane.
+    template <class Word>
+    void combine(const TextureLevel& image, bool linear, const TexelOffsets& s, const TexelOffsets& t,
+                 Color* to) const {
+        using Texels = TexelColors<N, sizeof(Word) == 2, true>;
+        Word texel[4][packet_length];
+        const auto fetch = [&](const std::int32_t* across, const std::int32_t* up, Word* words) {
+            fetch_texels(texture_, image, across, up, fragment_count_, words);
+        };
+        fetch(s.at, t.at, texel[0]);
+        if (!linear) {
+            for (std::int32_t g = 0, i = 0; i < fragment_count_; ++g, i += lanes)
+                to[g] = Texels::unpack(L::gather(texel[0] + i));
+            return;
+        }
+        fetch(s.next, t.at, texel[1]);
+        fetch(s.at, t.next, texel[2]);
+        fetch(s.next, t.next, texel[3]);
+        for (std::int32_t g = 0, i = 0; i < fragment_count_; ++g, i += lanes)
+            to[g] = Texels::mix(typename Texels::Weights(L::gather(t.weight + i)), L::gather(texel[0] + i),
+                                L::gather(texel[1] + i), L::gather(texel[2] + i), L::gather(texel[3] + i),
+                                L::gather(s.weight + i));
+    }
+};
+
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

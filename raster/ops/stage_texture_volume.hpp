@@ -1,0 +1,238 @@
+// Textures that look at three coordinates: volumes, cube maps, and depths that are compared with r (GL 1.3,
+// 3.8.6 to 3.8.8; GL 1.4, 3.8.14). Every fragment divides, in every tier.
+#pragma once
+
+#include "raster/ops/log2.hpp"
+#include "raster/ops/stage_coord.hpp"
+#include "raster/ops/stage_texture.hpp"
+#include "raster/span/instructions.hpp"
+
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
+
+/// The place that one fragment looks at: words as TexCoords has them, a face of a cube, and lambda.
+struct VolumePlace {
+    std::uint32_t s, t, r;
+    unsigned face;
+    std::int32_t lod;
+};
+
+/// The face of a direction, and how s and t lie in it (GL 1.3, table 3.20). Where components are equal, z
+/// goes before y, and y before x.
+template <class T> struct CubeFace {
+    unsigned face;
+    int s, t, major;     ///< number of the component of the direction
+    bool s_back, t_back; ///< the component runs backwards
+    CubeFace(T x, T y, T z) {
+        const T ax = x < 0 ? -x : x, ay = y < 0 ? -y : y, az = z < 0 ? -z : z;
+        if (az >= ax && az >= ay) {
+            const bool back = z < 0;
+            *this = {back ? 5u : 4u, 0, 1, 2, back, true};
+        } else if (ay >= ax) {
+            const bool back = y < 0;
+            *this = {back ? 3u : 2u, 0, 2, 1, false, back};
+        } else {
+            const bool back = x < 0;
+            *this = {back ? 1u : 0u, 2, 1, 0, !back, true};
+        }
+    }
+
+  private:
+    CubeFace(unsigned f, int s_of, int t_of, int m, bool s_negative, bool t_negative)
+        : face(f), s(s_of), t(t_of), major(m), s_back(s_negative), t_back(t_negative) {}
+};
+
+/// The places that the fragments of a span look at in one unit.
+class VolumeCoords {
+  public:
+    VolumeCoords(const Span<Fixed>& span, int unit)
+        : span_(span), unit_coords_(span.unit[unit]), texture_(*span.state->fragment.unit[unit].texture),
+          has_lod_(raster::wants_lod(texture_)) {}
+
+    [[gnu::noinline]] VolumePlace at(std::int32_t x) const {
+        Planes s(span_.at(x, unit_coords_.s), unit_coords_.s.dx, unit_coords_.s_dy),
+            t(span_.at(x, unit_coords_.t), unit_coords_.t.dx, unit_coords_.t_dy),
+            r(span_.at(x, unit_coords_.r), unit_coords_.r.dx, unit_coords_.r_dy);
+        const bool cube = has_cube_maps && texture_.shape == TextureShape::cube;
+        VolumePlace place;
+        place.face = cube ? face(s, t, r) : 0;
+        const Planes q =
+            // The other coordinates are divided by q.
+            cube ? r : Planes(span_.at(x, unit_coords_.q), unit_coords_.q.dx, unit_coords_.q_dy);
+        const Inverse inverse(positive(q.v));
+        const int exponent = cube ? 0 : unit_coords_.exponent;
+        const auto repeats = [&](std::int32_t v) SPANGLE_RUN_LAMBDA {
+            const std::int64_t of = inner::to_repeats(v, inverse, exponent);
+            // Maps -1 .. 1 to 0 .. 1: s = (sc / |ma| + 1) / 2.
+            return cube ? (of + (std::int64_t{1} << 32)) >> 1 : of;
+        };
+        place.s = word(repeats(s.v), texture_.wrap_s);
+        place.t = word(repeats(t.v), texture_.wrap_t);
+        const bool volume = texture_.shape == TextureShape::volume;
+        const std::int64_t third = repeats(r.v); // unused for a cube
+        place.r = volume ? word(third, texture_.wrap_r)
+                         : static_cast<std::uint32_t>(numeric::clamp<std::int64_t>(third >> 2, 0, 1 << 30));
+        place.lod = 0;
+        if (!has_lod_)
+            return place;
+        const TextureLevel& base = texture_.level[0];
+        std::int32_t most = steps(s, q, base.width);
+        const auto also = [&](std::int32_t other) { most = other > most ? other : most; };
+        if (texture_.shape != TextureShape::line)
+            also(steps(t, q, base.height));
+        if (volume)
+            also(steps(r, q, texture_.depth));
+        place.lod = level_of_detail(most - 2 * log2_fraction8(static_cast<std::uint64_t>(positive(q.v))) +
+                                    (cube ? -256 : unit_coords_.exponent << 8));
+        return place;
+    }
+
+  private:
+    /// A projective value and its differences from column to column and from row to row.
+    struct Planes {
+        std::int32_t v, dx, dy;
+        Planes(std::uint64_t value, std::uint64_t across, std::uint64_t up)
+            : v(unguarded(value)), dx(unguarded(across)), dy(unguarded(up)) {}
+        Planes turned(bool back) const {
+            return back ? Planes{negate_wide(v), negate_wide(dx), negate_wide(dy)} : *this;
+        }
+
+      private:
+        Planes(std::int32_t value, std::int32_t across, std::int32_t up) : v(value), dx(across), dy(up) {}
+        static std::int32_t negate_wide(std::int32_t v) {
+            return static_cast<std::int32_t>(0 - static_cast<std::uint32_t>(v));
+        }
+    };
+
+    const Span<Fixed>& span_;
+    const Span<Fixed>::Unit& unit_coords_;
+    const Texture& texture_;
+    const bool has_lod_;
+
+    static std::int32_t positive(std::int32_t q) { return q > 0 ? q : 1; }
+
+    static std::uint32_t word(std::int64_t repeats, Wrap wrap) {
+        // Set-up of such coordinates counts two repeats.
+        const bool mirrored = wrap == Wrap::mirrored_repeat;
+        return inner::to_coord(mirrored ? repeats >> 1 : repeats, mirrored || wrap == Wrap::repeat, 0);
+    }
+
+    /// log2 of the steps of v / q, times q^2: that of the larger of both directions.
+    static std::int32_t steps(const Planes& v, const Planes& q, std::uint32_t size) {
+        const auto step = [&](std::int32_t dv, std::int32_t dq) {
+            return numeric::abs_u64(numeric::mul_s32(dv, q.v) - numeric::mul_s32(v.v, dq));
+        };
+        const std::uint64_t dx = step(v.dx, q.dx), dy = step(v.dy, q.dy);
+        return log2_fraction8(dx > dy ? dx : dy) + log2_fraction8(size);
+    }
+
+    /// Finds the face of a direction. s and t become the coordinates in that face, r the one along the
+    /// direction. Factors that all three have in common cancel.
+    static unsigned face(Planes& s, Planes& t, Planes& r) {
+        const Planes planes[3] = {s, t, r};
+        const CubeFace<std::int64_t> face(s.v, t.v, r.v);
+        s = planes[face.s].turned(face.s_back);
+        t = planes[face.t].turned(face.t_back);
+        r = planes[face.major].turned(planes[face.major].v < 0);
+        return face.face;
+    }
+};
+
+/// Samples a texture with all modes at run time, for one fragment.
+template <class N> class VolumeFunction {
+    using Color = typename N::Color;
+
+  public:
+    explicit VolumeFunction(const TextureUnit& unit) : slice_(unit), texture_(*unit.texture) {}
+
+    [[gnu::noinline]] Color sample(const VolumePlace& place) const {
+        const auto how = slice_.wants_lod ? slice_.choose_sampling(place.lod)
+                                          : typename TextureFunction<N>::Sampling{0, texture_.mag, 0};
+        const Color a = level(place, how.level, how.filter);
+        return how.next == 0 ? a
+                             : between_levels<N>(a, level(place, how.level + 1, how.filter),
+                                                 static_cast<typename N::L::U16>(how.next));
+    }
+
+  private:
+    TextureFunction<N> slice_;
+    const Texture& texture_;
+
+    Color level(const VolumePlace& place, int level, Filter filter) const {
+        TextureLevel image = texture_.level[level];
+        if (has_volumes && texture_.shape == TextureShape::volume)
+            return in_volume(place, image, level, filter);
+        if (has_cube_maps && texture_.shape == TextureShape::cube)
+            image.texels = texture_.faces->texels[place.face][level];
+        return in_image(place, image, filter);
+    }
+
+    Color in_image(const VolumePlace& place, const TextureLevel& image, Filter filter) const {
+        const int w = log2_of(image.width), h = log2_of(image.height);
+        if (filter == Filter::nearest)
+            return texel(place, image, wrapped_nearest(texture_.wrap_s, place.s, w, image.width),
+                         wrapped_nearest(texture_.wrap_t, place.t, h, image.height));
+        const TexelIndex i = wrapped_linear(texture_.wrap_s, place.s, w, image.width),
+                         j = wrapped_linear(texture_.wrap_t, place.t, h, image.height);
+        if (!texture_.compares)
+            return slice_.filtered(image, i, j);
+        const std::int32_t i0 = wrap_texel(texture_.wrap_s, i.i, image.width),
+                           i1 = wrap_texel(texture_.wrap_s, i.i + 1, image.width),
+                           j0 = wrap_texel(texture_.wrap_t, j.i, image.height),
+                           j1 = wrap_texel(texture_.wrap_t, j.i + 1, image.height);
+        return bilinear<N>(texel(place, image, i0, j0), texel(place, image, i1, j0),
+                           texel(place, image, i0, j1), texel(place, image, i1, j1), i.weight, j.weight);
+    }
+
+    Color in_volume(const VolumePlace& place, const TextureLevel& base, int level, Filter filter) const {
+        const std::int32_t deep = texture_.depth >> level, depth = deep > 1 ? deep : 1;
+        const int log2_depth = log2_of(depth);
+        if (filter == Filter::nearest) {
+            const std::int32_t k = wrapped_nearest(texture_.wrap_r, place.r, log2_depth, depth);
+            return slice(place, base, k, depth, filter);
+        }
+        const TexelIndex k = wrapped_linear(texture_.wrap_r, place.r, log2_depth, depth);
+        const Color a = slice(place, base, wrap_texel(texture_.wrap_r, k.i, depth), depth, filter);
+        if (k.weight == 0)
+            return a;
+        return between_levels<N>(
+            a, slice(place, base, wrap_texel(texture_.wrap_r, k.i + 1, depth), depth, filter),
+            static_cast<typename N::L::U16>(k.weight << 8));
+    }
+    Color slice(const VolumePlace& place, const TextureLevel& base, std::int32_t k, std::int32_t depth,
+                Filter filter) const {
+        if (texture_.border_texels == 0 && (k < 0 || k >= depth))
+            return slice_.border;
+        TextureLevel image = base;
+        const std::ptrdiff_t bytes =
+            static_cast<std::ptrdiff_t>(base.stride) * (base.height + 2 * texture_.border_texels);
+        image.texels += k * bytes;
+        return in_image(place, image, filter);
+    }
+
+    /// A depth texel becomes the result of its comparison with r. r has the steps of a depth buffer (GL 1.4,
+    /// 3.8.14).
+    Color texel(const VolumePlace& place, const TextureLevel& image, std::int32_t i, std::int32_t j) const {
+        if (!has_depth_textures || !texture_.compares)
+            return slice_.texel(image, i, j);
+        const std::uint32_t most = texture_.format == TexelFormat::z16 ? 0xFFFF : 0xFFFFFF;
+        const auto r = static_cast<std::uint32_t>((std::uint64_t{place.r} * most + (1u << 29)) >> 30);
+        const bool passes = compare(texture_.compare, r, depth_of(image, i, j, most));
+        const typename N::T v = N::from_units(passes ? color_one : 0);
+        return {v, v, v, v};
+    }
+    std::uint32_t depth_of(const TextureLevel& image, std::int32_t i, std::int32_t j,
+                           std::uint32_t most) const {
+        if (!slice_.stored(image, i, j)) // the red of the border's colour is compared
+            return static_cast<std::uint32_t>(std::uint64_t{texture_.border_color[0]} * most / 255);
+        const std::uint8_t* const at = slice_.address(image, i, j);
+        if (most == 0xFFFF)
+            return Lanes<1>::load(at);
+        std::uint32_t code;
+        __builtin_memcpy(&code, at, 4);
+        return code;
+    }
+};
+
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -1,0 +1,157 @@
+// Texels as they lie in memory, one word per lane, become colours: single ones, or four filtered ones.
+#pragma once
+
+#include "raster/ops/filter.hpp"
+#include "raster/ops/filter_words.hpp"
+#include "raster/ops/texel.hpp"
+#include "raster/span/instructions.hpp"
+
+namespace spangle::raster {
+inline namespace SPANGLE_INSTRUCTIONS {
+
+/// Tables of the factors by which MODULATE multiplies: N::fraction of k/31 and k/63, by k; or, if not 0,
+/// `Steps` times the factor of N::in_steps().
+template <class N, class Word, int Steps> struct TexelFactors {
+    Word of5[32], of6[64];
+    constexpr TexelFactors() : of5{}, of6{} {
+        for (std::uint32_t k = 0; k < 64; ++k) {
+            of5[k & 31] = static_cast<Word>(of<5>(k & 31));
+            of6[k] = static_cast<Word>(of<6>(k));
+        }
+    }
+    template <unsigned Bits> SPANGLE_INLINE static constexpr std::uint32_t of(std::uint32_t k) {
+        if constexpr (Bits == 5)
+            return factor<5>(N::texel5(k));
+        else
+            return factor<6>(N::texel6(k));
+    }
+
+  private:
+    template <unsigned Bits> static constexpr std::uint32_t factor(std::uint32_t v) {
+        if constexpr (Steps != 0)
+            return Steps * N::fraction(N::template steps15<Bits>(v));
+        else
+            return N::fraction(v);
+    }
+};
+template <class N, int Steps = 0>
+inline constexpr TexelFactors<N, std::conditional_t<is_balanced<N>, std::uint16_t, std::uint32_t>, Steps>
+    texel_factors;
+
+/// One factor of TexelFactors: looked up, or computed in builds without shortcuts.
+template <unsigned Bits, class N, int Steps> SPANGLE_INLINE std::uint32_t texel_factor(std::uint32_t k) {
+    using Factors = std::remove_const_t<decltype(texel_factors<N, Steps>)>;
+    if constexpr (!has_shortcuts)
+        return Factors::template of<Bits>(k);
+    else
+        return Bits == 5 ? texel_factors<N, Steps>.of5[k] : texel_factors<N, Steps>.of6[k];
+}
+
+/// The factors by which MODULATE multiplies, of a texel R5 G6 B5, or of 8-bit components with R in the lowest
+/// byte. Factors has factor5(), factor6(), factor8().
+template <class Factors, bool Is565> struct TexelScales {
+    SPANGLE_INLINE static std::uint32_t red(std::uint32_t t) {
+        return Is565 ? Factors::factor5(t >> 11) : Factors::factor8(t & 255);
+    }
+    SPANGLE_INLINE static std::uint32_t green(std::uint32_t t) {
+        return Is565 ? Factors::factor6(t >> 5 & 63) : Factors::factor8(t >> 8 & 255);
+    }
+    SPANGLE_INLINE static std::uint32_t blue(std::uint32_t t) {
+        return Is565 ? Factors::factor5(t & 31) : Factors::factor8(t >> 16 & 255);
+    }
+};
+
+/// Factors for TexelScales that are the components themselves.
+struct TexelComponents {
+    SPANGLE_INLINE static std::uint32_t factor5(std::uint32_t k) { return k; }
+    SPANGLE_INLINE static std::uint32_t factor6(std::uint32_t k) { return k; }
+    SPANGLE_INLINE static std::uint32_t factor8(std::uint32_t k) { return k; }
+};
+
+/// The factors of TexelScales as the chain has them; those of texels 565 come from tables.
+template <class N, bool Is565, int Steps> struct ChainScales {
+    SPANGLE_INLINE static std::uint32_t red(std::uint32_t t) {
+        return Is565 ? texel_factor<5, N, Steps>(t >> 11) : of<5>(t & 255);
+    }
+    SPANGLE_INLINE static std::uint32_t green(std::uint32_t t) {
+        return Is565 ? texel_factor<6, N, Steps>(t >> 5 & 63) : of<6>(t >> 8 & 255);
+    }
+    SPANGLE_INLINE static std::uint32_t blue(std::uint32_t t) {
+        return Is565 ? texel_factor<5, N, Steps>(t & 31) : of<5>(t >> 16 & 255);
+    }
+
+  private:
+    template <unsigned Bits> SPANGLE_INLINE static std::uint32_t of(std::uint32_t k) {
+        if constexpr (Steps != 0)
+            return Steps * N::fraction(N::template steps15<Bits>(N::from8(k)));
+        else
+            return N::fraction(N::from8(k));
+    }
+};
+
+/// Colours of texels that are words R5 G6 B5, or 8-bit components with R in the lowest byte. Alpha: texels
+/// have one.
+template <class N, bool Is565, bool Alpha> struct TexelColors {
+    using Color = typename N::Color;
+    using L = typename N::L;
+
+    template <class V> SPANGLE_INLINE static Color unpack(const V& v) {
+        if constexpr (Is565)
+            return {N::texel5(v >> 11), N::texel6((v >> 5) & 63), N::texel5(v & 31),
+                    N::from_units(color_one)};
+        else
+            return {N::from8(L::byte(v, 0)), N::from8(L::byte(v, 1)), N::from8(L::byte(v, 2)),
+                    Alpha ? N::from8(L::byte(v, 3)) : N::from_units(color_one)};
+    }
+    /// The LINEAR filter of the exact tier with one lane; b is the weight of row j + 1, in 256ths.
+    struct ExactBilinear {
+        std::uint32_t b;
+        SPANGLE_INLINE explicit ExactBilinear(std::uint32_t weight) : b(weight) {}
+    };
+    using Weights = std::conditional_t<
+        is_raw<N>, FilterWords<N::lanes>,
+        std::conditional_t<
+            std::is_same_v<N, Exact>, ExactBilinear,
+            std::conditional_t<is_exact<N>, ExactLanes::Weights,
+                               std::conditional_t<Is565, Filter565<N::lanes>, Filter8<N::lanes>>>>>;
+    template <class V, class W>
+    SPANGLE_INLINE static Color mix(const Weights& weights, const V& c00, const V& c10, const V& c01,
+                                    const V& c11, const W& a) {
+        if constexpr (is_raw<N>)
+            return {weights(c00, c10, c01, c11, a)};
+        else if constexpr (std::is_same_v<N, Exact>)
+            return bilinear<N>(unpack(c00), unpack(c10), unpack(c01), unpack(c11), a, weights.b);
+        else if constexpr (is_exact<N>)
+            return mix_lanes(weights, c00, c10, c01, c11, L::widened(a));
+        else if constexpr (Is565)
+            return weights(c00, c10, c01, c11, a);
+        else
+            return weights.template texels<Alpha>(c00, c10, c01, c11, a);
+    }
+
+  private:
+    /// Mixes four texels in the exact tier. Where texels have no alpha it is 1, whatever the weights are.
+    template <class V, class W>
+    SPANGLE_INLINE static Color mix_lanes(const Weights& weights, const V& c00, const V& c10, const V& c01,
+                                          const V& c11, const W& right) {
+        const auto one = N::from_units(color_one);
+        if constexpr (Is565) {
+            const auto mix = [&](auto component) __attribute__((always_inline)) {
+                return weights.components(component(c00), component(c10), component(c01), component(c11),
+                                          right);
+            };
+            return {mix([](const V& v) __attribute__((always_inline)) { return N::texel5(v >> 11); }),
+                    mix([](const V& v) __attribute__((always_inline)) { return N::texel6((v >> 5) & 63); }),
+                    mix([](const V& v) __attribute__((always_inline)) { return N::texel5(v & 31); }), one};
+        } else {
+            const auto mix = [&](int n) __attribute__((always_inline)) {
+                return weights.bytes(L::byte(c00, n), L::byte(c10, n), L::byte(c01, n), L::byte(c11, n),
+                                     right);
+            };
+            return {mix(0), mix(1), mix(2), Alpha ? mix(3) : one};
+        }
+    }
+};
+
+} // namespace SPANGLE_INSTRUCTIONS
+} // namespace spangle::raster

@@ -1,4 +1,0 @@
-// Part 7 of the table of fused spans.
-#include "raster/span/fused_part.hpp"
-
-template const spangle::raster::FusedSpan* spangle::raster::fused_part<7>();
