@@ -1,5 +1,6 @@
-// The arithmetic of the vertex pipeline in integers: block form up to the perspective division, window fixed
-// point behind it. pipeline.hpp says what the pipeline does with it; DoubleMath has the same operations.
+// Arithmetic of the vertex pipeline in integers. Values are in block form before the perspective division,
+// and window coordinates are fixed point. pipeline.hpp documents how the pipeline uses each operation.
+// DoubleMath and ShadowMath have the same operations.
 #pragma once
 
 #include <cstddef>
@@ -20,11 +21,13 @@ namespace spangle::gl {
 
 struct FixedMath : FixedClipping {
     using Window = raster::FixedVertex;
-    using Clip = numeric::Block4; ///< homogeneous; a vertex has one exponent, which cancels in tests and x/w
+    /// Homogeneous clip coordinates, with one exponent for all four. Tests against w, and quotients such as
+    /// x/w, do not depend on it.
+    using Clip = numeric::Block4;
     using Eye = numeric::Block4;
     using Depth = numeric::Block;
 
-    /// A factor of 32 bits in a machine word, so that 64-bit machines need not extend it at every use.
+    /// A 32-bit factor in a machine word. 64-bit machines need not extend it at every use.
     using Factor = std::conditional_t<numeric::wide_words, std::int64_t, std::int32_t>;
     SPANGLE_INLINE static std::int64_t product(Factor a, std::int32_t b) {
         if constexpr (numeric::wide_words)
@@ -32,24 +35,27 @@ struct FixedMath : FixedClipping {
         return numeric::mul_s32(static_cast<std::int32_t>(a), b);
     }
 
-    /// Maps a quotient, -1 to 1, to a coordinate of the window: middle + half * quotient.
+    /// Maps a quotient from -1 to 1 to a window coordinate: middle + half * quotient. The window coordinate
+    /// is n.8 for x and y, and Q0.30 for depth.
     struct Range {
         std::int32_t middle = 0;
         Factor minus_half = 0;
-        /// `rounded_middle` holds the middle with the fraction bits of the product, plus half a unit. On
-        /// machines with words of 32 bits this only saves time, so builds without shortcuts do without.
+        /// rounded_middle is the middle with the fraction bits of the product, plus half a unit of the
+        /// result. On 32-bit machines it only saves time, so that builds without shortcuts do without it.
         static constexpr bool keeps_rounded = numeric::wide_words || raster::has_shortcuts;
         std::conditional_t<keeps_rounded, std::int64_t, std::int32_t> rounded_middle = 0;
 
         Range() = default;
-        /// `at` is the middle, `minus` is -half. `bits`: fraction bits of -half and of a quotient together.
+        /// Makes a range from its middle `at` and from `minus`, -half. `bits` counts the fraction bits of
+        /// half and of a quotient together.
         Range(std::int32_t at, std::int32_t minus, [[maybe_unused]] int bits)
             : middle(at), minus_half(minus) {
             if constexpr (keeps_rounded)
                 rounded_middle = ((std::int64_t{at} << 1) + 1) * (std::int64_t{1} << (bits - 1));
         }
 
-        /// middle + half * q, rounded to nearest, from -q. `bits`: fraction bits of half and q together.
+        /// Returns middle + half * q, rounded to nearest, for the negated quotient minus_q. `bits` counts the
+        /// fraction bits of half and q together.
         SPANGLE_INLINE std::int32_t place(std::int32_t minus_q, int bits) const {
             if (!numeric::wide_words && bits == 32)
                 return numeric::add_high_rounded(middle, static_cast<std::int32_t>(minus_half), minus_q);
@@ -59,23 +65,24 @@ struct FixedMath : FixedClipping {
             return static_cast<std::int32_t>(static_cast<std::uint32_t>(middle) +
                                              numeric::low_word_after(rounded, bits));
         }
-        /// place() of a -q that is held in 64 bits; the result is undefined where -q does not fit a word.
+        /// Does the same for a quotient that is held in 64 bits. The result is undefined if the quotient does
+        /// not fit a word.
         SPANGLE_INLINE std::int32_t place(std::int64_t minus_q, int bits) const {
             return place(static_cast<std::int32_t>(minus_q), bits);
         }
-        /// The part that rounding took off place() with 32 bits, in 2^-16 of the result's unit: the upper
-        /// half of the product's low word.
+        /// Returns what rounding cut off in place() with 32 fraction bits, in 2^-16 of the result's unit. The
+        /// value is the upper half of the product's low word.
         SPANGLE_INLINE std::int16_t rest(Factor minus_q) const {
             const std::uint32_t low =
                 static_cast<std::uint32_t>(minus_half) * static_cast<std::uint32_t>(minus_q);
             return static_cast<std::int16_t>(low >> 16);
         }
     };
-    /// Bits that x, y and z are shifted less than w; see Projections.
+    /// Bits that x, y and z are shifted left less than w; Projections explains why.
     static constexpr std::int32_t lift_room[3] = {3, 3, 1};
     using Quotient = Factor;
     static constexpr int quotient_bits = 27, depth_quotient_bits = 29;
-    /// Half a viewport has more fraction bits than a place, so that a place is the high word of the product.
+    /// Fraction bits of half a viewport. A window coordinate is then the high word of a product.
     static constexpr int half_bits = 32 - quotient_bits;
 
     /// The elements of a matrix as Factors, row by row.
@@ -87,42 +94,48 @@ struct FixedMath : FixedClipping {
         }
         const Factor* of(const numeric::BlockMatrix&) const { return m; }
     };
-    /// Stands in for WideRows where the elements of the matrix are Factors already.
+    /// Replaces WideRows on 32-bit machines, where the elements of a matrix are Factors already.
     struct Rows {
         static void set(const numeric::BlockMatrix&) {}
         static const std::int32_t* of(const numeric::BlockMatrix& a) { return a.m; }
     };
 
-    /// Block forms of the matrices and the viewport, derived when a part of the transform state changed.
+    /// Block forms of the matrices and of the viewport. derive() makes them again when part of the transform
+    /// state has changed.
     struct Transforms {
-        /// How far the results of rows x, y and z are shifted for the division; see Lifted.
+        /// Shifts of rows x, y and z for the division: 31 - n on 64-bit machines, n elsewhere. n is the row's
+        /// exponent less that of row w, less lift_room. See Lifted.
         std::int32_t lift[3] = {};
-        std::int32_t w_exponent = 0;  ///< exponent of 1/w, without the vertex's own
-        std::uint32_t most_zeros = 0; ///< most leading zeros of a w that divide() divides by
-        Range x, y;                   ///< the viewport, results n.8
-        Range depth;                  ///< the depth range, results Q0.30
+        std::int32_t w_exponent = 0; ///< exponent of 1/w, less that of the vertex
+        /// divide() refuses a w with more leading zeros, since a shift would exceed 31.
+        std::uint32_t most_zeros = 0;
+        Range x, y;  ///< the viewport, for window coordinates n.8
+        Range depth; ///< the depth range, for depths in Q0.30
         numeric::BlockMatrix to_clip;
-        [[no_unique_address]] std::conditional_t<numeric::wide_words, WideRows, Rows> rows; ///< of to_clip
+        /// The rows of to_clip.
+        [[no_unique_address]] std::conditional_t<numeric::wide_words, WideRows, Rows> rows;
 #if SPANGLE_TEXTURE_UNITS
-        numeric::BlockMatrix texture[texture_units]; ///< set where the matrix is not the identity
+        numeric::BlockMatrix texture[texture_units]; ///< set unless the matrix is the identity
 #endif
         bool texture_is_identity[texture_units];
 
-        /// The modelview matrix in block form.
+        /// The modelview matrix in block form, made when first asked for.
         const numeric::BlockMatrix& to_eye() const {
             if (!has_eye)
                 make_eye();
             return eye;
         }
-        /// Row 2 of the modelview matrix, for vertices loaded for to_clip.
+        /// Row 2 of the modelview matrix, for vertices that are loaded for to_clip. It is made when first
+        /// asked for.
         const numeric::BlockRow& eye_z() const {
             if (!has_depth)
                 make_depth();
             return depth_row;
         }
 
-        // Most draws ask for neither, so both are made when the first vertex after a change asks. The matrix
-        // that they are made of is the context's own, which changes between draws only.
+        // Most draws need neither eye coordinates nor depths. `eye` and `depth_row` are therefore made when a
+        // vertex first needs them. They come from the context's own modelview matrix, which does not change
+        // within a draw.
         const numeric::Matrix* modelview = nullptr;
         mutable bool has_eye = false, has_depth = false;
         mutable numeric::BlockMatrix eye;
@@ -146,7 +159,8 @@ struct FixedMath : FixedClipping {
         out.to_clip = numeric::to_block_matrix(
             numeric::multiply(state.projection.entry[state.projection.top], modelview));
         out.rows.set(out.to_clip);
-        std::int32_t lift[3]; // exponents of rows x, y, z less that of row w, less lift_room
+        // Exponents of rows x, y and z less the exponent of row w, less lift_room.
+        std::int32_t lift[3];
         for (int i = 0; i < 3; ++i) {
             lift[i] = out.to_clip.row[i] - out.to_clip.row[3] - lift_room[i];
             out.lift[i] = numeric::wide_words ? 31 - lift[i] : lift[i];
@@ -172,8 +186,8 @@ struct FixedMath : FixedClipping {
         out.depth = {(n >> 1) + (f >> 1) + (n & f & 1), (n - f) / 2, depth_quotient_bits};
     }
 
-    /// The vertex is loaded under the exponents of the matrix's columns, so that large and small coordinates
-    /// both keep their bits.
+    /// Transforms a position to clip coordinates. The position is loaded under the exponents of the matrix's
+    /// columns, so that both large and small coordinates keep their bits.
     static Clip to_clip(const Transforms& t, const Real (&v)[4]) {
         return numeric::transform(t.to_clip, v);
     }
@@ -183,7 +197,7 @@ struct FixedMath : FixedClipping {
     static Eye to_eye(const Transforms& t, const Real (&v)[4]) {
         return numeric::transform(t.to_eye(), v);
     }
-    /// Clip and eye coordinates of a vertex that is clipped, with 60 bits each.
+    /// Clip and eye coordinates with mantissas of 60 bits, for vertices that are clipped.
     static Point clip_point(const Transforms& t, const Real (&v)[4]) {
         return numeric::transform_wide(t.to_clip, v);
     }
@@ -194,13 +208,14 @@ struct FixedMath : FixedClipping {
         return numeric::to_block(v);
     }
 
-    /// Takes N vertices from their positions to the window: perspective division, viewport, depth range
-    /// (GL 1.3, 2.10.1). All are added before the first is divided, so that no operation waits for another's
-    /// result.
+    /// Takes N vertices from positions to window coordinates: perspective division, viewport and depth range
+    /// (GL 1.3, 2.10.1). All vertices are added before the first one is divided, so that no operation waits
+    /// for the result of another.
     ///
-    /// Let `zeros` be the leading zeros of w, and `lift` the shift of a row (see Transforms).
-    /// x' = x * 2^(zeros + lift - 3) and w' = w * 2^zeros give x'/w' = x/w / 8. So the word x' holds every x
-    /// within 4 w, without rounding; so does z' = z * 2^(zeros + lift - 1) hold z (see lift_room).
+    /// Let `zeros` be the count of leading zeros of the word w, and X and W the values of x and w, exponents
+    /// included. The words are shifted to w' = w * 2^zeros and x' = x * 2^(zeros + n), with n as at
+    /// Transforms::lift. Then x' / w' = X / (8 W), and a word x' holds every X up to 4 W without rounding.
+    /// For z the quotient is Z / (2 W), and a word z' holds every Z up to W.
     template <int N> class Projections {
       public:
         SPANGLE_INLINE void add(int i, const Transforms& t, const Real (&position)[4], Window& out,
@@ -210,7 +225,7 @@ struct FixedMath : FixedClipping {
                 set_fog(numeric::product(t.eye_z(), v), out);
             add(i, t, v);
         }
-        /// Adds a vertex whose coordinates are loaded. Point: the vertex's w is 2^power.
+        /// Adds a vertex with loaded coordinates. If `Point` is true, the vertex's w is 2^power.
         template <bool Point = false>
         SPANGLE_INLINE void add(int i, const Transforms& t, numeric::Mantissas<4>& v, int power = 0) {
             const auto* const rows = t.rows.of(t.to_clip);
@@ -229,14 +244,14 @@ struct FixedMath : FixedClipping {
                 reciprocals_of_w_.finish(count);
         }
 
-        /// Sets window coordinates of vertex i. `planes` gets the planes of the view volume that the vertex
-        /// is outside of, and from bit 8 on the planes of the guard band, near and far that it must be
-        /// clipped by. False: the vertex is not in front of the eye, or so far outside that the quotients
-        /// overflow.
+        /// Sets the window coordinates of vertex i. `planes` gets the planes of the view volume that the
+        /// vertex is outside of, in bits 0 to 5. Bits 8 to 13 get the planes of the guard band, near and far
+        /// that must clip the vertex. False: the vertex is not in front of the eye, or its quotients overflow
+        /// because it is far outside.
         SPANGLE_INLINE bool divide(int i, const Transforms& t, const Real (&)[4], Window& out,
                                    unsigned& planes) const {
             const Clipped& clip = clip_[i];
-            const int zeros = numeric::clz32(clip.w); // 3 to 31; 0 where w is negative, 32 where w is 0
+            const int zeros = numeric::clz32(clip.w); // 3 to 31; 0 if w is negative, 32 if w is 0
             if (static_cast<std::uint32_t>(zeros) - 1 >= t.most_zeros)
                 return false;
             const Lifted x(clip.x, zeros, t.lift[0]), y(clip.y, zeros, t.lift[1]),
@@ -247,10 +262,10 @@ struct FixedMath : FixedClipping {
             if (!drawn(clip, zeros, t))
                 return false;
             const std::uint32_t r = inverse(i, zeros); // 1/w = r * 2^(zeros - 62 - e)
-            const int up = r >> 31 == 0 ? 1 : 0;       // r is 2^31 where w is a power of two
+            const int up = r >> 31 == 0 ? 1 : 0;       // r is 2^31 if w is a power of two
             out.w_mantissa = r << up;
             out.w_exponent = static_cast<std::int16_t>(zeros + t.w_exponent - clip.e - up);
-            const auto minus_r = static_cast<std::int32_t>(0u - r); // signed word, also where r is 2^31
+            const auto minus_r = static_cast<std::int32_t>(0u - r); // a signed word, even if r is 2^31
             const Quotient minus_x = x.times(minus_r), minus_y = y.times(minus_r), minus_z = z.times(minus_r);
             out.x = t.x.place(minus_x, 32);
             out.y = t.y.place(minus_y, 32);
@@ -264,8 +279,8 @@ struct FixedMath : FixedClipping {
             return true;
         }
 
-        /// Sets the window position of vertex i as a line's end, if the vertex falls into an area that
-        /// inside_viewport() made and lies between near and far plane. Else false, and `out` is undefined.
+        /// Sets the end of a line to the window position of vertex i. False: the vertex is outside of `area`
+        /// or of the near and far planes, and `out` is undefined. `area` must come from inside_viewport().
         SPANGLE_INLINE bool place(int i, const Transforms& t, const raster::DrawState::Area& area,
                                   raster::LineEnd& out, numeric::LeadingZeros<>& count) const {
             const Clipped& clip = clip_[i];
@@ -286,18 +301,19 @@ struct FixedMath : FixedClipping {
         }
 
       private:
-        /// Clip coordinates of a vertex: words with the common exponent e.
+        /// Clip coordinates of a vertex: words with a common exponent e.
         struct Clipped {
             std::int32_t x, y, z, e;
             std::uint32_t w;
         } clip_[N];
-        /// Where branches are cheap, nothing is gained by several reciprocals under way: divide() computes
-        /// its own.
+        /// True if divide() computes each reciprocal by itself. Computing several reciprocals at once gains
+        /// nothing where branches are cheap.
         static constexpr bool at_once = numeric::cheap_branches;
         struct None {};
         [[no_unique_address]] std::conditional_t<at_once, None, numeric::Reciprocals<N>> reciprocals_of_w_;
 
-        /// In a build without perspective only vertices whose w is 1 are drawn.
+        /// True if the build can draw the vertex. A build without perspective draws only vertices whose w is
+        /// 1.
         SPANGLE_INLINE static bool drawn(const Clipped& clip, int zeros, const Transforms& t) {
             return raster::has_perspective ||
                    (clip.w << zeros == 1u << 31 && zeros + t.w_exponent - clip.e == -31);
@@ -312,8 +328,8 @@ struct FixedMath : FixedClipping {
         }
     };
 
-    /// The part of an area into which no vertex from beyond the left, right, bottom or top plane falls.
-    /// Rounding brings such a vertex onto the rim of the viewport at most, and the rim is left out.
+    /// Returns the part of an area that no vertex beyond the left, right, bottom or top plane falls into.
+    /// Rounding may move such a vertex onto the rim of the viewport, so the rim is left out.
     static raster::DrawState::Area inside_viewport(const Transforms& t, raster::DrawState::Area area) {
         const auto clip_edge = [](const Range& range, std::int32_t& begin, std::uint32_t& size) {
             const auto half = static_cast<std::int32_t>(-range.minus_half) >> half_bits;
@@ -328,8 +344,9 @@ struct FixedMath : FixedClipping {
         clip_edge(t.y, area.y, area.h);
         return area;
     }
-    /// Sets where a line ends, if its end is seen: in an area that inside_viewport() made, between near and
-    /// far plane. Floats with any bits are a position, but w is 1. False: not seen, or that is not known.
+    /// Sets the end of a line to the window position of a vertex, if the vertex is visible. `area` must come
+    /// from inside_viewport(). The position's x, y and z may have any bits; its w must be 1. False: the
+    /// vertex is not visible, or this quick test cannot tell.
     SPANGLE_INLINE static bool seen(const Transforms& t, const Real (&position)[4],
                                     const raster::DrawState::Area& area, raster::LineEnd& out,
                                     numeric::LeadingZeros<>& count) {
@@ -341,7 +358,7 @@ struct FixedMath : FixedClipping {
             projection.add(0, t, v);
         } else {
             const std::int32_t power = t.to_clip.column.e[3] - v.e;
-            if (power < 0) // w = 1 would be less than a unit of the common exponent
+            if (power < 0) // w = 1 would be less than one unit of the common exponent
                 return false;
             projection.template add<true>(0, t, v, power);
         }
@@ -349,7 +366,7 @@ struct FixedMath : FixedClipping {
         return projection.place(0, t, area, out, count);
     }
 
-    /// The part of a window vertex that Projections set: all words before its colour.
+    /// The part of a window vertex that Projections sets: all words before its colour.
     struct Place {
         std::uint32_t word[offsetof(Window, color) / sizeof(std::uint32_t)];
     };
@@ -360,25 +377,25 @@ struct FixedMath : FixedClipping {
         __builtin_memcpy(&to, &from, sizeof from);
     }
 
-    // --- clipping (GL 1.3, 2.11). Planes 0 to 5 are left, right, bottom, top, near, far.
+    // Clipping (GL 1.3, 2.11). Planes 0 to 5 are left, right, bottom, top, near and far.
 
     using FixedClipping::beyond;
     using FixedClipping::distance;
     using FixedClipping::mix;
-    /// The vertex lies outside of a plane: w plus or minus a coordinate is negative. The first four planes
-    /// bound `band` times the viewport; near and far have no band.
+    /// True if a vertex is outside of a plane, which means w < v or w < -v for its coordinate v. The first
+    /// four planes bound `band` times the viewport; near and far planes have no band.
     static bool beyond(const Clip& c, int plane, int band) {
         const std::int64_t w = plane < 4 ? std::int64_t{c.m[3]} * band : c.m[3], v = c.m[plane >> 1];
         return (plane & 1) != 0 ? w < v : w < -v;
     }
-    /// w is positive. Inside of the near and far planes only the degenerate corner of the volume, which is
-    /// never drawn, has w <= 0.
+    /// True if w is positive. A vertex with w <= 0 between the near and far planes is the degenerate corner
+    /// of the volume, which is never drawn.
     static bool in_front(const Clip& c) {
         return c.m[3] > 0;
     }
 
-    /// A user clip plane. A plane and its complement are kept as the same plane, once `turned`: so vertices
-    /// on both are the same to the bit, and each pixel belongs to one side (GL 1.3, 2.11).
+    /// A user clip plane. A plane and its complement are stored as the same plane, one of them as `turned`.
+    /// Vertices on both are therefore equal to the bit, and each pixel belongs to one side (GL 1.3, 2.11).
     struct Plane {
         numeric::Block4 at{};
         bool turned = false;
@@ -391,7 +408,8 @@ struct FixedMath : FixedClipping {
                 turned = numeric::is_negative(c);
                 break;
             }
-        // Turned before rounding, which takes halves up: both planes get the same words.
+        // The equation is negated before rounding, which rounds halves up. Both planes therefore get the same
+        // words.
         const auto at = [&](int i) { return turned ? -equation[i] : equation[i]; };
         return {numeric::to_block(at(0), at(1), at(2), at(3)), turned};
     }
@@ -408,8 +426,8 @@ struct FixedMath : FixedClipping {
         return p.turned ? d.m > 0 : d.m < 0;
     }
 
-    /// Mixes the associated data of a new vertex (GL 1.3, 2.13.8). `units`: bit u says that texture
-    /// coordinates u are in use, bit u + third_coordinate that their r is in use, too.
+    /// Mixes the associated data of a new vertex (GL 1.3, 2.13.8). Bit u of `units` says that texture
+    /// coordinates u are in use, and bit u + third_coordinate that their r is in use, too.
     static void mix(const Window& a, const Window& b, const Parameter& t, unsigned units, Window& out) {
         mix_color(a, b, t, out);
         for (int u = 0; u < texture_units; ++u) {
@@ -432,7 +450,7 @@ struct FixedMath : FixedClipping {
 #endif
     }
 
-    // --- numbers of any size, for what few vertices need: generated coordinates and normals
+    // Numbers of any size, for operations that few vertices need: generated coordinates and normals.
 
     struct Scalar {
         numeric::Block v;
@@ -451,8 +469,8 @@ struct FixedMath : FixedClipping {
         return {numeric::rsqrt(v.v)};
     }
 
-    /// The matrix that normals are multiplied with, column-major; it includes RESCALE_NORMAL
-    /// (GL 1.3, 2.10.3).
+    /// Returns the matrix that normals are multiplied with, column by column. It includes RESCALE_NORMAL (GL
+    /// 1.3, 2.10.3).
     static void normal_matrix(const TransformState& state, Scalar (&out)[9]) {
         const numeric::NormalMatrix normal = normal_matrix(state);
         for (int i = 0; i < 9; ++i)
@@ -468,19 +486,19 @@ struct FixedMath : FixedClipping {
         return normal;
     }
 
-    // --- division and viewport of a vertex that was clipped
+    // The division and the viewport for a vertex that was clipped.
 
-    /// Sets window coordinates: perspective division, viewport, depth range (GL 1.3, 2.10.1). The vertex is
-    /// within the guard band and in front of the eye.
+    /// Sets window coordinates by perspective division, viewport and depth range (GL 1.3, 2.10.1). The vertex
+    /// must be within the guard band and in front of the eye.
     static void project(const Transforms& t, const Clip& c, Window& out) {
         const auto w = static_cast<std::uint32_t>(c.m[3]);
         const int zeros = numeric::clz32(w);
         const std::uint32_t r = numeric::reciprocal(w << zeros); // 1/w = r * 2^(zeros - 62 - e)
-        const bool top = (r >> 31) != 0;                         // only where w is a power of two
+        const bool top = (r >> 31) != 0;                         // only if w is a power of two
         out.w_mantissa = top ? r : r << 1;
         out.w_exponent = static_cast<std::int16_t>(zeros - 62 - c.e - (top ? 0 : 1));
-        // A vertex that clipping made between extreme ends (|x| > 2^30 w) is off its plane by the rounding of
-        // 30-bit mantissas. The division would magnify that, so x and y are held to the guard band.
+        // A new vertex between extreme ends (|x| > 2^30 w) misses its plane by the rounding of 30-bit
+        // mantissas. The division would magnify that error, so x and y are limited to the guard band.
         constexpr int bits = 28;
         std::int16_t x_rest, y_rest;
         out.x = limit(place(t.x, c.m[0], r, zeros, bits, bits + half_bits, &x_rest), x_rest);
@@ -490,18 +508,19 @@ struct FixedMath : FixedClipping {
         out.z = static_cast<std::uint32_t>(numeric::clamp<std::int64_t>(depth, 0, raster::depth_one));
     }
 
-    // --- what selection and feedback return
+    // Values that selection and feedback return.
 
-    /// Out of line: for values that go back to the program, few bytes of code matter more than few cycles.
+    /// Converts a value that is returned to the program. The function is not inlined, since such values need
+    /// small code more than speed.
     [[gnu::noinline]] static Real real(numeric::Block v) {
         return numeric::to_real(v);
     }
 
-    /// Window z times 2^32 - 1, rounded to nearest, as hit records have it.
+    /// Returns window z times 2^32 - 1, rounded to nearest, as hit records store it (GL 1.3, 5.2).
     static std::uint32_t depth_word(const Window& v) {
         return static_cast<std::uint32_t>((std::uint64_t{v.z} * 0xFFFFFFFF + raster::depth_one / 2) >> 30);
     }
-    /// The window coordinates x, y, z before snapping, and w of the clip coordinates.
+    /// Returns window x, y and z before snapping, and w of the clip coordinates (GL 1.3, 5.3).
     [[gnu::noinline]] static void window_of(const Transforms& t, const Clip& c, Real (&out)[4]) {
         const numeric::Block w = numeric::component(c, 3);
         const auto place = [&](int i, std::int32_t middle, int bits, Factor half, int more) {
@@ -520,15 +539,15 @@ struct FixedMath : FixedClipping {
         for (int c = 0; c < 4; ++c)
             out[c] = real(numeric::mul(numeric::make_block(v.color[c], 0), unit));
     }
-    /// Sets generated coordinates, or those of a unit that uses r. `q_is_one`: q was given as 1 and is not
-    /// generated, so it stays 1 under an identity matrix.
+    /// Sets generated coordinates, or those of a unit that uses r. `q_is_one` says that q was given as 1 and
+    /// is not generated. Under an identity matrix, q then stays 1.
     static void set_texture(const Transforms& t, const Scalar (&strq)[4], int unit, bool q_is_one,
                             Window& out) {
         const Eye v = texture_of(t, strq, unit);
         set_texture(out, unit, v);
         set_q_is_one(out, unit, (q_is_one && t.texture_is_identity[unit]) || is_one(v.m[3], v.e));
     }
-    /// All four coordinates behind the texture matrix of the unit.
+    /// Returns s, t, r and q after the texture matrix of the unit.
     static Eye texture_of([[maybe_unused]] const Transforms& t, const Scalar (&strq)[4],
                           [[maybe_unused]] int unit) {
         const numeric::Block4 v = numeric::to_block(strq[0].v, strq[1].v, strq[2].v, strq[3].v);
@@ -543,7 +562,7 @@ struct FixedMath : FixedClipping {
             out[c] = real(numeric::component(v, c));
     }
 
-    // --- attributes
+    // Attributes of vertices.
 
     static void set_color(Window& out, const Real (&rgba)[4]) {
         for (int c = 0; c < 4; ++c)
@@ -560,7 +579,7 @@ struct FixedMath : FixedClipping {
 #endif
     }
 
-    /// The colours of a window vertex alone.
+    /// The colours of a window vertex.
     struct Colors {
         std::uint32_t color[4];
 #if SPANGLE_SECONDARY_COLORS
@@ -570,7 +589,8 @@ struct FixedMath : FixedClipping {
     template <class From, class To> static void copy_color(const From& from, To& to) {
         const auto copy = [](const auto& words, auto& out) {
             if constexpr (numeric::wide_words)
-                __builtin_memcpy(out, words, sizeof out); // with narrow words this may become a call
+                // On 32-bit machines this copy might become a function call.
+                __builtin_memcpy(out, words, sizeof out);
             else
                 for (std::size_t c = 0; c < sizeof out / sizeof out[0]; ++c)
                     out[c] = words[c];
@@ -581,7 +601,7 @@ struct FixedMath : FixedClipping {
 #endif
     }
 
-    /// Sets coordinates that no matrix changes.
+    /// Sets the texture coordinates of a unit whose matrix is the identity.
     static void set_texture(const Real (&stq)[4], int unit, Window& out) {
         const numeric::Mantissas<3> v = numeric::load<3>({}, {stq[0], stq[1], stq[3]});
         set_texture(out, unit, numeric::Block3{{v.m[0], v.m[1], v.m[2]}, v.e});
@@ -601,7 +621,8 @@ struct FixedMath : FixedClipping {
         return v.tex[unit].q_is_one != 0;
     }
 
-    /// Sets the coordinates of a corner of a point sprite: s and t are 0 or 1, r is 0, q is 1 (GL 2.0, 3.3).
+    /// Sets the coordinates of a corner of a point sprite: s and t are 0 or 1, r is 0 and q is 1 (GL 2.0,
+    /// 3.3).
     static void set_sprite(int unit, bool s, bool t, Window& out) {
         const auto whole = [](bool one) { return one ? numeric::one : numeric::zero; };
         const Real stq[4] = {whole(s), whole(t), numeric::zero, numeric::one};
@@ -611,13 +632,13 @@ struct FixedMath : FixedClipping {
         out.r[unit] = 0;
 #endif
     }
-    /// Multiplies alpha with a factor from 0 to 1.
+    /// Multiplies alpha by a factor from 0 to 1.
     static void fade(Real factor, Window& out) {
         const auto f = static_cast<std::uint32_t>(numeric::to_fixed(factor, 30));
         out.color[3] = static_cast<std::uint32_t>((numeric::mul_u32(out.color[3], f) + (1u << 29)) >> 30);
     }
 
-    /// Sets the fog distance to |z_e|, which GL 1.3, 3.10 allows in place of the distance to the eye.
+    /// Sets the fog distance to |z_e|. GL 1.3, 3.10 allows this in place of the distance to the eye.
     static void set_fog(Depth eye_z, Window& out) {
         set_fog_coordinate({eye_z.m < 0 ? -eye_z.m : eye_z.m, eye_z.e}, out);
     }
@@ -635,8 +656,8 @@ struct FixedMath : FixedClipping {
         return numeric::to_block(coordinate);
     }
 
-    /// A colour index takes the place of red, in units of 2^-20, and is interpolated like it. Colour planes
-    /// have room for values below 256, less what the set-up of a plane may be off by.
+    /// Largest colour index in units of 2^-20. A colour index is stored as red and interpolated like red.
+    /// Interpolation has room for values below 256, of which 2^12 units are left for the error of its set-up.
     static constexpr std::uint32_t largest_index = (256u << raster::color_fraction_bits) - (1u << 12);
     [[gnu::noinline]] static void set_index(Real index, unsigned bits, Window& out) {
         const std::uint32_t units = index_units(index, bits);
@@ -651,8 +672,8 @@ struct FixedMath : FixedClipping {
         return real(numeric::make_block(v.color[0], -raster::color_fraction_bits));
     }
 
-    /// Makes a vertex of the raster position, for the fragments of pixel rectangles and bitmaps: depth,
-    /// colour and coordinates, but no place.
+    /// Makes a window vertex of the raster position, for the fragments of pixel rectangles and bitmaps. It
+    /// has depth, colour and texture coordinates, but no x and y.
     static void set_raster(const RasterPosition& from, Window& out) {
         out = Window{};
         out.z = static_cast<std::uint32_t>(numeric::to_fixed(numeric::clamp01(from.position[2]), 30));
@@ -662,24 +683,26 @@ struct FixedMath : FixedClipping {
         set_color(out, from.color);
         for (int u = 0; u < texture_units; ++u) {
             const Real(&v)[4] = from.tex_coord[u].v;
-            set_texture(out, u, numeric::to_block(v)); // all four coordinates: which units use r is not known
+            // The units that use r are not known here, so all four coordinates are set.
+            set_texture(out, u, numeric::to_block(v));
             set_q_is_one(out, u, v[3] == numeric::one);
         }
     }
 
-    /// A colour component, clamped to 0..1, in 255ths with 20 fraction bits. Its product with 255 in Q.30 is
-    /// exact.
+    /// Converts a colour component, clamped to 0 to 1, to 255ths with 20 fraction bits. Its product with 255
+    /// in Q.30 is exact before rounding.
     static std::uint32_t color_units(Real component) {
         const auto c = static_cast<std::uint32_t>(numeric::to_fixed(numeric::clamp01(component), 30));
         return color_units(c);
     }
-    /// A colour component in Q0.30 as 255ths with 20 fraction bits.
+    /// Converts a colour component in Q0.30 to 255ths with 20 fraction bits.
     static std::uint32_t color_units(std::uint32_t c) {
         return static_cast<std::uint32_t>((numeric::mul_u32(c, 255) + (1u << 9)) >> 10);
     }
 
   private:
-    /// The most leading zeros of w with which no lifted coordinate is shifted by more than 31.
+    /// Returns the largest count of leading zeros of w with which no coordinate is shifted by more than 31.
+    /// `lift` is n of Transforms::lift.
     static std::uint32_t most_zeros(const std::int32_t (&lift)[3]) {
         std::int32_t most = 31;
         for (int i = 0; i < 3; ++i) {
@@ -689,8 +712,8 @@ struct FixedMath : FixedClipping {
         return most < 0 ? 0 : static_cast<std::uint32_t>(most);
     }
 
-    /// The product of one row and a vertex. The empty instruction at the end keeps the compiler from
-    /// computing all four rows at once, for which the registers do not suffice.
+    /// Returns the product of one row and a vertex. The empty instruction at its end keeps the compiler from
+    /// computing all four rows at once, for which there are too few registers.
     template <bool Point, class Element>
     SPANGLE_INLINE static std::int32_t row(const Element* elements, numeric::Mantissas<4>& v,
                                            [[maybe_unused]] int power) {
@@ -706,18 +729,18 @@ struct FixedMath : FixedClipping {
         return r;
     }
 
-    /// A coordinate v lifted to v 2^n, n = zeros + lift, 0 <= n < 32, whose product's high word is rounded.
-    /// Where words have 64 bits, the product is shifted down by 31 - n instead, so that it fits whatever v
-    /// is.
+    /// A coordinate v shifted to v * 2^n, with n = zeros + lift and 0 <= n < 32. times() returns the high
+    /// word of a product with it, rounded. On 64-bit machines, the product is shifted down by 31 - n instead,
+    /// so that it fits for every v.
     struct Lifted {
         std::int32_t v;
-        int by; ///< n; 31 - n where words have 64 bits
+        int by; ///< n; on 64-bit machines 31 - n
         SPANGLE_INLINE Lifted(std::int32_t value, int zeros, std::int32_t lift)
             : v(value), by(static_cast<int>(numeric::wide_words ? lift - zeros : lift + zeros)) {}
         SPANGLE_INLINE std::int32_t word(int n) const {
             return static_cast<std::int32_t>(static_cast<std::uint32_t>(v) << n);
         }
-        /// Not 0: a word has no room for the lifted coordinate.
+        /// Returns a value that is not 0 if a word has no room for the shifted coordinate.
         SPANGLE_INLINE std::int32_t overflow_bits() const {
             const int n = numeric::wide_words ? 31 - by : by;
             return (word(n) >> n) ^ v;
@@ -725,7 +748,8 @@ struct FixedMath : FixedClipping {
         SPANGLE_INLINE Quotient times(std::int32_t factor) const {
             if constexpr (numeric::wide_words)
                 return ((numeric::mul_s32(v, factor) >> by) + 1) >> 1;
-            if (!raster::has_perspective && overflow_bits() != 0) // saturated: only planes_of() uses it
+            // Only planes_of() uses this saturated quotient.
+            if (!raster::has_perspective && overflow_bits() != 0)
                 return v < 0 ? INT32_MAX : INT32_MIN;
             return numeric::mul_high_rounded(word(by), factor);
         }
@@ -734,7 +758,8 @@ struct FixedMath : FixedClipping {
     static bool beyond(Quotient q, std::uint32_t most) {
         return static_cast<std::make_unsigned_t<Quotient>>(q) + most > 2 * most;
     }
-    /// The planes that a vertex lies beyond, from its negated quotients. `xy` and `z` are the bounds.
+    /// Returns the planes that a vertex is beyond, from its negated quotients. `xy` and `z` are the bounds of
+    /// the quotients.
     static unsigned planes_of(Quotient minus_x, Quotient minus_y, Quotient minus_z, std::uint32_t xy,
                               std::uint32_t z) {
         const auto most = static_cast<std::int32_t>(xy), most_z = static_cast<std::int32_t>(z);
@@ -751,7 +776,7 @@ struct FixedMath : FixedClipping {
         return true;
     }
 
-    /// m / w with `bits` fraction bits, rounded to nearest; |m / w| <= 4. r and `zeros` are those of
+    /// Returns m / w with `bits` fraction bits, rounded to nearest; |m / w| <= 4. r and `zeros` are those of
     /// project().
     static std::int64_t quotient(std::int32_t m, std::uint32_t r, int zeros, int bits) {
         const int shift = 62 - zeros - bits;
@@ -759,8 +784,9 @@ struct FixedMath : FixedClipping {
         return numeric::shift_right_round(product, shift);
     }
 
-    /// Where m / w falls in a range. The quotient has `quotient_has` fraction bits and is held to 2^30; its
-    /// product with half the range has `bits`. `rest` gets what rounding took off, in 2^-16.
+    /// Returns the position of m / w within a range. The quotient has `quotient_has` fraction bits and is
+    /// limited to 2^30. Its product with half the range has `bits` fraction bits. `rest` gets what rounding
+    /// cut off, in 2^-16 of the result's unit.
     SPANGLE_RUN_CALL static std::int64_t place(const Range& range, std::int32_t m, std::uint32_t r, int zeros,
                                                int quotient_has, int bits, std::int16_t* rest = nullptr) {
         constexpr std::int64_t most = std::int64_t{1} << 30; // 4 with 28 fraction bits, 1 with 30
@@ -772,7 +798,7 @@ struct FixedMath : FixedClipping {
         return range.middle + (((std::int64_t{1} << (bits - 1)) + from_middle) >> bits);
     }
 
-    /// Limits a coordinate to what the rasterizer accepts. Only rounding in the clipper makes others.
+    /// Limits a coordinate to what the rasterizer accepts. Only rounding during clipping exceeds the limit.
     static std::int32_t limit(std::int64_t v, std::int16_t& rest) {
         constexpr std::int64_t most = 4 * 2048 * raster::subpixel_one - 1;
         if (v < -most || v > most)
@@ -787,7 +813,8 @@ struct FixedMath : FixedClipping {
 #endif
     }
 
-    // A build without texture units has no place for coordinates in its vertices (raster/span/vertex.hpp).
+    // Vertices have no room for texture coordinates in a build without texture units
+    // (raster/span/vertex.hpp).
     static void set_texture([[maybe_unused]] Window& out, [[maybe_unused]] int unit,
                             [[maybe_unused]] const numeric::Block4& strq) {
 #if SPANGLE_TEXTURE_UNITS
@@ -806,7 +833,7 @@ struct FixedMath : FixedClipping {
         out.tex[unit].exponent = static_cast<std::int16_t>(stq.e);
 #endif
     }
-    /// m 2^e is 1, exactly: a matrix that does not change q leaves it 1.
+    /// True if m * 2^e is exactly 1. A matrix that does not change q leaves it 1.
     static bool is_one(std::int32_t m, int e) {
         return e <= 0 && e >= -30 && m == 1 << -e;
     }

@@ -1,9 +1,11 @@
-// The vertex pipeline, from vertices as given to primitives in window space: transform, assemble, clip, cull,
-// light, draw. It is one template for all numeric policies; M supplies the arithmetic, L the lighting. This
-// file has what all parts share; the file named above a group of declarations defines them.
+// The vertex pipeline turns vertices as given into primitives in window space. Its steps are: transform,
+// assemble, clip, cull, light and draw. It is one template for all numeric policies: M supplies the
+// arithmetic and L the lighting. This header has what all parts of the pipeline share. A comment above each
+// group of member functions names the file that defines them.
 //
-// The order is that of GL 1.3, figure 2.8, as far as a program can see it. Colours are computed late, for
-// vertices of primitives that survive culling, since no step in between changes a vertex's colour.
+// The order of steps is that of GL 1.3, figure 2.8, as far as a program can see it. Colours are computed
+// late, only for vertices of primitives that survive culling. The pictures are the same, since no step in
+// between changes the colour of a vertex.
 #pragma once
 
 #include <bit>
@@ -27,7 +29,8 @@
 
 namespace spangle::gl {
 
-/// Draws the fragments of `source`, which places them, with the values of the current raster position.
+/// Draws the fragments that `source` places, with colour, depth and texture coordinates of the current raster
+/// position.
 template <class M>
 void draw_at_raster_position(const Context& context, const raster::DrawState& state,
                              const raster::Surface& target, raster::PixelSource& source) {
@@ -101,26 +104,32 @@ template <class M, class L> class Pipeline {
                 batches_->end_batch();
     }
 
-    /// RasterPos: a vertex that is not drawn. If it is outside of the clip volume, only `valid` changes.
+    /// Sets the current raster position from a vertex that is not drawn (RasterPos; GL 1.3, 2.12). If the
+    /// vertex is outside of the clip volume, only `valid` changes.
     void raster_position(Context& context, const Real (&position)[4]);
 
-    /// Called before a material changes: vertices given so far get their colours from the old one.
+    /// Lights the vertices given so far with the old material. It is called before a material changes.
     void settle_colors();
 
   private:
-    /// Bits of Vertex::flags. Bits 0 to 5 are the planes of the view volume that the vertex is outside of,
-    /// bits 8 to 13 the planes (guard band, near, far) that it must be clipped by; then follow single bits.
-    static constexpr int user_shift = 6; ///< number of the first plane of the user, in sets of planes
+    /// Number of the user's first clip plane in sets of planes. Planes 0 to 5 are those of the view volume.
+    static constexpr int user_shift = 6;
+    /// Bits of Vertex::flags:
+    ///   bits 0 to 5        Bit p is set if the vertex is outside of plane p of the view volume.
+    ///   bits 8 to 13       Bit 8 + p is set if plane p of the guard band must clip the vertex.
+    ///   unprojected        The vertex has no window coordinates yet.
+    ///   uncolored          The vertex is still to be lit.
+    ///   is_clipped_vertex  The vertex is a ClippedVertex.
+    ///   edge_flag          The current edge flag was TRUE when the vertex was given.
+    ///   boundary           The edge that starts at the vertex belongs to the outline of the polygon.
+    ///   is_pending         A primitive of a Pending that uses the vertex is still to be drawn.
+    ///   back_known         The colour of the vertex's back is known, as that of its front is.
     static constexpr unsigned outside_mask = 0x3F, beyond_shift = 8, beyond_mask = 0x3F << beyond_shift,
-                              unprojected = 1 << 14, ///< the vertex has no window coordinates yet
-        uncolored = 1 << 15,                         ///< the vertex is still to be lit
-        is_clipped_vertex = 1 << 16,                 ///< the vertex is a ClippedVertex
-        edge_flag = 1 << 17,                         ///< the current edge flag when the vertex was given
-        boundary = 1 << 18,   ///< outlines of the polygon at hand draw the edge that starts here
-        is_pending = 1 << 19, ///< primitives of Pending that use the vertex are still to be drawn
-        back_known = 1 << 20; ///< the colour of the back was settled along with that of the front
+                              unprojected = 1 << 14, uncolored = 1 << 15, is_clipped_vertex = 1 << 16,
+                              edge_flag = 1 << 17, boundary = 1 << 18, is_pending = 1 << 19,
+                              back_known = 1 << 20;
 
-    /// Builds with neither lighting nor generated coordinates do without normals.
+    /// Vertices have normals unless the build has neither lighting nor generated texture coordinates.
     static constexpr bool has_normals = SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_TEXGEN;
     /// A vertex as it was given, in object space.
     struct ObjectVertex {
@@ -134,14 +143,16 @@ template <class M, class L> class Pipeline {
     struct Vertex : ObjectVertex {
         std::uint32_t flags = 0;
 #if SPANGLE_VERTEX_CACHE != 1
-        std::uint32_t cache_epoch =
-            0;        ///< cache_epoch_ when a cached vertex was processed; valid while both are equal
-        Real st[2]{}; ///< the coordinates that read_texture() made window.tex of
+        /// A cached vertex is valid while this equals Pipeline::cache_epoch_, its value when the vertex was
+        /// processed.
+        std::uint32_t cache_epoch = 0;
+        /// s and t as given, from which read_texture() made the texture coordinates of `window`.
+        Real st[2]{};
 #endif
         Window window{};
     };
-    /// A vertex while it is clipped, or one that clipping made. It keeps values that other vertices compute
-    /// when they need them.
+    /// A vertex that is being clipped, or that clipping made. Clipping mixes its values; other vertices
+    /// compute these values only when needed.
     struct ClippedVertex : Vertex {
         typename M::Point clip{};
 #if SPANGLE_FEATURE_FOG
@@ -151,57 +162,63 @@ template <class M, class L> class Pipeline {
         typename M::Point eye{};
 #endif
 #if SPANGLE_FEATURE_FEEDBACK
-        typename M::Eye texture{}; ///< set while primitives are fed back
+        typename M::Eye texture{}; ///< texture coordinates of unit 0, set in render mode FEEDBACK only
 #endif
 #if SPANGLE_TWO_SIDES
-        typename L::Input light{}; ///< to light the back; the front has its colour already
-        typename M::Colors back{}; ///< set where back_known
+        typename L::Input light{}; ///< the normal, to light the back with; the front has been lit before
+        typename M::Colors back{}; ///< colours of the back, set where `flags` has back_known
 #endif
     };
 #if SPANGLE_VERTEX_CACHE != 1
-    /// The vertex cache keeps first_vertices elements from the start. Where it may grow, the first draw with
-    /// more elements makes it one of vertex_cache elements.
+    /// The vertex cache holds first_vertices elements at first. In builds where the cache may grow, the first
+    /// draw of more elements enlarges it to vertex_cache elements.
     static constexpr bool grows_cache = SPANGLE_GROWS_CACHE != 0 && raster::has_shortcuts &&
                                         vertex_cache > 1024 && std::has_single_bit(vertex_cache);
     static constexpr std::size_t first_vertices = grows_cache ? 128 : vertex_cache;
-    /// Where a vertex fell that was given by itself, not as an element of arrays.
+    /// The window position of a vertex given by a Vertex command, not as an element of arrays.
     struct CachedPosition {
-        Real position[3]{};            ///< position as given; its w was 1
-        std::uint32_t cache_epoch = 0; ///< cache_epoch_ when the place was kept; valid while both are equal
+        Real position[3]{}; ///< position in object space as given; its w was 1
+        /// The entry is valid while this equals Pipeline::cache_epoch_, its value when the entry was made.
+        std::uint32_t cache_epoch = 0;
         typename M::Place transform_with_cache{};
     };
-    static constexpr std::size_t
-        most_cached_positions =
-            512, ///< the more the better, as far as the first-level cache of hosts reaches
-        cached_position_count =
-            std::bit_floor(sizeof(Vertex) * vertex_cache / sizeof(CachedPosition) < most_cached_positions
-                               ? sizeof(Vertex) * vertex_cache / sizeof(CachedPosition)
-                               : most_cached_positions),
-        cached_position_room = (sizeof(CachedPosition) * cached_position_count + sizeof(Vertex) - 1) /
-                               sizeof(Vertex), ///< in vertices
-        cached_position_overlap =
-            cached_position_room < first_vertices ? cached_position_room : first_vertices;
-    /// Vertices that may come again. Elements by their index, or vertices given by themselves by their
-    /// position, take turns in the same memory.
+    /// Sizes of the cache of window positions. cached_position_room is in units of Vertex. More than
+    /// most_cached_positions entries would not fit a host's first-level data cache.
+    static constexpr std::size_t most_cached_positions = 512,
+                                 cached_position_count = std::bit_floor(
+                                     sizeof(Vertex) * vertex_cache / sizeof(CachedPosition) <
+                                             most_cached_positions
+                                         ? sizeof(Vertex) * vertex_cache / sizeof(CachedPosition)
+                                         : most_cached_positions),
+                                 cached_position_room =
+                                     (sizeof(CachedPosition) * cached_position_count + sizeof(Vertex) - 1) /
+                                     sizeof(Vertex),
+                                 cached_position_overlap = cached_position_room < first_vertices
+                                                               ? cached_position_room
+                                                               : first_vertices;
+    /// Vertices that a program may give again. Elements of arrays are found by their index, and vertices of
+    /// Vertex commands by their position. Both kinds share one memory, which holds one kind at a time.
     union VertexCache {
         Vertex vertex[first_vertices];
         CachedPosition cached_position[cached_position_count];
         VertexCache() : vertex{} {}
     };
 #endif
-    /// This build keeps the window positions of vertices given by themselves.
+    /// True if this build keeps the window positions of vertices that Vertex commands give.
     static constexpr bool caches_window_positions = vertex_cache != 1 && raster::has_shortcuts;
-    /// Vertices of line strips are not kept: a small cache forgets them before another strip asks for them.
+    /// True if vertices of line strips bypass the cache. A small cache forgets a vertex before the next strip
+    /// asks for it.
     static constexpr bool skips_cache_for_strips =
         vertex_cache < 1024 && raster::has_shortcuts && std::is_same_v<Window, raster::FixedVertex>;
-    /// Room of Pending for vertices; a line strip of line_batch lines has one vertex more.
+    /// Number of vertices that a Pending holds. A line strip of line_batch lines has one vertex more than
+    /// lines.
     static constexpr int pending_vertices = (numeric::cheap_branches ? 1 : 4) * line_batch + 1;
-    /// Builds without shortcuts draw all triangles and quads as polygons.
+    /// True if triangles and quads are drawn as polygons, as all builds without shortcuts do.
     static constexpr bool faces_are_polygons = has_polygons && !raster::has_shortcuts;
     static constexpr int slot_count = 4;
-    /// Room for the corners of a quad while it is clipped: each plane of the volume and of the user adds one,
-    /// and clip_polygon() wants room for two at every edge. A Cut that a plane took away is free for the next
-    /// plane.
+    /// Number of corners that a quad may have while it is clipped. Each plane of the view volume and of the
+    /// user adds at most one corner, and clip_polygon() wants room for two more at every edge. A
+    /// ClippedVertex that one plane cut off is used again for the next plane.
     static constexpr int clip_vertices = slot_count + 6 +
                                          (SPANGLE_FEATURE_CLIP_PLANES ? max_clip_planes : 0) + 2 + clip_spare,
                          clipped_vertex_count = clip_vertices + clip_spare;
@@ -211,82 +228,97 @@ template <class M, class L> class Pipeline {
                   "user's planes, outlines, selection, feedback and antialiasing need SPANGLE_CLIPPING");
     static_assert(raster::has_perspective || !has_clipping, "what SPANGLE_CLIPPING cuts has a w of its own");
 
-    /// Number of elements of a long draw that are drawn, or left out of a band, together.
+    /// Draws of many elements are divided into pieces of this number of elements. Each band draws or skips a
+    /// piece as a whole.
     static constexpr std::uint32_t piece = 12;
     static constexpr bool skips_batches = SPANGLE_FEATURE_BANDS != 0;
 
     Context* context_ = nullptr;
-    /// The batches of the drawable, while a callback draws its bands; null in modes SELECT and FEEDBACK.
+    /// Batches of the drawable while a callback draws its bands, else null. It is null in render modes SELECT
+    /// and FEEDBACK, too.
     raster::BatchRows* batches_ = nullptr;
     const raster::DrawState* state_ = nullptr;
     GLenum mode_ = GL_POINTS;
-    int corner_count_ = 0, corners_needed_ = 0; ///< vertices in corner_, and how many make a primitive
-    bool is_odd_triangle_ = false;              ///< the strip has an odd number of triangles so far
+    /// Number of vertices that `corner_` holds, and the number that completes a primitive.
+    int corner_count_ = 0, corners_needed_ = 0;
+    /// True after an odd number of triangles of a strip, and after the first triangle of an outlined polygon.
+    bool is_odd_triangle_ = false;
     bool has_fog_ = false, is_lit_ = false, is_flat_shaded_ = false, has_two_sides_ = false;
-    unsigned units_ = 0;               ///< bit u: texture unit u is on; bit u + third_coordinate: it uses r
-    unsigned units_with_r_ = 0;        ///< bit u: unit u uses r; as it was when the cached vertices were made
-    bool has_fog_coordinates_ = false; ///< fog takes its distance from fog coordinates
-    bool has_color_sum_ = false;       ///< vertices have secondary colours without lighting: COLOR_SUM
-    unsigned index_bits_ = 0;          ///< bits of an index framebuffer; 0: the framebuffer has colours
-    bool needs_vertex_state_ = false;  ///< take_vertex_state() is called for each vertex
-    bool needs_polygon_path_ = false;  ///< polygon() draws triangles and quads, too
-    bool has_outlines_ = false;        ///< PolygonMode makes lines or points of front or back faces
-    bool has_two_sided_stencil_ = false; ///< back faces have a DrawState of their own
-    bool is_capturing_ = false;          ///< primitives are selected or fed back, not drawn
-    bool clips_wide_lines_ = false;      ///< wide lines are clipped at viewport edges within the window
-    bool has_polygon_offset_ = false;    ///< PolygonOffset is on for some polygon mode
-    bool has_special_lines_ = false;     ///< lines are stippled, antialiased, or drawn to samples
-    bool has_special_points_ = false;    ///< points likewise, or they are sprites, or have sizes of their own
-    bool fills_whole_polygons_ = false;  ///< filled polygons are antialiased, or drawn to samples
+    /// Bit u is set if texture unit u is enabled, and bit u + third_coordinate if unit u needs r.
+    unsigned units_ = 0;
+    /// Bit u is set if unit u needed r when the cached vertices were made.
+    unsigned units_with_r_ = 0;
+    bool has_fog_coordinates_ = false;   ///< true if fog uses fog coordinates as distance
+    bool has_color_sum_ = false;         ///< true if unlit vertices have a secondary colour (COLOR_SUM)
+    unsigned index_bits_ = 0;            ///< bits of a colour index; 0: the framebuffer has RGBA colours
+    bool needs_vertex_state_ = false;    ///< true if take_vertex_state() is called for each vertex
+    bool needs_polygon_path_ = false;    ///< true if polygon() draws triangles and quads, too
+    bool has_outlines_ = false;          ///< true if PolygonMode draws front or back faces as lines or points
+    bool has_two_sided_stencil_ = false; ///< true if back faces have a DrawState of their own
+    bool is_capturing_ = false;          ///< true if primitives are selected or fed back instead of drawn
+    /// True if wide lines are clipped to the view volume, since an edge of the viewport lies within the
+    /// window.
+    bool clips_wide_lines_ = false;
+    bool has_polygon_offset_ = false; ///< true if PolygonOffset is enabled for some polygon mode
+    bool has_special_lines_ = false;  ///< true if lines are stippled, antialiased or multisampled
+    /// True if points are antialiased or multisampled, are sprites, or have a size that depends on the
+    /// vertex.
+    bool has_special_points_ = false;
+    bool fills_whole_polygons_ = false; ///< true if filled polygons are antialiased or multisampled
     bool has_smooth_polygons_ = false;
     bool is_multisampling_ = false;
-    bool restarts_stipple_ = false; ///< the next line starts the stipple pattern anew
-    GLenum face_mode_[2] = {};      ///< polygon mode of front and back
-    bool front_is_ccw_ = false,
-         culls_winding_[2] = {};      ///< culls_winding_: counter-clockwise and clockwise faces
-    Vertex* corner_[slot_count] = {}; ///< vertices of the primitive being assembled
-    unsigned cached_layout_ =
-        0; ///< layout of the arrays that the cached vertices came from; see arrays_begin()
-    ObjectVertex object_vertex_;   ///< position and normal of the element at hand
+    bool restarts_stipple_ = false; ///< true if the next line starts the stipple pattern anew
+    GLenum face_mode_[2] = {};      ///< polygon modes of front and back
+    /// culls_winding_[0] tells whether counter-clockwise faces are culled, culls_winding_[1] clockwise ones.
+    bool front_is_ccw_ = false, culls_winding_[2] = {};
+    Vertex* corner_[slot_count] = {}; ///< vertices of the current primitive
+    /// Layout of the arrays that the cached vertices came from, in the bits that arrays_begin() defines.
+    unsigned cached_layout_ = 0;
+    ObjectVertex object_vertex_;   ///< position and normal of the current element
     Real last_draw_color_[4] = {}; ///< current colour during the last draw of elements
-    std::uint32_t cache_epoch_ =
-        0; ///< cached vertices of another `cache_epoch` are invalid; see invalidate_cache()
-    std::int32_t point_size_ = 0, line_width_ = 0; ///< in pixels, 1 to 64
+    /// Cached vertices whose `cache_epoch` differs from this are invalid; see invalidate_cache().
+    std::uint32_t cache_epoch_ = 0;
+    std::int32_t point_size_ = 0, line_width_ = 0; ///< in pixels, rounded, 1 to 64
     raster::LineStipple stipple_;
     typename M::Transforms transforms_;
     L lighting_;
     UserPlanes<M> planes_;
     TexGen<M> texgen_;
-    Window unlit_{};           ///< the current colour in the rasterizer's units
-    Real unlit_color_[4] = {}; ///< the current colour that unlit_ was converted from
+    Window unlit_{};           ///< the current colour as the rasterizer takes it
+    Real unlit_color_[4] = {}; ///< the current colour from which unlit_ was made
     bool has_unlit_color_ = false;
 #if SPANGLE_VERTEX_CACHE != 1
-    bool caches_positions_ = false;     ///< vertex_cache_ holds `cached_position`, not `vertex`
-    std::uint32_t immediate_count_ = 0; ///< number of vertices given by themselves since the last elements
+    bool caches_positions_ = false; ///< true if vertex_cache_ holds `cached_position`, not `vertex`
+    /// Number of vertices that Vertex commands have given since the last draw of elements.
+    std::uint32_t immediate_count_ = 0;
 #endif
 #if SPANGLE_CLIPPING
-    std::uint32_t free_clipped_vertices_ =
-        0; ///< bit i: clipped_vertex_[i] is no corner of the polygon being clipped
+    /// Bit i is set if clipped_vertex_[i] is free: it is no corner of the polygon that is being clipped.
+    std::uint32_t free_clipped_vertices_ = 0;
 #endif
 #if SPANGLE_GATHERS_POLYGONS
-    ClippedVertex* gathered_ = nullptr; ///< in the arena: corners of a polygon that is drawn when it ends
+    /// Corners of a polygon that is drawn when it ends, allocated in the arena.
+    ClippedVertex* gathered_ = nullptr;
     int gathered_count_ = 0, gathered_capacity_ = 0;
-    const Window** gathered_windows_ = nullptr; ///< room for the corners that clipping leaves of that polygon
-    bool gathering_failed_ = false;             ///< the arena had no room for all corners
+    /// Room for the corners that clipping leaves of the gathered polygon.
+    const Window** gathered_windows_ = nullptr;
+    bool gathering_failed_ = false; ///< true if the arena had no room for all corners
 #endif
     Vertex vertex_slot_[slot_count];
 #if SPANGLE_TWO_SIDES
-    typename M::Colors back_colors_[slot_count]; ///< back colours of vertex_slot_, set where back_known
+    /// Colours of the backs of vertex_slot_, set where the flags have back_known.
+    typename M::Colors back_colors_[slot_count];
 #endif
 #if SPANGLE_FEATURE_FEEDBACK
-    typename M::Eye texture_coords_[slot_count]; ///< of vertex_slot_, set while primitives are fed back
+    /// Texture coordinates of unit 0 of vertex_slot_, set in render mode FEEDBACK.
+    typename M::Eye texture_coords_[slot_count];
 #endif
 #if SPANGLE_VERTEX_CACHE != 1
     VertexCache vertex_cache_;
     struct GrownCache {
-        Vertex* elements = nullptr; ///< room for vertex_cache elements, or null
-        Vertex* base = nullptr;     ///< the elements that are kept now: `elements`, or vertex_cache_.vertex
-        std::uint32_t mask = 0;     ///< bits of an index that choose the place
+        Vertex* elements = nullptr; ///< vertex_cache elements in the arena, or null
+        Vertex* base = nullptr;     ///< the elements in use: `elements`, or vertex_cache_.vertex
+        std::uint32_t mask = 0;     ///< selects the bits of an index that choose its element
     };
     struct FixedCache {};
     [[no_unique_address]] std::conditional_t<grows_cache, GrownCache, FixedCache> grown_cache_;
@@ -295,7 +327,7 @@ template <class M, class L> class Pipeline {
     ClippedVertex clipped_vertex_[clipped_vertex_count];
 #endif
 
-    /// A callback draws this band, and no part of the batch that begins reaches the band.
+    /// Begins a batch if a callback draws bands. True: no part of the batch reaches the current band.
     bool begins_outside_band([[maybe_unused]] const Context& context) {
         if constexpr (skips_batches) {
             batches_ = context.render.draws() ? context.drawable.batches : nullptr;
@@ -303,7 +335,7 @@ template <class M, class L> class Pipeline {
         }
         return false;
     }
-    /// The batch that has begun is left out of the band; true from its begin() to its end().
+    /// True from begin() to end() of a batch that is left out of the current band.
     bool is_outside_band() const {
         return skips_batches && batches_ != nullptr && batches_->is_skipped();
     }
@@ -377,7 +409,7 @@ template <class M, class L> class Pipeline {
             line_width_ = rounded_size(polygon.line_width);
     }
 
-    /// Makes all cached vertices invalid.
+    /// Makes all cached vertices invalid, by a new `cache_epoch_`.
     SPANGLE_RUN_CALL void invalidate_cache() {
         if (++cache_epoch_ != 0)
             return;
@@ -393,7 +425,8 @@ template <class M, class L> class Pipeline {
         return p.cull_face_mode == GL_FRONT_AND_BACK || (p.cull_face_mode == GL_FRONT) == front;
     }
 
-    /// The size of aliased points and lines in pixels: rounded, 1 to 64; 0 counts as 1 (GL 1.3, 3.3, 3.4.2).
+    /// Size of aliased points and width of aliased lines in pixels: rounded, then clamped to 1 to 64 (GL 1.3,
+    /// 3.3 and 3.4.2).
     SPANGLE_RUN_CALL static std::int32_t rounded_size(Real size) {
         return numeric::clamp<std::int32_t>(numeric::to_i32_round(size), 1, 64);
     }
@@ -441,11 +474,13 @@ template <class M, class L> class Pipeline {
     bool fills_whole_polygons() const {
         return (SPANGLE_FEATURE_ANTIALIASING || raster::has_samples) && fills_whole_polygons_;
     }
-    /// The size of antialiased points and lines in eighths of a pixel, for sizes from 1 to 64 (GL 1.3, 3.3).
+    /// Size of antialiased points and width of antialiased lines in eighths of a pixel, clamped to 8 to 512
+    /// (GL 1.3, 3.3).
     static std::int32_t eighths(Real size) {
         return numeric::clamp<std::int32_t>(((numeric::to_fixed(size, 16) >> 12) + 1) >> 1, 8, 512);
     }
-    /// Polygons are outlined, captured or antialiased as a whole, so they may not be divided into triangles.
+    /// True if polygons are outlined, captured or antialiased. A polygon is then drawn as a whole, not
+    /// divided into triangles.
     bool is_drawn_whole() const {
         return has_outlines() || is_capturing() || fills_whole_polygons();
     }
@@ -455,12 +490,14 @@ template <class M, class L> class Pipeline {
     bool has_color_index() const {
         return raster::has_indices && index_bits_ != 0;
     }
-    /// Primitives are clipped to the view volume itself, not to the guard band. Outlines draw the edges that
-    /// clipping makes, and captures report its result. A wide line ends where its middle leaves the volume.
+    /// True if primitives are clipped to the view volume itself, not to the guard band. Outlines draw the
+    /// edges that clipping makes, and selection and feedback report its result. A wide line ends where its
+    /// centre line leaves the volume.
     bool clips_to_view_volume() const {
         return has_outlines() || is_capturing() || clips_wide_lines_;
     }
-    /// The planes to clip by; bit i: plane i. `flags`: the flags of all corners of a primitive, together.
+    /// Planes that a primitive must be clipped by; bit p stands for plane p. `flags` is the union of the
+    /// flags of all corners.
     unsigned clip_planes(unsigned flags) const {
         return clips_to_view_volume() ? flags & outside_mask : (flags & beyond_mask) >> beyond_shift;
     }
@@ -479,27 +516,28 @@ template <class M, class L> class Pipeline {
         return differ == 0;
     }
 
-    /// Vertices of lines and strips that are not drawn yet. The fresh ones among them have clip coordinates,
-    /// in `projections`, but are not divided by w yet.
+    /// Vertices of lines and strips that are not drawn yet. `projections` holds the clip coordinates of
+    /// `fresh`, the vertices among them that are not yet divided by w.
     struct Pending {
         Vertex *vertex[pending_vertices], *fresh[line_batch];
         typename M::template Projections<line_batch> projections;
         int count = 0, unprojected_count = 0;
-        Pending() { vertex[0] = vertex[1] = nullptr; } // may be asked for while count is 0
+        Pending() { vertex[0] = vertex[1] = nullptr; } // vertex[0] and [1] are read even while `count` is 0
     };
 
     struct Corner {
         const Vertex& vertex;
-        const Window& window; ///< the window vertex of the side that is seen
+        const Window& window; ///< window vertex of the side that is seen
     };
-    /// The corners of a polygon whose front or back is seen. Only a back has window vertices of its own.
+    /// Corners of a polygon with the window vertices of the side that is seen. `back` holds those of a back
+    /// face; it is null for a front face.
     struct VisibleFace {
         Vertex* const* corners;
         const Window* back = nullptr;
         const Window& operator()(int i) const { return back != nullptr ? back[i] : corners[i]->window; }
     };
 
-    // pipeline_vertex.hpp
+    // Defined in pipeline_vertex.hpp:
     [[gnu::noinline]] void transform_vertex(Vertex& v) const;
     [[gnu::noinline]] void process_common(Vertex& v, const std::uint8_t* words) const;
     SPANGLE_INLINE void divide(Vertex& v) const;
@@ -522,7 +560,7 @@ template <class M, class L> class Pipeline {
     void light_back(const Vertex& v, Window& out);
     [[gnu::noinline]] bool project(Vertex& v);
 
-    // pipeline_position_cache.hpp
+    // Defined in pipeline_position_cache.hpp:
 #if SPANGLE_VERTEX_CACHE != 1
     [[gnu::noinline]] void cache_positions();
     [[gnu::noinline]] void cache_elements();
@@ -531,7 +569,7 @@ template <class M, class L> class Pipeline {
     static std::uint32_t cached_position_index(const Real* position);
 #endif
 
-    // pipeline_elements.hpp
+    // Defined in pipeline_elements.hpp:
     void draw_cached_elements(Context& context, const ElementReader& reader, std::uint32_t count,
                               const Indices& indices);
     void grow_cache(Context& context, std::uint32_t count);
@@ -584,7 +622,7 @@ template <class M, class L> class Pipeline {
     [[gnu::noinline]] void draw_elements_immediate(Context& context, const ElementReader& reader,
                                                    std::uint32_t count, const Indices& indices);
 
-    // pipeline_assembly.hpp
+    // Defined in pipeline_assembly.hpp:
     static int corners_of(GLenum mode);
     void swap(int i, int j);
     [[gnu::noinline]] void primitive();
@@ -595,7 +633,7 @@ template <class M, class L> class Pipeline {
     int first_corner(int n) const;
     template <int N> SPANGLE_INLINE void draw_face(Vertex* const* c, int provoking);
 
-    // pipeline_primitives.hpp
+    // Defined in pipeline_primitives.hpp:
     void point(Vertex& v);
     void draw_point(const Vertex& v, const Window& window);
     [[gnu::noinline]] void draw_special_point(const Vertex& v, const Window& window);
@@ -617,7 +655,8 @@ template <class M, class L> class Pipeline {
     SPANGLE_INLINE void draw_common_triangle(Vertex& a, Vertex& b, Vertex& c, bool whole);
     void draw_quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& provoking);
     [[gnu::noinline]] void polygon(Vertex* const* corners, int n, Vertex& provoking);
-    /// `part` has room for n areas. `whole` has the sign of the area before the polygon was cut, or is 0.
+    /// Draws a polygon that clipping and culling left. `part` has room for n areas. `whole` has the sign of
+    /// the polygon's area before clipping, or is 0.
     void draw_visible(Vertex* const* corners, int n, Vertex& provoking, std::int64_t* part,
                       std::int64_t whole);
     SPANGLE_INLINE void draw(const VisibleFace& at, int n, const Window& provoking, int side,
@@ -631,7 +670,7 @@ template <class M, class L> class Pipeline {
     [[gnu::noinline]] void draw_back(Vertex* const* corners, int n, const Vertex& provoking,
                                      const std::int64_t* part);
 
-    // pipeline_capture.hpp
+    // Defined in pipeline_capture.hpp:
     [[gnu::noinline]] void capture_line(const Corner& a, const Corner& b, const Window& provoking);
     [[gnu::noinline]] void begin_capture(GLenum token, int n);
     [[gnu::noinline]] void capture_vertex(const Corner& corner);
@@ -640,7 +679,7 @@ template <class M, class L> class Pipeline {
 #endif
     [[gnu::noinline]] void capture_clipped_line(Vertex& a, Vertex& b);
 
-    // pipeline_gather.hpp
+    // Defined in pipeline_gather.hpp:
     bool gathers_polygons() const;
     bool has_gathered() const;
     [[gnu::noinline]] void gather(Vertex& v);
@@ -648,12 +687,12 @@ template <class M, class L> class Pipeline {
     void clip_gathered(Vertex** work, int room, std::int64_t* part);
     void free_gathered();
 
-    // pipeline_reach.hpp
+    // Defined in pipeline_reach.hpp:
     [[gnu::noinline]] void record_draw_reach() const;
     [[gnu::noinline]] void record_vertex_reach(const CurrentState& current, const Vertex& v) const;
     void record_clip_reach(unsigned flags) const;
 
-    // pipeline_clip.hpp
+    // Defined in pipeline_clip.hpp:
     bool needs_eye() const;
     [[gnu::noinline]] ClippedVertex& to_clip_vertex(Vertex& v, ClippedVertex& out);
     [[gnu::noinline]] void mix(const ClippedVertex& a, const ClippedVertex& b, const typename M::Parameter& t,

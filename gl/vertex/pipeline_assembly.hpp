@@ -1,4 +1,5 @@
-// Assembles primitives from vertices (GL 1.3, 2.6.1); table 2.11 says which vertex is the provoking one.
+// Assembles primitives from vertices (GL 1.3, 2.6.1). GL 1.3, 2.13.7, names the provoking vertex of each kind
+// of primitive.
 #pragma once
 
 #include "gl/vertex/pipeline.hpp"
@@ -21,8 +22,8 @@ template <class M, class L> inline void Pipeline<M, L>::swap(int i, int j) {
     corner_[j] = v;
 }
 
-/// Draws the triangle or quad whose N corners are c. The two triangles of a quad share the diagonal from c[0]
-/// to c[2].
+/// Draws a triangle (N = 3) or quad (N = 4) with corners c. The two triangles of a quad share the diagonal
+/// from c[0] to c[2].
 template <class M, class L>
 template <int N>
 SPANGLE_INLINE void Pipeline<M, L>::draw_face(Vertex* const* c, int provoking) {
@@ -34,8 +35,8 @@ SPANGLE_INLINE void Pipeline<M, L>::draw_face(Vertex* const* c, int provoking) {
         draw_quad(*c[0], *c[1], *c[2], *c[3], *c[provoking]);
 }
 
-/// All corners of the primitive have been given: draws it, and moves the corners that the next primitive
-/// shares to the front.
+/// Draws a primitive, all corners of which have been given. Corners that the next primitive shares move to
+/// the front of corner_.
 template <class M, class L> void Pipeline<M, L>::primitive() {
     Vertex* const* const c = corner_;
     switch (mode_) {
@@ -49,7 +50,7 @@ template <class M, class L> void Pipeline<M, L>::primitive() {
         corner_count_ = 1;
         swap(0, 1);
         return line(*c[1], *c[0]);
-    case GL_LINE_LOOP: // the first vertex of the loop stays in front
+    case GL_LINE_LOOP: // the first vertex of the loop stays in corner_[0]
         corner_count_ = 2;
         if (corners_needed_ == 2) {
             corners_needed_ = 3;
@@ -60,7 +61,7 @@ template <class M, class L> void Pipeline<M, L>::primitive() {
     case GL_TRIANGLES:
         corner_count_ = 0;
         return draw_face<3>(c, 2);
-    case GL_TRIANGLE_STRIP: // the newest takes the place of the oldest, so all face one way
+    case GL_TRIANGLE_STRIP: // the newest vertex replaces the oldest, so that all triangles keep their winding
         draw_face<3>(c, 2);
         swap(is_odd_triangle_ ? 1 : 0, 2);
         is_odd_triangle_ = !is_odd_triangle_;
@@ -79,8 +80,9 @@ template <class M, class L> void Pipeline<M, L>::primitive() {
         polygon(c, 3, *c[0]);
         break;
     case GL_QUADS: {
-        // GL leaves open which diagonal divides a quad (GL 1.3, 2.6.1). It ends at the provoking vertex here,
-        // as in QUAD_STRIP and in Mesa, so that quads of four colours look as they do elsewhere.
+        // GL leaves open which diagonal divides a quad (GL 1.3, 2.6.1). Here the diagonal ends at the
+        // provoking vertex, as in QUAD_STRIP and in Mesa. A quad with four colours looks as it does
+        // elsewhere.
         Vertex* const from_second[4] = {c[1], c[2], c[3], c[0]};
         corner_count_ = 0;
         return draw_face<4>(from_second, 2);
@@ -95,12 +97,13 @@ template <class M, class L> void Pipeline<M, L>::primitive() {
     corner_count_ = 2;
 }
 
-/// Begins a polygon that is not drawn as a fan of filled triangles.
+/// Begins a POLYGON that is outlined or gathered, not drawn as a fan of filled triangles.
 template <class M, class L> void Pipeline<M, L>::begin_polygon() {
     if (gathers_polygons())
         corners_needed_ = 1;
     else if (has_outlines())
-        corners_needed_ = 4; // the last triangle, known only at the end, has one edge more
+        corners_needed_ = 4; // an outlined triangle waits for one vertex more, since the polygon's last
+                             // triangle has one boundary more
 }
 
 template <class M, class L> void Pipeline<M, L>::end_polygon() {
@@ -110,8 +113,9 @@ template <class M, class L> void Pipeline<M, L>::end_polygon() {
         outlined_fan(true);
 }
 
-/// Draws the oldest triangle, v0, vi, vi+1, of a polygon that may be outlined. Only edges of the polygon are
-/// drawn: edge v0 v1 belongs to the first triangle, edge vn v0 to the last.
+/// Draws the oldest triangle (v0, vi, vi+1) of an outlined polygon. Boundary edges are those of the polygon:
+/// v0 v1 belongs to the first triangle, and vn v0 to the last one. `last` says that this triangle is the last
+/// one.
 template <class M, class L> void Pipeline<M, L>::outlined_fan(bool last) {
     const auto flag = [](Vertex& v, bool is_edge) {
         v.flags = is_edge && (v.flags & edge_flag) != 0 ? v.flags | boundary : v.flags & ~boundary;
@@ -126,13 +130,15 @@ template <class M, class L> void Pipeline<M, L>::outlined_fan(bool last) {
     corner_count_ = 3;
 }
 
-/// The corner, of n, at which outlines and feedback begin: the vertex that was given first. Quads have their
-/// second vertex in front. GL leaves open where a quad that was clipped begins.
+/// Index, of n corners, at which outlines and feedback begin: that of the vertex given first. A quad is
+/// stored from its second vertex on, so that its first vertex comes last. GL leaves open where a clipped quad
+/// begins.
 template <class M, class L> inline int Pipeline<M, L>::first_corner(int n) const {
     return mode_ == GL_QUADS ? n - 1 : 0;
 }
 
-/// Marks the edges that outlines of a triangle or quad draw. Strips and fans draw all (GL 1.3, 2.6.2).
+/// Marks the edges that outlines of a triangle or quad draw. Edge flags apply to separate triangles and quads
+/// only; strips and fans draw all edges (GL 1.3, 2.6.2).
 template <class M, class L> inline void Pipeline<M, L>::flag_edges(Vertex* const* corners, int n) {
     if (mode_ == GL_POLYGON)
         return;

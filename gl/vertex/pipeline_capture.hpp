@@ -1,4 +1,4 @@
-// Captures primitives, which are then selected or fed back instead of drawn (GL 1.3, 5.2 and 5.3).
+// Captures primitives for selection and feedback, in place of drawing them (GL 1.3, 5.2 and 5.3).
 #pragma once
 
 #include "gl/vertex/pipeline.hpp"
@@ -13,7 +13,7 @@ void Pipeline<M, L>::capture_line(const Corner& a, const Corner& b, const Window
     capture_vertex({b.vertex, is_flat_shaded_ ? provoking : b.window});
 }
 
-/// Begins a primitive of which clipping left n corners; capture_vertex() takes each of them next.
+/// Begins a primitive that has n corners after clipping. capture_vertex() takes each corner next.
 template <class M, class L>
 void Pipeline<M, L>::begin_capture([[maybe_unused]] GLenum token, [[maybe_unused]] int n) {
 #if SPANGLE_FEATURE_FEEDBACK

@@ -11,7 +11,7 @@ template <class M, class L> inline bool Pipeline<M, L>::needs_eye() const {
     return planes_.any() || (SPANGLE_TWO_SIDES && is_lit_ && lighting_.needs_eye()) || has_special_points();
 }
 
-/// Makes a ClippedVertex of a vertex, with all values that clipping mixes. The vertex is lit first.
+/// Makes a ClippedVertex of a vertex: lights the vertex and computes all values that clipping mixes.
 template <class M, class L>
 typename Pipeline<M, L>::ClippedVertex& Pipeline<M, L>::to_clip_vertex(Vertex& v, ClippedVertex& out) {
     color(v);
@@ -38,7 +38,7 @@ typename Pipeline<M, L>::ClippedVertex& Pipeline<M, L>::to_clip_vertex(Vertex& v
     return out;
 }
 
-/// Sets everything but the position of a new vertex at t of the edge from a to b.
+/// Sets everything but the clip coordinates of a new vertex, at parameter t on the edge from a to b.
 template <class M, class L>
 void Pipeline<M, L>::mix(const ClippedVertex& a, const ClippedVertex& b, const typename M::Parameter& t,
                          ClippedVertex& out) {
@@ -77,8 +77,9 @@ template <class M, class L> inline int Pipeline<M, L>::clip_volume_scale() const
     return clips_to_view_volume() ? 1 : M::guard_band;
 }
 
-/// The vertex lies inside of a plane. Planes 0 to 5 are those of the view volume; the user's planes begin at
-/// user_shift. They cut last, so that a plane and its complement cut the same polygon.
+/// True if the vertex is inside of a plane. Planes 0 to 5 are those of the view volume, or of the guard band;
+/// the user's planes begin at user_shift. The user's planes cut last, so that a plane and its complement cut
+/// the same polygon.
 template <class M, class L>
 inline bool Pipeline<M, L>::is_inside_plane(int plane, const ClippedVertex& v) const {
 #if SPANGLE_FEATURE_CLIP_PLANES
@@ -90,7 +91,7 @@ inline bool Pipeline<M, L>::is_inside_plane(int plane, const ClippedVertex& v) c
     return !M::beyond(v.clip, plane, clip_volume_scale());
 }
 
-/// Makes the new vertex where an edge meets a plane. Polygons that share the edge get the same integers.
+/// Makes the new vertex where an edge meets a plane. Two polygons that share the edge get the same integers.
 template <class M, class L>
 inline void Pipeline<M, L>::clip_edge(int plane, const ClippedVertex& inside, const ClippedVertex& outside,
                                       ClippedVertex& out) {
@@ -102,14 +103,14 @@ inline void Pipeline<M, L>::clip_edge(int plane, const ClippedVertex& inside, co
                                 M::distance(outside.clip, plane, clip_volume_scale()));
     out.clip = M::clip_edge(inside.clip, outside.clip, plane, clip_volume_scale(), t);
     mix(inside, outside, t, out);
-    // Rounding must not leave the new vertex outside of the plane it lies on.
+    // Rounding must not leave the new vertex outside of the plane that it lies on.
     out.flags &= ~(1u << plane | 1u << (static_cast<unsigned>(plane) + beyond_shift));
 }
 
 #if SPANGLE_FEATURE_CLIP_PLANES
 
-/// Makes the new vertex where an edge meets a plane of the user. The edge is taken from the side where the
-/// distance is positive, whichever side is kept: a plane and its complement get the same integers.
+/// Makes the new vertex where an edge meets a plane of the user. The parameter runs from the end with the
+/// positive distance, whichever end is kept. A plane and its complement therefore get the same integers.
 template <class M, class L>
 inline void Pipeline<M, L>::clip_by_user_plane(const typename M::Plane& plane, const ClippedVertex& inside,
                                                const ClippedVertex& outside, ClippedVertex& out) {
@@ -121,13 +122,14 @@ inline void Pipeline<M, L>::clip_by_user_plane(const typename M::Plane& plane, c
 
 #endif
 
-/// Some corner may be beyond a plane, or has no window coordinates yet. `flags`: of all corners together.
+/// True if a corner may be beyond a plane, or has no window coordinates yet. `flags` is the union of the
+/// flags of all corners.
 template <class M, class L> inline bool Pipeline<M, L>::needs_clipping(unsigned flags) {
     return has_clipping && (flags & (beyond_mask | unprojected)) != 0;
 }
 
-/// True, with the error set: a primitive would have to be clipped, which this build does not do. `flags`: of
-/// all corners together.
+/// Sets GL_INVALID_OPERATION and returns true if a primitive needs clipping that this build does not do.
+/// `flags` is the union of the flags of all corners.
 template <class M, class L> inline bool Pipeline<M, L>::refuse_clipping(unsigned flags) {
     if (tells_reach && has_clipping)
         record_clip_reach(flags);
@@ -143,7 +145,7 @@ template <class M, class L> inline bool Pipeline<M, L>::refuse_clipping(unsigned
 
 #if SPANGLE_CLIPPING
 
-/// A place in clipped_vertex_ for a new vertex; null: all places hold corners.
+/// Takes a free element of clipped_vertex_ for a new vertex. Null: all elements hold corners.
 template <class M, class L> inline auto Pipeline<M, L>::free_clipped_vertex() -> ClippedVertex* {
     if (free_clipped_vertices_ == 0)
         return nullptr;
@@ -152,7 +154,7 @@ template <class M, class L> inline auto Pipeline<M, L>::free_clipped_vertex() ->
     return &clipped_vertex_[i];
 }
 
-/// Frees all places of clipped_vertex_ but those of the n corners.
+/// Frees all elements of clipped_vertex_ except the n corners.
 template <class M, class L> void Pipeline<M, L>::keep_clipped_vertices(Vertex* const* corners, int n) {
     free_clipped_vertices_ = static_cast<std::uint32_t>((std::uint64_t{1} << clipped_vertex_count) - 1);
     for (int i = 0; i < n; ++i) {
@@ -163,7 +165,8 @@ template <class M, class L> void Pipeline<M, L>::keep_clipped_vertices(Vertex* c
     }
 }
 
-/// Clips a line to all planes; its ends become Cuts. False: nothing of the line is left.
+/// Clips a line to all planes, and replaces its ends by ClippedVertex objects. False: nothing of the line is
+/// left.
 template <class M, class L> inline bool Pipeline<M, L>::clip_line(Vertex* (&ends)[2]) {
     int made = 2;
     ClippedVertex* end[2] = {&to_clip_vertex(*ends[0], clipped_vertex_[0]),
@@ -184,8 +187,8 @@ template <class M, class L> inline bool Pipeline<M, L>::clip_line(Vertex* (&ends
     return true;
 }
 
-/// Clips a polygon plane by plane, after Sutherland and Hodgman. The result takes the place of the n corners;
-/// both arrays have room for `room` corners. Returns the number of corners; 0: nothing is left.
+/// Clips a polygon plane by plane (Sutherland and Hodgman). The clipped corners replace the n corners; both
+/// arrays have room for `room` corners. Returns the number of corners left, or 0 if nothing is left.
 template <class M, class L>
 inline int Pipeline<M, L>::clip_polygon(Vertex** corners, Vertex** work, int room, int n, unsigned planes) {
     for (int plane = 0; plane < user_shift + planes_.count(); ++plane) {
@@ -194,8 +197,9 @@ inline int Pipeline<M, L>::clip_polygon(Vertex** corners, Vertex** work, int roo
         int m = 0;
         keep_clipped_vertices(corners, n);
         for (int i = 0; i < n; ++i) {
-            // A convex polygon meets a plane twice. A quad that crosses itself, or one that rounding bent
-            // at the limits of the mantissas, may do so more often; it may be left out (GL 1.3, 2.6.1).
+            // A convex polygon meets a plane twice. A quad that crosses itself may meet it more often, and so
+            // may a quad that rounding bent at the limits of the mantissas. Such a quad may be left out (GL
+            // 1.3, 2.6.1).
             if (m + 2 > room)
                 return 0;
             ClippedVertex& here = static_cast<ClippedVertex&>(*corners[i]);
@@ -209,8 +213,9 @@ inline int Pipeline<M, L>::clip_polygon(Vertex** corners, Vertex** work, int roo
             if (fresh == nullptr)
                 return 0;
             clip_edge(plane, here_in ? here : next, here_in ? next : here, *fresh);
-            // An edge that leaves the volume starts an edge along the plane, which is a boundary. An edge
-            // that enters goes on from the new vertex, a boundary if it was one before (GL 1.3, 2.11).
+            // Where an edge leaves the volume, the new vertex starts an edge along the plane, which is a
+            // boundary. Where an edge enters, the rest of that edge is a boundary if the edge was one (GL
+            // 1.3, 2.11).
             fresh->flags |= here_in ? unsigned{boundary} : here.flags & boundary;
             work[m++] = fresh;
         }

@@ -1,4 +1,5 @@
-// Draws elements of arrays. Vertices are kept by index, in a cache; lines and triangle strips go in batches.
+// Draws elements of arrays. Processed vertices are kept in a cache, found by index. Lines and triangle strips
+// are processed in batches.
 #pragma once
 
 #include "gl/context/arena.hpp"
@@ -6,7 +7,8 @@
 
 namespace spangle::gl {
 
-/// While a callback draws bands, elements go in pieces, and pieces that do not reach the band are left out.
+/// Draws elements. While a callback draws bands, the elements are divided into pieces, and pieces that do not
+/// reach the band are left out.
 template <class M, class L>
 inline void Pipeline<M, L>::elements(Context& context, std::uint32_t count, const Indices& indices) {
     if constexpr (skips_batches) {
@@ -23,7 +25,8 @@ inline void Pipeline<M, L>::elements(Context& context, std::uint32_t count, cons
             const std::uint32_t from = first == 0 ? 0 : first - static_cast<std::uint32_t>(repeated),
                                 end = count - first < step ? count : first + step;
             corner_count_ = 0;
-            is_odd_triangle_ = false; // as in the first piece, so that strips turn the same way
+            // Each piece starts like the first one, so that the triangles of a strip keep their winding.
+            is_odd_triangle_ = false;
             draw_elements(context, reader, end - from, indices.from(from));
             if (repeated >= 0)
                 batches_->end_piece();
@@ -33,11 +36,13 @@ inline void Pipeline<M, L>::elements(Context& context, std::uint32_t count, cons
     }
 }
 
-/// The number of elements that a piece repeats of the piece before it, since a piece of a strip is a strip of
-/// its own. -1: there are no pieces in this mode, or with a stipple that goes on from line to line.
+/// Number of elements that a piece repeats of the piece before it, since each piece of a strip is a strip.
+/// -1: draws in this mode are not divided. A stippled line strip is not divided, because its stipple
+/// continues from line to line.
 template <class M, class L> int Pipeline<M, L>::repeated_elements() const {
-    static_assert(piece % 12 == 0); // a piece is whole primitives, and an even number of triangles
-    constexpr std::int8_t repeated[] = {0, 0, -1, 1, 0, 2, -1, 0, 2, -1}; // POINTS .. POLYGON
+    // A piece holds whole primitives, and an even number of triangles of a strip.
+    static_assert(piece % 12 == 0);
+    constexpr std::int8_t repeated[] = {0, 0, -1, 1, 0, 2, -1, 0, 2, -1}; // from POINTS to POLYGON
     const bool stippled = SPANGLE_FEATURE_STIPPLE && context_->polygon.line_stipple;
     return mode_ == GL_LINE_STRIP && stippled ? -1 : repeated[mode_];
 }
@@ -53,8 +58,8 @@ void Pipeline<M, L>::draw_elements(Context& context, const ElementReader& reader
     draw_elements_immediate(context, reader, count, indices);
 }
 
-/// Takes elements one by one. Materials that follow the colour need that, and so do draws without a vertex
-/// array. Builds without shortcuts take all elements so.
+/// Draws elements one by one, through vertex(). Materials that follow the colour need this path, and so do
+/// arrays without positions. Builds without shortcuts have no other path.
 template <class M, class L>
 void Pipeline<M, L>::draw_elements_immediate(Context& context, const ElementReader& reader,
                                              std::uint32_t count, const Indices& indices) {
@@ -77,9 +82,9 @@ void Pipeline<M, L>::draw_elements_immediate(Context& context, const ElementRead
 
 #if SPANGLE_VERTEX_CACHE != 1
 
-/// Adds the vertex of an element whose attributes are current. If `kept`, its place in the cache, has the
-/// same position and normal, the window position is taken from there. A kept vertex that is a corner at the
-/// moment stays as it is, since another index may have brought it.
+/// Adds the vertex of an element, all attributes of which are current. `kept` is the element's place in the
+/// cache. If position and normal in `kept` are equal, its window position is used again. If `kept` is a
+/// corner of the current primitive, it stays unchanged and the vertex goes to another slot.
 template <class M, class L>
 inline void Pipeline<M, L>::next_element(const CurrentState& current, Vertex& kept,
                                          const Real (&position)[4]) {
@@ -100,7 +105,7 @@ inline void Pipeline<M, L>::next_element(const CurrentState& current, Vertex& ke
         primitive();
 }
 
-/// Draws elements from the cache of vertices.
+/// Draws elements through the cache of vertices.
 template <class M, class L>
 inline void Pipeline<M, L>::draw_cached_elements(Context& context, const ElementReader& reader,
                                                  std::uint32_t count, const Indices& indices) {
@@ -136,8 +141,8 @@ inline void Pipeline<M, L>::draw_cached_elements(Context& context, const Element
 
 #if SPANGLE_GROWS_CACHE
 
-/// Chooses where elements are kept. The first draw with more than first_vertices elements gets a cache of
-/// vertex_cache elements in the arena, if there is room; it stays.
+/// Chooses the memory of the cache. The first draw of more than first_vertices elements allocates
+/// vertex_cache elements in the arena. Without memory for them, the small cache stays in use.
 template <class M, class L> inline void Pipeline<M, L>::grow_cache(Context& context, std::uint32_t count) {
     if (grown_cache_.elements == nullptr && count > first_vertices) {
         void* const memory = context.arena->allocate(sizeof(Vertex) * vertex_cache);
@@ -152,8 +157,8 @@ template <class M, class L> inline void Pipeline<M, L>::grow_cache(Context& cont
 
 #endif
 
-/// Makes cached vertices invalid where the layout of the arrays, the current normal or the current colour
-/// has changed: cached vertices do not say which they had.
+/// Makes cached vertices invalid if the layout of the arrays, the current normal or the current colour has
+/// changed. Cached vertices do not record these values.
 template <class M, class L>
 inline void Pipeline<M, L>::arrays_begin(const ElementReader& reader, const CurrentState& current,
                                          bool textured) {
@@ -164,7 +169,7 @@ inline void Pipeline<M, L>::arrays_begin(const ElementReader& reader, const Curr
         (!reader.normal.on() && !equal_words<3>(object_vertex_.normal, current.normal)))
         invalidate_cache();
     cached_layout_ = layout;
-    object_vertex_.position[2] = numeric::zero; // components that the array leaves out
+    object_vertex_.position[2] = numeric::zero; // components that the array does not give
     object_vertex_.position[3] = numeric::one;
     set_normal(object_vertex_, current.normal);
     for (int c = 0; c < 4; ++c)
@@ -175,13 +180,14 @@ template <class M, class L> inline bool Pipeline<M, L>::draws_lines() const {
     return has_lines && mode_ >= GL_LINES && mode_ <= GL_LINE_STRIP;
 }
 
-/// The usual arrays: positions of three floats, normals of three floats if they count, and no colours.
+/// True if positions have three floats, normals (where they matter) have three floats, and there is no colour
+/// array. Most programs draw such arrays.
 template <class M, class L> inline bool Pipeline<M, L>::is_common(const ElementReader& reader) const {
     return reader.vertex.is_floats(3) && (!is_lit_ || !reader.normal.on() || reader.normal.is_floats(3)) &&
            !reader.color.on();
 }
 
-/// The usual texture coordinates: two floats for the first unit, the only one that is on.
+/// True if only texture unit 0 is enabled and its coordinates have two floats.
 template <class M, class L> inline bool Pipeline<M, L>::is_common_texture(const ElementReader& reader) const {
     bool others = false;
     for (int u = 1; u < texture_units; ++u)
@@ -191,15 +197,15 @@ template <class M, class L> inline bool Pipeline<M, L>::is_common_texture(const 
 
 template <class M, class L>
 inline typename Pipeline<M, L>::Vertex& Pipeline<M, L>::cached(std::uint32_t index) {
-    // The address stays in a register, as the base of all accesses to the vertex.
+    // The address is kept in a register, as base of all accesses to the vertex.
     if constexpr (grows_cache)
         return *numeric::kept_in_register(&grown_cache_.base[index & grown_cache_.mask]);
     else
         return *numeric::kept_in_register(&vertex_cache_.vertex[numeric::remainder<vertex_cache>(index)]);
 }
 
-/// The vertex of an element without colour and texture coordinates. If the arrays still hold the position and
-/// normal of the cached vertex, that is returned.
+/// Returns the vertex of an element, without colour and texture coordinates. A cached vertex is used again if
+/// position and normal in the arrays have not changed.
 template <class M, class L>
 inline typename Pipeline<M, L>::Vertex& Pipeline<M, L>::element(const ElementReader& reader,
                                                                 std::uint32_t index) {
@@ -217,8 +223,8 @@ inline typename Pipeline<M, L>::Vertex& Pipeline<M, L>::element(const ElementRea
     return fresh;
 }
 
-/// The vertex of an element with colour and texture coordinates. A cached vertex that is a corner at the
-/// moment keeps its own and is copied, since another index may have brought it.
+/// Returns the vertex of an element, with colour and texture coordinates. If the cached vertex is a corner of
+/// the current primitive, it is copied, since another index may have brought it.
 template <class M, class L>
 SPANGLE_INLINE typename Pipeline<M, L>::Vertex&
 Pipeline<M, L>::general_element(Context& context, const ElementReader& reader, std::uint32_t index) {
@@ -231,9 +237,9 @@ Pipeline<M, L>::general_element(Context& context, const ElementReader& reader, s
     return v;
 }
 
-/// The vertex of an element where arrays are is_common(), with coordinates of is_common_texture() if
+/// Returns the vertex of an element of is_common() arrays, with coordinates of is_common_texture() if
 /// `textured`. Unlit vertices take the current colour, which all vertices with this `cache_epoch` share. For
-/// a new vertex `place` says where it is stored, and `finish` does the work of process_common().
+/// a new vertex, `place` returns where to store it, and `finish` does the work of process_common().
 template <class M, class L>
 template <class Place, class Finish>
 SPANGLE_INLINE typename Pipeline<M, L>::Vertex&
@@ -274,10 +280,10 @@ template <class M, class L> void Pipeline<M, L>::read_texture(const std::uint8_t
     M::set_texture(transforms_, given, 0, v.window);
 }
 
-/// Three coordinates of a vertex are those in an array.
+/// True if three coordinates of a vertex equal those in an array.
 template <class M, class L>
 SPANGLE_INLINE bool Pipeline<M, L>::equal(const Real* v, const std::uint8_t* words) {
-    if (v[0].bits != ArrayReader::word(words, 0)) // most different vertices differ in x
+    if (v[0].bits != ArrayReader::word(words, 0)) // most vertices that differ do so in x
         return false;
     return ((v[1].bits ^ ArrayReader::word(words, 1)) | (v[2].bits ^ ArrayReader::word(words, 2))) == 0;
 }
@@ -294,14 +300,15 @@ SPANGLE_INLINE void Pipeline<M, L>::add_unprojected(Pending& p, Vertex& v, const
     p.projections.add(p.unprojected_count++, transforms_, v.position, v.window, has_fog());
 }
 
-/// Draws lines of elements, several at a time. Each step, transform, division and set-up in the rasterizer,
-/// takes all of them, so that no operation waits for another's result.
+/// Draws lines of elements in batches. Each step (transform, division, set-up in the rasterizer) processes a
+/// whole batch, so that no operation waits for the result of another.
 template <class M, class L>
 template <class I>
 void Pipeline<M, L>::draw_lines_of_elements(const ElementReader& reader, std::uint32_t count, const I indices,
                                             bool normals) {
     Pending lines;
-    int held = 0; // lines.count, which is only set for draw_pending(): this may stay in a register
+    // A copy of lines.count that may stay in a register; lines.count is set only for draw_pending().
+    int held = 0;
     const auto draw = [&] {
         lines.count = held;
         draw_pending(lines);
@@ -312,11 +319,12 @@ void Pipeline<M, L>::draw_lines_of_elements(const ElementReader& reader, std::ui
             draw();
         if ((cached.flags & is_pending) == 0) [[likely]]
             return cached;
-        return lines.vertex[0] == &vertex_slot_[0] ? vertex_slot_[1]
-                                                   : vertex_slot_[0]; // the vertex left over lies in `cached`
+        // The vertex that draw() left over is in `cached`, so that the new vertex takes a slot.
+        return lines.vertex[0] == &vertex_slot_[0] ? vertex_slot_[1] : vertex_slot_[0];
     };
     const auto begin = [&](Vertex& v, const std::uint8_t* words) {
-        if constexpr (numeric::cheap_branches) // where branches are cheap, a batch gains nothing
+        // A batch gains nothing where branches are cheap.
+        if constexpr (numeric::cheap_branches)
             return process_common(v, words);
         add_unprojected(lines, v, words);
     };
@@ -337,14 +345,14 @@ void Pipeline<M, L>::draw_lines_of_elements(const ElementReader& reader, std::ui
     if (held == 0)
         return;
     lines.vertex[0]->flags &= ~is_pending;
-    if (mode_ == GL_LINE_LOOP && count > 1) { // end() closes the loop
+    if (mode_ == GL_LINE_LOOP && count > 1) { // end() draws the line that closes the loop
         corner_[0] = &vertex_slot_[2];
         corner_[1] = lines.vertex[0];
         corner_count_ = 2;
     }
 }
 
-/// Draws lines of elements, with a loop of its own for aligned indices of 16 bits.
+/// Draws lines of elements. Aligned indices of 16 bits have a loop of their own.
 template <class M, class L>
 inline void Pipeline<M, L>::draw_line_elements(const ElementReader& reader, std::uint32_t count,
                                                const Indices& indices, bool normals) {
@@ -359,7 +367,7 @@ inline void Pipeline<M, L>::draw_line_elements(const ElementReader& reader, std:
     lines(indices);
 }
 
-/// Draws a triangle strip of elements, with a loop of its own for aligned indices of 16 bits.
+/// Draws a triangle strip of elements. Aligned indices of 16 bits have a loop of their own.
 template <class M, class L>
 inline void Pipeline<M, L>::draw_strip_elements(const ElementReader& reader, std::uint32_t count,
                                                 const Indices& indices, bool normals, bool textured) {
@@ -374,14 +382,14 @@ inline void Pipeline<M, L>::draw_strip_elements(const ElementReader& reader, std
     strip(indices);
 }
 
-/// Draws a triangle strip, a batch of vertices at a time and then their triangles: window positions are known
-/// long before the test for facing needs them.
+/// Draws a triangle strip in batches: first all vertices of a batch, then their triangles. The window
+/// positions are known long before the facing test needs them.
 template <class M, class L>
 template <class I>
 void Pipeline<M, L>::draw_strip_batches(const ElementReader& reader, std::uint32_t count, const I indices,
                                         bool normals, bool textured) {
     Pending corners;
-    int held = 0; // corners.count, in a register
+    int held = 0; // a copy of corners.count that may stay in a register
     std::uint32_t first = 0;
     const auto draw = [&] {
         corners.count = held;
@@ -396,7 +404,7 @@ void Pipeline<M, L>::draw_strip_batches(const ElementReader& reader, std::uint32
         Vertex* v = &cached;
         for (Vertex* slot = vertex_slot_; taken() && (v == corners.vertex[0] || v == corners.vertex[1]);
              ++slot)
-            v = slot; // one of the two vertices left over lies there
+            v = slot; // v is one of the two vertices that draw() left over
         return *v;
     };
     const auto begin = [&](Vertex& v, const std::uint8_t* words) { add_unprojected(corners, v, words); };
@@ -413,19 +421,20 @@ void Pipeline<M, L>::draw_strip_batches(const ElementReader& reader, std::uint32
     release_drawn(corners, 0);
 }
 
-/// Draws the triangles of the pending vertices, the first of which is number `first` of the strip. The last
-/// two vertices stay pending.
+/// Draws the triangles of the pending vertices. `first` is the number of the first pending vertex within the
+/// strip. The last two vertices stay pending.
 template <class M, class L> void Pipeline<M, L>::draw_strip(Pending& p, std::uint32_t first) {
     divide(p);
     for (int i = 2; i < p.count; ++i) {
-        const bool even = ((first + static_cast<std::uint32_t>(i)) & 1) == 0; // all triangles face one way
+        // Odd triangles swap two corners, so that all triangles have the same winding.
+        const bool even = ((first + static_cast<std::uint32_t>(i)) & 1) == 0;
         draw_common_triangle(*p.vertex[even ? i - 2 : i - 1], *p.vertex[even ? i - 1 : i - 2], *p.vertex[i],
                              false);
     }
     release_drawn(p, p.count < 2 ? p.count : 2);
 }
 
-/// Lets go of all pending vertices but the last `left`, which the next primitive starts from.
+/// Releases all pending vertices except the last `left`, which the next primitive starts from.
 template <class M, class L> inline void Pipeline<M, L>::release_drawn(Pending& p, int left) {
     for (int i = 0; i < p.count - left; ++i)
         p.vertex[i]->flags &= ~is_pending;
@@ -436,15 +445,16 @@ template <class M, class L> inline void Pipeline<M, L>::release_drawn(Pending& p
     p.count = left;
 }
 
-/// Draws a triangle strip, vertex by vertex. The addresses of its last two vertices stay in registers.
+/// Draws a triangle strip vertex by vertex. The addresses of its last two vertices stay in registers.
 template <class M, class L>
 template <class I>
 void Pipeline<M, L>::draw_strip_of_elements(const ElementReader& reader, std::uint32_t count, const I indices,
                                             bool normals, bool textured) {
-    Vertex *even = nullptr, *odd = nullptr; // the last two vertices: in this order all triangles face one way
+    // The last two vertices, ordered so that all triangles have the same winding.
+    Vertex *even = nullptr, *odd = nullptr;
     const auto place = [&](Vertex& cached) -> Vertex& {
         Vertex* v = &cached;
-        for (Vertex* slot = vertex_slot_; v == even || v == odd; ++slot) // of three, one is free
+        for (Vertex* slot = vertex_slot_; v == even || v == odd; ++slot) // one of three slots is free
             v = slot;
         return *v;
     };
@@ -458,7 +468,7 @@ void Pipeline<M, L>::draw_strip_of_elements(const ElementReader& reader, std::ui
     }
 }
 
-/// Divides the fresh vertices by w.
+/// Divides the fresh vertices of a Pending by w.
 template <class M, class L> inline void Pipeline<M, L>::divide(Pending& lines) {
     lines.projections.finish(lines.unprojected_count);
     for (int i = 0; i < lines.unprojected_count; ++i) {
@@ -471,8 +481,8 @@ template <class M, class L> inline void Pipeline<M, L>::divide(Pending& lines) {
     lines.unprojected_count = 0;
 }
 
-/// Draws the pending lines and lets go of their vertices. The last vertex stays if the next line starts from
-/// it.
+/// Draws the pending lines and releases their vertices. The last vertex stays pending if the next line starts
+/// from it.
 template <class M, class L> void Pipeline<M, L>::draw_pending(Pending& p) {
     divide(p);
     const int step = mode_ == GL_LINES ? 2 : 1, left = step == 2 ? p.count & 1 : p.count != 0 ? 1 : 0;
@@ -484,18 +494,19 @@ template <class M, class L> void Pipeline<M, L>::draw_pending(Pending& p) {
     release_drawn(p, left);
 }
 
-/// The place for a new vertex whose place in the cache is `cached`.
+/// Returns the place of a new vertex: `cached`, its place in the cache, unless a corner of the current
+/// primitive is there.
 template <class M, class L>
 SPANGLE_INLINE typename Pipeline<M, L>::Vertex& Pipeline<M, L>::slot_for_vertex(Vertex& cached) {
     Vertex* v = &cached;
     for (int i = 0; i < corner_count_; ++i)
         if (corner_[i] == v)
-            v = free_slot(); // a corner of the primitive at hand lies there
+            v = free_slot();
     v->cache_epoch = cache_epoch_;
     return *v;
 }
 
-/// A slot in which none of the corners of the primitive at hand lies. At most three of the four are taken.
+/// Returns a slot that holds no corner of the current primitive. At most three of the four slots hold one.
 template <class M, class L> typename Pipeline<M, L>::Vertex* Pipeline<M, L>::free_slot() {
     for (Vertex& v : vertex_slot_) {
         bool held = false;

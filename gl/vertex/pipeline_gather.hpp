@@ -1,6 +1,6 @@
-// Gathers the vertices of POLYGONs that must be drawn as a whole, at their end. A polygon that is fed back is
-// one polygon (GL 1.3, 5.3). An antialiased polygon covers a pixel once, not by the triangles of a fan
-// (3.5.3).
+// Gathers the vertices of POLYGONs that must be drawn as a whole, when they end. Feedback reports a POLYGON
+// as one polygon (GL 1.3, 5.3). An antialiased polygon must cover a pixel once, not once for each triangle of
+// a fan (GL 1.3, 3.5.3).
 #pragma once
 
 #include <new>
@@ -10,13 +10,13 @@
 
 namespace spangle::gl {
 
-/// Polygons are gathered in the current modes.
+/// True if the current modes gather polygons.
 template <class M, class L> inline bool Pipeline<M, L>::gathers_polygons() const {
     return is_capturing() ? SPANGLE_FEATURE_FEEDBACK && context_->render.mode == GL_FEEDBACK
                           : SPANGLE_FEATURE_ANTIALIASING && has_smooth_polygons_;
 }
 
-/// The polygon at hand was gathered.
+/// True if the current polygon was gathered.
 template <class M, class L> inline bool Pipeline<M, L>::has_gathered() const {
 #if SPANGLE_GATHERS_POLYGONS
     return gathered_count_ != 0;
@@ -25,7 +25,8 @@ template <class M, class L> inline bool Pipeline<M, L>::has_gathered() const {
 #endif
 }
 
-/// Adds a vertex to the gathered polygon. Its room in the arena doubles when it is full.
+/// Adds a vertex to the gathered polygon. When the array in the arena is full, one of twice the size replaces
+/// it.
 template <class M, class L> void Pipeline<M, L>::gather([[maybe_unused]] Vertex& v) {
     corner_count_ = 0;
 #if SPANGLE_GATHERS_POLYGONS
@@ -72,7 +73,8 @@ template <class M, class L> void Pipeline<M, L>::draw_gathered() {
 #endif
 }
 
-/// Clips the gathered polygon and draws what is left. `work` has room for 2 * `room` corners.
+/// Clips the gathered polygon and draws what is left. `work` has room for 2 * `room` corners, and `part` for
+/// `room` areas.
 template <class M, class L>
 inline void Pipeline<M, L>::clip_gathered([[maybe_unused]] Vertex** work, [[maybe_unused]] int room,
                                           [[maybe_unused]] std::int64_t* part) {

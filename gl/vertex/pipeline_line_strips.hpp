@@ -1,6 +1,6 @@
-// Draws strips of lines in one colour, in builds with a small vertex cache. Only the window positions of
-// their vertices count, and the cache would forget a vertex before another strip asks for it. So the vertices
-// are neither looked up nor kept.
+// Draws line strips of one colour, in builds with a small vertex cache. Such a strip needs only the window
+// positions of its vertices. A small cache would forget a vertex before another strip asks for it, so
+// vertices bypass the cache.
 #pragma once
 
 #include "gl/vertex/pipeline.hpp"
@@ -9,13 +9,15 @@
 
 namespace spangle::gl {
 
-/// The lines of this draw have one colour, no plane of the user cuts them, and no mode changes their drawing.
+/// True if all lines of this draw have one colour, no user plane clips them, and no mode changes how they are
+/// drawn.
 template <class M, class L> inline bool Pipeline<M, L>::draws_places() const {
     return mode_ == GL_LINE_STRIP && !is_lit_ && !has_fog_ && units_ == 0 && !planes_.any() &&
            !has_special_lines();
 }
 
-/// Draws a line strip. Where lines are not seen whole, a batch of them goes through draw_lines_of_elements().
+/// Draws a line strip. Where a line is not completely visible, draw_lines_of_elements() draws a batch of
+/// lines.
 template <class M, class L>
 template <class I>
 void Pipeline<M, L>::draw_line_strip(const ElementReader& reader, std::uint32_t count, const I indices) {
@@ -33,17 +35,18 @@ void Pipeline<M, L>::draw_line_strip(const ElementReader& reader, std::uint32_t 
     }
 }
 
-/// Draws lines up to the first element that is not seen. Returns the number of the last element that is seen:
-/// the lines from there on are not drawn.
+/// Draws lines up to the first element that is not inside of `area`. Returns the index of the last element
+/// inside, from which the caller goes on.
 template <class M, class L>
 template <class I>
 std::uint32_t Pipeline<M, L>::draw_visible_strip(const ElementReader& reader, std::uint32_t count,
                                                  const I indices, const raster::DrawState::Area& area) const {
     const raster::DrawState::Area where = area;
-    // Instructions with two operands have little room for offsets: there the address is a value of its own.
+    // Instructions with two operands have little room for offsets. On such processors the address is a value
+    // of its own.
     const typename M::Transforms* const transforms =
         numeric::three_operands ? &transforms_ : numeric::factor32(&transforms_);
-    numeric::LeadingZeros<> zeros; // leading zeros of w
+    numeric::LeadingZeros<> zeros; // count of leading zeros of w
     raster::LineEnd ends[line_batch + 1], *end = ends;
     const auto draw = [&] {
         if (end - ends < 2)
@@ -61,7 +64,7 @@ std::uint32_t Pipeline<M, L>::draw_visible_strip(const ElementReader& reader, st
                         numeric::one},
                        where, *end, zeros);
     };
-    std::uint32_t i = 0; // `end` is the place for element i
+    std::uint32_t i = 0; // `end` is where element i goes
     for (bool all = true; all && i < count;) {
         const auto room = static_cast<std::uint32_t>(ends + line_batch + 1 - end);
         const raster::LineEnd* const last = end + (count - i < room ? count - i : room);

@@ -1,5 +1,5 @@
-// Draws points that are more than squares of whole pixels: discs of samples, antialiased points, sprites, and
-// points whose size follows their distance (GL 1.3, 3.3; GL 1.4 and 2.0, 3.3).
+// Draws points that are more than squares of whole pixels: multisampled and antialiased points, sprites, and
+// points whose size depends on their distance (GL 1.3, 3.3; GL 1.4, 3.3; GL 2.0, 3.3).
 #pragma once
 
 #include "gl/vertex/pipeline.hpp"
@@ -37,8 +37,8 @@ void Pipeline<M, L>::draw_special_point([[maybe_unused]] const Vertex& v, const 
 
 #if SPANGLE_FEATURE_POINT_PARAMETERS
 
-/// The size of a point: size sqrt(1 / (a + b d + c d^2)), clamped; d is the distance from the eye (GL 1.4,
-/// 3.3).
+/// Returns the size of a point: size sqrt(1 / (a + b d + c d^2)), clamped to the minimum and maximum size. a,
+/// b and c are the attenuation factors, and d is the distance from the eye (GL 1.4, 3.3).
 template <class M, class L> Real Pipeline<M, L>::attenuated_size(const Vertex& v) const {
     const PolygonState& p = context_->polygon;
     const auto& [a, b, c] = p.point_attenuation;
@@ -60,8 +60,8 @@ template <class M, class L> Real Pipeline<M, L>::attenuated_size(const Vertex& v
     return p.point_size_max < size ? p.point_size_max : size;
 }
 
-/// The size of a point, at least the fade threshold. Alpha of a smaller point is scaled by the ratio of the
-/// areas (GL 1.4, 3.3).
+/// Returns the size of a point, raised to the fade threshold. The alpha of a point below the threshold is
+/// scaled by the ratio of the areas (GL 1.4, 3.3).
 template <class M, class L> Real Pipeline<M, L>::fade_point(Real size, Window& point) const {
     const Real threshold = context_->polygon.point_fade_threshold;
     if (!(size < threshold))
@@ -71,8 +71,8 @@ template <class M, class L> Real Pipeline<M, L>::fade_point(Real size, Window& p
     return threshold;
 }
 
-/// Draws a square around the point. In units that replace coordinates, s and t run from 0 to 1 over the
-/// square (GL 2.0, 3.3). `eighths`: its side in eighths of a pixel.
+/// Draws a square around the point. For texture units with COORD_REPLACE, s and t run from 0 to 1 across the
+/// square (GL 2.0, 3.3). `eighths` is the side of the square in eighths of a pixel.
 template <class M, class L>
 void Pipeline<M, L>::draw_sprite(const raster::Surface& target, const Window& point, std::int32_t eighths) {
     const PolygonState& polygon = context_->polygon;

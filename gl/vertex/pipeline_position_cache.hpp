@@ -1,6 +1,6 @@
-// Keeps vertices given by themselves, in Begin/End or lists. Models give most positions several times, with
-// another normal or for the next face, and the window position is not computed again. The cache finds
-// elements by index and these vertices by position, in the same memory.
+// Keeps the window positions of vertices that Vertex commands give, in Begin/End or in lists. Models give
+// most positions several times, with another normal or for the next face. Such a position is transformed
+// once. The same memory caches elements of arrays by index at other times; see VertexCache.
 #pragma once
 
 #include "gl/vertex/pipeline.hpp"
@@ -9,14 +9,14 @@
 
 namespace spangle::gl {
 
-/// Empties the cache; from now on it keeps vertices given by themselves.
+/// Empties the cache and switches it to positions of Vertex commands.
 template <class M, class L> void Pipeline<M, L>::cache_positions() {
     for (CachedPosition& p : vertex_cache_.cached_position)
         new (&p) CachedPosition;
     caches_positions_ = true;
 }
 
-/// From now on the cache keeps elements. Only the part that held vertices given by themselves is emptied.
+/// Switches the cache to elements of arrays. Only the part that held positions is emptied.
 template <class M, class L> void Pipeline<M, L>::cache_elements() {
     const std::size_t lost =
         caches_window_positions && caches_positions_ ? cached_position_overlap : first_vertices;
@@ -25,7 +25,7 @@ template <class M, class L> void Pipeline<M, L>::cache_elements() {
     caches_positions_ = false;
 }
 
-/// Empties the cache, since cache_epoch_ starts again and old vertices would look valid.
+/// Empties the cache when cache_epoch_ wraps around to 0. Otherwise, old vertices would look valid.
 template <class M, class L> void Pipeline<M, L>::clear_cache() {
     if (caches_window_positions && caches_positions_)
         cache_positions();
@@ -36,16 +36,16 @@ template <class M, class L> void Pipeline<M, L>::clear_cache() {
             new (&grown_cache_.elements[i]) Vertex;
 }
 
-/// A place in the cache for a position. Positions are much alike: short fractions, a constant z, points and
-/// their mirror images.
+/// Returns the index of a position in the cache. The hash separates positions that are much alike: short
+/// fractions, a constant z, points and their mirror images.
 template <class M, class L> inline std::uint32_t Pipeline<M, L>::cached_position_index(const Real* position) {
     const std::uint32_t y = position[1].bits;
     const std::uint32_t mixed = position[0].bits + (y << 3) + (y >> 7) + (position[2].bits >> 1);
     return mixed * 0x9E3779B1u >> (32 - std::countr_zero(cached_position_count));
 }
 
-/// Does the work of transform_vertex(); a position that was given before gets the window position kept for
-/// it. A few vertices between draws of elements do not empty the cache of elements.
+/// Does the work of transform_vertex(), or copies the window position that the cache keeps for an equal
+/// position. A few vertices between draws of elements do not empty the cache of elements.
 template <class M, class L> void Pipeline<M, L>::transform_with_cache(Vertex& v) {
     if (!caches_positions_) {
         if (++immediate_count_ < cached_position_count) [[unlikely]]

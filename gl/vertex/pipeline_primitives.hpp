@@ -1,4 +1,5 @@
-// Draws points, lines and polygons: tests whether they are seen, clips, culls and colours them.
+// Draws points, lines and polygons: rejects primitives that are not visible, then clips, culls and colours
+// them.
 #pragma once
 
 #include "gl/vertex/pipeline.hpp"
@@ -35,8 +36,8 @@ inline void Pipeline<M, L>::draw_line(const Vertex& a, const Window& at_a, const
     raster::draw_line(*state_, context_->drawable.surface, at_a, at_b, provoking, line_width_);
 }
 
-/// Draws a line that is stippled, antialiased, or drawn to samples. The stipple starts anew with each
-/// primitive and each line of LINES (GL 1.3, 3.4.2).
+/// Draws a line that is stippled, antialiased or multisampled. The stipple starts anew with each primitive,
+/// and with each line of LINES (GL 1.3, 3.4.2).
 template <class M, class L>
 void Pipeline<M, L>::draw_special_line(const Window& a, const Window& b, const Window& provoking) {
     if (restarts_stipple_)
@@ -76,8 +77,8 @@ template <class M, class L> inline void Pipeline<M, L>::line(Vertex& a, Vertex& 
     lines(ends, 2, 1, false);
 }
 
-/// Draws lines between vertices i and i + 1, for i = 0, step, 2 step, ... `one_color`: all vertices are known
-/// to have the same colour.
+/// Draws lines between vertices i and i + 1, for i = 0, step, 2 step and so on. `one_color` says that all
+/// vertices have the same colour.
 template <class M, class L>
 void Pipeline<M, L>::lines(Vertex* const* vertex, int n, int step, bool one_color) {
     unsigned any = 0;
@@ -103,7 +104,7 @@ void Pipeline<M, L>::lines(Vertex* const* vertex, int n, int step, bool one_colo
                           line_width_);
 }
 
-/// Draws a line that may be outside of the view volume.
+/// Draws a line that may lie outside of the view volume.
 template <class M, class L> void Pipeline<M, L>::draw_visible_line(Vertex& a, Vertex& b) {
     if ((a.flags & b.flags & outside_mask) != 0)
         return;
@@ -113,7 +114,7 @@ template <class M, class L> void Pipeline<M, L>::draw_visible_line(Vertex& a, Ve
     clip_and_draw_line(a, b);
 }
 
-/// Draws a line that may be beyond a plane, or whose ends may have no window coordinates yet.
+/// Clips and draws a line. Its ends may have no window coordinates yet.
 template <class M, class L> void Pipeline<M, L>::clip_and_draw_line(Vertex& a, Vertex& b) {
     Vertex* ends[2] = {&a, &b};
     if (refuse_clipping(a.flags | b.flags))
@@ -133,7 +134,7 @@ inline std::int64_t Pipeline<M, L>::area_of(const Window& a, const Window& b, co
     return raster::signed_area(at_a.x, at_a.y, at_b.x, at_b.y, at_c.x, at_c.y);
 }
 
-/// Twice the signed area of a polygon whose corners have window coordinates.
+/// Returns twice the signed area of a polygon whose corners have window coordinates.
 template <class M, class L> inline std::int64_t Pipeline<M, L>::area_of(Vertex* const* corners, int n) {
     std::int64_t area = 0;
     for (int i = 1; i + 1 < n; ++i)
@@ -141,8 +142,8 @@ template <class M, class L> inline std::int64_t Pipeline<M, L>::area_of(Vertex* 
     return area;
 }
 
-/// A callback draws this band, and no part of a filled triangle or quad lies in its rows: its colours need
-/// not be computed.
+/// True if a callback draws bands, and all corners of a filled triangle or quad are below or above the
+/// current band. The colours of such corners need not be computed.
 template <class M, class L>
 template <class... V>
 inline bool Pipeline<M, L>::is_outside_rows([[maybe_unused]] const V&... corner) const {
@@ -159,8 +160,8 @@ inline bool Pipeline<M, L>::is_outside_rows([[maybe_unused]] const V&... corner)
     }
 }
 
-/// Draws a triangle whose last corner is the provoking vertex. If it must be clipped or lit from behind,
-/// polygon() draws it.
+/// Draws a triangle whose last corner is the provoking vertex. polygon() draws triangles that need clipping
+/// or two-sided lighting.
 template <class M, class L> void Pipeline<M, L>::triangle(Vertex& a, Vertex& b, Vertex& c) {
     draw_common_triangle(a, b, c, needs_polygon_path());
 }
@@ -189,7 +190,7 @@ SPANGLE_INLINE void Pipeline<M, L>::draw_common_triangle(Vertex& a, Vertex& b, V
     raster::draw_triangle(*state_, context_->drawable.surface, a.window, b.window, c.window, c.window, area);
 }
 
-/// Draws a quad as two triangles, which both face the way of the whole quad.
+/// Draws a quad as two triangles. The area of the whole quad decides which way both triangles face.
 template <class M, class L>
 void Pipeline<M, L>::draw_quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& provoking) {
     if constexpr (!has_polygons)
@@ -242,15 +243,16 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
             return;
         planes |= any_user << user_shift;
     }
-    union { // used one after the other: stacks are small
+    // The two arrays are used one after the other. They share memory, since stacks are small.
+    union {
         std::int64_t part[clip_vertices];
         Vertex* scratch[clip_vertices];
     };
     std::int64_t whole = 0;
 #if SPANGLE_CLIPPING
     Vertex* clipped[clip_vertices];
-    // A quad that is clipped is divided by the same diagonal as a whole one, so that its colours do not move
-    // while it leaves the view volume.
+    // A clipped quad is divided by the same diagonal as a whole one. Its colours therefore do not move while
+    // it leaves the view volume.
     if (planes != 0 && n == 4 && !is_drawn_whole()) {
         Vertex* const first[3] = {corners[0], corners[1], corners[2]};
         Vertex* const second[3] = {corners[0], corners[2], corners[3]};
@@ -263,8 +265,9 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
                 color_back(*corners[i]);
         for (int i = 0; i < n; ++i)
             clipped[i] = &to_clip_vertex(*corners[i], clipped_vertex_[i]);
-        // A sliver that snapping turns over covers pixels that the rest of the polygon, or its part beyond
-        // the plane, draws as well. draw_visible() drops it by the sign of the whole polygon's area.
+        // Snapping may turn over a sliver. Its pixels are drawn by the rest of the polygon, or by the
+        // polygon's part beyond the plane. draw_visible() drops the sliver, because its area has not the sign
+        // of the whole polygon's area.
         if (planes >> user_shift != 0 && (any & (beyond_mask | unprojected)) == 0)
             whole = area_of(corners, n);
         n = clip_polygon(clipped, scratch, clip_vertices, n, planes);
@@ -276,11 +279,11 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
     draw_visible(corners, n, provoking, part, whole);
 }
 
-/// Culls, colours and draws a polygon that was clipped.
+/// Culls, colours and draws a clipped polygon.
 template <class M, class L>
 inline void Pipeline<M, L>::draw_visible(Vertex* const* corners, int n, Vertex& provoking, std::int64_t* part,
                                          std::int64_t whole) {
-    std::int64_t area = 0; // `part[i]` is that of triangle 0, i, i + 1
+    std::int64_t area = 0; // `part[i]` is the area of triangle (0, i, i + 1)
     for (int i = 0; i < n; ++i)
         if ((corners[i]->flags & unprojected) != 0 && !project(*corners[i]))
             return;
@@ -305,7 +308,7 @@ inline void Pipeline<M, L>::draw_visible(Vertex* const* corners, int n, Vertex& 
     draw({corners}, n, provoking.window, ccw == front_is_ccw_ ? 0 : 1, part);
 }
 
-/// Draws a polygon in the polygon mode of its side. at(i) is the window vertex of corner i, coloured.
+/// Draws a polygon in the polygon mode of its side. at(i) is the coloured window vertex of corner i.
 template <class M, class L>
 SPANGLE_INLINE void Pipeline<M, L>::draw(const VisibleFace& at, int n, const Window& provoking, int side,
                                          const std::int64_t* part) {
@@ -327,7 +330,7 @@ SPANGLE_INLINE void Pipeline<M, L>::draw(const VisibleFace& at, int n, const Win
                                   part[i]);
 }
 
-/// Fills a polygon that is antialiased or drawn to samples.
+/// Fills a polygon that is antialiased or multisampled.
 template <class M, class L>
 void Pipeline<M, L>::fill_whole_polygon(const VisibleFace& at, int n, const Window& provoking,
                                         const std::int64_t* part) {
@@ -342,15 +345,15 @@ void Pipeline<M, L>::fill_whole_polygon(const VisibleFace& at, int n, const Wind
     fill_polygon(corner, n, provoking, part);
 }
 
-/// Fills the polygon with these corners. An antialiased one is drawn as a whole, since triangles of a fan
-/// would each cover a part of the pixels on their common edges.
+/// Fills the polygon with the given corners. An antialiased polygon is drawn as a whole, because two
+/// triangles of a fan would both cover parts of the pixels on their common edge.
 template <class M, class L>
 void Pipeline<M, L>::fill_polygon(const Window* const* corner, int n, const Window& provoking,
                                   const std::int64_t* part) {
     Window moved[clip_vertices];
     each_primitive_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
 #if SPANGLE_FEATURE_ANTIALIASING
-        if (has_smooth_polygons_) // only without multisampling, so never shifted
+        if (has_smooth_polygons_) // never shifted, since POLYGON_SMOOTH has no effect under multisampling
             return raster::draw_smooth_polygon(*state_, target, context_->fragments.primitive, corner, n,
                                                provoking);
 #endif
@@ -362,8 +365,8 @@ void Pipeline<M, L>::fill_polygon(const Window* const* corner, int n, const Wind
     });
 }
 
-/// Sets the depth offset that all fragments of a polygon get. Where its triangles lie in different planes,
-/// the largest one decides.
+/// Sets the depth offset of all fragments of a polygon. If its triangles lie in different planes, the largest
+/// triangle decides.
 template <class M, class L>
 void Pipeline<M, L>::set_offset(const VisibleFace& at, int n, GLenum mode, const std::int64_t* part) {
     const PolygonState& polygon = context_->polygon;
@@ -386,8 +389,8 @@ void Pipeline<M, L>::set_offset(const VisibleFace& at, int n, GLenum mode, const
 template <class M, class L>
 void Pipeline<M, L>::outline(const VisibleFace& at, int n, const Window& provoking, GLenum mode) {
     Vertex* const* const corners = at.corners;
-    restarts_stipple_ =
-        restarts_stipple_ || mode_ != GL_POLYGON; // those come in parts, and the stipple goes on
+    // A POLYGON is drawn in several parts, and its stipple continues from part to part.
+    restarts_stipple_ = restarts_stipple_ || mode_ != GL_POLYGON;
     context_->fragments.primitive.stippled = false;
     for (int i = first_corner(n), next = 0, left = n; left > 0; i = next, --left) {
         next = i + 1 < n ? i + 1 : 0;
@@ -405,15 +408,15 @@ void Pipeline<M, L>::outline(const VisibleFace& at, int n, const Window& provoki
     context_->fragments.primitive.stippled = true;
 }
 
-/// Draws a polygon whose back is seen: lit with the back material and turned normals (GL 1.3, 2.13.1). A
-/// vertex that clipping made is lit from its mixed normal and position, or has a mixed colour if materials
-/// changed.
+/// Draws a polygon whose back is visible, lit with the back material and reversed normals (GL 1.3, 2.13.1). A
+/// vertex that clipping made is lit from its mixed normal and position. If the material changed within the
+/// primitive, the back colours are mixed instead.
 template <class M, class L>
 void Pipeline<M, L>::draw_back(Vertex* const* corners, int n, const Vertex& provoking,
                                const std::int64_t* part) {
     Window flat = provoking.window;
     light_back(provoking, flat);
-    if (has_gathered()) { // nobody else has these corners: they can be overwritten
+    if (has_gathered()) { // nobody else uses gathered corners, so they can be overwritten
         for (int i = 0; i < n; ++i)
             light_back(*corners[i], corners[i]->window);
         return draw({corners}, n, flat, 1, part);

@@ -1,5 +1,5 @@
-// Reports how far a program goes in the ranges of a profile: to the recorder of profiles, and in builds that
-// check the recorded ranges.
+// Reports the values that a program reaches, such as the largest point size. They go to the recorder of
+// profiles, and to builds that check the ranges of a recorded profile.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ template <class M, class L> void Pipeline<M, L>::record_draw_reach() const {
         tell(Range::LINE_WIDTH, rounded_size(context.polygon.line_width));
 }
 
-/// Reports the position and texture coordinates of a vertex, and whether they need a division.
+/// Reports the range of a vertex's position and texture coordinates, and whether they need a division.
 template <class M, class L>
 void Pipeline<M, L>::record_vertex_reach(const CurrentState& current, const Vertex& v) const {
     Context& context = *context_;
@@ -44,12 +44,12 @@ void Pipeline<M, L>::record_vertex_reach(const CurrentState& current, const Vert
             reach(context, Range::TEXTURE_BITS, bits_before_point(strq[c]));
         divides = divides || !(strq[3] == numeric::one);
     }
-    if constexpr (raster::has_perspective) // else a division is an error, reported elsewhere
+    if constexpr (raster::has_perspective) // else a division is an error, which is reported elsewhere
         reach(context, Range::PERSPECTIVE, divides ? 1 : 0);
 }
 
-/// Reports a primitive that the view volume cuts, which a build without SPANGLE_CLIPPING would refuse.
-/// `flags`: of all corners together.
+/// Reports a primitive that needs clipping, which a build without SPANGLE_CLIPPING refuses. `flags` is the
+/// union of the flags of all corners.
 template <class M, class L> inline void Pipeline<M, L>::record_clip_reach(unsigned flags) const {
     if ((flags & (beyond_mask | unprojected)) != 0 || clip_planes(flags) != 0)
         reach(*context_, Range::CUTS, 1);

@@ -1,4 +1,4 @@
-// Processes one vertex: its window position, its attributes and its colour.
+// Processes one vertex: computes its window position, its attributes and its colour.
 #pragma once
 
 #include "gl/vertex/pipeline.hpp"
@@ -29,7 +29,8 @@ inline void Pipeline<M, L>::raster_position(Context& context, const Real (&posit
         record_vertex_reach(current, v);
     if (is_lit_)
         light(v, 0, v.window);
-    if (has_color_index()) { // the framebuffer has either indices or colours: the other value stays
+    // The framebuffer has either indices or colours. The raster position's other value stays as it was.
+    if (has_color_index()) {
         if (!is_lit_)
             M::set_index(current.index, index_bits_, v.window);
         out.index = M::index_of(v.window);
@@ -57,14 +58,14 @@ template <class M, class L> inline void Pipeline<M, L>::settle_colors() {
     lighting_.materials_changed();
 }
 
-/// Computes the window position of a vertex whose position and normal are set; else, the flags say what is
-/// still to be done.
+/// Computes the window position of a vertex whose position and normal are set. If the vertex is not divided
+/// by w here, its flags say what is still to be done.
 template <class M, class L> void Pipeline<M, L>::transform_vertex(Vertex& v) const {
     divide(v);
 }
 
-/// Reads a position that is_usual() and processes the vertex: w is known to be 1, and the position stays in
-/// registers.
+/// Reads a position of is_common() arrays and processes the vertex. w is known to be 1, and the position
+/// stays in registers.
 template <class M, class L> void Pipeline<M, L>::process_common(Vertex& v, const std::uint8_t* words) const {
     read_position(words, v);
     divide(v);
@@ -86,15 +87,16 @@ SPANGLE_INLINE void Pipeline<M, L>::set_flags(Vertex& v, bool divided, unsigned 
         v.flags |= uncolored;
 }
 
-/// The flags of a vertex that was not divided. Out of line, since the loops over elements have no registers
-/// to spare for a rare case.
+/// Returns the flags of a vertex that was not divided by w. The function is not inlined, since the loops over
+/// elements have no registers to spare for a rare case.
 template <class M, class L> unsigned Pipeline<M, L>::undivided_flags(const Vertex& v) const {
-    if constexpr (!raster::has_perspective) // all vertices with w = 1 were divided: this w is another
+    // All vertices with w = 1 have been divided, so w is not 1 here.
+    if constexpr (!raster::has_perspective)
         return unprojected;
     return flags_of(M::to_clip(transforms_, v.position));
 }
 
-/// Copies the current texture coordinates to a vertex, and the current colour if it is not lit.
+/// Copies the current texture coordinates to a vertex, and the current colour if lighting is off.
 template <class M, class L>
 SPANGLE_INLINE void Pipeline<M, L>::set_attributes_of(const CurrentState& current, Vertex& v) {
     if (raster::has_textures && units_ != 0)
@@ -113,10 +115,10 @@ template <class M, class L> SPANGLE_INLINE void Pipeline<M, L>::set_unlit_color(
         M::set_secondary_color(unlit_, current.secondary_color);
     for (int c = 0; c < 4; ++c)
         unlit_color_[c] = current.color[c];
-    has_unlit_color_ = !has_color_sum_; // else a second colour would have to be compared, too
+    has_unlit_color_ = !has_color_sum_; // else the secondary colour would have to be compared, too
 }
 
-/// All four coordinates of a vertex behind the texture matrix of a unit.
+/// Returns s, t, r and q of a vertex, after the texture matrix of a unit.
 template <class M, class L>
 typename M::Eye Pipeline<M, L>::texture_of(const CurrentState& current, const Vertex& v, int unit) const {
     const Real(&take_vertex_state)[4] = current.tex_coord[unit].v;
@@ -127,7 +129,7 @@ typename M::Eye Pipeline<M, L>::texture_of(const CurrentState& current, const Ve
     return M::texture_of(transforms_, strq, unit);
 }
 
-/// The coordinates of this unit are generated, or need r besides s, t and q.
+/// True if the coordinates of a unit are generated, or if the unit needs r.
 template <class M, class L> inline bool Pipeline<M, L>::has_texgen(int unit) const {
     return (SPANGLE_FEATURE_TEXGEN || raster::has_third_coordinates) &&
            ((texgen_.units() | units_ >> third_coordinate) >> unit & 1) != 0;
@@ -158,19 +160,20 @@ template <class M, class L> void Pipeline<M, L>::set_texture_coords(const Curren
     }
 }
 
-/// The flags of a vertex with these clip coordinates, which is projected only if it is seen.
+/// Returns the flags of a vertex with the given clip coordinates. The vertex counts as unprojected, since it
+/// is projected only if it is visible.
 template <class M, class L> template <class Point> unsigned Pipeline<M, L>::flags_of(const Point& clip) {
     unsigned flags = unprojected;
     for (unsigned plane = 0; plane < 6; ++plane) {
         const int p = static_cast<int>(plane);
         flags |= M::beyond(clip, p, 1) ? 1u << plane : 0u;
-        if constexpr (has_clipping) // else it is refused by its missing projection alone
+        if constexpr (has_clipping) // without clipping, `unprojected` alone refuses the vertex
             flags |= M::beyond(clip, p, M::guard_band) ? 1u << (plane + beyond_shift) : 0u;
     }
     return flags;
 }
 
-/// Sets the colours of a vertex in `out` by lighting; side 0 is the front, 1 the back.
+/// Lights a vertex and sets its colours in `out`. `side` is 0 for the front and 1 for the back.
 template <class M, class L> void Pipeline<M, L>::light(const Vertex& v, int side, Window& out) {
 #if SPANGLE_TWO_SIDES
     if ((v.flags & is_clipped_vertex) != 0) {
@@ -184,8 +187,8 @@ template <class M, class L> void Pipeline<M, L>::light(const Vertex& v, int side
     lighting_.light(*context_, v.normal, eye, side, out);
 }
 
-/// Takes what few programs use from the current state when a vertex is given: edge flag, fog coordinate,
-/// index. If the material follows the current colour, the vertex is lit at once.
+/// Copies rarely used current state to a vertex: edge flag, fog coordinate and colour index. If the material
+/// follows the current colour, the vertex is lit at once.
 template <class M, class L> void Pipeline<M, L>::take_vertex_state(const CurrentState& current, Vertex& v) {
     if (tells_reach && is_told(*context_))
         record_vertex_reach(current, v);
@@ -205,12 +208,13 @@ template <class M, class L> void Pipeline<M, L>::take_vertex_state(const Current
     }
 }
 
-/// The planes of the user that a vertex is outside of, as bits. The vertex is not one that clipping made.
+/// Returns the user planes that a vertex is outside of; bit p stands for plane p. The vertex must not be one
+/// that clipping made.
 template <class M, class L> unsigned Pipeline<M, L>::outside(const Vertex& v) const {
     return planes_.outside(M::to_eye(transforms_, v.position));
 }
 
-/// Lights the vertex, if that is still to be done.
+/// Lights the vertex unless that has been done.
 template <class M, class L> inline void Pipeline<M, L>::color(Vertex& v) {
     if ((v.flags & uncolored) != 0)
         light(v);
@@ -225,7 +229,7 @@ template <class M, class L> void Pipeline<M, L>::light(Vertex& v) {
     v.flags &= ~uncolored;
 }
 
-/// Lights the back of a vertex of vertex_slot_ as well, before the material changes.
+/// Lights the back of a vertex of vertex_slot_, too, before the material changes.
 template <class M, class L> inline void Pipeline<M, L>::color_back([[maybe_unused]] Vertex& v) {
 #if SPANGLE_TWO_SIDES
     if (!has_two_sides_ || (v.flags & (back_known | is_clipped_vertex)) != 0)
@@ -237,7 +241,7 @@ template <class M, class L> inline void Pipeline<M, L>::color_back([[maybe_unuse
 #endif
 }
 
-/// Sets the colours of the back of a vertex in `out`.
+/// Sets the back colours of a vertex in `out`.
 template <class M, class L> inline void Pipeline<M, L>::light_back(const Vertex& v, Window& out) {
 #if SPANGLE_TWO_SIDES
     if ((v.flags & back_known) != 0)
@@ -249,11 +253,12 @@ template <class M, class L> inline void Pipeline<M, L>::light_back(const Vertex&
 }
 
 /// Sets the window coordinates of a vertex that has none yet. False: the vertex is not in front of the eye
-/// and is never drawn.
+/// and is not drawn.
 template <class M, class L> bool Pipeline<M, L>::project(Vertex& v) {
-    if (!has_clipping || (v.flags & unprojected) == 0) // builds without clipping refuse other vertices
+    // Builds without clipping refuse vertices without window coordinates.
+    if (!has_clipping || (v.flags & unprojected) == 0)
         return true;
-    // The place must be the same whether a polygon that the vertex belongs to is clipped or not.
+    // The window position must be the same whether a polygon of the vertex is clipped or not.
     const typename M::Clip clip =
         M::narrow((v.flags & is_clipped_vertex) != 0 ? static_cast<const ClippedVertex&>(v).clip
                                                      : M::clip_point(transforms_, v.position));
