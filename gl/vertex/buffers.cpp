@@ -1,4 +1,4 @@
-// Buffer objects: names, data, mapping (GL 1.5, 2.9; GL 3.0, 2.9.3).
+// Buffer objects: names, data and mapping (GL 1.5, 2.9; GL 3.0, 2.9.3).
 #include "gl/context/hooks.hpp"
 
 #if SPANGLE_FEATURE_BUFFERS
@@ -85,7 +85,7 @@ GLuint bound_buffer(const Context& context, GLenum pname) {
 
 namespace {
 
-/// The object of a name, or null.
+/// Returns the object with a name, or null.
 BufferObject* find_buffer(const Context& context, GLuint name) {
     void** const slot = context.share->buffers.find(name);
     return slot != nullptr ? static_cast<BufferObject*>(*slot) : nullptr;
@@ -97,7 +97,7 @@ BufferObject** binding_of(Context& context, GLenum target) {
     return target == GL_ELEMENT_ARRAY_BUFFER ? &context.arrays.element_buffer : nullptr;
 }
 
-/// The buffer that is bound to a target. Null: there is none, and the error is set.
+/// Returns the buffer that is bound to a target. Without one, sets the error and returns null.
 BufferObject* bound(Context& context, GLenum target) {
     BufferObject* const* const binding = binding_of(context, target);
     BufferObject* const buffer = binding != nullptr ? *binding : nullptr;
@@ -112,13 +112,13 @@ bool in_range(const BufferObject& buffer, GLintptr offset, GLsizeiptr size) {
            static_cast<std::size_t>(size) <= buffer.size - static_cast<std::size_t>(offset);
 }
 
-/// The sentence that explains a range which leaves the buffer; null where the range is right and a pointer is
-/// wrong.
+/// Returns the message for a range that exceeds the buffer. Null: the range is valid, and a null pointer is
+/// the error.
 [[maybe_unused]] const char* why_out_of_range(const BufferObject& buffer, GLintptr offset, GLsizeiptr size) {
     return in_range(buffer, offset, size) ? nullptr : SPANGLE_TEXT("offset and size leave the buffer");
 }
 
-/// Some byte of the range is mapped; the range is in_range().
+/// True if a byte of the range is mapped. The range must be in_range().
 bool is_mapped(const BufferObject& buffer, GLintptr offset, GLsizeiptr size) {
     const auto begin = static_cast<std::size_t>(offset), end = begin + static_cast<std::size_t>(size);
     const std::size_t map_end = buffer.map_offset + buffer.map_length;
@@ -126,18 +126,19 @@ bool is_mapped(const BufferObject& buffer, GLintptr offset, GLsizeiptr size) {
            (begin > buffer.map_offset ? begin : buffer.map_offset) < (end < map_end ? end : map_end);
 }
 
-/// The sentence that explains why a buffer cannot be mapped.
+/// Returns the message that says why a buffer cannot be mapped.
 [[maybe_unused]] const char* why_not_mapped(const BufferObject& buffer) {
     return buffer.mapped             ? SPANGLE_TEXT("the buffer is mapped already")
            : buffer.bytes == nullptr ? SPANGLE_TEXT("the buffer has no data")
                                      : SPANGLE_TEXT("constant memory is mapped for reading only");
 }
 
-bool is_usage(GLenum usage) { // tokens: STREAM, STATIC, DYNAMIC, 4 apart, each with DRAW, READ, COPY
+// The tokens of STREAM, STATIC and DYNAMIC are 4 apart, each followed by DRAW, READ and COPY.
+bool is_usage(GLenum usage) {
     return usage >= GL_STREAM_DRAW && usage <= GL_DYNAMIC_COPY && (usage & 3) != 3;
 }
 
-/// Frees the data store of the buffer and gives it a new one, which is not mapped.
+/// Frees the data store of a buffer and sets a new one, which is not mapped.
 void replace(Context& context, BufferObject& buffer, std::uint8_t* bytes, GLsizeiptr size, bool constant) {
     if (!buffer.constant)
         context.arena->free(buffer.bytes);
@@ -150,7 +151,7 @@ void replace(Context& context, BufferObject& buffer, std::uint8_t* bytes, GLsize
     buffer.map_offset = buffer.map_length = 0;
 }
 
-/// Takes a deleted buffer out of the bindings of this context, also those of arrays (GL 1.5, 2.9).
+/// Unbinds a deleted buffer from the targets and arrays of this context (GL 1.5, 2.9).
 void forget(Context& context, const BufferObject* buffer) {
     const auto drop = [&](BufferObject*& binding) {
         if (binding == buffer)
@@ -175,7 +176,7 @@ void delete_buffer(Context& context, GLuint name) {
     bind_buffer(context, buffer, nullptr);
 }
 
-/// The object of a name, made when the name has none yet; null without memory.
+/// Returns the object with a name, and creates it if there is none. Null: there is no memory.
 BufferObject* object_of(Context& context, GLuint name) {
     NameTable& names = context.share->buffers;
     void** const slot = names.find(name);
@@ -240,7 +241,7 @@ void BufferData(Context& context, GLenum target, GLsizeiptr size, const void* da
     BufferObject* const buffer = bound(context, target);
     if (buffer == nullptr)
         return;
-    // The new store is allocated before the old one is freed: without memory nothing changes.
+    // The new store is allocated before the old one is freed, so that nothing changes without memory.
     auto* const bytes =
         static_cast<std::uint8_t*>(context.arena->allocate(size != 0 ? static_cast<std::size_t>(size) : 1));
     if (bytes == nullptr)
@@ -259,7 +260,7 @@ void BufferConstantDataSPANGLE(Context& context, GLenum target, GLsizeiptr size,
     if (size < 0 || data == nullptr)
         return error(context, GL_INVALID_VALUE);
     if (BufferObject* const buffer = bound(context, target); buffer != nullptr) {
-        // The cast is safe: every command that would write into a constant buffer is refused.
+        // The cast is safe, since every command that would write to a constant buffer is refused.
         replace(context, *buffer, static_cast<std::uint8_t*>(const_cast<void*>(data)), size, true);
         buffer->usage = GL_STATIC_DRAW;
     }
@@ -337,7 +338,7 @@ void* MapBufferRange(Context& context, GLenum target, GLintptr offset, GLsizeipt
                                : GL_WRITE_ONLY);
 }
 
-/// Checks its arguments only: program and GL use the same memory, so writes need no flush.
+/// Checks its arguments only. A program and GL use the same memory, so that writes need no flush.
 void FlushMappedBufferRange(Context& context, GLenum target, GLintptr offset, GLsizeiptr length) {
     const BufferObject* const buffer = bound(context, target);
     if (buffer == nullptr)

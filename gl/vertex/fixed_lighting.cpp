@@ -22,36 +22,36 @@ std::int32_t intensity(Real v) {
         to[c] = intensity(from[c]);
 }
 
-/// The product of two intensities, saturated.
+/// Returns the product of two intensities, saturated.
 std::int32_t times(std::int32_t a, std::int32_t b) {
     return numeric::saturate_i32((numeric::mul_s32(a, b) + (1 << (intensity_bits - 1))) >> intensity_bits);
 }
 
-/// An intensity times a factor of Q2.30 (0 to 4). The product has 44 fraction bits and is at most 2^57, so
-/// that the terms of all lights fit 64 bits.
+/// Returns an intensity times a factor in Q2.30, from 0 to 4. The product has 44 fraction bits and is at most
+/// 2^57, so that the terms of all lights fit 64 bits.
 std::int64_t weighted(std::int32_t intensity, std::uint32_t factor) {
     return (static_cast<std::int64_t>(intensity) * factor) >> 6;
 }
 
-/// Adds a light's colours, times a factor with 30 fraction bits, to the sums.
+/// Adds a light's colours, times a factor in Q2.30, to the sums.
 SPANGLE_RUN_INLINE void add_weighted(const std::int32_t (&light)[3], std::uint32_t factor,
                                      std::int64_t (&sum)[3]) {
     for (int c = 0; c < 3; ++c)
         sum[c] += weighted(light[c], factor);
 }
 
-/// The product of two factors with 30 fraction bits, saturated below 4.
+/// Returns the product of two factors in Q2.30, saturated below 4.
 std::uint32_t scaled(std::uint32_t a, std::uint32_t b) {
     const std::uint64_t p = (numeric::mul_u32(a, b) + (1u << 29)) >> 30;
     return p > 0xFFFFFFFFu ? 0xFFFFFFFFu : static_cast<std::uint32_t>(p);
 }
 
-/// The cosine, or 0 where it is negative.
+/// Returns the cosine, or 0 if the cosine is negative.
 std::uint32_t clamp_cosine(std::int32_t cosine) {
     return cosine < 0 ? 0u : static_cast<std::uint32_t>(cosine);
 }
 
-/// A block as a factor with 30 fraction bits; 0 where it is negative, saturated below 4.
+/// Converts a block to a factor in Q2.30. Negative blocks become 0, and others saturate below 4.
 std::uint32_t to_factor(numeric::Block v) {
     if (v.m <= 0)
         return 0;
@@ -59,14 +59,14 @@ std::uint32_t to_factor(numeric::Block v) {
     return static_cast<std::uint32_t>(half) << 1;
 }
 
-/// The strength factor * 2^shift that attenuation and spot leave of a light. A divisor below 1 makes a light
-/// brighter without a bound (GL 1.3, 2.13.1).
+/// The strength that attenuation and spot leave of a light, as factor * 2^shift. An attenuation divisor below
+/// 1 makes a light brighter without a bound (GL 1.3, 2.13.1).
 struct Strength {
     std::uint32_t factor = 1u << factor_bits;
     int shift = 0;
 };
 
-constexpr int term_bits = 57; ///< the largest term of a sum is 2^term_bits
+constexpr int term_bits = 57; ///< a term of a sum is at most 2^term_bits
 
 Strength to_strength(numeric::Block v) {
     if (v.m <= 0)
@@ -77,7 +77,8 @@ Strength to_strength(numeric::Block v) {
     return {to_factor(v), shift};
 }
 
-/// Adds a light's colours, times factor * 2^shift, to the sums. Each term is saturated, so that the sums fit.
+/// Adds a light's colours, times factor * 2^shift, to the sums. Each term is saturated, so that the sums fit
+/// 64 bits.
 void add_strong(const std::int32_t (&light)[3], std::uint32_t factor, int shift, std::int64_t (&sum)[3]) {
     if (shift == 0)
         return add_weighted(light, factor, sum);
@@ -88,13 +89,13 @@ void add_strong(const std::int32_t (&light)[3], std::uint32_t factor, int shift,
     }
 }
 
-/// A sum as a colour: clamped to 0..1, in colour units.
+/// Converts a sum to a colour component in colour units, clamped to 0 to 1.
 SPANGLE_RUN_CALL std::uint32_t to_color(std::int64_t sum) {
     const std::int64_t c = numeric::clamp<std::int64_t>(sum, 0, std::int64_t{1} << sum_bits);
     return FixedMath::color_units(static_cast<std::uint32_t>((c + (1 << 13)) >> (sum_bits - 30)));
 }
 
-/// max(n . u, 0) with 30 fraction bits, saturated below 4.
+/// Returns max(n . u, 0) in Q2.30, saturated below 4. `fraction_bits` are those of n.
 std::uint32_t cosine(const std::int32_t (&n)[3], int fraction_bits, const numeric::Unit3& u) {
     const std::int64_t sum =
         numeric::mul_s32(n[0], u.m[0]) + numeric::mul_s32(n[1], u.m[1]) + numeric::mul_s32(n[2], u.m[2]);
@@ -104,8 +105,8 @@ std::uint32_t cosine(const std::int32_t (&n)[3], int fraction_bits, const numeri
     return d > 0xFFFFFFFF ? 0xFFFFFFFFu : static_cast<std::uint32_t>(d);
 }
 
-/// cosine^exponent, with 30 fraction bits. A cosine above 1 comes from rounding or an unnormalised normal and
-/// counts as 1. `exponent`: as numeric::power_exponent() gives it.
+/// Returns cosine^exponent in Q2.30. A cosine above 1 comes from rounding or from a normal that is not unit,
+/// and counts as 1. `exponent` has the form of numeric::power_exponent().
 std::uint32_t specular_factor(std::uint32_t cosine, std::uint32_t exponent) {
     constexpr std::uint32_t one = 1u << factor_bits;
     return static_cast<std::uint32_t>(
@@ -116,11 +117,12 @@ numeric::Unit3 half_vector(const numeric::Unit3& to_light, const numeric::Unit3&
     return numeric::normalize(numeric::add(numeric::to_block(to_light), numeric::to_block(to_eye)));
 }
 
-/// Plain lighting (see FixedLighting::MaterialProducts::plain) has cosines with 29 fraction bits in a signed
-/// word, and sums with 49 fraction bits.
+/// Formats of plain lighting (FixedLighting::MaterialProducts::plain): cosines have 29 fraction bits in a
+/// signed word, and sums have 49 fraction bits.
 constexpr int plain_factor_bits = 29, plain_sum_bits = intensity_bits + plain_factor_bits;
 
-/// v 2^e as a factor of plain lighting; 0 where v is not positive, saturated below 4.
+/// Converts v * 2^e to a factor of plain lighting. Values that are not positive become 0, and others saturate
+/// below 4.
 std::int32_t plain_factor(std::int32_t v, std::int32_t e) {
     const std::int32_t up = e + plain_factor_bits;
     if (v <= 0 || up < -31)
@@ -130,17 +132,17 @@ std::int32_t plain_factor(std::int32_t v, std::int32_t e) {
     return up < numeric::clz32(static_cast<std::uint32_t>(v)) ? v << up : 0x7FFFFFFF;
 }
 
-/// A sum of plain lighting as a colour: clamped to 0..1, in colour units. The sum includes half a unit
-/// already.
+/// Converts a sum of plain lighting to a colour component in colour units, clamped to 0 to 1. The sum
+/// includes half a unit for rounding.
 std::uint32_t plain_color(std::int64_t sum) {
     const auto high = static_cast<std::uint32_t>(static_cast<std::uint64_t>(sum) >> 32);
-    if (high >> (plain_sum_bits - 32) != 0) // 1 and more, or negative
+    if (high >> (plain_sum_bits - 32) != 0) // 1 or more, or negative
         return sum < 0 ? 0 : raster::color_one;
     return FixedMath::color_units(static_cast<std::uint32_t>(sum >> (plain_sum_bits - 30)));
 }
 
-/// N^T u, with the normal matrix N: its product with a normal as given is the product of u with the normal in
-/// eye space.
+/// Returns N^T u for a normal matrix N. The product of this row with a normal as given equals the product of
+/// u with the normal in eye space.
 numeric::BlockRow3 in_object_space(const numeric::NormalMatrix& normal, const numeric::Unit3& u,
                                    const numeric::Columns<3>& column) {
     numeric::Block v[3], along[3];
@@ -151,8 +153,8 @@ numeric::BlockRow3 in_object_space(const numeric::NormalMatrix& normal, const nu
     return numeric::to_block_row(v, column);
 }
 
-/// The material that stands in where colours are indices: the sums of its three components are d_l and s_l,
-/// .30 R + .59 G + .11 B of the light (GL 1.3, 2.13.5).
+/// Returns the material that replaces the given one for colour index lighting. The sums of its three
+/// components are d_l and s_l, which is .30 R + .59 G + .11 B of the light (GL 1.3, 2.13.5).
 Material weighing(const Material& material) {
     Material out;
     constexpr Real weight[3] = {numeric::from_float(0.30f), numeric::from_float(0.59f),
@@ -174,19 +176,21 @@ void FixedLighting::derive(const Context& context, unsigned dirty) {
         derive_lights(context);
     else if ((dirty & dirty_materials) != 0)
         has_material_products_ = false;
-    // Where normals are made unit, derive_normals() keeps no product of a light and the normal matrix, so a
-    // change of lights alone does not concern it.
+    // Where normals are made unit, derive_normals() keeps no product of a light and the normal matrix. A
+    // change of lights alone then needs no new call.
     const unsigned asked = dirty_matrices | dirty_others | (makes_unit_normals() ? dirty_none : dirty_lights);
     if (is_enabled_ && (dirty & asked) != 0)
         derive_normals(context.transform);
 }
 
-/// Derives everything that does not depend on the matrices. Lights do not, since they lie in eye space.
+/// Derives everything that does not depend on the matrices. Lights do not depend on them, since they are
+/// stored in eye space.
 void FixedLighting::derive_lights(const Context& context) {
     const LightingState& state = context.lighting;
     is_enabled_ = state.lighting;
     index_bits_ = context.drawable.index_bits;
-    tracks_color_ = is_enabled_ && state.color_material && !indexed(); // GL 1.3, corollary 16
+    // COLOR_MATERIAL has no effect on colour index lighting (GL 1.3, appendix B, corollary 16).
+    tracks_color_ = is_enabled_ && state.color_material && !indexed();
     has_material_products_ = false;
     if (!is_enabled_)
         return;
@@ -208,10 +212,11 @@ void FixedLighting::derive_lights(const Context& context) {
     }
 }
 
-/// Derives the normal matrix, and each light's `facing`, which normals as given are multiplied with.
+/// Derives the normal matrix and `facing` of each directional light.
 void FixedLighting::derive_normals(const TransformState& transform) {
     const numeric::NormalMatrix normal = FixedMath::normal_matrix(transform);
-    if constexpr (always_has_given_normals) { // normals are multiplied with each light's `facing` only
+    // This build multiplies normals with `facing` of each light only, not with the normal matrix.
+    if constexpr (always_has_given_normals) {
         normal_matrix_.column = numeric::detail::column_exponents<3, 3>(normal.at);
     } else {
         normal_matrix_ = numeric::to_block_matrix(normal);
@@ -229,7 +234,8 @@ void FixedLighting::derive_source(const Light& light, LightSource& out) const {
     set_intensities(light.ambient, out.ambient);
     set_intensities(light.diffuse, out.diffuse);
     const Real(&p)[4] = light.position;
-    // x, y and z get a common exponent without w, which may be so small that it would vanish under it.
+    // x, y and z get a common exponent without w. A small w would otherwise vanish under the exponent of the
+    // largest component.
     const numeric::Block3 position = numeric::to_block(p[0], p[1], p[2]);
     if (has_specular)
         set_intensities(light.specular, out.specular);
@@ -299,12 +305,13 @@ void FixedLighting::multiply_material(const Material& material, MaterialProducts
         out.plain_base[c] =
             std::int64_t{out.base[c]} * (1 << plain_factor_bits) + (std::int64_t{1} << (plain_sum_bits - 31));
     }
-    // With diffuse below 2^28 the base and eight products with factors of 31 bits stay below 2^63.
+    // With diffuse products below 2^28, the sum of the base and eight products with factors of 31 bits stays
+    // below 2^63.
     out.plain = all_lights_are_simple_ && !out.has_specular &&
                 (!makes_unit_normals() || rows_share_exponent_) && brightest < 1u << 28 && !indexed();
 }
 
-/// Adds a light's diffuse colour times n . l, which is `factor`, to the sums of plain lighting.
+/// Adds a light's diffuse colour, times `factor` (the cosine n . l), to the sums of plain lighting.
 SPANGLE_RUN_INLINE void FixedLighting::add_factor(const std::int32_t (&diffuse)[3], std::int32_t factor,
                                                   std::int64_t (&sum)[3]) {
 #pragma GCC unroll numeric::runs_inline ? 3 : 1
@@ -312,7 +319,8 @@ SPANGLE_RUN_INLINE void FixedLighting::add_factor(const std::int32_t (&diffuse)[
         sum[c] += numeric::mul_s32(diffuse[c], factor);
 }
 
-/// n . l of plain lighting: (N^T l) . n with normals as given, (N n) . l / |N n| with normals made unit.
+/// Returns the cosine n . l of plain lighting: (N^T l) . n for normals as given, and (N n) . l / |N n| for
+/// normals made unit.
 SPANGLE_INLINE std::int32_t FixedLighting::facing(const LightSource& source, const PlainNormal& n, bool unit,
                                                   int side) {
     const std::int32_t along = unit ? static_cast<std::int32_t>(
@@ -324,7 +332,7 @@ SPANGLE_INLINE std::int32_t FixedLighting::facing(const LightSource& source, con
     return plain_factor(seen, n.e + source.facing.e + 1);
 }
 
-/// Sets the colour of plain lighting: base + sum of (n . l) * diffuse over the lights.
+/// Sets the colour of a vertex in plain lighting: base + sum over the lights of (n . l) * diffuse.
 SPANGLE_INLINE void FixedLighting::add_plain_light(int side, raster::FixedVertex& out, const PlainNormal& n,
                                                    bool unit) const {
     const MaterialProducts& fold = material_products_[side];
@@ -353,8 +361,9 @@ void FixedLighting::light_with_given_normal(const Real (&normal)[3], int side,
     add_plain_light(side, out, {{n.m[0], n.m[1], n.m[2]}, n.e, 0}, false);
 }
 
-/// Plain lighting with a normal that is made unit. False: nothing was lit, since the product of matrix and
-/// normal is so short that its direction would be inexact; light_with_all_terms() does it.
+/// Lights a vertex in plain lighting, with a normal that is made unit. False: the product of matrix and
+/// normal is too short for an exact direction, and nothing was lit. light_with_all_terms() must light the
+/// vertex then.
 bool FixedLighting::light_with_unit_normal(const Real (&normal)[3], int side,
                                            raster::FixedVertex& out) const {
     const numeric::Mantissas<3> loaded = numeric::load(normal_matrix_.column, normal);
@@ -365,11 +374,12 @@ bool FixedLighting::light_with_unit_normal(const Real (&normal)[3], int side,
         n.m[i] = numeric::row_times<3>(normal_matrix_.m + 3 * i, loaded.m);
         square += static_cast<std::uint64_t>(numeric::mul_s32(n.m[i], n.m[i]));
     }
-    const int zeros = numeric::clz64(square) & ~1; // at least 4, even
+    const int zeros = numeric::clz64(square) & ~1; // even, and at least 4
     if (zeros > 16)
         return false;
-    const std::uint32_t r = numeric::rsqrt(numeric::low_word_after(
-        static_cast<std::int64_t>(square), 32 - zeros)); // 1/|n| = r 2^(zeros / 2 - 62)
+    // 1/|n| = r * 2^(zeros / 2 - 62)
+    const std::uint32_t r =
+        numeric::rsqrt(numeric::low_word_after(static_cast<std::int64_t>(square), 32 - zeros));
     n.inverse = static_cast<std::int32_t>(r >> 1);
     n.e = zeros / 2 - 29;
     add_plain_light(side, out, n, true);
@@ -405,8 +415,8 @@ void FixedLighting::add_directional(const LightSource& source, const MaterialPro
                  specular);
 }
 
-/// Adds a light of any kind: positional lights, spots, and all lights under a local viewer need it. For other
-/// lights the result is that of add_directional().
+/// Adds a light of any kind. Positional lights, spots, and all lights under a local viewer need this
+/// function. For other lights its result equals that of add_directional().
 void FixedLighting::add_general(const LightSource& source, const MaterialProducts& fold, int i,
                                 const numeric::Block3& to_eye, const Direction& n, Sum (&primary)[3],
                                 Sum (&specular)[3]) const {
@@ -426,7 +436,8 @@ void FixedLighting::add_general(const LightSource& source, const MaterialProduct
     if (source.spot) {
         const std::int32_t along = numeric::negate_saturate(numeric::dot(to_light, source.spot_axis));
         if (along < source.spot_cosine)
-            return; // outside the cone nothing arrives, ambient light included
+            // No light leaves the cone of a spot, ambient light included.
+            return;
         strength.factor = scaled(strength.factor, specular_factor(clamp_cosine(along), source.spot_exponent));
     }
     add_strong(fold.ambient[i], strength.factor, strength.shift, primary);
@@ -451,7 +462,7 @@ void FixedLighting::light_with_all_terms(const Real (&normal)[3], const numeric:
     Sum primary[3], specular[3] = {0, 0, 0};
     for (int c = 0; c < 3; ++c)
         primary[c] = std::int64_t{fold.base[c]} * (1 << (sum_bits - intensity_bits));
-    numeric::Block3 to_eye; // the vector from the vertex to the eye
+    numeric::Block3 to_eye; // vector from the vertex to the eye
     if (needs_eye())
         to_eye =
             numeric::negate(numeric::mul(numeric::xyz(eye), numeric::reciprocal(numeric::component(eye, 3))));
@@ -473,8 +484,8 @@ void FixedLighting::light_with_all_terms(const Real (&normal)[3], const numeric:
     out.color[3] = fold.alpha;
 }
 
-/// Sets the index a_m + d (1 - s') (d_m - a_m) + s' (s_m - a_m), at most s_m, where s' = min(s, 1) (GL 1.3,
-/// 2.13.5).
+/// Sets the colour index a_m + d (1 - s') (d_m - a_m) + s' (s_m - a_m), at most s_m, with s' = min(s, 1) (GL
+/// 1.3, 2.13.5).
 void FixedLighting::set_index(const MaterialProducts& fold, const Sum (&primary)[3], const Sum (&specular)[3],
                               raster::FixedVertex& out) const {
     using Number = FixedMath::Scalar;

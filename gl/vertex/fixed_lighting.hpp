@@ -1,8 +1,8 @@
-// The lighting equation in integers (GL 1.3, 2.13.1).
+// Computes the lighting equation in integers (GL 1.3, 2.13.1).
 //
-// Intensities have 20 fraction bits (range 2^11; GL asks for 2^10 before the clamp), cosines and factors have
-// 30, and sums have 44 in 64 bits. Products that do not depend on the vertex are computed when lights or
-// materials change (Fold).
+// Intensities have 20 fraction bits and a range of 2^11; GL asks for 2^10 before they are clamped. Cosines
+// and factors have 30 fraction bits. Sums have 44 fraction bits in 64 bits. Products of a light and a
+// material do not depend on the vertex, and are computed when either changes (MaterialProducts).
 #pragma once
 
 #include <cstdint>
@@ -19,25 +19,27 @@ class FixedLighting {
         Real normal[3]; ///< the normal as given, in object space
     };
 
-    /// Takes over state that changed. `dirty`: the Dirty bits of what changed since the last call.
+    /// Derives values from state that has changed. `dirty` holds the Dirty bits that were set since the last
+    /// call.
     void derive(const Context& context, unsigned dirty);
-    /// Told when a material or a tracked colour changes between Begin and End.
+    /// Makes products with the material invalid. It is called when a material or a tracked colour changes
+    /// between Begin and End.
     void materials_changed() { has_material_products_ = false; }
 
     bool needs_eye() const { return has_local_lights && is_enabled_ && needs_eye_; }
     bool two_sided() const { return SPANGLE_TWO_SIDES && is_enabled_ && has_two_sides_; }
-    /// The material follows the current colour, so every vertex is lit when it is given.
+    /// True if the material follows the current colour. Each vertex is then lit as soon as it is given.
     bool tracks_color() const { return has_color_material && tracks_color_; }
 
     static Input input(const Real (&n)[3]) { return {{n[0], n[1], n[2]}}; }
 
-    /// Sets primary and secondary colour of a vertex; side 0 is the front, 1 the back. `eye`, the position in
-    /// eye space, only matters while needs_eye().
+    /// Sets primary and secondary colour of a vertex. `side` is 0 for the front and 1 for the back. `eye` is
+    /// the position in eye space, which matters only if needs_eye().
     SPANGLE_INLINE void light(const Context& context, const Input& vertex, const numeric::Block4& eye,
                               int side, raster::FixedVertex& out) {
         light(context, vertex.normal, eye, side, out);
     }
-    /// Lights a vertex as above, from its normal in place.
+    /// Lights a vertex given by its normal alone; see the other light().
     SPANGLE_INLINE void light(const Context& context, const Real (&normal)[3], const numeric::Block4& eye,
                               int side, raster::FixedVertex& out) {
         if (!has_material_products_) [[unlikely]]
@@ -50,67 +52,75 @@ class FixedLighting {
             light_with_given_normal(normal, side, out);
     }
 
-    /// The lighting input of a vertex that clipping made at t of the edge from a to b.
+    /// Mixes the lighting inputs of a and b for the new vertex that clipping makes at t on their edge.
     static void mix(const Input& a, const Input& b, const FixedMath::Parameter& t, Input& out);
 
   private:
-    using Sum = std::int64_t; ///< 44 fraction bits
+    using Sum = std::int64_t; ///< sum of light contributions, 44 fraction bits
 
     struct LightSource {
         bool directional = true, spot = false, attenuated = false;
-        /// The light reaches every vertex with the same direction and strength.
+        /// True if the light reaches every vertex from the same direction and with the same strength.
         bool simple() const { return !has_local_lights || (directional && !spot); }
-        numeric::Unit3 to_light;   ///< directional: unit vector to the light
-        numeric::BlockRow3 facing; ///< directional: to_light times the normal matrix, for normals as given
-        numeric::Unit3 half;       ///< directional, viewer at infinity: unit half vector
-        numeric::Block3 position;  ///< positional, eye space
+        numeric::Unit3 to_light; ///< directional light: unit vector toward the light
+        /// For directional lights: to_light times the normal matrix. Its product with a normal as given is
+        /// the cosine in eye space.
+        numeric::BlockRow3 facing;
+        /// For directional lights and a viewer at infinity: unit half vector.
+        numeric::Unit3 half;
+        numeric::Block3 position; ///< positional light: position in eye space
         numeric::Unit3 spot_axis;
         std::int32_t spot_cosine = 0; ///< cosine of the cutoff angle, Q0.30
-        std::uint32_t spot_exponent;  ///< as numeric::power_exponent() gives it
+        std::uint32_t spot_exponent;  ///< exponent in the form of numeric::power_exponent()
         numeric::Block attenuation[3];
-        std::int32_t ambient[3], diffuse[3], specular[3]; ///< intensities, 20 fraction bits
+        std::int32_t ambient[3], diffuse[3], specular[3]; ///< 20 fraction bits
     };
-    /// The products of one side's material with every light, 20 fraction bits.
+    /// Products of one side's material with all lights, with 20 fraction bits.
     struct MaterialProducts {
-        std::int64_t plain_base[3]; ///< `base` as a sum of plain lighting, plus half a colour unit
-        std::int32_t base[3];       ///< emission, model ambient, and ambient light that is not attenuated
+        std::int64_t plain_base[3]; ///< start of a sum of plain lighting: `base` plus half a colour unit
+        /// Emission, model ambient, and the ambient terms of lights that are simple().
+        std::int32_t base[3];
         std::int32_t ambient[max_lights][3], diffuse[max_lights][3], specular[max_lights][3];
         bool has_specular = false;
-        /// Light i may contribute to the specular sum.
+        /// True if light i may contribute to the specular sum.
         bool has_specular_of(int i) const {
             const std::int32_t(&s)[3] = specular[i];
             return has_specular && (!raster::has_shortcuts || (s[0] | s[1] | s[2]) != 0);
         }
-        std::uint32_t shininess; ///< as numeric::power_exponent() gives it
-        std::uint32_t alpha;     ///< colour units
-        Real index[3];           ///< ambient, diffuse and specular index, for an index framebuffer
-        bool plain = false; ///< plain lighting: ambient and diffuse terms of lights that are simple() only
+        std::uint32_t shininess; ///< exponent in the form of numeric::power_exponent()
+        std::uint32_t alpha;     ///< alpha of the material in colour units
+        Real index[3];           ///< ambient, diffuse and specular index, for a colour index framebuffer
+        /// True for plain lighting, which has only ambient and diffuse terms, of lights that are simple().
+        bool plain = false;
     };
     /// The normal of a vertex in eye space.
     struct Direction {
         std::int32_t m[3];
-        int fraction_bits; ///< 30 for unit vectors; 28, range 8, for normals that are not made unit
+        int fraction_bits; ///< 30 for unit vectors; 28 (range 8) for other normals
     };
 
-    /// A normal in plain lighting: m 2^e as given, or m `inverse` 2^e where normals are made unit.
+    /// A normal in plain lighting. Its components are m * 2^e, or m * inverse * 2^e if normals are made unit
+    /// (NORMALIZE).
     struct PlainNormal {
-        std::int32_t m[3], e, inverse; ///< `inverse`: mantissa of 1 / the length of m
+        /// `inverse` is the mantissa of 1 / |m|.
+        std::int32_t m[3], e, inverse;
     };
 
     bool is_enabled_ = false, needs_eye_ = false, has_two_sides_ = false, tracks_color_ = false,
          has_material_products_ = false;
     bool normalizes_ = false, has_local_viewer_ = false, has_separate_specular_ = false;
-    bool all_lights_are_simple_ = false; ///< all lights are simple(), and the viewer is at infinity
-    bool rows_share_exponent_ =
-        false;                ///< the rows of the normal matrix share one exponent, and so do their products
-    unsigned index_bits_ = 0; ///< bits of an index framebuffer; 0: the framebuffer has colours
-    int light_count_ = 0;     ///< enabled lights
+    bool all_lights_are_simple_ = false; ///< true if all lights are simple() and the viewer is at infinity
+    /// True if all rows of the normal matrix, and therefore their products with a normal, share one exponent.
+    bool rows_share_exponent_ = false;
+    /// Bits of a colour index. 0: the framebuffer has RGBA colours.
+    unsigned index_bits_ = 0;
+    int light_count_ = 0; ///< number of enabled lights
     LightSource lights_[max_lights];
     MaterialProducts material_products_[SPANGLE_TWO_SIDES ? 2 : 1];
     std::int32_t model_ambient_[3] = {};
     numeric::BlockMatrix3 normal_matrix_;
 
-    /// In this build all lighting is plain, with normals as they are given.
+    /// True if the build has plain lighting only, with normals as given.
     static constexpr bool always_has_given_normals =
         !has_specular && !has_local_lights && !has_full_lighting && !raster::has_indices;
     bool makes_unit_normals() const { return has_full_lighting && normalizes_; }
