@@ -8,22 +8,22 @@
 
 namespace spangle::gl {
 
-/// The size of one component of this type, in bytes.
+/// Returns the bytes of one component of this type.
 unsigned bytes_of(GLenum type);
 
-/// One vertex array, prepared so that any number of its elements can be read.
+/// Reads elements of one vertex array, which the constructor prepares.
 class ArrayReader {
   public:
     ArrayReader() = default;
-    /// `normalized`: integers become fractions (GL 1.3, table 2.6).
+    /// If `normalized`, integers become fractions (GL 1.3, table 2.6).
     ArrayReader(const ClientArray& array, bool normalized);
 
-    /// The array is enabled and its pointer is not null.
+    /// True if the array is enabled and its pointer is not null.
     bool on() const { return base_ != nullptr; }
-    /// Components of an element, 1 to 4; 0 while the array is off.
+    /// Returns the number of components of an element, 1 to 4, or 0 if the array is disabled.
     unsigned components() const { return on() ? components_ : 0; }
 
-    /// Elements are `count` aligned floats, which words() and word() read.
+    /// True if elements are `count` aligned floats, which words() and word() can read.
     bool is_floats(unsigned count) const {
         return has_array_type(GL_FLOAT) && aligned_floats_ && components_ == count;
     }
@@ -41,7 +41,7 @@ class ArrayReader {
         out[2] = float_at(at + 8);
     }
 
-    /// Reads the components of an element. Components beyond the array's size keep what `out` holds.
+    /// Reads the components of an element. `out` keeps components beyond the array's size.
     template <int N> SPANGLE_INLINE void read(std::uint32_t index, Real (&out)[N]) const {
         if constexpr (!numeric::runs_inline)
             return read_some(index, out);
@@ -66,14 +66,14 @@ class ArrayReader {
     GLenum type_ = GL_FLOAT;
     std::uint8_t components_ = 4;
     bool normalized_ = false;
-    bool aligned_floats_ = false; ///< the usual case, which is read inline
+    bool aligned_floats_ = false; ///< true in the most frequent case, which is read inline
 
     static Real float_at(const std::uint8_t* at) {
         const std::uint32_t bits = word(at, 0);
         return (bits >> 23 & 255) != 255 ? Real{bits} : numeric::from_float_bits(bits);
     }
     void convert(const std::uint8_t* at, Real* out) const;
-    /// Reads the components of an element, any number of them, as read() does.
+    /// Does the work of read() for any number of components.
     SPANGLE_RUN_CALL void read_some(std::uint32_t index, Real* out) const {
         const std::uint8_t* const at = base_ + stride_ * index;
         if (!has_array_type(GL_FLOAT) || !aligned_floats_)
@@ -83,12 +83,12 @@ class ArrayReader {
     }
 };
 
-/// All arrays that glArrayElement reads, as they are when a draw begins.
+/// All arrays that ArrayElement reads, as they are when a draw begins.
 struct ElementReader {
     ArrayReader vertex, normal, color, tex_coord[texture_units];
-    bool textured = false; ///< some array of tex_coord is on
-    /// The arrays that are seldom on: index, edge_flag, fog_coord, secondary_color. Null where none of them
-    /// is.
+    bool textured = false; ///< true if an array of tex_coord is enabled
+    /// The arrays, if a rarely used one of them is enabled: index, edge_flag, fog_coord or secondary_color.
+    /// Otherwise null.
     const ArraysState* seldom;
 
     explicit ElementReader(const ArraysState& arrays)
@@ -109,9 +109,11 @@ struct ElementReader {
     }
 };
 
-/// The indices of the elements of a draw: consecutive ones from `first` on, or ones that memory holds.
+/// Indices of the elements of a draw: consecutive from `first` on, or read from memory.
 struct Indices {
-    GLenum type = GL_NONE; ///< GL_UNSIGNED_BYTE, SHORT or INT: `data` holds the indices; GL_NONE: consecutive
+    /// GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT or GL_UNSIGNED_INT: `data` holds the indices. GL_NONE: they are
+    /// consecutive.
+    GLenum type = GL_NONE;
     std::uint32_t first = 0;
     const void* data = nullptr;
 
@@ -123,7 +125,7 @@ struct Indices {
         return type == GL_UNSIGNED_INT ? read<std::uint32_t>(i) : read<std::uint8_t>(i);
     }
 
-    /// Aligned indices of 16 bits, the usual ones: a loop over them need not ask for their type.
+    /// Aligned indices of 16 bits, which are most frequent. A loop over them need not test their type.
     struct Shorts {
         const std::uint8_t* data;
         SPANGLE_INLINE std::uint32_t at(std::uint32_t i) const {
@@ -134,13 +136,13 @@ struct Indices {
         }
         Shorts from(std::uint32_t n) const { return {data + std::size_t{n} * sizeof(std::uint16_t)}; }
     };
-    /// The indices as Shorts; `data` is null where they are of another type, or not aligned.
+    /// Returns the indices as Shorts. `data` is null if they have another type or are not aligned.
     Shorts shorts() const {
         const bool aligned = (reinterpret_cast<std::uintptr_t>(data) & 1) == 0;
         return {type == GL_UNSIGNED_SHORT && aligned ? static_cast<const std::uint8_t*>(data) : nullptr};
     }
 
-    /// The indices behind the first n.
+    /// Returns the indices from number n on.
     Indices from(std::uint32_t n) const {
         Indices rest = *this;
         if (type == GL_NONE)

@@ -65,8 +65,8 @@ AddressedArrays::AddressedArrays(Context& context) : context_(context) {
         const BufferObject* const buffer = array.buffer;
         if (!array.enabled || buffer == nullptr)
             return;
-        // A draw without elements was not checked: its buffers may be empty, and its offsets may lie beyond
-        // them.
+        // A draw without elements is not checked. Its buffers may be empty, and its offsets may be beyond
+        // their ends.
         const auto offset = reinterpret_cast<std::uintptr_t>(array.pointer);
         array.pointer = buffer->bytes != nullptr && offset <= buffer->size ? buffer->bytes + offset : nullptr;
     });

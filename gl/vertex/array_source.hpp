@@ -1,5 +1,5 @@
-// Arrays and indices lie in client memory, or in buffer objects, whose size is known and checked
-// (GL 1.5, 2.9.6).
+// Arrays and indices are in client memory or in buffer objects. The size of a buffer is known, so that
+// accesses to it are checked (GL 1.5, 2.9.6).
 #pragma once
 
 #include "gl/context/context.hpp"
@@ -7,7 +7,7 @@
 
 namespace spangle::gl {
 
-/// Calls f(count, indices) for each run of elements that no restart index interrupts (GL 3.1, 2.8).
+/// Calls f(count, indices) for each run of elements without a restart index (GL 3.1, 2.8).
 template <class F>
 void for_each_run(const ArrayBindings& bindings, std::uint32_t count, const Indices& indices, F f) {
     if (!SPANGLE_FEATURE_PRIMITIVE_RESTART || !bindings.restart)
@@ -20,23 +20,23 @@ void for_each_run(const ArrayBindings& bindings, std::uint32_t count, const Indi
         }
 }
 
-/// ArrayElement of this index ends the primitive and begins another one (GL 3.1, 2.8).
+/// True if ArrayElement with this index ends the primitive and begins another one (GL 3.1, 2.8).
 inline bool is_restart_index(const ArrayBindings& bindings, std::uint32_t index) {
     return SPANGLE_FEATURE_PRIMITIVE_RESTART && bindings.restart && index == bindings.restart_index;
 }
 
 #if SPANGLE_FEATURE_BUFFERS
 
-/// Element `highest` of every array that is on lies in the array's buffer, and no such buffer is mapped.
-/// Arrays in client memory cannot be checked.
+/// True if element `highest` of every enabled array is within the array's buffer, and none of these buffers
+/// is mapped. Arrays in client memory cannot be checked.
 bool arrays_reach(const Context& context, std::uint32_t highest);
 
-/// Turns the offset given to DrawElements into an address. False: some indices are not in the bound buffer,
-/// or some index is beyond an array. Indices that restart a primitive name no element and are not checked.
+/// Converts the offset given to DrawElements to an address. False: an index is outside of the bound buffer,
+/// or names an element beyond an array. Indices that restart a primitive name no element and are not checked.
 bool find_indices(const Context& context, std::uint32_t count, Indices& indices);
 
-/// Turns the offsets of arrays into addresses for as long as this object lives. The caller has checked with
-/// arrays_reach() or find_indices() that the buffers hold what will be read.
+/// Converts the offsets of arrays to addresses during the lifetime of this object. The caller must have
+/// checked with arrays_reach() or find_indices() that the buffers hold all elements to be read.
 class AddressedArrays {
   public:
     explicit AddressedArrays(Context& context);

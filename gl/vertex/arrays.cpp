@@ -1,4 +1,4 @@
-// The commands that set and enable vertex arrays, and the conversion of elements to canonical values (GL 1.3,
+// Commands that set and enable vertex arrays, and the conversion of elements to canonical values (GL 1.3,
 // 2.8).
 #include "gl/api/convert.hpp"
 #include "gl/api/generated/commands.hpp"
@@ -33,15 +33,15 @@ void set_buffer([[maybe_unused]] Context& context, [[maybe_unused]] ClientArray&
 
 namespace {
 
-/// Reads a value from client memory, which need not be aligned: its bytes are copied.
+/// Reads a value from client memory. The address need not be aligned.
 template <class T> T read(const std::uint8_t* at) {
     T value;
     __builtin_memcpy(&value, at, sizeof value);
     return value;
 }
 
-/// Converts a component to a number, for vertices and texture coordinates, or to a fraction, for colours and
-/// normals (GL 1.3, table 2.6).
+/// Converts a component to a Real. If `normalized`, an integer becomes a fraction, as for colours and
+/// normals; otherwise it keeps its value (GL 1.3, table 2.6).
 SPANGLE_RUN_CALL Real component(const std::uint8_t* at, GLenum type, bool normalized) {
     switch (array_type(type)) {
     case GL_FLOAT:
@@ -70,8 +70,8 @@ SPANGLE_RUN_CALL Real component(const std::uint8_t* at, GLenum type, bool normal
     }
 }
 
-/// Does what component() does with less code: the tokens of integer types follow each other from GL_BYTE on,
-/// signed and unsigned ones in turn.
+/// Does the work of component() with less code. The tokens of integer types follow each other from GL_BYTE
+/// on, signed and unsigned types in turn.
 Real short_component(const std::uint8_t* at, GLenum type, bool normalized) {
     type = array_type(type);
     if (type == GL_FLOAT)
@@ -86,20 +86,22 @@ Real short_component(const std::uint8_t* at, GLenum type, bool normalized) {
     return convert::integer_at(at, (type - GL_BYTE) / 2, type % 2 == 0, normalized);
 }
 
-/// A set of component types as bits; bit 0 is GL_BYTE, and the others follow in the order of their tokens.
+/// Returns a set of component types. Bit 0 stands for GL_BYTE, and the other bits for the types with the
+/// tokens after it.
 template <class... T> constexpr std::uint16_t types_of(T... types) {
     return static_cast<std::uint16_t>(((1u << (types - GL_BYTE)) | ...));
 }
 constexpr std::uint16_t wide_types = types_of(GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE, GL_FIXED);
-/// GL allows bytes for normals; OES_byte_coordinates allows them for positions and texture coordinates.
+/// Types of normals, positions and texture coordinates. GL allows bytes for normals only;
+/// OES_byte_coordinates allows them for the others, too.
 constexpr std::uint16_t signed_types = wide_types | types_of(GL_BYTE);
 constexpr std::uint16_t color_types = types_of(GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_INT,
                                                GL_UNSIGNED_INT, GL_FLOAT, GL_DOUBLE);
 
-/// The types and sizes that an array may have.
+/// Component types and sizes that an array may have.
 struct Allowed {
     std::uint16_t types;
-    std::uint8_t least, most; ///< components of an element
+    std::uint8_t least, most; ///< numbers of components per element
 };
 
 /// The arguments of a command that sets an array.
@@ -110,8 +112,8 @@ struct PointerArguments {
     const void* pointer;
 };
 
-/// Sets an array, which lies in the buffer bound to ARRAY_BUFFER now (GL 1.5, 2.9.6). The arrays of a named
-/// vertex array object must lie in buffers (GL 3.0, 2.8).
+/// Sets an array to the buffer that is bound to ARRAY_BUFFER, or to client memory (GL 1.5, 2.9.6). The arrays
+/// of a named vertex array object must be in buffers (GL 3.0, 2.8).
 void point(Context& context, ClientArray& array, Allowed allowed, const PointerArguments& to) {
     const auto& [size, type, stride, pointer] = to;
     if (size < allowed.least || size > allowed.most || stride < 0)
@@ -132,7 +134,7 @@ void point(Context& context, ClientArray& array, Allowed allowed, const PointerA
     array.pointer = pointer;
 }
 
-/// Reads an element of an array with one component, if the array is on.
+/// Reads an element of an array with one component, if the array is enabled.
 [[maybe_unused]] void set_number(const ClientArray& array, std::uint32_t index, Real& out) {
     const ArrayReader numbers(array, false);
     if (!numbers.on())
@@ -242,8 +244,8 @@ void EdgeFlagPointer(Context& context, GLsizei stride, const void* pointer) {
 
 namespace {
 
-/// Enables or disables an array that only some builds have. Other builds set the error, with the sentence
-/// `missing`.
+/// Enables or disables an array that not every build has. If `present` is false, sets the error with the
+/// message `missing`.
 void enable_optional(Context& context, ClientArray& array, bool on, bool present, const char* missing) {
     if (!present)
         return error(context, GL_INVALID_OPERATION, missing);

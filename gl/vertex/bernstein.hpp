@@ -1,6 +1,6 @@
-// Bezier curves and surfaces as sums of weighted control points, in words under one exponent (GL 1.3, 5.1).
-// Each weight is off by up to 2^-30, and each sum is rounded once. So the error of a value is at most
-// (order + 2) 2^-28 of the largest control point, and end points are exact.
+// Evaluates Bezier curves and surfaces as sums of weighted control points, in words under one exponent (GL
+// 1.3, 5.1). The error of a weight is at most 2^-30, and each sum is rounded once. The error of a value is
+// therefore at most (order + 2) 2^-28 of the largest control point. End points are exact.
 #pragma once
 
 #include "gl/vertex/eval_state.hpp"
@@ -8,7 +8,7 @@
 
 namespace spangle::gl {
 
-/// Each operation exists once, out of line: evaluators are not worth the bytes of many copies.
+/// Operations that are not inlined. Evaluators are too rare to be worth many copies of this code.
 namespace evaluation {
 
 [[gnu::noinline]] inline numeric::Block add(numeric::Block a, numeric::Block b) {
@@ -32,13 +32,13 @@ inline numeric::Block sub(numeric::Block a, numeric::Block b) {
 
 } // namespace evaluation
 
-/// A place in a domain as a fraction t, from 0 to 1, and its rest, 1 - t.
+/// A place in a domain as fraction t from 0 to 1, and 1 - t as `rest`.
 struct EvalPlace {
     numeric::Block t, rest;
 };
 
-/// The place of a coordinate in its domain. At both ends 0 and 1 are exact, since a quotient that is a block
-/// number is exact.
+/// Returns the place of a coordinate in its domain. At both ends the fractions 0 and 1 are exact, since the
+/// division of a block by itself is exact.
 [[gnu::noinline]] inline EvalPlace place_in(const EvalMap::Side& side, Real at) {
     const numeric::Block from = evaluation::load(side.from), to = evaluation::load(side.to),
                          here = evaluation::load(at), width = evaluation::sub(to, from);
@@ -46,8 +46,8 @@ struct EvalPlace {
             evaluation::div(evaluation::sub(to, here), width)};
 }
 
-/// The weights of a curve's control points at a place, w[i] 2^exponent. `value` holds the Bernstein
-/// polynomials, `slope` their derivatives divided by the degree.
+/// Weights of a curve's control points at a place, each w[i] * 2^exponent. `value` holds the Bernstein
+/// polynomials, and `slope` their derivatives divided by the degree.
 struct EvalWeights {
     struct Words {
         std::int32_t w[max_eval_order] = {};
@@ -57,7 +57,7 @@ struct EvalWeights {
 
 namespace evaluation {
 
-/// Makes n weights words under one exponent; the largest has `bits` bits.
+/// Converts n weights to words under one exponent. The largest word has `bits` bits.
 [[gnu::noinline]] inline EvalWeights::Words words(const std::int64_t* w, GLint n, std::int32_t exponent,
                                                   int bits) {
     std::uint64_t any = 0;
@@ -72,7 +72,7 @@ namespace evaluation {
     return out;
 }
 
-/// The product w m / 2^30, for |m| <= 2^30.
+/// Returns w * m / 2^30, for |m| <= 2^30.
 inline std::int64_t part(std::int64_t w, std::int32_t m) {
     constexpr std::int32_t low = (1 << 30) - 1;
     return numeric::mul_s32(static_cast<std::int32_t>(w >> 30), m) +
@@ -82,8 +82,8 @@ inline std::int64_t part(std::int64_t w, std::int32_t m) {
 } // namespace evaluation
 
 /// Computes weights by the recurrence of Bernstein polynomials, with 15 bits more than the result keeps.
-/// Inside the domain the weights of a value add up to 1 and those of a slope to at most 2, so that sums of
-/// weighted points fit 63 bits. Outside the domain weights have two bits less.
+/// Inside the domain, the weights of a value add up to 1, and those of a slope to at most 2. Sums of weighted
+/// points then fit 63 bits. Outside of the domain, weights have two bits less.
 [[gnu::noinline]] inline EvalWeights weights_of(GLint order, const EvalPlace& at) {
     constexpr int start = 52; // fraction bits of the first weight; a step at most doubles a weight
     std::int64_t w[max_eval_order] = {std::int64_t{1} << start};
@@ -112,8 +112,8 @@ inline std::int64_t part(std::int64_t w, std::int32_t m) {
 
 namespace evaluation {
 
-/// The sum of weighted points. A point of weight 0 does not even count for the common exponent: so end points
-/// are exact, and surfaces that share the points of an edge share the edge.
+/// Returns the sum of weighted points. A point of weight 0 has no part in the common exponent. End points are
+/// therefore exact, and surfaces that share the control points of an edge share the edge.
 [[gnu::noinline]] inline numeric::Block combine(const numeric::Block* p, const EvalWeights::Words& by,
                                                 GLint n) {
     constexpr std::int32_t none = -0x10000;
@@ -130,19 +130,21 @@ namespace evaluation {
 
 } // namespace evaluation
 
-/// A component of a surface, and its derivatives by the places in u and v, each divided by its degree.
+/// A component of a surface, and its derivatives by the places in u and v. Each derivative is divided by its
+/// degree.
 struct EvalSurface {
     numeric::Block value, u, v;
 };
 
-/// A surface at one v: for each component the control points of the curve in u, and their derivatives in v.
+/// A surface at one v. Each component has the control points of the curve in u, and their derivatives in v.
 struct EvalRow {
     Real at{};
     bool known = false;
     numeric::Block value[4][max_eval_order], slope[4][max_eval_order];
 };
 
-/// Reduces component c, of k, to the curve in u at the place in v. A curve is a surface of order 1 in v.
+/// Reduces component c of k components to the curve in u at the given place in v. A curve (Map1) is a surface
+/// of order 1 in v.
 [[gnu::noinline]] inline void reduce(const EvalMap& map, unsigned c, unsigned k, const EvalWeights& v,
                                      bool slopes, numeric::Block (&value)[max_eval_order],
                                      numeric::Block (&slope)[max_eval_order]) {
@@ -158,7 +160,7 @@ struct EvalRow {
     }
 }
 
-/// A component of the surface at a place in u, from the curve that reduce() made.
+/// Returns a component of the surface at a place in u, from the curve that reduce() made.
 inline EvalSurface evaluate_row(const numeric::Block (&value)[max_eval_order],
                                 const numeric::Block (&slope)[max_eval_order], GLint order,
                                 const EvalWeights& u, bool slopes) {

@@ -1,4 +1,5 @@
-// The lighting equation in double, term by term as GL 1.3, 2.13.1 states it. Hosts only.
+// Computes the lighting equation in double, term by term as GL 1.3, 2.13.1 states it. Only hosts have this
+// reference.
 #pragma once
 
 #include <cmath>
@@ -12,7 +13,7 @@ namespace spangle::gl {
 class DoubleLighting {
   public:
     struct Input {
-        double normal[3]; ///< in object space
+        double normal[3]; ///< as given, in object space
     };
 
     void derive(const Context& context, unsigned) {
@@ -79,10 +80,10 @@ class DoubleLighting {
   private:
     bool is_enabled_ = false, has_two_sides_ = false, tracks_color_ = false;
     unsigned index_bits_ = 0;
-    double normal_matrix_[9] = {}; ///< column-major
+    double normal_matrix_[9] = {}; ///< column by column
 
-    /// The material that stands in where colours are indices: the sums of its three components are d_l and
-    /// s_l, .30 R + .59 G + .11 B of the light (GL 1.3, 2.13.5).
+    /// Returns the material that replaces the given one for colour index lighting. The sums of its components
+    /// are d_l and s_l: .30 R + .59 G + .11 B of the light (GL 1.3, 2.13.5).
     static Material luminance_weights(const Material& material) {
         Material out;
         constexpr double weight[3] = {.30, .59, .11};

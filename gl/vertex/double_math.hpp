@@ -1,6 +1,6 @@
-// The arithmetic of the vertex pipeline in double, the reference that FixedMath is compared with. It takes
-// formulas as GL 1.3 states them and state as it was set, and snaps window positions to the same n.8 grid.
-// Hosts only.
+// Arithmetic of the vertex pipeline in double, as a reference for FixedMath. It evaluates the formulas of GL
+// 1.3 with the state as the program set it. Window positions are snapped to the same n.8 grid as in
+// FixedMath. Only hosts have this reference.
 #pragma once
 
 #include <cmath>
@@ -18,13 +18,13 @@ struct DoubleMath {
     using Eye = Clip;
     using Depth = double;
     using Point = Clip;
-    /// A place on an edge: the distance from the nearer end, as a fraction of the edge's length.
+    /// A place on an edge, as the distance from the nearer end divided by the edge's length.
     struct Parameter {
         double part;
-        bool from_second; ///< the nearer end is the second one
+        bool from_second; ///< true if the nearer end is the second one
     };
     struct Matrix {
-        double m[4][4]; ///< row, column
+        double m[4][4]; ///< indexed by row and column
     };
 
     struct Transforms {
@@ -76,7 +76,7 @@ struct DoubleMath {
             out.v[i] = a.m[i][0] * v[0] + a.m[i][1] * v[1] + a.m[i][2] * v[2] + a.m[i][3] * v[3];
         return out;
     }
-    /// Never divides a vertex by itself: in this policy every vertex goes through clip coordinates.
+    /// Never divides a vertex by w, so that every vertex of this policy goes through clip coordinates.
     template <int N> struct Projections {
         void add(int, const Transforms& t, const Real (&v)[4], Window& out, bool fog) {
             if (fog)
@@ -105,7 +105,7 @@ struct DoubleMath {
 
     struct Plane {
         double at[4] = {};
-        bool turned = false; ///< `at` is the complement of the plane that was given
+        bool turned = false; ///< true if `at` is the complement of the given plane
     };
     using Distance = double;
 
@@ -132,7 +132,7 @@ struct DoubleMath {
         b = std::fabs(b);
         return {std::fmin(a, b) / (a + b), b < a};
     }
-    /// The point where the edge from a, which is inside, to b meets a plane of the view volume. Its
+    /// Returns the point where the edge from a (inside) to b (outside) meets a plane of the view volume. Its
     /// coordinates are sums of minors, as in FixedClipping::clip_edge().
     static Point clip_edge(const Point& a, const Point& b, int plane, int band, const Parameter&) {
         const int c = plane >> 1;
@@ -175,19 +175,20 @@ struct DoubleMath {
             out.secondary[c] = mix(a.secondary[c], b.secondary[c], t);
     }
 
-    // --- plain numbers, for what few vertices need: generated coordinates and normals
+    // Numbers for operations that few vertices need: generated coordinates and normals.
 
     using Scalar = double;
     static Scalar scalar(Real v) { return number(v); }
     static Scalar scalar(const Eye& v, int i) { return v.v[i]; }
     static Scalar rsqrt(Scalar v) { return v > 0.0 ? 1.0 / std::sqrt(v) : 0.0; }
 
-    /// The matrix that normals are multiplied with, column-major; it includes RESCALE_NORMAL
-    /// (GL 1.3, 2.10.3).
+    /// Returns the matrix that normals are multiplied with, column by column. It includes RESCALE_NORMAL (GL
+    /// 1.3, 2.10.3).
     static void normal_matrix(const TransformState& state, Scalar (&out)[9]) {
         const Matrix m = matrix(state.modelview.entry[state.modelview.top]);
         for (int j = 0; j < 3; ++j)
-            for (int i = 0; i < 3; ++i) { // cofactors: the inverse transpose times the determinant
+            // Cofactors are the elements of the inverse transpose times the determinant.
+            for (int i = 0; i < 3; ++i) {
                 const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
                 out[3 * j + i] = m.m[i1][j1] * m.m[i2][j2] - m.m[i1][j2] * m.m[i2][j1];
             }
@@ -270,10 +271,10 @@ struct DoubleMath {
     static Depth fog_coordinate(const Window& v) { return v.fog; }
     static Depth fog_coordinate(Real coordinate) { return number(coordinate); }
 
-    /// The index takes the place of red, in 255ths, as in FixedMath::set_index().
+    /// Stores a colour index as red, in 255ths, as FixedMath::set_index() does.
     static void set_index(double index, unsigned bits, Window& out) {
         const double range = static_cast<double>(1u << bits), part = std::fmod(index, range);
-        constexpr double largest = 256.0 - 1.0 / 256.0; // FixedMath::largest_index
+        constexpr double largest = 256.0 - 1.0 / 256.0; // the value of FixedMath::largest_index
         out.color[0] = std::fmin(part < 0.0 ? part + range : part, largest) / 255.0;
         out.color[1] = out.color[2] = out.color[3] = 0.0;
         for (double& c : out.secondary)

@@ -1,4 +1,4 @@
-// The state of evaluators: maps, grids, and which maps are enabled (GL 1.3, 5.1).
+// State of evaluators: maps, grids, and which maps are enabled (GL 1.3, 5.1).
 #pragma once
 
 #include "gl/context/features.hpp"
@@ -8,7 +8,7 @@ namespace spangle::gl {
 
 inline constexpr GLint max_eval_order = 8;
 
-/// The targets of maps of one dimension, in the order of their tokens.
+/// Targets of maps of one dimension, in the order of their tokens.
 enum EvalTarget : unsigned {
     eval_color,
     eval_index,
@@ -20,13 +20,13 @@ enum EvalTarget : unsigned {
     eval_targets,
 };
 
-/// A map; its control points follow in the same block of memory. Point (i, j) of k components lies at
-/// (i * side[1].order + j) * k.
+/// A map. Its control points follow it in the same block of memory. Point (i, j) of k components starts at
+/// Real number (i * side[1].order + j) * k.
 struct EvalMap {
     struct Side {
         GLint order;
-        Real from, to; ///< the two ends of the domain
-    } side[2];         ///< u, v; a map of one dimension has order 1 in v
+        Real from, to; ///< ends of the domain
+    } side[2];         ///< u and v; a map of one dimension has order 1 in v
 
     Real* points() { return reinterpret_cast<Real*>(this + 1); }
     const Real* points() const { return reinterpret_cast<const Real*>(this + 1); }
@@ -34,9 +34,9 @@ struct EvalMap {
 
 struct EvalState {
 #if SPANGLE_FEATURE_EVALUATORS
-    bool enabled[2][eval_targets] = {}; ///< by dimension and target: MAP1_..., MAP2_...
+    bool enabled[2][eval_targets] = {}; ///< indexed by dimension and target: MAP1_..., MAP2_...
     bool auto_normal = false;
-    EvalMap* map[2][eval_targets] = {}; ///< by dimension and target; null: the initial map
+    EvalMap* map[2][eval_targets] = {}; ///< indexed by dimension and target; null: the initial map
     GLint segments_1 = 1, segments_2[2] = {1, 1};
     Real domain_1[2] = {numeric::zero, numeric::one};
     Real domain_2[4] = {numeric::zero, numeric::one, numeric::zero, numeric::one};

@@ -1,4 +1,4 @@
-// EvalCoord, grids and meshes (GL 1.3, 5.1).
+// Evaluates maps: EvalCoord, EvalPoint, grids and meshes (GL 1.3, 5.1).
 #include "gl/context/batches.hpp"
 #include "gl/context/features.hpp"
 
@@ -14,8 +14,8 @@ namespace spangle::gl {
 
 namespace {
 
-/// The last target from `first` to `last` that is enabled, or eval_targets where none is: the map with the
-/// most components counts (GL 1.3, 5.1).
+/// Returns the last enabled target from `first` to `last`, or eval_targets if none is enabled. The map with
+/// the most components takes effect (GL 1.3, 5.1).
 unsigned last_enabled_target(const bool (&enabled)[eval_targets], unsigned first, unsigned last) {
     for (unsigned t = last; t >= first; --t)
         if (enabled[t])
@@ -23,14 +23,15 @@ unsigned last_enabled_target(const bool (&enabled)[eval_targets], unsigned first
     return eval_targets;
 }
 
-/// Evaluates all enabled maps at one place, for one EvalCoord command.
+/// Evaluates all enabled maps at one coordinate, for one EvalCoord command.
 class Evaluation {
   public:
-    /// `row`: the vertex map reduced at this v, kept from one vertex of a row to the next; null: not kept.
+    /// `row` caches the vertex map reduced to a curve at this v, for all vertices of a row. Null: the curve
+    /// is not cached.
     Evaluation(Context& context, unsigned dimension, Real u, Real v, EvalRow* row = nullptr)
         : context_(context), dimension_(dimension), coordinate_{u, v}, row_(row) {}
 
-    /// Gives a vertex with the values of the maps. The current values stay what they were (GL 1.3, 5.1).
+    /// Gives a vertex with the values of the maps. Current values are as before afterwards (GL 1.3, 5.1).
     void run() {
         const bool(&on)[eval_targets] = context_.eval.enabled[dimension_];
         const unsigned vertex = last_enabled_target(on, eval_vertex_3, eval_vertex_4);
@@ -46,7 +47,7 @@ class Evaluation {
             p[c] = evaluation::store(at[c].value);
         cmd::Vertex(context_, p[0], p[1], p[2], p[3]);
         context_.current = before;
-        if (on[eval_color]) // the material goes back, too, where it tracks the colour
+        if (on[eval_color]) // the material goes back, too, to the old colour that it tracks
             follow_color(context_);
     }
 
@@ -71,7 +72,7 @@ class Evaluation {
         if (const unsigned texture = last_enabled_target(on, eval_texture_1, eval_texture_4);
             texture != eval_targets) {
             Real(&strq)[4] = current.tex_coord[0].v;
-            strq[1] = strq[2] = numeric::zero; // the defaults of components that smaller maps leave out
+            strq[1] = strq[2] = numeric::zero; // values of components that a smaller map does not have
             strq[3] = numeric::one;
             values(texture, strq);
         }
@@ -115,15 +116,15 @@ class Evaluation {
             out[c] = evaluation::store(at[c].value);
     }
 
-    /// Sets the normal to dq/du x dq/dv, normalised (GL 1.3, 5.1). q is the point p, or xyz / w where p has
-    /// four components; the derivatives of that quotient go without their positive factor 1 / w^2.
+    /// Sets the normal to dq/du x dq/dv, normalised (GL 1.3, 5.1). q is the point p, or xyz / w of a p with
+    /// four components. The derivatives of that quotient leave out the factor 1 / w^2, which is positive.
     [[gnu::noinline]] void auto_normal(unsigned vertex, EvalSurface (&p)[4]) {
         for (int c = 0; c < 3 && vertex == eval_vertex_4; ++c) {
             p[c].u = quotient_slope(p[c], p[c].u, p[3], p[3].u);
             p[c].v = quotient_slope(p[c], p[c].v, p[3], p[3].v);
         }
         const EvalMap& map = map_of(context_, dimension_, vertex);
-        // Slopes are derivatives by places from 0 to 1, so a domain that runs backwards turns their sign.
+        // Slopes are derivatives by t from 0 to 1. A domain that runs backwards reverses their sign.
         const bool turned = (map.side[0].to < map.side[0].from) != (map.side[1].to < map.side[1].from);
         const numeric::Block3 along_u = numeric::to_block(p[0].u, p[1].u, p[2].u),
                               along_v = numeric::to_block(p[0].v, p[1].v, p[2].v);
@@ -139,7 +140,7 @@ class Evaluation {
     }
 };
 
-/// The coordinate of grid point i of n segments over a domain; both ends are exact (GL 1.3, 5.1).
+/// Returns the coordinate of grid point i of n segments over a domain. Both ends are exact (GL 1.3, 5.1).
 [[gnu::noinline]] Real grid_point(Real from, Real to, GLint n, GLint i) {
     if (i == 0)
         return from;
@@ -163,21 +164,21 @@ void grid_vertex(Context& context, GLint i) {
         .run();
 }
 
-/// A map of vertices is enabled. Without one, a mesh has no vertices, however many points it asks for.
+/// True if a map of vertices is enabled. Otherwise a mesh has no vertices, and its loop is skipped.
 bool has_vertices(const Context& context, unsigned dimension) {
     return last_enabled_target(context.eval.enabled[dimension], eval_vertex_3, eval_vertex_4) != eval_targets;
 }
 
-/// The maps of two neighbouring rows of a mesh, reduced to curves, so that each vertex is a point of a curve.
-/// Builds without shortcuts have no room for them.
+/// Caches the vertex maps of two neighbouring rows of a mesh, reduced to curves. Each vertex is then a point
+/// of a curve. Builds without shortcuts have no memory for this cache.
 struct MeshRows {
     static constexpr int kept = raster::has_shortcuts ? 2 : 0;
     EvalRow at[kept == 0 ? 1 : kept];
     EvalRow* row(GLint j) { return kept == 0 ? nullptr : at + (j & 1); }
 };
 
-/// Draws points `first` to `last` of row j, or of column j, as a primitive of its own. A strip of quads takes
-/// the points of row j + 1, too. All rows of points belong to one primitive, which the caller begins.
+/// Draws points `first` to `last` of row j, or of column j, as one primitive. A quad strip takes the points
+/// of row j + 1, too. Points of all rows belong to one primitive, which the caller begins.
 [[gnu::noinline]] void draw_mesh_strip(Context& context, GLenum mode, GLint first, GLint last, GLint j,
                                        bool column, MeshRows& rows) {
     if (mode != GL_POINTS)

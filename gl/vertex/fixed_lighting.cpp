@@ -153,8 +153,8 @@ numeric::BlockRow3 in_object_space(const numeric::NormalMatrix& normal, const nu
     return numeric::to_block_row(v, column);
 }
 
-/// Returns the material that replaces the given one for colour index lighting. The sums of its three
-/// components are d_l and s_l, which is .30 R + .59 G + .11 B of the light (GL 1.3, 2.13.5).
+/// Returns the material that replaces the given one for colour index lighting. The sums of its components are
+/// d_l and s_l: .30 R + .59 G + .11 B of the light (GL 1.3, 2.13.5).
 Material weighing(const Material& material) {
     Material out;
     constexpr Real weight[3] = {numeric::from_float(0.30f), numeric::from_float(0.59f),
@@ -484,8 +484,8 @@ void FixedLighting::light_with_all_terms(const Real (&normal)[3], const numeric:
     out.color[3] = fold.alpha;
 }
 
-/// Sets the colour index a_m + d (1 - s') (d_m - a_m) + s' (s_m - a_m), at most s_m, with s' = min(s, 1) (GL
-/// 1.3, 2.13.5).
+/// Sets the colour index a_m + d (1 - s') (d_m - a_m) + s' (s_m - a_m), at most s_m (GL 1.3, 2.13.5). In this
+/// formula, s' is min(s, 1).
 void FixedLighting::set_index(const MaterialProducts& fold, const Sum (&primary)[3], const Sum (&specular)[3],
                               raster::FixedVertex& out) const {
     using Number = FixedMath::Scalar;

@@ -1,4 +1,4 @@
-// Begin, End, vertices, current attributes, and the commands that draw arrays (GL 1.3, 2.6 to 2.9).
+// Begin, End, Vertex, current attributes, and commands that draw arrays (GL 1.3, 2.6 to 2.9).
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/share_group.hpp"
@@ -29,7 +29,7 @@ void set_tex_coord(Context& context, std::uint32_t unit, Real s, Real t, Real r,
     v[3] = q;
 }
 
-/// ArrayElement: sets the attributes whose arrays are enabled, then gives the vertex (GL 1.3, 2.8).
+/// Performs ArrayElement: sets the attributes of enabled arrays, then gives the vertex (GL 1.3, 2.8).
 void element(Context& context, std::uint32_t index) {
     if (context.inside_begin_end() && is_restart_index(context.array_bindings, index))
         return restart_primitive(context);
@@ -45,7 +45,7 @@ void element(Context& context, std::uint32_t index) {
     context.engine->vertex(context, v[0], v[1], v[2], v[3]);
 }
 
-/// This build draws primitives of this mode; else the error is set.
+/// True if this build draws primitives of the mode. Otherwise the error is set.
 bool takes(Context& context, GLenum mode) {
     const bool known = mode <= GL_POLYGON;
     if (known && (mode == GL_POINTS       ? has_points
@@ -57,7 +57,7 @@ bool takes(Context& context, GLenum mode) {
     return false;
 }
 
-/// Draws `count` elements as one primitive, or as several where restart indices separate them.
+/// Draws `count` elements as one primitive, or as several primitives that restart indices separate.
 void draw(Context& context, GLenum mode, GLsizei count, const Indices& indices) {
     const CurrentStateGuard kept(context);
     const AddressedArrays addressed(context);
@@ -76,7 +76,8 @@ namespace cmd {
 void Begin(Context& context, GLenum mode) {
     if (!takes(context, mode))
         return;
-    context.share->lock.take(); // until End, no other thread changes textures of this primitive
+    // Until End, no other thread may change textures that this primitive uses.
+    context.share->lock.take();
     set_gate(context, true);
     context.primitive = mode;
     begin_batch(context);
@@ -91,7 +92,7 @@ void End(Context& context) {
 }
 
 void Vertex(Context& context, Real x, Real y, Real z, Real w) {
-    // Outside of Begin/End a vertex has no meaning and no error (GL 1.3, 2.6.3).
+    // Outside of Begin/End, a vertex has no effect and is no error (GL 1.3, 2.6.3).
     if (context.inside_begin_end())
         context.engine->vertex(context, x, y, z, w);
 }
@@ -190,10 +191,11 @@ void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, 
         return;
     if (end < start)
         return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("end is less than start"));
-    DrawElements(context, mode, count, type, indices); // the range is a promise that is not needed
+    // This implementation does not need the promise that indices are within the range.
+    DrawElements(context, mode, count, type, indices);
 }
 
-/// Loops over draws, and leaves out draws without vertices (GL 1.4, 2.8).
+/// Draws several arrays one after the other, and skips those without vertices (GL 1.4, 2.8).
 void MultiDrawArrays(Context& context, GLenum mode, const GLint* first, const GLsizei* count,
                      GLsizei primcount) {
     if (!takes(context, mode))

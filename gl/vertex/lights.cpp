@@ -1,4 +1,4 @@
-// The commands of lights, materials, the light model and ColorMaterial (GL 1.3, 2.13.1 to 2.13.3).
+// Commands of lights, materials, the light model and ColorMaterial (GL 1.3, 2.13.1 to 2.13.3).
 #include <cstddef>
 #include <cstring>
 #include <initializer_list>
@@ -23,7 +23,8 @@ bool in_range(Real v, Real high) {
     return !(v < numeric::zero) && !(high < v);
 }
 
-/// The materials that a face names. Bit 0: front, bit 1: back; 0: the token is not a face.
+/// Returns the sides that a face names: bit 0 stands for the front and bit 1 for the back. 0: the token names
+/// no face.
 unsigned sides_of(GLenum face) {
     return face == GL_FRONT ? 1u : face == GL_BACK ? 2u : face == GL_FRONT_AND_BACK ? 3u : 0u;
 }
@@ -44,26 +45,26 @@ void give(Params& to, const Real* from, std::uint32_t count) {
     std::memcpy(static_cast<void*>(to.v), from, count * sizeof(Real));
 }
 
-/// Called before a material changes, which is legal inside Begin/End: vertices already given keep the colours
-/// of the old material (GL 1.3, 2.13.2).
+/// Prepares a change of materials. Materials may change inside Begin/End, and vertices given before keep the
+/// colours of the old material (GL 1.3, 2.13.2).
 void materials_change(Context& context) {
     if (context.inside_begin_end())
         context.engine->settle_colors(context);
     context.changed(dirty_materials);
 }
 
-/// The sentence about a light that GL has and this build has not. Other wrong arguments get none.
+/// Message for a light that this build does not have. Other wrong arguments have no message.
 constexpr const char* beyond_lights =
     SPANGLE_TEXT("light is beyond the lights of this build (SPANGLE_LIGHTS)");
 
-/// Sets the error of a kind of lighting that this build does not have.
+/// Sets the error for a kind of lighting that this build does not have.
 void refuse_pname(Context& context) {
     error(context, GL_INVALID_OPERATION,
           SPANGLE_TEXT("this build has no such lighting (SPANGLE_LIGHT_KINDS, SPANGLE_FULL_LIGHTING)"));
 }
 
-/// Diffuse light, or a diffuse material, is too bright for a build without SPANGLE_FULL_LIGHTING: a component
-/// is 16 or more.
+/// True if a component of a diffuse light or material is 16 or more, which only a build with
+/// SPANGLE_FULL_LIGHTING accepts.
 bool too_bright(const Params& v) {
     constexpr std::uint32_t sixteen = numeric::from_i32(16).bits;
     bool bright = false;
@@ -72,13 +73,13 @@ bool too_bright(const Params& v) {
     return bright;
 }
 
-/// Offsets in a Material, in Reals, of the properties named by the tokens from AMBIENT and from EMISSION on;
-/// the last one is the end. AMBIENT_AND_DIFFUSE has no place of its own.
+/// Offsets of properties in Material, in Reals. The first three tokens start at AMBIENT, and the others at
+/// EMISSION; the last entry is the end. AMBIENT_AND_DIFFUSE has no room of its own.
 constexpr std::uint8_t material_place[] = {0, 4, 8, 12, 16, 17, 17, 20};
 static_assert(offsetof(Material, emission) == 12 * sizeof(Real) &&
               offsetof(Material, indexes) == 17 * sizeof(Real) && sizeof(Material) == 20 * sizeof(Real));
 
-/// The index of a property in material_place; 7 or more: the token names no property of materials.
+/// Returns the index of a property in material_place. 7 or more: the token names no property of materials.
 constexpr GLenum material_property(GLenum pname) {
     return pname - GL_AMBIENT < 3 ? pname - GL_AMBIENT : pname - GL_EMISSION + 3;
 }
@@ -93,13 +94,14 @@ static_assert(lies_at(GL_AMBIENT, offsetof(Material, ambient)) &&
               lies_at(GL_SHININESS, offsetof(Material, shininess)) &&
               lies_at(GL_COLOR_INDEXES, offsetof(Material, indexes)));
 
-/// Sets a property of a material, which Material or ColorMaterial names.
+/// Sets a property of a material for Material or ColorMaterial.
 void set_property(Material& m, GLenum pname, const void* v, std::uint32_t count) {
     std::memcpy(reinterpret_cast<Real*>(&m) + material_place[material_property(pname)], v,
                 count * sizeof(Real));
 }
 
-/// ColorMaterial tracks this property, so Material does not set it (GL 1.3, corollary 11).
+/// True if ColorMaterial tracks the property, so that Material must not set it (GL 1.3, appendix B, corollary
+/// 11).
 bool is_tracked(const LightingState& state, unsigned side, GLenum pname) {
     if (!has_color_material || !state.color_material ||
         (sides_of(state.color_material_face) & (1u << side)) == 0)
@@ -132,8 +134,7 @@ void to_eye(const Context& context, const Real (&v)[4], Real* out, int component
     }
 }
 
-/// Offsets in a Light, in Reals, of the properties named by the tokens from AMBIENT on; the last one is the
-/// end.
+/// Offsets of properties in Light, in Reals, for the tokens from AMBIENT on. The last entry is the end.
 constexpr std::uint8_t property_place[] = {0, 4, 8, 12, 16, 19, 20, 21, 22, 23, 24};
 static_assert(std::size(property_place) == GL_QUADRATIC_ATTENUATION - GL_AMBIENT + 2);
 static_assert(offsetof(Light, position) == 12 * sizeof(Real) &&

@@ -1,4 +1,4 @@
-// Map1, Map2 and GetMap, which set and query the control points of evaluators (GL 1.3, 5.1).
+// Map1, Map2 and GetMap set and query the control points of evaluators (GL 1.3, 5.1).
 #include "gl/vertex/maps.hpp"
 
 #include "gl/context/hooks.hpp"
@@ -16,7 +16,7 @@ namespace spangle::gl {
 
 namespace {
 
-/// A map of order 1, followed by its control point, where EvalMap::points() finds it.
+/// A map of order 1. Its control point follows it, where EvalMap::points() finds it.
 struct InitialMap {
     EvalMap map;
     Real point[4];
@@ -27,7 +27,7 @@ constexpr InitialMap initial_of(Real x, Real y, Real z, Real w) {
     return {{{initial_side, initial_side}}, {x, y, z, w}};
 }
 
-/// Initial maps: the control point is the initial value of the current attribute (GL 1.3, table 6.22).
+/// Initial maps. Their control points are the initial values of the current attributes (GL 1.3, table 6.22).
 constexpr InitialMap of_color = initial_of(numeric::one, numeric::one, numeric::one, numeric::one),
                      of_normal = initial_of(numeric::zero, numeric::zero, numeric::one, numeric::zero),
                      of_position = initial_of(numeric::zero, numeric::zero, numeric::zero, numeric::one);
@@ -97,7 +97,8 @@ GLenum map_error(const MapArguments& map, unsigned dimension) {
 }
 
 Real control_value(const MapArguments& map, GLint i, GLint j, unsigned c) {
-    const auto at = [](GLint stride, GLint n) { // the stride may be large, n is below the order
+    // The stride may be large, but n is less than the order.
+    const auto at = [](GLint stride, GLint n) {
         return static_cast<std::size_t>(stride) * static_cast<std::size_t>(n);
     };
     return convert::array_value(map.points, at(map.side[0].stride, i) + at(map.side[1].stride, j) + c);

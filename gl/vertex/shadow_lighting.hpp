@@ -1,4 +1,5 @@
-// Lights each vertex twice, in integers and in double, and reports the difference. Hosts only.
+// Lights each vertex twice, in fixed point and in double, and reports the difference. Only hosts have this
+// policy.
 #pragma once
 
 #include "gl/vertex/double_lighting.hpp"
@@ -20,7 +21,7 @@ class ShadowLighting {
         fixed_.materials_changed();
         twin_.materials_changed();
     }
-    /// The double twin uses the position also where the integers do not need it.
+    /// True if a policy needs the position in eye space. The double policy needs it more often.
     bool needs_eye() const { return fixed_.needs_eye() || twin_.needs_eye(); }
     bool two_sided() const { return fixed_.two_sided(); }
     bool tracks_color() const { return fixed_.tracks_color(); }

@@ -1,5 +1,6 @@
-// Runs both arithmetics of the vertex pipeline at once: the integers decide and draw, and a double twin of
-// each number is compared with them (docs/architecture/fragments.md, "Policies"). Hosts only.
+// Runs both arithmetics of the vertex pipeline at once. The fixed-point numbers decide and draw, and each has
+// a twin in double that it is compared with (docs/architecture/fragments.md, "Policies"). Only hosts have
+// this policy.
 #pragma once
 
 #include "gl/vertex/double_math.hpp"
@@ -8,7 +9,7 @@
 
 namespace spangle::gl {
 
-/// A number in integers and its twin in double.
+/// A fixed-point number and its twin in double.
 template <class F, class D> struct FixedAndDouble {
     F fixed;
     D twin;
@@ -38,7 +39,7 @@ struct ShadowMath {
         bool divide(int i, const Transforms& t, const Real (&v)[4], Window& out, unsigned& planes) const {
             if (!fixed_.divide(i, t.fixed, v, out.fixed, planes))
                 return false;
-            if (planes >> 8 == 0) // other vertices are clipped, never drawn
+            if (planes >> 8 == 0) // other vertices are clipped, not drawn
                 project_twin(t, DoubleMath::to_clip(t.twin, v), out);
             return true;
         }
@@ -66,7 +67,7 @@ struct ShadowMath {
     }
     static Clip narrow(const Point& v) { return {FixedMath::narrow(v.fixed), v.twin}; }
 
-    // The integers make all decisions.
+    // The fixed-point numbers make all decisions.
     static constexpr int guard_band = FixedMath::guard_band;
     template <class C> static bool beyond(const C& c, int plane, int band) {
         return FixedMath::beyond(c.fixed, plane, band);
@@ -93,8 +94,8 @@ struct ShadowMath {
         return FixedMath::outside(p.fixed, d.fixed);
     }
 
-    /// The place where an edge meets a plane. The twin of an edge may not cross the plane, since its numbers
-    /// differ a little; then it takes the place of the integers.
+    /// Returns the place where an edge meets a plane. Its twin may not cross the plane, since its numbers
+    /// differ a little. The twin then takes the parameter of the fixed-point edge.
     static Parameter intersect(const Distance& a, const Distance& b) {
         const FixedMath::Parameter fixed = FixedMath::intersect(a.fixed, b.fixed);
         if ((a.twin < 0) != (b.twin < 0))
@@ -166,14 +167,15 @@ struct ShadowMath {
         FixedMath::project(t.fixed, c.fixed, out.fixed);
         project_twin(t, c.twin, out);
     }
-    /// The twin continues with the snapped position of the integers, so that from here on only the arithmetic
-    /// differs.
+    /// Projects the twin. It continues with the snapped position of the fixed-point vertex, so that later
+    /// differences come from the arithmetic alone.
     static void project_twin(const Transforms& t, const DoubleMath::Clip& c, Window& out) {
         const bool sound = c.v[3] > 0.0;
         if (sound) {
             DoubleMath::project(t.twin, c, out.twin);
             report_position(out);
-        } else { // a vertex almost in the plane of the eye, whose twin lies behind it
+            // The vertex is so close to the plane of the eye that its twin is behind that plane.
+        } else {
             out.twin.x_exact = out.fixed.x / double{raster::subpixel_one};
             out.twin.y_exact = out.fixed.y / double{raster::subpixel_one};
             out.twin.z = out.fixed.z / double{raster::depth_one};
@@ -183,7 +185,7 @@ struct ShadowMath {
         out.twin.y = out.fixed.y;
     }
 
-    // Values that go back to the program are those of the integers.
+    // Values that are returned to the program come from the fixed-point numbers.
     static std::uint32_t depth_word(const Window& v) { return FixedMath::depth_word(v.fixed); }
     static void window_of(const Transforms& t, const Clip& c, Real (&out)[4]) {
         FixedMath::window_of(t.fixed, c.fixed, out);
@@ -252,7 +254,7 @@ struct ShadowMath {
     }
     static Real index_of(const Window& v) { return FixedMath::index_of(v.fixed); }
 
-    /// Reports the difference of primary and secondary colour, once they are set.
+    /// Reports the differences of primary and secondary colour.
     static void report_color(const Window& v) {
         raster::ShadowReport* const report = raster::shadow_report();
         if (report == nullptr)

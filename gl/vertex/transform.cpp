@@ -1,4 +1,4 @@
-// Commands of matrices and their stacks, of the viewport and the depth range (GL 1.3, 2.10.1, 2.10.2).
+// Commands for matrices and their stacks, the viewport and the depth range (GL 1.3, 2.10.1 and 2.10.2).
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/hooks.hpp"
@@ -11,7 +11,7 @@ namespace spangle::gl {
 
 namespace {
 
-/// A matrix stack: its entries, its capacity, and the index of the top.
+/// A matrix stack: its entries, its capacity and the index of its top.
 struct StackRef {
     numeric::Matrix* entry;
     int depth;
@@ -33,8 +33,8 @@ StackRef current_stack(Context& context) {
     return modelview_stack(t);
 }
 
-/// The sentence for a full stack. Profiles size each stack by itself, so it names the stack that is too
-/// small.
+/// Returns the message for a full stack. Profiles size each stack separately, so the message names the option
+/// of the full stack.
 const char* stack_is_full([[maybe_unused]] GLenum mode) {
     return mode == GL_PROJECTION ? SPANGLE_TEXT("the stack is full (SPANGLE_PROJECTION_STACK)")
            : mode == GL_TEXTURE  ? SPANGLE_TEXT("the stack is full (SPANGLE_TEXTURE_STACK)")
@@ -47,7 +47,7 @@ numeric::Matrix& current_matrix(Context& context) {
     return stack.entry[*stack.top];
 }
 
-/// Multiplies the current matrix by a matrix, or by a rotation.
+/// Multiplies the current matrix by a matrix or a rotation.
 template <class R> void multiply_current(Context& context, const R& right) {
     numeric::Matrix& top = current_matrix(context);
     top = numeric::multiply(top, right);
@@ -168,11 +168,13 @@ void Viewport(Context& context, GLint x, GLint y, GLsizei width, GLsizei height)
     v[2] = silently(width, 0, max_viewport_dim);
     v[3] = silently(height, 0, max_viewport_dim);
     context.changed(dirty_matrices);
+    // Fragments must end at a viewport that does not hold the window; see viewport_box.hpp.
     if (!held_window || !viewport_holds_window(context))
-        context.changed(dirty_fragment); // fragments may have to end at the viewport
+        context.changed(dirty_fragment);
 #if SPANGLE_HAS_PLATFORMS
+    // Programs call glViewport when their window has changed its size.
     if (context.drawable.follow != nullptr)
-        context.drawable.follow(); // programs call glViewport when their window has another size
+        context.drawable.follow();
 #endif
 }
 

@@ -6,7 +6,7 @@
 
 namespace spangle::gl {
 
-/// A stack of matrices of `Depth` entries (GL 1.3, table 6.11).
+/// A stack of `Depth` matrices (GL 1.3, table 6.11).
 template <int Depth> struct MatrixStack {
     int top = 0;
     numeric::Matrix entry[Depth];
