@@ -1,4 +1,4 @@
-// Begins and restarts a primitive: in the engine, and in the gate that the wrappers of vertex commands ask.
+// Begins and restarts primitives: in the engine, and in the gate that wrappers of vertex commands read.
 #pragma once
 
 #include "gl/context/batches.hpp"
@@ -6,8 +6,8 @@
 
 namespace spangle::gl {
 
-/// Begins a primitive of the mode Context::primitive. Where the band at hand leaves the primitive out, the
-/// gate keeps the wrappers from reading its vertices.
+/// Begins a primitive of mode Context::primitive. If the current band leaves the primitive out, the gate
+/// keeps the wrappers from reading its vertices.
 inline void begin_batch(Context& context) {
     context.engine->begin(context, context.primitive);
     const unsigned others = context.gate & ~unsigned{gate_left_out};

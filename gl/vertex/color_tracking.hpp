@@ -1,4 +1,4 @@
-// ColorMaterial follows the current colour (GL 1.3, 2.13.3).
+// Updates the material properties that follow the current colour (ColorMaterial; GL 1.3, 2.13.3).
 #pragma once
 
 #include "gl/context/context.hpp"
@@ -6,11 +6,12 @@
 
 namespace spangle::gl {
 
-/// Copies the current colour, which has changed, into the tracked material properties. Only for contexts in
-/// which COLOR_MATERIAL is enabled.
+/// Copies the current colour, which has changed, to the tracked material properties. COLOR_MATERIAL must be
+/// enabled.
 void color_changed(Context& context);
 
-/// Called after every change of the current colour, whether COLOR_MATERIAL is enabled or not.
+/// Updates tracked material properties after a change of the current colour. It does nothing unless
+/// COLOR_MATERIAL is enabled.
 inline void follow_color([[maybe_unused]] Context& context) {
 #if SPANGLE_FEATURE_LIGHTING
     if (has_color_material && context.lighting.color_material)

@@ -1,4 +1,4 @@
-// The attributes of an array element become the current ones (GL 1.3, 2.8).
+// Sets the current attributes from an array element (GL 1.3, 2.8).
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,8 @@ inline void set_texture(CurrentState& current, const ElementReader& reader, std:
         if (!reader.tex_coord[u].on())
             continue;
         Real(&v)[4] = current.tex_coord[u].v;
-        v[1] = v[2] = numeric::zero; // what the array leaves out gets the initial values (GL 1.3, 2.7)
+        // Coordinates that the array does not have get their initial values (GL 1.3, 2.7).
+        v[1] = v[2] = numeric::zero;
         v[3] = numeric::one;
         reader.tex_coord[u].read(index, v);
     }
@@ -25,7 +26,7 @@ inline void set_texture(CurrentState& current, const ElementReader& reader, std:
 inline void set_color_and_texture(Context& context, const ElementReader& reader, std::uint32_t index) {
     CurrentState& current = context.current;
     if (reader.color.on()) {
-        current.color[3] = numeric::one; // of three components: such an array leaves alpha 1
+        current.color[3] = numeric::one; // value of alpha in an array of three components
         reader.color.read(index, current.color);
         follow_color(context);
     }
@@ -49,7 +50,8 @@ class CurrentStateGuard {
 
   private:
     Context& context_;
-    alignas(Real) unsigned char kept_[offsetof(CurrentState, raster)]; ///< attributes of vertices
+    /// Attributes of vertices, without the raster position.
+    alignas(Real) unsigned char kept_[offsetof(CurrentState, raster)];
 };
 
 /// Sets the current attributes from element `index` of the arrays in ElementReader::seldom.

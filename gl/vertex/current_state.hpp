@@ -1,4 +1,4 @@
-// Current vertex attributes (GL 1.3, 2.7; appendix D.1).
+// Current vertex attributes (GL 1.3, 2.7; GL 1.4, 2.7).
 #pragma once
 
 #include "gl/context/types.hpp"
@@ -8,10 +8,10 @@ namespace spangle::gl {
 
 struct CurrentState {
     Real color[4] = {numeric::one, numeric::one, numeric::one, numeric::one};
-    Real secondary_color[4] = {numeric::zero, numeric::zero, numeric::zero,
-                               numeric::one}; ///< alpha never changes
+    /// No command changes the alpha of the secondary colour.
+    Real secondary_color[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
     Real normal[3] = {numeric::zero, numeric::zero, numeric::one};
-    Real index = numeric::one; ///< as set; masked to the framebuffer's bits where it is used
+    Real index = numeric::one; ///< as set; use masks it to the bits of the framebuffer
     Real fog_coord = numeric::zero;
     bool edge_flag = true;
     struct TexCoord {

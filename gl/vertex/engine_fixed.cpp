@@ -1,4 +1,4 @@
-// The product's engine: the pipeline in integers.
+// The engine of the product: the pipeline in fixed point.
 #include <type_traits>
 
 #include "gl/context/features.hpp"
@@ -32,10 +32,11 @@ FixedPipeline& pipeline(Context& context) {
 #define OF_ENGINE
 #endif
 
-/// Does nothing: each member is either derived before it is used or begins as 0, and the memory is 0 already.
-/// An inline constructor would clear the pipeline member by member.
+/// Does nothing, since the memory is 0 already. Each member of the pipeline begins as 0 or is derived before
+/// use. A constructor would clear the pipeline member by member, which takes more code.
 void OF_ENGINE construct(void*) {
-    static_assert(std::is_trivially_copyable_v<FixedPipeline>); // zero bytes are a valid pipeline
+    // Zero bytes are a valid pipeline.
+    static_assert(std::is_trivially_copyable_v<FixedPipeline>);
 }
 
 void OF_ENGINE compile(const raster::FragmentState& fragment, const raster::Surface& target,

@@ -1,4 +1,5 @@
-// The reference engines: the pipeline over double, and over integers with a double twin beside each number.
+// The reference engines: one has the pipeline in double, the other in fixed point with a double twin of each
+// number.
 #include <new>
 
 #include "gl/context/features.hpp"

@@ -1,4 +1,4 @@
-// FeedbackBuffer, PassThrough, and the words of feedback (GL 1.3, 5.3).
+// FeedbackBuffer, PassThrough and the values that feedback writes (GL 1.3, 5.3).
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_FEEDBACK
@@ -13,8 +13,8 @@ namespace spangle::gl {
 
 namespace {
 
-/// Appends one value to the client's buffer, which need not be aligned. Sets `overflow` where the buffer is
-/// full.
+/// Appends one value to the client's buffer, which need not be aligned. If the buffer is full, sets
+/// `overflow`.
 void write_feedback(FeedbackState& f, Real value) {
     if (f.written == f.size) {
         f.overflow = true;

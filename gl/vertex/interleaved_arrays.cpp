@@ -1,4 +1,4 @@
-// InterleavedArrays (GL 1.3, 2.8, table 2.5).
+// Implements InterleavedArrays (GL 1.3, 2.8, table 2.5).
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/hooks.hpp"
@@ -8,14 +8,15 @@ namespace spangle::gl::cmd {
 
 namespace {
 
-/// One row of table 2.5. Order of arrays: texture coordinates, colour, normal, position. `size`: components,
-/// 0 where the array is absent; `at` and `stride` in bytes.
+/// One row of table 2.5. The arrays are in the order texture coordinates, colour, normal, position. `size`
+/// has the components of each array, or 0 for an array that the format does not have. `at` and `stride` count
+/// bytes.
 struct Format {
     std::uint8_t size[4], at[4], stride;
     bool color_bytes;
 };
 
-/// The formats in the order of their tokens, V2F first.
+/// Formats in the order of their tokens, from V2F on.
 constexpr Format formats[] = {
     {{0, 0, 0, 2}, {0, 0, 0, 0}, 8, false},     // V2F
     {{0, 0, 0, 3}, {0, 0, 0, 0}, 12, false},    // V3F
@@ -33,7 +34,7 @@ constexpr Format formats[] = {
     {{4, 4, 3, 4}, {0, 16, 32, 44}, 60, false}, // T4F_C4F_N3F_V4F
 };
 
-/// Whether the bytes of a format's elements are those of its components.
+/// True if the stride of a format equals the bytes of its components, which are given.
 constexpr bool has_bytes(GLenum format, std::uint8_t texture, bool color_bytes, std::uint8_t color,
                          std::uint8_t normal, std::uint8_t vertex) {
     const Format& f = formats[format - GL_V2F];

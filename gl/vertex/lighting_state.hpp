@@ -1,13 +1,13 @@
-// Lights, materials, light model, ColorMaterial (GL 1.3, 2.13).
+// State of lights, materials, the light model and ColorMaterial (GL 1.3, 2.13).
 #pragma once
 
 #include "gl/context/types.hpp"
 
 namespace spangle::gl {
 
-// Initial values (GL 1.3, tables 6.11 to 6.13).
+// Initial values of materials and of the light model (GL 1.3, tables 6.11 to 6.13).
 inline constexpr Real one_fifth = numeric::from_float(0.2f), four_fifths = numeric::from_float(0.8f);
-/// The cutoff of a light that shines in all directions, degrees.
+/// Spot cutoff, in degrees, of a light that shines in all directions.
 inline constexpr Real no_spot_cutoff = numeric::from_i32(180);
 
 struct Light {
@@ -27,7 +27,7 @@ struct Material {
     Real specular[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
     Real emission[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
     Real shininess = numeric::zero;
-    Real indexes[3] = {numeric::zero, numeric::one, numeric::one}; ///< ambient, diffuse, specular
+    Real indexes[3] = {numeric::zero, numeric::one, numeric::one}; ///< ambient, diffuse and specular index
 };
 
 #if SPANGLE_FEATURE_LIGHTING
@@ -46,9 +46,9 @@ struct LightingState {
     bool local_viewer = false;
     bool two_side = false;
     GLenum color_control = GL_SINGLE_COLOR;
-    bool color_sum = false; ///< COLOR_SUM: secondary colours are added without lighting, too
+    bool color_sum = false; ///< COLOR_SUM: secondary colours are added even without lighting
     Light light[max_lights];
-    Material material[2]; ///< front, back
+    Material material[2]; ///< of front and back
 };
 #else
 struct LightingState {
@@ -58,8 +58,8 @@ struct LightingState {
 };
 #endif
 
-/// A secondary colour is added to fragments: that of lighting, which may be zero, or that of the vertices
-/// (GL 1.4, 3.9).
+/// True if a secondary colour is added to fragments. With lighting it is the specular colour, which may be
+/// zero, and without lighting that of the vertices (GL 1.4, 3.9).
 inline bool sums_colors(const LightingState& state) {
     return state.lighting ? state.color_control == GL_SEPARATE_SPECULAR_COLOR : state.color_sum;
 }

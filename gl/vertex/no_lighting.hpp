@@ -1,4 +1,5 @@
-// Stands in for lighting in a build without it. LIGHTING cannot be enabled there, so light() is never called.
+// Replaces lighting in a build without it. LIGHTING cannot be enabled in such a build, so that light() is
+// never called.
 #pragma once
 
 #include "gl/context/context.hpp"

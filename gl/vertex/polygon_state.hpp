@@ -1,4 +1,5 @@
-// State of turning primitives into fragments: shading, facing, culling, sizes (GL 1.3, 2.13.7, 3.3 to 3.5).
+// State that turns primitives into fragments: shading, facing, culling and sizes (GL 1.3, 2.13.7 and 3.3 to
+// 3.5).
 #pragma once
 
 #include "gl/context/features.hpp"
@@ -7,7 +8,8 @@
 
 namespace spangle::gl {
 
-/// The polygon stipple: 32 rows from the bottom; bit x: column x is drawn (GL 1.3, 3.5.2).
+/// The polygon stipple. It has 32 rows from the bottom up, and bit x of a row says that column x is drawn (GL
+/// 1.3, 3.5.2).
 struct StipplePattern {
     std::uint32_t row[32];
     constexpr StipplePattern() : row{} {
@@ -22,7 +24,7 @@ struct PolygonState {
     GLenum front_face = GL_CCW;
     bool cull_face = false;
     GLenum mode[2] = {GL_FILL, GL_FILL}; ///< polygon mode of front and back faces
-    Real point_size = numeric::one;      ///< pixels, as set; clamped and rounded only in use
+    Real point_size = numeric::one;      ///< in pixels, as set; use clamps and rounds it
     Real line_width = numeric::one;
     bool point_smooth = false, line_smooth = false, polygon_smooth = false;
 #if SPANGLE_FEATURE_POINT_PARAMETERS
@@ -30,7 +32,7 @@ struct PolygonState {
     Real point_fade_threshold = numeric::one;
     Real point_attenuation[3] = {numeric::one, numeric::zero, numeric::zero};
     bool point_sprite = false;
-    bool coord_replace[texture_units] = {}; ///< COORD_REPLACE of point sprites
+    bool coord_replace[texture_units] = {}; ///< COORD_REPLACE of each texture unit
     GLenum sprite_origin = GL_UPPER_LEFT;
 #endif
 #if SPANGLE_FEATURE_STIPPLE

@@ -14,8 +14,8 @@ void RasterPos(Context& context, Real x, Real y, Real z, Real w) {
     context.engine->raster_position(context, {x, y, z, w});
 }
 
-/// Takes window coordinates as they are; only z goes through the depth range. The position is not
-/// transformed, lit or clipped (GL 1.4, 2.13).
+/// Sets the raster position from window coordinates. Only z is transformed, by the depth range; there is no
+/// lighting and no clipping (GL 1.4, 2.13).
 void WindowPos(Context& context, Real x, Real y, Real z) {
     const CurrentState& current = context.current;
     const Real near = context.transform.depth_range[0], far = context.transform.depth_range[1];

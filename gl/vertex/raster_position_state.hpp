@@ -6,9 +6,9 @@
 namespace spangle::gl {
 
 struct RasterPosition {
-    Real position[4] = {numeric::zero, numeric::zero, numeric::zero,
-                        numeric::one}; ///< window x, y, z; w of clip coordinates
-    Real distance = numeric::zero;     ///< distance from the eye, for fog
+    /// Window x, y and z, and w of the clip coordinates.
+    Real position[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
+    Real distance = numeric::zero; ///< distance from the eye, for fog
     Real color[4] = {numeric::one, numeric::one, numeric::one, numeric::one};
     Real index = numeric::one;
     struct TexCoord {

@@ -1,4 +1,5 @@
-// Commands of shading model, facing, culling, point size and line width (GL 1.3, 2.13.7, 3.3, 3.4, 3.5.1).
+// Commands for the shading model, facing, culling, point size and line width (GL 1.3, 2.13.7, 3.3, 3.4 and
+// 3.5.1).
 #include "gl/api/generated/commands.hpp"
 #include "gl/pixel/viewport_box.hpp"
 
@@ -32,7 +33,8 @@ void PolygonMode(Context& context, GLenum face, GLenum mode) {
         context.polygon.mode[0] = mode;
     if (face != GL_FRONT)
         context.polygon.mode[1] = mode;
-    context.changed(dirty_fragment); // it depends on the mode which polygons bring coverage
+    // Whether polygons have coverage values depends on the mode.
+    context.changed(dirty_fragment);
 }
 #endif
 
@@ -79,7 +81,8 @@ void LineWidth(Context& context, Real width) {
         return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("width is not positive"));
     context.polygon.line_width = width;
     if (!viewport_holds_window(context))
-        context.changed(dirty_fragment); // fragments of wide lines may have to end at the viewport
+        // Fragments of wide lines must end at a viewport that does not hold the window; see viewport_box.hpp.
+        context.changed(dirty_fragment);
 }
 
 #if SPANGLE_FEATURE_POLYGON_OFFSET

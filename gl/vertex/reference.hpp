@@ -1,4 +1,4 @@
-// The reference engines, for hosts: double, and integers with a double twin.
+// The reference engines for hosts: one in double, and one in fixed point with a double twin of each number.
 #pragma once
 
 #include "gl/vertex/engine.hpp"

@@ -1,4 +1,5 @@
-// RenderMode chooses where primitives go, and returns what the mode before has found (GL 1.3, 5.2 and 5.3).
+// RenderMode sets where primitives go, and returns the number of hits or of feedback values of the previous
+// mode (GL 1.3, 5.2 and 5.3).
 #include "gl/vertex/render_mode.hpp"
 
 #if SPANGLE_FEATURE_SELECTION || SPANGLE_FEATURE_FEEDBACK
@@ -10,7 +11,7 @@ namespace spangle::gl {
 
 namespace {
 
-/// The mode can begin; else the error is set.
+/// True if the render mode can begin. Otherwise the error is set.
 bool may_begin(Context& context, GLenum mode) {
     switch (mode) {
     case GL_RENDER:

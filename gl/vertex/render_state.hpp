@@ -5,29 +5,30 @@
 #include "gl/context/limits.hpp"
 #include "gl/context/types.hpp"
 
-/// This build gathers POLYGONs that are drawn as a whole, because they are fed back or antialiased.
+/// True if this build gathers POLYGONs that are drawn as a whole, because they are fed back or antialiased.
 #define SPANGLE_GATHERS_POLYGONS (SPANGLE_FEATURE_FEEDBACK || SPANGLE_FEATURE_ANTIALIASING)
 
 namespace spangle::gl {
 
 struct SelectState {
-    const void* buffer = nullptr; ///< the program's array of GLuint
-    GLsizei size = 0;             ///< size of the buffer in words, as given
-    GLsizei written = 0;          ///< words written so far
-    GLint hits = 0;               ///< records that have ended
-    bool given = false;           ///< SelectBuffer was called
+    const void* buffer = nullptr; ///< array of GLuint of the program
+    GLsizei size = 0;             ///< size of the buffer in words
+    GLsizei written = 0;          ///< number of words written
+    GLint hits = 0;               ///< number of complete hit records
+    bool given = false;           ///< true after SelectBuffer
     bool overflow = false, hit = false;
-    std::uint32_t nearest = 0xFFFFFFFF, farthest = 0; ///< window z times 2^32 - 1, since the last record
-    GLint depth = 0;                                  ///< names on the stack
+    /// Window z times 2^32 - 1, of hits since the last record.
+    std::uint32_t nearest = 0xFFFFFFFF, farthest = 0;
+    GLint depth = 0; ///< number of names on the stack
     GLuint name[name_stack_entries] = {};
 };
 
 struct FeedbackState {
-    const void* buffer = nullptr; ///< the program's array of GLfloat or GLfixed
-    GLsizei size = 0;             ///< size of the buffer in words, as given
-    GLsizei written = 0;          ///< words written so far
+    const void* buffer = nullptr; ///< array of GLfloat or GLfixed of the program
+    GLsizei size = 0;             ///< size of the buffer in words
+    GLsizei written = 0;          ///< number of words written
     GLenum type = GL_2D;
-    bool given = false; ///< FeedbackBuffer was called
+    bool given = false; ///< true after FeedbackBuffer
     bool overflow = false, fixed = false;
 };
 
@@ -44,10 +45,11 @@ struct RenderState {
     FeedbackState feedback;
 #endif
 #if SPANGLE_GATHERS_POLYGONS
-    void* gathered = nullptr; ///< in the arena: the pipeline's corners of a POLYGON that has not ended
+    /// Corners of a POLYGON that has not ended, which the pipeline keeps in the arena.
+    void* gathered = nullptr;
 #endif
 #if SPANGLE_GROWS_CACHE
-    void* kept_vertices = nullptr; ///< in the arena: the pipeline's vertex cache, if it has grown
+    void* kept_vertices = nullptr; ///< vertex cache of the pipeline in the arena, if the cache has grown
 #endif
     bool draws() const {
         return mode == GL_RENDER;

@@ -1,4 +1,4 @@
-// SelectBuffer, the name stack, and hit records (GL 1.3, 5.2).
+// SelectBuffer, the name stack and hit records (GL 1.3, 5.2).
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_SELECTION
@@ -14,7 +14,8 @@ namespace spangle::gl {
 
 namespace {
 
-/// Appends one word to the client's buffer, which need not be aligned. Sets `overflow` where it is full.
+/// Appends one word to the client's buffer, which need not be aligned. If the buffer is full, sets
+/// `overflow`.
 void put(SelectState& s, GLuint word) {
     if (s.written == s.size) {
         s.overflow = true;
@@ -26,7 +27,8 @@ void put(SelectState& s, GLuint word) {
     ++s.written;
 }
 
-/// The state with the name stack. Null in all modes but SELECT: names mean nothing there.
+/// Returns the state with the name stack, or null in render modes other than SELECT, in which names have no
+/// effect.
 SelectState* names(Context& context) {
     return context.render.mode == GL_SELECT ? &context.render.select : nullptr;
 }
@@ -67,7 +69,7 @@ void SelectBuffer(Context& context, GLsizei size, GLuint* buffer) {
     s.given = true;
 }
 
-// Each command that changes the name stack ends the record of the hits before it (GL 1.3, 5.2).
+// Each command that changes the name stack ends the record of earlier hits (GL 1.3, 5.2).
 
 void InitNames(Context& context) {
     SelectState* const s = names(context);

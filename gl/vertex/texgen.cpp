@@ -11,7 +11,7 @@ namespace spangle::gl::cmd {
 
 namespace {
 
-/// The coordinate S, T, R or Q can be generated in this mode (GL 1.3, 2.10.4).
+/// True if coordinate S, T, R or Q can be generated in this mode (GL 1.3, 2.10.4).
 bool has_mode(GLenum coord, GLenum mode) {
     switch (mode) {
     case GL_OBJECT_LINEAR:

@@ -38,13 +38,13 @@ template <class M> class TexGen {
             M::normal_matrix(context.transform, normal_matrix_);
     }
 
-    /// Bit u: some coordinate of unit u is generated.
+    /// Units with a generated coordinate; bit u stands for unit u.
     unsigned units() const { return generating_units_; }
-    /// The q of this unit is not generated.
+    /// True if the unit does not generate q.
     bool keeps_q(int unit) const { return unit_[unit].mode[3] == GL_NONE; }
 
-    /// Sets the coordinates of a vertex before the texture matrix. Coordinates that are not generated are
-    /// those of `current`.
+    /// Sets the coordinates of a vertex before the texture matrix. Coordinates that are not generated come
+    /// from `current`.
     [[gnu::noinline]] void generate(const typename M::Transforms& transforms, int unit,
                                     const Real (&position)[4], const Real (&normal)[3],
                                     const Real (&current)[4], Scalar (&out)[4]) const {
@@ -67,7 +67,8 @@ template <class M> class TexGen {
             case GL_EYE_LINEAR:
                 out[c] = dot(gen.plane[c], eye, 4);
                 break;
-            case GL_SPHERE_MAP: // cmd::TexGen() sets modes only for coordinates that have them
+            // SPHERE_MAP has c < 2, since cmd::TexGen() accepts the mode for S and T only.
+            case GL_SPHERE_MAP:
                 out[c] = sphere(r, c);
                 break;
             case GL_REFLECTION_MAP:
@@ -84,15 +85,15 @@ template <class M> class TexGen {
   private:
     struct Unit {
         GLenum mode[4] = {};
-        bool mapped = false; ///< some coordinate needs the normal
+        bool mapped = false; ///< true if a coordinate needs the normal
         Scalar plane[4][4];
     };
     unsigned generating_units_ = 0;
     bool normalizes_ = false;
     Unit unit_[texture_units];
-    Scalar normal_matrix_[9]; ///< column-major
+    Scalar normal_matrix_[9]; ///< column by column
 
-    /// The scalar product of n components; the components of `a` are `step` apart.
+    /// Returns the scalar product of n components. The components of `a` are `step` apart.
     static Scalar dot(const Scalar* a, const Scalar* b, int n, int step = 1) {
         Scalar sum = a[0] * b[0];
         for (int k = 1; k < n; ++k)
@@ -114,9 +115,10 @@ template <class M> class TexGen {
             make_unit(n);
     }
 
-    /// The reflection vector r = u - 2 n (n . u), where u is the unit vector from the eye to the vertex.
+    /// Sets r to the reflection vector u - 2 n (n . u), where u is the unit vector from the eye to the
+    /// vertex.
     static void reflect(const Scalar (&eye)[4], const Scalar (&n)[3], Scalar (&r)[3]) {
-        // The product with w has the direction of the quotient, also where w is negative.
+        // The product with w has the direction of the quotient by w, even if w is negative.
         Scalar u[3] = {eye[0] * eye[3], eye[1] * eye[3], eye[2] * eye[3]};
         make_unit(u);
         const Scalar along = dot(n, u, 3), twice = along + along;
@@ -124,7 +126,8 @@ template <class M> class TexGen {
             r[i] = u[i] - n[i] * twice;
     }
 
-    /// The sphere map's coordinate c: r / m + 1/2, where m = 2 sqrt(rx rx + ry ry + (rz + 1)(rz + 1)).
+    /// Returns coordinate c of the sphere map: r / m + 1/2, where m = 2 sqrt(rx rx + ry ry + (rz + 1)(rz +
+    /// 1)).
     static Scalar sphere(const Scalar (&r)[3], int c) {
         constexpr Real one_half = numeric::from_float(0.5f);
         const Scalar half = M::scalar(one_half);
@@ -135,7 +138,7 @@ template <class M> class TexGen {
 
 #else
 
-/// In a build without generated coordinates, every coordinate is the current one.
+/// Replaces TexGen in a build without generated coordinates. The current coordinates stay as they are.
 template <class M> class TexGen {
   public:
     using Scalar = typename M::Scalar;

@@ -1,4 +1,4 @@
-// The user clip planes that are enabled (GL 1.3, 2.11).
+// The enabled clip planes of the user (GL 1.3, 2.11).
 #pragma once
 
 #include "gl/context/features.hpp"
@@ -21,7 +21,7 @@ template <class M> class UserPlanes {
     int count() const { return plane_count_; }
     const typename M::Plane& operator[](int i) const { return plane_[i]; }
 
-    /// Bit i: the point is outside of plane i.
+    /// Returns the planes that the point is outside of; bit i stands for plane i.
     unsigned outside(const typename M::Eye& eye) const {
         unsigned planes = 0;
         for (int i = 0; i < plane_count_; ++i)
@@ -36,7 +36,7 @@ template <class M> class UserPlanes {
 
 #else
 
-/// In a build without user clip planes, no point is outside of one.
+/// Replaces UserPlanes in a build without user clip planes. No point is outside of a plane.
 template <class M> class UserPlanes {
   public:
     void derive(const TransformState&) {}

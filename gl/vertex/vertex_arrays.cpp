@@ -1,5 +1,5 @@
-// Vertex array objects, which hold what VertexPointer and its like set (GL 3.0, 2.10). Contexts do not share
-// them.
+// Vertex array objects hold the state that VertexPointer and similar commands set (GL 3.0, 2.10). Each
+// context has its own objects.
 #include "gl/context/hooks.hpp"
 
 #if SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS
@@ -15,7 +15,7 @@ namespace spangle::gl {
 
 namespace {
 
-/// Allocates the ArraysState of an array object that has none yet. False: no room in the arena.
+/// Allocates the ArraysState of an array object that has none yet. False: the arena has no room.
 bool make(Context& context, void*& object) {
     if (object != nullptr)
         return true;
@@ -25,8 +25,8 @@ bool make(Context& context, void*& object) {
     return memory != nullptr;
 }
 
-/// The pointer to the ArraysState of an array object that is not bound: it is null until it is needed. Null
-/// instead of the pointer: GenVertexArrays did not return this name.
+/// Returns the place of the pointer to an unbound object's ArraysState. The pointer there is null until the
+/// state is needed. Null: GenVertexArrays did not return this name.
 void** place_of(ArrayBindings& bindings, GLuint name) {
     return name != 0 ? bindings.vertex_arrays.find(name) : &bindings.unnamed;
 }
@@ -43,8 +43,8 @@ GLuint bound_vertex_array(const Context& context) {
     return context.array_bindings.vertex_array;
 }
 
-/// Binds an array object, or 0 for an unknown name. The bound object's arrays are in the context, where draws
-/// find them; those of other objects lie in the arena. False: no room in the arena.
+/// Binds an array object, or object 0 for an unknown name. The arrays of the bound object are in the context,
+/// where draws read them, and those of other objects are in the arena. False: the arena has no room.
 bool bind_vertex_array(Context& context, GLuint name) {
     ArrayBindings& bindings = context.array_bindings;
     void **const from = place_of(bindings, bindings.vertex_array), **to = place_of(bindings, name);
@@ -66,7 +66,7 @@ void release_vertex_arrays(Context& context) {
     release_arrays(context);
     ArrayBindings& bindings = context.array_bindings;
     if (void** const bound = place_of(bindings, bindings.vertex_array); *bound != nullptr)
-        *static_cast<ArraysState*>(*bound) = ArraysState(); // release_arrays() released its buffers
+        *static_cast<ArraysState*>(*bound) = ArraysState(); // release_arrays() has released its buffers
     destroy(context, bindings.unnamed);
     for (std::uint32_t i = 0; i < bindings.vertex_arrays.capacity(); ++i)
         if (bindings.vertex_arrays.slot(i).name != 0)
