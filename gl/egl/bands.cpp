@@ -1,4 +1,4 @@
-// Windows of which memory holds one band at a time; a callback draws each band.
+// Windows in bands: memory holds one band of rows at a time, and a callback draws each band.
 #include <spangle/frame.hpp>
 
 #include <cstring>
@@ -17,14 +17,14 @@ namespace egl {
 
 namespace {
 
-/// Gives GL the rows of the window that are in memory. Without an open band nothing can be drawn or read.
+/// Tells GL which rows of the window are in memory. Without an open band, nothing can be drawn or read.
 void give_rows(Surface& surface, raster::BatchRows* batches = nullptr) {
     const Thread& t = thread();
     gl::move_drawable(*t.context->gl, pixels_of(surface), t.read == t.draw, nullptr, batches);
 }
 
-/// Begins the notes on batches for this band. Returns what notes batches or leaves them out, or null:
-/// reference engines do neither.
+/// Begins this band in the table of batches. Returns the table, which notes and skips batches, or null.
+/// Reference engines have no such table.
 raster::BatchRows* begin_batches(const Surface& surface) {
     const Band& band = surface.band;
     if (band.batches == nullptr || thread().context->gl->engine != &gl::fixed_engine)
@@ -87,8 +87,8 @@ bool open_band(Display& display, Surface& surface, std::int32_t first, std::int3
 
 namespace {
 
-/// Adds the extents of a band to those of the frame. The frame counts as cleared when all bands were cleared
-/// to the same value; else the cleared bands count as touched.
+/// Adds the extents of a band to those of the frame. The frame counts as cleared if all its bands were
+/// cleared to the same value. Otherwise, cleared bands count as touched.
 void gather_extents(Surface& surface) {
     Band& band = surface.band;
     RowExtents* const all = surface.frame.extents;
@@ -173,8 +173,8 @@ EGLint choose_band(const hal::DisplayInfo& info, EGLint wish, Band& band) {
     if (band.colors && wish > info.band_height)
         return EGL_BAD_MATCH; // the display's buffer holds no higher band
     const std::int32_t unit = band.colors ? info.band_unit : 1, most = info.height + unit - 1;
-    // Rows that share bytes are counted from the bottom, bands from the top. So the height must be whole
-    // bytes of rows, or bands would begin within a byte.
+    // Rows that share bytes are counted from the bottom, and bands from the top. The height must therefore be
+    // a multiple of the rows per byte, or bands would begin within a byte.
     if (band.colors && info.height % format_info(info.format).rows != 0)
         return EGL_BAD_MATCH;
     const std::int32_t rows = wish != 0 ? (wish < most ? wish : most) : info.band_height;

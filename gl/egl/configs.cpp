@@ -22,10 +22,11 @@ constexpr int precision_bits = 3, depth_bits = 2, format_bits = 4;
 constexpr EGLint plain_count = 1 << (precision_bits + depth_bits + format_bits);
 constexpr EGLint config_count = plain_count * (raster::has_samples ? 2 : 1);
 static_assert(precision_count <= 1 << precision_bits && pixel_formats <= 1 << format_bits);
-/// No more configs than these exist.
+/// Upper bound of the number of configs.
 constexpr EGLint most_configs = pixel_formats * 3 * precision_count * (raster::has_samples ? 2 : 1);
 
-const gl::Engine* reference_engines[2] = {nullptr, nullptr}; ///< [0] double, [1] shadow; null: not registered
+/// Engines of [0] double and [1] shadow; null: not registered.
+const gl::Engine* reference_engines[2] = {nullptr, nullptr};
 
 Config config_of(EGLint id) {
     const auto i = static_cast<unsigned>(id - 1);
@@ -35,14 +36,14 @@ Config config_of(EGLint id) {
             EGL_PRECISION_EXACT_SPANGLE + static_cast<EGLint>(part(0, precision_bits))};
 }
 
-/// Whether this build has the config. Colour indices have no mean, so their configs have no samples.
+/// True if this build has the config. Colour indices cannot be averaged, so their configs have no samples.
 bool exists(const Config& config) {
     return raster::has_format(config.format) && raster::has_format(config.depth) &&
            !(config.multisampled && is_indexed(config.format)) &&
            precision_of(config.precision).engine != nullptr;
 }
 
-/// Whether the rasterizer has no fused spans for this format.
+/// True if the rasterizer has no fused spans for this format.
 bool is_slow(PixelFormat format) {
     return is_narrow(format) || is_indexed(format);
 }
@@ -56,8 +57,8 @@ struct Attribute {
     EGLint value;
 };
 
-/// EGL_NATIVE_VISUAL_ID of a panel: the low eight bits are the pixel format in memory. The bits above are 1 +
-/// the WireFormat that a window is sent in, or 0 if pixels are sent as they are.
+/// Returns EGL_NATIVE_VISUAL_ID. For a panel, its low eight bits are the pixel format in memory. The bits
+/// above are 1 + the WireFormat that the window is sent in, or 0 if pixels are sent as they are.
 EGLint visual_of(const Display& display, const Config& c) {
     const auto layout = static_cast<EGLint>(c.format);
 #if SPANGLE_HAS_PLATFORMS
@@ -70,7 +71,7 @@ EGLint visual_of(const Display& display, const Config& c) {
     return wire == hal::WireFormat::none ? layout : layout | (1 + static_cast<EGLint>(wire)) << 8;
 }
 
-/// Bits of EGL_SURFACE_TYPE beside pbuffers. Window systems have pixmaps, too.
+/// Returns the bits of EGL_SURFACE_TYPE without EGL_PBUFFER_BIT. Window systems have pixmaps, too.
 EGLint shown_bits(const Display& display, const Config& c) {
     if (!fits_window(display, c))
         return 0;
@@ -81,7 +82,7 @@ EGLint shown_bits(const Display& display, const Config& c) {
     return EGL_WINDOW_BIT;
 }
 
-/// The value of a config's attribute (EGL 1.4, table 3.1).
+/// Returns the value of a config's attribute (EGL 1.4, table 3.1).
 Attribute attribute(const Display& display, const Config& c, EGLint name) {
     const FormatInfo& info = raster::drawn_info(c.format);
     constexpr EGLint largest = gl::max_viewport_dim;
@@ -161,8 +162,8 @@ Attribute attribute(const Display& display, const Config& c, EGLint name) {
     }
 }
 
-/// How eglChooseConfig compares a wish with a config's value, and the default of each wish (EGL 1.4, table
-/// 3.4).
+/// Rules by which eglChooseConfig compares a requested value with a config's value. `defaults` has the rule
+/// and the default of each attribute (EGL 1.4, table 3.4).
 enum class Rule : std::uint8_t { at_least, exact, mask, ignored };
 struct AttributeRequest {
     std::uint32_t name : 14;
@@ -220,7 +221,8 @@ struct AttributeRequests {
     EGLint value[wish_count];
 };
 
-/// False when the list names an attribute that does not exist, or wishes a value no attribute has.
+/// Reads the attribute list of eglChooseConfig. False: the list has an unknown attribute, or a value that no
+/// attribute has.
 bool read_wishes(const EGLint* list, AttributeRequests& out) {
     for (int i = 0; i < wish_count; ++i)
         out.value[i] = defaults[i].value;
@@ -240,7 +242,7 @@ bool read_wishes(const EGLint* list, AttributeRequests& out) {
 }
 
 bool matches(const Display& display, const Config& config, const AttributeRequests& wishes) {
-    // With a CONFIG_ID all other wishes are ignored (EGL 1.4, 3.4.1).
+    // With a CONFIG_ID, all other attributes are ignored (EGL 1.4, 3.4.1).
     const EGLint id = wishes.value[place_of(EGL_CONFIG_ID)];
     if (id != EGL_DONT_CARE)
         return config.id == id;
@@ -258,12 +260,12 @@ bool matches(const Display& display, const Config& config, const AttributeReques
     return true;
 }
 
-/// True when configs differ in depth and precision only: the order of before() is then the order of ids.
+/// True if configs differ in depth and precision only. Ids then have the order that before() defines.
 constexpr bool in_order = !SPANGLE_HAS_PLATFORMS &&
                           (raster::color_formats & (raster::color_formats - 1)) == 0 && !raster::has_samples;
 
-/// Whether config `a` is listed before `b` (EGL 1.4, 3.4.1.2): first those without a caveat, then those with
-/// more of the colour bits that were asked for, then the smaller buffers, then the lower id.
+/// True if config `a` is listed before `b` (EGL 1.4, 3.4.1.2). Configs without a caveat come first, then
+/// those with more of the requested colour bits, then smaller buffers, then lower ids.
 bool before(const Display& display, const AttributeRequests& wishes, const Config& a, const Config& b) {
     if (is_slow(a.drawn()) != is_slow(b.drawn()))
         return is_slow(b.drawn());
@@ -283,7 +285,7 @@ bool before(const Display& display, const AttributeRequests& wishes, const Confi
         if (va != vb)
             return va < vb;
     }
-    // The display's own byte order comes first, if two configs differ in nothing else.
+    // Of two configs that differ in nothing else, the one with the display's own byte order comes first.
     const bool own_a = fits_window(display, a), own_b = fits_window(display, b);
     if (own_a != own_b)
         return own_a;
@@ -308,7 +310,8 @@ bool fits_window(const Display& display, const Config& config) {
 Config find_config(const Display&, EGLConfig handle) {
     const auto id = reinterpret_cast<std::uintptr_t>(handle);
     if (id - 1 >= static_cast<std::uintptr_t>(config_count))
-        return {}; // checked before the conversion: a program may pass any number
+        // The test precedes the conversion, since a program may pass any number.
+        return {};
     Config config = config_of(static_cast<EGLint>(id));
     if (!exists(config))
         config.id = 0;
@@ -327,7 +330,7 @@ Config made_of(Config config) {
 #endif
 
 Precision precision_of(EGLint precision) {
-    // Precisions are numbered in this order: exact, balanced, fast, double, then shadows of the first three.
+    // Precisions are numbered in the order exact, balanced, fast, double, then shadows of the first three.
     const EGLint policy = precision - EGL_PRECISION_EXACT_SPANGLE, shadow = policy - 4;
     if (precision_count == 3 || policy < 3) {
         const auto tier = static_cast<raster::Tier>(policy);

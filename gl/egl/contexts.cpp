@@ -12,19 +12,20 @@ namespace spangle::egl {
 
 namespace {
 
-/// A surface and a context must agree in colour format, depth format and multisampling (EGL 1.4, 2.2).
+/// True if a surface and a context agree in colour format, depth format and multisampling, as they must (EGL
+/// 1.4, 2.2).
 bool are_compatible(const Config& a, const Config& b) {
     return a.format == b.format && a.depth == b.depth && a.multisampled == b.multisampled;
 }
 
-/// Whether the surface is current on another thread.
+/// True if the surface is current on another thread.
 bool is_current_elsewhere(const Surface* surface) {
     return surface->bindings != 0 && thread().draw != surface && thread().read != surface;
 }
 
-/// Whether GL_FRONT names the surface's buffer. A pbuffer's only buffer is a back buffer (EGL 1.4, 3.5.6),
-/// and serves programs that draw to the front, too. A window system's window keeps its picture after a swap,
-/// so drawing to its front adds to what is seen.
+/// True if GL_FRONT names the surface's buffer. A pbuffer's only buffer is a back buffer (EGL 1.4, 3.5.6),
+/// and serves programs that draw to the front, too. A window of a window system keeps its picture after a
+/// swap, so that drawing to its front adds to what is seen.
 bool names_front(const Surface& surface) {
 #if SPANGLE_HAS_PLATFORMS
     if (surface.system != nullptr)
@@ -33,7 +34,7 @@ bool names_front(const Surface& surface) {
     return !surface.window || !surface.back_buffered;
 }
 
-/// Whether the native window still exists, if a window system has it. A destroyed window has width 0.
+/// True if the native window still exists, or if no window system has it. A destroyed window has width 0.
 bool exists([[maybe_unused]] const Surface& surface) {
 #if SPANGLE_HAS_PLATFORMS
     if (surface.system != nullptr && surface.native->info().width == 0)
@@ -42,12 +43,12 @@ bool exists([[maybe_unused]] const Surface& surface) {
     return true;
 }
 
-/// Whether the surface has a buffer. If its display gave none so far, the display is asked again.
+/// True if the surface has a buffer. If its display has given none so far, the display is asked again.
 bool has_pixels(Display& display, Surface& surface) {
     return exists(surface) && (surface.has_pixels() || next_frame(display, surface));
 }
 
-/// Checks the arguments of eglMakeCurrent. On success it marks the objects as current at once, so that no
+/// Checks the arguments of eglMakeCurrent. On success, it marks the objects as current at once, so that no
 /// other thread takes them meanwhile.
 EGLBoolean bind_current(Display& display, Context& context, Surface& draw, Surface& read) {
     if (!are_compatible(context.config, draw.config) || !are_compatible(context.config, read.config))
@@ -75,7 +76,7 @@ EGLBoolean bind_current(Display& display, Context& context, Surface& draw, Surfa
 
 #if !SPANGLE_HAS_PLATFORMS
 
-/// OpenGL contexts take no attributes in EGL 1.4.
+/// Checks the attributes of eglCreateContext. OpenGL contexts have none in EGL 1.4.
 EGLint context_problem(const EGLint* list) {
     return list == nullptr || *list == EGL_NONE ? EGL_SUCCESS : EGL_BAD_ATTRIBUTE;
 }
@@ -209,8 +210,9 @@ EGLBoolean eglDestroyContext(EGLDisplay dpy, EGLContext handle) {
     return end_call();
 }
 
-/// Between glBegin and glEnd it is refused, because GL defines no primitive whose drawable changes. The
-/// drawable, and everything derived from its size and formats, stays until the primitive ends.
+/// Makes a context current. Between glBegin and glEnd this is refused, because GL defines no primitive whose
+/// drawable changes. The drawable, and everything derived from its size and formats, stays until the
+/// primitive ends.
 EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLContext ctx) {
     Display* display = nullptr;
     Context* context = nullptr;

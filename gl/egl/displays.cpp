@@ -19,7 +19,7 @@ constinit gl::Arena memory_arena;
 constinit SPANGLE_THREAD_LOCAL Thread this_thread = {};
 
 #ifndef SPANGLE_FIRMWARE
-/// The memory of a PC program that gives none. Its pages stay untouched unless the program needs them.
+/// Memory of a PC program that gives none. Its pages stay untouched unless the program needs them.
 alignas(16) unsigned char host_memory[gl::host_memory_bytes];
 #endif
 
@@ -154,8 +154,8 @@ void free_destroyed(Display& display) {
 
 namespace {
 
-/// An entry for another display: an unused one, else one of a terminated display that has no objects left. An
-/// object that is still current keeps its display's entry.
+/// Returns an entry for another display: an unused one, or one of a terminated display that has no objects
+/// left. An object that is still current keeps its display's entry.
 Display* free_entry() {
     for (Display& display : displays)
         if (!display.used)
@@ -170,7 +170,7 @@ bool is_current(const Surface& surface) {
     return this_thread.draw == &surface || this_thread.read == &surface;
 }
 
-/// Whether a window from before eglTerminate is still current on another thread, which draws into the
+/// True if a window from before eglTerminate is still current on another thread, which draws into the
 /// display's memory.
 bool is_drawn_elsewhere(const Display& display) {
     for (const Surface* s = display.surfaces; s != nullptr; s = s->next)
@@ -281,8 +281,8 @@ EGLBoolean eglInitialize(EGLDisplay dpy, EGLint* major, EGLint* minor) {
     return end_call();
 }
 
-/// The handle stays valid, and may be terminated or initialized again (EGL 1.4, 3.2), until eglGetDisplay
-/// needs the entry for another display.
+/// Terminates a display. The handle stays valid, and may be terminated or initialized again (EGL 1.4, 3.2),
+/// until eglGetDisplay needs the entry for another display.
 EGLBoolean eglTerminate(EGLDisplay dpy) {
     begin_call(SPANGLE_TEXT("eglTerminate"));
     const Registry registry;
@@ -345,8 +345,8 @@ EGLBoolean eglBindAPI(EGLenum api) {
                : fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("api is not EGL_OPENGL_API, the one there is"));
 }
 
-/// Is OpenGL from the start. EGL 1.4, 3.7 begins with NONE where there is no OpenGL ES, but then every
-/// program would have to bind the only API that exists.
+/// Returns OpenGL even before eglBindAPI. EGL 1.4, 3.7 begins with NONE if there is no OpenGL ES, but then
+/// every program would have to bind the only API that exists.
 EGLenum eglQueryAPI() {
     return EGL_OPENGL_API;
 }
@@ -363,7 +363,8 @@ EGLBoolean eglWaitGL() {
     return eglWaitClient();
 }
 
-EGLBoolean eglWaitClient() { // does what glFinish does (EGL 1.4, 3.8)
+// eglWaitClient does what glFinish does (EGL 1.4, 3.8).
+EGLBoolean eglWaitClient() {
     begin_call(SPANGLE_TEXT("eglWaitClient"));
     if (in_primitive())
         return fail_in_primitive();

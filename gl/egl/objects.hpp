@@ -24,26 +24,33 @@ struct Config {
     EGLint precision = EGL_PRECISION_EXACT_SPANGLE;
 
     bool has_samples() const { return raster::has_samples && multisampled; }
-    /// The colour format of a surface of this config, which must exist: a constant in builds with one format.
+    /// The colour format of a surface of this config, which must exist. It is a constant in builds with one
+    /// format.
     PixelFormat drawn() const { return raster::drawn(format); }
 };
 
 /// Bits of each component of an accumulation buffer.
 inline constexpr EGLint accum_bits = 16;
 
-struct RecordedFrame; // recorded_frame.cpp
+struct RecordedFrame; // defined in recorded_frame.cpp
 struct Display;
 
-/// The rows of a window that are in memory at once, for windows in bands.
+/// The rows of a window in bands that are in memory.
 struct Band {
 #if SPANGLE_FEATURE_BANDS
-    std::int32_t height = 0; ///< rows of depth, stencil and accumulation in memory; 0: the whole window
-    bool colors = false;     ///< the colour buffer holds one band only, as the display's buffers do
-    std::int32_t first = 0, rows = 0;     ///< rows of the open band, counted from the top
-    RowExtents extents;                   ///< columns touched in the rows of the open band
-    RecordedFrame* record = nullptr;      ///< where drawing is recorded; null: a callback draws each band
-    raster::BatchRows* batches = nullptr; ///< rows that each batch reaches; null: no batch is left out
-    bool cleared = false;                 ///< every band of this frame so far was cleared to clear_value
+    /// Height of a band: the number of rows of depth, stencil and accumulation in memory. 0: the whole
+    /// window.
+    std::int32_t height = 0;
+    /// True if the colour buffer holds one band only, as the display's buffers do.
+    bool colors = false;
+    std::int32_t first = 0, rows = 0; ///< rows of the open band, counted from the top
+    RowExtents extents;               ///< columns touched in each row of the open band
+    /// Record of drawing commands. Null: a callback draws each band.
+    RecordedFrame* record = nullptr;
+    /// Rows that each batch reaches. Null: every band draws all batches.
+    raster::BatchRows* batches = nullptr;
+    /// True if every band of this frame so far was cleared to clear_value.
+    bool cleared = false;
     std::uint32_t clear_value = 0;
 #else
     static constexpr std::int32_t height = 0, first = 0;
@@ -56,34 +63,40 @@ struct Surface {
     Surface* next = nullptr;
     Config config;
     std::int32_t width = 0, height = 0;
-    bool destroyed = false; ///< the handle is invalid; the memory is freed when nothing holds the surface
-    bool window = false;    ///< a window, or a pixmap of a window system; else a pbuffer
+    /// True if the handle is invalid. The memory is freed when nothing holds the surface.
+    bool destroyed = false;
+    bool window = false; ///< true for windows, and pixmaps of a window system; false for pbuffers
 #if SPANGLE_HAS_PLATFORMS
-    hal::WindowSystem* system = nullptr; ///< opened `native`, and closes it; null: `native` is unused
+    /// The window system that opened `native` and closes it. Null: `native` is unused.
+    hal::WindowSystem* system = nullptr;
     hal::Display* native = nullptr;
     std::uintptr_t native_handle = 0; ///< the window system's handle of the window or pixmap
     bool pixmap = false;
-    bool swapped = false; ///< SwapBuffers was called for this pbuffer, so Flush does not show it any more
+    /// True if SwapBuffers was called for this pbuffer, so that Flush does not show it any more.
+    bool swapped = false;
 #endif
-    bool wants_single = false; ///< EGL_RENDER_BUFFER was EGL_SINGLE_BUFFER
-    bool back_buffered = true; ///< of windows: SwapBuffers shows what was drawn; false: Flush shows it
-    /// The window has lost its pixels and is never shown again: its display was terminated, or shows another
-    /// window. Writers hold a Registry and the display's native_lock; readers hold either.
+    bool wants_single = false; ///< true if EGL_RENDER_BUFFER was EGL_SINGLE_BUFFER
+    /// True if SwapBuffers shows a window's picture, and false if Flush shows it.
+    bool back_buffered = true;
+    /// True if the window has lost its pixels and is never shown again, because its display was terminated or
+    /// shows another window. Writers hold a Registry and the display's native_lock; readers hold either.
     bool cut_off = false;
-    unsigned bindings = 0; ///< how often a context has the surface as its draw or read surface
-    unsigned frames = 0;   ///< calls of spangle::frame that draw it
+    /// Counts how often a context has the surface as its draw or read surface.
+    unsigned bindings = 0;
+    unsigned frames = 0; ///< number of calls of spangle::frame that draw the surface
     std::uint8_t* depth = nullptr;
     std::int16_t* accum = nullptr;
     std::uint8_t* sample_colors = nullptr; ///< one colour plane per sample; null: not multisampled
-    RowSpan* unresolved = nullptr;         ///< for each row in memory, the columns that wait for resolve()
+    RowSpan* unresolved = nullptr;         ///< columns of each row in memory that wait for resolve()
     raster::Samples samples;
-    hal::Frame frame; ///< the colour buffer, a window's from its display; no pixels: none given
+    /// The colour buffer, which a window gets from its display. No pixels: there is no buffer.
+    hal::Frame frame;
     [[no_unique_address]] Band band;
 
     bool in_bands() const {
         return SPANGLE_FEATURE_BANDS && band.height != 0;
     }
-    /// True when there is a buffer to draw to, or will be one as soon as a band is opened.
+    /// True if there is a buffer to draw to, or if opening a band will give one.
     bool has_pixels() const {
         return !cut_off && (frame.pixels != nullptr || in_bands());
     }
@@ -103,22 +116,22 @@ struct Display {
     hal::WindowSystem* system = nullptr; ///< null: a panel, or pbuffers only
 #endif
     bool used = false, initialized = false;
-    /// eglTerminate came after the last eglGetDisplay or eglInitialize, so the entry may be reused.
+    /// True if eglTerminate came after the last eglGetDisplay or eglInitialize. The entry may then be reused.
     bool terminated = false;
-    /// Whoever calls `native`, or a display that a window system opened, holds this lock: these are for one
-    /// thread at a time. While it is held, only the arena's lock may be taken.
+    /// Lock for calls of `native` and of displays that a window system opened, which serve one thread at a
+    /// time. While a thread holds it, it may take no other lock but the arena's.
     [[no_unique_address]] gl::Lock native_lock;
     Surface* surfaces = nullptr;
     Context* contexts = nullptr;
-    /// Frees destroyed objects that nothing holds any more. Null until an object is first destroyed, so a
-    /// program that destroys nothing does not link that code.
+    /// Frees destroyed objects that nothing holds any more. It is null until an object is first destroyed, so
+    /// that a program that destroys nothing does not link that code.
     void (*free_unused_objects)(Display&) = nullptr;
 };
 
 #if SPANGLE_THREADS
 extern gl::Lock registry_lock;
-/// Excludes other threads while it lives. Whoever reads or writes displays, their lists of objects, or the
-/// counts of who holds an object must have one. Its lock is taken before every other lock.
+/// Excludes other threads while it lives. A thread must have one to read or write displays, their lists of
+/// objects, or the counts of holders of an object. Its lock is taken before every other lock.
 struct Registry : gl::LockGuard {
     Registry() : LockGuard(registry_lock) {}
 };
@@ -139,7 +152,7 @@ struct Thread {
 Thread& thread();
 
 /// Records an error and returns EGL_FALSE. `rule` is a SPANGLE_TEXT for spangle::on_message, without the
-/// command's name; null when the message has been sent.
+/// command's name. Null: the message has been sent.
 EGLBoolean fail(EGLint error, const char* rule);
 
 #if SPANGLE_MESSAGES
@@ -151,18 +164,19 @@ inline void begin_call(const char*) {}
 
 EGLBoolean end_call();
 
-/// Finds or makes the entry of a panel or of a window system; EGL_NO_DISPLAY when all entries are used.
+/// Returns the entry of a panel or of a window system, and makes one if needed. EGL_NO_DISPLAY: all entries
+/// are used.
 EGLDisplay display_of(hal::Display* native, hal::WindowSystem* system);
-/// Finds the display of a native one: what eglGetDisplay and eglGetPlatformDisplay share.
+/// Returns the display of a native one, for eglGetDisplay and eglGetPlatformDisplay.
 EGLDisplay platform_display(EGLenum platform, void* native);
-/// True when the current context is between glBegin and glEnd. Its surfaces then stay current and nothing is
-/// shown: a command that would change that fails with fail_in_primitive().
+/// True if the current context is between glBegin and glEnd. Its surfaces then stay current, and nothing is
+/// shown. Commands that would change this fail with fail_in_primitive().
 bool in_primitive();
 EGLBoolean fail_in_primitive();
 
-/// The display behind a handle, initialized or not; null with BAD_DISPLAY recorded.
+/// Returns the display of a handle, initialized or not. Null: BAD_DISPLAY is recorded.
 Display* find_entry(EGLDisplay handle);
-/// The initialized display behind a handle, or null with BAD_DISPLAY or NOT_INITIALIZED recorded.
+/// Returns the initialized display of a handle. Null: BAD_DISPLAY or NOT_INITIALIZED is recorded.
 Display* find_display(EGLDisplay handle);
 Surface* find_surface(Display& display, EGLSurface handle);
 Context* find_context(Display& display, EGLContext handle);
@@ -173,8 +187,8 @@ gl::Arena& arena();
 /// Frees a surface with its planes, and closes the native window that was opened for it.
 void free_surface(Surface* surface);
 
-/// Makes planes and a buffer of the new size for a window whose window system has resized it. Returns false
-/// with an error recorded when there is no memory or the window is gone; the surface then keeps its size.
+/// Makes planes and a buffer of the new size for a window that its window system has resized. False: there is
+/// no memory or the window is gone, the error is recorded, and the surface keeps its size.
 bool follow_window(Display& display, Surface& surface);
 
 /// Creates a window or pixmap surface, for eglCreateWindowSurface and eglCreatePixmapSurface.
@@ -188,7 +202,7 @@ constexpr std::int32_t bytes_per_depth(DepthFormat format) {
     return format == DepthFormat::none ? 0 : format == DepthFormat::z16 ? 2 : 4;
 }
 
-/// The pixels of a surface as the rasterizer sees them: GL's rows count from the bottom.
+/// Sets `out` to the pixels of a surface as the rasterizer sees them, with rows counted from the bottom.
 void set_pixels(Surface& surface, raster::Surface& out);
 inline raster::Surface pixels_of(Surface& surface) {
     raster::Surface out;
@@ -200,19 +214,19 @@ inline raster::Surface pixels_of(Surface& surface) {
 /// another buffer, or loses it.
 void show_pixels();
 
-/// True where a display may change its size or format while it is in use, as when another one is plugged in.
-/// Boards' displays never change.
+/// True if a display may change its size or format while it is in use, as when another one is plugged in.
+/// Displays of boards never change.
 #ifdef SPANGLE_FIRMWARE
 inline constexpr bool displays_change = false;
 #else
 inline constexpr bool displays_change = true;
 #endif
 
-/// Makes a buffer that the display gave the surface's. Returns false, and leaves the surface without a
-/// buffer, when the size or format differs, or when the display wants extents and this build has none.
+/// Makes a buffer of the display the surface's buffer. False: the size or format differs, or the display
+/// wants extents that this build does not have. The surface then has no buffer.
 bool take(Display& display, Surface& surface, const hal::Frame& frame);
 
-/// The display that shows a window: its own one in a window system, else the panel.
+/// Returns the display that shows a window: its own one in a window system, else the panel.
 inline hal::Display& native_of(const Display& display, [[maybe_unused]] const Surface& surface) {
 #if SPANGLE_HAS_PLATFORMS
     if (surface.native != nullptr)
@@ -222,20 +236,21 @@ inline hal::Display& native_of(const Display& display, [[maybe_unused]] const Su
 }
 
 /// Asks the display for the buffer of the next frame. A window that its window system has resized gets planes
-/// of the new size, too. Returns false when the surface has no buffer.
+/// of the new size, too. False: the surface has no buffer.
 bool next_frame(Display& display, Surface& surface);
 
 /// Records BAD_NATIVE_WINDOW for a window that was cut off, and returns false.
 bool fail_cut_off();
 
-/// Chooses the band height of a window, in rows; `wish` 0 leaves it to the display. Returns EGL_SUCCESS, or
-/// the error of that wish.
+/// Chooses the band height of a window, in rows. If `wish` is 0, the display chooses. Returns EGL_SUCCESS, or
+/// the error of the requested height.
 EGLint choose_band(const hal::DisplayInfo& info, EGLint wish, Band& band);
 
 /// Brings rows [first, first + rows), counted from the top, of a window in bands into memory.
 bool open_band(Display& display, Surface& surface, std::int32_t first, std::int32_t rows);
 bool send_band(Display& display, Surface& surface);
-/// Calls each(first, rows) for every band from the top down. Stops, and returns false, when a call does.
+/// Calls each(first, rows) for every band from the top down. If a call returns false, it stops and returns
+/// false.
 template <class Each> bool each_band(const Surface& surface, Each each) {
     for (std::int32_t first = 0; first < surface.height; first += surface.band.height) {
         const std::int32_t left = surface.height - first;
@@ -248,37 +263,38 @@ template <class Each> bool each_band(const Surface& surface, Each each) {
 /// Cuts `out`, a view of the whole window, to the open band.
 void show_band(Surface& surface, raster::Surface& out);
 
-/// Allocates a record of `bytes` bytes; 0 makes none. Returns false without memory.
+/// Allocates a record of `bytes` bytes, or none for 0. False: there is no memory.
 bool make_record(EGLint bytes, Band& band);
 /// Allocates the table of rows that batches reach, for a picture `height` rows high. Without memory every
 /// band draws all batches.
 void make_batches(std::int32_t height, Band& band);
 void free_record(Band& band);
-/// The size of the record in bytes or, with `peak`, the bytes that its longest frame so far has used.
+/// Returns the size of the record in bytes or, with `peak`, the bytes that its longest frame so far has used.
 EGLint record_bytes(const Band& band, bool peak);
 
 /// Shows the recorded frame and begins the next one. A frame whose record is incomplete is not shown.
 bool present_record(Display& display, Surface& surface);
 
-/// Called when a surface becomes this thread's draw surface, and when it stops being that.
+/// These functions are called when a surface becomes this thread's draw surface, and when that ends.
 void attach_record(Surface& surface);
 void detach_record(Surface& surface);
 
 /// Draws and presents one frame of a window in bands: calls `draw` once for every band.
 bool draw_bands(Display& display, Surface& surface, void (*draw)(void*), void* data);
-/// Draws and presents one frame of a window in bands by one call of `draw`, if its record is large enough;
-/// else as draw_bands() does.
+/// Draws and presents one frame of a window in bands by one call of `draw`, if its record is large enough.
+/// Otherwise draw_bands() draws it.
 bool draw_recorded(Display& display, Surface& surface, void (*draw)(void*), void* data);
 
 /// Presents what was drawn to a window of this thread and attaches the next frame's buffer. A frame without a
 /// buffer is not shown. The next frame has a buffer as soon as the display gives one.
 bool present(Display& display, Surface& surface);
 
-/// What Flush and Finish do in EGL: they show the current window of this thread if it has no back buffer.
-/// With `finish`, also waits until the last frame is shown.
+/// Shows the current window of this thread if it has no back buffer, for Flush and Finish. With `finish`,
+/// also waits until the last frame is shown.
 void show_window(bool finish);
 
-/// Undoes MakeCurrent on this thread. Context `next` stays marked as current: it is made current again.
+/// Ends the current context of this thread. Context `next` stays marked as current, because it becomes
+/// current again.
 void release_current(const Context* next = nullptr);
 
 } // namespace spangle::egl

@@ -1,4 +1,4 @@
-// The palette of a window of colour indices, set by an extension of this library (spangle/EGL/egl.h).
+// Sets the palette of a colour index window, by an extension of this library (spangle/EGL/egl.h).
 #include "gl/context/error.hpp"
 #include "gl/egl/objects.hpp"
 

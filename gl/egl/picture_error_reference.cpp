@@ -48,7 +48,8 @@ class DefaultPixelState {
         GLenum name;
         Value initial;
     };
-    static constexpr bool has_transfer = SPANGLE_FEATURE_PIXEL_TRANSFER; ///< else that state never changes
+    /// If false, the state of pixel transfers never changes.
+    static constexpr bool has_transfer = SPANGLE_FEATURE_PIXEL_TRANSFER;
     static constexpr int transfers = has_transfer ? 10 : 0, known_transfers = 10, stores = 5;
     static constexpr Named<GLfloat> transfer_[known_transfers] = {
         {GL_RED_SCALE, 1}, {GL_GREEN_SCALE, 1}, {GL_BLUE_SCALE, 1}, {GL_ALPHA_SCALE, 1}, {GL_DEPTH_SCALE, 1},

@@ -1,5 +1,5 @@
-// Displays by platform (EGL_EXT_platform_base), attributes of contexts (EGL_KHR_create_context), and surfaces
-// that stand for windows and pixmaps of a window system.
+// Displays of platforms (EGL_EXT_platform_base), attributes of contexts (EGL_KHR_create_context), and
+// surfaces for windows and pixmaps of a window system.
 #include "gl/egl/platforms.hpp"
 
 #include "gl/context/error.hpp"
@@ -16,7 +16,7 @@ constinit Platforms known;
 constexpr std::size_t longest_extensions = 512;
 constinit char extensions[longest_extensions] = "";
 
-/// Appends `text`, cut off at the end of the buffer.
+/// Appends `text`, which is cut off at the end of the buffer.
 void append(char* to, const char* text) {
     std::size_t end = 0;
     while (to[end] != '\0')
@@ -26,8 +26,8 @@ void append(char* to, const char* text) {
     to[end] = '\0';
 }
 
-/// Versions up to the build's own are compatible with it (EGL_KHR_create_context). Unknown versions are
-/// refused.
+/// True if this build is compatible with a version: all versions up to its own (EGL_KHR_create_context).
+/// Unknown versions are refused.
 bool has_version(EGLint major, EGLint minor) {
     return major == 1 && minor >= 0 && minor <= gl::gl_minor;
 }
@@ -75,7 +75,7 @@ EGLint context_problem(const EGLint* list) {
             beyond = beyond || (value & ~EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR) != 0;
             break;
         case EGL_CONTEXT_OPENGL_PROFILE_MASK_KHR:
-            break; // has no meaning below OpenGL 3.2
+            break; // the profile mask has no meaning below OpenGL 3.2
         case EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_KHR:
             if (value != EGL_NO_RESET_NOTIFICATION_KHR && value != EGL_LOSE_CONTEXT_ON_RESET_KHR)
                 return EGL_BAD_ATTRIBUTE;
@@ -106,8 +106,8 @@ EGLDisplay platform_display(EGLenum platform, void* native) {
 
 namespace {
 
-/// Copies an attribute list of EGL 1.5, whose elements are as wide as pointers. Returns false for a list
-/// longer than any surface's, or for an element that does not fit EGLint.
+/// Copies an attribute list of EGL 1.5, whose elements are as wide as pointers. False: the list is longer
+/// than that of any surface, or an element does not fit EGLint.
 constexpr std::size_t most_attributes = 32;
 bool narrow(const EGLAttrib* list, EGLint (&out)[2 * most_attributes + 1]) {
     std::size_t n = 0;
@@ -122,7 +122,7 @@ bool narrow(const EGLAttrib* list, EGLint (&out)[2 * most_attributes + 1]) {
     return true;
 }
 
-/// Creates a surface from a pointer to the native handle, which is what the X11 platforms pass
+/// Creates a surface from a pointer to the native handle, which the X11 platforms pass
 /// (EGL_EXT_platform_x11).
 EGLSurface create_pointed(EGLDisplay dpy, EGLConfig config, const void* handle, bool pixmap,
                           const EGLint* list) {
@@ -134,8 +134,8 @@ EGLSurface create_pointed(EGLDisplay dpy, EGLConfig config, const void* handle, 
     return create_shown(dpy, config, *static_cast<const unsigned long*>(handle), pixmap, list);
 }
 
-/// Creates a surface from a pointer and an attribute list of EGL 1.5. It has a name of its own, because
-/// EGLAttrib and EGLint are one type where pointers have 32 bits.
+/// Creates a surface from a pointer and an attribute list of EGL 1.5. The function has a name of its own,
+/// because EGLAttrib and EGLint are one type where pointers have 32 bits.
 EGLSurface create_pointed_wide(EGLDisplay dpy, EGLConfig config, const void* handle, bool pixmap,
                                const EGLAttrib* list) {
     EGLint narrowed[2 * most_attributes + 1];

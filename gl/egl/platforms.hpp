@@ -1,4 +1,4 @@
-// What programs written for PCs ask of EGL beyond 1.4: platforms with windows of their own
+// The part of EGL beyond 1.4 that programs for PCs need: platforms with windows of their own
 // (EGL_EXT_platform_base). Boards have one display and leave this out.
 #pragma once
 
@@ -15,21 +15,20 @@ struct Surface;
 
 namespace spangle::egl {
 
-/// What a program's native display stands for: a window system, one panel or, if both are null, pbuffers
-/// only.
+/// The meaning of a program's native display: a window system, one panel or, if both are null, pbuffers only.
 struct NativeDisplay {
     bool known = false;
     hal::Display* panel = nullptr;
     hal::WindowSystem* windows = nullptr;
 };
 
-/// The pixel format and the precision that programs are drawn in.
+/// A pixel format and a precision in which programs are drawn.
 struct DrawnFormat {
     PixelFormat format;
     EGLint precision;
 };
 
-/// What a host program tells EGL about its platforms, and what EGL hands to it.
+/// Describes the platforms of a host program to EGL, and receives pictures from EGL.
 struct Platforms {
     /// Client extensions of the platforms that `find` knows, each with a blank before it.
     const char* extensions = "";
@@ -38,33 +37,33 @@ struct Platforms {
     /// eglChooseConfig puts configs of this precision before configs that differ in precision only.
     EGLint precision = EGL_PRECISION_EXACT_SPANGLE;
     /// Bits of EGL_RENDERABLE_TYPE beside EGL_OPENGL_BIT. An attribute list that names no type asks for
-    /// EGL_OPENGL_ES_BIT (EGL 1.4, table 3.4), and programs that bind OpenGL then expect a config.
+    /// EGL_OPENGL_ES_BIT (EGL 1.4, table 3.4). Programs that bind OpenGL expect a config even then.
     EGLint renderable = 0;
     /// Receives the picture of a pbuffer at eglSwapBuffers, which shows nothing itself (EGL 1.4, 3.9.1).
-    /// Flush and Finish call it, too, for a pbuffer that is never swapped: programs for single buffers end
-    /// frames so.
+    /// Flush and Finish call it, too, for a pbuffer that is never swapped, because programs for single
+    /// buffers end frames with them.
     void (*swapped)(const hal::Frame& picture, const hal::DisplayInfo& info) = nullptr;
     /// Receives a picture with its depth buffer, before `swapped` receives it.
     void (*planes)(const raster::Surface& picture) = nullptr;
     /// If not null, pbuffers and contexts have this format and precision and no samples, whatever their
-    /// config says. So a program can be drawn in formats that it would not choose.
+    /// config says. A program can thus be drawn in formats that it would not choose.
     const DrawnFormat* drawn = nullptr;
     /// Called with each new context.
     void (*created)(gl::Context& context) = nullptr;
 };
-/// Must be called before the first EGL command.
+/// Sets the platforms. It must be called before the first EGL command.
 void use_platforms(const Platforms& platforms);
 const Platforms& platforms();
 
-/// What eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS) gives.
+/// Returns the string of eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS).
 const char* client_extensions();
 
 /// Returns EGL_SUCCESS, or the error that eglCreateContext raises for these attributes
 /// (EGL_KHR_create_context).
 EGLint context_problem(const EGLint* attrib_list);
 
-/// Gives this thread's draw surface the present size of its window. glViewport calls it, because programs
-/// call that when their window was resized.
+/// Gives this thread's draw surface the present size of its window. glViewport calls this, because programs
+/// call glViewport when their window was resized.
 void follow_current_window();
 
 } // namespace spangle::egl

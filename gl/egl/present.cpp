@@ -1,4 +1,4 @@
-// What SwapBuffers, Flush and Finish do to a window, and how it gets buffers from its display (EGL 1.4, 3.9).
+// SwapBuffers, Flush and Finish show windows, which get new buffers from their display (EGL 1.4, 3.9).
 #include "gl/context/error.hpp"
 #include "gl/egl/configs.hpp"
 #include "gl/egl/objects.hpp"
@@ -87,8 +87,8 @@ void show_pbuffer(Surface& surface) {
 
 #endif
 
-/// A frame that the panel refused is sent with the next one. GL has no error for this, so only a message is
-/// sent.
+/// Shows a window without a back buffer. A frame that the panel refuses is sent with the next one. GL has no
+/// error for this, so only a message is sent.
 void show_window(bool finish) {
     const Thread& t = thread();
     if (t.draw == nullptr)

@@ -1,4 +1,4 @@
-// Windows in bands whose frames are recorded: the record is replayed to show or to read a band.
+// Windows in bands whose frames are recorded. The record is replayed to show or to read a band.
 #include <new>
 
 #include "gl/context/error.hpp"
@@ -12,10 +12,12 @@ namespace spangle::egl {
 struct RecordedFrame {
     raster::Record record;
     gl::Recording hooks{};
-    gl::ShareGroup* objects = nullptr; ///< objects of the record, held while no context is current
-    bool lost = false;       ///< this frame cannot be shown: it was drawn with another context's objects
-    bool quiet = false;      ///< a full record is no error, because spangle::frame then draws band by band
-    std::int32_t shown = -1; ///< first row of the band in memory, from the top; -1: none
+    gl::ShareGroup* objects = nullptr; ///< objects that the record uses, held while no context is current
+    /// True if this frame cannot be shown, because it was drawn with another context's objects.
+    bool lost = false;
+    /// True if a full record is no error, because spangle::frame then draws band by band.
+    bool quiet = false;
+    std::int32_t shown = -1; ///< first row, from the top, of the band in memory; -1: none
     std::size_t used = 0;    ///< bytes that the record had when this band was drawn
 };
 
@@ -28,7 +30,7 @@ raster::Surface replay_frame(Surface& surface, bool count) {
     return band;
 }
 
-/// Gives GL the whole window as its drawable; no row of it is in memory.
+/// Gives GL the whole window as its drawable, with no row in memory.
 void show_all(Surface& surface) {
     surface.band.first = 0;
     surface.band.rows = surface.height;

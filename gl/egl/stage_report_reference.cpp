@@ -1,4 +1,4 @@
-// The errors that the shadow policy measures in each stage, for programs outside of this repository.
+// Reports the errors that the shadow policy measures in each stage, for programs outside of this repository.
 #include <spangle/reference.hpp>
 
 #include "raster/reference/shadow.hpp"

@@ -1,12 +1,12 @@
-// The pixels that GL sees of a surface: its whole planes, or the open band's.
+// Describes the pixels of a surface to GL: its whole planes, or those of the open band.
 #include "gl/egl/objects.hpp"
 
 namespace spangle::egl {
 
 namespace {
 
-/// The address that GL row 0 has, or would have, in a plane that begins with row `first` of `rows`, counted
-/// from the top. It is computed as an integer, because that row of a band may lie outside of the plane.
+/// Returns the address that GL row 0 has in a plane. The plane begins with row `first` of `rows`, counted
+/// from the top. The address is computed as an integer, because row 0 may lie outside of the plane of a band.
 std::uint8_t* bottom_row(std::uint8_t* plane, std::int32_t first, std::int32_t rows, std::int32_t stride) {
     const auto way = static_cast<std::intptr_t>(rows - 1 - first) * stride;
     return reinterpret_cast<std::uint8_t*>(reinterpret_cast<std::intptr_t>(plane) + way);
@@ -14,8 +14,8 @@ std::uint8_t* bottom_row(std::uint8_t* plane, std::int32_t first, std::int32_t r
 
 #if SPANGLE_FEATURE_MULTISAMPLE
 
-/// The samples of the rows in memory. They lie top row first, as the surface's own planes do, so that strides
-/// agree.
+/// Returns the samples of the rows in memory. The top row comes first, as in the surface's own planes, so
+/// that strides agree.
 const raster::Samples& show_samples(Surface& surface, const Rect& rows) {
     const PixelFormat format = surface.config.drawn();
     const std::int32_t stride = row_bytes(format, surface.width),
@@ -36,7 +36,7 @@ void set_pixels(Surface& surface, raster::Surface& out) {
     out.format = format;
     out.depth_format = surface.config.depth;
     if (!surface.has_pixels())
-        return; // an empty surface: nothing is drawn to it or read from it
+        return; // the surface is empty: nothing is drawn to it or read from it
     const bool bands = surface.in_bands();
     const std::int32_t color_first = bands && surface.band.colors ? surface.band.first : 0,
                        first = bands ? surface.band.first : 0, rows = stored_rows(format, surface.height);

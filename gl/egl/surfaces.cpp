@@ -1,4 +1,4 @@
-// Windows and pbuffers: how they are made and destroyed (EGL 1.4, 3.5).
+// Windows and pbuffers: their creation and destruction (EGL 1.4, 3.5).
 #include "gl/context/error.hpp"
 #include "gl/context/features.hpp"
 #include "gl/context/limits.hpp"
@@ -16,22 +16,22 @@ namespace {
 
 constexpr std::int32_t largest_pbuffer = gl::max_viewport_dim;
 
-/// What a surface has beyond its config.
+/// Properties of a surface beyond its config.
 struct SurfaceOptions {
-    bool color = false; ///< allocate a colour buffer; windows have their display's
+    bool color = false; ///< true to allocate a colour buffer; windows have their display's
     bool accum = false;
     Band band = {};
-    EGLint record = 0; ///< bytes; 0: none
+    EGLint record = 0; ///< bytes of the record; 0: none
 };
 
-/// Bytes of one sample's colour plane for `rows` rows. Where a byte holds pixels of several rows, a band that
+/// Bytes of one sample's colour plane for `rows` rows. If a byte holds pixels of several rows, a band that
 /// begins anywhere may need one row of bytes more.
 std::size_t bytes_of_sample(PixelFormat format, std::int32_t width, std::int32_t rows) {
     const std::int32_t shared = raster::drawn_info(format).rows, most = (rows + 2 * shared - 2) / shared;
     return static_cast<std::size_t>(row_bytes(format, width)) * static_cast<std::size_t>(most);
 }
 
-/// Makes a surface with its buffers. Returns null, and frees everything, when memory runs out.
+/// Makes a surface with its buffers. Null: memory ran out, and everything was freed.
 Surface* create_surface(const Config& config, std::int32_t width, std::int32_t height,
                         const SurfaceOptions& extras) {
     gl::Arena& a = arena();
@@ -82,8 +82,8 @@ Surface* create_surface(const Config& config, std::int32_t width, std::int32_t h
     return surface;
 }
 
-/// Reads EGL_ACCUM_SIZE_SPANGLE; returns false for any other attribute. More bits than there are, or than a
-/// build without accumulation buffers has, are an error.
+/// Reads EGL_ACCUM_SIZE_SPANGLE. False: this is another attribute. More bits than this build has are an
+/// error.
 bool read_accum(const EGLint* at, bool& accum, EGLint& problem) {
     if (at[0] != EGL_ACCUM_SIZE_SPANGLE)
         return false;
@@ -101,7 +101,7 @@ EGLSurface keep(Display& display, Surface* surface) {
 }
 
 struct WindowAttributes {
-    bool single = false; ///< without a back buffer
+    bool single = false; ///< true without a back buffer
     bool accum = false;
     EGLint band_height = 0, record = 0;
 };
@@ -164,14 +164,14 @@ EGLint read_pbuffer(const EGLint* list, PbufferAttributes& out) {
     return out.width < 0 || out.height < 0 ? EGL_BAD_PARAMETER : problem;
 }
 
-/// Whether GL can draw on a surface of this size; a display may report any.
+/// True if GL can draw on a surface of this size. A display may report any size.
 bool is_drawable_size(const hal::DisplayInfo& info) {
     return info.width > 0 && info.height > 0 && info.width <= gl::max_viewport_dim &&
            info.height <= gl::max_viewport_dim;
 }
 
-/// The window that the display's panel shows, or null. In window systems every window has its own place on
-/// the screen.
+/// Returns the window that the display's panel shows, or null. In window systems, every window has its own
+/// place on the screen.
 Surface* window_of(const Display& display) {
     Surface* s = display.native != nullptr ? display.surfaces : nullptr;
     while (s != nullptr && (!s->window || s->cut_off))
@@ -179,7 +179,7 @@ Surface* window_of(const Display& display) {
     return s;
 }
 
-/// Whether a new window may replace this one on the panel: it is null, or destroyed and current on this
+/// True if a new window may replace this one on the panel. It must be null, or destroyed and current on this
 /// thread only, where GL can be told that its pixels are gone.
 bool may_leave(const Surface* window) {
     const Thread& t = thread();
@@ -205,7 +205,7 @@ EGLSurface refuse_window(EGLint problem) {
     return EGL_NO_SURFACE;
 }
 
-/// The place where a new surface is shown.
+/// Where a new surface is shown.
 struct WindowTarget {
     hal::Display* native;
 
