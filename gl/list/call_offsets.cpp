@@ -6,7 +6,7 @@ namespace spangle::gl::list {
 
 namespace {
 
-/// Truncates toward zero; a magnitude beyond a GLuint gives the largest one.
+/// Converts to a list name, truncated toward zero. A magnitude beyond a GLuint gives the largest GLuint.
 GLuint to_list_name(Real v) {
     const numeric::detail::Unpacked u = numeric::detail::unpack(v);
     GLuint magnitude = 0xFFFFFFFF;
@@ -24,7 +24,8 @@ bool is_name_type(GLenum type) {
 }
 
 GLuint name_offset(GLenum type, const void* lists, GLsizei i) {
-    constexpr std::uint8_t bytes_of[] = {1, 1, 2, 2, 4, 4, 4, 2, 3, 4}; // bytes, in the order of types
+    // Number of bytes, in the order of types.
+    constexpr std::uint8_t bytes_of[] = {1, 1, 2, 2, 4, 4, 4, 2, 3, 4};
     static_assert(bytes_of[GL_UNSIGNED_BYTE - GL_BYTE] == 1 && bytes_of[GL_SHORT - GL_BYTE] == 2 &&
                   bytes_of[GL_UNSIGNED_SHORT - GL_BYTE] == 2 && bytes_of[GL_INT - GL_BYTE] == 4 &&
                   bytes_of[GL_UNSIGNED_INT - GL_BYTE] == 4 && bytes_of[GL_FLOAT - GL_BYTE] == 4 &&

@@ -1,6 +1,6 @@
-// Vertex arrays in display lists: their elements are read while the list is compiled (GL 1.3, 2.8 and 5.4).
-// ArrayElement is stored as the commands it stands for, and shares the runs of immediate mode; draws are
-// stored as meshes.
+// Vertex arrays in display lists. Their elements are read while the list is compiled (GL 1.3, 2.8 and 5.4).
+// ArrayElement is stored as the equivalent commands, and shares the runs of immediate mode. Draws are stored
+// as meshes.
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_LISTS
@@ -18,7 +18,7 @@ namespace {
 
 using list::Word;
 
-/// The family that names a draw in messages. Without messages all draws share one player.
+/// The family whose name a draw has in messages. Without messages, all draws share one player.
 template <class F> using Named = std::conditional_t<SPANGLE_MESSAGES != 0, F, family::DrawArrays>;
 
 template <class F> const Word* play_draw(Context& context, const Word* words) {

@@ -10,7 +10,7 @@ namespace spangle::gl::list {
 
 namespace {
 
-/// No arena has this many bytes.
+/// Upper bound of bytes in an arena.
 constexpr std::uint32_t most_bytes = std::uint32_t{1} << 30;
 
 [[gnu::noinline]] std::uint32_t bounded_product(std::uint32_t a, std::uint32_t b) {
@@ -21,7 +21,7 @@ constexpr std::uint32_t most_bytes = std::uint32_t{1} << 30;
 struct Extent {
     std::uint32_t row_bytes, rows, images;
     bool is_empty() const { return row_bytes == 0 || rows == 0 || images == 0; }
-    /// The words of all pixels. Too many bytes are capped at a number that makes record() fail.
+    /// Words of all pixels. If there are too many bytes, the number is one that makes record() fail.
     std::uint32_t words() const {
         return (bounded_product(bounded_product(row_bytes, rows), images) + 3) / 4;
     }
@@ -41,7 +41,8 @@ bool is_readable_image(const ImageCommand& image, GLsizei most, PixelLayout& lay
     return image.pixels != nullptr && pixel_layout(image.format, image.type, layout) == GL_NO_ERROR;
 }
 
-/// Copies a row of groups, with elements in host byte order and bits from the most significant on.
+/// Copies a row of pixel groups. Elements get the host's byte order, and bits start at the most significant
+/// one.
 void copy_row(const PixelStore& store, const PixelLayout& layout, const unsigned char* from,
               unsigned skip_bits, std::size_t groups, std::size_t bytes, unsigned char* to) {
     if (layout.kind == ElementKind::bitmap) {

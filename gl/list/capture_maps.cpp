@@ -1,4 +1,4 @@
-// Evaluator maps in display lists: control points are copied while the list is compiled, without the gaps of
+// Evaluator maps in display lists. Control points are copied while the list is compiled, without the gaps of
 // the client's strides (GL 1.3, 5.4).
 #include "gl/context/features.hpp"
 
@@ -16,7 +16,7 @@ using list::Word;
 
 constexpr std::uint32_t side_words = 3, head_words = 1 + 2 * side_words;
 
-/// Plays a map. Its words are the target, then domain and order of each side, then the control points.
+/// Plays a map. Its words are the target, domain and order of each side, and the control points.
 template <unsigned dimension> const Word* play_map(Context& context, const Word* words) {
     const GLenum target = words[0];
     const auto components =

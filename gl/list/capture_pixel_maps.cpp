@@ -1,4 +1,4 @@
-// Pixel maps in display lists: their entries are copied while the list is compiled (GL 1.3, 5.4).
+// Pixel maps in display lists. Their entries are copied while the list is compiled (GL 1.3, 5.4).
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_LISTS && SPANGLE_FEATURE_PIXEL_TRANSFER
@@ -21,7 +21,7 @@ std::uint32_t entry_bytes(GLenum type, GLsizei size) {
     return static_cast<std::uint32_t>(size) * (type == GL_UNSIGNED_SHORT ? 2 : 4);
 }
 
-/// Plays a pixel map. Its words are map, size and type, then the entries as the client gave them.
+/// Plays a pixel map. Its words are the map, the size, the type, and the entries as the client gave them.
 const Word* play_pixel_map(Context& context, const Word* words) {
     const auto size = static_cast<GLsizei>(words[1]);
     if (allowed_outside(context, family::PixelMap::text))

@@ -13,7 +13,7 @@ namespace {
 
 using list::Word;
 
-/// Images of any size are recorded.
+/// No image is too large to be recorded.
 [[maybe_unused]] constexpr GLsizei largest = INT32_MAX;
 
 #if SPANGLE_FEATURE_DRAW_PIXELS

@@ -1,4 +1,4 @@
-// PolygonStipple in display lists: the pattern is unpacked by the unpack state of the compilation (GL 1.3,
+// PolygonStipple in display lists. The pattern is unpacked with the unpack state of the compilation (GL 1.3,
 // 5.4).
 #include "gl/context/features.hpp"
 

@@ -16,9 +16,10 @@ namespace {
 
 using list::Word;
 
-constexpr GLsizei most = max_texture_size + 2; // texels of the largest side, border included
+// Texels of the largest side, border included.
+constexpr GLsizei most = max_texture_size + 2;
 
-/// Whether a target is a proxy. Commands with proxies are queries, which run at once and are not stored (GL
+/// True if a target is a proxy. Commands with proxies are queries, which run at once and are not stored (GL
 /// 1.3, 5.4). If the list is also executed, the entry point has run them already.
 bool is_query(GLenum target) {
     return target == GL_PROXY_TEXTURE_1D || target == GL_PROXY_TEXTURE_2D || target == GL_PROXY_TEXTURE_3D ||
@@ -87,7 +88,7 @@ void TexSubImage3D(Context& context, const ImageCommand& image) {
 
 namespace {
 
-/// Words of a record before its data: seven arguments, then the number of bytes, or -1 for a null pointer.
+/// Words of a record before its data: seven arguments, and the number of bytes, or -1 for a null pointer.
 constexpr std::uint32_t compressed_words = 8;
 
 void capture_compressed(Context& context, const list::Player* player, const GLint (&arguments)[7],
@@ -103,8 +104,8 @@ void capture_compressed(Context& context, const list::Player* player, const GLin
         std::memcpy(to, data, bytes);
 }
 
-/// Plays a compressed image: calls run(arguments, data), or raises an error between Begin and End. Returns
-/// the next record.
+/// Plays a compressed image by run(arguments, data). Between Begin and End, it raises an error. Returns the
+/// next record.
 template <class Run>
 const Word* play_compressed(Context& context, const Word* words, const CommandText* text, Run run) {
     const bool data = words[7] != UINT32_MAX;
@@ -125,7 +126,7 @@ const Word* play_compressed_image(Context& context, const Word* words) {
             explain_run<F>(context, F::run, target, a[1], format, a[3], a[4], a[5], a[6], data);
         });
 }
-/// Both offsets share one word, because only 0 is accepted for them.
+/// Plays a part of a compressed image. Both offsets share one word, because only 0 is accepted for them.
 const Word* play_compressed_sub_image(Context& context, const Word* words) {
     return play_compressed(
         context, words, family::CompressedTexSubImage2D::text, [&](const GLint* a, const void* data) {
@@ -169,7 +170,7 @@ void CompressedTexSubImage2D(Context& context, GLenum target, GLint level, GLint
 
 namespace {
 
-/// Plays priorities. The words are the number of names, the names, then the priorities.
+/// Plays priorities. Its words are the number of names, the names and the priorities.
 const Word* play_priorities(Context& context, const Word* words) {
     const Word count = words[0];
     if (allowed_outside(context, family::PrioritizeTextures::text))

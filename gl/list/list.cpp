@@ -1,4 +1,4 @@
-// NewList, EndList, CallList and their names (GL 1.3, 5.4).
+// NewList, EndList, CallList, and commands for names of lists (GL 1.3, 5.4).
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_LISTS
@@ -88,8 +88,8 @@ void DeleteLists(Context& context, GLuint list, GLsizei range) {
             list::free_chain(*context.arena, static_cast<list::Chunk*>(names.remove(list + i)));
         return;
     }
-    // For a range wider than the table, walking the table is shorter. A removal may move another entry into
-    // the slot, so the slot is checked again.
+    // If the range is wider than the table, walking the table is shorter. A removal may move another entry
+    // into the slot, so the slot is checked again.
     for (std::uint32_t i = 0; i < names.capacity();) {
         const GLuint name = names.slot(i).name;
         if (name != 0 && name - list < count)

@@ -1,4 +1,4 @@
-// Display list state: base, nesting, and the list being compiled (GL 1.3, 5.4).
+// State of display lists: base, nesting, and the list that is being compiled (GL 1.3, 5.4).
 #pragma once
 
 #include "gl/context/features.hpp"
@@ -18,10 +18,11 @@ struct ListRecorder {
     list::Chunk* last = nullptr;
     list::Word* write = nullptr; ///< next free word in `last`
     list::Word* end = nullptr;   ///< end of `last`, less the words of a link
-    bool out_of_memory = false;  ///< the list is lost; EndList reports that and keeps the old list
-    list::Word* run = nullptr;   ///< header word of the open run, or null
+    /// True if the list is lost. EndList reports that and keeps the old list.
+    bool out_of_memory = false;
+    list::Word* run = nullptr; ///< header word of the open run, or null
 #if SPANGLE_TELLS_REACH
-    std::uint32_t vertices = 0; ///< vertices recorded so far
+    std::uint32_t vertices = 0; ///< number of vertices recorded so far
 #endif
     std::uint32_t pending = 0;              ///< attributes given since the last vertex (list::Field bits)
     Real color[4], normal[3], tex_coord[4]; ///< values of the pending attributes
@@ -31,10 +32,10 @@ struct ListState {
     GLuint base = 0;
     GLuint index = 0;     ///< name of the list being compiled; 0: none
     GLenum mode = 0;      ///< COMPILE, COMPILE_AND_EXECUTE, or 0
-    bool execute = false; ///< mode is COMPILE_AND_EXECUTE
+    bool execute = false; ///< true if `mode` is COMPILE_AND_EXECUTE
 #if SPANGLE_FEATURE_LISTS
     std::uint32_t depth = 0;
-    const list::Word* return_to[max_list_nesting] = {}; ///< where each calling list continues
+    const list::Word* return_to[max_list_nesting] = {}; ///< positions at which calling lists continue
     ListRecorder recorder;
 #endif
 };

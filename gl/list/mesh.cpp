@@ -13,16 +13,16 @@ namespace spangle::gl::list {
 
 namespace {
 
-/// The header of a mesh's record. An ArrayHeader for each enabled array follows, then the elements of these
-/// arrays, then the indices.
+/// Header of a mesh's record. It is followed by an ArrayHeader for each enabled array, the elements of these
+/// arrays, and the indices.
 struct Header {
-    Word words; ///< words of the record
+    Word words; ///< number of words of the record
     Word mode, count;
     Word arrays;     ///< number of enabled arrays
-    Word vertices;   ///< elements of each array
+    Word vertices;   ///< number of elements of each array
     Word index_type; ///< GL_NONE: elements are drawn in order, without indices
 };
-/// An array of the record; `slot` is its number in the order of each_array().
+/// An array of the record. `slot` is its number in the order of each_array().
 struct ArrayHeader {
     Word slot, size, type;
 };
@@ -36,7 +36,7 @@ std::uint32_t rounded_words(std::size_t bytes) {
 std::size_t bytes_of_element(GLint size, GLenum type) {
     return static_cast<std::size_t>(size) * bytes_of(type);
 }
-/// The words of an element; each element begins at a word.
+/// Returns the words of an element. Each element begins at a word.
 std::uint32_t words_of_element(GLint size, GLenum type) {
     return rounded_words(bytes_of_element(size, type));
 }
@@ -51,12 +51,12 @@ template <class Arrays, class F> void each_used(Arrays& arrays, F f) {
     });
 }
 
-/// How elements are stored: all from the lowest to the highest index, with indices, or each in drawing order
-/// without indices if that takes fewer words.
+/// Chooses how elements are stored: those from the lowest to the highest index, with indices, or each in
+/// drawing order. The second way is taken if it needs no more words.
 struct Layout {
     std::uint32_t lowest = 0, vertices = 0;
     GLenum index_type = GL_NONE;
-    std::uint64_t words = 0; ///< words of elements and indices
+    std::uint64_t words = 0; ///< words of elements and indices together
 
     Layout(std::uint32_t count, const Indices& indices, std::uint32_t element) : vertices(count) {
         words = std::uint64_t{count} * element;
@@ -108,7 +108,7 @@ void copy_indices(const Layout& layout, std::uint32_t count, const Indices& indi
     }
 }
 
-/// Makes the context's vertex arrays those of a record, for as long as this object lives.
+/// Makes the arrays of a record the context's vertex arrays during the lifetime of this object.
 class MeshArrays {
   public:
     MeshArrays(Context& context, const Header& header, const Word* at) : context_(context) {

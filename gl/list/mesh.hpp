@@ -1,5 +1,5 @@
-// Draws of vertex arrays in display lists. Elements are copied in the arrays' own types, with indices where
-// elements repeat, and are drawn like arrays (GL 1.3, 2.8 and 5.4).
+// Draws of vertex arrays in display lists. Elements are copied in the types of their arrays, with indices
+// where elements repeat. They are drawn like arrays (GL 1.3, 2.8 and 5.4).
 #pragma once
 
 #include "gl/list/record.hpp"
@@ -7,12 +7,12 @@
 
 namespace spangle::gl::list {
 
-/// Records a draw of `count` elements from the current arrays, which must be in memory, as one primitive.
+/// Records a draw of `count` elements as one primitive. The current arrays must be in memory, not in buffers.
 void record_mesh(Context& context, const Player* player, GLenum mode, std::uint32_t count,
                  const Indices& indices);
 
-/// Plays a mesh. Between Begin and End that is an error, in which `text` names the command. Returns the next
-/// record.
+/// Plays a mesh. Between Begin and End, it raises an error in which `text` names the command. Returns the
+/// next record.
 const Word* play_mesh(Context& context, const Word* words, const CommandText* text);
 
 } // namespace spangle::gl::list

@@ -1,7 +1,7 @@
-// Executes display lists. A call stores where the calling list continues instead of recursing, so 64 levels
-// cost 64 pointers in the context and no stack. Deeper calls are ignored (GL 1.3, 5.4: the nesting limit
-// exists to bound recursion). Builds with fewer levels raise an error for them, because other builds may draw
-// what they leave out.
+// Executes display lists. A call of a list does not recurse, but stores where the calling list continues. 64
+// levels therefore take 64 pointers in the context and no stack. Deeper calls are ignored, as GL allows,
+// since its nesting limit exists to bound recursion (GL 1.3, 5.4). Builds with fewer levels raise an error
+// for deeper calls, because other builds may draw the lists that they leave out.
 #include "gl/list/play.hpp"
 
 #if SPANGLE_FEATURE_LISTS
@@ -16,19 +16,20 @@ namespace spangle::gl::list {
 
 namespace {
 
-/// The first record of a list; null for an empty list, and for a name that is no list.
+/// Returns the first record of a list. Null: the list is empty, or the name is no list.
 const Word* body_of_list(const Context& context, GLuint name) {
     void** const found = context.share->lists.find(name);
     return found != nullptr && *found != nullptr ? static_cast<Chunk*>(*found)->data() : nullptr;
 }
 
-/// Calls a list: returns the first record to play, which is `next` where there is nothing to call.
+/// Calls a list. Returns the first record to play, which is `next` if there is nothing to call.
 const Word* enter(Context& context, GLuint name, const Word* next) {
     const Word* const target = body_of_list(context, name);
     ListState& state = context.list;
     if (target == nullptr)
         return next;
-    if (state.depth >= max_list_nesting - 1) { // the outermost list counts as a level
+    // The outermost list counts as a level.
+    if (state.depth >= max_list_nesting - 1) {
         constexpr int of_gl = 64;
         if constexpr (max_list_nesting < of_gl)
             error(
@@ -42,14 +43,15 @@ const Word* enter(Context& context, GLuint name, const Word* next) {
 
 const Player* player_at(const Word* at) {
     const Player* player;
-    __builtin_memcpy(&player, at, sizeof player); // compiles in line, in freestanding builds, too
+    // The builtin compiles without a call of memcpy, even in freestanding builds.
+    __builtin_memcpy(&player, at, sizeof player);
     return player;
 }
 
-/// Plays a command of any form: makes its arguments from the record's words.
+/// Plays a command of any form, with arguments made from the record's words.
 [[gnu::noinline]] const Word* play_any(Context& context, const Command& command, const Word* words) {
     Arg args[most_args] = {};
-    alignas(Params) alignas(Matrix16) unsigned char room[sizeof(Matrix16)]; // for Params or Matrix16
+    alignas(Params) alignas(Matrix16) unsigned char room[sizeof(Matrix16)]; // room for Params or Matrix16
     static_assert(sizeof(Params) <= sizeof(Matrix16));
     Arg* arg = args;
     for (unsigned left = words_of(command); left != 0; --left)
@@ -91,7 +93,8 @@ const Word* play(Context& context, const Player& player, const Word* words) {
 
 const Word* play_command(Context& context, const Command& command, const Word* words) {
     tell_watcher(context, command.text, nullptr, 0);
-    if (converts_in_line && command.args <= few_args && command.form <= Form::encoded) { // most commands
+    // Most commands are played here.
+    if (converts_in_line && command.args <= few_args && command.form <= Form::encoded) {
         Arg a = 0, b = 0, c = 0;
         switch (command.args) {
         case 3:
@@ -120,7 +123,8 @@ void execute(Context& context, GLuint name) {
     for (;;) {
         const Player* player = player_at(at);
         if constexpr (converts_in_line)
-            for (; player == &list::player<&play_run>; player = player_at(at)) // most records are runs
+            // Most records are runs.
+            for (; player == &list::player<&play_run>; player = player_at(at))
                 at = play_run(context, at + player_words);
         if (player != nullptr) {
             at = play(context, *player, at + player_words);

@@ -1,6 +1,6 @@
-// How commands become words of a display list, and how these are played. A record is the address of its
-// player, then the command's canonical arguments. Players of commands that a program never calls are never
-// referenced, so the linker drops them.
+// Converts commands to words of a display list, and describes how these are played. A record is the address
+// of its player, followed by the command's canonical arguments. A program that never calls a command has no
+// reference to its player, so that the linker drops the player.
 #pragma once
 
 #include <type_traits>
@@ -14,7 +14,7 @@ namespace spangle::gl::list {
 /// The form of a command's record.
 enum class Form : std::uint8_t {
     words,   ///< one word for each argument
-    encoded, ///< the command's encoder writes most records; others are as with `words`
+    encoded, ///< the command's encoder writes most records; the others have the form `words`
     params,  ///< the last argument is Params: a count, then that many words
     matrix,  ///< the last argument is a Matrix16: 16 words
     own,     ///< the record has a player of its own
@@ -22,8 +22,9 @@ enum class Form : std::uint8_t {
 
 /// A constant that describes how records of one kind are played.
 struct Player {
-    std::uint8_t stops = 0; ///< bits of the gate that keep the command from simply running
-    std::uint8_t args = 0;  ///< number of the command's arguments
+    /// Bits of the gate that keep the command from running without further tests.
+    std::uint8_t stops = 0;
+    std::uint8_t args = 0; ///< number of the command's arguments
     Form form = Form::words;
 #if SPANGLE_MESSAGES
     const CommandText* text = nullptr;
@@ -38,7 +39,8 @@ using Play = const Word*(Context& context, const Word* words);
 struct OwnPlayer : Player {
     Play* play = nullptr;
 };
-/// `F` is the command's family if errors of playing a record shall name the command; else void.
+/// Returns the player of records with a function of their own. `F` is the command's family if errors name the
+/// command, and void otherwise.
 template <class F> constexpr OwnPlayer own_player(Play* play) {
     OwnPlayer player;
     player.form = Form::own;
@@ -52,14 +54,15 @@ template <class F> constexpr OwnPlayer own_player(Play* play) {
 template <auto play, class F = void> inline constexpr OwnPlayer player = own_player<F>(play);
 
 inline constexpr std::uint32_t player_words = sizeof(Player*) / sizeof(Word);
-inline constexpr std::uint32_t address_words = sizeof(void*) / sizeof(Word); ///< words of a list position
+/// Words of an address of a record.
+inline constexpr std::uint32_t address_words = sizeof(void*) / sizeof(Word);
 
-/// Appends a record and returns where its `words` words of arguments go; closes an open run. Returns null
-/// without memory, which EndList reports.
+/// Appends a record, closes an open run, and returns where the record's `words` words of arguments go. Null:
+/// there is no memory, which EndList reports.
 Word* record(Context& context, const Player* player, std::uint32_t words);
 
-/// Records a command that is already known to fail. When played it raises `code`, or INVALID_OPERATION
-/// between Begin and End unless `inside` allows it there. `rule` is as for error().
+/// Records a command that is known to fail. When it is played, it raises `code`, or INVALID_OPERATION between
+/// Begin and End unless `inside` is true. `rule` is as for error().
 #if SPANGLE_MESSAGES
 void record_error(Context& context, GLenum code, bool inside, const char* rule = nullptr);
 #else

@@ -1,9 +1,9 @@
-// Writes display lists: records go into chunks, vertices into runs.
+// Writes display lists: records into chunks, and vertices into runs.
 //
-// A run is one record for any number of vertices that carry the same attributes: header, then per vertex the
-// given ones of colour (4 words), normal (3), texture coordinates (2 or 4) and the position (2, 3 or 4).
-// Attributes are held back until the vertex that takes them, or until another command needs them in their
-// place.
+// A run is one record for any number of vertices with the same attributes. It has a header and, for each
+// vertex, its given attributes and its position. Attributes are colour (4 words), normal (3), and texture
+// coordinates (2 or 4); a position has 2, 3 or 4 words. Attributes are held back until a vertex takes them,
+// or until another command must follow them in the list.
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_LISTS
@@ -29,7 +29,7 @@ enum Field : std::uint32_t {
     field_normal = 2,
     field_tex2 = 4,
     field_tex4 = 8,
-    field_position_shift = 4, ///< bits from here on: components of the position, 2 to 4
+    field_position_shift = 4, ///< the bits from here on count the components of the position, 2 to 4
 };
 
 constexpr std::uint32_t count_bits = 24;
@@ -40,14 +40,14 @@ constexpr std::uint32_t words_per_vertex(std::uint32_t fields) {
            (fields & field_tex4 ? 4 : 0) + (fields >> field_position_shift);
 }
 
-/// Plays the link at the end of a chunk: goes on in the next chunk.
+/// Plays the link at the end of a chunk, which leads to the next chunk.
 const Word* play_link(Context&, const Word* words) {
     const Word* next;
     std::memcpy(&next, words, sizeof next);
     return next;
 }
 
-/// Sets the attributes of a vertex; returns where its position begins.
+/// Sets the attributes of a vertex. Returns where its position begins.
 const Word* play_attributes(Context& context, std::uint32_t fields, const Word* words) {
     if (fields & field_color) {
         cmd::Color(context, {words[0]}, {words[1]}, {words[2]}, {words[3]});
@@ -73,7 +73,7 @@ const Word* play_run(Context& context, const Word* words) {
     const Word header = *words++;
     const std::uint32_t fields = header >> count_bits, components = fields >> field_position_shift;
     const bool attributes = (fields & ((1u << field_position_shift) - 1)) != 0;
-    // Outside of Begin and End vertices have no effect, as in cmd::Vertex.
+    // Outside of Begin/End, vertices have no effect, as in cmd::Vertex().
     const auto vertex = context.inside_begin_end() ? context.engine->vertex : nullptr;
     for (Word left = header & count_mask; left != 0; --left) {
         if (attributes)
@@ -92,7 +92,7 @@ void store_player(Word* to, const Player* player) {
     std::memcpy(to, &player, sizeof player);
 }
 
-/// Appends a chunk with room for a record of so many `words`. False: the arena has no room.
+/// Appends a chunk with room for a record of `words` words. False: the arena has no room.
 bool grow_chunk(Context& context, std::uint32_t words) {
     ListRecorder& r = context.list.recorder;
     constexpr std::uint32_t first_words = 64, most_words = 4096;
@@ -121,7 +121,7 @@ bool grow_chunk(Context& context, std::uint32_t words) {
     return true;
 }
 
-/// Appends a record and returns where its arguments go; null without memory.
+/// Appends a record and returns where its arguments go. Null: there is no memory.
 Word* append(Context& context, const Player* player, std::uint32_t words) {
     ListRecorder& r = context.list.recorder;
     r.run = nullptr;
