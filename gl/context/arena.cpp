@@ -1,7 +1,7 @@
 // A TLSF allocator, after M. Masmano et al., "TLSF: a new dynamic memory allocator for real-time systems",
-// ECRTS 2004. Sizes below 64 bytes have a class per 8 bytes, larger ones 8 classes per power of two. Two
-// bitmaps find a class whose blocks all fit, so every operation takes constant time. A block knows its
-// neighbours, so free blocks are never adjacent.
+// ECRTS 2004. Sizes below 64 bytes have one class per 8 bytes, and larger sizes have 8 classes per power of
+// two. Two bitmaps find a class whose blocks all fit, so that every operation takes constant time. A block
+// knows its neighbours, so that free blocks are joined at once and never adjacent.
 #include "gl/context/arena.hpp"
 
 #include <bit>
@@ -11,13 +11,13 @@ namespace spangle::gl {
 /// The header of a block. A region is a sequence of blocks that ends with a used block of size 0.
 struct ReusingArena::Block {
     std::size_t size_and_free; ///< payload bytes, a multiple of `alignment`; bit 0: free
-    Block* before;             ///< the neighbour below, null for the first of a region
-    // The first bytes of a free block's payload:
+    Block* before;             ///< neighbour below; null for the first block of a region
+    // The payload of a free block starts with its two links:
     Block* next_free;
     Block* previous_free;
 
     static constexpr std::size_t header = 2 * sizeof(void*);
-    static constexpr std::size_t smallest = 2 * sizeof(void*); ///< payload that holds the two links
+    static constexpr std::size_t smallest = 2 * sizeof(void*); ///< payload bytes that hold the two links
 
     std::size_t size() const { return size_and_free & ~std::size_t{1}; }
     bool is_free() const { return (size_and_free & 1) != 0; }
@@ -28,7 +28,8 @@ struct ReusingArena::Block {
 
 namespace {
 
-constexpr std::size_t small_sizes = 64; ///< bytes; multiples of 8 below have a class each
+/// Sizes below this number of bytes have one class per multiple of 8.
+constexpr std::size_t small_sizes = 64;
 
 constexpr std::size_t round_up(std::size_t bytes) {
     return (bytes + ReusingArena::alignment - 1) & ~(ReusingArena::alignment - 1);
@@ -77,7 +78,8 @@ void ReusingArena::remove(Block* block) {
         first_level_map_ &= ~(1u << slot.first);
 }
 
-/// A free block of at least `size` bytes: the head of the first class whose every block is large enough.
+/// Returns a free block of at least `size` bytes: the first one of the smallest class whose blocks are all
+/// large enough.
 ReusingArena::Block* ReusingArena::find(std::size_t size) const {
     if (size >= small_sizes)
         size += (std::size_t{1} << (static_cast<unsigned>(std::bit_width(size)) - 1 - second_bits)) - 1;
@@ -122,7 +124,7 @@ void ReusingArena::give_region(std::uintptr_t begin, std::size_t bytes) {
     capacity_ += block->size() + Block::header;
 }
 
-/// Cuts a used block down to `size` bytes when the rest can be a block of its own.
+/// Cuts a used block down to `size` bytes, if the bytes cut off can be a block of their own.
 void ReusingArena::split_block(Block* block, std::size_t size) {
     if (block->size() < size + Block::header + Block::smallest)
         return;

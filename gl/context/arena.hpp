@@ -1,4 +1,4 @@
-// Memory handed over by the board, given out in bounded time.
+// Allocates memory that the board hands over, in bounded time.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,9 @@
 
 namespace spangle::gl {
 
-/// A two-level segregated fit with immediate coalescing: allocate, free and shrink take constant time
-/// whatever was allocated before. Exhaustion gives null and changes nothing: a caller stores the replacement
-/// first and frees the old block after.
+/// An allocator with two-level segregated fit and immediate coalescing. allocate(), free() and shrink() take
+/// constant time, whatever was allocated before. Exhaustion gives null and changes nothing, so that a caller
+/// can store a replacement before it frees the old block.
 class ReusingArena {
   public:
     static constexpr std::size_t alignment = 8;
@@ -24,24 +24,25 @@ class ReusingArena {
     ReusingArena(const ReusingArena&) = delete;
     ReusingArena& operator=(const ReusingArena&) = delete;
 
-    /// Takes over `bytes` bytes at `memory`. May be called again: regions never merge with each other.
+    /// Takes over `bytes` bytes at `memory`. Several calls are allowed; their regions are never joined.
     void give(void* memory, std::size_t bytes);
 
-    /// Aligned to `alignment`; the contents are undefined. 0 bytes give a unique block, as malloc may.
+    /// Returns a block aligned to `alignment`, with undefined contents. 0 bytes give a unique block, as
+    /// malloc may.
     void* allocate(std::size_t bytes);
 
-    /// Null is ignored.
+    /// Frees a block. Null is ignored.
     void free(void* block);
 
-    /// Returns the tail of a block to the arena, in place. Never fails; a tail too small for a block of its
-    /// own stays.
+    /// Returns the tail of a block to the arena, in place. It never fails: a tail too small for a block of
+    /// its own stays.
     void shrink(void* block, std::size_t bytes);
 
     std::size_t used() const { return used_; }         ///< bytes in allocated blocks, their headers included
-    std::size_t peak() const { return peak_; }         ///< the most `used` has been
-    std::size_t capacity() const { return capacity_; } ///< bytes given that can be handed out
+    std::size_t peak() const { return peak_; }         ///< largest value of used() so far
+    std::size_t capacity() const { return capacity_; } ///< bytes that can be handed out in all
 
-    /// Walks every free list; false when a link, a size, a flag or a bitmap disagrees. For tests.
+    /// Checks every free list, for tests. False: a link, a size, a flag or a bitmap is wrong.
     bool consistent() const;
 
   private:
@@ -69,12 +70,12 @@ class ReusingArena {
     std::size_t used_ = 0, peak_ = 0, capacity_ = 0;
 };
 
-/// An arena for programs that allocate once: memory that was freed is never given out again.
+/// An arena for programs that allocate once. Freed memory is never given out again.
 class GrowingArena {
   public:
     static constexpr std::size_t alignment = 8;
 
-    /// Replaces what is left of the memory that was given before.
+    /// Replaces the rest of the memory that was given before.
     void give(void* memory, std::size_t bytes);
     void* allocate(std::size_t bytes);
     void free(void*) {}
@@ -96,14 +97,14 @@ using UnguardedArena = std::conditional_t<reuses_memory, ReusingArena, GrowingAr
 
 #if SPANGLE_THREADS
 
-/// An arena for all threads: every call holds its lock.
+/// An arena for all threads. Every call holds its lock.
 class Arena : public UnguardedArena {
   public:
     void give(void* memory, std::size_t bytes) {
         const LockGuard held(lock_);
         UnguardedArena::give(memory, bytes);
     }
-    /// Gives the memory unless there is some already.
+    /// Gives the memory unless the arena has some already.
     void give_first(void* memory, std::size_t bytes) {
         const LockGuard held(lock_);
         if (UnguardedArena::capacity() == 0)
@@ -142,7 +143,7 @@ class Arena : public UnguardedArena {
 
 class Arena : public UnguardedArena {
   public:
-    /// Gives the memory unless there is some already.
+    /// Gives the memory unless the arena has some already.
     void give_first(void* memory, std::size_t bytes) {
         if (capacity() == 0)
             give(memory, bytes);

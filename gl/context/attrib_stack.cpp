@@ -1,5 +1,5 @@
-// PushAttrib, PopAttrib, PushClientAttrib and PopClientAttrib (GL 1.3, 6.1.12). The state table says what a
-// group saves. A stack entry holds the bytes of the requested groups and nothing else.
+// PushAttrib, PopAttrib, PushClientAttrib and PopClientAttrib (GL 1.3, 6.1.12). The state table says what
+// each group saves. A stack entry holds the bytes of the requested groups and nothing else.
 #include <cstring>
 
 #include "gl/api/generated/commands.hpp"
@@ -14,12 +14,13 @@ namespace spangle::gl {
 
 #if SPANGLE_FEATURE_ATTRIB_STACKS
 
-/// Header of a stack entry. The saved bytes follow in the order of the runs; the texture group's come last.
+/// Header of a stack entry. The saved bytes follow in the order of the runs, and those of the texture group
+/// come last.
 struct SavedAttributes {
     SavedAttributes* below;
     GLbitfield groups;
     std::uint32_t bytes; ///< bytes of the header and of the saved runs
-    GLuint vertex_array; ///< the vertex array object that saved client arrays belong to
+    GLuint vertex_array; ///< vertex array object that saved client arrays belong to
 };
 
 namespace {
@@ -28,7 +29,8 @@ constexpr GLbitfield bit(Group group) {
     return 1u << static_cast<unsigned>(group);
 }
 
-constexpr GLbitfield server_groups = 0x200FFFFF; // the 21 groups of GL 1.3, table 6.4; other bits are ignored
+// The 21 groups of GL 1.3, table 6.4. Other bits of a mask are ignored.
+constexpr GLbitfield server_groups = 0x200FFFFF;
 static_assert(bit(Group::scissor) == GL_SCISSOR_BIT && bit(Group::multisample) == GL_MULTISAMPLE_BIT);
 
 GLbitfield client_groups(GLbitfield mask) {
@@ -36,7 +38,7 @@ GLbitfield client_groups(GLbitfield mask) {
            ((mask & GL_CLIENT_VERTEX_ARRAY_BIT) != 0 ? bit(Group::client_vertex_array) : 0);
 }
 
-/// How many bytes of the context the groups save.
+/// Returns the number of bytes of the context that the groups save.
 std::size_t kept_bytes(GLbitfield groups) {
     std::size_t all = 0;
     each_saved_run(groups, [&](const SavedRun& run) { all += units_of(run.unit_step) * run.bytes; });
@@ -63,7 +65,8 @@ void move_kept(Context& context, GLbitfield groups, unsigned char* saved, Move m
         unsigned char* held = reinterpret_cast<unsigned char*>(&context) + run.offset;
         std::uint32_t units = units_of(run.unit_step);
         do {
-            if (joins_saved_runs && run.bytes == sizeof(std::uint32_t)) // constant sizes need no call
+            // Copies of a constant size need no function call.
+            if (joins_saved_runs && run.bytes == sizeof(std::uint32_t))
                 move_bytes(context, held, saved, sizeof(std::uint32_t), run.dirty, move);
             else if (joins_saved_runs && run.bytes == 1)
                 move_bytes(context, held, saved, 1, run.dirty, move);
@@ -100,7 +103,7 @@ void push(Context& context, AttribStack& stack, GLbitfield groups) {
         reach(context, Range::ATTRIB_STACK, static_cast<std::uint32_t>(stack.depth));
 }
 
-/// Pops an entry. Without memory for the objects it makes again, the entry stays and nothing is changed.
+/// Pops an entry. Without memory for objects that must be made again, the entry stays and nothing changes.
 void pop(Context& context, AttribStack& stack) {
     SavedAttributes* const entry = stack.top;
     if (entry == nullptr)
@@ -119,8 +122,8 @@ void pop(Context& context, AttribStack& stack) {
     move_kept(context, groups, from, Move::restore);
     context.arena->free(entry);
 #if SPANGLE_FEATURE_LIGHTING
-    if (has_color_material &&
-        context.lighting.color_material) // a tracked material equals the current colour, whichever was popped
+    // A tracked material equals the current colour, whichever of the two was popped.
+    if (has_color_material && context.lighting.color_material)
         color_material_enabled(context);
 #endif
 }
@@ -133,8 +136,8 @@ GLint saved_attributes(const Context& context, bool client) {
 
 void release_attributes(Context& context) {
     while (SavedAttributes* const entry = context.attrib.client.top) {
-        entry->vertex_array = bound_vertex_array(context); // so that pop() binds no other one
-        pop(context, context.attrib.client);               // popping releases the saved arrays' buffers
+        entry->vertex_array = bound_vertex_array(context); // so that pop() binds no other object
+        pop(context, context.attrib.client);               // pop() releases the buffers of the saved arrays
     }
     while (SavedAttributes* const entry = context.attrib.server.top) {
         context.attrib.server.top = entry->below;

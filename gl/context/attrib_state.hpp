@@ -6,7 +6,7 @@
 
 namespace spangle::gl {
 
-struct SavedAttributes; // gl/context/attrib_stack.cpp
+struct SavedAttributes; // defined in gl/context/attrib_stack.cpp
 
 struct AttribStack {
     SavedAttributes* top = nullptr;

@@ -1,4 +1,4 @@
-// How the rest of GL asks about bands that leave out batches of primitives (raster/band/batch_rows.hpp).
+// Tells all parts of GL whether a band leaves out a batch of primitives (raster/band/batch_rows.hpp).
 #pragma once
 
 #include "gl/context/context.hpp"
@@ -6,7 +6,7 @@
 
 namespace spangle::gl {
 
-/// Whether the band leaves out the batch that has begun, so that its vertices need no work.
+/// True if the band leaves out the batch that has begun, so that its vertices need no work.
 inline bool is_skipped([[maybe_unused]] const Context& context) {
 #if SPANGLE_FEATURE_BANDS
     return context.drawable.batches != nullptr && context.drawable.batches->is_skipped();
@@ -15,7 +15,8 @@ inline bool is_skipped([[maybe_unused]] const Context& context) {
 #endif
 }
 
-/// Called when the program reads what differs from band to band, because it may then draw other batches.
+/// Makes the table of batches invalid when the program reads something that differs from band to band. The
+/// program may then draw other batches.
 inline void distrust_batches([[maybe_unused]] Context& context) {
 #if SPANGLE_FEATURE_BANDS
     if (context.drawable.batches != nullptr)

@@ -1,5 +1,5 @@
-// What messages say of a command: its name, its arguments and where its rules stand. Builds without messages
-// hold none of it.
+// The texts that messages need about a command: its name, its arguments and the section with its rules.
+// Builds without messages have none of them.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ using Arg = std::uintptr_t;
 
 #if SPANGLE_MESSAGES
 
-/// Which values of an argument are legal by the argument's own rule.
+/// The values of an argument that are legal by the argument's own rule.
 enum class ArgRule : std::uint8_t {
     any,
     token,   ///< one of the listed tokens
@@ -24,13 +24,13 @@ enum class ArgRule : std::uint8_t {
     range,   ///< from low to high
     address, ///< not null
     array,   ///< the address in a Values argument is not null
-    pname,   ///< a parameter name of the command; its values are the last argument
+    pname,   ///< a parameter name of the command, whose values are the last argument
 };
 
 struct ArgText {
     const char* name;
     ArgRule rule = ArgRule::any;
-    const char* kind = nullptr; ///< what a token has to be: "a blend factor"
+    const char* kind = nullptr; ///< what a token has to be, such as "a blend factor"
     const std::uint16_t* tokens = nullptr;
     std::uint16_t count = 0; ///< number of `tokens`, or of the command's parameter names
     std::int32_t low = 0, high = 0;
@@ -47,26 +47,29 @@ struct CommandText {
     const char* section; ///< section of the specification: "GL 1.3, 4.1.7"
     const ArgText* args = nullptr;
     std::uint8_t count = 0;
-    bool image = false; ///< the arguments come as one ImageCommand
+    bool image = false; ///< true if the arguments come as one ImageCommand
     const PnameText* pnames = nullptr;
 };
 
-/// An error whose message has not been sent yet. Only the caller of the command knows its name, and sends it.
+/// An error whose message has not been sent yet. Only the caller of the command knows its name, and sends the
+/// message.
 struct PendingError {
     GLenum code = GL_NO_ERROR;
-    const char* rule = nullptr; ///< the rule that was broken; null: an argument breaks its own rule
-    bool drawing = false; ///< raised while drawing a primitive, so that any vertex command may have raised it
+    const char* rule = nullptr; ///< the broken rule; null: an argument breaks its own rule
+    /// True if the error was raised while drawing a primitive, so that any vertex command may have raised it.
+    bool drawing = false;
 };
 
-/// The command that is being compiled into a display list. An error of its arguments is recorded with them.
+/// The command that is being compiled into a display list. An error of the command is recorded with its
+/// arguments.
 struct Compiled {
     const CommandText* text = nullptr;
     const Arg* args = nullptr;
 };
 
-/// Sends the message of an unexplained error: the command's name and the broken rule. That is the rule of the
-/// first bad argument, else the rule that the command gave. `args` are `count` words, as the command takes
-/// them.
+/// Sends the message of an unexplained error: the command's name and the broken rule. The rule is that of the
+/// first bad argument, or else the one that the command gave. `args` are `count` words in the form that the
+/// command takes.
 [[gnu::cold]] void explain(Context& context, const CommandText& text, const Arg* args, unsigned count);
 
 #else

@@ -1,4 +1,4 @@
-// One context: its state by chapters of GL, the gate that entry points test, and the objects it shares.
+// A context: its state by chapters of GL, the gate that entry points test, and the objects that it shares.
 #pragma once
 
 #include <cstdint>
@@ -36,42 +36,44 @@ namespace spangle::gl {
 
 class Arena;
 struct ShareGroup;
-struct Engine; // gl/vertex/engine.hpp: the vertex pipeline of one numeric policy
+struct Engine; // defined in gl/vertex/engine.hpp
 
-/// Reasons why an entry point may not simply run its command. They are bits of one byte, so that the usual
-/// call costs one test.
+/// Reasons that keep an entry point from running its command at once. They are bits of one byte, so that a
+/// usual call needs one test.
 enum Gate : std::uint8_t {
-    gate_inside = 1,    ///< between Begin and End: set by cmd::Begin, cleared by cmd::End
+    gate_inside = 1,    ///< between Begin, which sets it, and End
     gate_compiling = 2, ///< between NewList and EndList
 #if SPANGLE_WATCHED
     gate_watched = 4, ///< a Watcher must be told of the command first
 #else
     gate_watched = 0,
 #endif
-    gate_left_out = 8, ///< in a batch that a band leaves out: vertex commands return at once
+    /// Set in a batch that a band leaves out, in which vertex commands return at once.
+    gate_left_out = 8,
 };
 
-/// Which derived state must be computed again before the next primitive. Whoever changes state calls
-/// changed(); whoever derives state clears the bits.
+/// Derived state that must be computed again before the next primitive. Code that changes state calls
+/// changed(), and code that derives state clears the bits.
 enum Dirty : std::uint8_t {
     dirty_none = 0,
-    dirty_others = 1,     ///< clip planes, texture coordinate generation, switches of vertices
-    dirty_fragment = 2,   ///< what raster::FragmentState is filled from, the drawable included
-    dirty_matrices = 4,   ///< the matrix stacks, the viewport, the depth range
+    dirty_others = 1,     ///< clip planes, texture coordinate generation, and switches of vertices
+    dirty_fragment = 2,   ///< sources of raster::FragmentState, the drawable included
+    dirty_matrices = 4,   ///< matrix stacks, viewport and depth range
     dirty_lights = 8,     ///< lights and the light model
-    dirty_materials = 16, ///< materials, also where they follow the current colour
+    dirty_materials = 16, ///< materials, even if they follow the current colour
     dirty_vertex = dirty_others | dirty_matrices | dirty_lights | dirty_materials,
     dirty_all = 0xFF,
 };
 
-/// What EGL knows about the drawable, read by DrawBuffer, ReadBuffer and the queries of bit depths.
+/// The drawable as EGL describes it, for DrawBuffer, ReadBuffer and queries of bit depths.
 struct Drawable {
     raster::Surface surface; ///< the draw surface
-    raster::Surface read;    ///< the read surface: the same, unless EGL was given two
-    bool double_buffered = false, read_double_buffered = false; ///< GL_BACK names the surface's buffer
-    bool front_buffered = false, read_front_buffered = false;   ///< GL_FRONT names the surface's buffer
-    std::uint8_t index_bits = 0; ///< bits of a colour index, up to 8; 0: the framebuffer holds RGBA colours
-    void (*show)(bool finish) = nullptr; ///< what Flush and Finish call; null: nothing to show
+    raster::Surface read;    ///< the read surface, equal to the draw surface unless EGL was given two
+    bool double_buffered = false, read_double_buffered = false; ///< true if GL_BACK names a surface's buffer
+    bool front_buffered = false, read_front_buffered = false;   ///< true if GL_FRONT names a surface's buffer
+    /// Bits of a colour index, up to 8. 0: the framebuffer has RGBA colours.
+    std::uint8_t index_bits = 0;
+    void (*show)(bool finish) = nullptr; ///< called by Flush and Finish; null: nothing to show
 #if SPANGLE_HAS_PLATFORMS
     void (*follow)() = nullptr; ///< adopts a new size of the window; null: the size never changes
 #endif
@@ -81,14 +83,16 @@ struct Drawable {
     static constexpr const Recording* recording = nullptr;
 #endif
 #if SPANGLE_FEATURE_BANDS
-    raster::BatchRows* batches = nullptr; ///< rows that batches reach, for bands drawn by callback, or null
+    /// Rows that batches reach, for bands drawn by a callback, or null.
+    raster::BatchRows* batches = nullptr;
 #else
     static constexpr raster::BatchRows* batches = nullptr;
 #endif
-    bool bound_before = false; ///< the first drawable has set viewport and scissor box (GL 1.3, 2.10.1)
+    /// True after the first drawable has set viewport and scissor box (GL 1.3, 2.10.1).
+    bool bound_before = false;
 };
 
-/// Whether the drawable is in colour index mode (GL_INDEX_MODE).
+/// True if the drawable is in colour index mode (GL_INDEX_MODE).
 constexpr bool is_indexed(const Drawable& drawable) {
     return raster::has_indices && drawable.index_bits != 0;
 }
@@ -98,22 +102,22 @@ struct Context {
     std::uint8_t dirty = dirty_all; ///< Dirty bits
     GLenum error_code = GL_NO_ERROR;
 #if SPANGLE_MESSAGES
-    PendingError pending_error; ///< an error whose message has not been sent
-    Compiled compiled;          ///< the command that is being compiled into a list
+    PendingError pending_error; ///< error whose message has not been sent
+    Compiled compiled;          ///< command that is being compiled into a list
 #endif
 #if SPANGLE_WATCHED
-    Watcher* watcher = nullptr; ///< not null when gate_watched is set
+    Watcher* watcher = nullptr; ///< not null if gate_watched is set
 #endif
     GLenum primitive = GL_POINTS; ///< mode of the last Begin
 
     // Small members come first, because load and store instructions of microcontrollers reach only 4 KB.
-    raster::Tier tier = raster::Tier::exact; ///< the EGL config's tier, which hints of GL_DONT_CARE select
+    raster::Tier tier = raster::Tier::exact; ///< tier of the EGL config, which hints of GL_DONT_CARE select
 #if SPANGLE_OWN_TIERS
-    bool own_tier = false; ///< hints of GL_DONT_CARE select `knobs` instead of `tier`
+    bool own_tier = false; ///< true if hints of GL_DONT_CARE select `knobs` instead of `tier`
     raster::Knobs knobs{};
 #endif
     const Engine* engine = nullptr;
-    void* pipeline = nullptr; ///< the engine's own state, engine->pipeline_bytes bytes
+    void* pipeline = nullptr; ///< state of the engine, engine->pipeline_bytes bytes
     Arena* arena = nullptr;
     ShareGroup* share = nullptr;
     RenderState render;
@@ -145,10 +149,11 @@ struct Context {
     }
 };
 
-/// EGL's MakeCurrent calls this after it has set `drawable`. Null leaves the thread without a context.
+/// Sets the context of this thread. MakeCurrent of EGL calls it after it has set `drawable`. Null leaves the
+/// thread without a context.
 void set_current_context(Context* context);
 
-/// The context of this thread (of the program, in firmware), or null.
+/// Returns the context of this thread (of the program, in firmware), or null.
 inline Context* current_context() {
     return detail::current;
 }

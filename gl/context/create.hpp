@@ -1,4 +1,4 @@
-// What EGL calls: contexts are made of memory from an arena, and get their drawable here.
+// Functions that EGL calls to create contexts in an arena and to give them their drawable.
 #pragma once
 
 #include "gl/context/context.hpp"
@@ -10,28 +10,29 @@ struct ContextConfig {
     const Engine* engine = nullptr; ///< the numeric policy; required
 };
 
-/// Creates a context with GL's initial state, or returns null when the arena has no room. With `share`, it
-/// shares objects with that context, and `arena` must be that context's arena.
+/// Creates a context with GL's initial state. Null: the arena has no room. With `share`, it shares objects
+/// with that context, and `arena` must be that context's arena.
 Context* create_context(Arena& arena, const ContextConfig& config, Context* share);
 
-/// Frees the context, and the shared objects with the last context of their group. A context that is current
-/// is released first.
+/// Frees the context, and the shared objects with the last context of their group. A current context is
+/// released first.
 void destroy_context(Context* context);
 
-/// Makes a context whose drawable is set current. The first drawable gives viewport, scissor box, draw buffer
-/// and read buffer their initial values (GL 1.3, 2.10.1, 4.1.2, 4.2.1).
+/// Makes a context current, whose drawable has been set. The first drawable gives viewport, scissor box, draw
+/// buffer and read buffer their initial values (GL 1.3, 2.10.1, 4.1.2 and 4.2.1).
 void make_current(Context& context);
 /// Makes a context current on one surface, which is both drawn to and read from.
 void make_current(Context* context, const raster::Surface& surface, bool double_buffered);
 
-/// Moves the context's drawable to another part of itself. From now on drawing is recorded in `recording`, or
-/// `batches` leaves out batches that do not reach this part; with both null neither happens.
+/// Moves the context's drawable to another part of the window. `recording` records drawing from now on, or
+/// `batches` leaves out batches that do not reach this part. If both are null, neither happens.
 void move_drawable(Context& context, const raster::Surface& surface, bool read_too,
                    const Recording* recording = nullptr, raster::BatchRows* batches = nullptr);
 
 #if SPANGLE_HAS_RECORDS
-/// Holds the objects that recorded draws refer to, until release_objects(), even if the context is destroyed.
-/// Earlier images of textures stay until forget_images(), when no record refers to them any more.
+/// hold_objects() keeps the objects that recorded draws refer to until release_objects(), even if the context
+/// is destroyed. Earlier images of textures stay until forget_images(), when no record refers to them any
+/// more.
 ShareGroup* hold_objects(Context& context);
 void release_objects(ShareGroup* share);
 void forget_images(Context& context);

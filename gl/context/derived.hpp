@@ -1,4 +1,4 @@
-// What has to be derived again when a member of the context changes.
+// Tells which derived state depends on a member of the context.
 #pragma once
 
 #include <cstddef>
@@ -7,9 +7,9 @@
 
 namespace spangle::gl {
 
-/// Which derived state depends on the member `offset` bytes into the context. Vertices depend on matrices,
-/// lights, texture units and fog. Fragments depend on everything but client state, queries and lists. Current
-/// attributes are compared where they are used, so nothing is derived from them.
+/// Returns the derived state that depends on the member `offset` bytes into the context. Vertices depend on
+/// matrices, lights, texture units and fog. Fragments depend on everything but client state, queries and
+/// lists. Current attributes are compared where they are used, so nothing is derived from them.
 constexpr Dirty derived_from(std::size_t offset) {
     static_assert(offsetof(Context, current) < offsetof(Context, polygon) &&
                   offsetof(Context, polygon) < offsetof(Context, fragment_ops) &&

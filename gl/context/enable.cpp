@@ -9,9 +9,9 @@ namespace spangle::gl {
 
 namespace {
 
-/// Where the flag of a capability is stored; null after an error. Client arrays are capabilities, too. GL 1.3
-/// has EnableClientState for these, but every driver takes them here, as EXT_vertex_array did, and programs
-/// rely on that.
+/// Returns where the flag of a capability is stored. Null: the error is set. Client arrays are capabilities,
+/// too. GL 1.3 has EnableClientState for client arrays, but every driver accepts them here, as
+/// EXT_vertex_array did, and programs rely on that.
 bool* find_flag(Context& context, GLenum cap) {
     const StateRow* const row = find_switch(cap);
     if (row == nullptr) {

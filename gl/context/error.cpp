@@ -41,7 +41,8 @@ namespace spangle::gl {
 #if SPANGLE_MESSAGES
 void error(Context& context, GLenum code, const char* rule) {
     set_error(context, code - GL_INVALID_ENUM);
-    if (context.pending_error.code == GL_NO_ERROR) // only the first error of a command gets a message
+    // Only the first error of a command gets a message.
+    if (context.pending_error.code == GL_NO_ERROR)
         context.pending_error = {code, rule};
 }
 

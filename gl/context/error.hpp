@@ -1,4 +1,4 @@
-// How a command reports an error: the first error is kept until GetError reads it (GL 1.3, 2.5).
+// Reports errors of commands. The first error is kept until GetError reads it (GL 1.3, 2.5).
 #pragma once
 
 #include "gl/context/command_text.hpp"
@@ -20,8 +20,8 @@ void set_error(Context& context, unsigned number);
 
 /// Records `code` unless an earlier error waits. The command that calls this must change nothing else. `rule`
 /// is a SPANGLE_TEXT for spangle::on_message: the broken rule without the command's name, which explain()
-/// puts in front. If an argument breaks its own rule in the command table, the message is about that argument
-/// instead, so `rule` may then be null.
+/// puts in front. If an argument breaks its own rule in the command table, the message is about that
+/// argument, and `rule` may be null.
 #if SPANGLE_MESSAGES
 void error(Context& context, GLenum code, const char* rule = nullptr);
 #else
@@ -30,8 +30,8 @@ inline void error(Context& context, GLenum code, const char* = nullptr) {
 }
 #endif
 
-/// Records an error of a primitive that is being drawn. Vertex commands send no messages, to stay fast: the
-/// next other command, End at the latest, sends this one.
+/// Records an error of a primitive that is being drawn. Vertex commands send no messages, so that they stay
+/// fast. The next other command, End at the latest, sends the message.
 #if SPANGLE_MESSAGES
 void drawing_error(Context& context, GLenum code, const char* rule);
 #else
@@ -40,8 +40,8 @@ inline void drawing_error(Context& context, GLenum code, const char*) {
 }
 #endif
 
-/// For commands that are not allowed between Begin and End: there it records INVALID_OPERATION and returns
-/// false (GL 1.3, 2.6.3). `text` is the command's text, or null.
+/// True outside of Begin/End. Between Begin and End, it records INVALID_OPERATION and returns false (GL 1.3,
+/// 2.6.3). `text` is the text of the command, or null.
 bool allowed_outside(Context& context, const CommandText* text);
 
 } // namespace spangle::gl

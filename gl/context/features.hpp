@@ -1,5 +1,5 @@
-// The optional systems of a build (docs/architecture/boards-and-profiles.md). CMake defines them; a build by
-// hand has everything.
+// Optional systems of a build (docs/architecture/boards-and-profiles.md). CMake defines them; a build without
+// CMake has all of them.
 #pragma once
 
 #include <spangle/format.hpp>
@@ -78,8 +78,8 @@
 #define SPANGLE_FEATURE_GET_PROC_ADDRESS 1
 #endif
 
-/// Platforms, windows of a window system and attributes of contexts, which programs written for PCs ask of
-/// EGL. Hosts have them; a board has one display, and none of this code.
+/// Platforms, windows of a window system and attributes of contexts, which programs written for PCs expect of
+/// EGL. Hosts have them. A board has one display, and none of this code.
 #ifndef SPANGLE_HAS_PLATFORMS
 #ifdef SPANGLE_FIRMWARE
 #define SPANGLE_HAS_PLATFORMS 0

@@ -10,7 +10,8 @@ namespace spangle::gl {
 
 namespace {
 
-/// The row of `pname`, which must be a pointer or must not be one, as `pointer` says; null after an error.
+/// Returns the row of `pname`, which must hold a pointer if `pointer`, and a value otherwise. Null: the error
+/// is set.
 const StateRow* find_row(Context& context, GLenum pname, const void* out, bool pointer) {
     const StateRow* const row = find_state(pname);
     if (row == nullptr || (row->source == Source::pointer) != pointer) {

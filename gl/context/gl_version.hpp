@@ -1,4 +1,4 @@
-// Which version of GL this build implements completely (GL 1.3, 6.1.11).
+// The version of GL that this build implements completely (GL 1.3, 6.1.11).
 #pragma once
 
 #include "gl/context/context.hpp"
@@ -7,7 +7,7 @@
 
 namespace spangle::gl {
 
-/// Whether the build has all optional systems that GL 1.3 requires.
+/// True if the build has all optional systems that GL 1.3 requires.
 inline constexpr bool has_systems_of_1_3 =
     SPANGLE_FEATURE_LISTS && SPANGLE_FEATURE_LIGHTING && SPANGLE_FEATURE_FOG &&
     SPANGLE_FEATURE_POLYGON_MODE && SPANGLE_FEATURE_STIPPLE && SPANGLE_FEATURE_ANTIALIASING &&
@@ -19,26 +19,25 @@ inline constexpr bool has_systems_of_1_3 =
     SPANGLE_FEATURE_ATTRIB_STACKS && SPANGLE_FEATURE_SELECTION && SPANGLE_FEATURE_FEEDBACK &&
     SPANGLE_FEATURE_EVALUATORS;
 
-/// Whether the build has the optional systems that GL 1.4 adds. Separate blend functions, wrapping stencil
+/// True if the build has the optional systems that GL 1.4 adds. Separate blend functions, wrapping stencil
 /// operations, the crossbar, LOD biases, mirrored repeat, draws of several arrays and window positions have
 /// no switch of their own.
 inline constexpr bool has_systems_of_1_4 =
     SPANGLE_FEATURE_DEPTH_TEXTURES && SPANGLE_FEATURE_MIPMAP_GENERATION && SPANGLE_FEATURE_SECONDARY_COLOR &&
     SPANGLE_FEATURE_POINT_PARAMETERS;
 
-/// Whether the build has the optional systems that GL 1.5 adds. The eight comparisons of depth textures have
+/// True if the build has the optional systems that GL 1.5 adds. The eight comparisons of depth textures have
 /// no switch of their own.
 inline constexpr bool has_systems_of_1_5 = SPANGLE_FEATURE_BUFFERS && SPANGLE_FEATURE_QUERIES;
 
-/// Whether all limits reach the minimum maxima of tables 6.26 to 6.28.
+/// True if all limits reach the minimum values of GL 1.3, tables 6.26 to 6.28.
 inline constexpr bool has_limits_of_gl =
     max_lights >= 8 && max_clip_planes >= 6 && modelview_stack_entries >= 32 &&
     projection_stack_entries >= 2 && texture_stack_entries >= 2 && attrib_stack_entries >= 16 &&
     name_stack_entries >= 64 && has_full_lighting && max_list_nesting >= 64 && texture_units >= 2 &&
     max_texture_size >= 64 && max_3d_texture_size >= 16;
 
-/// Whether every texture format and every depth and stencil format is there, and every state can be drawn
-/// with.
+/// True if the build has every texture, depth and stencil format and can draw with every state.
 inline constexpr bool has_formats_of_gl = [] {
     constexpr unsigned textures = (2u << static_cast<unsigned>(raster::TexelFormat::z24)) - 1,
                        depths = (2u << static_cast<unsigned>(DepthFormat::z24s8)) - 1;
@@ -46,7 +45,7 @@ inline constexpr bool has_formats_of_gl = [] {
            raster::has_chain;
 }();
 
-/// The minor version of GL 1.x; 0 when the build does not even have all of GL 1.3.
+/// Minor version of GL 1.x. 0: the build does not have all of GL 1.3.
 inline constexpr int gl_minor = !has_systems_of_1_3 || !has_limits_of_gl || !has_formats_of_gl ? 0
                                 : !has_systems_of_1_4                                          ? 3
                                 : !has_systems_of_1_5                                          ? 4

@@ -12,20 +12,21 @@ namespace spangle::gl {
 
 namespace {
 
-// Constructors that run in line need a store instruction for each member. Most words of a context begin as 0
-// and few different values occur otherwise, so the image is compressed: how many words of 0 come before a
-// word of another value, and which value that is.
+// The initial bytes of a context, compressed. Inline constructors would need a store instruction for each
+// member. Most words of a context begin as 0, and few other values occur. The compressed form counts the
+// words of 0 before each other word, and names its value.
 
 inline constexpr std::size_t context_words = sizeof(Context) / sizeof(std::uint32_t);
 static_assert(sizeof(Context) % sizeof(std::uint32_t) == 0);
-inline constexpr std::size_t most_back = 255;         ///< words; repetitions are looked for no farther back
-static_assert(std::is_trivially_copyable_v<Context>); // so its bytes make a context
+inline constexpr std::size_t most_back = 255;         ///< repetitions are looked for no more words back
+static_assert(std::is_trivially_copyable_v<Context>); // so that bytes make a context
 
 struct Image {
     std::uint32_t word[context_words] = {};
 
     template <class T> constexpr void put(std::size_t at, const T& value) {
-        if constexpr (requires { value[0]; }) { // in builds without textures some arrays are empty
+        // In builds without textures, some arrays are empty.
+        if constexpr (requires { value[0]; }) {
             for (std::size_t i = 0; i < sizeof value / sizeof value[0]; ++i)
                 put(at + i * sizeof value[0], value[i]);
         } else if constexpr (std::is_class_v<T>) {
@@ -133,13 +134,14 @@ consteval Image initial_image() {
     return image;
 }
 
-/// One step of the compressed image: `zeros` words of 0, then word `value` of the table. With `value` 0 the
-/// next step copies words that were written before: how many words back they begin, and how many there are.
+/// One step of the compressed image: `zeros` words of 0, followed by word `value` of the table. If `value` is
+/// 0, the next step copies words that were written before. Its two numbers are how many words back they
+/// begin, and how many there are.
 struct Step {
     std::uint8_t zeros, value;
 };
 
-/// The compressed image while it is made, with room for the most steps and values there can be.
+/// The compressed image while it is being made, with room for the largest number of steps and values.
 struct Steps {
     Step step[2 * context_words] = {};
     std::uint32_t value[UINT8_MAX + 1] = {};
@@ -158,7 +160,8 @@ struct Steps {
     }
 };
 
-/// How many words from `at` on repeat the words `back` words before them. The last one that counts is not 0.
+/// Returns how many words from `at` on equal the words `back` words before them. The last word counted is not
+/// 0.
 constexpr std::size_t repeated(const Image& image, std::size_t at, std::size_t back) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < UINT8_MAX && at + i < context_words; ++i) {

@@ -5,8 +5,8 @@
 
 namespace spangle::gl {
 
-/// Makes a context in zeroed memory of its size. Some members need no initial value, because they are written
-/// before they are read: matrix stack entries above the top, compiled fragment state, and state derived from
+/// Makes a context in zeroed memory of its size. Members that are written before they are read have no
+/// initial value: matrix stack entries above the top, compiled fragment state, and state derived from
 /// textures.
 Context* begin_context(void* memory);
 

@@ -1,4 +1,4 @@
-// Implementation limits (GL 1.3, tables 6.26 to 6.29), as low as a build asks for (cmake/Limits.cmake).
+// Implementation limits (GL 1.3, tables 6.26 to 6.29), which a build may lower (cmake/Limits.cmake).
 #pragma once
 
 #include <cstddef>
@@ -65,22 +65,22 @@
 namespace spangle::gl {
 
 inline constexpr std::int32_t max_viewport_dim = 2048; ///< a quarter of raster::guard_band
-inline constexpr std::int32_t max_point_size = 64;     ///< sizes are whole pixels, 1 and up
+inline constexpr std::int32_t max_point_size = 64;     ///< sizes are whole pixels from 1 on
 inline constexpr std::int32_t max_line_width = 64;
 inline constexpr std::int32_t modelview_stack_entries = SPANGLE_MODELVIEW_STACK,
                               projection_stack_entries = SPANGLE_PROJECTION_STACK,
                               texture_stack_entries = SPANGLE_TEXTURE_STACK, attrib_stack_entries = 16,
                               name_stack_entries = SPANGLE_NAME_STACK,
                               max_list_nesting = SPANGLE_LIST_NESTING;
-/// Whether entry points convert their arguments in line, instead of through a common function.
+/// True if entry points convert their arguments inline, instead of through a common function.
 inline constexpr bool converts_in_line = SPANGLE_ARGUMENTS_INLINE != 0;
 inline constexpr unsigned max_lights = SPANGLE_LIGHTS;
-/// Optional parts of lighting; ambient and diffuse light from directional lights is always there.
+/// Optional parts of lighting. Ambient and diffuse light of directional lights is always available.
+/// has_local_lights covers positional lights, spotlights and a local viewer.
 inline constexpr bool has_specular = (SPANGLE_LIGHT_KINDS & 1) != 0,
-                      has_local_lights = (SPANGLE_LIGHT_KINDS & 2) != 0, ///< positional lights, spotlights,
-                                                                         ///< and a local viewer
-    has_color_material = (SPANGLE_LIGHT_KINDS & 8) != 0;
-/// Whether normals can be normalized, and diffuse colours may be 16 or more.
+                      has_local_lights = (SPANGLE_LIGHT_KINDS & 2) != 0,
+                      has_color_material = (SPANGLE_LIGHT_KINDS & 8) != 0;
+/// True if normals can be normalized, and diffuse colours may be 16 or more.
 inline constexpr bool has_full_lighting = SPANGLE_FULL_LIGHTING != 0;
 static_assert(has_full_lighting || !has_color_material,
               "colours that materials follow may be of 16 and more");
@@ -89,10 +89,10 @@ static_assert(SPANGLE_LIGHT_KINDS < 16);
 inline constexpr int max_clip_planes = 6;
 
 inline constexpr int clip_spare = SPANGLE_CLIP_SPARE;
-/// Vertices of array draws that are kept for indices that come again, about 140 bytes each. A strip finds the
-/// vertices that it shares with the previous strip if both rows, less a few vertices, fit. Hosts have the
-/// memory to keep whole meshes, so a mesh drawn several times a frame is transformed once. They take most of
-/// that memory from the arena when a draw first needs it.
+/// Number of vertices of array draws that are kept for indices that come again, about 140 bytes each. A strip
+/// finds the vertices that it shares with the previous strip if both rows, less a few vertices, fit. Hosts
+/// have the memory to keep whole meshes, so that a mesh drawn several times a frame is transformed once.
+/// Hosts allocate most of that memory in the arena when a draw first needs it.
 #ifdef SPANGLE_FIRMWARE
 #define SPANGLE_GROWS_CACHE 0
 inline constexpr unsigned usual_vertex_cache = 80;
@@ -103,22 +103,24 @@ inline constexpr unsigned usual_vertex_cache = 8192;
 inline constexpr unsigned vertex_cache =
     SPANGLE_VERTEX_CACHE != 0 ? SPANGLE_VERTEX_CACHE : usual_vertex_cache;
 
-/// Optional primitives; triangles, triangle strips and triangle fans are always there.
+/// Optional primitives. Triangles, triangle strips and triangle fans are always available. has_polygons
+/// covers quads, too.
 inline constexpr bool has_points = (SPANGLE_PRIMITIVES & 1) != 0, has_lines = (SPANGLE_PRIMITIVES & 2) != 0,
-                      has_polygons = (SPANGLE_PRIMITIVES & 4) != 0; ///< quads, too
+                      has_polygons = (SPANGLE_PRIMITIVES & 4) != 0;
 static_assert(SPANGLE_PRIMITIVES < 8);
 
-/// Whether primitives are clipped. Without clipping a primitive that crosses a plane of the view volume is an
-/// error.
+/// True if primitives are clipped. Without clipping, a primitive that crosses a plane of the view volume is
+/// an error.
 inline constexpr bool has_clipping = SPANGLE_CLIPPING != 0;
 
-/// Component types of vertex arrays that the build supports: bit i is the type with token GL_BYTE + i.
+/// Component types of vertex arrays that the build supports. Bit i stands for the type with token GL_BYTE +
+/// i.
 inline constexpr unsigned array_types = SPANGLE_ARRAY_TYPES, first_array_type = 0x1400;
 static_assert(array_types != 0 && (array_types & ~5247u) == 0);
 constexpr bool has_array_type(unsigned token) {
     return token - first_array_type < 13 && (array_types >> (token - first_array_type) & 1) != 0;
 }
-/// The type of an array: a constant in builds with a single type.
+/// Returns the type of an array, which is a constant in builds with a single type.
 constexpr unsigned array_type(unsigned token) {
     return raster::one_of(array_types, token - first_array_type) + first_array_type;
 }
@@ -128,7 +130,7 @@ using raster::line_batch;
 inline constexpr int most_displays = SPANGLE_DISPLAYS;
 static_assert(most_displays >= 1);
 
-/// Whether the arena gives freed memory out again.
+/// True if the arena gives freed memory out again.
 inline constexpr bool reuses_memory = SPANGLE_ARENA_REUSE != 0;
 
 /// Blocks of the arena are smaller than 2^arena_log2 bytes.

@@ -6,8 +6,8 @@
 
 namespace spangle::gl {
 
-/// The index of `name`, or of the free entry where it would go. The loop ends because the table is never
-/// full.
+/// Returns the index of `name`, or of the free entry where `name` would be stored. The loop ends because the
+/// table is never full.
 std::uint32_t NameTable::index_of(std::uint32_t name) const {
     std::uint32_t i = hash_slot(name);
     while (entries_[i].name != 0 && entries_[i].name != name)
@@ -27,7 +27,8 @@ void NameTable::place(std::uint32_t name, void* object) {
 }
 
 bool NameTable::reserve(Arena& arena, std::uint32_t more) {
-    constexpr std::uint32_t most_names = 3u << 26; // more than 2 GiB: no arena has room for them
+    // More names need more than 2 GiB, for which no arena has room.
+    constexpr std::uint32_t most_names = 3u << 26;
     if (more > most_names - count_)
         return false;
     const std::uint32_t wanted = count_ + more;
@@ -66,7 +67,7 @@ void* NameTable::remove(std::uint32_t name) {
         return nullptr;
     void* const object = *found;
     std::uint32_t hole = index_of(name);
-    // Pull later entries of the same cluster over the hole (D. Knuth, TAOCP 3, 6.4, algorithm R).
+    // Later entries of the same cluster are moved over the hole (D. Knuth, TAOCP 3, 6.4, algorithm R).
     for (std::uint32_t i = (hole + 1) & (capacity_ - 1); entries_[i].name != 0;
          i = (i + 1) & (capacity_ - 1)) {
         const std::uint32_t from_home = (i - hash_slot(entries_[i].name)) & (capacity_ - 1);
@@ -87,7 +88,8 @@ std::uint32_t NameTable::unused(std::uint32_t range) const {
         highest = entries_[i].name > highest ? entries_[i].name : highest;
     if (UINT32_MAX - highest >= range)
         return highest + 1;
-    // Names near 2^32 are taken: step over the highest name in the way until none is.
+    // Names near 2^32 are taken. The search therefore steps over the highest name in the way until no name is
+    // in the way.
     std::uint32_t first = 1;
     for (std::uint32_t tries = 0; tries <= count_ && UINT32_MAX - first >= range - 1; ++tries) {
         std::uint32_t in_the_way = 0;

@@ -1,4 +1,5 @@
-// A table from names, as of textures or display lists, to objects. A share group has one for each kind.
+// A table from names, such as those of textures or display lists, to objects. A share group has one for each
+// kind of object.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +8,9 @@ namespace spangle::gl {
 
 class Arena;
 
-/// A hash table with open addressing and linear probing; its size is a power of two and at most three
-/// quarters are used. A name may be present with a null object: GenTextures reserves names, GenLists makes
-/// empty lists.
+/// A hash table with open addressing and linear probing. Its size is a power of two, and at most three
+/// quarters are used. A name may be present with a null object: GenTextures reserves names, and GenLists
+/// makes empty lists.
 class NameTable {
   public:
     struct Entry {
@@ -17,20 +18,21 @@ class NameTable {
         void* object;
     };
 
-    /// Returns where the name's object is kept, valid until the table changes; null when the name is not
+    /// Returns where the object of a name is stored, valid until the table changes. Null: the name is not
     /// present.
     void** find(std::uint32_t name) const;
 
-    /// Adds a name, which is not 0. Without memory it changes nothing and returns false.
+    /// Adds a name, which must not be 0. False: there is no memory, and nothing changed.
     bool insert(Arena& arena, std::uint32_t name, void* object);
 
-    /// Makes room for `more` names, so that as many inserts cannot fail.
+    /// Makes room for `more` names, so that as many calls of insert() cannot fail.
     bool reserve(Arena& arena, std::uint32_t more);
 
-    /// Removes a name and returns its object; null when the name was not present.
+    /// Removes a name and returns its object. Null: the name was not present.
     void* remove(std::uint32_t name);
 
-    /// The first of `range` unused names in a row, or 0 when there are none. range > 0.
+    /// Returns the first of `range` consecutive unused names, or 0 if there are none. `range` must be above
+    /// 0.
     std::uint32_t unused(std::uint32_t range) const;
 
     /// Frees the array, not the objects.
@@ -38,7 +40,8 @@ class NameTable {
 
     std::uint32_t count() const { return count_; }
     std::uint32_t capacity() const { return capacity_; }
-    /// Entry `index`, 0 to capacity() - 1, for visiting all names; entries with name 0 are free.
+    /// Returns entry `index`, from 0 to capacity() - 1, for visits of all names. Free entries have the name
+    /// 0.
     Entry& slot(std::uint32_t index) const { return entries_[index]; }
 
   private:

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-/// 1 in builds that hold programs to the ranges of a profile; cmake/Profile.cmake says when.
+/// 1 in builds that check the ranges of a profile; see cmake/Profile.cmake.
 #ifndef SPANGLE_CHECK_RANGES
 #define SPANGLE_CHECK_RANGES 0
 #endif

@@ -13,8 +13,8 @@ namespace spangle::gl {
 
 namespace {
 
-/// The number that a macro expands to, or UINT32_MAX if the macro is undefined and its name remains: a
-/// profile that does not record a range does not bound it.
+/// Returns the number that a macro expands to, or UINT32_MAX if the macro is undefined and its name remains.
+/// A profile that does not record a range does not bound it.
 constexpr std::uint32_t number_of(const char* text) {
     std::uint32_t value = 0;
     for (; *text >= '0' && *text <= '9'; ++text)

@@ -1,4 +1,4 @@
-// A drawable whose frame is larger than memory: drawing is recorded, and replayed later band by band.
+// A drawable whose frame is larger than memory. Drawing is recorded, and replayed later band by band.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@ namespace spangle::gl {
 
 struct Recording {
     raster::Record* record;
-    /// Returns the drawable with the band that holds row y, as the record has drawn it so far. It is valid
-    /// until the next call or the next draw. Its area is empty when the band cannot be drawn.
+    /// Returns the drawable with the band that holds row y, as the record has drawn it so far. The result is
+    /// valid until the next call or the next draw. Its area is empty if the band cannot be drawn.
     raster::Surface (*rows)(std::int32_t y);
-    /// Counts the fragments of recorded primitives, if they are counted at all.
+    /// Counts the fragments of recorded primitives, if fragments are counted.
     void (*count)();
 };
 

@@ -27,7 +27,7 @@ struct Joined {
     std::array<SavedRun, written_rows.size()> run{};
     std::size_t count = 0;
 };
-/// The runs of all rows in the order of their offsets; adjacent runs of one kind are joined.
+/// Returns the runs of all rows in the order of their offsets. Adjacent runs of one kind are joined.
 constexpr Joined join_all() {
     Joined all;
     for (const WrittenRow& row : written_rows)

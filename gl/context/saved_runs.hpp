@@ -12,26 +12,27 @@ namespace spangle::gl {
 
 /// Consecutive bytes of the context that the same attribute groups save.
 struct SavedRun {
-    std::uint16_t offset = 0, bytes = 0; ///< the first unit's place in Context
+    std::uint16_t offset = 0, bytes = 0; ///< of the first unit's run
     std::uint16_t unit_step = 0;         ///< bytes from one unit's run to the next unit's; 0: no units
     Dirty dirty = dirty_all;             ///< derived state that depends on these bytes
     std::uint32_t groups = 0;            ///< bit 1 << Group for each group that saves the run
 };
 
-/// The groups that save a row of `group`. Server switches belong to GL_ENABLE_BIT, too (GL 1.3, table 6.4).
+/// Returns the groups that save a row of `group`. Server switches belong to GL_ENABLE_BIT, too (GL 1.3, table
+/// 6.4).
 constexpr std::uint32_t groups_that_save(Group group, Switch toggle) {
     const auto bit = [](Group g) { return 1u << static_cast<unsigned>(g); };
     return bit(group) | (toggle == Switch::server ? bit(Group::enable) : 0);
 }
 
-/// Whether a table holds maximal runs, as on hosts. Boards lack the flash for it; there each row of the state
-/// table is a run of its own.
+/// True if a table holds maximal runs, as on hosts. Boards have too little flash for it. There, each row of
+/// the state table is a run of its own.
 inline constexpr bool joins_saved_runs = numeric::wide_words;
 
-/// The table of all runs; empty unless joins_saved_runs.
+/// Returns the table of all runs, which is empty unless joins_saved_runs.
 std::span<const SavedRun> saved_runs();
 
-/// Calls visit(run) for every run that one of the groups saves, always in the same order.
+/// Calls visit(run) for every run that at least one of the groups saves, always in the same order.
 template <class Visit> SPANGLE_INLINE void each_saved_run(std::uint32_t groups, Visit visit) {
     if constexpr (joins_saved_runs) {
         for (const SavedRun& run : saved_runs())

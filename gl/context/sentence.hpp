@@ -1,11 +1,12 @@
-// A sentence for spangle::on_message, built without allocating memory.
+// A sentence for spangle::on_message, made without allocating memory.
 #pragma once
 
 #include <cstdint>
 
 namespace spangle::gl {
 
-/// Text that does not fit is cut off. The longest sentences about arguments fit (gl/api/generated/texts.cpp).
+/// A text of at most `most` bytes; the end of a longer one is cut off. The longest sentences about arguments
+/// fit (gl/api/generated/texts.cpp).
 class Sentence {
   public:
     static constexpr unsigned most = 383;

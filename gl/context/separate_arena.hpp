@@ -1,5 +1,5 @@
 // An arena whose blocks are separate heap allocations, so that a memory checker sees the bounds of each. Only
-// tests build with it (SPANGLE_SEPARATE_BLOCKS).
+// tests are built with it (SPANGLE_SEPARATE_BLOCKS).
 #pragma once
 
 #include <cstddef>
@@ -45,7 +45,7 @@ class SeparateArena {
         used_ -= header->bytes;
         std::free(header);
     }
-    /// The block keeps its tail, but the checker reports accesses to it.
+    /// Cuts a block down to `bytes`. The block keeps its tail, but the checker reports accesses to the tail.
     void shrink(void* block, std::size_t bytes) {
         Header* const header = header_of(block);
         if (bytes < header->bytes) {
@@ -58,7 +58,7 @@ class SeparateArena {
     std::size_t used() const { return used_; }
     std::size_t peak() const { return peak_; }
     std::size_t capacity() const { return capacity_; }
-    /// Checks the byte counts only: the memory checker reports damage.
+    /// Checks the byte counts only, since the memory checker reports damage.
     bool consistent() const { return used_ <= capacity_; }
 
   private:

@@ -1,7 +1,7 @@
-// Objects that contexts share: textures, buffers, display lists, and the arena they lie in (GL 1.3, 2.2; EGL
-// 1.4, 2.4). Contexts of one group may be current on several threads of a host at once. A command that reads
-// or writes shared objects holds the group's lock meanwhile (`shares` in gl/api/commands). A primitive holds
-// it from Begin to End, so that the textures it samples do not change.
+// Objects that contexts share: textures, buffers, display lists, and the arena with their memory (GL 1.3,
+// 2.2; EGL 1.4, 2.4). Contexts of one group may be current on several threads of a host at once. A command
+// that reads or writes shared objects holds the group's lock meanwhile (`shares` in gl/api/commands). A
+// primitive holds the lock from Begin to End, so that the textures it samples do not change.
 #pragma once
 
 #include "gl/context/arena.hpp"
@@ -11,19 +11,19 @@
 
 namespace spangle::gl {
 
-struct LevelImage; // gl/texture/texture_object.hpp
+struct LevelImage; // defined in gl/texture/texture_object.hpp
 
 struct ShareGroup {
     explicit ShareGroup(Arena& memory) : arena(memory) {}
 
     Arena& arena;
-    [[no_unique_address]] Lock lock; ///< guards all but `references`
-    std::uint32_t references = 0;    ///< contexts and records; EGL's lock guards it
-    /// How often images or parameters of textures have changed. State that a context compiled from textures
-    /// at another count is stale.
+    [[no_unique_address]] Lock lock; ///< guards all members except `references`
+    std::uint32_t references = 0;    ///< number of contexts and records; the lock of EGL guards it
+    /// Counts changes of images and parameters of textures. State that a context compiled from textures at
+    /// another count is out of date.
     std::uint32_t texture_changes = 0;
 #if SPANGLE_HAS_RECORDS
-    /// Images with this number are used by draws that were recorded, and must not change.
+    /// Number of the current record. Images with this number are used by recorded draws, and must not change.
     std::uint32_t frame = 1;
     LevelImage* kept_images = nullptr; ///< images that only recorded draws still use
 #endif

@@ -22,7 +22,7 @@ void matrix(const Context& context, GLenum name, Param* out) {
         out[i] = Param::from(top.m[i]);
 }
 
-/// The tokens of plain and of transposed matrices are in the same order.
+/// Tokens of plain and of transposed matrices have the same order.
 void transposed_matrix(const Context& context, GLenum name, Param* out) {
     const Matrix16 top = top_matrix(context, name - GL_TRANSPOSE_MODELVIEW_MATRIX + GL_MODELVIEW_MATRIX);
     for (int i = 0; i < 16; ++i)
@@ -61,7 +61,7 @@ void size_range(const Context&, GLenum name, Param* out) {
     out[1] = integer(point ? max_point_size : max_line_width);
 }
 
-/// The granularity of point sizes and line widths: 1/8 pixel with antialiasing, else 1 pixel.
+/// Returns the granularity of point sizes and line widths: 1/8 pixel with antialiasing, else 1 pixel.
 void size_granularity(const Context&, GLenum, Param* out) {
     constexpr Real eighth = numeric::from_float(0.125f);
     out[0] = Param::from(SPANGLE_FEATURE_ANTIALIASING ? eighth : numeric::one);

@@ -1,4 +1,4 @@
-// State that queries compute, because no member of the context holds it in the form that they return.
+// State that queries compute, because no member of the context holds it in the form that queries return.
 #pragma once
 
 #include "gl/context/types.hpp"

@@ -1,5 +1,5 @@
-// How a row of the state table is written: where its value lies, how it converts, which group it belongs to.
-// The files of rows (state_rows_*.hpp) and the table made of them include this.
+// How a row of the state table is written: where its value is stored, how it converts, and which group it
+// belongs to. The files of rows (state_rows_*.hpp) and the table made of them include this header.
 #pragma once
 
 #include <array>
@@ -23,12 +23,12 @@ template <class T> constexpr Source source_of_type() {
                                                   : Source::integer;
 }
 
-/// Every token of a state has 16 bits.
+/// Converts the token of a state, which always has 16 bits.
 constexpr std::uint16_t short_name(GLenum name) {
     return static_cast<std::uint16_t>(name);
 }
 
-/// What becomes of a written row.
+/// The kind of a written row.
 enum class Row : std::uint8_t {
     state,   ///< a StateRow
     held,    ///< an OwnQueryRow
@@ -39,13 +39,13 @@ enum class Row : std::uint8_t {
 struct WrittenRow : StateRow {
     Row becomes = Row::state;
     Group group = Group::none;
-    bool absent = false;   ///< packed as StateRow::left_out()
-    std::size_t value = 0; ///< packed into StateRow::where
-    std::size_t bytes = 0; ///< of a held row: bytes that the groups save
+    bool absent = false;   ///< true if it is packed as StateRow::left_out()
+    std::size_t value = 0; ///< becomes StateRow::where
+    std::size_t bytes = 0; ///< for a held row: bytes that the groups save
     std::size_t step = 0;  ///< bytes from one unit's value to the next unit's; 0: no units
     Compute* compute = nullptr;
-    std::uint64_t function =
-        0; ///< identity() of `compute`, because addresses of functions are not always comparable constants
+    /// identity() of `compute`, since addresses of functions are not always comparable constants.
+    std::uint64_t function = 0;
 };
 
 constexpr WrittenRow constant(GLenum name, std::int32_t value) {
@@ -80,7 +80,7 @@ constexpr WrittenRow absent_switch(GLenum name) {
     return row;
 }
 
-/// A number that identifies a function: the 64-bit FNV-1a hash of its name.
+/// Returns a number that identifies a function: the 64-bit FNV-1a hash of its name.
 template <Compute* function> constexpr std::uint64_t identity() {
     std::uint64_t hash = 14695981039346656037u;
     for (const char c : __PRETTY_FUNCTION__)
@@ -105,7 +105,7 @@ constexpr WrittenRow held(std::size_t offset, std::size_t bytes) {
     return row;
 }
 
-/// The rows that follow, up to the next in(), belong to `group`.
+/// Sets the group of all rows up to the next in().
 constexpr WrittenRow in(Group group) {
     WrittenRow row;
     row.becomes = Row::section;
@@ -113,8 +113,8 @@ constexpr WrittenRow in(Group group) {
     return row;
 }
 
-/// A row of an optional system. In a build without that system, asking for it is INVALID_OPERATION, with a
-/// message.
+/// Makes a row of an optional system. A query of it in a build without that system is an INVALID_OPERATION,
+/// with a message.
 constexpr WrittenRow of_feature(bool present, [[maybe_unused]] const char* text, WrittenRow row) {
     if (present)
         return row; // another of_feature() may still mark it absent
@@ -159,7 +159,7 @@ FEATURE(of_polygon_offset, POLYGON_OFFSET)
 FEATURE(of_point_parameters, POINT_PARAMETERS)
 #undef FEATURE
 
-/// A value that each texture unit has.
+/// Makes a row of a value that each texture unit has.
 constexpr WrittenRow of_unit(std::size_t step, WrittenRow row) {
     row.step = step;
     row.unit = step == sizeof(TextureUnitState) ? Unit::texture : Unit::coords;

@@ -1,4 +1,4 @@
-// What happens to fragments: fog, tests, blending, clears, hints (GL 1.3, tables 6.8, 6.18 and 6.23).
+// Rows of fragment operations: fog, tests, blending, clears and hints (GL 1.3, tables 6.8, 6.18 and 6.23).
 #pragma once
 
 #include "gl/context/state_row.hpp"

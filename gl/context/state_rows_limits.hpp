@@ -1,4 +1,5 @@
-// Lists, stacks of attributes, selection, feedback, the drawable, and limits (GL 1.3, tables 6.23 to 6.29).
+// Rows of lists, attribute stacks, selection, feedback, the drawable, and limits (GL 1.3, tables 6.23 to
+// 6.29).
 #pragma once
 
 #include "gl/context/state_row.hpp"
@@ -25,7 +26,7 @@ inline constexpr auto limits_rows = std::to_array<WrittenRow>({
     of_lists(STORED(GL_LIST_INDEX, list.index)),
     of_lists(STORED(GL_LIST_MODE, list.mode)),
     of_lists(constant(GL_MAX_LIST_NESTING, max_list_nesting)),
-    in(Group::none), // the attribute stacks themselves, and limits
+    in(Group::none), // attribute stacks themselves, and limits
     computed<computed_state::render_mode>(GL_RENDER_MODE, Kind::integer, 1),
     SELECTION_ROW(GL_NAME_STACK_DEPTH, depth),
     SELECTION_ROW(GL_SELECTION_BUFFER_SIZE, size),

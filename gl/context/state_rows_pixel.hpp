@@ -1,4 +1,4 @@
-// Pixel storage, transfer and maps (GL 1.3, tables 6.19 to 6.21).
+// Rows of pixel storage, transfer and maps (GL 1.3, tables 6.19 to 6.21).
 #pragma once
 
 #include "gl/context/state_row.hpp"

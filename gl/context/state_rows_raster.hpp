@@ -1,4 +1,4 @@
-// How primitives become fragments: points, lines, polygons (GL 1.3, table 6.12).
+// Rows of state that turns primitives into fragments: points, lines and polygons (GL 1.3, table 6.12).
 #pragma once
 
 #include "gl/context/state_row.hpp"

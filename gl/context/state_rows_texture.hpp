@@ -1,4 +1,4 @@
-// Texture units (GL 1.3, tables 6.15 to 6.17).
+// Rows of texture units (GL 1.3, tables 6.15 to 6.17).
 #pragma once
 
 #include "gl/context/state_row.hpp"
@@ -7,7 +7,7 @@
 #if SPANGLE_FEATURE_TEXGEN
 #define TEXGEN(NAME, I) of_unit(sizeof(TextureUnitState), SWITCH(NAME, texture.unit[0].gen_on[I]))
 #define TEXGENS of_unit(sizeof(TextureUnitState), HELD(texture.unit[0].gen))
-#else // this build has no member for it
+#else // this build has no member for the state
 #define TEXGEN(NAME, I) of_texgen(absent_switch(NAME))
 #define TEXGENS in(Group::texture)
 #endif

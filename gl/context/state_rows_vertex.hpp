@@ -1,5 +1,5 @@
-// Rows of state that vertices use: current values, matrices, viewport, lighting, evaluators (GL 1.3, tables
-// 6.5 to 6.12 and 6.22).
+// Rows of state that vertices use: current values, matrices, viewport, lighting and evaluators (GL 1.3,
+// tables 6.5 to 6.12 and 6.22).
 #pragma once
 
 #include "gl/context/state_row.hpp"
@@ -38,7 +38,7 @@
 namespace spangle::gl {
 
 #if SPANGLE_FEATURE_LIGHTING
-/// The switch of light i. A light beyond the limit has none.
+/// Makes the row of light i's switch. A light beyond the limit has no switch.
 constexpr WrittenRow light_switch(unsigned i) {
     if (i >= max_lights)
         return in(Group::lighting);

@@ -30,7 +30,7 @@ struct Computing {
     Compute* compute = nullptr;
     std::uint64_t function = 0;
 };
-/// Every function that computes a row, once; unused elements are 0.
+/// All functions that compute rows, each once. Unused elements are 0.
 constexpr auto all_computing = [] {
     std::array<Computing, count_rows(is_computed)> all{};
     std::size_t used = 0;
@@ -57,7 +57,7 @@ constexpr auto computing = [] {
     return kept;
 }();
 
-/// The row in its final form. A row that is left out has no place and no values.
+/// Returns the row in its final form. A row that is left out has no place and no values.
 constexpr StateRow pack_row(const WrittenRow& row) {
     StateRow out = row;
     std::size_t where = row.value;
@@ -85,12 +85,12 @@ constexpr bool all_fit() {
 }
 static_assert(all_fit());
 
-/// Whether only the row's name is kept, in LeftOut: its system is missing, and there is no message to name
-/// it. Rows of pointers stay rows.
+/// True if only the name of the row is kept, in LeftOut. Its system is missing, and the build has no message
+/// that names the system. Rows of pointers stay rows.
 constexpr bool is_left_out(const WrittenRow& row) {
     return !SPANGLE_MESSAGES && row.absent && row.source != Source::pointer;
 }
-/// Whether the row has a name, and is a switch or is none.
+/// True if the row has a name, and is a switch if `switches` or is none otherwise.
 template <bool switches> constexpr bool has_name(const WrittenRow& row) {
     return row.becomes == Row::state && (row.toggle != Switch::none) == switches;
 }
@@ -100,7 +100,7 @@ template <bool switches> constexpr bool is_named(const WrittenRow& row) {
 template <bool switches> constexpr bool is_only_named(const WrittenRow& row) {
     return has_name<switches>(row) && is_left_out(row);
 }
-/// Consecutive names of missing states, in as few bytes as they need.
+/// Consecutive names of missing states, in few bytes.
 struct LeftOut {
     std::uint8_t low = 0, high = 0, names = 0;
 
@@ -154,7 +154,7 @@ constexpr bool same_text(const char* a, const char* b) {
         ++b;
     return *a == *b;
 }
-/// Whether `row` can be extended by `next`.
+/// True if `row` can be extended by `next`.
 constexpr bool goes_on(const StateRow& row, const StateRow& next) {
     return next.name == row.name + row.names && next.where == row.where + row.names * bytes_per_state(row) &&
            row.names + 1u < 1u << names_bits && next.count == row.count && next.unit == row.unit &&
@@ -298,7 +298,7 @@ void load_state(const Context& context, const StateRow& row, GLenum name, Param*
             out[i] = Param::from_integer(reinterpret_cast<const bool*>(from)[i]);
     else if (row.source == Source::constant)
         out[0] = Param::from_integer(row.where);
-    else // a word each; load_state() is never called for pointers
+    else // each value is a word, since load_state() is never called for pointers
         std::memcpy(out, from, row.count * sizeof *out);
 }
 

@@ -1,4 +1,5 @@
-// The one table of state: where each value lies, how queries convert it, and which attribute group saves it.
+// The one table of state: where each value is stored, how queries convert it, and which attribute group saves
+// it.
 #pragma once
 
 #include <array>
@@ -13,7 +14,7 @@ namespace spangle::gl {
 
 struct Context;
 
-/// How a value is stored, and what it converts as.
+/// How a value is stored, and as what it converts.
 enum class Source : std::uint8_t {
     boolean,       ///< bool in the context
     integer,       ///< GLint, GLuint or GLenum in the context
@@ -34,14 +35,14 @@ static_assert(kind_of(Source::boolean) == Kind::integer && kind_of(Source::integ
               kind_of(Source::constant) == Kind::integer && kind_of(Source::computed) == Kind::integer &&
               kind_of(Source::computed_real) == Kind::real);
 
-/// Whether a state is a capability of Enable, Disable and IsEnabled.
+/// Tells whether a state is a capability of Enable, Disable and IsEnabled.
 enum class Switch : std::uint8_t {
     none,
     server,
     client, ///< GL_ENABLE_BIT does not save it
 };
 
-/// Attribute groups, numbered by their mask bits (GL 1.3, table 6.4); the client's groups follow the
+/// Attribute groups, numbered by their mask bits (GL 1.3, table 6.4). The client's groups follow the
 /// server's.
 enum class Group : std::uint8_t {
     current,
@@ -70,22 +71,24 @@ enum class Group : std::uint8_t {
     none = 28, ///< no mask has this bit
 };
 
-/// Which kind of unit has a value of its own; the units' values are equally spaced in the context.
+/// The kind of unit that has a value of its own. The values of all units are equally spaced in the context.
 enum class Unit : std::uint8_t {
     none,
     texture, ///< one in each TextureUnitState
     coords,  ///< four Reals for each texture unit
-    client,  ///< one in each ClientArray; ClientActiveTexture selects the unit, not ActiveTexture
+    /// One value in each ClientArray. ClientActiveTexture selects the unit, not ActiveTexture.
+    client,
 };
 
 inline constexpr unsigned names_bits = 4, unit_bits = 8;
 
-/// A state, or several whose names and places are consecutive. A board's flash holds some 200 rows.
+/// A state, or several states whose names and places are consecutive. A board's flash holds some 200 rows.
 struct StateRow {
-    std::uint16_t name = 0;  ///< token of the first state
-    std::uint16_t where = 0; ///< offset in Context, or the constant, or which function computes it
+    std::uint16_t name = 0; ///< token of the first state
+    /// Offset in Context, the constant, or the index of the function that computes it.
+    std::uint16_t where = 0;
     std::uint16_t names : names_bits = 1; ///< number of states in the row
-    std::uint16_t count : 5 = 0;          ///< values of each state, up to most_values; 0: left out
+    std::uint16_t count : 5 = 0;          ///< number of values of each state, up to most_values; 0: left out
     Source source : 3 = Source::constant;
     Switch toggle : 2 = Switch::none;
     Unit unit : 2 = Unit::none;
@@ -99,11 +102,11 @@ struct StateRow {
     }
 };
 
-/// Bytes that are saved with their group but queried by a command of their own (GetLight...).
+/// Bytes that are saved with their group but queried by a command of their own, such as GetLight.
 struct OwnQueryRow {
     std::uint16_t offset = 0, bytes = 0;
-    std::uint16_t unit_words : unit_bits = 0; ///< 4-byte words from one unit's bytes to the next unit's; 0:
-                                              ///< no units
+    /// 4-byte words from one unit's bytes to the next unit's. 0: there are no units.
+    std::uint16_t unit_words : unit_bits = 0;
     Group group : 5 = Group::none;
 
     constexpr std::uint32_t unit_step() const { return unit_words * std::uint32_t{4}; }
@@ -114,10 +117,10 @@ using Compute = void(const Context& context, GLenum name, Param* out);
 
 inline constexpr int most_values = 16;
 
-/// The row of the state `name`, or null.
+/// Returns the row of the state `name`, or null.
 const StateRow* find_state(GLenum name);
 
-/// The switch that has `name`, or null.
+/// Returns the row of the switch `name`, or null.
 const StateRow* find_switch(GLenum name);
 
 /// Rows, and the attribute group of each row. Every Switch::server belongs to Group::enable, too.
@@ -125,29 +128,29 @@ struct GroupedRows {
     std::span<const StateRow> rows;
     const Group* groups;
 };
-/// Every row, in any order, in two parts.
+/// Returns all rows, in two parts and in any order.
 std::array<GroupedRows, 2> all_state();
 std::span<const OwnQueryRow> own_query_rows();
 
-/// The bytes that each state of a row occupies in the context, for the first unit; 0 for none.
+/// Returns the bytes that each state of a row occupies in the context, for the first unit. 0: no bytes.
 constexpr std::uint32_t bytes_per_state(const StateRow& row) {
     constexpr std::uint32_t of_each = 0x4441 | sizeof(void*) << 16; // 4 bits for each Source, in its order
     return row.count * (of_each >> static_cast<unsigned>(row.source) * 4 & 15);
 }
 
-/// Bytes from one unit's value to the next unit's; 0: no units.
+/// Returns the bytes from one unit's value to the next unit's. 0: there are no units.
 std::uint32_t unit_step(const StateRow& row);
 
-/// The number of units that a row with this unit_step() has.
+/// Returns the number of units that a row with this unit_step() has.
 constexpr std::uint32_t units_of(std::uint32_t unit_step) {
     return unit_step == 0 ? 1 : texture_units;
 }
 
-/// The offset in the context, in bytes, of the value of `name`, which is not computed. Each name before it in
-/// the row occupies `bytes` bytes.
+/// Returns the offset in the context, in bytes, of the value of `name`, which must not be computed. Each name
+/// before it in the row occupies `bytes` bytes.
 std::size_t offset_of(const Context& context, const StateRow& row, GLenum name, std::size_t bytes);
 
-/// Reads the values of the state `name` of a row: row.count of them.
+/// Reads all row.count values of the state `name` of a row.
 void load_state(const Context& context, const StateRow& row, GLenum name, Param* out);
 
 } // namespace spangle::gl

@@ -1,4 +1,4 @@
-// GetString: vendor, renderer, the GL version of this build, and its extensions (GL 1.3, 6.1.11).
+// GetString returns vendor, renderer, the GL version of this build, and its extensions (GL 1.3, 6.1.11).
 #include "gl/api/generated/commands.hpp"
 #include "gl/api/generated/extensions.hpp"
 #include "gl/context/context.hpp"

@@ -1,4 +1,4 @@
-// Locks for what the threads of a host share. Firmware has one thread: there locks do nothing, and leave
+// Locks for data that the threads of a host share. Firmware has one thread, so its locks do nothing and need
 // neither code nor data.
 #pragma once
 
@@ -28,11 +28,11 @@ extern SPANGLE_THREAD_LOCAL Context* current;
 
 #if SPANGLE_THREADS
 
-/// A recursive mutex: the thread that holds it may take it again.
+/// A recursive mutex. The thread that holds it may take it again.
 class Lock {
   public:
     void take() {
-        const void* const me = &detail::current; // a different address on each thread
+        const void* const me = &detail::current; // the address differs on each thread
         if (owner_.load(std::memory_order_relaxed) != me) {
             pthread_mutex_lock(&mutex_);
             owner_.store(me, std::memory_order_relaxed);
@@ -49,7 +49,7 @@ class Lock {
   private:
     pthread_mutex_t mutex_ = PTHREAD_MUTEX_INITIALIZER;
     std::atomic<const void*> owner_ = nullptr;
-    unsigned recursion_depth_ = 0; ///< how often the owner has taken it
+    unsigned recursion_depth_ = 0; ///< how many times the owner has taken the lock
 };
 
 /// Holds a lock while it lives.
@@ -64,7 +64,7 @@ class LockGuard {
     Lock& lock_;
 };
 
-/// While it lives, holds the lock of the objects that a context shares with others.
+/// Holds the lock of the objects that a context shares with others, while it lives.
 class SharedObjects {
   public:
     explicit SharedObjects(Context& context);

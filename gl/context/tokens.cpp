@@ -4,7 +4,8 @@ namespace spangle::gl {
 
 namespace {
 
-/// Whether the list has the enumerators in order from the first one on, and legal tokens that stand for them.
+/// True if the list has the enumerators in order from the first one on. Each token must be legal and stand
+/// for its enumerator.
 template <class Enum, std::size_t count>
 consteval bool agree(bool (*legal)(GLenum), Enum (*meaning_of)(GLenum), const Token<Enum> (&list)[count]) {
     for (std::size_t i = 0; i < count; ++i) {

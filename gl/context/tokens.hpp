@@ -1,6 +1,6 @@
-// GL tokens and the rasterizer's enumerators that they stand for. Each kind of token has one table, or one
-// pair of functions, which says both what is legal and what a token means. A command refuses all other
-// tokens, so that no state holds a token without a meaning. tokens.cpp checks the functions token by token.
+// GL tokens and the rasterizer's enumerators for them. Each kind of token has one table, or one pair of
+// functions, which defines both the legal tokens and their meaning. A command refuses all other tokens, so
+// that no state holds a token without a meaning. tokens.cpp checks the functions token by token.
 #pragma once
 
 #include <array>
@@ -11,15 +11,16 @@
 
 namespace spangle::gl {
 
-/// A token and what it stands for.
+/// A token and its meaning.
 template <class Enum> struct Token {
     std::uint16_t token;
     Enum meaning;
 };
 
-void an_enumerator_has_no_token_or_two(); ///< is never defined: a table that calls it does not compile
+void an_enumerator_has_no_token_or_two(); ///< never defined: a table that calls it does not compile
 
-/// The tokens at the places of their enumerators, from the first one to `last`. The list may have any order.
+/// Returns the tokens at the indices of their enumerators, from the first one to `last`. The list may have
+/// any order.
 template <auto last, std::size_t count>
 consteval auto by_enumerator(const Token<decltype(last)> (&list)[count]) {
     constexpr std::size_t all = static_cast<std::size_t>(last) + 1;
@@ -86,7 +87,7 @@ inline constexpr auto combine_functions = by_enumerator<raster::CombineFunc::dot
     {GL_DOT3_RGB, raster::CombineFunc::dot3_rgb},
     {GL_DOT3_RGBA, raster::CombineFunc::dot3_rgba},
 });
-/// The sources beside GL_TEXTUREn, whose enumerators follow.
+/// Combiner sources except GL_TEXTUREn, whose enumerators follow.
 inline constexpr auto combine_sources = by_enumerator<raster::CombineSource::previous>({
     {GL_TEXTURE, raster::CombineSource::texture},
     {GL_CONSTANT, raster::CombineSource::constant},
@@ -95,7 +96,7 @@ inline constexpr auto combine_sources = by_enumerator<raster::CombineSource::pre
 });
 static_assert(combine_sources.size() == static_cast<std::size_t>(raster::CombineSource::texture0));
 
-/// The index of a token in a table, or `count` if it is not there.
+/// Returns the index of a token in a table, or `count` if the table does not have it.
 unsigned place_in(const std::uint16_t* table, unsigned count, GLenum token);
 template <std::size_t count> unsigned place_in(const std::array<std::uint16_t, count>& table, GLenum token) {
     return place_in(table.data(), count, token);
@@ -104,7 +105,8 @@ template <std::size_t count> bool is_in(const std::array<std::uint16_t, count>& 
     return place_in(table, token) < count;
 }
 
-/// The comparisons of the alpha, stencil and depth tests, and of depth textures (GL 1.3, 4.1.4 to 4.1.6).
+/// True for comparisons of the alpha, stencil and depth tests, and of depth textures (GL 1.3, 4.1.4 to
+/// 4.1.6).
 constexpr bool is_compare(GLenum func) {
     return func >= GL_NEVER && func <= GL_ALWAYS;
 }
@@ -112,7 +114,8 @@ constexpr raster::Compare compare_of(GLenum func) {
     return static_cast<raster::Compare>(func - GL_NEVER);
 }
 
-/// The factors of both colours; SRC_ALPHA_SATURATE is one of the source only (GL 1.4, tables 4.1 and 4.2).
+/// True for factors of both colours. SRC_ALPHA_SATURATE is a factor of the source only (GL 1.4, tables 4.1
+/// and 4.2).
 constexpr bool is_blend_factor(GLenum factor) {
     return factor == GL_ZERO || factor == GL_ONE ||
            (factor >= GL_SRC_COLOR && factor <= GL_ONE_MINUS_DST_COLOR) ||
@@ -138,7 +141,7 @@ constexpr raster::LogicOp logic_op_of(GLenum op) {
     return static_cast<raster::LogicOp>(op - GL_CLEAR);
 }
 
-/// The operands of a combiner of RGB; one of alpha takes no colours.
+/// True for operands of an RGB combiner. A combiner of alpha has no operands of colours.
 constexpr bool is_combine_operand(GLenum operand) {
     return operand >= GL_SRC_COLOR && operand <= GL_ONE_MINUS_SRC_ALPHA;
 }
@@ -155,8 +158,8 @@ constexpr bool is_mag_filter(GLenum filter) {
 constexpr bool is_min_filter(GLenum filter) {
     return is_mag_filter(filter) || (has_mipmaps(filter) && filter <= GL_LINEAR_MIPMAP_LINEAR);
 }
-/// The filter within a level. Bit 0 of a filter's token means linear within a level, bit 1 linear between
-/// levels.
+/// Returns the filter within a level. Bit 0 of a filter's token means linear within a level, and bit 1 linear
+/// between levels.
 constexpr raster::Filter filter_of(GLenum filter) {
     return (filter & 1) != 0 ? raster::Filter::linear : raster::Filter::nearest;
 }
