@@ -19,8 +19,7 @@ extern "C" EGLBoolean eglSetPaletteSPANGLE(EGLDisplay dpy, EGLSurface handle, EG
     if (!spangle::is_indexed(surface->config.format))
         return fail(EGL_BAD_MATCH, SPANGLE_TEXT("this surface holds colours; choose a config "
                                                 "of EGL_COLOR_BUFFER_TYPE, EGL_INDEX_BUFFER_SPANGLE"));
-    if (first < 0 || count < 0 || first > spangle::hal::palette_size ||
-        count > spangle::hal::palette_size - first || (count != 0 && rgb == nullptr))
+    if (!spangle::hal::in_palette(first, count) || (count != 0 && rgb == nullptr))
         return fail(EGL_BAD_PARAMETER,
                     SPANGLE_TEXT("first and count leave the palette, or rgb is a null pointer"));
     const spangle::gl::LockGuard held(display->native_lock);

@@ -60,6 +60,8 @@ void MappedDisplay::begin_palette() {
 Result<void> MappedDisplay::set_palette(std::int32_t first, std::int32_t count, const std::uint8_t* rgb) {
     if (!is_indexed(config_.format))
         return Error{Fault::unsupported, "memory-mapped display: its surface is not one of indices"};
+    if (!in_palette(first, count))
+        return Error{Fault::bad_argument, "memory-mapped display: indices of a palette are 0 to 255"};
     port_.palette(first, count, rgb);
     return {};
 }

@@ -18,6 +18,8 @@ Result<void> PanelDisplay::set_palette(std::int32_t first, std::int32_t count, c
     if (!opened_ || !is_indexed(config_.format))
         return Error{Fault::unsupported,
                      "display: its surface is not one of indices, or before init succeeded"};
+    if (!in_palette(first, count))
+        return Error{Fault::bad_argument, "display: indices of a palette are 0 to 255"};
     for (std::int32_t i = first; i < first + count; ++i)
         for (int c = 0; c < 3; ++c, ++rgb) {
             std::uint8_t& now = memory_.palette->color[i][c];

@@ -268,6 +268,9 @@ TEST(Mapped, PalettesInHardware) {
             EXPECT_EQ(last.at(6, 0)[c], rgb[3 + c]);
             EXPECT_EQ(last.at(7, 0)[c], hal::initial_color(7).c[c]);
         }
+        EXPECT_EQ(display.set_palette(255, 2, rgb).error().fault, Fault::bad_argument);
+        EXPECT_STREQ(display.set_palette(-1, 2, rgb).error().rule,
+                     "memory-mapped display: indices of a palette are 0 to 255");
     }
 }
 

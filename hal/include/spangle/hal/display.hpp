@@ -64,8 +64,9 @@ class Display {
     /// those of the bus.
     virtual Result<void> finish() { return {}; }
     /// Sets new colours, red, green and blue bytes each, of the indices from `first` on, on displays of
-    /// PixelFormat::index8. Arguments: first, count, and 3 * count bytes, which are copied. Indices must lie
-    /// within 0 to 255, which is not checked. Fault::unsupported: the display has no palette.
+    /// PixelFormat::index8. Arguments: first, count, and 3 * count bytes, which are copied.
+    /// Fault::unsupported: the display has no palette. Fault::bad_argument: indices outside 0 to 255; no
+    /// colour was set.
     virtual Result<void> set_palette(std::int32_t, std::int32_t, const std::uint8_t*) {
         return Error{Fault::unsupported, "display: it has no palette"};
     }

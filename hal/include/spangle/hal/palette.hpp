@@ -10,6 +10,11 @@ namespace spangle::hal {
 /// Indices of a palette.
 inline constexpr std::int32_t palette_size = 256;
 
+/// Whether a palette has the `count` indices from `first` on.
+constexpr bool in_palette(std::int32_t first, std::int32_t count) {
+    return first >= 0 && count >= 0 && first <= palette_size && count <= palette_size - first;
+}
+
 /// A colour of 8 bits a component.
 struct Rgb {
     /// Red, green and blue.
