@@ -34,8 +34,10 @@ def raw_commands(root):
             yield from ((path, found) for found in re.findall(r"case 0x\w+|command_? [=!<>]+ 0x\w+|madctl_ & \w+\b(?<!dcs)(?!::)", text))
         yield from ((path, found) for found in re.findall(r"#include .*hal/dcs\.hpp.*", text))
     # Commands below 60h are those of DCS; the makers' own begin there.
-    panels = root / "hal/include/spangle/panels.hpp"
-    yield from ((panels, found) for found in re.findall(r"\bcmd\(0x[0-5]\w\b", panels.read_text()))
+    for path in sorted((root / "hal/include/spangle/panels").glob("*.hpp")):
+        text = path.read_text()
+        if "CommandSet" not in text:  # families with commands of their own number them otherwise
+            yield from ((path, found) for found in re.findall(r"\bcmd\(0x[0-5]\w\b", text))
 
 
 def main():
