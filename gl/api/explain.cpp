@@ -27,8 +27,8 @@ const PnameText* find_pname(const CommandText& text, const ArgText& arg, GLenum 
     return nullptr;
 }
 
-/// Describes an argument that is wrong whatever the other arguments and the state are; returns false if it is
-/// not.
+/// Describes an argument that is wrong for all values of the other arguments and of the state. False: the
+/// argument is not wrong in this way.
 bool name_wrong(Sentence& out, GLenum code, const CommandText& text, const ArgText& arg, Arg value) {
     const auto token = static_cast<GLenum>(value);
     const auto number = static_cast<std::int32_t>(value);

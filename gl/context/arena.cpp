@@ -10,7 +10,7 @@ namespace spangle::gl {
 
 /// The header of a block. A region is a sequence of blocks that ends with a used block of size 0.
 struct ReusingArena::Block {
-    std::size_t size_and_free; ///< payload bytes, a multiple of `alignment`; bit 0: free
+    std::size_t size_and_free; ///< payload bytes, a multiple of `alignment`; bit 0 is set in a free block
     Block* before;             ///< neighbour below; null for the first block of a region
     // The payload of a free block starts with its two links:
     Block* next_free;

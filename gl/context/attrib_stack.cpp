@@ -136,7 +136,7 @@ GLint saved_attributes(const Context& context, bool client) {
 
 void release_attributes(Context& context) {
     while (SavedAttributes* const entry = context.attrib.client.top) {
-        entry->vertex_array = bound_vertex_array(context); // so that pop() binds no other object
+        entry->vertex_array = bound_vertex_array(context); // this keeps pop() from binding another object
         pop(context, context.attrib.client);               // pop() releases the buffers of the saved arrays
     }
     while (SavedAttributes* const entry = context.attrib.server.top) {

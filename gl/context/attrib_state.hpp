@@ -6,7 +6,7 @@
 
 namespace spangle::gl {
 
-struct SavedAttributes; // defined in gl/context/attrib_stack.cpp
+struct SavedAttributes; // gl/context/attrib_stack.cpp defines it
 
 struct AttribStack {
     SavedAttributes* top = nullptr;

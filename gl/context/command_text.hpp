@@ -19,12 +19,12 @@ using Arg = std::uintptr_t;
 /// The values of an argument that are legal by the argument's own rule.
 enum class ArgRule : std::uint8_t {
     any,
-    token,   ///< one of the listed tokens
-    count,   ///< not negative
-    range,   ///< from low to high
-    address, ///< not null
-    array,   ///< the address in a Values argument is not null
-    pname,   ///< a parameter name of the command, whose values are the last argument
+    token,   ///< the value must be one of the listed tokens
+    count,   ///< the value must not be negative
+    range,   ///< the value must be from `low` to `high`
+    address, ///< the address must not be null
+    array,   ///< the address in a Values argument must not be null
+    pname,   ///< the value must be a parameter name; the last argument has its values
 };
 
 struct ArgText {
@@ -43,8 +43,8 @@ struct PnameText {
 };
 
 struct CommandText {
-    const char* name;    ///< "glBlendFunc"
-    const char* section; ///< section of the specification: "GL 1.3, 4.1.7"
+    const char* name;    ///< name, such as "glBlendFunc"
+    const char* section; ///< section of the specification, such as "GL 1.3, 4.1.7"
     const ArgText* args = nullptr;
     std::uint8_t count = 0;
     bool image = false; ///< true if the arguments come as one ImageCommand

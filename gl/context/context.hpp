@@ -36,15 +36,15 @@ namespace spangle::gl {
 
 class Arena;
 struct ShareGroup;
-struct Engine; // defined in gl/vertex/engine.hpp
+struct Engine; // gl/vertex/engine.hpp defines it
 
 /// Reasons that keep an entry point from running its command at once. They are bits of one byte, so that a
 /// usual call needs one test.
 enum Gate : std::uint8_t {
-    gate_inside = 1,    ///< between Begin, which sets it, and End
-    gate_compiling = 2, ///< between NewList and EndList
+    gate_inside = 1,    ///< set from Begin to End
+    gate_compiling = 2, ///< set from NewList to EndList
 #if SPANGLE_WATCHED
-    gate_watched = 4, ///< a Watcher must be told of the command first
+    gate_watched = 4, ///< set if a Watcher must be told of the command first
 #else
     gate_watched = 0,
 #endif
@@ -73,12 +73,12 @@ struct Drawable {
     bool front_buffered = false, read_front_buffered = false;   ///< true if GL_FRONT names a surface's buffer
     /// Bits of a colour index, up to 8. 0: the framebuffer has RGBA colours.
     std::uint8_t index_bits = 0;
-    void (*show)(bool finish) = nullptr; ///< called by Flush and Finish; null: nothing to show
+    void (*show)(bool finish) = nullptr; ///< called by Flush and Finish; null: there is nothing to show
 #if SPANGLE_HAS_PLATFORMS
     void (*follow)() = nullptr; ///< adopts a new size of the window; null: the size never changes
 #endif
 #if SPANGLE_HAS_RECORDS
-    const Recording* recording = nullptr; ///< null: drawing is not recorded
+    const Recording* recording = nullptr; ///< receives drawing commands; null: drawing is not recorded
 #else
     static constexpr const Recording* recording = nullptr;
 #endif

@@ -7,7 +7,7 @@ namespace spangle::gl {
 
 struct ContextConfig {
     raster::Tier tier = raster::Tier::exact;
-    const Engine* engine = nullptr; ///< the numeric policy; required
+    const Engine* engine = nullptr; ///< engine of the numeric policy; it must not be null
 };
 
 /// Creates a context with GL's initial state. Null: the arena has no room. With `share`, it shares objects

@@ -18,8 +18,9 @@ namespace {
 
 inline constexpr std::size_t context_words = sizeof(Context) / sizeof(std::uint32_t);
 static_assert(sizeof(Context) % sizeof(std::uint32_t) == 0);
-inline constexpr std::size_t most_back = 255;         ///< repetitions are looked for no more words back
-static_assert(std::is_trivially_copyable_v<Context>); // so that bytes make a context
+/// Largest distance, in words, at which repetitions are looked for.
+inline constexpr std::size_t most_back = 255;
+static_assert(std::is_trivially_copyable_v<Context>); // the bytes of a context therefore make a context
 
 struct Image {
     std::uint32_t word[context_words] = {};

@@ -14,7 +14,7 @@ class Arena;
 class NameTable {
   public:
     struct Entry {
-        std::uint32_t name; ///< 0: the entry is free
+        std::uint32_t name; ///< 0 marks a free entry
         void* object;
     };
 

@@ -12,7 +12,7 @@ namespace spangle::gl {
 
 /// Consecutive bytes of the context that the same attribute groups save.
 struct SavedRun {
-    std::uint16_t offset = 0, bytes = 0; ///< of the first unit's run
+    std::uint16_t offset = 0, bytes = 0; ///< place and length of the first unit's run in Context
     std::uint16_t unit_step = 0;         ///< bytes from one unit's run to the next unit's; 0: no units
     Dirty dirty = dirty_all;             ///< derived state that depends on these bytes
     std::uint32_t groups = 0;            ///< bit 1 << Group for each group that saves the run

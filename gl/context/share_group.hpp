@@ -11,7 +11,7 @@
 
 namespace spangle::gl {
 
-struct LevelImage; // defined in gl/texture/texture_object.hpp
+struct LevelImage; // gl/texture/texture_object.hpp defines it
 
 struct ShareGroup {
     explicit ShareGroup(Arena& memory) : arena(memory) {}
@@ -27,9 +27,10 @@ struct ShareGroup {
     std::uint32_t frame = 1;
     LevelImage* kept_images = nullptr; ///< images that only recorded draws still use
 #endif
-    NameTable textures; ///< objects are TextureObject
-    NameTable buffers;  ///< objects are BufferObject
-    NameTable lists;    ///< objects are the first list::Chunk of a chain; null: an empty list
+    NameTable textures; ///< names of TextureObject objects
+    NameTable buffers;  ///< names of BufferObject objects
+    /// Names of lists; each object is the first list::Chunk of a chain, or null for an empty list.
+    NameTable lists;
 };
 
 } // namespace spangle::gl

@@ -30,9 +30,9 @@ constexpr std::uint16_t short_name(GLenum name) {
 
 /// The kind of a written row.
 enum class Row : std::uint8_t {
-    state,   ///< a StateRow
-    held,    ///< an OwnQueryRow
-    section, ///< no row: it sets the group of the rows that follow
+    state,   ///< becomes a StateRow
+    held,    ///< becomes an OwnQueryRow
+    section, ///< becomes no row, but sets the group of the rows that follow
 };
 
 /// A row as it is written, before state_table.cpp packs it into as few bytes as it needs.
@@ -40,7 +40,7 @@ struct WrittenRow : StateRow {
     Row becomes = Row::state;
     Group group = Group::none;
     bool absent = false;   ///< true if it is packed as StateRow::left_out()
-    std::size_t value = 0; ///< becomes StateRow::where
+    std::size_t value = 0; ///< value that becomes StateRow::where
     std::size_t bytes = 0; ///< for a held row: bytes that the groups save
     std::size_t step = 0;  ///< bytes from one unit's value to the next unit's; 0: no units
     Compute* compute = nullptr;

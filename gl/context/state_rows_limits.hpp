@@ -26,7 +26,7 @@ inline constexpr auto limits_rows = std::to_array<WrittenRow>({
     of_lists(STORED(GL_LIST_INDEX, list.index)),
     of_lists(STORED(GL_LIST_MODE, list.mode)),
     of_lists(constant(GL_MAX_LIST_NESTING, max_list_nesting)),
-    in(Group::none), // attribute stacks themselves, and limits
+    in(Group::none), // rows of attribute stacks and of limits follow
     computed<computed_state::render_mode>(GL_RENDER_MODE, Kind::integer, 1),
     SELECTION_ROW(GL_NAME_STACK_DEPTH, depth),
     SELECTION_ROW(GL_SELECTION_BUFFER_SIZE, size),

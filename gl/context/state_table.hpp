@@ -16,10 +16,10 @@ struct Context;
 
 /// How a value is stored, and as what it converts.
 enum class Source : std::uint8_t {
-    boolean,       ///< bool in the context
-    integer,       ///< GLint, GLuint or GLenum in the context
-    real,          ///< Real in the context
-    color,         ///< Real in the context, mapped linearly to integers (GL 1.3, 6.1.2)
+    boolean,       ///< a bool in the context
+    integer,       ///< a GLint, GLuint or GLenum in the context
+    real,          ///< a Real in the context
+    color,         ///< a Real in the context, mapped linearly to integers (GL 1.3, 6.1.2)
     pointer,       ///< a pointer to client memory; only GetPointerv returns it
     constant,      ///< the value is StateRow::where
     computed,      ///< an integer that a function computes
@@ -27,7 +27,7 @@ enum class Source : std::uint8_t {
 };
 
 constexpr Kind kind_of(Source source) {
-    constexpr unsigned of_each = 0x2A4A; // 2 bits for each Source, in its order
+    constexpr unsigned of_each = 0x2A4A; // each Source has 2 bits, in its order
     return static_cast<Kind>(of_each >> static_cast<unsigned>(source) * 2 & 3);
 }
 static_assert(kind_of(Source::boolean) == Kind::integer && kind_of(Source::integer) == Kind::integer &&
@@ -39,7 +39,7 @@ static_assert(kind_of(Source::boolean) == Kind::integer && kind_of(Source::integ
 enum class Switch : std::uint8_t {
     none,
     server,
-    client, ///< GL_ENABLE_BIT does not save it
+    client, ///< a capability of the client, which GL_ENABLE_BIT does not save
 };
 
 /// Attribute groups, numbered by their mask bits (GL 1.3, table 6.4). The client's groups follow the
@@ -74,8 +74,8 @@ enum class Group : std::uint8_t {
 /// The kind of unit that has a value of its own. The values of all units are equally spaced in the context.
 enum class Unit : std::uint8_t {
     none,
-    texture, ///< one in each TextureUnitState
-    coords,  ///< four Reals for each texture unit
+    texture, ///< each TextureUnitState has one value
+    coords,  ///< each texture unit has four Reals
     /// One value in each ClientArray. ClientActiveTexture selects the unit, not ActiveTexture.
     client,
 };
@@ -134,7 +134,7 @@ std::span<const OwnQueryRow> own_query_rows();
 
 /// Returns the bytes that each state of a row occupies in the context, for the first unit. 0: no bytes.
 constexpr std::uint32_t bytes_per_state(const StateRow& row) {
-    constexpr std::uint32_t of_each = 0x4441 | sizeof(void*) << 16; // 4 bits for each Source, in its order
+    constexpr std::uint32_t of_each = 0x4441 | sizeof(void*) << 16; // each Source has 4 bits, in its order
     return row.count * (of_each >> static_cast<unsigned>(row.source) * 4 & 15);
 }
 

@@ -17,7 +17,8 @@ template <class Enum> struct Token {
     Enum meaning;
 };
 
-void an_enumerator_has_no_token_or_two(); ///< never defined: a table that calls it does not compile
+/// No file defines it, so that a table that calls it does not compile.
+void an_enumerator_has_no_token_or_two();
 
 /// Returns the tokens at the indices of their enumerators, from the first one to `last`. The list may have
 /// any order.

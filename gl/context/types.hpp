@@ -56,7 +56,7 @@ struct Values {
 struct ImageCommand {
     /// The other arguments of the command. Texture commands have target and level first.
     GLint arguments[5];
-    GLsizei size[3]; ///< 1 for dimensions that the image does not have
+    GLsizei size[3]; ///< size of the image; 1 for dimensions that the image does not have
     GLenum format, type;
     const void* pixels;
     bool volume = false; ///< true if IMAGE_HEIGHT and SKIP_IMAGES apply

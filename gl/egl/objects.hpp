@@ -32,7 +32,7 @@ struct Config {
 /// Bits of each component of an accumulation buffer.
 inline constexpr EGLint accum_bits = 16;
 
-struct RecordedFrame; // defined in recorded_frame.cpp
+struct RecordedFrame; // recorded_frame.cpp defines it
 struct Display;
 
 /// The rows of a window in bands that are in memory.
@@ -111,9 +111,9 @@ struct Context {
 };
 
 struct Display {
-    hal::Display* native = nullptr; ///< the panel; null: a window system, or pbuffers only
+    hal::Display* native = nullptr; ///< the panel, or null for a window system or for pbuffers only
 #if SPANGLE_HAS_PLATFORMS
-    hal::WindowSystem* system = nullptr; ///< null: a panel, or pbuffers only
+    hal::WindowSystem* system = nullptr; ///< the window system, or null for a panel or for pbuffers only
 #endif
     bool used = false, initialized = false;
     /// True if eglTerminate came after the last eglGetDisplay or eglInitialize. The entry may then be reused.

@@ -57,7 +57,7 @@ raster::Surface rows_of(std::int32_t y) {
     if (frame.record.full())
         return none; // the record is incomplete, so its pixels are unknown
     if (frame.shown != first || frame.used != frame.record.used()) {
-        frame.shown = -1; // stays so if the display gives no buffer
+        frame.shown = -1; // the value stays -1 if the display gives no buffer
         if (!open_band(*thread().display, surface, first, step < left ? step : left))
             return none;
         raster::resolve(replay_frame(surface, false));

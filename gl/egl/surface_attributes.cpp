@@ -102,7 +102,7 @@ EGLBoolean eglSurfaceAttrib(EGLDisplay dpy, EGLSurface handle, EGLint attribute,
         return EGL_FALSE;
     switch (attribute) {
     case EGL_MIPMAP_LEVEL:
-        return end_call(); // has no effect on surfaces that are no textures (EGL 1.4, 3.5.6)
+        return end_call(); // the level has no effect on surfaces that are no textures (EGL 1.4, 3.5.6)
     case EGL_MULTISAMPLE_RESOLVE:
         return value == EGL_MULTISAMPLE_RESOLVE_DEFAULT ? end_call()
                : value == EGL_MULTISAMPLE_RESOLVE_BOX

@@ -18,7 +18,7 @@ constexpr std::int32_t largest_pbuffer = gl::max_viewport_dim;
 
 /// Properties of a surface beyond its config.
 struct SurfaceOptions {
-    bool color = false; ///< true to allocate a colour buffer; windows have their display's
+    bool color = false; ///< true to allocate a colour buffer; a window has its display's
     bool accum = false;
     Band band = {};
     EGLint record = 0; ///< bytes of the record; 0: none
@@ -101,7 +101,7 @@ EGLSurface keep(Display& display, Surface* surface) {
 }
 
 struct WindowAttributes {
-    bool single = false; ///< true without a back buffer
+    bool single = false; ///< true for a window without a back buffer
     bool accum = false;
     EGLint band_height = 0, record = 0;
 };

@@ -7,8 +7,8 @@ namespace spangle::gl {
 
 struct Context;
 
-/// What the groups of a format hold. On RGBA surfaces colour indices count as colours, because transfer maps
-/// them.
+/// The kind of value in the groups of a format. On RGBA surfaces, colour indices count as colours, because
+/// transfer maps them to colours.
 enum class Content : std::uint8_t { color, index, depth, stencil };
 inline Content content_of(const PixelLayout& layout, bool index_mode) {
     return layout.channel[0] == Channel::depth                       ? Content::depth

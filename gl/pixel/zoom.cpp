@@ -82,7 +82,7 @@ ZoomAxis::GroupWalk ZoomAxis::from(std::int32_t fragment) const {
         quotient = static_cast<std::int64_t>(q.quotient);
         rest = static_cast<std::int64_t>(q.remainder);
     };
-    divided(d, walk.group_, walk.remainder_); // d >= 0: the fragment is covered
+    divided(d, walk.group_, walk.remainder_); // d is not negative, since the fragment is covered
     divided(one, walk.step_quotient_, walk.step_remainder_);
     if (zoom_ < 0) {
         walk.step_quotient_ = -walk.step_quotient_;

@@ -8,9 +8,10 @@
 
 namespace spangle::gl {
 
-/// The corner of a bitmap (GL 1.3, 3.7): floor(at - origin + 2^-13) in window coordinates, at most 2^27, and
-/// exact if both are below 2^26. A transformed raster position misses whole numbers by less than 2^-15 on the
-/// largest viewport, so the added 2^-13 keeps bits in place. `ahead` is added, in 2^-12.
+/// Returns the corner of a bitmap in window coordinates: floor(at - origin + ahead / 2^12 + 2^-13) (GL 1.3,
+/// 3.7). The result is at most 2^27, and exact if both numbers are below 2^26. A transformed raster position
+/// misses whole numbers by less than 2^-15 on the largest viewport. The added 2^-13 therefore keeps bits in
+/// place.
 std::int32_t whole_pixels(numeric::Real at, numeric::Real origin, std::int32_t ahead = 0);
 
 /// Pixels or groups [begin, end); empty if they are equal.

@@ -65,7 +65,7 @@ int usable_levels(const TextureObject& texture) {
     return count;
 }
 
-/// The address of the first texel inside the border.
+/// Returns the address of the first texel inside the border.
 const std::uint8_t* inner_texels(const LevelImage& image) {
     const LevelShape& shape = image.shape;
     if (!raster::spans_sample_any) // such builds sample no borders, either

@@ -19,7 +19,7 @@ unsigned size_of(const LevelShape& shape, GLenum pname) {
         return is_depth(shape.format) && pname == GL_TEXTURE_DEPTH_SIZE
                    ? texel_bits(shape.format, Channel::depth)
                    : 0;
-    // The base formats that have a component.
+    // The function makes a set of the base formats that have a component.
     const auto set = [](auto... bases) constexpr {
         return static_cast<std::uint8_t>(((1u << static_cast<unsigned>(bases)) | ...));
     };

@@ -66,7 +66,7 @@ class ArrayReader {
     GLenum type_ = GL_FLOAT;
     std::uint8_t components_ = 4;
     bool normalized_ = false;
-    bool aligned_floats_ = false; ///< true in the most frequent case, which is read inline
+    bool aligned_floats_ = false; ///< true if words() can read the elements, as for most arrays
 
     static Real float_at(const std::uint8_t* at) {
         const std::uint32_t bits = word(at, 0);

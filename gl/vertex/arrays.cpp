@@ -101,7 +101,7 @@ constexpr std::uint16_t color_types = types_of(GL_BYTE, GL_UNSIGNED_BYTE, GL_SHO
 /// Component types and sizes that an array may have.
 struct Allowed {
     std::uint16_t types;
-    std::uint8_t least, most; ///< numbers of components per element
+    std::uint8_t least, most; ///< bounds of the number of components per element
 };
 
 /// The arguments of a command that sets an array.

@@ -20,7 +20,7 @@ struct ClientArray {
     GLenum type;
     /// Bytes from one element to the next, as given. 0: the elements are packed.
     GLsizei stride = 0;
-    const void* pointer = nullptr;  ///< an address, or the offset in `buffer`
+    const void* pointer = nullptr;  ///< address of the first element, or its offset in `buffer`
     BufferObject* buffer = nullptr; ///< null: the array is in client memory
 
     bool on() const { return enabled && pointer != nullptr; }

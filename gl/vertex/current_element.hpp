@@ -26,7 +26,7 @@ inline void set_texture(CurrentState& current, const ElementReader& reader, std:
 inline void set_color_and_texture(Context& context, const ElementReader& reader, std::uint32_t index) {
     CurrentState& current = context.current;
     if (reader.color.on()) {
-        current.color[3] = numeric::one; // value of alpha in an array of three components
+        current.color[3] = numeric::one; // an array of three components gives alpha the value 1
         reader.color.read(index, current.color);
         follow_color(context);
     }

@@ -11,7 +11,7 @@ struct CurrentState {
     /// No command changes the alpha of the secondary colour.
     Real secondary_color[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
     Real normal[3] = {numeric::zero, numeric::zero, numeric::one};
-    Real index = numeric::one; ///< as set; use masks it to the bits of the framebuffer
+    Real index = numeric::one; ///< the index as set, without the mask of the framebuffer's bits
     Real fog_coord = numeric::zero;
     bool edge_flag = true;
     struct TexCoord {

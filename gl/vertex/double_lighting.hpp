@@ -13,7 +13,7 @@ namespace spangle::gl {
 class DoubleLighting {
   public:
     struct Input {
-        double normal[3]; ///< as given, in object space
+        double normal[3]; ///< the normal as given, in object space
     };
 
     void derive(const Context& context, unsigned) {
@@ -80,7 +80,7 @@ class DoubleLighting {
   private:
     bool is_enabled_ = false, has_two_sides_ = false, tracks_color_ = false;
     unsigned index_bits_ = 0;
-    double normal_matrix_[9] = {}; ///< column by column
+    double normal_matrix_[9] = {}; ///< stored column by column
 
     /// Returns the material that replaces the given one for colour index lighting. The sums of its components
     /// are d_l and s_l: .30 R + .59 G + .11 B of the light (GL 1.3, 2.13.5).

@@ -12,7 +12,7 @@
 namespace spangle::gl {
 
 struct Context;
-struct Indices; // defined in gl/vertex/array_element.hpp
+struct Indices; // gl/vertex/array_element.hpp defines it
 
 // Firmware has one engine. Its functions are called by name, so that the linker drops functions that a
 // program never calls. Hosts have reference engines, too, and call through a table.

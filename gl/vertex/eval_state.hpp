@@ -26,7 +26,7 @@ struct EvalMap {
     struct Side {
         GLint order;
         Real from, to; ///< ends of the domain
-    } side[2];         ///< u and v; a map of one dimension has order 1 in v
+    } side[2];         ///< sides u and v; a map of one dimension has order 1 in v
 
     Real* points() { return reinterpret_cast<Real*>(this + 1); }
     const Real* points() const { return reinterpret_cast<const Real*>(this + 1); }

@@ -72,7 +72,7 @@ class Evaluation {
         if (const unsigned texture = last_enabled_target(on, eval_texture_1, eval_texture_4);
             texture != eval_targets) {
             Real(&strq)[4] = current.tex_coord[0].v;
-            strq[1] = strq[2] = numeric::zero; // values of components that a smaller map does not have
+            strq[1] = strq[2] = numeric::zero; // a smaller map leaves these components at their defaults
             strq[3] = numeric::one;
             values(texture, strq);
         }

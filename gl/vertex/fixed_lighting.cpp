@@ -55,7 +55,7 @@ std::uint32_t clamp_cosine(std::int32_t cosine) {
 std::uint32_t to_factor(numeric::Block v) {
     if (v.m <= 0)
         return 0;
-    const std::int32_t half = numeric::to_fixed(v, factor_bits - 1); // saturates at 4
+    const std::int32_t half = numeric::to_fixed(v, factor_bits - 1); // the value saturates at 4
     return static_cast<std::uint32_t>(half) << 1;
 }
 
@@ -136,7 +136,7 @@ std::int32_t plain_factor(std::int32_t v, std::int32_t e) {
 /// includes half a unit for rounding.
 std::uint32_t plain_color(std::int64_t sum) {
     const auto high = static_cast<std::uint32_t>(static_cast<std::uint64_t>(sum) >> 32);
-    if (high >> (plain_sum_bits - 32) != 0) // 1 or more, or negative
+    if (high >> (plain_sum_bits - 32) != 0) // the sum is 1 or more, or negative
         return sum < 0 ? 0 : raster::color_one;
     return FixedMath::color_units(static_cast<std::uint32_t>(sum >> (plain_sum_bits - 30)));
 }
@@ -374,7 +374,7 @@ bool FixedLighting::light_with_unit_normal(const Real (&normal)[3], int side,
         n.m[i] = numeric::row_times<3>(normal_matrix_.m + 3 * i, loaded.m);
         square += static_cast<std::uint64_t>(numeric::mul_s32(n.m[i], n.m[i]));
     }
-    const int zeros = numeric::clz64(square) & ~1; // even, and at least 4
+    const int zeros = numeric::clz64(square) & ~1; // the number is even, and at least 4
     if (zeros > 16)
         return false;
     // 1/|n| = r * 2^(zeros / 2 - 62)
@@ -462,7 +462,7 @@ void FixedLighting::light_with_all_terms(const Real (&normal)[3], const numeric:
     Sum primary[3], specular[3] = {0, 0, 0};
     for (int c = 0; c < 3; ++c)
         primary[c] = std::int64_t{fold.base[c]} * (1 << (sum_bits - intensity_bits));
-    numeric::Block3 to_eye; // vector from the vertex to the eye
+    numeric::Block3 to_eye; // this is the vector from the vertex to the eye
     if (needs_eye())
         to_eye =
             numeric::negate(numeric::mul(numeric::xyz(eye), numeric::reciprocal(numeric::component(eye, 3))));

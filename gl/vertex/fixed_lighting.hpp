@@ -73,7 +73,7 @@ class FixedLighting {
         std::int32_t spot_cosine = 0; ///< cosine of the cutoff angle, Q0.30
         std::uint32_t spot_exponent;  ///< exponent in the form of numeric::power_exponent()
         numeric::Block attenuation[3];
-        std::int32_t ambient[3], diffuse[3], specular[3]; ///< 20 fraction bits
+        std::int32_t ambient[3], diffuse[3], specular[3]; ///< intensities with 20 fraction bits
     };
     /// Products of one side's material with all lights, with 20 fraction bits.
     struct MaterialProducts {

@@ -109,8 +109,8 @@ struct FixedMath : FixedClipping {
         std::int32_t w_exponent = 0; ///< exponent of 1/w, less that of the vertex
         /// divide() refuses a w with more leading zeros, since a shift would exceed 31.
         std::uint32_t most_zeros = 0;
-        Range x, y;  ///< the viewport, for window coordinates n.8
-        Range depth; ///< the depth range, for depths in Q0.30
+        Range x, y;  ///< maps to the viewport, in window coordinates n.8
+        Range depth; ///< maps to the depth range, in Q0.30
         numeric::BlockMatrix to_clip;
         /// The rows of to_clip.
         [[no_unique_address]] std::conditional_t<numeric::wide_words, WideRows, Rows> rows;
@@ -251,7 +251,8 @@ struct FixedMath : FixedClipping {
         SPANGLE_INLINE bool divide(int i, const Transforms& t, const Real (&)[4], Window& out,
                                    unsigned& planes) const {
             const Clipped& clip = clip_[i];
-            const int zeros = numeric::clz32(clip.w); // 3 to 31; 0 if w is negative, 32 if w is 0
+            // The count is 3 to 31, but 0 if w is negative and 32 if w is 0.
+            const int zeros = numeric::clz32(clip.w);
             if (static_cast<std::uint32_t>(zeros) - 1 >= t.most_zeros)
                 return false;
             const Lifted x(clip.x, zeros, t.lift[0]), y(clip.y, zeros, t.lift[1]),
@@ -265,7 +266,8 @@ struct FixedMath : FixedClipping {
             const int up = r >> 31 == 0 ? 1 : 0;       // r is 2^31 if w is a power of two
             out.w_mantissa = r << up;
             out.w_exponent = static_cast<std::int16_t>(zeros + t.w_exponent - clip.e - up);
-            const auto minus_r = static_cast<std::int32_t>(0u - r); // a signed word, even if r is 2^31
+            // This is a signed word, even if r is 2^31.
+            const auto minus_r = static_cast<std::int32_t>(0u - r);
             const Quotient minus_x = x.times(minus_r), minus_y = y.times(minus_r), minus_z = z.times(minus_r);
             out.x = t.x.place(minus_x, 32);
             out.y = t.y.place(minus_y, 32);
@@ -494,7 +496,7 @@ struct FixedMath : FixedClipping {
         const auto w = static_cast<std::uint32_t>(c.m[3]);
         const int zeros = numeric::clz32(w);
         const std::uint32_t r = numeric::reciprocal(w << zeros); // 1/w = r * 2^(zeros - 62 - e)
-        const bool top = (r >> 31) != 0;                         // only if w is a power of two
+        const bool top = (r >> 31) != 0;                         // this is true only if w is a power of two
         out.w_mantissa = top ? r : r << 1;
         out.w_exponent = static_cast<std::int16_t>(zeros - 62 - c.e - (top ? 0 : 1));
         // A new vertex between extreme ends (|x| > 2^30 w) misses its plane by the rounding of 30-bit
@@ -677,7 +679,7 @@ struct FixedMath : FixedClipping {
     static void set_raster(const RasterPosition& from, Window& out) {
         out = Window{};
         out.z = static_cast<std::uint32_t>(numeric::to_fixed(numeric::clamp01(from.position[2]), 30));
-        out.w_mantissa = 1u << 31; // w = 1: texture coordinates are divided by q alone
+        out.w_mantissa = 1u << 31; // with w = 1, texture coordinates are divided by q alone
         out.w_exponent = -31;
         set_fog_coordinate(fog_coordinate(from.distance), out);
         set_color(out, from.color);
@@ -734,7 +736,7 @@ struct FixedMath : FixedClipping {
     /// so that it fits for every v.
     struct Lifted {
         std::int32_t v;
-        int by; ///< n; on 64-bit machines 31 - n
+        int by; ///< the shift n, or 31 - n on 64-bit machines
         SPANGLE_INLINE Lifted(std::int32_t value, int zeros, std::int32_t lift)
             : v(value), by(static_cast<int>(numeric::wide_words ? lift - zeros : lift + zeros)) {}
         SPANGLE_INLINE std::int32_t word(int n) const {
@@ -789,7 +791,8 @@ struct FixedMath : FixedClipping {
     /// cut off, in 2^-16 of the result's unit.
     SPANGLE_RUN_CALL static std::int64_t place(const Range& range, std::int32_t m, std::uint32_t r, int zeros,
                                                int quotient_has, int bits, std::int16_t* rest = nullptr) {
-        constexpr std::int64_t most = std::int64_t{1} << 30; // 4 with 28 fraction bits, 1 with 30
+        // `most` is 4 with 28 fraction bits, and 1 with 30.
+        constexpr std::int64_t most = std::int64_t{1} << 30;
         const auto q = static_cast<std::int32_t>(
             numeric::clamp<std::int64_t>(quotient(m, r, zeros, quotient_has), -most, most));
         const std::int64_t from_middle = -product(range.minus_half, q);

@@ -14,8 +14,9 @@ struct Light {
     Real ambient[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
     Real diffuse[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
     Real specular[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
-    Real position[4] = {numeric::zero, numeric::zero, numeric::one, numeric::zero}; ///< in eye space
-    Real spot_direction[3] = {numeric::zero, numeric::zero, -numeric::one};         ///< in eye space
+    Real position[4] = {numeric::zero, numeric::zero, numeric::one, numeric::zero}; ///< position in eye space
+    /// Direction in eye space.
+    Real spot_direction[3] = {numeric::zero, numeric::zero, -numeric::one};
     Real spot_exponent = numeric::zero;
     Real spot_cutoff = no_spot_cutoff;
     Real attenuation[3] = {numeric::one, numeric::zero, numeric::zero};
@@ -48,7 +49,7 @@ struct LightingState {
     GLenum color_control = GL_SINGLE_COLOR;
     bool color_sum = false; ///< COLOR_SUM: secondary colours are added even without lighting
     Light light[max_lights];
-    Material material[2]; ///< of front and back
+    Material material[2]; ///< materials of front and back
 };
 #else
 struct LightingState {

@@ -278,7 +278,7 @@ template <class M, class L> class Pipeline {
     Real last_draw_color_[4] = {}; ///< current colour during the last draw of elements
     /// Cached vertices whose `cache_epoch` differs from this are invalid; see invalidate_cache().
     std::uint32_t cache_epoch_ = 0;
-    std::int32_t point_size_ = 0, line_width_ = 0; ///< in pixels, rounded, 1 to 64
+    std::int32_t point_size_ = 0, line_width_ = 0; ///< sizes in pixels, rounded, 1 to 64
     raster::LineStipple stipple_;
     typename M::Transforms transforms_;
     L lighting_;
@@ -318,7 +318,7 @@ template <class M, class L> class Pipeline {
     struct GrownCache {
         Vertex* elements = nullptr; ///< vertex_cache elements in the arena, or null
         Vertex* base = nullptr;     ///< the elements in use: `elements`, or vertex_cache_.vertex
-        std::uint32_t mask = 0;     ///< selects the bits of an index that choose its element
+        std::uint32_t mask = 0;     ///< mask of the index bits that choose an element
     };
     struct FixedCache {};
     [[no_unique_address]] std::conditional_t<grows_cache, GrownCache, FixedCache> grown_cache_;

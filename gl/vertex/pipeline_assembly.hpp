@@ -88,7 +88,7 @@ template <class M, class L> void Pipeline<M, L>::primitive() {
         return draw_face<4>(from_second, 2);
     }
     case GL_QUAD_STRIP:
-        swap(2, 3); // v0 v1 v3 v2
+        swap(2, 3); // the corners are in the order v0 v1 v3 v2 now
         draw_face<4>(c, 2);
         swap(0, 3);
         break;

@@ -42,7 +42,8 @@ inline void Pipeline<M, L>::elements(Context& context, std::uint32_t count, cons
 template <class M, class L> int Pipeline<M, L>::repeated_elements() const {
     // A piece holds whole primitives, and an even number of triangles of a strip.
     static_assert(piece % 12 == 0);
-    constexpr std::int8_t repeated[] = {0, 0, -1, 1, 0, 2, -1, 0, 2, -1}; // from POINTS to POLYGON
+    // The modes go from POINTS to POLYGON.
+    constexpr std::int8_t repeated[] = {0, 0, -1, 1, 0, 2, -1, 0, 2, -1};
     const bool stippled = SPANGLE_FEATURE_STIPPLE && context_->polygon.line_stipple;
     return mode_ == GL_LINE_STRIP && stippled ? -1 : repeated[mode_];
 }
@@ -169,7 +170,7 @@ inline void Pipeline<M, L>::arrays_begin(const ElementReader& reader, const Curr
         (!reader.normal.on() && !equal_words<3>(object_vertex_.normal, current.normal)))
         invalidate_cache();
     cached_layout_ = layout;
-    object_vertex_.position[2] = numeric::zero; // components that the array does not give
+    object_vertex_.position[2] = numeric::zero; // the array may not have these components
     object_vertex_.position[3] = numeric::one;
     set_normal(object_vertex_, current.normal);
     for (int c = 0; c < 4; ++c)
@@ -389,7 +390,7 @@ template <class I>
 void Pipeline<M, L>::draw_strip_batches(const ElementReader& reader, std::uint32_t count, const I indices,
                                         bool normals, bool textured) {
     Pending corners;
-    int held = 0; // a copy of corners.count that may stay in a register
+    int held = 0; // this copy of corners.count may stay in a register
     std::uint32_t first = 0;
     const auto draw = [&] {
         corners.count = held;

@@ -46,7 +46,7 @@ std::uint32_t Pipeline<M, L>::draw_visible_strip(const ElementReader& reader, st
     // of its own.
     const typename M::Transforms* const transforms =
         numeric::three_operands ? &transforms_ : numeric::factor32(&transforms_);
-    numeric::LeadingZeros<> zeros; // count of leading zeros of w
+    numeric::LeadingZeros<> zeros; // counts the leading zeros of w
     raster::LineEnd ends[line_batch + 1], *end = ends;
     const auto draw = [&] {
         if (end - ends < 2)

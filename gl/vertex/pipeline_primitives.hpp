@@ -353,7 +353,8 @@ void Pipeline<M, L>::fill_polygon(const Window* const* corner, int n, const Wind
     Window moved[clip_vertices];
     each_primitive_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
 #if SPANGLE_FEATURE_ANTIALIASING
-        if (has_smooth_polygons_) // never shifted, since POLYGON_SMOOTH has no effect under multisampling
+        // Nothing is shifted, since POLYGON_SMOOTH has no effect under multisampling.
+        if (has_smooth_polygons_)
             return raster::draw_smooth_polygon(*state_, target, context_->fragments.primitive, corner, n,
                                                provoking);
 #endif

@@ -24,7 +24,7 @@ struct PolygonState {
     GLenum front_face = GL_CCW;
     bool cull_face = false;
     GLenum mode[2] = {GL_FILL, GL_FILL}; ///< polygon mode of front and back faces
-    Real point_size = numeric::one;      ///< in pixels, as set; use clamps and rounds it
+    Real point_size = numeric::one;      ///< size in pixels as set, not clamped and not rounded
     Real line_width = numeric::one;
     bool point_smooth = false, line_smooth = false, polygon_smooth = false;
 #if SPANGLE_FEATURE_POINT_PARAMETERS
@@ -32,7 +32,7 @@ struct PolygonState {
     Real point_fade_threshold = numeric::one;
     Real point_attenuation[3] = {numeric::one, numeric::zero, numeric::zero};
     bool point_sprite = false;
-    bool coord_replace[texture_units] = {}; ///< COORD_REPLACE of each texture unit
+    bool coord_replace[texture_units] = {}; ///< true for units with COORD_REPLACE
     GLenum sprite_origin = GL_UPPER_LEFT;
 #endif
 #if SPANGLE_FEATURE_STIPPLE

@@ -11,7 +11,7 @@
 namespace spangle::gl {
 
 struct SelectState {
-    const void* buffer = nullptr; ///< array of GLuint of the program
+    const void* buffer = nullptr; ///< the program's array of GLuint
     GLsizei size = 0;             ///< size of the buffer in words
     GLsizei written = 0;          ///< number of words written
     GLint hits = 0;               ///< number of complete hit records
@@ -24,7 +24,7 @@ struct SelectState {
 };
 
 struct FeedbackState {
-    const void* buffer = nullptr; ///< array of GLfloat or GLfixed of the program
+    const void* buffer = nullptr; ///< the program's array of GLfloat or GLfixed
     GLsizei size = 0;             ///< size of the buffer in words
     GLsizei written = 0;          ///< number of words written
     GLenum type = GL_2D;

@@ -91,7 +91,7 @@ template <class M> class TexGen {
     unsigned generating_units_ = 0;
     bool normalizes_ = false;
     Unit unit_[texture_units];
-    Scalar normal_matrix_[9]; ///< column by column
+    Scalar normal_matrix_[9]; ///< stored column by column
 
     /// Returns the scalar product of n components. The components of `a` are `step` apart.
     static Scalar dot(const Scalar* a, const Scalar* b, int n, int step = 1) {

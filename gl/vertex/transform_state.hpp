@@ -20,7 +20,7 @@ struct TransformState {
     bool rescale_normal = false;
 #if SPANGLE_FEATURE_CLIP_PLANES
     bool clip_plane_on[max_clip_planes] = {};
-    Real clip_plane[max_clip_planes][4] = {}; ///< in eye space
+    Real clip_plane[max_clip_planes][4] = {}; ///< planes in eye space
 #endif
     MatrixStack<projection_stack_entries> projection;
     MatrixStack<texture_stack_entries> texture[texture_units];
