@@ -1,5 +1,6 @@
 // Initialises a panel, from power-on to a black picture. What cannot work is refused first.
 #include <spangle/hal/panel_display.hpp>
+#include <spangle/hal/panel_rules.hpp>
 
 namespace spangle::hal {
 namespace {
@@ -12,74 +13,28 @@ constexpr std::size_t least_ops(const CommandSet& set) {
 
 } // namespace
 
-/// Checks a description by the rules that a Board was checked by when it was compiled.
-Result<void> PanelDisplay::check_description() const {
-    const PanelDesc& panel = *config_.panel;
-    if (const char* rule = flaw(panel))
-        return Error{Fault::bad_argument, rule};
-    if (is_indexed(config_.format) && memory_.palette == nullptr)
+Result<void> check_memory(const PanelConfig& config, const PanelMemory& memory) {
+    if (is_indexed(config.format) && memory.palette == nullptr)
         return Error{Fault::bad_argument, "display: the storage has no room for the palette of indices"};
-    if (!lies_as_it_travels(config_))
-        return Error{Fault::unsupported,
-                     "display: pixels that share bytes lie otherwise in the panel's memory; give it a wire"};
-    if (const char* rule = band_flaw(config_))
-        return Error{Fault::unsupported, rule};
-    if (config_.row_hash && !config_.wire.converts() && sharing(config_.format).height != 1)
-        return Error{Fault::unsupported, "display: the row hash serves rows, not pages"};
-    if (config_.wait_te && panel.commands->tearing.empty())
-        return Error{Fault::unsupported, "display: waiting for TE, but the controller has no such output"};
-    const Extent size = sent_size(config_);
-    if (config_.scan_order && (config_.buffers != 2 || config_.wire.converts()))
-        return Error{
-            Fault::bad_argument,
-            "display: turning frames into the order of the scan takes two buffers, and pixels that travel "
-            "as they are"};
-    if (turns(config_) && (memory_.turned == nullptr || memory_.turner == nullptr))
+    if (turns(config) && (memory.turned == nullptr || memory.turner == nullptr))
         return Error{Fault::bad_argument, "display: the storage has no room for turned frames"};
-    if (config_.row_hash && size.width > RowHash::widest)
-        return Error{Fault::unsupported, "display: the row hash serves pictures up to 512 columns"};
-    if (config_.row_hash && (memory_.hash.code == nullptr || memory_.hash.windows == nullptr))
+    const Extent size = sent_size(config);
+    if (config.row_hash && (memory.hash.code == nullptr || memory.hash.windows == nullptr ||
+                            memory.hash.cells < RowHash::cells_of(size.width) * size.height))
         return Error{Fault::bad_argument, "display: the storage has no room for the row hash"};
-    if (config_.row_hash && memory_.hash.cells < RowHash::cells_of(size.width) * size.height)
-        return Error{Fault::bad_argument, "display: the storage has no room for the row hash"};
-    if (config_.buffers < 1 || config_.buffers > 2)
-        return Error{Fault::bad_argument, "display: a panel display has one or two buffers"};
-    if (config_.wire.converts() && config_.buffers != 1)
-        return Error{Fault::bad_argument,
-                     "display: a picture that is turned into another format needs one buffer"};
-    const bool sent_whole = config_.band != 0 && memory_.content_height == 0;
-    if (memory_.buffers < config_.buffers || memory_.height < book_height(config_) ||
-        (memory_.content_height < picture_size(config_).height && !sent_whole) ||
-        memory_.op_count < least_ops(*panel.commands))
+    const bool sent_whole = config.band != 0 && memory.content_height == 0;
+    if (memory.buffers < config.buffers || memory.height < book_height(config) ||
+        (memory.content_height < picture_size(config).height && !sent_whole) ||
+        memory.op_count < least_ops(*config.panel->commands))
         return Error{Fault::bad_argument, "display: the storage is smaller than the picture asks for"};
     return {};
 }
 
-/// Whether this bus, in this build, can do what the description says.
-Result<void> PanelDisplay::check_bus() const {
-    const PanelDesc& panel = *config_.panel;
-    if (caps_.write_hz == 0)
-        return Error{Fault::unsupported, "display: the bus has no write clock"};
-    if (caps_.max_transfer != 0 && caps_.max_transfer < sizeof(OpParams))
-        return Error{Fault::unsupported,
-                     "display: the bus cannot carry the four bytes of CASET (2Ah) in one operation"};
-    if (!format_code(panel, caps_.kind, wire_format(config_)).taken)
-        return Error{Fault::unsupported, "display: the panel does not take this pixel format on this bus"};
-    if (!is_drawable(config_.format))
-        return Error{Fault::unsupported,
-                     "display: this build has no such surfaces (SPANGLE_FEATURE_NARROW_SURFACES, "
-                     "SPANGLE_FEATURE_COLOR_INDEX)"};
-    if (caps_.write_hz > fastest_write(panel, caps_.kind))
-        return Error{Fault::unsupported,
-                     "display: the bus's write clock is faster than this panel is known to take"};
-    if (config_.read_back && caps_.read_hz > fastest_read(panel, caps_.kind))
-        return Error{Fault::unsupported,
-                     "display: the bus's read clock is faster than the panel's datasheet allows"};
-    if (config_.wait_te && !caps_.has_te)
-        return Error{Fault::unsupported, "display: waiting for TE, but the bus has no tearing-effect line"};
-    if (config_.poll_line && caps_.read_hz == 0)
-        return Error{Fault::unsupported, "display: polling the scanned line, but the bus cannot read"};
-    return {};
+/// Checks what a Board was checked for when it was compiled, and the memory, which a BoardDisplay computes.
+Result<void> PanelDisplay::check_description(const PanelConfig& config, const PanelMemory& memory) {
+    if (const auto r = check_config(config); !r)
+        return r;
+    return check_memory(config, memory);
 }
 
 /// Acquires buffers and records of a display that was never initialised: what the panel and the buffers hold
@@ -128,10 +83,14 @@ Result<void> PanelDisplay::init() {
         return Error{Fault::busy, "display: init while a transfer is still on the wire"};
     caps_ = bus_.caps();
     if (parts_.check != nullptr)
-        if (const auto r = (this->*parts_.check)(); !r)
+        if (const auto r = parts_.check(config_, memory_); !r)
             return r;
-    if (const auto r = check_bus(); !r)
+    if (const auto r = check_bus(config_, caps_); !r)
         return r;
+    if (!is_drawable(config_.format))
+        return Error{Fault::unsupported,
+                     "display: this build has no such surfaces (SPANGLE_FEATURE_NARROW_SURFACES, "
+                     "SPANGLE_FEATURE_COLOR_INDEX)"};
     turns_ = turns(config_);
     scan_ = scan_order(*config_.panel, config_.orientation);
     placement_ = turns_ ? scan_.placement : place(*config_.panel, config_.orientation);

@@ -176,7 +176,7 @@ TEST(Init, RefusesWhatCannotWorkAndSaysWhy) {
     c = good, c.read_back = true;
     caps = spi();
     caps.read_hz = 0;
-    EXPECT_STREQ(refused(c, caps).rule, "panel: this bus cannot read");
+    EXPECT_STREQ(refused(c, caps).rule, "display: reading back needs a read clock, but the bus cannot read");
 }
 
 TEST(Init, ChecksWhoAnswers) {

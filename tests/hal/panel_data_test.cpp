@@ -124,21 +124,23 @@ TEST(BoardData, FlawsAreNamed) {
     EXPECT_EQ(flawed([](Board&) {}), "");
     EXPECT_EQ(flawed([](Board& b) { b.display.format = PixelFormat::rgb888; }), "");
     EXPECT_EQ(flawed([](Board& b) { b.display.format = PixelFormat::rgb565_le; }),
-              "board: the panel cannot take this format on this bus");
-    EXPECT_EQ(flawed([](Board& b) { b.display.buffers = 3; }), "board: one or two buffers");
+              "display: the panel does not take this pixel format on this bus");
+    EXPECT_EQ(flawed([](Board& b) { b.display.buffers = 3; }),
+              "display: a panel display has one or two buffers");
     EXPECT_EQ(flawed([](Board& b) { b.read_hz = 0; }),
-              "board: reading back needs a read clock and a panel that answers");
-    EXPECT_EQ(flawed([](Board& b) { b.display.wait_te = true; }), "board: waiting for TE without a TE line");
-    EXPECT_EQ(flawed([](Board& b) { b.write_hz = 0; }), "board: no write clock");
+              "display: reading back needs a read clock, but the bus cannot read");
+    EXPECT_EQ(flawed([](Board& b) { b.display.wait_te = true; }),
+              "display: waiting for TE, but the bus has no tearing-effect line");
+    EXPECT_EQ(flawed([](Board& b) { b.write_hz = 0; }), "display: the bus has no write clock");
     EXPECT_EQ(flawed([](Board& b) { b.write_hz = 80000000; }), "");
     EXPECT_EQ(flawed([](Board& b) { b.write_hz = 80000001; }),
-              "board: the write clock is faster than this panel is known to take");
+              "display: the bus's write clock is faster than this panel is known to take");
     EXPECT_EQ(flawed([](Board& b) {
                   b.bus = BusKind::i8080, b.write_hz = 15200000, b.read_hz = 0, b.display.read_back = false;
               }),
-              "board: the write clock is faster than this panel is known to take");
+              "display: the bus's write clock is faster than this panel is known to take");
     EXPECT_EQ(flawed([](Board& b) { b.read_hz = 6700000; }),
-              "board: the read clock is faster than the datasheet allows");
+              "display: the bus's read clock is faster than the panel's datasheet allows");
 }
 
 TEST(BoardData, FlawsOfOledsAreNamed) {
@@ -150,18 +152,18 @@ TEST(BoardData, FlawsOfOledsAreNamed) {
     };
     EXPECT_EQ(flawed([](Board&) {}), "");
     EXPECT_EQ(flawed([](Board& b) { b.display.wire = {}; }),
-              "board: the panel cannot take this format on this bus");
+              "display: the panel does not take this pixel format on this bus");
     EXPECT_EQ(flawed([](Board& b) { b.display.buffers = 2; }),
-              "board: a picture that is turned into another format needs one buffer");
+              "display: a picture that is turned into another format needs one buffer");
     EXPECT_EQ(flawed([](Board& b) { b.display.wait_te = b.has_te = true; }),
-              "board: the panel has no TE output");
+              "display: waiting for TE, but the controller has no such output");
     EXPECT_EQ(flawed([](Board& b) { b.write_hz = 1000000; }), "");
     EXPECT_EQ(flawed([](Board& b) { b.write_hz = 1000001; }),
-              "board: the write clock is faster than this panel is known to take");
+              "display: the bus's write clock is faster than this panel is known to take");
     EXPECT_EQ(flawed([](Board& b) { b.display.panel = &panels::ssd1331_96x64, b.display.wire = {}; }),
-              "board: the panel cannot take this format on this bus");
+              "display: the panel does not take this pixel format on this bus");
     EXPECT_EQ(flawed([](Board& b) { b.bus = BusKind::spi_start; }),
-              "board: the panel cannot take this format on this bus");
+              "display: the panel does not take this pixel format on this bus");
 }
 
 TEST(BoardData, AnIli9488OnSpiTakesOnlyThreeBytePixels) {
@@ -171,7 +173,7 @@ TEST(BoardData, AnIli9488OnSpiTakesOnlyThreeBytePixels) {
         board.write_hz = 20000000;
         EXPECT_EQ(flaw(board), nullptr);
         board.display.format = PixelFormat::rgb565_be;
-        EXPECT_STREQ(flaw(board), "board: the panel cannot take this format on this bus");
+        EXPECT_STREQ(flaw(board), "display: the panel does not take this pixel format on this bus");
         board.bus = BusKind::i8080, board.read_hz = 2000000;
         EXPECT_EQ(flaw(board), nullptr);
     }

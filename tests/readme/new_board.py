@@ -29,7 +29,7 @@ void start(hal::Bus& bus) {{
 }}
 """
 # Each line of the board, changed so that it cannot work, and what the compiler must say.
-WRONG = [(".write_hz = 40000000", ".write_hz = 400000000", "faster than this panel"), (".wait_te = false", ".wait_te = true", "without a TE line"),
+WRONG = [(".write_hz = 40000000", ".write_hz = 400000000", "faster than this panel"), (".wait_te = false", ".wait_te = true", "no tearing-effect line"),
          (".read_back = false", ".read_back = true", "needs a read clock")]
 
 

@@ -173,8 +173,9 @@ TEST_P(NativePanels, ShowTheSurface) {
                                   ? placed.size.width % 2 == 0
                                   : !turned || sharing(c.native.format) == 1;
             if (!lies) {
-                EXPECT_STREQ(hal::flaw(board), "board: pixels that share bytes lie otherwise in the panel's "
-                                               "memory; give it a wire");
+                EXPECT_STREQ(hal::flaw(board),
+                             "display: pixels that share bytes lie otherwise in the panel's "
+                             "memory; give it a wire");
                 sim::SimBoard refused(board);
                 EXPECT_EQ(refused.display().init().error().fault, hal::Fault::unsupported);
                 continue;
@@ -232,7 +233,7 @@ TEST(NativeSurfaces, TheRowHashServesRowsAndRefusesPages) {
     mono.display.wire = {};
     EXPECT_EQ(hal::flaw(mono), nullptr);
     mono.display.row_hash = true;
-    EXPECT_STREQ(hal::flaw(mono), "board: the row hash serves rows, not pages");
+    EXPECT_STREQ(hal::flaw(mono), "display: the row hash serves rows, not pages");
     EXPECT_FALSE(sim::SimBoard(mono).display().init().ok());
 }
 

@@ -5,6 +5,7 @@
 
 #include <spangle/hal/bus_memory.hpp>
 #include <spangle/hal/panel_display.hpp>
+#include <spangle/hal/panel_rules.hpp>
 
 namespace spangle::hal {
 
@@ -26,50 +27,6 @@ struct Board {
     std::uint32_t command_cost_ns = 0;
 };
 
-/// The rule this board breaks, or null. It must name a panel.
-constexpr const char* flaw(const Board& board, OnFlaw on = OnFlaw::tell) {
-    const PanelConfig& display = board.display;
-    const PanelDesc& panel = *display.panel;
-    if (const char* rule = flaw(panel, on))
-        return rule;
-    if (!format_code(panel, board.bus, wire_format(display)).taken)
-        return broken("board: the panel cannot take this format on this bus", on);
-    if (!lies_as_it_travels(display))
-        return broken("board: pixels that share bytes lie otherwise in the panel's memory; give it a wire",
-                      on);
-    if (display.row_hash && !display.wire.converts() && sharing(display.format).height != 1)
-        return broken("board: the row hash serves rows, not pages", on);
-    if (display.buffers < 1 || display.buffers > 2)
-        return broken("board: one or two buffers", on);
-    if (display.wire.converts() && display.buffers != 1)
-        return broken("board: a picture that is turned into another format needs one buffer", on);
-    if (const char* rule = band_flaw(display))
-        return broken(rule, on);
-    if (display.read_back && (board.read_hz == 0 || panel.quirks.no_read_back))
-        return broken("board: reading back needs a read clock and a panel that answers", on);
-    if (display.poll_line && !display.read_back)
-        return broken("board: polling the scanned line without reading back", on);
-    if (display.scan_order && (display.buffers != 2 || display.wire.converts()))
-        return broken("board: turning frames into the order of the scan takes two buffers, as they are", on);
-    if (display.wait_te && !board.has_te)
-        return broken("board: waiting for TE without a TE line", on);
-    if (board.write_hz == 0)
-        return broken("board: no write clock", on);
-    if (display.wait_te && panel.commands->tearing.empty())
-        return broken("board: the panel has no TE output", on);
-    if (board.write_hz > fastest_write(panel, board.bus))
-        return broken("board: the write clock is faster than this panel is known to take", on);
-    if (board.read_hz > fastest_read(panel, board.bus))
-        return broken("board: the read clock is faster than the datasheet allows", on);
-    return nullptr;
-}
-
-/// Describes a board, or does not compile.
-consteval Board board(Board description) {
-    flaw(description, OnFlaw::stop);
-    return description;
-}
-
 /// The capabilities of the bus that a board describes.
 constexpr BusCaps bus_caps(const Board& board) {
     BusCaps caps = board.bus == BusKind::i2c ? i2c_caps(board.write_hz) : BusCaps{};
@@ -82,6 +39,22 @@ constexpr BusCaps bus_caps(const Board& board) {
     caps.bits_per_cycle = board.bus == BusKind::i8080 ? 8 : 1;
     caps.command_cost_ns = board.command_cost_ns;
     return caps;
+}
+
+/// The rule this board breaks, or null. It must name a panel. The rules are those of a PanelDisplay on the
+/// bus that the board describes.
+constexpr const char* flaw(const Board& board, OnFlaw on = OnFlaw::tell) {
+    if (const auto r = check_config(board.display, on); !r)
+        return r.error().rule;
+    if (const auto r = check_bus(board.display, bus_caps(board), on); !r)
+        return r.error().rule;
+    return nullptr;
+}
+
+/// Describes a board, or does not compile.
+consteval Board board(Board description) {
+    flaw(description, OnFlaw::stop);
+    return description;
 }
 
 /// Bytes of frame buffers the board's display asks its bus for, each rounded up to BusMemory::alignment.

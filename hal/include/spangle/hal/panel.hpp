@@ -159,9 +159,9 @@ constexpr const char* broken(const char* rule, OnFlaw on) {
     return SPANGLE_MESSAGES != 0 ? rule : "";
 }
 
-/// The fastest clock in Hz, or cycles of a parallel bus per second.
+/// The fastest clock as BusCaps::write_hz has it: Hz, or cycles of a parallel bus per second.
 constexpr std::uint32_t fastest_write(const PanelDesc& panel, BusKind bus) {
-    return bus == BusKind::i2c     ? panel.timing.i2c_hz
+    return bus == BusKind::i2c     ? i2c_caps(panel.timing.i2c_hz).write_hz
            : bus == BusKind::i8080 ? 1000000000u / panel.timing.parallel_write_ns
                                    : panel.timing.practical_serial_mhz * 1000000u;
 }

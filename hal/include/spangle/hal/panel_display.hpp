@@ -9,7 +9,8 @@
 #include <spangle/hal/bus_buffer.hpp>
 #include <spangle/hal/display.hpp>
 #include <spangle/hal/op_list.hpp>
-#include <spangle/hal/orientation.hpp>
+#include <spangle/hal/panel_config.hpp>
+#include <spangle/hal/panel_memory.hpp>
 #include <spangle/hal/readback.hpp>
 #include <spangle/hal/refresh.hpp>
 #include <spangle/hal/row_hash.hpp>
@@ -20,182 +21,12 @@ namespace spangle::hal {
 
 class FramePlan;
 
-/// What a program says of a panel display. `panel` must outlive the display.
-struct PanelConfig {
-    /// The panel; it must not be null.
-    const PanelDesc* panel = nullptr;
-    /// How the picture is turned on the [glass](docs/glossary.md#glass).
-    Orientation orientation = {};
-    /// The format of the buffers to draw into.
-    PixelFormat format = PixelFormat::rgb565_be;
-    /// Another format on the wire: a present converts what it sends, in memory of its own, and returns while
-    /// that is on the wire. If it is left out, the surface's pixels travel as they are.
-    Wire wire = {};
-    /// 1: present() returns when the frame is on the panel; 2: while it is on the wire.
-    std::uint8_t buffers = 1;
-    bool reset_line = true; ///< false: SWRESET instead
-    bool read_back = false; ///< the panel's data line is wired back: init() checks what answers
-    bool wait_te = false;   ///< tear-free: presents lead or lag the beam, which the TE line tells
-    bool poll_line = false; ///< tear-free: as `wait_te`, by reading the scanned line (45h)
-    /// Frames are turned into the order of the panel's scan where the picture's rows are not in it: only then
-    /// can such a picture be free of tears. The second buffer is the turned one; presents return while it is
-    /// on the wire.
-    bool scan_order = false;
-    /// What a present does while the frame before is on the wire.
-    Pacing pacing = Pacing::block;
-    bool row_hash = false; ///< cells of 16x1 pixels that are drawn again unchanged are not sent
-    /// Rows that a buffer holds, where memory holds no whole picture: frames are drawn
-    /// [band](docs/glossary.md#band) by band, and with two buffers, or another format on the wire, a band is
-    /// drawn while the one above it is on the wire. 0: whole frames.
-    std::int32_t band = 0;
-};
-
-/// The picture's pixels across and down that share bytes, where they travel as they are.
-constexpr Extent sharing(PixelFormat format) {
-    const FormatInfo info = format_info(format);
-    return {static_cast<std::int16_t>(info.bits % 8 != 0 ? 2 : 1), info.rows};
-}
-
-/// Whether pixels that travel as they are fit the panel's memory: those that share a byte must lie together
-/// there, too, and rows must end with bytes.
-constexpr bool lies_as_it_travels(const PanelConfig& c) {
-    const Extent share = sharing(c.format);
-    if (c.wire.converts() || (share.width == 1 && share.height == 1))
-        return true;
-    const Placement placed = place(*c.panel, c.orientation);
-    // Pixels of 12 bits are pairs of the stream; those of greys and pages have fixed places in memory.
-    const bool turned = (placed.madctl & dcs::MV) != 0 && c.format != PixelFormat::rgb444;
-    return !turned && !c.scan_order && placed.size.width % share.width == 0 &&
-           placed.size.height % share.height == 0;
-}
-
-/// The format of pixels on the wire.
-constexpr WireFormat wire_format(const PanelConfig& config) {
-    return config.wire.converts() ? config.wire.format : same_bytes(config.format);
-}
-
-/// Rows of the picture that share bytes, in memory or on the wire: bands end where these do.
-constexpr std::int32_t band_unit(const PanelConfig& c) {
-    const WireInfo wire = wire_info(wire_format(c));
-    const bool turned = (place(*c.panel, c.orientation).madctl & dcs::MV) != 0;
-    const std::int32_t on_wire = turned ? wire.columns : wire.rows, lying = sharing(c.format).height;
-    return on_wire > lying ? on_wire : lying;
-}
-
-/// The rule that bands of this display break, or null.
-constexpr const char* band_flaw(const PanelConfig& c) {
-    if (c.band < 0 || c.band > INT16_MAX || c.band % band_unit(c) != 0)
-        return broken("display: bands end where bytes do; pages of eight rows ask for a multiple of 8",
-                      OnFlaw::tell);
-    if (c.band != 0 && (c.wait_te || c.poll_line || c.scan_order || c.row_hash || c.pacing != Pacing::block))
-        return broken("display: bands go out as they are drawn: no waiting for the beam, no order of the "
-                      "scan, no row hash, no frames put off",
-                      OnFlaw::tell);
-    return nullptr;
-}
-
 /// What one frame buffer holds: outside of these spans, the clear value.
 struct PanelContent {
     /// One element a row of the picture.
     RowSpan* rows = nullptr;
     /// The pixel of the last clear, as RowExtents::clear_value has it.
     std::uint32_t clear_value = 0;
-};
-
-/// Whether frames are turned into the order of the scan.
-constexpr bool turns(const PanelConfig& c) {
-    return c.scan_order && scan_order(*c.panel, c.orientation).turns();
-}
-/// The size of the picture in pixels.
-constexpr Extent picture_size(const PanelConfig& c) {
-    return place(*c.panel, c.orientation).size;
-}
-/// The size of the buffer that is sent, which is turned where turns().
-constexpr Extent sent_size(const PanelConfig& c) {
-    return turns(c) ? scan_order(*c.panel, c.orientation).placement.size : picture_size(c);
-}
-/// The part of a picture of size `whole` that a buffer holds: rows of a band, or all.
-constexpr Extent held(const PanelConfig& c, Extent whole) {
-    return {whole.width, c.band != 0 ? static_cast<std::int16_t>(c.band) : whole.height};
-}
-/// Rows of bookkeeping: enough for the picture and for the buffer that is sent.
-constexpr std::int32_t book_height(const PanelConfig& c) {
-    const std::int32_t drawn = held(c, picture_size(c)).height, sent = held(c, sent_size(c)).height;
-    return drawn > sent ? drawn : sent;
-}
-
-/// The memory of a PanelDisplay's bookkeeping, handed over by its owner. All rows but those of the content
-/// have `height` elements.
-struct PanelMemory {
-    /// Touched columns of the frame being drawn.
-    RowSpan* touched = nullptr;
-    /// Columns in which the panel's memory differs from the frame.
-    RowSpan* damage = nullptr;
-    /// What each buffer holds, as PanelContent::rows.
-    RowSpan* content[2] = {};
-    std::int32_t content_height = 0; ///< rows of the picture; 0 for bands that are sent whole
-    /// Memory in which windows are planned.
-    std::uint16_t* plan = nullptr;
-    /// Elements of each of these rows.
-    std::int32_t height = 0;
-    /// Buffers whose content is recorded: 1 or 2.
-    std::uint8_t buffers = 0;
-    /// Memory of one list.
-    Op* ops = nullptr;
-    /// Parameters of that list.
-    OpParams* params = nullptr;
-    /// Elements of `ops` and of `params`.
-    std::size_t op_count = 0;
-    /// The memory of the [row hash](docs/glossary.md#row-hash), or none.
-    RowHashMemory hash = {};
-    RowSpan* turned = nullptr;        ///< for PanelConfig::scan_order
-    decltype(&turn) turner = nullptr; ///< turn(), which is linked only where it is named
-    RowSpan* held = nullptr;          ///< for Pacing::coalesce; without it frames are dropped
-    Palette* palette = nullptr;       ///< for PixelFormat::index8
-};
-
-/// The memory of a PanelDisplay for pictures and sent buffers up to `Height` rows, and `HashedWidth` columns
-/// if they are to be hashed. A list longer than `Ops` goes out in several transfers; frames that are
-/// tear-free or sent while the next is drawn are made of as few windows as one list holds. `Content`: rows of
-/// the picture, where `Height` is that of bands; 0: what the panel shows is not recorded, and bands are sent
-/// whole.
-template <std::int32_t Height, std::uint8_t Buffers = 1, std::size_t Ops = 64, std::int32_t HashedWidth = 0,
-          bool Turned = false, bool Held = false, std::int32_t Content = Height, bool Indexed = false>
-struct PanelStorage {
-    static_assert(Height > 0 && Height <= 4096 && (Buffers == 1 || Buffers == 2) && Ops >= 8);
-
-    /// The memory that the members of PanelMemory by these names point to.
-    RowSpan touched[Height], damage[Height], content[Buffers][Content != 0 ? Content : 1],
-        turned[Turned ? Height : 1], held[Held ? Height : 1];
-    /// The memory of PanelMemory::plan.
-    std::uint16_t plan[Height];
-    /// The memory of PanelMemory::ops.
-    Op ops[Ops];
-    /// The memory of PanelMemory::params.
-    OpParams params[Ops];
-    /// The memory of PanelMemory::hash.
-    RowHashStorage<Height, HashedWidth> hash;
-    /// The memory of PanelMemory::palette.
-    PaletteStorage<Indexed> palette;
-
-    /// This memory, for the constructor of a PanelDisplay. The storage must outlive the display.
-    PanelMemory memory() {
-        return {touched,
-                damage,
-                {content[0], content[Buffers - 1]},
-                Content,
-                plan,
-                Height,
-                Buffers,
-                ops,
-                params,
-                Ops,
-                hash.memory(),
-                Turned ? turned : nullptr,
-                Turned ? &turn : nullptr,
-                Held ? held : nullptr,
-                palette.memory()};
-    }
 };
 
 /// What became of the frames presented so far.
@@ -211,7 +42,8 @@ class PanelDisplay : public Display {
   public:
     /// Functions that not every display calls. Those that no display names are not linked.
     struct Parts {
-        Result<void> (PanelDisplay::*check)() const = nullptr; ///< checks the description and the memory
+        /// Checks the description and the memory.
+        Result<void> (*check)(const PanelConfig&, const PanelMemory&) = nullptr;
         /// Checks who answers: check_identity().
         Result<void> (*identify)(Bus&, const PanelDesc&, ReadScratch&) = nullptr;
         Result<void> (PanelDisplay::*measure)() = nullptr; ///< measures the refresh
@@ -278,8 +110,7 @@ class PanelDisplay : public Display {
     /// The time that the scan-out is given to show itself, beyond two refreshes.
     static constexpr std::uint32_t grace_us = 100000;
 
-    Result<void> check_description() const;
-    Result<void> check_bus() const;
+    static Result<void> check_description(const PanelConfig& config, const PanelMemory& memory);
     Result<Frame> acquire_frame();
     Result<void> present_frame();
     Result<Frame> acquire_rows(std::int32_t first, std::int32_t rows);
