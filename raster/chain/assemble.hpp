@@ -1,5 +1,5 @@
-// Makes the chain of a key: the stages in GL's order (Red Book, appendix E), one line each. Every policy uses
-// it.
+// Makes the chain of a key: the stages in GL's order (Red Book, appendix E), one line each. All numeric
+// policies use these functions.
 #pragma once
 
 #include "raster/chain/chain.hpp"
@@ -32,7 +32,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// A chain of any number system to which stages are appended.
+/// Appends stages to a chain. This part is the same for all number systems.
 class ChainEnd {
   protected:
     explicit ChainEnd(Variant& variant) : variant_(variant) {}
@@ -54,7 +54,7 @@ template <class N> class ChainBuilder : ChainEnd {
         if constexpr (N::lanes > 1)
             variant.shares = true;
     }
-    /// Runs the chain by another function than chain_rows().
+    /// Makes `run` draw the rows of this chain, in place of chain_rows().
     void runs(RowsFunction<typename N::Policy> run) {
         variant_.run = reinterpret_cast<AnyFunction>(run);
         not_shared();
@@ -62,7 +62,7 @@ template <class N> class ChainBuilder : ChainEnd {
     template <class S> void add() {
         add(&chain_stage<std::conditional_t<uses_color<S>, N, Colorless<N>>, S>, inner::is_shared<S>);
     }
-    /// `shared`: the stage can draw packets that rows share.
+    /// `shared` says that the stage can draw packets that several rows share.
     SPANGLE_INLINE void add(ChainStage<N> stage, bool shared) {
         append(reinterpret_cast<AnyFunction>(stage));
         if (!shared)
@@ -72,7 +72,7 @@ template <class N> class ChainBuilder : ChainEnd {
         if constexpr (there)
             add<S>();
     }
-    /// Adds one of two stages, decided at run time.
+    /// Adds the first of two stages where the condition holds, otherwise the second.
     template <class WhenTrue, class WhenFalse> void choose(bool condition) {
         condition ? add<WhenTrue>() : add<WhenFalse>();
     }
@@ -84,7 +84,8 @@ template <class N> class ChainBuilder : ChainEnd {
     }
 };
 
-/// The depth test may go first when no stage after it can drop the fragment: the same bytes with less work.
+/// True where the depth test may go first, because no stage after it can drop the fragment. The bytes are the
+/// same, and dropped fragments cost less.
 constexpr bool early_tests(const Key& key) {
     return key.alpha == Compare::always && !key.samples;
 }
@@ -105,13 +106,14 @@ template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
     using Offset24 = OffsetDepthValue<SingleLane, DepthValueOf<SingleLane, DepthFormat::z24s8>>;
     if (SPANGLE_FEATURE_STIPPLE && key.polygon_stipple)
         chain.template add<PolygonStipple<SingleLane>>();
-    // In builds without shortcuts all depths have an offset, if only of 0.
+    // In builds without shortcuts every depth goes through the offset stage, with an offset of 0 where GL
+    // sets none.
     const bool offset = SPANGLE_FEATURE_POLYGON_OFFSET && (key.depth_offset || !has_shortcuts);
     bool depth = key.depth_offset || key.depth != Compare::always || key.depth_write;
     if constexpr (has_format(DepthFormat::z24s8)) {
         if (key.stencil) {
             chain.template choose<StencilDepth<SingleLane, Offset24>, StencilDepth<System>>(offset);
-            depth = false; // the stencil's stage tests the depth, too
+            depth = false; // StencilDepth tests the depth, too
         }
     }
     if (depth && offset)
@@ -126,13 +128,15 @@ template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
 
 template <class N> inline constexpr bool is_fixed = std::is_same_v<typename N::Policy, Fixed>;
 
-/// Textures are sampled a packet at a time; otherwise by a stage of single fragments, with the same bytes.
+/// True where PacketTexture samples textures a packet at a time. Otherwise Texture2D samples single
+/// fragments, with the same bytes.
 template <class N> inline constexpr bool by_packets = is_fixed<N>;
 
-/// Stages that differ by a parameter are separate functions; small builds have one function for all of them.
+/// True where stages that differ by a parameter are separate functions. Small builds have one function for
+/// all values of the parameter.
 template <class N> inline constexpr bool by_stages = !is_fixed<N> || has_shortcuts;
 
-/// Whether texture coordinates have the runs of another tier than this number system's.
+/// Whether texture coordinates follow the runs of the other tier, not those of this number system.
 template <class N> constexpr bool has_other_runs([[maybe_unused]] const Key& key) {
 #if SPANGLE_MIXES_RUNS
     return has_mixed_runs && is_fixed<N> && key.other_runs;
@@ -140,7 +144,7 @@ template <class N> constexpr bool has_other_runs([[maybe_unused]] const Key& key
     return false;
 #endif
 }
-/// Attributes over w are divided in lanes, all by one 1/w.
+/// True where attributes over w are divided in lanes. All of them are multiplied by one 1/w.
 template <class N> inline constexpr bool by_lanes = is_fixed<N> && (N::lanes > 1);
 template <class N> void add_inverses(ChainBuilder<N>& chain, const Key& key) {
     if constexpr (by_lanes<N>) {
@@ -152,7 +156,7 @@ template <class N> void add_inverses(ChainBuilder<N>& chain, const Key& key) {
     }
 }
 
-/// Adds straight runs of coordinates; `SingleLane` is their stage with one lane.
+/// Adds the stage of straight runs of coordinates. `SingleLane` is this stage for one lane.
 template <class N, int Unit, class SingleLane> void add_straight_runs(ChainBuilder<N>& chain) {
     if constexpr (by_lanes<N> && divides_in_lanes)
         chain.add(&PacketRuns<PlacesOf<N>>::template run<Unit>, true);
@@ -170,15 +174,15 @@ template <class N, class SingleLane, int Unit> void add_other_runs([[maybe_unuse
 #endif
 }
 
-/// Whether the texture function of a unit finds its coordinates itself, and only along rows: packets cannot
-/// be shared then.
+/// Whether the texture function of a unit finds its own coordinates, and can do so only along a row. Packets
+/// of such a unit cannot be shared.
 template <class N, int Unit> bool has_volume([[maybe_unused]] const FragmentState& state) {
     if constexpr (N::lanes > 1 && !divides_in_lanes && has_third_coordinates && Unit < max_texture_units)
         return state.unit[Unit].texture != nullptr && wants_r(*state.unit[Unit].texture);
     return false;
 }
 
-/// Adds coordinates of the exact tier, where attributes over w are divided in lanes.
+/// Adds the coordinates of the exact tier in builds that divide attributes over w in lanes.
 template <class N, int Unit> void add_exact_coordinates(ChainBuilder<N>& chain, const Key& key) {
     if (divides(key.kind, key.fog))
         chain.add(&PacketDivided<N>::template coordinates<Unit>, true);
@@ -188,7 +192,7 @@ template <class N, int Unit> void add_exact_coordinates(ChainBuilder<N>& chain, 
         chain.template add<Coord<Exact, Unit, true>>();
 }
 
-/// Adds the stages of a unit's coordinates and of its level of detail.
+/// Adds the stages that find a unit's coordinates and its level of detail.
 template <class N, int Unit>
 void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
     using SingleLane =
@@ -223,14 +227,14 @@ void add_unit(ChainBuilder<N>& chain, const Key& key, const FragmentState& state
     add_coordinates<N, Unit>(chain, key, state);
     using SingleLane = OneLane<N>;
     if (has_combine && key.combine)
-        return; // one stage combines all units
+        return; // CombineUnits or PacketTexture::combined() combines all units in one stage
     if constexpr (by_packets<N>)
         chain.add(&PacketTexture<N>::template run<Unit>, !has_volume<N, Unit>(state));
     else
         chain.template choose<Texture2D<SingleLane, Unit, true>, Texture2D<SingleLane, Unit, false>>(
             wants_lod(*state.unit[Unit].texture));
 }
-/// Adds unit 0, which has no levels of detail here, with texels counted in steps (counts_steps()).
+/// Adds unit 0, whose texels are counted in steps here (counts_steps()) and which has no levels of detail.
 template <class N>
 void add_unit_in_steps(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
     add_coordinates<N, 0>(chain, key, state);
@@ -277,7 +281,7 @@ template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, c
         if (counts_steps(key))
             return chain.template add<StoreSteps<N, Format>>();
     constexpr bool only_merged =
-        // StoreMerged can do all that the other stores do.
+        // StoreMerged can do everything that the other store stages do.
         is_fixed<N> && !has_shortcuts && !has_tier(Tier::fast);
     if (only_merged || key.masked || key.logic)
         chain.template add<StoreMerged<N, Format>>();
@@ -286,7 +290,7 @@ template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, c
             chain.template choose<StoreDithered<N, Format>, Store<N, Format>>(key.dither && !key.coarse);
 }
 
-/// Adds the output of the one of these formats that the key names.
+/// Adds the output stages for the one of these formats that the key names.
 template <class N, PixelFormat... Format> void add_wide_output(ChainBuilder<N>& chain, const Key& key) {
     const auto add = [&]<PixelFormat F>() {
         if constexpr (has_format(F))
@@ -296,7 +300,7 @@ template <class N, PixelFormat... Format> void add_wide_output(ChainBuilder<N>& 
     (add.template operator()<Format>(), ...);
 }
 
-/// Whether the fragments have nothing but a colour.
+/// Whether fragments are affected by nothing but an affine colour.
 constexpr bool only_color(const Key& key) {
     return key.kind == Kind::affine && key.color && !key.unit[0].on && !key.second_unit() && !key.color_sum &&
            !key.fog && key.alpha == Compare::always && !key.stencil && key.depth == Compare::always &&
@@ -325,7 +329,8 @@ template <class N> void add_divided_primary(ChainBuilder<N>& chain, bool alpha) 
         chain.template choose<GouraudQ<SingleLane, true>, GouraudQ<SingleLane, false>>(alpha);
 }
 
-/// Adds the primary colour, of vertices or images. An index stands in its red.
+/// Adds the primary colour, which comes from vertices or from an image. On a surface of indices the red
+/// component is the index.
 template <class N> void add_primary(ChainBuilder<N>& chain, const Key& key) {
     using SingleLane = OneLane<N>;
     if (has_pixel_colors && key.pixels)
@@ -360,7 +365,7 @@ template <class N> void add_fog_coordinate(ChainBuilder<N>& chain, const Key& ke
         chain.template choose<FogCoord<OneLane<N>, true>, FogCoord<N, false>>(key.kind >= Kind::textured);
 }
 
-/// Adds fog in two parts, before and after the texture unit (fogs_light()).
+/// Adds fog in two parts, one before and one after the texture unit (fogs_light()).
 template <class N> void add_fogged_unit(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
     add_fog_coordinate(chain, key);
     chain.template add<FogLight<N>>();
@@ -384,7 +389,8 @@ template <class N> void assemble_index(ChainBuilder<N>& chain, const Key& key) {
     chain.template add<StoreIndex<SingleLane>>();
 }
 
-/// Assembles every stage that the key asks for; modes are decided at run time.
+/// Assembles every stage that the key asks for. Modes that the key leaves open are read from the state while
+/// drawing.
 template <class N> void assemble(Variant& variant, const Key& key, const FragmentState& state) {
     using SingleLane = OneLane<N>;
     ChainBuilder<N> chain(variant);

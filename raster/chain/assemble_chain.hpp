@@ -1,4 +1,5 @@
-// Assembles the chain of any state for one instruction set; draw_state.cpp and chain_avx2.cpp include it.
+// Assembles the chain of any state for one instruction set. Both draw_state.cpp and chain_avx2.cpp include
+// this file.
 #pragma once
 
 #include "raster/chain/assemble.hpp"
@@ -21,7 +22,7 @@ template <PixelFormat Format> void assemble_raw(Variant& variant, const Key& key
         chain.add<PixelWord<host_lanes>>();
         return chain.add<Store>();
     }
-    // Filling and storing are one loop, or in small builds two stages that other chains share.
+    // Builds with shortcuts fill and store in one loop. Small builds use two stages that other chains share.
     const auto fill = [&]<class Fill> {
         if constexpr (has_shortcuts)
             return chain.add<Seq<Raw, Fill, Store>>();
@@ -49,7 +50,7 @@ template <PixelFormat Format> void assemble_raw(Variant& variant, const Key& key
     chain.add<Store>();
 }
 
-/// Assembles the chain, stage after stage, in builds with a chain.
+/// Assembles the chain of a key, stage after stage. Only builds with a chain call this.
 SPANGLE_INLINE void assemble_any(Variant& variant, const Key& key, const FragmentState& state) {
     switch (key.number) {
     case Number::raw565:
@@ -69,7 +70,7 @@ SPANGLE_INLINE void assemble_any(Variant& variant, const Key& key, const Fragmen
     }
 }
 
-/// The function that runs a chain's stages along rows.
+/// Returns the RowsFunction that runs a chain's stages along rows.
 SPANGLE_INLINE AnyFunction runner_of(Number number, [[maybe_unused]] bool narrow) {
     if constexpr (has_narrow_formats)
         if (narrow) // narrow surfaces have exact colours (key.cpp)

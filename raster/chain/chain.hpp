@@ -1,5 +1,6 @@
 // A chain is any list of stages, run over packets of fragments through one function pointer per stage. A
-// state draws with its chain when no fused span exists. Every fused span is compared with the chain.
+// state that has no fused span is drawn by its chain. Tests compare the bytes of every fused span with those
+// of the chain.
 #pragma once
 
 #include "raster/ops/packet.hpp"
@@ -9,12 +10,13 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
-/// The number system that a stage is made for: that of the packet, or the same with one lane.
+/// The number system that a stage is made for. It is the packet's number system, or the one with the same
+/// bits and one lane.
 template <class S, class M> M system_of(bool (S::*)(Px<M>&));
 template <class S, class M> M system_of(bool (S::*)(Px<M>&) const);
 
-/// Calls move(field in Px<M>, field of the packet) for fragments [i, i + M::lanes), or one(...) with the lane
-/// where the packet has more lanes.
+/// Loads or stores the fields of fragments [i, i + M::lanes). It calls move(field of Px<M>, field of the
+/// packet). Where M has one lane and the packet has more, it calls one(), which gets the lane as well.
 template <unsigned Fields, class M, class K, class Move, class SingleLane>
 SPANGLE_INLINE void for_fields(Px<M>& p, K& k, std::int32_t i, Move move, SingleLane one) {
     const std::int32_t g = i / K::lanes, lane = i % K::lanes;
@@ -41,7 +43,8 @@ SPANGLE_INLINE void for_fields(Px<M>& p, K& k, std::int32_t i, Move move, Single
         field(p.fog, k.fog[g]);
 }
 
-/// What a stage that kills has left of a packet.
+/// What a stage that drops fragments has left of a packet: whether any fragment is alive, and whether one
+/// died.
 struct Outcome {
     bool any = false, died = false;
     template <class S, class K> SPANGLE_INLINE void tell(K& k) const {
@@ -85,7 +88,8 @@ SPANGLE_INLINE void run_group(K& k, S& s, std::int32_t i, Outcome& outcome) {
     }
 }
 
-/// Runs a stage on fragments [from, to); fragment i is in column x0 + i. `Check`: some of them may be dead.
+/// Runs a stage on fragments [from, to). Fragment i is in column x0 + i. Check: some fragments may be dead,
+/// so each one is asked.
 template <bool Check, class M, class K, class S>
 SPANGLE_INLINE void run_stage(K& k, S& s, std::int32_t from, std::int32_t to, std::int32_t x0,
                               Outcome& outcome) {
@@ -104,11 +108,12 @@ SPANGLE_INLINE void run_stage(K& k, S& s, std::int32_t from, std::int32_t to, st
     }
 }
 
-/// Copies of a packet whose last group of lanes is not full, in both planes. Lanes load and store whole
-/// groups of pixels, so they work on the copy: pixels beyond the packet are not touched.
+/// Holds copies, in both planes, of the pixels of a packet whose last group of lanes is not full. Stages load
+/// and store whole groups of pixels. They work on the copy, so no pixel beyond the packet is touched.
 class PacketCopy {
   public:
-    /// `color` and `depth` are bytes of a pixel; 0: no stage finds a pixel by its number.
+    /// `color` and `depth` are bytes of a pixel. A value of 0 means that no stage finds a pixel by its
+    /// number, so nothing is copied.
     template <class N> SPANGLE_INLINE void enter(Packet<N>& k, std::int32_t color, std::int32_t depth) {
         color_.enter(k.color_plane, color * k.n);
         depth_.enter(k.depth_plane, depth * k.n);
@@ -138,7 +143,7 @@ class PacketCopy {
     } color_, depth_;
 
   public:
-    /// Copies 1 to 256 bytes between memory that does not overlap, in line.
+    /// Copies 1 to 256 bytes between regions that do not overlap, without a call of memcpy().
     SPANGLE_INLINE static void copy(std::uint8_t* to, const std::uint8_t* from, std::int32_t bytes) {
         static_assert(4 * packet_length <= 256);
         if (bytes < 2)
@@ -160,7 +165,8 @@ class PacketCopy {
     }
 
   private:
-    /// Copies Size to 2 Size bytes: the first Size bytes and the last Size bytes, which may overlap.
+    /// Copies Size to 2 Size bytes as two blocks: the first Size bytes and the last Size bytes. The blocks
+    /// may overlap.
     template <int Size>
     SPANGLE_INLINE static void both_ends(std::uint8_t* to, const std::uint8_t* from, std::int32_t bytes) {
         const std::int32_t last = bytes - Size;
@@ -169,8 +175,8 @@ class PacketCopy {
     }
 };
 
-/// Runs a stage. With one lane it looks which fragments are alive only after some fragment has died; lanes
-/// are masked instead.
+/// Runs a stage. A stage with one lane asks whether each fragment is alive, but only after a fragment has
+/// died. A stage with several lanes works under a mask instead.
 template <class M, class K, class S>
 SPANGLE_INLINE void run_asking(K& k, S& s, std::int32_t from, std::int32_t to, std::int32_t x0,
                                Outcome& outcome) {
@@ -181,14 +187,15 @@ SPANGLE_INLINE void run_asking(K& k, S& s, std::int32_t from, std::int32_t to, s
         run_stage<false, M>(k, s, from, to, x0, outcome);
 }
 
-/// True where a stage can draw packets that rows share: it has one lane, or it is told where each lane lies.
+/// True where a stage can draw packets that several rows share. Such a stage ignores places, has one lane, or
+/// can be constructed from the place of each lane.
 template <class S>
 inline constexpr bool is_shared =
     S::anywhere || decltype(system_of(&S::operator()))::lanes == 1 ||
     std::is_constructible_v<S, const PlaneLanes<Lanes<host_lanes>>&, std::int32_t>;
 
-/// Runs a stage on a packet that rows share. Lanes know where each of them lies, and stages of one lane go
-/// along the pieces of rows.
+/// Runs a stage on a packet that several rows share. A stage with several lanes is constructed from the place
+/// of each lane. A stage with one lane runs along each piece of a row.
 template <class M, class S, class K> [[gnu::noinline]] void run_in_rows(K& k) {
     Outcome outcome;
     if constexpr (M::lanes > 1) {
@@ -216,7 +223,7 @@ template <class M, class S, class K> [[gnu::noinline]] void run_in_rows(K& k) {
 
 template <class S> inline constexpr bool uses_color = ((S::in | S::out) & field_color) != 0;
 
-/// Runs one stage (or a Seq of stages) on a packet.
+/// Runs one stage, or one Seq of stages, on a packet.
 template <class N, class S> void chain_stage(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
     using M = decltype(inner::system_of(&S::operator()));
     static_assert(M::lanes == N::lanes || M::lanes == 1);
@@ -230,7 +237,7 @@ template <class N, class S> void chain_stage(PlacesOf<N>& places, const Span<typ
     outcome.tell<S>(k);
 }
 
-/// Draws one row of the span with the chain of its kind.
+/// Draws one row of the span with the chain of the span's kind.
 template <class N>
 SPANGLE_INLINE void chain_row(const Span<typename N::Policy>& span, const RowIn<N::lanes>& row) {
     const AnyFunction* const stages = span.state->variant[static_cast<unsigned>(span.kind)].chain;
@@ -241,8 +248,8 @@ SPANGLE_INLINE void chain_row(const Span<typename N::Policy>& span, const RowIn<
     if constexpr (N::lanes > 1)
         k.rows = nullptr;
     for (k.x = span.begin; k.x < span.end; k.x += k.n) {
-        // A packet of lanes that is not full costs as much as a full one, so packets start at the span's
-        // first pixel.
+        // With lanes, a packet that is not full costs as much as a full one, so packets start at the first
+        // pixel of the span.
         const std::int32_t start = N::lanes > 1 ? k.x : k.x & -packet_length;
         const std::int32_t boundary = start + packet_length, i = k.x - span.begin;
         k.n = (boundary < span.end ? boundary : span.end) - k.x;
@@ -252,7 +259,7 @@ SPANGLE_INLINE void chain_row(const Span<typename N::Policy>& span, const RowIn<
         k.some_dead = false;
         for (auto& live : k.live)
             live = N::L::all;
-        const bool copied = k.n % N::lanes != 0; // the last group has pixels beyond the packet
+        const bool copied = k.n % N::lanes != 0; // the last group has lanes beyond the packet
         if (copied) {
             for (std::int32_t g = k.n / N::lanes; g < Packet<N>::groups; ++g)
                 k.live[g] = N::L::first(k.n - g * N::lanes);

@@ -12,13 +12,14 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// 1/w of the fragments of a packet (inverse.hpp), where there are lanes (stage_divided_packet.hpp).
+/// 1/w of each fragment of a packet, in the parts of Inverse (inverse.hpp). Only packets with several lanes
+/// hold it; stage_divided_packet.hpp fills it in.
 template <int Count> struct PacketInverse {
-    std::uint32_t q[Count], mantissa[Count], power[Count]; ///< as in Inverse; power is 2^zeros
+    std::uint32_t q[Count], mantissa[Count], power[Count]; ///< members of Inverse; `power` is 2^zeros
 };
 template <> struct PacketInverse<0> {};
 
-/// Says which of the rows that are drawn together (RowRuns) a packet of one row belongs to.
+/// Says to which of the rows in RowRuns a packet of one row belongs.
 template <bool Kept> struct RowOfPacket {
     RowRuns* runs = nullptr;
     std::int32_t number = 0;
@@ -29,23 +30,24 @@ template <> struct RowOfPacket<false> {
 };
 template <int Lanes> using RowIn = RowOfPacket<(Lanes > 1 && divides_in_lanes)>;
 
-/// The fragments of a packet, in groups of lanes, without their colours: the part that number systems have in
-/// common. Packets of one lane start at multiples of their length from the anchor.
+/// The fragments of a packet, in groups of lanes, without their colours. Several number systems share this
+/// type. A packet with one lane starts at a multiple of packet_length from the anchor of the span.
 template <class Lanes, class Coord, class Fog> struct PacketPlaces {
     using L = Lanes;
     static constexpr int lanes = L::count, groups = packet_length / lanes;
     std::uint8_t *color_plane,
-        *depth_plane; ///< addresses of fragment 0, or of a copy of a packet that is not full
-    std::int32_t x;   ///< first pixel, counted from the anchor of the span
-    std::int32_t n;   ///< fragments, 1 .. packet_length; lanes beyond them are dead
-    bool alive;       ///< some fragment is alive
-    bool some_dead;   ///< some fragment of the n is dead
+        *depth_plane; ///< addresses of fragment 0: in the planes, or in the copy of a packet that is not full
+                      ///< (PacketCopy)
+    std::int32_t x;   ///< column of fragment 0, counted from the anchor of the span
+    std::int32_t n;   ///< number of fragments, 1 .. packet_length; lanes beyond the last fragment are dead
+    bool alive;       ///< at least one fragment is alive
+    bool some_dead;   ///< at least one of the n fragments is dead
     typename L::Mask live[groups];
     Coord coord[max_texture_units][groups];
     std::int32_t lod[max_texture_units][packet_length];
     Fog fog[groups];
     [[no_unique_address]] PacketInverse<(lanes > 1 ? packet_length : 0)> inverse;
-    /// Null where all fragments of the packet lie in one row.
+    /// The rows that share the packet; null where all its fragments lie in one row.
     [[no_unique_address]] std::conditional_t<(lanes > 1), const PacketRows*, std::nullptr_t> rows;
     [[no_unique_address]] RowIn<lanes> row;
 };
@@ -55,8 +57,8 @@ template <class N> struct Packet : PlacesOf<N> { typename N::Color color[PlacesO
 
 template <class N> using ChainStage = void (*)(PlacesOf<N>&, const Span<typename N::Policy>&);
 
-/// Names one of the number systems whose packets have the same places. Stages that touch no colour are
-/// compiled for that system alone.
+/// Names one number system for each type of PacketPlaces. Stages that touch no colour are compiled for this
+/// number system alone.
 template <class N> struct WithoutColor { using Type = N; };
 template <> struct WithoutColor<Exact> { using Type = Raw565<1>; };
 template <> struct WithoutColor<ExactLanes> { using Type = Raw565<8>; };

@@ -1,4 +1,5 @@
-// Antialiasing (GL 1.3, 3.11) multiplies alpha by coverage. Polygons are stippled here, too (3.5.2).
+// Antialiasing (GL 1.3, 3.11) multiplies alpha by coverage. This file holds the stage of polygon stippling
+// (3.5.2), too.
 #pragma once
 
 #include <bit>
@@ -14,7 +15,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 template <class N> struct Coverage : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned in = field_color, out = field_color;
-    const std::uint32_t* at; ///< coverage of this pixel; null: 1
+    const std::uint32_t* at; ///< coverage of this pixel; null where every pixel is covered fully
     SPANGLE_INLINE Coverage(const Span<typename N::Policy>& s, std::int32_t x)
         : at(s.state->primitive->coverage) {
         if (at != nullptr)
@@ -40,11 +41,11 @@ template <class N> struct Coverage : StageBase {
     }
 };
 
-/// Keeps fragments where bit (x mod 32, y mod 32) of the stipple, in window coordinates, is set.
+/// Keeps a fragment at window position (x, y) where bit x mod 32 of row y mod 32 of the stipple is set.
 template <class N> struct PolygonStipple : StageBase {
     static_assert(N::lanes == 1);
     static constexpr bool kill = true;
-    std::uint32_t pattern; ///< bit 0 decides this column
+    std::uint32_t pattern; ///< the bits of this row, rotated so that bit 0 decides this column
     SPANGLE_INLINE PolygonStipple(const Span<typename N::Policy>& s, std::int32_t x)
         : pattern(s.state->primitive->stippled
                       ? std::rotr(s.state->fragment.polygon_stipple[s.y & 31], (s.x + x) & 31)

@@ -13,7 +13,7 @@ SPANGLE_INLINE std::int32_t unguarded(std::uint64_t v) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(v >> guard_bits));
 }
 
-/// A colour that is affine in the window (or constant). Alpha: some stage reads alpha.
+/// A colour that is affine in the window, or constant. Alpha: a later stage reads alpha.
 template <class N, bool Alpha> struct Gouraud : StageBase {
     static constexpr unsigned out = field_color;
     Ramp<typename N::L> r, g, b;
@@ -56,7 +56,7 @@ template <class N, bool Alpha> struct Gouraud : StageBase {
     }
 };
 
-/// A colour whose red, green and blue are one plane and whose alpha is 1: white light, or none.
+/// A colour whose red, green and blue are one plane and whose alpha is 1, as white light makes it.
 template <class N> struct GouraudGray : StageBase {
     static constexpr unsigned out = field_color;
     Ramp<typename N::L> v;
@@ -72,7 +72,7 @@ template <class N> struct GouraudGray : StageBase {
     }
 };
 
-/// Stands in place of a primary colour that a texture replaces.
+/// Takes the place of a primary colour that no later stage needs, because a texture replaces it.
 template <class N> struct White : StageBase {
     static constexpr unsigned out = field_color;
     static constexpr bool anywhere = true;
@@ -84,7 +84,7 @@ template <class N> struct White : StageBase {
     }
 };
 
-/// An affine colour of which only the top bits are stored.
+/// An affine colour of which only the top bits are stored, as R5 G6 B5.
 template <int Count> struct Gouraud<Raw565<Count>, false> : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<Count>;
@@ -116,13 +116,14 @@ template <int Count> struct Gouraud<Raw565<Count>, false> : StageBase {
 
 namespace inner {
 
-/// A colour from colour * q and 1/q, in colour units. A colour that rounding made more than one becomes the
-/// number below one.
+/// A colour in colour units from colour * q and 1/q. A negative colour becomes 0. A colour that rounding has
+/// made more than 1 becomes the largest number below 1.
 SPANGLE_INLINE std::uint32_t projective_color(std::int32_t over_w, const Inverse& inverse) {
-    // The quotient has 28 fraction bits, and color_one is 255/256 of 2^28.
-    const auto most = static_cast<std::int32_t>(inverse.q - (inverse.q >> 8) - 1); // 255/256 are one
+    // The quotient has 28 fraction bits. A colour of 1 is 255/256 of 2^28, so 255/256 of q stand for it.
+    const auto most = static_cast<std::int32_t>(inverse.q - (inverse.q >> 8) - 1);
     const std::int32_t least = over_w < 0 ? 0 : over_w, v = least < most ? least : most;
-    // v / q 2^28 = v mantissa 2^(zeros - 34), v < 2^(32 - zeros)
+    // The result is v / q 2^28 = v mantissa 2^(zeros - 34). The shifted v fits 32 bits, because v < 2^(32 -
+    // zeros).
     return numeric::mul_high_u32(static_cast<std::uint32_t>(v) << inverse.zeros, inverse.mantissa) >> 2;
 }
 
@@ -156,7 +157,7 @@ template <class N, bool Alpha> struct GouraudQ : StageBase {
     }
 };
 
-/// Adds the secondary colour, component by component, clamped to 1.
+/// Adds the secondary colour to the primary colour; each sum is clamped to 1.
 template <class N, bool Projective> struct ColorSum : StageBase {
     static constexpr unsigned in = field_color, out = field_color;
     using Word = std::conditional_t<Projective, std::uint64_t, std::uint32_t>;
@@ -200,7 +201,7 @@ template <class N, bool Projective> struct ColorSum : StageBase {
 
 namespace inner {
 
-/// The fog coordinate (s7.24) from fog * q and 1/q.
+/// The fog coordinate (s7.24) from coordinate * q and 1/q. The scale is 2^exponent.
 inline std::uint32_t projective_fog(std::int32_t over_w, int exponent, const Inverse& inverse) {
     const std::int64_t product = numeric::mul_s32_u32(over_w, inverse.mantissa); // f/q 2^(62 - zeros)
     const int down = 38 - inverse.zeros - exponent;
@@ -210,7 +211,7 @@ inline std::uint32_t projective_fog(std::int32_t over_w, int exponent, const Inv
 
 } // namespace inner
 
-/// Finds the fog coordinate, s7.24.
+/// Finds the fog coordinate c (FogConstants) of each fragment, s7.24.
 template <class N, bool Projective> struct FogCoord;
 
 template <class N> struct FogCoord<N, false> : StageBase {

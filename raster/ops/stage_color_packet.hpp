@@ -1,4 +1,5 @@
-// The colours of a packet: Gouraud, GouraudQ and ColorSum in one piece of code, for small builds.
+// The colours of a packet. Small builds have this one piece of code in place of Gouraud, GouraudQ and
+// ColorSum.
 #pragma once
 
 #include "raster/ops/packet.hpp"
@@ -23,14 +24,14 @@ template <class N> class PacketColors {
     }
 
   private:
-    /// `channels` is 3 or 4 for a new colour. 0 stands for three channels that are added to the colour that
-    /// is there.
+    /// `channels` is 3 or 4 where a new colour is written. 0 means that three channels are added to the
+    /// colour that the packet has.
     [[gnu::noinline]] static void fill(PlacesOf<N>& places, const Span<Fixed>& span, const Affine* affine,
                                        const Projective* over_w, int channels) {
         auto& k = static_cast<Packet<N>&>(places);
         const bool adds = channels == 0, divides = span.kind == Kind::full;
         channels = adds ? 3 : channels;
-        std::uint64_t at[4], by[4], q = 0; // affine colours are in the low words
+        std::uint64_t at[4], by[4], q = 0; // an affine colour uses the low word
         for (int c = 0; c < channels; ++c) {
             at[c] = divides ? span.at(k.x, over_w[c]) : span.at(k.x, affine[c]);
             by[c] = divides ? over_w[c].dx : affine[c].dx;

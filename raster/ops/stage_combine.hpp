@@ -1,5 +1,5 @@
-// All texture units of one fragment, when one of them combines. Textures are sampled first, since any unit
-// may ask for the texture colour of another.
+// All texture units of one fragment, for states in which at least one unit combines. All textures are sampled
+// first, because any unit may ask for the texture colour of another.
 #pragma once
 
 #include "raster/ops/stage_texture_one.hpp"
@@ -9,7 +9,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Combines both units; it follows the stages of their coordinates and levels of detail.
+/// Combines all units. The stages that find coordinates and levels of detail come before it.
 template <class N> struct CombineUnits : StageBase {
     static constexpr unsigned second = max_texture_units > 1 ? field_coord << 1 | field_lod << 1 : 0;
     static constexpr unsigned in = field_color | field_coord | field_lod | second;

@@ -1,4 +1,4 @@
-// Texture coordinates of a fragment: affine over the primitive, or along runs.
+// Texture coordinates of a fragment. They are affine over the primitive, or they follow runs.
 #pragma once
 
 #include "raster/ops/coord_runs.hpp"
@@ -51,7 +51,7 @@ requires(N::lanes > 1) struct Coord<N, Unit, false> : StageBase {
     }
 };
 
-/// Stands in place of runs where the whole primitive is one affine run.
+/// Takes the place of runs where coordinates are affine over the whole primitive.
 struct NoRuns {
     SPANGLE_INLINE NoRuns(const Span<Fixed>&, std::int32_t, int) {}
 };
@@ -59,7 +59,7 @@ template <class Runs> inline constexpr bool is_cubic = requires(Runs r) {
     r.ds.third;
 };
 
-/// A coordinate that steps along a row, on a straight line or a cubic.
+/// A coordinate that steps along a row, on a straight line or on a cubic.
 template <bool Cubic> struct CoordWalk {
     std::uint32_t at;
     std::conditional_t<Cubic, Differences, std::uint32_t> by;
@@ -91,18 +91,20 @@ template <bool Cubic> struct CoordWalk {
             return true;
     }
     SPANGLE_INLINE void step_straight(std::uint32_t steps) { at = straight_ahead(steps); }
-    /// True where n steps go one way, not round the texture, and leave at >> shift as it is.
+    /// True where `at` >> shift stays the same over n steps. The n steps must be straight and go less than
+    /// half a repeat.
     SPANGLE_INLINE bool constant(std::uint32_t n, int shift) const {
         const auto down = static_cast<std::int32_t>(slope());
-        if (straight() && down == 0) // sprites: the step is 0, and no product is needed
+        if (straight() && down == 0) // sprites have the step 0, for which no product is needed
             return true;
-        // Most coordinates fail here, before the long product.
+        // Most coordinates fail the first comparison, so the long product comes after it.
         return straight() && at >> shift == straight_ahead(n) >> shift &&
                numeric::mul_u32(numeric::abs_u32(down), n) < 1u << 31;
     }
 };
 
-/// The form in which texture coordinates of a tier go on between two divisions.
+/// The runs of texture coordinates in the tier of N: cubic between two divisions in the exact tier, straight
+/// in the other tiers.
 template <class N> using RunsOf = std::conditional_t<std::is_same_v<N, Exact>, CubicRuns, CoordRuns>;
 
 template <class N, int Unit, class Runs> struct CoordAlong : StageBase {

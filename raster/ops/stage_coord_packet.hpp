@@ -1,5 +1,5 @@
-// Finds coordinates and levels of detail of units of the balanced and fast tiers, a packet at a time. For
-// small builds this is Coord and Lod of any unit and kind in one piece of code.
+// Finds coordinates and levels of detail of units in the balanced and fast tiers, a packet at a time. Small
+// builds have this one piece of code in place of Coord and Lod for each unit and kind.
 #pragma once
 
 #include "raster/ops/stage_texture.hpp"
@@ -9,7 +9,8 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Finds texture coordinates of packets. One body serves all number systems whose packets have these places.
+/// Finds texture coordinates of packets. One body of code serves all number systems that share this type of
+/// places.
 template <class Places> class PacketCoordinates {
   public:
     template <int Unit> static void run(Places& k, const Span<Fixed>& span) {

@@ -10,7 +10,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Compares as GL writes it: incoming OP stored.
+/// Compares as GL specifies it: incoming Func stored.
 template <Compare Func, class T> SPANGLE_INLINE constexpr bool compare(T incoming, T stored) {
     switch (Func) {
     case Compare::never:
@@ -33,9 +33,10 @@ template <Compare Func, class T> SPANGLE_INLINE constexpr bool compare(T incomin
     return true;
 }
 
-/// Compares in a mode that is known at run time.
+/// Compares by a function that is known only at run time.
 template <class T> SPANGLE_INLINE constexpr bool compare(Compare func, T incoming, T stored) {
-    // GL's order makes an enumerator the set of outcomes it lets pass: less 1, equal 2, greater 4.
+    // In GL's order an enumerator is the set of outcomes that pass: bit 0 is less, bit 1 is equal, bit 2 is
+    // greater.
     const unsigned outcome = incoming < stored ? 1u : incoming == stored ? 2u : 4u;
     return (static_cast<unsigned>(func) & outcome) != 0;
 }
@@ -44,7 +45,7 @@ template <class T> SPANGLE_INLINE constexpr bool compare(Compare func, T incomin
 template <class N> struct DepthValue : StageBase {
     Ramp<typename N::L> z;
     template <class S> SPANGLE_INLINE DepthValue(const S& s, std::int32_t x) : z(s, x, s.z) {}
-    /// All 32 bits of the depth, whose top bits are the code (one lane).
+    /// The depth as 32 bits, whose top bits are the code. Only stages of one lane call this.
     SPANGLE_INLINE std::uint32_t word() const { return z.at; }
     SPANGLE_INLINE void step() {
         if constexpr (is_raw<N>)
@@ -58,7 +59,7 @@ template <class N> struct DepthValue : StageBase {
 /// The interpolated depth of the fixed policy, for depth buffers of 24 bits.
 template <class N> struct DepthValue24 : StageBase {
     std::uint64_t z, dx;
-    bool of_lanes = false; ///< each lane has a place of its own, and `given` holds its depth
+    bool of_lanes = false; ///< each lane has its own place, and `given` holds the depth of each lane
     typename N::L::U32 given;
     SPANGLE_INLINE DepthValue24(const Span<typename N::Policy>& s, std::int32_t x)
         : z(s.at(x, s.z24)), dx(s.z24.dx) {}
@@ -76,14 +77,14 @@ template <class N> struct DepthValue24 : StageBase {
     SPANGLE_INLINE void step() { z += std::uint64_t{N::lanes} * dx; }
 };
 
-/// The depth value of a number system and a depth format. The reference has one for both formats, and so have
-/// builds without 24 bits.
+/// The depth value of a number system for a depth format. The reference policy, and builds without depths of
+/// 24 bits, have one type for both formats.
 template <class N, DepthFormat Format>
 using DepthValueOf = std::conditional_t<has_format(DepthFormat::z24s8) && Format == DepthFormat::z24s8 &&
                                             std::is_same_v<typename N::Policy, Fixed>,
                                         DepthValue24<N>, DepthValue<N>>;
 
-/// A depth value with the offset of polygons added (GL 1.3, 3.5.5), clamped.
+/// A depth value with the polygon offset added (GL 1.3, 3.5.5), clamped to the range of depths.
 template <class N, class Value = DepthValue<N>> struct OffsetDepthValue : Value {
     static_assert(N::lanes == 1);
     std::int64_t offset;
@@ -127,8 +128,8 @@ template <class N, Compare Func, bool Write> struct Depth<N, DepthFormat::z16, F
             return test(p.live, at, incoming);
         }
     }
-    /// Tests the codes of lanes. `live` loses the lanes that fail. Codes of lanes that pass are stored if the
-    /// stage writes depth.
+    /// Tests the depth codes of a group of lanes. Lanes that fail are cleared in `live`. Where the stage
+    /// writes depth, it stores the codes of lanes that pass.
     template <class Place>
     SPANGLE_INLINE static bool test(typename L::Mask& live, const Place& at,
                                     const typename L::U16& incoming) {
@@ -164,7 +165,7 @@ template <class N, Compare Func, bool Write> struct Depth<N, DepthFormat::z16, F
     }
 };
 
-/// The depth test of buffers with 24 bits of depth above 8 bits of stencil, which stay as they are.
+/// The depth test of words with 24 bits of depth above 8 bits of stencil. The stencil bits keep their values.
 template <class N, Compare Func, bool Write>
 struct Depth<N, DepthFormat::z24s8, Func, Write> : DepthValueOf<N, DepthFormat::z24s8> {
     static_assert(N::lanes == 1);
@@ -185,10 +186,10 @@ struct Depth<N, DepthFormat::z24s8, Func, Write> : DepthValueOf<N, DepthFormat::
     }
 };
 
-/// The lanes that pass a comparison whose mode is known at run time.
+/// The lanes that pass a comparison whose function is known only at run time.
 template <class L, class V>
 SPANGLE_INLINE typename L::Mask compare_depths(Compare func, const V& incoming, const V& stored) {
-    // An enumerator is the set of outcomes that it lets pass (see compare()).
+    // An enumerator of Compare is the set of outcomes that pass; compare() describes its bits.
     const auto when = [func](unsigned outcome) {
         return (static_cast<unsigned>(func) & outcome) != 0 ? L::all : L::negate(L::all);
     };
@@ -196,7 +197,7 @@ SPANGLE_INLINE typename L::Mask compare_depths(Compare func, const V& incoming, 
     return (less & when(1)) | (greater & when(4)) | (~(less | greater) & when(2));
 }
 
-/// The depth test of the chain: function and write mask are known at run time.
+/// The depth test of the chain. Its function and write mask are known only at run time.
 template <class N, DepthFormat Format, class Value = DepthValueOf<N, Format>> struct DepthGeneral : Value {
     static constexpr bool kill = true, effect = true;
     using L = typename N::L;
@@ -241,7 +242,7 @@ template <class N, DepthFormat Format, class Value = DepthValueOf<N, Format>> st
     }
 };
 
-/// Counts fragments that passed all tests (occlusion, statistics).
+/// Counts fragments that have passed all tests, for occlusion queries and statistics.
 template <class N> struct Count : StageBase {
     static constexpr bool effect = true, anywhere = true;
     std::uint32_t* passed;

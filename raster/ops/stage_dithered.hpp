@@ -1,4 +1,4 @@
-// Smooth colours of which only five and six dithered bits are stored.
+// Smooth colours that are dithered and stored as five and six bits.
 #pragma once
 
 #include "raster/ops/stage_color.hpp"
@@ -9,15 +9,15 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Thresholds of fragments in the form of Raw565::fraction5, walked along the row.
+/// The thresholds of fragments in the form of Raw565::fraction5(), stepped along the row.
 template <class N> struct WalkedFractions : inner::DitherPlace<typename N::L> {
     template <class S>
     SPANGLE_INLINE WalkedFractions(const S& s, std::int32_t x)
         : inner::DitherPlace<typename N::L>(s.x + x, s.y) {}
     SPANGLE_INLINE typename N::T of(const Px<N>&) const { return N::fraction5(this->threshold()); }
 };
-/// The thresholds of WalkedFractions, found by the fragment's number. This is for processors where masks are
-/// no operands and a rotation takes a register.
+/// The thresholds of WalkedFractions, looked up by the number of the fragment. Processors that cannot use
+/// masks as operands, and need a register to rotate by, are faster with it.
 template <class N> class NumberedFractions {
   public:
     SPANGLE_INLINE NumberedFractions(const PlaneRow& row, std::int32_t)
@@ -35,20 +35,20 @@ template <class N> class NumberedFractions {
   private:
     const std::uint32_t* from_;
 };
-/// Stands in place of thresholds where nothing is dithered.
+/// Takes the place of thresholds where nothing is dithered.
 template <class N> struct NoFractions {
     template <class S> SPANGLE_INLINE NoFractions(const S&, std::int32_t) {}
     SPANGLE_INLINE void step() {}
     SPANGLE_INLINE void next_row() {}
 };
 
-/// The thresholds of a list over rows, each of which has its own.
+/// The thresholds of a list over rows. Each row of the window has its own thresholds.
 template <int Count>
 using RowFractions = std::conditional_t<Count == 1 && !numeric::three_operands,
                                         NumberedFractions<Raw565<Count>>, WalkedFractions<Raw565<Count>>>;
 
-/// Smooth colours as the bits that are stored. Where they are dithered, set-up counts them in steps
-/// (Variant::steps), so that floor(step + t) is one sum.
+/// Smooth colours as the bits that are stored. Set-up counts dithered colours in steps (Variant::steps), so
+/// floor(step + threshold) takes one addition.
 template <int Count, class Fractions> struct GouraudTops : Gouraud<Raw565<Count>, false> {
     using N = Raw565<Count>;
     using Base = Gouraud<N, false>;
@@ -57,7 +57,7 @@ template <int Count, class Fractions> struct GouraudTops : Gouraud<Raw565<Count>
 
     template <class S> SPANGLE_INLINE GouraudTops(const S& s, std::int32_t x) : Base(s, x), fractions(s, x) {}
     SPANGLE_INLINE typename N::Tops tops(const Px<N>& p) const {
-        // The sums are not made before the depth test, because they would take its registers.
+        // The sums are made after the depth test, because they would take the registers that the test needs.
         if constexpr (dithers && Count == 1)
             numeric::begin_here();
         const typename N::Tops v = N::tops(this->r.at, this->g.at, this->b.at);
@@ -91,8 +91,8 @@ struct GouraudDithered : GouraudTops<Count, Fractions> {
     }
 };
 
-/// Dithered colours in rows of eight lanes. Eight columns are two periods of the pattern, so that the
-/// thresholds are added once, where the ramps start.
+/// Dithered colours in rows of eight lanes. Eight columns are two periods of the dither pattern. So the
+/// thresholds are added only once, where the ramps start.
 struct GouraudDitheredRow : Gouraud<Raw565<8>, false> {
     using N = Raw565<8>;
     using Base = Gouraud<N, false>;

@@ -1,5 +1,5 @@
-// Fog (GL 1.3, 3.10): makes the factor of the fog coordinate (draw_state.hpp, FogConstants) and blends with
-// it.
+// Fog (GL 1.3, 3.10). The stages make the fog factor of the fog coordinate (FogConstants, draw_state.hpp) and
+// blend with it.
 #pragma once
 
 #include "raster/numeric/power.hpp"
@@ -11,7 +11,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// The fog factor f with 24 fraction bits, 0 .. 2^24, of a coordinate in s7.24.
+/// The fog factor f in units of 2^-24, 0 .. 2^24, from the fog coordinate in s7.24.
 inline std::uint32_t fog_factor(FogMode mode, std::uint32_t coordinate) {
     if (mode == FogMode::linear) {
         constexpr std::int32_t one = 1 << 24;
@@ -26,7 +26,7 @@ inline std::uint32_t fog_factor(FogMode mode, std::uint32_t coordinate) {
            6;
 }
 
-/// Fog whose mode is known at run time.
+/// Fog whose mode is known only at run time.
 template <class N> struct Fog : StageBase {
     static constexpr unsigned in = field_color | field_fog, out = field_color;
     static constexpr bool anywhere = true;
@@ -54,13 +54,13 @@ template <class N> struct Fog : StageBase {
     }
 };
 
-/// Fog of FOG_MODE LINEAR.
+/// Fog with FOG_MODE LINEAR.
 template <class N> struct FogLinear : Fog<N> {
     using Fog<N>::Fog;
     SPANGLE_INLINE bool operator()(Px<N>& p) const { return this->blend(p, N::clamped_fraction(p.fog)); }
 };
 
-/// The first half of fog around MODULATE (fogs_light()), FOG_MODE LINEAR: dims light by the fog factor.
+/// The first half of linear fog around MODULATE (fogs_light()): it multiplies light by the fog factor.
 template <class N> struct FogLight : StageBase {
     static constexpr unsigned in = field_color | field_fog, out = field_color;
     static constexpr bool anywhere = true;
@@ -73,8 +73,8 @@ template <class N> struct FogLight : StageBase {
         return true;
     }
 };
-/// The second half of fog around MODULATE: adds the fog's share. Steps: the texel is counted in steps
-/// (counts_steps()).
+/// The second half of linear fog around MODULATE: it adds the fog's colour times 1 - f. Steps: the texel is
+/// counted in steps (counts_steps()).
 template <class N, bool Steps = false> struct FogShare : Fog<N> {
     template <class S> SPANGLE_INLINE FogShare(const S& s, std::int32_t x) : Fog<N>(s, x) {
         if constexpr (Steps) {
@@ -93,8 +93,9 @@ template <class N, bool Steps = false> struct FogShare : Fog<N> {
     }
 };
 
-/// The fog factor in lanes, from an affine coordinate. The coordinate is not clamped where set-up saw that
-/// all of it lies inside [0, 1) (Span::fog_inside); it is then scaled so that the factor is its high half.
+/// The fog factor in lanes, from an affine coordinate. Where set-up has seen that all coordinates lie in [0,
+/// 1) (Span::fog_inside), none is clamped. The coordinate is scaled then, so that its high half is the
+/// factor.
 template <class N> struct FogFactorLanes : StageBase {
     using L = typename N::L;
     static constexpr int up = 8;

@@ -1,5 +1,5 @@
-// Fog and the store that follows it as one stage of the exact tier. It makes the bytes of FogLinear and
-// Store, which round once each. Fused spans of one lane only.
+// Fog and the store after it, as one stage of the exact tier. It makes the bytes of FogLinear followed by
+// Store, which round once each. Only fused spans of one lane use it.
 #pragma once
 
 #include "raster/ops/stage_fog.hpp"
@@ -9,9 +9,9 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Blends with the fog's colour and stores. The fog's colour includes half a 255th, unless colours are
-/// dithered. Four times the fog's colour is subtracted from four times the fragment's, because the factor has
-/// 30 fraction bits.
+/// Blends with the fog's colour and stores. The kept fog colour includes half a 255th for rounding, unless
+/// colours are dithered. The difference of the colours is multiplied by 4, because the fog factor has 30
+/// fraction bits and the product keeps its high 32 bits.
 template <PixelFormat Format, bool Dither> struct FoggedStore : StageBase {
     using N = Exact;
     static constexpr unsigned in = field_color | field_fog;

@@ -1,5 +1,5 @@
-// Perspective-correct colour of the exact tier where only its top bits are stored. They are the top bits of
-// the affine colour, unless a step lies between the two colours.
+// Perspective-correct colour of the exact tier on surfaces that store only its top bits. The affine colour
+// has the same top bits, unless a step of these bits lies between the two colours.
 #pragma once
 
 #include "raster/ops/stage_dithered.hpp"
@@ -10,13 +10,15 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// The stored word of the divided colour at window (x, y), which is what GouraudQ<Exact, false> gives.
+/// The stored word of the divided colour at window position (x, y). It is the word that GouraudQ<Exact,
+/// false> leads to.
 std::uint32_t divided_word(Span<Fixed>& span, std::int32_t x, std::int32_t y);
 
-/// Span::guess says where a step may lie between the affine colour and the divided one. Eight lanes look at
-/// sixteen bits of the colour and leave division to other code (Px::open, divide_open), because a loop that
-/// calls functions keeps nothing in registers. Dithered colours are counted in steps (Variant::steps), and a
-/// threshold moves both colours.
+/// Colours that are guessed from the affine colour. Span::guess says where a step may lie between the affine
+/// colour and the divided colour. Eight lanes look at 16 bits of the colour and leave divisions to
+/// divide_open(): a loop that calls functions keeps nothing in registers. The lanes that need a division are
+/// told in Px::open. Dithered colours are counted in steps (Variant::steps). A threshold moves the affine and
+/// the divided colour by the same amount.
 template <int Count, bool Dither>
 using GuessedTops =
     GouraudTops<Count, std::conditional_t<Dither, RowFractions<Count>, NoFractions<Raw565<Count>>>>;
@@ -44,7 +46,8 @@ template <int Count, bool Dither> struct GouraudGuessed : GuessedTops<Count, Dit
     }
 
   private:
-    /// With one lane the stage divides at once, and must know where it is.
+    /// The place of the fragment: with one lane the stage calls divided_word() at once, and needs window
+    /// coordinates.
     struct RowPosition {
         const PlaneRow& row;
     };
@@ -52,8 +55,8 @@ template <int Count, bool Dither> struct GouraudGuessed : GuessedTops<Count, Dit
         template <class S> SPANGLE_INLINE explicit NoPosition(const S&) {}
     };
     [[no_unique_address]] std::conditional_t<Count == 1, RowPosition, NoPosition> current_row_;
-    /// The test in eight lanes. A component with ones in place of its step bits, negated, is what it lacks of
-    /// the next step. The doubt is the same for steps of five bits and of six.
+    /// The test in eight lanes. Ones in place of the step bits make a component a negative half-word: minus
+    /// what it lacks of the next step. Steps of five bits and of six bits have the same doubt.
     class MissingToNextStep {
       public:
         SPANGLE_INLINE explicit MissingToNextStep(const Span<Fixed>::ColorGuess& guess)
@@ -73,7 +76,8 @@ template <int Count, bool Dither> struct GouraudGuessed : GuessedTops<Count, Dit
     std::conditional_t<Count == 1, Span<Fixed>::ColorGuess, MissingToNextStep> limit_;
 };
 
-/// Divides and stores the colours of the open lanes of eight fragments, the first of which is at (x, y).
+/// Divides and stores the colours of the open lanes of eight fragments. The first fragment is at window
+/// position (x, y).
 template <PixelFormat Format, class L = Lanes<8>>
 [[gnu::noinline]] void divide_open(Span<Fixed>& span, typename L::Place color, const Lanes<8>::Mask& open,
                                    std::int32_t x, std::int32_t y) {

@@ -1,5 +1,6 @@
-// Stages of index surfaces (GL 1.3, 3.10, 3.11, 4.1.8, 4.1.9): the index stands in the place of red. An index
-// is counted as a 255th is, so that interpolation, packets and read-back are those of colours.
+// Stages of index surfaces (GL 1.3, 3.10, 3.11, 4.1.8, 4.1.9). The index takes the place of the red
+// component. One step of the index is counted as one 255th. So interpolation, packets and read-back of
+// colours serve indices, too.
 #pragma once
 
 #include "raster/ops/stage_fog.hpp"
@@ -9,12 +10,12 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// The index nearest to v, at most the last one.
+/// The index nearest to v, limited to the largest index.
 template <class N> SPANGLE_INLINE std::uint32_t nearest_index(typename N::T v) {
     return N::to8(v < N::one ? v : N::one);
 }
 
-/// Fog of an index: I = i_r + (1 - f) i_f, where whole numbers beyond the last index are masked (GL 1.3,
+/// Fog of an index: I = i_r + (1 - f) i_f, of which the bits above the largest index are masked off (GL 1.3,
 /// 3.10).
 template <class N> struct FogIndex : StageBase {
     static_assert(N::lanes == 1);
@@ -31,14 +32,14 @@ template <class N> struct FogIndex : StageBase {
     }
 };
 
-/// The low four bits of an index say how much is covered: 0 is nothing, 15 is everything (GL 1.3, 3.2). A
-/// fraction of the index would carry into them, so it is rounded away before.
+/// Antialiasing of an index: its low four bits become the coverage, from 0 for none to 15 for all (GL 1.3,
+/// 3.2). The index is rounded first, because a fraction would carry into these bits.
 template <class N> struct IndexCoverage : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned in = field_color, out = field_color;
     static constexpr std::uint32_t bits = 15;
     bool antialiased;
-    const std::uint32_t* at; ///< coverage of this pixel; null: 1
+    const std::uint32_t* at; ///< coverage of this pixel; null where every pixel is covered fully
     IndexCoverage(const Span<typename N::Policy>& s, std::int32_t x)
         : antialiased(s.state->primitive->antialiased), at(s.state->primitive->coverage) {
         if (at != nullptr)

@@ -1,4 +1,4 @@
-// NEAREST of one REPEAT image in eight lanes, which may look anywhere in it. Fused spans only.
+// NEAREST of one REPEAT image in eight lanes, each of which may read any texel. Only fused spans use it.
 #pragma once
 
 #include "raster/ops/stage_texture.hpp"
@@ -17,21 +17,23 @@ template <class T> class TexelLanes : public T {
     SPANGLE_INLINE TexelLanes(const S& span, std::int32_t x)
         : T(span, x), width_(size(this->log2_width)), height_(size(this->log2_height)) {}
 
-    /// True for images of at most 2^16 texels, whose texels 16 bits of a coordinate tell apart.
+    /// True for images of at most 2^16 texels: the high 16 bits of the coordinates are enough to tell all
+    /// texels apart.
     SPANGLE_INLINE bool is_small() const {
         return this->log2_width < 16 && this->log2_height < 16 && this->log2_width + this->log2_height <= 16;
     }
-    /// The words of the texels with these numbers, counted from the first texel of the image.
+    /// The words of the texels with these numbers, which count from the first texel of the image.
     SPANGLE_INLINE auto words_of(const std::uint16_t* index) const {
         return T::words([&](std::uint32_t k)
                             __attribute__((always_inline)) { return T::texel(this->texels, index[k]); });
     }
 
-    /// Numbers of texels, counted from the first, from the high halves of s and t, where 16 bits are enough.
+    /// The numbers of the texels at s and t, which are the high halves of coordinates. Images are those of
+    /// is_small().
     SPANGLE_INLINE typename L::U16 index_at(const typename L::U16& s, const typename L::U16& t) const {
         return L::mul_high(t, height_) * width_ + L::mul_high(s, width_);
     }
-    /// The planes of s and t with nearest_bias() added.
+    /// The plane of s with nearest_bias() added; t_plane() does the same for t.
     template <class S> SPANGLE_INLINE Span<Fixed>::Affine s_plane(const S& span, int unit) const {
         return {span.s[unit].value + nearest_bias(this->log2_width), span.s[unit].dx, span.s[unit].dy};
     }
@@ -40,9 +42,10 @@ template <class T> class TexelLanes : public T {
     }
 
   protected:
-    /// The words of the texels with these numbers, counted from the first texel of the image.
+    /// The words of the texels with these numbers, which count from the first texel of the image.
     SPANGLE_INLINE auto words_of(const typename L::U32& index) const {
-        // Addresses are scalars: numbers that were stored as vectors are read again word by word.
+        // Each address is computed from a scalar, so the vectors of numbers are stored and read back word by
+        // word.
         alignas(16) std::uint32_t at[2][4];
         __builtin_memcpy(at[0], &index.even, 16);
         __builtin_memcpy(at[1], &index.odd, 16);
@@ -50,28 +53,29 @@ template <class T> class TexelLanes : public T {
             return T::texel(this->texels, at[k & 1][k >> 1]);
         });
     }
-    /// The words of the texels with these numbers, in images of up to 2^16 texels.
+    /// The words of the texels with these numbers, in images of at most 2^16 texels.
     SPANGLE_INLINE auto words_of(const typename L::U16& index) const {
         return T::words([&](std::uint32_t k)
                             __attribute__((always_inline)) { return T::texel(this->texels, index[k]); });
     }
-    /// The words of the texels at s and t in repeats, with nearest_bias() added; every value lies inside of
-    /// the image.
+    /// The words of the texels at s and t, which include nearest_bias(). A coordinate is in units of 2^-32 of
+    /// the repeat, so every value lies inside of the image.
     SPANGLE_INLINE auto words_at(const typename L::U32& s, const typename L::U32& t) const {
         return words_of((texel(t, this->log2_height) << this->log2_width) | texel(s, this->log2_width));
     }
 
   private:
     typename L::U16 width_, height_;
-    /// A size of 2^16 does not fit 16 bits, and is not used.
+    /// The number of texels along an axis. A size of 2^16 does not fit 16 bits; the product with it is not
+    /// used then.
     SPANGLE_INLINE static typename L::U16 size(int log2_size) { return L::splat(1u << (log2_size & 15)); }
-    /// The shift stays below 32, also where the axis has one texel.
+    /// The number of the texel along an axis. The shift stays below 32 even where the axis has one texel.
     SPANGLE_INLINE static typename L::U32 texel(const typename L::U32& v, int log2_size) {
         return v >> 1 >> (31 - log2_size);
     }
 };
 
-/// NEAREST with coordinates that are affine over the primitive.
+/// The NEAREST filter for coordinates that are affine over the primitive.
 template <class T, int Unit> class NearestLanes : public TexelLanes<T> {
   public:
     using N = typename T::System;

@@ -1,4 +1,4 @@
-// Finds levels of detail of a unit, a packet at a time, in lanes: the integers of LevelOfDetail.
+// Finds levels of detail of a unit for a packet at a time, in lanes. The integers are those of LevelOfDetail.
 #pragma once
 
 #include "raster/ops/lane_log2.hpp"
@@ -30,7 +30,8 @@ class LevelLanes {
         bias_u_ = (shares_logarithm_ ? width << 8 : log2_fraction8(base.width) + (halves.s << 8)) + exponent;
         bias_v_ = shares_logarithm_ ? 0 : log2_fraction8(base.height) + (halves.t << 8) + exponent;
     }
-    /// The levels at fragments with these s, t and q, which have no guard bits.
+    /// The levels of detail (s23.8) at fragments with these s, t and q, from which the guard bits are
+    /// removed.
     SPANGLE_INLINE LaneWords at(const LaneWords& s, const LaneWords& t, const LaneWords& q) const {
         return LaneWords::mapped(
             [this](const auto& at_s, const auto& at_t, const auto& over_w) __attribute__((always_inline)) {
@@ -43,13 +44,13 @@ class LevelLanes {
 
   private:
     struct Slopes {
-        std::int32_t dx, dy; ///< differences from pixel to pixel, and from row to row
+        std::int32_t dx, dy; ///< differences from pixel to pixel and from row to row
     };
     Slopes s_, t_, q_;
-    bool is_1d_;                   ///< 1D textures: only s counts
-    bool shares_logarithm_;        ///< both sides are powers of two: one logarithm serves both axes
-    int log2_aspect_;              ///< log2 of the height less log2 of the width
-    std::int32_t bias_u_, bias_v_; ///< constants that are added to the logarithms
+    bool is_1d_;                   ///< true for 1D textures, of which only s counts
+    bool shares_logarithm_;        ///< both sizes are powers of two, so one logarithm serves both axes
+    int log2_aspect_;              ///< log2 of height / width
+    std::int32_t bias_u_, bias_v_; ///< constants in 256ths that are added to the logarithms
 
     template <class Vector>
     SPANGLE_INLINE inner::LongPair<Vector> along(const Slopes& of, const Vector& v, const Vector& q) const {

@@ -1,4 +1,4 @@
-// The NEAREST filter of one REPEAT image along a span.
+// The NEAREST filter of one REPEAT image, whose coordinates are walked along a span.
 #pragma once
 
 #include "raster/ops/number_packed.hpp"
@@ -13,19 +13,19 @@ struct NearestPosition {
     static constexpr std::uint32_t origin(int log2_size) { return 0 - nearest_bias(log2_size); }
 };
 
-/// T is a TextureFixed with Filter::nearest.
+/// The filter at the place of each fragment. T is a TextureFixed with Filter::nearest.
 template <class T, int Unit, class Runs>
 class NearestWalk : public TexelWalk<T, Unit, Runs, NearestPosition> {
     using Base = TexelWalk<T, Unit, Runs, NearestPosition>;
     using Base::s, Base::t;
-    /// Sprites: the texels of such a row follow each other. Fragments are counted up to 0 (fused.hpp), and so
-    /// are texels.
+    /// True where consecutive fragments of a row read consecutive texels, as sprites do. Fragments count up
+    /// to 0 (fused.hpp), and texels are addressed by the same count.
     static constexpr bool in_order = is_packed<typename Base::N> && !Base::runs;
 
   public:
     using N = typename Base::N;
-    /// With several lanes only whole rows of words gain from row(). With one lane texels gain if little else
-    /// is done with them.
+    /// Whether the stage has row(). With several lanes, only rows whose texels are loaded as whole words gain
+    /// from it. With one lane it pays where little else is done with texels.
     static constexpr bool rows = N::lanes == 1 ? T::stores_texels : T::loads_words;
 
     SPANGLE_INLINE NearestWalk(const Span<Fixed>& span, std::int32_t x)
@@ -73,7 +73,8 @@ class NearestWalk : public TexelWalk<T, Unit, Runs, NearestPosition> {
     }
 
   private:
-    /// A coordinate times the width has the column in its high word, and one factor serves rows and columns.
+    /// True where the texel's number is made by products. The high word of coordinate * width is the column,
+    /// and the same factor serves rows.
     static constexpr bool by_product = N::lanes == 1 && !rows && numeric::long_products;
     struct Width {
         std::uint32_t v;
@@ -86,7 +87,7 @@ class NearestWalk : public TexelWalk<T, Unit, Runs, NearestPosition> {
     const std::uint8_t* texel_row_;
     bool is_one_to_one_;
 
-    /// True where n texels are left in the row.
+    /// True where at least n texels are left in the row.
     SPANGLE_INLINE bool inside(std::int32_t n) const {
         return static_cast<std::int32_t>(s.texel()) + n <= 1 << this->log2_width;
     }

@@ -1,4 +1,4 @@
-// Colours that come with their fragments: the pixels of a pixel rectangle (GL 1.3, 3.6.4).
+// Colours that come with the fragments, as the pixels of a pixel rectangle do (GL 1.3, 3.6.4).
 #pragma once
 
 #include "raster/ops/stage.hpp"
@@ -21,7 +21,8 @@ template <class N> struct PixelColor : StageBase {
     SPANGLE_INLINE void step() { at += 4; }
 };
 
-/// Reads the words that are stored. Behind the last word there is room for a whole group.
+/// Reads the R5 G6 B5 words that are to be stored. The caller's buffer has room for a whole group of lanes
+/// behind the last word.
 template <int Count> struct PixelWord : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<Count>;

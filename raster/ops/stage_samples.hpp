@@ -1,5 +1,6 @@
-// Multisample fragment operations (GL 1.3, 4.1.3): alpha, or a value of the state, says which of a pixel's
-// samples are covered. A list draws one sample, so dropping a fragment drops its sample.
+// Multisample fragment operations (GL 1.3, 4.1.3). Alpha, or a value of the state, says which samples of a
+// pixel are covered. A list of stages draws one sample, so a dropped fragment is a sample that is not
+// covered.
 #pragma once
 
 #include "raster/ops/stage.hpp"
@@ -11,14 +12,15 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Whether a value k / 255 covers a sample at a pixel whose dither threshold is t / 32. The value covers 4 k
-/// / 255 samples, rounded up where the rest is more than the threshold. So 0 covers no sample and 255 covers
-/// all four; the rest is spread over neighbouring pixels.
+/// Whether a value k / 255 covers this sample at a pixel whose dither threshold is t / 32. The value covers 4
+/// k / 255 samples. The fraction of that number adds one sample where it is more than the threshold, so
+/// dithering spreads it over neighbouring pixels. Value 0 covers no sample, and value 255 covers all four.
 constexpr bool covers_sample(std::uint32_t k, unsigned sample, std::uint32_t threshold) {
     return k * (sample_count * 32) > 255 * (32 * sample + threshold);
 }
 
-/// Applies the temporary coverage of alpha, then sets alpha to 1, then applies the coverage of the value.
+/// Applies the temporary coverage that alpha gives, then sets alpha to 1, then applies the coverage value. GL
+/// sets each step on or off.
 template <class N> struct SampleCoverage : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned in = field_color, out = field_color;

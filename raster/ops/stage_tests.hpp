@@ -8,7 +8,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// The alpha test. Alpha is rounded to 8 bits, as the reference value was.
+/// The alpha test. Alpha is rounded to 8 bits, as GL's reference value was when it was set.
 template <class N> struct AlphaTest : StageBase {
     static constexpr unsigned in = field_color;
     static constexpr bool kill = true, anywhere = true;
@@ -27,7 +27,7 @@ template <class N> struct AlphaTest : StageBase {
     }
 };
 
-/// The value that an operation makes of a stored stencil value.
+/// The value that a stencil operation makes of a stored value. All values have 8 bits.
 constexpr std::uint32_t stencil_result(StencilOp op, std::uint32_t stored, std::uint32_t ref) {
     switch (op) {
     case StencilOp::keep:
@@ -50,7 +50,7 @@ constexpr std::uint32_t stencil_result(StencilOp op, std::uint32_t stored, std::
     return stored;
 }
 
-/// stencil_result() for eight values at once.
+/// Does what stencil_result() does, for eight values at once.
 template <class L>
 SPANGLE_INLINE typename L::U16 stencil_results(StencilOp op, const typename L::U16& stored,
                                                std::uint32_t ref) {
@@ -75,8 +75,8 @@ SPANGLE_INLINE typename L::U16 stencil_results(StencilOp op, const typename L::U
     return stored;
 }
 
-/// The stencil test and, when it is on, the depth test after it. Words hold 24 bits of depth above 8 of
-/// stencil.
+/// The stencil test and, where it is on, the depth test after it. A word of the buffer holds 24 bits of depth
+/// above 8 bits of stencil.
 template <class N, class Value = DepthValueOf<N, DepthFormat::z24s8>> struct StencilDepth : Value {
     static constexpr bool kill = true, effect = true;
     const FragmentState& state;

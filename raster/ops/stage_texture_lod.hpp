@@ -1,5 +1,5 @@
-// The level of detail (GL 1.3, 3.8.8): lambda = log2 of the largest derivative of u and v along x and y,
-// which is one of the approximations that the specification allows.
+// The level of detail (GL 1.3, 3.8.8). Lambda is log2 of the largest derivative of u and v along x and y,
+// which is an approximation that the specification allows.
 #pragma once
 
 #include "raster/ops/stage_coord.hpp"
@@ -26,7 +26,8 @@ class LevelOfDetail {
         return level_of_detail(in_texels(ds, dt) - (32 << 8));
     }
 
-    /// Lambda at pixel x. d(S/Q) = (dS Q - S dQ) / Q^2, of which only the logarithm is needed.
+    /// Lambda at pixel x, s23.8. The derivative d(S/Q) is (dS Q - S dQ) / Q^2, of which only the logarithm is
+    /// needed.
     [[gnu::noinline]] std::int32_t projective(std::int32_t x) const {
         const auto& unit = span_.unit[unit_];
         const auto& q = unit.shares_q ? span_.q : unit.q;
@@ -49,7 +50,7 @@ class LevelOfDetail {
 
     static std::uint64_t largest(std::uint64_t a, std::uint64_t b) { return a > b ? a : b; }
 
-    /// The logarithm of the largest of the four derivatives, in texels.
+    /// log2 of the largest of the four derivatives, in texels, with 8 fraction bits.
     std::int32_t in_texels(std::uint64_t ds, std::uint64_t dt) const {
         const Texture& texture = *span_.state->fragment.unit[unit_].texture;
         const TextureLevel& base = texture.level[0];

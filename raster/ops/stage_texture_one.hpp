@@ -7,8 +7,9 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Samples by three coordinates, or by two coordinates that stages before it have found (HasLod: and a level
-/// of detail). Steps: MODULATE is done with texels in steps, N::in_steps().
+/// Samples by three coordinates of its own, or by the two coordinates that earlier stages have found. HasLod:
+/// an earlier stage has found a level of detail. Steps: MODULATE takes texels in steps of the surface,
+/// N::in_steps().
 template <class N, int Unit, bool HasLod, bool Steps = false> struct Texture2D : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned in = field_color | field_coord << Unit | (HasLod ? field_lod << Unit : 0u);

@@ -1,4 +1,5 @@
-// Stages of the reference policy that differ from the product's in more than their number system. Hosts only.
+// Stages of the reference policy whose code differs from the product's stages in more than the number system.
+// They are compiled on hosts only.
 #pragma once
 
 #include <bit>
@@ -16,7 +17,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// A stage of the reference, which evaluates its planes anew at every pixel.
+/// Base of the reference stages. They evaluate their planes anew at every pixel.
 struct ReferenceStage : StageBase {
     const Span<Double>& span;
     std::int32_t x;
@@ -26,7 +27,8 @@ struct ReferenceStage : StageBase {
     double divided(const Interpolant<double>& v) const { return span.at(x, v) / span.at(x, span.q); }
 };
 
-/// The depth code: the nearest k of k / (2^m - 1), in the top bits as DepthGeneral and StencilDepth take it.
+/// The depth code: the k for which k / (2^m - 1) is nearest to the depth, for m depth bits. The code stands
+/// in the top bits of the word, where DepthGeneral and StencilDepth read it.
 template <> struct DepthValue<Reference> : StageBase {
     const Span<Double>& span;
     std::int32_t x;
@@ -109,7 +111,7 @@ inline double reference_fog(const FragmentState& state, double distance) {
     case FogMode::exp2:
         return clamp01(std::exp(-density * distance * density * distance));
     case FogMode::linear:
-        // FogConstants say why the divisor is 1.
+        // FogConstants (draw_state.hpp) treats equal ends in the same way: the divisor is 1 then.
         return clamp01((end - distance) / (end != start ? end - start : 1));
     }
     return 1;
@@ -146,14 +148,14 @@ template <int Unit> struct Coord<Reference, Unit, false> : ReferenceCoord<Unit> 
     using ReferenceCoord<Unit>::ReferenceCoord;
 };
 
-/// rho, kept where its logarithm is finite. Either end is beyond what any level of detail needs.
+/// Limits rho to a range in which its logarithm is finite. No level of detail needs values beyond this range.
 inline double finite_scale(double rho) {
     constexpr double least = 0x1p-60, most = 0x1p60;
     return std::fmin(std::fmax(rho, least), most);
 }
 
-/// lambda = log2 max(|du/dx|, |dv/dx|, |du/dy|, |dv/dy|). This is a legal f of GL, and every policy uses it.
-/// Lambda has 8 fraction bits by definition.
+/// lambda = log2 max(|du/dx|, |dv/dx|, |du/dy|, |dv/dy|). GL allows this approximation of rho, and every
+/// policy uses it. Lambda has 8 fraction bits by definition.
 template <int Unit> struct Lod<Reference, Unit> : ReferenceStage {
     static constexpr unsigned out = field_lod << Unit;
     using ReferenceStage::ReferenceStage;
@@ -175,7 +177,8 @@ template <int Unit> struct Lod<Reference, Unit> : ReferenceStage {
     }
 };
 
-/// Samples by the formulas of GL 1.3, 3.8.7 to 3.8.9; filter weights and lambda have 8 bits by definition.
+/// Samples by the formulas of GL 1.3, 3.8.7 to 3.8.9. Filter weights and lambda have 8 fraction bits by
+/// definition, in the reference, too.
 struct ReferenceSampler {
     using Color = Reference::Color;
     const Texture& texture;
@@ -211,7 +214,8 @@ struct ReferenceSampler {
     }
 
   private:
-    /// The wrapped coordinate. MIRRORED_REPEAT counts two repeats, of which the second runs backwards.
+    /// The wrapped coordinate. With MIRRORED_REPEAT the period is two repeats, of which the second one runs
+    /// backwards.
     static double wrapped(Wrap wrap, double s, double n) {
         const auto between = [&](double low, double high) { return s < low ? low : s > high ? high : s; };
         switch (wrap) {
@@ -228,8 +232,8 @@ struct ReferenceSampler {
         }
         return 0;
     }
-    /// The texel that stands for texel i (GL 2.0, 3.8.8). CLAMP_TO_EDGE samples edge texels only: texels
-    /// behind them have the weight 0.
+    /// The texel that stands for texel i of an unbounded image (GL 2.0, 3.8.8). With CLAMP_TO_EDGE, texels
+    /// beyond the edge have the weight 0.
     static int equivalent(Wrap wrap, int i, int n) {
         switch (wrap) {
         case Wrap::repeat:
@@ -242,7 +246,7 @@ struct ReferenceSampler {
             return i >= n ? n - 1 : i;
         case Wrap::clamp:
         case Wrap::clamp_to_border:
-            break; // these have texels beyond the edge: those of the border
+            break; // texels beyond the edge are border texels
         }
         return i;
     }
@@ -271,12 +275,12 @@ struct ReferenceSampler {
             k * static_cast<std::ptrdiff_t>(image.stride) * (image.height + 2 * texture.border_texels);
         return image_at(image, filter, s, t);
     }
-    /// The place in 256ths of a texel from the centre of the first texel, to nearest.
+    /// The place, counted in 256ths of a texel from the centre of the first texel and rounded to the nearest.
     static int place_between(double at) { return static_cast<int>(std::floor((at - 0.5) * 256 + 0.5)); }
     static int index(Wrap wrap, double at, int n) {
         const int i = static_cast<int>(std::floor(at + 1.0 / (1 << nearest_bias_bits)));
         const bool wraps = wrap == Wrap::repeat || wrap == Wrap::mirrored_repeat;
-        return !wraps && i == n && at <= n ? n - 1 : i; // s = 1 is the last texel
+        return !wraps && i == n && at <= n ? n - 1 : i; // s = 1 belongs to the last texel
     }
     Color border() const {
         const std::uint8_t* const c = texture.border_color;
@@ -304,7 +308,8 @@ struct ReferenceSampler {
             return compared(outside && texture.border_texels == 0 ? border().r : stored(image, i, j).r);
         return outside && texture.border_texels == 0 ? border() : stored(image, i, j);
     }
-    /// The result of comparing r with a depth; both are counted in the steps of the depth's format.
+    /// The result of comparing r with a stored depth. Both are counted in the steps of the texture's depth
+    /// format.
     Color compared(double depth) const {
         const double most = texture.format == TexelFormat::z16 ? 65535 : 16777215;
         const auto code = [&](double v) { return static_cast<std::uint32_t>(clamp01(v) * most + 0.5); };
@@ -344,8 +349,8 @@ template <int Unit, bool HasLod> struct Texture2D<Reference, Unit, HasLod> : Ref
     Reference::Color in_volume(const TextureUnit& unit) const;
 };
 
-/// Samples by three divided coordinates and the lambda of all of them, by the formulas of GL 1.3, 3.8.6 and
-/// 3.8.8.
+/// Samples by three divided coordinates, by the formulas of GL 1.3, 3.8.6 and 3.8.8. Lambda is made from the
+/// derivatives of all coordinates.
 template <int Unit, bool HasLod>
 Reference::Color Texture2D<Reference, Unit, HasLod>::in_volume(const TextureUnit& unit) const {
     const Texture& texture = *unit.texture;
