@@ -264,7 +264,7 @@ template <class N, PixelFormat Format, class Chain> void add_coarse(Chain& chain
 }
 
 template <class N, PixelFormat Format> void add_any_blending(ChainBuilder<N>& chain) {
-    if constexpr (by_lanes<N>)
+    if constexpr (by_lanes<N> || (is_fixed<N> && has_shortcuts))
         chain.add(&blend_packet<N, Format>, true);
     else
         chain.template add<Blend<N, Stored<N, Format>>>();

@@ -14,41 +14,42 @@ inline namespace SPANGLE_INSTRUCTIONS {
 template <class N> struct PacketOperand {
     using Color = typename N::Color;
     using T = typename N::T;
-    using Component = T Color::*;
-    static constexpr Component components[4] = {&Color::r, &Color::g, &Color::b, &Color::a};
+    static constexpr std::int32_t color_step = sizeof(Color) / sizeof(T);
 
-    const Color* colors;
-    Component component;
-    std::int32_t step; ///< 1; or 0, where all groups have the value of the first
+    const T* values;
+    std::int32_t step; ///< from group to group; 0, where all groups have the value of the first
 
     /// Component c of the colours of all groups.
-    SPANGLE_INLINE static PacketOperand of(const Color* colors, int c) { return {colors, components[c], 1}; }
+    SPANGLE_INLINE static PacketOperand of(const Color* colors, int c) {
+        return {reinterpret_cast<const T*>(colors) + c, color_step};
+    }
     /// Component c of one colour, for all groups.
     SPANGLE_INLINE static PacketOperand constant(const Color& color, int c) {
-        return {&color, components[c], 0};
+        return {reinterpret_cast<const T*>(&color) + c, 0};
     }
     /// 0 in all groups.
     SPANGLE_INLINE static PacketOperand zero() {
         static constexpr Color none{};
         return constant(none, 0);
     }
-    SPANGLE_INLINE const T& operator[](std::int32_t group) const { return colors[group * step].*component; }
+    SPANGLE_INLINE const T& operator[](std::int32_t group) const { return values[group * step]; }
 };
 
-/// Component c of colours of a packet, as a loop writes it.
+/// Where a loop writes one component: in colours of a packet, or in values of their own.
 template <class N> struct PacketResult {
     using Operand = PacketOperand<N>;
-    typename N::Color* colors;
-    typename Operand::Component component;
-    std::int32_t groups;
+    using T = typename N::T;
+    T* values;
+    std::int32_t step, groups;
 
     SPANGLE_INLINE PacketResult(typename N::Color* to, int c, std::int32_t n)
-        : colors(to), component(Operand::components[c]), groups(n) {}
-    SPANGLE_INLINE Operand operand() const { return {colors, component, 1}; }
+        : values(reinterpret_cast<T*>(to) + c), step(Operand::color_step), groups(n) {}
+    SPANGLE_INLINE PacketResult(T* to, std::int32_t n) : values(to), step(1), groups(n) {}
+    SPANGLE_INLINE Operand operand() const { return {values, step}; }
     /// Writes f of the operands, group by group. An operand may be the result itself.
     template <class F, class... Of> SPANGLE_INLINE Operand set(F f, const Of&... of) const {
         for (std::int32_t g = 0; g < groups; ++g)
-            colors[g].*component = f(of[g]...);
+            values[g * step] = f(of[g]...);
         return operand();
     }
 };

@@ -1,5 +1,5 @@
-// Blends a packet at a time, by any equation and factors (GL 1.3, 4.1.7; GL 1.4, 4.1.7). Lanes only. The
-// bytes are those of Blend.
+// Blends a packet at a time, by any equation and factors (GL 1.3, 4.1.7; GL 1.4, 4.1.7). The bytes are those
+// of Blend.
 #pragma once
 
 #include "raster/ops/packet_operand.hpp"
@@ -62,7 +62,7 @@ template <class N> class PacketBlend {
             return set(smaller, cs, cd);
         if (by.equation == BlendEquation::max)
             return set(larger, cs, cd);
-        Color products[2][PlacesOf<N>::groups];
+        T products[2][PlacesOf<N>::groups];
         const Operand source = times(cs, by.src, c, products[0]), stored = times(cd, by.dst, c, products[1]);
         const auto sum = [](const T& a, const T& b) __attribute__((always_inline)) {
             return N::add(a, b);
@@ -79,8 +79,8 @@ template <class N> class PacketBlend {
     }
 
     /// The products value * factor in component c; the factors 0 and 1 are exact. `to` is room for them.
-    Operand times(const Operand& value, BlendFactor factor, int c, Color* to) const {
-        const Result result(to, c, groups_);
+    Operand times(const Operand& value, BlendFactor factor, int c, T* to) const {
+        const Result result(to, groups_);
         const auto by = [&](const Operand& of) __attribute__((always_inline)) {
             return result.set(
                 [](const T& v, const T& f) __attribute__((always_inline)) { return N::mul(v, f); }, value,

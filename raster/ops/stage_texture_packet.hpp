@@ -33,7 +33,7 @@ template <class N> class PacketTexture {
         for (int u = 0; u < max_texture_units; ++u)
             if (state.unit[u].texture != nullptr)
                 sample(k, span, u, texels[u]);
-        if constexpr (lanes > 1) {
+        if constexpr (lanes > 1 || has_shortcuts) {
             PacketCombine<N>::units(state, texels, (k.n + lanes - 1) / lanes, k.color);
         } else {
             for (std::int32_t i = 0; i < k.n; ++i) {

@@ -1,4 +1,4 @@
-// COMBINE for all fragments of a packet (GL 1.3, 3.8.13). Lanes only. The bytes are those of TextureCombine.
+// COMBINE for all fragments of a packet (GL 1.3, 3.8.13). The bytes are those of TextureCombine.
 #pragma once
 
 #include "raster/ops/packet_operand.hpp"
@@ -15,6 +15,7 @@ template <class N> class PacketCombine {
     using Operand = PacketOperand<N>;
     using Result = PacketResult<N>;
     using Room = Color[PlacesOf<N>::groups];
+    using Values = T[PlacesOf<N>::groups]; ///< one component
 
   public:
     /// `texels[n]` are the texture colours of unit n, if the unit is on. `colors` are the primary colours and
@@ -85,13 +86,13 @@ template <class N> class PacketCombine {
         return Operand::of(texels_[from], c);
     }
     /// Component c of an argument. `to` is room for its values.
-    Operand argument(const Combiner::Argument& of, int c, Color* to) const {
+    Operand argument(const Combiner::Argument& of, int c, T* to) const {
         const bool alpha =
             of.operand == CombineOperand::alpha || of.operand == CombineOperand::one_minus_alpha;
         const Operand found = source(of.source, alpha ? 3 : c);
         if (of.operand == CombineOperand::color || of.operand == CombineOperand::alpha)
             return found;
-        return Result(to, c, groups_)
+        return Result(to, groups_)
             .set(
                 [](const T& v) __attribute__((always_inline)) { return N::one - v; }, found);
     }
@@ -117,11 +118,11 @@ template <class N> class PacketCombine {
         scale(3, unit.alpha.log2_scale);
     }
     [[gnu::noinline]] void dot3(const Combiner& by, bool alpha) const {
-        Room room[2];
+        Values room[2][3];
         Operand a[3], b[3];
         for (int c = 0; c < 3; ++c) {
-            a[c] = argument(by.argument[0], c, room[0]);
-            b[c] = argument(by.argument[1], c, room[1]);
+            a[c] = argument(by.argument[0], c, room[0][c]);
+            b[c] = argument(by.argument[1], c, room[1][c]);
         }
         for (std::int32_t g = 0; g < groups_; ++g) {
             const T v = Math::dot3({a[0][g], a[1][g], a[2][g], T{}}, {b[0][g], b[1][g], b[2][g], T{}});
@@ -130,7 +131,7 @@ template <class N> class PacketCombine {
     }
     /// Component c of the result, clamped but not scaled.
     [[gnu::noinline]] void component(const Combiner& by, int c) const {
-        Room room[3];
+        Values room[3];
         const Result to(colors_, c, groups_);
         const auto argument_of = [&](int i) { return argument(by.argument[i], c, room[i]); };
         const Operand a = argument_of(0),

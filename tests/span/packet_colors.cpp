@@ -1,4 +1,4 @@
-// Colours that packets of lanes blend and combine are those of one fragment after the other.
+// Colours that packets blend and combine, in lanes or one by one, are those of one fragment after the other.
 #include <gtest/gtest.h>
 
 #include "raster/ops/stage_blend_packet.hpp"
@@ -63,6 +63,8 @@ template <class N> void blend_everything() {
 TEST(PacketColors, BlendAsOneFragment) {
     blend_everything<ExactLanes>();
     blend_everything<Balanced<8>>();
+    blend_everything<Exact>();
+    blend_everything<Balanced<1>>();
 }
 
 template <class N> void combine_anything() {
@@ -104,6 +106,8 @@ template <class N> void combine_anything() {
 TEST(PacketColors, CombineAsOneFragment) {
     combine_anything<ExactLanes>();
     combine_anything<Balanced<8>>();
+    combine_anything<Exact>();
+    combine_anything<Balanced<1>>();
 }
 
 } // namespace
