@@ -75,8 +75,8 @@ inline constexpr std::int32_t modelview_stack_entries = SPANGLE_MODELVIEW_STACK,
 /// True if entry points convert their arguments inline, instead of through a common function.
 inline constexpr bool converts_in_line = SPANGLE_ARGUMENTS_INLINE != 0;
 inline constexpr unsigned max_lights = SPANGLE_LIGHTS;
-/// Optional parts of lighting. Ambient and diffuse light of directional lights is always available.
-/// has_local_lights covers positional lights, spotlights and a local viewer.
+/// Optional parts of lighting. Ambient and diffuse light of directional lights is always available. Local
+/// lights are positional lights, spotlights and a local viewer.
 inline constexpr bool has_specular = (SPANGLE_LIGHT_KINDS & 1) != 0,
                       has_local_lights = (SPANGLE_LIGHT_KINDS & 2) != 0,
                       has_color_material = (SPANGLE_LIGHT_KINDS & 8) != 0;
@@ -103,8 +103,8 @@ inline constexpr unsigned usual_vertex_cache = 8192;
 inline constexpr unsigned vertex_cache =
     SPANGLE_VERTEX_CACHE != 0 ? SPANGLE_VERTEX_CACHE : usual_vertex_cache;
 
-/// Optional primitives. Triangles, triangle strips and triangle fans are always available. has_polygons
-/// covers quads, too.
+/// Optional primitives. Triangles, triangle strips and triangle fans are always available. Quads count as
+/// polygons.
 inline constexpr bool has_points = (SPANGLE_PRIMITIVES & 1) != 0, has_lines = (SPANGLE_PRIMITIVES & 2) != 0,
                       has_polygons = (SPANGLE_PRIMITIVES & 4) != 0;
 static_assert(SPANGLE_PRIMITIVES < 8);

@@ -4,7 +4,7 @@
 
 #if defined(__STDC_HOSTED__) && __STDC_HOSTED__ && (defined(__unix__) || defined(__APPLE__))
 #define SPANGLE_THREAD_LOCAL                                                                                 \
-    __thread __attribute__((tls_model("initial-exec"))) // is constant-initialised, and needs no guard
+    __thread __attribute__((tls_model("initial-exec"))) // initialisers are constant: no guard needed
 #else
 #define SPANGLE_THREAD_LOCAL
 #endif

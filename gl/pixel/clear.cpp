@@ -20,7 +20,8 @@ void clear_accum([[maybe_unused]] const Context& context, [[maybe_unused]] const
         return;
     raster::AccumRequest request;
     request.area = area;
-    for (int c = 0; c < 4; ++c) // k / 32767, halves away from zero
+    // A component of the accumulation buffer is k / 32767; halves are rounded away from zero.
+    for (int c = 0; c < 4; ++c)
         request.clear[c] = static_cast<std::int16_t>(numeric::to_i32_round(
             numeric::mul(context.fragment_ops.accum_clear[c], numeric::from_i32(raster::accum_one))));
 #if SPANGLE_HAS_RECORDS

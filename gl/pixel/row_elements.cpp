@@ -8,10 +8,11 @@ namespace spangle::gl {
 
 namespace {
 
-/// A table of `of` for all codes of 1 to 8 bits, ordered by bits, then by code.
+/// Returns the index of the first code of `bits` bits in a table of all codes of 1 to 8 bits.
 constexpr std::uint32_t first_of(unsigned bits) {
     return (1u << bits) - 2;
 }
+/// Returns the table of of(code) for all codes of 1 to 8 bits, ordered by bits, then by code.
 template <class Of> constexpr auto of_all_codes(Of of) {
     std::array<std::uint32_t, first_of(most_code_bits + 1)> all{};
     for (unsigned bits = 1; bits <= most_code_bits; ++bits)

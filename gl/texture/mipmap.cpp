@@ -20,7 +20,7 @@ namespace {
 #if SPANGLE_FEATURE_MIPMAP_GENERATION
 
 /// The two texels that texel i of the next level covers, counted from inside the border. Sizes are halved and
-/// rounded down, so a last odd texel is in no mean.
+/// rounded down, so that the last texel of an odd size has no effect on the next level.
 struct CoveredTexels {
     std::int32_t of[2];
     CoveredTexels(std::int32_t i, std::int32_t size, std::int32_t next_size) {

@@ -26,8 +26,7 @@ struct FixedClipping {
     static constexpr int guard_band = 4;
     static int band_bits(int plane, int band) { return plane < 4 && band != 1 ? 2 : 0; }
 
-    /// True if a point is outside of a plane of the view volume, which means w < v or w < -v for its
-    /// coordinate v.
+    /// True if a point is outside of a plane of the view volume: w < v or w < -v for its coordinate v.
     static bool beyond(const Point& c, int plane, int band) {
         const numeric::Wide v = c[plane >> 1];
         return numeric::less(numeric::scale(c[3], band_bits(plane, band)),

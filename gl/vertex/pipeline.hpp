@@ -116,7 +116,7 @@ template <class M, class L> class Pipeline {
     static constexpr int user_shift = 6;
     /// Bits of Vertex::flags:
     ///   bits 0 to 5        Bit p is set if the vertex is outside of plane p of the view volume.
-    ///   bits 8 to 13       Bit 8 + p is set if plane p of the guard band must clip the vertex.
+    ///   bits 8 to 13       Bit 8 + p is set if plane p of the guard band, near or far must clip the vertex.
     ///   unprojected        The vertex has no window coordinates yet.
     ///   uncolored          The vertex is still to be lit.
     ///   is_clipped_vertex  The vertex is a ClippedVertex.
@@ -260,11 +260,13 @@ template <class M, class L> class Pipeline {
     /// window.
     bool clips_wide_lines_ = false;
     bool has_polygon_offset_ = false; ///< true if PolygonOffset is enabled for some polygon mode
-    bool has_special_lines_ = false;  ///< true if lines are stippled, antialiased or multisampled
-    /// True if points are antialiased or multisampled, are sprites, or have a size that depends on the
-    /// vertex.
+    /// True if lines are stippled or antialiased, or if the drawable has samples.
+    bool has_special_lines_ = false;
+    /// True if points are antialiased, are sprites, or have a size that depends on the vertex. It is also
+    /// true if the drawable has samples.
     bool has_special_points_ = false;
-    bool fills_whole_polygons_ = false; ///< true if filled polygons are antialiased or multisampled
+    /// True if filled polygons are antialiased, or if the drawable has samples.
+    bool fills_whole_polygons_ = false;
     bool has_smooth_polygons_ = false;
     bool is_multisampling_ = false;
     bool restarts_stipple_ = false; ///< true if the next line starts the stipple pattern anew

@@ -1,5 +1,5 @@
-// Draws points that are more than squares of whole pixels: multisampled and antialiased points, sprites, and
-// points whose size depends on their distance (GL 1.3, 3.3; GL 1.4, 3.3; GL 2.0, 3.3).
+// Draws points that are more than squares of whole pixels: points in samples, antialiased points, sprites,
+// and points whose size depends on their distance (GL 1.3, 3.3; GL 1.4, 3.3; GL 2.0, 3.3).
 #pragma once
 
 #include "gl/vertex/pipeline.hpp"

@@ -36,8 +36,8 @@ inline void Pipeline<M, L>::draw_line(const Vertex& a, const Window& at_a, const
     raster::draw_line(*state_, context_->drawable.surface, at_a, at_b, provoking, line_width_);
 }
 
-/// Draws a line that is stippled, antialiased or multisampled. The stipple starts anew with each primitive,
-/// and with each line of LINES (GL 1.3, 3.4.2).
+/// Draws a line that is stippled or antialiased, or whose drawable has samples. The stipple starts anew with
+/// each primitive, and with each line of LINES (GL 1.3, 3.4.2).
 template <class M, class L>
 void Pipeline<M, L>::draw_special_line(const Window& a, const Window& b, const Window& provoking) {
     if (restarts_stipple_)
@@ -330,7 +330,7 @@ SPANGLE_INLINE void Pipeline<M, L>::draw(const VisibleFace& at, int n, const Win
                                   part[i]);
 }
 
-/// Fills a polygon that is antialiased or multisampled.
+/// Fills a polygon that is antialiased, or whose drawable has samples.
 template <class M, class L>
 void Pipeline<M, L>::fill_whole_polygon(const VisibleFace& at, int n, const Window& provoking,
                                         const std::int64_t* part) {
