@@ -98,8 +98,8 @@ constexpr bool is_indexed(const Drawable& drawable) {
 }
 
 struct Context {
-    std::uint8_t gate = 0;          ///< Gate bits
-    std::uint8_t dirty = dirty_all; ///< Dirty bits
+    std::uint8_t gate = 0;          ///< set of Gate bits
+    std::uint8_t dirty = dirty_all; ///< set of Dirty bits
     GLenum error_code = GL_NO_ERROR;
 #if SPANGLE_MESSAGES
     PendingError pending_error; ///< error whose message has not been sent

@@ -275,7 +275,8 @@ EGLint record_bytes(const Band& band, bool peak);
 /// Shows the recorded frame and begins the next one. A frame whose record is incomplete is not shown.
 bool present_record(Display& display, Surface& surface);
 
-/// These functions are called when a surface becomes this thread's draw surface, and when that ends.
+/// attach_record() is called when a surface becomes this thread's draw surface, and detach_record() when it
+/// is no longer that surface.
 void attach_record(Surface& surface);
 void detach_record(Surface& surface);
 

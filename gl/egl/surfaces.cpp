@@ -179,8 +179,8 @@ Surface* window_of(const Display& display) {
     return s;
 }
 
-/// True if a new window may replace this one on the panel. It must be null, or destroyed and current on this
-/// thread only, where GL can be told that its pixels are gone.
+/// True if a new window may replace `window` on the panel. The old window must be null, or destroyed and
+/// current on this thread only. GL can then be told that its pixels are gone.
 bool may_leave(const Surface* window) {
     const Thread& t = thread();
     return window == nullptr ||

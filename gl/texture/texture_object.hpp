@@ -25,7 +25,7 @@ inline constexpr unsigned cube_faces = 6;
 constexpr std::size_t index_of(TextureKind kind) {
     return static_cast<std::size_t>(kind);
 }
-/// Whether this build has each kind.
+/// True for each kind of texture that this build has.
 inline constexpr bool texture_kind_is_there[texture_kinds] = {SPANGLE_FEATURE_TEXTURE_1D != 0, true,
                                                               SPANGLE_FEATURE_TEXTURE_3D != 0,
                                                               SPANGLE_FEATURE_TEXTURE_CUBE_MAP != 0};

@@ -133,7 +133,8 @@ bool is_mapped(const BufferObject& buffer, GLintptr offset, GLsizeiptr size) {
                                      : SPANGLE_TEXT("constant memory is mapped for reading only");
 }
 
-// The tokens of STREAM, STATIC and DYNAMIC are 4 apart, each followed by DRAW, READ and COPY.
+// Each of STREAM, STATIC and DYNAMIC has three consecutive tokens, for DRAW, READ and COPY. The first tokens
+// are 4 apart.
 bool is_usage(GLenum usage) {
     return usage >= GL_STREAM_DRAW && usage <= GL_DYNAMIC_COPY && (usage & 3) != 3;
 }

@@ -34,7 +34,7 @@ constexpr Format formats[] = {
     {{4, 4, 3, 4}, {0, 16, 32, 44}, 60, false}, // T4F_C4F_N3F_V4F
 };
 
-/// True if the stride of a format equals the bytes of its components, which are given.
+/// True if a format has the given numbers of components, and a stride of exactly their bytes.
 constexpr bool has_bytes(GLenum format, std::uint8_t texture, bool color_bytes, std::uint8_t color,
                          std::uint8_t normal, std::uint8_t vertex) {
     const Format& f = formats[format - GL_V2F];

@@ -266,8 +266,8 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
         for (int i = 0; i < n; ++i)
             clipped[i] = &to_clip_vertex(*corners[i], clipped_vertex_[i]);
         // Snapping may turn over a sliver. Its pixels are drawn by the rest of the polygon, or by the
-        // polygon's part beyond the plane. draw_visible() drops the sliver, because its area has not the sign
-        // of the whole polygon's area.
+        // polygon's part beyond the plane. draw_visible() drops the sliver, because the sign of its area
+        // differs from that of the whole polygon.
         if (planes >> user_shift != 0 && (any & (beyond_mask | unprojected)) == 0)
             whole = area_of(corners, n);
         n = clip_polygon(clipped, scratch, clip_vertices, n, planes);

@@ -25,7 +25,7 @@ struct MemoryUse {
     /// Bytes in use now, the most ever, and all there are.
     std::size_t used, peak, capacity;
 };
-/// What is in use now, of all contexts and share groups. It may be called at any time.
+/// Returns the memory that all contexts and share groups use now. It may be called at any time.
 MemoryUse memory_use();
 
 } // namespace spangle

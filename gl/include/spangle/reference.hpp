@@ -37,13 +37,13 @@ struct StageError {
 /// nest: only the innermost report collects, and reports end in the reverse order of their beginning.
 class StageReport {
   public:
-    /// Begins to collect.
+    /// Begins to collect errors.
     StageReport();
-    /// Ends to collect.
+    /// Stops collecting errors. A report that was collecting before this one goes on.
     ~StageReport();
-    /// A report is not copied: it collects for one place.
+    /// A report cannot be copied, since only one report collects at a time.
     StageReport(const StageReport&) = delete;
-    /// A report is not assigned either.
+    /// A report cannot be assigned, either.
     StageReport& operator=(const StageReport&) = delete;
 
     /// The stages that compared any value since construction or the last clear(), in the order of the
