@@ -178,10 +178,10 @@ std::uint64_t Kernel::calls() const {
     return call_count_;
 }
 
-Verdict Kernel::judge(const Call& call) {
+CallVerdict Kernel::judge(const Call& call) {
     ++call_count_;
     now_ += call_ns;
-    const Verdict verdict = fault_judge_ ? fault_judge_(call) : Verdict{};
+    const CallVerdict verdict = fault_judge_ ? fault_judge_(call) : CallVerdict{};
     if (verdict.stall) {
         ++stalled_calls_;
         const std::uint64_t before = release_count_;
@@ -205,7 +205,7 @@ bool Kernel::open(const char* path, long& answer) {
     const auto node = device_nodes_.find(path);
     if (node == device_nodes_.end())
         return false;
-    const Verdict verdict = judge({Call::Kind::open, node->first});
+    const CallVerdict verdict = judge({Call::Kind::open, node->first});
     if (!node->second.present || verdict.error != 0) {
         answer = node->second.present ? -verdict.error : -ENOENT;
         return true;
@@ -242,7 +242,8 @@ bool Kernel::answer(int file, Call::Kind kind, unsigned long request, Answer dev
     if (entry == nullptr)
         return false;
     const auto node = device_nodes_.find(entry->path);
-    const Verdict verdict = node != device_nodes_.end() ? judge({kind, node->first, request}) : Verdict{};
+    const CallVerdict verdict =
+        node != device_nodes_.end() ? judge({kind, node->first, request}) : CallVerdict{};
     if (entry->dead && !entry->file->answers_when_dead(request))
         out = node != device_nodes_.end() ? -node->second.device->gone_error() : -ENODEV;
     else if (verdict.error == 0 || verdict.late) {

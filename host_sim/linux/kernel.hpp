@@ -26,7 +26,7 @@ struct Call {
 };
 
 /// What the kernel does to a call before it reaches the device.
-struct Verdict {
+struct CallVerdict {
     int error = 0;                ///< errno with which the call fails; 0: the device answers
     std::size_t limit = SIZE_MAX; ///< bytes of a transfer that are still carried out
     bool stall = false;           ///< the call returns no sooner than Kernel::release()
@@ -89,7 +89,7 @@ class Kernel {
     Time sleep(Time ns);
 
     // --- faults of system calls
-    using Judge = std::function<Verdict(const Call&)>;
+    using Judge = std::function<CallVerdict(const Call&)>;
     void set_judge(Judge judge);
     /// Lets stalled calls go on.
     void release();
@@ -140,7 +140,7 @@ class Kernel {
     int stalled_calls_ = 0;
 
     Entry* find(int file);
-    Verdict judge(const Call& call);
+    CallVerdict judge(const Call& call);
     template <class Answer>
     bool answer(int file, Call::Kind kind, unsigned long request, Answer device, long& out);
 };

@@ -34,7 +34,7 @@ struct LinuxBoard {
 TEST(OledExample, RefusalsSayWhatToDo) {
     LinuxBoard board;
     board.kernel.set_judge(
-        [](const sim::Call& call) { return sim::Verdict{call.path == "/dev/i2c-1" ? EACCES : 0}; });
+        [](const sim::Call& call) { return sim::CallVerdict{call.path == "/dev/i2c-1" ? EACCES : 0}; });
     testing::internal::CaptureStderr();
     EXPECT_EQ(LinuxBoard::run("1"), 1);
     const std::string said = testing::internal::GetCapturedStderr();

@@ -45,7 +45,7 @@ struct Pi {
 TEST(RaspberryPiExample, RefusalsSayWhatToDo) {
     Pi pi;
     pi.kernel.set_judge(
-        [](const sim::Call& call) { return sim::Verdict{call.path == "/dev/spidev0.0" ? EACCES : 0}; });
+        [](const sim::Call& call) { return sim::CallVerdict{call.path == "/dev/spidev0.0" ? EACCES : 0}; });
     testing::internal::CaptureStderr();
     EXPECT_EQ(Pi::run("1"), 1);
     EXPECT_EQ(testing::internal::GetCapturedStderr(),

@@ -14,7 +14,7 @@ namespace {
 using namespace linux_test;
 using hal::Fault;
 using sim::Call;
-using sim::Verdict;
+using sim::CallVerdict;
 
 /// Returns whether a call carries pixels.
 bool carries(const Rig& rig, const Call& call) {
@@ -28,10 +28,10 @@ bool carries(const Rig& rig, const Call& call) {
 class Faults : public testing::TestWithParam<Transport> {
   protected:
     /// The first `skip` calls that carry pixels pass, and the next `times` get this verdict.
-    static void inject(Rig& rig, Verdict verdict, int skip, int times) {
+    static void inject(Rig& rig, CallVerdict verdict, int skip, int times) {
         rig.machine.kernel.set_judge([&rig, verdict, skip, times](const Call& call) mutable {
             if (!carries(rig, call) || skip-- > 0 || times-- <= 0)
-                return Verdict{};
+                return CallVerdict{};
             return verdict;
         });
     }
@@ -39,7 +39,7 @@ class Faults : public testing::TestWithParam<Transport> {
     static int later(int skip) {
         return GetParam() == Transport::spi3 || GetParam() == Transport::spi3_packed ? 0 : skip;
     }
-    static Verdict error(int number) { return Verdict{number}; }
+    static CallVerdict error(int number) { return CallVerdict{number}; }
 
     /// Draws a frame that fails in this way. The next present, with nothing new to draw, must mend the glass.
     static void expect_failed_frame(Rig& rig, Fault fault, const char* says) {
@@ -69,7 +69,7 @@ class Faults : public testing::TestWithParam<Transport> {
     }
     /// Draws a frame whose first call returns only when the kernel is released.
     static bool draw_and_stall(Rig& rig) {
-        Verdict stall;
+        CallVerdict stall;
         stall.stall = true;
         const bool drawn = rig.draw(2);
         inject(rig, stall, 0, 1);
@@ -87,7 +87,7 @@ TEST_P(Faults, ShortWritesGoOn) {
     for (const std::size_t limit : {std::size_t{1}, std::size_t{7}, std::size_t{100}}) {
         Rig rig(GetParam());
         rig.start();
-        Verdict cut;
+        CallVerdict cut;
         cut.limit = limit;
         if (GetParam() == Transport::spi3 || GetParam() == Transport::spi3_packed) {
             inject(rig, cut, 0, 1); // the transfer may have ended inside of a word
@@ -102,7 +102,7 @@ TEST_P(Faults, ShortWritesGoOn) {
 TEST_P(Faults, NothingWrittenIsAnErrorNotALoop) {
     Rig rig(GetParam());
     rig.start();
-    Verdict none;
+    CallVerdict none;
     none.limit = 0;
     inject(rig, none, 0, 1000000);
     if (is_spidev(GetParam()))
@@ -184,7 +184,7 @@ TEST_P(Faults, PulledInTheMiddleAndPluggedAgain) {
         rig.machine.kernel.set_judge([&](const Call& call) {
             if (carries(rig, call) && left-- == 0)
                 rig.machine.kernel.unplug(rig.device());
-            return Verdict{};
+            return CallVerdict{};
         });
         const auto gone = rig.display->present();
         if (GetParam() == Transport::spi3 || GetParam() == Transport::spi3_packed)
@@ -329,13 +329,13 @@ TEST_P(Faults, ReadsFailToo) {
 // --- Random faults
 /// Some calls of a sequence fail, in any way in which a kernel fails them; now and then the device is
 /// unplugged.
-Verdict chance(test::Random& random, Rig& rig, const Call& call, std::uint32_t one_in) {
+CallVerdict chance(test::Random& random, Rig& rig, const Call& call, std::uint32_t one_in) {
     if (call.kind == Call::Kind::sleep)
-        return Verdict{random.below(8) == 0 ? EINTR : 0};
+        return CallVerdict{random.below(8) == 0 ? EINTR : 0};
     if (random.below(one_in) != 0)
         return {};
     constexpr int errors[] = {EINTR, EAGAIN, EIO, ETIMEDOUT, EBUSY, EACCES, ENOMEM, EINTR};
-    Verdict verdict;
+    CallVerdict verdict;
     switch (random.below(10)) {
     case 0:
         rig.machine.kernel.unplug(rig.device());

@@ -77,7 +77,7 @@ TEST_F(I2cFaults, EachErrorIsSaidAndMended) {
             ASSERT_TRUE(draw(++seed, {0, 0, 128, 64}));
             kernel.set_judge([&, left = skip](const sim::Call& call) mutable {
                 const bool hit = call.kind == sim::Call::Kind::write && left-- == 0;
-                return sim::Verdict{hit ? row.error : 0};
+                return sim::CallVerdict{hit ? row.error : 0};
             });
             const auto failed = show();
             EXPECT_EQ(failed.error().fault, row.fault) << row.error;
@@ -111,7 +111,7 @@ TEST_F(I2cFaults, ShortWritesGoOn) {
     for (const std::size_t limit : {std::size_t{2}, std::size_t{7}, std::size_t{100}}) {
         ASSERT_TRUE(draw(static_cast<unsigned>(limit), {0, 0, 128, 64}));
         kernel.set_judge([&, left = 3](const sim::Call& call) mutable {
-            sim::Verdict cut;
+            sim::CallVerdict cut;
             if (call.kind == sim::Call::Kind::write && left-- > 0)
                 cut.limit = limit;
             return cut;
@@ -121,7 +121,7 @@ TEST_F(I2cFaults, ShortWritesGoOn) {
     }
     ASSERT_TRUE(draw(9, {0, 0, 128, 64}));
     kernel.set_judge([](const sim::Call& call) {
-        sim::Verdict none;
+        sim::CallVerdict none;
         none.limit = call.kind == sim::Call::Kind::write ? 0 : SIZE_MAX;
         return none;
     });
@@ -139,7 +139,7 @@ TEST_F(I2cFaults, SignalsAndPatience) {
             ASSERT_TRUE(draw(static_cast<unsigned>(number + times), {0, 0, 128, 64}));
             kernel.set_judge([&, left = times](const sim::Call& call) mutable {
                 const bool hit = call.kind == sim::Call::Kind::write && left-- > 0;
-                return sim::Verdict{hit ? number : 0};
+                return sim::CallVerdict{hit ? number : 0};
             });
             const sim::Time before = kernel.now();
             const auto sent = show();
@@ -156,7 +156,7 @@ TEST_F(I2cFaults, AHangingTransferEndsInATimeoutAndIsOverLater) {
     start(true);
     ASSERT_TRUE(draw(1, {0, 0, 128, 64}));
     kernel.set_judge([&, left = 1](const sim::Call& call) mutable {
-        sim::Verdict stall;
+        sim::CallVerdict stall;
         stall.stall = call.kind == sim::Call::Kind::write && left-- == 1;
         return stall;
     });
@@ -187,7 +187,7 @@ TEST_F(I2cFaults, BusyAddressesAndPermissions) {
     adapter.taken = false;
     for (const int number : {EACCES, EPERM}) {
         kernel.set_judge([number](const sim::Call& call) {
-            return sim::Verdict{call.kind == sim::Call::Kind::open ? number : 0};
+            return sim::CallVerdict{call.kind == sim::Call::Kind::open ? number : 0};
         });
         const auto denied = bus->open();
         EXPECT_EQ(denied.error().fault, Fault::denied);
@@ -226,7 +226,7 @@ TEST_F(I2cFaults, AThousandSequencesAtRandom) {
         const std::uint32_t one_in = 24u >> random.below(3);
         kernel.set_judge([&, one_in, faults = random](const sim::Call& call) mutable {
             constexpr int errors[] = {EINTR, EAGAIN, EIO, ETIMEDOUT, ENXIO, EREMOTEIO, EBUSY, ENOMEM};
-            sim::Verdict verdict;
+            sim::CallVerdict verdict;
             if (call.kind != sim::Call::Kind::write || faults.below(one_in) != 0)
                 return verdict;
             if (faults.below(12) == 0)

@@ -91,12 +91,12 @@ TEST_F(I2c, AMessageCutShortGoesOnBehindItsOwnControlByte) {
     int cut = 0;
     kernel.set_judge([&](const sim::Call& call) {
         const bool write = call.kind == sim::Call::Kind::write && ++cut % 2 == 0;
-        return sim::Verdict{0, write ? std::size_t{100} : SIZE_MAX};
+        return sim::CallVerdict{0, write ? std::size_t{100} : SIZE_MAX};
     });
     ASSERT_TRUE(frame().ok());
     expect_frame();
     kernel.set_judge([](const sim::Call& call) {
-        return sim::Verdict{0, call.kind == sim::Call::Kind::write ? std::size_t{1} : SIZE_MAX};
+        return sim::CallVerdict{0, call.kind == sim::Call::Kind::write ? std::size_t{1} : SIZE_MAX};
     });
     EXPECT_EQ(frame().error().fault, Fault::short_write) << "no byte beyond the control byte goes out";
 }
@@ -149,7 +149,7 @@ TEST_F(I2c, TheModelNoticesAMissingControlByte) {
 TEST_F(I2c, LostArbitrationIsTriedAgain) {
     ASSERT_TRUE(open().ok());
     kernel.set_judge([left = 9](const sim::Call& call) mutable {
-        return sim::Verdict{call.kind == sim::Call::Kind::write && left-- > 0 ? EAGAIN : 0};
+        return sim::CallVerdict{call.kind == sim::Call::Kind::write && left-- > 0 ? EAGAIN : 0};
     });
     ASSERT_TRUE(frame().ok());
     expect_frame();

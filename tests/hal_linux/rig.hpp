@@ -35,7 +35,7 @@ struct Machine {
         kernel.set_judge([=, left = times](const sim::Call& call) mutable {
             const bool hit = left > 0 && which(call);
             left -= hit ? 1 : 0;
-            return sim::Verdict{hit ? error : 0};
+            return sim::CallVerdict{hit ? error : 0};
         });
     }
     void no_faults() { kernel.set_judge(nullptr); }

@@ -80,7 +80,7 @@ TEST_F(StartBytes, AMessageCutShortIsAnErrorAndMended) {
     draw({0, 0, 320, 240});
     machine.kernel.set_judge([left = 20](const sim::Call& call) mutable {
         const bool hit = call.kind == sim::Call::Kind::ioctl && call.path == spi_path && left-- == 0;
-        return sim::Verdict{0, hit ? std::size_t{100} : SIZE_MAX};
+        return sim::CallVerdict{0, hit ? std::size_t{100} : SIZE_MAX};
     });
     EXPECT_EQ(display->present().error().fault, Fault::short_write) << "the rest has no start byte";
     machine.no_faults();

@@ -46,7 +46,7 @@ Op op_of(Op::Kind kind, const std::uint8_t* data = nullptr, std::uint32_t length
 struct Hanging {
     explicit Hanging(Rig& r) : rig(r) {
         rig.machine.kernel.set_judge([](const sim::Call& call) {
-            sim::Verdict verdict;
+            sim::CallVerdict verdict;
             verdict.stall = is_message(call);
             return verdict;
         });

@@ -14,7 +14,7 @@ namespace {
 using namespace ftdi_test;
 using hal::Fault;
 using sim::Call;
-using sim::Verdict;
+using sim::CallVerdict;
 using Fate = sim::UsbfsDevice::Fate;
 
 bool submits(const Call& call) {
@@ -167,7 +167,7 @@ TEST(FtdiFaults, PermissionsAndOtherPrograms) {
     Rig rig;
     for (const int number : {EACCES, EPERM}) {
         rig.kernel.set_judge(
-            [=](const Call& call) { return Verdict{call.kind == Call::Kind::open ? number : 0}; });
+            [=](const Call& call) { return CallVerdict{call.kind == Call::Kind::open ? number : 0}; });
         const auto denied = rig.open();
         EXPECT_EQ(denied.error().fault, Fault::denied);
         EXPECT_NE(std::string(denied.error().rule).find("60-spangle.rules and join group 'plugdev'"),
@@ -190,7 +190,7 @@ TEST(FtdiFaults, SystemCallsFail) {
         ASSERT_TRUE(rig.start().ok());
         rig.kernel.set_judge([number, times = 1](const Call& call) mutable {
             const bool hit = submits(call) && times-- > 0;
-            return Verdict{hit ? number : 0};
+            return CallVerdict{hit ? number : 0};
         });
         expect_failed_frame(rig, number == ENOMEM ? Fault::no_answer : Fault::gone, "send pixels: ");
         expect_mended(rig);
@@ -299,7 +299,7 @@ TEST(FtdiFaults, AThousandSequencesAtRandom) {
         rig.kernel.set_judge([r = random](const Call& call) mutable {
             constexpr int errors[] = {EINTR, EIO, ENOMEM, ETIMEDOUT};
             const bool hit = submits(call) && r.below(60) == 0;
-            return Verdict{hit ? errors[r.below(4)] : 0};
+            return CallVerdict{hit ? errors[r.below(4)] : 0};
         });
         for (unsigned frame = 0; frame < 3; ++frame) {
             const auto x = static_cast<std::int32_t>(random.below(20)),

@@ -94,7 +94,7 @@ TEST(GudFaults, SystemCallsFail) {
         ASSERT_TRUE(rig.draw(1));
         rig.kernel.set_judge([number](const sim::Call& call) {
             const bool hit = call.kind == sim::Call::Kind::ioctl && call.request == USBDEVFS_SUBMITURB;
-            return sim::Verdict{hit ? number : 0};
+            return sim::CallVerdict{hit ? number : 0};
         });
         const auto failed = rig.show();
         EXPECT_FALSE(failed.ok());
@@ -190,8 +190,9 @@ TEST(GudFaults, FramesGivenOutStayWhereTheyAre) {
 
 TEST(GudFaults, PermissionsAndOtherPrograms) {
     GudRig rig;
-    rig.kernel.set_judge(
-        [](const sim::Call& call) { return sim::Verdict{call.kind == sim::Call::Kind::open ? EACCES : 0}; });
+    rig.kernel.set_judge([](const sim::Call& call) {
+        return sim::CallVerdict{call.kind == sim::Call::Kind::open ? EACCES : 0};
+    });
     const auto denied = rig.start();
     EXPECT_EQ(denied.error().fault, Fault::denied);
     EXPECT_STREQ(denied.error().rule, "/dev/bus/usb/001/002: open: Permission denied; install the udev rules "
