@@ -1,8 +1,8 @@
-// Divides by w near a place in the window: quotients of planes for which 16 bits are enough.
+// Divides by w near a place in the window, for planes whose quotients need no more than 16 bits.
 //
-// With q = m (1 - u), where m is the value of q at the place, a/q = A + d (1 + u + u^2 + ...). Here d = (a -
-// A q) / m is a plane and u is a plane, and both are small where A is about a/q there. Two multiplications of
-// few bits make the quotient of d and u.
+// Let m be the value of q at the place, and q = m (1 - u). Then a/q = A + d (1 + u + u^2 + ...). Both u and
+// d = (a - A q) / m are planes, and both are small where A is about a/q at the place. Two multiplications of
+// few bits make the quotient from d and u.
 #pragma once
 
 #include <cstdint>
@@ -18,22 +18,22 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Fragments within `columns` and `rows` of the place (x, y) in the window.
+/// A place (x, y) in the window, and the fragments within `columns` and `rows` of it.
 struct Patch {
     std::int32_t x, y, columns, rows;
     static constexpr std::int32_t most_columns = 128, most_rows = 16;
 };
 
-/// One quotient. The guess of NearInverse::of(), or NearWords::of(), is at most the true quotient, which is
-/// less than `window` above it.
+/// One quotient. The guess of NearInverse::of() or NearWords::of() is at most the true quotient. The true
+/// quotient is less than `window` above the guess.
 struct NearQuotient {
     Interpolant<std::uint32_t> d; ///< the plane of d, with 16 fraction bits
     std::int32_t base = 0;        ///< A, a whole number
-    /// The guess is too small by less than this; it has the fraction bits of the products.
+    /// The largest error of the guess, not included. It has the fraction bits of the products.
     std::uint32_t window = 0;
 
-    /// Limits for what of() adds to the base, so that the sum is in [0, most]. The base is at least -(2^15 -
-    /// 1) and at most `most` + 2^15.
+    /// Limits for what of() adds to the base. With these limits the sum lies in [0, most]. The base is at
+    /// least 1 - 2^15 and at most `most` + 2^15.
     SPANGLE_INLINE std::uint32_t least() const { return static_cast<std::uint32_t>(within(0)); }
     SPANGLE_INLINE std::uint32_t largest_error(std::int32_t most) const {
         return static_cast<std::uint32_t>(within(most));
@@ -45,25 +45,25 @@ struct NearQuotient {
     }
 };
 
-/// Products of 16 bits, for lanes, and for single fragments where the processor has no product of more than a
+/// Products of 16 bits. They serve lanes, and single fragments on processors whose products have only one
 /// word.
 struct NearHalves {
     static constexpr int fraction_bits = 0; ///< fraction bits of quotients
-    /// The inaccuracy of 1/q, in 2^-16, where |u| is at most `most` 2^-32, below 2^30. What the series leaves
-    /// out is below 8/7 u^4; u is rounded down twice, and its powers once each.
+    /// The inaccuracy of 1/q in 2^-16, where |u| is at most `most` 2^-32, which is below 1/4. The terms that
+    /// the series leaves out sum to less than 8/7 u^4. u is rounded down twice, and each of its powers once.
     SPANGLE_INLINE static std::uint32_t reciprocal_error(std::uint32_t most) {
         const std::uint32_t size = (most >> 16) + 1, square = (size * size >> 16) + 1,
                             fourth = (square * square >> 16) + 1;
         return 4 + fourth + (fourth >> 2);
     }
-    /// The inaccuracy of a quotient whose whole part is at most `size`, in 2^-16.
+    /// The inaccuracy, in 2^-16, of a quotient whose whole part is at most `size`.
     SPANGLE_INLINE static std::uint32_t of_quotient(std::uint32_t size, std::uint32_t reciprocal_error) {
         return size * reciprocal_error;
     }
     /// The window of a quotient that is off by `off`. Lanes round d down twice and its product once, which
     /// makes up to 3.
     SPANGLE_INLINE static std::uint32_t window(std::uint32_t off) { return ((2 * off + 0xFFFF) >> 16) + 3; }
-    /// Makes u + u^2 + u^3 for one fragment, as NearInverse does for eight.
+    /// Makes u + u^2 + u^3 for one fragment. NearInverse does so for eight fragments.
     SPANGLE_INLINE static std::int32_t inverse(std::uint32_t plane) {
         const std::int32_t u = static_cast<std::int32_t>(plane) >> 16;
         return u + (u * (u + (u * u >> 16)) >> 16);
@@ -78,7 +78,7 @@ struct NearHalves {
 struct NearWords {
     static constexpr int fraction_bits = 14;
     /// The inaccuracy of 1/q in 2^-32. Over a patch the plane of u is off by less than 2^8, and 1/q by a
-    /// third more. The powers of u are rounded down once each, and the sum is rounded to 30 bits.
+    /// third more than that. Each power of u is rounded down once, and the sum is rounded to 30 bits.
     SPANGLE_INLINE static std::uint32_t reciprocal_error(std::uint32_t most) {
         const std::uint32_t square = numeric::mul_high_u32(most, most) + 1,
                             fourth = numeric::mul_high_u32(square, square) + 1;
@@ -86,7 +86,7 @@ struct NearWords {
     }
     SPANGLE_INLINE static std::uint32_t of_quotient(std::uint32_t size, std::uint32_t reciprocal_error) {
         return static_cast<std::uint32_t>(numeric::mul_u32(size, reciprocal_error) >> 16) + 1 +
-               (1u << (16 - fraction_bits)); // what of() drops
+               (1u << (16 - fraction_bits)); // the last term is what of() drops
     }
     SPANGLE_INLINE static std::uint32_t window(std::uint32_t off) { return (2 * off >> 2) + 3; }
     /// 1 + u + u^2 + u^3 with 30 fraction bits.
@@ -95,8 +95,8 @@ struct NearWords {
         const std::int32_t more = u + numeric::mul_high_s32(u, u + numeric::mul_high_s32(u, u));
         return (1 << 30) + (more >> 2);
     }
-    /// The quotient; `base` has the fraction bits of the quotient. The low word of the sum of long products
-    /// may be anything: it adds less than one, and clearing it is not worth an instruction.
+    /// The quotient, with the fraction bits of `base`. The low word of the sum of long products may hold
+    /// anything. It adds less than one, and clearing it is not worth an instruction.
     SPANGLE_INLINE static std::uint32_t of(std::uint32_t base, std::uint32_t d, std::int32_t inverse) {
         const std::int64_t product = numeric::mul_long(static_cast<std::int32_t>(d), inverse);
         return static_cast<std::uint32_t>(
@@ -104,15 +104,15 @@ struct NearWords {
     }
 };
 
-/// The products by which one fragment is guessed.
+/// The products that guess single fragments.
 using NearProducts = std::conditional_t<numeric::long_products, NearWords, NearHalves>;
 
-/// Divides by w near a place.
+/// Divides planes by w near a place.
 template <class Products> class NearDivisionOf {
   public:
     using Projective = Span<Fixed>::Projective;
     Interpolant<std::uint32_t> u{}; ///< the plane of u in 2^-16, with 16 fraction bits
-    bool serves = false;            ///< true where 1/w is not too small, and differs by an eighth at most
+    bool serves = false; ///< true where 1/w is not too small, and differs by at most an eighth over the patch
 
     SPANGLE_INLINE NearDivisionOf(const Span<Fixed>& span, const Patch& patch)
         : patch_(patch), column_(patch.x - span.anchor_x), row_(patch.y - span.anchor_y),
@@ -131,14 +131,15 @@ template <class Products> class NearDivisionOf {
         reciprocal_error_ = Products::reciprocal_error(static_cast<std::uint32_t>(most));
     }
 
-    /// Makes the quotient a/q 2^(exponent + 16), plus `more` / 2^16. False where 16 bits do not hold it.
+    /// Makes the quotient a/q 2^(exponent + 16) plus `more` / 2^16. Returns false where 16 bits do not hold
+    /// it.
     ///
-    /// A is a/m rounded down, so that d = a/m - A + A u is what rounding left, and changes by the slopes of
-    /// a/m and those of u times A. These slopes lose less than 2^8 2^-32 of A over a patch. d is multiplied
-    /// by a factor that is off by `reciprocal_error_`. An eighth is reserved for what else planes lose, for
-    /// what the bits lose of which divided values are made (2^-6), and for `more`, whose part below 1 is
-    /// multiplied. All of these losses are taken off d, a fourth more than they are, because that is
-    /// multiplied, too.
+    /// A is a/m rounded down. So d = a/m - A + A u begins with what the rounding left, and changes by the
+    /// slopes of a/m plus A times the slopes of u. Over a patch these slopes lose less than 2^8 2^-32 of A. d
+    /// is multiplied by a factor that is off by `reciprocal_error_`. An eighth is reserved for three more
+    /// losses: those of planes, those of the bits of which divided values are made (2^-6), and that of
+    /// `more`, whose part below 1 is multiplied. All losses are taken off d, and a fourth more, because d is
+    /// multiplied with them.
     SPANGLE_INLINE bool quotient(NearQuotient& to, const Projective& plane_of, int exponent,
                                  std::uint32_t more = 0) const {
         constexpr std::int64_t most_base = 1 << 19;
@@ -178,16 +179,16 @@ template <class Products> class NearDivisionOf {
         SPANGLE_INLINE Slopes(std::int64_t x, std::int64_t y)
             : dx(static_cast<std::int32_t>(x)), dy(static_cast<std::int32_t>(y)), fit(dx == x && dy == y) {}
     };
-    /// v 2^(exponent + 32) / m, where v is a value of a plane with its guard bits.
+    /// Returns v 2^(exponent + 32) / m, where v is a value of a plane with its guard bits.
     SPANGLE_INLINE std::int64_t over_m(std::uint64_t v, int exponent) const {
         const auto top = static_cast<std::int32_t>(static_cast<std::uint32_t>(v >> 32));
         const std::uint32_t low = numeric::mul_high_u32(static_cast<std::uint32_t>(v), mantissa_);
         return numeric::words_after(numeric::mul_s32_u32(top, mantissa_) + low,
-                                    14 - leading_zeros_ - exponent); // shift is 5 .. 21
+                                    14 - leading_zeros_ - exponent); // the shift is 5 .. 21
     }
-    /// How far from 0 a plane gets at most: over the whole patch, or, where that is more than `enough`,
-    /// between the vertices of the primitive. The centres of a line's fragments lie up to a pixel beyond
-    /// those vertices.
+    /// The largest distance of a plane from 0 over the whole patch. Where that is more than `enough`, the
+    /// vertices of the primitive bound the distance instead. The centres of a line's fragments lie up to a
+    /// pixel beyond the vertices.
     SPANGLE_INLINE std::uint64_t plane_range(std::int32_t center, std::int32_t dx, std::int32_t dy,
                                              std::uint32_t enough) const {
         const std::uint32_t x = numeric::abs_u32(dx), y = numeric::abs_u32(dy);
@@ -227,7 +228,7 @@ template <class Products> class NearDivisionOf {
 };
 using NearDivision = NearDivisionOf<NearHalves>;
 
-/// Planes in eight lanes, as exact as 16 bits tell.
+/// Planes in eight lanes, as exact as 16 bits are.
 template <int Count> class NearPlanes : public RowPlanes<Count> {
     static_assert(Count <= 4);
 
@@ -244,13 +245,13 @@ template <int Count> class NearPlanes : public RowPlanes<Count> {
         RowPlanes<Count>::start(x);
     }
     SPANGLE_INLINE void step() { this->at_[0] += this->dx_[0] << 3; }
-    /// The whole part of plane I in each lane, at most 2 too small.
+    /// The whole part of plane I in each lane; it is at most 2 too small.
     template <int I> SPANGLE_INLINE L::U16 whole() const {
         return L::splat_half<2 * I + 1>(this->at_[0]) + offset_[I];
     }
 
   private:
-    /// Sets, in whole parts, the difference of each plane between each lane and the first lane.
+    /// Sets the difference of each plane between each lane and the first lane, in whole parts.
     template <int... I> SPANGLE_INLINE void set_offsets(std::integer_sequence<int, I...>) {
         const L::U16 columns = L::offsets16(L::splat(1), L::splat(0));
         const auto offset = [&](auto whole, auto fraction) __attribute__((always_inline)) {
@@ -263,7 +264,7 @@ template <int Count> class NearPlanes : public RowPlanes<Count> {
     L::U16 offset_[Count];
 };
 
-/// The inverse near a place for eight fragments: u + u^2 + u^3.
+/// The inverse near a place, for eight fragments: u + u^2 + u^3.
 class NearInverse {
   public:
     using L = Lanes<8>;

@@ -1,5 +1,5 @@
-// Operands of what is computed for a whole packet, component by component: each choice is made once per
-// packet, and what it chose is a loop over the packet's groups of lanes.
+// Operands for arithmetic on a whole packet, component by component. Each choice is made once per packet, and
+// the chosen operation is a loop over the packet's groups of lanes.
 #pragma once
 
 #include "raster/ops/component.hpp"
@@ -9,8 +9,8 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// One component of the colours of a packet. Either each group of lanes has a value of its own, or all groups
-/// have the same value.
+/// One component of the colours of a packet. Either each group of lanes has its own value, or all groups have
+/// the same value.
 template <class N> struct PacketOperand {
     using Color = typename N::Color;
     using T = typename N::T;
@@ -23,7 +23,7 @@ template <class N> struct PacketOperand {
     SPANGLE_INLINE static PacketOperand of(const Color* colors, int c) {
         return {reinterpret_cast<const T*>(colors) + c, color_step};
     }
-    /// Component c of one colour, for all groups.
+    /// Component c of one colour, which is the value of all groups.
     SPANGLE_INLINE static PacketOperand constant(const Color& color, int c) {
         return {reinterpret_cast<const T*>(&color) + c, 0};
     }

@@ -1,5 +1,5 @@
-// Blends with the stored colour (GL 1.3, 4.1.7): C = Cs S + Cd D, clamped. Where a format has no alpha,
-// destination alpha counts as 1.
+// Blends with the stored colour (GL 1.3, 4.1.7): C = Cs S + Cd D, clamped. Destination alpha is 1 in formats
+// without alpha.
 #pragma once
 
 #include "raster/ops/component.hpp"
@@ -10,7 +10,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// The colour that is stored under a group of fragments: exactly k/31, k/63 or k/255.
+/// The colour that is stored under a group of fragments. Its components are exactly k/31, k/63 or k/255.
 template <class N, PixelFormat Format>
 SPANGLE_INLINE typename N::Color load_color(const std::uint8_t* plane, std::int32_t i) {
     using L = typename N::L;
@@ -26,7 +26,7 @@ SPANGLE_INLINE typename N::Color load_color(const std::uint8_t* plane, std::int3
     }
 }
 
-/// The colour that a fragment blends with, in a format known when it is compiled.
+/// Loads the colour with which a fragment blends, in a format that is known to the compiler.
 template <class N, PixelFormat Format> struct Stored {
     static constexpr bool anywhere = true;
     SPANGLE_INLINE Stored(const Span<typename N::Policy>&, std::int32_t) {}
@@ -45,8 +45,8 @@ template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         typename N::Color& s = p.color;
         const typename N::T a = s.a;
-        // Alpha 0 would store again what is stored (k/31, k/63 and k/255 come back as k, dithered or not), so
-        // there is nothing to do.
+        // With alpha 0 the stored bits would be stored again: k/31, k/63 and k/255 come back as k, dithered
+        // or not. The stage drops these fragments instead.
         if constexpr (N::lanes == 1) {
             if (a == 0)
                 return false;
@@ -71,8 +71,8 @@ template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
     }
 };
 
-/// Blends by SRC_ALPHA, ONE_MINUS_SRC_ALPHA in the fast tier, into 565. The result is exactly the steps to
-/// store, with no bits below. Dithering applies to the colour that is blended.
+/// Blends by SRC_ALPHA, ONE_MINUS_SRC_ALPHA in the fast tier, into R5 G6 B5. The result is a whole number of
+/// steps. Where dithering is on, the source colour is dithered.
 template <class N, PixelFormat Format, bool Dither> struct BlendCoarse : StageBase {
     static_assert(is_balanced<N> && is_565(Format));
     static constexpr unsigned in = field_color, out = field_color;
@@ -104,7 +104,7 @@ template <class N, PixelFormat Format, bool Dither> struct BlendCoarse : StageBa
 
 namespace inner {
 
-/// Tables of N::Threshold, by y & 3, and by x from any column of a period on.
+/// Tables of N::Threshold, by y & 3 and by x, from each of the four columns of a period on.
 template <class N> struct Thresholds {
     typename N::Threshold at[4][7];
     constexpr Thresholds() : at{} {
@@ -115,7 +115,7 @@ template <class N> struct Thresholds {
 };
 template <class N> inline constexpr Thresholds<N> thresholds_of;
 
-/// The thresholds of a row, found by the index of a fragment: nothing has to walk.
+/// The thresholds of a row, looked up by the index of a fragment. No step is needed.
 template <class N> class ThresholdRow {
   public:
     SPANGLE_INLINE explicit ThresholdRow(const Span<Fixed>& s)
@@ -131,7 +131,7 @@ struct NoThresholds {
 
 } // namespace inner
 
-/// Does what BlendAlpha and Store, or StoreDithered, do, for the packed systems.
+/// Does what BlendAlpha followed by Store or StoreDithered does, for the packed number systems.
 template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBase {
     static_assert(is_packed<N>);
     static constexpr unsigned in = field_color;
@@ -153,7 +153,7 @@ template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBa
         if (N::clear(p.color))
             return false;
         std::uint8_t* const at = p.color_plane + p.bytes();
-        // The code after a branch is not to begin before the branch.
+        // The asm statements keep compilers from moving the code after a branch before the branch.
         auto s = p.color;
         asm("" : "+r"(s.word));
         if constexpr (Dither) {
@@ -167,14 +167,15 @@ template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBa
         }
         return true;
     }
-    /// The colour that is blended, dithered where dithering is on.
+    /// The source colour, dithered where dithering is on.
     SPANGLE_INLINE typename N::Color source(const Px<N>& p) const {
         if constexpr (Dither)
             return N::dithered(p.color, dither.at(p.i));
         else
             return p.color;
     }
-    /// One test finds clear and solid texels; loops end with all other texels.
+    /// One test finds texels that are clear or solid. All other texels are last in the loop, which is the
+    /// faster place.
     SPANGLE_INLINE bool blend_coarse(const Px<N>& p) const {
         const typename N::Color s = p.color;
         if (N::whole(s)) [[unlikely]] {
@@ -191,7 +192,7 @@ template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBa
     }
 };
 
-/// Does what BlendAlpha and StoreDithered do, for the systems of Bytes.
+/// Does what BlendAlpha followed by StoreDithered does, for the number systems of Bytes.
 template <class N, PixelFormat Format> struct BlendBytesDithered : StageBase {
     static constexpr unsigned in = field_color;
     static constexpr bool kill = true, effect = true;
@@ -216,7 +217,7 @@ template <class N, PixelFormat Format> struct BlendBytesDithered : StageBase {
     }
 };
 
-/// How alpha is blended: the factor SRC_ALPHA_SATURATE is 1 for alpha (GL 1.3, table 4.1).
+/// The blending of alpha. The factor SRC_ALPHA_SATURATE is 1 for alpha (GL 1.3, table 4.1).
 inline Blending blending_of_alpha(const FragmentState& state) {
     Blending b = state.blend_alpha;
     if (b.src == BlendFactor::src_alpha_saturate)
@@ -224,7 +225,8 @@ inline Blending blending_of_alpha(const FragmentState& state) {
     return b;
 }
 
-/// The equations of blending for one fragment, for any format. PacketBlend has them for packets of lanes.
+/// The equations of blending for one fragment, in any format. PacketBlend has these equations for packets in
+/// lanes.
 template <class N> struct BlendEquations {
     static_assert(N::lanes == 1);
     using T = typename N::T;
@@ -232,7 +234,7 @@ template <class N> struct BlendEquations {
     const FragmentState& state;
     SPANGLE_INLINE explicit BlendEquations(const FragmentState& of) : state(of) {}
 
-    /// The colour that s and the stored colour d blend to.
+    /// The colour that results from the source colour s and the stored colour d.
     SPANGLE_INLINE Color blend(const Color& s, const Color& d) const {
         const std::uint32_t* const constant = state.blend_color;
         const auto rgb = [&](T cs, T cd, int i) {
@@ -243,7 +245,7 @@ template <class N> struct BlendEquations {
     }
 
   private:
-    /// One component of the result. MIN and MAX read no factor (GL 1.4, 4.1.7).
+    /// One component of the result. MIN and MAX use no factors (GL 1.4, 4.1.7).
     [[gnu::noinline]] T combine(const Blending& by, const Color& s, const Color& d, T cs, T cd, T cc) const {
         if (by.equation == BlendEquation::min)
             return component::smaller<N>(cs, cd);
@@ -303,7 +305,7 @@ template <class N> struct BlendEquations {
     }
 };
 
-/// Blending by any equation and factors, chosen at run time.
+/// Blending whose equations and factors are known only at run time. `From` loads the stored colour.
 template <class N, class From> struct Blend : StageBase, BlendEquations<N> {
     static constexpr unsigned in = field_color, out = field_color;
     static constexpr bool anywhere = From::anywhere;

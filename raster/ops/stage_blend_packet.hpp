@@ -9,7 +9,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// The equations of BlendEquations for all fragments of a packet.
+/// Applies the equations of BlendEquations to all fragments of a packet.
 template <class N> class PacketBlend {
     using Color = typename N::Color;
     using T = typename N::T;
@@ -17,8 +17,8 @@ template <class N> class PacketBlend {
     using Result = PacketResult<N>;
 
   public:
-    /// Blends colours with those that are stored under them, in place. Alpha is left out where nothing stores
-    /// it.
+    /// Blends colours, in place, with the colours that are stored under them. Alpha is blended only where it
+    /// is stored.
     static void blend(const FragmentState& state, std::int32_t groups, const Color* stored, bool alpha,
                       Color* colors) {
         const PacketBlend by(state, groups, stored, colors);
@@ -32,7 +32,7 @@ template <class N> class PacketBlend {
     const FragmentState& state_;
     const std::int32_t groups_;
     const Color* const stored_;
-    Color* const colors_; ///< the components before the one at work are results, the others are sources
+    Color* const colors_; ///< sources; components before the one at work are already results
     const Color one_, constant_;
 
     PacketBlend(const FragmentState& state, std::int32_t groups, const Color* stored, Color* colors)
@@ -45,7 +45,7 @@ template <class N> class PacketBlend {
         const T v = N::from_units(units);
         return {v, v, v, v};
     }
-    /// Blends component c. MIN and MAX read no factor.
+    /// Blends component c. MIN and MAX use no factors.
     [[gnu::noinline]] void component(const Blending& by, int c) const {
         const Result to(colors_, c, groups_);
         const Operand cs = Operand::of(colors_, c), cd = Operand::of(stored_, c);
@@ -78,7 +78,8 @@ template <class N> class PacketBlend {
             set(difference, stored, source);
     }
 
-    /// The products value * factor in component c; the factors 0 and 1 are exact. `to` is room for them.
+    /// The products value * factor in component c; the factors 0 and 1 are exact. `to` is room for the
+    /// products.
     Operand times(const Operand& value, BlendFactor factor, int c, T* to) const {
         const Result result(to, groups_);
         const auto by = [&](const Operand& of) __attribute__((always_inline)) {
@@ -106,7 +107,7 @@ template <class N> class PacketBlend {
         const Operand of = factor_of(factor, c);
         return rest ? by_rest(of) : by(of);
     }
-    /// Whether a factor is 1 minus another one.
+    /// Whether a factor is 1 minus another factor.
     static bool is_rest(BlendFactor factor) {
         switch (factor) {
         case BlendFactor::one_minus_src_color:
@@ -120,7 +121,7 @@ template <class N> class PacketBlend {
             return false;
         }
     }
-    /// What a factor is, or what it is taken from 1.
+    /// The value of a factor. For a factor 1 - f (is_rest()) it is f.
     Operand factor_of(BlendFactor factor, int c) const {
         switch (factor) {
         case BlendFactor::src_color:
@@ -144,11 +145,11 @@ template <class N> class PacketBlend {
         case BlendFactor::zero:
         case BlendFactor::one:
         case BlendFactor::src_alpha_saturate:
-            break; // times() does these itself
+            break; // times() handles these factors
         }
         return Operand::zero();
     }
-    /// min(As, 1 - Ad), in the place of the result.
+    /// min(As, 1 - Ad), written into the room of `to`.
     Operand saturating(const Result& to) const {
         const T one = one_.r;
         return to.set(
@@ -158,7 +159,7 @@ template <class N> class PacketBlend {
     }
 };
 
-/// Blends with what a format stores, in a chain.
+/// The stage of a chain that blends with the pixels of a format.
 template <class N, PixelFormat Format>
 void blend_packet(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
     auto& k = static_cast<Packet<N>&>(places);

@@ -1,5 +1,6 @@
-// Attributes that vary over 1/w along a row, where every fragment divides: one division serves all of them.
-// Fused spans only. The bits are those of the chain's stages, each of which divides for itself.
+// Attributes that vary over 1/w along a row, where every fragment divides: one division serves all
+// attributes. The bits are those of the chain's stages, each of which divides for itself. Only fused spans
+// use this file.
 #pragma once
 
 #include "raster/ops/coord_runs.hpp"
@@ -10,8 +11,8 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// A projective plane along a row, evaluated by unguarded() at fragment i from its start. With words of 64
-/// bits it steps, and i is not read.
+/// A projective plane along a row. value(i) is the plane without guard bits (unguarded()) at fragment i from
+/// the start. With words of 64 bits the ramp steps, and i is not read.
 template <bool Numbered> class GuardedRampOf {
   public:
     SPANGLE_INLINE GuardedRampOf(const Span<Fixed>& span, std::int32_t x,
@@ -32,9 +33,9 @@ template <bool Numbered> class GuardedRampOf {
     std::uint64_t at_, step_;
 };
 
-/// With words of 32 bits a step would load four words and store two. It costs less to multiply the value and
-/// the guard bits by the number of the fragment. Guard bits are summed with whatever they carry: columns and
-/// rows from the anchor are below 2^14 (clip guard band and surface), so a sum is below 2^31.
+/// The same ramp with words of 32 bits. A step would load four words and store two, so the value and the
+/// guard bits are multiplied by the fragment's number instead. The guard bits are summed with their carries.
+/// Columns and rows from the anchor are below 2^14 (clip guard band and surface), so this sum is below 2^31.
 template <> class GuardedRampOf<true> {
   public:
     SPANGLE_INLINE GuardedRampOf(const Span<Fixed>& span, std::int32_t x,
@@ -42,7 +43,7 @@ template <> class GuardedRampOf<true> {
         : origin_(plane.value), step_(plane.dx), row_step_(plane.dy) {
         start(span, x, plane);
     }
-    /// Starts again on the plane that the ramp was made of.
+    /// Starts at another place. The plane must be that of the constructor.
     SPANGLE_INLINE void start(const Span<Fixed>& span, std::int32_t x, const Span<Fixed>::Projective&) {
         const auto columns = static_cast<std::uint32_t>(x + (span.x - span.anchor_x)),
                    rows = static_cast<std::uint32_t>(span.y - span.anchor_y);
@@ -71,7 +72,7 @@ template <> class GuardedRampOf<true> {
 };
 using GuardedRamp = GuardedRampOf<!numeric::wide_words>;
 
-/// Finds 1/w for the stages that follow.
+/// Finds 1/w for the later stages of the list.
 template <class N> struct Divide : StageBase {
     GuardedRamp q;
     SPANGLE_INLINE Divide(const Span<Fixed>& s, std::int32_t x) : q(s, x, s.q) {}
@@ -83,7 +84,7 @@ template <class N> struct Divide : StageBase {
     SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) { q.start(s, x, s.q); }
 };
 
-/// GouraudGray with a divided colour.
+/// Does what GouraudGray does, with a colour that the shared 1/w divides.
 template <class N> struct GouraudGrayDivided : StageBase {
     static constexpr unsigned out = field_color;
     GuardedRamp v;
@@ -97,7 +98,7 @@ template <class N> struct GouraudGrayDivided : StageBase {
     SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) { v.start(s, x, s.color_q[0]); }
 };
 
-/// GouraudQ with the shared 1/w.
+/// Does what GouraudQ does, with the shared 1/w.
 template <class N, bool Alpha> struct GouraudDivided : StageBase {
     static constexpr unsigned out = field_color;
     GuardedRamp r, g, b;
@@ -139,8 +140,8 @@ template <class N, bool Alpha> struct GouraudDivided : StageBase {
     }
 };
 
-/// FogCoord as far as LINEAR can tell: a coordinate below 0 becomes 0, and one beyond 2 becomes anything
-/// above 1.
+/// Finds the fog coordinate as far as LINEAR can tell values apart. A coordinate below 0 becomes 0, and a
+/// coordinate beyond 2 becomes some value above 1.
 template <class N> struct FogCoordDivided : StageBase {
     static constexpr unsigned out = field_fog;
     GuardedRamp f;
@@ -161,13 +162,14 @@ template <class N> struct FogCoordDivided : StageBase {
         const std::int32_t least = over_w < 0 ? 0 : over_w, v = least < most ? least : most;
         const std::uint32_t c =
             numeric::mul_high_u32(static_cast<std::uint32_t>(v) << inverse.zeros, inverse.mantissa);
-        if (c >> (32 - exponent) != 0) // 2^(37 - zeros) is more than 32 v, and a mantissa at most 2^31
+        // V is at most q / 32 here, 2^(37 - zeros) > 32 v, and a mantissa is at most 2^31.
+        if (c >> (32 - exponent) != 0)
             __builtin_unreachable();
         return c;
     }
 };
 
-/// NEAREST of one REPEAT image, with the shared 1/w; T is a TextureFixed.
+/// NEAREST of one REPEAT image, with the shared 1/w. T is a TextureFixed.
 template <class T, int Unit> class NearestDivided : public T {
   public:
     using N = typename T::System;
@@ -180,7 +182,7 @@ template <class T, int Unit> class NearestDivided : public T {
                               (this->log2_width > this->log2_height ? this->log2_width : this->log2_height)),
           width_(numeric::factor32(1u << this->log2_width)), bias_{nearest_bias(this->log2_width),
                                                                    nearest_bias(this->log2_height)} {}
-    /// True where 1/w divides these coordinates, and there is more than one texel along each axis.
+    /// True where q is 1/w for these coordinates, and each axis has more than one texel.
     SPANGLE_INLINE static bool serves(const Span<Fixed>& span) {
         return span.unit[Unit].shares_q && span.state->log2_width[Unit] != 0 &&
                span.state->log2_height[Unit] != 0;
@@ -200,13 +202,13 @@ template <class T, int Unit> class NearestDivided : public T {
 
   private:
     GuardedRamp s_, t_;
-    /// `coordinate_shift_` is the shift without the zeros of 1/w; at shifts of up to `largest_near_shift_`
-    /// the low word does not count.
+    /// `coordinate_shift_` is the shift of a coordinate without the zeros of 1/w. At shifts of up to
+    /// `largest_near_shift_` the low word of a product does not count.
     int coordinate_shift_, largest_near_shift_;
     std::uint32_t width_, bias_[2];
 
-    /// The number of the texel. Only the high word of the product in repeat_fraction() counts, where its low
-    /// word lies below the bias: the shift brings in no more than `up` bits.
+    /// The number of the texel. Only the high word of the product in repeat_fraction() counts where its low
+    /// word lies below the bias. The shift brings in at most `up` bits.
     SPANGLE_INLINE std::uint32_t place(std::int32_t s, std::int32_t t, const Inverse& inverse) const {
         const int up = inverse.zeros + coordinate_shift_;
         if (up > largest_near_shift_) [[unlikely]]
@@ -221,7 +223,7 @@ template <class T, int Unit> class NearestDivided : public T {
             return (row << this->log2_width) + (column >> (32 - this->log2_width));
         return row * width_ + numeric::mul_high_u32(column, width_);
     }
-    /// The number of the texel where coordinates are many repeats, or 1/w is small.
+    /// The number of the texel where coordinates are many repeats, or where 1/w is small.
     [[gnu::noinline]] static std::uint32_t far_place(std::int32_t s, std::int32_t t, std::uint32_t mantissa,
                                                      int zeros, int exponent, int log2_width,
                                                      int log2_height) {

@@ -1,5 +1,6 @@
-// Divides by w, a packet at a time: 1/w of each fragment is found once, for colours, fog and coordinates.
-// Lanes only. The bytes are those of GouraudQ, ColorSum, FogCoord and DividedCoords.
+// Divides by w, a packet at a time. 1/w of each fragment is found once, for colours, fog and coordinates.
+// Only number systems with several lanes use it. The bytes are those of GouraudQ, ColorSum, FogCoord and
+// DividedCoords.
 #pragma once
 
 #include "raster/ops/cubic_runs.hpp"
@@ -13,7 +14,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
-/// A plane with guard bits in eight lanes, in as many vectors of words of 64 bits as they take.
+/// A plane with guard bits in eight lanes of 64 bits, in as many vectors as eight lanes take.
 template <class Vector = LaneWords::Vector> class GuardedLanes {
   public:
     GuardedLanes() : at_{}, step_{} {}
@@ -30,7 +31,7 @@ template <class Vector = LaneWords::Vector> class GuardedLanes {
             at_[3] = at_[1] + plane.dx;
         }
     }
-    /// The values without guard bits, signed.
+    /// The signed values, without guard bits.
     SPANGLE_INLINE LaneWords value() const {
         if constexpr (vectors == 2)
             return {std::bit_cast<Vector>((at_[0] >> guard_bits & 0xFFFFFFFFu) | at_[1] >> guard_bits << 32)};
@@ -45,7 +46,7 @@ template <class Vector = LaneWords::Vector> class GuardedLanes {
   private:
     using Long = Longs<Vector>;
     static constexpr int vectors = sizeof(Vector) == 32 ? 2 : 4;
-    /// Lanes 0, 2, 4 and 6 are in one half of the vectors, the other lanes in the other half.
+    /// One half of the vectors holds lanes 0, 2, 4 and 6; the other half holds the odd lanes.
     Long at_[vectors], step_;
     SPANGLE_INLINE static Vector low_words(const Long& a, const Long& b) {
         return __builtin_shufflevector(std::bit_cast<Vector>(a >> guard_bits),
@@ -53,7 +54,7 @@ template <class Vector = LaneWords::Vector> class GuardedLanes {
     }
 };
 
-/// A plane at the fragments of a packet, which lie in one row or in several.
+/// A plane at the fragments of a packet, one fragment at a time. The packet lies in one row or in several.
 template <class Places> class PlaneOf {
   public:
     SPANGLE_INLINE PlaneOf(const Places& k, const Span<Fixed>& span, const Span<Fixed>::Projective& plane)
@@ -72,7 +73,7 @@ template <class Places> class PlaneOf {
 
 } // namespace inner
 
-/// A plane at the fragments of a packet, which lie in one row or in several, in lanes.
+/// A plane at the fragments of a packet, in lanes. The packet lies in one row or in several.
 template <class Places> class PlaneLanesOf {
   public:
     SPANGLE_INLINE PlaneLanesOf(const Places& k, const Span<Fixed>& span,
@@ -81,7 +82,7 @@ template <class Places> class PlaneLanesOf {
         if (rows_ == nullptr)
             ramp_ = inner::GuardedLanes<>(span, k.x, plane);
     }
-    /// The values at the next eight fragments, without guard bits, signed.
+    /// The signed values at the next eight fragments, without guard bits.
     SPANGLE_INLINE LaneWords next() {
         const std::int32_t i = first_;
         first_ += 8;
@@ -99,7 +100,7 @@ template <class Places> class PlaneLanesOf {
     inner::GuardedLanes<> ramp_;
 };
 
-/// Divided attributes of packets of number system N.
+/// Finds divided attributes of packets of number system N.
 template <class N> class PacketDivided {
     using L = typename N::L;
     using U32 = typename L::U32;
@@ -109,7 +110,7 @@ template <class N> class PacketDivided {
     static constexpr int lanes = N::lanes;
 
   public:
-    /// Finds the primitive's 1/w at each fragment, which the other functions read.
+    /// Finds the primitive's 1/w at each fragment; the other functions of this class read it.
     static void inverses(Places& k, const Span<Fixed>& span) {
         if constexpr (divides_in_lanes)
             return inverses_in_lanes(k, span);
@@ -118,7 +119,7 @@ template <class N> class PacketDivided {
             numeric::Reciprocals<lanes> mantissa(numeric::each_is_set);
             for (std::int32_t i = first; i < first + lanes; ++i) {
                 const std::int32_t value = unguarded(plane.at(i));
-                // This is what Inverse does.
+                // The next lines do what Inverse does.
                 const std::uint32_t q = value > 0 ? static_cast<std::uint32_t>(value) : 1u;
                 const int zeros = numeric::clz32(q);
                 mantissa.set(i - first, q << zeros);
@@ -160,7 +161,7 @@ template <class N> class PacketDivided {
         for (std::int32_t i = 0; i < whole(k); i += lanes)
             k.fog[i / lanes] = L::gather(fog + i);
     }
-    /// Finds texture coordinates of a unit, whether or not it shares the primitive's 1/w.
+    /// Finds texture coordinates of a unit, whether or not the unit shares the primitive's 1/w.
     template <int Unit> static void coordinates(Places& k, const Span<Fixed>& span) {
         if constexpr (divides_in_lanes)
             return coordinates_in_lanes(k, span, Unit, span.unit[Unit].shares_q, k.coord[Unit]);
@@ -177,8 +178,8 @@ template <class N> class PacketDivided {
         }
     }
 
-    /// Finds texture coordinates of the exact tier, along cubics where rows have any. Coordinates that are
-    /// divided at every fragment are divided in lanes.
+    /// Finds texture coordinates of the exact tier. Rows that have cubic runs follow them. Coordinates that
+    /// are divided at every fragment are divided in lanes.
     template <int Unit> static void along_cubics(Places& k, const Span<Fixed>& span) {
         along_cubics(k, span, Unit);
     }
@@ -195,7 +196,7 @@ template <class N> class PacketDivided {
             store(k.inverse.power + i, inverse.power());
         }
     }
-    /// False: some product would be shifted to the left.
+    /// Returns false where a product would have to be shifted to the left.
     static bool fog_in_lanes(Places& k, const Span<Fixed>& span) {
         if (span.fog_exponent > 38 - 31) // 1/w has at most 31 leading zeros
             return false;
@@ -224,7 +225,7 @@ template <class N> class PacketDivided {
             return;
         }
         const PacketRows& rows = *k.rows;
-        PacketBits divided = 0; // one bit per piece
+        PacketBits divided = 0; // one bit for each piece
         for (std::int32_t n = 0; n < rows.pieces; ++n) {
             const Piece& piece = rows.piece[n];
             enter(rows.span, piece.row);
@@ -245,7 +246,8 @@ template <class N> class PacketDivided {
     SPANGLE_INLINE static std::int32_t end_of(const Piece& piece) {
         return piece.at + piece.row.last - piece.row.first;
     }
-    /// Fragments [from, end) of the row of the span, the first in column x. False: each fragment divides.
+    /// Finds fragments [from, end) of the span's row along its cubic runs; the first one is in column x.
+    /// Returns false where each fragment divides.
     [[gnu::noinline]] static bool along_cubic(const Span<Fixed>& span, int unit, std::int32_t x,
                                               std::int32_t from, std::int32_t end, Coord* to) {
         CubicRuns run(span, x, unit);
@@ -272,7 +274,7 @@ template <class N> class PacketDivided {
     SPANGLE_INLINE static InverseLanes inverse_lanes(const Places& k, std::int32_t i) {
         return {L::gather(k.inverse.q + i), L::gather(k.inverse.mantissa + i)};
     }
-    /// The number of fragments, up to whole groups. Lanes beyond the packet are never read.
+    /// The number of fragments, rounded up to whole groups. Lanes beyond the packet are never read.
     static std::int32_t whole(const Places& k) { return (k.n + lanes - 1) & -lanes; }
     SPANGLE_INLINE static Inverse inverse_of(const Places& k, std::int32_t i) {
         Inverse inverse;
@@ -281,14 +283,15 @@ template <class N> class PacketDivided {
         inverse.zeros = std::countr_zero(k.inverse.power[i]);
         return inverse;
     }
-    /// A component from colour units.
+    /// A component of number system N from a component in colour units.
     SPANGLE_INLINE static typename N::T component(const U32& units) {
         if constexpr (is_exact<N>)
             return units;
         else
             return L::low_half((units + L::splat32(1u << 11)) >> 12);
     }
-    /// Calls f(group, colour units) for a colour plane, divided at each fragment (inner::projective_color).
+    /// Calls f(group, colour units) for a colour plane that is divided at each fragment, as
+    /// inner::projective_color() does.
     template <class F>
     SPANGLE_INLINE static void each(const Places& k, const Span<Fixed>& span, const Plane& plane, F f) {
         PlaneLanesOf<Places> over_w(k, span, plane);

@@ -1,5 +1,5 @@
-// MODULATE, the fog's share and the store of the balanced tier as one stage. It makes the bytes of these
-// three, whose products are rounded down one by one. Fused spans of one lane only.
+// MODULATE, the fog's share and the store of the balanced tier, as one stage. It makes the bytes of these
+// three stages, whose products are each rounded down. Only fused spans of one lane use this file.
 #pragma once
 
 #include "raster/ops/stage_fog.hpp"
@@ -10,7 +10,8 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Components are those of Balanced. MODULATE waits for the store, which gets the texel.
+/// Number system whose components are those of Balanced. MODULATE is left to the store, so a colour carries
+/// its texel.
 struct BalancedLit : Balanced<1> {
     struct Color {
         T r, g, b, a;
@@ -18,25 +19,27 @@ struct BalancedLit : Balanced<1> {
     };
 };
 
-/// Makes the stored word of light that fog has dimmed, of a texel and of the fog factor. Where it is
-/// dithered, all components are counted in steps (counts_steps()). Low: sums are made in low half-words, not
-/// in high ones, with the same bits.
+/// Makes the stored word of light that fog has dimmed, of a texel and of the fog factor. Dithered components
+/// are counted in steps (counts_steps()). Low: sums are made in the low half of a word instead of the high
+/// half, with the same stored bits.
 template <PixelFormat Format, bool Is565, bool Dither,
           bool Low = Dither && (numeric::adds_products || !numeric::long_products)>
 class FoggedTexel {
-    /// Factors count steps of 15 bits, which in a high half-word end one bit higher.
+    /// What the factors of a texel count: 0 for 255ths, 1 for steps of 15 bits, 2 for such steps that end one
+    /// bit higher, in a high half-word.
     static constexpr int steps = !Dither ? 0 : Low ? 1 : 2;
 
   public:
     using N = BalancedLit;
     template <class S>
     SPANGLE_INLINE explicit FoggedTexel(const S& s) : FoggedTexel(FogShare<Balanced<1>, Dither>(s, 0)) {}
-    /// Tables of the factors by which a texel R5 G6 B5 multiplies green (sixths), and red and blue (fifths).
+    /// Tables of the factors by which a texel R5 G6 B5 multiplies green (`sixths`), and red and blue
+    /// (`fifths`).
     using Factors = const std::uint16_t*;
     static constexpr Factors sixths = texel_factors<Balanced<1>, steps>.of6,
                              fifths = texel_factors<Balanced<1>, steps>.of5;
     static constexpr int threshold_bits = Low ? 10 : 27; ///< log2 of a step of five bits
-    /// The fog's shares of the components, with their thresholds added.
+    /// The fog's shares of the components, with thresholds added.
     struct Shares {
         std::uint32_t g, r, b;
     };
@@ -45,7 +48,7 @@ class FoggedTexel {
         return {g_.of_fog(factor, threshold >> 1), r_.of_fog(factor, threshold),
                 b_.of_fog(factor, threshold)};
     }
-    /// The stored word, made of light and the fog factor. Bits above the low 16 are not to be stored.
+    /// The stored word, made of light and the fog factor. Only its low 16 bits are to be stored.
     SPANGLE_INLINE std::uint32_t word(const N::Color& light, std::uint32_t f, Factors of6,
                                       Factors of5) const {
         std::uint32_t texel = light.texel;
@@ -59,7 +62,7 @@ class FoggedTexel {
         std::uint32_t b = Share::sum(b_.of_fog(f, 0), light.b, Is565 ? of5[texel & 31] : Scales::blue(texel));
         return joined_high(r, g, b);
     }
-    /// The dithered word, made of light and the fog's shares.
+    /// The dithered word, made of light and of the fog's shares. Only its low 16 bits are to be stored.
     SPANGLE_INLINE static std::uint32_t word(const N::Color& light, const Shares& shares, Factors of6,
                                              Factors of5) {
         std::uint32_t texel = light.texel;
@@ -95,13 +98,14 @@ class FoggedTexel {
         return Words::swaps ? N::L::swap_bytes(word) : word;
     }
 
-    /// The fog's share is 65535 - f times its colour. The half that rounds the sum to 255ths is part of it.
+    /// The fog's share in the high half-word: 65535 - f times the fog's colour. It includes the half that
+    /// rounds the sum to 255ths.
     class HighShare {
       public:
         SPANGLE_INLINE explicit HighShare(std::uint32_t color) : HighShare(color << (lowest - 16), 0) {}
         SPANGLE_INLINE static std::uint32_t of(std::uint32_t f) { return f; }
-        /// Bits below those of the sum are cleared, so that none of them carries into it: both products are
-        /// rounded down.
+        /// The share at fog factor f. Bits below those of the sum are cleared, so that both products are
+        /// rounded down and none carries into the sum.
         SPANGLE_INLINE std::uint32_t of_fog(std::uint32_t f, [[maybe_unused]] std::uint32_t threshold) const {
             const auto [color, whole] = numeric::load_two(color_integer_);
             const std::uint32_t share = numeric::without_low<lowest>(whole - color * f);
@@ -135,7 +139,7 @@ class FoggedTexel {
     };
     using Share = std::conditional_t<Low, LowShare, HighShare>;
 
-    Share g_, r_, b_; ///< in the order in which they are read
+    Share g_, r_, b_; ///< in the order in which word() reads them
 };
 
 /// Stores fragments whose light FogLight has dimmed.
@@ -168,7 +172,7 @@ template <PixelFormat Format, bool Is565, bool Dither> class FoggedLightStore : 
     using Thresholds =
         std::conditional_t<Dither, inner::NumberedThresholds<Texel::threshold_bits>, inner::NoThreshold>;
     Texel texel_;
-    /// The thresholds from the fragment on at which the list starts to count.
+    /// The thresholds, from the fragment on from which the list counts.
     [[no_unique_address]] Thresholds thresholds_;
 };
 

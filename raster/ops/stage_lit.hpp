@@ -1,6 +1,6 @@
-// Lit textures of the exact tier, eight fragments at a time. Everything is guessed in 16 bits, as far as
-// these decide the texel and the bits that are stored. All other fragments, one in thirty, are left open
-// (Px::open) and drawn again with one lane. Fused spans only.
+// Lit textures of the exact tier, eight fragments at a time. All attributes are guessed in 16 bits. The guess
+// counts where it decides the texel and the bits that are stored. Every other fragment, about one in thirty,
+// is left open (Px::open) and drawn again with one lane. Only fused spans use this file.
 #pragma once
 
 #include "raster/ops/near_division.hpp"
@@ -12,13 +12,16 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// By how much a guessed component may be wrong where its colour and fog factor are exact.
-///
-/// The unit is a 256th of a 255th. A colour, rounded to it, is off by 1/2. A factor F of 16 bits stands for
-/// (F + e) / 2^16, 0 <= e <= 1, and products are rounded down. So the modulated colour is up to 1/2 less than
-/// the guess and up to 5/2 more. Fog adds two products, again with factors whose sum is one less than 2^16:
-/// up to 3 more. What the exact tier rounds away is less than 2^-10. 1/2 is added to round to 255ths. Where
-/// colours are dithered, one product, rounded down, makes steps of 5 or 6 bits, which makes errors no larger.
+/// By how much a guessed component may be wrong where its colour and its fog factor are exact. The unit is a
+/// 256th of a 255th.
+/// - A colour that is rounded to this unit is off by up to 1/2.
+/// - A factor F of 16 bits stands for (F + e) / 2^16 with 0 <= e <= 1, and products are rounded down.
+/// - So the modulated colour is at most 1/2 less than the guess and at most 5/2 more.
+/// - Fog adds two products whose factors sum to 2^16 - 1, which makes up to 3 more.
+/// - The rounding of the exact tier is less than 2^-10.
+/// - To round to 255ths, 1/2 is added.
+/// - Where colours are dithered, a product that is rounded down makes steps of 5 or 6 bits. It makes no error
+///   larger.
 template <bool Fog> struct LitGuess { static constexpr std::uint32_t under = 1, over = Fog ? 5 : 2; };
 
 /// The attributes of a lit texture near a place. Full: colours are projective. Gray: red stands for all three
@@ -27,11 +30,11 @@ template <bool Full, bool Gray, bool Fog, class Products = NearHalves> struct Li
     static constexpr int unit = 0, colors = Gray ? 1 : 3;
     Interpolant<std::uint32_t> u;
     NearQuotient s, t, color[3], fog;
-    /// How much less (under) or more (over) than guessed a component may be, besides what its products leave
-    /// out. The unit is a 256th of a 255th, with the fraction bits of the products.
+    /// How much less (`under`) or more (`over`) than the guess a component may be, beyond the errors of
+    /// LitGuess. The unit is a 256th of a 255th, with the fraction bits of the products.
     std::uint32_t under, over;
 
-    /// Returns false where 16 bits are not enough.
+    /// Prepares the attributes around a patch. Returns false where 16 bits are not enough.
     [[gnu::noinline]] bool set(const Span<Fixed>& span, const Patch& patch) {
         const NearDivisionOf<Products> by(span, patch);
         const DrawState& state = *span.state;
@@ -56,19 +59,19 @@ template <bool Full, bool Gray, bool Fog, class Products = NearHalves> struct Li
             fog_off = fog.window - 1 - (static_cast<std::uint32_t>(half) << Products::fraction_bits);
         }
         u = by.u;
-        // A colour is off by its window. Where the fog factor is off by -f .. f + 1, the sum is off by as
-        // much.
+        // A colour is off by less than its window. Where the fog factor is off by -f .. f + 1, so is the sum
+        // of the fogged colour.
         under = fog_off;
         over = color_window - 1 + fog_off;
         return true;
     }
 
   private:
-    /// Images larger than 2^most_log2_size leave few bits within a texel.
+    /// An image larger than 2^most_log2_size leaves too few bits within a texel.
     static constexpr int usual_fog = 6, most_log2_size = 10;
 
-    /// Limits a base. A base beyond the limits leaves the sum outside of 0 and 1 whatever of() adds, and so
-    /// does the limit.
+    /// Limits the base of a quotient. With a base beyond the limits the sum lies outside of 0 and 1 whatever
+    /// NearInverse::of() adds. The limit leads to the same clamped result.
     SPANGLE_INLINE static std::int32_t limit_base(std::int32_t base) {
         return numeric::clamp<std::int32_t>(base, -INT16_MAX, 0xFFFF - INT16_MIN);
     }
@@ -77,7 +80,7 @@ template <bool Full, bool Gray, bool Fog, class Products = NearHalves> struct Li
 /// A row of fragments inside of a patch.
 template <class Patch> struct LitRow : PlaneRow { const Patch& patch; };
 
-/// A coordinate in 2^-16 of the image, for NEAREST; lanes whose texel is in doubt become open.
+/// A coordinate in 2^-16 of the image, for NEAREST. Lanes whose texel is in doubt become open.
 class LitAxis {
   public:
     using L = Lanes<8>;
@@ -94,7 +97,7 @@ class LitAxis {
     L::U16 base_, window_, whole_texels_;
 };
 
-/// A quotient, limited to the range of its attribute.
+/// A quotient that is limited to the range of its attribute.
 class LitRatio {
   public:
     using L = Lanes<8>;
@@ -109,7 +112,7 @@ class LitRatio {
     L::U16 base_, least_, largest_;
 };
 
-/// The depth test, MODULATE, fog and truncation or dithering; T is a TextureFixed. A component that is not
+/// The depth test, MODULATE, fog, and truncation or dithering. T is a TextureFixed. A component that is not
 /// dithered is rounded to 255ths: 1/2 is added.
 template <class Test, class T, bool Full, bool Gray, bool HasFog, bool Dither>
 class LitGuessed : public TexelLanes<T> {
@@ -181,12 +184,13 @@ class LitGuessed : public TexelLanes<T> {
 
   private:
     static constexpr bool is_565 = T::texel_format == TexelFormat::rgb565;
-    /// A colour, divided or affine, in 256ths of 255ths. Set-up added half of such a unit to affine colours.
+    /// The type of a colour, divided or affine, in 256ths of 255ths. Set-up has added half of this unit to
+    /// affine colours.
     using Color = std::conditional_t<Full, LitRatio, Ramp<L>>;
     using Guess = LitGuess<HasFog>;
     using Thresholds = std::conditional_t<Dither, inner::DitherRow<L>, inner::NoThreshold>;
 
-    /// The planes of u and of the attributes that it divides, but for colours.
+    /// The plane of u, and the planes of the attributes other than colours that are divided by it.
     SPANGLE_INLINE static auto planes(const LitRow<Patch>& row, std::int32_t x) {
         const Patch& of = row.patch;
         if constexpr (HasFog)
@@ -194,7 +198,7 @@ class LitGuessed : public TexelLanes<T> {
         else
             return NearPlanes<3>(row, x, of.u, of.s.d, of.t.d);
     }
-    /// The planes of depth, where it is tested, and of colours.
+    /// The plane of depth, where depth is tested, and the planes of colours.
     SPANGLE_INLINE static auto values(const LitRow<Patch>& row, std::int32_t x) {
         const auto depth = Test::kill ? row.z : Interpolant<std::uint32_t>{};
         const auto value = [&](int i) __attribute__((always_inline)) {
@@ -212,7 +216,7 @@ class LitGuessed : public TexelLanes<T> {
         else
             return Ramp<L>(row, x, row.color_value[i]);
     }
-    /// Component I of light, or what fog leaves of it.
+    /// Component I of the light, times the fog factor where there is fog.
     template <int I>
     SPANGLE_INLINE L::U16 share(const Color& c, const L::U16& f, const NearInverse& inverse) const {
         L::U16 v;
@@ -242,7 +246,7 @@ class LitGuessed : public TexelLanes<T> {
             return this->words_of(this->index_at(s, t));
         return this->words_at(L::widened(s) << 16, L::widened(t) << 16);
     }
-    /// Factors of 16 bits that stand for k / (2^bits - 1) (see LitGuess): the bits of k over and over.
+    /// Factors of 16 bits that stand for k / (2^bits - 1), as LitGuess assumes. The bits of k are repeated.
     SPANGLE_INLINE static Factors factors_of(const auto& texels) {
         if constexpr (is_565)
             return {repeated<5>(texels & 0xF800), repeated<6>((texels << 5) & 0xFC00),
@@ -260,8 +264,8 @@ class LitGuessed : public TexelLanes<T> {
         const L::U16 v = L::mul_high(c, factor);
         return HasFog ? v + L::mul_high(fog_color_[i], rest) : v;
     }
-    /// The least value of a component, whose top bits are stored. Lanes where an error could change these
-    /// become open.
+    /// The least value that a component, of which the top bits are stored, may have. Lanes in which an error
+    /// could change the stored bits become open.
     template <unsigned Bits> SPANGLE_INLINE L::U16 bits(L::U16& open, L::U16 v) const {
         L::U16 least = v + from_;
         if constexpr (Dither)

@@ -1,5 +1,6 @@
-// Lit textures of the exact tier, one fragment at a time. This is stage_lit.hpp in words of 32 bits where
-// there are long products, which leave one fragment in some thousand open. Fused spans of one lane only.
+// Lit textures of the exact tier, one fragment at a time. On processors with long products the guess of
+// stage_lit.hpp is made in words of 32 bits, which leaves only one fragment in some thousand open. Other
+// processors use half-words. Only fused spans of one lane use this file.
 #pragma once
 
 #include "raster/ops/stage_lit.hpp"
@@ -9,7 +10,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// A plane that is evaluated by the number of the fragment in its row, so that nothing steps.
+/// A plane that is evaluated by the number of the fragment in its row. No step is needed.
 class NumberedRamp {
   public:
     template <class S>
@@ -29,12 +30,12 @@ class NumberedRamp {
     std::uint32_t at_, step_;
 };
 
-/// What is made of quotients. Colours and fog have the fraction bits of the products. A component, which is
-/// `Whole` where it is 1, is the product of a texel's component, of which `Most` is 1, of light and of the
-/// fog factor.
+/// The arithmetic on quotients. Colours and fog have the fraction bits of the products. A component is the
+/// product of light, of the fog factor and of a texel's component. `Whole` is 1 in a component of the result,
+/// and `Most` is 1 in a component of a texel.
 template <class Products> struct LitNumbers;
 
-/// Light has the bits of the exact tier.
+/// Arithmetic in which light has the bits of the exact tier.
 template <> struct LitNumbers<NearWords> {
     static constexpr int top = 30; ///< components end below this bit
     SPANGLE_INLINE static std::uint32_t affine(std::uint32_t v) { return v >> 2; }
@@ -54,26 +55,25 @@ template <> struct LitNumbers<NearWords> {
         return static_cast<std::uint32_t>(numeric::mul_u32(units, static_cast<std::uint32_t>(scale >> 2)) >>
                                           27);
     }
-    /// The low word of the sum may be anything (NearWords).
+    /// The sum of a component and the fog's share. Its low word may be anything (NearWords).
     SPANGLE_INLINE static std::uint32_t fogged(std::uint32_t c, std::uint32_t fog_color, std::uint32_t rest) {
         return static_cast<std::uint32_t>(
             ((std::uint64_t{c} << 32 | fog_color) + numeric::mul_u32(fog_color, rest)) >> 32);
     }
-    /// Bounds of what a component may be off by, where a 255th is 2^22 or less. of_patch() is the part from
-    /// the patch.
+    /// The part of a component's error bound that comes from the patch. A 255th is 2^22 or less.
     SPANGLE_INLINE static std::uint32_t of_patch(std::uint32_t off) { return off; }
-    /// `under` bounds how far a component may be below the guess. What the chain rounds takes less than 3 off
-    /// in its bits, which are 4 here, and its steps less than 1. Affine colours have half a 256th of a 255th
-    /// added, and a low word adds 1.
+    /// Bounds how far a component may be below the guess. The chain's rounding takes less than 3 of its bits
+    /// off, and one of them is 4 here. Its steps take less than 1 off. Affine colours include half a 256th of
+    /// a 255th, and a low word adds 1.
     template <bool Full> static constexpr std::uint32_t under = 3 * 4 + (Full ? 0 : 1u << 13) + 2;
-    /// `over` bounds how far a component may be above the guess. The chain adds less than 1. Light is rounded
-    /// down before it is multiplied by `Whole` and again before it meets a texel's component. The fog's
-    /// colour and the sum are rounded down, too.
+    /// Bounds how far a component may be above the guess. The chain adds less than 1. Light is rounded down
+    /// before it is multiplied by `Whole`, and again before it meets the texel. The fog's colour and the sum
+    /// are rounded down, too.
     template <std::uint32_t, std::uint32_t Most, bool>
     static constexpr std::uint32_t over = 2 * 4 + 2 * Most + 2;
 };
 
-/// Light has 8 bits, and 8 bits below them.
+/// Arithmetic in which light has 8 bits and 8 fraction bits.
 template <> struct LitNumbers<NearHalves> {
     static constexpr int top = 32;
     static constexpr std::uint32_t one = 255 << 8;
@@ -87,7 +87,7 @@ template <> struct LitNumbers<NearHalves> {
             return bits;
         }();
         static constexpr auto scale = static_cast<std::uint32_t>((std::uint64_t{Whole} << bits) / of);
-        /// What the factor loses of Most times light: nothing where it is only a shift.
+        /// What the factor loses of Most times light. It loses nothing where the factor is only a shift.
         static constexpr auto lost =
             scale == 1u << bits ? 0 : static_cast<std::uint32_t>(Whole - (of * scale >> bits) + Most);
     };
@@ -108,19 +108,19 @@ template <> struct LitNumbers<NearHalves> {
     SPANGLE_INLINE static std::uint32_t fogged(std::uint32_t c, std::uint32_t fog_color, std::uint32_t rest) {
         return c + fog_color * rest;
     }
-    /// Bounds of what a component may be off by, where a 256th of a 255th is 2^16 or less. Light and the
-    /// fog's colour, rounded to such units, are off by 1/2, and what the exact tier rounds away is less than
-    /// 2^-10.
+    /// The part of a component's error bound that comes from the patch. A 256th of a 255th is 2^16 or less.
+    /// Light and the fog's colour, rounded to such units, are off by 1/2. The rounding of the exact tier is
+    /// less than 2^-10.
     SPANGLE_INLINE static std::uint32_t of_patch(std::uint32_t off) { return off << 16; }
     template <bool> static constexpr std::uint32_t under = (1u << 15) + (1u << 6);
-    /// `over` includes what light() loses. With fog, whose factors add up to 1 less than 2^16, its share and
-    /// its colour lose more.
+    /// Bounds how far a component may be above the guess, including what light() loses. With fog, the factors
+    /// of light and of the fog's colour sum to 2^16 - 1, and two more products are rounded down.
     template <std::uint32_t Whole, std::uint32_t Most, bool Fog>
     static constexpr std::uint32_t over = (1u << 15) + (1u << 6) + Factor<Whole, Most>::lost +
                                           (Fog ? (2 + Factor<(Whole >> 16), 1>::lost) << 16 : 0);
 };
 
-/// Finds the number of a texel along one axis.
+/// Finds the number of a texel along one axis, and whether it is in doubt.
 template <class Products> class LitAxisOne {
   public:
     SPANGLE_INLINE LitAxisOne(const PlaneRow& row, std::int32_t x, const NearQuotient& of, int log2_size)
@@ -143,7 +143,7 @@ template <class Products> class LitAxisOne {
   private:
     /// The top bits of a word, which hold whole repeats and are shifted out.
     static constexpr int unused_bits = 16 - Products::fraction_bits;
-    /// The size of an axis: as a factor, or as two shifts.
+    /// The size of an axis, as a factor or as two shifts.
     struct Factor {
         std::uint32_t texels;
         SPANGLE_INLINE static Factor of(int log2_size) { return {numeric::factor32(1u << log2_size)}; }
@@ -165,10 +165,11 @@ template <class Products> class LitAxisOne {
 
   private:
     NumberedRamp d_;
-    std::uint32_t base_, undecided_from_; ///< fractions of a texel from this one on may reach the next texel
+    /// Fractions of a texel from `undecided_from_` on may reach the next texel.
+    std::uint32_t base_, undecided_from_;
 };
 
-/// A quotient at one fragment.
+/// A quotient, evaluated at one fragment.
 template <class Products> class LitRatioOne {
   public:
     SPANGLE_INLINE LitRatioOne(const PlaneRow& row, std::int32_t x, const NearQuotient& of)
@@ -176,7 +177,7 @@ template <class Products> class LitRatioOne {
     SPANGLE_INLINE void start(const PlaneRow& row, std::int32_t x, const NearQuotient& of) {
         d_.start(row, x, of.d);
     }
-    /// The sum fits a word, because LitPatch has limited the base.
+    /// The quotient at fragment i. The sum fits a word, because LitPatch has limited the base.
     SPANGLE_INLINE std::int32_t at(std::int32_t i, std::int32_t inverse) const {
         return static_cast<std::int32_t>(Products::of(base_, d_.value(i), inverse));
     }
@@ -186,7 +187,7 @@ template <class Products> class LitRatioOne {
     std::uint32_t base_;
 };
 
-/// A component of the primary colour at one fragment.
+/// A component of the primary colour, evaluated at one fragment.
 template <class Products, bool Full> class LitColorOne {
   public:
     template <class Patch>
@@ -201,7 +202,7 @@ template <class Products, bool Full> class LitColorOne {
         if constexpr (Full)
             return static_cast<std::uint32_t>(numeric::clamp<std::int32_t>(v_.at(i, inverse), 0, one));
         else
-            return LitNumbers<Products>::affine(v_.value(i)); // not above one (Balanced::from_affine)
+            return LitNumbers<Products>::affine(v_.value(i)); // at most one (Balanced::from_affine)
     }
 
   private:
@@ -217,7 +218,7 @@ template <class Products, bool Full> class LitColorOne {
     V v_;
 };
 
-/// MODULATE, fog, truncation or dithering, and the store; T is a TextureFixed.
+/// MODULATE, fog, truncation or dithering, and the store. T is a TextureFixed.
 template <class Products, class T, bool Full, bool Gray, bool HasFog, PixelFormat Format, bool Dither>
 class LitOne : public T {
   public:
@@ -233,7 +234,7 @@ class LitOne : public T {
         const std::uint32_t under = Numbers::of_patch(row.patch.under) + Numbers::template under<Full>;
         constexpr std::uint32_t over5 = Numbers::template over<whole<5>, most<5>, HasFog>,
                                 over6 = Numbers::template over<whole<6>, most<6>, HasFog>;
-        from_ = (Dither ? 0 : 1u << (top - 9)) - under; // 1 << (top - 9) rounds to 255ths
+        from_ = (Dither ? 0 : 1u << (top - 9)) - under; // the second term rounds to 255ths
         range_ = under + Numbers::of_patch(row.patch.over) + (over5 > over6 ? over5 : over6);
         const std::uint32_t* const fog_color = row.state->fragment.fog_color;
         fog_color_[0] = Numbers::template fog_color<whole<5>>(fog_color[0]);
@@ -254,7 +255,7 @@ class LitOne : public T {
             b_.start(row, x, patch, 2);
         }
     }
-    /// Draws fragment i. False: the guess leaves the fragment open.
+    /// Draws fragment i. Returns false where the guess leaves the fragment open.
     SPANGLE_INLINE bool draw(std::int32_t i, std::uint8_t* color_plane) const {
         const std::int32_t inverse = Products::inverse(ramp_.value(i));
         const auto s = s_.texel(i, inverse), t = t_.texel(i, inverse);
@@ -302,14 +303,15 @@ class LitOne : public T {
     using Color = LitColorOne<Products, Full>;
     static constexpr int top = Numbers::top;
     using Thresholds = std::conditional_t<Dither, inner::NumberedThresholds<top - 6>, inner::NoThreshold>;
-    /// `most` is 1 in a texel's component. `whole` is 1 in a component that is stored in so many bits. It is
-    /// counted in steps to which thresholds were added, all of them as high as steps of 6 bits, or in 255ths.
+    /// `most` is 1 in a component of a texel, and `whole` is 1 in a component of the result. Dithered
+    /// components are counted in steps, which are as high as steps of 6 bits in all components. Other
+    /// components are counted in 255ths.
     template <unsigned Bits> static constexpr std::uint32_t most = is_565 ? (1u << Bits) - 1 : 255;
     template <unsigned Bits>
     static constexpr std::uint32_t whole = Dither ? ((1u << Bits) - 1) << (top - 6) : 255u << (top - 8);
     template <unsigned Bits> static constexpr int step = top - (Dither ? 6 : static_cast<int>(Bits));
 
-    /// The stored bits that would change if a component were as large as it may be.
+    /// The stored bits that would change if the component were as large as it may be.
     template <unsigned Bits> SPANGLE_INLINE std::uint32_t changed(std::uint32_t v) const {
         return ((v + range_) ^ v) >> step<Bits>;
     }

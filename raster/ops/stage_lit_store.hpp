@@ -1,6 +1,6 @@
-// Lit textures of the exact tier where there are no long products. Divided attributes are exact. MODULATE and
-// fog are guessed by products of half-words, as far as these decide the bits that are stored. All other
-// fragments, one in eighty, are done again. Fused spans of one lane only.
+// Lit textures of the exact tier on processors without long products. Divided attributes are exact. MODULATE
+// and fog are guessed by products of half-words. The guess counts where it decides the stored bits. All other
+// fragments, about one in eighty, are done again. Only fused spans of one lane use this file.
 #pragma once
 
 #include "raster/ops/stage_fogged.hpp"
@@ -10,7 +10,8 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Components and fog are those of Exact. MODULATE waits for the store, which gets the texel.
+/// Number system whose components and fog are those of Exact. MODULATE is left to the store, so a colour
+/// carries its texel.
 struct ExactLit {
     using Policy = Fixed;
     static constexpr int lanes = 1;
@@ -28,26 +29,27 @@ struct ExactLit {
 
 namespace inner {
 
-/// k / Most as F / 2^16, where F is at most 1 too small (LitGuess); F is 65535 for the component 1.
+/// Tables of F, where F / 2^16 stands for k / Most and F is at most 1 too small (LitGuess).
 template <std::uint32_t Most> struct LitFactors {
     std::uint16_t of[Most + 1];
     constexpr LitFactors() : of{} {
         for (std::uint32_t k = 1; k <= Most; ++k)
-            of[k] = static_cast<std::uint16_t>((k * 65536 - 1) / Most); // 65535 for 1
+            // K = Most, which stands for 1, has the factor 65535.
+            of[k] = static_cast<std::uint16_t>((k * 65536 - 1) / Most);
     }
 };
 template <std::uint32_t Most> inline constexpr LitFactors<Most> lit_factors;
 
 } // namespace inner
 
-/// Factors of 16 bits, for products of half-words.
+/// Factors of 16 bits for texels, for products of half-words.
 struct HalfFactors {
     SPANGLE_INLINE static std::uint32_t factor5(std::uint32_t k) { return inner::lit_factors<31>.of[k]; }
     SPANGLE_INLINE static std::uint32_t factor6(std::uint32_t k) { return inner::lit_factors<63>.of[k]; }
     SPANGLE_INLINE static std::uint32_t factor8(std::uint32_t k) { return inner::lit_factors<255>.of[k]; }
 };
 
-/// Makes the stored word of a lit fragment and its texel, which is a word 565 or bytes.
+/// Makes the stored word of a lit fragment and its texel. The texel is a word R5 G6 B5, or bytes.
 template <PixelFormat Format, bool Is565, bool HasFog, bool Dither> class LitStore : public StageBase {
   public:
     using N = ExactLit;
@@ -67,7 +69,7 @@ template <PixelFormat Format, bool Is565, bool HasFog, bool Dither> class LitSto
     template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
         thresholds_ = Thresholds(s.x + x, s.y);
     }
-    /// fog is the coordinate as FogLinear takes it.
+    /// The stored word of a fragment. `fog` is the fog coordinate as FogLinear takes it.
     SPANGLE_INLINE std::uint32_t word(const N::Color& c, std::uint32_t fog) const {
         const std::uint32_t f = HasFog ? N::L::clamped_24_to_16(fog) : 0, t = c.texel;
         const std::uint32_t r = least<5>(lit(c.r, Scales::red(t), f, 0)),
@@ -75,11 +77,11 @@ template <PixelFormat Format, bool Is565, bool HasFog, bool Dither> class LitSto
                             b = least<5>(lit(c.b, Scales::blue(t), f, 2));
         constexpr std::uint32_t five = 0xF8u << (top - 8), six = 0xFCu << (top - 8);
         if (((((r + range) ^ r) | ((b + range) ^ b)) & five) != 0 || (((g + range) ^ g) & six) != 0)
-            [[unlikely]] // a copy is passed, or p would have an address
+            [[unlikely]] // a copy is passed: the address of p.color would force p into memory
             return done_again(N::Color(c), fog, fog_color_, thresholds_.threshold());
         return (r >> (top - 16) & 0xF800) | (g >> (top - 11) & 0x07E0) | b >> (top - 5);
     }
-    /// The stored word as the chain makes it.
+    /// The stored word, made by the arithmetic of the chain.
     [[gnu::noinline]] static std::uint32_t done_again(const N::Color& lit, std::uint32_t fog,
                                                       const std::uint32_t* fog_color,
                                                       std::uint32_t threshold) {
@@ -98,7 +100,7 @@ template <PixelFormat Format, bool Is565, bool HasFog, bool Dither> class LitSto
     using Scales = TexelScales<HalfFactors, Is565>;
     using Thresholds = std::conditional_t<Dither, inner::DitherRow<N::L>, inner::NoThreshold>;
     static constexpr int top = Dither ? 32 : 16; ///< components end below this bit
-    /// With dithering the range is one more: nothing below 256ths is dropped from steps.
+    /// With dithering the range is one more, because steps keep the bits below a 256th of a 255th.
     static constexpr std::uint32_t under = LitGuess<HasFog>::under << (top - 16),
                                    range = under + ((LitGuess<HasFog>::over + Dither) << (top - 16));
 
@@ -107,7 +109,8 @@ template <PixelFormat Format, bool Is565, bool HasFog, bool Dither> class LitSto
         const std::uint32_t v = rounded(c) * factor >> 16;
         return HasFog ? (fog_[i] * (65535 - f) >> 16) + (v * f >> 16) : v;
     }
-    /// The least that a component, rounded to 255ths or dithered, may be.
+    /// The least that a component may be. It is in 255ths with half of one added, or in steps with the
+    /// threshold added.
     template <unsigned Bits> SPANGLE_INLINE std::uint32_t least(std::uint32_t v) const {
         if constexpr (Dither)
             return v * Balanced<1>::step_scale(Bits) + (thresholds_.threshold() << (27 - Bits)) - under;

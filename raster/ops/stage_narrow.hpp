@@ -1,4 +1,5 @@
-// The last stages of every list on a surface of a narrow format: one set of stages serves all narrow formats.
+// The last stages of lists that draw on a surface of a narrow format. One set of stages serves all narrow
+// formats.
 #pragma once
 
 #include "raster/ops/stage_store.hpp"
@@ -8,7 +9,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// The stored word of a colour, dithered with a threshold if `dither` is set.
+/// The stored word of a colour. Where `dither` is set, the threshold is added first.
 template <class N>
 [[gnu::noinline]] std::uint32_t narrow_word_of(PixelFormat format, const typename N::Color& c, bool dither,
                                                std::uint32_t threshold) {
@@ -21,8 +22,8 @@ template <class N>
                     N::template dithered<6>(c.b, threshold));
 }
 
-/// The place of the fragments of a list. The address in the colour plane is that of the stored row, not of a
-/// pixel.
+/// The place of a fragment on a narrow surface. The address in the colour plane is that of the row, because a
+/// pixel may share its byte with others.
 struct NarrowPlace {
     PixelFormat format;
     std::int32_t x, y;
@@ -30,7 +31,7 @@ struct NarrowPlace {
     NarrowPlace(const S& s, std::int32_t column) : format(s.state->format), x(s.x + column), y(s.y) {}
 };
 
-/// The colour that a fragment blends with.
+/// Loads the stored colour with which a fragment blends.
 template <class N> struct StoredNarrow : NarrowPlace {
     static constexpr bool anywhere = false;
     StoredNarrow(const Span<typename N::Policy>& s, std::int32_t column) : NarrowPlace(s, column) {}
@@ -77,7 +78,7 @@ template <class N> struct StoreNarrow : StageBase {
     }
 };
 
-/// Fills rows of one colour without tests, by bytes instead of fragments.
+/// Fills rows with one colour, without tests. Rows are filled by bytes, which is faster than by fragments.
 template <class N> void fill_narrow_rows(const Span<Fixed>& span, const Row* row, const Row* end) {
     const DrawState& state = *span.state;
     const auto of = [&](int i) { return N::from_affine(span.color_value[i].value); };
@@ -94,7 +95,7 @@ template <class N> void fill_narrow_rows(const Span<Fixed>& span, const Row* row
     }
 }
 
-/// Draws rows by the chain; the address of the colour plane is that of the stored row.
+/// Draws rows by the chain. The span's address in the colour plane is that of the stored row.
 template <class P, void (*Draw)(const Span<P>&)>
 void by_narrow_row(Span<P>& span, const Row* row, const Row* end) {
     for (; row != end; ++row) {
@@ -104,7 +105,7 @@ void by_narrow_row(Span<P>& span, const Row* row, const Row* end) {
     }
 }
 
-/// Draws rows of affine colours; where the colour is constant, rows are filled.
+/// Draws rows of affine colours. Where the colour is constant, rows are filled.
 template <class N, void (*Draw)(const Span<Fixed>&)>
 void narrow_rows(Span<Fixed>& span, const Row* row, const Row* end) {
     bool one_color = true;

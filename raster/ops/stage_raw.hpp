@@ -1,4 +1,4 @@
-// The first and the last stages of lists whose colour is 16 bits from its source to the surface.
+// The first and the last stages of lists whose colour is the 16 bits R5 G6 B5 from its source to the surface.
 #pragma once
 
 #include "raster/ops/dither_pattern.hpp"
@@ -12,10 +12,10 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
-/// A DitheredWord for eight lanes at once.
+/// A dithered colour (DitheredWord) for eight lanes at once.
 template <class L> struct DitheredLanes {
     using U16 = typename L::U16;
-    U16 whole, r, g, b; ///< the word of whole steps; fractions of r, g and b in 32nds of a step
+    U16 whole, r, g, b; ///< the word of whole steps, and the fractions of r, g and b in 32nds of a step
     SPANGLE_INLINE explicit DitheredLanes(std::uint32_t components)
         : whole(L::splat(DitheredWord{components}.word())), r(L::splat(components >> 21 & 31)),
           g(L::splat(components >> 10 & 31)), b(L::splat(components & 31)) {}
@@ -26,8 +26,8 @@ template <class L> struct DitheredLanes {
 
 } // namespace inner
 
-/// Rows of the window in one dithered colour, as they are stored: eight columns, starting at any of the four
-/// columns of a period.
+/// Rows of the window in one dithered colour, in the byte order of the surface. A row holds eight columns
+/// from any of the four columns of a period.
 template <PixelFormat Format> class DitherLaneRows {
   public:
     SPANGLE_INLINE explicit DitherLaneRows(std::uint32_t components) {
@@ -46,7 +46,7 @@ template <PixelFormat Format> class DitherLaneRows {
     inner::Half thresholds_of_[4][12];
 };
 
-/// Gives all fragments of the primitive one colour, as a word.
+/// Gives all fragments of the primitive one colour, which is a word.
 template <int Count> struct FlatWord : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<Count>;
@@ -58,8 +58,8 @@ template <int Count> struct FlatWord : StageBase {
     }
 };
 
-/// One dithered colour, from row to row of a tile: eight columns are two periods, so nothing walks along a
-/// row.
+/// Gives the rows of a tile one dithered colour. Eight columns are two periods of the pattern, so the words
+/// of a row do not change along it.
 template <int Count> struct FlatDithered : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<Count>;
@@ -78,12 +78,12 @@ template <int Count> struct FlatDithered : StageBase {
         words = lanes.at(dither.threshold());
     }
 };
-/// One dithered colour along rows of eight lanes: reads words of DitherLaneRows.
+/// Gives rows of eight lanes one dithered colour. The words are those of DitherLaneRows.
 struct FlatDitheredRows : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<8>;
     N::T words{};
-    // start() sets the words of each row.
+    // The words are set by start(), which is called for each row.
     template <class S> SPANGLE_INLINE FlatDitheredRows(const S&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         p.color.word = words;
@@ -110,11 +110,11 @@ template <> struct FlatDithered<1> : StageBase {
         place = DitheredWord::place(s.x + x, s.y);
     }
 };
-/// Reads words of DitherRows, as they are stored.
+/// Gives a row one dithered colour. The words are those of DitherRows, in the byte order of the surface.
 struct RowPattern : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<1>;
-    const inner::Half* words; ///< words from the fragment on at which the list starts to count
+    const inner::Half* words; ///< words of this row, from the fragment on from which the list counts
     SPANGLE_INLINE RowPattern(const PlaneRow& row, std::int32_t)
         : words(numeric::factor32(row.words + (row.dither_column & 3))) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
@@ -122,7 +122,7 @@ struct RowPattern : StageBase {
         return true;
     }
 };
-/// Reads words of DitherCells, along paths.
+/// Gives paths one dithered colour. The words are those of DitherCells.
 struct PathPattern : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<1>;
@@ -135,7 +135,7 @@ struct PathPattern : StageBase {
     }
 };
 
-/// Stores the word. Host: it has the host's byte order and is brought into that of the surface.
+/// Stores the word. Host: the word has the byte order of the host and is stored in that of the surface.
 template <int Count, PixelFormat Format, bool Host = true> struct StoreRaw : StageBase {
     static_assert(Format == PixelFormat::rgb565_be || Format == PixelFormat::rgb565_le);
     static constexpr unsigned in = field_color;

@@ -1,6 +1,6 @@
-// Texture coordinates of the balanced and fast tiers, a packet at a time: the integers of CoordRuns. The ends
-// of all runs are divided together, in lanes, and the fragments between two ends are a ramp. It is for
-// instruction sets that divide in lanes.
+// Texture coordinates of the balanced and fast tiers, a packet at a time. The integers are those of
+// CoordRuns. The ends of all runs are divided together, in lanes. The fragments between two ends are a ramp.
+// Only instruction sets that divide in lanes use it.
 #pragma once
 
 #include "raster/ops/lane_division.hpp"
@@ -14,7 +14,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
-/// Mantissas of the Inverse of n pixels, for all n that are shorter than the longest common run (max_log2).
+/// Mantissas of Inverse(n) for n pixels, for all n below the longest common length of runs (max_log2).
 struct ShortRuns {
     std::uint32_t mantissa[1 << CoordRuns::max_log2];
     constexpr ShortRuns() : mantissa{} {
@@ -26,7 +26,7 @@ inline constexpr ShortRuns short_runs;
 
 } // namespace inner
 
-/// The runs of one unit that the fragments of a packet lie in.
+/// Finds the runs of one unit in which the fragments of a packet lie.
 template <class Places> class PacketRuns {
     static constexpr std::int32_t lanes = Places::lanes;
     static_assert(lanes == 8);
@@ -39,16 +39,16 @@ template <class Places> class PacketRuns {
     }
 
   private:
-    /// Up to so many fragments of one row take longer in lanes than one by one.
+    /// Up to this many fragments of one row take longer in lanes than one by one.
     static constexpr std::int32_t short_row = 8;
 
     [[gnu::noinline]] static void run(Places& k, const Span<Fixed>& span, int unit) {
         PacketRuns(k, span, unit).find(k.coord[unit]);
     }
 
-    /// The fragments of one row in the packet.
+    /// The fragments of one row that lie in the packet.
     struct Part {
-        std::uint32_t left, y; ///< pixel 0 of the row, counted from the anchor
+        std::uint32_t left, y; ///< position of pixel 0 of the row, counted from the anchor
         std::int32_t length, number;
         std::int32_t x, at, n; ///< pixel and packet index of the first fragment; number of fragments
         std::int32_t first_end;
@@ -56,9 +56,9 @@ template <class Places> class PacketRuns {
     };
     static constexpr std::int32_t whole = -1;
 
-    /// The most ends in a packet: a part has at most one more end than fragments.
+    /// The largest number of ends in a packet. A part has at most one more end than it has fragments.
     static constexpr std::int32_t most_ends = 2 * packet_length;
-    static constexpr std::int32_t few_ends = 2; ///< at most so many ends take longer in lanes than one by one
+    static constexpr std::int32_t few_ends = 2; ///< up to this many ends take longer in lanes than one by one
 
     PacketRuns(const Places& k, const Span<Fixed>& span, int unit)
         : packet_(k), span_(span), unit_(span.unit[unit]), wraps_s_(span.state->wraps[unit].s),
@@ -120,7 +120,7 @@ template <class Places> class PacketRuns {
         for (PacketBits left = open; left != 0; left &= left - 1) {
             const Part& part = row_parts_[std::countr_zero(left)];
             std::uint32_t *const s = s_ + part.at + part.n, *const t = t_ + part.at + part.n;
-            // Ramps also write behind the part, so that these groups are restored below.
+            // Ramps write behind the part, too, so the words there are restored.
             const auto behind_s = Lanes<8>::gather(s), behind_t = Lanes<8>::gather(t);
             store_runs(part);
             store(s, behind_s);
@@ -128,7 +128,7 @@ template <class Places> class PacketRuns {
         }
     }
 
-    // The next three functions find which ends there are.
+    // The next three functions find the places of the ends.
 
     SPANGLE_INLINE void plan_whole_row(Part& part) {
         part.log2 = whole;
@@ -148,7 +148,7 @@ template <class Places> class PacketRuns {
              static_cast<std::uint32_t>(step), runs);
         fill(y_ + end_count_, part.y, 0, runs);
         end_count_ += runs;
-        if (step == 1) // runs of one pixel do not go on to their end
+        if (step == 1) // runs of one pixel need no end
             return;
         end_columns_[end_count_] = part.left + static_cast<std::uint32_t>(end < last ? end : last);
         y_[end_count_++] = part.y;
@@ -165,8 +165,8 @@ template <class Places> class PacketRuns {
         return CoordRuns(span_, 0, unit_number_).choose_log2();
     }
 
-    // The next functions find w at each end, and s and t in repeats, or as they are stored where they do not
-    // wrap.
+    // The next functions find w, s and t at each end. s and t are in repeats where they wrap, and otherwise
+    // in the form in which they are stored.
 
     SPANGLE_INLINE void divide() {
         const auto& q_plane = unit_.shares_q ? span_.q : unit_.q;
@@ -192,7 +192,7 @@ template <class Places> class PacketRuns {
     }
     [[gnu::noinline]] void divide_in_lanes(const Span<Fixed>::Projective& q_plane) {
         store(end_columns_ + end_count_,
-              LaneWords::splat(end_columns_[0])); // for the lanes beyond the last end
+              LaneWords::splat(end_columns_[0])); // for lanes beyond the last end
         store(y_ + end_count_, LaneWords::splat(y_[0]));
         const PlaneInRows s(unit_.s), t(unit_.t), q(q_plane);
         for (std::int32_t i = 0; i < end_count_; i += lanes) {
@@ -204,9 +204,9 @@ template <class Places> class PacketRuns {
         }
     }
 
-    // The next functions write the fragments between the ends.
+    // The next functions write the coordinates of the fragments between the ends.
 
-    /// False: the row takes several runs (CoordRuns::is_one_run()).
+    /// Returns false where the row needs several runs (CoordRuns::is_one_run()).
     SPANGLE_INLINE bool store_whole_row(const Part& part) {
         const std::int32_t begin = part.first_end, end = begin + 1;
         const std::int64_t s_range = CoordRuns::difference(s_at_[end], s_at_[begin]),
@@ -218,7 +218,7 @@ template <class Places> class PacketRuns {
         if (1 << log2_shortest_run_ < CoordRuns::short_row) {
             const std::uint32_t q0 = q_at_[begin], q1 = q_at_[end], least = q0 < q1 ? q0 : q1,
                                 range = q0 < q1 ? q1 - q0 : q0 - q1;
-            // Half of the allowed error, so that four times that is 2^(1 - texel_bits).
+            // The limit is half of the allowed error. Four times this half is 2^(1 - texel_bits).
             const int up = of_straight_tier<[](const Knobs& k) { return 33 - k.texel_bits; }>(draw);
             const auto is_within = [&](std::int32_t v, int log2_size) __attribute__((always_inline)) {
                 return numeric::mul_u32(numeric::abs_u32(v), range) <= std::uint64_t{least}
@@ -280,7 +280,7 @@ template <class Places> class PacketRuns {
         inverse.mantissa = inner::short_runs.mantissa[n];
         return inverse;
     }
-    /// Writes v, v + by, ... for n fragments, and goes on to the next multiple of the lanes.
+    /// Writes v, v + by, ... for n fragments. The last store goes on to the next multiple of the lanes.
     SPANGLE_INLINE static void fill(std::uint32_t* to, std::uint32_t v, std::uint32_t by, std::int32_t n) {
         LaneWords at = LaneWords::ramp(v, by);
         store(to, at);
@@ -301,12 +301,12 @@ template <class Places> class PacketRuns {
     const Span<Fixed>::Unit& unit_;
     const bool wraps_s_, wraps_t_;
     const int unit_number_;
-    /// log2 of the length of the shortest runs; rows of up to shortest_run_ pixels have runs of that length.
+    /// log2 of the length of the shortest runs. Rows of up to shortest_run_ pixels have runs of this length.
     const std::int32_t log2_shortest_run_, shortest_run_;
     std::int32_t part_count_ = 0, end_count_ = 0;
     Part row_parts_[packet_length];
-    std::uint32_t end_columns_[most_ends + lanes],
-        y_[most_ends + lanes]; ///< places of the ends, from the anchor
+    /// Places of the ends, counted from the anchor.
+    std::uint32_t end_columns_[most_ends + lanes], y_[most_ends + lanes];
     std::uint32_t q_at_[most_ends + lanes];
     std::int64_t s_at_[most_ends + lanes], t_at_[most_ends + lanes];
     std::uint32_t s_[packet_length + lanes], t_[packet_length + lanes]; ///< coordinates of the fragments

@@ -1,4 +1,4 @@
-// The last stages of every list: a colour becomes bits of the surface (docs/architecture/numbers.md,
+// The last stages of most lists: a colour becomes the bits of a pixel (docs/architecture/numbers.md,
 // "Colours").
 #pragma once
 
@@ -12,7 +12,8 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Loads and stores 16-bit words of a 565 surface; their values are in host order.
+/// Loads and stores 16-bit words of a surface R5 G6 B5. A loaded or given word is in the byte order of the
+/// host.
 template <class L, PixelFormat Format> struct Words565 {
     static constexpr bool swaps =
         (Format == PixelFormat::rgb565_be) == (std::endian::native == std::endian::little);
@@ -24,7 +25,7 @@ template <class L, PixelFormat Format> struct Words565 {
     SPANGLE_INLINE static typename L::U16 to_wire_order(typename L::U16 word) {
         return swaps ? L::swap_bytes(word) : word;
     }
-    /// Loads a word into both halves of 32 bits (one lane).
+    /// Loads one word into both halves of 32 bits. Only lists of one lane call this.
     SPANGLE_INLINE static std::uint32_t load_both(const std::uint8_t* at) {
         const std::uint32_t word = L::load(at), other = swaps ? __builtin_bswap32(word) : word << 16;
         return other | (swaps ? other >> 16 : word);
@@ -32,14 +33,14 @@ template <class L, PixelFormat Format> struct Words565 {
     SPANGLE_INLINE static void store(std::uint8_t* at, typename L::U16 word) {
         L::store(at, to_wire_order(word));
     }
-    /// Stores words of live lanes; memory under the other lanes stays as it is.
+    /// Stores the words of live lanes. Memory under the other lanes keeps its value.
     SPANGLE_INLINE static void store_where(typename L::Mask live, std::uint8_t* at, typename L::U16 word) {
         L::store(at, L::select(live, to_wire_order(word), L::load(at)));
     }
 };
 
-/// Pixels of three or four 8-bit components in lanes, as words with R in the lowest byte. A pixel has `Bytes`
-/// bytes in memory.
+/// Pixels of three or four components of 8 bits, in lanes. A lane is a word with R in the lowest byte. A
+/// pixel has `Bytes` bytes in memory.
 template <class L, int Bytes> struct Bytes888 {
     SPANGLE_INLINE static typename L::U32 load(const std::uint8_t* at) {
         if constexpr (Bytes == 4)
@@ -58,7 +59,7 @@ template <class L, int Bytes> struct Bytes888 {
             if (L::lane(live, lane))
                 store_one(at + Bytes * lane, word.lane(lane));
     }
-    /// The components of a colour as a word of such a pixel; alpha is left out where a pixel has none.
+    /// The components of a colour as a word in this form. Alpha is left out of pixels with three bytes.
     template <class N> SPANGLE_INLINE static typename L::U32 pack(const typename N::Color& c) {
         const auto byte = [](const typename N::T& v) { return L::widened(N::to8(v)); };
         const auto rgb = byte(c.r) | byte(c.g) << 8 | byte(c.b) << 16;
@@ -72,7 +73,8 @@ template <class L, int Bytes> struct Bytes888 {
     }
 };
 
-/// The components of such pixels, one at a time. With one lane they are read as bytes of memory.
+/// Reads the components of pixels as Bytes888 describes them, one component at a time. With one lane each
+/// component is a byte of memory.
 template <class L, int Bytes> class Components888 {
   public:
     SPANGLE_INLINE explicit Components888(const std::uint8_t* at) : word_(Bytes888<L, Bytes>::load(at)) {}
@@ -90,25 +92,25 @@ template <int Bytes> class Components888<Lanes<1>, Bytes> {
     const std::uint8_t* at_;
 };
 
-/// Joins 5, 6 and 5 bits of a colour to one word. Without dither these are the top bits of the rounded 8-bit
-/// value.
+/// Joins 5, 6 and 5 bits of the components to one word. Without dithering these bits are the top bits of
+/// components rounded to 8 bits.
 template <class N>
 SPANGLE_INLINE typename N::L::U16 pack565(typename N::L::U16 r5, typename N::L::U16 g6,
                                           typename N::L::U16 b5) {
     return (r5 << 11) | (g6 << 5) | b5;
 }
 template <class N> SPANGLE_INLINE typename N::L::U16 truncated565(const typename N::Color& c) {
-    if constexpr (is_balanced<N>) // rounded and cut in place
+    if constexpr (is_balanced<N>) // components are rounded and cut in place
         return ((c.r + 128) & 0xF800) | (((c.g + 128) >> 5) & 0x07E0) | ((c.b + 128) >> 11);
     return ((N::to8(c.r) & 0xF8) << 8) | ((N::to8(c.g) & 0xFC) << 3) | (N::to8(c.b) >> 3);
 }
-/// The dithered word of a colour (one lane); thresholds are in 32nds.
+/// The dithered word of one colour. The threshold is in 32nds of a step.
 template <class N>
 SPANGLE_INLINE typename N::L::U16 dithered565(const typename N::Color& c, typename N::L::U16 threshold32) {
     return pack565<N>(N::template dithered<5>(c.r, threshold32), N::template dithered<6>(c.g, threshold32),
                       N::template dithered<5>(c.b, threshold32));
 }
-/// The dithered words of colours in lanes; thresholds have the form of N::Threshold.
+/// The dithered words of colours in lanes. Thresholds have the form of N::Threshold.
 template <class N>
 SPANGLE_INLINE typename N::L::U16 dithered565_lanes(const typename N::Color& c,
                                                     typename N::L::U16 threshold) {
@@ -116,8 +118,8 @@ SPANGLE_INLINE typename N::L::U16 dithered565_lanes(const typename N::Color& c,
                                    N::template tops<5>(c.b, threshold)})
         .word;
 }
-/// The dithered word of components in steps (Balanced::in_steps); thresholds are fractions of a step of five
-/// bits.
+/// The dithered word of components in steps (Balanced::in_steps). The threshold is a fraction of a step of
+/// five bits, and the step is 2^10.
 template <class N>
 SPANGLE_INLINE typename N::L::U16 steps565(const typename N::Color& c, typename N::L::U16 threshold) {
     const typename N::L::U16 r = c.r + threshold, g = c.g + (threshold >> 1), b = c.b + threshold;
@@ -158,8 +160,8 @@ template <class N, PixelFormat Format> struct Store : StageBase {
     }
 };
 
-/// Stores colours with ordered dithering on window coordinates (GL 1.3, 4.1.8). Components of 8 bits are
-/// stored undithered.
+/// Stores colours with ordered dithering by window coordinates (GL 1.3, 4.1.8). Components of 8 bits are
+/// stored without dithering.
 template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
     using L = typename N::L;
     static constexpr bool anywhere = !is_565(Format);
@@ -176,7 +178,8 @@ template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
             return Store<N, Format>::operator()(p);
         } else {
             std::uint8_t* const at = p.color_plane + p.bytes();
-            // Thresholds and factors would take registers if they were loaded earlier.
+            // begin_here() keeps compilers from loading thresholds and factors earlier, where they would take
+            // registers.
             if constexpr (N::lanes == 1 && numeric::three_operands)
                 numeric::begin_here();
             if constexpr (N::lanes > 1)
@@ -211,21 +214,23 @@ template <class N, PixelFormat Format> struct StoreSteps : StageBase {
     SPANGLE_INLINE void step() { dither.step(); }
 };
 
-/// Merges a colour with stored bits: by a logical operation and a mask of bits that are written (GL 1.3,
+/// Merges a colour with stored bits by a logical operation, and writes only the bits of a mask (GL 1.3,
 /// 4.1.9, 4.2.2).
 struct LogicTable {
-    /// All ones where the operation gives 1: where the colour's bit and the stored bit are 11, 10, 01 and 00.
+    /// Entry i is all ones where the operation gives 1. Entries 0 to 3 are for the colour's bit and the
+    /// stored bit 11, 10, 01 and 00.
     std::uint32_t truth[4];
     explicit LogicTable(const FragmentState& state) {
         const auto op = static_cast<unsigned>(state.logic ? state.logic_op : LogicOp::copy);
         for (unsigned i = 0; i < 4; ++i)
             truth[i] = 0u - (op >> i & 1u);
     }
-    /// The colour's bits `s`, merged with the stored bits `d` where `bits` has ones.
+    /// Merges the colour's bits `s` with the stored bits `d` where `bits` has ones. The other bits are those
+    /// of `d`.
     std::uint32_t merged(std::uint32_t s, std::uint32_t d, std::uint32_t bits) const {
         return merged(s, d, bits, truth);
     }
-    /// merged() for words in lanes; `of` holds `truth` in all lanes.
+    /// Does what merged() above does, for words in lanes. `of` holds each entry of `truth` in all lanes.
     template <class Word>
     SPANGLE_INLINE static Word merged(const Word& s, const Word& d, const Word& bits, const Word (&of)[4]) {
         const Word result = (of[0] & s & d) | (of[1] & s & ~d) | (of[2] & ~s & d) | (of[3] & ~s & ~d);
@@ -233,8 +238,8 @@ struct LogicTable {
     }
 };
 
-/// Stores the result of the logical operation with the stored bits. Masked channels keep their bits. Dithers
-/// when the state says so (GL 1.3, 4.1.9, 4.2.2).
+/// Stores the result of the logical operation (GL 1.3, 4.1.9). Masked channels keep their stored bits
+/// (4.2.2). The state says whether colours are dithered.
 template <class N, PixelFormat Format> struct StoreMerged : StageBase {
     static constexpr unsigned in = field_color;
     static constexpr bool effect = true;

@@ -14,7 +14,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Mixes two levels; the second has the weight `next` / 2^16, which is not 0.
+/// Mixes two levels. The second level has the weight `next` / 2^16, which is not 0.
 template <class N>
 SPANGLE_INLINE typename N::Color between_levels(const typename N::Color& a, const typename N::Color& b,
                                                 typename N::L::U16 next) {
@@ -28,13 +28,13 @@ SPANGLE_INLINE typename N::Color between_levels(const typename N::Color& a, cons
     return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), mix(a.a, b.a)};
 }
 
-/// Whether a level of detail is needed: for mipmaps, or for filters that differ.
+/// Whether the texture needs a level of detail: it has mipmaps, or its filters differ.
 inline bool wants_lod(const Texture& texture) {
     return texture.mip != MipFilter::none || texture.mag != texture.min;
 }
 
-/// Samples a texture with all modes at run time. It is out of line, because the chain calls it from two
-/// units.
+/// Samples a texture whose modes are all known only at run time. sample() is not inline, because the chain
+/// calls it for two units.
 template <class N> struct TextureFunction {
     using Color = typename N::Color;
     const Texture& texture;
@@ -57,18 +57,18 @@ template <class N> struct TextureFunction {
     struct Sampling {
         int level;
         Filter filter;
-        std::uint32_t next; ///< weight of the level behind, in 2^-16; 0: only `level`
+        std::uint32_t next; ///< weight of the next level, in 2^-16; 0 where only `level` is sampled
         bool alike(const Sampling& other) const {
             return level == other.level && filter == other.filter && (next == 0) == (other.next == 0);
         }
     };
-    /// Lambda with its bias added, limited to the texture's range.
+    /// Lambda with the bias added, limited to the texture's range.
     SPANGLE_INLINE std::int32_t with_lod_bias(std::int32_t lod) const {
         lod += lod_bias;
         lod = lod < texture.min_lod ? texture.min_lod : lod;
         return lod > texture.max_lod ? texture.max_lod : lod;
     }
-    /// The weight of the level behind, in 2^-16, where mipmaps are mixed.
+    /// The weight of the next level, in 2^-16, where mipmaps are mixed.
     SPANGLE_INLINE static std::uint32_t weight_behind(std::int32_t biased_lod) {
         return (static_cast<std::uint32_t>(biased_lod) & 255) << 8;
     }
@@ -90,7 +90,7 @@ template <class N> struct TextureFunction {
         return how;
     }
 
-    // Sampling of one level, which textures of three coordinates use, too (stage_texture_volume.hpp).
+    // Textures with three coordinates use the following functions, too (stage_texture_volume.hpp).
     [[gnu::noinline]] Color sample_minified(std::int32_t lod, std::uint32_t s, std::uint32_t t) const {
         const Sampling how = choose_sampling(lod);
         const Color a = filtered(how.level, how.filter, s, t);
@@ -129,7 +129,8 @@ template <class N> struct TextureFunction {
             c[k] = texel(image, (k & 1) != 0 ? i1 : i0, (k & 2) != 0 ? j1 : j0);
         const Color &c00 = c[0], &c10 = c[1], &c01 = c[2], &c11 = c[3];
         if constexpr (is_balanced<N> && !has_shortcuts) {
-            // The colour of a texel 565 has the bits of its word at the top.
+            // In the colour of a texel R5 G6 B5, the top bits of each component are the bits of the texel's
+            // word.
             const auto word = [](const Color& of) -> std::uint32_t {
                 return of.r >> 11 << 11 | of.g >> 10 << 5 | of.b >> 11;
             };
@@ -155,7 +156,7 @@ template <class N> struct TextureFunction {
         return image.texels + static_cast<std::ptrdiff_t>(j) * static_cast<std::ptrdiff_t>(image.stride) +
                i * texel_bytes(sampled(texture.format));
     }
-    /// A texel of the image or of its border, or the border colour.
+    /// A texel of the image or of its border, or the border colour where neither is stored.
     Color texel(const TextureLevel& image, std::int32_t i, std::int32_t j) const {
         if (!stored(image, i, j))
             return border;
@@ -166,8 +167,8 @@ template <class N> struct TextureFunction {
     }
 };
 
-/// A texture of one image, REPEAT, with one filter, packed rows and all modes known: the same bytes as
-/// Texture2D. Steps: MODULATE is done with texels in steps, N::in_steps().
+/// A texture of one image with wrap mode REPEAT, one filter and packed rows, all of whose modes are known to
+/// the compiler. It makes the same bytes as Texture2D. Steps: MODULATE takes texels in steps, N::in_steps().
 template <class N, int Unit, TexelFormat Texels, BaseFormat Base, Filter F, TexEnv Env, bool Steps = false>
 struct TextureFixed : StageBase {
     static constexpr unsigned in = field_color | field_coord << Unit, out = field_color;
@@ -198,7 +199,7 @@ struct TextureFixed : StageBase {
         });
     }
 
-    /// Combines the fragments with the texel at `address(k)` for lane k.
+    /// Combines each lane k with the texel at address(k).
     template <class Address> SPANGLE_INLINE bool combine(Px<N>& p, Address address) const {
         if constexpr (requires { p.color.texel; }) {
             p.color.texel = word_at(address(0));
@@ -219,12 +220,12 @@ struct TextureFixed : StageBase {
             return apply_texture_function(p, Colors::unpack(words(address)));
         }
     }
-    /// combine_words() takes the texels of all lanes as words.
+    /// True where combine_words() can take the texels of all lanes as words.
     static constexpr bool loads_words = Texels == TexelFormat::rgba8888 && N::lanes > 1;
     template <class Words> SPANGLE_INLINE bool combine_words(Px<N>& p, const Words& words) const {
         return apply_texture_function(p, Colors::unpack(words));
     }
-    /// Sprites, text and floors: little else is done with a texel than to fetch it.
+    /// True where fragments do little with a texel except storing it, as for sprites, text and floors.
     static constexpr bool stores_texels = Env == TexEnv::replace || Texels == TexelFormat::rgba8888;
 
   protected:
@@ -237,14 +238,14 @@ struct TextureFixed : StageBase {
     SPANGLE_INLINE static const std::uint8_t* texel(const std::uint8_t* row, std::uint32_t i) {
         return row + std::size_t{i} * bytes;
     }
-    /// Texels as they lie in memory, one per lane. Loads are scalar; everything else is done in lanes.
+    /// Texels as they lie in memory, one per lane. Loads are scalar, and all arithmetic is done in lanes.
     using Word = std::conditional_t<Texels == TexelFormat::rgb565, std::uint16_t, std::uint32_t>;
     SPANGLE_INLINE static Word word_at(const std::uint8_t* texel) {
         if constexpr (Texels == TexelFormat::rgb565)
             return static_cast<Word>(Lanes<1>::load(texel));
         else if constexpr (Texels == TexelFormat::rgba8888)
             return texel_word<Texels>(
-                // TextureLevel says that such texels are aligned.
+                // TextureLevel says that these texels are aligned.
                 static_cast<const std::uint8_t*>(__builtin_assume_aligned(texel, 4)));
         else
             return texel_word<Texels>(texel);
@@ -255,8 +256,8 @@ struct TextureFixed : StageBase {
     }
     static constexpr bool by_fractions =
         Env == TexEnv::modulate && Base == BaseFormat::rgb && Texels == TexelFormat::rgb565;
-    /// MODULATE with factors from tables, which are those that apply_texture_function() would compute from
-    /// the texel.
+    /// MODULATE with factors from tables. They are the factors that apply_texture_function() would compute
+    /// from the texel.
     SPANGLE_INLINE static bool modulate(Px<N>& p, const std::uint8_t* texel) {
         const std::uint32_t word = Lanes<1>::load(texel);
         p.color.r = N::scaled(p.color.r, texel_factor<5, N, Steps>(word >> 11));
@@ -266,7 +267,7 @@ struct TextureFixed : StageBase {
     }
     SPANGLE_INLINE bool apply_texture_function(Px<N>& p, const Color& s) const {
         if constexpr (is_raw<N> || (Env == TexEnv::replace && Base == BaseFormat::rgba))
-            p.color = s; // also for systems that combine colours only with what is stored
+            p.color = s; // this serves systems whose colours are only combined with stored ones, too
         else if constexpr (Env == TexEnv::blend)
             apply_env<N>(Env, Base, p.color, s, constant);
         else if constexpr (Steps)
@@ -275,7 +276,7 @@ struct TextureFixed : StageBase {
             apply_env<N>(Env, Base, p.color, s, Color{});
         return true;
     }
-    /// The 565 word of a texel.
+    /// A texel as the word R5 G6 B5.
     SPANGLE_INLINE static std::uint32_t raw_texel(const std::uint8_t* texel) {
         if constexpr (Texels == TexelFormat::rgb565)
             return Lanes<1>::load(texel);

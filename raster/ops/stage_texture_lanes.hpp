@@ -1,6 +1,6 @@
-// The texels of one unit in the chain of hosts, a packet at a time, in lanes from the coordinates to the
-// filtered colours. The bytes are those of TextureFunction and VolumeFunction, which sample the fragments
-// that lanes do not.
+// The texels of one unit in the chain of hosts, a packet at a time. All steps from coordinates to filtered
+// colours are done in lanes. The bytes are those of TextureFunction and VolumeFunction, which sample the
+// fragments that lanes leave to them.
 #pragma once
 
 #include "raster/ops/filter_exact.hpp"
@@ -42,10 +42,11 @@ template <class N> class LaneTexture {
     }
 
   private:
-    /// Where the fragments of a packet look.
+    /// The coordinates at which the fragments of a packet sample.
     struct Places {
         const std::uint32_t *s, *t;
-        std::int32_t group; ///< words from the coordinates of eight fragments to those of the next eight
+        /// Words from the coordinates of one group of eight fragments to those of the next group.
+        std::int32_t group;
         const std::int32_t* lod;
         const std::uint32_t* r;    ///< third coordinate in a volume
         const std::uint32_t* face; ///< face of a cube map
@@ -59,14 +60,13 @@ template <class N> class LaneTexture {
         : texture_(*unit.texture), function_(unit), places_(places), fragment_count_(n),
           group_count_((n + lanes - 1) / lanes) {}
 
-    /// One mask for each of a fragment's four texels: all ones where the texel lies beyond the image and has
-    /// the border's colour.
+    /// One mask for each of a fragment's four texels. A mask is all ones where the texel lies beyond the
+    /// image and has the border's colour.
     using BorderMasks = U16[4][texel_groups];
 
-    /// Lanes beyond the last fragment look where that fragment does. Nothing that they find is stored, but
-    /// stages of one lane leave their coordinates as they were, and dead lanes that met the border would cost
-    /// time. Their colours are whatever arithmetic makes of what was in memory: masks (Packet::live) keep
-    /// them from every decision and from the planes.
+    /// Gives lanes beyond the last fragment the coordinates of that fragment. Stages of one lane leave the
+    /// coordinates of these lanes as they were. Dead lanes that meet the border would cost time. Their
+    /// colours may be anything: Packet::live keeps them from decisions and from the planes.
     template <class Coord> SPANGLE_INLINE static void fill_last_group(Coord& coord, std::int32_t n) {
         const std::int32_t end = n % lanes;
         if (end == 0)
@@ -111,7 +111,7 @@ template <class N> class LaneTexture {
         lod[i] = from.lod;
     }
 
-    /// False: fragments take too many levels or filters, or the image is one that lanes cannot read.
+    /// Returns false where fragments take too many levels or filters, or where lanes cannot read the image.
     [[gnu::noinline]] bool sample_in_lanes(Color* texels) const {
         if (!function_.wants_lod)
             return filtered(0, texture_.mag, texels);
@@ -120,10 +120,9 @@ template <class N> class LaneTexture {
             return sampled_by(one, next, texels);
         return each_by_its_own(texels);
     }
-    /// True where all fragments take the same levels by the same filter. The larger lambda is, the larger is
-    /// the level, and the filter changes once at most (TextureFunction::choose_sampling()); so the fragments
-    /// of the least and of the largest lambda speak for all. Within one level, weights of the level behind
-    /// ascend with lambda, too.
+    /// True where all fragments take the same levels by the same filter. The level grows with lambda, and the
+    /// filter changes at most once (TextureFunction::choose_sampling()). So the fragments with the least and
+    /// the largest lambda decide. Within one level the weight of the next level grows with lambda, too.
     bool all_alike(Sampling& how, std::uint16_t* next) const {
         std::int32_t least = places_.lod[0], most = least;
         for (std::int32_t i = 1; i < fragment_count_; ++i) {
@@ -163,16 +162,16 @@ template <class N> class LaneTexture {
             texels[g] = between_levels<N>(texels[g], behind[g], L::gather(next + g * lanes));
         return true;
     }
-    /// The colours of a level as all fragments see it through a filter.
+    /// The colours of a level that all fragments have sampled through one filter.
     struct Seen {
         int level;
         Filter filter;
         Color colors[texel_groups];
     };
-    /// Filters all fragments by each level and filter that some of them take. Each level is filtered once:
-    /// two neighbouring pairs of levels share one.
+    /// Filters all fragments by each level and filter that some fragment takes. Each level is filtered once,
+    /// although two neighbouring pairs of levels share one.
     [[gnu::noinline]] bool in_kinds(const Sampling* how, const std::uint16_t* next, Color* texels) const {
-        constexpr int most = packet_length / 8; // more kinds take longer than one by one
+        constexpr int most = packet_length / 8; // more kinds take longer than fragments one by one
         Seen seen[2 * most];
         int count = 0;
         const auto seen_by = [&](int level, Filter filter) -> const Color* {
@@ -213,7 +212,7 @@ template <class N> class LaneTexture {
                 L::select(m, a.a, b.a)};
     }
 
-    /// Samples one level. False: TextureFunction must do it.
+    /// Samples one level. Returns false where TextureFunction must do it.
     [[gnu::noinline]] bool filtered(int level, Filter filter, Color* to) const {
         TextureLevel image = texture_.level[level];
         if (image.width >= AxisLanes::size_limit || image.height >= AxisLanes::size_limit ||
@@ -240,8 +239,8 @@ template <class N> class LaneTexture {
             others |= places_.face[i] ^ places_.face[0];
         return others == 0;
     }
-    /// Finds the bytes from the texels of `image` to those of each fragment's face. False: some face lies too
-    /// far away, or texels are not found by bytes.
+    /// Finds the offset in bytes from the texels of `image` to those of each fragment's face. Returns false
+    /// where a face lies too far away, or where texels are not found by bytes.
     bool face_offsets(const TextureLevel& image, int level, std::uint32_t* first) const {
         if (is_indirect(texture_.format))
             return false;
@@ -260,7 +259,7 @@ template <class N> class LaneTexture {
         return true;
     }
 
-    /// Samples a volume; LINEAR mixes two of its images.
+    /// Samples a volume. With LINEAR two of its images are mixed.
     bool in_slices(const TextureLevel& image, int level, Filter filter, Color* to) const {
         const std::int32_t deep = texture_.depth >> level, depth = deep > 1 ? deep : 1;
         const std::int64_t bytes = std::int64_t{image.stride} * (image.height + 2 * texture_.border_texels);
@@ -298,8 +297,8 @@ template <class N> class LaneTexture {
         return true;
     }
 
-    /// Samples one image. `first` holds bytes from the texels of the image to those that a fragment looks at;
-    /// null: 0.
+    /// Samples one image. `first` holds, for each fragment, an offset in bytes that is added to the address
+    /// of the image. Null stands for offsets of 0.
     void in_image(const TextureLevel& image, const std::uint32_t* first, Filter filter, Color* to) const {
         const bool linear = filter == Filter::linear;
         TexelNumbers s, t;
@@ -325,10 +324,12 @@ template <class N> class LaneTexture {
         if (!words)
             return mix<TexelFetch::Bytes>(fetch, linear, s.weight, t.weight, &beyond, to);
         mix<TexelFetch::Words>(fetch, linear, s.weight, t.weight, nullptr, to);
-        // The border's colour has more bits than a word of 16.
+        // The border's colour has more bits than a word R5 G6 B5, so fragments that meet the border are
+        // sampled one by one.
         for (std::int32_t i = 0; i < fragment_count_; ++i) {
             const auto meets = [&](int corner) { return beyond[corner][i / lanes][i % lanes] != 0; };
-            if (linear ? meets(1) || meets(2) : meets(0)) // corners 1 and 2 have both columns and both rows
+            // Corners 1 and 2 together have both columns and both rows.
+            if (linear ? meets(1) || meets(2) : meets(0))
                 set_lane(to[i / lanes], i % lanes, one_fragment(image, first, filter, i));
         }
     }
@@ -354,7 +355,8 @@ template <class N> class LaneTexture {
     }
 
     /// Fetches texels into `Words` and filters them. `right` and `down` are the weights of the second column
-    /// and of the second row. Texels that lie `beyond` the image get the border's colour; null: none does.
+    /// and of the second row. Texels that lie `beyond` the image get the border's colour. Null means that
+    /// none lies there.
     template <class Words>
     [[gnu::noinline]] void mix(const TexelFetch& fetch, bool linear, const U16* right, const U16* down,
                                const BorderMasks* beyond, Color* to) const {
@@ -368,7 +370,7 @@ template <class N> class LaneTexture {
             to[g] =
                 linear ? blend_texels(c00[g], c10[g], c01[g], c11[g], right[g], down[g]) : unpacked(c00[g]);
     }
-    /// Replaces fetched texels that lie beyond the image by the border's colour.
+    /// Replaces fetched texels beyond the image by the border's colour.
     [[gnu::noinline]] void put_border(const BorderMasks& beyond, int corners,
                                       TexelFetch::Bytes& texel) const {
         const std::uint8_t* const b = texture_.border_color;

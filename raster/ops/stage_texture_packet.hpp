@@ -1,5 +1,5 @@
-// The texture function of one unit in the chain, a packet at a time: modes are looked at once per packet, and
-// texels are combined in lanes.
+// The texture function of one unit in the chain, a packet at a time. The modes are looked at once per packet,
+// and texels are combined in lanes.
 #pragma once
 
 #include "raster/ops/stage_texture_lanes.hpp"
@@ -21,11 +21,11 @@ template <class N> class PacketTexture {
     template <int Unit> static void run(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
         apply(static_cast<Packet<N>&>(places), span, Unit, false);
     }
-    /// Samples unit 0 and does MODULATE with texels in steps, N::in_steps().
+    /// Samples unit 0 and applies MODULATE with texels in steps, N::in_steps().
     static void run_steps(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
         apply(static_cast<Packet<N>&>(places), span, 0, true);
     }
-    /// Samples and combines all units that are on, when one of them combines.
+    /// Samples and combines all units that are on. It is used where at least one unit combines.
     static void combined(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
         auto& k = static_cast<Packet<N>&>(places);
         const FragmentState& state = span.state->fragment;
@@ -50,7 +50,7 @@ template <class N> class PacketTexture {
     const TextureUnit& unit_;
     const Texture& texture_;
     const TextureFunction<SingleLane> function_;
-    const std::int32_t fragment_count_; ///< fragments, up to whole groups
+    const std::int32_t fragment_count_; ///< number of fragments, rounded up to whole groups
     const int unit_number_;
 
     PacketTexture(Packet<N>& k, const TextureUnit& unit, int which)
@@ -93,7 +93,8 @@ template <class N> class PacketTexture {
             set_lane(texels[i / lanes], i % lanes, function.sample(coords.at(k.x + i)));
     }
 
-    /// False: fragments take different levels or filters, or some see the border colour.
+    /// Returns false where fragments take different levels or filters, or where a fragment sees the border
+    /// colour.
     bool sample_in_lanes(Color* texels) const {
         using Sampling = typename TextureFunction<SingleLane>::Sampling;
         Sampling how = {0, texture_.mag, 0};
@@ -135,7 +136,7 @@ template <class N> class PacketTexture {
         const auto& coord = packet_.coord[unit_number_][0];
         constexpr std::int32_t group = sizeof coord / sizeof coord.s[0];
         const bool linear = filter == Filter::linear, border = texture_.border_texels != 0;
-        // Texels of indirect formats are found by column and row, not by bytes.
+        // In indirect formats a texel is found by its column and row, not by an address in bytes.
         const bool indirect = is_indirect(texture_.format);
         const std::int32_t bytes = indirect ? 1 : texel_bytes(sampled(texture_.format)),
                            stride = indirect ? 1 : static_cast<std::int32_t>(image.stride);
@@ -153,7 +154,7 @@ template <class N> class PacketTexture {
         return true;
     }
 
-    /// Combines texels of type Word, one per lane.
+    /// Fetches and combines texels that are of type Word, one per lane.
     template <class Word>
     void combine(const TextureLevel& image, bool linear, const TexelOffsets& s, const TexelOffsets& t,
                  Color* to) const {

@@ -1,5 +1,5 @@
-// Textures that look at three coordinates: volumes, cube maps, and depths that are compared with r (GL 1.3,
-// 3.8.6 to 3.8.8; GL 1.4, 3.8.14). Every fragment divides, in every tier.
+// Textures with three coordinates: volumes, cube maps, and depths that are compared with r (GL 1.3, 3.8.6 to
+// 3.8.8; GL 1.4, 3.8.14). In every tier each fragment divides.
 #pragma once
 
 #include "raster/ops/log2.hpp"
@@ -10,19 +10,20 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// The place that one fragment looks at: words as TexCoords has them, a face of a cube, and lambda.
+/// The place at which one fragment samples: coordinates in the form of TexCoords, a face of a cube, and
+/// lambda.
 struct VolumePlace {
     std::uint32_t s, t, r;
     unsigned face;
     std::int32_t lod;
 };
 
-/// The face of a direction, and how s and t lie in it (GL 1.3, table 3.20). Where components are equal, z
-/// goes before y, and y before x.
+/// The face of a direction, and the components that are s and t in it (GL 1.3, table 3.20). Where components
+/// are equally large, z goes before y, and y before x.
 template <class T> struct CubeFace {
     unsigned face;
-    int s, t, major;     ///< number of the component of the direction
-    bool s_back, t_back; ///< the component runs backwards
+    int s, t, major;     ///< index of the direction's component: 0, 1 or 2
+    bool s_back, t_back; ///< the component is negated
     CubeFace(T x, T y, T z) {
         const T ax = x < 0 ? -x : x, ay = y < 0 ? -y : y, az = z < 0 ? -z : z;
         if (az >= ax && az >= ay) {
@@ -42,7 +43,7 @@ template <class T> struct CubeFace {
         : face(f), s(s_of), t(t_of), major(m), s_back(s_negative), t_back(t_negative) {}
 };
 
-/// The places that the fragments of a span look at in one unit.
+/// Finds the places at which the fragments of a span sample one unit.
 class VolumeCoords {
   public:
     VolumeCoords(const Span<Fixed>& span, int unit)
@@ -57,19 +58,19 @@ class VolumeCoords {
         VolumePlace place;
         place.face = cube ? face(s, t, r) : 0;
         const Planes q =
-            // The other coordinates are divided by q.
+            // The coordinates s and t are divided by q: of a cube map, by the major component.
             cube ? r : Planes(span_.at(x, unit_coords_.q), unit_coords_.q.dx, unit_coords_.q_dy);
         const Inverse inverse(positive(q.v));
         const int exponent = cube ? 0 : unit_coords_.exponent;
         const auto repeats = [&](std::int32_t v) SPANGLE_RUN_LAMBDA {
             const std::int64_t of = inner::to_repeats(v, inverse, exponent);
-            // Maps -1 .. 1 to 0 .. 1: s = (sc / |ma| + 1) / 2.
+            // In a cube map -1 .. 1 becomes 0 .. 1: s = (sc / |ma| + 1) / 2.
             return cube ? (of + (std::int64_t{1} << 32)) >> 1 : of;
         };
         place.s = word(repeats(s.v), texture_.wrap_s);
         place.t = word(repeats(t.v), texture_.wrap_t);
         const bool volume = texture_.shape == TextureShape::volume;
-        const std::int64_t third = repeats(r.v); // unused for a cube
+        const std::int64_t third = repeats(r.v); // not used for a cube
         place.r = volume ? word(third, texture_.wrap_r)
                          : static_cast<std::uint32_t>(numeric::clamp<std::int64_t>(third >> 2, 0, 1 << 30));
         place.lod = 0;
@@ -88,7 +89,7 @@ class VolumeCoords {
     }
 
   private:
-    /// A projective value and its differences from column to column and from row to row.
+    /// A projective value, and its differences from column to column and from row to row.
     struct Planes {
         std::int32_t v, dx, dy;
         Planes(std::uint64_t value, std::uint64_t across, std::uint64_t up)
@@ -112,12 +113,12 @@ class VolumeCoords {
     static std::int32_t positive(std::int32_t q) { return q > 0 ? q : 1; }
 
     static std::uint32_t word(std::int64_t repeats, Wrap wrap) {
-        // Set-up of such coordinates counts two repeats.
+        // Set-up counts mirrored coordinates in two repeats.
         const bool mirrored = wrap == Wrap::mirrored_repeat;
         return inner::to_coord(mirrored ? repeats >> 1 : repeats, mirrored || wrap == Wrap::repeat, 0);
     }
 
-    /// log2 of the steps of v / q, times q^2: that of the larger of both directions.
+    /// log2 of the step of v / q times q^2, of the larger step of both directions, in 256ths.
     static std::int32_t steps(const Planes& v, const Planes& q, std::uint32_t size) {
         const auto step = [&](std::int32_t dv, std::int32_t dq) {
             return numeric::abs_u64(numeric::mul_s32(dv, q.v) - numeric::mul_s32(v.v, dq));
@@ -126,8 +127,8 @@ class VolumeCoords {
         return log2_fraction8(dx > dy ? dx : dy) + log2_fraction8(size);
     }
 
-    /// Finds the face of a direction. s and t become the coordinates in that face, r the one along the
-    /// direction. Factors that all three have in common cancel.
+    /// Finds the face of a direction. s and t become the coordinates in that face, and r becomes the major
+    /// component. Factors that all three components share cancel.
     static unsigned face(Planes& s, Planes& t, Planes& r) {
         const Planes planes[3] = {s, t, r};
         const CubeFace<std::int64_t> face(s.v, t.v, r.v);
@@ -138,7 +139,7 @@ class VolumeCoords {
     }
 };
 
-/// Samples a texture with all modes at run time, for one fragment.
+/// Samples a texture for one fragment. All modes are known only at run time.
 template <class N> class VolumeFunction {
     using Color = typename N::Color;
 
@@ -210,8 +211,8 @@ template <class N> class VolumeFunction {
         return in_image(place, image, filter);
     }
 
-    /// A depth texel becomes the result of its comparison with r. r has the steps of a depth buffer (GL 1.4,
-    /// 3.8.14).
+    /// The texel, or for a depth texture the result of its comparison with r. For the comparison r is counted
+    /// in the steps of a depth buffer (GL 1.4, 3.8.14).
     Color texel(const VolumePlace& place, const TextureLevel& image, std::int32_t i, std::int32_t j) const {
         if (!has_depth_textures || !texture_.compares)
             return slice_.texel(image, i, j);

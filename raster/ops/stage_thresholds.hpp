@@ -12,12 +12,12 @@ namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 namespace inner {
 
-/// The thresholds of the fragments of a group, in 32nds of a step; step() walks along the row.
+/// The thresholds of the fragments of a group, in 32nds of a step. step() walks along the row.
 template <class L> struct DitherRow;
 
-/// Rows of the matrix, rotated to start at each of their columns. The current threshold lies in the five bits
-/// in which 32nds of a step are added, so that one mask extracts it. Where masks are no operands, one shift
-/// does.
+/// The rows of the dither matrix, rotated to start at each of their four columns. The current threshold lies
+/// in bits 22 to 26, where 32nds of a step are added, so one mask extracts it. On processors whose masks are
+/// no operands it lies in the top five bits, so one shift extracts it.
 struct DitherWords {
     static constexpr int place = numeric::three_operands ? 22 : 27;
     std::uint32_t of[16];
@@ -38,7 +38,7 @@ template <> struct DitherRow<Lanes<1>> {
     SPANGLE_INLINE void step() { row = std::rotr(row, 8); }
 };
 
-/// Thresholds by the number of a fragment in its row, in 2^-Bits of a step.
+/// Thresholds that are looked up by the number of a fragment in its row, in 2^-Bits of a step.
 template <int Bits> struct DitherNumbered {
     std::uint32_t of[4 * 8];
     constexpr DitherNumbered() : of{} {
@@ -49,7 +49,7 @@ template <int Bits> struct DitherNumbered {
     SPANGLE_INLINE const std::uint32_t* from(std::int32_t x, std::int32_t y) const {
         if constexpr (Masks)
             return of + (y & 3) * 8 + (x & 3);
-        // An offset in bytes, so that each term takes two shifts.
+        // This is an offset in bytes, so that each of its terms takes two shifts.
         const auto low2 = [](std::int32_t v, int up) {
             return numeric::factor32(static_cast<std::uint32_t>(v) << 30) >> (30 - up);
         };
@@ -69,12 +69,12 @@ template <int Bits> class NumberedThresholds {
     const std::uint32_t* from_;
 };
 
-/// Thresholds as they are, in 32nds of a step.
+/// The form of thresholds as words of 32nds of a step.
 struct ThresholdWord {
     static constexpr int words = 1;
     static constexpr std::uint32_t word(int, std::uint32_t threshold32) { return threshold32; }
 };
-/// Words of thresholds of a group of lanes, for each place of the pattern at which its first fragment may be.
+/// Words of thresholds of a group of lanes, for each place in the pattern at which the first lane may be.
 template <class L, class Threshold> struct DitherGroups {
     alignas(16) std::uint16_t of[16][Threshold::words][8];
     constexpr DitherGroups() : of{} {
@@ -88,8 +88,8 @@ template <class L, class Threshold> struct DitherGroups {
 };
 template <class L, class Threshold> inline constexpr DitherGroups<L, Threshold> dither_groups;
 
-/// The thresholds of a group of lanes. Eight columns, or four columns of two rows, are whole periods: nothing
-/// walks.
+/// The thresholds of a group of lanes. Eight columns, or four columns of two rows, are whole periods of the
+/// pattern, so every group of a row has the same thresholds.
 template <class L, class Threshold> class DitherGroup {
   public:
     SPANGLE_INLINE DitherGroup(std::int32_t x, std::int32_t y) {
@@ -100,7 +100,7 @@ template <class L, class Threshold> class DitherGroup {
     }
     SPANGLE_INLINE typename L::U16 word(int i) const { return word_[i]; }
 
-    /// The thresholds of lanes that each have a place of their own.
+    /// The thresholds of lanes that each have their own place.
     template <class Lanes>
     SPANGLE_INLINE DitherGroup(const LanePlaces<Lanes>& x, const LanePlaces<Lanes>& y) {
         const auto place = (y.of & 3u) << 2 | (x.of & 3u);
@@ -120,17 +120,18 @@ template <int Count> struct DitherRow<Lanes<Count>> : DitherGroup<Lanes<Count>, 
     SPANGLE_INLINE void step() {}
 };
 
-/// A DitherRow that knows its place, for stages that walk from row to row.
+/// A DitherRow that keeps its window position, for stages that go from row to row.
 template <class L> struct DitherPlace : DitherRow<L> {
     std::int32_t x, y;
     SPANGLE_INLINE DitherPlace(std::int32_t column, std::int32_t line)
         : DitherRow<L>(column, line), x(column), y(line) {}
     SPANGLE_INLINE DitherPlace(const LanePlaces<L>& columns, const LanePlaces<L>& lines)
-        : DitherRow<L>(columns, lines), x(0), y(0) {} // such lanes do not walk
+        // Lanes with places of their own never go to another row.
+        : DitherRow<L>(columns, lines), x(0), y(0) {}
     SPANGLE_INLINE void next_row() { *this = DitherPlace(x, y + L::rows); }
 };
 
-/// Thresholds of a group in the form in which number system N adds them.
+/// The thresholds of a group in the form that number system N adds (N::Threshold).
 template <class N> struct KeptThresholds : DitherGroup<typename N::L, typename N::Threshold> {
     using KeptThresholds::DitherGroup::DitherGroup;
     SPANGLE_INLINE const KeptThresholds& threshold() const { return *this; }

@@ -1,5 +1,6 @@
-// Finds where fragments look in volumes, cube maps and depths that are compared, a packet at a time, in
-// lanes: the integers of VolumeCoords. It is for instruction sets that divide in lanes (lane_division.hpp).
+// Finds where fragments sample volumes, cube maps and depths that are compared, a packet at a time, in lanes.
+// The integers are those of VolumeCoords. Only instruction sets that divide in lanes use it
+// (lane_division.hpp).
 #pragma once
 
 #include "raster/ops/lane_log2.hpp"
@@ -11,7 +12,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// The places of the fragments of a packet, as VolumePlace has them for one fragment. Lanes beyond the last
+/// The places of the fragments of a packet; VolumePlace is the place of one fragment. Lanes beyond the last
 /// fragment have places, too.
 struct VolumePlaces {
     alignas(32) std::uint32_t s[packet_length], t[packet_length], r[packet_length];
@@ -25,7 +26,7 @@ namespace inner {
 struct CoordLanes {
     LaneWords v, dx, dy;
 
-    /// This coordinate in lanes of the mask, `other` elsewhere.
+    /// This coordinate in lanes of the mask, and `other` in the other lanes.
     SPANGLE_INLINE CoordLanes where(const LaneWords& mask, const CoordLanes& other) const {
         const auto pick = [&](const LaneWords& a, const LaneWords& b) __attribute__((always_inline)) {
             return (a & mask) | (b & ~mask);
@@ -39,7 +40,7 @@ struct CoordLanes {
         };
         return {turn(v), turn(dx), turn(dy)};
     }
-    /// log2 of the steps of this coordinate / q, times q^2: that of the larger of both directions.
+    /// log2 of the step of this coordinate / q times q^2, of the larger step of both directions, in 256ths.
     SPANGLE_INLINE LaneWords steps(const CoordLanes& q) const {
         return LaneWords::mapped(
             [](const auto& v_s, const auto& dx_s, const auto& dy_s, const auto& v_q, const auto& dx_q,
@@ -61,7 +62,7 @@ SPANGLE_INLINE LaneWords lanes_nearer(const LaneWords& a, const LaneWords& b) {
             using Vector = std::remove_cvref_t<decltype(v)>;
             const auto size = [](const Vector& of) __attribute__((always_inline)) {
                 const auto sign = std::bit_cast<Vector>(lane_words::as_signed(of) >> 31);
-                return (of ^ sign) - sign; // of -2^31, as unsigned: 2^31
+                return (of ^ sign) - sign; // the size of -2^31 is 2^31 as an unsigned word
             };
             return std::bit_cast<Vector>(size(v) < size(w));
         },
@@ -70,7 +71,7 @@ SPANGLE_INLINE LaneWords lanes_nearer(const LaneWords& a, const LaneWords& b) {
 
 } // namespace inner
 
-/// VolumeCoords::at() for eight fragments at a time.
+/// Does what VolumeCoords::at() does, for eight fragments at a time.
 template <class Places> class VolumeLanes {
     using Coord = inner::CoordLanes;
 
@@ -128,7 +129,7 @@ template <class Places> class VolumeLanes {
     std::uint32_t width_, height_, depth_; ///< log2 of the sizes, with 8 fraction bits
     Plane s_, t_, r_, q_;
 
-    /// Finds the faces of directions, as CubeFace does.
+    /// Finds the faces of directions, by the rules of CubeFace.
     SPANGLE_INLINE static LaneWords face(Coord& s, Coord& t, Coord& r) {
         const Coord x = s, y = t, z = r;
         const LaneWords along_z = ~(inner::lanes_nearer(z.v, x.v) | inner::lanes_nearer(z.v, y.v)),
@@ -140,8 +141,8 @@ template <class Places> class VolumeLanes {
         r = major.turned(back);
         return (along_z & 4) | (along_y & 2) | (back & 1);
     }
-    /// A coordinate over q in repeats, with 32 fraction bits (inner::to_repeats). Cube maps map -1 .. 1 to
-    /// 0 .. 1.
+    /// A coordinate over q in repeats, with 32 fraction bits (inner::to_repeats()). In cube maps -1 .. 1
+    /// becomes 0 .. 1.
     template <class Vector>
     SPANGLE_INLINE inner::LongPair<Vector> repeats(const Vector& v, const Vector& mantissa,
                                                    const Vector& zeros) const {
@@ -156,12 +157,12 @@ template <class Places> class VolumeLanes {
                 const auto once = repeats(of, m, n);
                 if (!wraps)
                     return once.after(32 - clamped_coord_bits).saturated().low_words();
-                // Set-up of such coordinates counts two repeats.
+                // Set-up counts mirrored coordinates in two repeats.
                 return (mirrored ? once.after(1) : once).low_words();
             },
             v, inverse.mantissa, inverse.zeros);
     }
-    /// r as a depth that texels are compared with: 30 fraction bits, from 0 to 1.
+    /// r as a depth for comparisons, limited to 0 .. 1, with 30 fraction bits.
     SPANGLE_INLINE LaneWords compared(const LaneWords& v, const InverseLanes& inverse) const {
         return LaneWords::mapped(
             [&](const auto& of, const auto& m, const auto& n) __attribute__((always_inline)) {

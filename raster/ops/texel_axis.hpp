@@ -1,5 +1,5 @@
-// Finds which texels the fragments of a packet meet along one axis of an image, in lanes: the wrap modes of
-// GL 1.3, 3.8.7 for images of any size.
+// Finds which texels the fragments of a packet meet along one axis of an image, in lanes. The wrap modes are
+// those of GL 1.3, 3.8.7, for images of any size.
 #pragma once
 
 #include "raster/ops/lane_texels.hpp"
@@ -13,22 +13,23 @@ inline namespace SPANGLE_INSTRUCTIONS {
 /// Groups of eight lanes in a packet.
 inline constexpr std::int32_t texel_groups = (packet_length + 7) / 8;
 
-/// Numbers of texels along one axis: -1 and the size of the axis are texels of the border. LINEAR also mixes
-/// in the texel `next`, with a weight in 256ths.
+/// Numbers of texels along one axis. The numbers -1 and the size of the axis are texels of the border. LINEAR
+/// mixes in the texel `next`, whose `weight` is in 256ths.
 struct TexelNumbers {
     Lanes<8>::U16 at[texel_groups], next[texel_groups], weight[texel_groups];
 };
 
-/// One axis of an image. A coordinate becomes a place: texels with 16 fraction bits, rounded down. The tier's
-/// rules (linear_origin, nearest_bias) add multiples of 2^-16 texel and round down again, so that the first
-/// rounding changes no texel and no weight.
+/// One axis of an image. A coordinate becomes a place, which counts texels with 16 fraction bits, rounded
+/// down. The tier's rules (linear_origin(), nearest_bias()) then add multiples of 2^-16 texel and round down
+/// again. So the first rounding changes no texel and no weight.
 class AxisLanes {
     using L = Lanes<8>;
     using U16 = L::U16;
     using U32 = L::U32;
 
   public:
-    /// Places on larger axes do not fit 32 bits: coordinates that do not wrap reach 8 images to both sides.
+    /// Places on larger axes do not fit 32 bits, because coordinates that do not wrap reach 8 images to both
+    /// sides.
     static constexpr std::int32_t size_limit = 4096;
 
     AxisLanes(Wrap wrap, std::int32_t size)
@@ -37,15 +38,15 @@ class AxisLanes {
           shift_(is_power_of_two(size) ? (repeats_ ? 16 : clamped_coord_bits - 16) - log2_of(period_) : -1),
           texel_count_(L::splat(static_cast<std::uint32_t>(period_))), last_texel_(texel_count_ - 1) {}
 
-    /// `coord` holds words in groups of eight that are `group` words apart. False: some fragment meets a
-    /// texel beyond the image.
+    /// Finds the texels of `groups` groups of eight words in `coord`, which are `group` words apart. Returns
+    /// false where a fragment meets a texel beyond the image.
     bool find(bool linear, const std::uint32_t* coord, std::int32_t group, std::int32_t groups,
               TexelNumbers& to) const {
         return linear ? find_linear(coord, group, groups, to) : find_nearest(coord, group, groups, to);
     }
 
-    /// Moves numbers of texels beyond the image to its edge, on an axis that does not repeat. Returns all
-    /// ones in lanes whose number was moved.
+    /// Moves numbers beyond the image to its edge, on an axis that does not repeat. Returns all ones in lanes
+    /// whose number was moved.
     SPANGLE_INLINE U16 move_inside(U16& number) const {
         const U16 inside = L::clamped_signed(number, L::splat(0), last_texel_),
                   moved = ~L::equal(inside, number);
@@ -57,11 +58,11 @@ class AxisLanes {
     Wrap wrap_;
     bool repeats_;
     std::int32_t period_; ///< texels of one period of a repeating axis, or of the image
-    int shift_;           ///< shift from a coordinate to a place; -1: a product makes it
+    int shift_;           ///< right shift that makes a place of a coordinate; -1 where a product makes it
     U16 texel_count_, last_texel_;
 
     static constexpr std::uint32_t bias = 1u << (16 - nearest_bias_bits),
-                                   /// These are nearest_bias() and linear_origin() in 2^-16 texel.
+                                   /// The values of nearest_bias() and linear_origin(), in 2^-16 texel.
         origin = (1u << 15) - (1u << 7);
 
     SPANGLE_INLINE U32 place(const U32& v) const {
@@ -83,14 +84,15 @@ class AxisLanes {
             f(g, L::gather(coord));
     }
 
-    /// Wraps the number of a texel that is at most one beyond the period, at its end or at its beginning.
+    /// Wraps a texel number that is one beyond the end of the period; from_beginning() wraps one that is
+    /// before its beginning.
     SPANGLE_INLINE U16 from_end(const U16& i) const {
         return i - (L::less_signed(last_texel_, i) & texel_count_);
     }
     SPANGLE_INLINE U16 from_beginning(const U16& i) const {
         return i + (L::less_signed(i, L::splat(0)) & texel_count_);
     }
-    /// Mirrors the second half of the period, which is the image backwards.
+    /// Mirrors numbers in the second half of the period, where the image runs backwards.
     SPANGLE_INLINE U16 mirrored(const U16& i) const {
         return last_texel_ - L::maximum_signed(i, last_texel_ - i);
     }
@@ -120,7 +122,7 @@ class AxisLanes {
         each(
             coord, group, groups, [&](std::int32_t g, const U32& v) __attribute__((always_inline)) {
                 const U16 i = L::clamped_signed(texel(v), L::splat(0xFFFF), texel_count_);
-                // A coordinate of 1 is the last texel (GL 1.3, 3.8.8).
+                // A coordinate of 1 belongs to the last texel (GL 1.3, 3.8.8).
                 const L::Mask beyond = L::less(L::splat32(1u << clamped_coord_bits), v);
                 to.at[g] = i + (L::equal(i, texel_count_) & ~beyond);
                 outside |= to.at[g] | (last_texel_ - to.at[g]);
@@ -167,7 +169,7 @@ class AxisLanes {
         };
         if (wrap_ == Wrap::clamp_to_border)
             each_place(as_it_is, into_border);
-        else // CLAMP limits to [0, 1] first: at the edge half of the border mixes in
+        else // CLAMP limits to [0, 1] first: at the edge half of the border is mixed in
             each_place(
                 [&](const U32& v) __attribute__((always_inline)) {
                     return L::minimum(L::positive(v), L::splat32(static_cast<std::uint32_t>(period_) << 16));

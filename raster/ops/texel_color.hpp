@@ -1,4 +1,4 @@
-// Texels as they lie in memory, one word per lane, become colours: single ones, or four filtered ones.
+// Texels as they lie in memory, one word per lane, become colours: single texels, or four filtered ones.
 #pragma once
 
 #include "raster/ops/filter.hpp"
@@ -9,8 +9,8 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Tables of the factors by which MODULATE multiplies: N::fraction of k/31 and k/63, by k; or, if not 0,
-/// `Steps` times the factor of N::in_steps().
+/// Tables of the factors by which MODULATE multiplies. Entry k is N::fraction() of k/31 or of k/63. Where
+/// `Steps` is not 0, it is `Steps` times the factor of N::in_steps().
 template <class N, class Word, int Steps> struct TexelFactors {
     Word of5[32], of6[64];
     constexpr TexelFactors() : of5{}, of6{} {
@@ -38,7 +38,7 @@ template <class N, int Steps = 0>
 inline constexpr TexelFactors<N, std::conditional_t<is_balanced<N>, std::uint16_t, std::uint32_t>, Steps>
     texel_factors;
 
-/// One factor of TexelFactors: looked up, or computed in builds without shortcuts.
+/// One factor of TexelFactors. Builds without shortcuts compute it, and other builds look it up.
 template <unsigned Bits, class N, int Steps> SPANGLE_INLINE std::uint32_t texel_factor(std::uint32_t k) {
     using Factors = std::remove_const_t<decltype(texel_factors<N, Steps>)>;
     if constexpr (!has_shortcuts)
@@ -47,8 +47,8 @@ template <unsigned Bits, class N, int Steps> SPANGLE_INLINE std::uint32_t texel_
         return Bits == 5 ? texel_factors<N, Steps>.of5[k] : texel_factors<N, Steps>.of6[k];
 }
 
-/// The factors by which MODULATE multiplies, of a texel R5 G6 B5, or of 8-bit components with R in the lowest
-/// byte. Factors has factor5(), factor6(), factor8().
+/// The factors of MODULATE for a texel, which is a word R5 G6 B5 or has 8-bit components with R in the lowest
+/// byte. Factors has factor5(), factor6() and factor8().
 template <class Factors, bool Is565> struct TexelScales {
     SPANGLE_INLINE static std::uint32_t red(std::uint32_t t) {
         return Is565 ? Factors::factor5(t >> 11) : Factors::factor8(t & 255);
@@ -61,14 +61,14 @@ template <class Factors, bool Is565> struct TexelScales {
     }
 };
 
-/// Factors for TexelScales that are the components themselves.
+/// The components themselves, as factors for TexelScales.
 struct TexelComponents {
     SPANGLE_INLINE static std::uint32_t factor5(std::uint32_t k) { return k; }
     SPANGLE_INLINE static std::uint32_t factor6(std::uint32_t k) { return k; }
     SPANGLE_INLINE static std::uint32_t factor8(std::uint32_t k) { return k; }
 };
 
-/// The factors of TexelScales as the chain has them; those of texels 565 come from tables.
+/// The factors of TexelScales as the chain has them. Those of texels R5 G6 B5 come from tables.
 template <class N, bool Is565, int Steps> struct ChainScales {
     SPANGLE_INLINE static std::uint32_t red(std::uint32_t t) {
         return Is565 ? texel_factor<5, N, Steps>(t >> 11) : of<5>(t & 255);
@@ -89,8 +89,8 @@ template <class N, bool Is565, int Steps> struct ChainScales {
     }
 };
 
-/// Colours of texels that are words R5 G6 B5, or 8-bit components with R in the lowest byte. Alpha: texels
-/// have one.
+/// Colours of texels that are words R5 G6 B5, or have 8-bit components with R in the lowest byte. Alpha: the
+/// texels have alpha.
 template <class N, bool Is565, bool Alpha> struct TexelColors {
     using Color = typename N::Color;
     using L = typename N::L;
@@ -103,7 +103,7 @@ template <class N, bool Is565, bool Alpha> struct TexelColors {
             return {N::from8(L::byte(v, 0)), N::from8(L::byte(v, 1)), N::from8(L::byte(v, 2)),
                     Alpha ? N::from8(L::byte(v, 3)) : N::from_units(color_one)};
     }
-    /// The LINEAR filter of the exact tier with one lane; b is the weight of row j + 1, in 256ths.
+    /// The LINEAR filter of the exact tier with one lane. b is the weight of row j + 1 in 256ths.
     struct ExactBilinear {
         std::uint32_t b;
         SPANGLE_INLINE explicit ExactBilinear(std::uint32_t weight) : b(weight) {}
@@ -130,7 +130,8 @@ template <class N, bool Is565, bool Alpha> struct TexelColors {
     }
 
   private:
-    /// Mixes four texels in the exact tier. Where texels have no alpha it is 1, whatever the weights are.
+    /// Mixes four texels in the exact tier. Where texels have no alpha, the result's alpha is 1 for any
+    /// weights.
     template <class V, class W>
     SPANGLE_INLINE static Color mix_lanes(const Weights& weights, const V& c00, const V& c10, const V& c01,
                                           const V& c11, const W& right) {

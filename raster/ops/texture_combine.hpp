@@ -1,5 +1,5 @@
-// COMBINE: the result that a texture unit makes of up to three arguments (GL 1.3, 3.8.13, tables 3.24 to
-// 3.26). Sources from other units are GL 1.4.
+// COMBINE: a texture unit makes its result from up to three arguments (GL 1.3, 3.8.13, tables 3.24 to 3.26).
+// Sources from other units come from GL 1.4.
 #pragma once
 
 #include "raster/ops/component.hpp"
@@ -9,8 +9,8 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Constants and functions of COMBINE whose intermediate results leave [0, 1]: 1/2, the scales, the scalar
-/// product.
+/// Constants and functions of COMBINE whose intermediate results leave [0, 1]: the constant 1/2, the scales,
+/// and the scalar product.
 template <class N> struct CombineMath {
     using T = typename N::T;
     using L = typename N::L;
@@ -30,7 +30,7 @@ template <class N> struct CombineMath {
             const std::int64_t sum = product(a.r, b.r) + product(a.g, b.g) + product(a.b, b.b);
             return static_cast<T>(numeric::clamp<std::int64_t>(4 * sum, 0, N::one));
         } else {
-            // Words of 32 bits hold the sum with its sign, and a quarter of 1 is a whole number of units.
+            // Words of 32 bits hold the sum with its sign. A quarter of 1 is a whole number of units.
             const auto positive =
                 L::positive(lanes_product(a.r, b.r) + lanes_product(a.g, b.g) + lanes_product(a.b, b.b));
             const auto sum = L::minimum(positive, L::splat32(N::one / 4)) << 2;
@@ -50,7 +50,7 @@ template <class N> struct CombineMath {
         return (a > half()) == (b > half()) ? magnitude : -magnitude;
     }
     SPANGLE_INLINE static typename L::U32 lanes_product(const T& a, const T& b) {
-        const auto sign = L::less(half(), a) ^ L::less(half(), b); // all ones: the product is negative
+        const auto sign = L::less(half(), a) ^ L::less(half(), b); // all ones where the product is negative
         typename L::U32 magnitude;
         if constexpr (is_exact<N>)
             magnitude = N::mul(distance(a), distance(b));
@@ -66,8 +66,8 @@ template <class N> class TextureCombine {
     using Math = CombineMath<N>;
 
   public:
-    /// `texel[n]` is the texture colour of unit n, if the unit is on. `color` is the primary colour and
-    /// becomes the result of all units.
+    /// Applies all units. `texel[n]` is the texture colour of unit n where that unit is on. `color` is the
+    /// primary colour and becomes the result.
     static void units(const FragmentState& state, const Color* texel, Color& color) {
         const Color primary = color;
         for (int u = 0; u < max_texture_units; ++u) {
@@ -113,7 +113,7 @@ template <class N> class TextureCombine {
             }
             return texture(static_cast<int>(source) - static_cast<int>(CombineSource::texture0));
         }
-        /// A texture colour, with the components that its base format lacks filled in (GL 1.3, table 3.21).
+        /// A texture colour. Components that its base format lacks are filled in (GL 1.3, table 3.21).
         Color texture(int from) const {
             Color c = texel[from];
             const Texture* const image = state.unit[from].texture;
@@ -145,8 +145,8 @@ template <class N> class TextureCombine {
         return {rest, rest, rest, rest};
     }
 
-    /// Results are clamped to [0, 1] before they are scaled as well as after. That changes nothing, as scales
-    /// are at least 1.
+    /// Makes a result that is clamped to [0, 1] before it is scaled, and again afterwards. The first clamp
+    /// changes nothing, because scales are at least 1.
     static T result(CombineFunc func, T a, T b, T c) {
         switch (func) {
         case CombineFunc::replace:
@@ -163,7 +163,7 @@ template <class N> class TextureCombine {
             return N::subtract(a, b);
         case CombineFunc::dot3_rgb:
         case CombineFunc::dot3_rgba:
-            break; // combine() computes these of all components at once
+            break; // combine() computes all components of these functions at once
         }
         return a;
     }
@@ -191,7 +191,7 @@ template <class N> class TextureCombine {
     }
 };
 
-/// Whether some unit combines; then all units are sampled before.
+/// Whether a unit combines. All units are then sampled before any unit is applied.
 inline bool uses_combiners(const FragmentState& state) {
     bool any = false;
     for (const TextureUnit& unit : state.unit)

@@ -18,11 +18,11 @@ template <class N> class PacketCombine {
     using Values = T[PlacesOf<N>::groups]; ///< one component
 
   public:
-    /// `texels[n]` are the texture colours of unit n, if the unit is on. `colors` are the primary colours and
-    /// become the results of all units.
+    /// Applies all units. `texels[n]` are the texture colours of unit n where that unit is on. `colors` are
+    /// the primary colours and become the results.
     static void units(const FragmentState& state, const Room* texels, std::int32_t groups, Color* colors) {
         Room primary;
-        const Color* before = colors; // the primary colours, until a unit has replaced them
+        const Color* before = colors; // the primary colours: `colors` itself, until a unit has replaced them
         for (int u = 0; u < max_texture_units; ++u) {
             const TextureUnit& unit = state.unit[u];
             if (unit.texture == nullptr)
@@ -46,7 +46,8 @@ template <class N> class PacketCombine {
     const Room* const texels_;
     const int unit_number_;
     const Color* const primary_;
-    Color* const colors_; ///< the results of the unit before; then, from red to alpha, those of this one
+    /// Results of the previous unit; component by component they become the results of this unit.
+    Color* const colors_;
     const Color& constant_;
     const Color white_;
     const std::int32_t groups_;
@@ -76,7 +77,8 @@ template <class N> class PacketCombine {
         }
         return texture(static_cast<int>(from) - static_cast<int>(CombineSource::texture0), c);
     }
-    /// Component c of a texture colour. What its base format lacks is filled in (GL 1.3, table 3.21).
+    /// Component c of a texture colour. Components that its base format lacks are filled in (GL 1.3, table
+    /// 3.21).
     Operand texture(int from, int c) const {
         const Texture* const image = state_.unit[from].texture;
         if (image == nullptr || (image->base == BaseFormat::alpha && c < 3))
@@ -85,7 +87,7 @@ template <class N> class PacketCombine {
             return Operand::constant(white_, c);
         return Operand::of(texels_[from], c);
     }
-    /// Component c of an argument. `to` is room for its values.
+    /// Component c of an argument. `to` is room for the values.
     Operand argument(const Combiner::Argument& of, int c, T* to) const {
         const bool alpha =
             of.operand == CombineOperand::alpha || of.operand == CombineOperand::one_minus_alpha;
@@ -129,7 +131,7 @@ template <class N> class PacketCombine {
             colors_[g] = {v, v, v, alpha ? v : colors_[g].a};
         }
     }
-    /// Component c of the result, clamped but not scaled.
+    /// Makes component c of the result, clamped but not scaled.
     [[gnu::noinline]] void component(const Combiner& by, int c) const {
         Values room[3];
         const Result to(colors_, c, groups_);
@@ -162,7 +164,7 @@ template <class N> class PacketCombine {
                            __attribute__((always_inline)) { return N::subtract(v, w); });
         case CombineFunc::dot3_rgb:
         case CombineFunc::dot3_rgba:
-            return; // dot3() makes these of all components at once
+            return; // dot3() makes all components at once
         }
     }
 };

@@ -14,8 +14,8 @@ template <class N> SPANGLE_INLINE typename N::Color env_color(const TextureUnit&
     return {N::from_units(c[0]), N::from_units(c[1]), N::from_units(c[2]), N::from_units(c[3])};
 }
 
-/// Applies an environment. f is the colour so far and becomes the result; s is the texture's colour; c is
-/// TEXTURE_ENV_COLOR.
+/// Applies an environment. f is the fragment's colour and becomes the result, s is the colour of the texture,
+/// and c is TEXTURE_ENV_COLOR.
 template <class N>
 SPANGLE_INLINE void apply_env(TexEnv env, BaseFormat base, typename N::Color& f, const typename N::Color& s,
                               const typename N::Color& c) {
@@ -34,7 +34,7 @@ SPANGLE_INLINE void apply_env(TexEnv env, BaseFormat base, typename N::Color& f,
         if (alpha)
             f.a = N::mul(f.a, s.a);
         return;
-    case TexEnv::decal: // undefined but for RGB and RGBA; alpha is kept
+    case TexEnv::decal: // undefined except for RGB and RGBA; alpha is kept
         if (base == BaseFormat::rgba)
             f.r = N::lerp(f.r, s.r, s.a), f.g = N::lerp(f.g, s.g, s.a), f.b = N::lerp(f.b, s.b, s.a);
         else if (color)

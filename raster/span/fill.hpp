@@ -19,13 +19,13 @@ SPANGLE_INLINE bool between_pairs(const std::uint8_t* at) {
     return (reinterpret_cast<std::uintptr_t>(at) & 2) != 0;
 }
 
-/// Two 16-bit words as one 32-bit word, in their order in memory.
+/// Two 16-bit words as one 32-bit word, so that `first` comes first in memory.
 SPANGLE_INLINE constexpr std::uint32_t in_turn(std::uint32_t first, std::uint32_t second) {
     return std::endian::native == std::endian::little ? first | second << 16 : second | first << 16;
 }
 
-/// Fills `count` >= 0 words from `at`, which is 4-aligned, with two pairs in turn. Returns where an odd word
-/// goes.
+/// Fills `count` >= 0 words from `at`, which is 4-aligned, with two pairs by turns. Returns the address of
+/// the last word where `count` is odd.
 SPANGLE_INLINE Half* fill_pairs(std::uint8_t* at, std::uint32_t first, std::uint32_t second,
                                 std::int32_t count) {
     Pair* to = reinterpret_cast<Pair*>(at);
@@ -39,7 +39,7 @@ SPANGLE_INLINE Half* fill_pairs(std::uint8_t* at, std::uint32_t first, std::uint
 
 } // namespace inner
 
-/// Fills `count` > 0 words from `at`, which is 2-aligned.
+/// Fills `count` > 0 words of 16 bits from `at`, which is 2-aligned.
 SPANGLE_INLINE void fill16(std::uint8_t* at, std::uint32_t word, std::int32_t count) {
     const auto half = static_cast<std::uint16_t>(word);
     if (inner::between_pairs(at)) {
@@ -53,7 +53,8 @@ SPANGLE_INLINE void fill16(std::uint8_t* at, std::uint32_t word, std::int32_t co
         *last = half;
 }
 
-/// Fills `count` > 0 words from `at` with four words in turn; `words` holds these four twice.
+/// Fills `count` > 0 words of 16 bits from `at`, which is 2-aligned, with four words by turns. `words` holds
+/// these four words twice.
 SPANGLE_INLINE void fill_columns(std::uint8_t* at, const inner::Half* words, std::int32_t count) {
     if (inner::between_pairs(at)) {
         *reinterpret_cast<inner::Half*>(at) = *words++;
