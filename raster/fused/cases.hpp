@@ -1,4 +1,4 @@
-// Makes a loop of its own from a key: the same stages as the chain's, with the modes known to the compiler.
+// Makes a fused loop from a key. It has the stages of the chain, with modes that the compiler knows.
 #pragma once
 
 #include "raster/fused/fused.hpp"
@@ -30,13 +30,13 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Takes the place of a stage that a key does without; I keeps the bases of a Seq distinct.
+/// Takes the place of a stage that a key does not need. I keeps the bases of a Seq distinct.
 template <class N, int I> struct NoStage : StageBase {
     template <class S> SPANGLE_INLINE NoStage(const S&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>&) const { return true; }
 };
 
-/// Whether fused lists can draw a key. The chain draws everything else.
+/// Whether fused lists can draw a key. The chain draws all other keys.
 constexpr bool is_fusible_key(const Key& key) {
     return !key.second_unit() && !key.unit[0].general && !key.color_sum && !key.stencil && !key.masked &&
            !key.logic && !key.count && key.alpha == Compare::always &&
@@ -45,14 +45,15 @@ constexpr bool is_fusible_key(const Key& key) {
            key.depth_format != DepthFormat::z24s8;
 }
 
-/// Whether colours are perspective-correct and stored without any further stage.
+/// Whether colours are perspective-correct and are stored without any stage in between.
 constexpr bool is_guessed(const Key& key) {
     return key.number == Number::exact && key.kind == Kind::full && !key.unit[0].on && !key.fog &&
            !key.blend && is_565(key.format);
 }
 
-/// Whether four words of a texture become one word (filter_words.hpp). With one lane, steps are found only
-/// where branches and tables are cheap; dithered, they are there already.
+/// Whether four words of a texture are filtered into one word (filter_words.hpp). With one lane this needs
+/// colours in steps. Dithered colours are in steps already. Other colours are converted only where branches
+/// and tables are cheap.
 constexpr bool filters_words(const Key& key) {
     return (numeric::cheap_branches || key.dither || host_lanes == 8) && key.number == Number::exact &&
            !key.fog && !key.blend && is_565(key.format) &&
@@ -60,59 +61,62 @@ constexpr bool filters_words(const Key& key) {
                UnitKey{true, false, TexelFormat::rgb565, BaseFormat::rgb, Filter::linear, TexEnv::replace};
 }
 
-/// The functions that draw the tiles and the trapezoids of a case, or its trapezoids only.
+/// The functions that draw the tiles and trapezoids of a case. trapezoids_of holds a function for trapezoids
+/// alone.
 template <class Case> inline constexpr Shapes shapes_of = {&fused_tile<Case>, &fused_trapezoids<Case>};
 template <void (*Draw)(Span<Fixed>&, const Trapezoids&)>
 inline constexpr Shapes trapezoids_of = {nullptr, Draw};
 
-/// The fused loops of a key. Gray: only for primitives whose colours are gray. Apart: every attribute over w
-/// divides for itself, as in the chain, for primitives that the stages of stage_divided.hpp do not serve.
+/// The fused loops of a key. Gray: they draw only primitives whose colours are gray. Apart: every attribute
+/// over w divides for itself, as in the chain. This serves primitives that the stages of stage_divided.hpp
+/// cannot draw.
 template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static_assert(is_fusible_key(K));
     static constexpr bool textured = K.unit[0].on;
     template <class N>
     using Image = TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env,
                                counts_steps(K)>;
-    /// The form in which texels are loaded that light is multiplied by (MODULATE).
+    /// How texels are loaded that light is multiplied by (MODULATE): as words R5 G6 B5, or as any kind of
+    /// RGB.
     static constexpr bool words_565 = K.unit[0].texels == TexelFormat::rgb565,
                           loads_rgb = words_565 || K.unit[0].texels == TexelFormat::rgb888;
     static constexpr bool raw = K.number == Number::raw565 || is_guessed(K) || filters_words(K),
                           exact = K.number == Number::exact && !raw;
-    /// Whether the texel is the colour until it is blended.
+    /// Whether the texel is the fragment's colour until it is blended.
     static constexpr bool packed =
         K.unit[0] ==
             UnitKey{true, false, TexelFormat::rgba8888, BaseFormat::rgba, Filter::nearest, TexEnv::replace} &&
         K.blend && !K.fog && is_565(K.format);
-    /// Kinds whose colours are projective (full), or also texture coordinates and fog (projective).
+    /// Whether colours are projective (`full`), and whether texture coordinates and fog are (`projective`).
     static constexpr bool full = K.kind == Kind::full, projective = full || K.kind == Kind::textured;
     static constexpr bool divided = divides(K.kind, K.fog) && !is_guessed(K);
-    /// Whether the store includes fog (stores_fogged), or fog and MODULATE before it (stores_light).
+    /// Whether the store includes fog (`stores_fogged`), or fog and MODULATE (`stores_light`).
     template <int L>
     static constexpr bool stores_fogged = L == 1 && exact&& K.fog && !K.blend && is_565(K.format);
     template <int L>
     static constexpr bool stores_light = L == 1 && fogs_light(K) && !K.blend &&
                                          is_565(K.format) && K.unit[0].filter == Filter::nearest && loads_rgb;
-    /// Whether coordinates, too, are divided by the one 1/w of the fragment.
+    /// Whether the one 1/w of the fragment divides texture coordinates, too.
     static constexpr bool shares_division =
         textured && divides(K.kind, K.fog) && exact && K.unit[0].filter == Filter::nearest;
 
   public:
-    /// Whether divided attributes are drawn in patches: there are lanes of 16 bits for them.
+    /// Whether divided attributes are drawn in patches, over which 16 bits are enough.
     static constexpr bool lit = exact && divided && textured && K.unit[0].filter == Filter::nearest &&
                                 K.unit[0].env == TexEnv::modulate && loads_rgb && K.color && !K.color_alpha &&
                                 !K.blend && is_565(K.format) && !Apart;
-    /// Whether such fragments are drawn by products of half-words in the loop of one lane, for lack of long
-    /// products.
+    /// Whether lit fragments are drawn by products of half-words in the loop of one lane, because the
+    /// processor has no long products.
     static constexpr bool halved = lit && !numeric::long_products;
 
     static constexpr bool tested = K.depth != Compare::always || K.depth_write;
-    /// Whether there are depth and colours only: rows are PlaneRows then.
+    /// Whether the key has depths and colours only. Rows are PlaneRows then.
     static constexpr bool plain = raw && !textured;
     static constexpr bool patterned = plain && K.kind == Kind::flat && K.dither;
 
   private:
-    /// Whether there are lanes for the key: there are none for 64 bits, which Exact needs, nor for a division
-    /// per fragment.
+    /// Whether lanes can draw the key. Lanes have neither the 64 bits that Exact needs nor a division for
+    /// each fragment.
     static constexpr bool laned = (!exact || packed) && !divided && is_565(K.format);
     using Runs = std::conditional_t<
         !projective, NoRuns,
@@ -124,7 +128,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     template <int L>
     using CoarseSystem =
         std::conditional_t<packed, std::conditional_t<L == 1, PackedCoarse, CoarseBytes<L>>, Balanced<L>>;
-    /// Whether one stage blends and dithers, as for packed colours.
+    /// Whether one stage blends and dithers, as it does for packed colours.
     template <class N>
     static constexpr bool bytes_dithered = packed&& K.dither && (std::is_same_v<N, ExactBytes<8>> ||
                                                                  std::is_same_v<N, CoarseBytes<8>>);
@@ -132,7 +136,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     using Test =
         std::conditional_t<tested, Depth<N, DepthFormat::z16, K.depth, K.depth_write>, NoStage<N, 0>>;
     enum class Walk { rows, few, paths, tiles };
-    /// Whether colours come from a pattern, as they are stored.
+    /// Whether colours come from a pattern of words in the byte order of the surface.
     template <int L, Walk By>
     static constexpr bool in_pattern = patterned &&
                                        ((L == 1 && By != Walk::few) || (L == 8 && By == Walk::rows));
@@ -254,7 +258,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     };
 
   public:
-    /// Whether the stages of this case serve the primitive.
+    /// Whether the stages of this case can draw the primitive.
     static bool serves(const Span<Fixed>& span) {
         if constexpr (shares_division) {
             return NearestDivided<Image<Exact>, 0>::serves(span) &&
@@ -263,7 +267,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         return true;
     }
 
-    /// fogged: the case is drawn by a loop of its own (fused_fogged.hpp).
+    /// fogged: fused_fogged.hpp draws the case by a loop of its own.
     static constexpr bool fogged = numeric::long_products && stores_light<1> && K.kind == Kind::affine &&
                                    !K.color_alpha && K.unit[0].texels == TexelFormat::rgb565,
                           gray = Gray;
@@ -272,10 +276,10 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static constexpr bool apart = Apart, numbered = divided && !Apart;
     static constexpr bool guessed = is_guessed(K);
     static constexpr bool swaps = Words565<Lanes<1>, K.format>::swaps;
-    /// The stored words of the fragments of rows (Pattern) and of rows in lanes (LanePattern).
+    /// The patterns of stored words: for rows (`Pattern`), and for rows in lanes (`LanePattern`).
     using Pattern = std::conditional_t<patterned, DitherRows<swaps>, NoPattern>;
     using LanePattern = std::conditional_t<patterned, DitherLaneRows<K.format>, NoPattern>;
-    /// The case for so few fragments that a pattern of their colour costs more than their words.
+    /// The case for primitives with so few fragments that a pattern costs more than their words.
     struct FewFragments {
         static constexpr Key key = K;
         static constexpr bool tested = FusedCase::tested, patterned = false;
@@ -284,16 +288,16 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         template <int> using System = Raw565<1>;
         template <int> using List = typename Stages<1, Walk::few>::List;
     };
-    /// Whether few fragments cost more one by one than as eight lanes with copies of what is stored.
+    /// Whether few fragments cost more one by one than in eight lanes with copies of the stored pixels.
     static constexpr bool heavy = laned && (!raw || filters_words(K)) && (textured || K.blend || K.fog);
-    /// Whether a loop of its own pays for gray colours: it saves two ramps, or two divisions.
+    /// Whether a loop for gray colours pays. It saves two ramps or two divisions.
     static constexpr bool splits_gray =
         K.fog && K.color && !K.color_alpha && textured && K.unit[0].env == TexEnv::modulate && words_565;
-    /// Whether lanes pay: fetching texels gains nothing from lanes, combining them does.
+    /// Whether lanes pay. Lanes do not speed up fetches of texels, but the arithmetic on texels.
     static constexpr bool wide = heavy || (laned && !(raw && textured));
     template <int L> using System = typename Stages<L>::N;
     template <int L> using List = typename Stages<L>::List;
-    /// The eight lanes of a `lit` case.
+    /// The parts of a `lit` case in eight lanes.
     struct Lit {
         static constexpr Key key = K;
         static constexpr bool plain = false, tested = FusedCase::tested;
@@ -319,14 +323,14 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             fused_open<FusedCase<untested(), Gray>>(span, open, end);
         }
     };
-    /// The one lane of a `lit` case.
+    /// The parts of a `lit` case with one lane.
     template <class Products> struct SingleLane {
         using N = ExactLit;
         using Test = FusedCase::Test<N>;
         using Draw = LitOne<Products, Image<N>, full, Gray, K.fog, K.format, K.dither>;
         using Patch = typename Draw::Patch;
     };
-    /// Whether fragments are gathered in a GatheredPacket; Gathered has the parts of that packet.
+    /// Whether fragments are gathered in a GatheredPacket, whose parts Gathered has.
     static constexpr bool gathered =
         heavy && !exact && tested && textured && !projective && K.unit[0].filter == Filter::nearest &&
         K.unit[0].env == TexEnv::modulate && K.unit[0].base == BaseFormat::rgb && !K.color_alpha && !K.blend;
@@ -341,12 +345,11 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     };
     using PathStages = typename Stages<1, Walk::paths>::List;
     template <int L> using TileList = typename Stages<L, Walk::tiles>::List;
-    /// Whether paths become a list (PathList).
+    /// Whether paths are drawn through a list of pixels (PathList).
     static constexpr bool listed =
         plain && K.kind == Kind::flat && host_lanes == 8 && !numeric::cheap_branches;
 
-    /// The loop over paths, for what lines are drawn with; it has no stage that asks for the window's
-    /// columns.
+    /// The function that draws paths, which are lines; null where a stage asks for the columns of the window.
     static constexpr PathFunction walk() {
         if constexpr (has_paths && plain && !guessed && !(K.dither && K.kind == Kind::affine))
             return &fused_paths<FusedCase>;
@@ -365,7 +368,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             return nullptr;
     }
 
-    /// Chained: the chain draws primitives that a shared division does not serve.
+    /// Chained: where a primitive cannot share one division, the chain draws it.
     template <int Wide, bool Chained = false>
     static void run_lanes(Span<Fixed>& span, const Row* row, const Row* end) {
         if constexpr (shares_division)
@@ -393,7 +396,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
 
   private:
     template <bool Chained> static void run_apart(Span<Fixed>& span, const Row* row, const Row* end) {
-        if (splits_gray && span.gray) { // all three take the one plane that exists
+        if (splits_gray && span.gray) { // all three components take the one plane that exists
             const auto copy = [](auto& planes) { planes[1] = planes[2] = planes[0]; };
             copy(span.color_value);
             copy(span.color_q);
@@ -403,7 +406,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         else
             fused<FusedCase<K, false, true>, 1>(span, row, end);
     }
-    /// Fills a row with one colour; the span points to its first pixel.
+    /// Fills a row with one colour. The span points to the first pixel.
     SPANGLE_INLINE static void fill(const Span<Fixed>& span, const Row& row,
                                     [[maybe_unused]] const Pattern& pattern) {
         using Words = Words565<Lanes<1>, K.format>;

@@ -1,4 +1,5 @@
-// Draws rows whose fragments all divide, in patches: pieces of a primitive over which 16 bits are enough.
+// Draws rows whose fragments all divide. They are drawn in patches, which are pieces of a primitive over
+// which 16 bits are enough.
 #pragma once
 
 #include "raster/fused/groups.hpp"
@@ -8,13 +9,14 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// A patch around the fragments of rows, measured from a fragment amid them, because planes of thin triangles
-/// are steep beside the fragments.
+/// A patch around the fragments of rows. Its place is a fragment in their middle, because the planes of thin
+/// triangles are steep beside their fragments.
 struct PatchOfRows {
     Patch patch;
     bool fits;
     std::int32_t count; ///< number of fragments
-    /// Fewer fragments than this take less one by one than a patch, of eight lanes or of one lane.
+    /// Fewer fragments than this are drawn faster without a patch. `few` is for eight lanes, and
+    /// `few_for_one` for one lane.
     static constexpr std::int32_t few = 6, few_for_one = 14;
     SPANGLE_INLINE PatchOfRows(const Row* row, const Row* end) {
         std::int32_t first = row->first, last = row->last;
@@ -33,7 +35,7 @@ struct PatchOfRows {
         patch.rows = below > above ? below : above;
         fits = patch.columns <= Patch::most_columns && patch.rows <= Patch::most_rows;
     }
-    /// Whether there are at least `least` fragments, so that patches are worth it.
+    /// Whether the rows have at least `least` fragments, so that patches pay.
     SPANGLE_INLINE static bool are_many(const Row* row, const Row* end, std::int32_t least) {
         std::int32_t count = 0;
         for (; row != end && count < least; ++row)
@@ -42,32 +44,32 @@ struct PatchOfRows {
     }
 };
 
-/// Eight columns from x on in row y, some of which a guess left open. They are drawn again together with
-/// others.
+/// Eight columns from column x on in row y, some of which a guess left open. The open fragments of many
+/// groups are drawn again together.
 struct OpenGroup {
     Lanes<8>::Mask open;
     std::int32_t x, y;
-    /// The most groups that a row of a patch may have.
+    /// The largest number of groups in a row of a patch.
     static constexpr int of_row = 2 * Patch::most_columns / 8 + 2;
 };
 
-/// Calls f(x, y) for each open fragment.
+/// Calls f(x, y) for each open fragment of the groups.
 template <class F> SPANGLE_INLINE void each_open(const OpenGroup* group, const OpenGroup* end, F f) {
     for (; group != end; ++group)
         each_open(
             group->open, [&](int i) __attribute__((always_inline)) { f(group->x + i, group->y); });
 }
 
-/// Draws the fragments of a patch; false: 16 bits are not enough, or a patch is not worth it. Case::Lit has:
-/// what LaneRows ask for; Patch; redo_open(span, open, end), which draws with one lane and without a test of
-/// depth.
+/// Draws the fragments of a patch. Returns false where 16 bits are not enough, or where a patch does not pay.
+/// Case::Lit has the members that LaneRows asks for, Patch, and redo_open(span, open, end). redo_open() draws
+/// fragments again with one lane and without a depth test.
 template <class Case>
 [[gnu::noinline]] bool draw_patch(Span<Fixed>& span, const Row* row, const Row* end, std::int32_t room) {
     using Lit = typename Case::Lit;
     struct Collect {
         using Row = LitRow<typename Lit::Patch>;
         OpenGroup* end;
-        /// Every group is written, so that no branch depends on what is open.
+        /// Every group is written, so that no branch depends on whether it is open.
         SPANGLE_INLINE void operator()(const Row& at, const Px<typename Lit::N>& p, std::int32_t x) {
             const Lanes<8>::Mask open = p.open & p.live;
             *end = {open, x, at.y};
@@ -80,7 +82,7 @@ template <class Case>
         return false;
     constexpr int most = 2 * OpenGroup::of_row;
     OpenGroup open[most];
-    // The last group of a scissor rectangle may begin seven columns before the patch.
+    // The last group in a scissor rectangle may begin seven columns before the patch.
     const std::int32_t left = rows.patch.x - rows.patch.columns - 7;
     const NoPattern none(0);
     LaneRows<Lit, Collect> lanes({{span, nullptr, nullptr, left, row->y, left}, patch}, {open}, none);
@@ -97,7 +99,8 @@ template <class Case>
     return true;
 }
 
-/// draw_patch() with one fragment at a time. Case has SingleLane: Patch, N, Test, Draw.
+/// Does what draw_patch() does, one fragment at a time. Case has SingleLane, whose members are Patch, N, Test
+/// and Draw.
 template <class Case, class Products>
 [[gnu::noinline]] bool draw_patch_one(Span<Fixed>& span, const Row* row, const Row* end) {
     using Lit = typename Case::template SingleLane<Products>;
@@ -118,7 +121,7 @@ template <class Case, class Products>
                 Case::Lit::redraw_fragment(span,
                                            {at.y, at.x + p.i, at.x + p.i + 1, at.x + p.i, at.x + p.i + 1});
             test.step();
-            p.go_to(numeric::factor32(p.i + 1)); // one index serves all planes, not a pointer for each
+            p.go_to(numeric::factor32(p.i + 1)); // one index serves all planes, not one pointer for each
         } while (p.i != n);
         if (++row == end)
             return true;
@@ -129,8 +132,8 @@ template <class Case, class Products>
     }
 }
 
-/// `draw` draws rows as a patch, or returns false if they need several patches. `narrow` draws pieces for
-/// which there is no patch.
+/// Draws rows in as few patches as possible. draw() draws rows as one patch, or returns false where they need
+/// several. narrow() draws pieces for which no patch is possible.
 template <class Draw, class Narrow>
 SPANGLE_INLINE void fused_divided_rows(Span<Fixed>& span, const Row* row, const Row* end, Draw draw,
                                        Narrow narrow) {

@@ -1,5 +1,6 @@
-// Rows of texels in light and fog of the balanced tier, affine, with one lane. The loop needs twice as many
-// words as there are registers. Words that stay lie in memory by twos, in the order in which they are read.
+// Draws rows of affine texels in light and fog of the balanced tier, with one lane. The loop needs twice as
+// many words as there are registers. Words that do not change lie in memory in pairs, in the order in which
+// the loop reads them.
 #pragma once
 
 #include "raster/ops/stage_depth.hpp"
@@ -51,7 +52,7 @@ template <class Case> class FoggedRows {
             thresholds_ = inner::dither_numbered<Combine::threshold_bits>.from(last, row.y);
         end_step_z_.a = place(color_, row.y, last);
         std::uint8_t* const depth = place(depth_, row.y, last);
-        // The index counts bytes up to 0: the last index needs no register.
+        // The index counts bytes up to 0, so that the last index needs no register.
         std::int32_t i = 2 * (first - last);
         do {
             numeric::kept_in_memory(*this);
@@ -96,7 +97,7 @@ template <class Case> class FoggedRows {
     static constexpr int lights = Case::gray ? 1 : 3;
     static constexpr bool dithers = Case::key.dither;
     using Combine = FoggedTexel<Case::key.format, true, dithers>;
-    /// A plane's value at column 0 of row 0 of the window, and its difference from row to row.
+    /// The value of a plane at window position (0, 0), and its difference from row to row.
     using Origin = numeric::WordPair<std::uint32_t, std::uint32_t>;
     using Plane = numeric::WordPair<std::uint8_t*, std::int32_t>;
 
@@ -124,7 +125,7 @@ template <class Case> class FoggedRows {
         }
         return true;
     }
-    /// The number of the texel, counted from the first texel of the image.
+    /// The number of the texel at s and t, counted from the first texel of the image.
     SPANGLE_INLINE std::uint32_t texel(std::uint32_t s, std::uint32_t t) const {
         const auto [width, height] = numeric::load_two(image_size_);
         const auto column = static_cast<std::uint32_t>(std::uint64_t{s} * width >> 32),
@@ -143,13 +144,13 @@ template <class Case> class FoggedRows {
         return color;
     }
 
-    numeric::WordPair<std::uint32_t, std::uint32_t> image_size_; ///< width and height
-    /// The texels, and the table of factors of their green.
+    numeric::WordPair<std::uint32_t, std::uint32_t> image_size_; ///< width and height in texels
+    /// The texels, and the table of the factors by which texels multiply green.
     numeric::WordPair<const std::uint8_t*, typename Combine::Factors> factor_tables_;
     typename Combine::Factors fifths_table_ = Combine::fifths;
     const std::uint32_t* thresholds_ = nullptr;
     Combine combine_;
-    /// The end of the row in the colour plane, and the step of depth.
+    /// The end of the row in the colour plane, and the step of the depth from pixel to pixel.
     numeric::WordPair<std::uint8_t*, std::uint32_t> end_step_z_;
     numeric::WordPair<std::uint32_t, std::uint32_t> step_coord_, step_light_[lights];
     Origin z_, s_, t_, fog_, light_[lights];

@@ -1,4 +1,5 @@
-// Runs a list of stages as one loop: eight lanes at a time where the host has them, one lane for the rest.
+// Runs a list of stages as one loop: eight lanes at a time where the host has lanes, and one lane for the
+// fragments that remain.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +17,12 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// True where loops along rows of texels count one index in bytes. Elsewhere pointers are better, because
-/// registers are lacking for addresses that are sums of two.
+/// True where a loop along a row of texels counts one index in bytes. Elsewhere pointers are better, because
+/// registers are too few for addresses that are sums of two words.
 template <class N>
 inline constexpr bool walks_bytes = !numeric::three_operands && std::is_same_v<N, PackedCoarse>;
 
-/// Draws fragments [i, stop), i < stop, one by one.
+/// Draws fragments [i, stop) one by one, i < stop.
 template <bool Row, class N, class List, class Place>
 SPANGLE_INLINE void fused_loop(List& list, const Place& span, std::int32_t i, std::int32_t stop) {
     Px<N> p(span);
@@ -29,7 +30,7 @@ SPANGLE_INLINE void fused_loop(List& list, const Place& span, std::int32_t i, st
     p.row = Row;
     if constexpr (!List::runs && (List::rows ? Row && walks_bytes<N> : !numeric::scales_indices)) {
         p.twice = 2 * i;
-        do { // one index serves all planes, not a pointer for each
+        do { // one index serves all planes, not one pointer for each
             p.twice = numeric::factor32(p.twice);
             p.i = p.twice >> 1;
             list(p);
@@ -49,11 +50,11 @@ SPANGLE_INLINE void fused_loop(List& list, const Place& span, std::int32_t i, st
         else
             list.step();
         if constexpr (!List::runs && (!List::rows || numeric::scales_indices))
-            i = numeric::factor32(i); // one index serves all planes, not a pointer for each
+            i = numeric::factor32(i); // one index serves all planes, not one pointer for each
     } while (++i != stop);
 }
 
-/// Draws n pixels from `begin` with one lane. The list is at the first pixel.
+/// Draws n pixels from column `begin` with one lane. The list stands at the first pixel.
 template <class N, class List>
 SPANGLE_INLINE void fused_narrow(List& list, const Span<typename N::Policy>& span, std::int32_t begin,
                                  std::int32_t n) {
@@ -73,9 +74,9 @@ SPANGLE_INLINE void fused_narrow(List& list, const Span<typename N::Policy>& spa
     } while (List::runs && i != n);
 }
 
-/// Draws n pixels from `begin`, eight at a time. The rest of a run is a group of its own whose other lanes
-/// are dead. That group stays inside of the span, unless the span has fewer than eight pixels. The list is at
-/// the first pixel.
+/// Draws n pixels from column `begin`, eight at a time. The last pixels of a run are a group of their own, in
+/// which other lanes are dead. That group stays inside of the span, unless the span has fewer than eight
+/// pixels. The list stands at the first pixel.
 template <class N, class List>
 SPANGLE_INLINE void fused_wide(List& list, const Span<typename N::Policy>& span, std::int32_t begin,
                                std::int32_t n) {
@@ -109,8 +110,8 @@ SPANGLE_INLINE void fused_wide(List& list, const Span<typename N::Policy>& span,
 
 namespace inner {
 
-/// Load n < 8 words of 16 bits into eight lanes, and store them, without touching a byte behind them. Words
-/// that two loads or two stores share are the same in both.
+/// Loads n < 8 words of 16 bits into eight lanes; store_words() stores them. Neither function touches a byte
+/// behind the words. Where two loads or two stores overlap, both have the same words there.
 SPANGLE_INLINE Lanes<8>::U16 load_words(const std::uint8_t* at, std::int32_t n) {
     std::uint64_t low = 0, high = 0;
     if (n >= 4) {
@@ -144,9 +145,9 @@ SPANGLE_INLINE void store_words(std::uint8_t* at, Lanes<8>::U16 v, std::int32_t 
 
 } // namespace inner
 
-/// Makes the span describe pixels [first, last) of a row.
+/// Makes the span describe pixels [row.first, row.last) of a row.
 template <class Case> SPANGLE_INLINE void enter_fused(Span<Fixed>& span, const Row& row) {
-    // Where no run is anchored, pixel 0 is the first pixel that is drawn.
+    // Where no run is anchored to the left edge, pixel 0 is the first pixel that is drawn.
     span.x = row.first;
     if constexpr (Case::template List<1>::runs) {
         span.x = row.left;
@@ -162,14 +163,15 @@ template <class Case> SPANGLE_INLINE void enter_fused(Span<Fixed>& span, const R
 template <class Case>
 SPANGLE_INLINE RowPlace place_of(const Surface& target, const Row& row, std::int32_t column) {
     const auto place = [&](std::uint8_t* base, std::int32_t stride, std::int32_t bytes) {
-        // The address is one word before the loop, not a sum in the loop.
+        // The address becomes one word before the loop, not a sum in the loop.
         return numeric::factor32(base + (std::ptrdiff_t{row.y} * stride + std::ptrdiff_t{column} * bytes));
     };
     return {place(target.color, target.color_stride, format_info(Case::key.format).bytes_per_pixel),
             Case::tested ? place(target.depth, target.depth_stride, 2) : nullptr};
 }
 
-/// The place from which fragments are counted. Pixel 0 of the span becomes the first pixel that is drawn.
+/// Enters a row and returns the place from which fragments are counted. Pixel 0 of the span becomes the first
+/// pixel that is drawn.
 template <class Case> SPANGLE_INLINE RowPlace enter_counted(Span<Fixed>& span, const Row& row) {
     const std::int32_t dither_column = Case::numbered ? row.first : row.last;
     span.x = row.first;
@@ -179,7 +181,7 @@ template <class Case> SPANGLE_INLINE RowPlace enter_counted(Span<Fixed>& span, c
     return place_of<Case>(*span.target, row, dither_column);
 }
 
-/// Draws the fragments of a row one by one, counted up to 0: the last index needs no register.
+/// Draws the fragments of a row one by one, counted up to 0, so that the last index needs no register.
 template <class Case>
 SPANGLE_INLINE void fused_plain_row(Span<Fixed>& span, const Row& row,
                                     [[maybe_unused]] const typename Case::Pattern& pattern) {
@@ -199,10 +201,10 @@ SPANGLE_INLINE void fused_narrow_plain_rows(Span<Fixed>& span, const Row* row, c
     while (++row != end);
 }
 
-/// True for lists that ask whether fragments lie in one row of texels, along the whole of a row.
+/// True for lists that ask, for a whole row at a time, whether its fragments lie in one row of texels.
 template <class List> inline constexpr bool takes_rows = List::rows && !List::runs;
 
-/// Draws n fragments before `end`, counted up to 0.
+/// Draws the n fragments before `end`, counted up to 0.
 template <class N, class List>
 SPANGLE_INLINE void fused_texels(List& list, const RowPlace& end, std::int32_t n) {
     if (list.row(n))
@@ -223,13 +225,13 @@ template <class Case> SPANGLE_INLINE void fused_narrow_row(Span<Fixed>& span, co
         fused_narrow<N>(list, span, row.first - span.x, row.last - row.first);
 }
 
-/// Draws rows with one list for all rows, one lane.
+/// Draws rows with one lane. One list serves all rows.
 template <class Case>
 SPANGLE_INLINE void fused_narrow_rows(Span<Fixed>& span, const Row* row, const Row* end) {
     using N = typename Case::template System<1>;
     using List = typename Case::template List<1>;
     if constexpr (!List::runs && !List::rows) {
-        // Fragments are counted up to 0: the last index needs no register.
+        // Fragments are counted up to 0, so that the last index needs no register.
         const RowPlace first = enter_counted<Case>(span, *row);
         List list(span, 0);
         for (RowPlace at = first;; at = enter_counted<Case>(span, *row), list.start(span, 0)) {
@@ -262,7 +264,7 @@ SPANGLE_INLINE void fused_narrow_rows(Span<Fixed>& span, const Row* row, const R
     }
 }
 
-/// Draws the fragments that guesses have left open.
+/// Draws the fragments that guesses have left open, with one lane.
 template <class Case>
 SPANGLE_INLINE void fused_open(Span<Fixed>& span, const OpenGroup* open, const OpenGroup* end) {
     using N = typename Case::template System<1>;
@@ -275,8 +277,8 @@ SPANGLE_INLINE void fused_open(Span<Fixed>& span, const OpenGroup* open, const O
         });
 }
 
-/// Draws rows with one list for all rows, in eight lanes: its values of the primitive are found once. Fewer
-/// than eight pixels are one group that works on copies, so that nothing outside is touched.
+/// Draws rows in eight lanes. One list serves all rows, so its values of the primitive are found once. A row
+/// of less than eight pixels is one group that works on copies, so no pixel beside it is touched.
 template <class Case> SPANGLE_INLINE void fused_rows(Span<Fixed>& span, const Row* row, const Row* end) {
     using N = typename Case::template System<8>;
     using List = typename Case::template List<8>;
@@ -298,7 +300,7 @@ template <class Case> SPANGLE_INLINE void fused_rows(Span<Fixed>& span, const Ro
     };
     enter();
     List list(span, row->first - span.x);
-    // Runs of less than a group would leave most lanes dead.
+    // Runs shorter than a group would leave most lanes dead.
     const auto lanes_pay = [&] {
         const std::int32_t x = row->first - span.x;
         return copied || (n >= 8 && (!List::runs || list.begin(x) - x >= 8));
@@ -335,13 +337,14 @@ SPANGLE_INLINE bool gathered_rows([[maybe_unused]] Span<Fixed>& span, [[maybe_un
     return false;
 }
 
-/// Draws rows that patches do not serve, out of line: one copy of the loop serves all callers.
+/// Draws rows that patches do not serve. This function is not inline, so all callers share one copy of the
+/// loop.
 template <class Case>
 [[gnu::noinline]] void fused_patchless_rows(Span<Fixed>& span, const Row* row, const Row* end) {
     fused_narrow_rows<Case>(span, row, end);
 }
 
-/// Draws lit rows, one fragment at a time.
+/// Draws lit rows one fragment at a time: in patches, where the rows have enough fragments.
 template <class Case, class Products>
 SPANGLE_INLINE void fused_lit_rows(Span<Fixed>& span, const Row* row, const Row* end) {
     if (PatchOfRows::are_many(row, end, PatchOfRows::few_for_one))
@@ -350,9 +353,14 @@ SPANGLE_INLINE void fused_lit_rows(Span<Fixed>& span, const Row* row, const Row*
         fused_patchless_rows<Case>(span, row, end);
 }
 
-/// Draws rows of a case. Case has: template <int Lanes> using System, List; static constexpr key, tested,
-/// wide, heavy, plain, lit, apart (the stages have no start()), numbered (they ask for the number of the
-/// fragment in its row).
+/// Draws rows of a case. A Case has the templates System<Lanes> and List<Lanes>, and these constants:
+/// - key: the key of the case;
+/// - tested: depths are tested or written;
+/// - wide, heavy: lanes pay, also for few fragments;
+/// - plain: there are depths and colours only;
+/// - lit: divided attributes are drawn in patches;
+/// - apart: the stages have no start();
+/// - numbered: the stages ask for the number of the fragment in its row.
 template <class Case, int Wide = host_lanes>
 [[gnu::noinline]] void fused(Span<Fixed>& span, const Row* row, const Row* end) {
     if constexpr (Case::lit && Wide == 8) {
@@ -404,7 +412,7 @@ template <class Case, int Wide = host_lanes>
     }
 }
 
-/// Draws the fragments of path i. The list is at the first fragment.
+/// Draws the fragments of path i. The list stands at the first fragment.
 template <bool Dithered, class List, class N>
 SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i,
                               [[maybe_unused]] std::uint32_t before) {
@@ -421,7 +429,7 @@ SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i,
         list(p);
         list.step();
         if constexpr (Dithered)
-            at = numeric::factor32(at); // steps only after the word was found: one register less
+            at = numeric::factor32(at); // steps only after the word was found, which saves a register
         if constexpr (numeric::cheap_branches) {
             rest += rise;
             at += along;
@@ -438,7 +446,7 @@ SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i,
     } while (--count != 0);
 }
 
-/// Draws paths of a case. Pixels are counted from window (0, 0).
+/// Draws the paths of a case. Pixels are counted from window position (0, 0).
 template <class Case>
 [[gnu::noinline]] void fused_paths(const DrawState& state, const Surface& target, const Paths& paths,
                                    int count) {
@@ -453,11 +461,11 @@ template <class Case>
     span.x = span.y = span.anchor_x = span.anchor_y = 0;
     Px<N> p(span);
     p.live = true;
-    p.selects = !numeric::cheap_branches; // a depth test passes or fails at random
+    p.selects = !numeric::cheap_branches; // a depth test's outcome is hard to predict
     const std::uint32_t before = PathPixels::before(target);
     if constexpr (Case::patterned) {
         const auto back = static_cast<std::ptrdiff_t>(before) * 2;
-        // The address is one word before the loop, not a sum in the loop.
+        // The address becomes one word before the loop, not a sum in the loop.
         p.color_plane = numeric::factor32(p.color_plane - back);
         if constexpr (Case::tested)
             p.depth_plane = numeric::factor32(p.depth_plane - back);
@@ -490,7 +498,7 @@ template <class Case>
         const int together = paths.one_color ? count : 1;
         for (int first = 0; first < count; first += together) {
             cells.make(static_cast<std::uint32_t>(paths.at(Paths::flat, first)), target.color_stride / 2);
-            for (int left = together, i = first; left > 0; --left, ++i) // the loop has one bound, not two
+            for (int left = together, i = first; left > 0; --left, ++i) // this loop has one bound, not two
                 walk(i);
         }
     } else {

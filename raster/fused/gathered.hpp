@@ -1,5 +1,5 @@
-// Gathers the fragments of many rows whose planes are affine and textured, side by side, so that few lanes
-// are idle and the texels of many fragments are fetched at a time.
+// Gathers the fragments of many rows side by side, where all planes are affine and there is a texture. So few
+// lanes are idle, and the texels of many fragments are fetched together.
 #pragma once
 
 #include "raster/fused/groups.hpp"
@@ -12,13 +12,13 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Fragments that have passed the depth test and wait to be stored. Case has: Test, Texture, Fog, FogColor
-/// (or None), fogged, gray, tested, key.
+/// Fragments that have passed the depth test and wait to be stored. Case has Test, Texture, Fog, FogColor,
+/// fogged, gray, tested and key.
 template <class Case> class GatheredPacket {
   public:
     using N = typename Case::N;
     using L = typename N::L;
-    /// `most` fragments may be held when a group is added; `size` is the room for them.
+    /// At most `most` fragments are in the packet when a group is added. `size` is the room for fragments.
     static constexpr std::int32_t most = 120, size = most + 16;
     using Values = std::uint16_t[size];
 
@@ -27,8 +27,8 @@ template <class Case> class GatheredPacket {
     SPANGLE_INLINE static void store(Values& to, std::ptrdiff_t i, const typename L::U16& v) {
         __builtin_memcpy(to + i, &v, 16);
     }
-    /// A group of eight lanes in the packet: which live, where they are stored, and the number of its first
-    /// fragment.
+    /// A group of eight lanes in the packet: its live lanes, the address of its pixels, and the number of its
+    /// first fragment.
     struct Group {
         typename L::Mask live;
         std::uint8_t* color;
@@ -36,7 +36,7 @@ template <class Case> class GatheredPacket {
     };
     Group groups[size];
 
-    /// Stores all `count` fragments, by groups up to `end`.
+    /// Stores all `count` fragments, whose groups end at `end`.
     [[gnu::noinline]] void flush(std::ptrdiff_t count, const Group* end) {
         pad_group(count);
         for (std::ptrdiff_t i = 0; i < count; i += 8)
@@ -53,7 +53,7 @@ template <class Case> class GatheredPacket {
         __builtin_memcpy(&v, from + i, 16);
         return v;
     }
-    /// Fragments behind the last one look at the first texel of the image.
+    /// Fragments behind the last one get the first texel of the image.
     SPANGLE_INLINE void pad_group(std::ptrdiff_t count) {
         const typename L::U16 none = L::splat(0);
         store(index, count, none);
@@ -85,31 +85,33 @@ template <class Case> class GatheredPacket {
 
     typename Case::Texture texture_;
     typename Case::FogColor fog_;
-    alignas(16) Values words_; ///< words as the surface stores them
+    alignas(16) Values words_; ///< in the byte order of the surface
 };
 
-/// The planes of gathered fragments.
+/// The planes of gathered fragments, walked from group to group.
 template <class Case> class GatheredPlanes {
   public:
     using N = typename Case::N;
     using L = typename N::L;
     using Packet = GatheredPacket<Case>;
 
-    /// The planes are valid from this row up, and from its first column to the right.
+    /// Starts at the row and the column of `at`. The planes are valid from this row up, and from this column
+    /// to the right.
     SPANGLE_INLINE explicit GatheredPlanes(const PlaneRow& at)
         : texture_(at, 0), fog_is_inside_(Case::fogged && at.fog_inside), planes_(planes(at)),
           thresholds_(at.x, at.y) {}
     SPANGLE_INLINE bool takes() const { return texture_.is_small(); }
     SPANGLE_INLINE void next_row() { planes_.next_row(); }
     SPANGLE_INLINE void to_row(std::int32_t y) { planes_.to_row(y); }
-    /// Starts at a column of the row that the planes are in.
+    /// Starts at column x of the row in which the planes are.
     SPANGLE_INLINE void start(const PlaneRow& at, std::int32_t x) { start(at.x + x, at.y); }
     SPANGLE_INLINE void start(std::int32_t x, std::int32_t y) {
         planes_.start(x);
         thresholds_ = Thresholds(x, y);
     }
     SPANGLE_INLINE void step() { planes_.step(); }
-    /// Puts eight fragments at the i-th place of the packet; false where no fragment passed.
+    /// Tests eight fragments and puts them at place i of the packet. Returns false where no fragment has
+    /// passed.
     SPANGLE_INLINE bool put(Packet& to, Px<N>& p, std::ptrdiff_t i, typename Packet::Group& group) {
         if (!Case::Test::test(p.live, p.depth_plane + p.bytes(), planes_.template high<0>()))
             return false;
@@ -132,7 +134,7 @@ template <class Case> class GatheredPlanes {
     using Thresholds = std::conditional_t<Case::key.dither, inner::KeptThresholds<N>, inner::NoThreshold>;
     using Planes = LanePlanes<fog + (Case::fogged ? 1 : 0)>;
 
-    /// The fog factor as FogFactorLanes makes it.
+    /// The fog factor, as FogFactorLanes::factor() makes it.
     SPANGLE_INLINE typename L::U16 fog_factor() const {
         return fog_is_inside_ ? planes_.template high<fog>()
                               : N::clamped_fraction(planes_.template words<fog>());
@@ -153,11 +155,11 @@ template <class Case> class GatheredPlanes {
     typename Case::Texture texture_;
     const bool fog_is_inside_;
     Planes planes_;
-    [[no_unique_address]] Thresholds thresholds_; ///< nothing to walk: eight columns are two periods
+    [[no_unique_address]] Thresholds thresholds_; ///< this never steps: eight columns are two periods
 };
 
-/// Draws rows of a primitive through a packet. Everything but the packet, which has an address, is kept in
-/// registers.
+/// Draws rows of a primitive through a packet. All other data is kept in registers; the packet has an
+/// address.
 template <class Case> class GatheredRows {
   public:
     using Packet = GatheredPacket<Case>;
@@ -165,8 +167,8 @@ template <class Case> class GatheredRows {
         : planes_(at), fragment_(at), packet_(packet), group_end_(packet.groups) {}
     SPANGLE_INLINE bool takes() const { return planes_.takes(); }
 
-    /// Draws columns [first, last) of row y, whose address is `row`. The row comes after the last one drawn.
-    /// Seven more columns lie inside of the scissor rectangle.
+    /// Draws columns [first, last) of row y, whose address is `row`. The row must come after the row that was
+    /// drawn last. The scissor rectangle must hold seven more columns.
     SPANGLE_INLINE void draw(const RowPlace& row, std::int32_t y, std::int32_t first, std::int32_t last) {
         planes_.start(first, y);
         each_whole_group<true>(
@@ -190,7 +192,7 @@ template <class Case> class GatheredRows {
     }
 
   private:
-    /// Puts a group into the packet whose live lanes are among its first n.
+    /// Puts a group into the packet. All its live lanes are among the first n.
     SPANGLE_INLINE void group(std::int32_t n) {
         if (!planes_.put(packet_, fragment_, fragment_count_, *group_end_))
             return;
@@ -207,7 +209,7 @@ template <class Case> class GatheredRows {
     std::ptrdiff_t fragment_count_ = 0; ///< fragments in the packet
 };
 
-/// Draws rows in any order. False: nothing is drawn, because the image is too large for it.
+/// Draws rows in any order. Returns false, and draws nothing, where the image is too large for the packet.
 template <class Case>
 SPANGLE_INLINE bool fused_gathered_rows(Span<Fixed>& span, const Row* row, const Row* end) {
     const Rect& clip = span.state->fragment.scissor;

@@ -1,4 +1,4 @@
-// Draws rows in groups of eight lanes, where scissor rectangles have at least eight columns.
+// Draws rows in groups of eight lanes. It serves scissor rectangles of at least eight columns.
 #pragma once
 
 #include <bit>
@@ -23,9 +23,9 @@ SPANGLE_INLINE Lanes<8>::Mask some_lanes(std::int32_t first, std::int32_t last) 
     return from(8 - first) & ~from(8 - last);
 }
 
-/// Goes along columns [row.first, row.last) in groups of eight lanes. The last group has dead lanes: pixels
-/// under them keep what they hold, and lie inside of the scissor rectangle, whose last group starts at column
-/// `room`. Calls draw(n) with the list at a group of which lanes from n on are dead.
+/// Goes along columns [row.first, row.last) in groups of eight lanes. The last group has dead lanes, whose
+/// pixels keep their bits. All groups lie inside of the scissor rectangle, whose last group starts at column
+/// `room`. Calls draw(n) with the list at a group whose lanes from n on are dead.
 template <PixelFormat Format, class N, class List, class At, class Draw>
 SPANGLE_INLINE void each_group(List& list, Px<N>& p, At& at, const Surface& target, const Row& row,
                                std::int32_t room, Draw draw) {
@@ -54,15 +54,15 @@ SPANGLE_INLINE void each_group(List& list, Px<N>& p, At& at, const Surface& targ
     }
 }
 
-/// The mask of the first n lanes, 0 < n < 2^15; n of 8 or more gives all lanes.
+/// The mask of the first n lanes, 0 < n < 2^15. All lanes are in it where n is 8 or more.
 SPANGLE_INLINE Lanes<8>::Mask first_lanes(std::int32_t n) {
     using L = Lanes<8>;
     return L::less_signed(L::offsets16(L::splat(1), L::splat(0)), L::splat(static_cast<std::uint32_t>(n)));
 }
 
-/// Goes along columns [first, last) of the row at `row`, in groups of eight lanes; seven more columns lie
-/// inside of the scissor rectangle. The list is at the first column. Calls draw(n) with the list at a group
-/// of which the first n lanes are alive; n may be more than eight.
+/// Goes along columns [first, last) of the row at `row`, in groups of eight lanes. The scissor rectangle must
+/// hold seven more columns. The list stands at the first column. Calls draw(n) with the list at a group of
+/// which the first n lanes are alive; n may be more than eight.
 template <bool Tested, class N, class List, class Draw>
 SPANGLE_INLINE void each_whole_group(List& list, Px<N>& p, const RowPlace& row, std::int32_t first,
                                      std::int32_t last, Draw draw) {
@@ -89,8 +89,8 @@ template <class Case> SPANGLE_INLINE RowPlace row_of(const Surface& target, std:
             Case::tested ? target.depth + std::ptrdiff_t{y} * target.depth_stride : nullptr};
 }
 
-/// A row as stages of depth and colours see it. It holds copies of planes, which stay in registers: a store
-/// of pixels might change the originals.
+/// A row for stages of depth and colours. It holds copies of planes, which can stay in registers: a store of
+/// pixels might change the originals.
 struct PlainRow {
     Span<Fixed>& planes;
     std::uint8_t *color, *depth;
@@ -99,17 +99,17 @@ struct PlainRow {
     Span<Fixed>::Affine z = planes.z, color_value[3] = {planes.color_value[0], planes.color_value[1],
                                                         planes.color_value[2]};
     std::uint32_t flat_word = planes.flat_word;
-    const inner::Half* words = nullptr; ///< the row of DitherLaneRows
+    const inner::Half* words = nullptr; ///< the words of this row in DitherLaneRows
 
     template <class T> SPANGLE_INLINE T at(std::int32_t column, const Interpolant<T>& plane) const {
         return plane.at(column + (x - anchor_x), y - anchor_y);
     }
 };
 
-/// Handles the fragments that a guess left open: they are divided at once.
+/// Handles the fragments that a guess left open. They are divided at once.
 template <class Case> struct DivideOpen {
     using Row = std::conditional_t<Case::plain, PlainRow, PlaneRow>;
-    /// p is at column x of the row.
+    /// Handles one group; p is at column x of the row.
     template <class P> SPANGLE_INLINE void operator()(Row& row, P& p, std::int32_t x) const {
         if constexpr (Case::guessed)
             if (p.open &= p.live; Lanes<8>::any(p.open)) [[unlikely]]
@@ -118,7 +118,7 @@ template <class Case> struct DivideOpen {
 };
 
 /// Draws rows group by group. Most rows of most primitives are one group, so little is done per row. Where
-/// fragments cost little no branch depends on the picture.
+/// fragments are cheap, no branch depends on the picture.
 template <class Case, class Open = DivideOpen<Case>> class LaneRows {
   public:
     using At = typename Open::Row;
@@ -128,8 +128,8 @@ template <class Case, class Open = DivideOpen<Case>> class LaneRows {
     SPANGLE_INLINE LaneRows(const At& at, const Open& open, const Pattern& pattern)
         : row_position_(at), stages_(row_position_, 0), p_(row_position_), open_(open), pattern_(pattern) {}
 
-    /// Draws columns [first, last) of row y, whose address is `row`. Seven more columns lie inside of the
-    /// scissor rectangle.
+    /// Draws columns [first, last) of row y, whose address is `row`. The scissor rectangle must hold seven
+    /// more columns.
     SPANGLE_INLINE void draw(const RowPlace& row, std::int32_t y, std::int32_t first, std::int32_t last) {
         enter(y);
         row_position_.x = first;

@@ -1,4 +1,4 @@
-// The table of fused spans: keys that have a loop of their own.
+// The table of fused spans: the keys that have a loop of their own.
 #pragma once
 
 #include <cstddef>
@@ -18,22 +18,22 @@ inline namespace SPANGLE_INSTRUCTIONS {
 struct FusedSpan {
     Key key;
     RowsFunction<Fixed> run;
-    bool gray;                  ///< as Variant::gray
+    bool gray;                  ///< `run` reads Span::gray (Variant::gray)
     PathFunction walk;          ///< null: paths are drawn as rows
-    const Shapes* shapes;       ///< null: all is drawn as rows
-    bool guesses;               ///< colours are guessed (Span::guess)
-    RowsFunction<Fixed> narrow; ///< `run` with one lane only, for the tests; null in firmware
+    const Shapes* shapes;       ///< null: all triangles are drawn as rows
+    bool guesses;               ///< colours may be guessed (Span::guess)
+    RowsFunction<Fixed> narrow; ///< `run` with one lane only, for tests; null in firmware
 };
 
-/// The table is compiled in parts, each from a file of its own, so that no compiler needs gigabytes for one
-/// file. A profile's short list is one part. Key i of the list stands in part i % fused_parts.
+/// The table is compiled in parts, each from its own file: a single file would take gigabytes to compile. The
+/// short list of a profile is one part. Key i of the list is in part i % fused_parts.
 inline constexpr std::size_t fused_span_count =
     has_fused_spans ? sizeof fused_list::keys / sizeof fused_list::keys[0] : 0;
 inline constexpr std::size_t fused_parts = fused_span_count > 16 ? 8 : 1;
 constexpr std::size_t fused_part_size(std::size_t part) {
     return part < fused_parts ? (fused_span_count + fused_parts - 1 - part) / fused_parts : 0;
 }
-/// The spans of a part; null where it has none.
+/// The spans of a part; null where the part is empty.
 template <std::size_t Part> const FusedSpan* fused_part();
 
 static_assert(std::has_unique_object_representations_v<Key>, "keys are compared as bytes");
@@ -41,7 +41,7 @@ static_assert(std::has_unique_object_representations_v<Key>, "keys are compared 
 namespace inner {
 
 inline const FusedSpan* find_among(const FusedSpan* span, std::size_t count, const Key& key) {
-    // Hosts compare the first word of a key without a call: most keys differ there.
+    // Hosts first compare the first word of a key, without a call, because most keys differ there.
     constexpr std::size_t first = numeric::wide_words ? sizeof(std::uint64_t) : 0;
     for (const FusedSpan* const end = span + count; span != end; ++span)
         if (__builtin_memcmp(&span->key, &key, first) == 0 &&
@@ -64,14 +64,15 @@ inline const FusedSpan* part_of(std::size_t part, std::index_sequence<Part...>) 
 
 } // namespace inner
 
-/// The fused span of a key; null: draw with the chain. A build without fused spans names none of them.
+/// The fused span of a key; null where the chain draws the key. A build without fused spans refers to none of
+/// them.
 inline const FusedSpan* find_fused(const Key& key) {
     if constexpr (has_fused_spans)
         return inner::find_fused(key, std::make_index_sequence<fused_parts>());
     return nullptr;
 }
 
-/// Span i of the list, for the tests.
+/// Span i of the list. Only tests call this.
 inline const FusedSpan& fused_span(std::size_t i) {
     return inner::part_of(i % fused_parts, std::make_index_sequence<fused_parts>())[i / fused_parts];
 }

@@ -1,4 +1,4 @@
-// Runs a list of stages over a tile: one group of eight lanes per row, or per two rows of a narrow tile.
+// Runs a list of stages over a tile. A group of eight lanes draws one row, or two rows of a narrow tile.
 #pragma once
 
 #include "raster/ops/stage.hpp"
@@ -10,7 +10,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Draws a tile in lanes; `Wide` is 8 or two_rows.
+/// Draws a tile in lanes. `Wide` is 8, or two_rows for a narrow tile.
 template <class Case, int Wide> SPANGLE_INLINE void tile_in_lanes(Span<Fixed>& span, const Tile& tile) {
     using N = typename Case::template System<Wide>;
     using L = Lanes<Wide>;

@@ -1,4 +1,5 @@
-// Runs a list of stages over trapezoids, in groups of eight lanes from the left side of each row on.
+// Runs a list of stages over trapezoids. Each row is drawn in groups of eight lanes that start at its left
+// side.
 #pragma once
 
 #include "raster/fused/gathered.hpp"
@@ -30,7 +31,8 @@ SPANGLE_INLINE void draw_trapezoids(Rows& rows, const Surface& target, const Tra
         }
 }
 
-/// Draws trapezoids by a GatheredPacket. False: nothing is drawn, because the image is too large for it.
+/// Draws trapezoids through a GatheredPacket. Returns false, and draws nothing, where the image is too large
+/// for the packet.
 template <class Case> SPANGLE_INLINE bool gathered_trapezoids(Span<Fixed>& span, const Trapezoids& shape) {
     const std::int32_t left = span.state->fragment.scissor.x;
     const PlaneRow at{span, nullptr, nullptr, left, shape.y, left};
@@ -54,7 +56,7 @@ template <class Case> [[gnu::noinline]] void fused_trapezoids(Span<Fixed>& span,
     draw_trapezoids<Case>(rows, target, shape);
 }
 
-/// Draws trapezoids by the case for gray colours, or by the case for all colours.
+/// Draws trapezoids by the case for gray colours, or otherwise by the case for all colours.
 template <class Case, class Gray> void fused_trapezoids_by_gray(Span<Fixed>& span, const Trapezoids& shape) {
     if (span.gray)
         fused_trapezoids<Gray>(span, shape);

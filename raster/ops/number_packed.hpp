@@ -1,5 +1,5 @@
-// Number systems of sprites: colours that are 8-bit RGBA texels until they are blended with SRC_ALPHA,
-// ONE_MINUS_SRC_ALPHA into a 565 surface.
+// Number systems of sprites. Their colours are RGBA texels of 8 bits until they are blended with SRC_ALPHA,
+// ONE_MINUS_SRC_ALPHA into a surface R5 G6 B5.
 #pragma once
 
 #include "raster/ops/number.hpp"
@@ -8,15 +8,15 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Two components in a word, with the bits of Balanced<1>. This is the number system of sprites in the
-/// balanced tier.
+/// The number system of sprites in the balanced tier. Two components share a word, and the bits are those of
+/// Balanced<1>.
 struct Packed {
     using Policy = Fixed;
     static constexpr int lanes = 1;
     using L = Lanes<1>;
     using T = std::uint32_t;
     struct Color {
-        std::uint32_t word; ///< 8 bits each, R in the lowest byte
+        std::uint32_t word; ///< 8 bits for each component, R in the lowest byte
         SPANGLE_INLINE std::uint32_t r() const { return word & 0xFF; }
         SPANGLE_INLINE std::uint32_t g() const { return word >> 8 & 0xFF; }
         SPANGLE_INLINE std::uint32_t b() const { return word >> 16 & 0xFF; }
@@ -29,10 +29,10 @@ struct Packed {
     SPANGLE_INLINE static std::uint32_t opaque(const Color& s) {
         return ((s.word << 8) & 0xF800) | ((s.word >> 5) & 0x07E0) | (s.word >> 19 & 0x1F);
     }
-    /// True where blending leaves what is stored (clear), or stores the colour itself (solid).
+    /// clear(): blending leaves the stored pixel as it is. is_opaque(): blending stores the colour itself.
     SPANGLE_INLINE static bool clear(const Color& s) { return s.a() == 0; }
     SPANGLE_INLINE static bool is_opaque(const Color& s) { return s.a() == 255; }
-    /// The stored word that Balanced<1>::over and to8 make.
+    /// The stored word that Balanced<1>::over() and to8() make.
     SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under) {
         const Rounded x(s, under);
         return (x.rb & 0xF800) | ((x.g >> 5) & 0x07E0) | x.rb >> 27;
@@ -42,9 +42,10 @@ struct Packed {
         std::uint32_t five;
         constexpr Threshold(std::uint32_t threshold32 = 0) : five(threshold32 << 22) {}
     };
-    /// The stored word that Balanced<1>::over and dithered() make, as the top bits of products.
+    /// The stored word that Balanced<1>::over() and dithered() make. Its bits are the top bits of products.
     SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under, const Threshold& t) {
-        // Both are kept as factors: compilers would make sums of shifts of constants.
+        // Both factors are kept in registers, because compilers would make sums of shifts of constant
+        // factors.
         std::uint32_t by5 = numeric::kept_in_register(by_five), by6 = numeric::kept_in_register(by_six);
         Sums x(s, under);
         x.rb += ((x.rb + 0x00800080) >> 8) & 0x00FF00FF;
@@ -56,8 +57,8 @@ struct Packed {
 
   private:
     static constexpr std::uint32_t by_five = Balanced<1>::step_scale(5), by_six = Balanced<1>::step_scale(6);
-    /// The blended components in 65025ths (255ths of 255ths), as Balanced<1>::over has them before it
-    /// divides.
+    /// The blended components in 65025ths (255ths of 255ths), as Balanced<1>::over() has them before its
+    /// division.
     struct Sums {
         std::uint32_t rb, g;
         SPANGLE_INLINE Sums(const Color& s, std::uint32_t under) {
@@ -66,7 +67,7 @@ struct Packed {
             g = numeric::bit_field<8, 8>(s.word) * a + ((under >> 5) & 63) * weight<6>(rest);
         }
     };
-    /// Balanced<1>::over with 128 added, so that the top bits are rounded.
+    /// Does what Balanced<1>::over() does, with 128 added, so that the top bits are rounded.
     struct Rounded : Sums {
         SPANGLE_INLINE Rounded(const Color& s, std::uint32_t under) : Sums(s, under) {
             rb += 0x00800080;
@@ -75,18 +76,19 @@ struct Packed {
             g += g >> 8;
         }
     };
-    /// Balanced<1>::over_weight for a whole number of 255ths.
+    /// Balanced<1>::over_weight() for a whole number of 255ths.
     template <unsigned Bits> SPANGLE_INLINE static std::uint32_t weight(std::uint32_t rest) {
         constexpr std::uint32_t scale = Balanced<1>::over_scale(Bits);
         return (rest * scale + (Balanced<1>::over_half(Bits) * scale >> 8)) >> 8;
     }
 };
 
-/// Packed for the exact tier: the bits of Exact, which rounds to 8 bits what the exact quotient alone
-/// decides. Let k of m = 31 or 63 steps be stored. Then v = s a + (255 - a) 255 k / m in 65025ths is a
-/// multiple of 1 / m. As m is odd, v is never halfway between two whole numbers, but at least 1 / (2 m) from
-/// there. v is rounded to a whole number, which is on the same side of every halfway point between two
-/// 255ths.
+/// The number system of sprites in the exact tier. It makes the bits of Exact, whose rounding to 8 bits
+/// depends on the exact quotient alone.
+///
+/// Let k of m steps be stored, m = 31 or 63. Then v = s a + (255 - a) 255 k / m in 65025ths is a multiple of
+/// 1 / m. m is odd, so v is never halfway between two whole numbers, but at least 1 / (2 m) away from there.
+/// v is rounded to a whole number, which lies on the same side of every halfway point between two 255ths.
 struct PackedExact : Packed {
     SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under) {
         const std::uint32_t rest = 255 - s.a(), a = s.a() << fraction, w5 = weight<5>(rest),
@@ -100,11 +102,11 @@ struct PackedExact : Packed {
         std::uint32_t more;
         constexpr Threshold(std::uint32_t threshold32 = 0) : more((threshold32 * 65025 >> 5) + 511) {}
     };
-    /// Dithered blending. v is a whole number of 65025ths of a step, so that floor(v + t) is decided by whole
-    /// numbers. Thresholds are odd 32nds: no sum is nearer to a step than 2^-21, which is more than Exact is
-    /// off by.
+    /// Dithered blending. v is a whole number of 65025ths of a step, so whole numbers decide floor(v + t).
+    /// Thresholds are odd numbers of 32nds. So no sum is nearer to a step than 2^-21, and Exact is off by
+    /// less than that.
     SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under, const Threshold& t) {
-        // The steps of v = m s a + 255 (255 - a) k, which is below 2^22 with the threshold.
+        // The steps of v = m s a + 255 (255 - a) k. With the threshold, v is below 2^22.
         const auto steps = [more = t.more](std::uint32_t v) {
             return (v + more + 511 * ((v + more) >> 16)) >> 16;
         };
@@ -117,14 +119,14 @@ struct PackedExact : Packed {
 
   private:
     static constexpr unsigned fraction = 13;
-    /// The weight rest 255 / m in 2^-13, less than 2 too small.
+    /// The weight rest 255 / m in 2^-13; it is less than 2 too small.
     template <unsigned Bits> SPANGLE_INLINE static std::uint32_t weight(std::uint32_t rest) {
-        constexpr unsigned more = Bits + 2; // rest scale < 2^32
+        constexpr unsigned more = Bits + 2; // rest * scale is below 2^32
         constexpr std::uint32_t m = (1u << Bits) - 1, scale = (255u << (fraction + more)) / m;
         return (rest * scale) >> more;
     }
-    /// Rounds v, in 2^-13 and less than 2 m too small, to 8 bits. m is added, and what is left of the error
-    /// is less than 1 / (2 m). The result is 256 v / 255, of which the top 8 bits count.
+    /// Rounds v to 8 bits, where v is in 2^-13 and less than 2 m too small. m is added, which leaves an error
+    /// of less than 1 / (2 m). The result is 256 v / 255, of which the top 8 bits count.
     template <unsigned Bits> SPANGLE_INLINE static std::uint32_t rounded(std::uint32_t v) {
         constexpr std::uint32_t m = (1u << Bits) - 1, half = (128u << fraction) + (1u << (fraction - 1)) + m;
         const std::uint32_t x = (v + half) >> fraction;
@@ -132,11 +134,11 @@ struct PackedExact : Packed {
     }
 };
 
-/// Packed for the fast tier (Coarse): all three components are blended at once.
+/// The number system of sprites in the fast tier (Coarse). All three components are blended by one product.
 struct PackedCoarse : Packed {
     SPANGLE_INLINE static bool clear(const Color& s) { return s.word < 4u << 24; }        // alpha is 0 of 32
     SPANGLE_INLINE static bool is_opaque(const Color& s) { return s.word >= 252u << 24; } // alpha is 32 of 32
-    /// Alpha in 32nds, where both 0 and 32 give 0.
+    /// Alpha in 32nds, where 32 becomes 0, too.
     SPANGLE_INLINE static std::uint32_t weight(const Color& s) { return (s.word + (4u << 24)) >> 27; }
     SPANGLE_INLINE static bool whole(const Color& s) { return weight(s) == 0; }
     SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under) {
@@ -147,31 +149,32 @@ struct PackedCoarse : Packed {
         constexpr Threshold(std::uint32_t threshold32 = 0)
             : bytes((threshold32 >> 2) * 0x00010001 + (threshold32 >> 3 << 8)) {}
     };
-    /// Coarse::dithered for all components: the bits above those of its steps are blended, or stored. No byte
-    /// carries into the next.
+    /// Does what Coarse::dithered() does, for all components at once. Only the bits above the fractions of
+    /// steps are blended or stored. No byte carries into the next byte.
     SPANGLE_INLINE static Color dithered(const Color& s, const Threshold& t) {
         return {s.word - (s.word >> 5 & 0x00070007) - (s.word >> 6 & 0x00000300) + t.bytes};
     }
-    /// The blended word, twice, for a colour that is not solid. Every sum is below 2^10 or, for six bits,
-    /// 2^11, so that none carries into the next component.
+    /// The blended word for a colour that is not solid; `both` holds the stored word twice. Every sum is
+    /// below 2^10, or below 2^11 for six bits, so no sum carries into the next component.
     SPANGLE_INLINE static std::uint32_t over_both(const Color& s, std::uint32_t a, std::uint32_t both) {
-        // Fields are extracted before they are inserted: five instructions of ARM.
+        // Fields are extracted before they are inserted, which takes five instructions on ARM.
         const std::uint32_t r = numeric::factor32(numeric::bit_field<3, 5>(s.word)),
                             g = numeric::factor32(numeric::bit_field<10, 6>(s.word));
         const std::uint32_t source = numeric::bit_field<19, 5>(s.word) | r << 11 | g << 21;
         const std::uint32_t stored = both & components;
         constexpr std::uint32_t halves = 16u << 21 | 16u << 11 | 16u;
         const std::uint32_t sum =
-            (stored + (((source - stored) * a + halves) >> 5)) & components; // the sum is mod 2^27
+            (stored + (((source - stored) * a + halves) >> 5)) & components; // the sum is modulo 2^27
         return (sum | sum >> 16) & 0xFFFF;
     }
 
   private:
-    static constexpr std::uint32_t components = 0x07E0F81F; ///< G in the high half, R and B in the low one
+    /// G in the high half-word, R and B in the low half-word.
+    static constexpr std::uint32_t components = 0x07E0F81F;
 };
 template <class N> inline constexpr bool is_packed = std::is_base_of_v<Packed, N>;
 
-/// A number system of sprites in lanes of 16 bits: components are whole 255ths.
+/// A number system of sprites in lanes of 16 bits. Its components are whole 255ths.
 template <int Count> struct Bytes {
     using Policy = Fixed;
     static constexpr int lanes = Count;
@@ -186,7 +189,7 @@ template <int Count> struct Bytes {
     SPANGLE_INLINE static T from_units(std::uint32_t c) { return L::splat(c >> color_fraction_bits); }
 };
 
-/// CoarseBytes has the bits of PackedCoarse.
+/// The number system of sprites in lanes in the fast tier, with the bits of PackedCoarse.
 template <int Count> struct CoarseBytes : Bytes<Count> {
     using T = typename Bytes<Count>::T;
     struct Threshold {
@@ -202,13 +205,13 @@ template <int Count> struct CoarseBytes : Bytes<Count> {
     }
 };
 
-/// ExactBytes has the bits of Exact.
+/// The number system of sprites in lanes in the exact tier, with the bits of Exact.
 template <int Count> struct ExactBytes : Bytes<Count> {
     using typename Bytes<Count>::L, typename Bytes<Count>::T;
-    /// v (see PackedExact) in 65025ths is s a + (255 - a) k 255 / m. With 255 = whole m + rest the second
-    /// product is `parts`, a whole number, plus parts rest / (whole m), which is never halfway between two
-    /// whole numbers. Rounded to a whole number the sum is on the same side of every halfway point between
-    /// two 255ths.
+    /// The blended component. In 65025ths v (see PackedExact) is s a + (255 - a) k 255 / m. With 255 = whole
+    /// m + rest the second product is `parts` + parts rest / (whole m). `parts` is a whole number, and the
+    /// second term is never halfway between two whole numbers. The sum is rounded to a whole number, which
+    /// lies on the same side of every halfway point between two 255ths.
     template <unsigned Bits> SPANGLE_INLINE static T over(T s, T a, T k) {
         constexpr std::uint32_t m = (1u << Bits) - 1, whole = 255 / m, rest = 255 % m, unit = whole * m;
         constexpr std::uint32_t scale = ((rest << (16 + Bits)) + unit / 2) / unit;
@@ -216,8 +219,8 @@ template <int Count> struct ExactBytes : Bytes<Count> {
         const T more = (L::mul_high(parts, L::splat(scale)) + (1u << (Bits - 1))) >> Bits;
         return by_256ths(s * a + parts + more + 128);
     }
-    /// floor(65025 t) split into whole 255ths and the rest. Each word is one larger, which the quotients
-    /// need.
+    /// A threshold T = floor(65025 t), split into whole 255ths and the rest. Each word is one larger, as
+    /// by_256ths() needs it.
     struct Threshold {
         static constexpr int words = 2;
         static constexpr std::uint32_t word(int i, std::uint32_t threshold32) {
@@ -225,8 +228,8 @@ template <int Count> struct ExactBytes : Bytes<Count> {
             return (i == 0 ? t / 255 : t % 255) + 1;
         }
     };
-    /// The steps of PackedExact, floor((m s a + 255 (255 - a) k + T) / 65025), by two divisions by 255. 256
-    /// is 255 and 1, so the product is taken as high 256 + low.
+    /// The steps of PackedExact, floor((m s a + 255 (255 - a) k + T) / 65025), made by two divisions by 255.
+    /// 256 is 255 + 1, so the product is split into high 256 + low.
     template <unsigned Bits, class Thresholds>
     SPANGLE_INLINE static T dithered(T s, T a, T k, const Thresholds& t) {
         constexpr std::uint32_t m = (1u << Bits) - 1;
@@ -236,7 +239,7 @@ template <int Count> struct ExactBytes : Bytes<Count> {
     }
 
   private:
-    /// floor((v + floor(v / 256)) / 256). For v + 1 in place of v this is floor(v / 255), where v + 1 < 2^16.
+    /// floor((v + floor(v / 256)) / 256). Called with v + 1 it gives floor(v / 255), where v + 1 < 2^16.
     SPANGLE_INLINE static T by_256ths(T v) { return L::mul_high(v, L::splat(257)); }
 };
 

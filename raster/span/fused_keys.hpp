@@ -1,5 +1,5 @@
-// The words in which a table of fused spans is written. The list also says which features none, or all, of a
-// build's spans use: where there is no chain, the compiler then knows it.
+// The words in which a table of fused spans is written. In builds without a chain the table also tells the
+// compiler which features all of their spans use, and which features none of them uses.
 #pragma once
 
 #include <type_traits>
@@ -8,7 +8,7 @@
 
 namespace spangle::raster {
 
-/// A key under construction: each function sets what differs from the defaults.
+/// A key under construction. Each function returns a copy in which some members differ from the defaults.
 struct KeyBuilder {
     Key key;
     constexpr KeyBuilder(Number number, Kind kind) {
@@ -72,7 +72,7 @@ constexpr auto t565 = TexelFormat::rgb565, t888 = TexelFormat::rgb888, t8888 = T
 
 constexpr KeyBuilder flat(Number::raw565, Kind::flat), smooth(Number::raw565, Kind::affine);
 constexpr KeyBuilder straight(Number::raw565, Kind::affine),
-    bent(Number::raw565, Kind::textured); // texels as they are
+    bent(Number::raw565, Kind::textured); // texels are stored as they are
 constexpr KeyBuilder affine(Number::balanced, Kind::affine), textured(Number::balanced, Kind::textured),
     full(Number::balanced, Kind::full);
 constexpr KeyBuilder fine_affine(Number::exact, Kind::affine), fine(Number::exact, Kind::textured),
@@ -81,11 +81,11 @@ constexpr KeyBuilder fine_bent = bent.cubic();
 
 } // namespace table_words
 
-/// The keys of this build, in the order of its list.
+/// The keys of this build, in the order of the table.
 namespace fused_list {
 
 #ifdef SPANGLE_FUSED
-inline constexpr bool is_all = !has_chain; // true: this build draws no key that is not listed
+inline constexpr bool is_all = !has_chain; // true: this build draws no key that is not in the table
 #else
 inline constexpr bool is_all = false;
 #define SPANGLE_FUSED "raster/span/fused_list.inc"
@@ -100,8 +100,8 @@ inline constexpr Key keys[] = {
 
 } // namespace fused_list
 
-/// Whether some, and whether all, of a build's spans have a property; without a closed list: maybe some, not
-/// all.
+/// Whether some, and whether all, of a build's spans have a property. Where the chain draws other keys, the
+/// answer is: perhaps some, not all.
 struct Among {
     bool some = true, all = false;
 };
@@ -123,7 +123,7 @@ inline constexpr Among spans_with_depth = among_spans([](const Key&k) { return n
                        spans_of_full = among_spans([](const Key&k) { return k.kind == Kind::full; }),
                        spans_with_coordinates =
                            among_spans([](const Key&k) { return k.unit[0].on || k.second_unit() || k.fog; });
-/// Whether `run` reads Span::gray: fused spans with fog have loops of their own for gray colours.
+/// Whether `run` reads Span::gray: fused spans with fog have separate loops for gray colours.
 inline constexpr Among spans_by_gray = {has_fog, false};
 inline constexpr bool spans_are_raw =
                           among_spans([](const Key&k) { return k.number == Number::raw565; }).some,
@@ -144,7 +144,8 @@ inline constexpr bool spans_are_raw =
                       spans_sample_any =
                           among_spans([](const Key&k) { return k.unit[0].general || k.combine; }).some;
 
-/// A truth about a draw: a bool, unless the spans leave no choice. States with the other value are not drawn.
+/// A fact about a draw that is the same for all spans of the build. States with the other value are not
+/// drawn. Flag is a plain bool where spans differ.
 template <bool Value> struct Known {
     constexpr Known(bool = Value) {}
     constexpr operator bool() const { return Value; }
