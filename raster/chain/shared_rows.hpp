@@ -1,5 +1,5 @@
-// Runs the chain along the rows of a primitive. Where there are lanes, short rows share packets: a stage is
-// called once for all of them, and only the last packet has lanes without a fragment.
+// Runs the chain along the rows of a primitive. In lanes, short rows share packets: a stage is called once
+// for all of them. Only the last packet has lanes without a fragment.
 #pragma once
 
 #include "raster/chain/chain.hpp"
@@ -10,7 +10,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Draws rows of one primitive, no two of which share a pixel, with the chain of the span's kind.
+/// Draws rows of one primitive with the chain of the span's kind. No two rows share a pixel.
 template <class N> class SharedRows {
   public:
     SharedRows(Span<Fixed>& span, const Row* row, const Row* end)
@@ -23,10 +23,11 @@ template <class N> class SharedRows {
   private:
     PacketRows rows_;
     [[no_unique_address]] std::conditional_t<divides_in_lanes, RowRuns, NoRowRuns> runs_;
-    /// A row shares packets with others only for what its length exceeds multiples of this number. Planes are
-    /// stepped along a row, but multiplied in a shared packet, which takes longer.
+    /// Whole multiples of this number of fragments of a row are drawn without sharing; the fragments that
+    /// remain share packets. Planes are stepped along a row, but multiplied in a shared packet, which takes
+    /// longer.
     static constexpr std::int32_t separate_length = 4 * N::lanes;
-    std::int32_t fragment_count_ = 0; ///< fragments of all pieces
+    std::int32_t fragment_count_ = 0; ///< number of fragments in all pieces
     alignas(32) std::uint8_t color_[4 * packet_length], depth_[4 * packet_length];
 
     void add(const Row& row, std::int32_t number) {
@@ -48,7 +49,7 @@ template <class N> class SharedRows {
                 draw();
         }
     }
-    /// Draws the pieces that are left.
+    /// Draws the pieces that have been collected.
     void draw() {
         if (rows_.pieces == 1)
             draw_separately(rows_.piece[0].row, rows_.piece[0].number);
@@ -63,7 +64,7 @@ template <class N> class SharedRows {
     void draw_shared() {
         const Span<Fixed>& span = rows_.span;
         const DrawState& state = *span.state;
-        // Some stages look along a row before they ask for places.
+        // Some stages read the span's row before they ask for places, so the span must hold a valid row.
         enter(rows_.span, rows_.piece[0].row);
         Packet<N> k;
         k.rows = &rows_;
@@ -99,8 +100,8 @@ template <class N> class SharedRows {
                 [](std::uint8_t * packet, std::uint8_t * plane, std::int32_t bytes)
                     __attribute__((always_inline)) { inner::PacketCopy::copy(plane, packet, bytes); });
     }
-    /// Writes where the fragments of the piece lie, in whole groups of lanes. What is written behind the
-    /// piece is overwritten by the next piece.
+    /// Writes the places of the piece's fragments, in whole groups of lanes. The places written behind the
+    /// piece are overwritten by the next piece.
     SPANGLE_INLINE void place(const Piece& piece) {
         using L = typename N::L;
         const Span<Fixed>& span = rows_.span;
@@ -112,7 +113,8 @@ template <class N> class SharedRows {
             L::store32(reinterpret_cast<std::uint8_t*>(rows_.y + i), y);
         }
     }
-    /// Moves pixels of a piece between the planes and the packet's copy of them.
+    /// Copies the piece's pixels between the planes and the packet's copy of them, in the direction of
+    /// `move`.
     template <class Move> SPANGLE_INLINE void move(const Piece& piece, Move move) {
         const DrawState& state = *rows_.span.state;
         const std::int32_t n = piece.row.last - piece.row.first;
@@ -123,15 +125,15 @@ template <class N> class SharedRows {
     }
 };
 
-/// Whether rows of this span may share packets. A coverage counts from the first pixel of a row: such rows
-/// stay whole.
+/// Whether rows of this span may share packets. Coverage is counted from the first pixel of a row, so rows
+/// with coverage stay whole.
 template <class P> SPANGLE_INLINE bool may_share(const Span<P>& span) {
     const PrimitiveState* const primitive = span.state->primitive;
     return span.state->variant[static_cast<unsigned>(span.kind)].shares &&
            (primitive == nullptr || primitive->coverage == nullptr);
 }
 
-/// A RowsFunction that draws with the chain.
+/// The RowsFunction that draws with the chain.
 template <class N> void chain_rows(Span<typename N::Policy>& span, const Row* row, const Row* end) {
     if constexpr (N::lanes > 1) {
         if (may_share(span)) {

@@ -1,4 +1,4 @@
-// Makes the canonical key from GL's state.
+// Makes the canonical key of GL's state.
 #include "raster/ops/texel.hpp"
 #include "raster/ops/texture_combine.hpp"
 #include "raster/span/draw_state.hpp"
@@ -14,7 +14,8 @@ bool unit_on(const TextureUnit& unit) {
     return has_textures && unit.texture != nullptr;
 }
 
-/// Sets the modes that a fused loop can have: one image, its rows packed, no border, both wraps REPEAT.
+/// Sets the texture modes that a fused loop can have. Such a loop has one image with packed rows, no border
+/// and wrap mode REPEAT on both axes.
 void set_unit(UnitKey& key, const TextureUnit& unit) {
     if (!unit_on(unit))
         return;
@@ -36,7 +37,8 @@ void set_unit(UnitKey& key, const TextureUnit& unit) {
     key.env = unit.env;
 }
 
-/// Whether the primary colour (or its alpha) gets past the texture units (GL 1.3, tables 3.21 and 3.22).
+/// Whether the primary colour, or its alpha, reaches the stages after the texture units (GL 1.3, tables 3.21
+/// and 3.22).
 bool color_survives(const FragmentState& state, bool alpha) {
     if (spans_only_modulate)
         return true;
@@ -76,7 +78,7 @@ void blend_key(Key& key, const FragmentState& state) {
         key.blending = rgb;
 }
 
-/// Whether something after the texture units reads alpha, and this build has such spans.
+/// Whether a stage after the texture units reads alpha, in a build whose spans include such stages.
 bool alpha_is_read(const Key& key, const FragmentState& state) {
     return (spans_test_alpha && key.alpha != Compare::always) || has_alpha(key.format) ||
            (has_samples && state.alpha_to_coverage) ||
@@ -84,7 +86,7 @@ bool alpha_is_read(const Key& key, const FragmentState& state) {
             (source_alpha(state.blend_rgb.src) || source_alpha(state.blend_rgb.dst)));
 }
 
-/// Whether the colour is 16 bits from its source to the surface.
+/// Whether the colour is the 16 bits R5 G6 B5 from its source to the surface.
 bool is_raw_565(const Key& key, const FragmentState& state) {
     if (!spans_are_raw || (!has_format(PixelFormat::rgb565_be) && !has_format(PixelFormat::rgb565_le)))
         return false;
@@ -101,11 +103,11 @@ bool is_raw_565(const Key& key, const FragmentState& state) {
         return false;
     if (key.kind == Kind::flat || key.kind == Kind::full)
         return false;
-    // Colours of 5 and 6 bits are exact: dithering leaves them as they are.
+    // Dithering leaves colours of 5 and 6 bits as they are.
     return unit.texels == TexelFormat::rgb565 || (unit.texels == TexelFormat::rgb888 && !state.dither);
 }
 
-/// Sets what the keys of surfaces of colours and of indices have in common.
+/// Sets the parts of the key that surfaces of colours and surfaces of indices have in common.
 void common_key(Key& key, const FragmentState& state, const Surface& target) {
     key.fog = has_fog && state.fog;
     if (key.fog)
@@ -127,8 +129,8 @@ void common_key(Key& key, const FragmentState& state, const Surface& target) {
         SPANGLE_FEATURE_POLYGON_OFFSET && state.depth_offset && key.depth_format != DepthFormat::none;
 }
 
-/// Sets the key of a surface of indices. Indices are neither textured nor added to, tested as alpha or
-/// blended (GL 1.3, 3.8, 3.9, 4.1.4, 4.1.7). One number system serves them.
+/// Sets the key of a surface of indices. GL does not texture, sum, alpha-test or blend indices (GL 1.3, 3.8,
+/// 3.9, 4.1.4, 4.1.7). One number system serves all such surfaces.
 void index_key(Key& key, const FragmentState& state) {
     key.number = Number::exact;
     key.pixels = has_pixel_colors && state.colors != Colors::of_vertices;
@@ -150,7 +152,8 @@ Key key_of_any_kind(const FragmentState& state, const Surface& target) {
     }
     for (int i = 0; i < max_texture_units; ++i)
         set_unit(key.unit[i], state.unit[i]);
-    key.color_sum = (has_color_sum || !has_chain) && state.color_sum; // without a chain no span has it
+    // In builds without a chain no span has a colour sum.
+    key.color_sum = (has_color_sum || !has_chain) && state.color_sum;
     key.samples = has_samples && (state.alpha_to_coverage || state.alpha_to_one || state.sample_coverage);
     if (state.alpha_test)
         key.alpha = state.alpha_func;
@@ -181,7 +184,8 @@ Key key_of_kind(const Key& any, const FragmentState& state, Kind kind) {
         key.dither = state.dither && key.color; // without a colour of vertices dithering changes nothing
         key.cubic = key.unit[0].on && key.kind == Kind::textured && of_tier<has_cubic_runs>(state);
     } else {
-        // Narrow formats, which are those of small displays, have one copy of the code: the exact one.
+        // Narrow formats, which are those of small displays, have one copy of the code, in the exact number
+        // system.
         const bool exact = !has_balanced || of_tier<has_exact_colors>(state) || drawn_narrow(key.format);
         key.number = has_exact && exact ? Number::exact : Number::balanced;
         key.dither = state.dither && is_565(key.format);

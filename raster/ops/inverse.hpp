@@ -1,4 +1,4 @@
-// The inverse 1/w of a fragment.
+// 1/w of a fragment.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// 1 / q at a fragment, where q is the 30-bit value of a projective plane. q <= 0 (outside of GL's domain)
-/// counts as the least positive value.
+/// 1 / q of a fragment, where q is the 30-bit value of a projective plane. Values q <= 0, which are outside
+/// of GL's domain, count as 1.
 struct Inverse {
     std::uint32_t q;
     std::uint32_t mantissa; ///< 1/q = mantissa * 2^(zeros - 62)

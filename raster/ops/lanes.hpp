@@ -1,6 +1,6 @@
-// How many fragments a stage handles at once: one on microcontrollers and for tails, eight in fused spans and
-// in the chain on hosts, through vector extensions of gcc and clang. A U16 holds values below 2^16, so both
-// give the same bits.
+// How many fragments a stage handles at once. Microcontrollers have one lane, and so have the tails of rows.
+// Hosts have eight lanes in fused spans and in the chain, by the vector extensions of gcc and clang. A U16
+// holds values below 2^16, so both lane counts give the same bits.
 #pragma once
 
 #include <bit>
@@ -23,8 +23,8 @@ inline constexpr int host_lanes = std::endian::native == std::endian::little ? 8
 inline constexpr int host_lanes = 1;
 #endif
 
-/// True where the instruction set shifts each word by a number of its own (lane_division.hpp). Elsewhere
-/// fragments are divided one after the other.
+/// True where the instruction set can shift each word of a vector by its own number (lane_division.hpp).
+/// Elsewhere fragments are divided one after the other.
 #if defined(__AVX2__)
 inline constexpr bool divides_in_lanes = true;
 #else
@@ -41,7 +41,7 @@ template <> struct Lanes<1> {
     static constexpr Mask all = true;
     SPANGLE_INLINE static U16 splat(std::uint32_t v) { return v; }
     SPANGLE_INLINE static U32 splat32(std::uint32_t v) { return v; }
-    /// One word per lane: start, start + step, and so on.
+    /// One word per lane: start, start + step, and the next multiples. With one lane this is start.
     SPANGLE_INLINE static U32 ramp(std::uint32_t start, std::uint32_t) { return start; }
     /// The difference of a plane between each lane and the first lane.
     SPANGLE_INLINE static U32 offsets(std::uint32_t, std::uint32_t) { return 0; }
@@ -51,8 +51,8 @@ template <> struct Lanes<1> {
     SPANGLE_INLINE static U16 mul_high(U16 a, U16 b) { return (a * b) >> 16; }
     /// floor(a b / 2^8), a < 2^8.
     SPANGLE_INLINE static U16 mul_256(U16 a, U16 b) { return (a * b) >> 8; }
-    /// floor(a b / 2^9), a signed (its bits 0 .. 15), b < 2^8. The result is to be added to a value that
-    /// makes it positive.
+    /// floor(a b / 2^9), where bits 0 .. 15 of a are a signed number and b < 2^8. The caller adds the result
+    /// to a value that makes the sum positive.
     SPANGLE_INLINE static U16 mul_signed_512(U16 a, U16 b) {
         return static_cast<std::uint32_t>(static_cast<std::int32_t>(a) * static_cast<std::int32_t>(b) >> 9);
     }
@@ -66,7 +66,7 @@ template <> struct Lanes<1> {
     SPANGLE_INLINE static Mask equal(U16 a, U16 b) { return a == b; }
     SPANGLE_INLINE static Mask both(Mask a, Mask b) { return a && b; }
     SPANGLE_INLINE static Mask negate(Mask m) { return !m; }
-    /// Loads 16-bit words from memory, in host order, one per lane; `p` is 2-aligned.
+    /// Loads 16-bit words in host order, one per lane. `p` is 2-aligned.
     SPANGLE_INLINE static U16 load(const std::uint8_t* p) {
         std::uint16_t v;
         __builtin_memcpy(&v, __builtin_assume_aligned(p, 2), 2);
@@ -76,7 +76,7 @@ template <> struct Lanes<1> {
         const auto word = static_cast<std::uint16_t>(v);
         __builtin_memcpy(__builtin_assume_aligned(p, 2), &word, 2);
     }
-    /// min(max(v, 0), 2^24 - 1) / 2^8, v signed.
+    /// min(max(v, 0), 2^24 - 1) / 2^8, where v is signed.
     SPANGLE_INLINE static U16 clamped_24_to_16(U32 v) {
         return numeric::saturated_after<8, 16>(static_cast<std::int32_t>(v));
     }
@@ -85,7 +85,7 @@ template <> struct Lanes<1> {
     template <class F> SPANGLE_INLINE static auto generate(F f) { return f(0u); }
     SPANGLE_INLINE static U16 gather(const std::uint16_t* v) { return v[0]; }
     SPANGLE_INLINE static void scatter(U16 v, std::uint16_t* to) { to[0] = static_cast<std::uint16_t>(v); }
-    /// Byte `n` of a word, 0 the lowest.
+    /// Byte `n` of a word; byte 0 is the lowest.
     SPANGLE_INLINE static U16 byte(U32 v, int n) { return (v >> (8 * n)) & 0xFF; }
     SPANGLE_INLINE static bool lane(Mask m, int) { return m; }
     SPANGLE_INLINE static void kill(Mask& m, int) { m = false; }
@@ -93,7 +93,7 @@ template <> struct Lanes<1> {
     SPANGLE_INLINE static Mask first(std::int32_t n) { return n > 0; }
 };
 
-/// Eight lanes, on little-endian hosts only (host_lanes decides).
+/// Eight lanes, on little-endian hosts only (see host_lanes).
 template <> struct Lanes<8> {
     static constexpr int count = 8, columns = 8, rows = 1;
     using Place = std::uint8_t*;
@@ -101,7 +101,7 @@ template <> struct Lanes<8> {
     using Words [[gnu::vector_size(16)]] = std::uint32_t;
     using Signed [[gnu::vector_size(16)]] = std::int16_t;
     using SignedWords [[gnu::vector_size(16)]] = std::int32_t;
-    using Mask = U16; ///< all ones: the lane is alive
+    using Mask = U16; ///< a lane that is alive has all ones
 
     using U32 = LaneWords; ///< one word of 32 bits per lane
 
@@ -115,7 +115,7 @@ template <> struct Lanes<8> {
     template <int I> SPANGLE_INLINE static U16 spread(U16 v) {
         return __builtin_shufflevector(v, v, I, I, I, I, I, I, I, I);
     }
-    /// Lanes 0 to 3 of a and b in turn, or lanes 4 to 7.
+    /// Lanes 0 to 3 of a and b by turns; mixed_high() takes lanes 4 to 7.
     SPANGLE_INLINE static U16 mixed_low(U16 a, U16 b) {
         return __builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11);
     }
@@ -144,12 +144,12 @@ template <> struct Lanes<8> {
     }
     SPANGLE_INLINE static U16 mul_high(U16 a, U16 b) {
         U16 r;
-        for (int i = 0; i < 8; ++i) // both compilers make one instruction of this
+        for (int i = 0; i < 8; ++i) // both compilers make one instruction of this loop
             r[i] = static_cast<std::uint16_t>((std::uint32_t{a[i]} * b[i]) >> 16);
         return r;
     }
     SPANGLE_INLINE static U16 mul_256(U16 a, U16 b) { return mul_high(a << 8, b); }
-    /// floor(a b / 2^16), a and b signed.
+    /// floor(a b / 2^16), where a and b are signed.
     SPANGLE_INLINE static U16 mul_high_signed(U16 a, U16 b) {
         const auto s = std::bit_cast<Signed>(a), t = std::bit_cast<Signed>(b);
         Signed r;
@@ -171,19 +171,19 @@ template <> struct Lanes<8> {
             r[i] = s[i] < t[i] ? s[i] : t[i];
         return std::bit_cast<U16>(r);
     }
-    /// min(max(v, low), high), all signed.
+    /// min(max(v, low), high), where all three are signed.
     SPANGLE_INLINE static U16 clamped_signed(U16 v, U16 low, U16 high) {
         return minimum_signed(maximum_signed(v, low), high);
     }
     SPANGLE_INLINE static Mask less_signed(U16 a, U16 b) {
         return std::bit_cast<Mask>(std::bit_cast<Signed>(a) < std::bit_cast<Signed>(b));
     }
-    /// v n modulo 2^32, where n holds one number of 16 bits in all lanes.
+    /// v n modulo 2^32, where n holds one 16-bit number in all lanes.
     SPANGLE_INLINE static Words times(const Words& v, const U16& n) {
         const auto halves = std::bit_cast<U16>(v);
         return std::bit_cast<Words>(halves * n) + (std::bit_cast<Words>(mul_high(halves, n)) << 16);
     }
-    /// The half-word I of the vector, in all lanes.
+    /// Half-word I of the vector, in all lanes.
     template <int I> SPANGLE_INLINE static U16 splat_half(const Words& v) {
         const auto halves = std::bit_cast<U16>(v);
         return __builtin_shufflevector(halves, halves, I, I, I, I, I, I, I, I);
@@ -209,7 +209,7 @@ template <> struct Lanes<8> {
         return (m & a) | (~m & b);
 #endif
     }
-    /// These compare words of 32 bits, all below 2^31.
+    /// The next functions compare words of 32 bits, all of which are below 2^31.
     SPANGLE_INLINE static U32 minimum(const U32& a, const U32& b) {
         return U32::mapped(
             [](const auto& v, const auto& w)
@@ -219,7 +219,7 @@ template <> struct Lanes<8> {
     SPANGLE_INLINE static U32 maximum(const U32& a, const U32& b) {
         return a + b - minimum(a, b);
     }
-    /// max(v, 0), v signed.
+    /// max(v, 0), where v is signed.
     SPANGLE_INLINE static U32 positive(const U32& v) {
         return U32::mapped(
             [](const auto& w) __attribute__((always_inline)) { return lane_words::positive(w); }, v);
@@ -246,14 +246,14 @@ template <> struct Lanes<8> {
         return (halves[0] | halves[1]) != 0;
 #endif
     }
-    /// True if some lane is not 0.
+    /// True where at least one lane is not 0.
     SPANGLE_INLINE static bool any_bits(const U16& v) {
         return any(v);
     }
     SPANGLE_INLINE static bool any_bits(const U32& v) {
         return any(v.any_bits());
     }
-    /// One byte per lane, which is all ones where any bit of the lane is one.
+    /// One byte per lane. The byte is all ones where any bit of the lane is one.
     SPANGLE_INLINE static std::uint64_t nonzero_bytes(const U16& v) {
         using Bytes [[gnu::vector_size(8)]] = std::int8_t;
         return std::bit_cast<std::uint64_t>(__builtin_convertvector(v != 0, Bytes));
@@ -281,7 +281,7 @@ template <> struct Lanes<8> {
     SPANGLE_INLINE static void store(std::uint8_t* p, U16 v) {
         __builtin_memcpy(p, &v, 16);
     }
-    /// Joins lanes 0 to 3 and lanes 4 to 7.
+    /// Joins lanes 0 to 3 (`low`) and lanes 4 to 7 (`high`).
     SPANGLE_INLINE static U16 halves(std::uint64_t low, std::uint64_t high) {
         using Halves [[gnu::vector_size(16)]] = std::uint64_t;
         return std::bit_cast<U16>(Halves{low, high});
@@ -300,8 +300,8 @@ template <> struct Lanes<8> {
     SPANGLE_INLINE static U32 gather(const std::uint32_t* v) {
         return load32(reinterpret_cast<const std::uint8_t*>(v));
     }
-    /// f(0) .. f(7), moved from register to register: a vector load of eight stored words would wait for the
-    /// stores.
+    /// The values f(0) .. f(7), one per lane. They move from register to register, because a vector load of
+    /// eight stored words would wait for the stores.
     template <class F> SPANGLE_INLINE static auto generate(F f) {
         if constexpr (sizeof(f(0u)) == 2)
             return U16{f(0u), f(1u), f(2u), f(3u), f(4u), f(5u), f(6u), f(7u)};
@@ -331,7 +331,7 @@ template <> struct Lanes<8> {
     }
 };
 
-/// Calls f(i) for each lane i that a guess left open: those with any bit set.
+/// Calls f(i) for each lane i that a guess has left open. An open lane has at least one bit set.
 template <class F> SPANGLE_INLINE void each_open(const Lanes<8>::Mask& open, F f) {
     for (std::uint64_t left = Lanes<8>::nonzero_bytes(open); left != 0;) {
         const int lane = std::countr_zero(left) / 8;
@@ -340,8 +340,8 @@ template <class F> SPANGLE_INLINE void each_open(const Lanes<8>::Mask& open, F f
     }
 }
 
-/// Names the eight lanes that are four columns of two rows. It is only the argument of Lanes<>, not their
-/// number.
+/// Names the eight lanes that are four columns of two rows. The number is only an argument of Lanes<>, not a
+/// count of lanes.
 inline constexpr int two_rows = 42;
 
 template <> struct Lanes<two_rows> : Lanes<8> {
@@ -377,7 +377,7 @@ template <> struct Lanes<two_rows> : Lanes<8> {
     }
 };
 
-/// These read and write one lane of eight.
+/// These functions read and write one lane of eight.
 SPANGLE_INLINE void lane_of(const Lanes<8>::U16& v, int i, std::uint32_t& to) {
     to = v[i];
 }
@@ -390,7 +390,7 @@ SPANGLE_INLINE void lane_of(const Lanes<8>::U32& v, int i, std::uint32_t& to) {
 SPANGLE_INLINE void set_lane(Lanes<8>::U32& v, int i, std::uint32_t from) {
     v.set_lane(i, from);
 }
-/// A plain number is its own only lane.
+/// A plain number counts as a vector of one lane.
 SPANGLE_INLINE void lane_of(std::uint32_t v, int, std::uint32_t& to) {
     to = v;
 }

@@ -1,6 +1,6 @@
-// Number systems of the stages say what a colour is and how colours are combined. A tier of accuracy is the
-// choice of one system (docs/architecture/fragments.md, "Tiers"). Every system has the members that Exact
-// documents; lists of stages are templates over it.
+// Number systems of the stages say what a colour is and how colours are combined. The tier of accuracy
+// selects the number system (docs/architecture/fragments.md, "Tiers"). Every number system has the members
+// that Exact documents. Lists of stages are templates over it.
 #pragma once
 
 #include <cstdint>
@@ -22,12 +22,12 @@ template <class V, class T> SPANGLE_INLINE void set_lane(Rgba<V>& v, int i, cons
     set_lane(v.r, i, from.r), set_lane(v.g, i, from.g), set_lane(v.b, i, from.b), set_lane(v.a, i, from.a);
 }
 
-/// Texture coordinates of one unit, one pair per lane. With Wrap::repeat 2^32 is one repeat: the word wraps
-/// as the texture does, and texel = s >> (32 - log2 size). With the other wraps a coordinate is a signed word
-/// of `clamped_coord_bits` fraction bits, saturated.
+/// Texture coordinates of one unit, one pair per lane. With Wrap::repeat one repeat is 2^32. The word wraps
+/// as the texture does, and texel = s >> (32 - log2 size). With the other wrap modes a coordinate is a
+/// signed, saturated word with `clamped_coord_bits` fraction bits.
 template <class T, int Count> struct TexCoords { T s[Count], t[Count]; };
 
-/// The table of k / (Count - 1) in colour units, to nearest or rounded up.
+/// The table of k / (Count - 1) in colour units, rounded to nearest, or up where Up is true.
 template <std::uint32_t Count, bool Up = false> struct ColorSteps {
     std::uint32_t at[Count];
     constexpr ColorSteps() : at{} {
@@ -37,7 +37,7 @@ template <std::uint32_t Count, bool Up = false> struct ColorSteps {
     }
 };
 
-/// A colour counted in steps by exact_steps; the result is at most one unit of its last fraction bit too
+/// A colour in steps, by the factors exact_steps. The result is at most one unit of its last fraction bit too
 /// small.
 template <bool Long = numeric::long_products>
 SPANGLE_INLINE std::uint32_t color_in_steps(std::uint32_t c, int component) {
@@ -53,8 +53,8 @@ SPANGLE_INLINE std::uint32_t color_in_steps(std::uint32_t c, int component) {
         return c + static_cast<std::uint32_t>(high + ((high + low + (low >> 16)) >> 16));
     }
 }
-/// A colour counted in steps by near_steps, 249 and 253 of 256: the 7 and 3 that these lack are shifts and a
-/// difference.
+/// A colour in steps, by the factors near_steps, which are 249/256 and 253/256. Without long products, 7/256
+/// and 3/256 of the colour are subtracted by shifts.
 template <bool Long = numeric::long_products>
 SPANGLE_INLINE std::uint32_t color_in_near_steps(std::uint32_t c, int component) {
     if constexpr (Long)
@@ -62,14 +62,14 @@ SPANGLE_INLINE std::uint32_t color_in_near_steps(std::uint32_t c, int component)
     else
         return c - (((component == 1 ? c + (c << 1) : (c << 3) - c) + 255) >> 8);
 }
-/// A colour counted in steps as by exact_steps, but for up to 2^-12 of a 255th too much. `rest` is what such
-/// a factor lacks of 1.
+/// A colour in steps, by exact_steps, but up to 2^-12 of a 255th too large. `rest` is 1 minus the factor.
 SPANGLE_INLINE std::uint32_t color_in_guessed_steps(std::uint32_t c, int component) {
     const auto rest = numeric::kept_in_register(component == 1 ? 771u : 1799u); // of 2^16, which stands for 1
     return c - ((c >> 8) * rest >> 8);
 }
 
-/// The number system of the exact tier, and the model for the other systems: 255ths with 20 fraction bits.
+/// The number system of the exact tier, and the model for the other systems. Components are 255ths with 20
+/// fraction bits.
 struct Exact {
     using Policy = Fixed;
     static constexpr int lanes = 1;
@@ -80,31 +80,31 @@ struct Exact {
     using Fog = std::uint32_t; ///< s7.24, two's complement
     static constexpr T one = color_one;
 
-    /// The component k / 255, and the way back, rounded to nearest.
+    /// from8() makes the component k / 255; to8() makes the nearest k of a component.
     SPANGLE_INLINE static T from8(L::U16 k) { return k << color_fraction_bits; }
     SPANGLE_INLINE static L::U16 to8(T v) {
         return (v + (1u << (color_fraction_bits - 1))) >> color_fraction_bits;
     }
-    /// k / 31 and k / 63 to the nearest unit; 31 / 31 and 63 / 63 are exactly one.
+    /// k / 31 and k / 63 to the nearest unit. 31 / 31 and 63 / 63 are exactly one.
     SPANGLE_INLINE static constexpr T from5(L::U16 k) { return steps5.at[k]; }
     SPANGLE_INLINE static constexpr T from6(L::U16 k) { return steps6.at[k]; }
-    /// k / 31 and k / 63 of texels, rounded up: what is filtered is then never below what GL 1.3, 3.8.8 asks
-    /// for (weighted()).
+    /// k / 31 and k / 63 of texels, rounded up. So a filtered colour is never below the value that GL 1.3,
+    /// 3.8.8 asks for (weighted()).
     SPANGLE_INLINE static constexpr T texel5(L::U16 k) { return texels5.at[k]; }
     SPANGLE_INLINE static constexpr T texel6(L::U16 k) { return texels6.at[k]; }
-    /// The component of a constant in colour units (vertex.hpp).
+    /// A component from a constant in colour units (vertex.hpp).
     SPANGLE_INLINE static T from_units(std::uint32_t c) { return c; }
-    /// A component of an interpolated colour of a span (8.24).
+    /// A component from the word of an interpolated colour of a span (8.24).
     SPANGLE_INLINE static T from_affine(L::U32 v) {
-        // Set-up added this bias; a value that rounding took below it counts as 0.
+        // Set-up has added this bias. A value that rounding has taken below the bias counts as 0.
         constexpr std::uint32_t bias = 1u << 15;
         const std::uint32_t c = v < bias ? 0 : (v - bias) >> (24 - color_fraction_bits);
         return c < one ? c : one;
     }
-    /// The product a b, with 1 as the neutral element; off by less than 2^-28 of one.
+    /// The product a b, where `one` is the neutral element; off by less than 2^-28 of one.
     SPANGLE_INLINE static T mul(T a, T b) { return scaled(a, fraction(b)); }
-    /// v as the factor of scaled(), which many products may share: v 4096 / 255, 0 .. 2^32 - 1, at most 3 too
-    /// small.
+    /// v as a factor of scaled(), which several products may share: v 4096 / 255, 0 .. 2^32 - 1, at most 3
+    /// too small.
     SPANGLE_INLINE static constexpr std::uint32_t fraction(T v) {
         return (v << 4) + (v >> 4) + (v >> 12) + (v >> 20);
     }
@@ -122,10 +122,10 @@ struct Exact {
         const T d = Bits == 5 ? from5(k) : Bits == 6 ? from6(k) : from8(k);
         return add(mul(s, a), mul(d, one - a));
     }
-    /// The sum of value * weight / 2^16, rounded up; the weights sum to 2^16. Texels are rounded up, too, so
-    /// the sum is what GL asks for or up to two units more. A sum that lies on a threshold or halfway between
-    /// two 255ths is therefore never taken for the step below. (With GL_DITHER on, one in 300 texels of 5 and
-    /// 6 bits lies on a threshold.)
+    /// The sum of value * weight / 2^16, rounded up. The weights sum to 2^16. Texels are rounded up, too, so
+    /// the sum is the value of GL's formula or up to two units more. A sum that lies on a threshold, or
+    /// halfway between two 255ths, is therefore never taken for the step below. (With GL_DITHER on, one in
+    /// 300 texels of 5 and 6 bits lies on a threshold.)
     SPANGLE_INLINE static T weighted(T a, std::uint32_t wa, T b, std::uint32_t wb, T c, std::uint32_t wc, T d,
                                      std::uint32_t wd) {
         return static_cast<T>((numeric::mul_u32(a, wa) + numeric::mul_u32(b, wb) + numeric::mul_u32(c, wc) +
@@ -133,20 +133,22 @@ struct Exact {
                               16);
     }
     SPANGLE_INLINE static T subtract(T a, T b) { return a > b ? a - b : 0; }
-    /// A factor for `mix`: min(max(v, 0), 1) in 2^-30, where v is signed with 24 fraction bits (fog).
+    /// A factor for mix(): min(max(v, 0), 1) in 2^-30, where v is signed with 24 fraction bits, as fog
+    /// factors are.
     SPANGLE_INLINE static T clamped_fraction(L::U32 v) {
         const auto s = static_cast<std::int32_t>(v);
         const std::uint32_t f = s < 0 ? 0 : s > 1 << 24 ? 1u << 24 : v;
         return f << 6;
     }
-    /// The mean a (1 - f) + b f, rounded down, with f in 2^-30; differences take 29 bits.
+    /// The mean a (1 - f) + b f, rounded down, with f in 2^-30. Differences of components take 29 bits.
     SPANGLE_INLINE static T mix(T a, T b, T f) {
         return a + static_cast<T>(numeric::mul_high_s32(static_cast<std::int32_t>((b - a) << 2),
                                                         static_cast<std::int32_t>(f)));
     }
-    /// floor(v (2^Bits - 1) + t), where t is an odd number of 32nds: exact steps stay (GL 1.3, 4.1.8).
+    /// floor(v (2^Bits - 1) + t), where t is an odd number of 32nds. Colours of whole steps do not change (GL
+    /// 1.3, 4.1.8).
     template <unsigned Bits> SPANGLE_INLINE static L::U16 dithered(T v, L::U16 threshold32) {
-        // The threshold is at most 31/32 of a step, so nothing wraps.
+        // The threshold is at most 31/32 of a step, so the sum does not wrap.
         return (steps<Bits>(v) + (threshold32 << (steps_word<Bits> - 5 - Bits))) >> (steps_word<Bits> - Bits);
     }
     /// v (2^Bits - 1) in whole 32nds of a step.
@@ -155,15 +157,15 @@ struct Exact {
     }
 
   private:
-    /// Bits of a word of steps and their fractions.
+    /// Bits of a word of steps with their fractions.
     template <unsigned Bits> static constexpr unsigned steps_word = Bits == 5 || Bits == 6 ? 28 : 32;
-    /// v (2^Bits - 1): up to 2^Bits - 1 steps, each of which is 2^(steps_word - Bits).
+    /// v (2^Bits - 1). The result is up to 2^Bits - 1 steps, each of which is 2^(steps_word - Bits).
     template <unsigned Bits> SPANGLE_INLINE static std::uint32_t steps(T v) {
         if constexpr (Bits == 5 || Bits == 6)
             return color_in_steps(v, Bits == 5 ? 0 : 1);
         constexpr std::uint64_t factor =
             ((((std::uint64_t{1} << Bits) - 1) << (64 - Bits - color_fraction_bits)) + 254) / 255;
-        // v factor / 2^32, made of two products, not of the shifts that a compiler finds for 64 bits.
+        // This is v factor / 2^32. Two products are faster than the shifts that a compiler finds for 64 bits.
         return v * static_cast<std::uint32_t>(factor >> 32) +
                numeric::mul_high_u32(v, static_cast<std::uint32_t>(factor));
     }
@@ -173,8 +175,8 @@ struct Exact {
     static constexpr ColorSteps<64, true> texels6{};
 };
 
-/// The number system of the balanced tier: 255ths with 8 fraction bits in 16 bits (0 .. 65280). One lane and
-/// eight lanes make the same bits.
+/// The number system of the balanced tier. Components are 255ths with 8 fraction bits in 16 bits (0 ..
+/// 65280). One lane and eight lanes make the same bits.
 template <int Count> struct Balanced {
     using Policy = Fixed;
     static constexpr int lanes = Count;
@@ -192,61 +194,63 @@ template <int Count> struct Balanced {
     SPANGLE_INLINE static constexpr T from6(T k) {
         if constexpr (Count == 1)
             return k * 1036 + (k >> 3);
-        // 12 / 2^10 of `top` are added: compilers would make seven instructions of the product above.
+        // 12 / 2^10 of `top` are added. Compilers would make seven instructions of the product above.
         const T top = k << 10;
         return top + L::mul_high(top, L::splat(12u << 6)) + (top >> 13);
     }
     SPANGLE_INLINE static constexpr T texel5(T k) { return from5(k); }
     SPANGLE_INLINE static constexpr T texel6(T k) { return from6(k); }
     SPANGLE_INLINE static T from_units(std::uint32_t c) { return L::splat((c + (1u << 11)) >> 12); }
-    /// Set-up added the half that rounds to 8.8. Set-up is off by less than that half, and fragments lie
-    /// inside of their primitive, so that nothing is above one.
+    /// Set-up has added the half that rounds to 8.8. Set-up is off by less than this half, and fragments lie
+    /// inside of their primitive. So no component is above one.
     SPANGLE_INLINE static T from_affine(const typename L::U32& v) { return L::high_half(v); }
-    /// The product a b, at most 3 256ths of a 255th too small, or 2 where a and b have 8 bits.
+    /// The product a b, at most 3 256ths of a 255th too small; at most 2 where a and b have 8 bits.
     SPANGLE_INLINE static T mul(T a, T b) { return scaled(a, fraction(b)); }
-    /// v as the factor of scaled() and mix(): 0 .. one becomes 0 .. 65535.
+    /// v as a factor of scaled() and mix(): 0 .. one becomes 0 .. 65535.
     SPANGLE_INLINE static constexpr T fraction(T v) { return v + (v >> 8); }
     SPANGLE_INLINE static T scaled(T a, T factor) { return L::mul_high(a, factor); }
     SPANGLE_INLINE static T lerp(T a, T b, T k) { return mix(a, b, fraction(k)); }
-    /// The mean a (1 - f) + b f with f of 16 bits, where 65535 stands for 1.
+    /// The mean a (1 - f) + b f. f has 16 bits, and 65535 stands for 1.
     SPANGLE_INLINE static T mix(T a, T b, T f) { return L::mul_high(a, 65535 - f) + L::mul_high(b, f); }
     SPANGLE_INLINE static T add(T a, T b) { return a + L::minimum(b, L::splat(one) - a); }
-    /// Blends in 65025ths, which 16 bits hold. The stored k needs no expansion to 8 bits: its weight turns
-    /// 31sts and 63rds into 65025ths. The sum is at most 1/5 of a 255th off, and exact to 8 bits where s, a
-    /// and k have 8 bits.
+    /// Blends in 65025ths, which 16 bits hold. The stored k is not expanded to 8 bits: the weight that it is
+    /// multiplied by turns 31sts and 63rds into 65025ths. The sum is at most 1/5 of a 255th off. It is exact
+    /// to 8 bits where s, a and k have 8 bits.
     template <unsigned Bits> SPANGLE_INLINE static T over(T s, T a, T k) {
         const T rest = L::splat(one) - a;
         const T stored = Bits == 8 ? L::mul_high(k << 8, rest) : k * over_weight<Bits>(rest);
         const T x = L::mul_high(s, a) + stored + 128;
-        return x + (x >> 8) - 128; // 256 / 255, so that the 8 bits are rounded exactly
+        return x + (x >> 8) - 128; // times 256 / 255, so that the 8 bits are rounded exactly
     }
-    /// The weight of a stored component: rest 255 / (2^Bits - 1) / 256, to nearest (Bits 5 or 6).
+    /// The weight of a stored component, rest 255 / (2^Bits - 1) / 256, to the nearest (Bits is 5 or 6).
     static constexpr std::uint32_t over_scale(unsigned bits) { return bits == 5 ? 2105 : 1036; }
     static constexpr std::uint32_t over_half(unsigned bits) { return bits == 5 ? 16 : 32; }
     template <unsigned Bits> SPANGLE_INLINE static T over_weight(T rest) {
         return L::mul_high(rest + L::splat(over_half(Bits)), L::splat(over_scale(Bits)));
     }
-    /// Sum of value * weight / 2^16, each product rounded down; the weights sum to at most 2^16 - 1.
+    /// The sum of value * weight / 2^16, where each product is rounded down. The weights sum to at most 2^16
+    /// - 1.
     SPANGLE_INLINE static T weighted(T a, T wa, T b, T wb, T c, T wc, T d, T wd) {
         return L::mul_high(a, wa) + L::mul_high(b, wb) + L::mul_high(c, wc) + L::mul_high(d, wd);
     }
     SPANGLE_INLINE static T subtract(T a, T b) { return a - L::minimum(a, b); }
-    /// A factor for `mix`: min(max(v, 0), 1), where v is signed with 24 fraction bits.
+    /// A factor for mix(): min(max(v, 0), 1), where v is signed with 24 fraction bits.
     SPANGLE_INLINE static T clamped_fraction(const typename L::U32& v) { return L::clamped_24_to_16(v); }
-    /// A threshold of dithering. In lanes it counts in steps of 2^11.
+    /// A threshold of dithering, in 2^-11 of a step of five bits.
     struct Threshold {
         static constexpr int words = 1;
         static constexpr std::uint32_t word(int, std::uint32_t threshold32) { return threshold32 << 6; }
     };
-    /// The dithered colour as a word with its steps in the top bits.
+    /// The dithered colour as a word of 16 bits, with whole steps in the top bits.
     template <unsigned Bits> SPANGLE_INLINE static T tops(T v, T threshold) {
         return steps<Bits>(v) + (threshold >> (Bits - 5));
     }
     template <unsigned Bits> SPANGLE_INLINE static T dithered(T v, T threshold32) {
-        // The whole product is used: 1 plus the last threshold stays below 2^32.
+        // The whole 32-bit product is used. 1 plus the largest threshold stays below 2^32.
         if constexpr (Count == 1) {
             std::uint32_t factor = step_scale(Bits);
-            // Thumb compilers would make a sum of shifts of a constant factor.
+            // Compilers for Thumb would make a sum of shifts of a constant factor, so it is kept in a
+            // register.
             if constexpr (!numeric::long_products)
                 factor = numeric::kept_in_register(factor);
             // All components use one mask of thresholds.
@@ -255,15 +259,15 @@ template <int Count> struct Balanced {
         return (steps<Bits>(v) + (threshold32 << (11 - Bits))) >> (16 - Bits);
     }
     template <unsigned Bits> SPANGLE_INLINE static T steps32(T v) { return steps<Bits>(v) >> (11 - Bits); }
-    /// The factor that makes steps of 2^(16 - bits) by a high product. Exact steps come out at most 3 too
-    /// small; the least threshold is 32 or more.
+    /// The factor that makes steps of 2^(16 - bits) by a high product. Colours of whole steps come out at
+    /// most 3 too small, and the least threshold is 32 or more.
     static constexpr std::uint32_t step_scale(unsigned bits) {
         return (((1u << bits) - 1) << 16 << (16 - bits)) / one + 1;
     }
     template <unsigned Bits> SPANGLE_INLINE static T steps(T v) {
         return L::mul_high(v, L::splat(step_scale(Bits)));
     }
-    /// The colour in steps of 2^(15 - bits), which signed half-words hold.
+    /// The colour in steps of 2^(15 - bits), which fit signed half-words.
     template <unsigned Bits> SPANGLE_INLINE static constexpr T steps15(T v) {
         constexpr std::uint32_t scale = (((1u << Bits) - 1) << 15 << (16 - Bits)) / one + 1;
         if constexpr (Count == 1)
@@ -271,35 +275,35 @@ template <int Count> struct Balanced {
         else
             return L::mul_high(v, L::splat(scale));
     }
-    /// A colour in the steps in which 5, 6 and 5 bits store it.
+    /// A colour whose components are counted in the steps of 5, 6 and 5 bits in which they are stored.
     SPANGLE_INLINE static Color in_steps(const Color& c) {
         return {steps15<5>(c.r), steps15<6>(c.g), steps15<5>(c.b), c.a};
     }
 };
 
-/// Blending of the fast tier with SRC_ALPHA, ONE_MINUS_SRC_ALPHA: colours in steps of the target, alpha in
-/// 32nds.
+/// Blending of the fast tier with SRC_ALPHA, ONE_MINUS_SRC_ALPHA. Colours are counted in steps of the target,
+/// and alpha in 32nds.
 struct Coarse {
-    /// Alpha of 8 bits in 32nds, to nearest.
+    /// Alpha of 8 bits in 32nds, to the nearest.
     template <class T> SPANGLE_INLINE static T alpha(T a) { return (a + 4) >> 3; }
     static constexpr std::uint32_t most = 32;
-    /// (s a + k (32 - a)) / 32 to nearest, halves up; the sum before the shift is at most 63 32 + 16.
+    /// (s a + k (32 - a)) / 32 to the nearest, halves up. The sum before the shift is at most 63 32 + 16.
     template <class T> SPANGLE_INLINE static T over(T s, T a, T k) {
         return ((k << 5) + (s - k) * a + 16) >> 5;
     }
     /// The source colour of blending where dithering is on, from a colour s of 8 bits. s - floor(s / 2^Bits)
-    /// is the colour in 2^(Bits - 8) steps, to which thresholds are rounded down; a pattern's mean is within
-    /// 3/16 of a step.
+    /// is the colour in 2^(Bits - 8) of a step. Thresholds are rounded down to this unit. The mean of a
+    /// dithered pattern is within 3/16 of a step.
     template <unsigned Bits, class T> SPANGLE_INLINE static T dithered(T s, T threshold32) {
         return (s - (s >> Bits) + (threshold32 >> (Bits - 3))) >> (8 - Bits);
     }
 };
 
-/// The full weight of a texel, in 2^-16. Where lanes are 16 bits wide it is the most that they hold.
+/// The full weight of a texel, in 2^-16. Lanes of 16 bits hold at most 65535.
 template <class N> inline constexpr std::uint32_t weight_one = 65536;
 template <int Count> inline constexpr std::uint32_t weight_one<Balanced<Count>> = 65535;
 
-/// The number system of colours that nothing combines: a colour is the 16 bits R5 G6 B5 from its source to
+/// The number system of colours that no stage combines. A colour is the 16 bits R5 G6 B5 from its source to
 /// the surface.
 template <int Count> struct Raw565 {
     using Policy = Fixed;
@@ -311,8 +315,8 @@ template <int Count> struct Raw565 {
     };
     using Coord = TexCoords<std::uint32_t, Count>;
     using Fog = typename L::U32;
-    /// Components of which only the top bits count: those of a word with one lane, those of its high half
-    /// with eight.
+    /// Components of which only the top bits count. With one lane a component is a word of 32 bits. With
+    /// eight lanes it is the high half of that word.
     struct Tops {
         T r, g, b;
     };
@@ -323,21 +327,21 @@ template <int Count> struct Raw565 {
         else
             return {L::high_half(r), L::high_half(g), L::high_half(b)};
     }
-    /// Adds a threshold to components in steps (Variant::steps), before the rest is dropped: floor(step + t),
-    /// where t is a fraction of a step of five bits. 31 and 63 steps plus 31/32 do not wrap; what set-up made
-    /// a little less than 0 does.
+    /// Adds a threshold to components in steps (Variant::steps): floor(step + t), where t is a fraction of a
+    /// step of five bits. 31 or 63 steps plus 31/32 do not wrap, but a component that set-up has made a
+    /// little less than 0 does.
     SPANGLE_INLINE static Tops dithered(const Tops& v, T t) {
         if constexpr (Count == 1)
             t = numeric::factor32(t);
         const T t6 = t >> 1;
         return {v.r + t, v.g + t6, v.b + t};
     }
-    /// The t of dithered() for a threshold in 32nds.
+    /// The t of dithered() for a threshold in 32nds of a step.
     SPANGLE_INLINE static T fraction5(T threshold32) { return threshold32 << (6 + below); }
     SPANGLE_INLINE static Color word(const Tops& v) {
         return {(v.r >> below & 0xF800) | ((v.g >> (below + 5)) & 0x07E0) | (v.b >> (below + 11))};
     }
-    /// The stored word, made without masks where there is one lane: two shifts per component.
+    /// The stored word. With one lane it is made without masks, by two shifts per component.
     SPANGLE_INLINE static Color joined(const Tops& v) {
         if constexpr (Count > 1) {
             return word(v);
@@ -347,8 +351,8 @@ template <int Count> struct Raw565 {
             return {both << 5 | v.b >> 27};
         }
     }
-    /// The stored word of an interpolated colour: rounded to 8 bits (set-up added half a 255th), then the top
-    /// bits.
+    /// The stored word of an interpolated colour. It is rounded to 8 bits, for which set-up has added half a
+    /// 255th, and cut to its top bits.
     SPANGLE_INLINE static Color from_affine(const typename L::U32& r, const typename L::U32& g,
                                             const typename L::U32& b) {
         return numeric::three_operands ? word(tops(r, g, b)) : joined(tops(r, g, b));
@@ -374,7 +378,7 @@ template <int Count> struct WithOneLane<Balanced<Count>> { using Type = Balanced
 template <int Count> struct WithOneLane<Raw565<Count>> { using Type = Raw565<1>; };
 template <class N> using OneLane = typename WithOneLane<N>::Type;
 
-/// True for systems whose colour is a stored word, without components that can be combined.
+/// True for number systems whose colour is a stored word, without components that can be combined.
 template <class N> inline constexpr bool is_raw = false;
 template <int Count> inline constexpr bool is_raw<Raw565<Count>> = true;
 

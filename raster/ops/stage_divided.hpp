@@ -162,7 +162,7 @@ template <class N> struct FogCoordDivided : StageBase {
         const std::int32_t least = over_w < 0 ? 0 : over_w, v = least < most ? least : most;
         const std::uint32_t c =
             numeric::mul_high_u32(static_cast<std::uint32_t>(v) << inverse.zeros, inverse.mantissa);
-        // V is at most q / 32 here, 2^(37 - zeros) > 32 v, and a mantissa is at most 2^31.
+        // Here v is at most q / 32, 2^(37 - zeros) is more than 32 v, and a mantissa is at most 2^31.
         if (c >> (32 - exponent) != 0)
             __builtin_unreachable();
         return c;

@@ -34,7 +34,7 @@ template <std::uint32_t Most> struct LitFactors {
     std::uint16_t of[Most + 1];
     constexpr LitFactors() : of{} {
         for (std::uint32_t k = 1; k <= Most; ++k)
-            // K = Most, which stands for 1, has the factor 65535.
+            // The component 1 (k = Most) has the factor 65535.
             of[k] = static_cast<std::uint16_t>((k * 65536 - 1) / Most);
     }
 };

@@ -1,5 +1,5 @@
-// Rows are what a primitive hands to a span function, several at a time. So the walk along its edges and the
-// drawing of its fragments each keep their own registers.
+// Rows are what a primitive hands to a span function, several at a time. So the walk along edges and the
+// drawing of fragments each have all registers to themselves.
 #pragma once
 
 #include <cstddef>
@@ -17,10 +17,10 @@ struct Row {
     std::int32_t y, left, right, first, last;
 };
 
-/// Draws rows of the primitive whose planes the span holds.
+/// Draws rows [row, end) of the primitive whose planes the span holds.
 template <class P> using RowsFunction = void (*)(Span<P>&, const Row* row, const Row* end);
 
-/// Finds the addresses of column `x` of row `y` in the colour plane and, if there is one, in the depth plane.
+/// Finds the addresses of column x of row y in the colour plane and, where there is one, in the depth plane.
 SPANGLE_INLINE void point_at(std::uint8_t*& color, std::uint8_t*& depth, const Surface& target,
                              std::int32_t x, std::int32_t y, std::int32_t bytes, int depth_shift) {
     color = target.color + std::ptrdiff_t{y} * target.color_stride + std::ptrdiff_t{x} * bytes;
@@ -28,19 +28,19 @@ SPANGLE_INLINE void point_at(std::uint8_t*& color, std::uint8_t*& depth, const S
         depth = target.depth + std::ptrdiff_t{y} * target.depth_stride + (std::ptrdiff_t{x} << depth_shift);
 }
 
-/// The addresses in both planes where a row begins or ends.
+/// The addresses in the colour plane and in the depth plane at which a row begins or ends.
 struct RowPlace {
     std::uint8_t *color, *depth;
 };
 
-/// A row as the stages of a list without runs see it. The planes are those of the span; the place of the row
-/// is kept in registers.
+/// A row for stages of lists without runs. The planes are those of the span; the place of the row stays in
+/// registers.
 struct PlaneRow {
     Span<Fixed>& planes;
     std::uint8_t *color, *depth;        ///< addresses of the fragment from which the list counts
     std::int32_t x, y;                  ///< window position of pixel 0
     std::int32_t dither_column;         ///< column of the fragment from which the list counts
-    const inner::Half* words = nullptr; ///< the words of this row in DitherRows
+    const inner::Half* words = nullptr; ///< the words of this row (DitherRows)
     const Span<Fixed>::Affine& z = planes.z;
     const Span<Fixed>::Affine (&color_value)[4] = planes.color_value;
     const Span<Fixed>::Affine& fog = planes.fog;
@@ -52,7 +52,7 @@ struct PlaneRow {
     const Span<Fixed>::Unit (&unit)[max_texture_units] = planes.unit;
     const DrawState* state = planes.state;
     std::uint32_t flat_word = planes.flat_word;
-    // Set where there is fog; a reference, because it is set later.
+    // True where all fog coordinates lie in [0, 1). This is a reference, because set-up sets the value later.
     const bool& fog_inside = planes.fog_inside;
 
     template <class T> T at(std::int32_t column, const Interpolant<T>& plane) const {
@@ -60,7 +60,7 @@ struct PlaneRow {
     }
 };
 
-/// Makes the span describe this row, whatever the state is.
+/// Makes the span describe this row, for any state.
 template <class P> SPANGLE_INLINE void enter(Span<P>& span, const Row& row) {
     span.x = row.left;
     span.y = row.y;
@@ -71,7 +71,7 @@ template <class P> SPANGLE_INLINE void enter(Span<P>& span, const Row& row) {
              span.state->depth_bytes >> 1);
 }
 
-/// Makes a function that draws many rows from a function that draws one.
+/// A RowsFunction that calls a function for each row.
 template <class P, void (*Draw)(const Span<P>&)> void by_row(Span<P>& span, const Row* row, const Row* end) {
     for (; row != end; ++row) {
         enter(span, *row);
