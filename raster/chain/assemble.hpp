@@ -280,9 +280,8 @@ template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, c
     if constexpr (is_balanced<N> && has_textures && has_fog && is_565(Format))
         if (counts_steps(key))
             return chain.template add<StoreSteps<N, Format>>();
-    constexpr bool only_merged =
-        // StoreMerged can do everything that the other store stages do.
-        is_fixed<N> && !has_shortcuts && !has_tier(Tier::fast);
+    // StoreMerged can do everything that the other store stages do.
+    constexpr bool only_merged = is_fixed<N> && !has_shortcuts && !has_tier(Tier::fast);
     if (only_merged || key.masked || key.logic)
         chain.template add<StoreMerged<N, Format>>();
     if constexpr (!only_merged)

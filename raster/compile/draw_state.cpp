@@ -17,12 +17,12 @@ namespace {
 
 using numeric::Real;
 
-/// The constants of fog coordinates of vertices (FogConstants). GL divides by END - START (GL 1.3, 3.10).
-/// Where both are equal the divisor is 1, as Mesa has it: fog begins a unit before END. The limit of the
-/// formula for a START below END is a step at END, which is the same outside of this unit.
+/// The constants of the fog coordinates of vertices (FogConstants). GL divides by END - START (GL 1.3, 3.10).
+/// Where both are equal the divisor is 1, as in Mesa: fog begins one unit before END. As START approaches END
+/// from below, GL's formula becomes a step at END. Outside of this unit the step is the same.
 FogConstants fog_constants(const FragmentState& state) {
-    // e^-dz is 2^-(log2(e) dz), and e^-(dz)^2 is 2^-(sqrt(log2(e)) dz)^2. The root is 1.20112240878645; the
-    // number below is a step of a float less than the nearest one, which is 2^-23 of it.
+    // e^-dz is 2^-(log2(e) dz), and e^-(dz)^2 is 2^-(sqrt(log2(e)) dz)^2. The root is 1.20112240878645. The
+    // number below is one float step less than the nearest float; the step is 2^-23 of it.
     constexpr Real log2_e = numeric::from_double(1.4426950408889634), sqrt_log2_e{0x3F99BE60};
     FogConstants fog;
     Real scale = numeric::from_float_bits(state.fog_density);
@@ -50,7 +50,7 @@ bool draws_nothing(const FragmentState& state, const Key& key) {
            (key.depth == Compare::never && !key.stencil);
 }
 
-/// Assembles the chain with the largest instructions that this processor has.
+/// Assembles the chain with the largest instruction set that this processor has.
 [[maybe_unused]] void assemble_best_chain(Variant& variant, const Key& key, const FragmentState& state) {
 #if SPANGLE_AVX2 && SPANGLE_CHAIN
     if (uses_avx2())
@@ -59,7 +59,7 @@ bool draws_nothing(const FragmentState& state, const Key& key) {
     assemble_any(variant, key, state);
 }
 
-/// Chooses the functions of a variant. Returns true where its colours are guessed.
+/// Sets the functions of a variant. Returns true where its colours are guessed.
 bool choose_span(Variant& variant, const Key& key, const FragmentState& state) {
     variant.steps = key.number == Number::raw565 && key.dither;
     variant.color_bias = key.number != Number::raw565 ? 1u << 15 : variant.steps ? 0 : 1u << 23;
@@ -79,7 +79,8 @@ bool choose_span(Variant& variant, const Key& key, const FragmentState& state) {
     return fused->guesses;
 }
 
-/// Narrow surfaces have the exact number system in every tier, and coordinates with it (key.cpp).
+/// Sets the knobs of a draw. Narrow surfaces have the exact number system in every tier, and its texture
+/// coordinates, too (key.cpp).
 void set_knobs([[maybe_unused]] DrawState& draw, [[maybe_unused]] const FragmentState& state) {
 #if SPANGLE_OWN_TIERS
     draw.knobs = state.own_tier ? state.knobs : knobs_of(state.tier);
@@ -92,8 +93,8 @@ void set_knobs([[maybe_unused]] DrawState& draw, [[maybe_unused]] const Fragment
 #endif
 }
 
-/// The area of lines that may be paths. One offset finds a fragment in both planes, and the pixels beside
-/// those of the ends, which a line may reach, lie inside of the scissor rectangle.
+/// The area in which lines may be paths. Both planes must have the same stride, so that one offset finds a
+/// fragment in both. A line may reach pixels beside its ends, which must lie inside of the scissor rectangle.
 DrawState::Area area_of_paths(const Rect& scissor, const Surface& target) {
     if ((target.depth != nullptr && target.depth_stride != target.color_stride) || scissor.w <= 2 ||
         scissor.h <= 2)
@@ -113,8 +114,7 @@ AnyFunction chain_runner(Number number, bool narrow) {
     return runner_of(number, narrow);
 }
 
-/// Four times what affine colours may be off by, in colour units, where a step of the target is `Step`
-/// 255ths.
+/// Four times the allowed error of affine colours, in colour units. A step of the target is `Step` 255ths.
 template <std::uint32_t Step>
 constexpr auto four_color_tolerances = [](const Knobs& k) {
     if (k.affine_color_bits == 0 || (!has_full && k == fast_knobs))
@@ -131,7 +131,7 @@ constexpr auto depends_on_step = [](const Knobs& k) {
 };
 
 Key prepare(DrawState& draw, const FragmentState& state, const Surface& target) {
-    static_assert(std::is_trivially_copyable_v<DrawState>); // so that bytes of 0 make one
+    static_assert(std::is_trivially_copyable_v<DrawState>); // bytes of 0 are a valid DrawState
     std::memset(static_cast<void*>(&draw), 0, sizeof draw);
     draw.fragment = state;
     draw.tier = state.tier;
@@ -139,7 +139,7 @@ Key prepare(DrawState& draw, const FragmentState& state, const Surface& target) 
     set_knobs(draw, state);
     draw.step_factors =
         of_tier<[](const Knobs& k) { return k.exact_steps; }>(draw) ? exact_steps : near_steps;
-    // Where the target stores indices or 8 bits, a step of it is one unit (a 255th).
+    // On targets of indices or of 8 bits a step is one unit (a 255th).
     const bool units = drawn_info(target.format).green_bits == 8 || drawn_indexed(target.format);
     draw.four_color_tolerances = of_tier<four_color_tolerances<1>>(draw);
     if (!units && of_tier<depends_on_step>(draw))
@@ -188,7 +188,7 @@ void scissor_changed(DrawState& draw, const Surface& target) {
     draw.paths = walks ? area_of_paths(draw.fragment.scissor, target) : DrawState::Area{};
 }
 
-/// True for the kinds that some state of this build may ask for.
+/// True for the kinds that at least one state of this build may ask for.
 constexpr bool is_possible(Kind kind) {
     switch (kind) {
     case Kind::flat: // only colours of 16 bits are ever flat
@@ -212,7 +212,7 @@ template <> void compile<FixedVertex>(const FragmentState& state, const Surface&
         const auto kind = static_cast<Kind>(i);
         const Key key = key_of_kind(any, state, kind);
         const bool plain = !draw.needs.any_unit() && !draw.needs.fog;
-        // A list of its own for a flat colour is worth it where the colour is stored as it is.
+        // A separate list for a flat colour pays where the colour is stored unchanged.
         if (kind == Kind::flat && !(plain && key.number == Number::raw565))
             continue;
         if (kind == Kind::textured && plain)
@@ -223,11 +223,11 @@ template <> void compile<FixedVertex>(const FragmentState& state, const Surface&
             continue;
         draw.guesses = choose_span(draw.variant[i], key, state);
         if constexpr (!has_chain) {
-            // Colours of the fast tier stay affine where no span divides them.
+            // Colours of the fast tier stay affine where the build has no span that divides them.
             const bool may_be_affine = kind == Kind::full && drawn(state.tier) == Tier::fast;
             if (may_be_affine && draw.variant[i].run == nullptr)
                 draw.four_color_tolerances = any_color_tolerance;
-            // A flat colour is drawn as affine colours are where it has no span of its own.
+            // A flat colour without a span of its own is drawn as affine colours are.
             const bool optional =
                 may_be_affine ||
                 (first == 0 &&

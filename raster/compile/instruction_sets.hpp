@@ -1,5 +1,5 @@
-// The instruction sets that the chain of this build is compiled for, beside the one of the compiler's
-// options. Only 64-bit x86 hosts have another: SPANGLE_AVX2, which CMake defines.
+// The instruction sets for which the chain of this build is compiled, besides the set of the compiler's
+// options. Only 64-bit x86 hosts have a second set. CMake defines SPANGLE_AVX2 for it.
 #pragma once
 
 #include "raster/span/draw_state.hpp"
@@ -9,7 +9,7 @@
 namespace spangle::raster {
 
 /// True where the processor has AVX2 and the environment variable SPANGLE_INSTRUCTIONS is not "base". The
-/// answer stays what it was the first time: draws that are compiled hold functions of one set.
+/// first answer is kept, because compiled draws hold functions of one set.
 bool uses_avx2();
 
 namespace avx2 { // defined in chain_avx2.cpp

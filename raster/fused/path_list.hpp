@@ -1,5 +1,5 @@
-// Draws paths of flat colours as one list of fragments, where there are vectors. Four paths walk side by
-// side, and no branch of the loop over the list depends on the picture.
+// Draws paths of flat colours as one list of fragments, on hosts with vectors. Four paths are walked side by
+// side. No branch of the loop over the list depends on the picture.
 #pragma once
 
 #include "raster/ops/lanes.hpp"
@@ -14,7 +14,7 @@ namespace spangle::raster {
 template <class Case> class PathList {
   public:
     static constexpr bool dithers = Case::key.dither;
-    /// The most fragments of a path that is listed.
+    /// The largest number of fragments of a path in the list.
     static constexpr int longest = 16;
 
     PathList(const Surface& target, const Paths& paths, int count)
@@ -26,7 +26,7 @@ template <class Case> class PathList {
                                   target.color_stride / 2);
     }
 
-    /// Adds paths i to i + 3. Returns false if one of them is too long.
+    /// Adds paths i to i + 3. Returns false, and adds nothing, where one of them is too long.
     SPANGLE_INLINE bool add(int i) {
         const Int count = L::load(paths_.lanes(Paths::count, i));
         const Int n = count & ~(count >> 31) & L::less(lane, Int{} + (count_ - i));
@@ -48,7 +48,7 @@ template <class Case> class PathList {
         return dither_cells_[dithers && !paths_.one_color ? i : 0].words();
     }
 
-    /// Draws the fragments that were added, and forgets them.
+    /// Draws the fragments that were added, and empties the list.
     SPANGLE_INLINE void draw() {
         const auto back = static_cast<std::ptrdiff_t>(pixels_before_) * 2;
         std::uint8_t* const color = target_.color - back;
@@ -81,10 +81,9 @@ template <class Case> class PathList {
     using Word = L::Word;
     static constexpr Int lane = {0, 1, 2, 3};
     static constexpr bool little = std::endian::native == std::endian::little;
-    static constexpr std::int32_t scale =
-        /// Bytes per unit of `at`; dithered, its two top bits hold the row, so it counts pixels.
-        dithers ? 1 : 2;
-    /// What the colours of paths i to i + 3 add to the word of a fragment.
+    /// Bytes per unit of `at`. With dithering its two highest bits hold the row, so it counts pixels.
+    static constexpr std::int32_t scale = dithers ? 1 : 2;
+    /// The part of a fragment's word that comes from the colour, for paths i to i + 3.
     SPANGLE_INLINE Word colors(int i) const {
         if constexpr (dithers)
             return paths_.one_color ? Word{} : std::bit_cast<Word>((lane + i) * 16);
@@ -92,15 +91,15 @@ template <class Case> class PathList {
         return Case::swaps ? (word << 8 & 0xFF00) | (word >> 8 & 0xFF) : word;
     }
 
-    /// Writes Blocks times four fragments of each of four paths. The next path writes over what a path does
-    /// not have.
+    /// Writes Blocks times four fragments for each of four paths. Fragments behind the end of a path are
+    /// overwritten by the next path.
     template <int Blocks> SPANGLE_INLINE void walk(int i, const std::int32_t (&own)[4]) {
         const auto load = [&](Paths::Word word) { return L::load(paths_.lanes(word, i)); };
         const auto load_word = [&](Paths::Word word) { return std::bit_cast<Word>(load(word)); };
         const Int rise = load(Paths::rise), denominator = load(Paths::denominator),
                   along = load(Paths::along) * scale, aside = load(Paths::aside) * scale;
         Int at = (load(Paths::first) + static_cast<std::int32_t>(pixels_before_)) * scale,
-            left = ~load(Paths::rest); // its sign becomes the mask `over`
+            left = ~load(Paths::rest); // the sign becomes the mask `over`
         Word depth{}, depth_step{};
         if constexpr (Case::tested)
             depth = load_word(Paths::depth), depth_step = load_word(Paths::depth_step);
@@ -142,8 +141,8 @@ template <class Case> class PathList {
     const Paths& paths_;
     const int count_;
     const std::uint32_t pixels_before_;
-    /// Two words per fragment: its offset in bytes, and its depth code above its colour or the number of its
-    /// dithered colour.
+    /// Two words per fragment. The first word is its offset in bytes. The second word has the depth code
+    /// above the colour, or above the number of the dithered colour.
     alignas(16) std::int32_t fragment_[2 * (Paths::size + 1) * longest];
     std::int32_t* next_fragment_ = fragment_;
     DitherCells<Case::swaps> dither_cells_[dithers ? Paths::size : 1];

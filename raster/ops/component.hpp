@@ -1,4 +1,4 @@
-// Comparing and choosing among components of a number system, for one lane as for many.
+// Compares and selects components of a number system, with one lane or with several.
 #pragma once
 
 #include "raster/ops/number_wide.hpp"
@@ -17,7 +17,7 @@ template <class N> SPANGLE_INLINE typename N::T constant(std::uint32_t v) {
     else
         return N::L::splat(v);
 }
-/// The component that stands for 1. In the double reference 1 is not a whole number of units.
+/// The component that stands for 1. In the double reference N::one is not a count of units.
 template <class N> SPANGLE_INLINE typename N::T one() {
     return N::from_units(color_one);
 }
@@ -33,7 +33,7 @@ template <class N> SPANGLE_INLINE typename N::T larger(const typename N::T& a, c
     else
         return N::L::maximum(a, b);
 }
-/// Chooses lane by lane: x where a < b, else y.
+/// Selects lane by lane: x where a < b, and otherwise y.
 template <class N>
 SPANGLE_INLINE typename N::T where_less(const typename N::T& a, const typename N::T& b,
                                         const typename N::T& x, const typename N::T& y) {

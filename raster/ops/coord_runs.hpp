@@ -1,4 +1,5 @@
-// Texture coordinates of the balanced and fast tiers: a straight line between two divisions.
+// Texture coordinates of the balanced and fast tiers. Between two divisions a coordinate follows a straight
+// line.
 #pragma once
 
 #include "raster/ops/log2.hpp"
@@ -11,7 +12,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
-/// The projective planes of one unit's coordinates along a span.
+/// The projective planes of one unit's coordinates along a row.
 struct HomogeneousRow {
     std::uint64_t s0, t0, q0, ds, dt, dq;
     SPANGLE_INLINE HomogeneousRow(const Span<Fixed>& span, int unit)
@@ -26,7 +27,7 @@ struct HomogeneousRow {
     SPANGLE_INLINE std::int32_t q(std::int32_t x) const { return at(x, q0, dq); }
     /// Makes pixel x the pixel at which the row begins.
     SPANGLE_RUN_INLINE void begin_at(std::int32_t x) {
-        if (x == 0) // rows that nothing clips begin at 0
+        if (x == 0) // rows that are not clipped begin at 0
             return;
         s0 += numeric::times(ds, x);
         t0 += numeric::times(dt, x);
@@ -39,8 +40,8 @@ struct HomogeneousRow {
     }
 };
 
-/// s / q in repeats with 32 fraction bits, from the 61-bit product. The result is mod 2^64 where the shift is
-/// to the left: |s| is beyond 2^10 repeats then, and the low bits of its fraction are 0.
+/// s / q in repeats with 32 fraction bits, from the 61-bit product. Where the shift is to the left, the
+/// result is modulo 2^64. In this case |s| is beyond 2^10 repeats, and the low bits of its fraction are 0.
 SPANGLE_RUN_INLINE std::int64_t to_repeats(std::int32_t s, const Inverse& inverse, int exponent) {
     const std::int64_t product = numeric::mul_s32_u32(s, inverse.mantissa);
     const int down = 30 - inverse.zeros - exponent;
@@ -50,7 +51,7 @@ SPANGLE_RUN_INLINE std::int64_t to_repeats(std::int32_t s, const Inverse& invers
     return numeric::times_two_to(product, -down);
 }
 
-/// The low word of to_repeats(): the fraction of a repeat, which is what wraps.
+/// The low word of to_repeats(), which is the fraction of a repeat. Wrapping keeps only this word.
 SPANGLE_INLINE std::uint32_t repeat_fraction(std::int32_t s, const Inverse& inverse, int exponent) {
     if constexpr (!numeric::wide_words) {
         const int down = 30 - inverse.zeros - exponent;
@@ -60,8 +61,8 @@ SPANGLE_INLINE std::uint32_t repeat_fraction(std::int32_t s, const Inverse& inve
     return static_cast<std::uint32_t>(to_repeats(s, inverse, exponent));
 }
 
-/// A coordinate as the texture stage takes it (TexCoords): wrapping, or saturated with the whole repeats
-/// added back.
+/// A coordinate in the form that texture stages read (TexCoords). It wraps, or it is saturated and has its
+/// whole repeats added back.
 SPANGLE_INLINE std::uint32_t to_coord(std::int64_t repeats, bool wraps, std::int32_t base) {
     if (wraps)
         return static_cast<std::uint32_t>(repeats);
@@ -70,8 +71,8 @@ SPANGLE_INLINE std::uint32_t to_coord(std::int64_t repeats, bool wraps, std::int
     return static_cast<std::uint32_t>(numeric::saturate_i32(v));
 }
 
-/// d / n mod 2^32, where `length` is the Inverse of n; off by 2^-30 of itself plus 1. The result is 0 for n
-/// <= 0.
+/// d / n modulo 2^32, where `length` is Inverse(n). The result is off by up to 2^-30 of itself plus 1. It is
+/// 0 for n <= 0.
 inline std::uint32_t slope(std::int64_t d, std::int32_t n, const Inverse& length) {
     if (n <= 0 || d == 0)
         return 0;
@@ -87,15 +88,15 @@ inline std::uint32_t slope(std::int64_t d, std::int32_t n, const Inverse& length
     return d < 0 ? 0 - quotient : quotient;
 }
 
-/// What bounds the length of runs: logarithms with 8 fraction bits, within 1/256 each.
+/// Logarithms that bound the length of runs, with 8 fraction bits. Each is within 1/256.
 struct RunBound {
-    std::int32_t n;       ///< logarithm of |N|, N = dS Q - S dQ, in texels: the larger of both axes
+    std::int32_t n;       ///< logarithm of |N| in texels, of the larger of both axes; N = dS Q - S dQ
     std::int32_t dq;      ///< logarithm of |dQ|
     std::int32_t repeats; ///< logarithm of |N| in repeats
     RunBound(const Span<Fixed>& span, int unit, const HomogeneousRow& row) {
         const std::int32_t s0 = row.s(0), t0 = row.t(0), q0 = row.q(0);
         const std::int32_t by = unguarded(row.dq);
-        // N is off by at most Q + |S| because of what the gradients lost below their last bit.
+        // N is off by at most Q + |S|, because gradients have lost their bits below the last one.
         const auto numerator = [&](std::uint64_t dv, std::int32_t v) SPANGLE_RUN_LAMBDA {
             return numeric::abs_u64(numeric::mul_s32(unguarded(dv), q0) - numeric::mul_s32(v, by)) +
                    (std::uint64_t{1} << 31);
@@ -103,7 +104,7 @@ struct RunBound {
         const std::uint64_t ns = numerator(row.ds, s0), nt = numerator(row.dt, t0);
         const std::int32_t width = span.state->log2_width[unit] << 8,
                            height = span.state->log2_height[unit] << 8;
-        // The logarithm never falls, so that of the larger numerator is enough.
+        // The logarithm is monotonic, so the logarithm of the larger numerator is enough.
         repeats = log2_fraction8(ns > nt ? ns : nt);
         n = repeats + (ns > nt ? width : height);
         if (width != height) {
@@ -116,24 +117,26 @@ struct RunBound {
 
 } // namespace inner
 
-/// Coordinates that are affine between the ends of runs, which start at multiples of their length from the
-/// anchor (balanced and fast tiers).
+/// Coordinates that are affine between the ends of runs. Runs start at multiples of their length from the
+/// anchor.
 ///
-/// The length is a power of two, chosen per span so that the error of the affine form is proven to be at most
-/// 2^-texel_bits texel of the base level (Knobs): a quarter in the balanced tier. In one row N = dS Q - S dQ
-/// is constant and du/dx = N / Q^2. So a run of L pixels has |du| <= L |N| / min(Q)^2, |dq| = L |dQ|, and an
-/// error of at most |du| |dq| / (4 min(Q)) (docs/architecture/fragments.md, "Runs of texture coordinates"):
-/// L^2 <= min(Q)^3 / (|N| |dQ|) for a quarter. The fast tier takes runs of at least 16 pixels, and longer
-/// ones as long as they are proven to be off by at most half a texel. Where 1/w does not change along the
-/// row, the row is one run. A short row is one run, too, where |du| |dq| / (4 min(Q)) of its ends is at most
-/// half the error.
+/// The length is a power of two, which is chosen per span. The error of the affine form is proven to be at
+/// most 2^-texel_bits texel of the base level (Knobs), which is a quarter in the balanced tier.
+///
+/// In one row N = dS Q - S dQ is constant, and du/dx = N / Q^2. So a run of L pixels has |du| <= L |N| /
+/// min(Q)^2 and |dq| = L |dQ|. Its error is at most |du| |dq| / (4 min(Q)) (docs/architecture/fragments.md,
+/// "Runs of texture coordinates"). A quarter therefore needs L^2 <= min(Q)^3 / (|N| |dQ|).
+///
+/// The fast tier takes runs of at least 16 pixels. Longer runs are taken where they are proven to be off by
+/// at most half a texel. Where 1/w does not change along the row, the row is one run. A short row is also one
+/// run where |du| |dq| / (4 min(Q)) between its ends is at most half of the allowed error.
 class CoordRuns {
   public:
-    std::uint32_t s; ///< at the current pixel; ds is the difference per pixel (TexCoords)
+    std::uint32_t s; ///< at the current pixel; ds is the difference from pixel to pixel (TexCoords)
 
   private:
-    /// run_end_ lies between s and t, lest a compiler store four words as one, which narrower loads would
-    /// wait for.
+    /// run_end_ lies between s and t, so that no compiler stores four words as one. Narrower loads would wait
+    /// for such a store.
     std::int32_t run_end_;
 
   public:
@@ -148,7 +151,7 @@ class CoordRuns {
     SPANGLE_INLINE CoordRuns(const Span<Fixed>& span, std::int32_t x, int unit)
         : run_end_(x), log2_run_(-1), row_(span, unit), unit_(unit), span_(&span) {}
 
-    /// Makes s and t valid at pixel x; returns the end of its run.
+    /// Makes s and t valid at pixel x, and returns the end of its run.
     SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return x < run_end_ ? run_end_ : start_run(x); }
     SPANGLE_INLINE void step() {
         s += ds;
@@ -167,7 +170,7 @@ class CoordRuns {
         if (has_shortcuts && run_end_ <= last_full_run_end_) [[likely]] {
             row_.q0 += run_steps_.q;
             const Inverse inverse(row_.q(0), w_zeros_);
-            // The coordinates are done one after the other: few registers.
+            // The coordinates are computed one after the other, which takes few registers.
             const auto along = [&](std::uint64_t& row, std::uint64_t run, std::int64_t& last,
                                    std::uint32_t& v, std::uint32_t& dv) SPANGLE_RUN_INLINE_LAMBDA {
                 row += run;
@@ -187,8 +190,8 @@ class CoordRuns {
         }
         return run_end_;
     }
-    /// Looks at a short row as a whole: its ends cost less than logarithms, and say more. False: the row
-    /// takes several runs, or its coordinates saturate.
+    /// Tries to take a short row as one run. Its ends cost less than logarithms, and bound the error better.
+    /// Returns false where the row needs several runs, or where its coordinates saturate.
     SPANGLE_RUN_SELDOM bool is_one_run(std::int32_t x) {
         const auto& wraps = span_->state->wraps[unit_];
         if (!(wraps.s && wraps.t))
@@ -203,8 +206,8 @@ class CoordRuns {
             return false;
         const std::uint32_t least = first.q < last.q ? first.q : last.q,
                             range = first.q < last.q ? last.q - first.q : first.q - last.q;
-        // Half of the allowed error, of which four times is 2^(1 - texel_bits). Where `asks` is false the
-        // value is unused.
+        // The limit is half of the allowed error. Four times this half is 2^(1 - texel_bits). The value is
+        // not used where `asks` is false.
         const int up = of_straight_tier<[](const Knobs& k) {
             return 33 - (1 << k.shortest_run < short_row ? k.texel_bits : balanced_knobs.texel_bits);
         }>(*span_->state);
@@ -224,7 +227,7 @@ class CoordRuns {
         run_end_ = span_->length;
         return true;
     }
-    /// Makes the start of the first run of a row.
+    /// Finds the start of the first run of a row.
     SPANGLE_RUN_SELDOM void start_first_run(std::int32_t x) {
         log2_run_ = choose_log2();
         run_end_ = x & -(std::int32_t{1} << log2_run_);
@@ -237,7 +240,7 @@ class CoordRuns {
         const auto& wraps = span_->state->wraps[unit_];
         last_full_run_end_ = wraps.s && wraps.t ? span_->length - 1 : 0;
     }
-    /// Makes any run: also one cut short by the end of the row, or one of coordinates that do not wrap.
+    /// Makes any run, also one that the end of the row cuts short, or one whose coordinates do not wrap.
     SPANGLE_RUN_SELDOM void start_clipped_run(std::int32_t from) {
         const auto& unit = span_->unit[unit_];
         const std::int32_t limit = span_->length - 1, to = run_end_ < limit ? run_end_ : limit;
@@ -255,17 +258,18 @@ class CoordRuns {
         };
         along(run_start_.s, end.s, span_->state->wraps[unit_].s, unit.s_base, s, ds);
         along(run_start_.t, end.t, span_->state->wraps[unit_].t, unit.t_base, t, dt);
-        run_start_.s = end.s; // written out, because compilers call memcpy() for both
+        run_start_.s = end.s; // written out, because compilers call memcpy() to copy both at once
         run_start_.t = end.t;
     }
 
   public: // public for packets, which find several runs at once
     static constexpr std::int32_t short_row = 16;
-    static constexpr int max_log2 = 6, row_log2 = 16; ///< log2 of 64 pixels; stands for the whole row
+    /// max_log2 is log2 of 64 pixels, and row_log2 stands for the whole row.
+    static constexpr int max_log2 = 6, row_log2 = 16;
 
   private:
     struct DividedCoord {
-        std::int64_t s, t; ///< repeats, 32 fraction bits
+        std::int64_t s, t; ///< in repeats, with 32 fraction bits
         DividedCoord() = default;
         SPANGLE_INLINE DividedCoord(const inner::HomogeneousRow& row, int exponent)
             : DividedCoord(row, 0, Inverse(row.q(0)), exponent) {}
@@ -276,7 +280,7 @@ class CoordRuns {
         }
     };
 
-    /// The difference of a run's ends, divided by its length.
+    /// The difference of the coordinates at a run's ends, divided by the run's length.
     SPANGLE_INLINE std::uint32_t per_pixel(std::int64_t d) const {
         if constexpr (numeric::wide_words)
             return static_cast<std::uint32_t>(d >> log2_run_);
@@ -311,7 +315,8 @@ class CoordRuns {
         if (least <= 0)
             return shortest;
         const inner::RunBound bound(*span_, unit_, row_);
-        // The margin is for three logarithms; the square of a length is as large as four times the error.
+        // The margin allows for three logarithms. texel_bits - 2 is added to it, because the square of the
+        // length grows with the allowed error times four.
         const std::int32_t margin =
             of_straight_tier<[](const Knobs& k) { return 6 + 256 * (k.texel_bits - 2); }>(draw);
         const std::int32_t square = 3 * log2_fraction8(static_cast<std::uint64_t>(least)) - bound.n -
@@ -321,13 +326,13 @@ class CoordRuns {
     }
 
   private:
-    // The members that each run takes come first: short loads reach 128 bytes.
+    // The members that each run uses come first, because short load instructions reach 128 bytes.
     inner::HomogeneousRow row_; ///< begins where the last sample was taken
     struct {
         std::uint64_t s, t, q;
     } run_steps_; ///< differences from run to run
     DividedCoord run_start_;
-    /// Last pixel at which a run may end that is not cut short; 0 if coordinates do not wrap.
+    /// The last pixel at which a run may end that is not cut short; 0 where coordinates do not wrap.
     std::int32_t last_full_run_end_;
     [[no_unique_address]] numeric::LeadingZeros<> w_zeros_; ///< leading zeros of w at the ends of runs
     int exponent_, unit_;

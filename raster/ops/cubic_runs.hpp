@@ -1,4 +1,4 @@
-// Texture coordinates of the exact tier: a cubic between two divisions.
+// Texture coordinates of the exact tier. Between two divisions a coordinate follows a cubic.
 #pragma once
 
 #include "raster/numeric/reciprocal.hpp"
@@ -8,7 +8,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Forward differences of a cubic; they wrap as coordinates do.
+/// Forward differences of a cubic. They wrap, as coordinates do.
 struct Differences {
     std::uint32_t first, second, third;
     SPANGLE_INLINE void step(std::uint32_t& v) {
@@ -17,8 +17,8 @@ struct Differences {
         second += third;
     }
     SPANGLE_INLINE bool straight() const { return (second | third) == 0; }
-    /// The value n pixels after v, or before it. A row that is one run may be so wide that the square of n
-    /// does not fit a word: all of this is mod 2^32.
+    /// The value n pixels after the pixel of v; n may be negative. A row that is one run may be so wide that
+    /// n^2 does not fit a word. All sums and products are modulo 2^32.
     SPANGLE_INLINE constexpr std::uint32_t value_after(std::uint32_t v, std::int32_t n) const {
         return v + static_cast<std::uint32_t>(n) * first + choose_2(n) * second + choose_3(n) * third;
     }
@@ -29,13 +29,13 @@ struct Differences {
     }
 
   private:
-    /// n (n - 1) / 2: the even factor is halved before it is multiplied.
+    /// n (n - 1) / 2. The even factor is halved before it is multiplied.
     SPANGLE_INLINE static constexpr std::uint32_t choose_2(std::int32_t n) {
         const std::int32_t odd = n & 1;
         return static_cast<std::uint32_t>(n >> (1 - odd)) * static_cast<std::uint32_t>((n - 1) >> odd);
     }
-    /// n (n - 1) (n - 2) / 6. The product of pairs(n) and n - 2 is three times that; mod 2^32 a division by 3
-    /// is a product with the inverse of 3, 0xAAAAAAAB.
+    /// n (n - 1) (n - 2) / 6. The product of choose_2(n) and n - 2 is three times this number. Modulo 2^32 a
+    /// division by 3 is a multiplication by 0xAAAAAAAB, the inverse of 3.
     SPANGLE_INLINE static constexpr std::uint32_t choose_3(std::int32_t n) {
         return choose_2(n) * static_cast<std::uint32_t>(n - 2) * 0xAAAAAAABu;
     }
@@ -70,16 +70,19 @@ class DividedCoords {
     int unit_;
 };
 
-/// Coordinates on cubics between the ends of runs, which start at multiples of their length from the anchor.
+/// Coordinates that follow cubics between the ends of runs. Runs start at multiples of their length from the
+/// anchor.
 ///
-/// In one row u = S / Q has u' = N / Q^2 with N = dS Q - S dQ constant. So its difference D over a run of L
-/// pixels gives both slopes: L u' is D Q1 / Q0 at the start and D Q0 / Q1 at the end. Hermite's cubic through
-/// them is off by at most L^4 max |u''''| / 384, with |u''''| = 24 |N dQ^3 / Q^5|. The length is the power of
-/// two, chosen per span, that keeps this at most 2^-texel_bits texel of the base level (Knobs). In the exact
-/// tier that is 2^-13, which is what NEAREST leaves open by definition (nearest_bias_bits). A length of 1
-/// means one division per fragment. Where 1/w changes so little along the row that a straight line is as
-/// good, the row is one run. Coordinates that do not wrap are divided at every fragment, because they
-/// saturate.
+/// In one row u = S / Q has u' = N / Q^2, where N = dS Q - S dQ is constant. So the difference D of u over a
+/// run of L pixels gives both slopes: L u' is D Q1 / Q0 at the start and D Q0 / Q1 at the end. Hermite's
+/// cubic through both ends is off by at most L^4 max |u''''| / 384, with |u''''| = 24 |N dQ^3 / Q^5|.
+///
+/// The length is a power of two, which is chosen per span. It keeps the error at most 2^-texel_bits texel of
+/// the base level (Knobs). In the exact tier this is 2^-13, which is the tolerance of NEAREST
+/// (nearest_bias_bits). A length of 1 means one division per fragment.
+///
+/// Where 1/w changes so little along the row that a straight line is as good, the row is one run. Coordinates
+/// that do not wrap are divided at every fragment, because they saturate.
 class CubicRuns {
   public:
     std::uint32_t s, t; ///< at the current pixel (TexCoords)
@@ -87,7 +90,7 @@ class CubicRuns {
     SPANGLE_INLINE CubicRuns(const Span<Fixed>& span, std::int32_t x, int unit)
         : span_(&span), row_(span, unit), unit_(unit), run_end_(x), log2_run_(unknown) {}
 
-    /// Makes s and t valid at pixel x; returns the end of its run.
+    /// Makes s and t valid at pixel x, and returns the end of its run.
     SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return x < run_end_ ? run_end_ : start_run(x); }
     SPANGLE_INLINE void step() {
         ds.step(s);
@@ -96,7 +99,8 @@ class CubicRuns {
 
     Differences ds, dt; ///< differences from pixel to pixel
 
-    /// Asked before the first run. True where the row has no runs, but a division for each of its fragments.
+    /// True where the row has no runs, and each of its fragments is divided. This may only be called before
+    /// the first run.
     template <int lanes = host_lanes> SPANGLE_INLINE bool divides_each_fragment() {
         static_assert(lanes > 1, "the length stays known until start_run()");
         const int log2 = choose_log2();
@@ -105,14 +109,15 @@ class CubicRuns {
     }
 
   private:
-    /// Stands for a length that is not known. Numbers below it: the length is known, but begin() has yet to
-    /// start with it.
+    /// Stands for a length that is not known yet. Smaller numbers hold a length that divides_each_fragment()
+    /// has found, but with which begin() has not started.
     static constexpr int unknown = -1;
-    static constexpr int max_log2 = 4, row_log2 = 16; ///< log2 of 16 pixels; stands for the whole row
+    /// max_log2 is log2 of 16 pixels, and row_log2 stands for the whole row.
+    static constexpr int max_log2 = 4, row_log2 = 16;
     static constexpr int ratio_bits = 26;
 
     struct DividedCoord {
-        std::int64_t s, t; ///< repeats, 32 fraction bits
+        std::int64_t s, t; ///< in repeats, with 32 fraction bits
         std::int32_t q, zeros;
         std::uint32_t mantissa;
         DividedCoord() = default;
@@ -130,7 +135,7 @@ class CubicRuns {
         }
     };
 
-    /// The difference mod 2^64, as to_repeats() has coordinates that are far outside of the texture.
+    /// The difference modulo 2^64, as to_repeats() returns coordinates that are far outside of the texture.
     SPANGLE_INLINE static std::int64_t difference(std::int64_t a, std::int64_t b) {
         return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b));
     }
@@ -168,7 +173,7 @@ class CubicRuns {
         return run_end_;
     }
 
-    /// Divides at one fragment, which is a run of its own.
+    /// Divides at one fragment, which is a run by itself.
     std::int32_t one_pixel(std::int32_t x) {
         DividedCoords::divide(*span_, row_, unit_, x, s, t);
         ds = dt = {};
@@ -176,13 +181,13 @@ class CubicRuns {
         return run_end_;
     }
 
-    /// Forward differences of the cubic a x + b x^2 + c x^3, where x counts runs of L pixels: a = D (1 + e0),
-    /// b = D (e1 - 2 e0), c = D (e0 - e1). Its slopes at the ends are D (1 + e0) and D / (1 + e0) = D (1 -
-    /// e1).
+    /// Forward differences of the cubic a x + b x^2 + c x^3, where x is 1 after a run of L pixels. a = D (1 +
+    /// e0), b = D (e1 - 2 e0), c = D (e0 - e1). The slopes at the ends are D (1 + e0) and D / (1 + e0) = D (1
+    /// - e1).
     Differences differences_through(std::int64_t d, std::int32_t e0, std::int32_t e1) const {
         const std::int64_t d0 = d * e0 >> ratio_bits, d1 = d * e1 >> ratio_bits;
-        const std::int64_t length =
-            std::uint32_t{1} << log2_run_; // unsigned first, so that the compiler knows it is not negative
+        const std::int64_t length = std::uint32_t{1}
+                                    << log2_run_; // unsigned first, so that the compiler knows the sign
         const std::int64_t c = d0 - d1, b = (d1 - 2 * d0) * length, a = (d + d0) * length * length;
         const int bits = 3 * log2_run_;
         const auto down = [bits, half = std::uint32_t{1} << (bits - 1)](std::int64_t v) {
@@ -197,7 +202,8 @@ class CubicRuns {
             return 0;
         if (row_.dq == 0)
             return row_log2;
-        // The last run may reach beyond the span, by a quarter of it: 30-bit values then stay below 2^31.
+        // The last run may reach beyond the span by a quarter of its length. The 30-bit values then stay
+        // below 2^31.
         const auto quarter = static_cast<std::uint32_t>(span_->length - 1) >> 2;
         if (quarter < 2)
             return 0;
@@ -209,17 +215,18 @@ class CubicRuns {
         const inner::RunBound bound(*span_, unit_, row_);
         const std::int32_t q = log2_fraction8(static_cast<std::uint64_t>(least)),
                            exponent = unit.exponent << 8;
-        // differences_through() takes differences of at most 16 repeats and ratios of 1/q of at most 2.
+        // differences_through() takes differences of at most 16 repeats, and ratios of 1/q of at most 2.
         if (bound.repeats + exponent > 2 * q)
             return 0;
-        // A straight row is off by at most L^2 |N| |dQ| / (4 Q^3). The margin is for three logarithms.
+        // A straight row is off by at most L^2 |N| |dQ| / (4 Q^3). The margin allows for three logarithms.
         const std::int32_t straight_margin =
             of_cubic_tier<[](const Knobs& k) { return 6 + ((k.texel_bits - 2) << 8); }>(*span_->state);
         const std::int32_t square = 3 * q - bound.n - bound.dq - exponent - straight_margin;
         if (square >> 8 >= 2 * (32 - numeric::clz32(static_cast<std::uint32_t>(span_->length))))
             return row_log2;
         const std::int32_t doubled = (q - bound.dq - 2) >> 8;
-        // The margin is for nine logarithms; 384 / 24 = 16 times the error.
+        // The margin allows for nine logarithms. The fourth power of the length is at most 384 / 24 = 16
+        // times the error.
         const std::int32_t margin =
             of_cubic_tier<[](const Knobs& k) { return 10 + ((k.texel_bits - 4) * 256); }>(*span_->state);
         const std::int32_t fourth = (5 * q - bound.n - 3 * bound.dq - exponent - margin) >> 10;

@@ -1,5 +1,5 @@
-// One dithered colour as it is stored: a word, or 4x4 words, made once for all fragments that have this
-// colour.
+// One dithered colour in the form in which it is stored: a word, or 4x4 words. It is made once for all
+// fragments of that colour.
 #pragma once
 
 #include <bit>
@@ -13,7 +13,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
-/// Sums of one threshold for all three components of a DitheredWord, indexed by y & 3 and x & 3.
+/// One threshold for all three components of a DitheredWord, indexed by y & 3 and x & 3.
 struct DitherSums {
     std::uint32_t at[16];
     constexpr DitherSums() : at{} {
@@ -25,16 +25,15 @@ inline constexpr DitherSums dither_sums;
 
 } // namespace inner
 
-/// One colour that is to be dithered. Its components are given in whole 32nds of a step: 10 bits from bit 21,
-/// 11 bits from bit 10 and 10 bits from bit 0. More bits would change nothing, because thresholds are whole
-/// 32nds.
+/// A colour that is to be dithered. Its components are whole 32nds of a step: 10 bits from bit 21, 11 bits
+/// from bit 10, and 10 bits from bit 0. More bits would change nothing, because thresholds are whole 32nds.
 struct DitheredWord {
     std::uint32_t components;
-    /// The stored word of the whole steps.
+    /// The stored word of the whole steps, without their fractions.
     SPANGLE_INLINE constexpr std::uint32_t word() const {
         return ((components >> 15) & 0xF800) | ((components >> 10) & 0x07E0) | ((components >> 5) & 0x1F);
     }
-    /// The stored word of the fragment at a place, which is y + (x << 30), mod 2^32.
+    /// The stored word of the fragment at a place. The place is y + (x << 30) modulo 2^32.
     SPANGLE_INLINE std::uint32_t at(std::uint32_t place) const {
         return DitheredWord{components + inner::dither_sums.at[std::rotl(place, 2) & 15]}.word();
     }
@@ -46,11 +45,11 @@ struct DitheredWord {
 
 namespace inner {
 
-/// The k of thresholds (2 k + 1) / 32, once for each component of a word. Two words at a time follow each
-/// other as in memory.
+/// The k of thresholds (2 k + 1) / 32, once for each component of a word. Two words share an element, in
+/// their order in memory.
 struct PatternThresholds {
     std::uint32_t at[8];
-    /// `row` and `column` give the row & 3 and the column & 3 of place i.
+    /// `row` and `column` give row & 3 and column & 3 of place i.
     template <class Row, class Column> constexpr PatternThresholds(Row row, Column column) : at{} {
         const auto one = [&](int i) {
             return (dither_threshold(dither_row(row(i)), column(i)) >> 1) * (1u << 11 | 1u << 5 | 1u);
@@ -60,16 +59,16 @@ struct PatternThresholds {
     }
 };
 inline constexpr PatternThresholds row_thresholds([](int i) { return i >> 2; }, [](int i) { return i; });
-/// Thresholds of cells (DitherCells), by the pixels of a row & 3.
+/// Thresholds of cells (DitherCells), indexed by the pixels of a row & 3.
 inline constexpr PatternThresholds cell_thresholds[4] = {
     {[](int i) { return i; }, [](int i) { return i >> 2; }},
     {[](int i) { return i; }, [](int i) { return (i >> 2) - i; }},
     {[](int i) { return i; }, [](int i) { return (i >> 2) - 2 * i; }},
     {[](int i) { return i; }, [](int i) { return (i >> 2) - 3 * i; }}};
 
-/// The components of a DitheredWord as the words of two fragments. A fraction of f 32nds and a threshold make
-/// a step where floor((f + 1) / 2) + k >= 16. Each sum takes five bits, whose highest lies 4 above the least
-/// bit of its component.
+/// The words of two fragments from the components of a DitheredWord. A fraction of f 32nds and a threshold (2
+/// k + 1) / 32 make a step where floor((f + 1) / 2) + k >= 16. Each sum takes five bits, and its highest bit
+/// lies 4 above the lowest bit of its component.
 template <bool SwapsBytes> class DitheredPair {
   public:
     SPANGLE_INLINE explicit DitheredPair(std::uint32_t components)
@@ -88,7 +87,7 @@ template <bool SwapsBytes> class DitheredPair {
 
 } // namespace inner
 
-/// The words of the four rows of a pattern, two periods of four columns each.
+/// The words of the four rows of a pattern. A row has two periods of four columns.
 template <bool SwapsBytes> class DitherRows {
   public:
     SPANGLE_INLINE explicit DitherRows(std::uint32_t components) {
@@ -111,8 +110,8 @@ struct NoPattern {
     SPANGLE_INLINE explicit NoPattern(std::uint32_t) {}
 };
 
-/// Cell 4 i + y is the word of row y & 3 in every pixel i & 3 of a surface, where pixels are numbered row
-/// after row.
+/// The words of a surface whose pixels are numbered row after row. Cell 4 i + y is the word of each pixel
+/// whose number & 3 is i and whose row & 3 is y.
 template <bool SwapsBytes> class DitherCells {
   public:
     [[gnu::noinline]] void make(std::uint32_t components, std::int32_t pixels_per_row) {

@@ -1,6 +1,6 @@
-// The LINEAR filter of the balanced tier (GL 1.3, 3.8.8): four texels become one, each format in the cheapest
-// integers that keep its bits. Weights have 8 bits by definition (docs/architecture/numbers.md, "Texture
-// coordinates and filters").
+// The LINEAR filter of the balanced tier (GL 1.3, 3.8.8): four texels become one colour. Each format has the
+// cheapest integers that keep its bits. Weights have 8 bits by definition (docs/architecture/numbers.md,
+// "Texture coordinates and filters").
 #pragma once
 
 #include "raster/ops/number.hpp"
@@ -9,23 +9,23 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Weights of two rows of texels. The weights of all four texels add up to `Sum`.
+/// Weights of two rows of texels. The weights of all four texels sum to `Sum`.
 template <class L, std::uint32_t Sum> struct RowWeights {
     typename L::U16 near, far;
     /// b is the weight of row j + 1, in 256ths.
     SPANGLE_INLINE explicit RowWeights(typename L::U16 b)
         : near(L::splat(Sum) - L::mul_256(b, L::splat(Sum))), far(L::mul_256(b, L::splat(Sum))) {}
-    /// Adds `less` to the sum of weight * value, which is at most Sum times the largest value. a is the
-    /// weight of column i + 1, in 256ths.
+    /// Returns the sum of weight * value plus `less`. The sum is at most Sum times the largest value. a is
+    /// the weight of column i + 1, in 256ths.
     template <class V> SPANGLE_INLINE V mix(V c00, V c10, V c01, V c11, typename L::U16 a, V less) const {
         const typename L::U16 w10 = L::mul_256(a, near), w11 = L::mul_256(a, far);
         return less + c00 * (near - w10) + c10 * w10 + c01 * (far - w11) + c11 * w11;
     }
 };
 
-/// Filters words R5 G6 B5 to 255ths with 8 fraction bits. The weights convert them: 31 2105 and 63 1036 are
-/// 255 less a 10th and a 20th (255ths), of which half is added to every sum. 16 bits hold the sum, and four
-/// equal texels stay what they are, also as 8 bits. With one lane red and blue share a word.
+/// Filters words R5 G6 B5 to 255ths with 8 fraction bits. The weights also convert: 31 2105 and 63 1036 are
+/// 255 less a 10th and a 20th of a 255th. Half of this lack is added to every sum. 16 bits hold the sum, and
+/// four equal texels keep their value, also as 8 bits. With one lane red and blue share a word.
 template <int Count> struct Filter565 {
     using L = Lanes<Count>;
     using N = Balanced<Count>;
@@ -38,11 +38,11 @@ template <int Count> struct Filter565 {
 
     SPANGLE_INLINE typename N::Color operator()(U16 c00, U16 c10, U16 c01, U16 c11, U16 a) const {
         const auto green = [](U16 c) { return (c >> 5) & 63; };
-        if constexpr (Count == 1 && numeric::three_operands) // four texels are read first, then converted
+        if constexpr (Count == 1 && numeric::three_operands) // four texels are read before they are converted
             numeric::begin_here();
         U16 g = six.mix(green(c00), green(c10), green(c01), green(c11), a, L::splat(less6));
         if constexpr (Count == 1) {
-            // Few registers: red and blue do not begin before green is done.
+            // Registers are few, so red and blue do not begin before green is done.
             if constexpr (!numeric::three_operands)
                 g = numeric::factor32(g);
             const auto both = [](U16 c) { return numeric::with_bits<16, 5>(c >> 11, c); };
@@ -56,8 +56,8 @@ template <int Count> struct Filter565 {
     }
 };
 
-/// Filters texels of 8-bit components, R in the lowest byte: first along t, exactly, keeping 7 fraction bits,
-/// then along s, keeping 6. With one lane two components share a word along t.
+/// Filters texels of 8-bit components, with R in the lowest byte. The filter along t is exact and keeps 7
+/// fraction bits. The filter along s keeps 6. With one lane two components share a word along t.
 template <int Count> struct Filter8 {
     using L = Lanes<Count>;
     using N = Balanced<Count>;
@@ -92,8 +92,8 @@ template <int Count> struct Filter8 {
     }
 
   private:
-    /// Filters along s. The result is never below 0 nor above one: (v0 + 1) / 2 outweighs what rounding takes
-    /// off.
+    /// Filters along s. The result is never below 0 or above one, because (v0 + 1) / 2 outweighs what
+    /// rounding takes off.
     SPANGLE_INLINE static U16 across(U16 v0, U16 v1, U16 a) {
         return (((v0 + 1) >> 1) + L::mul_signed_512(v1 - v0, a)) << 2;
     }

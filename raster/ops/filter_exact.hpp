@@ -1,4 +1,4 @@
-// The LINEAR filter of the exact tier in lanes, for texels with components of 8 bits: the bits of
+// The LINEAR filter of the exact tier in lanes, for texels with components of 8 bits. The bits are those of
 // bilinear<Exact>().
 #pragma once
 
@@ -9,11 +9,11 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Filters four texels by weights of column i + 1 and of row j + 1, in 256ths.
+/// Filters four texels by the weights of column i + 1 and of row j + 1, in 256ths.
 ///
-/// A component is k 2^20 and the weights add up to 2^16, so that the weighted sum of all k, times 2^4, is the
-/// filtered component and nothing is rounded. The sum along a row fits 16 bits. Products of both rows are
-/// signed: a row is taken 2^15 less, and the sum of both rows is therefore 2^23 less.
+/// A component is k 2^20, and the weights sum to 2^16. So the weighted sum of all k, times 2^4, is the
+/// filtered component, and nothing is rounded. The sum along a row fits 16 bits. Products of rows are signed,
+/// so each row is reduced by 2^15 first. The sum of both rows is 2^23 too small then.
 class ExactFilter {
     using L = Lanes<8>;
     using U16 = L::U16;
@@ -32,7 +32,7 @@ class ExactFilter {
 
   private:
     U16 right_weight_;
-    LaneWords row_weights_; ///< weights of rows j and j + 1, 256ths
+    LaneWords row_weights_; ///< weights of rows j and j + 1, in 256ths
 
     SPANGLE_INLINE U16 row(const U16& c, const U16& next) const {
         return ((c << 8) + (next - c) * right_weight_) ^ 0x8000;

@@ -1,5 +1,5 @@
-// The LINEAR filter of the exact tier where words R5 G6 B5 become words again: only the bits of the colour
-// that are stored are computed.
+// The LINEAR filter of the exact tier for words R5 G6 B5 that become words again. It computes only the bits
+// of the colour that are stored.
 #pragma once
 
 #include <type_traits>
@@ -13,14 +13,16 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
-/// Finds the step that is stored for n = sum of weight k. The weights add up to 2^16, and k / (2^Bits - 1)
+/// Finds the step that is stored for n, the sum of weight k. The weights sum to 2^16, and k / (2^Bits - 1)
 /// are the components of texels.
 ///
-/// The chain adds weight c(k), where c(k) is k C / (2^Bits - 1) rounded up, C = 255 2^20, and rounds the sum
-/// up (Exact::weighted). The sum is n C / (2^Bits - 1) or less than 2^17 more. Step j is stored from a sum of
-/// T = j 2^(44 - Bits) - 2^35 on, so from n = T (2^Bits - 1) / C on, a multiple of 1/255 (1/85 for 6 bits).
-/// What the chain has too much is less than 1/63 (1/32) of n. With 5 bits no n is so near below a step, so n
-/// decides; with 6 bits the last n below a step may be, and is left to the chain.
+/// The chain sums weight c(k), where c(k) is k C / (2^Bits - 1) rounded up and C = 255 2^20. It rounds the
+/// sum up (Exact::weighted()). So its sum is n C / (2^Bits - 1), or less than 2^17 more.
+///
+/// Step j is stored for sums from T = j 2^(44 - Bits) - 2^35 on. This is from n = T (2^Bits - 1) / C on,
+/// which is a multiple of 1/255 (1/85 for 6 bits). The chain's excess is less than 1/63 (1/32) of n. With 5
+/// bits no n is so near below a step, so n decides. With 6 bits the last n below a step may be so near, and
+/// is left to the chain.
 template <int Bits> struct StoredSteps {
     static constexpr std::uint32_t most = (1u << Bits) - 1;
     std::uint32_t from[most + 1]; ///< the least n of step j + 1
@@ -32,26 +34,26 @@ template <int Bits> struct StoredSteps {
         }
         from[most] = ~0u;
     }
-    /// The step of n. The product omits the sixteenth (eighth) of a step that rounding to 8 bits adds and is
-    /// 2^-11 too small, so it is at most one step too few.
+    /// The step of n. The product omits the sixteenth (eighth) of a step that rounding to 8 bits adds, and it
+    /// is 2^-11 too small. So it is at most one step too small.
     SPANGLE_INLINE constexpr std::uint32_t at(std::uint32_t n) const {
         constexpr std::uint32_t factor = Bits == 5 ? 2105 : 1036, down = Bits == 5 ? 27 : 26;
         const std::uint32_t step = n * factor >> down;
         return step + (n >= from[step] ? 1u : 0u);
     }
-    /// True where n, of which at() makes this step, is left to the chain.
+    /// True where n is left to the chain; `step` is at(n).
     SPANGLE_INLINE constexpr bool open(std::uint32_t n, std::uint32_t step) const {
         return Bits == 6 && n + 1 == from[step];
     }
 };
 template <int Bits> inline constexpr StoredSteps<Bits> stored_steps;
 
-/// Guesses steps from n / 2^(Bits + 2) rounded down. least() has 15 - Bits fraction bits; the true number of
-/// steps is at least that, and at most `range` of its units more. Nothing is rounded up, so that numbers that
-/// are left to the chain lie between both.
+/// Guesses steps from n / 2^(Bits + 2), rounded down. least() has 15 - Bits fraction bits. The true number of
+/// steps is at least least(), and at most `range` of its units more. Nothing is rounded up, so numbers that
+/// are left to the chain lie between both bounds.
 template <int Bits> struct GuessedSteps {
     static constexpr std::uint32_t most = (1u << Bits) - 1, range = 4;
-    /// `factor` is that of a quarter of this n, in 2^-16; `half_unit` is half a 255th.
+    /// `factor` is in 2^-16, for a quarter of the given n. `half_unit` is half a 255th.
     static constexpr std::uint32_t factor = (color_one >> (13 - Bits)) / most,
                                    half_unit = (most << (15 - Bits)) / 255;
     template <class U16> SPANGLE_INLINE static U16 least(const U16& n) {
@@ -61,7 +63,7 @@ template <int Bits> struct GuessedSteps {
 
 } // namespace inner
 
-/// The word that truncated565() or dithered565() makes of a colour that bilinear() of the exact tier makes.
+/// The word that truncated565() or dithered565() makes of the exact tier's bilinear() colour.
 template <int Count> struct FilterWords;
 
 template <> struct FilterWords<1> {
@@ -78,8 +80,8 @@ template <> struct FilterWords<1> {
         return inner::stored_steps<5>.at(n.r) << 11 | g << 5 | inner::stored_steps<5>.at(n.b);
     }
     /// The dithered word. The sums n are steps with 16 fraction bits. The sum of the chain is at least n, and
-    /// less than 2^-20 of a step more, so n decides. Where n and the threshold add up to a whole step, that
-    /// step is stored.
+    /// less than 2^-20 of a step more, so n decides. Where n and the threshold sum to a whole step, that step
+    /// is stored.
     SPANGLE_INLINE std::uint32_t operator()(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01,
                                             std::uint32_t c11, std::uint32_t a,
                                             std::uint32_t threshold32) const {
@@ -88,7 +90,7 @@ template <> struct FilterWords<1> {
         return (n.r + t) >> 16 << 11 | (n.g + t) >> 16 << 5 | (n.b + t) >> 16;
     }
 
-    /// The stored word as the chain makes it, for the rare n that do not decide.
+    /// The stored word, made by the arithmetic of the chain, for the rare n that do not decide.
     [[gnu::noinline]] static std::uint32_t add_texels(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01,
                                                       std::uint32_t c11, std::uint32_t a, std::uint32_t b) {
         const auto color = [](std::uint32_t c) {
@@ -101,7 +103,7 @@ template <> struct FilterWords<1> {
     }
 
   private:
-    /// Sums of weight and component; the weights add up to 2^16.
+    /// Sums of weight * component, where the weights sum to 2^16.
     struct Sums {
         std::uint32_t r, g, b;
     };
@@ -119,8 +121,8 @@ template <> struct FilterWords<1> {
     }
 };
 
-/// Eight lanes: products of 16 bits leave the top bits of n. Where the rest of n could change what is stored,
-/// the words of these lanes are computed one by one.
+/// The filter in eight lanes. Products of 16 bits keep the top bits of n. Where the dropped bits of n could
+/// change the stored word, the words of these lanes are computed one by one.
 template <> struct FilterWords<8> {
     using L = Lanes<8>;
     using U16 = L::U16;
@@ -139,7 +141,7 @@ template <> struct FilterWords<8> {
         const U16 word = joined(c00, c10, c01, c11, a, steps);
         return L::any(open) ? redo_exactly(word, open, {c00, c10, c01, c11}, a, b) : word;
     }
-    /// The dithered words. Thresholds count in the bits that are left, so that the dropped bits change
+    /// The dithered words. Thresholds are whole units of the bits that are kept, so the dropped bits change
     /// nothing.
     SPANGLE_INLINE U16 operator()(U16 c00, U16 c10, U16 c01, U16 c11, U16 a, U16 threshold32) const {
         const auto steps = [&]<int Bits>(std::integral_constant<int, Bits>, U16 n)
@@ -153,7 +155,7 @@ template <> struct FilterWords<8> {
     struct Texels {
         U16 c00, c10, c01, c11;
     };
-    /// n / 2^(Bits + 2), rounded down: 14 bits. Differences along s have Bits + 8 bits and a sign.
+    /// n / 2^(Bits + 2), rounded down, which has 14 bits. Differences along s have Bits + 8 bits and a sign.
     template <int Bits>
     SPANGLE_INLINE U16 sum(const U16& c00, const U16& c10, const U16& c01, const U16& c11,
                            const U16& a) const {

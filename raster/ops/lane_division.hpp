@@ -1,5 +1,5 @@
-// Divides by w for eight fragments at once, with the integers of Inverse, to_repeats() and to_coord(). It is
-// for instruction sets that shift each word by a number of its own.
+// Divides by w for eight fragments at once. The integers are those of Inverse, to_repeats() and to_coord().
+// Only instruction sets that shift each word by its own number use it.
 #pragma once
 
 #include "raster/ops/coord_runs.hpp"
@@ -12,19 +12,20 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
-/// A word of 64 bits for each word of a vector: one vector for its even words, one for its odd words.
+/// A word of 64 bits for each word of a vector. `even` holds those of the even words, and `odd` those of the
+/// odd words.
 template <class Vector> struct LongPair {
     using Long = Longs<Vector>;
     Long even, odd;
 
-    /// The products v m, where v is signed.
+    /// The products v m, where v is signed and m is not.
     SPANGLE_INLINE static LongPair products(const Vector& v, const Vector& m) {
-        // A negative word, taken as unsigned, is 2^32 larger.
+        // A negative word, taken as unsigned, is 2^32 too large.
         const auto more = std::bit_cast<Long>(m & std::bit_cast<Vector>(lane_words::as_signed(v) >> 31));
         return {even_products(v, m) - (more << 32),
                 even_products(odd_words(v), odd_words(m)) - (more & 0xFFFFFFFF00000000u)};
     }
-    /// floor(v / 2^n), v signed. No instruction of AVX2 shifts signed words of 64 bits.
+    /// floor(v / 2^n), where v is signed. AVX2 has no instruction that shifts signed words of 64 bits.
     SPANGLE_INLINE LongPair after(int n) const {
         const auto one = [n](const Long& v) __attribute__((always_inline)) {
             return ((v ^ sign) >> n) - (Long{} + (sign >> n));
@@ -45,7 +46,7 @@ template <class Vector> struct LongPair {
         const Long by = Long{} + static_cast<std::uint64_t>(n);
         return {even + by, odd + by};
     }
-    /// Stores the words in the order of their lanes, n words from one to the next.
+    /// Stores the words in the order of their lanes, at every n-th place.
     template <int n> SPANGLE_INLINE void store(std::int64_t* to) const {
         if constexpr (n == 1 && sizeof(Vector) == 32) {
             const Long low = __builtin_shufflevector(even, odd, 0, 4, 1, 5),
@@ -62,7 +63,7 @@ template <class Vector> struct LongPair {
     SPANGLE_INLINE Vector low_words() const {
         return std::bit_cast<Vector>((even & 0xFFFFFFFFu) | (odd << 32));
     }
-    /// Each word limited to 32 bits, as numeric::saturate_i32() does.
+    /// Limits each word to 32 bits, as numeric::saturate_i32() does.
     SPANGLE_INLINE LongPair saturated() const {
         const auto one = [](const Long& v) __attribute__((always_inline)) {
             using Signed [[gnu::vector_size(sizeof(Vector))]] = std::int64_t;
@@ -79,13 +80,13 @@ template <class Vector> struct LongPair {
     SPANGLE_INLINE static Vector even_words(const Vector& v) {
         return std::bit_cast<Vector>(std::bit_cast<Long>(v) & 0xFFFFFFFFu);
     }
-    /// Shifts v to the right or to the left. Either one of both numbers is negative, and its shift gives 0,
-    /// or both are 0.
+    /// Shifts v to the right or to the left. One of the two numbers is negative, and its shift gives 0; or
+    /// both numbers are 0.
     SPANGLE_INLINE static Long shifted(const Long& v, const Vector& right, const Vector& left) {
         const auto r = std::bit_cast<Long>(right), l = std::bit_cast<Long>(left);
         return (whole(v ^ sign, r, false) - whole(Long{} + sign, r, false)) | whole(v, l, true);
     }
-    /// Shifts by n; the result is 0 where n, unsigned, is 64 or more.
+    /// Shifts by n. The result is 0 where n, taken as unsigned, is 64 or more.
     SPANGLE_INLINE static Long whole(const Long& v, const Long& n, bool up) {
 #if defined(__AVX2__)
         if constexpr (sizeof(Vector) == 32) {
@@ -109,12 +110,12 @@ template <class Vector, class Floats> SPANGLE_INLINE Vector to_words(const Float
     return std::bit_cast<Vector>(__builtin_convertvector(v, Words));
 }
 
-/// reciprocal() for words whose highest bit is set.
+/// numeric::reciprocal() for words whose highest bit is set.
 template <class Vector> SPANGLE_INLINE Vector lane_reciprocals(const Vector& a) {
     using Long = Longs<Vector>;
-    // The table of reciprocal() holds 2^25 / n to nearest, n = 513 + 2i. A quotient of floats is that number
-    // or one too small, in every mode of rounding. Twice the rest of the division tells which of the two it
-    // is.
+    // The table of reciprocal() holds 2^25 / n to the nearest, for n = 513 + 2i. A quotient of floats is this
+    // number, or one less, in every rounding mode. Twice the remainder of the division tells these two cases
+    // apart.
     const Vector n = (a >> 22) | 1u;
     const auto near = to_words<Vector>(static_cast<float>(1u << 25) / to_floats(n));
     const Vector rest = ((1u << 26) + n) - near * n * 2u;
@@ -124,7 +125,7 @@ template <class Vector> SPANGLE_INLINE Vector lane_reciprocals(const Vector& a) 
     const Vector r = LongPair<Vector>{even_products(seed, left) >> 30,
                                       even_products(odd_words(seed), odd_words(left)) >> 30}
                          .low_words();
-    // The rest that is left of 1 is signed; a product takes its low words.
+    // The residual is signed. even_products() takes its low word as unsigned, which is corrected.
     const auto step = [](const Long& product, const Vector& of) __attribute__((always_inline)) {
         const Long residual = ((std::uint64_t{1} << 62) - product) >> 14;
         const auto word = std::bit_cast<Vector>(residual);
@@ -140,7 +141,7 @@ template <class Vector> SPANGLE_INLINE Vector lane_reciprocals(const Vector& a) 
 
 } // namespace inner
 
-/// The Inverse of eight fragments at once.
+/// Inverse for eight fragments at once.
 struct InverseLanes {
     LaneWords q, mantissa, zeros;
 
@@ -159,7 +160,7 @@ struct InverseLanes {
                 __attribute__((always_inline)) { return inner::lane_reciprocals(v << n); },
             q, zeros);
     }
-    /// For a q that was inverted before: `of` is q and `found` is its mantissa.
+    /// Takes a q that was inverted before: `of` is q and `found` is its mantissa.
     SPANGLE_INLINE InverseLanes(const LaneWords& of, const LaneWords& found)
         : q(of), mantissa(found), zeros(leading_zeros(of)) {}
     /// 2^zeros for each lane.
@@ -212,11 +213,11 @@ struct InverseLanes {
         return (repeats.after(32 - clamped_coord_bits) + (std::int64_t{base} << clamped_coord_bits))
             .saturated();
     }
-    /// Counts leading zeros of words from 1 to 2^31 - 1.
+    /// Counts the leading zeros of words from 1 to 2^31 - 1.
     SPANGLE_INLINE static LaneWords leading_zeros(const LaneWords& words) {
         return LaneWords::mapped(
             [](const auto& v) __attribute__((always_inline)) {
-                // The bit below the highest one is cleared, so that no rounding takes a word to the next
+                // The bit below the highest bit is cleared, so that rounding never takes a word to the next
                 // power of two.
                 return 158u -
                        (std::bit_cast<std::remove_cvref_t<decltype(v)>>(inner::to_floats(v & ~(v >> 1))) >>
@@ -231,7 +232,7 @@ class PlaneInRows {
   public:
     SPANGLE_INLINE explicit PlaneInRows(const Span<Fixed>::Projective& plane)
         : value_(plane.value), dx_(plane.dx), dy_(plane.dy) {}
-    /// The value without its guard bits, signed. Places, counted from the anchor, are signed, too.
+    /// The signed value without guard bits. Places are signed, too, and count from the anchor.
     SPANGLE_INLINE LaneWords at(const LaneWords& x, const LaneWords& y) const {
         return LaneWords::mapped(
             [this](const auto& columns, const auto& lines) __attribute__((always_inline)) {
@@ -252,7 +253,7 @@ class PlaneInRows {
     }
 
   private:
-    /// A factor of 64 bits as two words, of which the lower one counts as signed.
+    /// A factor of 64 bits as two words. The low word counts as signed.
     struct Factor {
         std::uint32_t low, high;
         SPANGLE_INLINE explicit Factor(std::uint64_t v)

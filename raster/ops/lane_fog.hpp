@@ -1,4 +1,4 @@
-// fog_factor() of eight fragments at once, with the same integers.
+// fog_factor() for eight fragments at once, with the same integers.
 #pragma once
 
 #include "raster/numeric/power.hpp"
@@ -10,13 +10,14 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// numeric::exp2_neg() in lanes: 2^(-q / 2^24), with 30 fraction bits.
+/// numeric::exp2_neg() in lanes: 2^(-q / 2^24) with 30 fraction bits.
 SPANGLE_INLINE LaneWords lane_exp2_neg(const LaneWords& q) {
-    constexpr std::uint32_t ln2_q24 = 0xB17217F8; // ln 2 in Q0.32: a product with Q24 has Q0.32 after >> 24
+    // This is ln 2 in Q0.32. Its product with Q24 is in Q0.32 after a shift by 24.
+    constexpr std::uint32_t ln2_q24 = 0xB17217F8;
     // The fraction of a 64th has 18 bits. Shifted up by 8, its product has the bits of y in the high word.
     const LaneWords y = lane_product_high((q & 0x3FFFF) << 8, LaneWords::splat(ln2_q24)),
                     square = lane_product_high(y, y), cube = lane_product_high(square, y);
-    // y is below 2^26, so its cube is below 2^14, where this product is a sixth, rounded down.
+    // y is below 2^26, so its cube is below 2^14. In this range the product is a sixth, rounded down.
     const LaneWords sixth = (cube * 10923) >> 16;
     const LaneWords rest = 0x80000000u - ((y - (square >> 1) + sixth) >> 1);
     const LaneWords step = LaneWords::generate([&](std::uint32_t lane) __attribute__((always_inline)) {
@@ -52,7 +53,7 @@ SPANGLE_INLINE LaneWords lane_fog_factor(FogMode mode, const LaneWords& coordina
             const Vector low = inner::LongPair<Vector>{inner::even_products(c, c) >> 24,
                                                        inner::even_products(odd, odd) >> 24}
                                    .low_words();
-            return low | std::bit_cast<Vector>(c >> 28 != 0); // the square of 16 is 2^8: it has no word
+            return low | std::bit_cast<Vector>(c >> 28 != 0); // the square of 16 is 2^8, which fits no word
         },
         coordinate);
     return lane_exp2_neg(square) >> 6;

@@ -1,6 +1,6 @@
-// Logarithms of eight fragments at once: the integers of log2_fraction8(). A number becomes a float of its
-// leading bits, which no mode of rounding changes. The exponent and the mantissa of the float are what a
-// count of leading zeros and a shift would find.
+// Logarithms of eight fragments at once. The integers are those of log2_fraction8(). The leading bits of a
+// number become a float, which no rounding mode changes. The exponent and the mantissa of the float then take
+// the place of leading zeros and a shift.
 #pragma once
 
 #include "raster/ops/lane_division.hpp"
@@ -12,26 +12,26 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
-/// log2_fraction8() of 2^(exponent - bias) (1 + x): each word has 16 bits of x, and the exponent above them.
+/// log2_fraction8() of 2^(exponent - bias) (1 + x). Each word has 16 bits of x below the exponent.
 template <class Vector> SPANGLE_INLINE Vector log2_of_parts(const Vector& parts, std::uint32_t bias) {
     const Vector x = parts & 0xFFFFu;
     const Vector bulge = (x * (65536u - x)) >> 16, slope = 27700u - ((x * 10400u) >> 16);
     const Vector fraction = x + ((bulge * slope) >> 16);
     return (((parts >> 16) - bias) << 8) + ((fraction + 128u) >> 8);
 }
-/// The parts that log2_of_parts() takes, of numbers of 64 bits. The parts of 0 are less than those of 1.
+/// The parts of 64-bit numbers in the form of log2_of_parts(). The parts of 0 are less than those of 1.
 template <class Long> SPANGLE_INLINE Long parts_of(const Long& v) {
     using Doubles [[gnu::vector_size(sizeof(Long))]] = double;
-    const Long beyond = ((v >> 53) + 0x7FFu) >> 11; // 1 where v has more bits than a double takes
+    const Long beyond = ((v >> 53) + 0x7FFu) >> 11; // 1 where v has more bits than a double
     const Long kept = v & ~((beyond << 11) - beyond);
     constexpr std::uint64_t two_52 = std::uint64_t{0x433} << 52, two_84 = std::uint64_t{0x453} << 52;
-    constexpr double of_exponents = 0x1p84 + 0x1p52; // what two_84 and two_52 add to the value
+    constexpr double of_exponents = 0x1p84 + 0x1p52; // the two constants add this to the value
     const auto high = std::bit_cast<Doubles>((kept >> 32) | two_84) - of_exponents,
                low = std::bit_cast<Doubles>((kept & 0xFFFFFFFFu) | two_52);
     return (std::bit_cast<Long>(high + low) >> 36) & 0x7FFFFFFu; // a sum of 0 may be -0
 }
 
-/// log2_fraction8() of numbers of 64 bits, where 0 counts as 1.
+/// log2_fraction8() of 64-bit numbers, where 0 counts as 1.
 template <class Vector> SPANGLE_INLINE Vector lane_log2(const LongPair<Vector>& v) {
     constexpr std::uint32_t bias = 1023;
     const Vector parts = LongPair<Vector>{parts_of(v.even), parts_of(v.odd)}.low_words();
@@ -40,7 +40,7 @@ template <class Vector> SPANGLE_INLINE Vector lane_log2(const LongPair<Vector>& 
 }
 /// log2_fraction8() of words from 1 to 2^31 - 1.
 template <class Vector> SPANGLE_INLINE Vector lane_log2(const Vector& v) {
-    const Vector beyond = ((v >> 24) + 0x7Fu) >> 7; // 1 where v has more bits than a float takes
+    const Vector beyond = ((v >> 24) + 0x7Fu) >> 7; // 1 where v has more bits than a float
     const Vector kept = v & ~((beyond << 7) - beyond);
     return log2_of_parts<Vector>(std::bit_cast<Vector>(to_floats(kept)) >> 7, 127);
 }
@@ -57,7 +57,7 @@ template <class Vector> SPANGLE_INLINE Vector at_least_one(const Vector& v) {
     return (v & positive) | (1u & ~positive);
 }
 
-/// |dv q - v dq| in the even words of all four: the derivative of v / q, times q^2.
+/// |dv q - v dq| of the even words of all four vectors. This is the derivative of v / q, times q^2.
 template <class Vector>
 SPANGLE_INLINE Longs<Vector> even_derivative(const Vector& dv, const Vector& v, const Vector& dq,
                                              const Vector& q) {

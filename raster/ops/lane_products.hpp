@@ -1,4 +1,5 @@
-// High halves of the products of four words at once; hosts have an instruction that multiplies two of them.
+// High halves of products of words, four or eight at once. Hosts have instructions that multiply every second
+// word of a vector.
 #pragma once
 
 #include <bit>
@@ -20,13 +21,13 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
-/// A vector of words of 64 bits, as many as a vector of this size holds.
+/// A vector of 64-bit words that has the size of `Vector`.
 template <class Vector> struct LongsOf { using Type [[gnu::vector_size(sizeof(Vector))]] = std::uint64_t; };
 template <class Vector> using Longs = typename LongsOf<Vector>::Type;
 
-/// The products of words 0 and 2 (and 4 and 6 of eight), 64 bits each.
+/// The products of words 0 and 2, 64 bits each; of eight words, also the products of words 4 and 6.
 template <class Vector> SPANGLE_INLINE Longs<Vector> even_products(const Vector& a, const Vector& b) {
-    // GCC 12 multiplies a vector of 64-bit words by three instructions; these are one.
+    // GCC 12 multiplies vectors of 64-bit words by three instructions. These intrinsics are one.
 #if defined(__AVX2__)
     if constexpr (sizeof(Vector) == 32)
         return std::bit_cast<Longs<Vector>>(
@@ -43,7 +44,7 @@ template <class Vector> SPANGLE_INLINE Longs<Vector> even_products(const Vector&
     return Longs<Vector>{std::uint64_t{a[0]} * b[0], std::uint64_t{a[2]} * b[2]};
 #endif
 }
-/// The products of the even words as even_products() gives them, where both factors are signed.
+/// The products of even words, as even_products() orders them, where both factors are signed.
 template <class Vector> SPANGLE_INLINE Longs<Vector> even_products_signed(const Vector& a, const Vector& b) {
 #if defined(__AVX2__)
     if constexpr (sizeof(Vector) == 32)
@@ -52,13 +53,13 @@ template <class Vector> SPANGLE_INLINE Longs<Vector> even_products_signed(const 
     else
 #endif
     {
-        // A negative word, taken as unsigned, is 2^32 larger.
+        // A negative word, taken as unsigned, is 2^32 too large.
         const auto more = (b & std::bit_cast<Vector>(lane_words::as_signed(a) >> 31)) +
                           (a & std::bit_cast<Vector>(lane_words::as_signed(b) >> 31));
         return even_products(a, b) - (std::bit_cast<Longs<Vector>>(more) << 32);
     }
 }
-/// Moves the odd words to the places of the even ones. Big-endian hosts have no lanes.
+/// Moves the odd words to the places of the even words. Big-endian hosts have no lanes.
 template <class Vector> SPANGLE_INLINE Vector odd_words(const Vector& v) {
     return std::bit_cast<Vector>(std::bit_cast<Longs<Vector>>(v) >> 32);
 }
@@ -75,7 +76,7 @@ template <class Vector> SPANGLE_INLINE Vector lane_product_high(const Vector& a,
     return inner::high_words<Vector>(inner::even_products(a, b),
                                      inner::even_products(inner::odd_words(a), inner::odd_words(b)));
 }
-/// a b / 2^32 to nearest, halves up, for a below 2^31.
+/// a b / 2^32 to the nearest, halves up, where a is below 2^31.
 template <class Vector> SPANGLE_INLINE Vector lane_product_rounded(const Vector& a, const Vector& b) {
     constexpr std::uint64_t half = std::uint64_t{1} << 31;
     return inner::high_words<Vector>(inner::even_products(a, b) + half,
@@ -83,10 +84,10 @@ template <class Vector> SPANGLE_INLINE Vector lane_product_rounded(const Vector&
 }
 /// floor(a b / 2^32), where a is signed and b is below 2^31.
 template <class Vector> SPANGLE_INLINE Vector lane_product_high_signed(const Vector& a, const Vector& b) {
-    // A negative word, taken as unsigned, is 2^32 larger.
+    // A negative word, taken as unsigned, is 2^32 too large.
     return lane_product_high(a, b) - (b & std::bit_cast<Vector>(lane_words::as_signed(a) >> 31));
 }
-/// The products above for all eight lanes.
+/// The next functions do the same for all eight lanes.
 SPANGLE_INLINE LaneWords lane_product_high(const LaneWords& a, const LaneWords& b) {
     return LaneWords::mapped(
         [](const auto& v, const auto& w) __attribute__((always_inline)) { return lane_product_high(v, w); },

@@ -1,4 +1,4 @@
-// What eight lanes of texels need beside Lanes<8>: pairs of half-words in words, and bytes.
+// Operations that eight lanes of texels need besides Lanes<8>: pairs of half-words in words, and bytes.
 #pragma once
 
 #include "raster/ops/lane_products.hpp"
@@ -15,9 +15,9 @@ SPANGLE_INLINE LaneWords lane_joined(const Lanes<8>::U16& low, const Lanes<8>::U
 
 namespace inner {
 
-/// The products of the signed halves of each word, added: low a low b + high a high b.
+/// The sum of the products of the signed halves of each word: low a low b + high a high b.
 template <class Vector> SPANGLE_INLINE Vector products_added(const Vector& a, const Vector& b) {
-    // Both compilers make six instructions or more of the products below; these intrinsics are one.
+    // GCC and clang make six instructions or more of the products below. Each intrinsic is one instruction.
 #if defined(__AVX2__)
     if constexpr (sizeof(Vector) == 32)
         return std::bit_cast<Vector>(_mm256_madd_epi16(std::bit_cast<__m256i>(a), std::bit_cast<__m256i>(b)));
@@ -40,7 +40,7 @@ SPANGLE_INLINE LaneWords lane_products_added(const LaneWords& a, const LaneWords
         a, b);
 }
 
-/// Four bytes per lane: `low` holds bytes 0 and 1, `high` bytes 2 and 3.
+/// Four bytes per lane: `low` holds bytes 0 and 1, and `high` holds bytes 2 and 3.
 struct LaneBytes {
     Lanes<8>::U16 low, high;
     SPANGLE_INLINE static LaneBytes of(const LaneWords& words) {

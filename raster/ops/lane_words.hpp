@@ -1,5 +1,5 @@
-// Eight words of 32 bits, one per lane: one vector of 256 bits where the instruction set has them, or two
-// vectors of 128 bits.
+// Eight words of 32 bits, one per lane. They are one vector of 256 bits where the instruction set has such
+// vectors, and otherwise two vectors of 128 bits.
 #pragma once
 
 #include <bit>
@@ -26,11 +26,11 @@ template <class Vector> SPANGLE_INLINE auto as_signed(const Vector& v) {
     using Signed [[gnu::vector_size(sizeof(Vector))]] = std::int32_t;
     return std::bit_cast<Signed>(v);
 }
-/// All ones where a < b, compared as signed numbers.
+/// All ones where a < b, where both are signed.
 template <class Vector> SPANGLE_INLINE Vector is_less(const Vector& a, const Vector& b) {
     return std::bit_cast<Vector>(as_signed(a) < as_signed(b));
 }
-// Compilers make one instruction of each of the loops below, where the instruction set has it.
+// Compilers make one instruction of each of the loops below where the instruction set has it.
 
 /// min(a, b) of signed numbers.
 template <class Vector> SPANGLE_INLINE Vector smaller(const Vector& a, const Vector& b) {
@@ -58,7 +58,7 @@ template <class Vector> SPANGLE_INLINE Vector positive(const Vector& v) {
 
 } // namespace lane_words
 
-/// Two results of one operation in lanes: one from the low parts, one from the high parts.
+/// Two results of one operation in lanes: from the low parts and from the high parts.
 template <class Words> struct LanePairs { Words low, high; };
 
 #if defined(__AVX2__)
@@ -70,11 +70,11 @@ struct LaneWords {
     Vector all;
 
     SPANGLE_INLINE static LaneWords splat(std::uint32_t v) { return {Vector{v, v, v, v, v, v, v, v}}; }
-    /// One word per lane: start, start + step, and so on.
+    /// One word per lane: start, start + step, and the next multiples.
     SPANGLE_INLINE static LaneWords ramp(std::uint32_t start, std::uint32_t step) {
         return {splat(start).all + splat(step).all * Vector{0, 1, 2, 3, 4, 5, 6, 7}};
     }
-    /// Offsets of lanes that are four columns of two rows.
+    /// Offsets of lanes that are four columns of two rows, with `dx` per column and `dy` per row.
     SPANGLE_INLINE static LaneWords two_rows(std::uint32_t dx, std::uint32_t dy) {
         return {splat(dx).all * Vector{0, 1, 2, 3, 0, 1, 2, 3} +
                 splat(dy).all * Vector{0, 0, 0, 0, 1, 1, 1, 1}};
@@ -94,7 +94,8 @@ struct LaneWords {
     /// The low and the high words of f(lane), which has 64 bits.
     template <class F> SPANGLE_INLINE static LanePairs<LaneWords> generate_pairs(F f) {
         using Pairs [[gnu::vector_size(32)]] = std::uint64_t;
-        // Lanes are loaded in an order that one shuffle, which works inside of each half, makes ascending.
+        // The shuffle works inside of each half of a vector. Lanes are loaded in an order that the shuffle
+        // makes ascending.
         const auto a = std::bit_cast<Vector>(Pairs{f(0u), f(1u), f(4u), f(5u)}),
                    b = std::bit_cast<Vector>(Pairs{f(2u), f(3u), f(6u), f(7u)});
         const auto words = [&](auto shuffled) __attribute__((always_inline)) {
@@ -108,12 +109,12 @@ struct LaneWords {
         return {std::bit_cast<Vector>(
             _mm256_blendv_epi8(std::bit_cast<__m256i>(b.all), std::bit_cast<__m256i>(a.all), wide))};
     }
-    /// Applies f to vectors of words, whatever lanes they hold.
+    /// Applies f to each vector of words, whichever lanes the vector holds.
     template <class F, class... Words> SPANGLE_INLINE static LaneWords mapped(F f, const Words&... v) {
         return {f(v.all...)};
     }
-    /// Calls f(lane, vectors...) once for each vector: its words are lanes `apart` from each other, from
-    /// `lane` on.
+    /// Calls f(lane, vectors...) once for each vector. The words of a vector are those of `lane`, `lane` +
+    /// `apart`, and so on.
     static constexpr int apart = 1;
     template <class F, class... Words> SPANGLE_INLINE static void each(F f, const Words&... v) {
         f(0, v.all...);
@@ -135,7 +136,7 @@ struct LaneWords {
         return std::bit_cast<Halfwords>(
             _mm_packs_epi32(_mm256_castsi256_si128(v), _mm256_extracti128_si256(v, 1)));
     }
-    /// Some bits are set if any word is not 0.
+    /// At least one bit is set where any word is not 0.
     SPANGLE_INLINE Halfwords any_bits() const {
         const auto v = std::bit_cast<__m256i>(all);
         return std::bit_cast<Halfwords>(_mm256_castsi256_si128(v) | _mm256_extracti128_si256(v, 1));
@@ -144,7 +145,7 @@ struct LaneWords {
     SPANGLE_INLINE void set_lane(int i, std::uint32_t v) { all[i] = v; }
 
   private:
-    /// Half-words of words below 2^16.
+    /// The low halves of words that are below 2^16.
     SPANGLE_INLINE Halfwords narrowed() const {
         const auto v = std::bit_cast<__m256i>(all);
         return std::bit_cast<Halfwords>(
@@ -154,8 +155,8 @@ struct LaneWords {
 
 #else
 
-/// Eight words in two vectors, of even and of odd lanes: the high halves of all eight are a shift, a mask and
-/// an or.
+/// Eight words in two vectors, one of even lanes and one of odd lanes. A shift, a mask and an `or` then give
+/// the high halves of all eight words.
 struct LaneWords {
     using Vector = lane_words::Half;
     using Halfwords = lane_words::Halfwords;
@@ -165,15 +166,15 @@ struct LaneWords {
         const Vector w = {v, v, v, v};
         return {w, w};
     }
-    /// One word per lane: start, start + step, and so on. Masks make it: words put together one by one would
-    /// take twice as long.
+    /// One word per lane: start, start + step, and the next multiples. Masks make the words, because
+    /// inserting them one by one would take twice as long.
     SPANGLE_INLINE static LaneWords ramp(std::uint32_t start, std::uint32_t step) {
         constexpr std::uint32_t on = 0xFFFFFFFF;
         const Vector by = splat(step).even, one = by & Vector{0, on, 0, on}, two = by & Vector{0, 0, on, on};
         const Vector first = splat(start).even + (one + one) + (two << 2);
         return {first, first + by};
     }
-    /// Offsets of lanes that are four columns of two rows.
+    /// Offsets of lanes that are four columns of two rows, with `dx` per column and `dy` per row.
     SPANGLE_INLINE static LaneWords two_rows(std::uint32_t dx, std::uint32_t dy) {
         constexpr std::uint32_t on = 0xFFFFFFFF;
         const Vector by = splat(dx).even;
@@ -211,12 +212,12 @@ struct LaneWords {
                    second = std::bit_cast<Vector>(halves >> 16);
         return {(first & a.even) | (~first & b.even), (second & a.odd) | (~second & b.odd)};
     }
-    /// Applies f to vectors of words, whatever lanes they hold.
+    /// Applies f to each vector of words, whichever lanes the vector holds.
     template <class F, class... Words> SPANGLE_INLINE static LaneWords mapped(F f, const Words&... v) {
         return {f(v.even...), f(v.odd...)};
     }
-    /// Calls f(lane, vectors...) once for each vector: its words are lanes `apart` from each other, from
-    /// `lane` on.
+    /// Calls f(lane, vectors...) once for each vector. The words of a vector are those of `lane`, `lane` +
+    /// `apart`, and so on.
     static constexpr int apart = 2;
     template <class F, class... Words> SPANGLE_INLINE static void each(F f, const Words&... v) {
         f(0, v.even...);
@@ -237,11 +238,12 @@ struct LaneWords {
     SPANGLE_INLINE LanePairs<Halfwords> halves() const { return {low_half(), high_half()}; }
     /// Masks of 16 bits from words that are all ones or 0.
     SPANGLE_INLINE Halfwords mask() const { return low_half(); }
-    /// Some bits are set if any word is not 0.
+    /// At least one bit is set where any word is not 0.
     SPANGLE_INLINE Halfwords any_bits() const { return std::bit_cast<Halfwords>(even | odd); }
     SPANGLE_INLINE std::uint32_t lane(int i) const { return (i & 1) != 0 ? odd[i >> 1] : even[i >> 1]; }
     SPANGLE_INLINE void set_lane(int i, std::uint32_t v) {
-        // This is no element of a conditional expression: under UBSan gcc 12 writes into a copy of that.
+        // This is no element of a conditional expression, because under UBSan gcc 12 writes into a copy of
+        // such an element.
         if ((i & 1) != 0)
             odd[i >> 1] = v;
         else
@@ -299,7 +301,7 @@ SPANGLE_INLINE LaneWords operator<<(const LaneWords& a, int n) {
     return LaneWords::mapped(
         [n](const auto& v) __attribute__((always_inline)) { return v << static_cast<std::uint32_t>(n); }, a);
 }
-/// floor(v / 2^n), v signed, word by word.
+/// floor(v / 2^n) word by word, where v is signed.
 SPANGLE_INLINE LaneWords lane_shifted_signed(const LaneWords& v, int n) {
     return LaneWords::mapped(
         [n](const auto& w) __attribute__((always_inline)) {

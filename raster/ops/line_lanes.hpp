@@ -1,5 +1,5 @@
-// Lines side by side: signed words of 32 bits, one per line. There is one line where the processor has no
-// vectors, and four in the vectors of gcc and clang where it has.
+// Lines side by side, in signed words of 32 bits, one word per line. Processors without vectors handle one
+// line at a time. Processors with vectors handle four, by the vector extensions of gcc and clang.
 #pragma once
 
 #include <bit>
@@ -34,7 +34,7 @@ template <> struct LineLanes<1> {
         a = first;
     }
     SPANGLE_INLINE static Int negate(Mask m, Int v) { return m ? -v : v; }
-    /// Divides n by d: returns the quotient and leaves the remainder in n. 0 <= n < 5 d.
+    /// Divides n by d, 0 <= n < 5 d. Returns the quotient and leaves the remainder in n.
     SPANGLE_INLINE static Int divide_small(Int& n, Int d) {
         Int whole = 0;
         if constexpr (numeric::divides) {
@@ -52,7 +52,7 @@ template <> struct LineLanes<4> {
     static constexpr int count = 4;
     using Int [[gnu::vector_size(16)]] = std::int32_t;
     using Word [[gnu::vector_size(16)]] = std::uint32_t;
-    using Mask = Int; ///< all ones: true
+    using Mask = Int; ///< all ones where the mask is true
     SPANGLE_INLINE static Int load(const std::int32_t* at) {
         Int v;
         __builtin_memcpy(&v, at, sizeof v);
@@ -62,7 +62,7 @@ template <> struct LineLanes<4> {
     SPANGLE_INLINE static std::int32_t first(Int v) { return v[0]; }
     SPANGLE_INLINE static Mask less(Int a, Int b) { return a < b; }
     SPANGLE_INLINE static Mask no(Mask m) { return ~m; }
-    /// The functions above for masks that are known to be the same in all lanes.
+    /// The next functions take masks whose value is known to the compiler and the same in all lanes.
     template <bool Known> SPANGLE_INLINE static std::bool_constant<!Known> no(std::bool_constant<Known>) {
         return {};
     }
@@ -76,7 +76,8 @@ template <> struct LineLanes<4> {
             b = first;
         }
     }
-    /// Bit 0 is that of all lanes of a, bit 1 that of all lanes of b. 4: the lanes of a or of b differ.
+    /// Whether masks have the same value in all lanes. Bit 0 is the value of a, and bit 1 that of b. The
+    /// result is 4 where the lanes of a or of b differ.
     SPANGLE_INLINE static unsigned alike(Mask a, Mask b) {
         using Halves [[gnu::vector_size(16)]] = std::uint64_t;
         const auto halves = std::bit_cast<Halves>((a & 1) | (b & 2));
@@ -91,15 +92,15 @@ template <> struct LineLanes<4> {
     }
     SPANGLE_INLINE static Int one(Mask m) { return -m; }
     SPANGLE_INLINE static Int select(Mask m, Int a, Int b) { return (m & a) | (~m & b); }
-    /// Exchanges a and b in the lanes where m is true.
+    /// Exchanges a and b in lanes where m is true.
     SPANGLE_INLINE static void exchange(Mask m, Int& a, Int& b) {
         const Int difference = (a ^ b) & m;
         a ^= difference;
         b ^= difference;
     }
-    /// Negates v in the lanes where m is true.
+    /// Negates v in lanes where m is true.
     SPANGLE_INLINE static Int negate(Mask m, Int v) { return (v ^ m) - m; }
-    /// Divides n by d: returns the quotient and leaves the remainder in n. 0 <= n < 5 d; the results are
+    /// Divides n by d, 0 <= n < 5 d. Returns the quotient and leaves the remainder in n. The results are
     /// undefined where d is 0.
     SPANGLE_INLINE static Int divide_small(Int& n, Int d) {
         Int whole = n ^ n;

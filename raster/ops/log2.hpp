@@ -1,4 +1,4 @@
-// Logarithms that need no more than 1/256, for levels of detail and lengths of runs.
+// Logarithms that are accurate to 1/256, for levels of detail and lengths of runs.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// log2(v) with 8 fraction bits, within 1/256; v = 0 counts as 1.
+/// log2(v) with 8 fraction bits, within 1/256. v = 0 counts as 1.
 SPANGLE_RUN_CALL inline std::int32_t log2_fraction8(std::uint64_t v) {
     v = v == 0 ? 1 : v;
     const int zeros = numeric::clz64(v);
@@ -24,8 +24,8 @@ SPANGLE_RUN_CALL inline std::int32_t log2_fraction8(std::uint64_t v) {
 }
 
 /// Lambda with 8 fraction bits, from the sum of up to four logarithms, which together are off by less than
-/// 3/256. A lambda within 3/256 of 0 is 0 by definition, in every policy: an image drawn one texel to a pixel
-/// takes nothing of its next level.
+/// 3/256. In every policy a lambda within 3/256 of 0 is 0 by definition. So an image that is drawn one texel
+/// to a pixel never mixes in its next level.
 SPANGLE_INLINE constexpr std::int32_t level_of_detail(std::int32_t sum) {
     constexpr std::int32_t lost = 3;
     return sum < -lost || sum > lost ? sum : 0;

@@ -1,4 +1,4 @@
-// The planes of a primitive side by side in vectors, so that a row starts all of them at once.
+// Holds the planes of a primitive side by side in vectors, so that a row starts all planes at once.
 #pragma once
 
 #include <utility>
@@ -10,13 +10,13 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Up to eight planes, four in a vector. Constants are kept in registers as lanes, because a store to the
-/// surface might change anything in memory.
+/// Up to eight planes, four in each vector. Constants are kept in registers as lanes. A store to the surface
+/// might change any value in memory, which would then be loaded again.
 template <int Count> class RowPlanes {
   public:
     using L = Lanes<8>;
-    /// Starts the planes at column x of this row. They are valid from this row up and from this column to the
-    /// right.
+    /// Starts the planes at column x of this row. They are valid from this row up, and from this column to
+    /// the right.
     template <class S, class... Plane>
     SPANGLE_INLINE explicit RowPlanes(const S& row, std::int32_t x, const Plane&... of)
         : x_(row.x + x), y_(row.y) {
@@ -26,7 +26,7 @@ template <int Count> class RowPlanes {
         set(origin_, row.at(x, of)...);
         each([&](int k) __attribute__((always_inline)) { row_[k] = origin_[k]; });
     }
-    /// Starts at window column x, less than 2^16 columns right of where the planes were made.
+    /// Starts at window column x, which is less than 2^16 columns to the right of the constructor's column.
     SPANGLE_INLINE void start(std::int32_t x) {
         const L::U16 columns = splat(x - x_);
         each([&](int k) __attribute__((always_inline)) { at_[k] = row_[k] + L::times(dx_[k], columns); });
@@ -34,12 +34,12 @@ template <int Count> class RowPlanes {
     SPANGLE_INLINE void next_row() {
         each([&](int k) __attribute__((always_inline)) { row_[k] += dy_[k]; });
     }
-    /// Goes to window row y, less than 2^16 rows above the one where the planes were made.
+    /// Goes to window row y, which is less than 2^16 rows above the constructor's row.
     SPANGLE_INLINE void to_row(std::int32_t y) {
         const L::U16 rows = splat(y - y_);
         each([&](int k) __attribute__((always_inline)) { row_[k] = origin_[k] + L::times(dy_[k], rows); });
     }
-    /// Plane I in the first lane, repeated in all lanes.
+    /// The value of plane I in the first lane, repeated in all lanes.
     template <int I> SPANGLE_INLINE L::U32 first() const {
         constexpr int k = I / 4, lane = I % 4;
         const L::Words v = __builtin_shufflevector(at_[k], at_[k], lane, lane, lane, lane);
@@ -53,7 +53,7 @@ template <int Count> class RowPlanes {
     const std::int32_t x_, y_;
     Planes dx_, dy_, origin_, row_, at_; ///< origin_ and row_ are values at column x_
 
-    /// Written out instead of a loop, whose index would keep all planes in memory.
+    /// Calls f for each vector. This is not a loop, because a loop's index would keep all planes in memory.
     template <class F> SPANGLE_INLINE static void each(F f) {
         f(0);
         if constexpr (vectors > 1)
@@ -70,8 +70,8 @@ template <int Count> class RowPlanes {
     }
 };
 
-/// Planes and the exact high halves of their values in eight lanes. Only the four values of the first lane
-/// are kept from group to group: registers are few.
+/// Planes, and the exact high halves of their values in eight lanes. Only the values of the first lane are
+/// kept from group to group, because registers are few.
 template <int Count> class LanePlanes : public RowPlanes<Count> {
   public:
     using L = Lanes<8>;
@@ -83,7 +83,7 @@ template <int Count> class LanePlanes : public RowPlanes<Count> {
     SPANGLE_INLINE void step() {
         this->each([&](int k) __attribute__((always_inline)) { this->at_[k] += this->dx_[k] << 3; });
     }
-    /// The high half of plane I in each lane. Where the sum of low halves wraps, it carries.
+    /// The high half of plane I in each lane. The comparison adds the carry of the low halves.
     template <int I> SPANGLE_INLINE L::U16 high() const {
         const L::Words& at = this->at_[I / 4];
         return L::splat_half<I % 4 * 2 + 1>(at) + high_difference_[I] +
@@ -104,8 +104,8 @@ template <int Count> class LanePlanes : public RowPlanes<Count> {
         carry_limit_[I] = ~(low * columns);
         high_difference_[I] = high * columns + L::mul_high(low, columns) + 1;
     }
-    /// The difference of a plane between each lane and the first: its high half plus 1 (high_difference_),
-    /// and 2^16 - 1 less its low half (carry_limit_).
+    /// The difference of a plane between each lane and the first lane. high_difference_ is the high half of
+    /// the difference plus 1. carry_limit_ is 2^16 - 1 minus its low half.
     L::U16 high_difference_[Count], carry_limit_[Count];
 };
 

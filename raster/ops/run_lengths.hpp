@@ -1,4 +1,4 @@
-// Finds how long the runs of texture coordinates are, for eight rows at once: the integers of
+// Finds the lengths of runs of texture coordinates, for eight rows at once. The integers are those of
 // CoordRuns::choose_log2().
 #pragma once
 
@@ -10,23 +10,23 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// What a draw allows CoordRuns. The formulas are repeated here, so that the code of CoordRuns in firmware
-/// stays as it is.
+/// The limits of a draw for CoordRuns. The formulas of CoordRuns are repeated here, so that its code in
+/// firmware does not change.
 struct RunLimits {
-    std::int32_t shortest, longest; ///< logarithms to base 2 of lengths in pixels
-    std::int32_t margin;            ///< allowance for three logarithms and the error, 8 fraction bits
+    std::int32_t shortest, longest; ///< log2 of lengths in pixels
+    std::int32_t margin;            ///< allows for three logarithms and the error, with 8 fraction bits
     RunLimits(const DrawState& draw, int unit)
         : shortest(of_straight_tier<[](const Knobs& k) { return std::int32_t{k.shortest_run}; }>(draw)),
           longest(of_straight_tier<[](const Knobs& k) { return std::int32_t{k.longest_run}; }>(draw)),
           margin(of_straight_tier<[](const Knobs& k) { return 256 * k.texel_bits - 506; }>(draw)) {
         const auto& wraps = draw.wraps[unit];
-        if (longest > CoordRuns::max_log2 && !(wraps.s && wraps.t)) // the other coordinates saturate
+        if (longest > CoordRuns::max_log2 && !(wraps.s && wraps.t)) // coordinates that do not wrap saturate
             longest = CoordRuns::max_log2;
     }
 };
 
-/// Logarithms of the lengths of runs in rows that begin at these places, counted from the anchor. Rows that
-/// are no longer than the shortest runs are never asked about.
+/// Logarithms of the lengths of runs in rows that begin at these places, which count from the anchor. Callers
+/// never ask about rows that are not longer than the shortest runs.
 SPANGLE_INLINE LaneWords run_log2s(const Span<Fixed>& span, int which, const LaneWords& x, const LaneWords& y,
                                    const LaneWords& length) {
     const auto& unit = span.unit[which];
@@ -44,7 +44,7 @@ SPANGLE_INLINE LaneWords run_log2s(const Span<Fixed>& span, int which, const Lan
             using Vector = std::remove_cvref_t<decltype(s)>;
             const auto numerator = [&](const Vector& v, std::uint64_t dv, int log2_size)
                 __attribute__((always_inline)) {
-                // The 2^31 is what RunBound adds, too.
+                // RunBound adds the same 2^31.
                 return inner::lane_log2(inner::derivative(unguarded(dv), v, by, q0) +
                                         (std::int64_t{1} << 31)) +
                        (static_cast<std::uint32_t>(log2_size) << 8);
@@ -64,7 +64,7 @@ SPANGLE_INLINE LaneWords run_log2s(const Span<Fixed>& span, int which, const Lan
         q.at(x + length - LaneWords::splat(1), y));
 }
 
-/// Finds the lengths of a group of eight rows; the last group may have fewer.
+/// Finds the lengths of a group of eight rows. The last group may have fewer rows.
 [[gnu::noinline]] inline void find_runs(const Span<Fixed>& span, int unit, const RowRuns& runs,
                                         RowRuns::Group& group) {
     alignas(32) std::uint32_t x[8], y[8], length[8];
@@ -80,7 +80,8 @@ SPANGLE_INLINE LaneWords run_log2s(const Span<Fixed>& span, int which, const Lan
         .store(reinterpret_cast<std::uint8_t*>(group.log2));
 }
 
-/// The logarithm of the length of the runs in one row. Its group is found when its first row is asked for.
+/// The logarithm of the length of runs in one row. The lengths of a group are found when one of its rows is
+/// first asked for.
 SPANGLE_INLINE std::int32_t run_log2(const Span<Fixed>& span, int unit, RowRuns& runs, std::uint32_t row) {
     RowRuns::Group& group = runs.known[unit][row / 8 % 2];
     const auto number = static_cast<std::int32_t>(row / 8);

@@ -1,4 +1,4 @@
-// The LINEAR filter of one REPEAT image along a span.
+// The LINEAR filter of one REPEAT image, whose coordinates are walked along a span.
 #pragma once
 
 #include "raster/ops/stage_thresholds.hpp"
@@ -8,13 +8,15 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// The weight of the next texel has 8 bits, to nearest. At the centre of a texel it is 0.
+/// The position of LINEAR. The weight of the next texel has 8 bits, to the nearest. It is 0 at the centre of
+/// a texel.
 struct LinearPosition {
     static constexpr int fraction_bits = 8;
     static constexpr std::uint32_t origin(int log2_size) { return linear_origin(log2_size); }
 };
 
-/// T is a TextureFixed with Filter::linear. Dither: FilterWords dithers its words.
+/// The filter at the place of each fragment. T is a TextureFixed with Filter::linear. Dither: FilterWords
+/// dithers its words.
 template <class T, int Unit, class Runs, bool Dither = false>
 class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
     using Base = TexelWalk<T, Unit, Runs, LinearPosition>;
@@ -40,7 +42,7 @@ class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
     }
     SPANGLE_INLINE void jump(std::int32_t pixels) {
         Base::jump(pixels);
-        if constexpr (Dither) // groups of eight lanes are whole periods
+        if constexpr (Dither) // groups of eight lanes are whole periods of the pattern
             dither_ = Thresholds(dither_.x + pixels, dither_.y);
     }
 
@@ -73,7 +75,8 @@ class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
     const std::uint8_t *near_row_, *far_row_; ///< addresses of the two rows of texels
     Weights column_weights_{N::L::splat(0)};
 
-    /// `near` and `far` give the address of the row of texels of a lane.
+    /// Filters the texels of one group. `near` and `far` give, for each lane, the addresses of both rows of
+    /// texels.
     template <class Along, class Near, class Far>
     SPANGLE_INLINE bool filter(Px<N>& p, const Along& along, const Weights& weights, Near near,
                                Far far) const {
@@ -87,7 +90,7 @@ class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
             return T::words([&](std::uint32_t k)
                                 __attribute__((always_inline)) { return this->texel(row(k), column(k)); });
         };
-        // Texels are arguments: if they were named before, lanes would be spilled.
+        // Texels are passed as arguments. If they were variables, the compiler would spill lanes.
         if constexpr (Dither)
             return this->apply_texture_function(
                 p, {weights(texels(near, i), texels(near, next), texels(far, i), texels(far, next),

@@ -243,10 +243,8 @@ struct TextureFixed : StageBase {
     SPANGLE_INLINE static Word word_at(const std::uint8_t* texel) {
         if constexpr (Texels == TexelFormat::rgb565)
             return static_cast<Word>(Lanes<1>::load(texel));
-        else if constexpr (Texels == TexelFormat::rgba8888)
-            return texel_word<Texels>(
-                // TextureLevel says that these texels are aligned.
-                static_cast<const std::uint8_t*>(__builtin_assume_aligned(texel, 4)));
+        else if constexpr (Texels == TexelFormat::rgba8888) // TextureLevel says that these texels are aligned
+            return texel_word<Texels>(static_cast<const std::uint8_t*>(__builtin_assume_aligned(texel, 4)));
         else
             return texel_word<Texels>(texel);
     }

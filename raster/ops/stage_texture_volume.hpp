@@ -57,9 +57,8 @@ class VolumeCoords {
         const bool cube = has_cube_maps && texture_.shape == TextureShape::cube;
         VolumePlace place;
         place.face = cube ? face(s, t, r) : 0;
-        const Planes q =
-            // The coordinates s and t are divided by q: of a cube map, by the major component.
-            cube ? r : Planes(span_.at(x, unit_coords_.q), unit_coords_.q.dx, unit_coords_.q_dy);
+        // The divisor of the coordinates: q, or the major component of a cube map.
+        const Planes q = cube ? r : Planes(span_.at(x, unit_coords_.q), unit_coords_.q.dx, unit_coords_.q_dy);
         const Inverse inverse(positive(q.v));
         const int exponent = cube ? 0 : unit_coords_.exponent;
         const auto repeats = [&](std::int32_t v) SPANGLE_RUN_LAMBDA {

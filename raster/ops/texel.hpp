@@ -12,17 +12,18 @@ namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
 constexpr int texel_bytes(TexelFormat format) {
-    // Bytes of a texel, by format; 0: texels have no address of their own.
+    // Bytes of a texel, by format. 0 means that texels of the format have no addresses.
     constexpr std::uint8_t bytes[] = {1, 1, 1, 2, 2, 3, 4, 2, 2, 1, 2, 4, 0, 0, 0};
     return bytes[static_cast<unsigned>(format)];
 }
 
-/// Formats that fused loops are made for. read_other_texel() and texel_other.hpp read the others.
+/// True for formats for which fused loops exist. read_other_texel() and texel_other.hpp read texels of other
+/// formats.
 constexpr bool is_common(TexelFormat format) {
     return format <= TexelFormat::rgba8888;
 }
 
-/// The components of one texel. A missing alpha is 1; luminance stands for all three colours.
+/// The components of one texel. A missing alpha is 1. Luminance stands for all three colours.
 template <class N, TexelFormat Format> SPANGLE_INLINE typename N::Color read_texel(const std::uint8_t* at) {
     static_assert(N::lanes == 1);
     const typename N::T one = N::from_units(color_one);
@@ -48,7 +49,7 @@ template <class N, TexelFormat Format> SPANGLE_INLINE typename N::Color read_tex
     }
 }
 
-/// k / Most as a component, rounded up as texels are (Exact::weighted). For 1, 2 and 4 bits it is a whole
+/// k / Most as a component, rounded up, as texels are (Exact::weighted()). For 1, 2 and 4 bits it is a whole
 /// number of 255ths.
 template <class N, std::uint32_t Most> SPANGLE_INLINE typename N::T from_steps(std::uint32_t k) {
     if constexpr (255 % Most == 0) {
@@ -58,13 +59,14 @@ template <class N, std::uint32_t Most> SPANGLE_INLINE typename N::T from_steps(s
         if constexpr (of >= 1u << (32 - color_fraction_bits))
             return N::from_units(
                 static_cast<std::uint32_t>(numeric::quotient(std::int64_t{k} * color_one + Most - 1, Most)));
-        else // k parts / of: whole 255ths and the rest are taken apart, so that words hold them
+        else // k parts / of in whole 255ths and a rest, both of which fit words
             return N::from_units((k * parts / of << color_fraction_bits) +
                                  ((k * parts % of << color_fraction_bits) + of - 1) / of);
     }
 }
 
-/// A texel of the other formats that have addresses. A depth stands for all four components.
+/// A texel of a format that is not common, but whose texels have addresses. A depth stands for all four
+/// components.
 template <class N>
 [[gnu::noinline]] typename N::Color read_other_texel(TexelFormat format, const std::uint8_t* at) {
     const typename N::T one = N::from_units(color_one);
@@ -94,7 +96,7 @@ template <class N>
     return {};
 }
 
-/// A texel of a format that the build may not have.
+/// A texel of a format that the build may lack; the colour is 0 then.
 template <class N, TexelFormat Format>
 SPANGLE_INLINE typename N::Color read_texel_of(const std::uint8_t* at) {
     if constexpr (has_format(Format))
@@ -103,7 +105,7 @@ SPANGLE_INLINE typename N::Color read_texel_of(const std::uint8_t* at) {
         return {};
 }
 
-/// A texel of a format that is known at run time.
+/// A texel of a format that is known only at run time.
 template <class N>
 [[gnu::noinline]] typename N::Color read_texel(TexelFormat format, const std::uint8_t* at) {
     switch (sampled(format)) {
@@ -129,19 +131,20 @@ template <class N>
     }
 }
 
-/// A position along one axis: the index of a texel and the weight of the next texel, in 256ths.
+/// A position along one axis: the index of a texel, and the weight of the next texel in 256ths.
 struct TexelIndex {
     std::int32_t i;
     std::uint32_t weight;
 };
 
-/// The texel index of a coordinate that wraps (2^32 = one repeat).
+/// The texel index of a coordinate that wraps; 2^32 is one repeat.
 SPANGLE_INLINE std::int32_t repeat_index(std::uint32_t s, int log2_size) {
     return static_cast<std::int32_t>((s >> 1) >> (31 - log2_size));
 }
-/// LINEAR rounds the place between two texels to the nearest 256th by definition, in every policy. So a texel
-/// whose centre a coordinate meets, but for what arithmetic loses, has all of the weight. The place that is
-/// rounded down to 0 lies half a texel less half a 256th into the image.
+/// Where the position of LINEAR begins. In every policy LINEAR rounds the place between two texels to the
+/// nearest 256th by definition. So where a coordinate meets the centre of a texel, except for arithmetic
+/// error, this texel has the whole weight. The first place that is rounded down to 0 lies half a texel minus
+/// half a 256th inside of the image.
 SPANGLE_INLINE constexpr std::uint32_t linear_origin(int log2_size) {
     return ((1u << 31) - (1u << 23)) >> log2_size;
 }
@@ -150,8 +153,8 @@ SPANGLE_INLINE TexelIndex repeat_linear(std::uint32_t s, int log2_size) {
     return {repeat_index(u, log2_size), (u << log2_size) >> 24};
 }
 
-/// NEAREST is floor(u + 2^-13 texel) by definition, in every policy. Sprites whose texels meet pixel centres
-/// exactly do therefore not depend on the last bit of u.
+/// NEAREST is floor(u + 2^-13 texel) by definition, in every policy. So sprites whose texels meet pixel
+/// centres exactly do not depend on the last bit of u.
 inline constexpr int nearest_bias_bits = 13;
 SPANGLE_INLINE constexpr std::uint32_t nearest_bias(int log2_size) {
     return 1u << (32 - nearest_bias_bits - log2_size);
@@ -165,21 +168,23 @@ SPANGLE_INLINE std::int32_t clamped_nearest(std::int32_t s, int log2_size) {
     const std::int64_t u =
         numeric::shifted_up(s, log2_size) + (1 << (clamped_coord_bits - nearest_bias_bits));
     const auto i = static_cast<std::int32_t>(u >> clamped_coord_bits);
-    // s = 1 is the last texel (GL 1.3, 3.8.8), also with CLAMP_TO_BORDER.
+    // s = 1 belongs to the last texel (GL 1.3, 3.8.8), also with CLAMP_TO_BORDER.
     return i == 1 << log2_size && s <= 1 << clamped_coord_bits ? i - 1 : i;
 }
 SPANGLE_INLINE TexelIndex clamped_linear(Wrap wrap, std::int32_t s, int log2_size) {
     constexpr std::int32_t one = 1 << clamped_coord_bits;
-    if (wrap == Wrap::clamp) // CLAMP limits s to [0, 1] first: at the edge half of the border mixes in
+    if (wrap == Wrap::clamp) // CLAMP limits s to [0, 1] first: at the edge half of the border is mixed in
         s = s < 0 ? 0 : s > one ? one : s;
     const std::int64_t u = numeric::shifted_up(s, log2_size) - (one / 2 - one / 512);
     const auto fixed = static_cast<std::int32_t>(u >> (clamped_coord_bits - 8));
     return {fixed >> 8, static_cast<std::uint32_t>(fixed) & 255};
 }
 
-/// The texel that stands for texel i in a wrap mode, where i is at most one beyond the image. REPEAT: i mod
-/// size; MIRRORED_REPEAT: i counts both halves of two repeats; CLAMP_TO_EDGE: 0 .. size - 1; the others: -1
-/// .. size.
+/// The texel that stands for texel i in a wrap mode, where i is at most one beyond the image:
+/// - REPEAT: i modulo size;
+/// - MIRRORED_REPEAT: i counts two repeats, of which the second runs backwards;
+/// - CLAMP_TO_EDGE: limited to 0 .. size - 1;
+/// - the other modes: limited to -1 .. size.
 SPANGLE_INLINE std::int32_t wrap_texel(Wrap wrap, std::int32_t i, std::int32_t size) {
     if (wrap == Wrap::repeat)
         return i < 0 ? i + size : i >= size ? i - size : i;
@@ -196,13 +201,13 @@ constexpr bool is_power_of_two(std::int32_t size) {
     return (size & (size - 1)) == 0;
 }
 
-/// True for axes whose coordinates are read with shifts, which is only faster.
+/// True for axes whose coordinates can be read by shifts, which is only a matter of speed.
 constexpr bool is_plain_axis(Wrap wrap, std::int32_t size) {
     return has_shortcuts && wrap != Wrap::mirrored_repeat && is_power_of_two(size);
 }
 
 /// The position of a coordinate in 2^-Fraction texels, before wrapping, for any size and wrap mode. A
-/// mirrored image counts as one of twice the size that repeats.
+/// mirrored image counts as a repeating image of twice the size.
 template <int Fraction> constexpr std::int64_t axis_position(Wrap wrap, std::uint32_t s, std::int32_t size) {
     if (wrap == Wrap::repeat || wrap == Wrap::mirrored_repeat) {
         const std::uint32_t whole = static_cast<std::uint32_t>(wrap == Wrap::repeat ? size : 2 * size);
@@ -217,7 +222,7 @@ inline std::int32_t general_nearest(Wrap wrap, std::uint32_t s, std::int32_t siz
     const auto i =
         static_cast<std::int32_t>((axis_position<nearest_bias_bits>(wrap, s, size) + 1) >> nearest_bias_bits);
     const bool clamps = wrap != Wrap::repeat && wrap != Wrap::mirrored_repeat;
-    // s = 1 is the last texel (GL 1.3, 3.8.8), also with CLAMP_TO_BORDER.
+    // s = 1 belongs to the last texel (GL 1.3, 3.8.8), also with CLAMP_TO_BORDER.
     const bool last = clamps && i == size && static_cast<std::int32_t>(s) <= 1 << clamped_coord_bits;
     return wrap_texel(wrap == Wrap::clamp ? Wrap::clamp_to_edge : wrap, last ? i - 1 : i, size);
 }
@@ -226,14 +231,15 @@ inline TexelIndex general_linear(Wrap wrap, std::uint32_t s, std::int32_t size) 
     return {fixed >> 8, static_cast<std::uint32_t>(fixed) & 255};
 }
 
-/// The texel of a coordinate (NEAREST), or its place between two texels (LINEAR), in any wrap mode.
+/// The texel of a coordinate (NEAREST) in any wrap mode. wrapped_linear() gives the place between two texels
+/// (LINEAR).
 inline std::int32_t wrapped_nearest(Wrap wrap, std::uint32_t s, int log2_size, std::int32_t size) {
     if (!is_plain_axis(wrap, size))
         return general_nearest(wrap, s, size);
     if (wrap == Wrap::repeat)
         return repeat_nearest(s, log2_size);
     const std::int32_t i = clamped_nearest(static_cast<std::int32_t>(s), log2_size);
-    // CLAMP limits coordinates to [0, 1], so its texels are those of CLAMP_TO_EDGE.
+    // CLAMP limits coordinates to [0, 1], so it meets the same texels as CLAMP_TO_EDGE.
     return wrap_texel(wrap == Wrap::clamp ? Wrap::clamp_to_edge : wrap, i, size);
 }
 inline TexelIndex wrapped_linear(Wrap wrap, std::uint32_t s, int log2_size, std::int32_t size) {
@@ -251,7 +257,7 @@ constexpr std::uint8_t ceil_log2_of(std::int32_t size) {
     return static_cast<std::uint8_t>(log2_of(size) + (is_power_of_two(size) ? 0 : 1));
 }
 
-/// The bytes of an 8-bit texel in one word, R lowest, for lanes.
+/// The bytes of an 8-bit texel in one word, with R in the lowest byte. Lanes take texels in this form.
 template <TexelFormat Format> SPANGLE_INLINE std::uint32_t texel_word(const std::uint8_t* at) {
     static_assert(Format == TexelFormat::rgb888 || Format == TexelFormat::rgba8888);
     if constexpr (Format == TexelFormat::rgba8888)
@@ -260,8 +266,8 @@ template <TexelFormat Format> SPANGLE_INLINE std::uint32_t texel_word(const std:
         return numeric::load_low_first<std::uint16_t>(at) | std::uint32_t{at[2]} << 16;
 }
 
-/// The four bytes R, G, B, A of a texel of any format of 8-bit components, R lowest; missing components are
-/// filled in.
+/// The four bytes R, G, B, A of a texel in one word, with R in the lowest byte. All formats with 8-bit
+/// components are possible; missing components are filled in.
 template <TexelFormat Format> SPANGLE_INLINE std::uint32_t rgba_word(const std::uint8_t* at) {
     constexpr std::uint32_t gray = 0x00010101, opaque = 0xFF000000;
     if constexpr (Format == TexelFormat::a8)
@@ -278,12 +284,13 @@ template <TexelFormat Format> SPANGLE_INLINE std::uint32_t rgba_word(const std::
         return texel_word<Format>(at);
 }
 
-/// Mixes four texels by 8-bit weights: a of the next column (along s) and b of the next row (along t).
+/// Mixes four texels by 8-bit weights. a is the weight of the next column (along s), and b that of the next
+/// row (along t).
 template <class N>
 SPANGLE_INLINE typename N::Color bilinear(const typename N::Color& c00, const typename N::Color& c10,
                                           const typename N::Color& c01, const typename N::Color& c11,
                                           std::uint32_t a, std::uint32_t b) {
-    if constexpr (is_balanced<N>) // whose weights lose a bit of a texel that has all of the weight
+    if constexpr (is_balanced<N>) // their weights take a bit off a texel that has the whole weight
         if ((a | b) == 0)
             return c00;
     const std::uint32_t w11 = a * b, w10 = a * (256 - b), w01 = (256 - a) * b,

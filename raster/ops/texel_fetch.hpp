@@ -1,4 +1,4 @@
-// Fetches the words of the texels that the fragments of a packet meet, in lanes. Formats are looked at once
+// Fetches the words of the texels that the fragments of a packet meet, in lanes. The format is looked at once
 // per packet.
 #pragma once
 
@@ -10,7 +10,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// One image and where the fragments of a packet look at it: at one texel, or at four.
+/// One image, and the places of a packet's fragments in it: one texel or four texels each.
 class TexelFetch {
     using L = Lanes<8>;
     using U16 = L::U16;
@@ -18,13 +18,14 @@ class TexelFetch {
 
   public:
     using Words = U16[4][texel_groups]; ///< words R5 G6 B5
-    using Bytes =
-        LaneBytes[4][texel_groups]; ///< components of 8 bits, R lowest, missing components filled in
+    /// Components of 8 bits, with R in the lowest byte. Missing components are filled in.
+    using Bytes = LaneBytes[4][texel_groups];
 
-    /// Strides must be below this, because offsets are sums of products of 16 bits.
+    /// Strides must be below this limit, because offsets are sums of 16-bit products.
     static constexpr std::uint32_t stride_limit = 1u << 15;
 
-    /// `first` holds bytes from the texels of the image to those that a fragment looks at; null stands for 0.
+    /// `first` holds, for each fragment, an offset in bytes that is added to the address of the image. Null
+    /// stands for offsets of 0.
     TexelFetch(const Texture& texture, const TextureLevel& image, const std::uint32_t* first, bool linear,
                const TexelNumbers& s, const TexelNumbers& t, std::int32_t groups)
         : texture_(texture), image_(image), first_texel_(first), s_(s), t_(t), texel_count_(linear ? 4 : 1),
@@ -93,10 +94,10 @@ class TexelFetch {
     const int texel_count_;
     const std::int32_t group_count_;
     const LaneWords texel_steps_; ///< bytes from texel to texel and from row to row
-    const bool has_pairs_;        ///< two columns are looked at, and the image has at least two
-    const U16 last_left_column_;  ///< the last column but one, which still has a right neighbour
+    const bool has_pairs_;        ///< each fragment reads two columns, and the image has at least two
+    const U16 last_left_column_;  ///< the last column that has a right neighbour
 
-    /// Calls f(corner, group, texels along s, texels along t).
+    /// Calls f(corner, group, texels along s, texels along t) for each corner and group.
     template <class F> SPANGLE_INLINE void each_group(F f) const {
         for (int corner = 0; corner < texel_count_; ++corner) {
             const U16* const s = (corner & 1) != 0 ? s_.next : s_.at;
@@ -123,19 +124,19 @@ class TexelFetch {
         asm("" : "+m"(to.offset)); // NOLINT(hicpp-no-assembler)
         return to;
     }
-    /// Calls f(corner, group, places).
+    /// Calls f(corner, group, places) for each corner and group.
     template <class F> SPANGLE_INLINE void each_place(F f) const {
         each_group([&](int corner, std::int32_t g, const U16& s, const U16& t)
                        __attribute__((always_inline)) { f(corner, g, places(g, s, t)); });
     }
     /// Calls put(corner, group, texels as they lie in memory) for texels of `Size` bytes, 1 to 4. Two columns
-    /// that are neighbours, or the same column, are loaded together. Where an image repeats, columns may be
-    /// neither.
+    /// that are neighbours, or the same column, are loaded together. Where an image repeats, the two columns
+    /// may be far apart.
     template <unsigned Size, class Put> SPANGLE_INLINE void each_texel(Put put) const {
         for (std::int32_t g = 0; g < group_count_; ++g) {
             const U16 &at = s_.at[g], &next = s_.next[g];
             if (has_pairs_) {
-                // `left` and the column after it both exist. `at` and `next` should each be one of these two
+                // The columns `left` and `left` + 1 exist. `at` and `next` must each be one of these two
                 // columns.
                 const U16 left = L::minimum_signed(L::minimum_signed(at, next), last_left_column_);
                 if (!L::any_bits(((at - left) | (next - left)) & 0xFFFE)) [[likely]] {
@@ -189,8 +190,7 @@ class TexelFetch {
             });
         }
     }
-    /// Calls f(corner, group, numbers(lane)), where numbers(lane) are the texel's numbers along s and along
-    /// t.
+    /// Calls f(corner, group, numbers), where numbers(lane) are the texel's numbers along s and along t.
     template <class F> SPANGLE_INLINE void each_number(F f) const {
         each_group([&](int corner, std::int32_t g, const U16& s,
                        const U16& t) __attribute__((always_inline)) {
@@ -207,7 +207,7 @@ class TexelFetch {
         return L::generate([&](std::uint32_t lane)
                                __attribute__((always_inline)) { return std::uint16_t{at(lane)[n]}; });
     }
-    /// Loads a word, the lowest byte first, as lanes take it.
+    /// Loads a word whose lowest byte comes first in memory, as lanes need it.
     template <class Word, int Aligned> SPANGLE_INLINE static Word word_of(const std::uint8_t* at) {
         Word v;
         __builtin_memcpy(&v, __builtin_assume_aligned(at, Aligned), sizeof v);
@@ -218,7 +218,8 @@ class TexelFetch {
             return word_of<std::uint16_t, Aligned>(at(lane));
         });
     }
-    /// Fetches texels of other formats. Palettes and blocks are found by numbers, other texels by bytes.
+    /// Fetches texels of other formats. Palettes and blocks are found by numbers, and other texels by
+    /// addresses.
     [[gnu::noinline]] void fetch_others(Bytes& to) const {
         const auto words = [&](int corner, std::int32_t g, auto word) {
             to[corner][g] = LaneBytes::of(L::generate(word));

@@ -1,5 +1,5 @@
-// Texels of formats that have no loops of their own: 16-bit colours with alpha, palettes, ETC1 blocks. They
-// are sampled where they lie, without expansion.
+// Texels of formats without fused loops: 16-bit colours with alpha, palettes, and ETC1 blocks. Textures of
+// these formats are sampled as they lie in memory, without expansion.
 #pragma once
 
 #include "raster/ops/texel.hpp"
@@ -8,16 +8,16 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// True for formats whose texels are found by their place (i, j), not by an address.
+/// True for formats whose texels are found by column and row (i, j), not by an address.
 constexpr bool is_indirect(TexelFormat format) {
     return has_indirect_texels && format >= TexelFormat::p4;
 }
 
-/// The form in which texels come into lanes.
+/// The form in which lanes get texels.
 enum class TexelWords : std::uint8_t {
     rgb565,
-    bytes, ///< components of 8 bits, exactly
-    none,  ///< not in lanes, but one by one
+    bytes, ///< components of exactly 8 bits
+    none,  ///< texels are read one by one, not in lanes
 };
 constexpr TexelWords words_of(TexelFormat format) {
     switch (sampled(format)) {
@@ -37,7 +37,7 @@ constexpr TexelWords words_of(const Texture& texture) {
     return words_of(palette ? texture.palette_format : texture.format);
 }
 
-/// R, G, B of one texel of an ETC1 image, R lowest (OES_compressed_ETC1_RGB8_texture).
+/// R, G and B of one texel of an ETC1 image, with R in the lowest byte (OES_compressed_ETC1_RGB8_texture).
 inline std::uint32_t etc1_word(const std::uint8_t* blocks, std::int32_t width, std::int32_t i,
                                std::int32_t j) {
     constexpr std::uint8_t steps[8][2] = {{2, 8},   {5, 17},  {9, 29},   {13, 42},
@@ -90,8 +90,8 @@ inline std::uint32_t word_4444(const std::uint8_t* at) {
     return (w >> 12 | (w & 0xF00) | (w & 0xF0) << 12 | (w & 15) << 24) * 17;
 }
 
-/// The RGBA bytes of a texel of TexelWords::bytes whose format is not common; s and t are as find_texels()
-/// left them.
+/// The RGBA bytes of a texel of TexelWords::bytes whose format is not common. s and t are the numbers that
+/// find_texels() has found.
 inline std::uint32_t other_word(const Texture& texture, const TextureLevel& image, std::int32_t s,
                                 std::int32_t t) {
     constexpr std::uint32_t opaque = 0xFF000000;

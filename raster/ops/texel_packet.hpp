@@ -1,4 +1,4 @@
-// Texels for the fragments of a packet: their addresses and their words. Modes are looked at once per packet.
+// Finds the addresses and the words of the texels for a packet. Modes are looked at once per packet.
 #pragma once
 
 #include "raster/ops/packet.hpp"
@@ -8,8 +8,8 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// One axis: byte offsets of texels and, with LINEAR, of their neighbours; weights of the neighbours in
-/// 256ths.
+/// The texels of one axis, as offsets in bytes. LINEAR also has the offsets of the next texels, and their
+/// weights in 256ths.
 struct TexelOffsets {
     std::int32_t at[packet_length], next[packet_length];
     std::uint16_t weight[packet_length];
@@ -18,11 +18,11 @@ struct TexelOffsets {
 /// An axis of an image.
 struct TexelScale {
     Wrap wrap;
-    std::int32_t size, bytes; ///< texels of the axis; bytes from texel to texel
+    std::int32_t size, bytes; ///< texels of the axis, and bytes from texel to texel
     bool border;              ///< the image has border texels
 };
 
-/// find_texels() for any size and wrap mode.
+/// Does what find_texels() does, for any size and wrap mode.
 template <int Lanes>
 [[gnu::noinline]] bool find_general_texels(TexelOffsets& to, bool linear, const TexelScale& axis,
                                            const std::uint32_t* coord, std::int32_t group, std::int32_t n) {
@@ -44,8 +44,8 @@ template <int Lanes>
     return axis.border || stored;
 }
 
-/// Finds the texels along one axis. `coord` holds coordinates in groups that are `group` words apart. False:
-/// some texel belongs to a border that is only a colour.
+/// Finds the texels along one axis. `coord` holds coordinates in groups that are `group` words apart. Returns
+/// false where a texel belongs to a border that is only a colour.
 template <int Lanes>
 [[gnu::noinline]] bool find_texels(TexelOffsets& to, bool linear, const TexelScale& axis,
                                    const std::uint32_t* coord, std::int32_t group, std::int32_t n) {
@@ -101,7 +101,7 @@ inline void fetch_texels(const Texture& texture, const TextureLevel& image, cons
     for (std::int32_t i = 0; i < n; ++i)
         to[i] = static_cast<std::uint16_t>(Lanes<1>::load(image.texels + t[i] + s[i]));
 }
-/// Fetches n texels as words of 8-bit components, and fills in the components that a format lacks.
+/// Fetches n texels as words of 8-bit components. Components that a format lacks are filled in.
 [[gnu::noinline]] inline void fetch_texels(const Texture& texture, const TextureLevel& image,
                                            const std::int32_t* s, const std::int32_t* t, std::int32_t n,
                                            std::uint32_t* to) {

@@ -1,5 +1,5 @@
-// Walks over the texels of one REPEAT image along a span, in place of coordinates and what the chain makes of
-// each of them. NEAREST and LINEAR share this part. Fused spans only.
+// Walks over the texels of one REPEAT image along a span. It takes the place of coordinates and of what the
+// chain computes from them. NEAREST and LINEAR share this part. Only fused spans use it.
 #pragma once
 
 #include "raster/ops/stage_coord.hpp"
@@ -9,14 +9,14 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// The position along one axis, in 2^-FractionBits texels: one shift of a word that wraps as the texture
-/// does. Lanes find their positions in scalars, because addresses are scalars.
+/// The position along one axis, in 2^-FractionBits texels. It is one shift of a word that wraps as the
+/// texture does. Lanes compute their positions as scalars, because addresses are scalars.
 template <bool Cubic, int FractionBits, bool Aside> class TexelAxis {
   public:
     using Step = decltype(CoordWalk<Cubic>::by);
     TexelAxis() = default;
-    /// Position 0 lies `origin` into the texture. Along an axis of one texel there is nothing to walk in
-    /// whole texels.
+    /// Position 0 lies `origin` inside of the texture. An axis of one texel has only one position in whole
+    /// texels.
     SPANGLE_INLINE TexelAxis(int log2_size, std::uint32_t v, std::uint32_t origin, const Step& dv)
         : log2_size_(log2_size), shift_(32 - FractionBits - log2_size), coordinate_{v - origin, dv} {
         if (FractionBits == 0 && log2_size == 0) {
@@ -27,13 +27,14 @@ template <bool Cubic, int FractionBits, bool Aside> class TexelAxis {
     SPANGLE_INLINE std::uint32_t position(std::uint32_t lane = 0) const {
         return coordinate_.value_after(static_cast<std::int32_t>(lane)) >> shift_;
     }
-    /// The number of lane 0's texel in the image, where this axis gives its row and `column` its column.
+    /// The number of lane 0's texel in the image. This axis gives the row, and `column` gives the column.
     SPANGLE_INLINE std::uint32_t place(const TexelAxis& column) const {
         static_assert(FractionBits == 0);
         return numeric::joined_aside(coordinate_.at, shift_, column.log2_size_, column.coordinate_.at,
                                      column.shift_);
     }
-    /// texel() of lane 0 by a product with the size, which is a factor32(); positions have no fraction here.
+    /// Does what texel() does for lane 0, by a product with `size`, which is a factor32(). Positions must
+    /// have no fraction bits.
     SPANGLE_INLINE std::uint32_t texel_of(std::uint32_t size) const {
         static_assert(FractionBits == 0 && numeric::long_products);
         return static_cast<std::uint32_t>(std::uint64_t{coordinate_.at} * size >> 32);
@@ -56,7 +57,7 @@ template <bool Cubic, int FractionBits, bool Aside> class TexelAxis {
         else
             return L::low_half(L::ramp(coordinate_.at, coordinate_.by) >> shift_) & mask;
     }
-    /// This axis as a straight line, where it is straight.
+    /// This axis as a straight line. straight() must hold.
     SPANGLE_INLINE TexelAxis<false, FractionBits, Aside> line() const {
         return {log2_size_, shift_, {coordinate_.at, coordinate_.slope()}};
     }
@@ -69,14 +70,14 @@ template <bool Cubic, int FractionBits, bool Aside> class TexelAxis {
     }
     SPANGLE_INLINE void step_straight(std::uint32_t pixels) { coordinate_.step_straight(pixels); }
     SPANGLE_INLINE bool straight() const { return coordinate_.straight(); }
-    /// True where n steps stay in one position.
+    /// True where n steps stay at one position.
     SPANGLE_INLINE bool constant(std::uint32_t n) const { return coordinate_.constant(n, shift_); }
-    /// True where n pixels have one position each, in order: the step is one, or so nearly that no position
-    /// is met twice.
+    /// True where n pixels have consecutive positions, one each. The step is one texel, or so nearly one that
+    /// no position is met twice.
     SPANGLE_INLINE bool one_to_one(std::uint32_t n) const {
         static_assert(!Cubic);
         const auto excess = static_cast<std::int32_t>(coordinate_.by - (1u << shift_));
-        if (excess == 0) // sprites: the step is one texel, and no product is needed
+        if (excess == 0) // sprites have a step of one texel, for which no product is needed
             return true;
         const std::int64_t last =
             std::int64_t{coordinate_.at & ((1u << shift_) - 1)} + std::int64_t{excess} * (n - 1);
@@ -91,8 +92,8 @@ template <bool Cubic, int FractionBits, bool Aside> class TexelAxis {
         : log2_size_(log2_size), shift_(shift), coordinate_(v) {}
 };
 
-/// The walk for T, a TextureFixed. Positions have F::fraction_bits, and position 0 lies F::origin(log2 of the
-/// size) into the texture.
+/// The walk over the texels of T, a TextureFixed. Positions have F::fraction_bits fraction bits. Position 0
+/// lies F::origin(log2 of the size) inside of the texture.
 template <class T, int Unit, class Runs, class F> class TexelWalk : public T {
   public:
     using N = typename T::System;
@@ -122,8 +123,8 @@ template <class T, int Unit, class Runs, class F> class TexelWalk : public T {
     SPANGLE_INLINE void step_row() { s.step_straight(N::lanes); }
 
   protected:
-    /// True where shifts reach few registers and little else is done with a texel than to fetch it.
-    /// Coordinates then leave those registers to addresses.
+    /// True where shifts can use few registers, and little is done with a texel besides fetching it.
+    /// Coordinates then leave these registers to addresses.
     static constexpr bool aside = !numeric::long_products && is_raw<N> && N::lanes == 1;
     using Axis = TexelAxis<is_cubic<Runs>, F::fraction_bits, aside>;
     Axis s, t;

@@ -1,5 +1,5 @@
-// A tile is what a small triangle hands to a loop of its own where there are eight lanes. Its rows are not
-// found first: lanes are alive where three edges say so, and nothing is divided.
+// A tile is a small triangle, as a separate loop draws it on hosts with eight lanes. Its rows are not found
+// in advance. Three edges say which lanes are alive, and no division is needed.
 #pragma once
 
 #include <bit>
@@ -10,30 +10,31 @@
 
 namespace spangle::raster {
 
-/// Eight columns of a few rows, all of them inside of the scissor rectangle: pixels under dead lanes keep
-/// what they hold. A triangle of more columns is two tiles side by side. A narrow tile has four columns, so
-/// that eight lanes are two rows, and an even number of rows.
+/// Eight columns of a few rows, all inside of the scissor rectangle. Pixels under dead lanes keep their bits.
+/// A wider triangle is two tiles side by side. A narrow tile has four columns, so eight lanes are two rows,
+/// and its number of rows is even.
 struct Tile {
     static constexpr std::int32_t columns = 8, most_rows = 12, most_rows_of_two = 6;
     static constexpr std::int32_t narrow_columns = 4, most_narrow_rows = 22;
 
-    std::int32_t x, y; ///< window position of lane 0 of the first row
+    std::int32_t x, y; ///< window position of lane 0 in the first row
     std::int32_t rows;
-    std::int32_t dead_rows; ///< first rows that are dead, so that the number of rows is even
+    std::int32_t dead_rows; ///< dead rows at the beginning, which make the number of rows even
     bool narrow;
-    /// Three edges, k = 0, 1, 2. Twice the signed area that the centre of a lane spans with an edge, in units
-    /// of 2^-8 pixels, rounded down, is negative outside. Its value in the first lane is value[2 k]; a pixel
-    /// further right it is by[k] more, and a row further up by[k + 4] more.
+    /// Three edges, k = 0, 1, 2. A lane lies outside of an edge where its value is negative. The value is
+    /// twice the signed area between the edge and the centre of the lane, in units of 2^-8 pixels, rounded
+    /// down. It is value[2 k] in the first lane. It grows by by[k] from pixel to pixel to the right, and by
+    /// by[k + 4] from row to row upwards.
     Lanes<8>::U16 value, by;
 
-    /// Moves on to the tile right of this one.
+    /// Moves to the tile to the right of this tile.
     void move_right() {
         x += columns;
         value += Lanes<8>::mixed_low(by, by) * columns;
     }
 };
 
-/// The lanes of a tile that its edges leave alive, by rows or by pairs of rows. L: Lanes<8> or
+/// The lanes of a tile that its edges leave alive, row by row, or by pairs of rows. L is Lanes<8> or
 /// Lanes<two_rows>.
 template <class L> class TileLanes {
   public:

@@ -1,4 +1,4 @@
-// Compiles draws of the reference policy, which are always chains.
+// Compiles draws of the reference policy. They are always drawn by chains.
 #include "raster/reference/stage_index_reference.hpp"
 #include "raster/reference/stage_reference.hpp"
 

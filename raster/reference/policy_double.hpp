@@ -1,4 +1,5 @@
-// The reference policy: every formula straight from the specification, in double. Hosts only.
+// The reference policy. It computes every formula of the specification in double. It is compiled on hosts
+// only.
 #pragma once
 
 #include <cmath>
@@ -14,17 +15,18 @@ struct Double {
     using Projective = double;
 };
 
-/// min(max(v, 0), 1); NaN is 0.
+/// min(max(v, 0), 1). NaN becomes 0.
 inline double clamp01(double v) {
     return v > 0 ? (v < 1 ? v : 1) : 0;
 }
 
-/// v, or 0 where the texels of v do not fit an int32 (1/w or q are not positive, which GL leaves undefined).
+/// v, or 0 where the texels of v do not fit an int32. This happens where 1/w or q are not positive, which GL
+/// leaves undefined.
 inline double bounded_or_zero(double v) {
     return std::fabs(v) < 1 << 20 ? v : 0;
 }
 
-/// The number system of the reference: components are 0 .. 1.
+/// The number system of the reference. Components are 0 .. 1.
 struct Reference {
     using Policy = Double;
     static constexpr int lanes = 1;
@@ -41,10 +43,11 @@ struct Reference {
     static T texel5(std::uint32_t k) { return from5(k); }
     static T texel6(std::uint32_t k) { return from6(k); }
     static T from_units(std::uint32_t c) { return static_cast<double>(c) / color_one; }
-    /// The nearest k of k / 255 (GL 1.3, 2.13.9). Halves round up, also where double missed them by its own
-    /// error.
+    /// The k for which k / 255 is nearest to v (GL 1.3, 2.13.9). Halves round up; 1e-9 makes up for the error
+    /// of double.
     static std::uint32_t to8(T v) { return static_cast<std::uint32_t>(v * 255 + (0.5 + 1e-9)); }
-    /// A colour that lies on a threshold becomes the step above it, also where double missed it.
+    /// The dithered component. A colour on a threshold becomes the step above it; 1e-9 makes up for the error
+    /// of double.
     template <unsigned Bits> static std::uint32_t dithered(T v, std::uint32_t threshold32) {
         return static_cast<std::uint32_t>(v * ((1 << Bits) - 1) + (threshold32 / 32.0 + 1e-9));
     }

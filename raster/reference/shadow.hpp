@@ -1,5 +1,5 @@
-// The shadow policy: the product draws, and beside it every stage is computed again in double and the two are
-// compared (docs/architecture/fragments.md, "Policies"). Hosts only.
+// The shadow policy. The product draws, every stage is also computed in double, and both results are compared
+// (docs/architecture/fragments.md, "Policies"). It is compiled on hosts only.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,22 @@ struct Shadow {
     using Vertex = ShadowVertex;
 };
 
-/// The product's span, which draws, and its twin.
+/// The product's span, which draws, and the span of the double policy beside it.
 template <> struct Span<Shadow> : Span<Fixed> { Span<Double> twin; };
 
-/// What is compared, in the order of the pipeline. The vertex stages are reported by the vertex pipeline.
+/// The values that are compared, in the order of the pipeline. The vertex pipeline reports the vertex stages.
 enum class ShadowStage : std::uint8_t {
     vertex_color, ///< largest difference of a component, 0 .. 1
-    vertex_coord, ///< s / q, t / q of a unit, repeats of the texture
+    vertex_coord, ///< s / q and t / q of a unit, in repeats of the texture
     vertex_fog,   ///< eye distance, relative
-    window_x,     ///< pixels, against the unsnapped position: half a step of n.8 is 0.00195
+    window_x,     ///< pixels, compared with the position before snapping: half a step of n.8 is 0.00195
     window_y,
-    snapping,  ///< difference to the double position snapped to nearest, in steps of n.8, x and y
+    snapping,  ///< difference from the double position snapped to the nearest, in steps of n.8, x and y
     window_z,  ///< 0 .. 1
     inverse_w, ///< relative
     depth,     ///< 0 .. 1
-    primary,   ///< difference of a component, 0 .. 1; so are all colours
-    coord0,    ///< texels of the base level; repeats are equal
+    primary,   ///< difference of a component, 0 .. 1, as for all colours
+    coord0,    ///< texels of the base level, where whole repeats do not count
     lod0,      ///< levels
     texture0,  ///< colour after the unit
     coord1,
@@ -44,14 +44,14 @@ const char* unit_of(ShadowStage stage);
 
 struct ShadowRecord {
     std::uint64_t count = 0;
-    std::uint64_t saturated = 0;    ///< fixed values among these at a limit of their range (0 does not count)
+    std::uint64_t saturated = 0;    ///< number of fixed values at a limit of their range, of which 0 is none
     double worst = 0;               ///< largest |fixed - double|
     double squares = 0;             ///< sum of (fixed - double)^2
     double least = 0, greatest = 0; ///< range of the double values
-    std::uint64_t flips = 0;        ///< for coordinates: fragments whose NEAREST texel is another one
+    std::uint64_t flips = 0;        ///< for coordinates: number of fragments whose NEAREST texel differs
 
     void add(double fixed, double exact) { add_difference(fixed - exact, exact); }
-    /// Adds a comparison in which the fixed value cannot lie beyond +-limit.
+    /// Adds a comparison in which the fixed value lies in [-limit, limit].
     void add(double fixed, double exact, double limit);
     void add_difference(double difference, double exact);
     double rms() const;
@@ -62,10 +62,11 @@ struct ShadowReport {
     ShadowRecord& operator[](ShadowStage s) { return stage[static_cast<unsigned>(s)]; }
 };
 
-/// Where shadow draws of this thread report to; null (the initial state) draws only. Returns the old one.
+/// Sets where shadow draws of this thread report to. With null, which is the initial value, they only draw.
+/// Returns the former value.
 ShadowReport* report_shadow(ShadowReport* report);
 
-/// The report that report_shadow() has set, or null, for the stages before the fragments.
+/// The report that report_shadow() has set, or null. Code before the fragment stages reads it.
 ShadowReport* shadow_report();
 
 } // namespace spangle::raster

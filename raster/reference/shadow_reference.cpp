@@ -11,15 +11,16 @@ namespace {
 
 thread_local ShadowReport* current_report = nullptr;
 
-// The units of the fixed policy's words: raw colours and fog factors have 24 fraction bits. A coordinate that
-// repeats is a fraction of 32 bits of the image, and one that is clamped has 28 fraction bits and its sign.
+// Units of the fixed policy's words. Raw colours and fog factors have 24 fraction bits. A coordinate that
+// repeats is a fraction of the image with 32 bits. A coordinate that is clamped is signed and has 28 fraction
+// bits.
 constexpr double word_24 = 0x1p-24, word_32 = 0x1p-32, word_28 = 0x1p-28;
-/// The largest repeat that a clamped coordinate holds is less than 8 by no more than this.
+/// A clamped coordinate is saturated where it is nearer to 8 repeats than this.
 constexpr double saturation = 0x1p-27;
-/// What NEAREST adds to the place of a coordinate, in texels, so that edges of texels fall to one side.
+/// NEAREST adds this to the place of a coordinate, in texels, so that edges of texels fall to one side.
 constexpr double nearest_bias = 0x1p-13;
 
-/// One fragment, computed by both policies.
+/// One fragment that both policies compute.
 template <class N> class Fragment {
   public:
     Fragment(const Span<Fixed>& fixed, const Span<Double>& twin, std::int32_t x, ShadowReport& report)
@@ -54,7 +55,7 @@ template <class N> class Fragment {
     Px<N> fixed_fragment_;
     Px<Reference> double_fragment_;
 
-    /// Runs a stage in both policies. False: one of them dropped the fragment.
+    /// Runs a stage in both policies. Returns false where one of them has dropped the fragment.
     template <class FixedStage, class DoubleStage> bool run() {
         FixedStage fixed(fixed_, x_);
         if constexpr (FixedStage::runs)
@@ -89,7 +90,7 @@ template <class N> class Fragment {
         if (!state.needs.rgb)
             return static_cast<void>(run<White<N>, White<Reference>>());
         const bool alpha = state.needs.alpha;
-        // Where no colour is divided, spans have no planes of colours over w.
+        // In builds that divide no colour, spans have no planes of colours over w.
         if constexpr (has_full)
             if (fixed_.kind == Kind::full) {
                 alpha ? run<GouraudQ<N, true>, GouraudQ<Reference, true>>()
@@ -101,8 +102,8 @@ template <class N> class Fragment {
         colors(ShadowStage::primary);
     }
 
-    /// Compares colours before their low bits are dropped: counted in steps, or 8.24 with the half that
-    /// rounds to 8 bits.
+    /// Compares colours before their low bits are dropped. They are counted in steps, or in 8.24 with the
+    /// half that rounds to 8 bits.
     void raw_primary() {
         const Gouraud<N, false> fixed(fixed_, x_);
         run<Gouraud<N, false>, Gouraud<Reference, false>>();
@@ -117,7 +118,7 @@ template <class N> class Fragment {
     }
 
     template <int Unit> void coord(const DrawState& state, ShadowStage stage) {
-        // This choice of runs is that of the chain.
+        // The chain chooses runs in the same way.
         const bool cubic = of_tier<has_cubic_runs>(state);
         if (fixed_.kind < Kind::textured)
             run<Coord<N, Unit, false>, Coord<Reference, Unit, false>>();
@@ -127,7 +128,7 @@ template <class N> class Fragment {
             run<CoordAlong<N, Unit, DividedCoords>, Coord<Reference, Unit, true>>();
         else
             run<CoordAlong<N, Unit, CubicRuns>, Coord<Reference, Unit, true>>();
-        /// Compares one axis. True where both coordinates lie in one texel.
+        /// Compares one axis. Returns true where both coordinates lie in one texel.
         const auto axis = [&](std::uint32_t fixed, double coordinate, bool wraps, int log2_size,
                               bool halved) {
             const double exact = halved ? coordinate / 2 : coordinate;
@@ -156,7 +157,7 @@ template <class N> class Fragment {
         if (!wants_lod(*state.fragment.unit[Unit].texture))
             return;
         run<Lod<N, Unit>, Lod<Reference, Unit>>();
-        // Below 0 texels are magnified; by how much makes no difference.
+        // A lambda below 0 means magnification, whose amount makes no difference.
         report_[lod].add(std::fmax(fixed_fragment_.lod[Unit][0] / 256.0, 0),
                          std::fmax(double_fragment_.lod[Unit][0] / 256.0, 0));
     }
@@ -244,7 +245,7 @@ template <class N> class Fragment {
     }
 };
 
-/// Compares a row before anything is drawn: the destination of blending still holds the old colours.
+/// Compares a row before it is drawn, while the destination of blending still holds its old colours.
 template <class N> void compare_row(const Span<Shadow>& span) {
     ShadowReport* const report = current_report;
     if (report == nullptr)
@@ -260,8 +261,8 @@ template <class N> void compare_row(const Span<Shadow>& span) {
         Fragment<N>(span, twin, x, *report).compare_all();
 }
 
-/// Compares and draws rows. Chain is the number system of the chain that draws; it runs with the instructions
-/// that it was assembled for.
+/// Compares rows and draws them. Chain is the number system of the chain that draws. The chain runs with the
+/// instruction set for which it was assembled.
 template <class N, Number Chain> void shadow_rows(Span<Shadow>& span, const Row* row, const Row* end) {
     const bool narrow = is_narrow(span.target->format);
     const auto run = reinterpret_cast<RowsFunction<Fixed>>(chain_runner(Chain, narrow));
@@ -349,7 +350,7 @@ ShadowReport* shadow_report() {
 
 template <> void compile<ShadowVertex>(const FragmentState& state, const Surface& target, DrawState& draw) {
     compile<FixedVertex>(state, target, draw);
-    draw.guesses = false; // set-up must make the planes that the chain divides
+    draw.guesses = false; // the chain divides planes that set-up must make
     for (int i = 0; i < kind_count; ++i)
         if (Variant& variant = draw.variant[i]; variant.run != nullptr) {
             variant.run = shadow_runner(make_key(state, target, static_cast<Kind>(i)).number);

@@ -1,9 +1,9 @@
-// Answers what a draw's tier says, where a line of code asks for it.
+// Returns values that depend on a draw's tier.
 //
-// `Of` is a formula without captures that makes a value of knobs, such as [](const Knobs& k) { return
-// k.unsnapped; }. Where programs compose tiers it is applied to the knobs of the draw. Elsewhere each tier's
-// value is a constant. What is left is one comparison of tiers, or nothing where a build has given knobs:
-// firmware holds no knobs.
+// `Of` is a lambda without captures that computes a value from knobs, such as [](const Knobs& k) { return
+// k.unsnapped; }. Where programs compose tiers, it is applied to the knobs of the draw. Elsewhere each tier's
+// value is a constant, and the code compares tiers. Builds with given knobs need no comparison, and firmware
+// stores no knobs.
 #pragma once
 
 #include "raster/span/draw_state.hpp"
@@ -19,7 +19,8 @@ template <auto Of> SPANGLE_INLINE auto of_tier(const DrawState& draw) {
 template <auto Of> SPANGLE_INLINE auto of_tier(const FragmentState& state) {
     return Of(state.own_tier ? state.knobs : knobs_of(state.tier));
 }
-/// As of_tier(), for code that only tiers with straight runs, or only tiers with cubic runs, reach.
+/// Does what of_tier() does, for code that only tiers with straight runs reach. of_cubic_tier() is for code
+/// that only tiers with cubic runs reach.
 template <auto Of> SPANGLE_INLINE auto of_straight_tier(const DrawState& draw) {
     return Of(draw.knobs);
 }
@@ -30,8 +31,8 @@ template <auto Of> SPANGLE_INLINE auto of_cubic_tier(const DrawState& draw) {
 template <auto Of, class State> SPANGLE_INLINE constexpr auto of_tier(const State&) {
     return Of(given_knobs);
 }
-/// Given knobs have one form of runs. Runs of the other form are those of a tier of the library: narrow
-/// surfaces have cubic runs.
+/// Given knobs have one form of runs. Runs of the other form are those of a tier of the library, because
+/// narrow surfaces have cubic runs.
 template <auto Of> SPANGLE_INLINE constexpr auto of_straight_tier(const DrawState&) {
     return Of(given_knobs.runs == Runs::straight ? given_knobs : balanced_knobs);
 }
@@ -58,11 +59,11 @@ template <auto Of> SPANGLE_INLINE constexpr auto of_cubic_tier(const DrawState&)
 }
 #endif
 
-/// Whether colours are combined in 20 bits below a 255th.
+/// Whether colours have 20 bits below a 255th.
 inline constexpr auto has_exact_colors = [](const Knobs& k) { return k.color_bits == 20; };
 inline constexpr auto has_cubic_runs = [](const Knobs& k) { return k.runs == Runs::cubic; };
 
-/// Whether attributes go through the vertices as they were before snapping.
+/// Whether attributes pass through the vertices' positions before snapping.
 SPANGLE_INLINE bool unsnaps(const DrawState& draw) {
     return has_tier(Tier::exact) && of_tier<[](const Knobs& k) { return k.unsnapped; }>(draw);
 }

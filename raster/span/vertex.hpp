@@ -1,4 +1,4 @@
-// A vertex of each numeric policy, and what coverage sees of it.
+// A vertex of each numeric policy, and its position as coverage reads it.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +7,9 @@
 
 namespace spangle::raster {
 
-/// A vertex of the reference policy. Its x and y are the snapped ones of the product, for coverage and depth.
-/// All else is double in GL's own units (colours and depth 0 .. 1), on planes through the position before
-/// snapping.
+/// A vertex of the reference policy. x and y are the snapped position of the product, for coverage and depth.
+/// All other attributes are doubles in GL's units (colours and depth are 0 .. 1). Their planes go through the
+/// position before snapping.
 struct DoubleVertex {
     std::int32_t x, y;
     double z, inv_w, fog;
@@ -20,14 +20,14 @@ struct DoubleVertex {
     double x_exact, y_exact; ///< window position before snapping
 };
 
-/// A vertex of the shadow policy: one of each other policy, so that every step is recorded
+/// A vertex of the shadow policy. It holds a vertex of each other policy, so that every step can be compared
 /// (docs/architecture/fragments.md, "Policies": diagnosis and profiling). The picture comes from `fixed`.
 struct ShadowVertex {
     FixedVertex fixed;
     DoubleVertex twin;
 };
 
-/// Gives a vertex another depth, z in Q0.30.
+/// Sets the depth of a vertex; z is in Q0.30.
 inline void set_depth(FixedVertex& v, std::uint32_t z) {
     v.z = z;
 }
@@ -39,7 +39,7 @@ inline void set_depth(ShadowVertex& v, std::uint32_t z) {
     set_depth(v.twin, z);
 }
 
-/// The snapped position of a vertex (n.8), as coverage sees it in every policy.
+/// The snapped position of a vertex (n.8). Coverage reads it in every policy.
 struct Position {
     std::int32_t x, y;
 };
@@ -56,7 +56,7 @@ constexpr Position position(const ShadowVertex& v) {
     return {v.fixed.x, v.fixed.y};
 }
 
-/// Moves a vertex to the position p; its other attributes stay.
+/// Moves a vertex to the position p. Its other attributes do not change.
 constexpr void place(FixedVertex& v, const Position& p) {
     v.x = p.x;
     v.y = p.y;
