@@ -1,5 +1,5 @@
-// Selects the windows that a frame is sent in: one rectangle, rows, or spans, whichever costs least on this
-// bus.
+// Selects the windows in which a frame is sent: one rectangle, rows, or spans. The cheapest choice depends on
+// the bus.
 #pragma once
 
 #include "hal/display/span_plan.hpp"
@@ -9,12 +9,12 @@ namespace spangle::hal {
 
 class FramePlan {
   public:
-    /// `spans`: a plan of the row hash, whose code is `code`; or null.
+    /// `spans` is a plan of the row hash, whose code is `code`; both are null without a row hash.
     FramePlan(const WindowPlan& rows, SpanPlan* spans, const RowHashCode* code)
         : window_plan_(rows), span_plan_(spans), row_hashes_(code),
           uses_spans_(spans != nullptr && spans->total_cost() < rows.total_cost()) {}
 
-    /// The next window from the top, or false after the last.
+    /// Gives the next window from the top, or returns false after the last window.
     bool next(Rect& window) {
         return uses_spans_ ? row_hashes_->next(*span_plan_, window) : window_plan_.next(window);
     }

@@ -49,7 +49,8 @@ Result<void> MappedDisplay::init() {
     return {};
 }
 
-/// Display controllers that scan out eight bits a pixel look up every pixel in the palette.
+/// Sets the initial palette. Display controllers that scan out eight bits per pixel look every pixel up in
+/// it.
 void MappedDisplay::begin_palette() {
     if (format_info(config_.format).bits != 8 || (!is_narrow(config_.format) && !is_indexed(config_.format)))
         return;
@@ -92,7 +93,7 @@ Result<Frame> MappedDisplay::acquire() {
     if (!take_free_buffer()) {
         if (const auto r = wait_for_scan(); !r)
             return r.error();
-        take_free_buffer(); // now all buffers but one are free
+        take_free_buffer(); // now all buffers except one are free
     }
     const std::uint32_t age = drawn_in_[back_] == 0 ? 0 : frame_ - drawn_in_[back_] + 1;
     return Frame{config_.buffers[back_], stride(), static_cast<std::int32_t>(age), &extents_};
@@ -125,7 +126,7 @@ Result<void> MappedDisplay::finish() {
     return ready_ ? wait_for_scan() : Result<void>{};
 }
 
-/// Cleans the cache where something was drawn.
+/// Cleans the cache for the rows and columns in which pixels were drawn.
 void MappedDisplay::clean() {
     const std::uint8_t* const first = config_.buffers[back_];
     if (extents_.cleared || extents_.rows == nullptr) {

@@ -1,5 +1,5 @@
-// Draws frames of a panel in bands: a band is drawn in a buffer of some rows, and sent while the next one is
-// drawn.
+// Draws frames of a panel in bands. A band is drawn in a buffer of some rows, and is sent while the next band
+// is drawn.
 #include <spangle/hal/panel_display.hpp>
 
 #include "hal/display/row_spans.hpp"
@@ -25,7 +25,7 @@ Result<Frame> PanelDisplay::acquire_rows(std::int32_t first, std::int32_t rows) 
     if (pixels == nullptr)
         return Error{Fault::busy, "display: acquire while a late transfer still reads the band"};
     if (first == 0 && is_indexed(config_.format) && memory_.palette->any_stale()) {
-        forget_content(); // pixels of the new colours were drawn in buffers that are gone
+        forget_content(); // the buffers whose pixels show the new colours are gone
         memory_.palette->all_fresh();
     }
     band_.first = first;
@@ -72,8 +72,8 @@ Result<void> PanelDisplay::send_changed_rows() {
     return send();
 }
 
-/// Sends a band whole: nothing records what the panel shows. Columns are widened to whole bytes, and bands
-/// end at whole bytes.
+/// Sends all pixels of a band, because nothing records what the panel shows. Columns are widened to whole
+/// bytes, and bands end at whole bytes.
 Result<void> PanelDisplay::send_all_rows() {
     const std::int32_t unit = shared().width;
     begin_send();
@@ -84,14 +84,14 @@ Result<void> PanelDisplay::send_all_rows() {
     return end_send();
 }
 
-/// Collects what differs between the panel's memory and the band: what was drawn, and what the panel shows
-/// there outside of its clear value. Everything differs where that value changed.
+/// Collects the differences between the panel's memory and the band. They are the pixels that were drawn, and
+/// pixels in which the panel does not show its clear value. Where that value has changed, all pixels differ.
 void PanelDisplay::collect_band_damage() {
     const RowSpan all = {0, picture_.width};
     PanelContent& shown = content_[0];
     if (band_.first == 0)
         band_.clear_value = extents_.clear_value;
-    const bool apart = extents_.clear_value != band_.clear_value; // this band has a value of its own
+    const bool apart = extents_.clear_value != band_.clear_value; // this band has its own clear value
     const bool everything = apart || extents_.clear_value != shown.clear_value || shown.rows == nullptr;
     for (std::int32_t y = 0; y < band_.rows; ++y) {
         const RowSpan now = clip(memory_.touched[y], picture_.width);
@@ -103,7 +103,7 @@ void PanelDisplay::collect_band_damage() {
         shown.clear_value = band_.clear_value;
 }
 
-/// Forgets what the panel shows, for frames in bands. For whole frames `damage` holds what is unknown.
+/// Forgets what the panel shows, for frames in bands. For whole frames, `damage` holds what is unknown.
 void PanelDisplay::forget_content() {
     if (config_.band == 0 || content_[0].rows == nullptr)
         return;

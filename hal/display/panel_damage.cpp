@@ -1,11 +1,11 @@
-// Collects damage: what the panel's memory does not hold yet.
+// Collects damage: the pixels that the panel's memory does not hold yet.
 #include <spangle/hal/panel_display.hpp>
 
 #include "hal/display/row_spans.hpp"
 
 namespace spangle::hal {
 
-/// The pixels across and down that share bytes, in the picture or on the wire.
+/// The numbers of pixels across and down that share bytes, in the picture or on the wire.
 Extent PanelDisplay::shared() const {
     const Extent wire = windows_.shared(),
                  lying = config_.wire.converts() ? Extent{1, 1} : sharing(config_.format);
@@ -13,7 +13,7 @@ Extent PanelDisplay::shared() const {
             wire.height > lying.height ? wire.height : lying.height};
 }
 
-/// Widens the damage, so that windows end at whole bytes: rows that share bytes share the damage.
+/// Widens the damage, so that windows end at whole bytes. Rows that share bytes get the same damage.
 void PanelDisplay::widen_damage() {
     const Extent shared = this->shared();
     if (shared.width == 1 && shared.height == 1)
@@ -31,14 +31,14 @@ void PanelDisplay::widen_damage() {
     }
 }
 
-/// Collects what differs between the panel's memory and the frame, by row:
-///  - what was drawn now;
-///  - after a full clear, what the shown frame held outside its clear value, or everything when that value
-///  changed;
-///  - with two buffers and no full clear, what the last present changed, since this buffer is one frame
-///    older;
-///  - what a failed transfer leaves unknown;
-///  - what was sent in place, which the other buffer does not have.
+/// Collects, row by row, the differences between the panel's memory and the frame:
+/// - pixels that were drawn in this frame;
+/// - after a full clear, pixels in which the shown frame did not hold its clear value, or all pixels when
+///   that value has changed;
+/// - with two buffers and no full clear, pixels that the last present changed, because this buffer is one
+///   frame older;
+/// - pixels that a failed transfer leaves unknown;
+/// - pixels that were sent in place, which the other buffer does not have.
 void PanelDisplay::collect_damage() {
     const PanelContent& shown = content_[front_];
     PanelContent& drawn = content_[back_];
@@ -60,7 +60,7 @@ void PanelDisplay::collect_damage() {
         drawn.clear_value = extents_.clear_value;
 }
 
-/// Copies what differs into the second buffer, in the order of the scan.
+/// Copies the damaged pixels into the second buffer, in the order of the scan.
 void PanelDisplay::turn_damage() {
     std::uint8_t* const to = buffers_[1].to_draw(bus_);
     memory_.turner(scan_,

@@ -1,4 +1,5 @@
-// Frames of a panel, how they are put off and shown, and the outcomes of transfers.
+// Acquires and presents frames of a panel, puts presents off while the wire is busy, and handles the outcomes
+// of transfers.
 #include <spangle/hal/panel_display.hpp>
 
 #include "hal/display/row_spans.hpp"
@@ -44,13 +45,13 @@ DisplayInfo PanelDisplay::info() const {
 
 // --- Transfers ---
 
-/// The longest operation of the bus in bytes, whole pixels where these have whole bytes.
+/// The longest operation of the bus in bytes. Where pixels have whole bytes, it holds whole pixels.
 std::uint32_t PanelDisplay::op_limit() const {
     const std::uint32_t limit = caps_.max_transfer != 0 ? caps_.max_transfer : UINT32_MAX;
     return wire_bits() % 8 == 0 ? limit - limit % (wire_bits() / 8) : limit;
 }
 
-/// Sends what the list holds when fewer than `ops` more fit.
+/// Sends the operations in the list where there is no room for `ops` more.
 Result<void> PanelDisplay::make_room(std::size_t ops) {
     if (ops_.room() >= ops)
         return {};
@@ -154,14 +155,14 @@ Result<void> PanelDisplay::present_frame() {
     return {};
 }
 
-/// Sends the frame that was drawn. `in_place`: the next frame is drawn in the same buffer.
+/// Sends the frame that was drawn. `in_place` says that the next frame is drawn in the same buffer.
 Result<void> PanelDisplay::show(bool in_place) {
     restore_extents();
     collect_damage();
     const bool recolored = is_indexed(config_.format) && collect_palette_damage();
     if (turns_)
         turn_damage();
-    if (hash_.enabled()) // reduced damage would not suffice for a buffer two sends behind
+    if (hash_.enabled()) // reduced damage would not be enough for a buffer that is two sends behind
         memory_.hash.code->reduce(hash_, sent_damage(), buffers_[turns_ ? 1 : back_].to_send(),
                                   static_cast<std::int32_t>(sent_stride()), suspect_ || behind_ || recolored);
     if (const auto r = send(); !r)
@@ -174,7 +175,7 @@ Result<void> PanelDisplay::show(bool in_place) {
     return {};
 }
 
-/// The frame was handed over: the next one starts with nothing touched.
+/// Accepts that the frame was handed over. The next frame starts with nothing touched.
 void PanelDisplay::accept(bool in_place) {
     front_ = back_;
     behind_ = in_place && canvases() == 2;
@@ -185,7 +186,7 @@ void PanelDisplay::accept(bool in_place) {
 
 // --- Pacing ---
 
-/// Puts this present off if the wire is busy and it need not wait. True: it was put off.
+/// Puts this present off if the wire is busy and the present need not wait. Returns true if it was put off.
 bool PanelDisplay::put_off() {
     if (!in_flight_ || bus_.done(token_) || (waits_ && config_.pacing == Pacing::block))
         return false;
@@ -196,7 +197,7 @@ bool PanelDisplay::put_off() {
     return true;
 }
 
-/// Sets aside what the frame touched, so that `touched` shows whether more is drawn.
+/// Keeps what the frame touched in `held`, so that `touched` shows whether more is drawn.
 void PanelDisplay::hold_extents() {
     restore_extents();
     held_cleared_ = extents_.cleared;
@@ -212,7 +213,7 @@ void PanelDisplay::restore_extents() {
         return;
     owed_ = false;
     if (extents_.cleared)
-        return; // a full clear leaves nothing of that frame
+        return; // a full clear replaces all pixels of that frame
     extents_.cleared = held_cleared_;
     extents_.clear_value = held_clear_value_;
     for (std::int32_t y = 0; y < extents_.height; ++y)

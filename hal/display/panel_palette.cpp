@@ -1,11 +1,12 @@
-// Pixels of index surfaces get their colours while they are sent: a new colour is damage wherever it shows.
+// Pixels of index surfaces get their colours while they are sent. So a new colour damages every pixel that
+// shows it.
 #include <spangle/hal/panel_display.hpp>
 
 #include "hal/display/row_spans.hpp"
 
 namespace spangle::hal {
 
-/// Sets the initial colours. None of them is stale: a panel that was just initialised is black, and shows no
+/// Sets the initial colours. None of them is stale: a panel that was just initialised is black and shows no
 /// index of the buffer.
 void PanelDisplay::begin_palette() {
     for (std::int32_t i = 0; i < palette_size; ++i)
@@ -30,8 +31,8 @@ Result<void> PanelDisplay::set_palette(std::int32_t first, std::int32_t count, c
     return {};
 }
 
-/// Adds to the damage of each row the columns from the first to the last pixel whose colour changed. False:
-/// no colour changed.
+/// Adds to the damage of each row the columns from the first to the last pixel whose colour has changed.
+/// Returns false where no colour has changed.
 bool PanelDisplay::collect_palette_damage() {
     Palette& palette = *memory_.palette;
     if (!palette.any_stale())

@@ -1,4 +1,4 @@
-// Reads the panel's status, and the pixels it holds.
+// Reads the panel's status, and the pixels in its memory.
 #include <spangle/hal/panel_display.hpp>
 
 namespace spangle::hal {
@@ -43,7 +43,7 @@ Result<void> PanelDisplay::read_back(const Rect& area, std::uint8_t* rgb) {
     return read_turned(area, rgb);
 }
 
-/// Reads rows of the picture one by one, each of which is a column or a row of the memory.
+/// Reads rows of the picture one by one. Each of them is a column or a row of the panel's memory.
 Result<void> PanelDisplay::read_turned(const Rect& area, std::uint8_t* rgb) {
     if (area.x < 0 || area.w <= 0 || area.h < 0 || area.w > picture_.width - area.x || area.y < 0 ||
         area.h > picture_.height - area.y)

@@ -1,4 +1,4 @@
-// Measures how long this panel's refresh takes.
+// Measures how long a refresh of this panel takes.
 #include <spangle/hal/panel_display.hpp>
 
 namespace spangle::hal {
@@ -8,10 +8,10 @@ constexpr std::size_t most_periods = 8;
 
 } // namespace
 
-/// Panels time their lines by an oscillator that is not trimmed: of two panels of one kind, one is some
-/// percent faster. A transfer as long as two refreshes would miss by dozens of lines. So tear-free displays
-/// time a few refreshes once. Where none is seen, or the time is implausible, the datasheet's time stays;
-/// presents then report what is wrong.
+/// Measures the time of one line. Panels time their lines by an oscillator that is not trimmed, so two panels
+/// of one kind differ by some percent. A transfer as long as two refreshes would then miss by dozens of
+/// lines. Tear-free displays therefore time a few refreshes once. Where no refresh is seen, or the time is
+/// implausible, the datasheet's time is kept. Presents then report what is wrong.
 Result<void> PanelDisplay::measure_refresh() {
     const PanelTiming& timing = config_.panel->timing;
     if (!tear_free() || timing.scan_lines == 0)

@@ -1,4 +1,4 @@
-// Sends a frame: its windows, their pixels in the wire's format, and when they may start.
+// Sends a frame: its windows, their pixels in the wire's format, and the moment at which they may start.
 #include <spangle/hal/panel_display.hpp>
 
 #include "hal/display/frame_plan.hpp"
@@ -6,7 +6,7 @@
 namespace spangle::hal {
 namespace {
 
-/// Operations before the first window of a frame that is tear-free.
+/// Operations before the first window of a tear-free frame.
 constexpr std::size_t sync_ops = 2;
 
 } // namespace
@@ -25,7 +25,7 @@ Result<void> PanelDisplay::send() {
         if (parts_.count_ops == nullptr || !one_list(config_) || cost.window >= dearest_window ||
             (this->*parts_.count_ops)(plan) + sync_ops <= ops_.capacity())
             return send_windows(plan);
-        cost.window = 2 * cost.window + 1; // the dearer a window, the fewer there are
+        cost.window = 2 * cost.window + 1; // the dearer a window, the fewer windows the plan has
     }
 }
 
@@ -59,9 +59,9 @@ Result<void> PanelDisplay::end_send() {
     return {};
 }
 
-/// Calls `visit` with each window as it will be sent, and the operations that open it.
+/// Calls `visit` with each window as it will be sent, and with the operations that open it.
 template <class Visit> void PanelDisplay::rehearse(FramePlan& plan, Visit visit) const {
-    constexpr std::size_t most = 16; // no window_size() is larger
+    constexpr std::size_t most = 16; // window_size() is never larger
     Op ops[most];
     OpParams params[most];
     Windows windows = windows_;
@@ -91,7 +91,8 @@ SafeStart PanelDisplay::safe_start(FramePlan& plan) const {
         refresh.line = line_ns_;
         refresh.lines = timing.scan_lines;
         refresh.porch = timing.porch_lines;
-        // An edge is seen, a line is read, within a command or two; never closer than the line itself.
+        // An edge is seen, or a line is read, within one or two commands, and never more exactly than to one
+        // line.
         refresh.jitter = refresh.line + static_cast<std::int32_t>(2 * caps_.command_cost_ns);
     }
     const bool swapped = (placement_.madctl & dcs::MV) != 0, upward = (placement_.madctl & dcs::MY) != 0;
@@ -106,7 +107,7 @@ SafeStart PanelDisplay::safe_start(FramePlan& plan) const {
               static_cast<std::int64_t>(opening.size()) * caps_.command_cost_ns;
         const std::int64_t row = wire_nanoseconds(caps_, wire_bytes({static_cast<std::int16_t>(w.w), 1}));
         const std::int64_t end = at + row * w.h;
-        if (swapped) { // all rows of the memory are written throughout
+        if (swapped) { // all rows of the memory are written during the whole transfer
             start.write(row_of(w.x), at, end);
             start.write(row_of(w.x + w.w - 1), at, end);
         } else {
@@ -118,8 +119,8 @@ SafeStart PanelDisplay::safe_start(FramePlan& plan) const {
     return start;
 }
 
-/// Makes the transfer lead or lag the scan. Where every start would tear, it starts in the blanking, or at
-/// once.
+/// Makes the transfer lead or lag the scan. Where every start would tear, the transfer starts in the
+/// blanking, or at once.
 void PanelDisplay::append_sync(FramePlan& plan) {
     const SafeStart start = safe_start(plan);
     const PanelTiming& timing = config_.panel->timing;
@@ -140,8 +141,8 @@ Result<void> PanelDisplay::append_windows(const Rect& area) {
     return for_each_window(windows_, area, [this](const Rect& window) { return append_window(window); });
 }
 
-/// Converts the window's pixels to those of the wire, behind those of the windows before it. Returns their
-/// bytes.
+/// Converts the window's pixels to the wire's format, behind the pixels of the windows before it. Returns the
+/// number of bytes.
 std::size_t PanelDisplay::convert(const Rect& window) {
     const auto stride = static_cast<std::int32_t>(this->stride());
     const Picture picture = {buffers_[back_].to_send() - std::ptrdiff_t{band_.first} * stride,
@@ -172,7 +173,7 @@ Result<void> PanelDisplay::append_window(const Rect& window) {
     return line == sent_stride() ? append_pixels(data, line * rows, 1) : append_pixels(data, line, rows);
 }
 
-/// The number of operations that the window's pixels take, as append_pixels() makes them.
+/// The number of operations in which append_pixels() sends the window's pixels.
 std::size_t PanelDisplay::pixel_ops(const Rect& window) const {
     const auto pieces = [](std::size_t whole, std::size_t part) { return (whole + part - 1) / part; };
     const std::size_t limit = op_limit(), line = line_bytes(window.w);
@@ -185,7 +186,8 @@ std::size_t PanelDisplay::pixel_ops(const Rect& window) const {
     return line > limit ? pieces(line, limit) * rows : pieces(rows, limit / line);
 }
 
-/// Appends whole rows while they fit one operation of the bus, else pieces of rows.
+/// Appends several whole rows per operation of the bus where at least one row fits, and otherwise pieces of
+/// rows.
 Result<void> PanelDisplay::append_pixels(const std::uint8_t* data, std::uint32_t row_bytes,
                                          std::uint32_t rows) {
     const std::uint32_t limit = op_limit();

@@ -1,11 +1,11 @@
-// Initialises a panel, from power-on to a black picture. What cannot work is refused first.
+// Initialises a panel, from power-on to a black picture. Descriptions that cannot work are refused first.
 #include <spangle/hal/panel_display.hpp>
 #include <spangle/hal/panel_rules.hpp>
 
 namespace spangle::hal {
 namespace {
 
-/// The least room in the list: a window's commands and its pixels go into one list.
+/// The least room in the list of operations. A window's commands and its pixels go into one list.
 constexpr std::size_t least_ops(const CommandSet& set) {
     const std::uint32_t window = window_size(set).commands + 1;
     return window > 8 ? window : 8;
@@ -37,8 +37,8 @@ Result<void> PanelDisplay::check_description(const PanelConfig& config, const Pa
     return check_memory(config, memory);
 }
 
-/// Acquires buffers and records of a display that was never initialised: what the panel and the buffers hold
-/// is unknown.
+/// Acquires the buffers and records of a display that was never initialised. The contents of the panel and of
+/// the buffers count as unknown.
 Result<void> PanelDisplay::take_buffers() {
     const std::size_t size =
         std::size_t{stride()} *
@@ -62,7 +62,7 @@ Result<void> PanelDisplay::take_buffers() {
     }
     if (!config_.wire.converts() || !wire_.empty())
         return {};
-    // A window that ends inside a byte takes one more; there is at most one window per row.
+    // A window that ends inside of a byte takes one more byte. There is at most one window per row.
     const Extent most = held(config_, placement_.size);
     const std::size_t wire_size = wire_bytes(most) + static_cast<std::size_t>(most.height);
     const Result<Buffer> wire = bus_.acquire(wire_size);
@@ -194,7 +194,7 @@ Result<void> PanelDisplay::append_registers() {
     return {};
 }
 
-/// Appends black pixels: the display comes on black, not with the noise that its memory wakes up with.
+/// Appends black pixels, so that the display starts black. Its memory holds noise after power-on.
 Result<void> PanelDisplay::append_black() {
     return for_each_window(windows_, {0, 0, placement_.size.width, placement_.size.height},
                            [this](const Rect& window) { return append_black_window(window); });
@@ -219,7 +219,7 @@ Result<void> PanelDisplay::append_black_window(const Rect& window) {
     return {};
 }
 
-/// The bytes of a rectangle of pixels on the wire, rounded up.
+/// The bytes that a rectangle of pixels takes on the wire, rounded up.
 std::size_t PanelDisplay::wire_bytes(const Extent& size) const {
     const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
     return (pixels * wire_bits() + 7) / 8;

@@ -3,7 +3,7 @@
 namespace spangle::hal {
 namespace {
 
-/// How far behind the first safe moment a lagging transfer starts, where there is room for it.
+/// How many lines after the first safe moment a lagging transfer starts, where there is room for it.
 constexpr std::int32_t lag_lines = 8;
 
 } // namespace
@@ -11,7 +11,7 @@ constexpr std::int32_t lag_lines = 8;
 std::int32_t SafeStart::slack_lines() const {
     if (refresh_.line <= 0)
         return 0;
-    // A line that begins after `earliest` may be one whole line later.
+    // A line that begins after `earliest_` may begin one whole line later.
     const std::int64_t room = latest_ - refresh_.jitter - earliest_ - refresh_.line;
     const std::int64_t period = refresh_.period();
     return room <= 0 ? 0 : static_cast<std::int32_t>((room < period ? room : period) / refresh_.line);
@@ -19,7 +19,7 @@ std::int32_t SafeStart::slack_lines() const {
 
 std::int32_t SafeStart::first_line() const {
     std::int64_t first = earliest_ + refresh_.line - 1;
-    while (first < 0) // a row's scan less a time within the transfer, which is below two periods
+    while (first < 0) // a row's scan time minus a time within the transfer, which is below two periods
         first += refresh_.period();
     return static_cast<std::int32_t>(first / refresh_.line % refresh_.lines);
 }

@@ -8,12 +8,12 @@ namespace {
 
 constexpr std::int32_t most_characters = 32;
 
-/// Keys of both hashes, and the constants their sums begin with.
+/// Keys of both hashes. The last key is the initial value of the sum.
 struct Keys {
     std::uint32_t first[most_characters + 1], second[most_characters + 1];
 };
 
-/// Makes keys of the upper halves of SplitMix64 (Steele, Lea, Flood 2014).
+/// Makes keys from the upper halves of SplitMix64 (Steele, Lea, Flood 2014).
 constexpr Keys make_keys() {
     Keys keys{};
     std::uint64_t state = 0x5370616E676C6531; // "Spangle1"
@@ -67,7 +67,7 @@ std::uint32_t RowHash::changed_cells(RowSpan damage, std::int32_t y, const std::
     return changed;
 }
 
-/// Columns from the first to the last of the cells.
+/// The columns from the first to the last of the cells, whose bits are set.
 RowSpan RowHash::columns_of(std::uint32_t cells) const {
     if (cells == 0)
         return {};

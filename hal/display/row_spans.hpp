@@ -1,4 +1,4 @@
-// Intervals of columns: their union, and their part inside a picture.
+// Intervals of columns: their union, and their part inside of a picture.
 #pragma once
 
 #include <spangle/format.hpp>
@@ -9,7 +9,7 @@ inline RowSpan unite(RowSpan a, RowSpan b) {
     return {a.begin < b.begin ? a.begin : b.begin, a.end > b.end ? a.end : b.end};
 }
 
-/// The columns inside the picture; RowSpan{}, the canonical empty row, when there are none.
+/// The columns inside of the picture. Where there are none, the result is RowSpan{}, the canonical empty row.
 inline RowSpan clip(RowSpan row, std::int16_t width) {
     const RowSpan inside = {row.begin > 0 ? row.begin : std::int16_t{0}, row.end < width ? row.end : width};
     return inside.begin < inside.end ? inside : RowSpan{};

@@ -3,7 +3,8 @@
 namespace spangle::hal {
 namespace {
 
-/// A row of the picture becomes a column; rows come in ascending order, so the last one ends each span.
+/// Copies a row of the picture into a column. Rows come in ascending order, so the last row is the end of
+/// each span.
 template <std::int32_t Bytes>
 void turn_row(const std::uint8_t* from, std::uint8_t* to, std::ptrdiff_t step, RowSpan* row,
               std::int32_t row_step, std::int32_t count, std::int32_t column) {

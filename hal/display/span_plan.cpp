@@ -56,7 +56,7 @@ std::uint32_t SpanPlan::without(std::uint32_t cells, Run run) {
     return after >= 32 ? 0 : cells >> after << after;
 }
 
-/// The cost of the window that the plain way opens for this run: nothing where the row above has the same
+/// The cost of the window that the plain way opens for this run. It is 0 where the row above has the same
 /// run.
 std::int32_t SpanPlan::saved_bytes(Run run) const {
     if (next_row_ != 0) {
@@ -69,7 +69,7 @@ std::int32_t SpanPlan::saved_bytes(Run run) const {
     return static_cast<std::int32_t>(cost_.window);
 }
 
-/// Widens the window above by the runs that it can afford; returns the cells that it did not take.
+/// Widens the window above by the runs that it can afford. Returns the cells that it has not taken.
 std::uint32_t SpanPlan::merge_window(Window& above, std::uint32_t cells) const {
     std::int32_t begin = above.begin, end = above.end, pixels = 0, spare = above.spare;
     std::uint32_t taken = 0;

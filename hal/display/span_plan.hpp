@@ -1,4 +1,5 @@
-// Windows around changed cells: several in a row, where these cost less than one around all of them.
+// Plans windows around changed cells. A row may have several windows, where these cost less than one window
+// around all cells.
 #pragma once
 
 #include <cstdint>
@@ -9,23 +10,26 @@
 
 namespace spangle::hal {
 
-/// The cells of a row form runs. The plain way is a window around each block of equal runs below each other.
-/// That is the plan, too, where windows are as cheap as on a bus without overhead. A window that takes
-/// another run in, from the row below or beside it, wastes pixels and saves the window of that run: it may
-/// waste what it saved so far. So a frame costs at most twice the plain way, and mostly less.
+/// Plans the windows of a frame. The changed cells of a row form runs.
 ///
-/// Windows are kept until nothing can make them longer, and handed out from the top. There is room for `room`
-/// windows. A long window that others wait behind is handed out early, and goes on as another window.
+/// The plain way is one window for each block of equal runs below each other. On a bus without overhead,
+/// where windows cost nothing, the plan is the plain way. Otherwise a window may take in another run, from
+/// the next row or beside it. This wastes pixels, but saves the window of that run. A window may waste as
+/// much as it has saved so far. So a frame costs at most twice the plain way, and mostly less.
+///
+/// Windows are kept until they cannot become longer, and are given out from the top. There is room for `room`
+/// windows. Where others wait behind a long window, it is given out early and goes on as another window.
 class SpanPlan {
   public:
     SpanPlan() = default;
-    /// Plans windows around the cells that reduce() left, in the memory of the row hash; both must stay.
+    /// Plans windows around the cells that reduce() has left, in the memory of the row hash. The hash and its
+    /// memory must outlive the plan.
     SpanPlan(const RowHash& hash, const WindowCost& cost);
 
-    /// The next window from the top, or false after the last.
+    /// Gives the next window from the top, or returns false after the last window.
     bool next(Rect& window);
     void rewind() { next_row_ = first_window_ = window_count_ = 0; }
-    /// Cost of all windows; UINT32_MAX without a plan.
+    /// The cost of all windows; UINT32_MAX where there is no plan.
     std::uint32_t total_cost() const { return total_cost_; }
 
   private:
@@ -50,8 +54,9 @@ class SpanPlan {
     std::int32_t width_ = 0, height_ = 0;
     WindowCost cost_;
     std::uint32_t total_cost_ = UINT32_MAX;
-    std::int32_t next_row_ = 0; ///< the next row to be planned
-    Window* windows_ = nullptr; ///< a ring of `window_count_` windows from `first_window_` on, by their top
+    std::int32_t next_row_ = 0; ///< the next row to plan
+    /// A ring of `window_count_` windows, ordered by their top, from `first_window_` on.
+    Window* windows_ = nullptr;
     std::int32_t first_window_ = 0, window_count_ = 0;
 };
 

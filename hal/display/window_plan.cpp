@@ -46,7 +46,7 @@ WindowPlan::Run WindowPlan::run_from(std::int32_t first) const {
     return run;
 }
 
-/// The group that ends with the newest run, ring[(count - 1) % reach].
+/// The best group that ends with the newest run, ring[(count - 1) % reach].
 WindowPlan::Choice WindowPlan::best_group(const Run* ring, std::uint32_t count) const {
     const std::int32_t last = ring[(count - 1) % reach].last;
     RowSpan box;

@@ -1,4 +1,4 @@
-// Which windows carry the damage at the least cost: one rectangle, groups of rows, or single rows.
+// Plans the windows that send the damage at the least cost: one rectangle, groups of rows, or single rows.
 #pragma once
 
 #include <cstdint>
@@ -9,47 +9,48 @@
 
 namespace spangle::hal {
 
-/// Costs on the wire, both in one unit.
+/// Costs on the wire. Both are in the same unit.
 struct WindowCost {
-    std::uint32_t window = 11; ///< opening one window, overhead of its commands included
+    std::uint32_t window = 11; ///< opening one window, with the overhead of its commands
     std::uint32_t pixel = 2;
 };
 
-/// The largest cost of a window. It keeps every sum below 2^32: 4096 windows and 4096 x 4096 pixels of 32
-/// bits.
+/// The largest cost of a window. With it every sum stays below 2^32: 4096 windows, and 4096 x 4096 pixels of
+/// 32 bits.
 inline constexpr std::uint32_t dearest_window = 1u << 18;
 
-/// The costs in bits. Where windows have one row of bytes anyway, opening one costs nothing more.
+/// The costs in bits. On controllers whose windows have one row of bytes, a window costs nothing.
 WindowCost window_cost(const BusCaps& caps, const CommandSet& set, std::uint32_t bits_per_pixel);
 
-/// Partitions the rows that are not empty into groups; a group is sent as its bounding rectangle.
+/// Partitions the rows that are not empty into groups. A group is sent as its bounding rectangle.
 ///
-/// Dynamic programming over runs of equal rows, best(i) = min over j of best(before j) + cost(rectangle of
-/// j..i). The search for j stops when the rectangle wastes more than a window per run of the group would
-/// cost, since the waste only grows: from there on single runs are cheaper. It also stops after `reach` runs,
-/// which bounds time (height * reach) and memory; rectangles cut by that are joined again while they are
-/// handed out. Splitting inside a run of equal rows never helps: the cost is linear in the cut.
+/// The plan is dynamic programming over runs of equal rows: best(i) = min over j of best(before j) +
+/// cost(rectangle of j..i). The search for j stops where the rectangle wastes more than one window for each
+/// run of the group costs. The waste only grows, so single runs are cheaper from there on. The search also
+/// stops after `reach` runs, which bounds time (height * reach) and memory. Rectangles that this limit has
+/// cut are joined again while they are given out. Splitting inside of a run of equal rows never helps,
+/// because the cost is linear in the cut.
 class WindowPlan {
   public:
     static constexpr std::int32_t reach = 32;
 
-    /// `rows` must stay; `links` is scratch of `height` elements. height <= 4096.
+    /// `rows` must outlive the plan. `links` is scratch memory of `height` elements. height <= 4096.
     WindowPlan(const RowSpan* rows, std::int32_t height, WindowCost cost, std::uint16_t* links);
 
-    /// The next window from the top, or false after the last.
+    /// Gives the next window from the top, or returns false after the last window.
     bool next(Rect& window);
     void rewind() {
         next_row_ = 0;
         next_group(pending_window_);
     }
-    /// Cost of all windows as planned.
+    /// The cost of all windows as planned.
     std::uint32_t total_cost() const { return total_cost_; }
 
   private:
     struct Run {
-        std::int32_t first = 0, last = 0; ///< rows, inclusive
+        std::int32_t first = 0, last = 0; ///< first and last row
         RowSpan columns;
-        std::uint32_t best_before = 0; ///< least cost of everything above
+        std::uint32_t best_before = 0; ///< least cost of all rows above
     };
     struct Choice {
         std::uint32_t cost = 0;
@@ -64,12 +65,14 @@ class WindowPlan {
     std::uint32_t payload(const Rect& window) const;
 
     const RowSpan* rows_;
-    std::uint16_t* links_; ///< while planning: group's first row at its last; then its last row at its first
+    /// While planning, links_ holds the first row of a group at its last row. Afterwards it holds the last
+    /// row at the first row.
+    std::uint16_t* links_;
     std::int32_t height_;
     WindowCost cost_;
     std::uint32_t total_cost_ = 0;
     std::int32_t next_row_ = 0;
-    Rect pending_window_; ///< read ahead, to be joined with what follows
+    Rect pending_window_; ///< read ahead, to be joined with the next window
 };
 
 } // namespace spangle::hal

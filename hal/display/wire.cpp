@@ -5,7 +5,7 @@
 namespace spangle::hal {
 namespace {
 
-/// A component as the surface holds it: k / Max.
+/// A component k / Max, as the surface holds it.
 template <std::uint32_t Max> struct Component { std::uint32_t k = 0; };
 
 template <unsigned Bits, std::uint32_t Max>
@@ -17,7 +17,7 @@ template <std::uint32_t Max> std::uint32_t eight_bits(Component<Max> c) {
     return divide_by<Max>(c.k * 255 + Max / 2);
 }
 
-/// Pixels of 16 bits, the high byte first or last.
+/// A pixel of 16 bits. `high` is the index of its high byte.
 struct Of565 {
     Component<31> r;
     Component<63> g;
@@ -29,14 +29,14 @@ struct Of565 {
     }
 };
 
-/// Pixels of a byte a component, with alpha or without, and entries of palettes.
+/// A pixel with one byte per component, with or without alpha, or an entry of a palette.
 struct Of888 {
     Component<255> r, g, b;
 
     Of888(const std::uint8_t* p, std::int32_t) : r{p[0]}, g{p[1]}, b{p[2]} {}
 };
 
-/// A row of the picture, which gives the values of its pixels on the wire.
+/// A row of the picture. It gives the values of its pixels on the wire.
 template <class Color, class Value> class Row {
   public:
     Row() = default;
@@ -65,7 +65,7 @@ template <class Color, class Value> class Row {
     std::uint32_t thresholds_ = 0;
 };
 
-/// Calls `convert` with the colour type of the picture's pixels.
+/// Calls `convert` for the colour type of the picture's pixels.
 template <class Convert> std::size_t for_format(const Picture& picture, Convert convert) {
     const bool wide = picture.format == PixelFormat::rgb888 || picture.format == PixelFormat::rgba8888 ||
                       is_indexed(picture.format);
@@ -101,8 +101,8 @@ template <class Value, class Put> void for_each(const Picture& picture, const Re
     });
 }
 
-/// Writes formats whose pixels share a byte: `Count` of them, side by side, or one above the other.
-/// `join(byte, value, i)` adds the i-th pixel.
+/// Writes formats in which `Count` pixels share a byte, side by side or one above the other. `join(byte,
+/// value, i)` adds the i-th pixel to the byte.
 template <class Value, int Count, class Join>
 std::size_t share_bytes(const Picture& picture, const Rect& area, bool side_by_side, std::uint8_t* to,
                         Join join) {
@@ -145,7 +145,7 @@ std::size_t to_rgb666(const Picture& picture, const Rect& area, std::uint8_t* to
     return static_cast<std::size_t>(to - begin);
 }
 
-/// An odd pixel at the end takes two bytes, whose last four bits are ignored.
+/// An odd last pixel takes two bytes. The last four bits of the second byte are ignored.
 std::size_t to_rgb444(const Picture& picture, const Rect& area, std::uint8_t* to) {
     std::uint8_t* const begin = to;
     bool second = false;
