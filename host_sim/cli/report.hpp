@@ -52,7 +52,7 @@ struct Report {
     bool compared = false; ///< with --compare: the figures from identical_565_percent on are measured
     std::uint64_t bus_bytes = 0, bus_commands = 0;
     std::uint64_t bus_pixel_bytes = 0;            ///< bytes of bus_bytes that belong to no command
-    std::uint64_t full_frame_bytes = 0;           ///< bytes of bus_bytes that are no commands
+    std::uint64_t full_frame_bytes = 0;           ///< bytes of one whole frame on the bus, without commands
     double fps_at_bus_clock = 0.0;                ///< frames a second; 0 without a board
     double virtual_fps = 0.0;                     ///< frames a second of drawing and sending, in virtual time
     std::optional<double> measured_fps;           ///< frames a second of a real display, all included

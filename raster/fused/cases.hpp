@@ -267,7 +267,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         return true;
     }
 
-    /// fogged: fused_fogged.hpp draws the case by a loop of its own.
+    /// fogged: raster/fused/fogged.hpp draws the case by a loop of its own.
     static constexpr bool fogged = numeric::long_products && stores_light<1> && K.kind == Kind::affine &&
                                    !K.color_alpha && K.unit[0].texels == TexelFormat::rgb565,
                           gray = Gray;

@@ -1,6 +1,6 @@
-// A part of the table of fused spans. A key that is not in the table draws with the chain: the same bytes,
-// slower. A scene profile has a table of its own (SPANGLE_FUSED, a file of lines as in
-// raster/span/fused_list.inc).
+// A part of the table of fused spans. A key that is not in the table is drawn by the chain, with the same
+// bytes but slower. A scene profile has its own table: SPANGLE_FUSED names a file in the form of
+// raster/span/fused_list.inc.
 #pragma once
 
 #include <cstddef>

@@ -11,7 +11,8 @@ bool RowEdge::enter(const OutlinePoint& from, const OutlinePoint& to, std::int32
     const std::int32_t y0 = a.y > bottom ? a.y : bottom, y1 = b.y < top ? b.y : top;
     if (y0 >= y1)
         return false;
-    // The rows on both sides of a boundary round x alike there. |y - a.y| and |dx| < 2^27.
+    // The rows above and below a boundary round x there to the same number. |y - a.y| and |dx| are below
+    // 2^27.
     const auto at = [&](std::int32_t y) {
         constexpr int up = 16 - outline_bits;
         if (y == a.y || y == b.y)

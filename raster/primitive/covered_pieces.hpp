@@ -1,5 +1,5 @@
-// Makes spans from the coverage of rows. Pieces of rows wait for others with the same planes, so that planes
-// are set up once for many rows.
+// Makes spans from the coverage of rows. Pieces of rows are collected until others with the same planes come,
+// so that planes are set up once for many rows.
 #pragma once
 
 #include "raster/primitive/pen.hpp"
@@ -7,7 +7,7 @@
 
 namespace spangle::raster {
 
-/// The planes that a piece takes: those of a part of its primitive, moved by (dx, dy) pixels.
+/// The planes of a piece: those of a part of its primitive, moved by (dx, dy) pixels.
 struct PieceSource {
     int part = 0;
     std::int32_t dx = 0, dy = 0;
@@ -15,13 +15,13 @@ struct PieceSource {
     bool is_before(const PieceSource& s) const { return moved() == s.moved() ? part < s.part : s.moved(); }
 };
 
-/// Collects pieces of rows. No two pieces share a pixel, but their parts may overlap. A row adds pieces that
-/// are not moved before those that are, and both in the order of their parts.
+/// Collects pieces of rows. No two pieces share a pixel, but their parts may overlap. A row first adds pieces
+/// that are not moved and then moved pieces, both in the order of their parts.
 template <class P> class CoveredPieces {
   public:
     /// Writes the planes of a part into the span.
     struct SetUp {
-        void (*run)(void* of, int part) = nullptr; ///< null: the span has its planes already
+        void (*run)(void* of, int part) = nullptr; ///< null where the span has its planes already
         void* of = nullptr;
     };
     CoveredPieces(Pen<P>& pen, PrimitiveState& primitive, const SetUp& set_up)
@@ -35,7 +35,8 @@ template <class P> class CoveredPieces {
     CoveredPieces(const CoveredPieces&) = delete;
     CoveredPieces& operator=(const CoveredPieces&) = delete;
 
-    /// Adds all that an outline covers in rows [begin, end), which lie inside the scissor rectangle.
+    /// Adds the pixels that an outline covers in rows [begin, end). The rows lie inside the scissor
+    /// rectangle.
     [[gnu::noinline]] void add_rows(const Outline& outline, std::int32_t begin, std::int32_t end,
                                     const PieceSource& source) {
         for (std::int32_t y = begin; y < end; ++y)
@@ -60,13 +61,13 @@ template <class P> class CoveredPieces {
             row.first = x;
             if (whole) {
                 row.last = x = till;
-                (void)place(row, source, true, 0); // whole pieces have no coverages
+                (void)place(row, source, true, 0); // whole pieces store no coverages
                 continue;
             }
             std::int32_t count = till - x;
             const std::uint32_t* from = coverage.from(x, count);
             std::int32_t n = 0;
-            while (n < count && from[n] != 0) // no fragment where coverage is 0
+            while (n < count && from[n] != 0) // there is no fragment where coverage is 0
                 ++n;
             row.last = x + n;
             if (n != 0) {
@@ -87,7 +88,8 @@ template <class P> class CoveredPieces {
         std::int32_t at; ///< index of its first coverage
         std::int32_t next;
     };
-    /// Pieces of one source. `whole`: their pixels are fully covered, and no coverages are stored.
+    /// Pieces of one source. `whole` says that their pixels are fully covered, so that no coverages are
+    /// stored.
     struct PieceGroup {
         PieceSource source;
         bool whole;
@@ -97,7 +99,7 @@ template <class P> class CoveredPieces {
         }
     };
 
-    /// Adds a piece to those of its source; returns where its n coverages go.
+    /// Adds a piece to the group of its source. Returns the place for its n coverages.
     std::uint32_t* place(const Row& row, const PieceSource& source, bool whole, std::int32_t n) {
         if (piece_count_ == pieces || coverage_count_ + n > coverages)
             flush();
@@ -109,8 +111,8 @@ template <class P> class CoveredPieces {
                 flush();
                 g = 0;
             }
-            // Groups have the order in which a row adds them: polygons that are not convex may meet a pixel
-            // twice.
+            // The groups have the order in which a row adds pieces, because a polygon that is not convex may
+            // meet a pixel twice.
             for (; g > 0 && source.is_before(group_[g - 1].source); --g)
                 group_[g] = group_[g - 1];
             group_[g] = {source, whole, piece_count_, -1};

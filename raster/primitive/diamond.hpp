@@ -1,11 +1,12 @@
-// Diamond exit (GL 1.3, 3.4.1): which fragments a line of width 1 consists of.
+// Diamond exit (GL 1.3, 3.4.1): the rule that says which fragments a line of width 1 has.
 //
-// A fragment f is produced when the segment meets the open diamond Rf = {|x - xf| + |y - yf| < 1/2} and its
-// end is not in Rf. Ties are broken by moving both ends by (-e, -e^2). Along the major axis (|slope| <= 1) a
-// segment that enters a diamond before its centre line stays inside up to that line, and one that is outside
-// of it behind the centre line never enters. So one question about an end point decides, "has it left the
-// fragment of its own column behind?", and asked of both ends alike it makes segments half open: strips share
-// no fragment and leave none out.
+// A fragment f is produced where the segment meets the open diamond Rf = {|x - xf| + |y - yf| < 1/2} and its
+// end is not in Rf. Ties are broken by moving both ends by (-e, -e^2).
+//
+// Along the major axis, where |slope| <= 1, a segment that enters a diamond before its centre line stays
+// inside up to that line. A segment that is outside of the diamond behind its centre line never enters it. So
+// one question about an end point is enough: "has it left the fragment of its own column behind?" The same
+// question for both ends makes segments half open, so strips neither share fragments nor leave any out.
 #pragma once
 
 #include <cstdint>
@@ -16,36 +17,36 @@
 
 namespace spangle::raster {
 
-/// Finds the fragments of L::count lines side by side, from the lower end of the major axis to the upper one.
-/// X and Up are the types of along_x and ascends, which may be integral constants.
+/// Finds the fragments of L::count lines side by side, from the lower to the upper end of the major axis. X
+/// and Up are the types of along_x and ascends, and may be integral constants.
 template <class L, class X = typename L::Mask, class Up = typename L::Mask> class Diamond {
   public:
     using Int = typename L::Int;
     using Mask = typename L::Mask;
 
     Int major;                        ///< major coordinate of the first fragment
-    Int count;                        ///< number of fragments; may be negative for none
-    [[no_unique_address]] X along_x;  ///< the major axis is x
-    [[no_unique_address]] Up ascends; ///< from the first end point to the second
+    Int count;                        ///< number of fragments; may be negative, which means none
+    [[no_unique_address]] X along_x;  ///< true where the major axis is x
+    [[no_unique_address]] Up ascends; ///< true where the line ascends from its first end to its second
     Int low, high;                    ///< ends on the major axis, subpixels
     Int low_minor;                    ///< minor coordinate of the lower end
     Int rise;                         ///< from the lower to the upper end along the minor axis
 
-    /// The length, in subpixels, up to which first() is exact. No line that fits a surface is as long.
+    /// The length, in subpixels, up to which first() is exact. Lines on surfaces are shorter.
     static constexpr std::int32_t small_length = 1 << 20;
 
-    /// `shift`: moves the line down its minor axis (wide lines), subpixels.
+    /// `shift` moves the line down its minor axis, in subpixels (wide lines).
     SPANGLE_INLINE Diamond(Int ax, Int ay, Int bx, Int by, std::int32_t shift) {
         along_x = is_along_x(ax, ay, bx, by);
         const Mask along_y = L::no(along_x);
-        L::exchange(along_y, ax, ay); // the major coordinate first
+        L::exchange(along_y, ax, ay); // puts the major coordinate first
         L::exchange(along_y, bx, by);
         ascends = L::no(L::less(bx, ax));
         const Int high_minor = order(ax, ay - shift, bx, by - shift);
         major = first_past(along_x, ascends, low, low_minor);
         count = first_past(along_x, ascends, high, high_minor) - major;
     }
-    /// Takes two ends by major and minor coordinate. `past`: first_past() of the end a.
+    /// Takes two ends by their major and minor coordinates. `past` is first_past() of the end a.
     SPANGLE_INLINE Diamond(X x, Up up, Int a, Int a_minor, Int past, Int b, Int b_minor)
         : along_x(x), ascends(up) {
         order(a, a_minor, b, b_minor);
@@ -59,16 +60,16 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
     }
 
     /// Whether a line that advances by `along` and `aside` may have the major axis x and the direction up. A
-    /// line of no length may have any.
+    /// line of no length may have any axis and direction.
     SPANGLE_INLINE static Mask has_direction(X x, Up up, Int along, Int aside) {
         const Int forward = L::select(up, along, Int(-along)), sideways = abs_value(aside);
         return L::select(x, L::no(L::less(forward, sideways)), L::less(sideways, forward));
     }
 
-    /// The first fragment along the major axis that lies past an end. It is that of the end's own column, or
-    /// the next one where the end lies past the centre line and outside of the diamond. On a line that
-    /// descends, it is the last but one before the end. Lanes do without branches, which would be taken at
-    /// random.
+    /// The first fragment along the major axis that lies past an end. It is the fragment of the end's own
+    /// column, or the next fragment where the end lies past the centre line and outside of the diamond. On a
+    /// descending line it is the last fragment but one before the end. Lanes use no branches, because their
+    /// outcomes would be hard to predict.
     SPANGLE_INLINE static Int first_past(X x, Up up, Int end, Int end_minor) {
         const Int f = from_center(end);
         if constexpr (L::count == 1)
@@ -80,21 +81,22 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
         const Mask above = L::less(Int{}, f);
         return own(end) + L::one(L::select(up, Mask(out & above), Mask(L::no(out) | above)));
     }
-    /// first_past() of the second end.
+    /// The first_past() of the second end.
     SPANGLE_INLINE Int second_past() const { return L::select(ascends, major + count, major); }
 
     Int length() const { return high - low; }
 
     /// The tie-break of a minor coordinate on the boundary of two fragments: 0 if it belongs to the upper
-    /// fragment, -1 if to the lower one. It belongs to the upper one only if the shifted line lies above it.
-    /// That is so for y(x + e) - e^2 on x-major lines with a rising slope, and never for x(y + e^2) - e.
+    /// fragment, and -1 if it belongs to the lower one. It belongs to the upper fragment only if the shifted
+    /// line lies above it. This holds for y(x + e) - e^2 on x-major lines with a rising slope, and never for
+    /// x(y + e^2) - e.
     SPANGLE_INLINE Int break_tie() const {
         const Int not_rising = (rise - 1) >> 31;
         return L::select(along_x, not_rising, Int(~(rise ^ rise)));
     }
 
-    /// The minor coordinate of the first fragment, and the remainder of the division by 256 length. The
-    /// centre of that fragment is -128 .. 383 from the lower end: |rise| <= length makes the quotient more
+    /// The minor coordinate of the first fragment; `remainder` is that of the division by 256 length. The
+    /// centre of this fragment is -128 .. 383 from the lower end. |rise| <= length makes the quotient more
     /// than -2 and less than 3.
     SPANGLE_INLINE Int first(Int& remainder) const {
         constexpr std::int32_t bias = 2;
@@ -107,7 +109,7 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
     SPANGLE_INLINE static Int center(Int i) { return i * subpixel_one + subpixel_one / 2; }
 
   private:
-    /// Puts the lower end first; returns the minor coordinate of the upper end.
+    /// Puts the lower end first. Returns the minor coordinate of the upper end.
     SPANGLE_INLINE Int order(Int a, Int a_minor, Int b, Int b_minor) {
         const auto descends = L::no(ascends);
         L::exchange(descends, a, b);
@@ -120,7 +122,7 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
         const Int sign = v >> 31;
         return (v ^ sign) - sign;
     }
-    /// The fragment a coordinate is in: floor(v - e).
+    /// The fragment in which a coordinate lies: floor(v - e).
     SPANGLE_INLINE static Int own(Int v) { return (v - 1) >> subpixel_bits; }
     /// The distance of v from the centre of its own fragment, -127 .. 128 subpixels.
     SPANGLE_INLINE static Int from_center(Int v) {
@@ -128,22 +130,22 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
     }
 
     /// Whether an end at (x, y) from the centre of its own fragment lies outside of the diamond. For a point
-    /// on the diamond's edge, x decides to which side the shift moves it, and points on the centre line are
-    /// moved below it. So where x is not above the centre, the distance counts as one more.
+    /// on the diamond's edge, x decides to which side the shift moves it. The shift moves points on the
+    /// centre line below it. So where x is not above the centre, the distance counts as one more.
     SPANGLE_INLINE static Mask outside(Int x, Int y) {
         const Int before = x - 1, distance = (before ^ (before >> 31)) + abs_value(y);
         return L::less(Int{} + (subpixel_one / 2 - 1), distance);
     }
 };
 
-/// Walks the fragments of one line in increasing order of their major coordinate. Major and minor are columns
-/// and rows, or rows and columns.
+/// Walks the fragments of one line in increasing order of the major coordinate. `major` and `minor` are
+/// column and row, or row and column.
 class DiamondWalk {
   public:
     std::int32_t major, minor; ///< the current fragment
-    std::int32_t count;        ///< fragments left, this one included
+    std::int32_t count;        ///< number of fragments left, including the current one
     bool along_x;
-    bool ascends; ///< from the first end point to the second
+    bool ascends; ///< true where the line ascends from its first end to its second
 
     DiamondWalk(std::int32_t ax, std::int32_t ay, std::int32_t bx, std::int32_t by, std::int32_t shift) {
         using SingleLane = Diamond<LineLanes<1>>;
@@ -197,7 +199,7 @@ class DiamondWalk {
     }
 
   private:
-    /// Computes minor and remainder at the centre of `major`.
+    /// Finds `minor` and the remainder at the centre of `major`.
     void place() {
         const std::int32_t from_low = major * subpixel_one + subpixel_one / 2 - low_;
         const std::int32_t inside = low_minor_ & (subpixel_one - 1);

@@ -4,8 +4,8 @@ namespace spangle::raster {
 
 namespace {
 
-/// Small builds with stipples draw solid lines by the stippled loop, with a stipple that leaves all
-/// fragments. Builds with records do not: records would keep that stipple.
+/// True in small builds with stipples: they draw solid lines by the stippled loop, with a stipple that leaves
+/// all fragments. Builds with records do not, because records would keep this stipple.
 constexpr bool stipples_all = SPANGLE_FEATURE_STIPPLE && !SPANGLE_HAS_RECORDS && !has_shortcuts;
 
 } // namespace
@@ -37,8 +37,7 @@ DrawState::Area strip_area(const DrawState& state, std::int32_t width) {
     return state.paths;
 }
 
-/// Builds that have no room to keep the vertices of strips have no vectors either, so lines are set up one at
-/// a time.
+/// Draws a strip line by line. Builds without room for the vertices of strips have no vectors either.
 void draw_strip(const DrawState& state, const Surface& target, const LineEnd* ends, int n,
                 const FixedVertex& painted) {
     if constexpr (has_paths) {

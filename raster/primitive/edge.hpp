@@ -1,10 +1,10 @@
-// Which pixels a triangle covers: exact integers from snapped vertices to half-open rows of columns.
+// Says which pixels a triangle covers, by exact integers from snapped vertices to half-open rows of columns.
 //
-// Rule (GL 1.3, 3.5.1: a centre on a shared edge belongs to exactly one of the two): a fragment belongs to
-// the triangle when its centre is inside, or on an edge that has the interior on its right side or above it.
-// So left and bottom edges own their centres, right and top edges do not: the top-left rule, counted in the
-// direction in which rows grow. Two triangles with a common edge see the same integers on it, whatever their
-// third vertices are.
+// GL 1.3, 3.5.1: a centre on a shared edge belongs to exactly one of the two triangles. Here a fragment
+// belongs to the triangle where its centre is inside, or on an edge that has the interior on its right side
+// or above it. So left and bottom edges own their centres, and right and top edges do not. This is the
+// top-left rule, counted in the direction in which rows grow. Two triangles with a common edge compute the
+// same integers on it, for any third vertices.
 #pragma once
 
 #include <cstdint>
@@ -18,23 +18,23 @@ namespace spangle::raster {
 
 /// Largest |coordinate| in subpixels that callers may pass: guard band of 4 x 2048 pixels.
 inline constexpr std::int32_t guard_band = 4 * 2048 * subpixel_one;
-/// Bounds of Edge, from which the proofs take their numbers: dy <= 2 guard_band, so denominator <= 2^30 and
-/// the sum of remainder and step stays below 2^31; numerator at most 2^46.
+/// Bounds of Edge, whose proofs use these numbers. dy <= 2 guard_band makes denominator <= 2^30, so the sum
+/// of remainder and step stays below 2^31. The numerator is at most 2^46.
 inline constexpr std::int64_t edge_max_denominator = std::int64_t{2} * guard_band * subpixel_one;
 static_assert(2 * edge_max_denominator <= std::int64_t{1} << 31);
 
-/// First pixel row (or column) whose centre is at or after subpixel coordinate v.
+/// The first pixel row or column whose centre is at or after subpixel coordinate v.
 constexpr std::int32_t first_center(std::int32_t v) {
     return (v + subpixel_one / 2 - 1) >> subpixel_bits;
 }
 
-/// An edge going up, at the centre of one pixel row.
+/// An edge that goes up, at the centre of one pixel row.
 class Edge {
   public:
     /// The edge from (x0, y0) up to (x1, y1), y1 > y0, at row `row` >= first_center(y0).
     static Edge at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row);
 
-    /// The first column whose centre is on the edge or right of it.
+    /// The first column whose centre is on the edge or to the right of it.
     std::int32_t column() const { return column_; }
 
     /// Moves to the centre of the next row up, exactly, in 32 bits.
@@ -62,8 +62,8 @@ inline Edge Edge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int
         (x0 & (subpixel_one - 1)) - subpixel_one / 2; // from the centre of the vertex's column
     Edge e;
     e.denominator_ = dy * subpixel_one;
-    // column = vertex's column + ceil(numerator / denominator); the floor of -numerator keeps one kind of
-    // division.
+    // column is the vertex's column + ceil(numerator / denominator). It is the floor of the negative
+    // numerator, so that one kind of division is enough.
     const std::int64_t numerator = -(numeric::mul_long(above, dx) + numeric::mul_long(inside, dy));
     const auto down = numeric::floor_divide(numerator, static_cast<std::uint32_t>(e.denominator_));
     const auto slope = numeric::floor_divide(dx, static_cast<std::uint32_t>(dy));
@@ -74,9 +74,9 @@ inline Edge Edge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int
     return e;
 }
 
-/// An edge of at most 64 pixels in x and in y: columns have 32 fraction bits. It meets a row at a multiple of
-/// 1 / (256 dy) >= 2^-22. The slope is short of the true one by less than 2^-32, so within 64 rows the sum is
-/// short by less than 2^-26. A bias of 1 - 2^-24 then makes floor() the exact ceil().
+/// An edge of at most 64 pixels in x and in y. Columns have 32 fraction bits. The edge meets a row at a
+/// multiple of 1 / (256 dy) >= 2^-22. The slope is less than 2^-32 below the true slope, so within 64 rows
+/// the sum is less than 2^-26 too small. A bias of 1 - 2^-24 then makes floor() the exact ceil().
 class SmallEdge {
   public:
     static constexpr std::int32_t extent = 64 * subpixel_one; ///< largest |dx| and dy
@@ -86,8 +86,8 @@ class SmallEdge {
     void step() { position_ += slope_; }
     Trapezoids::Side side() const { return {position_, slope_}; }
 
-    /// floor(v 2^32 / dy), v < 2^29, dy <= 2^14. Where words have 32 bits, the fraction is computed in digits
-    /// of 18 and 14 bits.
+    /// floor(v 2^32 / dy), v < 2^29, dy <= 2^14. With words of 32 bits the fraction is computed in digits of
+    /// 18 and 14 bits.
     template <bool Wide = numeric::wide_words>
     static std::uint64_t divided(std::uint32_t v, std::uint32_t dy) {
         if constexpr (Wide) {
@@ -108,14 +108,14 @@ inline SmallEdge SmallEdge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1
                                std::int32_t row) {
     const std::int32_t dx = x1 - x0;
     const auto dy = static_cast<std::uint32_t>(y1 - y0);
-    // slope is floor(dx 2^32 / dy) plus 2^14 columns, which keep the dividend from being negative: |dx| <=
-    // 2^14.
+    // slope is floor(dx 2^32 / dy) plus 2^14 columns. The 2^14 columns keep the dividend from being negative,
+    // because |dx| <= 2^14.
     const std::uint64_t slope = divided(static_cast<std::uint32_t>(dx) + (dy << 14), dy);
     const auto whole = static_cast<std::uint32_t>(slope >> 32), fraction = static_cast<std::uint32_t>(slope);
     SmallEdge e;
     e.slope_ = std::uint64_t{whole - (1u << 14)} << 32 | fraction;
-    // The row's centre is `above` subpixels above the vertex, at most 64 rows of 256: that is above / 256
-    // steps.
+    // The row's centre is `above` subpixels above the vertex, at most 64 rows of 256, so it is above / 256
+    // steps away.
     const auto above = static_cast<std::uint32_t>(row * subpixel_one + subpixel_one / 2 - y0);
     const std::uint64_t up = std::uint64_t{fraction} * above;
     const std::uint64_t whole_up = std::uint64_t{(whole - (1u << 14)) * above} << 32;
@@ -128,19 +128,21 @@ inline SmallEdge SmallEdge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1
     return e;
 }
 
-/// An edge of at most 15 pixels in x and in y, with x counted from a column that near: one word, columns with
-/// 26 fraction bits. The slope is off by less than a unit. So the start, which lies above / 256 slopes up,
-/// and the 15 - above / 256 steps together are off by less than 15 units, and the two shifts of the start by
-/// two. An edge meets a row at a multiple of 1 / (256 dy) > 2^-20, 64 units: a bias of 32 units less than 1
-/// makes floor() the exact ceil().
+/// An edge of at most 15 pixels in x and in y, whose x counts from a column that is as near. A position is
+/// one word with 26 fraction bits of a column.
+///
+/// The slope is off by less than one unit. The start lies above / 256 slopes up. Start and 15 - above / 256
+/// steps together are off by less than 15 units, and the two shifts of the start by two more. An edge meets a
+/// row at a multiple of 1 / (256 dy) > 2^-20, which is 64 units. So a bias of 1 minus 32 units makes floor()
+/// the exact ceil().
 class LowEdge {
   public:
     static constexpr std::int32_t extent = 15 * subpixel_one; ///< largest |dx| and dy
 
     SPANGLE_INLINE static LowEdge at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1,
                                      std::int32_t row) {
-        // dx 2^26 / dy in digits of 19 and 7 bits: |slope| above <= 2^19 |dx|, |fine| above < 2^7 dy. Where
-        // the slope is too large for the sum of both, dy < 256 and no other row is stepped to.
+        // dx 2^26 / dy is computed in digits of 19 and 7 bits: |slope| <= 2^19 |dx|, |fine| < 2^7 dy. Where
+        // the slope is too large for the sum of both, dy is below 256, and no other row is stepped to.
         const std::int32_t dx = (x1 - x0) * (1 << 19), dy = y1 - y0;
         const std::int32_t slope = dx / dy, fine = (dx - slope * dy) * (1 << 7) / dy;
         const std::int32_t above = row * subpixel_one + subpixel_one / 2 - y0;
@@ -159,8 +161,8 @@ class LowEdge {
     std::uint32_t position_, slope_; ///< mod 2^32
 };
 
-/// An edge of at most 15 pixels, for processors whose divisions are calls (numeric::divides): columns are
-/// found by walking. Each call of at() and step() walks at most 15 columns, and all sums fit 32 bits.
+/// An edge of at most 15 pixels, for processors whose divisions are calls (numeric::divides). It finds
+/// columns by walking. Each call of at() and step() walks at most 15 columns, and all sums fit 32 bits.
 class ShortEdge {
   public:
     static constexpr std::int32_t extent = 15 * subpixel_one; ///< largest |dx| and dy
@@ -178,7 +180,7 @@ class ShortEdge {
         return e;
     }
     SPANGLE_INLINE std::int32_t column() const { return column_; }
-    /// Moves one row up, to a row that the edge reaches.
+    /// Moves up to the next row, which the edge must reach.
     SPANGLE_INLINE void step() {
         remainder_ += remainder_step_;
         walk();
@@ -196,9 +198,9 @@ class ShortEdge {
     std::int32_t remainder_; ///< of the ceil division: -denominator < remainder <= 0
 };
 
-/// Walks the rows of a triangle that hold a centre, upwards. Vertices come sorted by y. `middle_left`: the
-/// middle vertex lies left of the edge from the lowest to the highest. E: Edge, or SmallEdge within its
-/// extent.
+/// Walks upwards along the rows of a triangle that hold a centre. Vertices are sorted by y. `middle_left`
+/// says that the middle vertex lies to the left of the edge from the lowest to the highest vertex. E is Edge,
+/// or SmallEdge within its extent.
 template <class E> class TriangleRows {
   public:
     TriangleRows(const std::int32_t xs[3], const std::int32_t ys[3], bool middle_left, std::int32_t row_begin,
@@ -220,8 +222,8 @@ template <class E> class TriangleRows {
         }
     }
 
-    /// Writes rows that hold a centre, until `to` is full or the triangle is over; returns the end of those.
-    /// Cut: rows are clipped to columns [begin, end).
+    /// Writes rows that hold a centre, until `to` is full or the triangle ends. Returns the end of the
+    /// written rows. Cut: rows are clipped to columns [begin, end).
     template <bool Cut> Row* fill(Row* to, int room, std::int32_t begin, std::int32_t end) {
         const Row* const full = to + room;
         while (to != full) {
@@ -268,7 +270,8 @@ inline constexpr std::int32_t low_extent = (packet - 1) * subpixel_one;
 
 namespace detail {
 
-/// Writes rows [y, stop) between two edges, whose columns are counted from `base`; returns the end of those.
+/// Writes rows [y, stop) between two edges, whose columns count from `base`. Returns the end of the written
+/// rows.
 template <bool Cut, class E>
 SPANGLE_INLINE Row* rows_between(Row* to, std::int32_t y, std::int32_t stop, E& left, E& right,
                                  std::int32_t base, const Rect& clip) {
@@ -292,7 +295,7 @@ SPANGLE_INLINE Row* rows_between(Row* to, std::int32_t y, std::int32_t stop, E& 
 
 } // namespace detail
 
-/// Writes all rows of a triangle of at most low_extent at once, as TriangleRows::fill() does.
+/// Writes all rows of a triangle of at most low_extent, as TriangleRows::fill() does.
 template <class E, bool Cut>
 SPANGLE_INLINE Row* low_rows(Row* to, const std::int32_t (&xs)[3], const std::int32_t (&ys)[3],
                              bool middle_left, const Rect& clip) {

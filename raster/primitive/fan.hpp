@@ -1,4 +1,5 @@
-// Finds the pixel centres of a row that a fan of triangles covers, and those that each triangle covers.
+// Finds the pixel centres of a row that a fan of triangles covers, and the centres that each triangle of the
+// fan covers.
 #pragma once
 
 #include "raster/primitive/area.hpp"
@@ -30,7 +31,7 @@ struct PixelBox {
     }
 };
 
-/// Which centres of a row lie between edges, by the rule of edge.hpp.
+/// Finds which centres of a row lie between edges, by the rule of edge.hpp.
 class RowCenters {
   public:
     void add(const Position& low, const Position& high, std::int32_t row) {
@@ -65,18 +66,18 @@ template <class V> Sorted<V> sorted(const V& a, const V& b, const V& c) {
     return {low, middle, high, area2};
 }
 
-/// An edge of a fan, evaluated at rows that go up one by one.
+/// An edge of a fan, evaluated at rows in ascending order.
 class FanEdge {
   public:
     FanEdge() = default;
     FanEdge(const Position& a, const Position& b) {
-        const bool up = a.y < b.y || (a.y == b.y && a.x < b.x); // as corners are sorted
+        const bool up = a.y < b.y || (a.y == b.y && a.x < b.x); // corners are sorted in this way
         low_ = up ? a : b;
         high_ = up ? b : a;
         first_row_ = first_center(low_.y);
         end_row_ = first_center(high_.y);
     }
-    /// Adds the column where the edge meets `row` to `first` and `second`, if the edge reaches that row.
+    /// Adds the column where the edge meets `row` to `first` and `second`, if the edge reaches the row.
     void add(std::int32_t row, RowCenters& first, RowCenters& second) {
         if (row < first_row_ || row >= end_row_)
             return;
@@ -96,7 +97,7 @@ class FanEdge {
     Edge edge_;
 };
 
-/// Whether two vertices differ in position only: all planes through such vertices are constant.
+/// Whether two vertices differ only in their position. All planes through such vertices are constant.
 inline bool have_equal_attributes(const FixedVertex& a, const FixedVertex& b) {
     FixedVertex moved = a;
     place(moved, position(b));
@@ -119,11 +120,11 @@ inline bool have_equal_attributes(const ShadowVertex& a, const ShadowVertex& b) 
 
 } // namespace detail
 
-/// The covered centres of one row: those of the whole fan, and those of each triangle, where these are kept.
+/// The covered centres of one row: those of the whole fan, and, where they are kept, those of each triangle.
 struct FanRow {
     static constexpr int kept = !has_shortcuts   ? 0
                                 : host_lanes > 1 ? 6
-                                                 : 2; ///< most triangles in `triangle_columns`
+                                                 : 2; ///< largest number of triangles in `triangle_columns`
     std::int32_t row = 0;
     detail::Columns all, triangle_columns[kept == 0 ? 1 : kept];
 };
@@ -145,7 +146,7 @@ template <class V> class Fan {
     const V& operator[](int i) const { return *corner_[i]; }
     detail::Sorted<V> part(int i) const { return detail::sorted(*corner_[0], *corner_[i], *corner_[i + 1]); }
 
-    /// A triangle of non-zero area, if all triangles have the same planes; otherwise 0.
+    /// The number of a triangle of non-zero area if all triangles have the same planes, and otherwise 0.
     int uniform_part() const {
         for (int i = 1; i < corner_count_; ++i)
             if (!detail::have_equal_attributes(*corner_[0], *corner_[i]))
@@ -156,7 +157,7 @@ template <class V> class Fan {
         return i;
     }
 
-    /// Finds the centres of a row. It is fast where rows are asked for upwards, one by one.
+    /// Finds the centres of a row. The call is fast where rows are asked for one by one upwards.
     void find(FanRow& out, std::int32_t row) {
         out.row = row;
         if (!stores_triangles()) {
@@ -179,13 +180,13 @@ template <class V> class Fan {
         for (int i = 0; i < corner_count_; ++i) {
             const Position a = position(*corner_[i]),
                            b = position(*corner_[i + 1 < corner_count_ ? i + 1 : 0]);
-            const bool up = a.y < b.y || (a.y == b.y && a.x < b.x); // as corners are sorted
+            const bool up = a.y < b.y || (a.y == b.y && a.x < b.x); // corners are sorted in this way
             found.add(up ? a : b, up ? b : a, row);
         }
         return found.columns();
     }
-    /// The centres that triangle i covers in a row that was found. `kept`: find() wrote this row, so its
-    /// `triangle_columns` is valid.
+    /// The centres that triangle i covers in a row that find() has found. `kept` says that find() wrote `row`
+    /// last, so its `triangle_columns` is valid.
     detail::Columns triangle_columns(const FanRow& row, int i, bool kept = true) const {
         if (row.all.none())
             return {};

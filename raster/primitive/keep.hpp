@@ -1,4 +1,4 @@
-// Primitives that are handed to a recorder (DrawState::recorder), which keeps them or notes where they lie.
+// Hands primitives to a recorder (DrawState::recorder), which keeps them or notes the rows that they reach.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace spangle::raster {
 struct LineStipple;
 struct PixelSource;
 
-/// A primitive as the functions of draw.hpp take it.
+/// A primitive, with the arguments of the functions of draw.hpp.
 struct Primitive {
     enum class Shape : std::uint8_t {
         triangle,
@@ -46,8 +46,8 @@ inline bool draws(const DrawState& state) {
 #endif
 }
 
-/// Hands a primitive of a state with DrawState::nothing to its recorder, if there is one. True: the primitive
-/// is to be drawn as well.
+/// Hands a primitive of a state with DrawState::nothing to its recorder, if there is one. Returns true where
+/// the primitive must be drawn, too.
 template <class V, class... Corner>
 inline bool keep([[maybe_unused]] const DrawState& state, [[maybe_unused]] Primitive::Shape shape,
                  [[maybe_unused]] std::int32_t size, [[maybe_unused]] const LineStipple* stipple,
@@ -65,7 +65,7 @@ inline bool keep([[maybe_unused]] const DrawState& state, [[maybe_unused]] Primi
     return false;
 }
 
-/// keep() for a smooth polygon.
+/// Does what keep() does, for a smooth polygon.
 template <class V>
 inline bool keep_polygon([[maybe_unused]] const DrawState& state, [[maybe_unused]] const V* const* corner,
                          [[maybe_unused]] int corners, [[maybe_unused]] const V& provoking) {
@@ -80,7 +80,7 @@ inline bool keep_polygon([[maybe_unused]] const DrawState& state, [[maybe_unused
     return false;
 }
 
-/// keep() for the fragments of a pixel rectangle.
+/// Does what keep() does, for the fragments of a pixel rectangle.
 template <class V>
 inline bool keep_pixels([[maybe_unused]] const DrawState& state, [[maybe_unused]] const V& at,
                         [[maybe_unused]] PixelSource& source) {

@@ -16,8 +16,9 @@ constexpr std::int32_t center_of(std::int32_t i) {
     return i * subpixel_one + subpixel_one / 2;
 }
 
-/// Attributes run from one end of the line to the other; where the centre of the first or last fragment lies
-/// beyond the end, the end is moved there, so that no attribute is extrapolated (depth could wrap).
+/// The interval along which attributes of a line run, from one end to the other. Where the centre of the
+/// first or last fragment lies beyond an end, the end is moved there. So no attribute is extrapolated, which
+/// could make depth wrap.
 struct LineInterval {
     std::int32_t begin, end;
     LineInterval(const DiamondWalk& walk, std::int32_t a, std::int32_t b) {

@@ -1,5 +1,5 @@
-// Lines of width 1 of which nothing is clipped are drawn as paths: one loop draws all their fragments. Other
-// lines are drawn as rows.
+// Draws lines of width 1 that are not clipped as paths, by one loop over all their fragments. Other lines are
+// drawn as rows.
 #pragma once
 
 #include <type_traits>
@@ -12,7 +12,7 @@ namespace spangle::raster {
 
 namespace detail {
 
-/// Whether an observer wants to be told of rows.
+/// Whether an observer asks for rows.
 inline bool has_observer([[maybe_unused]] const Counters* counters) {
 #ifndef SPANGLE_FIRMWARE
     return counters != nullptr && counters->observer != nullptr;
@@ -21,13 +21,13 @@ inline bool has_observer([[maybe_unused]] const Counters* counters) {
 #endif
 }
 
-/// Whether two vertices have the same colour, as far as a path may show it.
+/// Whether two vertices have the same colour, in the components that a path may show.
 SPANGLE_INLINE bool same_color(const FixedVertex& a, const FixedVertex& b) {
     return ((a.color[0] ^ b.color[0]) | (a.color[1] ^ b.color[1]) | (a.color[2] ^ b.color[2])) == 0;
 }
 
-/// Widens the touched columns by those of a line, if they do not contain them already. The rows between those
-/// of its ends, and one more pixel, hold the line.
+/// Widens the touched columns by the columns of a line, if they do not contain them already. The line lies in
+/// the rows between its ends and one more row on each side.
 inline void touch_line(const Surface& target, const Position& a, const Position& b) {
     const auto low = [](std::int32_t v, std::int32_t w) {
         return ((v < w ? v : w) - subpixel_one / 2 - 1) >> subpixel_bits;
@@ -50,17 +50,17 @@ inline void touch_line(const Surface& target, const Position& a, const Position&
 
 } // namespace detail
 
-/// Collects lines for one loop, as many as a set of paths holds. L: the lanes that set them up, side by side
-/// or one at a time.
+/// Collects lines for one loop, as many as a set of paths holds. L is the type of lanes that sets lines up,
+/// side by side or one at a time.
 template <class L> class LineBatch {
   public:
     LineBatch(const DrawState& state, const Surface& target, std::int32_t width)
         : state_(state), target_(target), width_(width),
           area_(width == 1 && !detail::has_observer(state.counters) ? state.paths : DrawState::Area{}) {}
 
-    /// Draws lines from vertices i to i + 1, i = 0, step, .... They have the colour of `flat_shaded_vertex`,
-    /// or where that is null each that of its second vertex. A line that is the only one may have another
-    /// provoking vertex.
+    /// Draws lines from vertices i to i + 1, i = 0, step, and so on. They have the colour of
+    /// `flat_shaded_vertex`; where it is null, each has the colour of its second vertex. The only line of a
+    /// batch may have another provoking vertex.
     void draw(const FixedVertex* const* v, int n, int step, const FixedVertex* flat_shaded_vertex,
               const FixedVertex* provoking) {
         vertex_ = v;
@@ -123,7 +123,7 @@ template <class L> class LineBatch {
             draw(v + i, 2, 1, flat_shaded_vertex, nullptr);
     }
 
-    /// Sets up all lines. With one colour each, only depth has a plane, which varies along one axis.
+    /// Sets up all lines. Each has one colour, so only depth has a plane, which varies along one axis.
     SPANGLE_INLINE PathInterval<std::int32_t> set_up(bool depth) {
         return set_up_.set_up(paths_, PathPixels::per_row(target_, state_.fragment.dither), depth);
     }
@@ -132,7 +132,7 @@ template <class L> class LineBatch {
         return provoking_ != nullptr ? *provoking_ : *vertex_[1];
     }
 
-    /// Sets up the only line, whose colour varies.
+    /// Sets up the only line of the batch, whose colour varies.
     [[gnu::noinline]] Kind set_up_colored() {
         const PathInterval<std::int32_t> at = set_up(false);
         Span<Fixed> span;
@@ -155,7 +155,7 @@ template <class L> class LineBatch {
         return span.kind;
     }
 
-    /// Draws the paths that were set up, or the only line as rows where its kind has no walk.
+    /// Draws the paths that were set up. Where the kind of the only line draws no paths, it is drawn as rows.
     void walk(Kind kind) {
         const AnyFunction draw = walk_of(kind);
         if (draw == nullptr)
@@ -172,7 +172,7 @@ template <class L> class LineBatch {
         reinterpret_cast<PathFunction>(draw)(state_, target_, paths_, line_count_);
     }
 
-    /// Draws the only line as rows.
+    /// Draws the only line of the batch as rows.
     [[gnu::noinline]] void rows() const {
         draw_line_of<Fixed>(state_, target_, *vertex_[0], *vertex_[1], provoking(), width_);
     }
@@ -188,7 +188,7 @@ template <class L> class LineBatch {
     Paths paths_;
 };
 
-/// draw_lines and draw_line, in batches of this kind.
+/// Does what draw_lines() and draw_line() do, in batches of this kind.
 template <class L>
 void draw_lines_by(const DrawState& state, const Surface& target, const FixedVertex* const* vertex, int n,
                    int step, const FixedVertex* flat_shaded_vertex, std::int32_t width) {

@@ -21,12 +21,12 @@ constexpr Position position(const LineEnd& v) {
     return {v.x, v.y};
 }
 
-/// The area in which the ends of strips must lie for draw_strip(). It is empty if that draws no lines of this
-/// state.
+/// The area in which the ends of strips must lie for draw_strip(). It is empty where draw_strip() draws no
+/// lines of this state.
 DrawState::Area strip_area(const DrawState& state, std::int32_t width);
 
 /// Draws lines of width 1 from each end to the next, in the colour of `painted`. There are n ends, 1 < n <=
-/// line_batch + 1, all in the strip_area().
+/// line_batch + 1, all of which lie in strip_area().
 void draw_strip(const DrawState& state, const Surface& target, const LineEnd* ends, int n,
                 const FixedVertex& painted);
 

@@ -1,5 +1,5 @@
-// The rectangle around a line (GL 1.3, 3.4.2, 3.4.4): as wide as the line, from end to end; and the parts of
-// length 1 that a stipple leaves of it.
+// The rectangle around a line (GL 1.3, 3.4.2, 3.4.4): it is as wide as the line and reaches from end to end.
+// A stipple leaves parts of length 1 of it.
 #pragma once
 
 #include "raster/numeric/bits.hpp"
@@ -13,8 +13,8 @@ namespace spangle::raster {
 
 namespace detail {
 
-/// floor(sqrt(v)). The inverse root of the upper half of v is off by less than 2^-29; the root from it is
-/// then corrected in steps of 1.
+/// floor(sqrt(v)). The inverse root of the upper half of v is off by less than 2^-29. The root made from it
+/// is then corrected in steps of 1.
 constexpr std::uint32_t integer_sqrt(std::uint64_t v) {
     if (v == 0)
         return 0;
@@ -65,8 +65,8 @@ class LineOutline {
     bool empty() const { return length_ == 0; }
     /// The number of parts of length 1, of which the last may be shorter.
     std::uint32_t parts() const { return static_cast<std::uint32_t>((length_ + one - 1) / one); }
-    /// Calls draw(begin, end) for each stretch of parts that the stipple leaves, or for the whole line. The
-    /// stipple does not advance.
+    /// Calls draw(begin, end) for each stretch of parts that the stipple leaves, or for the whole line
+    /// without a stipple. The stipple does not advance.
     template <class Draw> void each_stippled_part(const LineStipple* stipple, Draw draw) const {
         for (std::uint32_t begin = 0, end, n = parts(); begin < n; begin = end) {
             const bool kept = stipple == nullptr || stipple->at(stipple->position + begin);
@@ -81,7 +81,7 @@ class LineOutline {
     void corners(std::uint32_t begin, std::uint32_t end, OutlinePoint (&out)[4]) const {
         rectangle_around(begin * one, end * one < length_ ? end * one : length_, 1, out);
     }
-    /// The corners of a rectangle that is twice as wide as that of corners(), and longer at the ends of the
+    /// The corners of a rectangle twice as wide as that of corners(), which is longer at the ends of the
     /// line. Only the cuts between parts bound it.
     void strip(std::uint32_t begin, std::uint32_t end, OutlinePoint (&out)[4]) const {
         rectangle_around(begin == 0 ? -one : begin * one, end * one < length_ ? end * one : length_ + one, 2,
@@ -114,7 +114,7 @@ class LineOutline {
     OutlinePoint half_width_{};
 };
 
-/// The rectangle's corners as vertices: what varies along the line does not vary across it.
+/// The corners of the rectangle as vertices. Attributes vary along the line, and not across it.
 template <class V> struct LineCorners {
     V at[4];
     LineCorners(const LineOutline& line, const V& a, const V& b) : at{a, b, b, a} {

@@ -1,5 +1,5 @@
-// Makes paths of lines: where their fragments lie, and their depth. L holds several lines side by side, or
-// one.
+// Makes paths of lines: the places of their fragments, and their depths. L holds several lines side by side,
+// or one.
 #pragma once
 
 #include <bit>
@@ -10,15 +10,15 @@
 
 namespace spangle::raster {
 
-/// The interval in which attributes run along the major axis, subpixels: from one end of the line to the
-/// other. Where the centre of the first or last fragment lies beyond the end, the end is moved there
+/// The interval along which attributes run on the major axis, in subpixels, from one end of the line to the
+/// other. Where the centre of the first or last fragment lies beyond an end, the end is moved there
 /// (detail::LineInterval).
 template <class Int> struct PathInterval {
     Int begin, end;
     Int from_begin; ///< from the pixel of `begin` to the first fragment
 };
 
-/// Stores path i, and those beside it in lanes, of lines that have fragments.
+/// Stores path i, and in lanes also the next paths, for lines that have fragments.
 template <class L, class Line>
 SPANGLE_INLINE PathInterval<typename L::Int> set_path(Paths& paths, int i, const Line& line,
                                                       std::int32_t pixels_per_row) {
@@ -47,8 +47,8 @@ SPANGLE_INLINE PathInterval<typename L::Int> set_path(Paths& paths, int i, const
     return {begin, end, line.major - (begin >> subpixel_bits)};
 }
 
-/// Stores the depth of path i, from the code of the first end and half the difference to that of the second.
-/// Setup finds the same values in more steps.
+/// Stores the depth of path i from the code of the first end and half the difference to the code of the
+/// second end. Setup finds the same values in more steps.
 SPANGLE_INLINE void set_path_depth(Paths& paths, int i, std::uint32_t from, std::int32_t difference,
                                    const PerPixel& per_pixel, std::int32_t begin, std::int32_t from_begin) {
     const auto part = [&](std::int32_t coefficient) {

@@ -15,7 +15,7 @@ struct LineStipple {
     void advance(std::uint32_t fragments) { position = (position + fragments) % (16 * factor); }
 };
 
-/// Pattern of a line without a stipple: all fragments are drawn.
+/// Takes the place of a stipple on a solid line: all fragments are drawn.
 struct SolidLine {
     struct Mask {
         constexpr bool operator()(std::int32_t) const { return true; }
@@ -36,7 +36,7 @@ struct StippledLine {
                               static_cast<std::uint32_t>(ascends ? major - from : from - major));
         }
     };
-    /// Takes a line before it is clipped; the stipple moves to its end.
+    /// Takes a line before it is clipped. The stipple moves on to the line's end.
     Mask along(const DiamondWalk& walk) {
         const Mask kept{stipple, walk.ascends ? walk.major : walk.major + walk.count - 1, walk.ascends};
         stipple.advance(static_cast<std::uint32_t>(walk.count));

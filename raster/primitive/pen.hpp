@@ -1,4 +1,5 @@
-// Takes the rows of a primitive through scissor, touched rows and counters to the span function of the state.
+// Takes the rows of a primitive through the scissor rectangle, touched rows and counters to the span function
+// of the state.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +30,7 @@ template <class P> class Pen {
         span.depth = nullptr;
     }
 
-    /// Whether the planes of `span` are set up. Always false where triangles are not tried as tiles first.
+    /// Whether the planes of `span` are set up. This is always false in builds that do not try tiles first.
     bool is_set_up() const { return host_lanes > 1 && is_set_up_; }
     void set_up() {
         if constexpr (host_lanes > 1)
@@ -41,8 +42,8 @@ template <class P> class Pen {
     std::int32_t row_end() const { return scissor_.y + scissor_.h; }
     std::int32_t column_begin() const { return scissor_.x; }
     std::int32_t column_end() const { return scissor_.x + scissor_.w; }
-    /// Takes all columns of a primitive. True: some of them may be drawn; needs_scissor() then says whether
-    /// some may have to be clipped.
+    /// Takes the range of columns of a primitive. Returns true if some of its columns may be drawn.
+    /// needs_scissor() then says whether some of them may have to be clipped.
     bool reaches_scissor(std::int32_t left, std::int32_t right) {
         needs_clipping_ = left < scissor_.x || right > column_end();
         return !needs_clipping_ || (left < column_end() && right > scissor_.x);
@@ -55,8 +56,8 @@ template <class P> class Pen {
             ++span.state->counters->triangles;
     }
 
-    /// Rows that are drawn at once. Where rows share packets (shared_rows.hpp), these suffice to fill several
-    /// packets even if each has one fragment.
+    /// The number of rows that are drawn at once. Where rows share packets (shared_rows.hpp), this many rows
+    /// fill several packets, even with one fragment each.
     static constexpr int batch = host_lanes > 1 ? 4 * packet : packet;
     /// Room for `batch` rows.
     Row* rows() { return rows_; }
@@ -68,8 +69,8 @@ template <class P> class Pen {
         reinterpret_cast<RowsFunction<P>>(variant.run)(span, rows_, end);
     }
 
-    /// Adds columns [left, right) of row y, which is inside the scissor rectangle. Draws all rows when there
-    /// are `batch`.
+    /// Adds columns [left, right) of row y, which lies inside the scissor rectangle. Draws all rows when
+    /// `batch` rows are there.
     SPANGLE_INLINE void add(std::int32_t y, std::int32_t left, std::int32_t right) {
         std::int32_t first = left, last = right;
         if (needs_clipping_) {
@@ -83,7 +84,7 @@ template <class P> class Pen {
             flush();
     }
 
-    /// Draws the rows that add() left; must be called after the last.
+    /// Draws the rows that add() has left. It must be called after the last add().
     void flush() {
         if (row_count_ != 0)
             draw(rows_ + row_count_);

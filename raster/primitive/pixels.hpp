@@ -1,5 +1,4 @@
-// Draws fragments whose positions are found elsewhere: those of pixel rectangles and bitmaps (GL 1.3, 3.6.4,
-// 3.7).
+// Draws fragments whose positions the caller finds, as pixel rectangles and bitmaps do (GL 1.3, 3.6.4, 3.7).
 #pragma once
 
 #include "raster/primitive/draw.hpp"

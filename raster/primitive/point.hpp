@@ -8,8 +8,8 @@
 
 namespace spangle::raster {
 
-/// First column (or row) of a point: an odd size is centred on a fragment, an even one on the corner nearest
-/// to v.
+/// The first column or row of a point. A point of odd size is centred on a fragment, and one of even size on
+/// the corner that is nearest to v.
 constexpr std::int32_t point_begin(std::int32_t v, std::int32_t size) {
     return (size & 1) != 0 ? (v >> subpixel_bits) - (size - 1) / 2
                            : ((v + subpixel_one / 2) >> subpixel_bits) - size / 2;

@@ -6,10 +6,10 @@ namespace spangle::raster {
 
 namespace {
 
-/// Beyond this every fragment is clamped to one end.
+/// An offset beyond this limit clamps every fragment to one end of the depth range.
 constexpr std::int64_t beyond_all = std::int64_t{1} << 34;
 
-/// +-mantissa 2^exponent, rounded down in size, at most beyond_all. mantissa < 2^62.
+/// +-mantissa 2^exponent with the mantissa below 2^62. The size is rounded down, and is at most beyond_all.
 std::int64_t saturated(bool negative, std::uint64_t mantissa, int exponent) {
     std::uint64_t size = 0;
     if (exponent <= 0)
@@ -23,7 +23,7 @@ std::int64_t saturated(bool negative, std::uint64_t mantissa, int exponent) {
     return negative ? -static_cast<std::int64_t>(size) : static_cast<std::int64_t>(size);
 }
 
-/// How fast depth changes along the axis where it does most, from pixel to pixel; times |area2|, in 2^-38.
+/// The change of depth from pixel to pixel along the axis where it is largest, times |area2|, in 2^-38.
 std::uint64_t steepest_slope(const FixedVertex& a, const FixedVertex& b, const FixedVertex& c) {
     const auto z1 = std::int64_t{b.z} - a.z, z2 = std::int64_t{c.z} - a.z;
     const std::uint64_t along_x = numeric::abs_u64(z1 * (c.y - a.y) - z2 * (b.y - a.y));
@@ -44,7 +44,7 @@ void set_depth_offset<FixedVertex>(PrimitiveState& out, const PolygonOffset& off
     const std::uint64_t most = steepest_slope(a, b, c);
     if (most == 0 || area2 == 0)
         return;
-    // m = most / |area2| 2^-22 = q 2^exponent; q loses less than 2^-30 of itself.
+    // m = most / |area2| 2^-22 = q 2^exponent, where q is less than 2^-30 of itself too small.
     const int up = numeric::clz64(most) - 1, zeros = numeric::clz64(numeric::abs_u64(area2));
     const int down = zeros < 32 ? 32 - zeros : 0;
     auto q = static_cast<std::uint64_t>(numeric::quotient(

@@ -1,7 +1,7 @@
-// The depth offset of a polygon (GL 1.3, 3.5.5): factor m + units r, m = max(|dz/dx|, |dz/dy|). The minimum
-// resolvable difference r is one code of a depth buffer of 16 bits, and two codes of one of 24 bits: the
-// depth of a vertex comes from floats, whose neighbours between 1 and 2 are 2^-23 apart, so that a polygon
-// one code in front of another cannot be asked for everywhere.
+// The depth offset of a polygon (GL 1.3, 3.5.5): factor m + units r, where m = max(|dz/dx|, |dz/dy|). The
+// minimum resolvable difference r is one code of a depth buffer of 16 bits, and two codes of one of 24 bits.
+// Depths of vertices come from floats, which are 2^-23 apart between 1 and 2. So a polygon one code of 24
+// bits in front of another cannot be asked for everywhere.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ struct PolygonOffset {
     numeric::Real factor = numeric::zero, units = numeric::zero;
 };
 
-/// Writes the depth offset of the plane through three vertices. area2 is twice their signed area; 0: the
-/// plane counts as level.
+/// Writes the depth offset of the plane through three vertices. area2 is twice their signed area. Where it is
+/// 0, the plane counts as level.
 template <class V>
 void set_depth_offset(PrimitiveState& out, const PolygonOffset& offset, DepthFormat format, const V& a,
                       const V& b, const V& c, std::int64_t area2);

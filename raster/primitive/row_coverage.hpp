@@ -7,7 +7,7 @@ namespace spangle::raster {
 
 class RowCoverage {
   public:
-    /// Columns [begin, end) may be asked for.
+    /// Only columns [begin, end) may be asked for.
     RowCoverage(const AreaRow& area, std::int32_t begin, std::int32_t end)
         : area_(area), begin_(area.first() < begin ? begin : area.first()),
           end_(area.last() < end ? area.last() + 1 : end), known_begin_(begin_), known_end_(begin_),
@@ -21,15 +21,15 @@ class RowCoverage {
     std::int32_t begin() const { return begin_; }
     std::int32_t end() const { return end_; }
 
-    /// The run of fully covered pixels that is long enough to be drawn by itself. If there is none, it is
-    /// empty and lies at end().
+    /// The run of fully covered pixels that is long enough to be drawn by itself. Where there is none, the
+    /// run is empty and lies at end().
     std::int32_t full_run_begin() const { return full_run_begin_; }
     std::int32_t full_run_end() const { return full_run_end_; }
     /// Shorter runs of fully covered pixels are drawn together with their neighbours.
     static constexpr std::int32_t least_run = host_lanes > 1 ? 2 * packet : 2;
 
-    /// The coverages from column x on. `count`: how many are wanted, then how many are there, which may be
-    /// fewer.
+    /// The coverages from column x on. `count` is the number that the caller wants, and becomes the number
+    /// that there is, which may be smaller.
     const std::uint32_t* from(std::int32_t x, std::int32_t& count) {
         if (x < known_begin_ || x >= known_end_) {
             known_begin_ = x;

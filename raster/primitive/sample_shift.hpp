@@ -1,4 +1,4 @@
-// Shifts that move a sample to where pixel centres are.
+// Shifts that move a sample to the place of its pixel's centre.
 #pragma once
 
 #include "raster/numeric/bits.hpp"
@@ -13,7 +13,7 @@ constexpr Position to_center(unsigned sample) {
     return {center - sample_position[sample].x, center - sample_position[sample].y};
 }
 
-/// Moves a vertex or a position; its attributes stay.
+/// Moves a vertex or a position; attributes do not change.
 template <class V> constexpr void shift(V& v, const Position& by) {
     const Position at = position(v);
     place(v, {at.x + by.x, at.y + by.y});

@@ -1,5 +1,5 @@
-// Sets up lines one after the other, for words of 32 bits. Nothing is selected by masks, and a line of a
-// strip reuses what the line before it found at their common vertex.
+// Sets up lines one after the other, in words of 32 bits. No value is selected by masks. A line of a strip
+// reuses the results of the line before it for their common vertex.
 #pragma once
 
 #include <type_traits>
@@ -11,8 +11,8 @@ namespace spangle::raster {
 
 class ScalarLines {
   public:
-    /// Takes lines from vertex 0 to 1, from vertex `step` to step + 1, and so on. True: all vertices lie in
-    /// the area.
+    /// Takes lines from vertex 0 to 1, from vertex `step` to step + 1, and so on. Returns true where all
+    /// vertices lie in the area.
     SPANGLE_INLINE bool take(const FixedVertex* const* vertex, int n, int step, const DrawState::Area& area) {
         end_ = own_ends_;
         vertex_step_ = step;
@@ -26,7 +26,7 @@ class ScalarLines {
         }
         return true;
     }
-    /// Takes a strip of `count` lines; `ends` are not copied.
+    /// Takes a strip of `count` lines. `ends` are not copied.
     void take(const LineEnd* ends, int count) {
         end_ = ends;
         vertex_step_ = 1;
@@ -35,8 +35,8 @@ class ScalarLines {
     /// The first or second end of line i.
     Position end(int i, int second) const { return position(end_[i * vertex_step_ + second]); }
 
-    /// Sets up all of the paths but their colour. Without depth it returns the interval of the last line that
-    /// has fragments.
+    /// Sets up all parts of the paths except their colour. Without depth it returns the interval of the last
+    /// line that has fragments.
     [[gnu::noinline]] PathInterval<std::int32_t> set_up(Paths& paths, std::int32_t row, bool depth) const {
         constexpr std::true_type yes;
         constexpr std::false_type no;
@@ -58,8 +58,8 @@ class ScalarLines {
   private:
     using L = LineLanes<1>;
 
-    /// Sets up line i, which has this major axis and direction, and the lines of its strip that go on so.
-    /// Returns the index of the line after them.
+    /// Sets up line i, whose major axis and direction are given, and the next lines of its strip that have
+    /// the same. Returns the index of the line after them.
     template <class X, class Up>
     SPANGLE_INLINE int follow(X x, Up up, int i, Paths& paths, std::int32_t row, bool depth,
                               PathInterval<std::int32_t>& at, numeric::LeadingZeros<>& zeros) const {
@@ -95,8 +95,9 @@ class ScalarLines {
         return X::value ? v.y : v.x;
     }
 
-    /// set_path_depth() by high words of products, where a word holds the lifted difference. Lines of 8 to 16
-    /// pixels always allow that, shorter ones unless depth is too steep, longer ones never.
+    /// Does what set_path_depth() does, by high words of products, where a word holds the lifted difference.
+    /// Lines of 8 to 16 pixels always allow it. Shorter lines allow it unless depth is too steep, and longer
+    /// lines never do.
     template <class Up>
     SPANGLE_INLINE void set_depth(Paths& paths, int i, const LineEnd* ends,
                                   const PathInterval<std::int32_t>& at,

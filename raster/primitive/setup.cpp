@@ -10,7 +10,7 @@ using numeric::clz32;
 
 // --- geometry
 
-/// Sets the anchor: the pixel that the lowest vertex (x, y) lies in.
+/// Sets the anchor: the pixel in which the lowest vertex (x, y) lies.
 SPANGLE_INLINE void Setup<Fixed>::set_anchor(std::int32_t x, std::int32_t y) {
     span_.anchor_x = x >> subpixel_bits;
     span_.anchor_y = y >> subpixel_bits;
@@ -44,7 +44,7 @@ void Setup<Fixed>::along_longer_axis(const Vertex& a, const Vertex& b, const Ver
 
 /// Computes the coefficients of planes. |area2| 2^zeros has its highest bit set; `top` is its upper word.
 SPANGLE_INLINE void Setup<Fixed>::in_plane(std::uint32_t top, int zeros, bool negative) {
-    // 1 / area2 = inverse 2^(zeros - 94); 2^31 itself is off by 2^-31 of its value
+    // 1 / area2 is inverse 2^(zeros - 94). The inverse of 2^31 itself is off by 2^-31 of its value.
     const std::uint32_t reciprocal = numeric::reciprocal(top);
     const auto inverse = static_cast<std::int32_t>(reciprocal - (reciprocal >> 31));
     const std::int32_t signed_inverse = negative ? -inverse : inverse;
@@ -80,7 +80,7 @@ SPANGLE_INLINE void Setup<Fixed>::in_plane(std::uint32_t top, int zeros, bool ne
 
 // --- planes
 
-/// Adds a plane that may be steep. It is not inline where add_lifted() is.
+/// Adds a plane that may be steep. The function is not inline in builds where add_lifted() is.
 Setup<Fixed>::Slope Setup<Fixed>::add_steep(Interpolant<std::uint32_t>& at, std::uint32_t first,
                                             std::int32_t d1, std::int32_t d2, int up) {
     const Interpolant<std::uint64_t> plane = scaled_plane(by(), d1, d2, up);
@@ -93,8 +93,8 @@ Setup<Fixed>::Slope Setup<Fixed>::add_steep(Interpolant<std::uint32_t>& at, std:
 // --- attributes
 
 SPANGLE_INLINE void Setup<Fixed>::add_depth() {
-    // The value is k + 1/2 for a code k in the top bits. Differences are halved to fit a word, and have half
-    // of the code's last bit.
+    // The value is k + 1/2 for a code k in the top bits. Differences are halved to fit a word, so they have
+    // half of the code's last bit.
     constexpr int bits = 16;
     const std::uint32_t z0 = depth_code(v(0).z, bits), z1 = depth_code(v(1).z, bits),
                         z2 = depth_code(v(2).z, bits);
@@ -126,7 +126,7 @@ void Setup<Fixed>::steep_steps(std::uint32_t bias) {
     });
 }
 
-/// Sets up colours that differ in `bits` (difference_bits()).
+/// Sets up colours whose differences are `bits` (difference_bits()).
 template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::varying_colors(std::uint32_t bits) {
     if (has_full && span_.kind == Kind::full)
         projective_colors();
@@ -134,7 +134,7 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::varying_colors(std::uint32
         window_colors<Rgb>(bits, 0);
 }
 
-/// Sets up colours that are affine in the window, lower by `less`.
+/// Sets up colours that are affine in the window, and subtracts `less` from them.
 template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::window_colors(std::uint32_t bits, std::uint32_t less) {
     const Variant& variant = state_.variant[static_cast<unsigned>(span_.kind)];
     const std::uint32_t bias = variant.color_bias - less;
@@ -156,7 +156,8 @@ template <class Steps, class F> SPANGLE_INLINE void Setup<Fixed>::each_step(Step
     }
 }
 
-/// Without long products there is a form for each kind of factors, and one for colours that are guessed.
+/// Calls each_step() for the kind of factors. Without long products each kind of factors has its own form,
+/// and so have guessed colours.
 template <class F> SPANGLE_INLINE void Setup<Fixed>::each_step(F add) const {
     if constexpr (numeric::long_products)
         each_step(
@@ -171,7 +172,7 @@ template <class F> SPANGLE_INLINE void Setup<Fixed>::each_step(F add) const {
         each_step(color_in_near_steps<>, add);
 }
 
-/// Sets up colours counted in dithering steps, whose differences take no more bits than those of the colours.
+/// Sets up colours in steps of dithering. Their differences take no more bits than those of the colours.
 SPANGLE_INLINE void Setup<Fixed>::stepped_colors(std::uint32_t bits, std::uint32_t bias) {
     const Coefficients& by = this->by();
     const auto lift = static_cast<std::uint32_t>(32 + color_up - by.exponent);
@@ -198,19 +199,19 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::affine_colors(std::uint32_
     steep_colors(bias);
 }
 
-/// The affine colour is off by range(c) range(q) / (4 min(q)) at most (is_within_tolerance(); a 16th beyond
-/// the vertices, which unsnap() allows, changes that by less), and by what set-up loses. That is 2^-18 of 255
-/// in affine colours, and thrice that in planes over w where 1/w varies by no more than twice: together 2^-8
-/// of a 255th.
+/// Sets up the guess of colours. The affine colour is off by at most range(c) range(q) / (4 min(q))
+/// (is_within_tolerance()). Points beyond the vertices by a 16th, which unsnap() allows, change that by less.
+/// Set-up loses 2^-18 of 255 in affine colours. In planes over w, where 1/w varies by at most twice, it loses
+/// three times as much. Together this is 2^-8 of a 255th.
 SPANGLE_INLINE void Setup<Fixed>::guessed_colors(std::uint32_t bits) {
     constexpr std::uint32_t lost = 1u << 17; // 8.24
     const std::uint64_t product = numeric::mul_u32(widest_color_range_, q_range_);
     if (q_least_ < 1u << 28 || product >> 52 != 0)
         return divided_colors();
-    // 16 product / (4 q), below 2^26; the quotients leave out less than 16 and 1.
+    // This is 16 product / (4 q), below 2^26. The two quotients are less than 16 and 1 too small.
     const std::uint32_t error = static_cast<std::uint32_t>(product >> 20) / (q_least_ >> 18) * 16 + 17;
-    // Steps are no more than the 255ths are, and off by less than 2^-11 of them, which is less than what is
-    // left of `lost`.
+    // Steps are at most as large as 255ths and off by less than 2^-11 of them, which is less than what
+    // remains of `lost`.
     const std::uint32_t off = error + lost;
     span_.guess.doubt(2 * off);
     span_.guess.project = &project;
@@ -243,7 +244,7 @@ template <bool Rgb> SPANGLE_INLINE std::uint32_t Setup<Fixed>::color_bits() cons
 }
 
 /// A condition that implies colors_affine() and does not need weights(). A range is at most the sum of two
-/// differences, and q is at least 2^29 where all vertices have one exponent.
+/// differences. q is at least 2^29 where all vertices have one exponent.
 SPANGLE_INLINE bool Setup<Fixed>::nearly_affine(std::uint32_t bits) const {
     const Vertex &a = v(0), &b = v(1), &c = v(2);
     if (a.w_exponent != b.w_exponent || a.w_exponent != c.w_exponent)
@@ -255,15 +256,15 @@ SPANGLE_INLINE bool Setup<Fixed>::nearly_affine(std::uint32_t bits) const {
     return numeric::mul_high_u32(2 * bits, difference(b) + difference(c)) < state_.four_color_tolerances >> 3;
 }
 
-/// Whether colours that differ in `bits` must be divided at every fragment. `bits` is twice their range where
-/// they may be guessed.
+/// Whether colours whose differences are `bits` must be divided at every fragment. Where they may be guessed,
+/// `bits` becomes twice their range.
 template <bool Rgb> SPANGLE_INLINE bool Setup<Fixed>::needs_division(std::uint32_t bits) {
     if (Rgb && state_.guesses)
         return !weights() && !is_within_tolerance(widest_color_range_, state_.four_color_tolerances);
     return !(has_shortcuts && nearly_affine(bits)) && !weights() && !colors_affine(bits);
 }
 
-/// Sets up attributes without textures and fog.
+/// Sets up attributes of states without textures and fog.
 template <bool Rgb>
 SPANGLE_INLINE void Setup<Fixed>::set_up_without_coordinates(std::uint32_t bits, const Vertex& painted) {
     Kind kind = Kind::affine;
@@ -288,7 +289,7 @@ SPANGLE_INLINE void Setup<Fixed>::set_up_without_coordinates(std::uint32_t bits,
         colors(bits, painted);
 }
 
-/// Sets up colours that differ in `bits`; 0: there is one colour.
+/// Sets up colours whose differences are `bits`; 0 means that there is one colour.
 void Setup<Fixed>::colors(std::uint32_t bits, const Vertex& painted) {
     if (bits == 0)
         constant_colors(painted);
@@ -297,8 +298,8 @@ void Setup<Fixed>::colors(std::uint32_t bits, const Vertex& painted) {
 }
 
 template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::attributes_of(const Vertex& provoking) {
-    // In smooth shading a single colour is the one that all corners share: the provoking vertex need not be a
-    // corner (quads and clipped polygons are drawn in parts).
+    // In smooth shading a single colour is the one that all corners share. The provoking vertex need not be a
+    // corner, because quads and clipped polygons are drawn in parts.
     const bool flat = !Rgb && state_.fragment.flat;
     if constexpr (!Rgb)
         span_.gray = false; // nothing reads it where Rgb
@@ -321,13 +322,13 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::attributes_of(const Vertex
         set_up_without_coordinates<Rgb>(bits, painted);
 }
 
-/// Not in line, lest the other tiers keep registers for it.
+/// Not inline, because the other tiers would keep registers for it.
 void Setup<Fixed>::set_up_exact_colors(std::uint32_t bits) {
     unsnap();
     set_up_without_coordinates<true>(bits, v(0));
 }
 
-/// Sets up all but the usual triangle, and is therefore not inline.
+/// Sets up attributes of all primitives except usual triangles, so it is not inline.
 void Setup<Fixed>::attributes(const Vertex& provoking) {
     attributes_of<false>(provoking);
 }

@@ -1,4 +1,4 @@
-// Set-up: from vertices to interpolants of spans.
+// Set-up makes interpolants of spans from vertices.
 #pragma once
 
 #include <cstdint>
@@ -29,12 +29,13 @@ template <> class Setup<Fixed> {
     /// Sets up a triangle. a, b, c are sorted by y, then x; area2 is twice their signed area, not 0.
     Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& provoking,
           std::int64_t area2);
-    /// |area2| by its upper bits: word 2^exponent, or a bit more.
+    /// |area2| as word 2^exponent, rounded up.
     struct Area {
         std::uint32_t word; ///< 0 for a thin triangle (thin_aspect)
         std::int32_t exponent;
         std::int32_t sign; ///< < 0 if area2 is negative
-        /// For a triangle whose window box has an area `box` that fits a word, in square subpixels.
+        /// Makes the area of a triangle whose window box has an area `box`, in square subpixels, that fits a
+        /// word.
         SPANGLE_INLINE static Area in_box(std::int32_t area2, std::uint32_t box) {
             const std::uint32_t word = numeric::abs_u32(area2);
             return {(box - 1) / thin_aspect < word ? word : 0, 0, area2}; // box <= thin_aspect |area2|
@@ -42,8 +43,8 @@ template <> class Setup<Fixed> {
     };
     Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& provoking,
           const Area& area);
-    /// Sets up a line: attributes vary along its major axis only, from a at coordinate `begin` to b at `end`
-    /// (subpixels).
+    /// Sets up a line. Attributes vary along its major axis only, from a at coordinate `begin` to b at `end`,
+    /// in subpixels.
     Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& provoking, bool along_x,
           std::int32_t begin, std::int32_t end)
         : Setup(span, a, b, provoking, along_x, begin, end, along_x) {}
@@ -51,14 +52,14 @@ template <> class Setup<Fixed> {
     /// vertices (`of_x`).
     Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& provoking, bool along_x,
           std::int32_t begin, std::int32_t end, bool of_x);
-    /// Sets up a point: no attribute varies.
+    /// Sets up a point, on which no attribute varies.
     Setup(Span<Fixed>& span, const Vertex& v);
 
     // A gradient's coefficient is at most 2^30, the difference of an attribute between two vertices below
     // 2^31.
 
-    /// Above this ratio of window box to area, a triangle is interpolated along its longer axis only.
-    /// Two-dimensional gradients would lose too much there, and all its centres lie within a fraction of a
+    /// Where the ratio of window box to area is larger, a triangle is interpolated along its longer axis
+    /// only. Two-dimensional gradients would lose too much there. All its centres lie within a fraction of a
     /// pixel of a line.
     static constexpr std::uint32_t thin_aspect = 1 << 10;
 
@@ -71,14 +72,14 @@ template <> class Setup<Fixed> {
         std::int64_t dx, dy; ///< per pixel
         std::int64_t center; ///< change from the lowest vertex to the centre of its pixel
     };
-    /// The primary or secondary colours of the three reference vertices; of[k] is that of vertex k.
+    /// The primary or secondary colours of the three reference vertices. of[k] is the colour of vertex k.
     struct ColorSource {
         const std::uint32_t* of[3];
         std::uint32_t first(int i) const { return of[0][i]; }
         std::int32_t difference(int k, int i) const { return static_cast<std::int32_t>(of[k][i] - of[0][i]); }
     };
-    /// A function that is called for each colour component. Small builds have one loop that takes any such
-    /// function.
+    /// A function that is called for each colour component. Small builds have one loop that takes any
+    /// function of this type.
     struct ColorVisitor {
         void* f;
         void (*add)(void* f, const ColorSource& from, int i, Interpolant<std::uint32_t>& at,
@@ -96,11 +97,11 @@ template <> class Setup<Fixed> {
         bool homogeneous;    ///< q is not 1: s and t are already over w, q is valid
     };
 
-    /// The axis along which the attributes of a line, or of a thin triangle, vary.
+    /// The axis along which attributes of a line, or of a thin triangle, vary.
     struct Axis {
         std::int32_t begin, end;
-        bool along_x; ///< planes vary along x, else y
-        bool of_x;    ///< begin and end are x of vertices, else y
+        bool along_x; ///< planes vary along x; otherwise along y
+        bool of_x;    ///< begin and end are x of vertices; otherwise y
     };
 
     void set_anchor(std::int32_t x, std::int32_t y);
@@ -182,15 +183,15 @@ template <> class Setup<Fixed> {
     Span<Fixed>& span_;
     const DrawState& state_;
     Axis axis_;
-    /// The vertex of a triangle beside v(0) and v(1); v(0) of lines and points. Thin triangles have v(0) as
-    /// v(2).
+    /// The vertex of a triangle besides v(0) and v(1). On lines and points it is v(0), and thin triangles
+    /// have v(0) as v(2).
     const Vertex* third_vertex_;
-    /// Exact tier: how far an attribute may lie beyond its values at the vertices, within coverage, as a part
-    /// of its range, in 2^-32. 0 where planes go through snapped vertices.
+    /// How far an attribute may lie beyond its values at the vertices, within coverage, as a part of its
+    /// range in 2^-32. It is 0 where planes go through snapped vertices. Exact tier only.
     std::uint32_t beyond_;
     std::uint32_t q_least_, q_range_;
     std::uint32_t
-        widest_color_range_; ///< largest range of a colour component, where attributes_of() needed it
+        widest_color_range_; ///< largest range of a colour component, where attributes_of() has needed it
 };
 
 } // namespace spangle::raster

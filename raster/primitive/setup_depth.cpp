@@ -1,6 +1,6 @@
-// Depth planes of 24 bits. A code is 2^-24 of the range, and a triangle of 2048 pixels goes 4096 steps. So
+// Depth planes of 24 bits. A code is 2^-24 of the range, and a triangle of 2048 pixels has 4096 steps. So
 // planes have 40 bits below the code, and gradients are within 2^-56 of their value. Fragments get the
-// nearest code of the plane through the vertices as they were snapped, or next to a tie the code beside it.
+// nearest code of the plane through the snapped vertices; near a tie it may be the code beside it.
 #include "raster/primitive/setup.hpp"
 
 #include "raster/numeric/wide.hpp"
@@ -16,25 +16,26 @@ using numeric::Wide;
 
 constexpr std::uint64_t half_a_code = std::uint64_t{1} << 39;
 
-/// The 24-bit code of a vertex' z (Q0.30) with 40 fraction bits: z (2^24 - 1). So 1 is 2^64 less one code.
+/// The 24-bit code of the z of a vertex (Q0.30), with 40 fraction bits: z (2^24 - 1). So 1 becomes 2^64 minus
+/// one code.
 constexpr std::uint64_t code_24(std::uint32_t z) {
     return (std::uint64_t{z} << 34) - (std::uint64_t{z} << 10);
 }
-/// What a difference in z of 2^-30 is worth in code_24().
+/// A difference in z of 2^-30, in the units of code_24().
 constexpr Wide codes = numeric::make_wide((1 << 24) - 1, 10);
 
-/// v rounded down, mod 2^64.
+/// v rounded down, modulo 2^64.
 constexpr std::uint64_t whole(Wide v) {
     return static_cast<std::uint64_t>(numeric::times_two_to(v.m, v.e));
 }
 
-/// Triangles whose window box is larger than 2^24 of their areas have gradients that wrap, and hardly any
+/// Triangles whose window box is larger than 2^24 of their area have gradients that wrap, and hardly any
 /// width.
 constexpr int most_aspect_bits = 24;
 
 } // namespace
 
-/// Adds depth along an axis, as lines and points have it.
+/// Adds depth along an axis, for lines and points.
 void Setup<Fixed>::add_depth_24_along() {
     const Wide difference = numeric::mul(
         numeric::make_wide(static_cast<std::int32_t>(v(1).z) - static_cast<std::int32_t>(v(0).z), 0), codes);

@@ -1,5 +1,5 @@
 // Set-up of the reference policy: plane equations in double, perspective-correct throughout (GL 1.3,
-// equations 3.4 and 3.6; depth is affine). Hosts only.
+// equations 3.4 and 3.6). Depth is affine. It is compiled on hosts only.
 #pragma once
 
 #include "raster/primitive/setup.hpp"
@@ -24,14 +24,14 @@ template <> class Setup<Double> {
         double x1, y1, x2, y2;     ///< d/dx = d1 x1 + d2 x2, d/dy = d1 y1 + d2 y2
     };
     static Plane plane_through(double ax, double ay, double bx, double by, double cx, double cy);
-    /// Gradients of an attribute with these values at the three reference vertices.
+    /// Adds the gradients of an attribute with these values at the three reference vertices.
     void add(const Plane& plane, Interpolant<double>& at, double v0, double v1, double v2,
              double* dy = nullptr);
     void attributes(const Vertex& provoking);
 
     Span<Double>& span_;
     const Vertex* v_[3];
-    Plane snapped_, exact_; ///< snapped_ for depth, exact_ for all else
+    Plane snapped_, exact_; ///< snapped_ is for depth, exact_ for all other attributes
 };
 
 } // namespace spangle::raster

@@ -1,4 +1,4 @@
-// Small integer forms that set-up shares among its files.
+// Small integer forms that several files of set-up use.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace spangle::raster {
 
-/// The least and the largest of three.
+/// The least and the largest of three numbers.
 struct Ends {
     std::int32_t low, high;
     SPANGLE_INLINE Ends(std::int32_t a, std::int32_t b, std::int32_t c)
@@ -27,39 +27,41 @@ SPANGLE_RUN_INLINE std::uint32_t range_of(std::int32_t a, std::int32_t b, std::i
     return Ends(a, b, c).range();
 }
 
-/// v * 2^-n for any n, rounded to nearest on the way down, mod 2^64 on the way up.
+/// v * 2^-n for any n. A right shift rounds to nearest, and a left shift is modulo 2^64.
 SPANGLE_INLINE std::int64_t shift(std::int64_t v, int n) {
     if (n > 0)
         return n > 62 ? 0 : (numeric::times_two_to(v, 1 - n) + 1) >> 1;
     return n < -63 ? 0 : numeric::times_two_to(v, -n);
 }
 
-/// v 2^-n rounded down (what that loses is below the last bit of an interpolant), mod 2^64 on the way up.
+/// v 2^-n for any n. A right shift rounds down, which loses less than the last bit of an interpolant. A left
+/// shift is modulo 2^64.
 inline std::int64_t scaled(std::int64_t v, int n) {
     if (n >= 0)
         return numeric::times_two_to(v, -n);
     return shift(v, n);
 }
 
-/// Both words of scaled(v, n): four instructions for 0 < n < 32 where words have 32 bits.
+/// Both words of scaled(v, n). With words of 32 bits, 0 < n < 32 takes four instructions.
 SPANGLE_INLINE std::uint64_t scaled_words(std::int64_t v, int n) {
     if (!has_shortcuts || numeric::wide_words || n <= 0 || n >= 32) [[unlikely]]
         return static_cast<std::uint64_t>(scaled(v, n));
     return static_cast<std::uint64_t>(numeric::words_after(v, n));
 }
 
-/// out = product 2^-(down + 1), rounded to nearest, where that is below 2^29; false where it may not be.
+/// Sets out to product 2^-(down + 1), rounded to nearest, where that is below 2^29. Returns false where it
+/// may not be.
 SPANGLE_INLINE bool half_below(std::int64_t product, int down, std::int32_t& out) {
     const auto n = static_cast<std::uint32_t>(down + 1);
     if (n - 3 > 28) [[unlikely]]
         return false;
-    const auto sign = static_cast<std::uint32_t>(product >> 63); // a half is rounded towards 0
+    const auto sign = static_cast<std::uint32_t>(product >> 63); // halves are rounded towards 0
     const std::int64_t sum = product + ((1u << down) - sign);
     out = static_cast<std::int32_t>(numeric::low_word_after(sum, static_cast<int>(n)));
     return (static_cast<std::uint32_t>(sum >> 32) ^ sign) >> (n - 3) == 0;
 }
 
-/// The low word of scaled(v, n): three instructions for 0 < n < 32 where words have 32 bits.
+/// The low word of scaled(v, n). With words of 32 bits, 0 < n < 32 takes three instructions.
 SPANGLE_INLINE std::uint32_t scaled_word(std::int64_t v, int n) {
     if (!has_shortcuts)
         return static_cast<std::uint32_t>(scaled_words(v, n));
@@ -68,13 +70,13 @@ SPANGLE_INLINE std::uint32_t scaled_word(std::int64_t v, int n) {
     return numeric::low_word_after(v, n);
 }
 
-/// z (2^bits - 1) 2^(32 - bits) of a vertex' z, for a depth buffer of that many bits; 1 is 2^32 less one
-/// code. T: a word without sign, or a vector of them.
+/// z (2^bits - 1) 2^(32 - bits) of the z of a vertex, for a depth buffer of `bits` bits. 1 becomes 2^32 minus
+/// one code. T is a word without sign, or a vector of such words.
 template <class T> SPANGLE_INLINE T depth_code(T z, int bits) {
     return (z << 2) - (z >> (bits - 2));
 }
 
-/// A colour as stored in a 16-bit surface.
+/// A colour as a 16-bit surface stores it.
 SPANGLE_INLINE std::uint32_t word565(const std::uint32_t (&color)[4]) {
     const auto to8 = [&](int i) {
         return (color[i] + (1u << (color_fraction_bits - 1))) >> color_fraction_bits;
@@ -82,7 +84,7 @@ SPANGLE_INLINE std::uint32_t word565(const std::uint32_t (&color)[4]) {
     return (to8(0) >> 3) << 11 | (to8(1) >> 2) << 5 | to8(2) >> 3;
 }
 
-/// A colour as dithering to 16 bits takes it (DitheredWord), in the numbers N of the tier.
+/// A colour in the form that is dithered to 16 bits (DitheredWord), in the number system N of the tier.
 template <class N> [[gnu::noinline]] inline std::uint32_t dithered_word(const std::uint32_t (&color)[4]) {
     return N::template steps32<5>(N::from_units(color[0])) << 21 |
            N::template steps32<6>(N::from_units(color[1])) << 10 |
@@ -96,17 +98,17 @@ SPANGLE_INLINE std::uint32_t flat_word(const DrawState& state, const std::uint32
     return of_tier<has_exact_colors>(state) ? dithered_word<Exact>(color) : dithered_word<Balanced<1>>(color);
 }
 
-/// What a difference between two ends is worth per pixel along the axis on which these lie apart.
+/// Converts a difference between two ends to a step per pixel, along the axis on which the ends lie apart.
 struct PerPixel {
     std::int32_t coefficient = 0; ///< 30 bits
     int exponent = 32;            ///< times 2^-exponent
-    /// The ends are at subpixels `begin` and `end`; the coefficient is 0 where these are the same.
+    /// The ends are at subpixels `begin` and `end`. The coefficient is 0 where both are the same.
     SPANGLE_INLINE PerPixel(std::int32_t begin, std::int32_t end) {
         if (const std::uint32_t length = numeric::abs_u32(end - begin); length != 0)
             *this = PerPixel(numeric::reciprocal(length << numeric::clz32(length)), numeric::clz32(length),
                              end < begin);
     }
-    /// Takes the reciprocal of a length with `zeros` leading zeros; `back`: the end lies before the
+    /// Takes the reciprocal of a length with `zeros` leading zeros. `back` says that the end lies before the
     /// beginning.
     SPANGLE_INLINE PerPixel(std::uint32_t reciprocal, int zeros, bool back) {
         // 256 / length = mantissa 2^-(53 - zeros)
@@ -114,7 +116,7 @@ struct PerPixel {
         coefficient = back ? -mantissa : mantissa;
         exponent = 53 - zeros;
     }
-    /// The coefficient of the way from subpixel v to the centre of its pixel.
+    /// The coefficient for the way from subpixel v to the centre of its pixel.
     SPANGLE_INLINE std::int32_t to_center(std::int32_t v) const {
         return static_cast<std::int32_t>(
             numeric::mul_s32(coefficient, subpixel_one / 2 - (v & (subpixel_one - 1))) >> subpixel_bits);
@@ -126,15 +128,15 @@ SPANGLE_INLINE std::int32_t mul30(std::int32_t a, std::int32_t b) {
     return static_cast<std::int32_t>((numeric::mul_long(a, b) + (1 << 29)) >> 30);
 }
 
-/// Bounds two differences: |d| <= bits, and d 2^n fits a word for n <= clz(bits). The union (|) of such
-/// bounds holds for all of their differences. 0: both differences are 0.
+/// Bounds two differences: |d| <= bits, and d 2^n fits a word for n <= clz(bits). The bitwise or of several
+/// bounds holds for all of their differences. 0 means that both differences are 0.
 SPANGLE_INLINE std::uint32_t difference_bits(std::int32_t d1, std::int32_t d2) {
     const auto a = static_cast<std::uint32_t>(d1), b = static_cast<std::uint32_t>(d2);
     return (a ^ a << 1) | (b ^ b << 1);
 }
 
 /// Whether words hold differences with these difference_bits() 2^lift times as large. Products of such words
-/// with coefficients below 2^30 need no shift by n = 32 - lift: their high words are the result.
+/// with coefficients below 2^30 need no shift by n = 32 - lift, because their high words are the result.
 SPANGLE_INLINE bool fits_lifted(std::uint32_t bits, std::uint32_t lift) {
     return has_shortcuts && lift <= static_cast<std::uint32_t>(numeric::clz32(bits | 1));
 }

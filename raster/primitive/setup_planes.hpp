@@ -1,4 +1,5 @@
-// What the files of set-up share inline: gradients, and the loop over the colours that a state needs.
+// Inline functions that several files of set-up use: gradients, and the loop over the colours that a state
+// needs.
 #pragma once
 
 #include "raster/ops/lanes.hpp"
@@ -8,7 +9,7 @@
 
 namespace spangle::raster {
 
-/// The gradient of an attribute that differs by d1 and d2 from its value at reference vertex 0, counted in
+/// The gradient of an attribute that differs by d1 and d2 from its value at reference vertex 0. It counts
 /// 2^-exponent of the unit of d.
 SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::gradient(const Coefficients& by, std::int32_t d1,
                                                              std::int32_t d2) {
@@ -17,8 +18,8 @@ SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::gradient(const Coefficients&
             numeric::mul_long(d1, by.center[0]) + numeric::mul_long(d2, by.center[1])};
 }
 
-/// The plane of an attribute that differs by d1 and d2, without its value at reference vertex 0. It counts
-/// 2^-up of the unit of d.
+/// The plane of an attribute that differs by d1 and d2 from its value at reference vertex 0, without this
+/// value. It counts 2^-up of the unit of d.
 SPANGLE_RUN_INLINE Interpolant<std::uint64_t>
 Setup<Fixed>::scaled_plane(const Coefficients& by, std::int32_t d1, std::int32_t d2, int up) {
     const Gradient g = gradient(by, d1, d2);
@@ -26,7 +27,7 @@ Setup<Fixed>::scaled_plane(const Coefficients& by, std::int32_t d1, std::int32_t
     return {scaled_words(g.center, n), scaled_words(g.dx, n), scaled_words(g.dy, n)};
 }
 
-/// Makes a plane from differences that are fits_lifted().
+/// Makes a plane from differences for which fits_lifted() holds.
 SPANGLE_INLINE static void add_lifted(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t d1,
                                       std::int32_t d2, std::uint32_t lift, const Coefficients& by) {
     const std::int32_t a = shift_by_lift(d1, lift), b = shift_by_lift(d2, lift);
@@ -60,8 +61,8 @@ template <bool Rgb, class F> SPANGLE_INLINE void Setup<Fixed>::every_color(F add
             add(secondary(), i, span_.secondary[i], span_.secondary_q[i]);
 }
 
-/// The largest range of the first three components of colours. The range of three numbers is half the sum of
-/// the distances between each two of them.
+/// The largest range of the first three components of colours. The range of three numbers is half of the sum
+/// of their three distances.
 SPANGLE_INLINE static std::uint32_t widest_of_three(const std::uint32_t (&a)[4], const std::uint32_t (&b)[4],
                                                     const std::uint32_t (&c)[4]) {
     using L = LineLanes<4>;
@@ -91,7 +92,8 @@ template <bool Rgb> SPANGLE_INLINE std::uint32_t Setup<Fixed>::color_range() con
     return widest;
 }
 
-/// Loads 1/w of the reference vertices with one exponent, and its range. True: 1/w does not vary.
+/// Loads 1/w of the reference vertices with one exponent, and its range. Returns true where 1/w does not
+/// vary.
 SPANGLE_INLINE bool Setup<Fixed>::weights() {
     if (has_shortcuts && v(0).w_exponent == v(1).w_exponent && v(0).w_exponent == v(2).w_exponent)
         [[likely]] {

@@ -1,4 +1,4 @@
-// Planes over w, and the bounds that tell where affine ones will do.
+// Planes over w, and the bounds that say where affine planes are good enough.
 #include "raster/numeric/reciprocal.hpp"
 #include "raster/primitive/setup_math.hpp"
 #include "raster/primitive/setup_planes.hpp"
@@ -28,7 +28,7 @@ void Setup<Fixed>::projective_colors() {
     });
 }
 
-/// Makes the planes over w of colours that were guessed, once a fragment asks for one of them.
+/// Makes the planes over w of colours that were guessed, when a fragment first needs one of them.
 void Setup<Fixed>::project(Span<Fixed>& span) {
     const Basis& from = span.basis;
     projective(from.by, span.q, from.q);
@@ -40,7 +40,7 @@ void Setup<Fixed>::project(Span<Fixed>& span) {
     }
 }
 
-/// Sets up colours over w where none is guessed and nothing else has planes over w.
+/// Sets up colours over w where no colour is guessed and no other attribute has planes over w.
 void Setup<Fixed>::divided_colors() {
     if (unsnaps(state_))
         snap_where_w_ends();
@@ -54,7 +54,7 @@ void Setup<Fixed>::divided_colors() {
         plane = {};
 }
 
-/// Loads 1/w of reference vertices with several exponents, scaled to the highest of these.
+/// Loads 1/w of reference vertices with several exponents, scaled to the highest exponent.
 void Setup<Fixed>::weights_of_several_exponents() {
     const int e0 = v(0).w_exponent, e1 = v(1).w_exponent, e2 = v(2).w_exponent;
     const int highest = e0 > e1 ? (e0 > e2 ? e0 : e2) : (e1 > e2 ? e1 : e2);

@@ -12,8 +12,8 @@ double pixels(std::int32_t v) {
     return static_cast<double>(v) / subpixel_one;
 }
 
-/// A coordinate before it was snapped, where that is known. A value 0.75 subpixels or more away belongs to
-/// another vertex.
+/// A coordinate before it was snapped, where that is known. A value that is 0.75 subpixels or more away
+/// belongs to another vertex.
 double exact(std::int32_t snapped, double before) {
     return std::fabs(before * subpixel_one - snapped) < 0.75 ? before : pixels(snapped);
 }
@@ -32,8 +32,8 @@ Setup<Double>::Setup(Span<Double>& span, const Vertex& a, const Vertex& b, const
       snapped_(plane_through(pixels(a.x), pixels(a.y), pixels(b.x), pixels(b.y), pixels(c.x), pixels(c.y))),
       exact_(plane_through(exact(a.x, a.x_exact), exact(a.y, a.y_exact), exact(b.x, b.x_exact),
                            exact(b.y, b.y_exact), exact(c.x, c.x_exact), exact(c.y, c.y_exact))) {
-    // Vertices too near to one line say little of what lies between them, and 1/w must not come near 0 beyond
-    // its least vertex: the rules of Setup<Fixed>::unsnap_plane() and snap_where_w_ends().
+    // These are the rules of Setup<Fixed>::unsnap_plane() and snap_where_w_ends(). Vertices too near to one
+    // line say little about the area between them. 1/w must not come near 0 beyond its least vertex.
     const double sum =
         2 * std::fabs(exact_.x1) + std::fabs(exact_.y1) + std::fabs(exact_.y2); // x1 counts as x2
     const double beyond = sum / (2 * subpixel_one);

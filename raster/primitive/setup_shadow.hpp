@@ -1,4 +1,4 @@
-// Set-up of the shadow policy: both set-ups, side by side. Hosts only.
+// Set-up of the shadow policy: it runs both set-ups. It is compiled on hosts only.
 #pragma once
 
 #include "raster/primitive/setup_double.hpp"

@@ -1,9 +1,8 @@
-// Exact tier: planes over w of primitives whose w varies much, for instance of a floor that reaches the
-// horizon.
+// Exact tier: planes over w of primitives whose w varies much, such as a floor that reaches the horizon.
 //
-// Far away 1/w is a small part of what it is nearby, and a texture coordinate is the quotient of two planes.
-// What planes of 30 bits lose there is multiplied by the range of w. So these planes are made in numbers of
-// 61 bits, and their guard bits hold true digits.
+// A texture coordinate is the quotient of two planes. Far away, 1/w is a small part of its value nearby. The
+// range of w multiplies the loss of planes of 30 bits. So these planes are made in numbers of 61 bits, and
+// their guard bits hold true digits.
 #include "raster/numeric/wide.hpp"
 #include "raster/primitive/setup_planes.hpp"
 
@@ -22,12 +21,12 @@ namespace {
 
 constexpr int position_bits = subpixel_bits + 16; ///< fraction bits of unsnapped window coordinates
 
-/// A window coordinate with what snapping took off; without, where planes go through snapped vertices.
+/// A window coordinate before snapping; where planes go through snapped vertices, the snapped coordinate.
 std::int64_t position(std::int32_t v, std::int16_t rest, bool unsnapped) {
     return std::int64_t{v} * 65536 + (unsnapped ? rest : 0);
 }
 
-/// The way from there to the centre of the pixel that the snapped coordinate lies in.
+/// The way from `position` to the centre of the pixel in which the snapped coordinate lies.
 std::int64_t to_center(std::int32_t v, std::int64_t position) {
     return (std::int64_t{v & -subpixel_one} + subpixel_one / 2) * 65536 - position;
 }
@@ -46,10 +45,11 @@ class WidePlanes {
         center_x_ = make_wide(to_center(a.x, ax), -position_bits);
         center_y_ = make_wide(to_center(a.y, ay), -position_bits);
     }
-    /// Coverage is that of snapped vertices, half a step beyond these at most in x and in y. Whether an
-    /// attribute then goes beyond its values at the vertices by a 16th of its range at most, and 1/w, whose
-    /// values these are, stays above an eighth of its least. Planes for which that does not hold go through
-    /// the snapped vertices: Setup<Fixed>::unsnap_plane() and snap_where_w_ends() have the same rules.
+    /// Whether planes through unsnapped vertices may be used. Coverage is that of snapped vertices, which are
+    /// at most half a step away in x and in y. An attribute may go beyond its values at the vertices by at
+    /// most a 16th of its range. 1/w, whose values are q, must stay above an eighth of its least value. Other
+    /// planes go through the snapped vertices: Setup<Fixed>::unsnap_plane() and snap_where_w_ends() have the
+    /// same rules.
     bool serve(const Wide (&q)[3]) const {
         const Wide reach = scale(add(add(abs(x1_), abs(x2_)), add(abs(y1_), abs(y2_))), -subpixel_bits - 1),
                    area = abs(area_);
@@ -70,7 +70,8 @@ class WidePlanes {
         const auto fixed = [&](const Wide& w) {
             return static_cast<std::uint64_t>(shift(w.m, unit - guard_bits - w.e));
         };
-        // Guard bits are cut off where the plane is read; with half of what they can hold that rounds.
+        // Guard bits are cut off where the plane is read. Half of their range is added here, so that the cut
+        // rounds.
         to.value = fixed(add(v[0], add(mul(dx, center_x_), mul(dy, center_y_)))) + (1u << (guard_bits - 1));
         to.dx = fixed(dx);
         to.dy = fixed(dy);
@@ -82,14 +83,15 @@ class WidePlanes {
     Wide center_x_, center_y_;
 };
 
-/// The power of two that the largest of some numbers lies below.
+/// The exponent of a power of two that is larger than all of the numbers.
 int above(const Wide (&a)[3], int least) {
     for (const Wide& v : a)
         least = v.m != 0 && v.e + 61 > least ? v.e + 61 : least;
     return least;
 }
 
-/// The whole repeats in m 2^exponent, within what clamped coordinates add back; 0 where there are more.
+/// The whole repeats in m 2^exponent, within the range that clamped coordinates add back. The result is 0
+/// where there are more.
 std::int32_t whole_repeats(std::int32_t m, int exponent) {
     const std::int64_t whole = exponent < 0    ? m >> (exponent > -32 ? -exponent : 31)
                                : exponent < 16 ? std::int64_t{m} << exponent
@@ -99,11 +101,11 @@ std::int32_t whole_repeats(std::int32_t m, int exponent) {
 
 } // namespace
 
-/// Whether planes of 30 bits, or those along an axis that thin triangles have, may be off by more than 2^-7
-/// texel.
+/// Whether planes of 30 bits may be off by more than 2^-7 texel; thin triangles have planes along an axis
+/// instead.
 ///
 /// Coefficients are off by 2^(3 + thin - 31) of the range of an attribute, where 2^thin is the square of the
-/// larger side of the window box over the area. The quotient multiplies that by the range of 1/w.
+/// larger side of the window box over the area. The quotient multiplies this by the range of 1/w.
 bool Setup<Fixed>::loses_texels(const UnitValues units[]) const {
     int bits = -32;
     for (int i = 0; i < max_texture_units; ++i)
@@ -161,14 +163,14 @@ void Setup<Fixed>::steepen(std::int32_t fog[3]) {
         if (!has_textures || !state_.needs.unit[unit] || !at.shares_q)
             continue;
         const auto& halves = state_.halves[unit];
-        constexpr int bits = 30, least_exponent = -2; // as add_unit() has it
+        constexpr int bits = 30, least_exponent = -2; // the same numbers as in add_unit()
         int exponent = q_unit + least_exponent + bits;
         Wide values[2][3]; // s/w and t/w of the vertices
         for (int axis = 0; axis < 2; ++axis) {
             const auto mantissa = [axis](const Vertex::TexCoord& c) { return axis == 0 ? c.s : c.t; };
             const int halved = axis == 0 ? halves.s : halves.t;
-            // The whole repeats of the nearest vertex are taken off. Those of another one would make the
-            // plane large where 1/w is.
+            // The whole repeats of the nearest vertex are taken off. Those of another vertex would make the
+            // plane large where 1/w is large.
             const auto& first = v(nearest).tex[unit];
             const std::int32_t base = whole_repeats(mantissa(first), first.exponent - halved);
             (axis == 0 ? at.s_base : at.t_base) = base;

@@ -1,4 +1,5 @@
-// Set-up of what varies over 1/w and has a scale of its own: texture coordinates and the fog coordinate.
+// Set-up of attributes that vary over 1/w and have their own scale: texture coordinates and the fog
+// coordinate.
 #include "raster/primitive/setup_planes.hpp"
 
 namespace spangle::raster {
@@ -20,25 +21,26 @@ std::int64_t to_fixed(std::int64_t m, int exponent, int fraction) {
     return numeric::times_two_to(m, up);
 }
 
-/// to_fixed() of a word, with 32 fraction bits; inline where nothing can saturate: |m| 2^30 is at most 2^61.
+/// Does what to_fixed() does, for a word and 32 fraction bits. It is inline where nothing can saturate: |m|
+/// 2^30 is at most 2^61.
 SPANGLE_RUN_INLINE std::int64_t to_repeats(std::int32_t m, int exponent) {
     const int up = exponent + 32;
     return has_shortcuts && up >= 0 && up <= 30 ? numeric::mul_s32(m, 1 << up) : to_fixed(m, exponent, 32);
 }
 
-/// m 2^-down, rounded to nearest; inline where words are shifted by less than their bits.
+/// m 2^-down, rounded to nearest. It is inline where words are shifted by less than their bits.
 SPANGLE_INLINE std::int64_t to_fixed_below(std::int64_t m, int down) {
     if (has_shortcuts && down > 0 && down < 32) [[likely]] // |m| is at most 2^61
         return static_cast<std::int64_t>(scaled_words(m + (std::int32_t{1} << (down - 1)), down));
     return to_fixed(m, -down, 0);
 }
 
-/// One texture coordinate of three vertices, in repeats. A whole number of repeats is taken off all three: it
-/// would take bits from the fraction.
+/// One texture coordinate of three vertices, in repeats. A whole number of repeats is taken off all three
+/// values, because it would take bits from the fraction.
 struct Repeats {
     std::int64_t v[3];   ///< 32 fraction bits
     std::int32_t base;   ///< repeats that were taken off, clamped to 4096 either way
-    std::uint32_t range; ///< range of whole repeats; its highest bit is that of all three together
+    std::uint32_t range; ///< range of whole repeats; its highest bit is that of all three values together
 
     SPANGLE_RUN_INLINE Repeats(const std::int32_t (&m)[3], const std::int32_t (&exponent)[3],
                                std::int32_t less) {
@@ -87,7 +89,7 @@ void Setup<Fixed>::load_unit(int unit, UnitValues& u) const {
     span_.unit[unit].t_base = t.base;
 }
 
-/// s/w, t/w and q/w as block numbers: the whole repeats cannot be taken off, because q varies.
+/// Loads s/w, t/w and q/w as block numbers. Whole repeats cannot be taken off, because q varies.
 void Setup<Fixed>::load_homogeneous(int unit, UnitValues& u) const {
     const auto halves = state_.halves[unit];
     constexpr int coordinates = 4;
@@ -118,7 +120,7 @@ void Setup<Fixed>::load_homogeneous(int unit, UnitValues& u) const {
     span_.unit[unit].s_base = span_.unit[unit].t_base = 0;
 }
 
-/// Fog coordinates, counting 2^span.fog_exponent: 2^-24 where all of them fit s7.24.
+/// Loads fog coordinates in units of 2^span.fog_exponent, which is 2^-24 where all of them fit s7.24.
 SPANGLE_INLINE void Setup<Fixed>::load_fog(std::int32_t fog[3]) const {
     span_.fog_exponent = -24;
     if constexpr (!has_shortcuts)
@@ -137,7 +139,7 @@ SPANGLE_INLINE void Setup<Fixed>::load_fog(std::int32_t fog[3]) const {
         load_any_fog(fog);
 }
 
-/// load_fog() for coordinates of any size.
+/// Does what load_fog() does, for coordinates of any size.
 void Setup<Fixed>::load_any_fog(std::int32_t fog[3]) const {
     std::int64_t c[3];
     std::uint64_t all = 0;
@@ -163,8 +165,9 @@ void Setup<Fixed>::load_any_fog(std::int32_t fog[3]) const {
         fog[i] = static_cast<std::int32_t>(scaled_word(c[i], shift_down));
 }
 
-/// Whether fog stays between 0 and 1, seen from the vertices. Ends of lines reach half a pixel further. What
-/// a step of the plane lost, at most 2^14 pixels add up; coefficients lose 2^6.
+/// Whether fog coordinates stay between 0 and 1 at all fragments, judged by the vertices. Ends of lines reach
+/// half a pixel further. The loss of a step of the plane adds up over at most 2^14 pixels, and coefficients
+/// lose 2^6.
 static bool stays_inside(const std::int32_t (&fog)[3], const Interpolant<std::uint32_t>& plane) {
     const auto step = [](std::uint32_t d) { return numeric::abs_u32(static_cast<std::int32_t>(d)); };
     const std::int64_t margin = std::int64_t{step(plane.dx)} + step(plane.dy) + (1 << 16);
@@ -177,7 +180,7 @@ bool Setup<Fixed>::unit_affine(int unit, const UnitValues& u, bool same_w) const
         return true;
     if (!has_affine_textures || u.homogeneous)
         return false;
-    // The affine form of clamped coordinates does not saturate: 7 repeats on both sides must do.
+    // The affine form of clamped coordinates does not saturate, so 7 repeats on both sides must be enough.
     const auto& placed = span_.unit[unit];
     const bool far =
         u.shift > 4 || placed.s_base < -7 || placed.s_base > 3 || placed.t_base < -7 || placed.t_base > 3;
@@ -188,7 +191,7 @@ bool Setup<Fixed>::unit_affine(int unit, const UnitValues& u, bool same_w) const
         return true;
     if (of_tier<[](const Knobs& k) { return k.affine_texel_bits == Knobs::never; }>(state_) || u.shift > 7)
         return false;
-    // The tolerance is a part of a texel of the base level; four times the error is range range(q) / min(q).
+    // The tolerance is a part of a texel of the base level. Four times the error is range range(q) / min(q).
     const int four = of_straight_tier<[](const Knobs& k) { return k.affine_texel_bits - 2; }>(state_);
     const auto within = [&](const std::int32_t v[3], int log2_size) SPANGLE_RUN_LAMBDA {
         const std::uint32_t range = range_of(v[0], v[1], v[2]);
@@ -198,7 +201,7 @@ bool Setup<Fixed>::unit_affine(int unit, const UnitValues& u, bool same_w) const
     return within(u.s, state_.log2_width[unit]) && within(u.t, state_.log2_height[unit]);
 }
 
-/// add_steep() for one coordinate, inline where differences are fits_lifted().
+/// Does what add_steep() does for one coordinate. It is inline where fits_lifted() holds for the differences.
 void Setup<Fixed>::add_words(Interpolant<std::uint32_t>& at, std::uint32_t first, const std::int32_t v[3],
                              int up) {
     const std::int32_t d1 = v[1] - v[0], d2 = v[2] - v[0];
@@ -227,13 +230,14 @@ void Setup<Fixed>::add_unit(int unit, UnitValues& u) {
         };
         const int up_s = wraps.s ? u.shift : u.shift - less, up_t = wraps.t ? u.shift : u.shift - less;
         const std::uint32_t s0 = first(u.s0, wraps.s, at.s_base), t0 = first(u.t0, wraps.t, at.t_base);
-        // Small builds have only the general form, if there may be levels at all.
+        // Small builds have only the general form, if any texture of theirs may have levels.
         if ((has_shortcuts || !spans_sample_any) && !state_.needs.lod[unit]) {
             add_words(span_.s[unit], s0, u.s, up_s);
             add_words(span_.t[unit], t0, u.t, up_t);
             return;
         }
-        // For the level of detail: a texture may repeat more than once from pixel to pixel.
+        // The level of detail needs slopes of 64 bits, because a texture may repeat more than once from pixel
+        // to pixel.
         const Slope s = add_steep(span_.s[unit], s0, u.s[1] - u.s[0], u.s[2] - u.s[0], up_s);
         const Slope t = add_steep(span_.t[unit], t0, u.t[1] - u.t[0], u.t[2] - u.t[0], up_t);
         at.s.dx = s.dx;
@@ -256,7 +260,8 @@ void Setup<Fixed>::add_unit(int unit, UnitValues& u) {
     at.t_dy = add_projective(at.t, u.t);
 }
 
-/// Affine where the bounds of the tier allow it, textured where only colours are, else full.
+/// Chooses `affine` where the bounds of the tier allow it, `textured` where they allow it for colours only,
+/// and otherwise `full`.
 SPANGLE_INLINE Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool same_w, std::uint32_t color_bits,
                                               const std::int32_t fog[3]) {
     const Needs& needs = state_.needs;
@@ -267,7 +272,7 @@ SPANGLE_INLINE Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool sam
             return Kind::textured;
     if (!has_fog || !needs.fog)
         return has_affine_textures ? Kind::affine : Kind::textured;
-    // Four times the tolerance of the fog factor. Nothing reads it in tiers whose fog is always affine.
+    // Four times the tolerance of the fog factor. Tiers whose fog is always affine do not read it.
     const std::uint64_t four = of_tier<[](const Knobs& k) {
         return 1u << (26 - (k.affine_fog_bits != 0 ? k.affine_fog_bits : balanced_knobs.affine_fog_bits));
     }>(state_);
@@ -277,7 +282,8 @@ SPANGLE_INLINE Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool sam
     return affine ? Kind::affine : Kind::textured;
 }
 
-/// Whether red, green and blue are equal at every vertex: stages then interpolate one colour, not three.
+/// Whether red, green and blue are equal at every vertex. Stages then interpolate one colour instead of
+/// three.
 SPANGLE_INLINE bool Setup<Fixed>::is_gray(std::uint32_t color_bits, const Vertex& painted) const {
     const auto gray = [](const Vertex& v)
                           SPANGLE_RUN_LAMBDA { return v.color[0] == v.color[1] && v.color[0] == v.color[2]; };

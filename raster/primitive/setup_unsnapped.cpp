@@ -1,8 +1,8 @@
-// Exact tier: planes of attributes through the vertices as they were before they were snapped to 1/256 pixel.
+// Exact tier: planes of attributes through the vertices before they were snapped to 1/256 pixel.
 //
-// Coverage stays that of the snapped vertices, so fragments may lie beyond the vertices that the planes go
-// through, by up to half a step in x and in y. What follows keeps that from being seen: attributes that would
-// leave the numbers which stages have for them go through the snapped vertices, as they do in the other
+// Coverage is that of the snapped vertices, so fragments may lie beyond the vertices of the planes, by up to
+// half a step in x and in y. The functions of this file keep this from being seen. Attributes that would
+// leave the range of the numbers in which stages hold them go through the snapped vertices, as in the other
 // tiers.
 #include "raster/numeric/reciprocal.hpp"
 #include "raster/primitive/setup_math.hpp"
@@ -26,17 +26,19 @@ std::int32_t to_center(std::int32_t v, std::int32_t rest) {
     return (subpixel_one / 2 - (v & (subpixel_one - 1))) * 65536 - rest;
 }
 
-/// The largest beyond_ that planes may have. With more, they say little of what lies between the vertices.
+/// The largest beyond_ that planes may have. With more, planes say little about the area between the
+/// vertices.
 constexpr std::uint32_t most_beyond = 1u << 28; // 1/16
 
 } // namespace
 
-/// Makes by() that of planes through three unsnapped vertices. False: these are too near to one line for any
-/// planes but those of the snapped vertices.
+/// Makes by() the coefficients of planes through three unsnapped vertices. Returns false where these vertices
+/// are so near to one line that only planes through the snapped vertices are possible.
 SPANGLE_INLINE bool Setup<Fixed>::unsnap_plane() {
     const Vertex &a = v(0), &b = v(1), &c = v(2);
     const std::int32_t y2 = c.y - a.y, y1 = a.y - b.y, x2 = a.x - c.x, x1 = b.x - a.x; // y2 >= |y1|
-    // The rests of two vertices, half a step each, add up to one step: even so |d| 2^up is less than 2^31.
+    // The rests of two vertices are half a step each and sum to at most one step. Even then |d| 2^up is less
+    // than 2^31.
     const int up = clz32(static_cast<std::uint32_t>(y2) | abs_u32(x2) | abs_u32(x1)) - 2;
     const std::int32_t ry2 = c.y_rest - a.y_rest, ry1 = a.y_rest - b.y_rest, rx2 = a.x_rest - c.x_rest,
                        rx1 = b.x_rest - a.x_rest;
@@ -51,7 +53,7 @@ SPANGLE_INLINE bool Setup<Fixed>::unsnap_plane() {
     }
     const std::int64_t area = numeric::mul_long(d[3], d[0]) - numeric::mul_long(d[2], d[1]);
     const std::uint64_t size = numeric::abs_u64(area);
-    // One of the differences has at least 29 bits, so the upper word of the area is 0 only if the vertices
+    // One of the differences has at least 29 bits. So the upper word of the area is 0 only if the vertices
     // are nearly on one line.
     const auto high = static_cast<std::uint32_t>(size >> 32);
     if (high == 0)
@@ -60,7 +62,7 @@ SPANGLE_INLINE bool Setup<Fixed>::unsnap_plane() {
     const std::uint32_t top = high << zeros | static_cast<std::uint32_t>(size) >> 1 >> (31 - zeros),
                         reciprocal = numeric::reciprocal(top);
     // A fragment lies at most half a step beyond the vertices in x and in y. So an attribute goes beyond by
-    // half the sum of these differences over the area; y1 counts as y2.
+    // half of the sum of these differences over the area; y1 counts as y2.
     const std::uint32_t half_sum = abs_u32(d[0]) + (1u << up) + (abs_u32(d[2]) >> 1) + (abs_u32(d[3]) >> 1);
     const int exponent = 54 - up - zeros; // 256 d / area = c 2^-exponent
     const auto down = static_cast<std::uint32_t>(exponent - 24);
@@ -92,7 +94,7 @@ bool Setup<Fixed>::unsnap_axis() {
     const std::int32_t begin_rest = axis_.begin == (x ? a.x : a.y) ? (x ? a.x_rest : a.y_rest) : 0,
                        end_rest = axis_.end == (x ? b.x : b.y) ? (x ? b.x_rest : b.y_rest) : 0;
     const std::int32_t length = axis_.end - axis_.begin;
-    // Both ends together, half a step each, go beyond by at most one step in 16.
+    // Both ends, half a step each, go beyond by at most one step in 16.
     if ((begin_rest | end_rest) == 0 || abs_u32(length) < 16)
         return false;
     const int up = clz32(abs_u32(length)) - 2;
@@ -109,9 +111,9 @@ bool Setup<Fixed>::unsnap_axis() {
     return true;
 }
 
-/// Whether colours lie so little beyond 0 and 1 that they are stored as these. Where only the top bits of a
-/// plane count, the margin is 1/10 of a 255th: half of one is added, or thresholds are an eighth at least.
-/// Elsewhere it is 2^-10 of a 255th. `range`: no colour has more.
+/// Whether colours lie so little beyond 0 and 1 that they are stored as 0 and 1. Where only the top bits of a
+/// plane count, the margin is 1/10 of a 255th: half of one is added, or thresholds are at least an eighth.
+/// Elsewhere the margin is 2^-10 of a 255th. No colour has a larger range than `range`.
 bool Setup<Fixed>::colors_stay_inside(std::uint32_t range) const {
     const bool tops = state_.variant[static_cast<unsigned>(Kind::affine)].color_bias != 1u << 15;
     const std::uint32_t margin = tops && !state_.textured_or_fogged ? color_one / 2550 : 1u << 10;
@@ -129,7 +131,8 @@ bool Setup<Fixed>::colors_stay_inside(std::uint32_t range) const {
     return inside;
 }
 
-/// Makes planes go through the unsnapped vertices. It is called after depth and before all else is set up.
+/// Makes planes go through the unsnapped vertices. It is called after depth, and before all other attributes
+/// are set up.
 void Setup<Fixed>::unsnap() {
     const Vertex &a = v(0), &b = v(1), &c = v(2);
     beyond_ = 0;
@@ -138,7 +141,7 @@ void Setup<Fixed>::unsnap() {
         beyond_ = 0;
 }
 
-/// Where 1/w would come near 0 beyond its least vertex, all planes go through snapped vertices.
+/// Makes all planes go through snapped vertices where 1/w would come near 0 beyond its least vertex.
 void Setup<Fixed>::snap_where_w_ends() {
     if constexpr (has_division)
         if (beyond_ != 0 && numeric::mul_high_u32(q_range_, beyond_) > q_least_ - (q_least_ >> 3))

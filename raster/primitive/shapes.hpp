@@ -1,5 +1,5 @@
-// Points and lines of multisample rasterization (GL 1.3, 3.3.2, 3.4.4): every fragment whose centre lies in a
-// disc or in a rectangle.
+// Points and lines of multisample rasterization (GL 1.3, 3.3.2, 3.4.4). Their fragments are those whose
+// centres lie in a disc or in a rectangle.
 #pragma once
 
 #include "raster/primitive/keep.hpp"
@@ -51,7 +51,7 @@ inline Columns centers(const Position (&quad)[4], std::int32_t row) {
     return found;
 }
 
-/// Draws what of a triangle lies in those parts of a line's rectangle that the stipple leaves.
+/// Draws the part of a triangle that lies in the parts of a line's rectangle that the stipple leaves.
 template <class P>
 void draw_parts(const DrawState& state, const Surface& target, const Sorted<typename P::Vertex>& t,
                 const typename P::Vertex& provoking, const LineOutline& line, const LineStipple& stipple) {

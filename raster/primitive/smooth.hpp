@@ -1,8 +1,8 @@
-// Antialiased points, lines and polygons (GL 1.3, 3.3, 3.4.2, 3.5.3): an outline says how much of each pixel
-// is covered, a fan of triangles what is painted there.
+// Antialiased points, lines and polygons (GL 1.3, 3.3, 3.4.2, 3.5.3). An outline gives the coverage of each
+// pixel, and a fan of triangles gives its data.
 //
 // A fragment whose centre lies outside of the fan takes the data of the nearest centre inside, in its row or
-// in the nearest row that has one: nothing is extrapolated, so no colour and no depth leaves the range of its
+// in the nearest row that has one. Nothing is extrapolated, so no colour and no depth leaves the range of its
 // corners. Where hardly any centre is inside, attributes vary along the longer axis only.
 #pragma once
 
@@ -21,7 +21,7 @@ template <class P> class SmoothFan {
               const Vertex* const* corner, int corners, const Vertex& provoking)
         : pen_(state, target), primitive_(primitive), fan_(corner, corners), provoking_(provoking) {}
 
-    /// Draws the inside of an outline that lies in the polygon.
+    /// Draws the inside of an outline, which must lie in the polygon.
     void draw(const Outline& outline) {
         const detail::PixelBox box(outline);
         rows_.begin = box.rows.begin < pen_.row_begin() ? pen_.row_begin() : box.rows.begin;
@@ -36,8 +36,8 @@ template <class P> class SmoothFan {
     }
 
   private:
-    /// Finds the nearest row that holds centres. `farthest`: the most rows between a pointed corner and such
-    /// a row.
+    /// Finds the nearest row that holds centres. `farthest` is the largest number of rows between a pointed
+    /// corner and such a row.
     void find_centers(FanRow& near) const {
         constexpr std::int32_t farthest = 64;
         const std::int32_t row = near.row;
@@ -47,7 +47,8 @@ template <class P> class SmoothFan {
         }
     }
 
-    /// Whether the polygon is nowhere wider than a pixel: most of its rows or columns may hold no centre.
+    /// Whether the polygon is nowhere wider than a pixel. Most of its rows or columns may then hold no
+    /// centre.
     bool is_thin() const {
         std::int64_t area2 = 0;
         Position low = position(fan_[0]), high = low;
@@ -94,7 +95,7 @@ template <class P> class SmoothFan {
         CoveredPieces<P> pieces(pen_, primitive_, {&SmoothFan::set_up, this});
         if (const int part = fan_.uniform_part(); part != 0)
             return pieces.add_rows(outline, rows_.begin, rows_.end, {part, 0, 0});
-        FanRow rows[3]; // the row before, this one and the next, in turn
+        FanRow rows[3]; // the row before, this row and the next row, by turns
         FanRow *before = rows, *here = rows + 1, *next = rows + 2;
         fan_.find(*before, rows_.begin - 1);
         fan_.find(*here, rows_.begin);
@@ -130,8 +131,8 @@ template <class P> class SmoothFan {
         draw_beside(pieces, coverage, y, near, false);
     }
 
-    /// Adds the fragments whose own centre is not inside, with the data of the nearest centre that is.
-    /// `kept`: the rows of `near` are as Fan::find() wrote them.
+    /// Adds the fragments whose own centre is not inside, with the data of the nearest centre inside. `kept`
+    /// says that the rows of `near` are as Fan::find() wrote them.
     void draw_beside(CoveredPieces<P>& pieces, RowCoverage& coverage, std::int32_t y,
                      const FanRow* const (&near)[3], bool kept) {
         for (std::int32_t x = coverage.begin(); x < coverage.end(); ++x) {
@@ -150,7 +151,7 @@ template <class P> class SmoothFan {
             }
             if (nearest == nullptr)
                 return;
-            if (least == 0) { // the centre is inside: skip all such
+            if (least == 0) { // the centre is inside: all such columns are skipped
                 x = nearest->all.end - 1;
                 continue;
             }
@@ -208,9 +209,9 @@ void draw_smooth_line_of(const DrawState& state, const Surface& target, Primitiv
         stipple->advance(line.parts());
 }
 
-/// One row of a disc, bounded by chords: 12 on either side in each half of the disc. They are about equally
-/// long, as they go in equal steps of the root of the distance from the pole. The arcs lie less than 1/300 of
-/// a pixel beyond them.
+/// One row of a disc that is bounded by chords, 12 on each side in each half of the disc. They are about
+/// equally long, because they go in equal steps of the root of the distance from the pole. The arcs lie less
+/// than 1/300 of a pixel beyond the chords.
 class DiscRow {
   public:
     DiscRow(const OutlinePoint& center, std::int32_t radius, std::int32_t row)
@@ -235,7 +236,7 @@ class DiscRow {
     int right_count_ = 0; ///< points on the right side
     OutlinePoint point_[2 * (2 * chords + 1)];
 
-    /// Adds the points on the right side between two y, both below or both above the centre.
+    /// Adds the points on the right side between two y, which are both below or both above the centre.
     void add(std::int32_t from, std::int32_t to) {
         constexpr int root_bits = 10;
         const bool above = from >= center_.y;

@@ -1,5 +1,5 @@
-// Draws triangles: corners are sorted by y, edges walked exactly, planes set up when the first row shows a
-// pixel (GL 1.3, 3.5.1).
+// Draws triangles (GL 1.3, 3.5.1). Corners are sorted by y, edges are walked exactly, and planes are set up
+// when the first row reaches a pixel.
 #pragma once
 
 #include <type_traits>
@@ -20,7 +20,7 @@ inline void observe([[maybe_unused]] const DrawState& state, [[maybe_unused]] co
 #ifndef SPANGLE_FIRMWARE
     if (!draws(state) || state.counters == nullptr || state.counters->observer == nullptr ||
         state.counters->observer->triangle == nullptr)
-        return; // spans follow only where something is drawn
+        return; // spans follow only for primitives that are drawn
     std::int32_t x[3], y[3];
     for (int i = 0; i < 3; ++i)
         x[i] = position(*v[i]).x, y[i] = position(*v[i]).y;
@@ -47,7 +47,8 @@ template <class V> struct Sorted {
     std::int64_t area2;
 };
 
-/// Swaps two corners that are in the wrong order, all but their x. Each swap inverts `turned`, 0 or all ones.
+/// Swaps two corners that are in the wrong order, except for their x. Each swap inverts `turned`, which is 0
+/// or all ones.
 template <class V> SPANGLE_INLINE void sort_pair(Corner<V>& low, Corner<V>& high, std::int32_t& turned) {
     if (high.y > low.y || (high.y == low.y && position(*high.vertex).x >= position(*low.vertex).x))
         return;
@@ -62,8 +63,8 @@ template <class V> SPANGLE_INLINE void sort_pair(Corner<V>& low, Corner<V>& high
     turned = ~turned;
 }
 
-/// Sorts corners by y, then x, so that the walk of a triangle does not depend on the order in which they
-/// came. No two corners are the same.
+/// Sorts corners by y, then by x, so that the walk of a triangle does not depend on the order of its corners.
+/// No two corners are the same.
 template <bool Branches = numeric::cheap_branches, class V>
 SPANGLE_INLINE void sort(Corner<V>& low, Corner<V>& middle, Corner<V>& high, std::int64_t& area2) {
     if constexpr (Branches) {
@@ -76,8 +77,8 @@ SPANGLE_INLINE void sort(Corner<V>& low, Corner<V>& middle, Corner<V>& high, std
         high.x = position(*high.vertex).x;
         area2 = (area2 ^ turned) - turned;
     } else {
-        // Three comparisons select the sorted order, and whether it turns the triangle, from a table.
-        // Branches on them would be taken at random.
+        // Three comparisons select the sorted order, and whether it turns the triangle, from a table. The
+        // outcomes of branches would be hard to predict.
         struct Order {
             std::uint8_t low, middle, high, turned;
         };
@@ -96,7 +97,7 @@ SPANGLE_INLINE void sort(Corner<V>& low, Corner<V>& middle, Corner<V>& high, std
     }
 }
 
-/// Sets up the planes of a triangle once, as soon as some of it may be seen.
+/// Sets up the planes of a triangle once, as soon as part of it may be visible.
 template <class P>
 SPANGLE_INLINE void set_up(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
                            const typename P::Vertex& provoking) {
@@ -106,7 +107,7 @@ SPANGLE_INLINE void set_up(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
     pen.set_up();
 }
 
-/// Sets up a triangle within SmallEdge::extent, whose box fits a word; `width` in subpixels.
+/// Sets up a triangle within SmallEdge::extent, whose box fits a word. `width` is in subpixels.
 template <class P>
 SPANGLE_INLINE void set_up_small(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
                                  const typename P::Vertex& provoking, std::int32_t width) {
@@ -161,8 +162,8 @@ SPANGLE_INLINE void draw_low(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
     pen.draw(end);
 }
 
-/// Draws a triangle as one or two tiles, if it is small enough and its state and kind draw tiles. False:
-/// nothing was drawn.
+/// Draws a triangle as one or two tiles, if it is small enough and its state and kind draw tiles. Returns
+/// false where nothing was drawn.
 template <class P>
 SPANGLE_INLINE bool draw_tile(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
                               const typename P::Vertex& provoking, std::int32_t width, std::int32_t left,
@@ -193,8 +194,8 @@ SPANGLE_INLINE bool draw_tile(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
     return false;
 }
 
-/// Draws a triangle as trapezoids, if it is small enough and its state and kind draw these. False: nothing
-/// was drawn.
+/// Draws a triangle as trapezoids, if it is small enough and its state and kind draw trapezoids. Returns
+/// false where nothing was drawn.
 template <class P>
 SPANGLE_INLINE bool draw_trapezoids(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
                                     const typename P::Vertex& provoking, std::int32_t width,

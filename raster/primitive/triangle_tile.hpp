@@ -1,5 +1,5 @@
-// Makes a tile of a small triangle. It has the same fragments as the rows of edge.hpp, found from the sides
-// of edges on which their centres lie.
+// Makes a tile of a small triangle. The tile has the same fragments as the rows of edge.hpp. Signed areas say
+// on which side of each edge a centre lies.
 #pragma once
 
 #include <bit>
@@ -12,13 +12,13 @@
 
 namespace spangle::raster {
 
-/// The edges of a triangle, corners upwards: from the lowest to the highest, from the lowest to the middle
-/// one, from there to the highest. Left edges own their centres and right edges do not. A horizontal bottom
-/// edge, which counts as right, does.
+/// Sets the edges of a triangle whose corners are sorted upwards: from the lowest to the highest corner, from
+/// the lowest to the middle one, and from there to the highest. Left edges own their centres, and right edges
+/// do not. A horizontal bottom edge counts as a right edge, but owns its centres.
 ///
-/// Corners and centres lie within 9 columns and 13 rows, so that twice an area is at most 9 13 2^16, or
-/// within 17 and 7, or 5 and 24: differences fit 16 bits. From centre to centre the area changes by whole
-/// multiples of 2^8, so what is dropped below decides nothing.
+/// Corners and centres lie within 9 columns and 13 rows, so twice an area is at most 9 13 2^16. They may also
+/// lie within 17 and 7, or 5 and 24; differences fit 16 bits then, too. From centre to centre the area
+/// changes by whole multiples of 2^8, so dropped bits below decide nothing.
 SPANGLE_INLINE void set_edges(Tile& tile, const FixedVertex& a, const FixedVertex& b, const FixedVertex& c,
                               bool middle_left) {
     static_assert((Tile::columns + 1) * (Tile::most_rows + 1) * subpixel_one < 1 << 15);
@@ -51,19 +51,20 @@ SPANGLE_INLINE void set_edges(Tile& tile, const FixedVertex& a, const FixedVerte
                           words(L::mixed_high(product, product_high)) + words(L::mixed_low(flat, flat));
     constexpr std::uint16_t on = 0xFFFF;
     constexpr U16 if_right = {0, on, on, 0, on, 0, 0, 0};
-    const U16 flip = L::splat(middle_left ? on : 0u) ^ if_right; // what is to be negated: x where y is not
+    const U16 flip = L::splat(middle_left ? on : 0u) ^ if_right; // negates x where y is not negated
     tile.value = std::bit_cast<U16>(area >> subpixel_bits) ^ L::mixed_low(flip, flip);
     tile.by = (across ^ flip) - flip;
 }
 
-/// Makes the first of `tiles` side by side; false where it takes more than two. Corners are sorted upwards.
-/// Columns [left, right) hold all centres and lie inside of `clip`, as do the rows that are left.
+/// Makes the first of `tiles` tiles side by side. Returns false where the triangle needs more than two.
+/// Corners are sorted upwards. Columns [left, right) hold all centres and lie inside of `clip`; so do the
+/// remaining rows.
 SPANGLE_INLINE bool make_tile(Tile& tile, int& tiles, const FixedVertex& a, const FixedVertex& b,
                               const FixedVertex& c, bool middle_left, std::int32_t left, std::int32_t right,
                               const Rect& clip) {
     const std::int32_t low = first_center(a.y), high = first_center(c.y), top = clip.y + clip.h;
     const std::int32_t begin = low < clip.y ? clip.y : low, end = high < top ? high : top;
-    // The row below the lowest corner is outside of one edge at least.
+    // The row below the lowest corner lies outside of at least one edge.
     const std::int32_t odd = (end - begin) & 1;
     tile.narrow = right - left <= Tile::narrow_columns && begin - odd >= clip.y;
     tiles = right - left > Tile::columns ? 2 : 1;
@@ -82,7 +83,7 @@ SPANGLE_INLINE bool make_tile(Tile& tile, int& tiles, const FixedVertex& a, cons
     return true;
 }
 
-/// Whether columns [left, right) of all rows of the tile are marked as touched already.
+/// Whether columns [left, right) are marked as touched in all rows of the tile.
 SPANGLE_INLINE bool is_touched(const Surface& target, const Tile& tile, std::int32_t left,
                                std::int32_t right) {
     if (target.touched == nullptr)
@@ -94,7 +95,8 @@ SPANGLE_INLINE bool is_touched(const Surface& target, const Tile& tile, std::int
     return true;
 }
 
-/// Marks what a tile covers as touched. It is not inline: it runs about once per frame and pixel.
+/// Marks the columns and rows that a tile covers as touched. It is not inline, because it runs about once per
+/// frame and pixel.
 [[gnu::noinline]] inline void touch_tile(const Surface& target, const Tile& tile) {
     const std::int32_t columns = tile.narrow ? Tile::narrow_columns : Tile::columns;
     for (std::int32_t row = 0; row != tile.rows; ++row) {

@@ -1,4 +1,4 @@
-// Makes trapezoids of a triangle: they hold the rows of edge.hpp without a list of them.
+// Makes trapezoids of a triangle. They stand for the rows of edge.hpp, without a list of rows.
 #pragma once
 
 #include "raster/primitive/edge.hpp"
@@ -6,8 +6,8 @@
 
 namespace spangle::raster {
 
-/// Corners are sorted upwards and lie within SmallEdge::extent. The trapezoids hold rows [begin, end), begin
-/// < end.
+/// Makes the trapezoids of rows [begin, end), begin < end. Corners are sorted upwards and lie within
+/// SmallEdge::extent.
 SPANGLE_INLINE Trapezoids make_trapezoids(const std::int32_t (&xs)[3], const std::int32_t (&ys)[3],
                                           bool middle_left, std::int32_t begin, std::int32_t end) {
     const auto edge = [&](int from, int to, std::int32_t row) {

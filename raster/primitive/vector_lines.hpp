@@ -1,4 +1,4 @@
-// Sets up several lines at a time in vectors; no line waits for another.
+// Sets up several lines at a time in vectors. No line waits for the results of another.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@ namespace spangle::raster {
 
 namespace detail {
 
-/// PerPixel::coefficient of each length below 16 pixels. `lift` is 32 less the shift of set_path_depth(),
+/// PerPixel::coefficient of each length below 16 pixels. `lift` is 32 minus the shift of set_path_depth(),
 /// which is PerPixel::exponent - 1.
 struct CoefficientTable {
     static constexpr std::uint32_t size = 16 * subpixel_one;
@@ -30,13 +30,13 @@ inline constexpr CoefficientTable coefficient_table;
 
 template <class L> class VectorLines {
   public:
-    /// Takes lines from vertex 0 to 1, from vertex `step` to step + 1, and so on. True: all vertices lie in
-    /// the area.
+    /// Takes lines from vertex 0 to 1, from vertex `step` to step + 1, and so on. Returns true where all
+    /// vertices lie in the area.
     SPANGLE_INLINE bool take(const FixedVertex* const* vertex, int n, int step, const DrawState::Area& area) {
         vertex_ = vertex;
         vertex_step_ = step;
         line_count_ = step == 1 ? n - 1 : n / 2;
-        // Lanes 2 and 3 hold arbitrary words, so all lanes are counted without signs: unsigned words may
+        // Lanes 2 and 3 hold arbitrary words. All lanes are therefore counted as unsigned words, which may
         // wrap.
         const Word low = {static_cast<std::uint32_t>(area.x), static_cast<std::uint32_t>(area.y), 0, 0};
         const Word last = {area.w - 1, area.h - 1, 0, 0};
@@ -53,7 +53,7 @@ template <class L> class VectorLines {
         return position(*vertex_[i * vertex_step_ + second]); // NOLINT(clang-analyzer-core.NullDereference)
     }
 
-    /// Sets up all of the paths but their colour. Returns the interval of the first line.
+    /// Sets up all parts of the paths except their colour. Returns the interval of the first line.
     SPANGLE_INLINE PathInterval<std::int32_t> set_up(Paths& paths, std::int32_t pixels_per_row, bool depth) {
         PathInterval<std::int32_t> of_first{};
         for (int i = 0; i < line_count_; i += L::count) {
@@ -82,7 +82,7 @@ template <class L> class VectorLines {
         return r;
     }
 
-    /// Loads the first or second ends of lines i to i + 3. Lanes beyond the last line get a line of no
+    /// Loads the first or the second ends of lines i to i + 3. Lanes beyond the last line get a line of no
     /// length.
     SPANGLE_INLINE void ends(int i, int second, Int& x, Int& y, Int& z) const {
         static_assert(L::count == 4);
@@ -105,8 +105,8 @@ template <class L> class VectorLines {
                                     __builtin_shufflevector(r[2], r[3], 2, 6, 3, 7), 0, 1, 4, 5);
     }
 
-    /// Finds the fragments of lines i to i + 3. Most often all go one way, and nothing has to be selected by
-    /// masks.
+    /// Finds the fragments of lines i to i + 3. Most often all four lines have one direction, and no value
+    /// has to be selected by masks.
     SPANGLE_INLINE static PathInterval<Int> trace(Paths& paths, int i, const Int (&x)[2], const Int (&y)[2],
                                                   std::int32_t pixels_per_row) {
         const auto draw = [&](const auto& line) __attribute__((always_inline)) {
@@ -138,7 +138,7 @@ template <class L> class VectorLines {
         }
     }
 
-    /// Sets the depths of lines i to i + 3, those without fragments included.
+    /// Sets the depths of lines i to i + 3, including lines without fragments.
     SPANGLE_INLINE static void set_depths(Paths& paths, int i, const Int (&z)[2],
                                           const PathInterval<Int>& at) {
         const Int along = at.end - at.begin, back = along >> 31, length = (along ^ back) - back;
@@ -152,7 +152,8 @@ template <class L> class VectorLines {
         L::store(of.length, length);
         L::store(of.back, back);
         L::store(of.to_center, Int{} + subpixel_one / 2 - (at.begin & (subpixel_one - 1)));
-        // The compiler is to read scalars from memory, not to take them out of vectors one by one.
+        // The asm statement makes the compiler read scalars from memory; it would take them out of vectors
+        // one by one.
         asm("" : "+m"(of)); // NOLINT(hicpp-no-assembler): no instruction
         const ShortDepth path[4] = {{of, 0}, {of, 1}, {of, 2}, {of, 3}};
         // Whole vectors are stored, so that later loads do not wait for four stores.
@@ -167,8 +168,8 @@ template <class L> class VectorLines {
         std::int32_t difference[4], length[4], back[4], to_center[4];
     };
 
-    /// Depth as set_path_depth() has it, with v 2^(32 - n) / 2^32 in place of v / 2^n, mod 2^32. `step` is
-    /// per pixel, `start` from the beginning to the centre of its pixel.
+    /// Depth as set_path_depth() computes it, with v 2^(32 - n) / 2^32 in place of v / 2^n, modulo 2^32.
+    /// `step` is per pixel, and `start` leads from the beginning to the centre of its pixel.
     struct ShortDepth {
         std::uint32_t step, start;
         SPANGLE_INLINE ShortDepth(const Of4& of, int k) {
