@@ -65,7 +65,7 @@ BatchRows::RowRange& BatchRows::at(std::uint32_t number) {
 }
 
 /// Whether a batch or piece reaches the current band. A number that the first band did not have is drawn,
-/// too, although the callback then breaks its promise.
+/// too; the callback has then broken its promise.
 bool BatchRows::reaches_band(std::uint32_t number) {
     if (!is_valid_ || number >= recorded_count_)
         return true;
@@ -100,7 +100,7 @@ void BatchRows::end_batch() {
     is_skipped_ = false;
     if (!is_recording_)
         return;
-    merge_piece(); // primitives that were drawn outside of any piece
+    merge_piece(); // merges primitives that were drawn outside of any piece
     widen(at(batch_number_), batch_);
 }
 

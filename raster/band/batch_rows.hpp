@@ -8,44 +8,46 @@
 
 namespace spangle::raster {
 
-/// While the first band of a frame is drawn, the rows that each batch reaches are noted. The callback draws
-/// the same batches in the same order for every band, so that later bands know a batch by its number. A long
-/// batch consists of pieces: these are numbered after it, and each is left out or drawn separately.
+/// Notes the rows that each batch reaches while the first band of a frame is drawn. The callback draws the
+/// same batches in the same order for every band, so later bands know a batch by its number. A long batch
+/// consists of pieces. They are numbered after the batch, and each is left out or drawn separately.
 ///
 /// The table has a fixed size, with two bytes per entry. Where a frame has more batches and pieces than the
-/// table has entries, neighbours share an entry: twice as many whenever the table is full.
+/// table has entries, neighbours share an entry. Each time the table is full, twice as many neighbours share
+/// one.
 class BatchRows : public Recorder {
   public:
-    /// `height`: rows of the picture.
+    /// `height` is the number of rows of the picture.
     explicit BatchRows(std::int32_t height);
 
-    /// The first band of a frame begins: everything is drawn, and noted.
+    /// Begins the first band of a frame, in which everything is drawn and noted.
     void begin_frame();
-    /// Another band begins. What lies outside of rows [first, end) of the picture, counted from its lowest
-    /// row, is left out.
+    /// Begins another band. Batches outside of rows [first, end) of the picture are left out. Rows count from
+    /// the lowest row.
     void begin_band(std::int32_t first, std::int32_t end);
-    /// The callback has read from a band, so what it draws may differ from band to band: every band of this
-    /// frame is drawn whole.
+    /// Says that the callback has read from a band, so that its drawing may differ from band to band. Every
+    /// band of this frame is then drawn whole.
     void invalidate() { is_valid_ = false; }
 
     bool is_recording() const { return is_recording_; }
-    /// From now on, primitives of this state are noted as well as drawn.
+    /// Notes primitives of this state from now on, besides drawing them.
     void take(DrawState& live);
 
-    /// False: the batch that begins here is left out.
+    /// Returns false where the batch that begins here is left out.
     bool begin_batch();
     /// True from a begin_batch() that returned false until end_batch().
     bool is_skipped() const { return is_skipped_; }
     /// Skips the numbers of all pieces of a batch that is left out.
     void skip_pieces(std::uint32_t pieces) { next_number_ += pieces; }
-    /// False: the next piece of this batch is left out. True: end_piece() must follow.
+    /// Returns false where the next piece of this batch is left out. After true, end_piece() must follow.
     bool begin_piece();
     void end_piece();
-    /// Ends the batch that has begun, left out or not.
+    /// Ends the current batch, whether it was left out or not.
     void end_batch();
 
   private:
-    /// A range of rows in units of 1 << shift_, lowest and highest included. low > high: empty.
+    /// A range of rows in units of 1 << shift_, including the lowest and the highest. low > high is an empty
+    /// range.
     struct RowRange {
         std::uint8_t low, high;
     };

@@ -1,4 +1,5 @@
-// How a record lies in memory: blocks one behind the other. A block without any row of a band is skipped.
+// The layout of a record in memory: blocks one behind the other. A block that has no row of a band is
+// skipped.
 #pragma once
 
 #include "raster/band/record.hpp"
@@ -6,7 +7,7 @@
 
 namespace spangle::raster {
 
-/// What follows the header of a block.
+/// The content of a block, behind its header.
 enum class Record::Content : std::uint8_t {
     data,       ///< states, and the data that they point to
     primitives, ///< a sequence of Item
@@ -18,7 +19,7 @@ enum class Record::Content : std::uint8_t {
 };
 
 struct Record::Block {
-    std::uint32_t bytes = 0;         ///< size of the block, this header included
+    std::uint32_t bytes = 0;         ///< size of the block, including this header
     std::uint32_t state = 0;         ///< place of the state of primitives and pixels
     std::int16_t first = 0, end = 0; ///< rows of the window
     Content content{};
@@ -30,17 +31,17 @@ struct Record::Block {
 /// A compiled state whose pointers lead into the record.
 struct Record::State {
     std::uint32_t next = nowhere;
-    Rect scissor; ///< as recorded; draw.scissor is the part of it in the band while a band is drawn
+    Rect scissor; ///< as recorded; while a band is drawn, draw.scissor is its part in the band
     Counters* counters = nullptr; ///< as recorded; draw.counters may differ while a band is drawn
     DrawState draw;
 };
 
-/// A primitive. It is followed, where it has them, by size, stipple and depth offset. Then come references to
-/// the corners and the provoking vertex, 16 bits each, and then the vertices that were not stored before. A
-/// reference below `fresh_corners` is the index of one of these. Any other vertex lies (reference -
-/// fresh_corners) words before the item.
+/// A primitive. Where it has them, size, stipple and depth offset follow. Then come references of 16 bits to
+/// the corners and the provoking vertex, and then the vertices that were not stored before. A reference below
+/// `fresh_corners` is the index of one of these vertices. Any other vertex lies (reference - fresh_corners)
+/// words before the item.
 struct Record::Item {
-    static constexpr int most_corners = 20; ///< clipping a quad makes no more corners
+    static constexpr int most_corners = 20; ///< a clipped quad has no more corners
     static constexpr std::uint32_t fresh_corners = 32, farthest = 0xFFFF - fresh_corners;
     static_assert(most_corners < fresh_corners);
 
@@ -60,7 +61,7 @@ struct Record::Item {
     }
 };
 
-/// An antialiased polygon of any number of corners. Pointers to the corners and to the provoking vertex
+/// An antialiased polygon with any number of corners. Pointers to its corners and to the provoking vertex
 /// follow, and then all of these vertices.
 struct Record::Polygon {
     std::int64_t depth_offset = 0;
@@ -82,7 +83,7 @@ struct Record::Run {
         words, ///< R5 G6 B5
         bytes, ///< four components, whole 255ths
         units, ///< four components in colour units
-        depth, ///< no fragments: sets the depth of those that follow
+        depth, ///< no fragments: sets the depth of the next runs
     };
     static constexpr std::int32_t longest = 64;
 

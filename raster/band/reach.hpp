@@ -14,7 +14,7 @@ struct Reach {
     std::int32_t low, high; ///< rows [low, high)
 };
 
-/// The y of the lowest and of the highest corner, in subpixels.
+/// The y of the lowest and of the highest corner, in subpixels, as a range of rows.
 inline Reach corners_of(const Primitive& p) {
     Reach y = {p.corner[0]->y, p.corner[0]->y};
     for (int i = 1; i < p.corners; ++i) {
@@ -24,19 +24,19 @@ inline Reach corners_of(const Primitive& p) {
     return y;
 }
 
-/// The rows that fragments of a primitive can lie in: its coordinates plus half of its size, rounded
-/// outwards. They hold for every sample that the primitive is moved to.
+/// The rows in which fragments of a primitive may lie: its coordinates plus half of its size, rounded
+/// outwards. The rows are right for every sample to which the primitive is moved.
 inline Reach reach(const Primitive& p) {
     const Reach y = corners_of(p);
     const bool smooth = p.shape >= Primitive::Shape::smooth_point;
-    // The 2 is for corners that are snapped to fragments, and for rectangles that reach beyond the ends of
-    // their lines.
+    // The 2 covers corners that are snapped to fragments, and rectangles that reach beyond the ends of their
+    // lines.
     const std::int32_t aside = (smooth ? (p.size + 7) / 8 : p.size) + 2;
     return {(y.low >> subpixel_bits) - aside, (y.high >> subpixel_bits) + 1 + aside};
 }
 
-/// The rows that fragments of a primitive lie in, if it is not moved to samples. A triangle has fragments in
-/// rows whose centres it may hold (GL 1.3, 3.5.1), a point in the rows of its square.
+/// The rows in which fragments of a primitive lie, if it is not moved to samples. A triangle has fragments in
+/// rows whose centres it may hold (GL 1.3, 3.5.1). A point has fragments in the rows of its square.
 inline Reach exact_reach(const Primitive& p) {
     if (p.shape == Primitive::Shape::point) {
         const std::int32_t low = point_begin(p.corner[0]->y, p.size);

@@ -57,7 +57,7 @@ bool Record::room(std::size_t bytes) {
     return false;
 }
 
-/// Appends bytes, for which there must be room(), and returns their place.
+/// Appends bytes and returns their place. There must be room() for the bytes.
 std::uint32_t Record::append(std::size_t bytes) {
     const auto place = static_cast<std::uint32_t>(used_);
     used_ += bytes;
@@ -65,7 +65,7 @@ std::uint32_t Record::append(std::size_t bytes) {
     return place;
 }
 
-/// Opens a new block; null without room.
+/// Opens a new block. Returns null where there is no room.
 Record::Block* Record::open(Content content, std::uint32_t state, Rows rows, std::size_t bytes) {
     const std::size_t all = rounded(sizeof(Block) + bytes);
     if (!room(all))
@@ -76,7 +76,7 @@ Record::Block* Record::open(Content content, std::uint32_t state, Rows rows, std
               static_cast<std::int16_t>(rows.end), content};
 }
 
-/// Stores a copy in a block of its own; null without room.
+/// Stores a copy in a block of its own. Returns null where there is no room.
 template <class T> const T* Record::store_bytes(const T& value) {
     const Block* const block = open(Content::data, 0, {0, 0}, sizeof(T));
     return block == nullptr ? nullptr : new (at<T>(block_ + sizeof(Block))) T(value);
@@ -86,7 +86,7 @@ template <class T> const T* Record::store_bytes(const T& value) {
 
 namespace {
 
-/// A texture as it was when it was recorded; these form a list.
+/// A texture as it was when it was recorded. These objects form a list.
 struct KeptTexture {
     std::uint32_t next;
     Texture texture;
@@ -108,7 +108,7 @@ const Texture* Record::store_texture(const Texture& texture) {
         if (as_given == texture)
             return &kept.texture;
     }
-    // Faces come last: textures without them leave that memory out.
+    // Faces are the last member: textures without faces leave that memory out.
     const std::size_t bytes = texture.faces != nullptr ? sizeof(KeptTexture) : offsetof(KeptTexture, faces);
     if (open(Content::data, 0, {0, 0}, bytes) == nullptr)
         return nullptr;
@@ -145,7 +145,7 @@ Record::State* Record::equal_to(const State& state) const {
     return nullptr;
 }
 
-/// Stores a state, or finds an equal one. What replay() sets for each band is left out.
+/// Stores a state, or finds an equal one. Members that replay() sets for each band are left out.
 Record::State* Record::store(const DrawState& live) {
     if (!room(rounded(sizeof(Block) + sizeof(State))))
         return nullptr;

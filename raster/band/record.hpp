@@ -1,4 +1,4 @@
-// A frame as a record: what is to be drawn, in window space, kept until the bands of a surface are drawn.
+// A frame as a record of its primitives in window space, kept until the bands of a surface are drawn.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,9 @@ namespace spangle::raster {
 
 class VertexCode;
 
-/// The record lies in memory that is handed over once. A state is stored once per change, equal states once.
-/// Primitives share their vertices. What does not fit is not stored: the record is then full, and of no use
-/// until it is cleared.
+/// The record lies in memory that is given once. A state is stored once per change, and equal states are
+/// stored once. Primitives share their vertices. A primitive that does not fit is not stored. The record is
+/// then full, and of no use until it is cleared.
 class Record : public Recorder {
   public:
     Record();
@@ -24,7 +24,7 @@ class Record : public Recorder {
 
     /// Takes `bytes` bytes of memory at `memory`, which is aligned to 8.
     void give(void* memory, std::size_t bytes);
-    /// Called once, when something does not fit.
+    /// Called once, when a primitive does not fit.
     void (*on_full)() = nullptr;
 
     bool empty() const { return used_ == 0; }
@@ -34,8 +34,7 @@ class Record : public Recorder {
     std::size_t peak() const { return peak_; }
     void clear();
 
-    /// From now on, primitives of this state are recorded. The texels of its textures must stay until
-    /// clear().
+    /// Records primitives of this state from now on. The texels of its textures must stay until clear().
     void take(DrawState& live);
     void clear(const ClearRequest& request);
     void accum(const AccumRequest& request);
@@ -44,13 +43,13 @@ class Record : public Recorder {
     void stencil(std::int32_t y, std::int32_t x, std::int32_t count, const std::uint8_t* values,
                  std::uint8_t mask, std::uint8_t sample);
 
-    /// Draws all that lies in the surface's rows. With `count`, primitives that have not been counted yet
-    /// update the counters of their states; mark_counted() marks them as counted.
+    /// Draws the part of the record in the surface's rows. With `count`, primitives that have not been
+    /// counted yet update the counters of their states. mark_counted() marks them as counted.
     void replay(const Surface& band, bool count);
-    /// Whether anything was recorded that is to be counted.
+    /// Whether the record holds primitives that are to be counted and have not been counted.
     bool has_uncounted() const { return has_uncounted_; }
     void mark_counted();
-    /// The counters that recorded states point to are about to end.
+    /// Must be called before the counters end to which recorded states point.
     void forget_counters();
 
   private:
@@ -96,13 +95,13 @@ class Record : public Recorder {
                    std::int32_t extent, LineStipple stipple);
     void prepare(const Surface& band);
 
-    static constexpr int live_states = 2; ///< front and back faces
+    static constexpr int live_states = 2; ///< states of front and back faces
     static constexpr unsigned log2_vertices = 7;
     static constexpr std::uint32_t nowhere = 0xFFFFFFFF;
 
     std::uint8_t* memory_ = nullptr;
     std::size_t size_ = 0, used_ = 0, peak_ = 0;
-    std::uint32_t block_ = nowhere;  ///< the last block, which may take more items; or nowhere
+    std::uint32_t block_ = nowhere; ///< the last block, which may take more items; `nowhere` if there is none
     std::uint32_t states_ = nowhere; ///< head of the list of states
     std::uint32_t texture_ = nowhere;
     std::size_t counted_bytes_ = 0; ///< bytes of the record whose primitives have been counted

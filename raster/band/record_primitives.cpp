@@ -12,11 +12,11 @@ namespace spangle::raster {
 
 namespace {
 
-constexpr std::uint8_t most_items = 32; ///< per block: more make finding faster, skipping coarser
+constexpr std::uint8_t most_items = 32; ///< per block; with more, finding is faster, but skipping coarser
 
 } // namespace
 
-/// The place of an equal vertex in the record, whichever primitive stored it, or nowhere.
+/// The place of an equal vertex in the record, stored by any primitive, or `nowhere`.
 std::uint32_t Record::find_vertex(const std::uint32_t* words, int count) const {
     const std::uint32_t hash = (words[0] * 0x9E3779B1u ^ words[1] * 0x85EBCA6Bu) >> (32 - log2_vertices);
     const std::uint32_t place = vertex_[hash];
@@ -51,7 +51,8 @@ void Record::add(const DrawState& live, const Primitive& p) {
     const VertexCode code(state->draw);
     const auto words = static_cast<std::uint32_t>(code.words());
 
-    // There must be room for a new block, and for all vertices of the item in case none is stored yet.
+    // There must be room for a new block and for all vertices of the item, because it may be that none is
+    // stored yet.
     Item item;
     item.shape = p.shape;
     item.corners = static_cast<std::uint8_t>(p.corners);
@@ -86,7 +87,7 @@ void Record::add(const DrawState& live, const Primitive& p) {
     std::uint32_t* vertex = at<std::uint32_t>(start) + item.words();
     std::uint32_t coded[VertexCode::most_words];
     for (unsigned i = 0; i <= item.corners; ++i) {
-        // The provoking vertex only matters where shading is flat.
+        // The provoking vertex matters only where shading is flat.
         if (i == item.corners && !live.fragment.flat) {
             refs[i] = refs[i - 1];
             break;
@@ -108,7 +109,7 @@ void Record::add(const DrawState& live, const Primitive& p) {
     __builtin_memcpy(at<Item>(start), &item, sizeof item);
     const auto bytes =
         static_cast<std::uint32_t>(reinterpret_cast<std::uint8_t*>(vertex) - at<std::uint8_t>(start));
-    // Blocks end at multiples of 8 bytes, where the next one may begin.
+    // Blocks end at multiples of 8 bytes, where the next block may begin.
     (void)append((bytes + 7) / 8 * 8);
     block->bytes += (bytes + 7) / 8 * 8;
     block->first = item.first < block->first ? item.first : block->first;
@@ -150,7 +151,7 @@ class Record::PixelRecorder : public PixelSink {
   private:
     static PixelRecorder& self(PixelSink& sink) { return static_cast<PixelRecorder&>(sink); }
 
-    /// Appends a run, with room for its payload; null without room.
+    /// Appends a run with room for its payload. Returns null where there is no room.
     Run* put(const Run& run) {
         const std::size_t bytes = (sizeof(Run) + run.payload() + 7) / 8 * 8;
         if (block_ == nowhere || !record_.room(bytes))
@@ -204,7 +205,7 @@ class Record::PixelRecorder : public PixelSink {
         block.end = run.y >= block.end ? static_cast<std::int16_t>(run.y + 1) : block.end;
     }
 
-    /// The form that holds these components exactly: bytes for whole 255ths, else colour units.
+    /// The form that holds these components exactly: bytes for whole 255ths, and otherwise colour units.
     static Run::Form form_of(const std::uint32_t* units, std::int32_t count) {
         std::uint32_t fractions = 0;
         for (std::int32_t i = 0; i < 4 * count; ++i)

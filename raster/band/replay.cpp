@@ -26,7 +26,7 @@ template <class T> T next(const std::uint32_t*& from) {
 
 } // namespace
 
-/// Sets the scissor rectangle of each state to the part of it that lies in the band.
+/// Sets the scissor rectangle of each state to its part in the band.
 void Record::prepare(const Surface& band) {
     for (std::uint32_t place = states_; place != nowhere; place = at<State>(place)->next) {
         State& state = *at<State>(place);
@@ -44,7 +44,7 @@ void Record::replay(const Surface& band, bool count) {
             replay_block(block, band, count && place >= counted_bytes_);
         place += block.bytes;
     }
-    // States become as they were stored, so that equal states are found again.
+    // States get the values with which they were stored, so that equal states are found again.
     for (std::uint32_t place = states_; place != nowhere; place = at<State>(place)->next) {
         DrawState& draw = at<State>(place)->draw;
         draw.fragment.scissor = {};
@@ -52,7 +52,7 @@ void Record::replay(const Surface& band, bool count) {
     }
 }
 
-/// Calls draw(surface, number) for one sample of the band, or for each that it has.
+/// Calls draw(surface, number) for one sample of the band, or for each of its samples.
 template <class Draw> void Record::each_target(const Surface& band, std::uint8_t only, Draw draw) {
     each_sample(band, [&](const Surface& target, unsigned sample) {
         if (only != every_sample && only != sample)
@@ -182,7 +182,7 @@ void Record::draw_item(const DrawState& draw, const Surface& target, const Item&
 
 namespace {
 
-/// The runs of one block, as a source for a sink.
+/// The runs of one block, as a source for a PixelSink.
 struct KeptPixels : PixelSource {
     const std::uint8_t* begin;
     const std::uint8_t* end;

@@ -1,4 +1,4 @@
-// Vertices as a record stores them: the words that the set-up of a state reads, and no others.
+// Vertices as a record stores them. They have the words that the set-up of a state reads, and no others.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@
 
 namespace spangle::raster {
 
-/// Which attributes a state's vertices have, and how many words they take.
+/// The attributes of a state's vertices, and the number of words that they take.
 class VertexCode {
   public:
     static constexpr int most_words = static_cast<int>(sizeof(FixedVertex) / 4);
 
     explicit VertexCode(const DrawState& draw) : VertexCode(draw.needs, unsnaps(draw)) {}
-    /// `rests`: set-up reads what snapping took off the coordinates.
+    /// `rests` says that set-up reads what snapping has taken off the coordinates.
     VertexCode(const Needs& needs, bool rests) : attributes_(needs), has_snap_rests_(rests) {
         word_count_ = 4 + (has_snap_rests_ ? 1 : 0) + (needs.z ? 1 : 0) + 4 + (needs.secondary ? 3 : 0) +
                       (needs.fog ? 1 : 0);
@@ -81,7 +81,7 @@ class VertexCode {
   private:
     static constexpr int words_of_unit = static_cast<int>(sizeof(FixedVertex::TexCoord) / 4);
 
-    /// Both exponents in one word, so that no word has unused bits that differ between equal vertices.
+    /// Both exponents in one word. Without unused bits, equal vertices have equal words.
     std::uint32_t pack_exponents(const FixedVertex& v) const {
         return pack_halves(v.w_exponent, attributes_.fog ? v.fog_exponent : std::int16_t{0});
     }
@@ -100,7 +100,7 @@ class VertexCode {
     }
 
     Needs attributes_;
-    bool has_snap_rests_; ///< set-up reads what snapping took off the coordinates
+    bool has_snap_rests_; ///< set-up reads what snapping has taken off the coordinates
     int word_count_;
 };
 

@@ -1,4 +1,5 @@
-// Integer words: leading zeros, fields, shifts that round, values that saturate. Defined for every argument.
+// Integer words: leading zeros, fields, shifts that round, and values that saturate. All functions are
+// defined for every argument.
 #pragma once
 
 #include <bit>
@@ -28,8 +29,8 @@ SPANGLE_INLINE constexpr int clz32(std::uint32_t v) {
     return std::countl_zero(v);
 }
 
-/// Leading zeros of a sequence of values, which mostly have as many as the value before them. Where a library
-/// call counts zeros, that guess is tried first.
+/// Counts leading zeros of a sequence of values, which mostly have as many as the value before them. On
+/// machines where counting is a library call, this guess is tried first.
 template <bool Counted = long_products> class LeadingZeros {
   public:
     SPANGLE_INLINE constexpr int of(std::uint32_t v) {
@@ -41,7 +42,7 @@ template <bool Counted = long_products> class LeadingZeros {
     }
 
   private:
-    int last_shift_ = 31; ///< shift that leaves 1 of the value before
+    int last_shift_ = 31; ///< shift that made 1 of the previous value
 };
 template <> class LeadingZeros<true> {
   public:
@@ -100,7 +101,7 @@ SPANGLE_INLINE constexpr std::uint32_t with_bits(std::uint32_t v, std::uint32_t 
     return (v & ~(mask << At)) | (bits & mask) << At;
 }
 
-/// floor(v / 2^n) for any n < 2^31. ARM shifts by up to 255, which saves a test.
+/// floor(v / 2^n) for any n < 2^31. ARM instructions shift by up to 255, which saves a test.
 SPANGLE_INLINE constexpr std::uint32_t shifted_out(std::uint32_t v, std::uint32_t n) {
 #if defined(__thumb2__)
     if (!std::is_constant_evaluated()) {
@@ -128,13 +129,13 @@ SPANGLE_INLINE constexpr std::uint32_t shifted_some(std::uint32_t v, std::uint32
     return shifted_out(v, n);
 }
 
-/// The low word of floor(v / 2^n), 0 < n < 32: three instructions where words have 32 bits.
+/// The low word of floor(v / 2^n), 0 < n < 32. It takes three instructions on machines with words of 32 bits.
 SPANGLE_INLINE constexpr std::uint32_t low_word_after(std::int64_t v, int n) {
     if constexpr (wide_words)
         return static_cast<std::uint32_t>(v >> n);
     return static_cast<std::uint32_t>(v) >> n | static_cast<std::uint32_t>(v >> 32) << (32 - n);
 }
-/// Both words of floor(v / 2^n), 0 < n < 32: four instructions where words have 32 bits.
+/// Both words of floor(v / 2^n), 0 < n < 32. It takes four instructions on machines with words of 32 bits.
 SPANGLE_INLINE constexpr std::int64_t words_after(std::int64_t v, int n) {
     if constexpr (wide_words)
         return v >> n;
@@ -158,7 +159,7 @@ SPANGLE_INLINE constexpr std::uint32_t high_word_before(std::uint64_t v, int n) 
     return detail::high_word_by_words(v, n);
 }
 
-/// floor(v / 2^Down), but at least 0 and at most 2^Bits - 1.
+/// floor(v / 2^Down), limited to 0 .. 2^Bits - 1.
 template <int Down, int Bits> SPANGLE_INLINE constexpr std::uint32_t saturated_after(std::int32_t v) {
 #if defined(__thumb2__)
     if (!std::is_constant_evaluated()) {
@@ -186,7 +187,7 @@ template <std::uint32_t D> struct ShortRemainder {
 
 } // namespace detail
 
-/// n mod D. Where there are no long products, compilers would divide even for n < 2^16.
+/// n modulo D. On machines without long products, compilers would divide even where n < 2^16.
 template <std::uint32_t D> SPANGLE_INLINE constexpr std::uint32_t remainder(std::uint32_t n) {
     using Short = detail::ShortRemainder<D>;
     if (!long_products && !std::has_single_bit(D) && Short::exact && n >> 16 == 0)
@@ -199,14 +200,14 @@ SPANGLE_INLINE constexpr std::int64_t shifted_up(std::int32_t v, int n) {
     const auto high = static_cast<std::uint32_t>((v >> 1) >> (31 - n));
     return static_cast<std::int64_t>(std::uint64_t{high} << 32 | static_cast<std::uint32_t>(v) << n);
 }
-/// floor(v 2^n) for any n, mod 2^64; an |n| beyond 63 counts as 63. The code takes 50 bytes where words have
-/// 32 bits.
+/// floor(v 2^n) for any n, modulo 2^64. An |n| beyond 63 counts as 63. The code takes 50 bytes on machines
+/// with words of 32 bits.
 SPANGLE_RUN_INLINE constexpr std::int64_t times_two_to(std::int64_t v, int n) {
     if (n < 0)
         return v >> (n > -63 ? -n : 63);
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(v) << (n < 63 ? n : 63));
 }
-/// Nearest to v / 2^n, halves up; n <= 0 leaves v as it is, no n overflows.
+/// v / 2^n rounded to nearest, halves up. n <= 0 leaves v as it is, and no n overflows.
 SPANGLE_INLINE constexpr std::int32_t shift_right_round(std::int32_t v, int n) {
     if (n <= 0)
         return v;
@@ -214,7 +215,7 @@ SPANGLE_INLINE constexpr std::int32_t shift_right_round(std::int32_t v, int n) {
         return 0;
     return (v >> n) + ((v >> (n - 1)) & 1);
 }
-/// Nearest to v / 2^n, halves up; n below 0, down to -63, shifts to the left.
+/// v / 2^n rounded to nearest, halves up. A negative n, down to -63, shifts to the left.
 SPANGLE_INLINE constexpr std::int64_t shift_right_round(std::int64_t v, int n) {
     if (n <= 0)
         return static_cast<std::int64_t>(static_cast<std::uint64_t>(v) << (-n & 63)); // any n shifts 0
@@ -224,7 +225,7 @@ SPANGLE_INLINE constexpr std::int64_t shift_right_round(std::int64_t v, int n) {
     return (twice >> 1) + (twice & 1);
 }
 
-/// Nearest to v / 2^n, ties to even; n below 0, down to -63, shifts to the left.
+/// v / 2^n rounded to nearest, ties to even. A negative n, down to -63, shifts to the left.
 constexpr std::uint64_t shift_right_even(std::uint64_t v, int n) {
     if (n <= 0)
         return v << -n;
@@ -238,8 +239,8 @@ constexpr std::uint64_t shift_right_even(std::uint64_t v, int n) {
     return quotient + (rest > half || (rest == half && (quotient & 1) != 0) ? 1u : 0u);
 }
 
-/// v / 2^n rounded down with every lost bit kept as one in the lowest place ("sticky"): rounding stays exact
-/// later.
+/// v / 2^n rounded down, where the lowest bit is set if any lost bit was set ("sticky"). A later rounding is
+/// then still exact.
 constexpr std::uint64_t shift_right_sticky(std::uint64_t v, int n) {
     if (n <= 0)
         return v;
@@ -254,7 +255,7 @@ SPANGLE_RUN_INLINE constexpr std::int32_t saturate_i32(std::int64_t v) {
     return static_cast<std::int32_t>(v < low ? low : v > high ? high : v);
 }
 
-/// v * 2^n as int32: left shifts saturate, right shifts round to nearest (halves up).
+/// v * 2^n as int32. Left shifts saturate, and right shifts round to nearest with halves up.
 constexpr std::int32_t scale_saturate(std::int64_t v, int n) {
     if (n <= 0)
         return saturate_i32(shift_right_round(v, -n));

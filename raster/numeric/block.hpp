@@ -1,6 +1,6 @@
-// Block form: int32 mantissas with one exponent, normalised by the largest of them, value = m * 2^e. A
-// vertex, a normal or a clip position is one block, so its range is that of a float and its arithmetic that
-// of integers; nothing depends on any other vertex.
+// Block form: int32 mantissas with one exponent, normalised by the largest mantissa; a value is m * 2^e. A
+// vertex, a normal or a clip position is one block. It has the range of a float and the arithmetic of
+// integers, and depends on no other vertex.
 #pragma once
 
 #include <cstdint>
@@ -37,8 +37,8 @@ SPANGLE_INLINE constexpr std::int32_t block_exponent(std::int32_t e) {
     return clamp<std::int32_t>(e, -16384, 16384);
 }
 
-/// Nearest to v * 2^-n for 1 <= n <= 31; the carry that would need bit 30 is held back (an error of one ulp,
-/// not of a half).
+/// The integer nearest to v * 2^-n for 1 <= n <= 31. A carry that would need bit 30 is dropped, which is an
+/// error of one ulp instead of half an ulp.
 SPANGLE_INLINE constexpr std::int32_t narrow(std::int32_t v, int n) {
     const std::int32_t r = ((v >> (n - 1)) + 1) >> 1;
     return r > block_max ? block_max : r;
@@ -95,7 +95,8 @@ constexpr Block to_block(Real v) {
 
 namespace detail {
 
-/// Brings n values m[i] * 2^e[i] under one exponent, which is returned. Values with m = 0 do not affect it.
+/// Brings n values m[i] * 2^e[i] to one exponent, which is returned. Values with m = 0 do not affect the
+/// exponent.
 SPANGLE_RUN_INLINE constexpr std::int32_t under_one(int n, const std::int32_t* m, const std::int32_t* e,
                                                     std::int32_t* out) {
     constexpr std::int32_t none = -0x10000;
@@ -125,7 +126,7 @@ namespace detail {
 
 inline constexpr std::int32_t no_column[4] = {};
 
-/// under_one() for floats, each multiplied by 2^column[i].
+/// Does what under_one() does, for floats that are each multiplied by 2^column[i].
 SPANGLE_RUN_INLINE constexpr std::int32_t reals_under_one(int n, const Real* v, const std::int32_t* column,
                                                           std::int32_t* out) {
     std::int32_t m[4], e[4];
@@ -156,7 +157,7 @@ constexpr Block4 to_block(Real x, Real y, Real z, Real w) {
     return to_block({x, y, z, w});
 }
 
-/// Four (three) blocks under one exponent.
+/// Four blocks, or three, brought to one exponent.
 constexpr Block3 to_block(Block x, Block y, Block z) {
     return detail::common_exponent<3, Block3>({x.m, y.m, z.m}, {x.e, y.e, z.e});
 }
@@ -174,7 +175,7 @@ constexpr Block component(const Block4& v, int i) {
 // --- leaving blocks
 // ------------------------------------------------------------------------------------------------
 
-/// v * 2^fraction_bits, nearest (halves up), saturated.
+/// v * 2^fraction_bits, rounded to nearest with halves up, saturated.
 constexpr std::int32_t to_fixed(Block v, int fraction_bits) {
     return scale_saturate(v.m, v.e + fraction_bits);
 }
@@ -196,7 +197,7 @@ constexpr Block mul(Block a, Block b) {
 
 namespace detail {
 
-/// a * 2^e_a + b * 2^e_b of magnitudes below 2^62. The term with the larger exponent keeps its bits.
+/// a * 2^e_a + b * 2^e_b, where magnitudes are below 2^62. The term with the larger exponent keeps its bits.
 SPANGLE_RUN_INLINE constexpr Block sum(std::int64_t a, std::int32_t e_a, std::int64_t b, std::int32_t e_b) {
     if (b == 0 || (a != 0 && e_a >= e_b))
         return make_block(a + (b == 0 ? 0 : shift_right_round(b, e_a - e_b)), e_a);
@@ -225,7 +226,7 @@ constexpr int sign(Block v) {
     return v.m < 0 ? -1 : v.m > 0 ? 1 : 0;
 }
 
-/// 1/v, and for 0 the largest block: division by zero must not interrupt (GL 1.3, 2.1.1).
+/// 1/v. For 0 it is the largest block, because a division by zero must not interrupt (GL 1.3, 2.1.1).
 constexpr Block reciprocal(Block v) {
     if (v.m == 0)
         return {block_max, 16384};
@@ -235,8 +236,8 @@ constexpr Block reciprocal(Block v) {
     return make_block(v.m < 0 ? -r : r, zeros - 62 - v.e); // 1/v = r * 2^-30 * 2^(zeros - 32) * 2^-e
 }
 
-/// a / b within half a unit, exact where the quotient is exact. a / 0 is as large as reciprocal(0). This is a
-/// long division: for state, not for vertices.
+/// a / b within half a unit, exact where the quotient is exact. a / 0 is as large as reciprocal(0). The
+/// function is a long division, for state and not for vertices.
 constexpr Block div(Block a, Block b) {
     if (b.m == 0 || a.m == 0)
         return a.m == 0 ? Block{} : Block{a.m < 0 ? -block_max : block_max, 16384};
@@ -269,7 +270,7 @@ constexpr Block3 negate(const Block3& v) {
     return {{-v.m[0], -v.m[1], -v.m[2]}, v.e};
 }
 
-/// Three products of 2^60: |sum| < 2^61.6. Relative to |a| |b| the error is <= 2^-30.
+/// The dot product: three products of 2^60, |sum| < 2^61.6. The error is at most 2^-30 of |a| |b|.
 constexpr Block dot(const Block3& a, const Block3& b) {
     return make_block(mul_s32(a.m[0], b.m[0]) + mul_s32(a.m[1], b.m[1]) + mul_s32(a.m[2], b.m[2]), a.e + b.e);
 }
@@ -338,14 +339,14 @@ constexpr Block length(const Block3& v) {
     return sqrt(dot(v, v));
 }
 
-/// A vector of length 1 in Q2.30; (0, 0, 0) stays.
+/// A vector of length 1 in Q2.30, or (0, 0, 0).
 struct Unit3 {
     std::int32_t m[3] = {0, 0, 0};
 };
 
 inline constexpr std::int32_t unit_one = 1 << 30;
 
-/// v / |v|, each component within 2^-28 (of 1), the length too.
+/// v / |v|. Each component, and the length, is within 2^-28 of 1.
 SPANGLE_INLINE constexpr Unit3 normalize(const Block3& v) {
     const std::uint64_t square = static_cast<std::uint64_t>(
         mul_s32(v.m[0], v.m[0]) + mul_s32(v.m[1], v.m[1]) + mul_s32(v.m[2], v.m[2])); // 0, or 2^58 .. 2^61.6
@@ -363,7 +364,8 @@ SPANGLE_INLINE constexpr Unit3 normalize(const Block3& v) {
     return out;
 }
 
-/// Dot product of unit vectors, Q2.30 rounded, within 2^-29 of the exact one and never outside +-1.
+/// The dot product of unit vectors in Q2.30, rounded. It is within 2^-29 of the exact product, and never
+/// outside of -1 to 1.
 SPANGLE_INLINE constexpr std::int32_t dot(const Unit3& a, const Unit3& b) {
     const std::int64_t sum = mul_s32(a.m[0], b.m[0]) + mul_s32(a.m[1], b.m[1]) + mul_s32(a.m[2], b.m[2]);
     const auto d = static_cast<std::int32_t>((sum + (1 << 29)) >> 30); // |sum| <= 2^60 (1 + 2^-27)

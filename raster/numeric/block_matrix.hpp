@@ -1,7 +1,7 @@
-// The matrix that the vertex pipeline multiplies with, derived from the stacks when dirty: int32 mantissas
-// scaled per row and per column. The scale per column keeps the bits that count. In Ortho(0, 320, ...) 1/160
-// meets an x of 320 and -1 a w of 1, and far from the origin large terms cancel. With one exponent for all,
-// small elements would lose those bits.
+// The matrix by which the vertex pipeline multiplies, derived from the stacks when they have changed. Its
+// int32 mantissas are scaled per row and per column. The scale per column keeps the bits that count. In
+// Ortho(0, 320, ...) 1/160 is multiplied by an x of 320 and -1 by a w of 1, and far from the origin large
+// terms cancel. With one exponent for all elements, small elements would lose these bits.
 #pragma once
 
 #include <cstdint>
@@ -11,23 +11,24 @@
 
 namespace spangle::numeric {
 
-/// Integers under one exponent, not normalised: value i = m[i] * 2^e.
+/// Integers with one exponent, not normalised: value i is m[i] * 2^e.
 template <int N> struct Mantissas {
     std::int32_t m[N];
     std::int32_t e;
 };
 
-/// Exponents that the components of a vertex are scaled by before they are brought under one.
+/// Exponents by which the components of a vertex are scaled before they get one exponent.
 template <int N> struct Columns {
     std::int32_t e[N] = {};
-    /// From this exponent of the largest component of a vertex on, components whose biased exponent is 0 are
-    /// shifted out.
+    /// A vertex whose largest component has this exponent or more loses its components with a biased exponent
+    /// of 0.
     std::int32_t least = 32;
-    /// How many exponents from `least` on leave all components finite, and shift none by more than 255.
+    /// The number of exponents from `least` on with which all components are finite, and none is shifted by
+    /// more than 255.
     std::uint32_t usual = 221;
 };
 
-/// Element (i, j) = m[N * i + j] * 2^(row[i] + column.e[j] - 31). The magnitudes of a row add up to less than
+/// Element (i, j) is m[N * i + j] * 2^(row[i] + column.e[j] - 31). The magnitudes of a row sum to less than
 /// 2^31.
 template <int N> struct BlockMatrixN {
     std::int32_t m[N * N] = {};
@@ -38,7 +39,7 @@ template <int N> struct BlockMatrixN {
 using BlockMatrix = BlockMatrixN<4>;
 using BlockMatrix3 = BlockMatrixN<3>; ///< for normals
 
-/// One row of a matrix under given column exponents, with an exponent of its own.
+/// One row of a matrix under given column exponents. The row has its own exponent.
 template <int N> struct BlockRowN {
     std::int32_t m[N] = {};
     std::int32_t e = 0;
@@ -50,13 +51,13 @@ namespace detail {
 
 inline constexpr std::int32_t no_exponent = -0x10000;
 
-/// The least n with 2^n > |v|.
+/// The least n for which 2^n > |v|.
 constexpr std::int32_t width(Block v) {
     return v.e + 32 - clz32(abs_u32(v.m));
 }
 
-/// Finds the exponent of each column (of `rows` rows, column-major) from its largest element. A column of
-/// zeros takes the exponent of the largest column.
+/// Finds the exponent of each column from its largest element. The matrix is column-major and has `rows`
+/// rows. A column of zeros gets the exponent of the largest column.
 SPANGLE_RUN_INLINE constexpr void set_columns(int n, int rows, const Block* a, std::int32_t* out,
                                               std::int32_t& least, std::uint32_t& usual) {
     std::int32_t most = no_exponent;
@@ -85,8 +86,8 @@ template <int N, int R> constexpr Columns<N> column_exponents(const Block (&a)[R
     return r;
 }
 
-/// Scales the elements of one row, `stride` apart, under the exponents of columns and an exponent of at least
-/// `exponent`. The magnitudes of the mantissas stay below 2^31 together. Returns the exponent.
+/// Scales the elements of one row, which lie `stride` apart, to the exponents of columns and a row exponent
+/// of at least `exponent`. The magnitudes of the mantissas sum to less than 2^31. Returns the row exponent.
 SPANGLE_RUN_INLINE constexpr std::int32_t scale_words(int n, const Block* a, int stride,
                                                       const std::int32_t* column, std::int32_t exponent,
                                                       std::int32_t* out) {
@@ -113,7 +114,7 @@ constexpr std::int32_t scale_row(const Block* a, int stride, const Columns<N>& c
     return scale_words(N, a, stride, column.e, exponent, out);
 }
 
-/// Scales all rows. Those of positions are never finer than the last one, by which they are divided. Those of
+/// Scales all rows. Rows of positions are never finer than the last row, by which they are divided. Rows of
 /// normals get one exponent, if that costs none of them more than 4 bits.
 SPANGLE_RUN_INLINE constexpr void scale_rows(int n, const Block* a, const std::int32_t* column,
                                              std::int32_t* row, std::int32_t* out) {
@@ -136,8 +137,8 @@ template <int N> constexpr BlockMatrixN<N> scale_blocks(const Block (&a)[N * N])
     return r;
 }
 
-/// load() of a vertex whose components are all far smaller than the columns expect. This is rare, so it is
-/// never inline.
+/// Does what load() does, for a vertex whose components are all far smaller than the columns expect. Such
+/// vertices are rare, so this is never inline.
 template <int N>
 [[gnu::noinline]] constexpr Mantissas<N> load_small(const Columns<N>& column, const Real (&v)[N]) {
     Mantissas<N> out{};
@@ -145,8 +146,8 @@ template <int N>
     return out;
 }
 
-/// Finds the exponents of the components, scaled by their columns, from the exponents of floats alone.
-/// Returns the largest.
+/// Finds the exponents of the components, scaled by their columns, from the exponents of the floats alone.
+/// Returns the largest exponent.
 template <int N>
 SPANGLE_INLINE constexpr std::int32_t product_exponents(const Columns<N>& column, const Real (&v)[N],
                                                         std::int32_t (&e)[N]) {
@@ -159,8 +160,8 @@ SPANGLE_INLINE constexpr std::int32_t product_exponents(const Columns<N>& column
     return top;
 }
 
-/// Brings the components under an exponent two above the largest, which leaves 30 bits. `shifted` shifts an
-/// unsigned word down.
+/// Brings the components to an exponent two above the largest, which leaves 30 bits. `shifted` shifts an
+/// unsigned word to the right.
 template <int N, class Shifted>
 SPANGLE_INLINE constexpr Mantissas<N> align_mantissas(const Real (&v)[N], const std::int32_t (&e)[N],
                                                       std::int32_t top, const Shifted& shifted) {
@@ -180,11 +181,12 @@ SPANGLE_INLINE constexpr Mantissas<N> align_mantissas(const Real (&v)[N], const 
 
 } // namespace detail
 
-/// v[i] * 2^column.e[i] under one exponent, |m| < 2^30, within an ulp (towards 0). The largest component
-/// decides, by its float exponent alone. The implicit one of a 0 or a denormal is shifted out, unless all
-/// components are that small.
+/// v[i] * 2^column.e[i] with one exponent, |m| < 2^30, within an ulp towards 0. The float exponent of the
+/// largest component decides. The implicit one of a 0 or a denormal is shifted out, unless all components are
+/// as small.
 template <int N> SPANGLE_INLINE constexpr Mantissas<N> load(const Columns<N>& column, const Real (&v)[N]) {
-    if constexpr (N == 3 && !runs_inline) { // takes the code for four, the last of which has no effect
+    // Uses the code for four components, the last of which has no effect.
+    if constexpr (N == 3 && !runs_inline) {
         Columns<4> wide;
         wide.e[3] = detail::no_exponent;
         wide.least = column.least;
@@ -206,8 +208,8 @@ template <int N> SPANGLE_INLINE constexpr Mantissas<N> load(const Columns<N>& co
         });
 }
 
-/// load() of floats of any bits. False: they may not all be finite, or all are far too small, or some vanish
-/// beside others.
+/// Does what load() does, for floats of any bits. Returns false where a component may not be finite, where
+/// all are far too small, or where some vanish beside others.
 template <int N>
 SPANGLE_INLINE constexpr bool load_usual(const Columns<N>& column, const Real (&v)[N], Mantissas<N>& out) {
     std::int32_t e[N];
@@ -221,8 +223,8 @@ SPANGLE_INLINE constexpr bool load_usual(const Columns<N>& column, const Real (&
     return true;
 }
 
-/// `sum` plus a row times v. The row's magnitudes are below 2^31 together and those of v below 2^30: |row
-/// times v| < 2^61.
+/// `sum` plus a row times v. The magnitudes of the row are below 2^31 together, and those of v below 2^30, so
+/// |row times v| < 2^61.
 template <int N, class Element>
 SPANGLE_INLINE constexpr std::int64_t row_sum(const Element* row, const std::int32_t (&v)[N],
                                               std::int64_t sum) {
@@ -234,14 +236,14 @@ SPANGLE_INLINE constexpr std::int64_t row_sum(const Element* row, const std::int
             sum += row[j] * v[j];
     return sum;
 }
-/// The high word of a row times v, rounded, below 2^29.
+/// The high word of a row times v, rounded. It is below 2^29.
 template <int N, class Element>
 SPANGLE_INLINE constexpr std::int32_t row_times(const Element* row, const std::int32_t (&v)[N]) {
     return high_rounded(row_sum<N>(row, v, 0));
 }
 
-/// row_times() of a v whose last component is 2^power, 0 <= power < 32. It takes one product less where there
-/// are no long products.
+/// Does what row_times() does, for a v whose last component is 2^power, 0 <= power < 32. Without long
+/// products this saves a product.
 template <int N>
 SPANGLE_INLINE constexpr std::int32_t row_times_point(const std::int32_t* row, const std::int32_t (&v)[N],
                                                       int power) {
@@ -263,12 +265,12 @@ constexpr BlockMatrix to_block_matrix(const Matrix& a) {
     return detail::scale_blocks<4>(v);
 }
 
-/// The elements come column-major.
+/// Makes a matrix for normals from elements in column-major order.
 constexpr BlockMatrix3 to_block_matrix(const Block (&v)[9]) {
     return detail::scale_blocks<3>(v);
 }
 
-/// Row i of a, for vertices loaded under columns that need not be those of a.
+/// Row i of a, for vertices that are loaded with these columns. The columns may belong to another matrix.
 constexpr BlockRow to_block_row(const Matrix& a, int i, const Columns<4>& column) {
     BlockRow r;
     if constexpr (runs_inline) { // converts this row only
@@ -294,7 +296,7 @@ constexpr BlockRow3 to_block_row(const Block (&v)[3], const Columns<3>& column) 
 
 namespace detail {
 
-/// Loads a vertex in block form under the exponents of columns.
+/// Loads a vertex in block form with the exponents of columns.
 template <int N, class B> constexpr Mantissas<N> load(const Columns<N>& column, const B& v) {
     std::int32_t m[N], e[N];
     for (int i = 0; i < N; ++i) {
@@ -315,7 +317,7 @@ template <int N, class B> constexpr B product(const BlockMatrixN<N>& a, const Ma
 
 } // namespace detail
 
-/// a times a vertex loaded under its columns, normalised by the largest component.
+/// a times a vertex that is loaded with its columns. The result is normalised by its largest component.
 constexpr Block4 product(const BlockMatrix& a, const Mantissas<4>& v) {
     return detail::product<4, Block4>(a, v);
 }
@@ -326,8 +328,8 @@ constexpr Block product(const BlockRow& a, const Mantissas<4>& v) {
     return make_block(row_sum<4>(a.m, v.m, 0), v.e + a.e - 31);
 }
 
-/// a * v, normalised by its own largest component. v is loaded under the exponents of the columns, so each of
-/// its floats keeps the bits that count: x/w, y/w, z/w are within 2^-25 of their terms at worst.
+/// a * v, normalised by its own largest component. v is loaded with the exponents of the columns, so each of
+/// its floats keeps the bits that count. x/w, y/w and z/w are within 2^-25 of their terms at worst.
 constexpr Block4 transform(const BlockMatrix& a, const Real (&v)[4]) {
     return product(a, load(a.column, v));
 }
@@ -335,7 +337,8 @@ constexpr Block3 transform(const BlockMatrix3& a, const Real (&v)[3]) {
     return product(a, load(a.column, v));
 }
 
-/// transform() of a vertex in block form, which keeps 30 bits of its own largest component.
+/// Does what transform() does, for a vertex in block form. It keeps 30 bits of the vertex's largest
+/// component.
 constexpr Block4 transform(const BlockMatrix& a, const Block4& v) {
     return product(a, detail::load<4>(a.column, v));
 }

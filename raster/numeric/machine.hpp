@@ -5,20 +5,21 @@
 #define SPANGLE_KERNELS_INLINE 1
 #endif
 /// SPANGLE_INLINE marks kernels whose call would cost more than their body. With SPANGLE_KERNELS_INLINE=0,
-/// code for size (-Os) calls them.
+/// code that is compiled for size (-Os) calls these kernels.
 #if defined(__OPTIMIZE_SIZE__) && !SPANGLE_KERNELS_INLINE
 #define SPANGLE_INLINE inline
 #else
 #define SPANGLE_INLINE [[gnu::always_inline]] inline
 #endif
-/// SPANGLE_PRODUCT_INLINE marks kernels of an instruction or two on all machines that have long products.
+/// SPANGLE_PRODUCT_INLINE marks kernels of one or two instructions on machines with long products.
 #if defined(__thumb__) && !defined(__thumb2__)
 #define SPANGLE_PRODUCT_INLINE SPANGLE_INLINE
 #else
 #define SPANGLE_PRODUCT_INLINE [[gnu::always_inline]] inline
 #endif
-/// SPANGLE_RUN_INLINE marks kernels that several pixels of a run, or three and four dimensions, share.
-/// Smaller builds have one copy of each, for size (cold), even where all else is built for speed.
+/// SPANGLE_RUN_INLINE marks kernels that several pixels of a run share, or that serve three and four
+/// dimensions. Smaller builds have one copy of each, compiled for size (cold), even where all other code is
+/// compiled for speed.
 #if SPANGLE_KERNELS_INLINE
 #define SPANGLE_RUN_INLINE SPANGLE_INLINE
 #define SPANGLE_RUN_CALL
@@ -42,13 +43,14 @@ namespace spangle::numeric {
 /// Whether kernels marked SPANGLE_RUN_INLINE are inline.
 inline constexpr bool runs_inline = SPANGLE_KERNELS_INLINE != 0;
 
-/// Seeds of reciprocals and roots are looked up in tables; else they are computed, to the same numbers.
+/// Seeds of reciprocals and roots are looked up in tables. Otherwise they are computed, with the same
+/// numbers.
 inline constexpr bool has_seed_tables = SPANGLE_SEED_TABLES != 0;
 
-/// Registers hold 64 bits. This and all that follow only select between forms with equal results.
+/// Registers hold 64 bits. This constant, and those below it, only select between forms with equal results.
 inline constexpr bool wide_words = sizeof(void*) > 4;
 
-/// A branch that is taken at random costs no more than any other, as in the short pipelines of
+/// A branch whose outcome is hard to predict costs no more than any other, as in the short pipelines of
 /// microcontrollers.
 inline constexpr bool cheap_branches = !wide_words;
 
@@ -73,8 +75,8 @@ inline constexpr bool scales_indices = false;
 inline constexpr bool scales_indices = true;
 #endif
 
-/// Instructions have three operands, which may be masks. Otherwise fields of words are moved by shifts, and
-/// an address of two registers is computed where it is used.
+/// Instructions have three operands, which may be masks. Otherwise shifts move fields of words, and an
+/// address that is a sum of two registers is computed where it is used.
 #if defined(__thumb__) && !defined(__thumb2__)
 inline constexpr bool three_operands = false;
 #else

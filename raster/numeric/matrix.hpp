@@ -1,5 +1,5 @@
-// 4 x 4 matrices as GL's stacks hold them: every element an int32 mantissa with its own exponent, so a query
-// returns what was set, and a million accumulated rotations drift less than in float.
+// 4 x 4 matrices as GL's stacks hold them. Every element is an int32 mantissa with its own exponent. So a
+// query returns the value that was set, and a million accumulated rotations drift less than in float.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,8 @@ struct Element {
 inline constexpr int element_bias = -22;
 inline constexpr int element_least = -149, element_most = 104;
 
-/// Column-major: element (row i, column j) is at 4 * j + i. Mantissas and exponents lie apart, in 80 bytes
-/// instead of 128. A new matrix is the identity.
+/// A column-major matrix: element (row i, column j) is at 4 * j + i. Mantissas and exponents are separate
+/// arrays, which take 80 bytes instead of 128. A new matrix is the identity.
 struct Matrix {
     static constexpr std::int32_t one = 1 << 30;
     static constexpr std::int8_t one_e = -30 - element_bias;
@@ -44,7 +44,8 @@ struct Matrix {
 // --- elements
 // ------------------------------------------------------------------------------------------------------
 
-/// The Element nearest to v * 2^e; too large saturates, too small becomes a denormal or 0.
+/// The Element nearest to v * 2^e. A value that is too large saturates, and one that is too small becomes a
+/// denormal or 0.
 constexpr Element make_element(std::int64_t v, std::int32_t e) {
     if (v == 0)
         return {};
@@ -93,12 +94,12 @@ constexpr Matrix identity() {
     return runs_inline || std::is_constant_evaluated() ? Matrix{} : detail::make_identity();
 }
 
-/// Element (row, column) for arithmetic.
+/// Element (row, column) as a block, for arithmetic.
 constexpr Block element(const Matrix& a, int row, int column) {
     return to_block(a.at(row, column));
 }
 
-/// Column-major, as LoadMatrix takes it.
+/// The matrix of 16 numbers in column-major order, as LoadMatrix takes them.
 constexpr Matrix matrix_from_reals(const Real (&v)[16]) {
     Matrix r = identity();
     for (int i = 0; i < 16; ++i)
@@ -121,9 +122,9 @@ constexpr Matrix transpose(const Matrix& a) {
 
 namespace detail {
 
-/// Sum of n products a[k] * b[k]: each product (below 2^62) is aligned to the largest exponent with two bits
-/// of room for the carries, so what alignment loses is below 2^-58 of the largest product. Of more than four
-/// terms only four may be large.
+/// The sum of n products a[k] * b[k]. Each product, which is below 2^62, is aligned to the largest exponent
+/// with two bits of room for carries. So alignment loses less than 2^-58 of the largest product. Of more than
+/// four terms only four may be large.
 SPANGLE_RUN_INLINE constexpr Element sum_of_products(const Element* a, const Element* b, int n) {
     constexpr std::int32_t none = -0x10000;
     std::int64_t product[6] = {};
@@ -165,7 +166,7 @@ template <int N> constexpr Element sum_of_products(const Element (&a)[N], const 
     return sum_of_products(a, b, N);
 }
 
-/// Whether this is column j of the identity, followed by zeros: a times it is column j of a.
+/// Whether this is column j of the identity, followed by zeros. Then a times the column is column j of a.
 SPANGLE_INLINE constexpr bool is_unit(const Element* column, int n, int j) {
     std::int32_t others = 0;
     for (int k = 0; k < n; ++k)
@@ -173,9 +174,9 @@ SPANGLE_INLINE constexpr bool is_unit(const Element* column, int n, int j) {
     return others == 0 && column[j].m == Matrix::one && column[j].e == Matrix::one_e;
 }
 
-/// Writes column j of a * b to r, which holds that of a. Rows and columns have `half` elements: 4, or 3 for 3
-/// x 3 matrices, where `rest` has as many with more bits of b's. A number decides, not `rest`: for all that
-/// compilers are told, an address may be null.
+/// Writes column j of a * b to r, which holds column j of a. Rows and columns have `half` elements: 4, or 3
+/// for 3 x 3 matrices, for which `rest` holds further bits of b. `half` decides, and not `rest`, because
+/// compilers do not know that its address is not null.
 SPANGLE_RUN_INLINE constexpr void multiply_column(const Matrix& a, const Matrix& b, int j, int half,
                                                   const Element* rest, Matrix& r) {
     Element column[6];
@@ -196,7 +197,7 @@ SPANGLE_RUN_INLINE constexpr void multiply_column(const Matrix& a, const Matrix&
 
 } // namespace detail
 
-/// The row v times a.
+/// The row vector v times a.
 constexpr void row_times(const Real (&v)[4], const Matrix& a, Real (&out)[4]) {
     const Element row[4] = {to_element(v[0]), to_element(v[1]), to_element(v[2]), to_element(v[3])};
     for (int j = 0; j < 4; ++j) {
@@ -207,7 +208,7 @@ constexpr void row_times(const Real (&v)[4], const Matrix& a, Real (&out)[4]) {
 }
 
 /// a * b (GL 1.3, 2.10.2: MultMatrix makes C * M). Each element is within 2^-31 of itself plus 2^-58 of its
-/// largest term. Translations and turns about an axis leave columns as they are.
+/// largest term. Translations, and rotations about an axis, do not change some columns.
 SPANGLE_RUN_CALL constexpr Matrix multiply(const Matrix& a, const Matrix& b) {
     Matrix r = a;
     for (int j = 0; j < 4; ++j)

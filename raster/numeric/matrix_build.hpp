@@ -1,4 +1,5 @@
-// The matrices GL's commands make (GL 1.3, 2.10.2), and the inverse transpose that normals need (2.10.3).
+// The matrices that GL's commands make (GL 1.3, 2.10.2), and the inverse transpose that normals need
+// (2.10.3).
 #pragma once
 
 #include <cstdint>
@@ -25,8 +26,8 @@ constexpr Matrix scaling(Real x, Real y, Real z) {
     return r;
 }
 
-/// A rotation, whose upper left has twice the bits of an Element. `rest` is what rounding took from `matrix`.
-/// So turning by it again and again adds up no error but that of each sum.
+/// A rotation whose upper left 3 x 3 part has twice the bits of an Element. `rest` is the part that rounding
+/// has taken from `matrix`. So repeated rotations by it add up only the errors of each sum.
 struct Rotation {
     Matrix matrix = identity();
     Element rest[3][3]; ///< column, row
@@ -39,7 +40,7 @@ struct Rotation {
     }
 };
 
-/// u u^T + cos (I - u u^T) + sin S, u = (x, y, z) / length; the identity for a zero vector.
+/// u u^T + cos (I - u u^T) + sin S, where u = (x, y, z) / length. A zero vector gives the identity.
 constexpr Rotation rotation(Real degrees, Real x, Real y, Real z) {
     Rotation r;
     const Block3 axis = to_block(x, y, z);
@@ -66,8 +67,8 @@ constexpr Matrix multiply(const Matrix& a, const Rotation& b) {
     return r;
 }
 
-/// Frustum, or, without perspective, Ortho. Where l = r, b = t or n = f GL reports INVALID_VALUE before it
-/// comes here; the result is then some large matrix.
+/// The matrix of Frustum or, without perspective, of Ortho. For l = r, b = t or n = f GL reports
+/// INVALID_VALUE and does not call this. The result would be some large matrix.
 SPANGLE_RUN_CALL constexpr Matrix projection(Real left, Real right, Real bottom, Real top, Real near,
                                              Real far, bool perspective) {
     const Real low[3] = {left, bottom, near}, high[3] = {right, top, far};
@@ -97,7 +98,7 @@ constexpr Matrix ortho(Real left, Real right, Real bottom, Real top, Real near, 
 
 namespace detail {
 
-/// a[i] b[k] - b[i] a[k], both products, below 2^60, exact before they are subtracted.
+/// a[i] b[k] - b[i] a[k]. Both products are below 2^60 and exact before the subtraction.
 SPANGLE_RUN_CALL constexpr Block determinant2(const Block* a, const Block* b, int i, int k) {
     return sum(mul_s32(a[i].m * 2, b[k].m * 2), a[i].e + b[k].e - 2, mul_s32(b[i].m * 2, a[k].m * -2),
                b[i].e + a[k].e - 2);
@@ -114,14 +115,15 @@ SPANGLE_RUN_CALL constexpr Block dot(const Block* a, const Block* b) {
 
 } // namespace detail
 
-/// Column-major inverse transpose of the upper left 3 x 3: what normals are multiplied with (GL 1.3, 2.10.3).
-/// Where the matrix is singular GL leaves the result open: the cofactors are given undivided, so directions
-/// that survive are right.
+/// The inverse transpose of the upper left 3 x 3 part, column-major, by which normals are multiplied (GL 1.3,
+/// 2.10.3). GL does not define it for a singular matrix. In this case the cofactors are not divided, so
+/// directions that survive are right.
 struct NormalMatrix {
     Block at[9];
     bool singular = false;
 
-    /// RESCALE_NORMAL: 1 / length of the third row of the inverse, which is column 3 of this.
+    /// The factor of RESCALE_NORMAL: 1 / length of the third row of the inverse, which is column 3 of this
+    /// matrix.
     constexpr Block row_scale() const { return rsqrt(detail::dot(at + 6, at + 6)); }
 };
 
@@ -149,16 +151,16 @@ constexpr BlockMatrix3 to_block_matrix(const NormalMatrix& n) {
 
 namespace detail {
 
-/// pair: the pairs of four columns. rest[i]: the three columns that are not i. minor[i]: the pairs that
-/// remain of rest[i] without its first, second and third column.
+/// pair: the pairs of four columns. rest[i]: the three columns other than i. minor[i]: the pairs that remain
+/// of rest[i] without its first, second and third column.
 inline constexpr std::uint8_t pair[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 inline constexpr std::uint8_t rest[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
 inline constexpr std::uint8_t minor[4][3] = {{5, 4, 3}, {5, 2, 1}, {4, 2, 0}, {3, 1, 0}};
 
 } // namespace detail
 
-/// The inverse by 2 x 2 minors of the upper and the lower half; false, and `out` as it was, where the
-/// determinant is 0.
+/// Computes the inverse from 2 x 2 minors of the upper and the lower half. Returns false, and leaves `out`
+/// unchanged, where the determinant is 0.
 constexpr bool inverse(const Matrix& a, Matrix& out) {
     Block v[4][4], upper[6], lower[6]; // upper: rows 0 and 1, lower: rows 2 and 3, of the columns in `pair`
     for (int i = 0; i < 4; ++i)
@@ -176,7 +178,8 @@ constexpr bool inverse(const Matrix& a, Matrix& out) {
     }
     if (determinant.m == 0)
         return false;
-    // Row i of the adjugate leaves column i out: the three other columns and the minors of their pairs.
+    // Row i of the adjugate has no term of column i. It uses the three other columns, and the minors of their
+    // pairs.
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) {
             const Block* row = v[j ^ 1]; // the other row of the half that j is in

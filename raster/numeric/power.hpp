@@ -15,7 +15,7 @@ namespace detail {
 
 inline constexpr std::uint32_t log2_e_q31 = 0xB8AA3B29; // 1 / ln 2
 
-/// Q16 of 1 / the middle of the i-th 64th of [1, 2).
+/// Q16 of 1 / x, where x is the middle of the i-th 64th of [1, 2).
 constexpr std::uint32_t inverse_near(std::uint32_t i) {
     return ((1u << 24) / (129 + 2 * i) + 1) / 2; // 2^23 / (129 + 2i), rounded
 }
@@ -31,8 +31,8 @@ struct Log2Table {
             log2[i] = 0u - fraction_of_log2(std::uint64_t{c} << (clz32(c) + 32));
         }
     }
-    /// Fraction of log2(v / 2^63), v >= 2^63, Q0.32: squaring doubles a logarithm, what crosses 2 is its next
-    /// bit.
+    /// The fraction of log2(v / 2^63) in Q0.32, v >= 2^63. Squaring doubles a logarithm. Where the square
+    /// reaches 2, the next bit of the fraction is 1.
     static constexpr std::uint32_t fraction_of_log2(std::uint64_t v) {
         std::uint64_t bits = 0;
         for (int i = 0; i < 33; ++i) {

@@ -1,4 +1,4 @@
-// Products of words, and parts of these. Defined for every argument.
+// Products of words, and parts of products. All functions are defined for every argument.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace spangle::numeric {
 
 namespace detail {
 
-/// v mod 2^16. GCC 12 makes two shifts of a cast, although there is an instruction.
+/// v modulo 2^16. GCC 12 makes two shifts of a cast, although there is one instruction.
 SPANGLE_INLINE constexpr std::uint32_t low_half(std::uint32_t v) {
 #if defined(__thumb__) && !defined(__thumb2__)
     if (!std::is_constant_evaluated()) {
@@ -22,9 +22,9 @@ SPANGLE_INLINE constexpr std::uint32_t low_half(std::uint32_t v) {
     return v & 0xFFFF;
 }
 
-/// a * b from products of halves, where there are no long products: 22 instructions on a Cortex-M0+, in place
-/// of 50 for 64 by 64 bits. No sum of two terms overflows: (2^16 - 1)^2 + 2^16 - 1 < 2^32, and with signed
-/// halves they are smaller.
+/// a * b from products of halves, for machines without long products. It takes 22 instructions on a
+/// Cortex-M0+, instead of 50 for 64 by 64 bits. No sum of two terms overflows: (2^16 - 1)^2 + 2^16 - 1 <
+/// 2^32, and signed halves are smaller.
 template <class A, class B> struct HalvesOf {
     std::uint32_t low; ///< product of the lower halves
     B middle;
@@ -46,8 +46,8 @@ template <class A, class B> struct HalvesOf {
 };
 
 #if defined(__thumb__) && !defined(__thumb2__)
-/// Computes the four products of halves of a and b: a = a0 b0, b = a0 b1, first = a1 b0, a1 = a1 b1. The
-/// upper halves of signed factors are taken by asrs, of others by lsrs.
+/// Computes the four products of the halves of a and b: a = a0 b0, b = a0 b1, first = a1 b0, a1 = a1 b1. The
+/// upper halves of signed factors are taken by asrs, and those of unsigned factors by lsrs.
 #define SPANGLE_PRODUCTS_OF_HALVES(SHIFT_A, SHIFT_B)                                                         \
     "uxth %[b0], %[b]\n\t" SHIFT_A " %[a1], %[a], #16\n\t"                                                   \
     "uxth %[a], %[a]\n\t" SHIFT_B " %[b], %[b], #16\n\t"                                                     \
@@ -56,7 +56,8 @@ template <class A, class B> struct HalvesOf {
     "muls %[a1], %[b], %[a1]\n\t"                                                                            \
     "muls %[b], %[a], %[b]\n\t"                                                                              \
     "muls %[a], %[b0], %[a]\n\t"
-/// Leaves the upper word of a * b in b, the lower one in a: 17 instructions, three less than GCC 12 takes.
+/// Leaves the upper word of a * b in b and the lower word in a. It takes 17 instructions, three less than GCC
+/// 12's code.
 #define SPANGLE_PRODUCT_BY_HALVES(SHIFT_A, SHIFT_B)                                                          \
     asm(".syntax unified\n\t" /* NOLINT(hicpp-no-assembler) */                                               \
         SPANGLE_PRODUCTS_OF_HALVES(SHIFT_A, SHIFT_B) "lsls %[b0], %[first], #16\n\t" /**/                    \
@@ -121,13 +122,14 @@ template <class A, class B> [[gnu::noinline, gnu::const]] constexpr std::uint32_
 #undef SPANGLE_PRODUCTS_OF_HALVES
 #undef SPANGLE_PRODUCT_BY_HALVES
 
-/// (0 - a * b) >> 14, mod 2^32, from products of halves. No carry leaves the product of the lower halves.
+/// (0 - a * b) >> 14, modulo 2^32, from products of halves. The product of the lower halves produces no
+/// carry.
 SPANGLE_INLINE constexpr std::uint32_t halves_residual(std::uint32_t a, std::uint32_t b) {
     const std::uint32_t a0 = low_half(a), b0 = low_half(b), a1 = a >> 16, b1 = b >> 16;
     return 0 - ((a1 * b1 << 18) + ((a1 * b0 + a0 * b1) << 2) + ((a0 * b0 + 0x3FFF) >> 14));
 }
 
-/// Whether to multiply by halves. Not if a factor is constant: compilers then make shifts and sums.
+/// Whether to multiply by halves. Where a factor is constant, compilers make shifts and sums instead.
 template <class A, class B> SPANGLE_PRODUCT_INLINE constexpr bool by_halves(A a, B b) {
     return !long_products && !__builtin_constant_p(a) && !__builtin_constant_p(b);
 }
@@ -144,7 +146,7 @@ SPANGLE_PRODUCT_INLINE constexpr std::int64_t mul_s32(std::int32_t a, std::int32
         return static_cast<std::int64_t>(detail::mul_halves(a, b));
     return std::int64_t{factor32(a)} * factor32(b);
 }
-/// mul_s32() without factor32().
+/// Does what mul_s32() does, without factor32().
 SPANGLE_PRODUCT_INLINE constexpr std::int64_t mul_long(std::int32_t a, std::int32_t b) {
     if (detail::by_halves(a, b))
         return static_cast<std::int64_t>(detail::mul_halves(a, b));
@@ -182,7 +184,7 @@ SPANGLE_PRODUCT_INLINE constexpr std::int32_t mul_high_s32_u32(std::int32_t a, s
 
 namespace detail {
 
-/// v * n mod 2^64. n is a signed half, or 2^15 if v has no bits below 2^16.
+/// v * n modulo 2^64. n is a signed half-word, or 2^15 if v has no bits below 2^16.
 SPANGLE_INLINE constexpr std::uint64_t times_half(std::uint64_t v, std::int32_t n) {
 #if defined(__thumb__) && !defined(__thumb2__)
     if (!std::is_constant_evaluated()) { // 11 instructions: GCC 12 takes 18
@@ -211,7 +213,7 @@ SPANGLE_INLINE constexpr std::uint64_t times_half(std::uint64_t v, std::int32_t 
     return static_cast<std::uint64_t>(first) + (static_cast<std::uint64_t>(middle) << 16) +
            (std::uint64_t{high * static_cast<std::uint32_t>(n)} << 32);
 }
-/// v * n mod 2^64 for any n. It is faster for halves, which columns and rows of surfaces are.
+/// v * n modulo 2^64 for any n. It is faster where n is a half-word, as columns and rows of surfaces are.
 [[gnu::noinline, gnu::const]] constexpr std::uint64_t times_by_halves(std::uint64_t v, std::int32_t n) {
     const auto low = static_cast<std::int16_t>(n);
     const std::uint64_t product = times_half(v, low);
@@ -230,7 +232,7 @@ SPANGLE_INLINE constexpr std::int32_t bytes_by_byte(std::int32_t a, std::int32_t
 
 } // namespace detail
 
-/// floor(a * b / 2^32) of a b that has no bits below 2^24.
+/// floor(a * b / 2^32) for a b that has no bits below 2^24.
 SPANGLE_INLINE constexpr std::int32_t mul_high_byte(std::int32_t a, std::int32_t b) {
     if (detail::by_halves(a, b))
         return detail::bytes_by_byte(a, b >> 24);
@@ -251,7 +253,7 @@ SPANGLE_INLINE constexpr std::uint64_t times(std::uint64_t v, std::int32_t n) {
     return v * static_cast<std::uint64_t>(std::int64_t{n});
 }
 
-/// The high word of v, nearest, halves up, mod 2^32.
+/// The high word of v, rounded to nearest with halves up, modulo 2^32.
 SPANGLE_PRODUCT_INLINE constexpr std::int32_t high_rounded(std::int64_t v) {
     const auto u = static_cast<std::uint64_t>(v);
     if constexpr (!wide_words) // two words: one addition
@@ -260,7 +262,7 @@ SPANGLE_PRODUCT_INLINE constexpr std::int32_t high_rounded(std::int64_t v) {
     return static_cast<std::int32_t>((u + (1u << 31)) >> 32);
 }
 
-/// a * b / 2^32, nearest, halves up: one instruction where there are DSP instructions.
+/// a * b / 2^32, rounded to nearest with halves up. DSP extensions have one instruction for it.
 SPANGLE_INLINE constexpr std::int32_t mul_high_rounded(std::int32_t a, std::int32_t b) {
 #if defined(__thumb2__) && defined(__ARM_FEATURE_DSP)
     if (!std::is_constant_evaluated()) {
@@ -300,7 +302,7 @@ struct Product128 {
     std::uint64_t high, low;
 };
 
-/// a * b in full, from 32-bit products: there is no 128-bit type on 32-bit targets.
+/// a * b in full, from 32-bit products, because 32-bit targets have no 128-bit type.
 constexpr Product128 mul_u64(std::uint64_t a, std::uint64_t b) {
     const auto a0 = static_cast<std::uint32_t>(a), a1 = static_cast<std::uint32_t>(a >> 32);
     const auto b0 = static_cast<std::uint32_t>(b), b1 = static_cast<std::uint32_t>(b >> 32);

@@ -1,6 +1,6 @@
-// A scalar of GL's API: the 32 bits of a float, computed with integers only. Conversions and arithmetic round
-// to nearest even; NaN enters as 0, infinities and overflow as the largest finite value (GL 1.3, 2.1.1: no
-// such input may do harm).
+// A scalar of GL's API: the 32 bits of a float, with arithmetic in integers only. Conversions and arithmetic
+// round to nearest even. NaN is read as 0. Infinities and overflow become the largest finite value, because
+// no input may do harm (GL 1.3, 2.1.1).
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,8 @@
 
 namespace spangle::numeric {
 
-/// Always finite: every function below keeps it so. Denormals and -0 are kept.
+/// The bits of a float. It is always finite, because every function of this file keeps it so. Denormals and
+/// -0 are kept.
 struct Real {
     std::uint32_t bits = 0;
 };
@@ -36,8 +37,8 @@ SPANGLE_INLINE constexpr Unpacked unpack(Real v) {
 
 } // namespace detail
 
-/// The Real nearest to +-magnitude * 2^exponent. A sticky lowest bit in a magnitude of 26 bits or more stands
-/// for "and more".
+/// The Real nearest to +-magnitude * 2^exponent. In a magnitude of 26 bits or more, the lowest bit may stand
+/// for all lost bits (sticky).
 constexpr Real pack_real(bool negative, std::uint64_t magnitude, std::int32_t exponent) {
     const std::uint32_t sign = negative ? 0x80000000u : 0u;
     if (magnitude == 0)
@@ -48,7 +49,7 @@ constexpr Real pack_real(bool negative, std::uint64_t magnitude, std::int32_t ex
         return {sign | largest.bits};
     const std::int32_t least = top < -126 ? -149 : top - 23; // exponent of the result's last bit
     const std::uint64_t mantissa = shift_right_even(magnitude << zeros, least - (exponent - zeros));
-    // A normal mantissa brings 1 to the exponent field, a carry out of it one more.
+    // A normal mantissa adds 1 to the exponent field, and a carry out of the mantissa adds one more.
     const std::uint32_t bits =
         (static_cast<std::uint32_t>(least + 149) << 23) + static_cast<std::uint32_t>(mantissa);
     return {sign | (bits > largest.bits ? largest.bits : bits)};
@@ -74,7 +75,7 @@ constexpr Real from_double_bits(std::uint64_t bits) {
                      (biased == 0 ? 1 : biased) - 1075);
 }
 
-/// A float is only moved between registers; there is no arithmetic.
+/// Takes the bits of a float, which is only moved between registers.
 constexpr Real from_float(float v) {
     return from_float_bits(std::bit_cast<std::uint32_t>(v));
 }
@@ -89,7 +90,7 @@ constexpr Real from_i32(std::int32_t v) {
     const std::uint32_t magnitude = abs_u32(v);
     if (!runs_inline || magnitude - 1 >= (1u << 24) - 1) // the rest is only faster
         return pack_real(v < 0, magnitude, 0);
-    const int zeros = clz32(magnitude); // 8 .. 31: its bits are all of the mantissa, nothing is rounded
+    const int zeros = clz32(magnitude); // 8 .. 31: all of its bits fit the mantissa, so nothing is rounded
     const std::uint32_t exponent = static_cast<std::uint32_t>(157 - zeros) << 23; // the top bit adds one
     return {(static_cast<std::uint32_t>(v) & 0x80000000u) + exponent + (magnitude << (zeros - 8))};
 }
@@ -97,15 +98,15 @@ constexpr Real from_i32(std::int32_t v) {
 constexpr Real from_fixed(std::int64_t v, int fraction_bits) {
     return pack_real(v < 0, abs_u64(v), -fraction_bits);
 }
-/// GLfixed, S15.16.
+/// v / 2^16: GLfixed is S15.16.
 constexpr Real from_fixed16(std::int32_t v) {
     return from_fixed(v, 16);
 }
 
 namespace detail {
 
-/// Nearest Real to +-c / (2^bits - 1), 0 <= c <= 2^bits - 1, bits one of 8, 16, 32: the quotient is c
-/// repeated for ever, so one word of it with a sticky bit rounds correctly, and all ones round to 1.
+/// The Real nearest to +-c / (2^bits - 1), 0 <= c <= 2^bits - 1; `bits` is 8, 16 or 32. The quotient is c
+/// repeated for ever. So one word of it with a sticky bit rounds correctly, and all ones round to 1.
 constexpr Real unit_fraction(bool negative, std::uint32_t c, int bits) {
     const std::uint64_t ones = bits == 8    ? 0x0101010101010101 // (2^64 - 1) / (2^bits - 1)
                                : bits == 16 ? 0x0001000100010001
@@ -121,7 +122,7 @@ constexpr Real signed_unit(std::int32_t c, int bits) {
 
 } // namespace detail
 
-/// Integers as components (GL 1.3, table 2.6): c / (2^b - 1) and (2c + 1) / (2^b - 1).
+/// Components from integers (GL 1.3, table 2.6): c / (2^b - 1) and (2c + 1) / (2^b - 1).
 constexpr Real normalized_ubyte(std::uint8_t c) {
     return detail::unit_fraction(false, c, 8);
 }
@@ -140,7 +141,7 @@ constexpr Real normalized_short(std::int16_t c) {
 constexpr Real normalized_int(std::int32_t c) {
     return detail::signed_unit(c, 32);
 }
-/// Components of 8, 16 or 32 bits.
+/// Components from integers of 8, 16 or 32 bits.
 constexpr Real normalized_unsigned(std::uint32_t c, int bits) {
     return detail::unit_fraction(false, c, bits);
 }
@@ -162,7 +163,7 @@ constexpr bool to_bool(Real v) {
 }
 
 namespace detail {
-/// Integers in the order of the values; +0 and -0 are equal.
+/// Integers in the order of the values. +0 and -0 become equal.
 constexpr std::int32_t order(Real v) {
     const auto magnitude = static_cast<std::int32_t>(v.bits & 0x7FFFFFFF);
     return (v.bits >> 31) != 0 ? -magnitude : magnitude;
@@ -205,12 +206,12 @@ constexpr Real add(Real a, Real b) {
         a = larger;
     }
     const detail::Unpacked x = detail::unpack(a), y = detail::unpack(b);
-    constexpr int guard = 38; // 24 + 38 bits leave one for the carry; what falls off is sticky
+    constexpr int guard = 38; // 24 + 38 bits leave one bit for the carry; lost bits are sticky
     const std::uint64_t large = std::uint64_t{x.mantissa} << guard;
     const std::uint64_t small =
         shift_right_sticky(std::uint64_t{y.mantissa} << guard, x.exponent - y.exponent);
     const std::uint64_t sum = x.negative == y.negative ? large + small : large - small;
-    // x - x is +0 in round to nearest; -0 + -0 stays -0.
+    // x - x is +0 in round to nearest, and -0 + -0 is -0.
     const bool negative = sum == 0 ? x.negative && y.negative : x.negative;
     return pack_real(negative, sum, x.exponent - guard);
 }
@@ -224,7 +225,7 @@ constexpr Real mul(Real a, Real b) {
     return pack_real(x.negative != y.negative, mul_u32(x.mantissa, y.mantissa), x.exponent + y.exponent);
 }
 
-/// v / 0 is the largest finite value with the sign of v, 0 / 0 is 0.
+/// a / b. v / 0 is the largest finite value with the sign of v, and 0 / 0 is 0.
 constexpr Real div(Real a, Real b) {
     const detail::Unpacked x = detail::unpack(a), y = detail::unpack(b);
     const bool negative = x.negative != y.negative;
@@ -277,8 +278,8 @@ SPANGLE_RUN_CALL constexpr std::int32_t with_sign(bool negative, std::uint64_t m
 }
 } // namespace detail
 
-/// v * 2^fraction_bits, nearest even, saturated (D3D11.3 functional specification, 3.2.4.1, for floats to
-/// fixed).
+/// v * 2^fraction_bits, rounded to nearest even and saturated (D3D11.3 functional specification, 3.2.4.1,
+/// floats to fixed).
 constexpr std::int32_t to_fixed(Real v, int fraction_bits) {
     const detail::Unpacked u = detail::unpack(v);
     const std::int32_t shift = u.exponent + fraction_bits;
@@ -291,7 +292,7 @@ constexpr std::int32_t to_fixed16(Real v) {
     return to_fixed(v, 16);
 }
 
-/// Nearest integer, halves away from zero, saturated: GetIntegerv of a float (GL 1.3, 6.1.2).
+/// The nearest integer, halves away from zero, saturated. GetIntegerv of a float returns it (GL 1.3, 6.1.2).
 constexpr std::int32_t to_i32_round(Real v) {
     const detail::Unpacked u = detail::unpack(v);
     if (u.exponent > 31)
@@ -300,7 +301,7 @@ constexpr std::int32_t to_i32_round(Real v) {
     return detail::with_sign(u.negative, static_cast<std::uint64_t>(rounded));
 }
 
-/// floor(clamp01(v) * most * 2), most < 2^32: one bit more than to_steps() returns, to round with.
+/// floor(clamp01(v) * most * 2), most < 2^32. It has one bit more than to_steps() returns, for rounding.
 constexpr std::uint64_t to_half_steps(Real v, std::uint32_t most) {
     const detail::Unpacked u = detail::unpack(clamp01(v));
     const std::int32_t drop = -u.exponent; // >= 23, because |v| <= 1
@@ -308,18 +309,18 @@ constexpr std::uint64_t to_half_steps(Real v, std::uint32_t most) {
         times_two_to(static_cast<std::int64_t>(u.mantissa * std::uint64_t{most}), 1 - drop));
 }
 
-/// Nearest integer to clamp01(v) * most, halves up.
+/// The integer nearest to clamp01(v) * most, halves up.
 constexpr std::uint32_t to_steps(Real v, std::uint32_t most) {
     return static_cast<std::uint32_t>((to_half_steps(v, most) + 1) >> 1);
 }
 
-/// Nearest integer to clamp01(v) * (2^bits - 1), bits <= 32, halves up (GL 1.3, 2.13.9 and 2.10.1).
+/// The integer nearest to clamp01(v) * (2^bits - 1), bits <= 32, halves up (GL 1.3, 2.13.9 and 2.10.1).
 constexpr std::uint32_t to_unit(Real v, int bits) {
     return to_steps(v, static_cast<std::uint32_t>((std::uint64_t{1} << bits) - 1));
 }
 
-/// Colours, normals, depth range as integers: ((2^32 - 1) v - 1) / 2 with v clamped to [-1, 1] (GL 1.3,
-/// table 4.7).
+/// A colour, normal or depth range as an integer: ((2^32 - 1) v - 1) / 2, where v is clamped to [-1, 1] (GL
+/// 1.3, table 4.7).
 constexpr std::int32_t to_normalized_int(Real v) {
     const bool negative = (v.bits >> 31) != 0;
     const std::uint32_t magnitude = v.bits & 0x7FFFFFFF;

@@ -1,8 +1,9 @@
-// 1/a by a table and Newton steps, the same integers on every instruction set; exact 64 / 32 bit division on
-// top of it.
+// 1/a by a table and Newton steps, with the same integers on every instruction set. Exact divisions of 64 by
+// 32 bits are built on it.
 //
-// Cost in instructions, gcc 12 -O2: reciprocal about 25 on Cortex-M4 (four long multiplications); Cortex-M0+
-// has no long multiplication, there every product is a call to __aeabi_lmul (about 24), so about 150.
+// Cost in instructions with gcc 12 -O2: reciprocal() takes about 25 on a Cortex-M4, with four long
+// multiplications. A Cortex-M0+ has no long multiplication: each product is a call of __aeabi_lmul, about 24
+// instructions, so reciprocal() takes about 150.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,7 @@ namespace spangle::numeric {
 
 namespace detail {
 
-/// Q1.15 of 1/a at the middle of the i-th of the 256 intervals of [1/2, 1): 2^25 / (513 + 2i), rounded.
+/// 1/a in Q1.15 at the middle of the i-th of the 256 intervals of [1/2, 1): 2^25 / (513 + 2i), rounded.
 constexpr std::uint16_t reciprocal_near(std::uint32_t i) {
     return static_cast<std::uint16_t>(((1u << 26) / (513 + 2 * i) + 1) / 2);
 }
@@ -26,7 +27,7 @@ struct ReciprocalTable {
 };
 inline constexpr ReciprocalTable reciprocal_table;
 
-/// Q2.30 from the table alone, relative error <= 2^-8.99.
+/// 1/a in Q2.30 from the table alone. The relative error is at most 2^-8.99.
 SPANGLE_INLINE constexpr std::uint32_t reciprocal_seed(std::uint32_t a) {
     const std::uint32_t i = (a >> 23) & 255;
     return std::uint32_t{has_seed_tables ? reciprocal_table.at[i] : reciprocal_near(i)} << 15;
@@ -34,12 +35,12 @@ SPANGLE_INLINE constexpr std::uint32_t reciprocal_seed(std::uint32_t a) {
 
 } // namespace detail
 
-/// Bounds of the relative error, in tenths of a bit: tests and proofs take them from here.
+/// Bounds of the relative error, in tenths of a bit. Tests and proofs read these constants.
 inline constexpr int reciprocal_1_accuracy = 179, reciprocal_accuracy = 308;
 inline constexpr int reciprocal_ulp_percent = 54; ///< bound of the absolute error, hundredths of 2^-30
 
-/// One Newton step: Q2.30 of 1/a, a in [2^31, 2^32) standing for [1/2, 1). Relative error in [-2^-17.9,
-/// 2^-30].
+/// 1/a in Q2.30 by one Newton step. a in [2^31, 2^32) stands for [1/2, 1). The relative error is in
+/// [-2^-17.9, 2^-30].
 SPANGLE_INLINE constexpr std::uint32_t reciprocal_1(std::uint32_t a) {
     // The step is r = seed (2 - a seed). The product a seed has 31 fraction bits, and its last bit is
     // cleared. The 2 is 2^32 and so 0 here; r has 30 fraction bits.
@@ -47,8 +48,9 @@ SPANGLE_INLINE constexpr std::uint32_t reciprocal_1(std::uint32_t a) {
     return mul_by_half(0 - (mul_by_half(a, seed) & ~1u), seed);
 }
 
-/// Two Newton steps: Q2.30 of 1/a, in (1, 2] as (2^30, 2^31]. Absolute error <= 0.51 ulp, so relative <=
-/// 2^-30.9. The second step works on the residual 1 - a*r, of which the 31 bits that count fit one word.
+/// 1/a in Q2.30 by two Newton steps; the result in (2^30, 2^31] stands for (1, 2]. The absolute error is at
+/// most 0.51 ulp, so the relative error is at most 2^-30.9. The second step uses the residual 1 - a*r, whose
+/// 31 bits that count fit one word.
 SPANGLE_INLINE constexpr std::uint32_t reciprocal(std::uint32_t a) {
     const std::uint32_t r = reciprocal_1(a);
     // The product a r is Q.62, in 1 - 2^-17.9 .. 1 + 2^-30. The residual 1 - a r is Q.48, and 2^62 has no bit
@@ -61,7 +63,7 @@ SPANGLE_INLINE constexpr std::uint32_t reciprocal(std::uint32_t a) {
 
 namespace detail {
 
-/// The steps of reciprocal(a << zeros). Products with a fit a word, and are shifted afterwards.
+/// Makes the steps of reciprocal(a << zeros). Products with a fit a word, and are shifted afterwards.
 SPANGLE_INLINE constexpr std::uint32_t half_reciprocal_in_steps(std::uint32_t a, int zeros) {
     const std::uint32_t seed = reciprocal_seed(a << zeros) >> 15;
     const std::uint32_t r = mul_by_half(0 - ((a * seed) << (zeros - 16)), seed);
@@ -72,9 +74,9 @@ SPANGLE_INLINE constexpr std::uint32_t half_reciprocal_in_steps(std::uint32_t a,
 
 } // namespace detail
 
-/// reciprocal(a << zeros) / 2 for an a below 2^12 with `zeros` leading zeros. Where there is an instruction,
-/// this is a division in two digits. Its dividend is 1 and nearly 1/4 of a unit, which gives half of the
-/// value that is rounded to nearest.
+/// reciprocal(a << zeros) / 2 for an a below 2^12 with `zeros` leading zeros. On machines with a division
+/// instruction, this is a division in two digits. Its dividend is 1 plus nearly 1/4 of a unit, which gives
+/// half of the value that reciprocal() rounds to nearest.
 SPANGLE_INLINE constexpr std::uint32_t half_reciprocal(std::uint32_t a, int zeros) {
     if constexpr (!divides)
         return detail::half_reciprocal_in_steps(a, zeros);
@@ -84,22 +86,22 @@ SPANGLE_INLINE constexpr std::uint32_t half_reciprocal(std::uint32_t a, int zero
     return (first << digits) + (((one - first * a) << digits) + (a * 255 >> 10)) / a;
 }
 
-/// Says that all of some reciprocals will be set, so that none is initialised.
+/// Says that all reciprocals will be set, so that none is initialised.
 struct EachIsSet {};
 inline constexpr EachIsSet each_is_set;
 
-/// Computes N reciprocals together: no step waits for the one before it, as in reciprocal(), and compilers
-/// make vectors of them. They are the same integers as those of reciprocal().
+/// Computes N reciprocals together, so that no step waits for the step before it, as in reciprocal().
+/// Compilers make vectors of them. The integers are those of reciprocal().
 template <int N> class Reciprocals {
   public:
     Reciprocals() : a_{}, r_{} {}
     explicit Reciprocals(EachIsSet) {}
-    /// Reciprocal i is to be that of a.
+    /// Makes reciprocal i that of a.
     SPANGLE_INLINE void set(int i, std::uint32_t a) {
         a_[i] = a;
         r_[i] = in_words ? reciprocal(a) : detail::reciprocal_seed(a);
     }
-    /// Computes the first `count` reciprocals, N at most. Must be called after the last set().
+    /// Computes the first `count` reciprocals, at most N. It must be called after the last set().
     SPANGLE_INLINE void finish(int count) {
         if constexpr (in_words)
             return;
@@ -109,7 +111,8 @@ template <int N> class Reciprocals {
                 const std::uint32_t a = a_[first + i], seed = r_[first + i], product = mul_high_u32(a, seed);
                 once[i] = static_cast<std::uint32_t>(mul_u32(seed, 0x80000000u - product) >> 30);
             }
-            // A signed factor is an unsigned one less 2^31. A shift by 48 bits is one by 32 and one by 16.
+            // A signed factor is an unsigned factor minus 2^31. A shift by 48 bits is one by 32 and one by
+            // 16.
             for (int i = 0; i < block; ++i) {
                 const std::uint32_t r = once[i];
                 const auto residual =
@@ -138,12 +141,12 @@ struct Quotient {
 
 namespace detail {
 
-/// divide() for words of 32 bits: the quotient comes from reciprocal() and is corrected by its remainder, so
-/// that no 64-bit division is linked.
+/// Does what divide() does, for words of 32 bits. The quotient comes from reciprocal() and is corrected by
+/// its remainder, so no 64-bit division is linked.
 constexpr Quotient divide_by_words(std::uint64_t n, std::uint32_t d) {
     const auto high = static_cast<std::uint32_t>(n >> 32);
     std::uint64_t quotient = 0;
-    if (high >= d) { // school division: the first digit by the hardware's or libgcc's 32-bit divide
+    if (high >= d) { // long division: the first digit comes from a 32-bit division
         quotient = std::uint64_t{high / d} << 32;
         n -= quotient * d;
     }
@@ -177,7 +180,7 @@ constexpr Quotient divide(std::uint64_t n, std::uint32_t d) {
 
 namespace detail {
 
-/// Not inline: with words of 32 bits this takes some 200 bytes.
+/// Not inline, because with words of 32 bits the code takes some 200 bytes.
 [[gnu::noinline]] constexpr std::int64_t quotient_by_words(std::int64_t n, std::uint32_t d) {
     const auto q = static_cast<std::int64_t>(divide_by_words(abs_u64(n), d).quotient);
     return n < 0 ? -q : q;
@@ -185,7 +188,7 @@ namespace detail {
 
 } // namespace detail
 
-/// n / d, d > 0, towards 0.
+/// n / d, d > 0, rounded towards 0.
 constexpr std::int64_t quotient(std::int64_t n, std::uint32_t d) {
     if constexpr (wide_words)
         return n / static_cast<std::int64_t>(d);
@@ -214,8 +217,8 @@ constexpr LongQuotient divide_by_bits(std::uint64_t n, std::uint64_t d) {
 
 } // namespace detail
 
-/// n / d and n % d for any d but 0. Without long words it goes bit by bit, as it is needed once per command:
-/// the division of a compiler's library has some 900 bytes.
+/// n / d and n % d for any d except 0. Without long words the division goes bit by bit, because it is needed
+/// only once per command. The division of a compiler's library has some 900 bytes.
 constexpr LongQuotient divide_long(std::uint64_t n, std::uint64_t d) {
     if constexpr (wide_words)
         return {n / d, n % d};

@@ -1,5 +1,5 @@
-// Makes compilers keep words in registers or in memory, or compute them at a certain place, where they would
-// not. No function here changes a value.
+// Functions that make compilers keep words in registers or in memory, or compute words at a certain place.
+// None of these functions changes a value.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,9 @@
 
 namespace spangle::numeric {
 
-/// A factor of 32 bits and nothing else. Where words have 32 bits, GCC 12 would carry a sign extension that
-/// several products share over a branch, and then multiply 64 by 64 bits: five instructions in place of one.
+/// Returns v as a factor of 32 bits. With words of 32 bits, GCC 12 would carry a sign extension that several
+/// products share over a branch. It would then multiply 64 by 64 bits, which takes five instructions instead
+/// of one.
 template <class T> SPANGLE_INLINE constexpr T factor32(T v) {
 #if __SIZEOF_POINTER__ == 4
     if (!std::is_constant_evaluated() && !__builtin_constant_p(v))
@@ -28,12 +29,13 @@ SPANGLE_INLINE std::uint32_t evaluate_after(std::uint32_t v, [[maybe_unused]] st
     return v;
 }
 
-/// Keeps compilers from beginning what follows a branch before that branch.
+/// Keeps compilers from moving the code after a branch before that branch.
 SPANGLE_INLINE void begin_here() {
     asm volatile(""); // NOLINT(hicpp-no-assembler): no instruction
 }
 
-/// Keeps v in a register where words have 32 bits, so that compilers do not compute it again at every use.
+/// Keeps v in a register on machines with words of 32 bits, so that compilers do not compute it again at
+/// every use.
 template <class T> SPANGLE_INLINE constexpr T kept_in_register(T v) {
 #if __SIZEOF_POINTER__ == 4
     if (!std::is_constant_evaluated())
@@ -76,8 +78,8 @@ SPANGLE_INLINE constexpr std::uint32_t joined_aside(std::uint32_t u, int u_down,
     return (u >> u_down << u_up) + (v >> v_down);
 }
 
-/// floor(v / 2^16), computed at this place. Where comparisons shift at no cost, a quotient shared with later
-/// code would take a register in each loop.
+/// floor(v / 2^16), computed at this place. On machines where comparisons shift at no cost, a quotient that
+/// is shared with later code would take a register in each loop.
 SPANGLE_INLINE constexpr std::uint32_t high_half_here(std::uint32_t v) {
 #if defined(__thumb2__)
     if (!std::is_constant_evaluated()) {
@@ -89,7 +91,7 @@ SPANGLE_INLINE constexpr std::uint32_t high_half_here(std::uint32_t v) {
     return v >> 16;
 }
 
-/// v with its low `Bits` bits cleared. Where there is an instruction for that, a mask would take a register
+/// v with its low `Bits` bits cleared. On machines with an instruction for it, a mask would take a register
 /// in each loop.
 template <int Bits> SPANGLE_INLINE constexpr std::uint32_t without_low(std::uint32_t v) {
 #if defined(__thumb2__)
@@ -101,15 +103,15 @@ template <int Bits> SPANGLE_INLINE constexpr std::uint32_t without_low(std::uint
     return v >> Bits << Bits;
 }
 
-/// Makes compilers read v where it is used, not hold it in registers. This is for loops with more words than
-/// Thumb has registers, which compilers would otherwise spill one by one.
+/// Makes compilers read v from memory where it is used. It serves loops that use more words than Thumb has
+/// registers, which compilers would otherwise spill one by one.
 template <class T> SPANGLE_INLINE void kept_in_memory([[maybe_unused]] T& v) {
 #if defined(__thumb2__)
     asm("" : "+m"(v)); // NOLINT(hicpp-no-assembler): no instruction
 #endif
 }
 
-/// Two words that one instruction reads, where there is such an instruction.
+/// Two words that one instruction reads, on machines with such an instruction.
 template <class A, class B> struct WordPair {
     A a;
     B b;
@@ -124,7 +126,7 @@ template <class A, class B> SPANGLE_INLINE WordPair<A, B> load_two(const WordPai
     return from;
 #endif
 }
-/// load_two(), but not before `first` is computed: this takes fewer registers.
+/// Does what load_two() does, but only after `first` is computed, which takes fewer registers.
 template <class A, class B>
 SPANGLE_INLINE WordPair<A, B> load_two_after([[maybe_unused]] std::uint32_t& first,
                                              const WordPair<A, B>& from) {

@@ -6,8 +6,8 @@
 
 namespace spangle::numeric {
 
-/// sqrt(v), rounded; 0 unless v is positive. The root of a 62-bit integer has 31 bits, seven more than are
-/// kept.
+/// sqrt(v), rounded. The result is 0 unless v is positive. The root of a 62-bit integer has 31 bits, which is
+/// seven more than the result keeps.
 constexpr Real sqrt(Real v) {
     const detail::Unpacked u = detail::unpack(v);
     if (u.mantissa == 0 || u.negative)

@@ -9,7 +9,7 @@ namespace spangle::numeric {
 
 namespace detail {
 
-/// Largest x with x * x <= v, below twice `highest`, a power of two.
+/// The largest x with x * x <= v. It is below twice `highest`, a power of two.
 constexpr std::uint32_t integer_sqrt(std::uint64_t v, std::uint32_t highest = 1u << 31) {
     std::uint32_t root = 0;
     for (std::uint32_t bit = highest; bit != 0; bit >>= 1)
@@ -18,7 +18,7 @@ constexpr std::uint32_t integer_sqrt(std::uint64_t v, std::uint32_t highest = 1u
     return root;
 }
 
-/// Q1.15 of 1/sqrt(a) at the middle of the i-th 2^-9 of [1/4, 1): a = (257 + 2i) / 1024.
+/// 1/sqrt(a) in Q1.15 at the middle of the i-th 2^-9 of [1/4, 1), where a = (257 + 2i) / 1024.
 constexpr std::uint16_t rsqrt_near(std::uint32_t i) {
     const std::uint32_t d = 257 + 2 * i, high = (1u << 31) / d;
     const std::uint64_t square =
@@ -40,11 +40,11 @@ SPANGLE_INLINE constexpr std::uint32_t rsqrt_seed(std::uint32_t i) {
 
 } // namespace detail
 
-/// Bounds of the relative error, in tenths of a bit: tests and proofs take them from here.
+/// Bounds of the relative error, in tenths of a bit. Tests and proofs read these constants.
 inline constexpr int rsqrt_1_accuracy = 173, rsqrt_accuracy = 299;
 
-/// One Newton step: Q2.30 of 1/sqrt(a), a in [2^30, 2^32) standing for [1/4, 1). Relative error in [-2^-17.3,
-/// 2^-29].
+/// 1/sqrt(a) in Q2.30 by one Newton step. a in [2^30, 2^32) stands for [1/4, 1). The relative error is in
+/// [-2^-17.3, 2^-29].
 SPANGLE_INLINE constexpr std::uint32_t rsqrt_1(std::uint32_t a) {
     const std::uint32_t seed = detail::rsqrt_seed((a >> 23) - 128); // Q1.15
     const std::uint32_t square = seed * seed;                       // Q2.30, exact
@@ -52,7 +52,8 @@ SPANGLE_INLINE constexpr std::uint32_t rsqrt_1(std::uint32_t a) {
     return mul_by_half(0xC0000000u - product, seed);                // seed * (3 - a seed^2) / 2
 }
 
-/// Two Newton steps: Q2.30 of 1/sqrt(a), in (1, 2] as (2^30, 2^31]. Relative error <= 2^-29.9.
+/// 1/sqrt(a) in Q2.30 by two Newton steps; the result in (2^30, 2^31] stands for (1, 2]. The relative error
+/// is at most 2^-29.9.
 SPANGLE_INLINE constexpr std::uint32_t rsqrt(std::uint32_t a) {
     const std::uint32_t r = rsqrt_1(a);
     const auto square = static_cast<std::uint32_t>((mul_u32(r, r) + (1u << 29)) >> 30); // Q2.30, <= 2^32 - 1

@@ -1,5 +1,5 @@
-// Sine and cosine of degrees and unit vectors in Q4.60, for matrices that programs accumulate: rotating a
-// million times by the same matrix multiplies its error by a million.
+// Sine and cosine of degrees, and unit vectors, in Q4.60. They serve matrices that programs accumulate: a
+// million rotations by the same matrix multiply its error by a million.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ struct SinCos {
 
 namespace detail {
 
-/// 1 / (k (k + 1)) for k = 1 to 18. With seed tables these are looked up, too: small processors would call a
-/// library for each division.
+/// 1 / (k (k + 1)) for k = 1 to 18. Builds with seed tables look these numbers up, too, because small
+/// processors would call a library for each division.
 struct SeriesFactors {
     std::int64_t at[18];
     static constexpr std::int64_t of(std::uint32_t k) {
@@ -42,8 +42,8 @@ constexpr std::int64_t alternating_series(std::int64_t z, std::uint32_t n) {
     return sum;
 }
 
-/// An angle without its full turns, which are taken off exactly: quadrant, and degrees in [0, 90), Q56 (below
-/// 2^63).
+/// An angle without its full turns, which are taken off exactly: the quadrant, and degrees in [0, 90) in Q56,
+/// below 2^63.
 struct ReducedAngle {
     std::uint32_t quadrant;
     std::uint64_t degrees;
@@ -81,7 +81,7 @@ struct Unit3Q60 {
     std::int64_t m[3];
 };
 
-/// v / |v| in Q4.60, each component within 2^-57; (0, 0, 0) stays.
+/// v / |v| in Q4.60, each component within 2^-57. (0, 0, 0) stays as it is.
 constexpr Unit3Q60 normalize_q60(const Block3& v) {
     const auto square = static_cast<std::uint64_t>(mul_s32(v.m[0], v.m[0]) + mul_s32(v.m[1], v.m[1]) +
                                                    mul_s32(v.m[2], v.m[2])); // 0, or 2^58 .. 2^61.6

@@ -1,5 +1,5 @@
-// Numbers of 61 bits with an exponent of their own: for clipping, where coordinates that differ by any power
-// of two meet (GL 1.3, 2.11), and what is left of a sum may be far smaller than its terms.
+// Numbers of 61 bits with their own exponent, for clipping. There, coordinates that differ by any power of
+// two meet (GL 1.3, 2.11), and the result of a sum may be far smaller than its terms.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace spangle::numeric {
 
-/// m 2^e, 2^60 <= |m| < 2^61; 0 is {0, 0}. What is lost is lost towards 0, so that signs do not matter.
+/// m 2^e with 2^60 <= |m| < 2^61; 0 is {0, 0}. Rounding is towards 0, so that signs do not matter.
 struct Wide {
     std::int64_t m = 0;
     std::int32_t e = 0;
@@ -41,14 +41,14 @@ constexpr Wide abs(Wide v) {
     return {v.m < 0 ? -v.m : v.m, v.e};
 }
 
-/// a b, within 2^-59 of the product, and exact where that has no more than 60 bits.
+/// a b, within 2^-59 of the product. It is exact where the product has at most 60 bits.
 SPANGLE_RUN_CALL constexpr Wide mul(Wide a, Wide b) {
     const auto high = static_cast<std::int64_t>(mul_u64(abs_u64(a.m) << 3, abs_u64(b.m)).high);
     return make_wide((a.m < 0) != (b.m < 0) ? -high : high, a.e + b.e + 61);
 }
 
-/// a + b, within 2^-60 of the larger one, and exact where exponents differ by 1 at most: only then the sum
-/// may be much smaller than both.
+/// a + b, within 2^-60 of the larger term. It is exact where exponents differ by at most 1, and only then can
+/// the sum be much smaller than both terms.
 SPANGLE_RUN_CALL constexpr Wide add(Wide a, Wide b) {
     if (a.m == 0 || b.m == 0)
         return a.m == 0 ? b : a;
@@ -64,7 +64,7 @@ constexpr Wide sub(Wide a, Wide b) {
     return add(a, negate(b));
 }
 
-/// a < b, without any rounding.
+/// Whether a < b, without any rounding.
 SPANGLE_RUN_CALL constexpr bool less(Wide a, Wide b) {
     const bool a_negative = a.m < 0, b_negative = b.m < 0;
     if (a_negative != b_negative || a.m == 0 || b.m == 0 || a.e == b.e)
@@ -79,8 +79,8 @@ SPANGLE_RUN_CALL constexpr Wide reciprocal(Wide v) {
     return add(near, mul(near, sub(make_wide(1, 0), mul(near, v))));
 }
 
-/// Four Wide numbers, with exponents limited to those of blocks. A smaller number becomes 0; a larger one
-/// gets the largest exponent.
+/// Four Wide numbers whose exponents are limited to those of blocks. A smaller number becomes 0. A larger
+/// number gets the largest exponent.
 struct Wide4 {
     std::int64_t m[4] = {};
     std::int16_t e[4] = {};
@@ -92,7 +92,7 @@ struct Wide4 {
     }
 };
 
-/// The matrix a times v, each row to 60 bits of its largest term.
+/// The matrix a times v. Each row is exact to 60 bits of its largest term.
 [[gnu::noinline]] constexpr Wide4 transform_wide(const BlockMatrix& a, const Real (&v)[4]) {
     Wide4 out;
     for (int i = 0; i < 4; ++i) {

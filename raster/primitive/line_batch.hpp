@@ -27,7 +27,7 @@ SPANGLE_INLINE bool same_color(const FixedVertex& a, const FixedVertex& b) {
 }
 
 /// Widens the touched columns by the columns of a line, if they do not contain them already. The line lies in
-/// the rows between its ends and one more row on each side.
+/// the rows between its ends, widened by half a pixel on both sides.
 inline void touch_line(const Surface& target, const Position& a, const Position& b) {
     const auto low = [](std::int32_t v, std::int32_t w) {
         return ((v < w ? v : w) - subpixel_one / 2 - 1) >> subpixel_bits;

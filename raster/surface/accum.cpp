@@ -27,20 +27,21 @@ template <class Change> void each(const Surface& s, Rect area, Change change) {
     }
 }
 
-/// The largest value of a component with `bits` bits. Without bits it is 1: formats without alpha have alpha
-/// 1.
+/// The largest value of a component with `bits` bits. With 0 bits it is 1, because formats without alpha have
+/// alpha 1.
 constexpr std::uint32_t largest(unsigned bits) {
     return bits == 0 ? 1 : (1u << bits) - 1;
 }
 
-/// value n / d, rounded towards 0; below 2^59.
+/// value n / d, rounded towards 0. The product is below 2^59.
 std::int64_t scaled(std::int32_t value, std::uint32_t n, std::uint32_t d) {
     const std::int64_t q =
         static_cast<std::int64_t>(numeric::divide(numeric::abs_u64(std::int64_t{value} * n), d).quotient);
     return value < 0 ? -q : q;
 }
 
-/// Does any operation but clear. `colors` is the surface that is read, or that give_back writes.
+/// Does any operation except clear. `colors` is the surface that is read, or the surface that give_back
+/// writes.
 void pass(const Surface& s, const AccumRequest& r, const Rect& area, const Surface& colors) {
     using Op = AccumRequest::Op;
     constexpr int guard = 8;
@@ -48,8 +49,9 @@ void pass(const Surface& s, const AccumRequest& r, const Rect& area, const Surfa
                adds = r.op == Op::add, keeps = adds || r.op == Op::accumulate;
     const FormatInfo& info = drawn_info(colors.format);
     const unsigned bits[4] = {info.red_bits, info.green_bits, info.blue_bits, info.alpha_bits};
-    // The product is k v 32767 / (2^bits - 1): k has 8 bits, v 32 bits, the factor 15 and 8 guard bits more.
-    // In give_back it is in colour units: A has 15 bits, v 32 bits, color_one / 32767 14 bits.
+    // The product is k v 32767 / (2^bits - 1), where k has 8 bits, v 32 bits, and the factor 15 bits and 8
+    // guard bits. In give_back it is in colour units: A has 15 bits, v 32 bits, and color_one / 32767 has 14
+    // bits.
     std::int64_t factor[4];
     for (int c = 0; c < 4; ++c)
         factor[c] = scaled(r.value,

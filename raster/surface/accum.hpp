@@ -9,8 +9,8 @@ namespace spangle::raster {
 
 inline constexpr std::int32_t accum_one = 32767;
 
-/// Fraction bits of `value` in an AccumRequest: as many as can still change the buffer, or a colour for
-/// give_back.
+/// Fraction bits of `value` in an AccumRequest. They are as many as can still change the buffer, or a colour
+/// for give_back.
 inline constexpr int accum_value_bits = 20, accum_return_bits = 16;
 
 /// An operation on the accumulation buffer of a surface. If the surface has samples, sums read the resolved

@@ -11,8 +11,8 @@ namespace spangle::raster {
 
 namespace {
 
-/// The bytes of a row: a sequence of `period` bytes, repeated. Four words (twelve for pixels of three bytes)
-/// can be read from any of its first four bytes on.
+/// The bytes of a row: a sequence of `period` bytes that is repeated. From any of its first four bytes on,
+/// four words can be read, or twelve for pixels of three bytes.
 struct Pattern {
     alignas(4) std::uint8_t byte[64];
     std::int32_t bytes = 16; ///< 16 or 48
@@ -27,7 +27,7 @@ void copy_bytes(std::uint8_t* to, const std::uint8_t* from, std::int32_t n) {
 
 #if !SPANGLE_SHORTCUTS
 
-/// `bytes` bytes of the pattern, from its start; nothing beyond is touched.
+/// Fills `bytes` bytes with the pattern from its start. No byte beyond them is touched.
 void fill(std::uint8_t* to, const Pattern& pattern, std::int32_t bytes) {
     std::int32_t from = 0;
     for (; bytes >= 16; bytes -= 16, to += 16) {
@@ -43,7 +43,8 @@ void fill(std::uint8_t* to, const Pattern& pattern, std::int32_t bytes) {
 // Vectors of sixteen bytes may be stored at any address.
 using Vector [[gnu::vector_size(16), gnu::aligned(1), gnu::may_alias]] = std::uint64_t;
 
-/// Begins fill_masked() with blocks of 48 bytes, which hold whole periods; returns how many bytes they have.
+/// Begins fill_masked() with blocks of 48 bytes, which hold whole periods. Returns the number of bytes in
+/// these blocks.
 std::int32_t fill_masked_blocks(std::uint8_t* to, const Pattern& pattern, const Pattern& mask,
                                 std::int32_t bytes) {
     Vector fresh[3], kept[3];
@@ -63,7 +64,7 @@ std::int32_t fill_masked_blocks(std::uint8_t* to, const Pattern& pattern, const 
     return done;
 }
 
-/// `bytes` bytes of the pattern, from its start; nothing beyond is touched.
+/// Fills `bytes` bytes with the pattern from its start. No byte beyond them is touched.
 void fill(std::uint8_t* to, const Pattern& pattern, std::int32_t bytes) {
     Vector v[3];
     const std::int32_t step = pattern.period() == 16 ? 0 : 16;
@@ -93,7 +94,7 @@ using Word [[gnu::may_alias]] = std::uint32_t;
 Word* store_blocks(Word* to, const Word* w, std::int32_t blocks) {
     Word* const end = to + 16 * blocks;
 #if defined(__arm__)
-    // Compilers do not make one STM of four stores; it is a third of the instructions.
+    // Compilers do not make one STM instruction of four stores; one STM takes a third of the instructions.
     register std::uint32_t a asm("r2") = w[0];
     register std::uint32_t b asm("r3") = w[1];
     register std::uint32_t c asm("r4") = w[2];
@@ -115,7 +116,7 @@ Word* store_blocks(Word* to, const Word* w, std::int32_t blocks) {
     return to;
 }
 
-/// `bytes` bytes of the pattern, from its start; nothing beyond is touched.
+/// Fills `bytes` bytes with the pattern from its start. No byte beyond them is touched.
 void fill(std::uint8_t* to, const Pattern& pattern, std::int32_t bytes) {
     std::int32_t head = static_cast<std::int32_t>(-reinterpret_cast<std::uintptr_t>(to) & 3);
     head = head < bytes ? head : bytes;
@@ -143,7 +144,7 @@ void fill(std::uint8_t* to, const Pattern& pattern, std::int32_t bytes) {
 
 #if !SPANGLE_SHORTCUTS || !(defined(__SSE2__) || defined(__aarch64__))
 
-/// Words of 32 bits take all of it; see fill_masked().
+/// Begins nothing, because fill_masked() itself fills all bytes by words of 32 bits.
 constexpr std::int32_t fill_masked_blocks(const std::uint8_t*, const Pattern&, const Pattern&, std::int32_t) {
     return 0;
 }
@@ -177,8 +178,8 @@ void fill_masked(std::uint8_t* to, const Pattern& pattern, const Pattern& mask, 
     }
 }
 
-/// Fills rows of a plane with one pattern, or with four in turn. Only the bits of the mask are written,
-/// unless it is null.
+/// Fills rows of a plane with one pattern, or with four by turns. Where the mask is not null, only its bits
+/// are written.
 void fill_rows(std::uint8_t* first, std::int32_t stride, std::int32_t rows, const Pattern* pattern,
                std::int32_t patterns, const Pattern* mask, std::int32_t bytes) {
     // Rows that touch are filled as one piece.
@@ -246,7 +247,8 @@ bool writes_all(PixelFormat format, std::uint8_t channels) {
     return (channels & needed) == needed;
 }
 
-/// The bits of the named channels are those set in a colour that is 1 in these channels and 0 in all others.
+/// Sets the mask to the bits of the named channels. They are the bits of a colour that is 1 in these channels
+/// and 0 in all others.
 void set_mask(Pattern& p, PixelFormat format, std::uint8_t channels) {
     std::uint32_t color[4];
     for (unsigned c = 0; c < 4; ++c)
@@ -355,9 +357,10 @@ void clear_z24s8(const Surface& s, const ClearRequest& r) {
     clear_depth(s, r.area, depth_to_24(r.z) << 8 | r.stencil, mask, 4);
 }
 
-/// A value that is equal exactly for equal pictures of a full clear. Pixels of 24 and 32 bits are never
-/// dithered: it is the pixel itself. For 16 bits it sums each component over the sixteen thresholds. The sum
-/// grows with every pixel that changes (at most 31 * 16 and 63 * 16: 9, 10 and 9 bits).
+/// A value that is equal for two full clears exactly if their pictures are equal. Pixels of 24 and 32 bits
+/// are never dithered, so it is the pixel itself. For 16 bits it is the sum of each component over the
+/// sixteen thresholds. The sum grows with every pixel that changes (at most 31 * 16 and 63 * 16, which take
+/// 9, 10 and 9 bits).
 std::uint32_t clear_value(const Surface& s, const ClearRequest& r) {
     const FormatInfo& info = drawn_info(s.format);
     if (info.red_bits == 8) {

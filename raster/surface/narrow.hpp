@@ -1,6 +1,6 @@
-// Pixels as small display controllers take them: six, four or three bits a component, greys, single bits.
-// These functions give the stored bits of a colour and where they lie. One run-time switch covers all of
-// these formats, so firmware that draws on none of them pays for it once.
+// Pixels of small display controllers: six, four or three bits per component, greys, and single bits. These
+// functions give the stored bits of a colour and their place. One run-time switch covers all of these
+// formats, so firmware that uses none of them pays for the switch only once.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ struct Rgb8 {
 };
 
 /// The stored bits of a pixel. Without dithering they are the top bits (GL 1.3, 2.13.9). With dithering,
-/// steps are taken from the rounded 255ths. A display that converts a surface of eight bits a component to
-/// the same format does the same, and shows the same picture. Not for rgb666, whose six bits are dithered
+/// steps are made from the rounded 255ths. A display that converts a surface with eight bits per component to
+/// the same format shows the same picture. The function does not serve rgb666, whose six bits are dithered
 /// from the whole colour.
 std::uint32_t narrow_word(PixelFormat format, const Rgb8& c, bool dither, std::uint32_t threshold);
 
@@ -32,8 +32,8 @@ struct NarrowColor {
 };
 NarrowColor narrow_color(PixelFormat format, std::uint32_t word);
 
-/// The bits of a word that the mask (bit 0 red, 1 green, 2 blue) opens. A grey is opened whole by any bit of
-/// the mask.
+/// The bits of a word that the mask opens (bit 0 red, bit 1 green, bit 2 blue). Any bit of the mask opens all
+/// bits of a grey.
 std::uint32_t narrow_open(PixelFormat format, std::uint32_t mask);
 
 /// k / max in colour units, for the maxima of these formats. It is rounded down by less than dithering can
@@ -47,8 +47,8 @@ constexpr std::uint32_t narrow_units(std::uint32_t k, std::uint32_t max) {
     return k == max ? color_one : k * step;
 }
 
-/// Read and write the word of column x in the stored row that holds GL row y. Other pixels in the same bytes
-/// stay.
+/// Reads the word of column x in the stored row that holds GL row y; store_narrow() writes it. Other pixels
+/// in the same bytes do not change.
 std::uint32_t load_narrow(PixelFormat format, const std::uint8_t* row, std::int32_t x, std::int32_t y);
 void store_narrow(PixelFormat format, std::uint8_t* row, std::int32_t x, std::int32_t y, std::uint32_t word);
 

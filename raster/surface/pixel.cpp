@@ -10,7 +10,7 @@ std::uint8_t* color_at(const Surface& s, std::int32_t x, std::int32_t y) {
     return s.color_row(y) + static_cast<std::intptr_t>(x) * drawn_info(s.format).bytes_per_pixel;
 }
 
-// Depth words are in host order; bytes are copied because a plane may start anywhere.
+// Depth words are in host order. Their bytes are copied, because a plane may start at any address.
 template <class Word> Word load(const Surface& s, std::int32_t x, std::int32_t y) {
     Word v;
     __builtin_memcpy(&v, s.depth_row(y) + static_cast<std::intptr_t>(x) * std::intptr_t{sizeof(Word)},

@@ -10,8 +10,8 @@ namespace spangle::raster {
 
 namespace {
 
-/// The means of the fields of four words. `fields` masks fields that have two zero bits above each; `halves`
-/// has four times a half in each field.
+/// The means of the fields of four words. `fields` masks the fields, which have two zero bits above each.
+/// `halves` holds four times one half in each field.
 constexpr std::uint32_t average(const std::uint32_t (&v)[sample_count], std::uint32_t fields,
                                 std::uint32_t halves) {
     std::uint32_t sum = halves;

@@ -1,7 +1,8 @@
-// The multisample buffer (GL 1.3, 3.2.1, 4.1.10): four samples of every pixel; sample i of all pixels forms a
-// surface of its own. A primitive is drawn into each of these in turn, moved so that the sample lies where
-// pixel centres are. Coverage, depth and colour are then those of the sample, found by the code that draws
-// all other surfaces. The window's picture is resolved later, where something was drawn.
+// The multisample buffer (GL 1.3, 3.2.1, 4.1.10) has four samples of every pixel. Sample i of all pixels
+// forms a surface of its own. A primitive is drawn into each of these surfaces in turn, moved so that the
+// sample lies where pixel centres are. Coverage, depth and colour are then those of the sample, and the code
+// is that of all other surfaces. The window's picture is resolved later, for pixels to which something was
+// drawn.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +17,8 @@ namespace spangle::raster {
 inline constexpr unsigned sample_count = 4;
 static_assert(has_extents || !has_samples, "samples are resolved where something was drawn: SPANGLE_EXTENTS");
 
-/// The planes of the samples, laid out like those of the surface. Depth and stencil of the first sample are
-/// the surface's own.
+/// The planes of the samples, with the layout of the surface's planes. Depth and stencil of the first sample
+/// are those of the surface itself.
 struct Samples {
     std::uint8_t* color = nullptr;                 ///< first sample, GL row 0
     std::int32_t color_stride = 0;                 ///< bytes from GL row y to y + 1
@@ -48,12 +49,12 @@ template <class Draw> void each_sample(const Surface& s, Draw draw) {
 }
 
 #if SPANGLE_FEATURE_MULTISAMPLE
-/// Clears the samples, if the surface has any. After a full clear all samples are equal, so nothing needs
+/// Clears the samples, if the surface has any. After a full clear all samples are equal, so no pixel needs
 /// resolving.
 void clear_samples(const Surface& s, const ClearRequest& request);
 
-/// Sets the colours of pixels to the mean of their samples, component by component as they are stored, halves
-/// rounded up. Pixels where nothing was drawn since the last call stay as they are.
+/// Sets the colours of pixels to the mean of their samples, component by component in stored bits, halves
+/// rounded up. Pixels to which nothing was drawn since the last call do not change.
 void resolve(const Surface& s);
 #else
 inline void clear_samples(const Surface& s, const ClearRequest& request) {

@@ -1,4 +1,4 @@
-// Keeps the record of what was touched on a surface.
+// Records which columns of a surface were touched.
 #pragma once
 
 #include <spangle/raster/surface.hpp>

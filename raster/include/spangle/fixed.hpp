@@ -1,5 +1,5 @@
-// A fixed-point scalar for programs without floating point: S15.16, the bits of GLfixed. Integer arithmetic
-// throughout; results round to nearest and saturate at the ends of the range. spangle/glm.hpp makes it a
+// A fixed-point scalar for programs without floating point: S15.16, with the bits of GLfixed. All arithmetic
+// is in integers. Results round to nearest and saturate at the ends of the range. spangle/glm.hpp makes it a
 // component type of GLM.
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace spangle {
 
-/// value = bits / 65536, range [-32768, 32768). Uninitialised by default, like the built-in types (GLM's
-/// unions need it).
+/// A number of value bits / 65536 in [-32768, 32768). It is uninitialised by default, like the built-in
+/// types, because GLM's unions need this.
 struct fixed {
     /// The value times 65536.
     std::int32_t bits;
@@ -23,13 +23,13 @@ struct fixed {
 
     /// Leaves the value undefined.
     fixed() = default;
-    /// An integer, saturated.
+    /// Makes the value of an integer, saturated.
     template <class I, std::enable_if_t<std::is_integral_v<I>, int> = 0>
     constexpr fixed(I v)
         : bits(std::cmp_greater(v, 32767) ? INT32_MAX
                : std::cmp_less(v, -32768) ? INT32_MIN
                                           : static_cast<std::int32_t>(v) * one_bits) {}
-    /// Rounds to nearest; NaN becomes 0. The compiler converts constants.
+    /// Makes the nearest value of a floating-point number; NaN becomes 0. The compiler converts constants.
     template <class F, std::enable_if_t<std::is_floating_point_v<F>, long> = 0>
     constexpr fixed(F v) : bits(from_real(v)) {}
 
@@ -53,9 +53,9 @@ struct fixed {
     explicit constexpr operator I() const {
         return static_cast<I>(bits / one_bits);
     }
-    /// Rounds to nearest: 24 of the 32 bits.
+    /// The nearest float, which has 24 of the 32 bits.
     explicit constexpr operator float() const { return static_cast<float>(bits) / 65536.0f; }
-    /// Is exact.
+    /// The same value as a double, exactly.
     explicit constexpr operator double() const { return static_cast<double>(bits) / 65536.0; }
 
     /// The sum, saturated.
@@ -102,7 +102,7 @@ struct fixed {
     /// Whether `a` is not less.
     friend constexpr bool operator>=(fixed a, fixed b) { return a.bits >= b.bits; }
 
-    /// n / d, nearest, saturated; |n| < 2^62.
+    /// n / d, rounded to nearest and saturated; |n| < 2^62.
     static constexpr std::int32_t quotient(std::int64_t n, std::int64_t d) {
         if (d == 0)
             return n == 0 ? 0 : n < 0 ? INT32_MIN : INT32_MAX;

@@ -1,13 +1,13 @@
-// spangle::fixed as a component type of GLM: include this instead of <glm/glm.hpp>. Everything GLM has works
-// through spangle::fixed's operators and functions; what would round at every product, or overflow where the
-// result does not, is specialised here with 64-bit sums. glm::value_ptr of a matrix is what glLoadMatrixx
-// takes: the bits of GLfixed.
+// Makes spangle::fixed a component type of GLM. Include this file instead of <glm/glm.hpp>. All of GLM works
+// through the operators and functions of spangle::fixed. Functions that would round at every product, or
+// overflow where their result does not, are specialised here with 64-bit sums. glm::value_ptr of a matrix
+// points to the bits of GLfixed, which glLoadMatrixx takes.
 #pragma once
 
 #include <spangle/fixed.hpp> // numeric_limits must be specialised before GLM is seen
 
 namespace glm {
-// GLM calls these both as glm::sin(x) and through argument-dependent lookup.
+// GLM calls the functions below both as glm::sin(x) and through argument-dependent lookup.
 using spangle::abs, spangle::floor, spangle::ceil, spangle::trunc, spangle::round, spangle::sqrt,
     spangle::inversesqrt;
 using spangle::acos, spangle::asin, spangle::atan, spangle::cos, spangle::sin, spangle::tan;
@@ -55,7 +55,7 @@ namespace glm {
 
 namespace detail {
 
-// GLM passes std::floor and its like to these by name.
+// GLM passes std::floor and similar functions by name.
 template <length_t L, qualifier Q, bool Aligned> struct compute_floor<L, spangle::fixed, Q, Aligned> {
     GLM_FUNC_QUALIFIER static vec<L, spangle::fixed, Q> call(vec<L, spangle::fixed, Q> const& x) {
         return functor1<vec, L, spangle::fixed, spangle::fixed, Q>::call(spangle::floor, x);
@@ -111,7 +111,7 @@ template <qualifier Q, bool Aligned> struct compute_cross<spangle::fixed, Q, Ali
     }
 };
 
-/// sqrt of the 64-bit sum: lengths up to the whole range, where the dot product would have saturated at
+/// The root of the 64-bit sum, for lengths up to the whole range. A dot product would have saturated at
 /// 181^2.
 template <length_t L, qualifier Q, bool Aligned> struct compute_length<L, spangle::fixed, Q, Aligned> {
     GLM_FUNC_QUALIFIER static spangle::fixed call(vec<L, spangle::fixed, Q> const& v) {
@@ -123,10 +123,10 @@ template <length_t L, qualifier Q, bool Aligned> struct compute_length<L, spangl
     }
 };
 
-/// v / |v|; a zero vector stays as it is.
+/// v / |v|. A zero vector stays as it is.
 template <length_t L, qualifier Q, bool Aligned> struct compute_normalize<L, spangle::fixed, Q, Aligned> {
     GLM_FUNC_QUALIFIER static vec<L, spangle::fixed, Q> call(vec<L, spangle::fixed, Q> const& v) {
-        // The vector is scaled up first, so that short vectors have a length with enough bits.
+        // The vector is scaled up first, so that the length of a short vector has enough bits.
         std::uint32_t any = 0;
         for (length_t i = 0; i < L; ++i)
             any |= static_cast<std::uint32_t>(v[i].bits < 0 ? -std::int64_t{v[i].bits} : v[i].bits);
@@ -153,8 +153,8 @@ template <length_t L, qualifier Q, bool Aligned> struct compute_normalize<L, spa
     }
 };
 
-/// The adjugate over the determinant, every stage scaled to 30 bits by its own largest number; 0 where
-/// singular.
+/// The adjugate over the determinant. Every stage is scaled to 30 bits by its own largest number. The result
+/// is 0 for a singular matrix.
 template <qualifier Q, bool Aligned> struct compute_inverse<4, 4, spangle::fixed, Q, Aligned> {
     using M = mat<4, 4, spangle::fixed, Q>;
     GLM_FUNC_QUALIFIER static M call(M const& m) {
@@ -235,7 +235,8 @@ template <qualifier Q, bool Aligned> struct compute_inverse<3, 3, spangle::fixed
 
 } // namespace detail
 
-/// One 64-bit sum per row: a single rounding, and SMLAL where the processor has it.
+/// A matrix times a vector, by one 64-bit sum per row. It rounds once, and uses SMLAL on processors that have
+/// it.
 template <qualifier Q>
 GLM_FUNC_QUALIFIER vec<4, spangle::fixed, Q> operator*(mat<4, 4, spangle::fixed, Q> const& m,
                                                        vec<4, spangle::fixed, Q> const& v) {
@@ -257,7 +258,7 @@ GLM_FUNC_QUALIFIER vec<3, spangle::fixed, Q> operator*(mat<3, 3, spangle::fixed,
     }
     return out;
 }
-/// The product of two matrices: a single rounding for each element.
+/// The product of two matrices. Each element is rounded once.
 template <qualifier Q>
 GLM_FUNC_QUALIFIER mat<4, 4, spangle::fixed, Q> operator*(mat<4, 4, spangle::fixed, Q> const& a,
                                                           mat<4, 4, spangle::fixed, Q> const& b) {
