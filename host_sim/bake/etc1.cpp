@@ -11,7 +11,7 @@ namespace {
 using Color = std::array<int, 3>;
 
 constexpr int tables = 8, candidates = 27;
-/// What the two bits of a texel, most significant first, add to the base colour (table 3.17.2).
+/// The values that the two bits of a texel, most significant first, add to the base colour (table 3.17.2).
 constexpr int steps[tables][4] = {{2, 8, -2, -8},       {5, 17, -5, -17},    {9, 29, -9, -29},
                                   {13, 42, -13, -42},   {18, 60, -18, -60},  {24, 80, -24, -80},
                                   {33, 106, -33, -106}, {47, 183, -47, -183}};

@@ -79,8 +79,8 @@ Picture half_of(const Picture& from) {
     return to;
 }
 
-/// The picture that a format can store. Luminance formats take the luminance of Rec. 601; greys stay what
-/// they are.
+/// The picture that a format can store. Luminance formats take the luminance of Rec. 601, and greys keep
+/// their values.
 Picture seen_as(const TextureFormat& format, const cli::ModelImage& image) {
     Picture picture{image.width, image.height, image.rgba};
     for (std::size_t i = 0; format.luminance && i < picture.rgba.size(); i += 4) {

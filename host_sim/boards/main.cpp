@@ -75,7 +75,7 @@ int play(const Twin& twin, int frames, const Words& scenes) {
     return problem.empty() ? 0 : fail(problem);
 }
 
-/// Compares frames as an emulator showed them with the glass of the twin.
+/// Compares frames that an emulator showed with the glass of the twin.
 class Comparison {
   public:
     Comparison(const Twin& twin, int frames, std::string pictures)

@@ -1,4 +1,4 @@
-// Finds out which panel hangs on a bus. It asks for every identity that a known panel would give, and
+// Finds out which panel is connected to a bus. It asks for every identity that a known panel would give, and
 // proposes the panels that fit.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Finds the data of a panel from what a person sees: shows the test card, asks, and corrects until it looks
-// right.
+// Finds the data of a panel from what a person sees. It shows the test card, asks questions, and corrects the
+// data until the card looks right.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace spangle::bringup {
 
-/// What is believed of a module: the description of its panel, and how the picture is turned.
+/// The assumed properties of a module: the description of its panel, and how the picture is turned.
 struct Guess {
     hal::PanelDesc panel;
     hal::Orientation orientation{};
@@ -23,7 +23,7 @@ struct WizardResult {
     int cards = 0; ///< number of cards shown
 };
 
-/// What is known of a controller, before anything is known of its glass.
+/// The first guess about a controller, before any property of its glass is known.
 Guess first_guess(const hal::PanelDesc& like, hal::Extent glass);
 
 /// Shows the card according to this guess. Returns why it cannot, or an empty string.
@@ -48,7 +48,7 @@ class RealPanel {
     std::unique_ptr<Parts> parts_;
 };
 
-/// Writes the source of a header that describes the board with what was found.
+/// Writes the source of a header that describes the board that was found.
 std::string board_definition(const Guess& guess, const hal::Board& like);
 
 } // namespace spangle::bringup

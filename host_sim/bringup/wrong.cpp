@@ -49,7 +49,7 @@ const Wrong* find_wrong(const std::string& name) {
     return nullptr;
 }
 
-/// Loses pixels' bytes: one in 256, chosen by noise.
+/// Drops bytes of pixels: one in 256, chosen by noise.
 void SpoiltBus::drop_pixels(const hal::Op& op) {
     std::vector<std::uint8_t>& kept = changed_bytes_.emplace_back();
     for (std::uint32_t y = 0; y < op.rows; ++y)

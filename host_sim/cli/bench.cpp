@@ -29,7 +29,7 @@ Spread spread_of(std::array<double, batches> times) {
 }
 
 /// Times the scene, after a few frames that warm it up. Returns nothing where this build lacks the precision,
-/// or what the scene draws.
+/// or a part of GL that the scene uses.
 std::optional<Spread> time_of(const scenes::Scene& scene, Precision precision) {
     using Clock = std::chrono::steady_clock;
     Session session;

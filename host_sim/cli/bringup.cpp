@@ -27,8 +27,8 @@ hal::PanelConfig config_of(const bringup::Attachment& on, const bringup::Guess& 
     return config;
 }
 
-/// Sets up a display and shows the card on it, with what `wrong` spoils. Returns what failed, or an empty
-/// string.
+/// Sets up a display and shows the card on it, with the setting that `wrong` spoils. Returns what failed, or
+/// an empty string.
 std::string show_on(hal::Display& display, bool round, const bringup::Wrong& wrong) {
     if (const auto ready = display.init(); !ready)
         return ready.error().rule;
@@ -64,7 +64,7 @@ void wait_for_enter(const char* what) {
     std::getline(std::cin, line);
 }
 
-/// Prints what a display on USB tells of itself.
+/// Prints what a display on USB reports about itself.
 int probe_gud(const bringup::Attachment& on) {
     if (const auto ready = on.display->init(); !ready)
         return refuse(ready.error().rule);
@@ -74,8 +74,8 @@ int probe_gud(const bringup::Attachment& on) {
     return 0;
 }
 
-/// Asks the I2C addresses of displays. Controllers on I2C are not read; only their acknowledge tells that
-/// they are there.
+/// Asks the I2C addresses of displays. Controllers on I2C are not read. Only their acknowledge shows that
+/// they are present.
 int probe_i2c(const BringupOptions& options) {
     bool heard = false;
     for (const unsigned address : {0x3Cu, 0x3Du}) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int more_frames = 4;
 
-/// The number of instructions that callgrind collects while this program runs with those words and frames.
+/// The number of instructions that callgrind collects while this program runs with these words and frames.
 /// Returns 0 on failure, and sets `problem`.
 std::uint64_t collected(std::vector<std::string> words, int frames, std::string& problem) {
     words.insert(words.begin(),

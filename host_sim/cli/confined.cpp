@@ -72,8 +72,8 @@ bool put(int pipe, const std::string& bytes) {
     return true;
 }
 
-/// Runs the reader in the child and exits. Nothing of the parent's is cleaned up, because it belongs to the
-/// parent.
+/// Runs the reader in the child process and exits. Objects of the parent are not cleaned up, because they
+/// belong to the parent.
 [[noreturn]] void serve_reader(const std::function<std::string()>& read, int pipe) {
     int status = thrown;
     try {

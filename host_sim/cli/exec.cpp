@@ -37,7 +37,7 @@ std::map<std::string, std::string> read_figures(const fs::path& path, std::strin
     return out;
 }
 
-/// Sets the variables that the drop-in pair reads; docs/programs.md lists them.
+/// Sets the variables that the drop-in pair reads. docs/programs.md lists these variables.
 void set_environment(const ExecOptions& options, const std::string& report) {
     const bringup::BusOptions& bus = options.bus;
     const auto number = [](std::uint32_t value) { return value != 0 ? std::to_string(value) : ""; };

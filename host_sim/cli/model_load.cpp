@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr float sharpest_smooth_edge = 66.0f; // degrees; edges of cubes stay sharp without normals
 
-/// Replaces what is no number by 0, so that a broken file still has a picture.
+/// Replaces NaN and infinities by 0, so that a broken file still has a picture.
 float finite_or_zero(float v) {
     return std::isfinite(v) ? v : 0.0f;
 }

@@ -26,8 +26,8 @@ namespace fs = std::filesystem;
 constexpr const char* tier_names[] = {"exact", "balanced", "fast"}; ///< the cheapest tier last
 constexpr int usual_frames = 60; ///< frames recorded of a program, which needs some to show what it does
 
-/// Returns the cheapest tier within the bound, or the most accurate where no bound is asked. Null: no tier is
-/// within the bound.
+/// Returns the cheapest tier within the bound, or the most accurate tier where there is no bound. Returns
+/// null where no tier is within the bound.
 const TierRecord* choose(const std::vector<TierRecord>& all, double max_error) {
     if (max_error < 0.0)
         return &all.front();

@@ -81,7 +81,7 @@ std::string compare(const std::vector<fs::path>& ours, const std::vector<fs::pat
     return "";
 }
 
-/// Replays the trace while the drop-in pair records. A run for pictures cannot record as well: its retracer
+/// Replays the trace while the drop-in pair records. A run for pictures cannot record, because its retracer
 /// reads the pictures by commands that the program never called.
 std::string record(const std::string& trace, const std::string& format, const fs::path& folder,
                    TierRecord& out) {
@@ -97,7 +97,7 @@ std::string record(const std::string& trace, const std::string& format, const fs
     return profile::from_text(text_of(file), out.record);
 }
 
-/// Whether a trace shows frames. A trace of GLX holds none if the program used EGL, and a trace of EGL none
+/// Whether a trace shows frames. A trace of GLX shows none if the program used EGL. A trace of EGL shows none
 /// if it used GLX.
 bool shows_frames(const std::string& trace, const fs::path& folder) {
     const fs::path calls = folder / "calls";

@@ -12,8 +12,8 @@ namespace spangle::cli {
 
 using trade::Program;
 
-/// Finds what the options name; `model` keeps the model that `out` draws, if any. Returns what to do about a
-/// problem, or an empty string.
+/// Finds the program that the options name. `model` keeps the model that `out` draws, if there is one.
+/// Returns what to do about a problem, or an empty string.
 std::string make_program(const RunOptions& options, Model& model, Program& out);
 
 /// Sets the program up in the session that is current, and switches dithering.

@@ -155,8 +155,8 @@ std::string Replays::replay(PixelFormat format, EGLint precision, const trade::S
     return "";
 }
 
-/// Prints once how many calls raise errors. These are the program's own, which went on after them where it
-/// was recorded, too.
+/// Prints once how many calls raise errors. The errors are the program's own: where it was recorded, it went
+/// on after them, too.
 void Replays::tell_errors(const RetraceErrors& found) {
     if (found.errors == 0 || !trace_message_.empty())
         return;

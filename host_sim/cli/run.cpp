@@ -90,7 +90,7 @@ class Comparison {
     sim::Image picture_;
 };
 
-/// Collects what draws in shadow precision report, while it exists.
+/// Collects the reports of draws in shadow precision, while this object exists.
 class ShadowSession {
   public:
     explicit ShadowSession(bool wanted)
@@ -266,7 +266,7 @@ RunResult run(const RunOptions& options) {
     if (options.bands.height != 0 && result.error.empty())
         result.error = count_whole(options, program, session.width(), session.height(), report);
 
-    // The frames that were asked for are reported. Now the scene goes on while the window is open.
+    // The requested frames are reported. The scene now goes on while the window is open.
     session.make_current();
     session.observe(nullptr);
     for (int f = report.frames; result.error.empty() && window.can_be_closed() && !window.is_closed(); ++f) {

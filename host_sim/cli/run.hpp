@@ -1,5 +1,5 @@
-// Runs a scene or a model for some frames, on a simulated board, on a real display or off screen, and reports
-// what the options ask for.
+// Runs a scene or a model for some frames, on a simulated board, on a real display or off screen. Reports the
+// figures that the options ask for.
 #pragma once
 
 #include <functional>

@@ -12,8 +12,8 @@
 
 namespace spangle::cli {
 
-/// Exit statuses. bad_input: what was asked for makes no sense. not_done: it could not be done, written or
-/// shown.
+/// Exit statuses. bad_input: the request makes no sense. not_done: the request could not be done, or its
+/// result could not be written or shown.
 inline constexpr int bad_input = 2, not_done = 1;
 
 /// Prints on standard error. Failures are ignored, because there is nobody to tell them to.

@@ -1,5 +1,5 @@
-// What a run draws on: a simulated board, a real panel, a display on USB, or a picture off screen. It also
-// counts what it was sent.
+// The target of a run: a simulated board, a real panel, a display on USB, or a picture off screen. It also
+// counts the bytes that were sent to it.
 #pragma once
 
 #include <chrono>

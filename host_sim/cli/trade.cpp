@@ -187,7 +187,7 @@ int print_bytes(const trade::Sweep& what) {
     return 0;
 }
 
-/// Prints what was found out. Writes the page too, unless the sweep is only a part of a larger one.
+/// Prints the results. Writes the page, too, unless the sweep is only a part of a larger sweep.
 int report(const TradeOptions& options, const trade::SweepResult& swept, bool whole) {
     int missed = 0;
     for (const trade::Table::Row& row : swept.accuracy.rows)

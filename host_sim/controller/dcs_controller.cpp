@@ -101,8 +101,8 @@ void DcsController::reset(bool low, Time now) {
     sleep_out_allowed_at_ = now + 120 * ms;
 }
 
-/// Raising CS between bytes ends no command (a fact of these controllers): parameters and pixels may go on
-/// afterwards. It does end an answer, because the controller lets go of the data line.
+/// Raising CS between bytes ends no command, which is a fact of these controllers: parameters and pixels may
+/// go on afterwards. It ends an answer, because the controller releases the data line.
 void DcsController::select(bool chip_select, Time now) {
     is_selected_ = chip_select;
     if (chip_select)
@@ -161,7 +161,8 @@ void DcsController::begin_command(std::uint8_t command, Time now) {
     prepare_read(now);
 }
 
-/// Checks the previous command when the next one begins: only then it shows what was left unfinished.
+/// Checks the previous command when the next one begins, because only then it is known what was left
+/// unfinished.
 void DcsController::end_command(Time now) {
     if (!has_command_)
         return;

@@ -52,8 +52,8 @@ class DcsController final : public Controller {
 
     std::uint64_t pixels_written() const { return pixels_written_; }
 
-    /// Is called at the end of each refresh with the picture that it showed, in the order of the memory. Of
-    /// several refreshes without a write in between some may be left out.
+    /// Is called at the end of each refresh with the picture that the refresh showed, in the order of the
+    /// memory. Without a write in between, some of several refreshes may be left out.
     std::function<void(const std::vector<Rgb666>& shown)> watch_refreshes;
 
   private:

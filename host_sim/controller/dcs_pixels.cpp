@@ -1,12 +1,12 @@
-// How bytes of pixels become colours in the cells of a DCS controller's memory.
+// Converts bytes of pixels to colours in the cells of a DCS controller's memory.
 #include "host_sim/controller/dcs_controller.hpp"
 
 #include <algorithm>
 
 namespace spangle::sim {
 
-/// The pixel format that COLMOD selects. For a value that names no format, which execute() has reported, the
-/// model goes on with 16 bits a pixel, or with 18 where this bus has no 16.
+/// The pixel format that COLMOD selects. execute() has reported a value that names no format. The model then
+/// goes on with 16 bits per pixel, or with 18 on buses without 16.
 DcsController::Format DcsController::format() const {
     const unsigned takes = is_parallel_ ? chip_.parallel_depths : chip_.serial_depths, asked = colmod_ & 7u;
     if ((takes >> asked & 1u) != 0)

@@ -1,4 +1,4 @@
-// What a DCS controller answers to read commands.
+// The answers of a DCS controller to read commands.
 #include "host_sim/controller/dcs_controller.hpp"
 
 namespace spangle::sim {

@@ -1,4 +1,5 @@
-// The scan of a DCS controller: which picture the glass shows, and which row is scanned at a time.
+// The scan of a DCS controller: the picture that the glass shows, and the row that is scanned at a given
+// time.
 #include "host_sim/controller/dcs_controller.hpp"
 
 #include <algorithm>

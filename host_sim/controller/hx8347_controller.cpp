@@ -60,8 +60,8 @@ void Hx8347Controller::reset(bool low, Time now) {
     ready_at_ = now + 5 * ms;
 }
 
-/// On a serial bus, a start byte follows each falling CS. The index of the register stays; a pixel that was
-/// cut off does not.
+/// On a serial bus a start byte follows each falling CS. The index of the register is kept. A pixel that was
+/// cut off is lost.
 void Hx8347Controller::select(bool chip_select, Time now) {
     is_selected_ = chip_select;
     has_start_byte_ = false;

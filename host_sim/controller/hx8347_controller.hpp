@@ -8,8 +8,8 @@
 
 namespace spangle::sim {
 
-/// On a parallel bus D/C tells an index from a value. On a serial bus the first byte after CS does: 70h or
-/// 72h.
+/// How an index differs from a value: on a parallel bus by D/C, and on a serial bus by the first byte after
+/// CS, 70h or 72h.
 enum class RegisterBus : std::uint8_t { parallel, start_byte };
 
 class Hx8347Controller final : public Controller {

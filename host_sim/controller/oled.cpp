@@ -21,7 +21,7 @@ void OledController::reset(bool low, Time now) {
     power_on();
 }
 
-/// Raising CS between bytes ends nothing: parameters and data may go on afterwards.
+/// Raising CS between bytes ends no command: parameters and data may go on afterwards.
 void OledController::select(bool chip_select, Time) {
     is_selected_ = chip_select;
 }

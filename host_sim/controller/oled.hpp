@@ -1,5 +1,5 @@
-// What the controllers of OLED glass share: commands with a fixed number of parameters, a memory of cells,
-// and lines of glass that are driven from it. Each family adds what its commands do.
+// The common part of controllers of OLED glass: commands with a fixed number of parameters, a memory of
+// cells, and lines of glass that are driven from it. Each family adds the effects of its commands.
 #pragma once
 
 #include <span>
@@ -52,7 +52,7 @@ class OledController : public Controller {
     virtual void power_on() = 0;
     virtual void execute(std::uint8_t command, std::span<const std::uint8_t> parameters, Time now) = 0;
     virtual void data(std::uint8_t byte, Time now) = 0;
-    /// Reports what the stream of data left unfinished, when the next command begins or the picture is taken.
+    /// Reports data that the stream left unfinished, when the next command begins or the picture is taken.
     virtual void end_data(Time) {}
     /// How a place of the glass is lit.
     struct Lit {

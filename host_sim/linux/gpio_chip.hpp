@@ -30,7 +30,7 @@ class GpioChip final : public Device, public PinHeader {
     void take_line(unsigned line, const std::string& consumer);
     void vacate(unsigned line);
 
-    /// The levels of all lines: bit n is that of line n.
+    /// The levels of all lines; bit n is the level of line n.
     std::uint64_t levels() const;
     bool is_output(unsigned line) const { return (output_mask_ >> line & 1) != 0; }
     bool is_requested(unsigned line) const { return !lines_[line].consumer.empty(); }

@@ -173,8 +173,8 @@ bool Output::flush() {
     return error_ == 0;
 }
 
-/// Gives the new file its name, and the owner and permissions of the old file. Renaming is a single step for
-/// everybody who looks.
+/// Gives the new file its name, and the owner and permissions of the old file. Renaming is one step for all
+/// other processes.
 int Output::take_place() {
     struct stat old {};
     const bool exists = stat(target_.c_str(), &old) == 0;

@@ -1,5 +1,5 @@
-// A model of a GUD display (Generic USB Display): the device side of include/drm/gud.h, as the Linux gadget
-// and gud-pico behave. The model is strict: what a lenient device would forgive is a violation.
+// A model of a GUD display (Generic USB Display): the device side of include/drm/gud.h, with the behaviour of
+// the Linux gadget and gud-pico. The model is strict: it reports faults that a lenient device would forgive.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// A USB device as its firmware sees it: descriptors, control requests and bulk pipes. How packets travel is
-// left to others.
+// A USB device as its firmware sees it: descriptors, control requests and bulk pipes. Other classes carry the
+// packets.
 #pragma once
 
 #include <cstddef>
