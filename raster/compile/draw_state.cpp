@@ -19,7 +19,7 @@ using numeric::Real;
 
 /// The constants of the fog coordinates of vertices (FogConstants). GL divides by END - START (GL 1.3, 3.10).
 /// Where both are equal the divisor is 1, as in Mesa: fog begins one unit before END. As START approaches END
-/// from below, GL's formula becomes a step at END. Outside of this unit the step is the same.
+/// from below, GL's formula becomes a step at END. At distances outside of this unit both give the same fog.
 FogConstants fog_constants(const FragmentState& state) {
     // e^-dz is 2^-(log2(e) dz), and e^-(dz)^2 is 2^-(sqrt(log2(e)) dz)^2. The root is 1.20112240878645. The
     // number below is one float step less than the nearest float; the step is 2^-23 of it.

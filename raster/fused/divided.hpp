@@ -86,7 +86,7 @@ template <class Case>
     const std::int32_t left = rows.patch.x - rows.patch.columns - 7;
     const NoPattern none(0);
     LaneRows<Lit, Collect> lanes({{span, nullptr, nullptr, left, row->y, left}, patch}, {open}, none);
-    const Surface target = *span.target; // kept in registers
+    const Surface target = *span.target; // a copy, which stays in registers
     do {
         lanes.draw(target, *row, room);
         if (OpenGroup*& last = lanes.open().end; last - open > most - OpenGroup::of_row) [[unlikely]] {

@@ -219,7 +219,7 @@ SPANGLE_INLINE bool fused_gathered_rows(Span<Fixed>& span, const Row* row, const
     GatheredRows<Case> rows(at, packet);
     if (!rows.takes()) [[unlikely]]
         return false;
-    const Surface target = *span.target; // kept in registers
+    const Surface target = *span.target; // a copy, which stays in registers
     do
         rows.draw(at, target, *row, room);
     while (++row != end);

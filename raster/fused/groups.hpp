@@ -178,7 +178,7 @@ template <class Case>
 SPANGLE_INLINE void fused_plain_rows(Span<Fixed>& span, const Row* row, const Row* end) {
     const Rect& clip = span.state->fragment.scissor;
     const std::int32_t room = clip.x + clip.w - 8;
-    const Surface target = *span.target; // kept in registers
+    const Surface target = *span.target; // a copy, which stays in registers
     const typename Case::LanePattern pattern(span.flat_word);
     LaneRows<Case> rows(span, row->y, pattern);
     do

@@ -123,7 +123,7 @@ template <class Case> class PathList {
             at += along + (aside & over);
             depth += depth_step;
         }
-        std::int32_t* out = next_fragment_; // kept in a register
+        std::int32_t* out = next_fragment_; // a copy, which stays in a register
 #pragma GCC unroll 4
         for (int path = 0; path < 4; ++path) {
             const Int* const from = path < 2 ? low : high;

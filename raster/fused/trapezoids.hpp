@@ -40,7 +40,7 @@ template <class Case> SPANGLE_INLINE bool gathered_trapezoids(Span<Fixed>& span,
     GatheredRows<Case> rows(at, packet);
     if (!rows.takes()) [[unlikely]]
         return false;
-    const Surface target = *span.target; // kept in registers
+    const Surface target = *span.target; // a copy, which stays in registers
     draw_trapezoids<Case>(rows, target, shape);
     rows.flush();
     return true;
@@ -52,7 +52,7 @@ template <class Case> [[gnu::noinline]] void fused_trapezoids(Span<Fixed>& span,
             return;
     const typename Case::LanePattern pattern(span.flat_word);
     LaneRows<Case> rows(span, shape.y, pattern);
-    const Surface target = *span.target; // kept in registers
+    const Surface target = *span.target; // a copy, which stays in registers
     draw_trapezoids<Case>(rows, target, shape);
 }
 

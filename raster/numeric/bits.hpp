@@ -37,7 +37,7 @@ template <bool Counted = long_products> class LeadingZeros {
         if (v >> last_shift_ == 1) [[likely]]
             return 31 - last_shift_;
         const int zeros = clz32(v);
-        last_shift_ = (31 - zeros) & 31; // 0 has 32
+        last_shift_ = (31 - zeros) & 31; // 0 has 32 leading zeros
         return zeros;
     }
 

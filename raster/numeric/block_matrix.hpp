@@ -95,7 +95,7 @@ SPANGLE_RUN_INLINE constexpr std::int32_t scale_words(int n, const Block* a, int
     for (int j = 0; j < n; ++j)
         if (a[stride * j].m != 0 && width(a[stride * j]) - column[j] > own)
             own = width(a[stride * j]) - column[j];
-    if (own == no_exponent) // all are zeros: any exponent will do
+    if (own == no_exponent) // all elements are 0, and any exponent is right
         own = exponent == no_exponent ? 0 : exponent;
     for (exponent = own > exponent ? own : exponent;; ++exponent) { // at most twice more: n <= 4
         std::uint64_t sum = 0;

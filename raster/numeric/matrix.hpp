@@ -51,7 +51,7 @@ constexpr Element make_element(std::int64_t v, std::int32_t e) {
         return {};
     const std::uint64_t magnitude = abs_u64(v);
     const int zeros = clz64(magnitude);
-    std::int32_t drop = 33 - zeros; // to 31 bits
+    std::int32_t drop = 33 - zeros; // leaves 31 bits
     if (e + drop < element_least)
         drop = element_least - e;
     std::uint64_t m = shift_right_even(magnitude, drop);
@@ -184,7 +184,7 @@ SPANGLE_RUN_INLINE constexpr void multiply_column(const Matrix& a, const Matrix&
     gather(b, 4 * j, 1, half, column);
     for (int i = half; i < n; ++i)
         column[i] = rest[i - half];
-    if (runs_inline && is_unit(column, n, j)) // only faster
+    if (runs_inline && is_unit(column, n, j)) // this branch is only faster
         return;
     for (int i = 0; i < 4; ++i) {
         Element row[6];

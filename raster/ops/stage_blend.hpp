@@ -261,7 +261,7 @@ template <class N> struct BlendEquations {
             return N::subtract(stored, source);
         case BlendEquation::min:
         case BlendEquation::max:
-            break; // has returned above
+            break; // the function has returned above
         }
         return source;
     }

@@ -41,7 +41,7 @@ class ScalarLines {
         constexpr std::true_type yes;
         constexpr std::false_type no;
         PathInterval<std::int32_t> at{};
-        numeric::LeadingZeros<> zeros; // counts those of lengths
+        numeric::LeadingZeros<> zeros; // counts the leading zeros of lengths
         for (int i = 0; i < line_count_;) {
             const LineEnd &a = end_[i * vertex_step_], &b = end_[i * vertex_step_ + 1];
             const auto follow = [&](auto along_x, auto ascends) __attribute__((always_inline)) {
@@ -112,7 +112,8 @@ class ScalarLines {
         const auto per_pixel = static_cast<std::int32_t>(numeric::half_reciprocal(length, zeros));
         const std::int32_t coefficient = Up::value ? per_pixel : -per_pixel;
         const std::int32_t high = shift_by_lift(difference, lift);
-        // (128 - f) coefficient / 256 = (f - 128) 2^24 (-coefficient) / 2^32, f: fraction of begin
+        // (128 - f) coefficient / 256 is (f - 128) 2^24 (-coefficient) / 2^32, where f is the fraction of
+        // at.begin.
         const auto to_center =
             static_cast<std::int32_t>((static_cast<std::uint32_t>(at.begin) << 24) ^ 0x80000000u);
         const std::int32_t step = numeric::mul_high_s32(high, coefficient);

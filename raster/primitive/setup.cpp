@@ -302,7 +302,7 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::attributes_of(const Vertex
     // corner, because quads and clipped polygons are drawn in parts.
     const bool flat = !Rgb && state_.fragment.flat;
     if constexpr (!Rgb)
-        span_.gray = false; // nothing reads it where Rgb
+        span_.gray = false; // nothing reads `gray` where Rgb
     const Vertex& painted = flat ? provoking : v(0);
     const std::uint32_t bits = flat                      ? 0
                                : !has_shortcuts          ? color_range<Rgb>()

@@ -100,8 +100,8 @@ SPANGLE_INLINE std::uint32_t flat_word(const DrawState& state, const std::uint32
 
 /// Converts a difference between two ends to a step per pixel, along the axis on which the ends lie apart.
 struct PerPixel {
-    std::int32_t coefficient = 0; ///< 30 bits
-    int exponent = 32;            ///< times 2^-exponent
+    std::int32_t coefficient = 0; ///< has at most 30 bits
+    int exponent = 32;            ///< the coefficient counts 2^-exponent
     /// The ends are at subpixels `begin` and `end`. The coefficient is 0 where both are the same.
     SPANGLE_INLINE PerPixel(std::int32_t begin, std::int32_t end) {
         if (const std::uint32_t length = numeric::abs_u32(end - begin); length != 0)

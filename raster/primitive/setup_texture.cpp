@@ -147,7 +147,7 @@ void Setup<Fixed>::load_any_fog(std::int32_t fog[3]) const {
         const std::int64_t product = numeric::mul_s32(v(i).fog_mantissa, state_.fog.scale);
         c[i] = to_fixed_below(product / 2, -25 - v(i).fog_exponent - state_.fog.scale_exponent) +
                state_.fog.offset;
-        all |= static_cast<std::uint64_t>(c[i] ^ c[i] >> 63); // |c|, or 1 less
+        all |= static_cast<std::uint64_t>(c[i] ^ c[i] >> 63); // |c|, or |c| - 1
     }
     int shift_down = 0;
     if (all >= (1u << 30) - 1) [[unlikely]] {

@@ -20,7 +20,7 @@ inline void observe([[maybe_unused]] const DrawState& state, [[maybe_unused]] co
 #ifndef SPANGLE_FIRMWARE
     if (!draws(state) || state.counters == nullptr || state.counters->observer == nullptr ||
         state.counters->observer->triangle == nullptr)
-        return; // spans follow only for primitives that are drawn
+        return; // the observer hears only of primitives that are drawn
     std::int32_t x[3], y[3];
     for (int i = 0; i < 3; ++i)
         x[i] = position(*v[i]).x, y[i] = position(*v[i]).y;

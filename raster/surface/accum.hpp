@@ -18,10 +18,10 @@ inline constexpr int accum_value_bits = 20, accum_return_bits = 16;
 struct AccumRequest {
     enum class Op : std::uint8_t { clear, accumulate, load, multiply, add, give_back };
     Op op = Op::clear;
-    std::uint8_t channels = 0; ///< of give_back
-    bool dither = false;       ///< of give_back
+    std::uint8_t channels = 0; ///< for give_back: bits of the channels that it writes
+    bool dither = false;       ///< for give_back: whether it dithers
     Rect area;                 ///< lies inside the surface; the source may hold a part of it; may be empty
-    std::int32_t value = 0;    ///< v of all operations but clear
+    std::int32_t value = 0;    ///< the factor or summand v of all operations except clear
     std::int16_t clear[4] = {};
 };
 

@@ -22,7 +22,7 @@ enum class PixelFormat : std::uint8_t {
     rgb565_le, ///< GGGBBBBB RRRRRGGG: a little-endian uint16_t.
     rgb888,    ///< R, G, B bytes.
     rgba8888,  ///< R, G, B, A bytes.
-    // The narrow formats: as controllers take them, drawn by a stage of their own
+    // The next formats are narrow. Their pixels lie as controllers take them, and a separate stage draws them
     // (raster/surface/narrow.hpp).
     rgb666, ///< R, G, B bytes, the upper six bits of each.
     rgb444, ///< RRRRGGGG BBBBRRRR GGGGBBBB: two pixels in three bytes; a row begins with a byte.
