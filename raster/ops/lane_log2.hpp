@@ -22,7 +22,7 @@ template <class Vector> SPANGLE_INLINE Vector log2_of_parts(const Vector& parts,
 /// The parts of 64-bit numbers in the form of log2_of_parts(). The parts of 0 are less than those of 1.
 template <class Long> SPANGLE_INLINE Long parts_of(const Long& v) {
     using Doubles [[gnu::vector_size(sizeof(Long))]] = double;
-    const Long beyond = ((v >> 53) + 0x7FFu) >> 11; // 1 where v has more bits than a double
+    const Long beyond = ((v >> 53) + 0x7FFu) >> 11; // 1 where v has more than the 53 bits of a double
     const Long kept = v & ~((beyond << 11) - beyond);
     constexpr std::uint64_t two_52 = std::uint64_t{0x433} << 52, two_84 = std::uint64_t{0x453} << 52;
     constexpr double of_exponents = 0x1p84 + 0x1p52; // the two constants add this to the value

@@ -50,7 +50,7 @@ template <>
 void draw_lines<FixedVertex>(const DrawState& state, const Surface& target, const FixedVertex* const* vertex,
                              int n, int step, const FixedVertex* painted, std::int32_t width);
 
-struct LineStipple; // line_stipple.hpp
+struct LineStipple; // see line_stipple.hpp
 
 /// Draws the fragments of a line that the stipple leaves. The next line goes on in the stipple where this
 /// line ends (GL 1.3, 3.4.2).

@@ -19,12 +19,12 @@ template <> struct Span<Shadow> : Span<Fixed> { Span<Double> twin; };
 enum class ShadowStage : std::uint8_t {
     vertex_color, ///< largest difference of a component, 0 .. 1
     vertex_coord, ///< s / q and t / q of a unit, in repeats of the texture
-    vertex_fog,   ///< eye distance, relative
+    vertex_fog,   ///< relative difference of the eye distance
     window_x,     ///< pixels, compared with the position before snapping: half a step of n.8 is 0.00195
     window_y,
     snapping,  ///< difference from the double position snapped to the nearest, in steps of n.8, x and y
     window_z,  ///< 0 .. 1
-    inverse_w, ///< relative
+    inverse_w, ///< relative difference of 1/w
     depth,     ///< 0 .. 1
     primary,   ///< difference of a component, 0 .. 1, as for all colours
     coord0,    ///< texels of the base level, where whole repeats do not count

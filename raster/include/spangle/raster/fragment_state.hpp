@@ -134,7 +134,7 @@ struct TextureLevel {
     /// The first texel inside the border, row t = 0 first; texels of 16 and 32 bits are aligned. The memory
     /// must stay as long as anything draws with the texture.
     const std::uint8_t* texels = nullptr;
-    std::uint16_t width = 0, height = 0; ///< without border
+    std::uint16_t width = 0, height = 0; ///< do not count the border
     std::uint32_t stride = 0;            ///< bytes from row t to t + 1
     friend constexpr bool operator==(const TextureLevel&, const TextureLevel&) = default;
 };

@@ -43,7 +43,7 @@ struct Knobs {
     /// Fraction bits of 255ths that colours are combined in: 20, or 8 in words of 16 bits.
     std::uint8_t color_bits;
     /// Blending with SRC_ALPHA, ONE_MINUS_SRC_ALPHA into 565 counts colours in steps of the target, and alpha
-    /// in 32nds. Colours of 20 bits are never blended so.
+    /// in 32nds. Colours of 20 bits are never blended in this way.
     bool coarse_blend;
     /// Dithered colours are counted in exact steps of the target; else a step may be a 290th too large.
     bool exact_steps;
