@@ -297,8 +297,8 @@ struct DoubleMath {
   private:
     static std::int32_t snap(double v) {
         constexpr double most = 4.0 * 2048.0 - 1.0;
-        const double clip_edge = v < -most ? -most : v > most ? most : v;
-        return static_cast<std::int32_t>(std::floor(clip_edge * raster::subpixel_one + 0.5));
+        const double clamped = v < -most ? -most : v > most ? most : v;
+        return static_cast<std::int32_t>(std::floor(clamped * raster::subpixel_one + 0.5));
     }
 };
 

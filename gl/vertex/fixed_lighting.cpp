@@ -492,11 +492,10 @@ void FixedLighting::set_index(const MaterialProducts& fold, const Sum (&primary)
     constexpr Sum one = Sum{1} << sum_bits;
     const auto number = [](Sum v) { return Number{numeric::make_block(v, -sum_bits)}; };
     const Sum d = primary[0] + primary[1] + primary[2], s = specular[0] + specular[1] + specular[2],
-              specular_factor = s < one ? s : one;
+              clamped_s = s < one ? s : one;
     const Number am = FixedMath::scalar(fold.index[0]), dm = FixedMath::scalar(fold.index[1]),
                  sm = FixedMath::scalar(fold.index[2]);
-    const Number c =
-        am + number(d) * number(one - specular_factor) * (dm - am) + number(specular_factor) * (sm - am);
+    const Number c = am + number(d) * number(one - clamped_s) * (dm - am) + number(clamped_s) * (sm - am);
     const bool beyond = numeric::compare(c.v, sm.v) > 0;
     FixedMath::set_index(FixedMath::real(beyond ? sm.v : c.v), index_bits_, out);
 }

@@ -333,7 +333,7 @@ struct FixedMath : FixedClipping {
     /// Returns the part of an area that no vertex beyond the left, right, bottom or top plane falls into.
     /// Rounding may move such a vertex onto the rim of the viewport, so the rim is left out.
     static raster::DrawState::Area inside_viewport(const Transforms& t, raster::DrawState::Area area) {
-        const auto clip_edge = [](const Range& range, std::int32_t& begin, std::uint32_t& size) {
+        const auto clip_axis = [](const Range& range, std::int32_t& begin, std::uint32_t& size) {
             const auto half = static_cast<std::int32_t>(-range.minus_half) >> half_bits;
             const std::int32_t end = begin + static_cast<std::int32_t>(size), rim = range.middle + half;
             if (begin <= range.middle - half)
@@ -342,8 +342,8 @@ struct FixedMath : FixedClipping {
             if (end <= begin || rim <= begin)
                 size = 0;
         };
-        clip_edge(t.x, area.x, area.w);
-        clip_edge(t.y, area.y, area.h);
+        clip_axis(t.x, area.x, area.w);
+        clip_axis(t.y, area.y, area.h);
         return area;
     }
     /// Sets the end of a line to the window position of a vertex, if the vertex is visible. `area` must come

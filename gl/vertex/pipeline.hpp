@@ -180,7 +180,7 @@ template <class M, class L> class Pipeline {
         Real position[3]{}; ///< position in object space as given; its w was 1
         /// The entry is valid while this equals Pipeline::cache_epoch_, its value when the entry was made.
         std::uint32_t cache_epoch = 0;
-        typename M::Place transform_with_cache{};
+        typename M::Place window_position{};
     };
     /// Sizes of the cache of window positions. cached_position_room is in units of Vertex. More than
     /// most_cached_positions entries would not fit a host's first-level data cache.
@@ -586,8 +586,7 @@ template <class M, class L> class Pipeline {
                                            std::uint32_t index);
     template <class Place, class Finish>
     SPANGLE_INLINE Vertex& common_element(const ElementReader& reader, std::uint32_t index, bool normals,
-                                          bool textured, const Place& transform_with_cache,
-                                          const Finish& finish);
+                                          bool textured, const Place& place, const Finish& finish);
     SPANGLE_INLINE static void read_position(const std::uint8_t* words, Vertex& v);
     [[gnu::noinline]] void read_texture(const std::uint8_t* words, Vertex& v);
     SPANGLE_INLINE static bool equal(const Real* v, const std::uint8_t* words);

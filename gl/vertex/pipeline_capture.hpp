@@ -38,18 +38,19 @@ template <class M, class L> void Pipeline<M, L>::capture_vertex([[maybe_unused]]
 #if SPANGLE_FEATURE_FEEDBACK
 template <class M, class L> void Pipeline<M, L>::write_feedback_vertex(const Corner& corner) {
     const Vertex& v = corner.vertex;
-    const bool clip_edge = (v.flags & is_clipped_vertex) != 0;
+    const bool is_clipped = (v.flags & is_clipped_vertex) != 0;
     FeedbackVertex out;
     M::window_of(transforms_,
-                 clip_edge ? M::narrow(static_cast<const ClippedVertex&>(v).clip)
-                           : M::to_clip(transforms_, v.position),
+                 is_clipped ? M::narrow(static_cast<const ClippedVertex&>(v).clip)
+                            : M::to_clip(transforms_, v.position),
                  out.window);
     if (has_color_index())
         out.color[0] = M::index_of(corner.window);
     else
         M::color_of(corner.window, out.color);
     out.colors = has_color_index() ? 1 : 4;
-    M::to_reals(clip_edge ? static_cast<const ClippedVertex&>(v).texture : texture_coords_[&v - vertex_slot_],
+    M::to_reals(is_clipped ? static_cast<const ClippedVertex&>(v).texture
+                           : texture_coords_[&v - vertex_slot_],
                 out.texture);
     feed_vertex(*context_, out);
 }

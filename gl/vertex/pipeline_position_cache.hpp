@@ -55,7 +55,7 @@ template <class M, class L> void Pipeline<M, L>::transform_with_cache(Vertex& v)
     CachedPosition& kept = vertex_cache_.cached_position[cached_position_index(v.position)];
     const bool plain = v.position[3] == numeric::one;
     if (plain && kept.cache_epoch == cache_epoch_ && equal_words<3>(kept.position, v.position)) {
-        M::take_place(kept.transform_with_cache, v.window);
+        M::take_place(kept.window_position, v.window);
         v.flags = is_lit_ ? uncolored : 0;
         return;
     }
@@ -65,7 +65,7 @@ template <class M, class L> void Pipeline<M, L>::transform_with_cache(Vertex& v)
     for (int i = 0; i < 3; ++i)
         kept.position[i] = v.position[i];
     kept.cache_epoch = cache_epoch_;
-    M::keep_place(v.window, kept.transform_with_cache);
+    M::keep_place(v.window, kept.window_position);
 }
 
 } // namespace spangle::gl

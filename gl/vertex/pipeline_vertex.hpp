@@ -121,11 +121,11 @@ template <class M, class L> SPANGLE_INLINE void Pipeline<M, L>::set_unlit_color(
 /// Returns s, t, r and q of a vertex, after the texture matrix of a unit.
 template <class M, class L>
 typename M::Eye Pipeline<M, L>::texture_of(const CurrentState& current, const Vertex& v, int unit) const {
-    const Real(&take_vertex_state)[4] = current.tex_coord[unit].v;
-    typename M::Scalar strq[4] = {M::scalar(take_vertex_state[0]), M::scalar(take_vertex_state[1]),
-                                  M::scalar(take_vertex_state[2]), M::scalar(take_vertex_state[3])};
+    const Real(&coords)[4] = current.tex_coord[unit].v;
+    typename M::Scalar strq[4] = {M::scalar(coords[0]), M::scalar(coords[1]), M::scalar(coords[2]),
+                                  M::scalar(coords[3])};
     if ((texgen_.units() >> unit & 1) != 0)
-        texgen_.generate(transforms_, unit, v.position, v.normal, take_vertex_state, strq);
+        texgen_.generate(transforms_, unit, v.position, v.normal, coords, strq);
     return M::texture_of(transforms_, strq, unit);
 }
 
@@ -137,13 +137,12 @@ template <class M, class L> inline bool Pipeline<M, L>::has_texgen(int unit) con
 
 template <class M, class L>
 void Pipeline<M, L>::generate_texture_coords(const CurrentState& current, Vertex& v, int unit) {
-    const Real(&take_vertex_state)[4] = current.tex_coord[unit].v;
-    typename M::Scalar strq[4] = {M::scalar(take_vertex_state[0]), M::scalar(take_vertex_state[1]),
-                                  M::scalar(take_vertex_state[2]), M::scalar(take_vertex_state[3])};
+    const Real(&coords)[4] = current.tex_coord[unit].v;
+    typename M::Scalar strq[4] = {M::scalar(coords[0]), M::scalar(coords[1]), M::scalar(coords[2]),
+                                  M::scalar(coords[3])};
     if ((texgen_.units() >> unit & 1) != 0)
-        texgen_.generate(transforms_, unit, v.position, v.normal, take_vertex_state, strq);
-    M::set_texture(transforms_, strq, unit, texgen_.keeps_q(unit) && take_vertex_state[3] == numeric::one,
-                   v.window);
+        texgen_.generate(transforms_, unit, v.position, v.normal, coords, strq);
+    M::set_texture(transforms_, strq, unit, texgen_.keeps_q(unit) && coords[3] == numeric::one, v.window);
 }
 
 template <class M, class L> void Pipeline<M, L>::set_texture_coords(const CurrentState& current, Vertex& v) {
@@ -177,8 +176,8 @@ template <class M, class L> template <class Point> unsigned Pipeline<M, L>::flag
 template <class M, class L> void Pipeline<M, L>::light(const Vertex& v, int side, Window& out) {
 #if SPANGLE_TWO_SIDES
     if ((v.flags & is_clipped_vertex) != 0) {
-        const ClippedVertex& clip_edge = static_cast<const ClippedVertex&>(v);
-        return lighting_.light(*context_, clip_edge.light, M::narrow(clip_edge.eye), side, out);
+        const ClippedVertex& clipped = static_cast<const ClippedVertex&>(v);
+        return lighting_.light(*context_, clipped.light, M::narrow(clipped.eye), side, out);
     }
 #endif
     typename M::Eye eye{};

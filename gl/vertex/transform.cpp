@@ -160,13 +160,13 @@ void Ortho(Context& context, Real left, Real right, Real bottom, Real top, Real 
 void Viewport(Context& context, GLint x, GLint y, GLsizei width, GLsizei height) {
     if (width < 0 || height < 0)
         return error(context, GL_INVALID_VALUE);
-    const auto silently = [](GLint v, GLint low, GLint high) { return v < low ? low : v > high ? high : v; };
+    const auto clamp = [](GLint v, GLint low, GLint high) { return v < low ? low : v > high ? high : v; };
     GLint* v = context.transform.viewport;
     const bool held_window = viewport_holds_window(context);
-    v[0] = silently(x, -max_viewport_dim, max_viewport_dim);
-    v[1] = silently(y, -max_viewport_dim, max_viewport_dim);
-    v[2] = silently(width, 0, max_viewport_dim);
-    v[3] = silently(height, 0, max_viewport_dim);
+    v[0] = clamp(x, -max_viewport_dim, max_viewport_dim);
+    v[1] = clamp(y, -max_viewport_dim, max_viewport_dim);
+    v[2] = clamp(width, 0, max_viewport_dim);
+    v[3] = clamp(height, 0, max_viewport_dim);
     context.changed(dirty_matrices);
     // Fragments must end at a viewport that does not hold the window; see viewport_box.hpp.
     if (!held_window || !viewport_holds_window(context))

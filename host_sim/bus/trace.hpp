@@ -21,8 +21,8 @@ class Listener {
     /// A message begins, and ends, on I2C; each takes one period.
     virtual void start(Time begin, unsigned period_ns) = 0;
     virtual void stop(Time begin, unsigned period_ns) = 0;
-    virtual void chip_select(Time write_time, bool selected) = 0;
-    virtual void reset(Time write_time, bool low) = 0;
+    virtual void chip_select(Time t, bool selected) = 0;
+    virtual void reset(Time t, bool low) = 0;
 };
 
 /// A value change dump for GTKWave, PulseView and sigrok. Wires of 4-wire serial: CS DC SCK SDA RST; of
@@ -46,8 +46,8 @@ class VcdFile final : public Listener {
     void byte(Time begin, unsigned period_ns, bool data, std::uint8_t value, bool heard) override;
     void start(Time begin, unsigned period_ns) override;
     void stop(Time begin, unsigned period_ns) override;
-    void chip_select(Time write_time, bool selected) override;
-    void reset(Time write_time, bool low) override;
+    void chip_select(Time t, bool selected) override;
+    void reset(Time t, bool low) override;
 
   private:
     /// The wires, by the character that stands for each in the file.

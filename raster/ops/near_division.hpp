@@ -57,8 +57,8 @@ struct NearHalves {
         return 4 + fourth + (fourth >> 2);
     }
     /// The inaccuracy, in 2^-16, of a quotient whose whole part is at most `size`.
-    SPANGLE_INLINE static std::uint32_t of_quotient(std::uint32_t size, std::uint32_t reciprocal_error) {
-        return size * reciprocal_error;
+    SPANGLE_INLINE static std::uint32_t of_quotient(std::uint32_t size, std::uint32_t error) {
+        return size * error;
     }
     /// The window of a quotient that is off by `off`. Lanes round d down twice and its product once, which
     /// makes up to 3.
@@ -84,8 +84,8 @@ struct NearWords {
                             fourth = numeric::mul_high_u32(square, square) + 1;
         return 352 + fourth + (fourth >> 2);
     }
-    SPANGLE_INLINE static std::uint32_t of_quotient(std::uint32_t size, std::uint32_t reciprocal_error) {
-        return static_cast<std::uint32_t>(numeric::mul_u32(size, reciprocal_error) >> 16) + 1 +
+    SPANGLE_INLINE static std::uint32_t of_quotient(std::uint32_t size, std::uint32_t error) {
+        return static_cast<std::uint32_t>(numeric::mul_u32(size, error) >> 16) + 1 +
                (1u << (16 - fraction_bits)); // the last term is what of() drops
     }
     SPANGLE_INLINE static std::uint32_t window(std::uint32_t off) { return (2 * off >> 2) + 3; }

@@ -36,14 +36,14 @@ template <PixelFormat Format> class DitherLaneRows {
         for (std::int32_t y = 0; y < 4; ++y) {
             const auto words =
                 Words565<L, Format>::to_wire_order(lanes.at(inner::DitherRow<L>(0, y).threshold()));
-            L::store(reinterpret_cast<std::uint8_t*>(thresholds_of_[y]), words);
-            L::store(reinterpret_cast<std::uint8_t*>(thresholds_of_[y] + 4), words);
+            L::store(reinterpret_cast<std::uint8_t*>(threshold_rows_[y]), words);
+            L::store(reinterpret_cast<std::uint8_t*>(threshold_rows_[y] + 4), words);
         }
     }
-    SPANGLE_INLINE const inner::Half* row(std::int32_t y) const { return thresholds_of_[y & 3]; }
+    SPANGLE_INLINE const inner::Half* row(std::int32_t y) const { return threshold_rows_[y & 3]; }
 
   private:
-    inner::Half thresholds_of_[4][12];
+    inner::Half threshold_rows_[4][12];
 };
 
 /// Gives all fragments of the primitive one colour, which is a word.

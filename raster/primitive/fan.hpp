@@ -164,15 +164,15 @@ template <class V> class Fan {
             out.all = centers(row);
             return;
         }
-        detail::RowCenters all, triangle_columns[edges];
+        detail::RowCenters all, triangle_centers[edges];
         for (int i = 1; i < corner_count_; ++i)
-            inner_edges_[i].add(row, i > 1 ? triangle_columns[i - 1] : all,
-                                i + 1 < corner_count_ ? triangle_columns[i] : all);
+            inner_edges_[i].add(row, i > 1 ? triangle_centers[i - 1] : all,
+                                i + 1 < corner_count_ ? triangle_centers[i] : all);
         for (int i = 1; i + 1 < corner_count_; ++i)
-            outer_edges_[i].add(row, all, triangle_columns[i]);
+            outer_edges_[i].add(row, all, triangle_centers[i]);
         out.all = all.columns();
         for (int i = 1; i + 1 < corner_count_; ++i)
-            out.triangle_columns[i - 1] = triangle_columns[i].columns();
+            out.triangle_columns[i - 1] = triangle_centers[i].columns();
     }
     /// The centres of any row that the whole fan covers.
     detail::Columns centers(std::int32_t row) const {
