@@ -344,6 +344,7 @@ void FlushMappedBufferRange(Context& context, GLenum target, GLintptr offset, GL
     const BufferObject* const buffer = bound(context, target);
     if (buffer == nullptr)
         return;
+    // explain() tells that a length is negative before it looks at the rule, so the rule is about the offset.
     if (offset < 0 || length < 0)
         return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("offset is negative"));
     if (!buffer->mapped || (buffer->map_flags & GL_MAP_FLUSH_EXPLICIT_BIT) == 0)

@@ -240,6 +240,20 @@ TEST_F(ErrorSentences, NameArgumentAndRule) {
               "glTexImage2D: width -1 is negative (GL 1.3, 3.8.1)");
 }
 
+#if SPANGLE_FEATURE_BUFFERS
+TEST_F(ErrorSentences, FlushedRangesTellWhichNumberIsNegative) {
+    const GLubyte byte = 0;
+    glBindBuffer(GL_ARRAY_BUFFER, 1);
+    glBufferData(GL_ARRAY_BUFFER, 1, &byte, GL_STATIC_DRAW);
+    EXPECT_EQ(sentence([] { glFlushMappedBufferRange(GL_ARRAY_BUFFER, -1, 1); }),
+              "glFlushMappedBufferRange: offset is negative (GL 1.5, 2.9)");
+    EXPECT_EQ(sentence([] { glFlushMappedBufferRange(GL_ARRAY_BUFFER, 0, -2); }),
+              "glFlushMappedBufferRange: length -2 is negative (GL 1.5, 2.9)");
+    EXPECT_EQ(sentence([] { glFlushMappedBufferRange(GL_ARRAY_BUFFER, -1, -2); }),
+              "glFlushMappedBufferRange: length -2 is negative (GL 1.5, 2.9)");
+}
+#endif
+
 #if SPANGLE_FEATURE_COMPRESSED_TEXTURES
 TEST_F(ErrorSentences, TheLongestIsWhole) {
     const std::string text =
