@@ -13,7 +13,7 @@ namespace {
 
 using AccumOp = raster::AccumRequest::Op;
 
-/// The operations in the order of their tokens, from ACCUM on.
+/// The accumulation operations, in the order of their tokens. ACCUM comes first.
 constexpr AccumOp accum_ops[] = {AccumOp::accumulate, AccumOp::load, AccumOp::give_back, AccumOp::multiply,
                                  AccumOp::add};
 

@@ -50,8 +50,9 @@ void draw(Context& context, GLsizei width, GLsizei height, Real xorig, Real yori
     const Rect clip = drawing_rect(context);
     const ImageRows rows = image_rows(unpack, layout, width);
     const raster::DrawState& state = draw_state(context);
-    // With multisampling a fragment gets the samples that lie in its bit's square, a corner of which is at
-    // the raster position. Without it the pixel at that corner counts.
+    // Each bit covers a square of the size of a pixel, which the raster position places. With multisampling,
+    // a bit's fragment gets the samples that lie in the square. Without multisampling, the fragment is the
+    // pixel that contains the square's lower left corner.
     const bool samples = multisampling(context);
     const auto ahead = [samples](std::int32_t shift) { return samples ? shift * 16 + ((1 << 11) - 1) : 0; };
     each_target(context, [&](const raster::Surface& target, raster::Position shift) {

@@ -13,14 +13,15 @@ namespace spangle::gl::cmd {
 
 namespace {
 
-/// Clears the accumulation buffer; only the scissor rectangle applies to it.
+/// Clears the accumulation buffer. Of the fragment operations only the scissor test applies.
 void clear_accum([[maybe_unused]] const Context& context, [[maybe_unused]] const spangle::Rect& area) {
 #if SPANGLE_FEATURE_ACCUM
     if (context.drawable.surface.accum == nullptr)
         return;
     raster::AccumRequest request;
     request.area = area;
-    // A component of the accumulation buffer is k / 32767; halves are rounded away from zero.
+    // A component of the accumulation buffer is k / 32767. Clear values halfway between two such numbers are
+    // rounded away from zero.
     for (int c = 0; c < 4; ++c)
         request.clear[c] = static_cast<std::int16_t>(numeric::to_i32_round(
             numeric::mul(context.fragment_ops.accum_clear[c], numeric::from_i32(raster::accum_one))));

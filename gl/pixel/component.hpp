@@ -15,8 +15,8 @@
 
 namespace spangle::gl {
 
-/// The fraction code / (2^bits - 1), exactly, with 1 <= bits <= 32. With 0 bits it is the Real whose bits are
-/// `code`, for values from floats, negative values, and results of arithmetic.
+/// The fraction code / (2^bits - 1), exactly, with 1 <= bits <= 32. If `bits` is 0, the component is the Real
+/// whose bits are `code`. Values from floats, negative values and results of arithmetic have this form.
 struct Component {
     std::uint32_t code = 0;
     std::uint8_t bits = 0;
@@ -76,7 +76,7 @@ constexpr Real to_real(Component c) {
     return numeric::pack_real(false, q.quotient << 1 | (q.remainder != 0 ? 1u : 0u), -up - 1);
 }
 
-/// The address offset of byte i of an element; byte 0 is the least significant.
+/// Returns the offset of byte i from the address of its element. Byte 0 is the least significant one.
 constexpr unsigned place_of_byte(unsigned i, unsigned bytes, bool swap) {
     return swap == (std::endian::native == std::endian::little) ? bytes - 1 - i : i;
 }
@@ -118,14 +118,15 @@ inline void store_element(unsigned char* to, unsigned bytes, bool swap, std::uin
     }
 }
 
-/// The component in the low `bits` bits of an element, which are all of them unless the type is packed. Its
-/// value is c / (2^b - 1), or (2c + 1) / (2^b - 1) for signed types (GL 1.3, table 2.6).
+/// Returns the component in the low `bits` bits of an element. Only in packed types are these fewer than all
+/// bits. The value of the component is c / (2^b - 1), or (2c + 1) / (2^b - 1) for signed types (GL 1.3, table
+/// 2.6).
 constexpr Component decode_element(ElementKind kind, unsigned bits, std::uint32_t element) {
     if (kind == ElementKind::real)
         return component(numeric::from_float_bits(element));
     if (kind == ElementKind::unsigned_integer)
         return {element, static_cast<std::uint8_t>(bits)};
-    const std::uint32_t twice = 2 * element + 1; // for a positive element this fits `bits` bits
+    const std::uint32_t twice = 2 * element + 1; // has at most `bits` bits if the element is positive
     if ((element >> (bits - 1) & 1) == 0)
         return {twice, static_cast<std::uint8_t>(bits)};
     const Component magnitude{all_ones(bits) - (twice & all_ones(bits)) + 1, static_cast<std::uint8_t>(bits)};

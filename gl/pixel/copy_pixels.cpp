@@ -21,7 +21,7 @@ namespace {
 /// A rectangle of the framebuffer: group (n, m) is pixel (x + n, y + m). GL leaves pixels outside of the
 /// framebuffer undefined; here they yield no groups.
 struct BufferGroups : GroupSource {
-    /// `columns` and `rows` are the pixels that exist.
+    /// `columns` and `rows` are the part of the rectangle that lies in the framebuffer.
     BufferGroups(const Context& context, Content of, GLint left, GLint bottom, const Interval& columns,
                  const Interval& rows)
         : GroupSource(group_of, of, {columns.begin - left, columns.end - left},
@@ -66,8 +66,8 @@ std::uint8_t* row_of(const raster::Surface& surface, Content content, std::int32
     return content <= Content::index ? surface.color_row(y) : surface.depth_row(y);
 }
 
-/// Copies the source's whole rows of bytes to the arena. In narrow formats a byte holds pixels of several
-/// columns or rows.
+/// Copies whole rows of bytes to the arena, because in narrow formats a byte holds pixels of several columns
+/// or rows.
 void* set_aside_narrow(Context& context, BufferGroups& source) {
     raster::Surface& surface = source.surface;
     const std::int32_t rows = raster::drawn_info(surface.format).rows,
@@ -87,8 +87,8 @@ void* set_aside_narrow(Context& context, BufferGroups& source) {
     return memory;
 }
 
-/// Copies the source to the arena, so that drawing cannot change it. Returns null without memory; the caller
-/// frees it.
+/// Copies the source to the arena, so that drawing cannot change it. Returns the copy, which the caller
+/// frees, or null if the arena is full.
 void* set_aside(Context& context, BufferGroups& source) {
     const Content content = source.content;
     if (content == Content::color && is_narrow(source.surface.format))
@@ -122,11 +122,11 @@ bool intervals_overlap(std::int32_t a, std::int32_t a_end, std::int32_t b, std::
     return a < b_end && b < a_end;
 }
 
-/// Whether some pixel may be drawn before it is read.
+/// Whether the copy may draw a pixel of the source before it reads that pixel.
 bool source_overlaps_target(const Context& context, const BufferGroups& source) {
     const Content content = source.content;
     if (content == Content::color && has_sample_buffer(context))
-        return false; // it reads resolved colours, and draws to samples
+        return false; // the copy reads the resolved surface, and draws to the samples
     if (row_of(context.drawable.surface, content, 0) != row_of(source.surface, content, 0))
         return false;
     const Real* const at = context.current.raster.position;
@@ -141,7 +141,8 @@ bool source_overlaps_target(const Context& context, const BufferGroups& source) 
            intervals_overlap(rows.begin, rows.end, source.row(source.m.begin), source.row(source.m.end));
 }
 
-/// The order in which an unzoomed copy reads each pixel before it overwrites it, as memmove does.
+/// Returns the order in which an unzoomed copy reads each pixel before it overwrites that pixel. memmove uses
+/// the same rule.
 RectangleOrder order_of(const Context& context, const BufferGroups& source) {
     const Real* const at = context.current.raster.position;
     return {numeric::from_i32(source.x) < at[0], numeric::from_i32(source.y) < at[1]};
@@ -160,7 +161,8 @@ void copy(Context& context, GLint x, GLint y, GLsizei width, GLsizei height, Con
         return;
     BufferGroups source(context, content, x, y, columns, rows);
     const Real* const zoom = context.pixel_mode.zoom;
-    // With samples no order is safe: depth and stencil are read from one sample and drawn to all.
+    // No order is safe in a multisample buffer, because depth and stencil are read from one sample and drawn
+    // to all samples.
     const bool moves = zoom[0] == numeric::one && zoom[1] == numeric::one && !has_sample_buffer(context);
     const RectangleOrder order = moves ? order_of(context, source) : RectangleOrder{};
     const bool exact = is_color_565(context, source);

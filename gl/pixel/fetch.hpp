@@ -22,8 +22,8 @@ class ReadRows {
         return bounds_;
     }
 
-    /// The surface with row y of area() in memory, valid until the next call; null when the row cannot be
-    /// had.
+    /// Returns the surface with row y of area() in memory, or null if the recorded frame cannot give that
+    /// row. The result is valid until the next call.
     const raster::Surface* with_row(std::int32_t y) {
         if (recording_ == nullptr)
             return &row_surface_;
@@ -51,13 +51,14 @@ class ReadRows {
 #endif
 };
 
-/// Whether the groups read are the surface's own colours, unchanged by pixel transfer.
+/// Whether groups are read as the surface stores them, because they are colours that pixel transfer does not
+/// change.
 inline bool keeps_colors(const raster::Surface& surface, const Transfer& transfer, Content content) {
     return content == Content::color && !raster::drawn_indexed(surface.format) && !transfer.changes_colors();
 }
 
-/// The group of a pixel after pixel transfer. A surface of indices gives colours through the maps from
-/// indices to colours (GL 1.3, 4.3.2).
+/// The group of a pixel after pixel transfer. On a surface of colour indices, the maps from indices to
+/// colours give the colour (GL 1.3, 4.3.2).
 Group fetch(const raster::Surface& surface, const Transfer& transfer, Content content, std::int32_t x,
             std::int32_t y);
 

@@ -8,7 +8,7 @@ namespace spangle::gl {
 struct FogState {
     bool fog = false;
     GLenum mode = GL_EXP;
-    Real index = numeric::zero; ///< as set, not masked to the bits of the surface
+    Real index = numeric::zero; ///< the index that the program set, not masked to the bits of the surface
     Real density = numeric::one;
     Real start = numeric::zero, end = numeric::one;
     Real color[4] = {};

@@ -5,8 +5,8 @@
 
 namespace spangle::gl {
 
-// Members lie in the order of their tokens where those are consecutive: one row of the state table holds
-// them.
+// Where the tokens of several values are consecutive, the members have the same order. One row of the state
+// table then serves all of them.
 
 /// The stencil test of front or back faces.
 struct StencilSide {
@@ -42,7 +42,7 @@ struct FragmentOpsState {
     bool color_logic_op = false, index_logic_op = false;
     GLenum logic_op = GL_COPY;
     bool dither = true;
-    // These have no effect on surfaces without a multisample buffer (GL 1.3, 4.1.3).
+    // The following members have no effect on surfaces without a multisample buffer (GL 1.3, 4.1.3).
     bool multisample = true, sample_alpha_to_coverage = false, sample_alpha_to_one = false,
          sample_coverage = false;
     Real sample_coverage_value = numeric::one;

@@ -128,9 +128,10 @@ void fill_samples(const Context& context, raster::FragmentState& out) {
     out.sample_coverage_value = static_cast<std::uint8_t>(numeric::to_unit(ops.sample_coverage_value, 8));
 }
 
-/// True where the geometry of such primitives may reach beyond the view volume, up to the guard band, so that
-/// their fragments have to end at the viewport. Wide lines, and polygons of which points and lines are drawn,
-/// are clipped exactly instead: their fragments may lie beyond the viewport (GL 1.3, 2.11).
+/// Whether fragments of such primitives must be cut off at the viewport. Their geometry is clipped to the
+/// guard band only, so it may reach beyond the view volume. Wide lines, and polygons of which points and
+/// lines are drawn, are clipped to the view volume itself, and their fragments may lie beyond the viewport
+/// (GL 1.3, 2.11).
 bool ends_at_viewport(const Context& context, PrimitiveKind drawn) {
     if (drawn == PrimitiveKind::polygons)
         return !SPANGLE_FEATURE_POLYGON_MODE ||
@@ -214,8 +215,8 @@ template <class Recorder> [[maybe_unused]] void take_states(Context& context, Re
 #endif
 }
 
-/// Where drawing is recorded, sends primitives to the record. In the first band that a callback draws, sends
-/// them to the notes of the rows that batches reach.
+/// Sends primitives to the record where drawing is recorded. While the first band of a callback is drawn,
+/// primitives go to BatchRows, which notes the rows that each batch reaches.
 void record_states([[maybe_unused]] Context& context) {
 #if SPANGLE_FEATURE_BANDS
     if (raster::BatchRows* const batches = context.drawable.batches;
@@ -299,8 +300,8 @@ const raster::DrawState& draw_state(Context& context, PrimitiveKind drawn, raste
         cache.colors = colors;
         cache.differs = offsets(context.polygon) || has_stipple(context.polygon) || is_antialiased(context) ||
                         !viewport_holds(context, drawing_rect(context));
-        // Members that are not filled in are 0, including padding. States that leave them out never read
-        // them.
+        // Members that are not filled in, and padding, are 0. A state never uses the members that it leaves
+        // out.
         static_assert(std::is_trivially_copyable_v<raster::FragmentState>);
         alignas(raster::FragmentState) unsigned char memory[sizeof(raster::FragmentState)] = {};
         auto& fragment = *std::launder(reinterpret_cast<raster::FragmentState*>(memory));

@@ -17,11 +17,12 @@ bool stencil_sides(const Context& context);
 /// result.
 const raster::DrawState& draw_state_of(const Context& context, int side);
 
-/// The scissor rectangle cut to the surface; the whole surface while SCISSOR_TEST is off. May be empty.
+/// The part of the surface that lies in the scissor rectangle, or all of it while SCISSOR_TEST is off. The
+/// result may be empty.
 Rect drawing_rect(const Context& context);
 
 /// The channels of the colour buffer that are written. Bits 0..3 are red, green, blue and alpha; on surfaces
-/// of indices they are the bits of an index. 0 when DrawBuffer is NONE.
+/// of indices they are the bits of an index. The result is 0 when DrawBuffer is NONE.
 std::uint8_t written_channels(const Context& context);
 
 /// A colour component clamped to [0, 1], in the rasterizer's units: 255ths with 20 fraction bits.

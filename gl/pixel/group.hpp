@@ -34,7 +34,8 @@ class Groups {
     explicit Groups(const PixelLayout& layout) : layout_(layout) {}
 
     /// The colour of a group after "final expansion to RGBA": L becomes R, G and B, missing colours are 0, a
-    /// missing alpha is 1 (GL 1.3, 3.6.4). A depth is in the place of red. Not for indices.
+    /// missing alpha is 1 (GL 1.3, 3.6.4). A depth is in the place of red. The function must not be called
+    /// for indices.
     Pixel color(const unsigned char* row, std::size_t group) const;
     Index index(const unsigned char* row, std::size_t group) const;
 
@@ -45,16 +46,17 @@ class Groups {
     bool swaps_bytes_ = false, is_lsb_first_ = false;
 };
 
-/// A client image after pixel transfer, which DrawPixels and texture images are made of (GL 1.3, 3.6.4, 3.6.5
-/// and 3.8.1). It must not outlive the layout, nor be used after the context's state changes.
+/// The groups of a client image after pixel transfer. DrawPixels and the commands for texture images read
+/// them (GL 1.3, 3.6.4, 3.6.5 and 3.8.1). The object must not outlive the layout, and must not be used after
+/// the context's state has changed.
 class ColorImage {
   public:
     ColorImage(const Context& context, const PixelLayout& layout);
 
     /// Whether every group is a colour that transfer leaves unchanged.
     bool keeps_colors() const { return !has_indices_ && !transfer_.changes_colors(); }
-    /// Whether, in addition, bytes are not swapped. Rows may then be copied to a receiver that stores colours
-    /// as the client does.
+    /// Whether transfer leaves colours unchanged and bytes are not swapped. Rows of the image may then be
+    /// copied to a receiver that stores colours as the client does.
     bool is_plain() const { return keeps_colors() && !swaps_bytes_; }
 
     Pixel color(const unsigned char* row, std::size_t group) const;
@@ -67,14 +69,14 @@ class ColorImage {
 };
 
 /// Writes the components that the format names, clamped to [0, 1]; L is R + G + B (GL 1.3, 4.3.2). A depth is
-/// in value[0].
+/// taken from value[0].
 void pack_pixel(const PixelLayout& layout, bool swap_bytes, const Pixel& pixel, unsigned char* to);
 
 /// Writes an index masked to the bits of the type, 2^7 - 1 for BYTE and unmasked for FLOAT (GL 1.3, table
-/// 4.6). Not for BITMAP.
+/// 4.6). The function must not be called for BITMAP.
 void pack_index(const PixelLayout& layout, bool swap_bytes, Index index, unsigned char* to);
 
-/// The mask of bit `at` of a row within its byte.
+/// Returns the mask of bit `at` of a row, within the byte that holds the bit.
 inline unsigned char bit_mask(std::size_t at, bool lsb_first) {
     return static_cast<unsigned char>(lsb_first ? 1u << at % 8 : 0x80u >> at % 8);
 }

@@ -22,7 +22,8 @@ constexpr Index whole_index(std::int64_t v) {
     return {static_cast<std::uint64_t>(v) << index_fraction_bits & index_mask};
 }
 
-/// The nearest index to v; a value that needs more bits becomes the largest magnitude.
+/// Returns the index nearest to v. A value that needs more bits becomes the index with the largest magnitude
+/// and the same sign.
 constexpr Index index_of(numeric::Real v) {
     const numeric::detail::Unpacked u = numeric::detail::unpack(v);
     const std::int32_t up = u.exponent + index_fraction_bits;
@@ -68,7 +69,7 @@ constexpr std::uint32_t rounded(Index index) {
                                       index_fraction_bits);
 }
 
-/// An index as a Real; the upper half of the range is negative.
+/// Returns an index as a Real. Indices in the upper half of the range stand for negative numbers.
 constexpr numeric::Real to_real(Index index) {
     return numeric::from_fixed(
         static_cast<std::int64_t>(index.bits << (64 - index_bits)) >> (64 - index_bits), index_fraction_bits);

@@ -54,7 +54,7 @@ void Fog(Context& context, GLenum pname, const Params& params) {
 
 namespace {
 
-/// The HintIndex of a hint's target, or `hints` if it is none.
+/// Returns the HintIndex of a target of Hint, or `hints` for a token that is no target.
 unsigned hint_of(GLenum target) {
     if (target == GL_TEXTURE_COMPRESSION_HINT)
         return hint_texture_compression;
@@ -86,7 +86,7 @@ void PixelStore(Context& context, GLenum pname, const Params& params) {
     static constexpr GLint gl::PixelStore::*numbers[] = {
         &gl::PixelStore::row_length, &gl::PixelStore::skip_rows,    &gl::PixelStore::skip_pixels,
         &gl::PixelStore::alignment,  &gl::PixelStore::image_height, &gl::PixelStore::skip_images};
-    const bool later = pname >= GL_PACK_SKIP_IMAGES; // tokens of volumes, numbered in their own order
+    const bool later = pname >= GL_PACK_SKIP_IMAGES; // tokens for volumes have numbers of their own
     const bool pack = later ? pname <= GL_PACK_IMAGE_HEIGHT : pname >= GL_PACK_SWAP_BYTES;
     const GLenum first = later ? GL_PACK_SKIP_IMAGES : pack ? GL_PACK_SWAP_BYTES : GL_UNPACK_SWAP_BYTES;
     const GLenum place = pname - first;
@@ -105,8 +105,8 @@ void PixelStore(Context& context, GLenum pname, const Params& params) {
     store.*numbers[index - 2] = value;
 }
 
-// Every command is complete when it returns, so Flush only has to show the surface of a window without a back
-// buffer. SwapBuffers shows the others.
+// Every command is complete when it returns. Flush only has to show the surface of a window without a back
+// buffer; SwapBuffers shows other windows.
 void Flush(Context& context) {
     if (context.drawable.show != nullptr)
         context.drawable.show(false);

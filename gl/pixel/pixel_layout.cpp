@@ -18,7 +18,7 @@ constexpr std::uint16_t channels(auto... components) {
 constexpr Channel R = Channel::red, G = Channel::green, B = Channel::blue, A = Channel::alpha,
                   L = Channel::luminance;
 
-/// Two runs of consecutive tokens, indexed as one table.
+/// Two runs of consecutive tokens. Both together are the indices of one table.
 struct Tokens {
     std::uint16_t first, count, others, all;
 
@@ -59,8 +59,8 @@ static_assert(has_format(GL_COLOR_INDEX, Channel::color_index) &&
               has_format(GL_LUMINANCE_ALPHA, L, A) && has_format(GL_BGR, B, G, R) &&
               has_format(GL_BGRA, B, G, R, A));
 
-/// Bits of the components of packed types, four bits each, the first component in the lowest. Reversed types
-/// have the first component in their least significant bits.
+/// The sizes of the components of packed types. Each size takes four bits, and that of the first component is
+/// in the lowest bits. Reversed types have the first component in their least significant bits.
 constexpr std::uint16_t packed_bits[] = {
     0x233,  // UNSIGNED_BYTE_3_3_2
     0x4444, // UNSIGNED_SHORT_4_4_4_4

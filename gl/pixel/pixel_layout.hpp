@@ -1,5 +1,5 @@
-// How one group of components lies in client memory, from a format and a type (GL 1.3, 3.6.4, tables 3.5
-// to 3.12).
+// Says how one group of components lies in client memory, for each format and type of pixels (GL 1.3, 3.6.4,
+// tables 3.5 to 3.12).
 #pragma once
 
 #include "gl/pixel/pixel_store_state.hpp"

@@ -32,8 +32,8 @@ void store(const Values& array, std::size_t i, std::uint32_t value) {
     store_element(static_cast<unsigned char*>(const_cast<void*>(array.at)) + i * bytes, bytes, false, value);
 }
 
-/// The stored form of an element. Colours become clamped fractions; indices keep their value, stencil indices
-/// as integers.
+/// Returns the form in which a pixel map stores an element. Colours are stored as clamped fractions. Indices
+/// keep their values, and stencil indices are stored as integers.
 std::uint32_t entry_of(unsigned name, const Values& array, std::size_t i) {
     const std::uint32_t value = load(array, i);
     if (array.type == GL_FLOAT) {
@@ -48,7 +48,7 @@ std::uint32_t entry_of(unsigned name, const Values& array, std::size_t i) {
         .bits;
 }
 
-/// An entry converted to the type that the client asks for.
+/// Converts an entry to the type that the client asks for.
 std::uint32_t answer(unsigned name, bool integers, std::uint32_t entry, GLenum type) {
     if (!is_of_indices(name))
         return encode_element(type == GL_FLOAT ? ElementKind::real : ElementKind::unsigned_integer,

@@ -17,7 +17,8 @@ enum PixelMapName : unsigned {
     pixel_maps = 10
 };
 
-/// A pixel map. Its entries follow in the same block: Reals, or with `integers` indices as integers.
+/// A pixel map. The entries follow in the same block of memory. They are Reals, or integers if `integers` is
+/// set.
 struct PixelMap {
     GLsizei size;
     bool integers;

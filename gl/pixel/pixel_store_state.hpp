@@ -1,4 +1,5 @@
-// How pixels lie in client memory (GL 1.3, 3.6.1 and 4.3.2). Client state.
+// How pixels lie in client memory (GL 1.3, 3.6.1 and 4.3.2). PixelStore sets these values, which are client
+// state.
 #pragma once
 
 #include "gl/context/types.hpp"

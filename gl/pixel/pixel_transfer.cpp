@@ -10,7 +10,8 @@ namespace spangle::gl::cmd {
 
 namespace {
 
-/// Twice the index of a component, and 1 more for its bias. The tokens of scale and bias alternate.
+/// Returns twice the index of a component for its scale, and 1 more for its bias. In GL, the tokens of scale
+/// and bias alternate.
 constexpr unsigned place_of(GLenum pname) {
     return pname < GL_ZOOM_X ? pname - GL_RED_SCALE : pname - GL_GREEN_SCALE + 2;
 }

@@ -21,7 +21,7 @@ GLuint* result_of(const Context& context, GLuint id) {
     return slot != nullptr ? static_cast<GLuint*>(*slot) : nullptr;
 }
 
-/// The result of a query, made if it is missing; null without memory.
+/// Returns the result of a query, which is made if it is missing. Returns null if the arena is full.
 GLuint* make_result(Context& context, GLuint id) {
     NameTable& objects = context.query.objects;
     if (GLuint* const there = result_of(context, id); there != nullptr)
@@ -49,7 +49,8 @@ std::uint32_t passed(const Context& context) {
     return tool != nullptr ? tool->passed : context.query.counters.passed;
 }
 
-/// Writes a value of a query object as a T; a result too large for a signed type saturates.
+/// Writes a value of a query object as a T. A result that is too large for a signed type becomes the largest
+/// number of the type.
 template <class T> void get_object(Context& context, GLuint id, GLenum pname, T* params) {
     const GLuint* const result = result_of(context, id);
     if (pname != GL_QUERY_RESULT && pname != GL_QUERY_RESULT_AVAILABLE)

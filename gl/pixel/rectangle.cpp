@@ -67,8 +67,8 @@ void convert(const GroupSource& source, RowForm form, std::int32_t n, std::int32
     }
 }
 
-/// Fills `out` with `count` fragments of group row m, beginning at walk `n`. A group that covers several
-/// fragments is converted once.
+/// Fills `out` with `count` fragments of row m of the groups. The walk `n` gives the group of each fragment.
+/// A group that covers several fragments is converted once.
 void fill_row(const GroupSource& source, RowForm form, std::int32_t m, ZoomAxis::GroupWalk n,
               std::int32_t count, RectangleRow& out) {
     std::uint32_t words[4] = {};
@@ -116,7 +116,7 @@ class UnzoomedRows {
     }
 
   private:
-    /// The bits of the codes that are written; none if the reader is not used.
+    /// Returns the bits of the codes that are written, or no bits if the reader is not used.
     static CodeBits bits(const GroupSource& source, RowForm form) {
         return source.groups == nullptr        ? CodeBits{}
                : form == RowForm::words        ? bits_of(word_fields)
@@ -204,7 +204,7 @@ class Rectangle {
 struct Fragments : raster::PixelSource {
     Rectangle& rectangle;
     RowForm form;
-    bool colored; ///< the rectangle gives the fragments' colours
+    bool colored; ///< true if the fragments have the colours of the rectangle
 };
 
 /// Emits fragments as runs of equal depth.

@@ -11,7 +11,7 @@ namespace spangle::gl {
 
 struct Context;
 
-/// Fragments of a row that are converted at a time, and their converted form.
+/// The number of fragments that are converted at a time, and the form that these fragments are converted to.
 inline constexpr std::int32_t rectangle_chunk = 64;
 union RectangleRow {
     std::uint32_t color[4 * rectangle_chunk]; ///< colour units, or an index in the place of red
@@ -23,7 +23,8 @@ union RectangleRow {
 /// Which member of RectangleRow is used.
 enum class RowForm : std::uint8_t { color, words, index, depth, stencil };
 
-/// Where groups come from, what they hold, and which columns `n` and rows `m` exist.
+/// The source of groups. The members say what the groups hold, and which columns `n` and rows `m` of groups
+/// exist.
 struct GroupSource {
     using GroupOf = Group (*)(const GroupSource& source, std::int32_t n, std::int32_t m);
     GroupSource(GroupOf of, Content content_of, const Interval& columns, const Interval& rows)
@@ -33,8 +34,8 @@ struct GroupSource {
     Content content;
     Interval n, m;
 #if SPANGLE_ROW_CODES
-    /// Returns the bytes of `count` groups from (n, m) on, at most row_chunk. Null if transfer may change
-    /// colours.
+    /// A function that returns the bytes of `count` groups from (n, m) on, with at most row_chunk groups. The
+    /// pointer is null if transfer may change colours.
     using Groups = const std::uint8_t* (*)(const GroupSource& source, std::int32_t n, std::int32_t m,
                                            std::int32_t count);
     Groups groups = nullptr;

@@ -34,7 +34,7 @@ void read_field(const std::uint8_t* from, std::int32_t count, unsigned shift, un
     }
 }
 
-/// Writes eight groups of three bytes, one per component.
+/// Writes eight groups of three bytes. Each byte is one component.
 void write_threes(std::uint8_t* to, const std::uint16_t* const (&byte)[4], std::int32_t at) {
 #pragma GCC unroll 8
     for (std::int32_t i = 0; i < lanes; ++i) {
@@ -54,7 +54,7 @@ void write_fours(std::uint8_t* to, const std::uint16_t* const (&byte)[4], std::i
 /// Writes groups whose fields are packed into words of at most 16 bits.
 template <class Store>
 void write_words(const CodeRow& from, const GroupFields& to, std::int32_t at, std::int32_t end, Store store) {
-    // A missing field ORs the bits of another field again, which changes nothing.
+    // For a field that is missing, the bits of another field are ORed a second time, which changes nothing.
     const std::uint16_t* code[4];
     std::uint16_t up[4];
     unsigned there = 0;

@@ -25,13 +25,13 @@ bool is_luminance(const GroupForm& form) {
     return form.layout != nullptr && form.layout->channel[0] == Channel::luminance;
 }
 
-/// Sums of red, green and blue are exact where each has eight bits.
+/// Whether sums of red, green and blue are exact. They are if each component has eight bits.
 bool has_exact_sums(const GroupFields& fields) {
     return fields.bytes != 0 && fields.field[0].bits == 8 && fields.field[1].bits == 8 &&
            fields.field[2].bits == 8;
 }
 
-/// The form that codes are written in: luminance is only written from red.
+/// Returns the form in which codes are written. Luminance is written from red alone.
 GroupForm written(GroupForm to) {
     if (is_luminance(to))
         to.fields.field[1] = to.fields.field[2] = {};

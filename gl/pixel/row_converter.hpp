@@ -8,12 +8,13 @@
 
 namespace spangle::gl {
 
-/// Whether a converter pays for an image of `groups` groups: its set-up takes as long as some single groups.
+/// Whether a converter saves time for an image of `groups` groups. Its set-up takes as long as the conversion
+/// of a few single groups.
 constexpr bool pays_converter(std::int64_t groups) {
     return groups >= 4;
 }
 
-/// The format at one end of a conversion. It must not outlive the layout.
+/// The format at one end of a conversion. The object must not outlive the layout.
 struct GroupForm {
     GroupForm() = default;
     GroupForm(const PixelLayout& of, bool swap_bytes)
@@ -28,13 +29,13 @@ struct GroupForm {
     bool swap = false;
 };
 
-/// bits_of() gives the bits of each field; own_bits() does, too, with eight bits for components that are
-/// missing.
+/// bits_of() returns the bits of each field. own_bits() returns the same, but eight bits for components that
+/// are missing.
 CodeBits bits_of(const GroupFields& fields);
 CodeBits own_bits(const GroupFields& fields);
 
-/// Reads rows of groups as codes; it is set up once per image. Components that the groups lack are 0, alpha
-/// is 1.
+/// Reads rows of groups as codes. A reader is set up once for each image. Colours that the groups lack are
+/// read as 0, and a missing alpha as 1.
 class RowReader {
   public:
     RowReader(const GroupForm& from, const CodeBits& to);

@@ -1,4 +1,4 @@
-// Converts codes of a row of colours from and to elements that are no bit fields: signed integers, floats,
+// Converts codes of a row of colours from and to elements that are not bit fields: signed integers, floats,
 // and elements with more than eight bits (GL 1.3, tables 2.6 and 4.7).
 #pragma once
 
@@ -10,8 +10,8 @@ namespace spangle::gl {
 void read_elements(const std::uint8_t* from, const PixelLayout& layout, bool swap, std::int32_t count,
                    const CodeBits& bits, CodeRow& out);
 
-/// Reads elements in the rasterizer's colour units, four words per group. Components that the groups lack are
-/// 0, alpha is 1.
+/// Reads elements in the rasterizer's colour units, four words per group. Colours that the groups lack are
+/// read as 0, and a missing alpha as 1.
 void read_units(const std::uint8_t* from, const PixelLayout& layout, bool swap, std::int32_t count,
                 std::uint32_t* out);
 

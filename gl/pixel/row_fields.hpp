@@ -27,7 +27,7 @@ struct GroupField {
 /// The fields of a group: red, green, blue and alpha. A group is a word whose first byte is the least
 /// significant.
 struct GroupFields {
-    std::uint8_t bytes = 0; ///< 1 to 4; 0: no such fields, and no other member is valid
+    std::uint8_t bytes = 0; ///< 1 to 4; 0: the groups are not bit fields, and no other member is valid
     bool swapped = false;   ///< a word of two bytes whose first byte is the most significant
     bool cut = false;       ///< when written, codes are rounded to eight bits and cut to their highest bits
     GroupField field[4] = {};

@@ -16,8 +16,8 @@ struct CodeScale {
 
 namespace detail {
 
-/// The scale with this factor and shift that gives the nearest code for every code; factor 0 if there is
-/// none.
+/// Returns the scale with this factor and shift that gives the nearest code for every code. If there is none,
+/// the result has the factor 0.
 constexpr CodeScale scale_by(std::uint32_t factor, std::uint32_t shift, std::uint32_t last,
                              std::uint32_t most) {
     std::uint32_t low = 0, high = 0xFFFF; // possible values of `half`

@@ -11,7 +11,8 @@ inline bool has_sample_buffer(const Context& context) {
     return raster::has_samples && context.drawable.surface.samples != nullptr;
 }
 
-/// Whether each sample gets the fragments at its own position; if not, all samples get the pixel centre's.
+/// Whether each sample gets the fragments at its own position. If not, all samples get the fragments at the
+/// pixel centre.
 inline bool multisampling(const Context& context) {
     return has_sample_buffer(context) && context.fragment_ops.multisample;
 }
@@ -26,8 +27,8 @@ template <class Draw> void each_target(Context& context, Draw draw) {
     });
 }
 
-/// Calls draw() for each target of a primitive. A record keeps a primitive once, and moves it when it is
-/// replayed.
+/// Calls draw() for each target of a primitive. A record stores a primitive once, and moves it to the
+/// position of each sample when it is replayed.
 template <class Draw> void each_primitive_target(Context& context, Draw draw) {
     if (context.drawable.recording == nullptr)
         return each_target(context, draw);
@@ -44,7 +45,8 @@ template <class Window> Window shifted(const Window& window, raster::Position by
     return moved;
 }
 
-/// The read surface, after its samples are resolved. Of a recorded surface no row is in memory yet.
+/// Returns the read surface, after its samples are resolved. If drawing is recorded, no row of the surface is
+/// in memory yet.
 inline const raster::Surface& read_surface(const Context& context) {
     if (context.drawable.recording == nullptr)
         raster::resolve(context.drawable.read);

@@ -22,7 +22,7 @@ std::uint32_t last_of(const PixelMap* map) {
     return map != nullptr ? static_cast<std::uint32_t>(map->size) - 1 : 0;
 }
 
-/// The entry that an index selects; such maps' sizes are powers of two.
+/// Returns the entry that an index selects. The sizes of maps that indices select from are powers of two.
 std::uint32_t entry_at(const PixelMap* map, Index index) {
     return map_entry(map, rounded(index) & last_of(map));
 }
@@ -83,7 +83,7 @@ Transfer::Transfer(const PixelModeState& state) : state_(state) {}
 
 void Transfer::transfer_color(Pixel&) const {}
 
-/// Returns what the initial maps give: each has one entry, 0.
+/// Returns the colour that the initial maps give. Each initial map has one entry, 0.
 Pixel Transfer::color_of(Index) const {
     static_cast<void>(state_);
     const Component nothing = component(numeric::zero);

@@ -1,4 +1,4 @@
-// Pixel transfer: the operations on every group between unpacking and its receiver, or between the
+// Pixel transfer consists of the operations on every group between unpacking and its receiver, or between the
 // framebuffer and packing (GL 1.3, 3.6.5).
 #pragma once
 
@@ -13,8 +13,8 @@ struct Pixel {
     Component value[4];
 };
 
-/// Pixel transfer with the present state; set up once per image. A state that changes nothing costs one test
-/// per group.
+/// Pixel transfer with the present state. The object is set up once for each image. If the state changes no
+/// colour, transfer costs one test per group.
 class Transfer {
   public:
     explicit Transfer(const PixelModeState& state);
@@ -27,7 +27,7 @@ class Transfer {
         if (changes_colors())
             transfer_color(color);
     }
-    /// Applies shift and offset, then the maps from indices to colours, whatever MAP_COLOR is.
+    /// Applies shift and offset, then the maps from indices to colours, whether MAP_COLOR is on or off.
     Pixel color_of(Index index) const;
     /// Applies shift and offset, then the map of colour indices if MAP_COLOR is on.
     Index index(Index index) const;

@@ -9,10 +9,10 @@ namespace {
 
 constexpr int fraction_bits = 32;
 constexpr std::int64_t one = std::int64_t{1} << fraction_bits, half = one / 2;
-constexpr int number_bits = 58; ///< 2^26 pixels; nothing farther away is visible
+constexpr int number_bits = 58; ///< distances of up to 2^26 pixels; nothing farther away is visible
 constexpr std::int64_t farthest = std::int64_t{1} << 61;
 
-/// A Real with 32 fraction bits, saturated to number_bits.
+/// Returns a Real as an integer with 32 fraction bits, saturated to number_bits.
 std::int64_t fixed(numeric::Real v) {
     const numeric::detail::Unpacked u = numeric::detail::unpack(v);
     const std::int32_t up = u.exponent + fraction_bits;
@@ -23,7 +23,7 @@ std::int64_t fixed(numeric::Real v) {
     return u.negative ? -bounded : bounded;
 }
 
-/// The product a * n with n >= 0, saturated to +-farthest.
+/// Returns the product a * n for n >= 0, saturated to the range from -farthest to farthest.
 std::int64_t times(std::int64_t a, std::int32_t n) {
     const std::uint64_t low = (static_cast<std::uint64_t>(a) & (one - 1)) * static_cast<std::uint32_t>(n);
     const std::int64_t high = (a >> fraction_bits) * n + static_cast<std::int64_t>(low >> fraction_bits);

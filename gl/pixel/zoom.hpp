@@ -1,5 +1,5 @@
-// Which group of a pixel rectangle a fragment belongs to: GL's exact rule, for any raster position and zoom
-// (GL 1.3, 3.6.4).
+// Finds the group of a pixel rectangle that a fragment belongs to. The result follows GL's rule exactly, for
+// any raster position and zoom (GL 1.3, 3.6.4).
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ Interval clip_interval(std::int32_t at, std::int32_t size, std::int32_t low, std
 
 /// One axis of a zoomed rectangle. Group n covers the fragments whose centre lies in [at + zoom n, at + zoom
 /// (n + 1)), or for a negative zoom in [at + zoom (n + 1), at + zoom n). All numbers have 32 fraction bits:
-/// floats from 2^-9 on are exact, smaller ones are rounded to the nearest 2^-32.
+/// floats of at least 2^-9 are exact, and smaller ones are rounded to a multiple of 2^-32.
 class ZoomAxis {
   public:
     /// `shift` moves the whole rectangle, in 1/256 pixel.
@@ -36,7 +36,7 @@ class ZoomAxis {
     bool is_unit_zoom() const { return zoom_ == std::int64_t{1} << 32; }
 
     using Range = Interval; ///< a range of fragments
-    /// The fragments that groups [first, last) cover, cut to [low, high), which are coordinates of a surface.
+    /// Returns the fragments that groups [first, last) cover and that lie in [low, high) on the surface.
     Range covered_fragments(std::int32_t first, std::int32_t last, std::int32_t low, std::int32_t high) const;
 
     /// Steps from fragment to fragment, and says which group each belongs to.
@@ -49,7 +49,7 @@ class ZoomAxis {
         friend class ZoomAxis;
         std::int64_t group_, remainder_; ///< the present group, and the remainder of the division
         std::int64_t step_quotient_, step_remainder_,
-            divisor_; ///< quotient and remainder: step per fragment; divisor: |zoom|
+            divisor_; ///< a step of one fragment, divided by |zoom|, which is the divisor
     };
     /// A walk that begins at a fragment, which must be covered.
     GroupWalk from(std::int32_t fragment) const;
