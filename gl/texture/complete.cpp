@@ -27,7 +27,8 @@ bool is_next_level(const LevelShape& shape, const LevelShape& base, int step) {
     return alike(shape, base);
 }
 
-/// The number of levels of a face to sample, from the base level on; 0: the face is incomplete.
+/// Returns the number of levels of a face that are sampled, from the base level on. Returns 0 if the face is
+/// incomplete.
 int usable_levels(const TextureObject& texture, unsigned face) {
     const GLint first = texture.parameters.base_level;
     if (first >= texture_levels || texture.image(face, first) == nullptr)
@@ -35,12 +36,14 @@ int usable_levels(const TextureObject& texture, unsigned face) {
     const LevelShape& base = texture.image(face, first)->shape;
     if (base.empty())
         return 0;
-    // Without spans that sample every kind of texture, no span samples mipmaps: the base level is enough.
+    // In builds whose spans do not sample every kind of texture, no span samples mipmaps, so the base level
+    // is enough.
     if (!raster::spans_sample_any || !has_mipmaps(texture.parameters.min_filter))
         return 1;
     if (first > texture.parameters.max_level)
         return 0;
-    // p = max(n, m, l) + base, q = min(p, max_level); a level's largest size keeps p below texture_levels.
+    // In the terms of GL, p is max(n, m, l) + base, and q is min(p, max_level). As the size of each level is
+    // limited, p is less than texture_levels.
     const int chain =
         static_cast<int>(std::bit_width(base.size_without_border(0) | base.size_without_border(1) |
                                         base.size_without_border(2))); // max(n, m, l) + 1
@@ -54,7 +57,7 @@ int usable_levels(const TextureObject& texture, unsigned face) {
     return count;
 }
 
-/// The number of levels to sample in every face; 0: the texture is incomplete.
+/// Returns the number of levels that are sampled in every face. Returns 0 if the texture is incomplete.
 int usable_levels(const TextureObject& texture) {
     if (existing_kind(texture.kind) == TextureKind::cube && !is_cube_complete(texture))
         return 0;
@@ -68,7 +71,7 @@ int usable_levels(const TextureObject& texture) {
 /// Returns the address of the first texel inside the border.
 const std::uint8_t* inner_texels(const LevelImage& image) {
     const LevelShape& shape = image.shape;
-    if (!raster::spans_sample_any) // such builds sample no borders, either
+    if (!raster::spans_sample_any) // spans of such builds sample no borders
         return image.texels;
     return image.texels + shape.border_along(2) * image.slice() + shape.border_along(1) * image.stride +
            shape.border_along(0) * texel_size(shape.format);

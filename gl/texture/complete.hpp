@@ -5,11 +5,13 @@
 
 namespace spangle::gl {
 
-/// A texture's view, ready to sample; null when the texture is incomplete. Valid until the texture changes.
+/// Returns a texture's view, ready to be sampled, or null if the texture is incomplete. The view is valid
+/// until the texture changes.
 const raster::Texture* complete_texture(const TextureObject& texture);
 
-/// The texture that a unit samples, with its view ready. Null when no target is enabled or the texture is
-/// incomplete, which act alike. Valid until a texture changes.
+/// Returns the texture that a unit samples, with its view ready to be sampled. Returns null if no target is
+/// enabled or if the texture is incomplete; both disable texturing. The result is valid until a texture
+/// changes.
 const TextureObject* sampled_texture(const Context& context, int unit);
 
 /// Whether the base levels of all six faces exist and are alike (GL 1.3, 3.8.10).

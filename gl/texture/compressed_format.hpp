@@ -34,13 +34,13 @@ constexpr raster::TexelFormat compressed_texels_of(GLenum internal_format) {
                                                 : raster::TexelFormat::p8;
 }
 
-/// Whether the build supports the format's texels and its palette's entries.
+/// Whether the build supports the texels of the format and, for paletted formats, the entries of the palette.
 constexpr bool is_held(GLenum internal_format) {
     return raster::has_format(compressed_texels_of(internal_format)) &&
            (!is_palette(internal_format) || raster::has_format(palette_format_of(internal_format)));
 }
 
-/// Bytes of all palette entries; 0: the format has no palette.
+/// Returns the bytes of all palette entries, or 0 if the format has no palette.
 std::uint32_t palette_bytes(GLenum internal_format);
 
 /// Bytes of the image of a level, without its palette. Rows of 4-bit indices are packed without gaps.

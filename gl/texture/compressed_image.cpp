@@ -1,6 +1,7 @@
 // CompressedTexImage and CompressedTexSubImage (GL 1.3, 3.8.3), for paletted images and ETC1. A paletted
-// image brings all levels at once: level -n means n + 1 levels (OES_compressed_paletted_texture). Images are
-// sampled in compressed form, from the arena or from the program's constant memory.
+// image has all levels at once, and a `level` of -n means that it has n + 1 levels
+// (OES_compressed_paletted_texture). Images are sampled in compressed form, from the arena or from the
+// program's constant memory.
 #include <cstring>
 
 #include "gl/api/generated/commands.hpp"
@@ -41,7 +42,8 @@ struct CompressedImage {
     std::uint32_t bytes(GLint step) const {
         return compressed_bytes(internal_format, level_size(width, step), level_size(height, step));
     }
-    /// Bytes of the palette and all levels. The sum fits, as the size of the first level is limited.
+    /// Returns the bytes of the palette and all levels. The sum fits 32 bits, because the size of the first
+    /// level is limited.
     std::uint32_t all_bytes() const {
         std::uint32_t sum = palette_bytes(internal_format);
         for (GLint step = 0; step < levels; ++step)
@@ -50,8 +52,8 @@ struct CompressedImage {
     }
 };
 
-/// Makes the image of one level. A copied level has its own copy of the palette, so that no level needs
-/// another.
+/// Makes the image of one level. If the data is copied, each level gets its own copy of the palette, so that
+/// levels can be freed one by one.
 LevelImage* make_level(Arena& arena, const CompressedImage& from, GLint step, const std::uint8_t* texels) {
     const std::uint32_t palette = palette_bytes(from.internal_format), bytes = from.bytes(step);
     const std::size_t kept = from.constant ? 0 : std::size_t{palette} + bytes;

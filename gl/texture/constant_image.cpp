@@ -1,5 +1,6 @@
-// TexConstantImage2DSPANGLE: an image that stays in the program's constant memory. Its texels lie there in
-// the form that GL stores them, row by row without gaps, so the internal format must be a sized one.
+// TexConstantImage2DSPANGLE: makes an image that stays in the program's constant memory. There the texels
+// have the form in which Spangle stores them, row by row without gaps. The internal format must therefore be
+// a sized one.
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/arena.hpp"
 #include "gl/context/context.hpp"
@@ -11,7 +12,7 @@ namespace spangle::gl {
 
 namespace {
 
-/// Whether the format is sized, and stored in the same form whatever the surface.
+/// Whether the format is a sized one, and is stored in the same form for all formats of the surface.
 bool has_sizes(GLenum internal_format) {
     switch (internal_format) {
     case GL_ALPHA8:

@@ -14,7 +14,7 @@ namespace {
 
 bool is_function(GLenum v, bool alpha) {
     constexpr auto first_dot3 = static_cast<unsigned>(raster::CombineFunc::dot3_rgb);
-    static_assert(combine_functions.size() == first_dot3 + 2); // the functions that alpha does not have
+    static_assert(combine_functions.size() == first_dot3 + 2); // the last two functions are not for alpha
     return place_in(combine_functions, v) < (alpha ? first_dot3 : combine_functions.size());
 }
 
@@ -36,8 +36,8 @@ static_assert(GL_COMBINE_ALPHA - GL_COMBINE_RGB == 1 && GL_SOURCE2_RGB - GL_SOUR
               GL_SOURCE2_ALPHA - GL_SOURCE0_ALPHA == 2 && GL_OPERAND2_RGB - GL_OPERAND0_RGB == 2 &&
               GL_OPERAND2_ALPHA - GL_OPERAND0_ALPHA == 2);
 
-/// Where a combiner's parameter with a token value is stored, or null. Within each kind of parameter, tokens
-/// for alpha follow those for RGB.
+/// Returns the address of a parameter of a combiner whose value is a token, or null for other parameters. In
+/// each kind of parameter, the tokens for alpha follow those for RGB.
 GLenum* combiner_token(TexEnvState& env, GLenum pname) {
     for (unsigned alpha = 0; alpha < 2; ++alpha) {
         if (pname == GL_COMBINE_RGB + alpha)
@@ -62,7 +62,8 @@ bool legal_token(GLenum pname, GLenum value) {
     return pname < GL_OPERAND0_RGB ? is_source(value) : is_operand(value, pname >= GL_OPERAND0_ALPHA);
 }
 
-/// Sets a parameter of a combiner. Returns the error; INVALID_ENUM also for a pname that is not one.
+/// Sets a parameter of a combiner. Returns the error, which is INVALID_ENUM if `pname` is no parameter of
+/// combiners.
 GLenum set_combiner(TexEnvState& env, GLenum pname, Param value) {
     if (GLenum* const token = combiner_token(env, pname); token != nullptr) {
         if (!legal_token(pname, value.token()))

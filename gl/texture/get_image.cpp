@@ -12,7 +12,7 @@ namespace spangle::gl {
 
 namespace {
 
-/// Finds the image of a level; null after an error. A level without an image gives an empty one.
+/// Finds the image of a level. Returns null after an error, and an empty image for a level that has none.
 const LevelImage* find_image(Context& context, GLenum target, GLint level) {
     static constexpr LevelImage none{};
     ImageTarget of;
@@ -27,7 +27,8 @@ const LevelImage* find_image(Context& context, GLenum target, GLint level) {
     return image != nullptr ? image : &none;
 }
 
-/// Writes an image to client memory. Components that the texels lack are 0, alpha is 1 (GL 1.3, table 6.1).
+/// Writes an image to client memory. Colours that the texels lack are written as 0, and a missing alpha as 1
+/// (GL 1.3, table 6.1).
 void pack_image(const LevelImage& image, const PixelStore& pack, const PixelLayout& layout, void* pixels) {
     const LevelShape& shape = image.shape;
     const PixelLayout texels = texel_layout(shape.format);

@@ -20,7 +20,7 @@ void add(std::uint16_t* sum, const std::uint16_t* code) {
         L::scatter(L::load(bytes_of(sum + i)) + L::load(bytes_of(code + i)), sum + i);
 }
 
-/// Halves a row of column sums. The sum of two neighbours, times `times`, is the sum of eight texels.
+/// Halves a row of column sums. The sum of two neighbours, multiplied by `times`, is the sum of eight texels.
 void halve_sums(const std::uint16_t* sum, std::uint16_t times, std::uint16_t* out) {
     for (std::int32_t i = 0; i < row_chunk / 2; i += L::count) {
         const L::U32 pairs = L::load32(bytes_of(sum + 2 * i));

@@ -10,11 +10,12 @@ class RowHalver {
     explicit RowHalver(const PixelLayout& texels)
         : fields_(fields_of(texels, false)), reader_(fields_, bits_of(fields_)) {}
 
-    /// False when the layout's components are no bit fields; halve() may not be called then.
+    /// Whether the components of the layout are bit fields. If not, halve() must not be called.
     bool works() const { return fields_.bytes != 0; }
 
-    /// Writes `count` texels, each the mean of eight: two neighbours in each of four rows. Flat or thin
-    /// images pass the same rows several times: {a, b, a, b} or {a, a, a, a}.
+    /// Writes `count` texels. Each is the mean of eight texels, two neighbours in each of four rows. For an
+    /// image of one slice, the caller passes two rows twice, in the order a, b, a, b. For an image of one
+    /// row, it passes that row four times.
     void halve(const std::uint8_t* const (&from)[4], std::int32_t count, std::uint8_t* to);
 
   private:

@@ -12,8 +12,9 @@ namespace spangle::gl {
 
 namespace {
 
-/// Whether a side is legal: 0, which is the null texture, or not above the level's largest. It need not be a
-/// power of two (GL 2.0, 3.8.1). Side and border must not be negative.
+/// Whether the length of a side is legal. It may be 0, which makes the null texture, and up to the largest
+/// length of the level. It need not be a power of two (GL 2.0, 3.8.1). `side` and `border` must not be
+/// negative.
 bool legal_side(GLsizei side, std::uint32_t border, std::uint32_t most) {
     const std::uint32_t inner = static_cast<std::uint32_t>(side) - 2 * border;
     return side == 0 ? border == 0 : inner - 1 < most;
@@ -31,8 +32,8 @@ const char* rule_of_side([[maybe_unused]] unsigned axis) {
                               "more than its border");
 }
 
-/// The existing image of a level, ready to be written. An image in constant memory, or one that recorded
-/// draws use, is first replaced by a copy in the arena.
+/// Returns the existing image of a level, ready to be written. If the image lies in constant memory or
+/// recorded draws use it, a copy in the arena replaces it first.
 LevelImage* writable(Context& context, const SubImage& sub) {
     TextureObject& texture = bound_texture(context, sub.target.kind);
     LevelImage*& place = texture.image(sub.target.face, sub.level);
@@ -122,8 +123,8 @@ LevelImage* find_box(Context& context, const SubImage& sub, TexelBox& out) {
         return nullptr;
     }
     for (unsigned axis = 0; axis < 3; ++axis) {
-        // The offset counts from the array's first texel, whose coordinate is -border. A texel before that
-        // becomes a number beyond all sizes.
+        // The offset counts from the array's first texel, whose coordinate is -border. For a texel before the
+        // first, the unsigned offset is larger than any size.
         const std::uint32_t at = static_cast<std::uint32_t>(sub.at[axis]) + image->shape.border_along(axis),
                             size = static_cast<std::uint32_t>(sub.size[axis]), all = image->shape.size[axis];
         if (at > all || size > all - at) {

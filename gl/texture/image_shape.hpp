@@ -6,7 +6,7 @@
 
 namespace spangle::gl {
 
-/// An image to be made. Dimensions that the target does not have are 1.
+/// An image to be made. Sizes along dimensions that the target does not have are 1.
 struct ImageRequest {
     ImageTarget target;
     GLint level, internal_format;
@@ -14,11 +14,12 @@ struct ImageRequest {
     GLint border;
 };
 
-/// Computes the shape of an image; it is empty when a proxy cannot have it. Returns false after an error.
+/// Computes the shape of an image. If a proxy cannot have the image, the shape is empty. Returns false after
+/// an error.
 bool shape_of(Context& context, const ImageRequest& request, LevelShape& shape);
 
-/// A box of an existing image, with offsets from inside its border, like those of TexSubImage. Dimensions
-/// that the target does not have are at 0 and 1 long.
+/// A box of an existing image. Offsets count from the first texel inside the border, as in TexSubImage. Along
+/// dimensions that the target does not have, the offset is 0 and the size 1.
 struct SubImage {
     ImageTarget target;
     GLint level;
@@ -26,8 +27,8 @@ struct SubImage {
     GLsizei size[3];
 };
 
-/// Finds the image to be written, and its box in `out`; null after an error. Compressed images are refused
-/// (GL 1.3, 3.8.3); constant images are replaced by copies.
+/// Finds the image to be written, and sets `out` to the box within it. Returns null after an error.
+/// Compressed images are refused (GL 1.3, 3.8.3), and constant images are replaced by copies.
 LevelImage* find_box(Context& context, const SubImage& sub, TexelBox& out);
 
 /// The box of a whole image.

@@ -44,9 +44,10 @@ void take_base_format(GLint& internal_format) {
     }
 }
 
-/// The texel formats of component counts 1 to 4, of base formats from ALPHA on, and of sized formats from
-/// ALPHA4 on: 4, 8, 12 and 16 bits unless said otherwise. `none` marks tokens that are no internal formats;
-/// its etc1 is no format of TexImage.
+/// The table `kept` has the texel formats of component counts 1 to 4, then of base formats from ALPHA on,
+/// then of sized formats from ALPHA4 on. The sizes are 4, 8, 12 and 16 bits where the table does not say
+/// otherwise. `none` marks tokens that are not internal formats. Its value etc1 is free for that, because
+/// TexImage has no such format.
 constexpr unsigned counted = 0, unsized = 4, sized = 9, all_kept = 42;
 constexpr TexelFormat none = TexelFormat::etc1;
 constexpr TexelFormat a8 = TexelFormat::a8, l8 = TexelFormat::l8, la = TexelFormat::la88,
@@ -58,7 +59,7 @@ constexpr TexelFormat kept[all_kept] = {
     a8,    rgb8,   rgba8,  l8,    la,                      // ALPHA, RGB, RGBA, LUMINANCE, LUMINANCE_ALPHA
     a8,    a8,     a8,     a8,    l8,    l8,    l8,    l8, // ALPHA, LUMINANCE
     la,    la,     la,     la,    la,    la,           // LUMINANCE_ALPHA: 4 4, 6 2, 8 8, 12 4, 12 12, 16 16
-    i8,    i8,     i8,     i8,    i8,                  // INTENSITY, with sizes too
+    i8,    i8,     i8,     i8,    i8,                  // INTENSITY, then its sized formats
     none,  rgb565, rgb565, rgb8,  rgb8,  rgb8,  rgb8,  // RGB: (2), 4, 5, 8, 10, 12, 16
     rgba4, rgba4,  rgba5,  rgba8, rgba8, rgba8, rgba8, // RGBA: 2, 4, 5 1, 8, 10 2, 12, 16
 };
@@ -100,7 +101,8 @@ bool kept_format_of(GLint internal_format, PixelFormat surface, TexelFormat& out
     return out != none;
 }
 
-/// The client format and type that describe texels in memory, so that one code packs and unpacks both.
+/// The client format and type that texels in memory have, so that the same code packs and unpacks client
+/// images and texels.
 struct Texel {
     std::uint16_t format, type;
 };
@@ -183,7 +185,8 @@ PixelLayout texel_layout(TexelFormat format) {
 }
 
 unsigned texel_bits(TexelFormat format, Channel channel) {
-    // Only ETC1 gets here: of paletted images, callers ask for the format of the palette's entries.
+    // The only compressed format here is ETC1, because for paletted images callers ask for the format of the
+    // palette's entries.
     if (SPANGLE_FEATURE_COMPRESSED_TEXTURES && format >= TexelFormat::p4)
         return 8;
     const PixelLayout layout = texel_layout(format);

@@ -9,10 +9,10 @@
 namespace spangle::gl {
 
 /// Finds the texel format of an internal format. Returns false if TexImage has no such format, or the build
-/// leaves it out (SPANGLE_TEXTURE_FORMATS). Sized formats keep their resolution if such texels exist. Unsized
-/// colours are stored in 16 bits for 16-bit surfaces, because boards have little memory; GL only asks for a
-/// close match. For generic compressed formats `internal_format` becomes the base format, which replaces them
-/// (GL 1.3, 3.8.1).
+/// leaves it out (SPANGLE_TEXTURE_FORMATS). Sized formats keep their resolution if such texels exist. For
+/// 16-bit surfaces, texels of unsized colour formats have 16 bits, because boards have little memory. GL asks
+/// only for a close match. For generic compressed formats `internal_format` becomes the base format, which
+/// replaces them (GL 1.3, 3.8.1).
 bool texel_format_of(GLint& internal_format, PixelFormat surface, raster::TexelFormat& out);
 
 /// The base format of a texel format, for formats of TexImage and of CompressedTexImage.
@@ -26,11 +26,11 @@ constexpr bool is_depth(raster::TexelFormat format) {
 
 unsigned texel_size(raster::TexelFormat format);
 
-/// How a texel lies in memory. Luminance and intensity come from R (GL 1.3, table 3.15). Not for compressed
-/// formats.
+/// How a texel lies in memory. Luminance and intensity come from R (GL 1.3, table 3.15). The format must not
+/// be a compressed one.
 PixelLayout texel_layout(raster::TexelFormat format);
 
-/// Bits that a texel has for a channel; 0: it has none.
+/// Returns the bits that a texel has for a channel, or 0 if it does not have the channel.
 unsigned texel_bits(raster::TexelFormat format, Channel channel);
 
 } // namespace spangle::gl

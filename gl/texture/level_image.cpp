@@ -14,7 +14,7 @@
 namespace spangle::gl {
 
 #if SPANGLE_FEATURE_TEXTURE_CUBE_MAP
-/// Not in line, because too many places call it.
+/// The function is not inline, because many places call it.
 [[gnu::noinline]] LevelImage*& TextureObject::image(unsigned face, GLint l) {
     return face == 0 ? level[l] : reinterpret_cast<CubeTexture*>(this)->other[face - 1][l];
 }

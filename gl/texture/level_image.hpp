@@ -15,7 +15,7 @@ LevelImage* new_image(Arena& arena, const LevelShape& shape);
 /// Clears all texels, so that old memory contents never show where GL leaves texels undefined.
 void clear_texels(LevelImage& image);
 
-/// Frees an image that no texture has any more: at once, or when no recorded draw uses it any more.
+/// Frees an image that no texture has any more. If recorded draws use the image, it is freed after them.
 void discard_image(ShareGroup& share, LevelImage* image);
 
 /// Whether recorded draws use the image.
@@ -28,11 +28,11 @@ void hold_textures(Context& context);
 /// generates mipmaps (GL 1.4, 3.8.8).
 void put_image(Context& context, TextureObject& texture, unsigned face, GLint level, LevelImage* image);
 
-/// Called when texels of a level have changed: updates derived levels.
+/// Updates the derived levels. It must be called when texels of a level have changed.
 void image_written(Context& context, TextureObject& texture, unsigned face, GLint level);
 
-/// The texel format for a new level. It is that of another level with the same internal format, if there is
-/// one: the levels then agree, whichever surface was current.
+/// Returns the texel format for a new level. If another level has the same internal format, its texel format
+/// is returned. The levels then agree, although another surface may have been current.
 raster::TexelFormat format_beside(const TextureObject& texture, GLint level, const LevelShape& shape);
 
 } // namespace spangle::gl

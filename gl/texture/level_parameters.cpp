@@ -9,8 +9,8 @@ namespace spangle::gl {
 
 namespace {
 
-/// The value of a ..._SIZE parameter: the bits that texels really have. For paletted images it is that of the
-/// palette's entries.
+/// Returns the value of a ..._SIZE parameter, which is the number of bits that texels really have. For
+/// paletted images it is the number of bits of the palette's entries.
 unsigned size_of(const LevelShape& shape, GLenum pname) {
     using raster::BaseFormat;
     if (shape.empty()) // a level without texels has no bits
@@ -45,7 +45,7 @@ unsigned size_of(const LevelShape& shape, GLenum pname) {
                       of < 4 ? static_cast<Channel>(of) : Channel::red);
 }
 
-/// Finds a parameter of a level; returns false if it is none.
+/// Finds a parameter of a level. Returns false if `pname` is not such a parameter.
 bool value_of(const LevelShape& shape, GLenum pname, std::uint32_t& out) {
     switch (pname) {
     case GL_TEXTURE_WIDTH:

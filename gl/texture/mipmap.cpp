@@ -19,8 +19,9 @@ namespace {
 
 #if SPANGLE_FEATURE_MIPMAP_GENERATION
 
-/// The two texels that texel i of the next level covers, counted from inside the border. Sizes are halved and
-/// rounded down, so that the last texel of an odd size has no effect on the next level.
+/// The two texels that texel i of the next level covers. Both levels are counted from the first texel inside
+/// the border. Sizes are halved and rounded down, so that the last texel of an odd size has no effect on the
+/// next level.
 struct CoveredTexels {
     std::int32_t of[2];
     CoveredTexels(std::int32_t i, std::int32_t size, std::int32_t next_size) {
@@ -69,7 +70,7 @@ class LevelReduction {
         const CoveredTexels cx(x, size_[0], target_size_[0]), cy(y, size_[1], target_size_[1]),
             cz(z, size_[2], target_size_[2]);
         const Groups texels(layout_);
-        Pixel texel; // first the last texel read, then the mean
+        Pixel texel; // each texel that is read, and afterwards the mean
         std::uint32_t sum[4] = {};
         for (unsigned i = 0; i < 8; ++i) {
             texel = texels.color(source_level_.texels +

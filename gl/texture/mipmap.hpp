@@ -7,9 +7,9 @@ namespace spangle::gl {
 
 struct Context;
 
-/// Generates the levels of one face after the base level, up to `last`; each texel is the mean of those it
-/// covers. Does nothing without a base level, or if its texels are compressed. After OUT_OF_MEMORY all levels
-/// are unchanged.
+/// Generates the levels of one face after the base level, up to `last`. Each texel is the mean of the texels
+/// that it covers. The function does nothing if there is no base level, or if its texels are compressed.
+/// After OUT_OF_MEMORY all levels are unchanged.
 void generate_mipmaps(Context& context, TextureObject& texture, unsigned face, GLint last);
 
 } // namespace spangle::gl

@@ -1,4 +1,4 @@
-// Texture objects: names, bindings, lifetime (GL 1.3, 3.8.11).
+// Names, bindings and lifetime of texture objects (GL 1.3, 3.8.11).
 #include <cstring>
 #include <new>
 #include <type_traits>
@@ -24,7 +24,8 @@ void free_images(ShareGroup& share, TextureObject& texture) {
     texture.view_valid = false;
 }
 
-/// Binds the default texture instead. A deleted object is freed with its last binding.
+/// Binds the default texture in place of an object. An object that was deleted is freed when its last binding
+/// ends.
 void unbind_texture(ShareGroup& share, TextureObject*& bound) {
     TextureObject* const texture = bound;
     bound = nullptr;
@@ -33,7 +34,7 @@ void unbind_texture(ShareGroup& share, TextureObject*& bound) {
 }
 
 TextureObject* make_object(Arena& arena, TextureKind kind) {
-    static_assert(std::is_trivially_copyable_v<CubeTexture>); // so bytes make an object
+    static_assert(std::is_trivially_copyable_v<CubeTexture>); // bytes that are copied make an object
     const std::size_t bytes =
         existing_kind(kind) == TextureKind::cube ? sizeof(CubeTexture) : sizeof(TextureObject);
     void* const memory = arena.allocate(bytes);
@@ -47,7 +48,7 @@ TextureObject* make_object(Arena& arena, TextureKind kind) {
     return texture;
 }
 
-/// The object of a name, made if the name has none yet; null without memory.
+/// Returns the object of a name, which is made if the name has none yet. Returns null if the arena is full.
 TextureObject* object_of(ShareGroup& share, GLuint name, TextureKind kind) {
     void** slot = share.textures.find(name);
     if (slot != nullptr && *slot != nullptr)
@@ -70,7 +71,7 @@ void delete_name(Context& context, GLuint name) {
     if (texture == nullptr)
         return;
     texture->deleted = true;
-    ++texture->bindings; // held here, so that the loop frees no object it still compares
+    ++texture->bindings; // lest the loop free the object before its last comparison
     for (TextureUnitState& unit : context.texture.unit)
         if (TextureObject*& bound = unit.bound[index_of(texture->kind)]; bound == texture)
             unbind_texture(*context.share, bound);
@@ -78,7 +79,8 @@ void delete_name(Context& context, GLuint name) {
         destroy_texture(*context.share, texture);
 }
 
-/// Undoes object_of() for an object it has just made. `reserved`: GenTextures had reserved the name before.
+/// Undoes object_of() for an object that it has just made. `reserved` is true if GenTextures had reserved the
+/// name before.
 void unmake(ShareGroup& share, TextureObject* texture, bool reserved) {
     if (reserved)
         *share.textures.find(texture->name) = nullptr;

@@ -18,7 +18,7 @@ namespace {
     return v == GL_LUMINANCE || v == GL_INTENSITY || v == GL_ALPHA;
 }
 
-/// Which values a parameter takes, or how they are converted.
+/// Says which values a parameter takes, or how its values are converted.
 enum class Rule : std::uint8_t {
     min_filter,
     mag_filter,
@@ -32,8 +32,8 @@ enum class Rule : std::uint8_t {
     boolean,
 };
 
-/// A parameter. Each is a word in TextureParameters, except BORDER_COLOR, which is four, and GENERATE_MIPMAP,
-/// a bool.
+/// A parameter. TextureParameters holds each one as a word, except BORDER_COLOR, which has four words, and
+/// GENERATE_MIPMAP, which is a bool.
 struct Row {
     std::uint16_t name;
     std::uint8_t at; ///< offset in TextureParameters, bytes
@@ -91,7 +91,7 @@ bool is_token(Rule rule, GLenum v) {
     }
 }
 
-/// Sets a parameter (GL 1.3, table 3.19). Returns the error, and then changes nothing.
+/// Sets a parameter (GL 1.3, table 3.19). If it returns an error, nothing has changed.
 GLenum set_parameter(TextureParameters& p, GLenum pname, const Params& params) {
     const Row* const row = find_row(pname);
     if (row == nullptr || !is_token(row->rule, params.v[0].token()))

@@ -1,5 +1,6 @@
-// What the texture attribute group saves beside the state table (GL 1.3, 6.1.12): the environment of every
-// unit and, for each of its targets, the bound name and the object's parameters.
+// Saves the part of the texture attribute group that is not in the state table (GL 1.3, 6.1.12). That part is
+// the environment of every unit and, for each target of a unit, the bound name and the parameters of the
+// object.
 #include <cstring>
 
 #include "gl/context/context.hpp"
@@ -46,7 +47,8 @@ void save_textures(const Context& context, void* to) {
 
 bool restore_textures(Context& context, const void* from) {
     const auto* const units = static_cast<const unsigned char*>(from);
-    const auto binding = [units](unsigned i) { // saved name of kind i % texture_kinds; parameters follow
+    // Returns the address of saved name i, which belongs to kind i % texture_kinds. The parameters follow it.
+    const auto binding = [units](unsigned i) {
         return units + i / texture_kinds * unit_bytes + sizeof(TexEnvState) +
                i % texture_kinds * (sizeof(GLuint) + sizeof(TextureParameters));
     };
@@ -54,7 +56,8 @@ bool restore_textures(Context& context, const void* from) {
     TextureObject* objects[texture_bindings];
     for (unsigned i = 0; i < texture_bindings; ++i)
         std::memcpy(&names[i], binding(i), sizeof names[i]);
-    // Objects that were deleted meanwhile are made again. All objects exist before anything is changed.
+    // Objects that were deleted in the meantime are made again. This happens before any state changes,
+    // because it may fail.
     if (!find_named_objects(context, names, objects))
         return false;
     for (unsigned u = 0; u < texture_units; ++u)

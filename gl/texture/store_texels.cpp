@@ -10,7 +10,7 @@ namespace spangle::gl {
 
 namespace {
 
-/// Whether groups in client memory have the texels' layout, so that rows can be copied.
+/// Whether groups in client memory have the layout of the texels. If so, rows can be copied.
 [[maybe_unused]] bool same_layout(PixelLayout layout, const PixelLayout& texels) {
     if (layout.channel[0] == Channel::luminance)
         layout.channel[0] = Channel::red;

@@ -9,7 +9,7 @@ namespace spangle::gl {
 
 struct Context;
 
-/// A box of texels, counted from the array's first texel, border included.
+/// A box of texels. Offsets count from the first texel of the array, which may belong to the border.
 struct TexelBox {
     std::uint32_t at[3], size[3];
 

@@ -23,7 +23,8 @@ bool find_layout(Context& context, const ImageCommand& client, PixelLayout& layo
     return refused == GL_NO_ERROR;
 }
 
-/// Whether client data fits the texels: depth textures take depths only, others none (GL 1.4, 3.8.1).
+/// Whether client data can become such texels. Depth textures take depths only, and other textures take no
+/// depths (GL 1.4, 3.8.1).
 bool goes_into(Context& context, const PixelLayout& layout, raster::TexelFormat format) {
     if ((layout.channel[0] == Channel::depth) == is_depth(format))
         return true;

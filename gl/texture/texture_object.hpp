@@ -10,7 +10,8 @@
 
 namespace spangle::gl {
 
-/// Number of levels. Level l has at most 2^(texture_levels - 1 - l) texels a side, without border.
+/// Number of levels of a texture. Each side of level l has at most 2^(texture_levels - 1 - l) texels without
+/// the border.
 inline constexpr int texture_levels = raster::max_texture_levels;
 inline constexpr GLsizei max_texture_size = 1 << (texture_levels - 1);
 inline constexpr GLsizei max_3d_texture_size = max_texture_size < 256 ? max_texture_size : 256;
@@ -35,7 +36,7 @@ inline constexpr unsigned kinds_there = [] {
         set |= texture_kind_is_there[k] ? 1u << k : 0u;
     return set;
 }();
-/// The kind of a texture that exists: a constant in builds with one kind.
+/// Returns the kind of a texture that exists. In builds with one kind the result is a constant.
 [[gnu::always_inline]] constexpr TextureKind existing_kind(TextureKind kind) {
     return raster::one_of(kinds_there, kind);
 }
@@ -45,12 +46,12 @@ inline constexpr auto kinds_before = [] {
         before[k + 1] = static_cast<std::uint8_t>(before[k] + (texture_kind_is_there[k] ? 1u : 0u));
     return before;
 }();
-/// The number of dimensions of an image; the others are 1, without border.
+/// Returns the number of dimensions of an image. Along other dimensions its size is 1, without border.
 constexpr unsigned dimensions_of(TextureKind kind) {
     return kind == TextureKind::one ? 1 : kind == TextureKind::three ? 3 : 2;
 }
 
-/// The shape of an image. All sizes 0 are GL's initial, empty texture array.
+/// The shape of an image. If all sizes are 0, it is the empty image that a level has initially.
 struct LevelShape {
     std::uint16_t size[3] = {};        ///< width, height, depth in texels, border included
     std::uint16_t internal_format = 1; ///< as the program gave it; every token fits 16 bits
@@ -58,19 +59,21 @@ struct LevelShape {
     std::uint8_t dimensions = 2;
     raster::TexelFormat format = raster::TexelFormat::l8;
 
-    /// Dimensions: a constant in builds with 2D textures and cube maps only.
+    /// Returns the number of dimensions, which is a constant in builds that have only 2D textures and cube
+    /// maps.
     unsigned dimension_count() const {
         return SPANGLE_FEATURE_TEXTURE_1D || SPANGLE_FEATURE_TEXTURE_3D ? dimensions : 2;
     }
     std::uint32_t border_along(unsigned axis) const { return axis < dimension_count() ? border : 0u; }
     std::uint32_t size_without_border(unsigned axis) const { return size[axis] - 2 * border_along(axis); }
     bool is_volume() const { return dimension_count() == 3; }
-    unsigned images() const { return SPANGLE_FEATURE_TEXTURE_3D ? size[2] : 1; } ///< must not be empty
+    /// Returns the number of two-dimensional images. The shape must not be empty.
+    unsigned images() const { return SPANGLE_FEATURE_TEXTURE_3D ? size[2] : 1; }
     bool empty() const { return size[0] == 0 || size[1] == 0 || size[2] == 0; }
 };
 
-/// The image of a level, a block of the share group's arena. Its texels follow in the block, or lie in the
-/// program's constant memory.
+/// The image of a level. It is a block of the share group's arena. Its texels follow in the same block, or
+/// lie in the program's constant memory.
 struct LevelImage {
     LevelShape shape;
     std::uint32_t stride = 0;             ///< bytes from row to row; 0 for formats without rows
@@ -92,7 +95,7 @@ struct LevelImage {
     }
 };
 
-/// The initial limit of a level of detail, upwards and downwards (GL 1.3, table 3.19).
+/// The initial limits of a level of detail are this number and its negative (GL 1.3, table 3.19).
 inline constexpr Real farthest_lod = numeric::from_i32(1000);
 
 /// The parameters that TexParameter sets.
@@ -118,7 +121,7 @@ struct TextureObject {
     LevelImage* level[texture_levels] = {}; ///< images; of a cube map those of POSITIVE_X
     TextureParameters parameters;
 
-    // These are derived from the members above by complete_texture(), when a primitive needs them.
+    // complete_texture() derives the following members from those above, when a primitive needs them.
     mutable bool view_valid = false, complete = false;
     mutable raster::Texture view;
 

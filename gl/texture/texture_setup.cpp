@@ -30,15 +30,15 @@ unsigned arguments_of(GLenum func) {
 raster::Combiner combiner_of(const TexEnvState& env, unsigned alpha) {
     raster::Combiner out;
     out.func = static_cast<raster::CombineFunc>(place_in(combine_functions, env.func[alpha]));
-    out.log2_scale =
-        static_cast<std::uint8_t>((env.scale[alpha].bits - numeric::one.bits) >> 23); // of scale 1, 2 or 4
+    // The scale is 1, 2 or 4, so the exponent of its float is its logarithm.
+    out.log2_scale = static_cast<std::uint8_t>((env.scale[alpha].bits - numeric::one.bits) >> 23);
     for (unsigned i = 0; i < arguments_of(env.func[alpha]); ++i)
         out.argument[i] = {source_of(env.source[alpha][i]), combine_operand_of(env.operand[alpha][i])};
     return out;
 }
 
-/// Whether all texture units that a combiner reads are enabled. If not, the unit passes the colour on
-/// unchanged (ARB_texture_env_crossbar).
+/// Whether all texture units that a combiner reads are enabled. If not, the unit of the combiner passes the
+/// colour on unchanged (ARB_texture_env_crossbar).
 bool sources_are_on(const raster::FragmentState& out, const raster::Combiner& combiner) {
     for (const raster::Combiner::Argument& argument : combiner.argument) {
         const unsigned unit =
@@ -54,7 +54,8 @@ void fill_combiners(const TexEnvState& env, raster::FragmentState& out, raster::
     unit.alpha = combiner_of(env, 1);
     if (sources_are_on(out, unit.rgb) && sources_are_on(out, unit.alpha))
         return;
-    unit.rgb = unit.alpha = {raster::CombineFunc::replace, 0, {}}; // replaces by the previous unit's colour
+    // The unit passes the colour of the previous unit on.
+    unit.rgb = unit.alpha = {raster::CombineFunc::replace, 0, {}};
 }
 
 #endif

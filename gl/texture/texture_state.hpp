@@ -6,13 +6,14 @@
 
 namespace spangle::gl {
 
-/// TexGen of one coordinate (GL 1.3, 2.10.4).
+/// The generation of one coordinate by TexGen (GL 1.3, 2.10.4).
 struct TexGenState {
     GLenum mode = GL_EYE_LINEAR;
     Real object_plane[4] = {}, eye_plane[4] = {}; ///< eye_plane is in eye space
 };
 
-/// The texture environment (GL 1.3, 3.8.12, 3.8.13). In combiners [0] is RGB, [1] is alpha.
+/// The texture environment (GL 1.3, 3.8.12, 3.8.13). In arrays of combiners, element 0 is for RGB and element
+/// 1 for alpha.
 struct TexEnvState {
     GLenum mode = GL_MODULATE;
     Real color[4] = {};
@@ -43,14 +44,15 @@ struct TextureUnitState {
     TexEnvState env;
 };
 
-/// units_in_use() has bit u when unit u is enabled, and bit u + third_coordinate when its texture needs r.
+/// In the result of units_in_use(), bit u is set if unit u is enabled. Bit u + third_coordinate is set if the
+/// texture of unit u needs r.
 inline constexpr int third_coordinate = 8;
 
-/// Bindings, environments and what a program has enabled.
+/// Bindings, environments, and the texturing that a program has enabled.
 struct TextureState {
     TextureUnitState unit[texture_units];
     unsigned active = 0;
-    /// The active unit: a constant in builds with one unit.
+    /// Returns the active unit, which is a constant in builds with one unit.
     unsigned active_unit() const { return texture_units > 1 ? active : 0; }
 
     // The default textures, name 0 of each target, are shared by all units.

@@ -1,4 +1,4 @@
-// Finds the texture and the image that a target names (GL 1.3, 3.8.1, 3.8.11).
+// Finds the texture and the image that a target stands for (GL 1.3, 3.8.1, 3.8.11).
 #pragma once
 
 #include "gl/texture/texture_state.hpp"
@@ -18,11 +18,12 @@ struct ImageTarget {
 /// out.
 bool find_texture_target(Context& context, GLenum token, TextureKind& out);
 
-/// Finds the target of an image with `dimensions` dimensions (0: any), proxies included. For cube maps it is
-/// a face, or the proxy of all faces. Returns false after an error.
+/// Finds the target of an image with `dimensions` dimensions, or with any number of them if `dimensions` is
+/// 0. The target may be a proxy. For cube maps it is a face, or the proxy of all faces. Returns false after
+/// an error.
 bool find_image_target(Context& context, GLenum token, unsigned dimensions, ImageTarget& out);
 
-/// Finds the target of a stored image: as find_image_target(), but refuses proxies, which have no image.
+/// Does what find_image_target() does, but refuses proxies, which store no image.
 bool find_stored_target(Context& context, GLenum token, unsigned dimensions, ImageTarget& out);
 
 /// The object of this kind that is bound to the active unit.
@@ -32,9 +33,9 @@ TextureObject& bound_texture(Context& context, TextureKind kind);
 inline constexpr unsigned texture_bindings = texture_units * texture_kinds;
 static_assert(texture_bindings <= 32);
 
-/// Finds the objects of names, which are ordered by unit, then by kind. A name without an object gets one, as
-/// in BindTexture. Name 0, and names of another kind, give null. Without memory it changes nothing and
-/// returns false.
+/// Finds the objects of names, which are ordered by unit, then by kind. A name that has no object gets one,
+/// as in BindTexture. The object is null for name 0, and for a name that belongs to another kind of texture.
+/// If the arena is full, the function changes nothing and returns false.
 bool find_named_objects(Context& context, const GLuint (&names)[texture_bindings],
                         TextureObject* (&found)[texture_bindings]);
 
