@@ -1,5 +1,5 @@
-// Describes a command family as a constant, by which common code checks, records and plays its commands,
-// whatever their arguments are.
+// Describes each command family as a constant. With it, common code checks, records and plays the commands of
+// all families, although their arguments differ.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ struct Vertex; // from generated/commands.hpp
 
 inline constexpr std::size_t most_args = 10;
 
-/// How a canonical argument of type T is passed as a word, and taken back.
+/// Converts a canonical argument of type T to a word, in which it is passed, and back.
 template <class T> struct Passed {
     static constexpr Arg arg(T value) { return static_cast<Arg>(value); }
     static constexpr T value(Arg arg) { return static_cast<T>(arg); }
@@ -38,14 +38,14 @@ template <class T> struct Passed<const T&> {
     static const T& value(Arg arg) { return *reinterpret_cast<const T*>(arg); }
 };
 
-// The functions of families are called through common types, which take 3, 6 or 10 words. A family uses the
-// smallest type that holds its arguments.
+// The functions of families are called through common types of functions, which take 3, 6 or 10 words. A
+// family uses the type with the fewest words that hold its arguments.
 template <std::size_t> using AnyArg = Arg;
 template <class Places> struct Taking;
 template <std::size_t... I> struct Taking<std::index_sequence<I...>> {
     using Function = void(Context&, AnyArg<I>...);
 
-    /// In line, so that arguments stay in registers.
+    /// The function is inline, so that arguments stay in registers.
     [[gnu::always_inline]] static void call(Function* function, Context& context, const Arg* args) {
         function(context, args[I]...);
     }
@@ -104,7 +104,7 @@ template <class F, class R, class... A>
 #endif
 }
 
-/// Reports a command to the context's watcher, on hosts.
+/// Reports a command to the context's watcher, which exists on hosts only.
 inline void tell_watcher([[maybe_unused]] Context& context, [[maybe_unused]] const CommandText* text,
                          [[maybe_unused]] const Arg* args, [[maybe_unused]] unsigned count) {
 #if SPANGLE_WATCHED
@@ -113,7 +113,7 @@ inline void tell_watcher([[maybe_unused]] Context& context, [[maybe_unused]] con
 #endif
 }
 
-/// Reports a command that runs at once to the watcher; its arguments are not words yet.
+/// Reports a command that runs at once to the watcher. The arguments of the command are not words yet.
 template <class F, class R, class... A>
 [[gnu::always_inline]] inline void tell_run([[maybe_unused]] R (*)(Context&, A...),
                                             [[maybe_unused]] const std::type_identity_t<A>&... args) {

@@ -1,5 +1,5 @@
 // Entry points that take components of vertices, colours, normals or coordinates in memory. The entry points
-// of a family share one function, whatever the type of their components.
+// of a family share one function for all types of components.
 #pragma once
 
 #include <bit>
@@ -12,8 +12,8 @@
 
 namespace spangle::gl {
 
-/// Issues a command with loaded components. Components that the entry point does not give are from
-/// (0, 0, 0, 1).
+/// Issues a command with loaded components. Components that the entry point does not give are those of (0, 0,
+/// 0, 1).
 template <class F, class... Leading, std::size_t... I>
 inline void issue_first(const Real* v, std::index_sequence<I...>, Leading... leading) {
     issue<F>(leading..., v[I]...);
@@ -23,8 +23,8 @@ template <class... A> constexpr std::size_t count_reals(void (*)(Context&, A...)
     return (std::size_t{std::is_same_v<A, Real>} + ...);
 }
 
-/// Common code of all families: loads components and issues the command, with the leading argument `target`
-/// if it has one.
+/// Loads components and issues the command, with the leading argument `target` if the command has one. All
+/// families share this code.
 void issue_loaded(const void* v, convert::Components kind, const Command& command, const char* null_text);
 void issue_loaded_at(GLenum target, const void* v, convert::Components kind, const Command& command,
                      const char* null_text);
@@ -117,8 +117,8 @@ template <convert::Element kind, unsigned count, std::size_t index, class T> inl
     return index == 3 ? numeric::one : numeric::zero;
 }
 
-/// Issues components of the most frequent vertex commands, and of commands with reals only, converted in
-/// line.
+/// Issues components that are converted inline. The most frequent vertex commands use this function, and
+/// commands that take reals only.
 template <class F, convert::Element kind, unsigned count, class T>
 inline void issue_reals(const T* v, const char* null_text) {
     if constexpr (converts_in_line) {
@@ -145,7 +145,7 @@ inline void issue_reals(const T (&given)[count], std::nullptr_t) {
         issue_reals<F, kind, count>(static_cast<const T*>(given), static_cast<const char*>(nullptr));
 }
 
-/// Issues a command whose last argument is an array of the client, of the given type.
+/// Issues a command whose last argument is an array in client memory, with elements of the given type.
 template <class F, class A> [[gnu::noinline]] void issue_array(A a, const void* at, GLenum type) {
     issue<F>(a, Values{at, type});
 }

@@ -75,7 +75,7 @@ template <class T> T element(const void* array, std::size_t index) {
 /// log2 of the bytes of each Element, in its order.
 constexpr std::uint8_t size_logs[] = {2, 1, 2, 3, 2, 0, 0, 1, 1, 2, 2};
 
-/// Loads a component by one common path for all integer types, which is smaller but slower.
+/// Loads a component by code that all integer types share. This code is smaller but slower.
 [[maybe_unused]] Real short_component(Element type, const void* v, std::size_t i) {
     if (type == Element::cast_d)
         return cast_d(element<GLdouble>(v, i));

@@ -27,8 +27,8 @@ const PnameText* find_pname(const CommandText& text, const ArgText& arg, GLenum 
     return nullptr;
 }
 
-/// Describes an argument that is wrong for all values of the other arguments and of the state. False: the
-/// argument is not wrong in this way.
+/// Describes an argument that is wrong for all values of the other arguments and of the state. Returns false
+/// if the argument is not wrong in this way.
 bool name_wrong(Sentence& out, GLenum code, const CommandText& text, const ArgText& arg, Arg value) {
     const auto token = static_cast<GLenum>(value);
     const auto number = static_cast<std::int32_t>(value);
@@ -56,8 +56,8 @@ bool name_wrong(Sentence& out, GLenum code, const CommandText& text, const ArgTe
     return false;
 }
 
-/// Describes an argument that is likely to be wrong, for commands that give no other rule. It may err: some
-/// commands take null, and the table does not know the values of pnames.
+/// Describes an argument that is probably wrong, for commands that give no other rule. The description may be
+/// false, because some commands accept null, and because the table does not have the values of pnames.
 bool name_suspect(Sentence& out, GLenum code, const CommandText& text, const ArgText& arg, Arg value) {
     if (code == GL_INVALID_VALUE && (arg.rule == ArgRule::address || arg.rule == ArgRule::array) &&
         value == 0) {
@@ -76,7 +76,7 @@ bool name_suspect(Sentence& out, GLenum code, const CommandText& text, const Arg
     return false;
 }
 
-/// Describes the first argument that `says` finds wrong; returns false if there is none.
+/// Describes the first argument that `says` finds wrong. Returns false if no argument is wrong.
 bool name_argument(Sentence& out, GLenum code, const CommandText& text, const Arg* args, unsigned count,
                    decltype(name_wrong)& says) {
     for (unsigned i = 0; i < text.count && i < count; ++i)
@@ -85,7 +85,8 @@ bool name_argument(Sentence& out, GLenum code, const CommandText& text, const Ar
     return false;
 }
 
-/// If `text` begins with `word` and a blank, returns the rest from the blank on; else null.
+/// Returns the rest of `text` from the first blank on if `text` begins with `word` and a blank. Otherwise
+/// returns null.
 const char* behind(const char* text, const char* word) {
     while (*word != 0)
         if (*text++ != *word++)
@@ -125,7 +126,7 @@ void tell_rule(Sentence& out, const char* rule, const CommandText& text, const A
     out << rule;
 }
 
-/// The rule for an error of which no argument is wrong by itself.
+/// Returns the rule for an error where no argument is wrong by itself.
 const char* rule_of(GLenum code) {
     switch (code) {
     case GL_INVALID_ENUM:

@@ -1,4 +1,4 @@
-// Unpacks the arguments of commands into words, which messages about errors are made of.
+// Unpacks the arguments of commands into words, from which messages about errors are composed.
 #pragma once
 
 #include "gl/context/command_text.hpp"
@@ -9,8 +9,8 @@ namespace spangle::gl {
 
 inline constexpr unsigned most_explained = 12;
 
-/// Unpacks `count` argument words into the arguments of the GL command, one for each ArgText. Images become
-/// their parts, and arrays their addresses. Returns the number of arguments.
+/// Unpacks `count` argument words into the arguments of the GL command, one for each ArgText. An image
+/// becomes several arguments, and an array becomes its address. Returns the number of arguments.
 unsigned unpack(const CommandText& text, const Arg* args, unsigned count, Arg (&out)[most_explained]);
 
 /// Does what explain() does, for arguments that are already unpacked.

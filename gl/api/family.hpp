@@ -22,13 +22,13 @@ enum class Listing : std::uint8_t {
 /// The kind of a pname's values, which decides how they are converted (GL 1.3, 2.13 and 6.1.2).
 enum class Kind : std::uint8_t { real, color, integer };
 
-/// Kind and number of the values that a pname takes; count 0: an unknown pname.
+/// The kind and the number of the values that a pname takes. If `count` is 0, the pname is unknown.
 struct Shape {
     Kind kind = Kind::real;
     std::uint8_t count = 0;
 };
 
-/// The shape of consecutive pnames. A row with `names` 0 ends a family's table.
+/// The shape that several consecutive pnames have. A row whose `names` is 0 ends the table of a family.
 struct ShapeRow {
     std::uint16_t name = 0; ///< first token
     std::uint8_t names = 0;
@@ -47,7 +47,7 @@ template <class R, class... A, R (*function)(Context&, A...)> struct Sharing<fun
     }
 };
 
-/// A family's function, which holds the lock of the shared objects while it runs.
+/// The function of a family, wrapped so that the lock of the shared objects is held while it runs.
 template <auto function> inline constexpr auto sharing = &Sharing<function>::run;
 
 #else

@@ -5,8 +5,8 @@ namespace spangle::gl {
 
 namespace {
 
-/// Raises an error of an entry point. `text` is a whole sentence, as the entry point is known, not only its
-/// family.
+/// Raises an error of an entry point. `text` is a whole sentence, because the caller knows the entry point
+/// and not only its family.
 void refuse(GLenum code, [[maybe_unused]] const char* text) {
     Context* const context = current_context();
     if (context == nullptr)
@@ -56,7 +56,7 @@ void watch(Context& context, Watcher* watcher) {
 bool must_run_now(Context& context, const Command& command, [[maybe_unused]] const Arg (&args)[most_args]) {
     tell_watcher(context, command.text, args, command.args);
 #if SPANGLE_FEATURE_LISTS
-    if ((context.gate & gate_compiling) != 0) { // only commands that lists record come here
+    if ((context.gate & gate_compiling) != 0) { // lists record all commands that get here
 #if SPANGLE_MESSAGES
         context.compiled = {command.text, args};
 #endif
@@ -110,8 +110,8 @@ void issue_args(const Command& command, const Arg* args) {
 
 namespace {
 
-/// Issues a command with as many values as its pname has. If a single value is given for a pname with
-/// several, the count is 0 and the command raises INVALID_ENUM.
+/// Issues a command with as many values as its pname has. If the entry point takes a single value but the
+/// pname has several, the count is 0, and the command raises INVALID_ENUM.
 [[gnu::noinline]] void issue_shaped(GLenum target, GLenum pname, const void* values, convert::Number type,
                                     const ParamFamily& family, bool single) {
     Shape shape = find_shape(family.rows, pname);
@@ -119,7 +119,8 @@ namespace {
         shape.count = 0;
     const Params params = convert::vector(shape, values, type);
     const Arg last = Passed<const Params&>::arg(params);
-    const bool targets = family.command->args == few_args; // without a target the last argument is not used
+    // Commands without a target do not use the last argument.
+    const bool targets = family.command->args == few_args;
     issue_command(*family.command, Arg{targets ? target : pname}, targets ? Arg{pname} : last, last);
 }
 

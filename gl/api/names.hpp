@@ -7,8 +7,8 @@ namespace spangle::gl {
 
 using EntryPoint = void (*)();
 
-/// The entry point called `name` ("glBegin"), or null. Without SPANGLE_FEATURE_GET_PROC_ADDRESS it is always
-/// null.
+/// Returns the entry point with this name, such as "glBegin", or null if there is none. Without
+/// SPANGLE_FEATURE_GET_PROC_ADDRESS the result is always null.
 EntryPoint find_entry_point(const char* name);
 
 } // namespace spangle::gl

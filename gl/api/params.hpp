@@ -1,5 +1,5 @@
-// Commands with a pname and its values, and their queries. The entry points of a family share one function,
-// whatever the type of the values.
+// Commands with a pname and its values, and their queries. The entry points of a family share one function
+// for all types of values.
 #pragma once
 
 #include "gl/api/convert.hpp"
@@ -14,8 +14,8 @@ struct ParamFamily {
 };
 template <class F, const auto& rows> inline constexpr ParamFamily params_of{&command<F>, rows};
 
-// Common code of all families; `target` is unused by families without one. The family is the last argument,
-// so that an entry point's arguments stay in their registers.
+// All families share this code. Families without a target do not use `target`. The family is the last
+// argument, so that the arguments of an entry point stay in their registers.
 void issue_value(GLenum target, GLenum pname, std::uint32_t word, convert::Number type,
                  const ParamFamily& family);
 void issue_values(GLenum target, GLenum pname, const void* values, convert::Number type,
@@ -24,7 +24,7 @@ void issue_values(GLenum target, GLenum pname, const void* values, convert::Numb
 template <class F, const auto& rows>
 [[gnu::noinline]] void issue_param(GLenum pname, std::uint32_t word, convert::Number type) {
     if constexpr (F::listing == Listing::never)
-        issue<F>(pname, convert::vector(find_shape(rows, pname), &word, type)); // PixelStore: one value each
+        issue<F>(pname, convert::vector(find_shape(rows, pname), &word, type)); // PixelStore takes one value
     else
         issue_value(0, pname, word, type, params_of<F, rows>);
 }
@@ -44,7 +44,7 @@ template <class F, const auto& rows>
     issue_values(target, pname, values, type, params_of<F, rows>, null_text);
 }
 
-/// Whether all pnames have one shape, so that no table is searched.
+/// Whether all pnames have the same shape. If so, no table is searched.
 template <std::size_t count> constexpr bool all_alike(const ShapeRow (&rows)[count]) {
     for (std::size_t i = 0; i + 1 < count; ++i)
         if (rows[i].kind != rows[0].kind || rows[i].count != rows[0].count)

@@ -9,8 +9,8 @@
         refuse_feature(SPANGLE_TEXT(text));                                                                  \
     }
 #else
-// Without messages these entry points are all alike, so one function has all their names; it reads no
-// arguments. (clang does not find a static function by its C name.)
+// Without messages these entry points do the same, so one function, which reads no arguments, has all their
+// names. clang does not find a static function by its C name.
 #pragma GCC diagnostic ignored "-Wattribute-alias"
 extern "C" {
 [[maybe_unused]] static void spangle_refused() {
