@@ -1,9 +1,9 @@
 // Types of the constants that `spangle bake` writes from models and pictures, and the few calls that draw
-// them. Spangle reads the constants where they lie, in flash, and copies no byte of them. GL errors are those
-// of the GL commands that a function calls.
+// them. Spangle reads the constants where they lie, in flash, and copies no byte of them. A function raises
+// the GL errors of the GL commands that it calls.
 #pragma once
 
-#ifndef GL_NO_ERROR // where the header of another GL comes first, that GL is used
+#ifndef GL_NO_ERROR // if the header of another GL was included first, that GL is used
 #include <spangle/GL/gl.h>
 #endif
 
@@ -84,8 +84,9 @@ inline void load(const Texture& texture) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-/// Scales the current matrix, mostly the modelview, so that the position arrays have the size of the model.
-/// Normals change their length with it: enable GL_RESCALE_NORMAL or GL_NORMALIZE for lighting.
+/// Scales the current matrix, which is usually the modelview matrix, so that the position arrays have the
+/// size of the model. The scale also changes the length of normals, so lighting needs GL_RESCALE_NORMAL or
+/// GL_NORMALIZE.
 inline void scale_positions(const Mesh& mesh) {
     if (mesh.position_scale != 1.0f)
         glScalef(mesh.position_scale, mesh.position_scale, mesh.position_scale);

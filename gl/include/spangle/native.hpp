@@ -17,12 +17,13 @@ inline EGLNativeDisplayType native(hal::Display& display) {
 
 /// Hands `bytes` bytes of memory to Spangle for good, before eglInitialize. Contexts, depth buffers,
 /// pbuffers, textures and display lists lie in it. Without this call a host uses SPANGLE_HOST_MEMORY_MB
-/// mebibytes of its own (64 by default), and a board has no memory: EGL_BAD_ALLOC.
+/// mebibytes of its own (64 by default), and on a board EGL functions fail with EGL_BAD_ALLOC.
 void memory(void* begin, std::size_t bytes);
 
-/// Bytes of Spangle's memory that are in use, the most that ever were in use, and all bytes there are.
+/// The use of Spangle's memory.
 struct MemoryUse {
-    /// Bytes in use now, the most ever, and all there are.
+    /// The number of bytes that are in use now, the largest number that ever was in use, and the size of the
+    /// memory.
     std::size_t used, peak, capacity;
 };
 /// Returns the memory that all contexts and share groups use now. It may be called at any time.

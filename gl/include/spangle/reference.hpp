@@ -18,11 +18,12 @@
 
 namespace spangle {
 
-/// Makes the configs of DOUBLE and SHADOW precision exist in this program. Call it before eglChooseConfig
-/// asks for them; calling it again changes nothing.
+/// Adds the configs of DOUBLE and SHADOW precision to this program. It must be called before eglChooseConfig
+/// asks for them. Further calls change nothing.
 void use_reference_engines();
 
-/// The error of one stage of the pipeline: its integers compared with the doubles beside them.
+/// The error of one stage of the pipeline, which is the difference between its integers and the doubles that
+/// were computed with them.
 struct StageError {
     const char* stage;       ///< "window x", "coord 0", "fog factor", ...
     const char* unit;        ///< unit of the figures below: "pixels", "texels", "of 1", ...
@@ -34,7 +35,8 @@ struct StageError {
 };
 
 /// Collects the errors of what SHADOW contexts draw on this thread, from construction to destruction. Reports
-/// nest: only the innermost report collects, and reports end in the reverse order of their beginning.
+/// may be nested. Only the innermost report collects, and reports must end in the reverse order of their
+/// beginning.
 class StageReport {
   public:
     /// Begins to collect errors.
@@ -49,7 +51,7 @@ class StageReport {
     /// The stages that compared any value since construction or the last clear(), in the order of the
     /// pipeline.
     std::vector<StageError> stages() const;
-    /// Forgets what was collected.
+    /// Discards the errors that were collected.
     void clear();
 
   private:
