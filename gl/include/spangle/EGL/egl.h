@@ -24,8 +24,8 @@ extern "C" {
 #define EGLAPIENTRY
 #endif
 
-/* A display of the platform, as spangle::native (spangle/native.hpp) makes it of a HAL display; its pixmaps,
- * and its windows: 0 is the only window of a board. */
+/* The display, the pixmaps and the windows of the platform. spangle::native (spangle/native.hpp) makes such a
+ * display of a HAL display. A board has one window, which is 0. */
 typedef void* EGLNativeDisplayType;
 typedef uintptr_t EGLNativePixmapType;
 typedef uintptr_t EGLNativeWindowType;
@@ -179,8 +179,8 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 #define EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT_KHR 0x0001
 #define EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT_KHR 0x0002
 
-/* EGL_EXT_buffer_age: an attribute of eglQuerySurface: how many frames ago the buffer was drawn; 0: its
- * contents are undefined. */
+/* EGL_EXT_buffer_age: an attribute of eglQuerySurface, the number of frames since the buffer was drawn. The
+ * value 0 means that its contents are undefined. */
 #define EGL_BUFFER_AGE_EXT 0x313D
 
 /* EGL_SPANGLE_precision: a config attribute, the [tier](docs/glossary.md#tier) of accuracy. Contexts of the
@@ -202,15 +202,15 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 #define EGL_ACCUM_SIZE_SPANGLE 0x3F08
 
 /* EGL_SPANGLE_bands: an attribute of eglCreateWindowSurface and eglQuerySurface: the rows of the depth,
- * stencil and accumulation buffers, and of the colour buffer where the display holds no whole frame; 0: all
- * rows. Such a window is drawn [band](docs/glossary.md#band) by band, by spangle::frame (spangle/frame.hpp).
- * Where a byte holds pixels of several rows, the number is rounded up to whole bytes. EGL_BAD_PARAMETER: the
- * number is negative; EGL_BAD_MATCH: the display's own buffer has fewer rows. */
+ * stencil and accumulation buffers, and of the colour buffer where the display holds no whole frame. The
+ * value 0 means all rows. Such a window is drawn [band](docs/glossary.md#band) by band, by spangle::frame
+ * (spangle/frame.hpp). Where a byte holds pixels of several rows, the number is rounded up to whole bytes.
+ * EGL_BAD_PARAMETER: the number is negative; EGL_BAD_MATCH: the display's own buffer has fewer rows. */
 #define EGL_BAND_HEIGHT_SPANGLE 0x3F09
 /* An attribute of a window with bands, on a display that holds no whole frame: bytes of memory for the record
- * of a frame, which eglSwapBuffers draws band by band; 0: no record. Configs with samples have no record. A
- * frame that does not fit is GL_OUT_OF_MEMORY and is not shown; spangle::frame draws such frames by callback.
- */
+ * of a frame, which eglSwapBuffers draws band by band. With 0 there is no record. Configs with samples have
+ * no record. A frame that does not fit raises GL_OUT_OF_MEMORY and is not shown. spangle::frame draws such
+ * frames by callback. */
 #define EGL_BAND_RECORD_SPANGLE 0x3F0C
 /* An attribute of eglQuerySurface: bytes of the record that the longest frame so far has taken. */
 #define EGL_BAND_RECORD_PEAK_SPANGLE 0x3F0D
@@ -220,53 +220,56 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
  * TRUE). eglChooseConfig returns them only if its list names the type, since EGL_RGB_BUFFER is the default.
  *
  * A window of such a config has a palette. eglSetPaletteSPANGLE sets the colours of `count` indices from
- * `first` on; `rgb` holds bytes of red, green and blue for each. A palette in hardware shows them at once;
- * else the next eglSwapBuffers sends the pixels that they change. At first index RRRGGGBB has the colour of
- * these bits: R / 7, G / 7, B / 3. Errors: EGL_BAD_SURFACE: not a window. EGL_BAD_MATCH: the surface has
- * colours. EGL_BAD_PARAMETER: indices outside of 0 to 255, or `rgb` is null. */
+ * `first` on; `rgb` holds bytes of red, green and blue for each. If the display has a palette in hardware,
+ * the colours show at once. Otherwise the next eglSwapBuffers sends the pixels that they change. Initially
+ * the bits RRRGGGBB of an index are its colour: R / 7, G / 7, B / 3. Errors: EGL_BAD_SURFACE: the surface is
+ * not a window. EGL_BAD_MATCH: the surface has RGB colours. EGL_BAD_PARAMETER: indices are not between 0 and
+ * 255, or `rgb` is null. */
 #define EGL_INDEX_BUFFER_SPANGLE 0x3F0A
 #define EGL_INDEX_SIZE_SPANGLE 0x3F0B
 
 /* Returns the error of the last EGL function of this thread, EGL_SUCCESS if it did not fail, and forgets it
  * (EGL 1.4, 3.1). */
 EGLAPI EGLint EGLAPIENTRY eglGetError(void);
-/* Returns the handle of a display; EGL_NO_DISPLAY: there is none. The native display must outlive
+/* Returns the handle of a display, or EGL_NO_DISPLAY if there is none. The native display must outlive
  * eglTerminate. No error is raised (EGL 1.4, 3.2). */
 EGLAPI EGLDisplay EGLAPIENTRY eglGetDisplay(EGLNativeDisplayType display_id);
 /* Initialises a display and its panel, and writes EGL's version, 1 and 4, where the pointers are not null.
  * EGL_NOT_INITIALIZED: the panel cannot be initialised; a message says why (EGL 1.4, 3.2). */
 EGLAPI EGLBoolean EGLAPIENTRY eglInitialize(EGLDisplay dpy, EGLint* major, EGLint* minor);
-/* Destroys all that belongs to a display; what is current stays until it is current no more (EGL 1.4, 3.2).
- */
+/* Destroys all objects of a display. An object that is current is destroyed when it is no longer current (EGL
+ * 1.4, 3.2). */
 EGLAPI EGLBoolean EGLAPIENTRY eglTerminate(EGLDisplay dpy);
-/* Returns a static string about a display, or client extensions of EGL_NO_DISPLAY. name: EGL_CLIENT_APIS,
- * EGL_EXTENSIONS, EGL_VENDOR, EGL_VERSION. EGL_BAD_PARAMETER: another name (EGL 1.4, 3.3). */
+/* Returns a static string about a display, or the client extensions if the display is EGL_NO_DISPLAY. name:
+ * EGL_CLIENT_APIS, EGL_EXTENSIONS, EGL_VENDOR, EGL_VERSION. EGL_BAD_PARAMETER: another name (EGL 1.4, 3.3).
+ */
 EGLAPI const char* EGLAPIENTRY eglQueryString(EGLDisplay dpy, EGLint name);
-/* Writes up to config_size configs, and their number; a null configs asks for the number of all (EGL 1.4,
- * 3.4.1). */
+/* Writes up to config_size configs, and their number. If configs is null, only the number of all configs is
+ * written (EGL 1.4, 3.4.1). */
 EGLAPI EGLBoolean EGLAPIENTRY eglGetConfigs(EGLDisplay dpy, EGLConfig* configs, EGLint config_size,
                                             EGLint* num_config);
 /* Writes up to config_size configs that have the attributes, the best first, and their number.
- * EGL_BAD_ATTRIBUTE: an attribute or value that there is not (EGL 1.4, 3.4.1). */
+ * EGL_BAD_ATTRIBUTE: an attribute or a value does not exist (EGL 1.4, 3.4.1). */
 EGLAPI EGLBoolean EGLAPIENTRY eglChooseConfig(EGLDisplay dpy, const EGLint* attrib_list, EGLConfig* configs,
                                               EGLint config_size, EGLint* num_config);
 /* Writes an attribute of a config. EGL_BAD_ATTRIBUTE: there is no such attribute (EGL 1.4, 3.4.3). */
 EGLAPI EGLBoolean EGLAPIENTRY eglGetConfigAttrib(EGLDisplay dpy, EGLConfig config, EGLint attribute,
                                                  EGLint* value);
-/* Makes a surface of a window. EGL_BAD_NATIVE_WINDOW: there is no such window. EGL_BAD_ALLOC: it has a
- * surface, or memory does not suffice. EGL_BAD_MATCH: the config or an attribute does not suit it (EGL 1.4,
- * 3.5.1). */
+/* Makes a surface of a window. EGL_BAD_NATIVE_WINDOW: there is no such window. EGL_BAD_ALLOC: the window has
+ * a surface already, or there is not enough memory. EGL_BAD_MATCH: the config or an attribute does not suit
+ * the window (EGL 1.4, 3.5.1). */
 EGLAPI EGLSurface EGLAPIENTRY eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config,
                                                      EGLNativeWindowType win, const EGLint* attrib_list);
-/* Makes a surface in memory, of EGL_WIDTH x EGL_HEIGHT pixels. EGL_BAD_ALLOC: memory does not suffice.
- * EGL_BAD_MATCH: the config does not suit it (EGL 1.4, 3.5.2). */
+/* Makes a surface in memory, of EGL_WIDTH x EGL_HEIGHT pixels. EGL_BAD_ALLOC: there is not enough memory.
+ * EGL_BAD_MATCH: the config does not suit a pbuffer (EGL 1.4, 3.5.2). */
 EGLAPI EGLSurface EGLAPIENTRY eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig config,
                                                       const EGLint* attrib_list);
 /* Makes a surface of a pixmap of the platform. EGL_BAD_NATIVE_PIXMAP: there is no such pixmap (EGL 1.4,
  * 3.5.4). */
 EGLAPI EGLSurface EGLAPIENTRY eglCreatePixmapSurface(EGLDisplay dpy, EGLConfig config,
                                                      EGLNativePixmapType pixmap, const EGLint* attrib_list);
-/* Would make a pbuffer of an OpenVG image, which there is not: EGL_BAD_PARAMETER (EGL 1.4, 3.5.3). */
+/* Makes a pbuffer of an OpenVG image. There are no such images here, so the call fails with EGL_BAD_PARAMETER
+ * (EGL 1.4, 3.5.3). */
 EGLAPI EGLSurface EGLAPIENTRY eglCreatePbufferFromClientBuffer(EGLDisplay dpy, EGLenum buftype,
                                                                EGLClientBuffer buffer, EGLConfig config,
                                                                const EGLint* attrib_list);
@@ -274,15 +277,15 @@ EGLAPI EGLSurface EGLAPIENTRY eglCreatePbufferFromClientBuffer(EGLDisplay dpy, E
  * does not have the value (EGL 1.4, 3.5.6). */
 EGLAPI EGLBoolean EGLAPIENTRY eglSurfaceAttrib(EGLDisplay dpy, EGLSurface surface, EGLint attribute,
                                                EGLint value);
-/* Would make a pbuffer a texture of OpenGL ES. No config here binds to textures: EGL_BAD_SURFACE, or
- * EGL_BAD_PARAMETER if buffer is not EGL_BACK_BUFFER (EGL 1.4, 3.6.1). */
+/* Makes a pbuffer a texture of OpenGL ES. No config here binds to textures, so the call fails with
+ * EGL_BAD_SURFACE, or with EGL_BAD_PARAMETER if buffer is not EGL_BACK_BUFFER (EGL 1.4, 3.6.1). */
 EGLAPI EGLBoolean EGLAPIENTRY eglBindTexImage(EGLDisplay dpy, EGLSurface surface, EGLint buffer);
-/* Would end eglBindTexImage, and fails as that does (EGL 1.4, 3.6.2). */
+/* Ends eglBindTexImage, and fails with the same errors (EGL 1.4, 3.6.2). */
 EGLAPI EGLBoolean EGLAPIENTRY eglReleaseTexImage(EGLDisplay dpy, EGLSurface surface, EGLint buffer);
 /* Copies the colours of a surface to a pixmap. EGL_BAD_NATIVE_PIXMAP: there is no such pixmap. EGL_BAD_MATCH:
- * its format is another (EGL 1.4, 3.9.2). */
+ * the pixmap has another format (EGL 1.4, 3.9.2). */
 EGLAPI EGLBoolean EGLAPIENTRY eglCopyBuffers(EGLDisplay dpy, EGLSurface surface, EGLNativePixmapType target);
-/* Destroys a surface; one that is current stays until it is current no more (EGL 1.4, 3.5.5). */
+/* Destroys a surface. If it is current, it is destroyed when it is no longer current (EGL 1.4, 3.5.5). */
 EGLAPI EGLBoolean EGLAPIENTRY eglDestroySurface(EGLDisplay dpy, EGLSurface surface);
 /* Writes an attribute of a surface. EGL_BAD_ATTRIBUTE: there is no such attribute (EGL 1.4, 3.5.6). */
 EGLAPI EGLBoolean EGLAPIENTRY eglQuerySurface(EGLDisplay dpy, EGLSurface surface, EGLint attribute,
@@ -292,18 +295,19 @@ EGLAPI EGLBoolean EGLAPIENTRY eglQuerySurface(EGLDisplay dpy, EGLSurface surface
 EGLAPI EGLBoolean EGLAPIENTRY eglBindAPI(EGLenum api);
 /* Returns the API that is current, EGL_OPENGL_API (EGL 1.4, 3.7). */
 EGLAPI EGLenum EGLAPIENTRY eglQueryAPI(void);
-/* Says whether eglSwapBuffers of the current window waits: 0 does not, 1 is as the display was set up (EGL
- * 1.4, 3.9.3). */
+/* Sets whether eglSwapBuffers of the current window waits. With 0 it does not wait; with 1 it waits as the
+ * display was set up to do (EGL 1.4, 3.9.3). */
 EGLAPI EGLBoolean EGLAPIENTRY eglSwapInterval(EGLDisplay dpy, EGLint interval);
-/* Makes a context; it shares textures, buffers and lists with share_context where that is not EGL_NO_CONTEXT.
- * EGL_BAD_ALLOC: memory does not suffice. EGL_BAD_MATCH: the version, or the context to share with, does not
- * suit (EGL 1.4, 3.7.1). */
+/* Makes a context. It shares textures, buffers and lists with share_context if that is not EGL_NO_CONTEXT.
+ * EGL_BAD_ALLOC: there is not enough memory. EGL_BAD_MATCH: the version, or the context to share with, does
+ * not suit (EGL 1.4, 3.7.1). */
 EGLAPI EGLContext EGLAPIENTRY eglCreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_context,
                                                const EGLint* attrib_list);
-/* Destroys a context; one that is current stays until it is current no more (EGL 1.4, 3.7.2). */
+/* Destroys a context. If it is current, it is destroyed when it is no longer current (EGL 1.4, 3.7.2). */
 EGLAPI EGLBoolean EGLAPIENTRY eglDestroyContext(EGLDisplay dpy, EGLContext ctx);
 /* Makes a context current on this thread, with the surfaces to draw to and read from; all three may be none.
- * EGL_BAD_ACCESS: it is current on another thread. EGL_BAD_MATCH: configs differ (EGL 1.4, 3.7.3). */
+ * EGL_BAD_ACCESS: the context is current on another thread. EGL_BAD_MATCH: configs differ (EGL 1.4, 3.7.3).
+ */
 EGLAPI EGLBoolean EGLAPIENTRY eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read,
                                              EGLContext ctx);
 /* Returns the context that is current on this thread, or EGL_NO_CONTEXT (EGL 1.4, 3.7.4). */
@@ -326,11 +330,12 @@ EGLAPI EGLBoolean EGLAPIENTRY eglReleaseThread(void);
 /* Sets colours of a window's palette; see EGL_SPANGLE_color_index above. */
 EGLAPI EGLBoolean EGLAPIENTRY eglSetPaletteSPANGLE(EGLDisplay dpy, EGLSurface surface, EGLint first,
                                                    EGLint count, const uint8_t* rgb);
-/* Shows what was drawn on a window; on other surfaces it does nothing. EGL_BAD_NATIVE_WINDOW: the display did
- * not take the frame; a message says why, and the next call sends what is missing. EGL_BAD_SURFACE: it is not
- * the current draw surface. EGL_BAD_ALLOC: the frame's record is not whole (EGL 1.4, 3.9.1). */
+/* Shows what was drawn on a window. On other surfaces it does nothing. EGL_BAD_NATIVE_WINDOW: the display did
+ * not accept the frame. A message says why, and the next call sends what is missing. EGL_BAD_SURFACE: the
+ * surface is not the current draw surface. EGL_BAD_ALLOC: the record of the frame is incomplete (EGL 1.4,
+ * 3.9.1). */
 EGLAPI EGLBoolean EGLAPIENTRY eglSwapBuffers(EGLDisplay dpy, EGLSurface surface);
-/* Returns the address of a function of GL or EGL by its name; null: there is none (EGL 1.4, 3.10). */
+/* Returns the address of a function of GL or EGL by its name, or null if there is none (EGL 1.4, 3.10). */
 EGLAPI __eglMustCastToProperFunctionPointerType EGLAPIENTRY eglGetProcAddress(const char* procname);
 
 /* The commands of EGL_EXT_platform_base, and the same commands by their names in EGL 1.5; hosts only. Each
