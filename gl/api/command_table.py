@@ -1,23 +1,27 @@
 """The command table (commands/*.json): families, their entry points, arguments and parameters.
 
-One row is a family, for instance Vertex{234}{sifdx}[v]. Its fields:
-  name, row     the family and its row of the feature matrix
-  does          what it does, in one sentence for gl.h, without its full stop
+Each row is a family of commands, for instance Vertex{234}{sifdx}[v]. A row has these fields:
+  name, row     the name of the family, and its row of the feature matrix
+  does          what its commands do, as a sentence for gl.h without its full stop
   kind          plain (default), components, matrix, plane, rect, flag, params, get_params
-  args          "type name[=accepted]": tokens ("TOKEN?FEATURE": of an optional system), @group[:first token to try], low..[high], or a number to try.
-                A "real" is given once per entry of "types", and so is an "array" of them, read or written ("array*"). Components: what stands before them
-  types         how reals and components come: b s i f d ub us ui x(=GLfixed) cf cd cx, "code:suffix" to name the
-                suffix oneself ("d:" is glFrustum, "d" would be glFrustumd)
-  inside        legal between Begin and End
-  shares        reads or writes what contexts share: textures, lists, buffers; of a chapter: what its families do unless they say it
-  list          true: compiled word by word; "attribute" and "client_data": encoders by hand; false: runs at once
-  feature       optional system it belongs to; "A|B": it is there with either; "and" is one more that it takes
-  vector        of a plain family of reals: they come as an array, too
-  refuses       the error that all arguments raise, legal or not
-  digits        of components: false where the name does not tell their number
-  pnames        parameter -> kind and count: c4 colour, r1 real, i1 integer; "=TOKEN" is a value to try, "@TOKEN" the
-                target it belongs to (else the first), "?FEATURE" the optional system, "!CODE" the error that it raises
-                as things are at first
+  args          "type name[=accepted]". `accepted` is a list of tokens ("TOKEN?FEATURE" for one of an optional system), or
+                @group[:first token to try], or low..[high], or a number that tests try.
+                For each entry of "types" there is an entry point whose "real" has that type, and so has an "array", which is
+                read, or written ("array*"). For components these are the arguments before the components.
+  types         the types of reals and components: b s i f d ub us ui x(=GLfixed) cf cd cx. "code:suffix" sets the suffix of
+                the name ("d:" makes glFrustum, and "d" would make glFrustumd)
+  inside        true if the commands are legal between Begin and End
+  shares        true if the commands read or write objects that contexts share: textures, lists, buffers. The "shares" of a chapter
+                holds for its families that have no field of their own.
+  list          true if lists store the commands word by word; "attribute" and "client_data" name handwritten encoders; false if
+                the commands run at once
+  feature       the optional system that the family belongs to; with "A|B" either is enough, and "and" names one more that it needs
+  vector        for plain families of reals: true if there are entry points that take the reals as an array
+  refuses       the error that the commands raise for all arguments, even legal ones
+  digits        for components: false if the names of the commands do not contain their number
+  pnames        for each parameter its kind and count: c4 colour, r1 real, i1 integer. "=TOKEN" is a value that tests try, "@TOKEN"
+                the target that the parameter belongs to (by default the first), "?FEATURE" its optional system, and "!CODE" the
+                error that it raises in the initial state
 """
 import json
 import re
@@ -34,7 +38,7 @@ CONVERT_AS = {"cf": "f", "cd": "d", "cx": "x"}
 ARRAY_TYPES = {"f": "GL_FLOAT", "d": "GL_DOUBLE", "i": "GL_INT", "x": "GL_FIXED", "ui": "GL_UNSIGNED_INT",
                "us": "GL_UNSIGNED_SHORT"}
 INTEGERS = {"b", "s", "i", "ub", "us", "ui"}
-# The tokens of these are in the state table; their rows name a few to try.
+# The tokens of these groups are in the state table. The rows of families name a few that tests try.
 STATE_QUERIES = {"GetBooleanv", "GetIntegerv", "GetFloatv", "GetDoublev", "GetFixedvOES", "GetPointerv"}
 
 
@@ -47,7 +51,7 @@ class Arg:
         self.pointer, self.array = "*" in self.type, self.type.startswith("array")
         self.group = accepted[1:].partition(":")[0] if accepted.startswith("@") and " " not in accepted else None
         self.accepted, self.features, self.good, self.low, self.high = [], {}, "0", None, None
-        self.count = 1 if self.array else 0  # how many numbers the pointer must point at; 0: unknown
+        self.count = 1 if self.array else 0  # the number of values that the pointer must point at; 0: unknown
         self.parse(accepted, groups)
 
     @classmethod
@@ -100,7 +104,7 @@ class Pname:
 
 
 class Entry:
-    """One entry point: its C signature and how its arguments reach the family's function."""
+    """One entry point: its C signature, and how its arguments are passed to the function of the family."""
 
     def __init__(self, family, name, params, body, tries):
         self.family, self.name, self.params, self.body, self.tries = family, name, params, body, tries
@@ -111,7 +115,7 @@ class Entry:
 
     @property
     def needs(self):
-        """The optional systems this entry point takes, each a condition of the preprocessor."""
+        """The optional systems that this entry point needs. Each is a condition of the preprocessor."""
         features = [self.family.feature] if self.family.feature else []
         features += [self.family.data["and"]] if "and" in self.family.data else []
         features += ["FIXED_POINT"] if re.search(r"xv?OES$", self.name) else []
@@ -149,7 +153,7 @@ class Family:
     # --- entry points ------------------------------------------------------------------------------------------
 
     def entry(self, name, params, call, tries, null=None, body=None):
-        """One entry point. `call`: its canonical arguments; `null`: a pointer that must not be null; `body`: replaces both."""
+        """Makes an entry point. `call` has its canonical arguments; `null` names a pointer that must not be null; `body` replaces both."""
         text = ", ".join(call)
         guard = self.null_guard(name, null) if null else ""
         verb = "return ask" if self.returns != "void" else "issue"
@@ -185,7 +189,7 @@ class Family:
                                  body=self.reals_at(code, len(params), self.null_text("gl" + self.name + vector)) if reals else None)
 
     def image_command(self):
-        """The ImageCommand of a texture image, which has the same members for any number of dimensions."""
+        """The ImageCommand of a texture image. It has the same members for any number of dimensions."""
         names = [a.name for a in self.args]
         sizes = [n for n in ("width", "height", "depth") if n in names]
         beside = ["static_cast<GLint>(target)"] + [n for n in names[1:] if n not in (*sizes, "format", "type", "pixels")]
@@ -208,7 +212,7 @@ class Family:
                 stem, c = f"gl{self.name}{size if self.data.get('digits', True) else ''}", C_TYPES[code]
                 vector = suffix.replace("x", "xv", 1) if code == "x" else suffix + "v"
                 value = Arg("real value", {})
-                # Loops of vertices mostly call entry points of floats, or of single integers: these convert their arguments in line.
+                # Most loops over vertices call entry points that take floats or single integers, so these convert their arguments inline.
                 often = self.listing == "attribute"
                 forms = [len(pad) > 1 and ("reals" if often and code in ("fi", "f")[vectorial] else "components") for vectorial in (0, 1)]
                 kind = element(code, convert)
@@ -220,7 +224,7 @@ class Family:
                                  body=forms[1] and self.components_at(forms[1], first, kind, size, self.null_text(stem + vector)))
 
     def components_at(self, form, first, kind, size, null):
-        """The call for components that lie in memory at v, or, where `null` is "nullptr", were given one by one."""
+        """The call for components that lie in memory at v. If `null` is "nullptr", the entry point takes them as single arguments."""
         place = "v" if null != "nullptr" else "given"
         if form == "reals":
             return f"    issue_reals<family::{self.name}, {kind}, {size}>({place}, {null});\n"
@@ -343,7 +347,7 @@ def normalize(code, name):
 
 
 def element(code, convert=cast):
-    """The convert::Element of an array: the type of its elements and their conversion."""
+    """The convert::Element of an array. It stands for the type of the elements and for their conversion."""
     return "convert::Element::" + convert(code, "").removeprefix("convert::").removesuffix("()")
 
 

@@ -1,4 +1,4 @@
-"""The code that commands need beside their functions: declarations, wrappers, names, the public header."""
+"""Writes the code that commands need apart from their functions: declarations, wrappers, names, the public header."""
 import json
 import textwrap
 
@@ -71,7 +71,7 @@ MOST_TOKENS = 12 # a comment does not list more than these
 
 
 def taken(family):
-    """What the arguments of a family may be, in words."""
+    """Says in words which arguments a family takes."""
     for arg in family.args:
         if arg.accepted and len(arg.accepted) <= MOST_TOKENS and family.name not in STATE_QUERIES:
             yield f"{arg.name}: " + ", ".join("GL_" + token for token in arg.accepted)
@@ -83,7 +83,7 @@ def taken(family):
 
 
 def comment(family, section):
-    """What the header says of a family."""
+    """The comment about a family in the public header."""
     said = [f"{family.does} ({section})", *taken(family)]
     if family.data.get("refuses"):
         said.append(f"Always GL_{family.data['refuses']}")
@@ -145,7 +145,7 @@ def held(family, function):
 
 
 def shape_rows(pnames, tokens):
-    """Rows of the shape table; names with consecutive values and the same shape share a row."""
+    """Rows of the shape table. Names with consecutive values and the same shape share a row."""
     runs = []
     for p in sorted(pnames, key=lambda p: value_of(tokens, p)):
         if runs and value_of(tokens, p) == value_of(tokens, runs[-1][0]) + len(runs[-1]) and (p.kind, p.count) == (runs[-1][0].kind, runs[-1][0].count):
@@ -163,7 +163,7 @@ def value_of(tokens, pname):
 def shapes_header(chapters, tokens):
     out = ["// How many values a pname takes, and of what kind.\n", NOTICE,
            "#pragma once\n\n#include \"gl/api/family.hpp\"\n\nnamespace spangle::gl::shape {\n"]
-    # A command and its query share one table of the pnames that either takes; both check the pname again.
+    # A command and its query share one table with the pnames of both, so each of them checks the pname again.
     families = {f.name: f for _, group in chapters for f in group if f.pnames}
     for f in families.values():
         if f.name.removeprefix("Get") != f.name and f.name.removeprefix("Get") in families:

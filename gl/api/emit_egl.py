@@ -1,4 +1,4 @@
-"""The public header of EGL, made from its table (egl.json): sections of tokens and commands, each with its comment."""
+"""Makes the public header of EGL from its table (egl.json), which has sections of tokens and commands with their comments."""
 import json
 import textwrap
 
@@ -61,7 +61,7 @@ def declaration(command):
 
 
 def egl_header():
-    """The text of spangle/EGL/egl.h. Tokens of one name, and commands of one name, stand once."""
+    """The text of spangle/EGL/egl.h. If a token or a command is in the table several times, the header declares it once."""
     data = json.loads((API / "egl.json").read_text())
     seen = set()
     out = [TOP]

@@ -8,7 +8,7 @@ MOST_NAMED = 12 # tokens; a message does not list more than these
 
 
 def token_kind(family, arg):
-    """What a token has to be, in words for a message."""
+    """Says in words for a message what a token has to be."""
     if family.name in STATE_QUERIES:
         return "a state that the command returns"
     if arg.name == "cap":
@@ -23,7 +23,7 @@ def token_kind(family, arg):
 
 
 def arg_rows(family, pool, out):
-    """The rows of ArgText of a family; arrays of tokens go to `out`."""
+    """The rows of ArgText of a family. The arrays of tokens that they refer to are appended to `out`."""
     rows = []
     for arg in family.args:
         if arg.type == "enum" and arg.accepted:

@@ -1,10 +1,10 @@
 """The extensions that GL_EXTENSIONS names, and the commands that they add (commands/extensions.json).
 
-One row is an extension whose whole functionality exists in core commands. Its fields:
-  name       as GL_EXTENSIONS gives it
-  features   optional systems that it needs beside those of its commands
-  commands   families, or single entry points ("glPointParameterf"), that it has under names with a suffix
-  suffix     of these names, where the extension's own name does not begin with it
+Each row is an extension whose whole functionality exists in core commands. A row has these fields:
+  name       the name in GL_EXTENSIONS
+  features   optional systems that the extension needs apart from those of its commands
+  commands   families, or single entry points ("glPointParameterf"), that have further names with a suffix
+  suffix     the suffix of these names, if the name of the extension does not begin with it
 """
 import json
 import sys
@@ -55,7 +55,7 @@ def load_extensions(chapters):
 
 
 def aliases(extensions):
-    """All names with a suffix, each once."""
+    """All names with a suffix, without repetitions."""
     found = {alias.name: alias for extension in extensions for alias in extension.aliases}
     return [found[name] for name in sorted(found)]
 

@@ -6,7 +6,7 @@ from command_table import API, ROOT
 
 
 def matrix(chapters):
-    """For each row of the matrix: id, name, commands, state, note."""
+    """The rows of the matrix. Each has an id, a name, commands, a state and a note."""
     rows = json.loads((API / "commands" / "rows.json").read_text())
     entries = {}
     for _, families in chapters:

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""Turns the command table (commands/*.json) into everything that would otherwise be written by hand once per entry
-point: the public headers, the wrappers, the name table of GetProcAddress, the extensions and their names for commands,
-the table the tests and fuzzers walk, and the feature matrix. Usage: generate.py [--check]   (--check: write nothing, fail when the committed output is stale)
+"""Makes all files that contain something for each entry point from the command table (commands/*.json):
+the public headers, the wrappers, the name table of GetProcAddress, the extensions and their names for commands,
+the table of entry points for tests and fuzzers, and the feature matrix.
+
+Usage: generate.py [--check]. With --check it writes nothing, and fails if the committed output is stale.
 """
 import sys
 
