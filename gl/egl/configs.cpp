@@ -166,11 +166,11 @@ Attribute attribute(const Display& display, const Config& c, EGLint name) {
 /// and the default of each attribute (EGL 1.4, table 3.4).
 enum class Rule : std::uint8_t { at_least, exact, mask, ignored };
 struct AttributeRequest {
-    std::uint32_t name : 14;
+    std::uint32_t name : 14; ///< tokens of config attributes are below 4000h
     std::int32_t value : 16;
     Rule rule : 2;
 };
-static_assert(sizeof(AttributeRequest) == 4); // boards keep this table in flash
+static_assert(sizeof(AttributeRequest) == 4); // boards keep the table of requests in flash
 constexpr AttributeRequest defaults[] = {
     {EGL_BUFFER_SIZE, 0, Rule::at_least},
     {EGL_RED_SIZE, 0, Rule::at_least},

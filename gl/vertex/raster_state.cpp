@@ -87,6 +87,7 @@ void LineWidth(Context& context, Real width) {
 
 #if SPANGLE_FEATURE_POLYGON_OFFSET
 void PolygonOffset(Context& context, Real factor, Real units) {
+    // No derived state is marked as changed: each polygon reads the offset when it is drawn.
     context.polygon.offset_factor = factor;
     context.polygon.offset_units = units;
 }

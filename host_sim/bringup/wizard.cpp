@@ -188,6 +188,7 @@ const hal::PanelDisplay& RealPanel::display() const {
 std::string pixels_of(const hal::PanelConfig& display) {
     constexpr const char* formats[] = {"rgb565_be", "rgb565_le", "rgb888", "rgba8888", "rgb666",
                                        "rgb444",    "rgb332",    "grey4",  "mono",     "index8"};
+    // The names have the order of hal::WireFormat.
     constexpr const char* wires[] = {"rgb565", "rgb666", "rgb444", "rgb332", "grey4", "mono"};
     static_assert(std::size(formats) == pixel_formats);
     std::string text;

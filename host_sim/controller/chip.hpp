@@ -56,6 +56,7 @@ struct Chip {
     int key_count = 0;
 };
 
+/// The models of hal::Controller's DCS controllers, in the order of that enumeration: its value is the index.
 inline constexpr Chip chips[] = {
     // The oscillator has 615 kHz, a line 27 clocks, and a frame 320 + 2 + 2 lines: 70.3 Hz.
     {.name = "ILI9341",

@@ -74,7 +74,7 @@ template <class N> class PacketBlend {
             set(sum, source, stored);
         else if (by.equation == BlendEquation::subtract)
             set(difference, source, stored);
-        else
+        else // BlendEquation::reverse_subtract
             set(difference, stored, source);
     }
 

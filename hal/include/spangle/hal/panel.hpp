@@ -12,6 +12,8 @@
 namespace spangle::hal {
 
 /// The controllers that Spangle knows. Two panels with the same controller may differ in their command sets.
+/// DCS controllers come first, in the order of the simulator's models (host_sim/controller/chip.hpp). A new
+/// one goes behind hx8357d here, and to the end of the models there.
 enum class Controller : std::uint8_t {
     ili9341,
     st7789,
@@ -144,6 +146,7 @@ constexpr FormatCode format_code(const PanelDesc& panel, BusKind bus, WireFormat
     if (!reached)
         return {};
     const WireFormats& f = bus == BusKind::i8080 ? panel.parallel : panel.serial;
+    // The codes have the order of WireFormat.
     const FormatCode codes[] = {f.rgb565, f.rgb666, f.rgb444, f.rgb332, f.grey4, f.mono, FormatCode{}};
     return codes[static_cast<unsigned>(format)];
 }

@@ -11,7 +11,9 @@
 
 namespace spangle::hal {
 
-/// Pixels as a controller takes them, first byte first.
+/// Pixels as a controller takes them, first byte first. A new format goes before `none`, and to the same
+/// place in the tables of wire_info() and format_code(). EGL_NATIVE_VISUAL_ID shows these numbers to
+/// programs.
 enum class WireFormat : std::uint8_t {
     rgb565, ///< RRRRRGGG GGGBBBBB
     rgb666, ///< three bytes, six bits left aligned
