@@ -41,7 +41,8 @@ Real unit_ui(GLuint v);
 /// Where code must be small, this one function serves all integer types.
 Real integer_at(const unsigned char* at, unsigned size_log, bool is_signed, bool fraction);
 
-/// The conversions above, each with a number.
+/// Names the conversion of one component: each enumerator stands for the function of its name, cast_f() to
+/// unit_ui().
 enum class Element : std::uint8_t {
     cast_f,
     cast_s,

@@ -126,7 +126,7 @@ bool intervals_overlap(std::int32_t a, std::int32_t a_end, std::int32_t b, std::
 bool source_overlaps_target(const Context& context, const BufferGroups& source) {
     const Content content = source.content;
     if (content == Content::color && has_sample_buffer(context))
-        return false; // the copy reads the resolved surface, and draws to the samples
+        return false; // CopyPixels reads resolved colours, and draws to samples
     if (row_of(context.drawable.surface, content, 0) != row_of(source.surface, content, 0))
         return false;
     const Real* const at = context.current.raster.position;

@@ -101,7 +101,7 @@ bool DmaBus::start_part(const Op& op) {
         port_.reset(part_ == 0);
     if (part_++ != 0) {
         if (op.kind == Op::Kind::wait_te)
-            tell_moment(op, port_.micros()); // called from the edge's interrupt
+            tell_moment(op, port_.micros()); // the interrupt of TE's edge calls this
         return false;
     }
     if (op.kind == Op::Kind::wait_te)

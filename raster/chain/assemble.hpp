@@ -196,7 +196,7 @@ template <class N, int Unit> void add_exact_coordinates(ChainBuilder<N>& chain, 
 template <class N, int Unit>
 void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
     using SingleLane =
-        std::conditional_t<is_exact<N>, Exact, OneLane<Colorless<N>>>; // the exact tier has other runs
+        std::conditional_t<is_exact<N>, Exact, OneLane<Colorless<N>>>; // runs of the exact tier are cubics
     if (has_third_coordinates && wants_r(*state.unit[Unit].texture))
         return; // the texture function finds its coordinates itself
     if constexpr (is_balanced<N> && !by_stages<N>)

@@ -253,7 +253,7 @@ constexpr Block rsqrt(Block v) {
     const auto magnitude = static_cast<std::uint32_t>(v.m);
     int zeros = clz32(magnitude);
     if (((v.e - zeros) & 1) != 0)
-        --zeros; // an even exponent remains
+        --zeros; // the exponent that remains must be even, because it is halved
     const std::uint32_t r = rsqrt(magnitude << zeros);
     return make_block(r, -30 - (v.e - zeros + 32) / 2);
 }

@@ -9,8 +9,8 @@
 
 namespace spangle::numeric {
 
-/// The bits of a float. It is always finite, because every function of this file keeps it so. Denormals and
-/// -0 are kept.
+/// A real number, as the bits of a float. It is always finite: every function below keeps it so. Denormals
+/// and -0 are kept.
 struct Real {
     std::uint32_t bits = 0;
 };

@@ -141,8 +141,8 @@ template <> struct FilterWords<8> {
         const U16 word = joined(c00, c10, c01, c11, a, steps);
         return L::any(open) ? redo_exactly(word, open, {c00, c10, c01, c11}, a, b) : word;
     }
-    /// The dithered words. Thresholds are whole units of the bits that are kept, so the dropped bits change
-    /// nothing.
+    /// Returns the words of dithered colours. A threshold has no bits below the 14 that n keeps, so that what
+    /// n has dropped cannot change a step.
     SPANGLE_INLINE U16 operator()(U16 c00, U16 c10, U16 c01, U16 c11, U16 a, U16 threshold32) const {
         const auto steps = [&]<int Bits>(std::integral_constant<int, Bits>, U16 n)
             __attribute__((always_inline)) {

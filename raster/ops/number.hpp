@@ -157,7 +157,8 @@ struct Exact {
     }
 
   private:
-    /// Bits of a word of steps with their fractions.
+    /// The size of what steps() returns, in bits. The upper `Bits` of them are whole steps, the others a
+    /// fraction.
     template <unsigned Bits> static constexpr unsigned steps_word = Bits == 5 || Bits == 6 ? 28 : 32;
     /// v (2^Bits - 1). The result is up to 2^Bits - 1 steps, each of which is 2^(steps_word - Bits).
     template <unsigned Bits> SPANGLE_INLINE static std::uint32_t steps(T v) {
@@ -222,9 +223,10 @@ template <int Count> struct Balanced {
         const T x = L::mul_high(s, a) + stored + 128;
         return x + (x >> 8) - 128; // times 256 / 255, so that the 8 bits are rounded exactly
     }
-    /// The weight of a stored component, rest 255 / (2^Bits - 1) / 256, to the nearest (Bits is 5 or 6).
+    /// What over_weight() multiplies with, and what it adds first in order to round to nearest.
     static constexpr std::uint32_t over_scale(unsigned bits) { return bits == 5 ? 2105 : 1036; }
     static constexpr std::uint32_t over_half(unsigned bits) { return bits == 5 ? 16 : 32; }
+    /// The weight of a stored component: rest 255 / (2^Bits - 1) / 256, to nearest (Bits 5 or 6).
     template <unsigned Bits> SPANGLE_INLINE static T over_weight(T rest) {
         return L::mul_high(rest + L::splat(over_half(Bits)), L::splat(over_scale(Bits)));
     }

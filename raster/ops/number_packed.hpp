@@ -76,7 +76,7 @@ struct Packed {
             g += g >> 8;
         }
     };
-    /// Balanced<1>::over_weight() for a whole number of 255ths.
+    /// Does what Balanced<1>::over_weight() does, for a `rest` that is a whole number of 255ths.
     template <unsigned Bits> SPANGLE_INLINE static std::uint32_t weight(std::uint32_t rest) {
         constexpr std::uint32_t scale = Balanced<1>::over_scale(Bits);
         return (rest * scale + (Balanced<1>::over_half(Bits) * scale >> 8)) >> 8;

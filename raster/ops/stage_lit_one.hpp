@@ -87,7 +87,7 @@ template <> struct LitNumbers<NearHalves> {
             return bits;
         }();
         static constexpr auto scale = static_cast<std::uint32_t>((std::uint64_t{Whole} << bits) / of);
-        /// What the factor loses of Most times light. It loses nothing where the factor is only a shift.
+        /// Bounds what a component loses because the factor is rounded down: 0 where the factor is 1.
         static constexpr auto lost =
             scale == 1u << bits ? 0 : static_cast<std::uint32_t>(Whole - (of * scale >> bits) + Most);
     };

@@ -129,9 +129,9 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
         return ((v - 1) & (subpixel_one - 1)) - (subpixel_one / 2 - 1);
     }
 
-    /// Whether an end at (x, y) from the centre of its own fragment lies outside of the diamond. For a point
-    /// on the diamond's edge, x decides to which side the shift moves it. The shift moves points on the
-    /// centre line below it. So where x is not above the centre, the distance counts as one more.
+    /// Whether an end at (x, y) from the centre of its own fragment lies outside of the diamond, which is
+    /// |x| + |y| < 1/2 pixel (GL 1.3, 3.4.1). Ends count as moved by e to smaller x; see own(). So a point on
+    /// the diamond's edge lies inside where x > 0, and outside where x <= 0.
     SPANGLE_INLINE static Mask outside(Int x, Int y) {
         const Int before = x - 1, distance = (before ^ (before >> 31)) + abs_value(y);
         return L::less(Int{} + (subpixel_one / 2 - 1), distance);

@@ -26,7 +26,7 @@ struct Primitive {
     };
     Shape shape;
     int corners;           ///< number of entries of `corner`
-    std::int32_t size = 0; ///< pixels of points and lines; 1/8 pixel of smooth_point and shapes after it
+    std::int32_t size = 0; ///< in pixels for point and line, in 1/8 pixel for smooth_point and later shapes
     const FixedVertex* const* corner;
     const FixedVertex* provoking;
     const LineStipple* stipple = nullptr; ///< stipple at the beginning of the line; null: not stippled

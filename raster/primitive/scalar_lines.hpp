@@ -95,9 +95,9 @@ class ScalarLines {
         return X::value ? v.y : v.x;
     }
 
-    /// Does what set_path_depth() does, by high words of products, where a word holds the lifted difference.
-    /// Lines of 8 to 16 pixels always allow it. Shorter lines allow it unless depth is too steep, and longer
-    /// lines never do.
+    /// Does what set_path_depth() does, with high words of products. That works where 32 bits hold the
+    /// difference of the ends' depths times 2^lift: always for lines of 8 to 16 pixels, never for longer
+    /// ones, and for shorter ones unless depth is too steep.
     template <class Up>
     SPANGLE_INLINE void set_depth(Paths& paths, int i, const LineEnd* ends,
                                   const PathInterval<std::int32_t>& at,

@@ -15,7 +15,8 @@ using numeric::clz32;
 
 namespace {
 
-/// A difference of snapped coordinates and of their rests, times 2^up.
+/// Returns (d + rest / 2^16) 2^up: `d` is a difference of snapped coordinates, and `rest` the difference of
+/// what snapping took off them.
 std::int32_t with_rest(std::int32_t d, std::int32_t rest, int up) {
     const std::int32_t fine = up >= 16 ? rest * (1 << (up - 16)) : rest >> (16 - up);
     return d * (1 << up) + fine;

@@ -102,8 +102,8 @@ template <class N> class Fragment {
         colors(ShadowStage::primary);
     }
 
-    /// Compares colours before their low bits are dropped. They are counted in steps, or in 8.24 with the
-    /// half that rounds to 8 bits.
+    /// Compares primary colours before they are rounded to what is stored. They are steps of 5 or 6 bits with
+    /// a fraction, or 8.24 numbers to which a half was added for rounding.
     void raw_primary() {
         const Gouraud<N, false> fixed(fixed_, x_);
         run<Gouraud<N, false>, Gouraud<Reference, false>>();

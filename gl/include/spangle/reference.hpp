@@ -45,7 +45,7 @@ class StageReport {
     ~StageReport();
     /// A report cannot be copied, since only one report collects at a time.
     StageReport(const StageReport&) = delete;
-    /// A report cannot be assigned, either.
+    /// A report cannot be assigned, since only one report collects at a time.
     StageReport& operator=(const StageReport&) = delete;
 
     /// The stages that compared any value since construction or the last clear(), in the order of the

@@ -41,7 +41,7 @@ class EspLcdBus final : public hal::Bus {
     }
     /// A bus is not copied: the panel IO calls back to it.
     EspLcdBus(const EspLcdBus&) = delete;
-    /// A bus is not assigned either.
+    /// A bus is not assigned.
     EspLcdBus& operator=(const EspLcdBus&) = delete;
 
     hal::BusCaps caps() const override {

@@ -123,7 +123,7 @@ struct PanelDesc {
     bool inverted = false; ///< IPS glass: INVON shows true colours
     /// The serial bus that this panel has, spi4 or spi_start.
     BusKind serial_bus = BusKind::spi4;
-    WireFormats serial; ///< formats on that bus, and on I2C
+    WireFormats serial; ///< formats on `serial_bus`, and on I2C
     /// Formats on an 8080 bus.
     WireFormats parallel{};
     Program setup; ///< registers beyond the command set's, sent while asleep

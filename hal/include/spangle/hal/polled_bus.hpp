@@ -32,8 +32,8 @@ class PolledPort {
     ~PolledPort() = default;
 };
 
-/// Makes a port of a type that has these functions without a virtual table. FrameDisplay calls such a type
-/// itself.
+/// Makes a PolledPort of a type whose functions have these names and are not virtual. FrameDisplay calls such
+/// a type itself.
 template <class Wires> class PolledPortOf final : public PolledPort, public Wires {
   public:
     using Wires::Wires;

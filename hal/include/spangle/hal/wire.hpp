@@ -68,7 +68,7 @@ struct Picture {
     std::int32_t height = 0;
     /// The format of the pixels.
     PixelFormat format = PixelFormat::rgb565_be;
-    bool sideways = false;            ///< its rows run along the controller's memory columns
+    bool sideways = false;            ///< the picture's rows run along the controller's memory columns
     const Palette* palette = nullptr; ///< for PixelFormat::index8
 };
 

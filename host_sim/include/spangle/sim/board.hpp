@@ -36,7 +36,7 @@ class SimBoard {
     ~SimBoard();
     /// A board is not copied.
     SimBoard(const SimBoard&) = delete;
-    /// A board is not assigned either.
+    /// A board is not assigned.
     SimBoard& operator=(const SimBoard&) = delete;
 
     /// The display, which has the driver that also runs on the real board. Use it as

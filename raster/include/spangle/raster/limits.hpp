@@ -16,35 +16,35 @@
 #define SPANGLE_TIER_SET 7
 #endif
 #ifndef SPANGLE_PACKET
-/// See `packet`.
+/// Fragments that pass between two stages at once: 2, 4, 8 or 16; see `packet`.
 #define SPANGLE_PACKET 16
 #endif
 #ifndef SPANGLE_LINE_BATCH
-/// See `line_batch`; 0: as many as the processor's word suggests.
+/// Lines that are collected for one loop, an even number; 0: as many as the processor's word suggests.
 #define SPANGLE_LINE_BATCH 0
 #endif
 #ifndef SPANGLE_EXTENTS
-/// See `has_extents`.
+/// 1: surfaces record what was drawn (Surface::extents).
 #define SPANGLE_EXTENTS 1
 #endif
 #ifndef SPANGLE_FUSED_SPANS
-/// See `has_fused_spans`.
+/// 1: states that programs draw with often have loops of their own.
 #define SPANGLE_FUSED_SPANS 1
 #endif
 #ifndef SPANGLE_SHORTCUTS
-/// See `has_shortcuts`.
+/// 1: code that only makes things faster is built in.
 #define SPANGLE_SHORTCUTS 1
 #endif
 #ifndef SPANGLE_CHAIN
-/// See `has_chain`.
+/// 1: the general chain of stages is built in. Without it a state that has no fused span is an error.
 #define SPANGLE_CHAIN 1
 #endif
 #ifndef SPANGLE_AFFINE_TEXTURES
-/// See `has_affine_textures`.
+/// 1: texture coordinates may be affine. 0: they are divided wherever textures are drawn.
 #define SPANGLE_AFFINE_TEXTURES 1
 #endif
 #ifndef SPANGLE_PERSPECTIVE
-/// See `has_perspective`.
+/// 1: vertices may have any w and q. 0: both are 1 at every vertex.
 #define SPANGLE_PERSPECTIVE 1
 #endif
 #ifndef SPANGLE_TEXTURE_FORMATS

@@ -27,11 +27,11 @@ struct Surface {
     RowSpan* touched = nullptr;    ///< element of its rows for GL row 0; null: not kept
     std::int32_t touched_step = 0; ///< +1 or -1 elements from GL row y to y + 1
 #else
-    /// Not kept in this build.
+    /// Null: builds without SPANGLE_EXTENTS do not record what was touched.
     static constexpr RowExtents* extents = nullptr;
-    /// Not kept in this build.
+    /// Null, as `extents` is.
     static constexpr RowSpan* touched = nullptr;
-    /// Not kept in this build.
+    /// 0: there are no elements.
     static constexpr std::int32_t touched_step = 0;
 #endif
     /// The size in pixels.

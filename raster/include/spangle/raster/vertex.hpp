@@ -28,21 +28,21 @@ struct FixedVertex {
 #if SPANGLE_TIER_SET & 1
     std::int16_t x_rest, y_rest;
 #else
-    /// Nothing in builds without the exact tier.
+    /// 0: builds without the exact tier do not keep what snapping took off.
     static constexpr std::int16_t x_rest = 0, y_rest = 0;
 #endif
 #if SPANGLE_FEATURE_FOG
     /// The mantissa of the fog distance.
     std::int32_t fog_mantissa;
 #else
-    /// Nothing in builds without fog.
+    /// 0: builds without fog have no fog distance.
     static constexpr std::int32_t fog_mantissa = 0;
 #endif
     std::uint32_t color[4]; ///< RGBA, colour units, 0 .. color_one; [0] may be an index, 20 fraction bits
 #if SPANGLE_SECONDARY_COLORS
     std::uint32_t secondary[3]; ///< RGB, colour units
 #else
-    /// Nothing in builds without secondary colours.
+    /// 0: builds without secondary colours have none.
     static constexpr std::uint32_t secondary[3] = {};
 #endif
     /// The coordinates of one texture unit.
@@ -56,7 +56,7 @@ struct FixedVertex {
     /// The coordinates of each unit.
     TexCoord tex[max_texture_units];
 #else
-    /// Nothing in builds without textures.
+    /// 0: builds without textures have no coordinates.
     static constexpr TexCoord tex[max_texture_units] = {};
 #endif
     /// Third texture coordinates, with the exponent of their unit; only for textures that read them
@@ -64,7 +64,7 @@ struct FixedVertex {
 #if SPANGLE_FEATURE_TEXTURE_3D || SPANGLE_FEATURE_TEXTURE_CUBE_MAP || SPANGLE_FEATURE_DEPTH_TEXTURES
     std::int32_t r[max_texture_units];
 #else
-    /// Nothing in builds without such textures.
+    /// 0: no texture of this build reads third coordinates.
     static constexpr std::int32_t r[max_texture_units] = {};
 #endif
 };

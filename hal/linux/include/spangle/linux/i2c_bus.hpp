@@ -20,7 +20,7 @@ struct I2cConfig {
     bool asynchronous = true;
 };
 
-/// The bus a board describes, on this adapter.
+/// The configuration of the bus that a board describes, on this adapter.
 constexpr I2cConfig i2c_config(const Board& board, const char* device, std::uint8_t address,
                                PanelPins pins = {}) {
     I2cConfig config;

@@ -33,7 +33,7 @@ class Lines {
     ~Lines();
     /// A request is not copied.
     Lines(const Lines&) = delete;
-    /// A request is not assigned either.
+    /// A request is not assigned.
     Lines& operator=(const Lines&) = delete;
 
     /// Requests outputs at these levels. Fault::denied, Fault::gone, Fault::busy and others: what the kernel
@@ -68,7 +68,7 @@ class Lines {
     template <class Call> Result<void> run(const char* operation, Call call);
     Error failed(const char* operation);
 
-    // Each makes one call of the library; a negative result is an error in errno.
+    // Each of these functions makes one call of libgpiod. A negative result means that errno holds an error.
     int set_values(std::uint32_t levels);
     int get_values(std::uint32_t& levels);
     int make_outputs(std::uint32_t levels);
@@ -84,7 +84,7 @@ class EdgeLine {
     ~EdgeLine();
     /// A request is not copied.
     EdgeLine(const EdgeLine&) = delete;
-    /// A request is not assigned either.
+    /// A request is not assigned.
     EdgeLine& operator=(const EdgeLine&) = delete;
 
     /// Requests the line. Errors are those of Lines::open_outputs().

@@ -26,7 +26,7 @@ struct SpidevConfig {
     std::uint32_t command_cost_ns = 20000;
 };
 
-/// The bus a board describes, on this device.
+/// The configuration of the bus that a board describes, on this device.
 constexpr SpidevConfig spidev_config(const Board& board, const char* device, LineRef dc, PanelPins pins) {
     SpidevConfig config;
     config.device = device;

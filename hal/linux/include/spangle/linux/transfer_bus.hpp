@@ -28,7 +28,7 @@ class TransferBus : public Bus {
   public:
     /// A bus is not copied.
     TransferBus(const TransferBus&) = delete;
-    /// A bus is not assigned either.
+    /// A bus is not assigned.
     TransferBus& operator=(const TransferBus&) = delete;
 
     Result<Buffer> acquire(std::size_t size) final;

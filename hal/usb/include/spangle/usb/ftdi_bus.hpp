@@ -42,7 +42,7 @@ struct FtdiConfig {
     std::uint32_t timeout_ms = 1000; ///< beyond the time that the bytes take on the wire
 };
 
-/// The bus a board describes, at the first adapter that is plugged in.
+/// The configuration of the bus that a board describes, at the first adapter that is plugged in.
 constexpr FtdiConfig ftdi_config(const Board& board, FtdiPins pins = {}) {
     FtdiConfig config;
     config.write_hz = board.write_hz;

@@ -39,7 +39,7 @@ class GudDisplay final : public Display {
     ~GudDisplay();
     /// A display is not copied.
     GudDisplay(const GudDisplay&) = delete;
-    /// A display is not assigned either.
+    /// A display is not assigned.
     GudDisplay& operator=(const GudDisplay&) = delete;
 
     /// Size and format are known after init().
