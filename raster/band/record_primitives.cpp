@@ -12,7 +12,7 @@ namespace spangle::raster {
 
 namespace {
 
-constexpr std::uint8_t most_items = 32; ///< per block; with more, finding is faster, but skipping coarser
+constexpr std::uint8_t most_items = 32; ///< the most items of a block; with more, a band can skip less
 
 } // namespace
 

@@ -207,8 +207,8 @@ template <class T, int Unit> class NearestDivided : public T {
     int coordinate_shift_, largest_near_shift_;
     std::uint32_t width_, bias_[2];
 
-    /// The number of the texel. Only the high word of the product in repeat_fraction() counts where its low
-    /// word lies below the bias. The shift brings in at most `up` bits.
+    /// The number of the texel. It takes the high word of the product in repeat_fraction() alone. The shift
+    /// would bring in no more than `up` bits of the low word, and these lie below the bias.
     SPANGLE_INLINE std::uint32_t place(std::int32_t s, std::int32_t t, const Inverse& inverse) const {
         const int up = inverse.zeros + coordinate_shift_;
         if (up > largest_near_shift_) [[unlikely]]

@@ -10,8 +10,8 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Number system whose components are those of Balanced. MODULATE is left to the store, so a colour carries
-/// its texel.
+/// The balanced number system with colours that carry a texel along: MODULATE only puts it there, and the
+/// store multiplies with it.
 struct BalancedLit : Balanced<1> {
     struct Color {
         T r, g, b, a;

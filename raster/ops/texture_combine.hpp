@@ -191,7 +191,8 @@ template <class N> class TextureCombine {
     }
 };
 
-/// Whether a unit combines. All units are then sampled before any unit is applied.
+/// Whether some unit combines (GL_COMBINE). All units are then sampled before the first one combines, because
+/// it may read the texel of any unit.
 inline bool uses_combiners(const FragmentState& state) {
     bool any = false;
     for (const TextureUnit& unit : state.unit)

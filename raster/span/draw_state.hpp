@@ -161,8 +161,8 @@ struct DrawState {
     struct Halves {
         Flag<Among{spans_sample_any, false}> s = false, t = false;
     } halves[max_texture_units];
-    /// log2 of the texels of one period of a coordinate, rounded up. A halved coordinate has two images in
-    /// its period.
+    /// The base-2 logarithms, rounded up, of the width and height in texels after which coordinates wrap:
+    /// those of the image, or of two images where `halves` is set.
     std::uint8_t log2_width[max_texture_units] = {}, log2_height[max_texture_units] = {};
     /// Null if nothing is counted; never null where FragmentState::count is set.
     Counters* counters = nullptr;
