@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests the tool that draws comments at random (tests/architecture/comments.py): what counts as one comment, and that a seed fixes the draw."""
+"""Tests tests/architecture/comments.py, which draws comments at random: what counts as one comment, and that a seed fixes the draw."""
 import pathlib
 import subprocess
 import sys
@@ -29,7 +29,8 @@ FOUND = [(1, "One comment of two lines."), (4, "A comment of a function."), (5, 
 
 
 def drawn(*words):
-    return subprocess.run([sys.executable, str(ROOT / "tests/architecture/comments.py"), *words], capture_output=True, text=True, check=True).stdout
+    command = [sys.executable, str(ROOT / "tests/architecture/comments.py"), *words]
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout
 
 
 def main():
