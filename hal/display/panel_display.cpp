@@ -1,151 +1,115 @@
-// Acquires and presents frames of a panel, puts presents off while the wire is busy, and handles the outcomes
-// of transfers.
+// Frames of a panel: how they are acquired, put off and shown, whole or in bands.
 #include <spangle/hal/panel_display.hpp>
 
-#include "hal/display/row_spans.hpp"
-
 namespace spangle::hal {
-namespace {
-
-std::uint32_t deadline(std::uint32_t expected, std::uint32_t late) {
-    return expected < (UINT32_MAX - late) / 2 ? expected * 2 + late : UINT32_MAX;
-}
-
-} // namespace
 
 constexpr PanelDisplay::Parts PanelDisplay::every_part = {
     &PanelDisplay::check_description,
     check_identity,
-    &PanelDisplay::measure_refresh,
-    &PanelDisplay::append_sync,
-    &PanelDisplay::ops_of,
-    &PanelDisplay::acquire_frame,
-    &PanelDisplay::present_frame,
-    &PanelDisplay::show,
-    &PanelDisplay::acquire_rows,
-    &PanelDisplay::present_rows,
-    &PanelDisplay::send_changed_rows,
+    [](Pacer& pacer) { return pacer.measure(); },
+    Presenter::parts(true, true),
+    [](PanelDisplay& d) { return d.acquire_frame(); },
+    [](PanelDisplay& d) { return d.present_frame(); },
+    [](PanelDisplay& d, bool in_place) { return d.show(in_place); },
+    [](PanelDisplay& d, std::int32_t first, std::int32_t rows) { return d.acquire_rows(first, rows); },
+    [](PanelDisplay& d) { return d.present_rows(); },
+    [](PanelDisplay& d) { return d.send_changed_rows(); },
 };
 
 PanelDisplay::PanelDisplay(Bus& bus, const PanelConfig& config, const PanelMemory& memory, const Parts& parts)
-    : bus_(bus), config_(config), memory_(memory), parts_(parts) {}
+    : memory_(memory), parts_(parts), layout_(config), transfer_(bus), book_(layout_, memory_),
+      bands_(layout_), pacer_(layout_, transfer_), presenter_(layout_, transfer_, pacer_, parts.sending) {}
 
 DisplayInfo PanelDisplay::info() const {
-    const bool described = config_.panel != nullptr;
-    const Extent size = described ? picture_size(config_) : Extent{};
-    return {described ? config_.panel->name : "",
+    const PanelConfig& config = layout_.config;
+    const bool described = config.panel != nullptr;
+    const Extent size = described ? picture_size(config) : Extent{};
+    return {described ? config.panel->name : "",
             size.width,
             size.height,
-            config_.format,
-            config_.buffers == 1 || (described && turns(config_)),
-            config_.wire.converts() ? config_.wire.format : WireFormat::none,
-            described && config_.band > size.height ? size.height : config_.band,
-            described ? band_unit(config_) : 1};
+            config.format,
+            config.buffers == 1 || (described && turns(config)),
+            config.wire.converts() ? config.wire.format : WireFormat::none,
+            described && config.band > size.height ? size.height : config.band,
+            described ? band_unit(config) : 1};
 }
 
-// --- Transfers ---
+// --- What is on the wire ---
 
-/// The longest operation of the bus in bytes. Where pixels have whole bytes, it holds whole pixels.
-std::uint32_t PanelDisplay::op_limit() const {
-    const std::uint32_t limit = caps_.max_transfer != 0 ? caps_.max_transfer : UINT32_MAX;
-    return wire_bits() % 8 == 0 ? limit - limit % (wire_bits() / 8) : limit;
-}
-
-/// Sends the operations in the list where there is no room for `ops` more.
-Result<void> PanelDisplay::make_room(std::size_t ops) {
-    if (ops_.room() >= ops)
-        return {};
-    if (const auto r = start(); !r)
-        return r;
-    return complete();
-}
-
-Result<void> PanelDisplay::start() {
-    if (ops_.size() == 0)
-        return {};
-    const Result<Token> token = ops_.submit(bus_);
-    const std::uint32_t time = ops_.duration(caps_);
-    ops_.clear();
-    if (!token) {
-        windows_.forget();
-        return token.error();
-    }
-    token_ = token.value();
-    token_time_ = time;
-    in_flight_ = true;
-    return {};
-}
-
-Result<void> PanelDisplay::complete() {
-    const Result<void> done = bus_.wait(token_, deadline(token_time_, caps_.late_us));
-    in_flight_ = !done && !bus_.done(token_);
-    late_ = in_flight_;
-    if (!done) {
-        suspect_ = true;
-        windows_.forget();
-        forget_content();
-    }
-    return done;
-}
-
+/// Waits for what is on the wire. Where it failed, nobody knows which of its rows arrived.
 Result<void> PanelDisplay::settle() {
-    if (!in_flight_)
+    if (!transfer_.in_flight())
         return {};
-    const bool was_late = late_;
-    if (const auto r = complete(); !r)
+    const bool was_late = transfer_.late();
+    if (const auto r = transfer_.complete(); !r) {
+        book_.doubt();
+        bands_.forget();
         return r;
+    }
     if (!was_late)
-        suspect_ = false;
+        book_.trust();
     return {};
+}
+
+/// Notes that rows went out, or failed to: they are in doubt until the last byte is known to have arrived.
+Result<void> PanelDisplay::sent(Result<void> outcome) {
+    if (!outcome || transfer_.in_flight())
+        book_.doubt();
+    return outcome;
 }
 
 Result<void> PanelDisplay::finish() {
     if (const auto r = settle(); !r)
         return r;
-    if (parts_.show == nullptr || !owed_ || drawn_since())
+    if (parts_.show == nullptr || !book_.owed() || book_.drawn_since())
         return {};
-    if (const auto r = (this->*parts_.show)(true); !r)
+    if (const auto r = parts_.show(*this, true); !r)
         return r;
     return settle();
 }
 
 Result<void> PanelDisplay::poll() {
-    if (parts_.show == nullptr || !owed_ || drawn_since() || (in_flight_ && !bus_.done(token_)))
+    if (parts_.show == nullptr || !book_.owed() || book_.drawn_since() || transfer_.busy())
         return {};
     if (const auto r = settle(); !r)
         return r;
-    return (this->*parts_.show)(false);
+    return parts_.show(*this, false);
 }
 
-// --- Frames ---
+// --- Whole frames ---
 
 Result<Frame> PanelDisplay::acquire() {
     if (!ready_)
         return Error{Fault::bad_argument, "display: acquire before init succeeded"};
-    if (config_.band != 0)
+    if (in_bands())
         return Error{Fault::unsupported, "display: frames of this display are drawn in bands"};
-    return (this->*parts_.acquire)();
+    return parts_.acquire(*this);
 }
 
 Result<Frame> PanelDisplay::acquire_frame() {
-    std::uint8_t* const pixels = buffers_[back_].to_draw(bus_);
+    std::uint8_t* const pixels = buffers_[back_].to_draw(transfer_.bus());
     if (pixels == nullptr)
         return Error{Fault::busy, "display: acquire while a late transfer still reads the frame"};
     const std::uint32_t age = drawn_in_[back_] == 0 ? 0 : frame_ - drawn_in_[back_] + 1;
-    return Frame{pixels, static_cast<std::int32_t>(stride()), static_cast<std::int32_t>(age), &extents_};
+    return Frame{pixels, static_cast<std::int32_t>(layout_.stride()), static_cast<std::int32_t>(age),
+                 &book_.extents()};
 }
 
 Result<void> PanelDisplay::present() {
     if (!ready_)
         return Error{Fault::bad_argument, "display: present before init succeeded"};
-    if (config_.band != 0)
+    if (in_bands())
         return Error{Fault::unsupported, "display: frames of this display are drawn in bands"};
-    return (this->*parts_.present)();
+    return parts_.present(*this);
 }
 
 Result<void> PanelDisplay::present_frame() {
-    if (put_off())
+    if (pacer_.puts_off()) {
+        drawn_in_[back_] = ++frame_;
+        if (layout_.config.pacing != Pacing::drop)
+            book_.hold_back();
         return {};
+    }
     if (const auto r = settle(); !r)
         return r;
     const std::uint8_t drawn = back_;
@@ -155,82 +119,108 @@ Result<void> PanelDisplay::present_frame() {
     return {};
 }
 
-/// Sends the frame that was drawn. `in_place` says that the next frame is drawn in the same buffer.
+/// Sends the frame that was drawn. `in_place`: the next frame is drawn in the same buffer.
 Result<void> PanelDisplay::show(bool in_place) {
-    restore_extents();
-    collect_damage();
-    const bool recolored = is_indexed(config_.format) && collect_palette_damage();
-    if (turns_)
-        turn_damage();
-    if (hash_.enabled()) // reduced damage would not be enough for a buffer that is two sends behind
-        memory_.hash.code->reduce(hash_, sent_damage(), buffers_[turns_ ? 1 : back_].to_send(),
-                                  static_cast<std::int32_t>(sent_stride()), suspect_ || behind_ || recolored);
-    if (const auto r = send(); !r)
+    const PanelConfig& config = layout_.config;
+    book_.collect(front_, back_);
+    const std::uint8_t* const drawn = buffers_[back_].to_send();
+    const bool recolored = is_indexed(config.format) && book_.collect_recolored(drawn);
+    if (layout_.turns)
+        book_.turn(buffers_[0].to_send(), buffers_[1].to_draw(transfer_.bus()));
+    BusBuffer& buffer = sent_buffer();
+    if (book_.hash().enabled())
+        book_.reduce(buffer.to_send(), recolored);
+    const std::int32_t rows = layout_.placement.size.height;
+    book_.widen(layout_.shared(transfer_.windows().shared()), rows);
+    if (const auto r =
+            sent(presenter_.send({&buffer, 0, rows}, book_.sent_damage(), book_.hash(), book_.hash_code()));
+        !r)
         return r;
-    if (config_.buffers == 1 && !config_.wire.converts()) {
+    if (config.buffers == 1 && !config.wire.converts()) {
         if (const auto r = settle(); !r)
             return r;
     }
-    accept(in_place);
+    front_ = back_;
+    if (!in_place && layout_.canvases() == 2)
+        back_ ^= 1;
+    book_.accept(in_place);
     return {};
 }
 
-/// Accepts that the frame was handed over. The next frame starts with nothing touched.
-void PanelDisplay::accept(bool in_place) {
-    front_ = back_;
-    behind_ = in_place && canvases() == 2;
-    if (!in_place && canvases() == 2)
+// --- Bands: one is drawn in a buffer of some rows, and sent while the next one is drawn ---
+
+Result<Frame> PanelDisplay::acquire_band(std::int32_t first, std::int32_t rows) {
+    if (!ready_)
+        return Error{Fault::bad_argument, "display: acquire before init succeeded"};
+    if (!in_bands())
+        return whole_frames();
+    return parts_.acquire_band(*this, first, rows);
+}
+
+Result<Frame> PanelDisplay::acquire_rows(std::int32_t first, std::int32_t rows) {
+    if (const auto r = bands_.check(first, rows); !r)
+        return r.error();
+    std::uint8_t* const pixels = buffers_[back_].to_draw(transfer_.bus());
+    if (pixels == nullptr)
+        return Error{Fault::busy, "display: acquire while a late transfer still reads the band"};
+    if (first == 0 && is_indexed(layout_.config.format) && memory_.palette->any_stale()) {
+        bands_.forget(); // pixels of the new colours were drawn in buffers that are gone
+        memory_.palette->all_fresh();
+    }
+    bands_.begin(first, rows);
+    const std::size_t bytes =
+        std::size_t{layout_.stride()} * static_cast<std::size_t>(stored_rows(layout_.config.format, rows));
+    for (std::size_t at = 0; at < bytes; ++at)
+        pixels[at] = 0;
+    book_.begin_band(rows);
+    return Frame{pixels, static_cast<std::int32_t>(layout_.stride()), 0, &book_.extents()};
+}
+
+Result<void> PanelDisplay::present_band() {
+    if (!ready_ || !bands_.acquired())
+        return Error{Fault::bad_argument, "display: a band is presented that was not acquired"};
+    return parts_.present_band(*this);
+}
+
+Result<void> PanelDisplay::present_rows() {
+    if (const auto r = settle(); !r)
+        return r;
+    bands_.hand_over();
+    if (const auto r = sent(parts_.send_band(*this)); !r) {
+        bands_.forget();
+        return r;
+    }
+    if (bands_.sent())
+        ++frame_;
+    if (layout_.config.buffers == 2)
         back_ ^= 1;
-    forget_extents();
+    else if (!layout_.config.wire.converts())
+        return settle();
+    return {};
 }
 
-// --- Pacing ---
-
-/// Puts this present off if the wire is busy and the present need not wait. Returns true if it was put off.
-bool PanelDisplay::put_off() {
-    if (!in_flight_ || bus_.done(token_) || (waits_ && config_.pacing == Pacing::block))
-        return false;
-    drawn_in_[back_] = ++frame_;
-    ++counters_.put_off;
-    if (config_.pacing != Pacing::drop && memory_.held != nullptr)
-        hold_extents();
-    return true;
+Result<void> PanelDisplay::send_changed_rows() {
+    bands_.collect(book_.extents(), book_.damage());
+    book_.widen(layout_.shared(transfer_.windows().shared()), bands_.rows());
+    return presenter_.send({&buffers_[back_], bands_.first(), bands_.rows()}, book_.damage(), book_.hash(),
+                           book_.hash_code());
 }
 
-/// Keeps what the frame touched in `held`, so that `touched` shows whether more is drawn.
-void PanelDisplay::hold_extents() {
-    restore_extents();
-    held_cleared_ = extents_.cleared;
-    held_clear_value_ = extents_.clear_value;
-    for (std::int32_t y = 0; y < extents_.height; ++y)
-        memory_.held[y] = memory_.touched[y];
-    forget_extents();
-    owed_ = true;
+/// Sends a band whole: nothing records what the panel shows.
+Result<void> PanelDisplay::send_all_rows() {
+    return presenter_.send_all({&buffers_[back_], bands_.first(), bands_.rows()});
 }
 
-void PanelDisplay::restore_extents() {
-    if (!owed_)
-        return;
-    owed_ = false;
-    if (extents_.cleared)
-        return; // a full clear replaces all pixels of that frame
-    extents_.cleared = held_cleared_;
-    extents_.clear_value = held_clear_value_;
-    for (std::int32_t y = 0; y < extents_.height; ++y)
-        memory_.touched[y] = unite(memory_.touched[y], memory_.held[y]);
-}
+// --- Colours ---
 
-void PanelDisplay::forget_extents() {
-    extents_.cleared = false;
-    for (std::int32_t y = 0; y < extents_.height; ++y)
-        memory_.touched[y] = RowSpan{};
-}
-
-bool PanelDisplay::drawn_since() const {
-    bool drawn = extents_.cleared;
-    for (std::int32_t y = 0; y < extents_.height && !drawn; ++y)
-        drawn = memory_.touched[y].begin < memory_.touched[y].end;
-    return drawn;
+Result<void> PanelDisplay::set_palette(std::int32_t first, std::int32_t count, const std::uint8_t* rgb) {
+    if (!opened_ || !is_indexed(layout_.config.format))
+        return Error{Fault::unsupported,
+                     "display: its surface is not one of indices, or before init succeeded"};
+    if (!in_palette(first, count))
+        return Error{Fault::bad_argument, "display: indices of a palette are 0 to 255"};
+    memory_.palette->set(first, count, rgb);
+    return {};
 }
 
 } // namespace spangle::hal

@@ -21,7 +21,7 @@ Result<PanelStatus> PanelDisplay::status() {
         return Error{Fault::bad_argument, "display: status before init succeeded"};
     if (const auto r = settle(); !r)
         return r.error();
-    return read_status(bus_, *config_.panel, scratch_);
+    return read_status(transfer_.bus(), *layout_.config.panel, scratch_);
 }
 
 Result<std::uint16_t> PanelDisplay::scanline() {
@@ -29,7 +29,7 @@ Result<std::uint16_t> PanelDisplay::scanline() {
         return Error{Fault::bad_argument, "display: scanline before init succeeded"};
     if (const auto r = settle(); !r)
         return r.error();
-    return read_scanline(bus_, *config_.panel, scratch_);
+    return read_scanline(transfer_.bus(), *layout_.config.panel, scratch_);
 }
 
 Result<void> PanelDisplay::read_back(const Rect& area, std::uint8_t* rgb) {
@@ -37,23 +37,25 @@ Result<void> PanelDisplay::read_back(const Rect& area, std::uint8_t* rgb) {
         return Error{Fault::bad_argument, "display: read_back before init succeeded"};
     if (const auto r = settle(); !r)
         return r;
-    windows_.forget();
-    if (!turns_)
-        return read_pixels(bus_, *config_.panel, placement_, config_.format, area, rgb, scratch_);
+    transfer_.forget_window();
+    if (!layout_.turns)
+        return read_pixels(transfer_.bus(), *layout_.config.panel, layout_.placement, layout_.config.format,
+                           area, rgb, scratch_);
     return read_turned(area, rgb);
 }
 
 /// Reads rows of the picture one by one. Each of them is a column or a row of the panel's memory.
 Result<void> PanelDisplay::read_turned(const Rect& area, std::uint8_t* rgb) {
-    if (area.x < 0 || area.w <= 0 || area.h < 0 || area.w > picture_.width - area.x || area.y < 0 ||
-        area.h > picture_.height - area.y)
+    if (area.x < 0 || area.w <= 0 || area.h < 0 || area.w > layout_.picture.width - area.x || area.y < 0 ||
+        area.h > layout_.picture.height - area.y)
         return Error{Fault::bad_argument, "panel: the area to read is not inside the picture"};
-    const bool backward = scan_.swapped && scan_.reversed;
+    const bool backward = layout_.scan.swapped && layout_.scan.reversed;
     const std::int32_t from = backward ? area.x + area.w - 1 : area.x;
     for (std::int32_t y = area.y; y < area.y + area.h; ++y) {
-        const Rect part =
-            scan_.swapped ? Rect{y, scan_.row_of(from), 1, area.w} : Rect{area.x, scan_.row_of(y), area.w, 1};
-        if (const auto r = read_pixels(bus_, *config_.panel, placement_, config_.format, part, rgb, scratch_);
+        const Rect part = layout_.scan.swapped ? Rect{y, layout_.scan.row_of(from), 1, area.w}
+                                               : Rect{area.x, layout_.scan.row_of(y), area.w, 1};
+        if (const auto r = read_pixels(transfer_.bus(), *layout_.config.panel, layout_.placement,
+                                       layout_.config.format, part, rgb, scratch_);
             !r)
             return r;
         if (backward)

@@ -1,17 +1,24 @@
-// Initialises a panel, from power-on to a black picture. Descriptions that cannot work are refused first.
+// Initialises a panel, from power-on to a black picture. What cannot work is refused first.
 #include <spangle/hal/panel_display.hpp>
 #include <spangle/hal/panel_rules.hpp>
 
 namespace spangle::hal {
 namespace {
 
-/// The least room in the list of operations. A window's commands and its pixels go into one list.
+/// The least room in the list: a window's commands and its pixels go into one list.
 constexpr std::size_t least_ops(const CommandSet& set) {
     const std::uint32_t window = window_size(set).commands + 1;
     return window > 8 ? window : 8;
 }
 
 } // namespace
+
+void PanelLayout::resolve() {
+    turns = hal::turns(config);
+    scan = scan_order(*config.panel, config.orientation);
+    placement = turns ? scan.placement : place(*config.panel, config.orientation);
+    picture = picture_size(config);
+}
 
 Result<void> check_memory(const PanelConfig& config, const PanelMemory& memory) {
     if (is_indexed(config.format) && memory.palette == nullptr)
@@ -37,16 +44,17 @@ Result<void> PanelDisplay::check_description(const PanelConfig& config, const Pa
     return check_memory(config, memory);
 }
 
-/// Acquires the buffers and records of a display that was never initialised. The contents of the panel and of
-/// the buffers count as unknown.
+/// Acquires buffers and records of a display that was never initialised: what the panel and the buffers hold
+/// is unknown.
 Result<void> PanelDisplay::take_buffers() {
+    const PanelConfig& config = layout_.config;
     const std::size_t size =
-        std::size_t{stride()} *
-        static_cast<std::size_t>(stored_rows(config_.format, held(config_, picture_).height));
-    for (unsigned i = 0; i < config_.buffers; ++i) {
+        std::size_t{layout_.stride()} *
+        static_cast<std::size_t>(stored_rows(config.format, held(config, layout_.picture).height));
+    for (std::uint8_t i = 0; i < config.buffers; ++i) {
         if (!buffers_[i].empty())
             continue;
-        const Result<Buffer> buffer = bus_.acquire(size);
+        const Result<Buffer> buffer = transfer_.bus().acquire(size);
         if (!buffer)
             return buffer.error();
         if (buffer.value().bytes == nullptr || buffer.value().size < size)
@@ -54,175 +62,106 @@ Result<void> PanelDisplay::take_buffers() {
         buffers_[i] = BusBuffer(buffer.value());
         for (std::size_t at = 0; at < size; ++at)
             buffer.value().bytes[at] = 0;
-        if (memory_.content_height == 0)
-            continue;
-        content_[i].rows = memory_.content[i];
-        for (std::int32_t y = 0; y < picture_.height; ++y)
-            content_[i].rows[y] = {0, picture_.width};
+        if (memory_.content_height != 0)
+            book_.open_content(i);
     }
-    if (!config_.wire.converts() || !wire_.empty())
-        return {};
-    // A window that ends inside of a byte takes one more byte. There is at most one window per row.
-    const Extent most = held(config_, placement_.size);
-    const std::size_t wire_size = wire_bytes(most) + static_cast<std::size_t>(most.height);
-    const Result<Buffer> wire = bus_.acquire(wire_size);
-    if (!wire)
-        return wire.error();
-    if (wire.value().bytes == nullptr || wire.value().size < wire_size)
-        return Error{Fault::no_answer, "display: the bus gave less memory than one frame"};
-    wire_ = BusBuffer(wire.value());
-    return {};
+    return presenter_.acquire_wire();
 }
 
 Result<void> PanelDisplay::init() {
-    if (config_.panel == nullptr)
+    const PanelConfig& config = layout_.config;
+    if (config.panel == nullptr)
         return Error{Fault::bad_argument, "display: init without a panel"};
-    if (in_flight_)
-        (void)complete();
-    if (in_flight_)
+    (void)settle();
+    if (transfer_.in_flight())
         return Error{Fault::busy, "display: init while a transfer is still on the wire"};
-    caps_ = bus_.caps();
+    const BusCaps caps = transfer_.bus().caps();
     if (parts_.check != nullptr)
-        if (const auto r = parts_.check(config_, memory_); !r)
+        if (const auto r = parts_.check(config, memory_); !r)
             return r;
-    if (const auto r = check_bus(config_, caps_); !r)
+    if (const auto r = check_bus(config, caps); !r)
         return r;
-    if (!is_drawable(config_.format))
+    if (!is_drawable(config.format))
         return Error{Fault::unsupported,
                      "display: this build has no such surfaces (SPANGLE_FEATURE_NARROW_SURFACES, "
                      "SPANGLE_FEATURE_COLOR_INDEX)"};
-    turns_ = turns(config_);
-    scan_ = scan_order(*config_.panel, config_.orientation);
-    placement_ = turns_ ? scan_.placement : place(*config_.panel, config_.orientation);
-    picture_ = picture_size(config_);
-    windows_ = Windows(*config_.panel, placement_, wire_format(config_));
-    ops_ = OpList(memory_.ops, memory_.params, memory_.op_count);
-    ops_.parameters_are_commands(config_.panel->commands->parameters_are_commands);
-    if (config_.row_hash)
-        hash_ = RowHash(memory_.hash, placement_.size.width, placement_.size.height,
-                        format_info(config_.format).bits);
+    layout_.resolve();
+    transfer_.open(caps, *config.panel, layout_.placement, wire_format(config),
+                   OpList(memory_.ops, memory_.params, memory_.op_count));
+    presenter_.open(memory_.plan, memory_.palette);
     if (const auto r = take_buffers(); !r)
         return r;
-    forget_content();
+    bands_.open(in_bands() && memory_.content_height != 0 ? memory_.content[0] : nullptr);
     ready_ = false; // a present must not succeed on a panel that was left in the middle of this
     if (!opened_) {
-        extents_ = {memory_.touched, held(config_, picture_).height, false, 0};
-        forget_extents();
-        if (is_indexed(config_.format))
-            begin_palette();
-        front_ = static_cast<std::uint8_t>(canvases() - 1);
+        book_.open_buffers(held(config, layout_.picture).height);
+        if (is_indexed(config.format))
+            memory_.palette->begin();
+        front_ = static_cast<std::uint8_t>(layout_.canvases() - 1);
         back_ = 0;
         opened_ = true;
     }
-    for (std::int32_t y = 0; y < extents_.height; ++y)
-        memory_.damage[y] = {0, picture_.width};
-    suspect_ = true;
+    book_.open();
     if (const auto r = reset_panel(); !r)
         return r;
-    if (const auto r = append_setup(); !r)
-        return r;
-    if (const auto r = append_registers(); !r)
-        return r;
-    if (const auto r = append_black(); !r)
-        return r;
-    if (const auto r = append_program(config_.panel->commands->light); !r)
-        return r;
-    if (const auto r = start(); !r)
-        return r;
-    if (const auto r = complete(); !r)
+    if (const auto r = set_up(); !r)
         return r;
     if (parts_.measure != nullptr)
-        if (const auto r = (this->*parts_.measure)(); !r)
+        if (const auto r = parts_.measure(pacer_); !r)
             return r;
     ready_ = true;
     return {};
 }
 
 Result<void> PanelDisplay::reset_panel() {
-    const PanelTiming& timing = config_.panel->timing;
-    if (config_.reset_line)
-        ops_.reset(timing.reset_low_us);
-    else if (const auto r = append_program(config_.panel->commands->soft_reset); !r)
+    const PanelDesc& panel = *layout_.config.panel;
+    if (layout_.config.reset_line)
+        transfer_.list().reset(panel.timing.reset_low_us);
+    else if (const auto r = transfer_.append(panel.commands->soft_reset); !r)
         return r;
-    ops_.delay(timing.reset_wait_us);
-    if (const auto r = start(); !r)
+    transfer_.list().delay(panel.timing.reset_wait_us);
+    if (const auto r = transfer_.run(); !r)
         return r;
-    if (const auto r = complete(); !r)
-        return r;
-    if (config_.read_back)
-        return parts_.identify(bus_, *config_.panel, scratch_);
+    if (layout_.config.read_back)
+        return parts_.identify(transfer_.bus(), panel, scratch_);
     return {};
 }
 
-Result<void> PanelDisplay::append_setup() {
-    return append_program(config_.panel->setup);
-}
-
-Result<void> PanelDisplay::append_program(Program program) {
-    while (!program.empty()) {
-        const Program::Step step = program.next();
-        if (const auto r = make_room(1); !r)
-            return r;
-        if (step.delay_micros != 0) {
-            ops_.delay(step.delay_micros);
-            continue;
-        }
-        if (step.count > op_limit())
-            return Error{Fault::unsupported,
-                         "display: a setup command is longer than one operation of the bus"};
-        ops_.command(*step.command, step.params, step.count);
-    }
-    return {};
+/// Sets the panel up and turns it on, black: not with the noise that its memory wakes up with.
+Result<void> PanelDisplay::set_up() {
+    if (const auto r = transfer_.append(layout_.config.panel->setup); !r)
+        return r;
+    if (const auto r = append_registers(); !r)
+        return r;
+    const Extent all = layout_.placement.size;
+    const auto black =
+        for_each_window(transfer_.windows(), {0, 0, all.width, all.height}, [this](const Rect& w) {
+            return transfer_.append_black(w, layout_.wire_bytes(w.w, w.h));
+        });
+    if (!black)
+        return black;
+    if (const auto r = transfer_.append(layout_.config.panel->commands->light); !r)
+        return r;
+    return transfer_.run();
 }
 
 Result<void> PanelDisplay::append_registers() {
-    const PanelDesc& panel = *config_.panel;
+    const PanelDesc& panel = *layout_.config.panel;
     const CommandSet& set = *panel.commands;
-    const FormatCode format = format_code(panel, caps_.kind, wire_format(config_));
-    if (const auto r = make_room(set.setting_count); !r)
+    const FormatCode format = format_code(panel, transfer_.caps().kind, wire_format(layout_.config));
+    if (const auto r = transfer_.make_room(set.setting_count); !r)
         return r;
-    append_settings(ops_, panel, placement_, format);
-    if (config_.wait_te)
-        if (const auto r = append_program(set.tearing); !r)
+    append_settings(transfer_.list(), panel, layout_.placement, format);
+    if (layout_.config.wait_te)
+        if (const auto r = transfer_.append(set.tearing); !r)
             return r;
-    if (const auto r = append_program(set.wake); !r)
+    if (const auto r = transfer_.append(set.wake); !r)
         return r;
-    if (const auto r = make_room(1); !r)
+    if (const auto r = transfer_.make_room(1); !r)
         return r;
     if (panel.timing.sleep_out_wait_us != 0)
-        ops_.delay(panel.timing.sleep_out_wait_us);
+        transfer_.list().delay(panel.timing.sleep_out_wait_us);
     return {};
-}
-
-/// Appends black pixels, so that the display starts black. Its memory holds noise after power-on.
-Result<void> PanelDisplay::append_black() {
-    return for_each_window(windows_, {0, 0, placement_.size.width, placement_.size.height},
-                           [this](const Rect& window) { return append_black_window(window); });
-}
-
-Result<void> PanelDisplay::append_black_window(const Rect& window) {
-    // Operations repeat whole pixels where a pixel has whole bytes.
-    const std::uint32_t unit = wire_bits() % 8 == 0 ? wire_bits() / 8 : 1;
-    std::size_t left =
-        wire_bytes({static_cast<std::int16_t>(window.w), static_cast<std::int16_t>(window.h)}) / unit;
-    const std::uint32_t most = op_limit() / unit;
-    if (const auto r = make_room(windows_.commands()); !r)
-        return r;
-    windows_.open(ops_, window);
-    while (left != 0) {
-        const std::uint32_t count = left < most ? static_cast<std::uint32_t>(left) : most;
-        if (const auto r = make_room(1); !r)
-            return r;
-        ops_.repeat_black(unit, count);
-        left -= count;
-    }
-    return {};
-}
-
-/// The bytes that a rectangle of pixels takes on the wire, rounded up.
-std::size_t PanelDisplay::wire_bytes(const Extent& size) const {
-    const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
-    return (pixels * wire_bits() + 7) / 8;
 }
 
 } // namespace spangle::hal

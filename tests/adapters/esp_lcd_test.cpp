@@ -112,7 +112,7 @@ TEST(EspLcd, APanelThroughIt) {
         adapters::EspLcdBus bus(config_of(io, *board));
         hal::PanelConfig panel = board->display;
         panel.read_back = false;
-        hal::PanelStorage<320> storage;
+        hal::PanelStorage<hal::PanelSizes{.height = 320}> storage;
         test::OwnedDisplay display(bus, panel, storage.memory());
         const auto ready = display.init();
         ASSERT_TRUE(ready.ok()) << ready.error().rule;

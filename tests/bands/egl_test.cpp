@@ -316,7 +316,7 @@ TEST(BandWindows, BandsAreSentWholeWhereNobodyRemembers) {
     const sim::Image expected = play(board, {.depth = 0, .stencil = 0, .accum = 0}, program, 2)[1];
     board.display.band = 16;
     sim::SimBoard sim(board);
-    hal::PanelStorage<16, 1, 16, 0, false, false, 0> storage;
+    hal::PanelStorage<hal::PanelSizes{.height = 16, .ops = 16, .content = 0}> storage;
     hal::PanelDisplay panel(sim.bus(), board.display, storage.memory());
     const EGLDisplay display = eglGetDisplay(native(panel));
     ASSERT_NE(eglInitialize(display, nullptr, nullptr), EGLBoolean{0});

@@ -13,7 +13,7 @@ namespace {
 
 std::string wire(const PanelConfig& config, BusCaps caps = spi()) {
     FakePanelBus bus(*config.panel, caps);
-    PanelStorage<320, 2> storage;
+    PanelStorage<PanelSizes{.height = 320, .buffers = 2}> storage;
     PanelDisplay display(bus, config, storage.memory());
     const auto ready = display.init();
     EXPECT_TRUE(ready.ok()) << ready.error().rule;
@@ -25,7 +25,7 @@ std::string wire(const PanelConfig& config, BusCaps caps = spi()) {
 Error refused(PanelConfig config, BusCaps caps = spi(), int acquires = 1000) {
     FakePanelBus bus(panels::st7789_240x240, caps);
     bus.allow_acquires = acquires;
-    PanelStorage<240, 1, 8> storage;
+    PanelStorage<PanelSizes{.height = 240, .ops = 8}> storage;
     PanelDisplay display(bus, config, storage.memory());
     const auto ready = display.init();
     EXPECT_FALSE(ready.ok());
@@ -89,7 +89,7 @@ TEST(Init, DelaysOfAProgramAreKept) {
 
 TEST(Init, TheGlassComesOnBlack) {
     FakePanelBus bus(panels::st7789_135x240, spi());
-    PanelStorage<240, 1> storage;
+    PanelStorage<PanelSizes{.height = 240}> storage;
     PanelDisplay display(bus, on(panels::st7789_135x240), storage.memory());
     ASSERT_TRUE(display.init().ok());
     long black = 0;
@@ -104,7 +104,7 @@ TEST(Init, ShortOperationsCutTheBlackFillInWholePixels) {
     caps.max_transfer = 1001;
     PanelConfig config = on(panels::st7789_240x240);
     FakePanelBus bus(panels::st7789_240x240, caps);
-    PanelStorage<240, 1> storage;
+    PanelStorage<PanelSizes{.height = 240}> storage;
     PanelDisplay display(bus, config, storage.memory());
     ASSERT_TRUE(display.init().ok());
     EXPECT_EQ(bus.longest_op, 1000u);
@@ -113,7 +113,7 @@ TEST(Init, ShortOperationsCutTheBlackFillInWholePixels) {
 
 TEST(Init, AnInitThatFailedLeavesTheDisplayClosed) {
     FakePanelBus bus(panels::st7789_240x240, spi());
-    PanelStorage<240, 1> storage;
+    PanelStorage<PanelSizes{.height = 240}> storage;
     PanelDisplay display(bus, on(panels::st7789_240x240), storage.memory());
     for (long bytes : {0L, 5L, 60L, 80L, 20000L}) {
         bus.fail_after_bytes = bytes;
@@ -197,7 +197,7 @@ TEST(Init, ChecksWhoAnswers) {
         FakePanelBus bus(*config.panel, spi());
         std::copy(k.id, k.id + 3, bus.id);
         std::copy(k.status, k.status + 4, bus.status);
-        PanelStorage<240, 1> storage;
+        PanelStorage<PanelSizes{.height = 240}> storage;
         PanelDisplay display(bus, config, storage.memory());
         const auto ready = display.init();
         EXPECT_EQ(ready.error().fault, k.fault);
@@ -275,7 +275,7 @@ TEST(Init, EachCommandSetNamesAWindowItsWay) {
         BusCaps caps = spi(4000000);
         caps.kind = row.panel.serial_bus;
         FakePanelBus bus(row.panel, caps);
-        PanelStorage<320, 2> storage;
+        PanelStorage<PanelSizes{.height = 320, .buffers = 2}> storage;
         PanelDisplay display(bus, config, storage.memory());
         ASSERT_TRUE(display.init().ok()) << row.panel.name;
         ASSERT_TRUE(display.present().ok() && display.finish().ok()); // the first frame is sent whole
@@ -318,7 +318,7 @@ TEST(Init, OledsAreSetUpByTheirCommandSet) {
         PanelConfig config = on(row.panel, row.orientation);
         config.wire = row.wire;
         FakePanelBus bus(row.panel, spi(4000000));
-        PanelStorage<320, 2> storage;
+        PanelStorage<PanelSizes{.height = 320, .buffers = 2}> storage;
         PanelDisplay display(bus, config, storage.memory());
         ASSERT_TRUE(display.init().ok()) << row.panel.name;
         const std::string end = row.settings;
@@ -333,7 +333,7 @@ TEST(Init, EveryNamedBoardComesUp) {
         PanelConfig config = board->display;
         config.read_back = false;
         FakePanelBus bus(*config.panel, bus_caps(*board));
-        PanelStorage<320, 2> storage;
+        PanelStorage<PanelSizes{.height = 320, .buffers = 2}> storage;
         PanelDisplay display(bus, config, storage.memory());
         EXPECT_TRUE(display.init().ok()) << board->name;
         EXPECT_EQ(display.info().width, size.width);

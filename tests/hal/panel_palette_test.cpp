@@ -25,7 +25,7 @@ TEST(PanelPalette, IndicesOutsideOfItAreAnError) {
         GTEST_SKIP() << "this build has no surfaces of indices";
     const PanelDesc& panel = panels::st7789_135x240;
     FakePanelBus bus(panel, spi());
-    const auto storage = std::make_unique<PanelStorage<240>>();
+    const auto storage = std::make_unique<PanelStorage<PanelSizes{.height = 240}>>();
     const auto fenced = std::make_unique<Fenced>();
     std::memset(fenced.get(), 0xC5, sizeof *fenced);
     PanelMemory memory = storage->memory();

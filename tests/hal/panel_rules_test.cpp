@@ -58,7 +58,13 @@ std::vector<Change> changes() {
 
 /// Describes the board's display to a bus that does what the board says, and returns why it is refused.
 std::string refusal_when_it_runs(const Board& board) {
-    using Storage = PanelStorage<512, 2, 64, 512, true, true, 512, true>;
+    using Storage = PanelStorage<PanelSizes{.height = 512,
+                                            .buffers = 2,
+                                            .hashed_width = 512,
+                                            .turned = true,
+                                            .held = true,
+                                            .content = 512,
+                                            .indexed = true}>;
     static const auto storage = std::make_unique<Storage>();
     FakePanelBus bus(*board.display.panel, bus_caps(board));
     PanelDisplay display(bus, board.display, storage->memory());

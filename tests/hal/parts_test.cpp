@@ -70,8 +70,8 @@ template <const Board& board, bool Remembers = true> void same_as_with_every_par
         other_bus(*board.display.panel, bus_caps(board));
     own_bus.te_period_us = other_bus.te_period_us = board.display.panel->timing.frame_us;
     const auto own = std::make_unique<BoardDisplay<board, 64, Remembers>>(own_bus);
-    const auto storage = std::make_unique<
-        PanelStorage<height, 2, 64, 0, false, false, Remembers ? picture_size(board.display).height : 0>>();
+    const auto storage = std::make_unique<PanelStorage<PanelSizes{
+        .height = height, .buffers = 2, .content = Remembers ? picture_size(board.display).height : 0}>>();
     PanelDisplay other(other_bus, board.display, storage->memory());
     EXPECT_EQ(wire(*own, own_bus), wire(other, other_bus));
     EXPECT_EQ(own_bus.model.memory, other_bus.model.memory);
@@ -106,11 +106,11 @@ TEST(Parts, AreThoseThatTheBoardAsksFor) {
                    of_bands = PanelDisplay::parts_of(bands.display, false);
     EXPECT_EQ(of_plain.check, nullptr);
     EXPECT_EQ(of_plain.identify, nullptr);
-    EXPECT_EQ(of_plain.sync, nullptr);
-    EXPECT_EQ(of_plain.count_ops, nullptr);
+    EXPECT_EQ(of_plain.sending.sync, nullptr);
+    EXPECT_EQ(of_plain.sending.count_ops, nullptr);
     EXPECT_EQ(of_plain.present_band, nullptr);
     EXPECT_EQ(of_bands.present, nullptr);
-    EXPECT_NE(of_te.sync, nullptr);
+    EXPECT_NE(of_te.sending.sync, nullptr);
     EXPECT_NE(of_te.measure, nullptr);
     EXPECT_NE(of_reads.identify, nullptr);
 }

@@ -59,7 +59,9 @@ struct Painter {
 
 struct Bench {
     FakePanelBus bus;
-    PanelStorage<64, 2, 8, 64, true, true> storage; // eight operations: most frames take several lists
+    PanelStorage<PanelSizes{
+        .height = 64, .buffers = 2, .ops = 8, .hashed_width = 64, .turned = true, .held = true}>
+        storage; // eight operations: most frames take several lists
     PanelDisplay display;
     PanelConfig config;
 
@@ -465,7 +467,7 @@ TEST(Present, BufferAgeIsTheNumberOfBuffersOnceTheyAreDrawn) {
 
 TEST(Present, OneListWhenItFits) {
     FakePanelBus bus(tiny, spi());
-    PanelStorage<50, 1> storage;
+    PanelStorage<PanelSizes{.height = 50}> storage;
     PanelDisplay display(bus, config({}, 1), storage.memory());
     ASSERT_TRUE(display.init().ok());
     const int submits = bus.submits;
@@ -479,7 +481,7 @@ TEST(Present, OneListWhenItFits) {
 
 TEST(Present, WindowIsSentAgainAfterAFault) {
     FakePanelBus bus(tiny, spi());
-    PanelStorage<50, 1> storage;
+    PanelStorage<PanelSizes{.height = 50}> storage;
     PanelDisplay display(bus, config({}, 1), storage.memory());
     ASSERT_TRUE(display.init().ok());
     bus.fail_after_bytes = 100;
@@ -496,7 +498,7 @@ TEST(Present, QuirkSendsTheWindowEachTime) {
     PanelConfig c = config({}, 1);
     c.panel = &clone;
     FakePanelBus bus(tiny, spi());
-    PanelStorage<50, 1> storage;
+    PanelStorage<PanelSizes{.height = 50}> storage;
     PanelDisplay display(bus, c, storage.memory());
     ASSERT_TRUE(display.init().ok());
     bus.log.clear();
@@ -605,7 +607,7 @@ TEST(Present, TheRefreshIsMeasured) {
     // A short list of operations looks at fewer refreshes.
     PanelConfig cfg = config({}, 1);
     cfg.poll_line = true;
-    PanelStorage<64, 1, 8> small;
+    PanelStorage<PanelSizes{.height = 64, .ops = 8}> small;
     FakePanelBus bus(*cfg.panel, spi());
     PanelDisplay display(bus, cfg, small.memory());
     ASSERT_TRUE(display.init().ok());

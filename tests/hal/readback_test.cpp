@@ -18,7 +18,7 @@ BusCaps parallel() {
 
 struct Reader {
     FakePanelBus bus;
-    PanelStorage<320, 1> storage;
+    PanelStorage<PanelSizes{.height = 320}> storage;
     PanelDisplay display;
 
     Reader(const PanelDesc& panel, BusCaps caps)

@@ -130,7 +130,7 @@ TEST(RowHash, StorageIsHeldAgainstThePicture) {
     PanelDesc large = panels::ili9341_240x320;
     large.memory = large.glass = {600, 20};
     hal_test::FakePanelBus bus(large, hal_test::spi());
-    PanelStorage<20> storage;
+    PanelStorage<PanelSizes{.height = 20}> storage;
     PanelConfig config;
     config.panel = &large;
     config.row_hash = true;
@@ -141,7 +141,7 @@ TEST(RowHash, StorageIsHeldAgainstThePicture) {
     config.panel = &fits;
     PanelDisplay without(bus, config, storage.memory());
     EXPECT_STREQ(without.init().error().rule, "display: the storage has no room for the row hash");
-    PanelStorage<20, 1, 64, 500> hashed;
+    PanelStorage<PanelSizes{.height = 20, .hashed_width = 500}> hashed;
     PanelDisplay with(bus, config, hashed.memory());
     EXPECT_TRUE(with.init().ok());
 }

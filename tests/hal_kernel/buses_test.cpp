@@ -42,7 +42,7 @@ class KernelRig {
     sim::PanelModule module;
     std::optional<hal::SpidevBus> spidev;
     std::optional<hal::GpioBus> gpio;
-    hal::PanelStorage<320, 2> storage;
+    hal::PanelStorage<hal::PanelSizes{.height = 320, .buffers = 2}> storage;
     std::optional<test::OwnedDisplay> display;
     std::uint64_t levels = ~std::uint64_t{0};
 

@@ -22,7 +22,7 @@ struct FtdiHost {
     sim::UsbipDevice usb{adapter};
     hal::FtdiConfig config;
     std::optional<hal::FtdiBus> bus;
-    hal::PanelStorage<320, 2> storage;
+    hal::PanelStorage<hal::PanelSizes{.height = 320, .buffers = 2}> storage;
     std::optional<test::OwnedDisplay> display;
 
     FtdiHost() {

@@ -107,7 +107,7 @@ TEST(GpioBus, WithoutChipSelectItIsTiedLow) {
     config.asynchronous = false;
     hal::GpioBus bus(config);
     ASSERT_TRUE(bus.open().ok());
-    hal::PanelStorage<16> storage;
+    hal::PanelStorage<hal::PanelSizes{.height = 16}> storage;
     test::OwnedDisplay display(bus, {.panel = &tiny_panel}, storage.memory());
     ASSERT_TRUE(display.init().ok());
     EXPECT_TRUE(module.dcs().display_on());

@@ -86,7 +86,7 @@ class Rig {
 
   private:
     RigOptions options_;
-    hal::PanelStorage<320, 2> storage_;
+    hal::PanelStorage<hal::PanelSizes{.height = 320, .buffers = 2}> storage_;
 
     void make_spidev(Transport t) { spidev.emplace(spidev_of(t, options_)); }
     void make_gpio(Transport t) { gpio.emplace(gpio_of(t, options_)); }

@@ -115,7 +115,7 @@ class Rig {
 
   private:
     RigOptions options_;
-    hal::PanelStorage<320, 2> storage_;
+    hal::PanelStorage<hal::PanelSizes{.height = 320, .buffers = 2}> storage_;
 
     static hal::FtdiPins pins_of(const RigOptions& options) {
         hal::FtdiPins pins = options.pins;

@@ -106,7 +106,8 @@ struct Firmware {
     std::vector<std::uint8_t> memory;
     hal::Op ops[512];
     hal::DmaBus bus;
-    hal::PanelStorage<320, 2, 512, 0, true, true> storage;
+    hal::PanelStorage<hal::PanelSizes{.height = 320, .buffers = 2, .ops = 512, .turned = true, .held = true}>
+        storage;
     struct Display final : hal::PanelDisplay {
         using hal::PanelDisplay::PanelDisplay;
     } display;

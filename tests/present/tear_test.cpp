@@ -42,7 +42,7 @@ struct Rig {
     hal::Board board;
     std::unique_ptr<sim::DcsController> controller;
     std::unique_ptr<sim::SimBus> bus;
-    hal::PanelStorage<320, 2, 512, 0, true> storage;
+    hal::PanelStorage<hal::PanelSizes{.height = 320, .buffers = 2, .ops = 512, .turned = true}> storage;
     struct Display final : hal::PanelDisplay {
         using hal::PanelDisplay::PanelDisplay;
     };

@@ -137,7 +137,7 @@ TEST(I2cDump, Replays) {
         {
             VcdFile vcd(path, board->bus);
             bus.listen(&vcd);
-            hal::PanelStorage<128, 1, 2048> storage;
+            hal::PanelStorage<hal::PanelSizes{.height = 128, .ops = 2048}> storage;
             struct Panel final : hal::PanelDisplay {
                 using hal::PanelDisplay::PanelDisplay;
             } display(bus, board->display, storage.memory());

@@ -197,7 +197,7 @@ TEST(PalettesOfPanels, WhatCannotBe) {
     sim::SimBoard colors(boards::ili9341_spi);
     ASSERT_TRUE(colors.display().init().ok());
     EXPECT_EQ(colors.display().set_palette(0, 1, rgb).error().fault, hal::Fault::unsupported);
-    static hal::PanelStorage<320> storage;
+    static hal::PanelStorage<hal::PanelSizes{.height = 320}> storage;
     const hal::Board described = indexed_board();
     hal::PanelDisplay display(early.bus(), described.display, storage.memory());
     EXPECT_EQ(display.init().error().fault, hal::Fault::bad_argument) << "no memory for a palette";

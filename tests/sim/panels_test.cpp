@@ -107,7 +107,7 @@ TEST_P(Panels, ReadBackWhatWasWritten) {
         sim::DcsController controller(sim::chip_of(*GetParam()), sim::mount_of(*GetParam()),
                                       kind == hal::BusKind::i8080);
         sim::SimBus bus(controller, hal::bus_caps(board));
-        hal::PanelStorage<320, 1> storage;
+        hal::PanelStorage<hal::PanelSizes{.height = 320}> storage;
         hal::PanelDisplay display(bus, board.display, storage.memory());
         ASSERT_TRUE(display.init().ok());
         const auto frame = display.acquire();

@@ -76,7 +76,7 @@ TEST(Pins, EveryBoardShowsWhatABusOfBytesShows) {
         sim::Controller &by_pin = *one, &by_byte = *other;
         const std::unique_ptr<PinBus> pins = pins_of(*board, by_pin);
         sim::SimBus bytes(by_byte, hal::bus_caps(*board));
-        static hal::PanelStorage<320, 2> storage[2];
+        static hal::PanelStorage<hal::PanelSizes{.height = 320, .buffers = 2}> storage[2];
         hal::PanelDisplay pin_display(*pins, board->display, storage[0].memory());
         hal::PanelDisplay byte_display(bytes, board->display, storage[1].memory());
         show_noise(pin_display);
@@ -104,7 +104,7 @@ TEST(Pins, SpiMode3IsTakenToo) {
     SerialPinBus mode3(controller, hal::bus_caps(boards::st7789_240)),
         mode0(other, hal::bus_caps(boards::st7789_240));
     mode3.rest_high();
-    static hal::PanelStorage<240, 2> storage[2];
+    static hal::PanelStorage<hal::PanelSizes{.height = 240, .buffers = 2}> storage[2];
     hal::PanelDisplay three(mode3, boards::st7789_240.display, storage[0].memory());
     hal::PanelDisplay zero(mode0, boards::st7789_240.display, storage[1].memory());
     show_noise(three);
@@ -167,7 +167,7 @@ TEST(Pins, ARecordedTraceReplays) {
         {
             sim::VcdFile vcd(path, board->bus);
             bus.listen(&vcd);
-            static hal::PanelStorage<240, 2> storage;
+            static hal::PanelStorage<hal::PanelSizes{.height = 240, .buffers = 2}> storage;
             hal::PanelDisplay display(bus, config, storage.memory());
             show_noise(display);
             EXPECT_EQ(vcd.commit(), "");

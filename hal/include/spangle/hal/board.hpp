@@ -84,19 +84,26 @@ template <const Board& board> class BusMemoryOf {
     alignas(BusMemory::alignment) std::uint8_t bytes_[bus_memory(board)];
 };
 
+/// The memory that a display of this description needs. `ops`: operations of a list. `remembers`:
+/// [bands](docs/glossary.md#band) record what the panel shows.
+constexpr PanelSizes sizes_of(const PanelConfig& c, std::size_t ops, bool remembers) {
+    return {.height = book_height(c),
+            .buffers = c.buffers,
+            .ops = ops,
+            .hashed_width = c.row_hash ? sent_size(c).width : 0,
+            .turned = turns(c),
+            .held = c.pacing == Pacing::coalesce,
+            .content = !remembers    ? 0
+                       : c.band != 0 ? picture_size(c).height
+                                     : book_height(c),
+            .indexed = is_indexed(c.format)};
+}
+
 /// The display of a board with exactly the memory it needs: `static BoardDisplay<my_board> display(bus);`
-/// `Ops` is that of PanelStorage; `Remembers`: [bands](docs/glossary.md#band) record what the panel shows.
-/// Boards with little memory ask for less.
+/// `Ops` and `Remembers` are those of sizes_of(). Boards with little memory ask for less.
 template <const Board& board, std::size_t Ops = 64, bool Remembers = true>
-class BoardDisplay final
-    : private PanelStorage<book_height(board.display), board.display.buffers, Ops,
-                           board.display.row_hash ? sent_size(board.display).width : 0, turns(board.display),
-                           board.display.pacing == Pacing::coalesce,
-                           Remembers ? (board.display.band != 0 ? picture_size(board.display).height
-                                                                : book_height(board.display))
-                                     : 0,
-                           is_indexed(board.display.format)>,
-      public PanelDisplay {
+class BoardDisplay final : private PanelStorage<sizes_of(board.display, Ops, Remembers)>,
+                           public PanelDisplay {
   public:
     /// A display on this bus, which must outlive it. Nothing is sent before init().
     explicit BoardDisplay(Bus& bus) : PanelDisplay(bus, board.display, this->memory(), parts) {}

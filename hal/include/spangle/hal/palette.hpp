@@ -47,6 +47,11 @@ struct Palette {
         for (std::uint32_t& word : stale)
             word = 0;
     }
+    /// Sets the initial colours. None of them is stale: a panel that was just initialised is black, and shows
+    /// no index.
+    void begin();
+    /// Sets `count` colours from `first` on, which in_palette(): red, green and blue bytes each.
+    void set(std::int32_t first, std::int32_t count, const std::uint8_t* rgb);
 };
 
 /// The memory of a Palette, or none.

@@ -1,6 +1,7 @@
 // What a program says of a panel display, and what follows from it: sizes, formats, rows that share bytes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include <spangle/hal/display.hpp>
@@ -93,5 +94,62 @@ constexpr std::int32_t book_height(const PanelConfig& c) {
     const std::int32_t drawn = held(c, picture_size(c)).height, sent = held(c, sent_size(c)).height;
     return drawn > sent ? drawn : sent;
 }
+
+/// Whether presents wait for the beam.
+constexpr bool tear_free(const PanelConfig& c) {
+    return c.wait_te || c.poll_line;
+}
+
+/// Whether a frame must be one list: between two lists there is a gap of unknown length, and the first one is
+/// waited for.
+constexpr bool one_list(const PanelConfig& c) {
+    return c.buffers == 2 || c.wire.converts() || tear_free(c);
+}
+
+/// What follows from a description: where the picture lies, and the bytes of its rows. The parts of a display
+/// read it and never change it.
+struct PanelLayout {
+    /// The description.
+    PanelConfig config;
+    /// The placement of the buffer that is sent.
+    Placement placement;
+    /// How pictures are turned, where `turns`.
+    ScanOrder scan;
+    /// The size of the picture in pixels.
+    Extent picture;
+    bool turns = false; ///< frames are turned into the order of the scan
+
+    /// A layout of nothing yet.
+    PanelLayout() = default;
+    /// The layout of a description, which is not asked for more than its format before resolve().
+    explicit PanelLayout(const PanelConfig& description) : config(description) {}
+    /// Computes the layout. The description must keep check_config().
+    void resolve();
+
+    /// Bits of a pixel on the wire.
+    std::uint32_t wire_bits() const { return wire_info(wire_format(config)).bits; }
+    /// The bytes of a rectangle of pixels on the wire, rounded up.
+    std::size_t wire_bytes(std::int32_t width, std::int32_t height) const {
+        return (static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * wire_bits() + 7) / 8;
+    }
+    /// Bytes of so many columns of a buffer.
+    std::uint32_t line_bytes(std::int32_t columns) const {
+        return static_cast<std::uint32_t>(row_bytes(config.format, columns));
+    }
+    /// Bytes from row to row of the picture.
+    std::uint32_t stride() const { return line_bytes(picture.width); }
+    /// Bytes from row to row of the buffer that is sent.
+    std::uint32_t sent_stride() const { return line_bytes(placement.size.width); }
+    /// Rows that share the bytes of a buffer.
+    std::int32_t rows_at_once() const { return format_info(config.format).rows; }
+    /// Pixels across and down that share bytes in a buffer, or on the wire, where `on_wire` do.
+    Extent shared(Extent on_wire) const {
+        const Extent lying = config.wire.converts() ? Extent{1, 1} : sharing(config.format);
+        return {on_wire.width > lying.width ? on_wire.width : lying.width,
+                on_wire.height > lying.height ? on_wire.height : lying.height};
+    }
+    /// Buffers that are drawn in turn.
+    std::uint8_t canvases() const { return turns || config.band != 0 ? 1 : config.buffers; }
+};
 
 } // namespace spangle::hal

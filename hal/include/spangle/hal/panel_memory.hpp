@@ -41,46 +41,66 @@ struct PanelMemory {
     Palette* palette = nullptr;       ///< for PixelFormat::index8
 };
 
-/// The memory of a PanelDisplay for pictures and sent buffers up to `Height` rows, and `HashedWidth` columns
-/// if they are to be hashed. A list longer than `Ops` goes out in several transfers; frames that are
-/// tear-free or sent while the next is drawn are made of as few windows as one list holds. `Content`: rows of
-/// the picture, where `Height` is that of bands; 0: what the panel shows is not recorded, and bands are sent
-/// whole.
-template <std::int32_t Height, std::uint8_t Buffers = 1, std::size_t Ops = 64, std::int32_t HashedWidth = 0,
-          bool Turned = false, bool Held = false, std::int32_t Content = Height, bool Indexed = false>
-struct PanelStorage {
-    static_assert(Height > 0 && Height <= 4096 && (Buffers == 1 || Buffers == 2) && Ops >= 8);
+/// How much memory a PanelStorage has.
+struct PanelSizes {
+    /// Rows of pictures and sent buffers at most, or of bands.
+    std::int32_t height = 0;
+    /// Buffers at most: 1 or 2.
+    std::uint8_t buffers = 1;
+    /// Operations of a list. A longer list goes out in several transfers; frames that are tear-free or sent
+    /// while the next is drawn are made of as few windows as one list holds.
+    std::size_t ops = 64;
+    std::int32_t hashed_width = 0; ///< columns that can be hashed
+    bool turned = false;           ///< for PanelConfig::scan_order
+    bool held = false;             ///< for Pacing::coalesce
+    /// Rows of the picture, where `height` is that of bands; 0: what the panel shows is not recorded, and
+    /// bands are sent whole; -1: as many as `height`.
+    std::int32_t content = -1;
+    bool indexed = false; ///< for PixelFormat::index8
+
+    /// Rows of the picture.
+    constexpr std::int32_t content_height() const { return content < 0 ? height : content; }
+};
+
+/// The memory of a PanelDisplay.
+template <PanelSizes sizes> struct PanelStorage {
+    static_assert(sizes.height > 0 && sizes.height <= 4096 && (sizes.buffers == 1 || sizes.buffers == 2) &&
+                  sizes.ops >= 8);
+    /// Elements of the arrays that some displays do without.
+    static constexpr std::int32_t content_rows = sizes.content_height() != 0 ? sizes.content_height() : 1,
+                                  turned_rows = sizes.turned ? sizes.height : 1,
+                                  held_rows = sizes.held ? sizes.height : 1;
 
     /// The memory that the members of PanelMemory by these names point to.
-    RowSpan touched[Height], damage[Height], content[Buffers][Content != 0 ? Content : 1],
-        turned[Turned ? Height : 1], held[Held ? Height : 1];
+    RowSpan touched[sizes.height], damage[sizes.height], content[sizes.buffers][content_rows],
+        turned[turned_rows], held[held_rows];
     /// The memory of PanelMemory::plan.
-    std::uint16_t plan[Height];
+    std::uint16_t plan[sizes.height];
     /// The memory of PanelMemory::ops.
-    Op ops[Ops];
+    Op ops[sizes.ops];
     /// The memory of PanelMemory::params.
-    OpParams params[Ops];
+    OpParams params[sizes.ops];
     /// The memory of PanelMemory::hash.
-    RowHashStorage<Height, HashedWidth> hash;
+    RowHashStorage<sizes.height, sizes.hashed_width> hash;
     /// The memory of PanelMemory::palette.
-    PaletteStorage<Indexed> palette;
+    PaletteStorage<sizes.indexed> palette;
 
     /// This memory, for the constructor of a PanelDisplay. The storage must outlive the display.
     PanelMemory memory() {
         return {touched,
                 damage,
-                {content[0], content[Buffers - 1]},
-                Content,
+                {content[0], content[sizes.buffers - 1]},
+                sizes.content_height(),
                 plan,
-                Height,
-                Buffers,
+                sizes.height,
+                sizes.buffers,
                 ops,
                 params,
-                Ops,
+                sizes.ops,
                 hash.memory(),
-                Turned ? turned : nullptr,
-                Turned ? &turn : nullptr,
-                Held ? held : nullptr,
+                sizes.turned ? turned : nullptr,
+                sizes.turned ? &turn : nullptr,
+                sizes.held ? held : nullptr,
                 palette.memory()};
     }
 };

@@ -1,0 +1,94 @@
+// What changed: the rows that were drawn, what each buffer holds, and what the panel's memory lacks.
+#pragma once
+
+#include <cstdint>
+
+#include <spangle/format.hpp>
+#include <spangle/hal/bands.hpp>
+#include <spangle/hal/panel_config.hpp>
+#include <spangle/hal/panel_memory.hpp>
+#include <spangle/hal/row_hash.hpp>
+
+namespace spangle::hal {
+
+/// Keeps what was drawn, and works out what a present must send of it.
+///
+/// Contract:
+/// - damage() is what the panel's memory may lack, a span of columns a row. It is never too little: pixels
+///   outside of it are the same on the panel and in the buffer that is sent.
+/// - Nothing is forgotten before it arrived. doubt() says that what is in damage() may not have arrived, and
+///   trust() that it did; in between, collect() adds to it.
+/// - What a frame drew that was put off is held back, and restored by the next collect(), unless a full clear
+///   replaced it.
+/// - Where cells are hashed, reduce() takes out of the damage what was drawn again unchanged.
+/// - It reads pixels where hashes, colours or a turned picture ask for it, and sends none.
+class DamageBook {
+  public:
+    /// Both must outlive it, and what `memory` points to.
+    DamageBook(const PanelLayout& layout, const PanelMemory& memory) : layout_(layout), memory_(memory) {}
+
+    /// Begins with a panel of which nothing is known. What was drawn stays.
+    void open();
+    /// Begins with buffers of `height` rows in which nothing was drawn.
+    void open_buffers(std::int32_t height);
+    /// Records that nothing is known of a buffer.
+    void open_content(std::uint8_t buffer);
+
+    /// What is drawn: the rasterizer notes it here.
+    RowExtents& extents() { return extents_; }
+    /// Begins a buffer of `rows` rows that is all clear.
+    void begin_band(std::int32_t rows);
+    /// Says that nothing was drawn yet.
+    void forget_drawn();
+    /// Whether anything was drawn since.
+    bool drawn_since() const;
+
+    /// Sets aside what a frame drew that is put off, so that drawn_since() tells whether more is drawn.
+    void hold_back();
+    /// Whether a frame was put off and is still to be sent.
+    bool owed() const { return owed_; }
+
+    /// Collects what differs between the panel, which shows the buffer `shown`, and the buffer `drawn`.
+    void collect(std::uint8_t shown, std::uint8_t drawn);
+    /// Adds the pixels of a buffer whose colours changed. False: no colour changed.
+    bool collect_recolored(const std::uint8_t* pixels);
+    /// Copies what differs into the buffer `to`, in the order of the scan.
+    void turn(const std::uint8_t* from, std::uint8_t* to);
+    /// Hashes the buffer that is sent, and takes cells out that are the same. `all`: colours changed, so all
+    /// cells did.
+    void reduce(const std::uint8_t* sent, bool all);
+    /// Widens the damage of `rows` rows, so that pixels that share bytes share the damage.
+    void widen(Extent shared, std::int32_t rows);
+
+    /// What is collected, by rows of the picture.
+    RowSpan* damage() const { return memory_.damage; }
+    /// The damage of the buffer that is sent, by its rows.
+    RowSpan* sent_damage() const { return layout_.turns ? memory_.turned : memory_.damage; }
+    /// The hashes; not enabled where there are none.
+    const RowHash& hash() const { return hash_; }
+    /// What runs the hashes.
+    const RowHashCode* hash_code() const { return memory_.hash.code; }
+
+    /// Says that damage() may not have arrived.
+    void doubt() { suspect_ = true; }
+    /// Says that it arrived.
+    void trust() { suspect_ = false; }
+    /// Says that the frame was handed over; `in_place`: the other buffer lacks it.
+    void accept(bool in_place);
+
+  private:
+    void restore();
+
+    const PanelLayout& layout_;
+    const PanelMemory& memory_;
+    RowHash hash_;
+    PanelContent content_[2];
+    RowExtents extents_;
+    std::uint32_t held_clear_value_ = 0;
+    bool held_cleared_ = false;
+    bool suspect_ = false; ///< what the panel holds inside `damage` is unknown
+    bool behind_ = false;  ///< the other buffer, or the panel, lacks what `damage` holds
+    bool owed_ = false;    ///< a frame was put off; what it touched is in `held`
+};
+
+} // namespace spangle::hal
