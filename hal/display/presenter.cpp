@@ -134,9 +134,9 @@ std::size_t Presenter::pixel_ops(const Rect& window) const {
     if (layout_.config.wire.converts()) // one long row
         return transfer_.pixel_ops(static_cast<std::uint32_t>(layout_.wire_bytes(window.w, window.h)), 1);
     const std::uint32_t line = layout_.line_bytes(window.w);
-    const auto rows = static_cast<std::uint32_t>(window.h / layout_.rows_at_once());
-    return line == layout_.sent_stride() ? transfer_.pixel_ops(line * rows, 1)
-                                         : transfer_.pixel_ops(line, rows);
+    const auto lines = static_cast<std::uint32_t>(window.h / layout_.rows_at_once());
+    return line == layout_.sent_stride() ? transfer_.pixel_ops(line * lines, 1)
+                                         : transfer_.pixel_ops(line, lines);
 }
 
 // --- Before a frame is sent ---
