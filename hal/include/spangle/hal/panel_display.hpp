@@ -55,8 +55,8 @@ class PanelDisplay : public Display {
     /// which checks the description, the memory and the bus.
     PanelDisplay(Bus& bus, const PanelConfig& config, const PanelMemory& memory,
                  const Parts& parts = every_part);
-    PanelDisplay(const PanelDisplay&) = delete; ///< the parts of a display refer to each other
-    PanelDisplay& operator=(const PanelDisplay&) = delete;
+    PanelDisplay(const PanelDisplay&) = delete;            ///< the parts of a display refer to each other
+    PanelDisplay& operator=(const PanelDisplay&) = delete; ///< the parts of a display refer to each other
 
     DisplayInfo info() const override;
     /// Reset, identity, setup, a black glass, display on. May be called again, to recover a panel that lost
