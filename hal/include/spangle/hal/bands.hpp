@@ -1,4 +1,5 @@
-// The bands of a frame that is drawn in a buffer of some rows: which one is drawn, and what the panel shows.
+// The [bands](docs/glossary.md#band) of a frame that is drawn in a buffer of some rows: which one is drawn,
+// and what the panel shows.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +21,7 @@ struct PanelContent {
 ///
 /// Contract:
 /// - A band is begun, drawn, handed over and sent: begin(), hand_over(), collect() unless bands are sent
-/// whole,
-///   sent(). The first band of a frame begins with row 0.
+///   whole, sent(). The first band of a frame begins with row 0.
 /// - collect() writes what differs between the panel and the band to `damage`, one element a row of the band.
 ///   It takes for granted that the band then arrives; forget() where it did not.
 /// - Everything differs after forget(), where the clear value changed, and where nothing is recorded.

@@ -11,7 +11,7 @@
 
 namespace spangle::hal {
 
-/// Keeps what was drawn, and works out what a present must send of it.
+/// Keeps what was drawn, and works out the [damage](docs/glossary.md#damage) that a present must send.
 ///
 /// Contract:
 /// - damage() is what the panel's memory may lack, a span of columns a row. It is never too little: pixels

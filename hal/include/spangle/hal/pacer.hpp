@@ -1,4 +1,5 @@
-// When a frame may go out: the refresh of the panel, the tearing-effect line, a wire that is busy.
+// When a frame may go out: the refresh of the panel, the tearing-effect line, a [wire](docs/glossary.md#wire)
+// that is busy.
 #pragma once
 
 #include <cstdint>

@@ -20,7 +20,8 @@ struct PanelConfig {
     /// The format of the buffers to draw into.
     PixelFormat format = PixelFormat::rgb565_be;
     /// Another format on the wire: a present converts what it sends, in memory of its own, and returns while
-    /// that is on the wire. If it is left out, the surface's pixels travel as they are.
+    /// that is on the [wire](docs/glossary.md#wire). If it is left out, the surface's pixels travel as they
+    /// are.
     Wire wire = {};
     /// 1: present() returns when the frame is on the panel; 2: while it is on the wire.
     std::uint8_t buffers = 1;

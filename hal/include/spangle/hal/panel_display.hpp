@@ -38,7 +38,7 @@ class PanelDisplay : public Display {
         Result<void> (*present)(PanelDisplay&) = nullptr;
         /// Shows frames that were put off.
         Result<void> (*show)(PanelDisplay&, bool in_place) = nullptr;
-        /// Acquires bands.
+        /// Acquires [bands](docs/glossary.md#band).
         Result<Frame> (*acquire_band)(PanelDisplay&, std::int32_t first, std::int32_t rows) = nullptr;
         /// Presents bands.
         Result<void> (*present_band)(PanelDisplay&) = nullptr;
@@ -59,8 +59,8 @@ class PanelDisplay : public Display {
     PanelDisplay& operator=(const PanelDisplay&) = delete; ///< the parts of a display refer to each other
 
     DisplayInfo info() const override;
-    /// Reset, identity, setup, a black glass, display on. May be called again, to recover a panel that lost
-    /// its power.
+    /// Reset, identity, setup, a black [glass](docs/glossary.md#glass), display on. May be called again, to
+    /// recover a panel that lost its power.
     Result<void> init() override;
     Result<Frame> acquire() override;
     /// With two buffers, or another format on the wire, the error of a transfer is reported by the next

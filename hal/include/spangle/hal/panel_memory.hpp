@@ -43,7 +43,7 @@ struct PanelMemory {
 
 /// How much memory a PanelStorage has.
 struct PanelSizes {
-    /// Rows of pictures and sent buffers at most, or of bands.
+    /// Rows of pictures and sent buffers at most, or of [bands](docs/glossary.md#band).
     std::int32_t height = 0;
     /// Buffers at most: 1 or 2.
     std::uint8_t buffers = 1;

@@ -15,7 +15,7 @@ constexpr Error refused(Fault fault, const char* rule, OnFlaw on) {
     return {fault, rule};
 }
 
-/// The rules of bands.
+/// The rules of [bands](docs/glossary.md#band).
 constexpr Result<void> check_band(const PanelConfig& c, OnFlaw on = OnFlaw::tell) {
     if (c.band < 0 || c.band > INT16_MAX || c.band % band_unit(c) != 0)
         return refused(Fault::unsupported,

@@ -23,7 +23,8 @@ struct SentRows {
     std::int32_t first = 0, count = 0;
 };
 
-/// Plans the windows of what changed and sends them.
+/// Plans the windows of the [damage](docs/glossary.md#damage) and puts its pixels on the
+/// [wire](docs/glossary.md#wire).
 ///
 /// Contract:
 /// - send() sends the damage and nothing else, in the windows that cost least on this bus; send_all() sends

@@ -10,12 +10,12 @@
 
 namespace spangle::hal {
 
-/// Fills a list of operations and carries it over a bus. A list that is full goes out, and is waited for,
-/// before more is appended; so a Transfer takes any length in memory of any size.
+/// Fills a list of operations and puts it on the [wire](docs/glossary.md#wire). A list that is full goes out,
+/// and is waited for, before more is appended; so a Transfer takes any length in memory of any size.
 ///
 /// Contract:
 /// - open() comes first, and nothing is on the wire then.
-/// - At most one list is on the wire. Who fills the next one waits for it: settle() or complete().
+/// - At most one list is on the wire. Who fills the next one waits for it: complete() or run().
 /// - After a list that did not end well, nothing is known of the panel's window: the next one is sent whole.
 /// - A list whose deadline passes may still be on the wire: in_flight() stays true, and late() says so.
 /// - Errors are those of the bus, and Fault::unsupported for a command longer than one operation.

@@ -1,4 +1,4 @@
-// GC9A01: DCS, 240x240 pixels behind a round glass.
+// GC9A01: DCS, 240x240 pixels behind a round [glass](docs/glossary.md#glass).
 #pragma once
 
 #include <spangle/hal/panel.hpp>

@@ -90,7 +90,7 @@ inline constexpr auto setup = init_program(cmd(SETEXTC, 0xFF, 0x93, 0x42),      
 
 } // namespace ili9342c
 
-/// The glass lies on its side in memory, so that upright is landscape. It is IPS.
+/// The [glass](docs/glossary.md#glass) lies on its side in memory, so that upright is landscape. It is IPS.
 inline constexpr PanelDesc ili9342c_320x240 = panel({
     .name = "ILI9342C 320x240",
     .controller = Controller::ili9342c,

@@ -1,4 +1,5 @@
-// ST7735R and ST7735S: DCS, glasses up to 128x160. The tab on the foil tells where the glass begins.
+// ST7735R and ST7735S: DCS, glasses up to 128x160. The tab on the foil tells where the
+// [glass](docs/glossary.md#glass) begins.
 #pragma once
 
 #include <spangle/hal/panel.hpp>

@@ -1,4 +1,4 @@
-// ST7789V and ST7789VW: DCS, 240x320 pixels of memory behind a smaller glass.
+// ST7789V and ST7789VW: DCS, 240x320 pixels of memory behind a smaller [glass](docs/glossary.md#glass).
 #pragma once
 
 #include <spangle/hal/panel.hpp>
