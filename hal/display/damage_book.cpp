@@ -6,7 +6,7 @@ namespace spangle::hal {
 
 void DamageBook::open() {
     if (layout_.config.row_hash)
-        hash_ = RowHash(memory_.hash, layout_.placement.size.width, layout_.placement.size.height,
+        hash_ = RowHash(memory_.hash, layout_.placement().size.width, layout_.placement().size.height,
                         format_info(layout_.config.format).bits);
     for (std::int32_t y = 0; y < extents_.height; ++y)
         memory_.damage[y] = {0, layout_.picture.width};
@@ -19,9 +19,8 @@ void DamageBook::open_buffers(std::int32_t height) {
 }
 
 void DamageBook::open_content(std::uint8_t buffer) {
-    content_[buffer].rows = memory_.content[buffer];
     for (std::int32_t y = 0; y < layout_.picture.height; ++y)
-        content_[buffer].rows[y] = {0, layout_.picture.width};
+        memory_.content[buffer][y] = {0, layout_.picture.width};
 }
 
 // --- What is drawn ---
@@ -79,12 +78,12 @@ void DamageBook::restore() {
 ///    older;
 ///  - what a failed transfer leaves unknown;
 ///  - what was sent in place, which the other buffer does not have.
-void DamageBook::collect(std::uint8_t shown_buffer, std::uint8_t drawn_buffer) {
+void DamageBook::collect(std::uint8_t shown, std::uint8_t drawn) {
     restore();
-    const PanelContent& shown = content_[shown_buffer];
-    PanelContent& drawn = content_[drawn_buffer];
+    const RowSpan* const shown_rows = memory_.content[shown];
+    RowSpan* const drawn_rows = memory_.content[drawn];
     const bool cleared = extents_.cleared;
-    const bool everything = cleared && extents_.clear_value != shown.clear_value;
+    const bool everything = cleared && extents_.clear_value != clear_value_[shown];
     const bool keep = suspect_ || behind_ || (!cleared && layout_.canvases() == 2);
     const std::int16_t width = layout_.picture.width;
     const RowSpan all = {0, width};
@@ -94,12 +93,12 @@ void DamageBook::collect(std::uint8_t shown_buffer, std::uint8_t drawn_buffer) {
         if (everything)
             damage = all;
         if (cleared)
-            damage = unite(damage, shown.rows[y]);
+            damage = unite(damage, shown_rows[y]);
         memory_.damage[y] = damage;
-        drawn.rows[y] = cleared ? now : unite(drawn.rows[y], now);
+        drawn_rows[y] = cleared ? now : unite(drawn_rows[y], now);
     }
     if (cleared)
-        drawn.clear_value = extents_.clear_value;
+        clear_value_[drawn] = extents_.clear_value;
 }
 
 /// Adds to the damage of each row the columns from the first to the last pixel whose colour changed.

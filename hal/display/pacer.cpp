@@ -13,18 +13,18 @@ constexpr std::size_t most_periods = 8;
 /// time a few refreshes once. Where none is seen, or the time is implausible, the datasheet's time stays;
 /// presents then report what is wrong.
 Result<void> Pacer::measure() {
-    const PanelTiming& timing = layout_.config.panel->timing;
-    if (!tear_free(layout_.config) || timing.scan_lines == 0)
+    const PanelTiming& timing = config().panel->timing;
+    if (!tear_free(config()) || timing.scan_lines == 0)
         return {};
     const auto lines = static_cast<std::int32_t>(timing.scan_lines);
     const auto nominal = static_cast<std::int32_t>(std::int64_t{timing.frame_us} * 1000 / lines);
     line_ns_ = nominal;
     OpList& ops = transfer_.list();
-    const bool by_te = layout_.config.wait_te;
+    const bool by_te = config().wait_te;
     const std::size_t looks = by_te ? 1 : 2, room = ops.capacity() / looks - 1;
     const std::size_t periods = room < most_periods ? room : most_periods;
     const std::uint32_t at_most = 2 * timing.frame_us + grace_us;
-    const std::uint8_t dummies = register_dummy_bits(transfer_.caps(), *layout_.config.panel);
+    const std::uint8_t dummies = register_dummy_bits(transfer_.caps(), *config().panel);
     ops.clear();
     for (std::size_t i = 0; i <= periods; ++i) {
         std::uint32_t* const moment = i == 0 ? &moments_[0] : i == periods ? &moments_[1] : nullptr;
@@ -49,7 +49,7 @@ Result<void> Pacer::measure() {
 }
 
 Refresh Pacer::refresh() const {
-    const PanelTiming& timing = layout_.config.panel->timing;
+    const PanelTiming& timing = config().panel->timing;
     Refresh refresh;
     if (timing.scan_lines != 0) {
         refresh.line = line_ns_;
@@ -62,23 +62,23 @@ Refresh Pacer::refresh() const {
 }
 
 void Pacer::append_sync(const SafeStart& start) {
-    const PanelTiming& timing = layout_.config.panel->timing;
+    const PanelTiming& timing = config().panel->timing;
     const std::uint32_t at_most = 2 * timing.frame_us + grace_us;
     const std::int64_t delay = start.possible() ? start.after_blanking() : 0;
     ++(!start.possible() ? counters_.unsafe : delay == 0 ? counters_.led : counters_.lagged);
     OpList& ops = transfer_.list();
-    if (layout_.config.wait_te) {
+    if (config().wait_te) {
         ops.wait_te(at_most);
         if (delay != 0)
             ops.delay(static_cast<std::uint32_t>((delay + 999) / 1000));
     } else if (start.possible()) {
-        ops.wait_line(register_dummy_bits(transfer_.caps(), *layout_.config.panel), start.first_line(),
+        ops.wait_line(register_dummy_bits(transfer_.caps(), *config().panel), start.first_line(),
                       start.slack_lines(), timing.scan_lines, at_most);
     }
 }
 
 bool Pacer::puts_off() {
-    if (!transfer_.busy() || (waits_ && layout_.config.pacing == Pacing::block))
+    if (!transfer_.busy() || (waits_ && config().pacing == Pacing::block))
         return false;
     ++counters_.put_off;
     return true;

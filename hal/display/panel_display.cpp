@@ -17,8 +17,8 @@ constexpr PanelDisplay::Parts PanelDisplay::every_part = {
 };
 
 PanelDisplay::PanelDisplay(Bus& bus, const PanelConfig& config, const PanelMemory& memory, const Parts& parts)
-    : memory_(memory), parts_(parts), layout_(config), transfer_(bus), book_(layout_, memory_),
-      bands_(layout_), pacer_(layout_, transfer_), presenter_(layout_, transfer_, pacer_, parts.sending) {}
+    : parts_(parts), layout_(config), transfer_(bus, layout_), book_(layout_, memory), bands_(layout_),
+      pacer_(transfer_), presenter_(layout_, book_.memory(), transfer_, pacer_) {}
 
 DisplayInfo PanelDisplay::info() const {
     const PanelConfig& config = layout_.config;
@@ -125,15 +125,15 @@ Result<void> PanelDisplay::show(bool in_place) {
     book_.collect(front_, back_);
     const std::uint8_t* const drawn = buffers_[back_].to_send();
     const bool recolored = is_indexed(config.format) && book_.collect_recolored(drawn);
-    if (layout_.turns)
+    if (layout_.turns())
         book_.turn(buffers_[0].to_send(), buffers_[1].to_draw(transfer_.bus()));
     BusBuffer& buffer = sent_buffer();
     if (book_.hash().enabled())
         book_.reduce(buffer.to_send(), recolored);
-    const std::int32_t rows = layout_.placement.size.height;
+    const std::int32_t rows = layout_.placement().size.height;
     book_.widen(layout_.shared(transfer_.windows().shared()), rows);
     if (const auto r =
-            sent(presenter_.send({&buffer, 0, rows}, book_.sent_damage(), book_.hash(), book_.hash_code()));
+            sent(presenter_.send({&buffer, 0, rows}, book_.sent_damage(), book_.hash(), parts_.sending));
         !r)
         return r;
     if (config.buffers == 1 && !config.wire.converts()) {
@@ -163,9 +163,9 @@ Result<Frame> PanelDisplay::acquire_rows(std::int32_t first, std::int32_t rows) 
     std::uint8_t* const pixels = buffers_[back_].to_draw(transfer_.bus());
     if (pixels == nullptr)
         return Error{Fault::busy, "display: acquire while a late transfer still reads the band"};
-    if (first == 0 && is_indexed(layout_.config.format) && memory_.palette->any_stale()) {
+    if (first == 0 && is_indexed(layout_.config.format) && book_memory().palette->any_stale()) {
         bands_.forget(); // pixels of the new colours were drawn in buffers that are gone
-        memory_.palette->all_fresh();
+        book_memory().palette->all_fresh();
     }
     bands_.begin(first, rows);
     const std::size_t bytes =
@@ -203,7 +203,7 @@ Result<void> PanelDisplay::send_changed_rows() {
     bands_.collect(book_.extents(), book_.damage());
     book_.widen(layout_.shared(transfer_.windows().shared()), bands_.rows());
     return presenter_.send({&buffers_[back_], bands_.first(), bands_.rows()}, book_.damage(), book_.hash(),
-                           book_.hash_code());
+                           parts_.sending);
 }
 
 /// Sends a band whole: nothing records what the panel shows.
@@ -219,7 +219,7 @@ Result<void> PanelDisplay::set_palette(std::int32_t first, std::int32_t count, c
                      "display: its surface is not one of indices, or before init succeeded"};
     if (!in_palette(first, count))
         return Error{Fault::bad_argument, "display: indices of a palette are 0 to 255"};
-    memory_.palette->set(first, count, rgb);
+    book_memory().palette->set(first, count, rgb);
     return {};
 }
 

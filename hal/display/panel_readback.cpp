@@ -38,8 +38,8 @@ Result<void> PanelDisplay::read_back(const Rect& area, std::uint8_t* rgb) {
     if (const auto r = settle(); !r)
         return r;
     transfer_.forget_window();
-    if (!layout_.turns)
-        return read_pixels(transfer_.bus(), *layout_.config.panel, layout_.placement, layout_.config.format,
+    if (!layout_.turns())
+        return read_pixels(transfer_.bus(), *layout_.config.panel, layout_.placement(), layout_.config.format,
                            area, rgb, scratch_);
     return read_turned(area, rgb);
 }
@@ -54,7 +54,7 @@ Result<void> PanelDisplay::read_turned(const Rect& area, std::uint8_t* rgb) {
     for (std::int32_t y = area.y; y < area.y + area.h; ++y) {
         const Rect part = layout_.scan.swapped ? Rect{y, layout_.scan.row_of(from), 1, area.w}
                                                : Rect{area.x, layout_.scan.row_of(y), area.w, 1};
-        if (const auto r = read_pixels(transfer_.bus(), *layout_.config.panel, layout_.placement,
+        if (const auto r = read_pixels(transfer_.bus(), *layout_.config.panel, layout_.placement(),
                                        layout_.config.format, part, rgb, scratch_);
             !r)
             return r;

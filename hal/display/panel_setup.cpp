@@ -14,9 +14,10 @@ constexpr std::size_t least_ops(const CommandSet& set) {
 } // namespace
 
 void PanelLayout::resolve() {
-    turns = hal::turns(config);
-    scan = scan_order(*config.panel, config.orientation);
-    placement = turns ? scan.placement : place(*config.panel, config.orientation);
+    if (hal::turns(config))
+        scan = scan_order(*config.panel, config.orientation);
+    else
+        scan = {place(*config.panel, config.orientation), false, false};
     picture = picture_size(config);
 }
 
@@ -62,7 +63,7 @@ Result<void> PanelDisplay::take_buffers() {
         buffers_[i] = BusBuffer(buffer.value());
         for (std::size_t at = 0; at < size; ++at)
             buffer.value().bytes[at] = 0;
-        if (memory_.content_height != 0)
+        if (book_memory().content_height != 0)
             book_.open_content(i);
     }
     return presenter_.acquire_wire();
@@ -77,7 +78,7 @@ Result<void> PanelDisplay::init() {
         return Error{Fault::busy, "display: init while a transfer is still on the wire"};
     const BusCaps caps = transfer_.bus().caps();
     if (parts_.check != nullptr)
-        if (const auto r = parts_.check(config, memory_); !r)
+        if (const auto r = parts_.check(config, book_memory()); !r)
             return r;
     if (const auto r = check_bus(config, caps); !r)
         return r;
@@ -86,17 +87,15 @@ Result<void> PanelDisplay::init() {
                      "display: this build has no such surfaces (SPANGLE_FEATURE_NARROW_SURFACES, "
                      "SPANGLE_FEATURE_COLOR_INDEX)"};
     layout_.resolve();
-    transfer_.open(caps, *config.panel, layout_.placement, wire_format(config),
-                   OpList(memory_.ops, memory_.params, memory_.op_count));
-    presenter_.open(memory_.plan, memory_.palette);
+    transfer_.open(caps, OpList(book_memory().ops, book_memory().params, book_memory().op_count));
     if (const auto r = take_buffers(); !r)
         return r;
-    bands_.open(in_bands() && memory_.content_height != 0 ? memory_.content[0] : nullptr);
+    bands_.open(in_bands() && book_memory().content_height != 0 ? book_memory().content[0] : nullptr);
     ready_ = false; // a present must not succeed on a panel that was left in the middle of this
     if (!opened_) {
         book_.open_buffers(held(config, layout_.picture).height);
         if (is_indexed(config.format))
-            memory_.palette->begin();
+            book_memory().palette->begin();
         front_ = static_cast<std::uint8_t>(layout_.canvases() - 1);
         back_ = 0;
         opened_ = true;
@@ -133,7 +132,7 @@ Result<void> PanelDisplay::set_up() {
         return r;
     if (const auto r = append_registers(); !r)
         return r;
-    const Extent all = layout_.placement.size;
+    const Extent all = layout_.placement().size;
     const auto black =
         for_each_window(transfer_.windows(), {0, 0, all.width, all.height}, [this](const Rect& w) {
             return transfer_.append_black(w, layout_.wire_bytes(w.w, w.h));
@@ -151,7 +150,7 @@ Result<void> PanelDisplay::append_registers() {
     const FormatCode format = format_code(panel, transfer_.caps().kind, wire_format(layout_.config));
     if (const auto r = transfer_.make_room(set.setting_count); !r)
         return r;
-    append_settings(transfer_.list(), panel, layout_.placement, format);
+    append_settings(transfer_.list(), panel, layout_.placement(), format);
     if (layout_.config.wait_te)
         if (const auto r = transfer_.append(set.tearing); !r)
             return r;

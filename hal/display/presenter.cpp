@@ -10,16 +10,11 @@ constexpr std::size_t sync_ops = 2;
 
 } // namespace
 
-void Presenter::open(std::uint16_t* plan, const Palette* palette) {
-    plan_ = plan;
-    palette_ = palette;
-}
-
 Result<void> Presenter::acquire_wire() {
     if (!layout_.config.wire.converts() || !wire_.empty())
         return {};
     // A window that ends inside a byte takes one more; there is at most one window per row.
-    const Extent most = held(layout_.config, layout_.placement.size);
+    const Extent most = held(layout_.config, layout_.placement().size);
     const std::size_t size =
         layout_.wire_bytes(most.width, most.height) + static_cast<std::size_t>(most.height);
     const Result<Buffer> wire = transfer_.bus().acquire(size);
@@ -32,33 +27,34 @@ Result<void> Presenter::acquire_wire() {
 }
 
 Result<void> Presenter::send(const SentRows& rows, const RowSpan* damage, const RowHash& hash,
-                             const RowHashCode* code) {
+                             const Parts& parts) {
     begin(rows);
     SpanPlan spans;
+    const RowHashCode* const code = memory_.hash.code;
     // Rows that share bytes cannot be sent apart.
     const bool apart = hash.enabled() && transfer_.windows().shared().height == 1;
     WindowCost cost = window_cost(transfer_.caps(), *layout_.config.panel->commands, layout_.wire_bits());
     for (;;) {
         if (apart)
             code->plan(spans, hash, cost);
-        FramePlan plan(WindowPlan(damage, rows.count, cost, plan_), apart ? &spans : nullptr, code);
-        if (parts_.count_ops == nullptr || !one_list(layout_.config) || cost.window >= dearest_window ||
-            parts_.count_ops(*this, plan) + sync_ops <= transfer_.list().capacity())
-            return send_windows(plan);
+        FramePlan plan(WindowPlan(damage, rows.count, cost, memory_.plan), apart ? &spans : nullptr, code);
+        if (parts.count_ops == nullptr || !one_list(layout_.config) || cost.window >= dearest_window ||
+            parts.count_ops(*this, plan) + sync_ops <= transfer_.list().capacity())
+            return send_windows(plan, parts);
         cost.window = 2 * cost.window + 1; // the dearer a window, the fewer there are
     }
 }
 
-Result<void> Presenter::send_windows(FramePlan& plan) {
+Result<void> Presenter::send_windows(FramePlan& plan, const Parts& parts) {
     Rect window;
     if (!plan.next(window))
         return {};
-    if (parts_.sync != nullptr && tear_free(layout_.config)) {
-        parts_.sync(*this, plan);
+    if (parts.sync != nullptr && tear_free(layout_.config)) {
+        parts.sync(*this, plan);
         plan.next(window);
     }
     do {
-        if (const auto r = append_windows({window.x, rows_.first + window.y, window.w, window.h}); !r)
+        if (const auto r = append_windows({window.x, first_ + window.y, window.w, window.h}); !r)
             return r;
     } while (plan.next(window));
     return end();
@@ -76,7 +72,8 @@ Result<void> Presenter::send_all(const SentRows& rows) {
 }
 
 void Presenter::begin(const SentRows& rows) {
-    rows_ = rows;
+    buffer_ = rows.buffer;
+    first_ = rows.first;
     transfer_.list().clear();
     wire_end_ = 0;
 }
@@ -84,7 +81,7 @@ void Presenter::begin(const SentRows& rows) {
 Result<void> Presenter::end() {
     if (const auto r = transfer_.start(); !r)
         return r;
-    (layout_.config.wire.converts() ? wire_ : *rows_.buffer).lend(transfer_.token());
+    (layout_.config.wire.converts() ? wire_ : *buffer_).lend(transfer_.token());
     pacer_.count_sent();
     return {};
 }
@@ -100,12 +97,12 @@ Result<void> Presenter::append_windows(const Rect& area) {
 /// bytes.
 std::size_t Presenter::convert(const Rect& window) {
     const auto stride = static_cast<std::int32_t>(layout_.stride());
-    const Picture picture = {rows_.buffer->to_send() - std::ptrdiff_t{rows_.first} * stride,
+    const Picture picture = {buffer_->to_send() - std::ptrdiff_t{first_} * stride,
                              stride,
-                             layout_.placement.size.height,
+                             layout_.placement().size.height,
                              layout_.config.format,
-                             (layout_.placement.madctl & dcs::MV) != 0,
-                             palette_};
+                             (layout_.placement().madctl & dcs::MV) != 0,
+                             memory_.palette};
     return layout_.config.wire.convert(picture, window, wire_.to_draw(transfer_.bus()) + wire_end_);
 }
 
@@ -121,8 +118,7 @@ Result<void> Presenter::append_window(const Rect& window) {
     }
     const std::uint32_t line = layout_.line_bytes(window.w);
     const std::uint8_t* data =
-        rows_.buffer->to_send() +
-        static_cast<std::size_t>((window.y - rows_.first) / layout_.rows_at_once()) * stride +
+        buffer_->to_send() + static_cast<std::size_t>((window.y - first_) / layout_.rows_at_once()) * stride +
         layout_.line_bytes(window.x);
     const auto rows = static_cast<std::uint32_t>(window.h / layout_.rows_at_once());
     return line == stride ? transfer_.append_pixels(data, line * rows, 1, stride)
@@ -167,7 +163,7 @@ std::size_t Presenter::ops_of(FramePlan& plan) const {
 
 /// Computes when the windows may be sent without tearing.
 SafeStart Presenter::safe_start(FramePlan& plan) const {
-    const Placement& placed = layout_.placement;
+    const Placement& placed = layout_.placement();
     const BusCaps& caps = transfer_.caps();
     const bool swapped = (placed.madctl & dcs::MV) != 0, upward = (placed.madctl & dcs::MY) != 0;
     const auto row_of = [&](std::int32_t along) {

@@ -9,19 +9,19 @@ std::uint32_t deadline(std::uint32_t expected, std::uint32_t late) {
 
 } // namespace
 
-void Transfer::open(const BusCaps& caps, const PanelDesc& panel, const Placement& placement,
-                    WireFormat format, const OpList& list) {
+void Transfer::open(const BusCaps& caps, const OpList& list) {
+    const PanelDesc& panel = *layout_.config.panel;
     caps_ = caps;
-    windows_ = Windows(panel, placement, format);
+    windows_ = Windows(panel, layout_.placement(), wire_format(layout_.config));
     ops_ = list;
     ops_.parameters_are_commands(panel.commands->parameters_are_commands);
-    wire_bits_ = wire_info(format).bits;
 }
 
 /// The longest operation of the bus in bytes, whole pixels where these have whole bytes.
 std::uint32_t Transfer::op_limit() const {
     const std::uint32_t limit = caps_.max_transfer != 0 ? caps_.max_transfer : UINT32_MAX;
-    return wire_bits_ % 8 == 0 ? limit - limit % (wire_bits_ / 8u) : limit;
+    const std::uint32_t bits = layout_.wire_bits();
+    return bits % 8 == 0 ? limit - limit % (bits / 8) : limit;
 }
 
 Result<void> Transfer::make_room(std::size_t ops) {
@@ -79,7 +79,7 @@ std::size_t Transfer::pixel_ops(std::uint32_t row_bytes, std::uint32_t rows) con
 
 Result<void> Transfer::append_black(const Rect& window, std::size_t bytes) {
     // Operations repeat whole pixels where a pixel has whole bytes.
-    const std::uint32_t unit = wire_bits_ % 8 == 0 ? wire_bits_ / 8u : 1;
+    const std::uint32_t bits = layout_.wire_bits(), unit = bits % 8 == 0 ? bits / 8 : 1;
     std::size_t left = bytes / unit;
     const std::uint32_t most = op_limit() / unit;
     if (const auto r = make_room(windows_.commands()); !r)

@@ -22,11 +22,11 @@ struct Rig {
     Pacer pacer;
 
     explicit Rig(PanelConfig config, BusCaps caps = spi())
-        : bus(panel, caps), transfer(bus), pacer(layout, transfer) {
+        : bus(panel, caps), transfer(bus, layout), pacer(transfer) {
         config.panel = &panel;
         layout = PanelLayout(config);
         layout.resolve();
-        transfer.open(caps, panel, layout.placement, WireFormat::rgb565, OpList(ops, params, 64));
+        transfer.open(caps, OpList(ops, params, 64));
     }
     /// Puts a list on the wire.
     void occupy() {

@@ -22,6 +22,7 @@ struct Rig {
     std::vector<OpParams> params;
     std::uint16_t plan[height];
     PanelLayout layout;
+    PanelMemory memory;
     Transfer transfer;
     Pacer pacer;
     Presenter::Parts parts;
@@ -31,15 +32,14 @@ struct Rig {
     std::vector<RowSpan> damage = std::vector<RowSpan>(height);
 
     explicit Rig(PanelConfig config = {}, std::size_t list = 64)
-        : bus(panel, spi()), ops(list), params(list), transfer(bus), pacer(layout, transfer),
+        : bus(panel, spi()), ops(list), params(list), transfer(bus, layout), pacer(transfer),
           parts(Presenter::parts(tear_free(config), one_list(config))),
-          presenter(layout, transfer, pacer, parts) {
+          presenter(layout, memory, transfer, pacer) {
         config.panel = &panel;
         layout = PanelLayout(config);
         layout.resolve();
-        transfer.open(spi(), panel, layout.placement, wire_format(config),
-                      OpList(ops.data(), params.data(), list));
-        presenter.open(plan, nullptr);
+        transfer.open(spi(), OpList(ops.data(), params.data(), list));
+        memory.plan = plan;
         EXPECT_TRUE(presenter.acquire_wire().ok());
         pixels.resize(std::size_t{layout.stride()} * height);
         for (std::size_t i = 0; i < pixels.size(); ++i)
@@ -48,7 +48,7 @@ struct Rig {
         std::fill(bus.model.memory.begin(), bus.model.memory.end(), 0u);
     }
     Result<void> send(std::int32_t first = 0, std::int32_t rows = height) {
-        return presenter.send({&buffer, first, rows}, damage.data(), RowHash(), nullptr);
+        return presenter.send({&buffer, first, rows}, damage.data(), RowHash(), parts);
     }
     void settle() { ASSERT_TRUE(transfer.complete().ok()); }
     /// The pixel of the panel's memory behind column x and row y of the glass.

@@ -18,10 +18,12 @@ struct Rig {
     FakePanelBus bus;
     Op ops[8];
     OpParams params[8];
-    Transfer transfer;
+    PanelLayout layout{PanelConfig{.panel = &panel}};
+    Transfer transfer{bus, layout};
 
-    explicit Rig(BusCaps caps = spi()) : bus(panel, caps), transfer(bus) {
-        transfer.open(caps, panel, place(panel, {}), WireFormat::rgb565, OpList(ops, params, 8));
+    explicit Rig(BusCaps caps = spi()) : bus(panel, caps) {
+        layout.resolve();
+        transfer.open(caps, OpList(ops, params, 8));
     }
     /// Opens a window and sends `pixels` of it.
     Result<void> send(const Rect& window, const std::vector<std::uint8_t>& pixels) {

@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include <spangle/format.hpp>
-#include <spangle/hal/bands.hpp>
 #include <spangle/hal/panel_config.hpp>
 #include <spangle/hal/panel_memory.hpp>
 #include <spangle/hal/row_hash.hpp>
@@ -24,7 +23,7 @@ namespace spangle::hal {
 /// - It reads pixels where hashes, colours or a turned picture ask for it, and sends none.
 class DamageBook {
   public:
-    /// Both must outlive it, and what `memory` points to.
+    /// `layout` must outlive it, and so must what `memory` points to.
     DamageBook(const PanelLayout& layout, const PanelMemory& memory) : layout_(layout), memory_(memory) {}
 
     /// Begins with a panel of which nothing is known. What was drawn stays.
@@ -34,6 +33,8 @@ class DamageBook {
     /// Records that nothing is known of a buffer.
     void open_content(std::uint8_t buffer);
 
+    /// The memory.
+    const PanelMemory& memory() const { return memory_; }
     /// What is drawn: the rasterizer notes it here.
     RowExtents& extents() { return extents_; }
     /// Begins a buffer of `rows` rows that is all clear.
@@ -63,11 +64,9 @@ class DamageBook {
     /// What is collected, by rows of the picture.
     RowSpan* damage() const { return memory_.damage; }
     /// The damage of the buffer that is sent, by its rows.
-    RowSpan* sent_damage() const { return layout_.turns ? memory_.turned : memory_.damage; }
+    RowSpan* sent_damage() const { return layout_.turns() ? memory_.turned : memory_.damage; }
     /// The hashes; not enabled where there are none.
     const RowHash& hash() const { return hash_; }
-    /// What runs the hashes.
-    const RowHashCode* hash_code() const { return memory_.hash.code; }
 
     /// Says that damage() may not have arrived.
     void doubt() { suspect_ = true; }
@@ -80,9 +79,9 @@ class DamageBook {
     void restore();
 
     const PanelLayout& layout_;
-    const PanelMemory& memory_;
+    const PanelMemory memory_;
     RowHash hash_;
-    PanelContent content_[2];
+    std::uint32_t clear_value_[2] = {}; ///< of what each buffer holds outside of its content
     RowExtents extents_;
     std::uint32_t held_clear_value_ = 0;
     bool held_cleared_ = false;

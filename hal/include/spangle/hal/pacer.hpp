@@ -32,8 +32,8 @@ class Pacer {
     /// The time that the scan-out is given to show itself, beyond two refreshes.
     static constexpr std::uint32_t grace_us = 100000;
 
-    /// Both must outlive it.
-    Pacer(const PanelLayout& layout, Transfer& transfer) : layout_(layout), transfer_(transfer) {}
+    /// It times what goes out over `transfer`, which must outlive it.
+    explicit Pacer(Transfer& transfer) : transfer_(transfer) {}
 
     /// Times a few refreshes, if frames are to be tear-free.
     Result<void> measure();
@@ -53,7 +53,8 @@ class Pacer {
     void count_sent() { ++counters_.sent; }
 
   private:
-    const PanelLayout& layout_;
+    const PanelConfig& config() const { return transfer_.layout().config; }
+
     Transfer& transfer_;
     std::int32_t line_ns_ = 0;   ///< a line of the panel's scan, tear-free displays only
     std::uint32_t moments_[2]{}; ///< the moments that measure() takes

@@ -112,13 +112,10 @@ constexpr bool one_list(const PanelConfig& c) {
 struct PanelLayout {
     /// The description.
     PanelConfig config;
-    /// The placement of the buffer that is sent.
-    Placement placement;
-    /// How pictures are turned, where `turns`.
+    /// How frames are turned into the order of the scan, if they are, and the placement of what is sent.
     ScanOrder scan;
     /// The size of the picture in pixels.
     Extent picture;
-    bool turns = false; ///< frames are turned into the order of the scan
 
     /// A layout of nothing yet.
     PanelLayout() = default;
@@ -127,6 +124,10 @@ struct PanelLayout {
     /// Computes the layout. The description must keep check_config().
     void resolve();
 
+    /// Whether frames are turned into the order of the scan.
+    bool turns() const { return scan.turns(); }
+    /// The placement of the buffer that is sent.
+    const Placement& placement() const { return scan.placement; }
     /// Bits of a pixel on the wire.
     std::uint32_t wire_bits() const { return wire_info(wire_format(config)).bits; }
     /// The bytes of a rectangle of pixels on the wire, rounded up.
@@ -140,7 +141,7 @@ struct PanelLayout {
     /// Bytes from row to row of the picture.
     std::uint32_t stride() const { return line_bytes(picture.width); }
     /// Bytes from row to row of the buffer that is sent.
-    std::uint32_t sent_stride() const { return line_bytes(placement.size.width); }
+    std::uint32_t sent_stride() const { return line_bytes(placement().size.width); }
     /// Rows that share the bytes of a buffer.
     std::int32_t rows_at_once() const { return format_info(config.format).rows; }
     /// Pixels across and down that share bytes in a buffer, or on the wire, where `on_wire` do.
@@ -150,7 +151,7 @@ struct PanelLayout {
                 on_wire.height > lying.height ? on_wire.height : lying.height};
     }
     /// Buffers that are drawn in turn.
-    std::uint8_t canvases() const { return turns || config.band != 0 ? 1 : config.buffers; }
+    std::uint8_t canvases() const { return turns() || config.band != 0 ? 1 : config.buffers; }
 };
 
 } // namespace spangle::hal

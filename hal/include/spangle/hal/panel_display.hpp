@@ -90,7 +90,7 @@ class PanelDisplay : public Display {
     Result<void> read_back(const Rect& area, std::uint8_t* rgb);
 
     /// The placement of the buffer that is sent.
-    const Placement& placement() const { return layout_.placement; }
+    const Placement& placement() const { return layout_.placement(); }
 
   private:
     static Result<void> check_description(const PanelConfig& config, const PanelMemory& memory);
@@ -111,9 +111,9 @@ class PanelDisplay : public Display {
     Result<void> read_turned(const Rect& area, std::uint8_t* rgb);
 
     bool in_bands() const { return layout_.config.band != 0; }
-    BusBuffer& sent_buffer() { return buffers_[layout_.turns ? 1 : back_]; }
+    const PanelMemory& book_memory() const { return book_.memory(); }
+    BusBuffer& sent_buffer() { return buffers_[layout_.turns() ? 1 : back_]; }
 
-    const PanelMemory memory_;
     const Parts& parts_;
     PanelLayout layout_;
     Transfer transfer_;

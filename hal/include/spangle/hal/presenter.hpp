@@ -6,8 +6,8 @@
 
 #include <spangle/hal/bus_buffer.hpp>
 #include <spangle/hal/pacer.hpp>
-#include <spangle/hal/palette.hpp>
 #include <spangle/hal/panel_config.hpp>
+#include <spangle/hal/panel_memory.hpp>
 #include <spangle/hal/row_hash.hpp>
 #include <spangle/hal/transfer.hpp>
 
@@ -46,23 +46,20 @@ class Presenter {
     /// The parts that a display calls whose frames wait for the beam, or must be one list.
     static constexpr Parts parts(bool waits_for_beam, bool is_one_list);
 
-    /// All of these must outlive it.
-    Presenter(const PanelLayout& layout, Transfer& transfer, Pacer& pacer, const Parts& parts)
-        : layout_(layout), transfer_(transfer), pacer_(pacer), parts_(parts) {}
-    /// `plan`: memory of one element a row that is sent. `palette`: for PixelFormat::index8.
-    void open(std::uint16_t* plan, const Palette* palette);
+    /// All of these must outlive it. It uses the plan, the palette and the code of hashes of the memory.
+    Presenter(const PanelLayout& layout, const PanelMemory& memory, Transfer& transfer, Pacer& pacer)
+        : layout_(layout), memory_(memory), transfer_(transfer), pacer_(pacer) {}
     /// Acquires the memory of converted pixels from the bus, if the description asks for it, once.
     Result<void> acquire_wire();
 
-    /// Sends the damage, one span of columns a row. `hash`: where it is enabled, cells that changed, with the
-    /// code that plans their windows.
-    Result<void> send(const SentRows& rows, const RowSpan* damage, const RowHash& hash,
-                      const RowHashCode* code);
+    /// Sends the damage, one span of columns a row. `hash`: where it is enabled, cells that changed. `parts`:
+    /// those that the display has.
+    Result<void> send(const SentRows& rows, const RowSpan* damage, const RowHash& hash, const Parts& parts);
     /// Sends the rows whole.
     Result<void> send_all(const SentRows& rows);
 
   private:
-    Result<void> send_windows(FramePlan& plan);
+    Result<void> send_windows(FramePlan& plan, const Parts& parts);
     Result<void> append_windows(const Rect& area);
     Result<void> append_window(const Rect& window);
     std::size_t convert(const Rect& window);
@@ -75,14 +72,13 @@ class Presenter {
     Result<void> end();
 
     const PanelLayout& layout_;
+    const PanelMemory& memory_;
     Transfer& transfer_;
     Pacer& pacer_;
-    const Parts& parts_;
-    std::uint16_t* plan_ = nullptr;
-    const Palette* palette_ = nullptr;
-    SentRows rows_;            ///< what is sent
-    BusBuffer wire_;           ///< pixels that were converted to another format
-    std::size_t wire_end_ = 0; ///< end of what the list under way takes from it
+    BusBuffer* buffer_ = nullptr; ///< what is sent
+    std::int32_t first_ = 0;      ///< the picture's row of its top row
+    BusBuffer wire_;              ///< pixels that were converted to another format
+    std::size_t wire_end_ = 0;    ///< end of what the list under way takes from it
 };
 
 constexpr Presenter::Parts Presenter::parts(bool waits_for_beam, bool is_one_list) {

@@ -6,6 +6,7 @@
 
 #include <spangle/hal/bus.hpp>
 #include <spangle/hal/op_list.hpp>
+#include <spangle/hal/panel_config.hpp>
 #include <spangle/hal/window.hpp>
 
 namespace spangle::hal {
@@ -21,15 +22,15 @@ namespace spangle::hal {
 /// - Errors are those of the bus, and Fault::unsupported for a command longer than one operation.
 class Transfer {
   public:
-    /// Transfers over this bus, which must outlive them.
-    explicit Transfer(Bus& bus) : bus_(bus) {}
-    /// Begins with the memory of a list, and with a panel whose window is unknown. `format`: of pixels on the
-    /// wire.
-    void open(const BusCaps& caps, const PanelDesc& panel, const Placement& placement, WireFormat format,
-              const OpList& list);
+    /// Transfers to a panel that `layout` describes. Both must outlive them.
+    Transfer(Bus& bus, const PanelLayout& layout) : bus_(bus), layout_(layout) {}
+    /// Begins with the memory of a list, and with a panel whose window is unknown.
+    void open(const BusCaps& caps, const OpList& list);
 
     /// The bus.
     Bus& bus() const { return bus_; }
+    /// The layout of the panel's display.
+    const PanelLayout& layout() const { return layout_; }
     /// What the bus can do.
     const BusCaps& caps() const { return caps_; }
     /// The windows of the panel, and which one it holds.
@@ -75,12 +76,12 @@ class Transfer {
     std::uint32_t op_limit() const;
 
     Bus& bus_;
+    const PanelLayout& layout_;
     BusCaps caps_;
     Windows windows_;
     OpList ops_;
     Token token_;
     std::uint32_t token_time_ = 0; ///< microseconds the running transfer should take
-    std::uint8_t wire_bits_ = 16;
     bool in_flight_ = false;
     bool late_ = false;
 };
