@@ -18,7 +18,7 @@ constexpr PanelDisplay::Parts PanelDisplay::every_part = {
 
 PanelDisplay::PanelDisplay(Bus& bus, const PanelConfig& config, const PanelMemory& memory, const Parts& parts)
     : parts_(parts), layout_(config), transfer_(bus, layout_), book_(layout_, memory), bands_(layout_),
-      pacer_(transfer_), presenter_(layout_, book_.memory(), transfer_, pacer_) {}
+      pacer_(transfer_), presenter_(book_.memory(), transfer_, pacer_) {}
 
 DisplayInfo PanelDisplay::info() const {
     const PanelConfig& config = layout_.config;

@@ -11,12 +11,12 @@ constexpr std::size_t sync_ops = 2;
 } // namespace
 
 Result<void> Presenter::acquire_wire() {
-    if (!layout_.config.wire.converts() || !wire_.empty())
+    if (!layout().config.wire.converts() || !wire_.empty())
         return {};
     // A window that ends inside a byte takes one more; there is at most one window per row.
-    const Extent most = held(layout_.config, layout_.placement().size);
+    const Extent most = held(layout().config, layout().placement().size);
     const std::size_t size =
-        layout_.wire_bytes(most.width, most.height) + static_cast<std::size_t>(most.height);
+        layout().wire_bytes(most.width, most.height) + static_cast<std::size_t>(most.height);
     const Result<Buffer> wire = transfer_.bus().acquire(size);
     if (!wire)
         return wire.error();
@@ -33,12 +33,12 @@ Result<void> Presenter::send(const SentRows& rows, const RowSpan* damage, const 
     const RowHashCode* const code = memory_.hash.code;
     // Rows that share bytes cannot be sent apart.
     const bool apart = hash.enabled() && transfer_.windows().shared().height == 1;
-    WindowCost cost = window_cost(transfer_.caps(), *layout_.config.panel->commands, layout_.wire_bits());
+    WindowCost cost = window_cost(transfer_.caps(), *layout().config.panel->commands, layout().wire_bits());
     for (;;) {
         if (apart)
             code->plan(spans, hash, cost);
         FramePlan plan(WindowPlan(damage, rows.count, cost, memory_.plan), apart ? &spans : nullptr, code);
-        if (parts.count_ops == nullptr || !one_list(layout_.config) || cost.window >= dearest_window ||
+        if (parts.count_ops == nullptr || !one_list(layout().config) || cost.window >= dearest_window ||
             parts.count_ops(*this, plan) + sync_ops <= transfer_.list().capacity())
             return send_windows(plan, parts);
         cost.window = 2 * cost.window + 1; // the dearer a window, the fewer there are
@@ -49,7 +49,7 @@ Result<void> Presenter::send_windows(FramePlan& plan, const Parts& parts) {
     Rect window;
     if (!plan.next(window))
         return {};
-    if (parts.sync != nullptr && tear_free(layout_.config)) {
+    if (parts.sync != nullptr && tear_free(layout().config)) {
         parts.sync(*this, plan);
         plan.next(window);
     }
@@ -63,9 +63,9 @@ Result<void> Presenter::send_windows(FramePlan& plan, const Parts& parts) {
 /// Columns are widened to whole bytes, and rows end at whole bytes.
 Result<void> Presenter::send_all(const SentRows& rows) {
     begin(rows);
-    const std::int32_t unit = layout_.shared(transfer_.windows().shared()).width;
+    const std::int32_t unit = layout().shared(transfer_.windows().shared()).width;
     if (const auto r =
-            append_windows({0, rows.first, (layout_.picture.width + unit - 1) / unit * unit, rows.count});
+            append_windows({0, rows.first, (layout().picture.width + unit - 1) / unit * unit, rows.count});
         !r)
         return r;
     return end();
@@ -81,7 +81,7 @@ void Presenter::begin(const SentRows& rows) {
 Result<void> Presenter::end() {
     if (const auto r = transfer_.start(); !r)
         return r;
-    (layout_.config.wire.converts() ? wire_ : *buffer_).lend(transfer_.token());
+    (layout().config.wire.converts() ? wire_ : *buffer_).lend(transfer_.token());
     pacer_.count_sent();
     return {};
 }
@@ -96,43 +96,44 @@ Result<void> Presenter::append_windows(const Rect& area) {
 /// Converts the window's pixels to those of the wire, behind those of the windows before it. Returns their
 /// bytes.
 std::size_t Presenter::convert(const Rect& window) {
-    const auto stride = static_cast<std::int32_t>(layout_.stride());
+    const auto stride = static_cast<std::int32_t>(layout().stride());
     const Picture picture = {buffer_->to_send() - std::ptrdiff_t{first_} * stride,
                              stride,
-                             layout_.placement().size.height,
-                             layout_.config.format,
-                             (layout_.placement().madctl & dcs::MV) != 0,
+                             layout().placement().size.height,
+                             layout().config.format,
+                             (layout().placement().madctl & dcs::MV) != 0,
                              memory_.palette};
-    return layout_.config.wire.convert(picture, window, wire_.to_draw(transfer_.bus()) + wire_end_);
+    return layout().config.wire.convert(picture, window, wire_.to_draw(transfer_.bus()) + wire_end_);
 }
 
 Result<void> Presenter::append_window(const Rect& window) {
     if (const auto r = transfer_.open_window(window); !r)
         return r;
-    const std::uint32_t stride = layout_.sent_stride();
-    if (layout_.config.wire.converts()) {
+    const std::uint32_t stride = layout().sent_stride();
+    if (layout().config.wire.converts()) {
         const std::uint8_t* const converted = wire_.to_draw(transfer_.bus()) + wire_end_;
         const std::size_t bytes = convert(window);
         wire_end_ += bytes;
         return transfer_.append_pixels(converted, static_cast<std::uint32_t>(bytes), 1, stride);
     }
-    const std::uint32_t line = layout_.line_bytes(window.w);
+    const std::uint32_t line = layout().line_bytes(window.w);
     const std::uint8_t* data =
-        buffer_->to_send() + static_cast<std::size_t>((window.y - first_) / layout_.rows_at_once()) * stride +
-        layout_.line_bytes(window.x);
-    const auto rows = static_cast<std::uint32_t>(window.h / layout_.rows_at_once());
+        buffer_->to_send() +
+        static_cast<std::size_t>((window.y - first_) / layout().rows_at_once()) * stride +
+        layout().line_bytes(window.x);
+    const auto rows = static_cast<std::uint32_t>(window.h / layout().rows_at_once());
     return line == stride ? transfer_.append_pixels(data, line * rows, 1, stride)
                           : transfer_.append_pixels(data, line, rows, stride);
 }
 
 /// The number of operations that the window's pixels take, as append_window() makes them.
 std::size_t Presenter::pixel_ops(const Rect& window) const {
-    if (layout_.config.wire.converts()) // one long row
-        return transfer_.pixel_ops(static_cast<std::uint32_t>(layout_.wire_bytes(window.w, window.h)), 1);
-    const std::uint32_t line = layout_.line_bytes(window.w);
-    const auto lines = static_cast<std::uint32_t>(window.h / layout_.rows_at_once());
-    return line == layout_.sent_stride() ? transfer_.pixel_ops(line * lines, 1)
-                                         : transfer_.pixel_ops(line, lines);
+    if (layout().config.wire.converts()) // one long row
+        return transfer_.pixel_ops(static_cast<std::uint32_t>(layout().wire_bytes(window.w, window.h)), 1);
+    const std::uint32_t line = layout().line_bytes(window.w);
+    const auto lines = static_cast<std::uint32_t>(window.h / layout().rows_at_once());
+    return line == layout().sent_stride() ? transfer_.pixel_ops(line * lines, 1)
+                                          : transfer_.pixel_ops(line, lines);
 }
 
 // --- Before a frame is sent ---
@@ -163,19 +164,19 @@ std::size_t Presenter::ops_of(FramePlan& plan) const {
 
 /// Computes when the windows may be sent without tearing.
 SafeStart Presenter::safe_start(FramePlan& plan) const {
-    const Placement& placed = layout_.placement();
+    const Placement& placed = layout().placement();
     const BusCaps& caps = transfer_.caps();
     const bool swapped = (placed.madctl & dcs::MV) != 0, upward = (placed.madctl & dcs::MY) != 0;
     const auto row_of = [&](std::int32_t along) {
         const std::int32_t row = along + (swapped ? placed.offset.x : placed.offset.y);
-        return upward ? layout_.config.panel->memory.height - 1 - row : row;
+        return upward ? layout().config.panel->memory.height - 1 - row : row;
     };
     SafeStart start(pacer_.refresh());
     std::int64_t at = 0;
     rehearse(plan, [&](const Rect& w, const OpList& opening) {
         at += wire_nanoseconds(caps, opening.bytes()) +
               static_cast<std::int64_t>(opening.size()) * caps.command_cost_ns;
-        const std::int64_t row = wire_nanoseconds(caps, layout_.wire_bytes(w.w, 1));
+        const std::int64_t row = wire_nanoseconds(caps, layout().wire_bytes(w.w, 1));
         const std::int64_t end = at + row * w.h;
         if (swapped) { // all rows of the memory are written throughout
             start.write(row_of(w.x), at, end);

@@ -55,7 +55,7 @@ std::uint32_t RowHash::hash(const std::uint8_t* bytes, std::int32_t count) {
 
 std::uint32_t RowHash::changed_cells(RowSpan damage, std::int32_t y, const std::uint8_t* row, bool all) {
     const std::int32_t cells = cells_of(width_), bytes = cell_width / 8 * bits_;
-    std::uint32_t* const known = memory_.hashes + static_cast<std::ptrdiff_t>(y) * cells;
+    std::uint32_t* const known = memory_->hashes + static_cast<std::ptrdiff_t>(y) * cells;
     std::uint32_t changed = 0;
     for (std::int32_t cell = damage.begin / cell_width; cell * cell_width < damage.end; ++cell) {
         const std::int32_t rest = ((width_ - cell * cell_width) * bits_ + 7) / 8;
@@ -82,7 +82,7 @@ void RowHash::reduce(RowSpan* damage, const std::uint8_t* pixels, std::int32_t s
         const std::uint8_t* const row = pixels + static_cast<std::ptrdiff_t>(y) * stride;
         const std::uint32_t cells =
             damage[y].begin < damage[y].end ? changed_cells(damage[y], y, row, all) : 0;
-        memory_.changed[y] = cells;
+        memory_->changed[y] = cells;
         damage[y] = intersect(damage[y], columns_of(cells));
         any = any || cells != 0;
     }
@@ -97,7 +97,7 @@ void RowHash::refresh_one(RowSpan* damage, const std::uint8_t* pixels, std::int3
     }
     const std::int32_t y = refresh_row_;
     const RowSpan columns = columns_of(1u << refresh_cell_);
-    memory_.changed[y] |= changed_cells(columns, y, pixels + static_cast<std::ptrdiff_t>(y) * stride, true);
+    memory_->changed[y] |= changed_cells(columns, y, pixels + static_cast<std::ptrdiff_t>(y) * stride, true);
     RowSpan& row = damage[y];
     row = {row.begin < columns.begin ? row.begin : columns.begin,
            row.end > columns.end ? row.end : columns.end};

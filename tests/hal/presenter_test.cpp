@@ -33,8 +33,7 @@ struct Rig {
 
     explicit Rig(PanelConfig config = {}, std::size_t list = 64)
         : bus(panel, spi()), ops(list), params(list), transfer(bus, layout), pacer(transfer),
-          parts(Presenter::parts(tear_free(config), one_list(config))),
-          presenter(layout, memory, transfer, pacer) {
+          parts(Presenter::parts(tear_free(config), one_list(config))), presenter(memory, transfer, pacer) {
         config.panel = &panel;
         layout = PanelLayout(config);
         layout.resolve();

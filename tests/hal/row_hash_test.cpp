@@ -22,7 +22,8 @@ constexpr std::int32_t cells = RowHash::cells_of(width), stride = width * 2;
 
 struct HashedPicture {
     RowHashStorage<height, width> storage;
-    RowHash hash{storage.memory(), width, height, 16};
+    RowHashMemory memory = storage.memory();
+    RowHash hash{memory, width, height, 16};
     std::vector<std::uint8_t> pixels = std::vector<std::uint8_t>(stride * height);
     std::vector<RowSpan> damage = std::vector<RowSpan>(height, RowSpan{0, width});
 
@@ -183,11 +184,12 @@ struct Costs {
 struct Changed {
     std::vector<SpanWindow> windows = std::vector<SpanWindow>(RowHashMemory::window_count);
     Masks rows;
+    RowHashMemory memory;
     RowHash hash;
 
     Changed(const Masks& masks, std::int32_t columns)
-        : rows(masks), hash({nullptr, rows.data(), windows.data(), 0, &row_hash_code}, columns,
-                            static_cast<std::int32_t>(rows.size()), 2) {}
+        : rows(masks), memory{nullptr, rows.data(), windows.data(), 0, &row_hash_code},
+          hash(memory, columns, static_cast<std::int32_t>(rows.size()), 2) {}
 };
 
 void expect_good_plan(const Masks& rows, std::int32_t columns, WindowCost cost, Costs& costs) {

@@ -47,8 +47,8 @@ class Presenter {
     static constexpr Parts parts(bool waits_for_beam, bool is_one_list);
 
     /// All of these must outlive it. It uses the plan, the palette and the code of hashes of the memory.
-    Presenter(const PanelLayout& layout, const PanelMemory& memory, Transfer& transfer, Pacer& pacer)
-        : layout_(layout), memory_(memory), transfer_(transfer), pacer_(pacer) {}
+    Presenter(const PanelMemory& memory, Transfer& transfer, Pacer& pacer)
+        : memory_(memory), transfer_(transfer), pacer_(pacer) {}
     /// Acquires the memory of converted pixels from the bus, if the description asks for it, once.
     Result<void> acquire_wire();
 
@@ -71,7 +71,8 @@ class Presenter {
     void begin(const SentRows& rows);
     Result<void> end();
 
-    const PanelLayout& layout_;
+    const PanelLayout& layout() const { return transfer_.layout(); }
+
     const PanelMemory& memory_;
     Transfer& transfer_;
     Pacer& pacer_;

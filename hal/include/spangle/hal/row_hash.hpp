@@ -62,20 +62,22 @@ class RowHash {
 
     /// No row hash: enabled() is false.
     RowHash() = default;
-    /// A row hash for pictures of this size in pixels, of `bits` bits a pixel.
+    /// A row hash for pictures of this size in pixels, of `bits` bits a pixel. `memory` must outlive it.
     RowHash(const RowHashMemory& memory, std::int32_t width, std::int32_t height, std::int32_t bits)
-        : memory_(memory), width_(width), height_(height), bits_(bits) {}
+        : memory_(&memory), width_(static_cast<std::int16_t>(width)),
+          height_(static_cast<std::int16_t>(height)), bits_(static_cast<std::int16_t>(bits)) {}
+    RowHash(RowHashMemory&&, std::int32_t, std::int32_t, std::int32_t) = delete; ///< it would end at once
 
     /// Whether there is memory for it.
-    bool enabled() const { return memory_.code != nullptr; }
+    bool enabled() const { return memory_ != nullptr && memory_->code != nullptr; }
     /// The memory that it was given.
-    const RowHashMemory& memory() const { return memory_; }
+    const RowHashMemory& memory() const { return *memory_; }
     /// The picture's width in pixels.
     std::int32_t width() const { return width_; }
     /// The picture's height in pixels.
     std::int32_t height() const { return height_; }
     /// After reduce(): bits of the cells that changed, by row.
-    const std::uint32_t* changed() const { return memory_.changed; }
+    const std::uint32_t* changed() const { return memory_->changed; }
 
     /// Cuts `damage`, row by row, to the cells whose hash differs from the panel's; `all`: the panel's hashes
     /// are unknown. From then on the panel is expected to hold what `pixels` holds. Each frame that sends
@@ -96,9 +98,9 @@ class RowHash {
     void refresh_one(RowSpan* damage, const std::uint8_t* pixels, std::int32_t stride);
     RowSpan columns_of(std::uint32_t cells) const;
 
-    RowHashMemory memory_;
-    std::int32_t width_ = 0, height_ = 0, bits_ = 0;
-    std::int32_t refresh_row_ = 0, refresh_cell_ = 0;
+    const RowHashMemory* memory_ = nullptr;
+    std::int16_t width_ = 0, height_ = 0, bits_ = 0, refresh_cell_ = 0;
+    std::int32_t refresh_row_ = 0;
 };
 
 /// The memory of a row hash for pictures up to this size; nothing for a width of 0.
