@@ -9,18 +9,29 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// log2(v) with 8 fraction bits, within 1/256. v = 0 counts as 1.
-SPANGLE_RUN_CALL inline std::int32_t log2_fraction8(std::uint64_t v) {
-    v = v == 0 ? 1 : v;
-    const int zeros = numeric::clz64(v);
-    const std::uint32_t mantissa = numeric::high_word_before(v, zeros); // in [2^31, 2^32)
+/// log2(mantissa) - 31 with 8 fraction bits, within 1/256; the mantissa is in [2^31, 2^32).
+SPANGLE_INLINE std::int32_t log2_of_mantissa8(std::uint32_t mantissa) {
     // log2(1 + x) = x + x (1 - x) (0.4227 - 0.1587 x), within 0.0009.
     const std::uint32_t x = (mantissa << 1) >> 16; // 16 fraction bits
     const std::uint32_t bulge = (x * (65536 - x)) >> 16;
     const std::int32_t slope = 27700 - ((static_cast<std::int32_t>(x) * 10400) >> 16);
     const std::int32_t fraction =
         static_cast<std::int32_t>(x) + ((static_cast<std::int32_t>(bulge) * slope) >> 16);
-    return ((63 - zeros) << 8) + ((fraction + 128) >> 8);
+    return (fraction + 128) >> 8;
+}
+
+/// log2(v) with 8 fraction bits, within 1/256; v = 0 counts as 1.
+SPANGLE_RUN_CALL inline std::int32_t log2_fraction8(std::uint64_t v) {
+    v = v == 0 ? 1 : v;
+    const int zeros = numeric::clz64(v);
+    return ((63 - zeros) << 8) + log2_of_mantissa8(numeric::high_word_before(v, zeros));
+}
+/// The same of a word that is not 0.
+SPANGLE_RUN_CALL inline std::int32_t log2_of_word8(std::uint32_t v) {
+    if constexpr (numeric::wide_words)
+        return log2_fraction8(v);
+    const int zeros = numeric::clz32(v);
+    return ((31 - zeros) << 8) + log2_of_mantissa8(v << zeros);
 }
 
 /// Lambda with 8 fraction bits, from the sum of up to four logarithms, which together are off by less than

@@ -28,7 +28,7 @@ template <class Places> class PacketCoordinates {
     }
     [[gnu::noinline]] static void affine(Places& k, const Span<Fixed>& span, int unit) {
         std::uint32_t s = span.at(k.x, span.s[unit]), t = span.at(k.x, span.t[unit]);
-        const std::int32_t lod = has_levels(span, unit) ? LevelOfDetail(span, unit).affine() : 0;
+        const std::int32_t lod = has_levels(span, unit) ? LevelOfDetail(span, unit, false).affine() : 0;
         for (std::int32_t i = 0; i < k.n; ++i) {
             put(k, unit, i, s, t);
             k.lod[unit][i] = lod;

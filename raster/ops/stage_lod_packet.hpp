@@ -85,7 +85,7 @@ template <class Places> class PacketLevels {
             levels.store(reinterpret_cast<std::uint8_t*>(to + i));
         };
         if (span.kind < Kind::textured) {
-            const auto all = static_cast<std::uint32_t>(LevelOfDetail(span, which).affine());
+            const auto all = static_cast<std::uint32_t>(LevelOfDetail(span, which, false).affine());
             for (std::int32_t i = 0; i < k.n; i += Places::lanes)
                 put(i, LaneWords::splat(all));
             return;

@@ -2,6 +2,7 @@
 // which is an approximation that the specification allows.
 #pragma once
 
+#include "raster/ops/guarded_row.hpp"
 #include "raster/ops/stage_coord.hpp"
 #include "raster/ops/texel.hpp"
 #include "raster/span/instructions.hpp"
@@ -12,7 +13,12 @@ inline namespace SPANGLE_INSTRUCTIONS {
 /// Levels of detail of one unit.
 class LevelOfDetail {
   public:
-    LevelOfDetail(const Span<Fixed>& span, int unit) : span_(span), unit_(unit) {}
+    /// `varies`: projective() is to be called.
+    SPANGLE_INLINE LevelOfDetail(const Span<Fixed>& span, int unit, bool varies = true)
+        : span_(span), unit_(unit) {
+        if (varies)
+            read_planes();
+    }
 
     [[gnu::noinline]] std::int32_t affine() const {
         const auto steps = [](std::uint64_t dx, std::uint64_t dy, bool wraps) SPANGLE_RUN_LAMBDA {
@@ -29,24 +35,41 @@ class LevelOfDetail {
     /// Lambda at pixel x, s23.8. The derivative d(S/Q) is (dS Q - S dQ) / Q^2, of which only the logarithm is
     /// needed.
     [[gnu::noinline]] std::int32_t projective(std::int32_t x) const {
-        const auto& unit = span_.unit[unit_];
-        const auto& q = unit.shares_q ? span_.q : unit.q;
-        const std::uint64_t q_dy = unit.shares_q ? span_.q_dy : unit.q_dy;
-        const std::int32_t at_q = positive(span_.at(x, q)), at_s = unguarded(span_.at(x, unit.s)),
-                           at_t = unguarded(span_.at(x, unit.t));
-        const auto numerator = [&](std::uint64_t dv, std::int32_t v, std::uint64_t dq) SPANGLE_RUN_LAMBDA {
-            return numeric::abs_u64(numeric::mul_s32(unguarded(dv), at_q) -
-                                    numeric::mul_s32(v, unguarded(dq)));
+        const std::int32_t q = q_.at.value(x), at_q = q > 0 ? q : 1;
+        const auto numerator = [&](std::int32_t dv, std::int32_t v, std::int32_t dq) SPANGLE_RUN_LAMBDA {
+            return numeric::abs_u64(numeric::mul_s32(dv, at_q) - numeric::mul_s32(v, dq));
         };
-        const std::uint64_t ds = largest(numerator(unit.s.dx, at_s, q.dx), numerator(unit.s_dy, at_s, q_dy));
-        const std::uint64_t dt = largest(numerator(unit.t.dx, at_t, q.dx), numerator(unit.t_dy, at_t, q_dy));
-        return level_of_detail(in_texels(ds, dt) - 2 * log2_fraction8(static_cast<std::uint64_t>(at_q)) +
-                               (unit.exponent << 8));
+        const auto along = [&](const Plane& of) {
+            const std::int32_t v = of.at.value(x);
+            return largest(numerator(of.dx, v, q_.dx), numerator(of.dy, v, q_.dy));
+        };
+        const std::uint64_t ds = along(s_), dt = along(t_);
+        return level_of_detail(in_texels(ds, dt) - 2 * log2_of_word8(static_cast<std::uint32_t>(at_q)) +
+                               exponent_);
     }
 
   private:
+    /// A plane along the row, and its differences from pixel to pixel and from row to row.
+    struct Plane {
+        GuardedRow at;
+        std::int32_t dx, dy;
+    };
     const Span<Fixed>& span_;
     int unit_;
+    // These are set where levels vary.
+    Plane q_, s_, t_;
+    std::int32_t exponent_; ///< with 8 fraction bits
+
+    void read_planes() {
+        const auto& unit = span_.unit[unit_];
+        const auto plane = [&](const Span<Fixed>::Projective& of, std::uint64_t dy) {
+            return Plane{{span_, of}, unguarded(of.dx), unguarded(dy)};
+        };
+        q_ = unit.shares_q ? plane(span_.q, span_.q_dy) : plane(unit.q, unit.q_dy);
+        s_ = plane(unit.s, unit.s_dy);
+        t_ = plane(unit.t, unit.t_dy);
+        exponent_ = unit.exponent << 8;
+    }
 
     static std::uint64_t largest(std::uint64_t a, std::uint64_t b) { return a > b ? a : b; }
 
@@ -67,11 +90,6 @@ class LevelOfDetail {
         const std::int32_t u = along(ds, base.width, halves.s), v = along(dt, base.height, halves.t);
         return texture.shape == TextureShape::line || u > v ? u : v;
     }
-
-    static std::int32_t positive(std::uint64_t q) {
-        const std::int32_t v = unguarded(q);
-        return v > 0 ? v : 1;
-    }
 };
 
 template <class N, int Unit> struct Lod : StageBase {
@@ -81,7 +99,8 @@ template <class N, int Unit> struct Lod : StageBase {
     bool varies;
     std::int32_t x, constant;
     SPANGLE_INLINE Lod(const Span<Fixed>& s, std::int32_t first)
-        : lod(s, Unit), varies(s.kind >= Kind::textured), x(first), constant(varies ? 0 : lod.affine()) {}
+        : lod(s, Unit, s.kind >= Kind::textured), varies(s.kind >= Kind::textured), x(first),
+          constant(varies ? 0 : lod.affine()) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) {
         p.lod[Unit][0] = varies ? lod.projective(x) : constant;
         return true;

@@ -50,12 +50,16 @@ template <class N> class PacketTexture {
     const TextureUnit& unit_;
     const Texture& texture_;
     const TextureFunction<SingleLane> function_;
-    const std::int32_t fragment_count_; ///< number of fragments, rounded up to whole groups
     const int unit_number_;
 
     PacketTexture(Packet<N>& k, const TextureUnit& unit, int which)
-        : packet_(k), unit_(unit), texture_(*unit.texture), function_(unit),
-          fragment_count_((k.n + lanes - 1) & -lanes), unit_number_(which) {}
+        : packet_(k), unit_(unit), texture_(*unit.texture), function_(unit), unit_number_(which) {
+        static_assert(lanes == 1);
+    }
+    /// Fragments of the packet that follow each other.
+    struct Stretch {
+        std::int32_t first, count;
+    };
 
     using Span = raster::Span<typename N::Policy>;
 
@@ -82,8 +86,10 @@ template <class N> class PacketTexture {
             if (wants_r(*unit.texture))
                 return in_volume(k, span, which, texels);
         const PacketTexture stage(k, unit, which);
-        if (!has_shortcuts || !stage.sample_in_lanes(texels))
-            stage.one_by_one(texels);
+        if (has_shortcuts)
+            stage.sample_stretches(texels);
+        else
+            stage.one_by_one({0, k.n}, texels);
     }
 
     [[gnu::noinline]] static void in_volume(Packet<N>& k, const Span& span, int which, Color* texels) {
@@ -93,47 +99,55 @@ template <class N> class PacketTexture {
             set_lane(texels[i / lanes], i % lanes, function.sample(coords.at(k.x + i)));
     }
 
-    /// Returns false where fragments take different levels or filters, or where a fragment sees the border
-    /// colour.
-    bool sample_in_lanes(Color* texels) const {
-        using Sampling = typename TextureFunction<SingleLane>::Sampling;
-        Sampling how = {0, texture_.mag, 0};
-        std::uint16_t next[packet_length] = {};
-        if (function_.wants_lod) {
-            how = function_.choose_sampling(packet_.lod[unit_number_][0]);
-            for (std::int32_t i = 0; i < packet_.n; ++i) {
-                const Sampling other = function_.choose_sampling(packet_.lod[unit_number_][i]);
-                if (!other.alike(how))
-                    return false;
-                next[i] = static_cast<std::uint16_t>(other.next);
+    /// Samples together what follows each other and takes the same levels and filter.
+    void sample_stretches(Color* texels) const {
+        if (!function_.wants_lod)
+            return sample_stretch({0, packet_.n}, {0, texture_.mag, 0}, nullptr, texels);
+        std::uint32_t next[packet_length]; // weights of the level behind
+        const std::int32_t* const lod = packet_.lod[unit_number_];
+        auto how = function_.choose_sampling(lod[0]);
+        for (Stretch of{0, 1};; ++of.count) {
+            const std::int32_t i = of.first + of.count;
+            next[i - 1] = how.next;
+            const bool ends = i == packet_.n;
+            const auto other = ends ? how : function_.choose_sampling(lod[i]);
+            if (ends || !other.alike(how)) {
+                sample_stretch(of, how, next, texels);
+                of = {i, 0};
             }
+            if (ends)
+                return;
+            how = other;
         }
-        if (!filtered(how.level, how.filter, texels))
-            return false;
-        if (how.next != 0) {
-            Color behind[Packet<N>::groups];
-            if (!filtered(how.level + 1, how.filter, behind))
-                return false;
-            for (std::int32_t g = 0; g * lanes < fragment_count_; ++g)
-                texels[g] = between_levels<N>(texels[g], behind[g], L::gather(next + g * lanes));
-        }
-        return true;
     }
-    [[gnu::noinline]] void one_by_one(Color* texels) const {
-        for (std::int32_t i = 0; i < packet_.n; ++i) {
-            const auto& coord = packet_.coord[unit_number_][i / lanes];
-            set_lane(texels[i / lanes], i % lanes,
-                     function_.sample(coord.s[i % lanes], coord.t[i % lanes],
-                                      function_.wants_lod ? packet_.lod[unit_number_][i] : 0));
+    /// Where some fragments see the border colour, all are sampled one by one.
+    void sample_stretch(const Stretch& of, const typename TextureFunction<SingleLane>::Sampling& how,
+                        const std::uint32_t* next, Color* texels) const {
+        if (!filtered(of, how.level, how.filter, texels))
+            return one_by_one(of, texels);
+        if (how.next == 0)
+            return;
+        Color behind[Packet<N>::groups];
+        if (!filtered(of, how.level + 1, how.filter, behind))
+            return one_by_one(of, texels);
+        for (std::int32_t i = of.first; i < of.first + of.count; ++i)
+            texels[i] = between_levels<N>(texels[i], behind[i], next[i]);
+    }
+    [[gnu::noinline]] void one_by_one(const Stretch& of, Color* texels) const {
+        for (std::int32_t i = of.first; i < of.first + of.count; ++i) {
+            const auto& coord = packet_.coord[unit_number_][i];
+            texels[i] = function_.sample(coord.s[0], coord.t[0],
+                                         function_.wants_lod ? packet_.lod[unit_number_][i] : 0);
         }
     }
 
-    [[gnu::noinline]] bool filtered(int level, Filter filter, Color* to) const {
+    /// False: some fragments see the border colour, or texels do not come as words.
+    [[gnu::noinline]] bool filtered(const Stretch& of, int level, Filter filter, Color* to) const {
         const TextureLevel& image = texture_.level[level];
         const TexelWords words = words_of(texture_);
         if (words == TexelWords::none)
             return false;
-        const auto& coord = packet_.coord[unit_number_][0];
+        const auto& coord = packet_.coord[unit_number_][of.first];
         constexpr std::int32_t group = sizeof coord / sizeof coord.s[0];
         const bool linear = filter == Filter::linear, border = texture_.border_texels != 0;
         // In indirect formats a texel is found by its column and row, not by an address in bytes.
@@ -142,40 +156,40 @@ template <class N> class PacketTexture {
                            stride = indirect ? 1 : static_cast<std::int32_t>(image.stride);
         TexelOffsets s, t;
         const bool stored = find_texels<lanes>(s, linear, {texture_.wrap_s, image.width, bytes, border},
-                                               coord.s, group, fragment_count_) &&
+                                               coord.s, group, of.count) &&
                             find_texels<lanes>(t, linear, {texture_.wrap_t, image.height, stride, border},
-                                               coord.t, group, fragment_count_);
+                                               coord.t, group, of.count);
         if (!stored)
             return false;
         if (words == TexelWords::rgb565)
-            combine<std::uint16_t>(image, linear, s, t, to);
+            combine<std::uint16_t>(image, linear, s, t, of.count, to + of.first);
         else
-            combine<std::uint32_t>(image, linear, s, t, to);
+            combine<std::uint32_t>(image, linear, s, t, of.count, to + of.first);
         return true;
     }
 
-    /// Fetches and combines texels that are of type Word, one per lane.
+    /// Combines n texels of type Word.
     template <class Word>
     void combine(const TextureLevel& image, bool linear, const TexelOffsets& s, const TexelOffsets& t,
-                 Color* to) const {
+                 std::int32_t n, Color* to) const {
         using Texels = TexelColors<N, sizeof(Word) == 2, true>;
         Word texel[4][packet_length];
         const auto fetch = [&](const std::int32_t* across, const std::int32_t* up, Word* words) {
-            fetch_texels(texture_, image, across, up, fragment_count_, words);
+            fetch_texels(texture_, image, across, up, n, words);
         };
         fetch(s.at, t.at, texel[0]);
         if (!linear) {
-            for (std::int32_t g = 0, i = 0; i < fragment_count_; ++g, i += lanes)
-                to[g] = Texels::unpack(L::gather(texel[0] + i));
+            for (std::int32_t i = 0; i < n; ++i)
+                to[i] = Texels::unpack(texel[0][i]);
             return;
         }
         fetch(s.next, t.at, texel[1]);
         fetch(s.at, t.next, texel[2]);
         fetch(s.next, t.next, texel[3]);
-        for (std::int32_t g = 0, i = 0; i < fragment_count_; ++g, i += lanes)
-            to[g] = Texels::mix(typename Texels::Weights(L::gather(t.weight + i)), L::gather(texel[0] + i),
-                                L::gather(texel[1] + i), L::gather(texel[2] + i), L::gather(texel[3] + i),
-                                L::gather(s.weight + i));
+        for (std::int32_t i = 0; i < n; ++i)
+            to[i] = Texels::mix(typename Texels::Weights(t.weight[i]), std::uint32_t{texel[0][i]},
+                                std::uint32_t{texel[1][i]}, std::uint32_t{texel[2][i]},
+                                std::uint32_t{texel[3][i]}, std::uint32_t{s.weight[i]});
     }
 };
 

@@ -2,6 +2,7 @@
 // 3.8.8; GL 1.4, 3.8.14). In every tier each fragment divides.
 #pragma once
 
+#include "raster/ops/guarded_row.hpp"
 #include "raster/ops/log2.hpp"
 #include "raster/ops/stage_coord.hpp"
 #include "raster/ops/stage_texture.hpp"
@@ -47,18 +48,20 @@ template <class T> struct CubeFace {
 class VolumeCoords {
   public:
     VolumeCoords(const Span<Fixed>& span, int unit)
-        : span_(span), unit_coords_(span.unit[unit]), texture_(*span.state->fragment.unit[unit].texture),
-          has_lod_(raster::wants_lod(texture_)) {}
+        : unit_coords_(span.unit[unit]), texture_(*span.state->fragment.unit[unit].texture),
+          has_lod_(raster::wants_lod(texture_)), s_(span, unit_coords_.s), t_(span, unit_coords_.t),
+          r_(span, unit_coords_.r), q_(span, unit_coords_.q) {}
 
     [[gnu::noinline]] VolumePlace at(std::int32_t x) const {
-        Planes s(span_.at(x, unit_coords_.s), unit_coords_.s.dx, unit_coords_.s_dy),
-            t(span_.at(x, unit_coords_.t), unit_coords_.t.dx, unit_coords_.t_dy),
-            r(span_.at(x, unit_coords_.r), unit_coords_.r.dx, unit_coords_.r_dy);
+        Planes s(s_.value(x), unit_coords_.s.dx, unit_coords_.s_dy),
+            t(t_.value(x), unit_coords_.t.dx, unit_coords_.t_dy),
+            r(r_.value(x), unit_coords_.r.dx, unit_coords_.r_dy);
         const bool cube = has_cube_maps && texture_.shape == TextureShape::cube;
         VolumePlace place;
         place.face = cube ? face(s, t, r) : 0;
-        // The divisor of the coordinates: q, or the major component of a cube map.
-        const Planes q = cube ? r : Planes(span_.at(x, unit_coords_.q), unit_coords_.q.dx, unit_coords_.q_dy);
+        const Planes q =
+            // The other coordinates are divided by q.
+            cube ? r : Planes(q_.value(x), unit_coords_.q.dx, unit_coords_.q_dy);
         const Inverse inverse(positive(q.v));
         const int exponent = cube ? 0 : unit_coords_.exponent;
         const auto repeats = [&](std::int32_t v) SPANGLE_RUN_LAMBDA {
@@ -69,9 +72,11 @@ class VolumeCoords {
         place.s = word(repeats(s.v), texture_.wrap_s);
         place.t = word(repeats(t.v), texture_.wrap_t);
         const bool volume = texture_.shape == TextureShape::volume;
-        const std::int64_t third = repeats(r.v); // not used for a cube
-        place.r = volume ? word(third, texture_.wrap_r)
-                         : static_cast<std::uint32_t>(numeric::clamp<std::int64_t>(third >> 2, 0, 1 << 30));
+        place.r = 0;
+        if (volume)
+            place.r = word(repeats(r.v), texture_.wrap_r);
+        else if (!cube)
+            place.r = static_cast<std::uint32_t>(numeric::clamp<std::int64_t>(repeats(r.v) >> 2, 0, 1 << 30));
         place.lod = 0;
         if (!has_lod_)
             return place;
@@ -82,7 +87,7 @@ class VolumeCoords {
             also(steps(t, q, base.height));
         if (volume)
             also(steps(r, q, texture_.depth));
-        place.lod = level_of_detail(most - 2 * log2_fraction8(static_cast<std::uint64_t>(positive(q.v))) +
+        place.lod = level_of_detail(most - 2 * log2_of_word8(static_cast<std::uint32_t>(positive(q.v))) +
                                     (cube ? -256 : unit_coords_.exponent << 8));
         return place;
     }
@@ -91,8 +96,8 @@ class VolumeCoords {
     /// A projective value, and its differences from column to column and from row to row.
     struct Planes {
         std::int32_t v, dx, dy;
-        Planes(std::uint64_t value, std::uint64_t across, std::uint64_t up)
-            : v(unguarded(value)), dx(unguarded(across)), dy(unguarded(up)) {}
+        Planes(std::int32_t value, std::uint64_t across, std::uint64_t up)
+            : v(value), dx(unguarded(across)), dy(unguarded(up)) {}
         Planes turned(bool back) const {
             return back ? Planes{negate_wide(v), negate_wide(dx), negate_wide(dy)} : *this;
         }
@@ -104,10 +109,10 @@ class VolumeCoords {
         }
     };
 
-    const Span<Fixed>& span_;
     const Span<Fixed>::Unit& unit_coords_;
     const Texture& texture_;
     const bool has_lod_;
+    const GuardedRow s_, t_, r_, q_;
 
     static std::int32_t positive(std::int32_t q) { return q > 0 ? q : 1; }
 

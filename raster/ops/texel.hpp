@@ -163,20 +163,20 @@ SPANGLE_INLINE std::int32_t repeat_nearest(std::uint32_t s, int log2_size) {
     return repeat_index(s + nearest_bias(log2_size), log2_size);
 }
 
-/// The texel index of a coordinate that does not wrap (s3.28).
+/// The texel index of a coordinate that does not wrap (s3.28). What a shift drops is less than one unit of
+/// the bias, so that words hold the place; textures have at most 2^11 texels along an axis.
 SPANGLE_INLINE std::int32_t clamped_nearest(std::int32_t s, int log2_size) {
-    const std::int64_t u =
-        numeric::shifted_up(s, log2_size) + (1 << (clamped_coord_bits - nearest_bias_bits));
-    const auto i = static_cast<std::int32_t>(u >> clamped_coord_bits);
-    // s = 1 belongs to the last texel (GL 1.3, 3.8.8), also with CLAMP_TO_BORDER.
+    const std::int32_t i =
+        ((s >> (clamped_coord_bits - nearest_bias_bits - log2_size)) + 1) >> nearest_bias_bits;
+    // s = 1 is the last texel (GL 1.3, 3.8.8), also with CLAMP_TO_BORDER.
     return i == 1 << log2_size && s <= 1 << clamped_coord_bits ? i - 1 : i;
 }
 SPANGLE_INLINE TexelIndex clamped_linear(Wrap wrap, std::int32_t s, int log2_size) {
     constexpr std::int32_t one = 1 << clamped_coord_bits;
     if (wrap == Wrap::clamp) // CLAMP limits s to [0, 1] first: at the edge half of the border is mixed in
         s = s < 0 ? 0 : s > one ? one : s;
-    const std::int64_t u = numeric::shifted_up(s, log2_size) - (one / 2 - one / 512);
-    const auto fixed = static_cast<std::int32_t>(u >> (clamped_coord_bits - 8));
+    // 512ths of a texel are rounded to 256ths; half a texel is 128 of these.
+    const std::int32_t fixed = (((s >> (clamped_coord_bits - 9 - log2_size)) + 1) >> 1) - 128;
     return {fixed >> 8, static_cast<std::uint32_t>(fixed) & 255};
 }
 

@@ -107,6 +107,22 @@ template <class N, bool Is565, bool Alpha> struct TexelColors {
     struct ExactBilinear {
         std::uint32_t b;
         SPANGLE_INLINE explicit ExactBilinear(std::uint32_t weight) : b(weight) {}
+        /// Filters texels of bytes; a is the weight of column i + 1. A component is k 2^20 and the weights
+        /// add up to 2^16, so nothing is rounded (ExactFilter). Two components share a word along t.
+        SPANGLE_INLINE Color bytes(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01, std::uint32_t c11,
+                                   std::uint32_t a) const {
+            constexpr std::uint32_t pair = 0x00FF00FF;
+            const auto column = [&](std::uint32_t near, std::uint32_t far) {
+                return (near & pair) * (256 - b) + (far & pair) * b;
+            };
+            const auto across = [&](std::uint32_t v0, std::uint32_t v1) {
+                return (v0 * (256 - a) + v1 * a) << (color_fraction_bits - 16);
+            };
+            const std::uint32_t rb0 = column(c00, c01), rb1 = column(c10, c11),
+                                ga0 = column(c00 >> 8, c01 >> 8), ga1 = column(c10 >> 8, c11 >> 8);
+            return {across(rb0 & 0xFFFF, rb1 & 0xFFFF), across(ga0 & 0xFFFF, ga1 & 0xFFFF),
+                    across(rb0 >> 16, rb1 >> 16), across(ga0 >> 16, ga1 >> 16)};
+        }
     };
     using Weights = std::conditional_t<
         is_raw<N>, FilterWords<N::lanes>,
@@ -119,6 +135,8 @@ template <class N, bool Is565, bool Alpha> struct TexelColors {
                                     const V& c11, const W& a) {
         if constexpr (is_raw<N>)
             return {weights(c00, c10, c01, c11, a)};
+        else if constexpr (std::is_same_v<N, Exact> && !Is565 && Alpha && has_shortcuts)
+            return weights.bytes(c00, c10, c01, c11, a);
         else if constexpr (std::is_same_v<N, Exact>)
             return bilinear<N>(unpack(c00), unpack(c10), unpack(c01), unpack(c11), a, weights.b);
         else if constexpr (is_exact<N>)

@@ -47,8 +47,9 @@ template <int Lanes>
 /// Finds the texels along one axis. `coord` holds coordinates in groups that are `group` words apart. Returns
 /// false where a texel belongs to a border that is only a colour.
 template <int Lanes>
-[[gnu::noinline]] bool find_texels(TexelOffsets& to, bool linear, const TexelScale& axis,
+[[gnu::noinline]] bool find_texels(TexelOffsets& to, bool linear, const TexelScale& of,
                                    const std::uint32_t* coord, std::int32_t group, std::int32_t n) {
+    const TexelScale axis = of; // a copy, which no offset that is written can change
     const int log2_size = log2_of(axis.size);
     const auto each = [&](auto f) __attribute__((always_inline)) {
         for (std::int32_t i = 0; i < n; i += Lanes, coord += group)
@@ -72,22 +73,29 @@ template <int Lanes>
             });
         return true;
     }
-    std::int32_t least = 0, most = 0;
-    each([&](std::int32_t i, std::uint32_t v) __attribute__((always_inline)) {
-        TexelIndex texel{};
-        if (linear)
-            texel = clamped_linear(axis.wrap, static_cast<std::int32_t>(v), log2_size);
-        else
-            texel.i = wrapped_nearest(axis.wrap, v, log2_size, axis.size);
-        const std::int32_t at = linear ? wrap_texel(axis.wrap, texel.i, axis.size) : texel.i,
-                           next = linear ? wrap_texel(axis.wrap, texel.i + 1, axis.size) : at;
-        least = at < least ? at : least;
-        most = next > most ? next : most;
-        to.at[i] = at * axis.bytes;
-        to.next[i] = next * axis.bytes;
-        to.weight[i] = static_cast<std::uint16_t>(texel.weight);
-    });
-    return axis.border || (least >= 0 && most < axis.size);
+    // CLAMP limits coordinates to [0, 1], so its texels of NEAREST are those of CLAMP_TO_EDGE.
+    const bool edge = axis.wrap == Wrap::clamp_to_edge || (axis.wrap == Wrap::clamp && !linear);
+    const std::int32_t last = axis.size - 1, low = edge ? 0 : -1, high = edge ? last : axis.size;
+    const auto inside = [&](std::int32_t i) __attribute__((always_inline)) {
+        return i < low ? low : i > high ? high : i;
+    };
+    std::int32_t outside = 0; // below 0: some texel lies beyond the image
+    if (linear)
+        each([&](std::int32_t i, std::uint32_t v) __attribute__((always_inline)) {
+            const TexelIndex texel = clamped_linear(axis.wrap, static_cast<std::int32_t>(v), log2_size);
+            const std::int32_t at = inside(texel.i), next = inside(texel.i + 1);
+            outside |= at | (last - next);
+            to.at[i] = at * axis.bytes;
+            to.next[i] = next * axis.bytes;
+            to.weight[i] = static_cast<std::uint16_t>(texel.weight);
+        });
+    else
+        each([&](std::int32_t i, std::uint32_t v) __attribute__((always_inline)) {
+            const std::int32_t at = inside(clamped_nearest(static_cast<std::int32_t>(v), log2_size));
+            outside |= at | (last - at);
+            to.at[i] = at * axis.bytes;
+        });
+    return axis.border || outside >= 0;
 }
 
 /// Fetches n texels as words R5 G6 B5.

@@ -113,7 +113,7 @@ TEST_F(TexImage, InternalFormatsKeepTheirBitsAndSayHowMany) {
             }
 }
 
-/// Returns texel (x, y) in 0..1, by the layout that raster/span/fragment_state.hpp declares.
+/// Returns texel (x, y) in 0..1, by the layout that spangle/raster/fragment_state.hpp declares.
 void texel(const raster::Texture& t, int x, int y, double out[4]) {
     constexpr int bytes[] = {1, 1, 1, 2, 2, 3, 4, 2, 2, 1, 2, 4};
     const std::uint8_t* p = t.level[0].texels + y * static_cast<std::int64_t>(t.level[0].stride) +

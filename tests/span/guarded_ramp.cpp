@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "raster/ops/guarded_row.hpp"
 #include "raster/ops/stage_divided.hpp"
 
 namespace spangle::raster::test {
@@ -18,6 +19,12 @@ template <class Ramp> void expect_plane(std::uint64_t seed) {
                                            seed % 3 == 0 ? slope() : 0 - slope()};
     span.x = static_cast<std::int32_t>(random() % 2048);
     span.y = static_cast<std::int32_t>(random() % 2048);
+    const GuardedRowOf<true> by_long_words(span, plane);
+    const GuardedRowOf<false> by_words(span, plane);
+    for (std::int32_t x = 0; x < 2048; ++x) {
+        ASSERT_EQ(by_long_words.value(x), unguarded(span.at(x, plane))) << seed << " pixel " << x;
+        ASSERT_EQ(by_words.value(x), unguarded(span.at(x, plane))) << seed << " pixel " << x;
+    }
     Ramp ramp(span, 3, plane);
     for (int row = 0; row < 3; ++row, span.x += 7, ++span.y) {
         const std::int32_t first = row - 1;
@@ -44,6 +51,8 @@ TEST(GuardedRamp, GuardBitsReachTheCornersOfTheBand) {
         span.x = span.y = anchor < 0 ? 2047 : 0;
         const Span<Fixed>::Projective plane = {0xFFFF, 0xFFFF, 0xFFFF};
         ASSERT_EQ((GuardedRampOf<true>(span, 0, plane).value(0)), unguarded(span.at(0, plane)));
+        const std::int32_t far = (1 << 14) - 1;
+        ASSERT_EQ(GuardedRowOf<false>(span, plane).value(far), unguarded(span.at(far, plane)));
     }
 }
 

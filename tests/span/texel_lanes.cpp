@@ -71,6 +71,25 @@ TEST(TexelLanes, NumbersAreThoseOfSingleFragments) {
                 expect_axis(random, wrap, size);
 }
 
+/// Sizes that are powers of two have arithmetic of their own for coordinates that do not wrap.
+TEST(TexelLanes, PlacesInPlainImagesAreThoseOfAnySize) {
+    Random random{73};
+    for (const Wrap wrap : {Wrap::clamp, Wrap::clamp_to_edge, Wrap::clamp_to_border})
+        for (int log2_size = 0; log2_size <= 11; ++log2_size)
+            for (int n = 0; n < 2000; ++n) {
+                const std::int32_t size = 1 << log2_size;
+                const std::uint32_t v = n == 0   ? 0x7FFFFFFF
+                                        : n == 1 ? 0x80000000
+                                                 : coordinate(random, wrap, size);
+                const TexelIndex found = wrapped_linear(wrap, v, log2_size, size),
+                                 expected = general_linear(wrap, v, size);
+                ASSERT_EQ(found.i, expected.i) << size << ' ' << v;
+                ASSERT_EQ(found.weight, expected.weight) << size << ' ' << v;
+                ASSERT_EQ(wrapped_nearest(wrap, v, log2_size, size), general_nearest(wrap, v, size))
+                    << size << ' ' << v;
+            }
+}
+
 TEST(TexelLanes, ExactFilterIsThatOfOneLane) {
     Random random{72};
     for (std::uint32_t weights = 0; weights < 1u << 16; ++weights) {
@@ -94,6 +113,12 @@ TEST(TexelLanes, ExactFilterIsThatOfOneLane) {
         ASSERT_EQ(one.g, expected.g) << a << ' ' << b;
         ASSERT_EQ(one.b, expected.b) << a << ' ' << b;
         ASSERT_EQ(one.a, expected.a) << a << ' ' << b;
+        const auto mixed = Colors::mix(Colors::Weights(b), texel[0][lane], texel[1][lane], texel[2][lane],
+                                       texel[3][lane], a);
+        ASSERT_EQ(mixed.r, expected.r) << a << ' ' << b;
+        ASSERT_EQ(mixed.g, expected.g) << a << ' ' << b;
+        ASSERT_EQ(mixed.b, expected.b) << a << ' ' << b;
+        ASSERT_EQ(mixed.a, expected.a) << a << ' ' << b;
     }
 }
 
