@@ -238,8 +238,24 @@ struct LogicTable {
     }
 };
 
-/// Stores the result of the logical operation (GL 1.3, 4.1.9). Masked channels keep their stored bits
-/// (4.2.2). The state says whether colours are dithered.
+/// LogicTable::merged() with its constants taken together for one lane: each bit of the result is a
+/// polynomial of the bits s and d, over exclusive or.
+struct MergedWords {
+    std::uint32_t always, by_color, by_stored, by_both;
+    MergedWords(const LogicTable& logic, std::uint32_t bits) {
+        const auto& t = logic.truth;
+        always = t[3] & bits;
+        by_color = (t[1] ^ t[3]) & bits;
+        by_stored = ((t[2] ^ t[3]) & bits) | ~bits;
+        by_both = (t[0] ^ t[1] ^ t[2] ^ t[3]) & bits;
+    }
+    SPANGLE_INLINE std::uint32_t of(std::uint32_t s, std::uint32_t d) const {
+        return always ^ (by_color & s) ^ ((by_stored ^ (by_both & s)) & d);
+    }
+};
+
+/// Stores the result of the logical operation with the stored bits. Masked channels keep their bits. Dithers
+/// when the state says so (GL 1.3, 4.1.9, 4.2.2).
 template <class N, PixelFormat Format> struct StoreMerged : StageBase {
     static constexpr unsigned in = field_color;
     static constexpr bool effect = true;
@@ -262,12 +278,19 @@ template <class N, PixelFormat Format> struct StoreMerged : StageBase {
         if constexpr (N::lanes > 1) {
             store_lanes(p.live, at, c);
         } else if constexpr (is_565(Format)) {
+            const MergedWords merged(logic, open_565());
             const std::uint32_t word = dithers ? dithered565<N>(c, dither.threshold()) : truncated565<N>(c);
-            Words565<L, Format>::store(at, logic.merged(word, Words565<L, Format>::load(at), open_565()));
+            Words565<L, Format>::store(at, merged.of(word, Words565<L, Format>::load(at)));
         } else {
-            const typename N::T channel[4] = {c.r, c.g, c.b, c.a};
+            const MergedWords merged(logic, open_bytes());
+            std::uint32_t word = N::to8(c.r) | N::to8(c.g) << 8 | N::to8(c.b) << 16, stored = 0;
+            if constexpr (bytes == 4)
+                word |= N::to8(c.a) << 24;
             for (int i = 0; i < bytes; ++i)
-                at[i] = static_cast<std::uint8_t>(logic.merged(N::to8(channel[i]), at[i], open[i]));
+                stored |= std::uint32_t{at[i]} << (8 * i);
+            word = merged.of(word, stored);
+            for (int i = 0; i < bytes; ++i)
+                at[i] = static_cast<std::uint8_t>(word >> (8 * i));
         }
         return true;
     }
@@ -276,6 +299,9 @@ template <class N, PixelFormat Format> struct StoreMerged : StageBase {
   private:
     SPANGLE_INLINE std::uint32_t open_565() const {
         return (open[0] & 0xF800) | (open[1] & 0x07E0) | (open[2] & 0x1F);
+    }
+    SPANGLE_INLINE std::uint32_t open_bytes() const {
+        return (open[0] & 0xFF) | (open[1] & 0xFF00) | (open[2] & 0xFF0000) | (open[3] & 0xFF000000);
     }
     template <class Word, class Splat>
     SPANGLE_INLINE Word merged(const Word& s, const Word& d, Word bits, Splat splat) const {
@@ -294,10 +320,9 @@ template <class N, PixelFormat Format> struct StoreMerged : StageBase {
             Words::store_where(live, at, merged(word, Words::load(at), L::splat(open_565()), &L::splat));
         } else {
             using Words = Bytes888<L, bytes>;
-            const std::uint32_t bits =
-                (open[0] & 0xFF) | (open[1] & 0xFF00) | (open[2] & 0xFF0000) | (open[3] & 0xFF000000);
             Words::store_where(
-                live, at, merged(Words::template pack<N>(c), Words::load(at), L::splat32(bits), &L::splat32));
+                live, at,
+                merged(Words::template pack<N>(c), Words::load(at), L::splat32(open_bytes()), &L::splat32));
         }
     }
 };

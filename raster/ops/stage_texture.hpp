@@ -7,6 +7,7 @@
 #include "raster/ops/stage.hpp"
 #include "raster/ops/texel_color.hpp"
 #include "raster/ops/texel_other.hpp"
+#include "raster/ops/texel_packet.hpp"
 #include "raster/ops/texture_env.hpp"
 #include "raster/span/draw_state.hpp"
 #include "raster/span/instructions.hpp"
@@ -123,6 +124,10 @@ template <class N> struct TextureFunction {
                                               i.weight);
             }
         }
+        if constexpr ((is_balanced<N> || std::is_same_v<N, Exact>)&&has_shortcuts) {
+            if (words == TexelWords::bytes && stored(image, i0, j0) && stored(image, i1, j1))
+                return filtered_bytes(image, i0, i1, j0, j1, i.weight, j.weight);
+        }
         Color c[4];
 #pragma GCC unroll has_shortcuts ? 4 : 1
         for (int k = 0; k < 4; ++k)
@@ -149,6 +154,19 @@ template <class N> struct TextureFunction {
         return bilinear<N>(c00, c10, c01, c11, i.weight, j.weight);
     }
 
+    /// Mixes four texels of bytes, which are fetched as words.
+    Color filtered_bytes(const TextureLevel& image, std::int32_t i0, std::int32_t i1, std::int32_t j0,
+                         std::int32_t j1, std::uint32_t a, std::uint32_t b) const {
+        using Texels = TexelColors<N, false, true>;
+        const bool indirect = is_indirect(texture.format);
+        const std::int32_t bytes = indirect ? 1 : texel_bytes(sampled(texture.format)),
+                           stride = indirect ? 1 : static_cast<std::int32_t>(image.stride);
+        const std::int32_t s[4] = {i0 * bytes, i1 * bytes, i0 * bytes, i1 * bytes},
+                           t[4] = {j0 * stride, j0 * stride, j1 * stride, j1 * stride};
+        std::uint32_t word[4];
+        fetch_texels(texture, image, s, t, 4, word);
+        return Texels::mix(typename Texels::Weights(b), word[0], word[1], word[2], word[3], a);
+    }
     bool stored(const TextureLevel& image, std::int32_t i, std::int32_t j) const {
         return texture.border_texels != 0 || (i >= 0 && j >= 0 && i < image.width && j < image.height);
     }

@@ -110,5 +110,19 @@ TEST(PacketColors, CombineAsOneFragment) {
     combine_anything<Balanced<1>>();
 }
 
+TEST(MergedWords, AreThoseOfTheTable) {
+    RandomVertices random(97);
+    const auto word = [&] { return random.below(1u << 16) << 16 | random.below(1u << 16); };
+    for (int op = 0; op < 16; ++op)
+        for (int n = 0; n < 100; ++n) {
+            FragmentState state;
+            state.logic = true;
+            state.logic_op = static_cast<LogicOp>(op);
+            const LogicTable logic(state);
+            const std::uint32_t bits = word(), s = word(), d = word();
+            ASSERT_EQ(MergedWords(logic, bits).of(s, d), logic.merged(s, d, bits)) << op;
+        }
+}
+
 } // namespace
 } // namespace spangle::raster::test
