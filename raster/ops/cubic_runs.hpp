@@ -47,7 +47,10 @@ class DividedCoords {
     std::uint32_t s, t; ///< at the current pixel (TexCoords)
 
     SPANGLE_INLINE DividedCoords(const Span<Fixed>& span, std::int32_t, int unit)
-        : span_(&span), row_(span, unit), unit_(unit) {}
+        : span_(&span), row_{{span, span.unit[unit].s},
+                             {span, span.unit[unit].t},
+                             {span, span.unit[unit].shares_q ? span.q : span.unit[unit].q}},
+          unit_(unit) {}
     [[gnu::noinline]] std::int32_t begin(std::int32_t x) {
         divide(*span_, row_, unit_, x, s, t);
         return x + 1;
@@ -55,8 +58,9 @@ class DividedCoords {
     SPANGLE_INLINE void step() {}
 
     /// Finds s and t at pixel x.
-    SPANGLE_INLINE static void divide(const Span<Fixed>& span, const inner::HomogeneousRow& row,
-                                      int unit_index, std::int32_t x, std::uint32_t& s, std::uint32_t& t) {
+    template <class Row>
+    SPANGLE_INLINE static void divide(const Span<Fixed>& span, const Row& row, int unit_index, std::int32_t x,
+                                      std::uint32_t& s, std::uint32_t& t) {
         const auto& unit = span.unit[unit_index];
         const auto& wraps = span.state->wraps[unit_index];
         const Inverse inverse(row.q(x));
@@ -65,8 +69,14 @@ class DividedCoords {
     }
 
   private:
+    struct Rows {
+        GuardedRow along_s, along_t, along_q;
+        SPANGLE_INLINE std::int32_t s(std::int32_t x) const { return along_s.value(x); }
+        SPANGLE_INLINE std::int32_t t(std::int32_t x) const { return along_t.value(x); }
+        SPANGLE_INLINE std::int32_t q(std::int32_t x) const { return along_q.value(x); }
+    };
     const Span<Fixed>* span_;
-    inner::HomogeneousRow row_;
+    Rows row_;
     int unit_;
 };
 

@@ -5,9 +5,15 @@
 
 #include "raster/ops/stage_color.hpp"
 #include "raster/span/instructions.hpp"
+#include "raster/span/span.hpp"
 
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
+
+/// The value of a projective plane without its guard bits.
+SPANGLE_INLINE std::int32_t unguarded(std::uint64_t v) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(v >> guard_bits));
+}
 
 /// unguarded() of a projective plane at any pixel of a row; `Long`: registers hold the plane's words.
 template <bool Long> class GuardedRowOf {

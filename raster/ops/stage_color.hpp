@@ -1,6 +1,7 @@
 // The primary colour of a fragment, and the colour sum (GL 1.3, 3.9).
 #pragma once
 
+#include "raster/ops/guarded_row.hpp"
 #include "raster/ops/stage.hpp"
 #include "raster/span/draw_state.hpp"
 #include "raster/span/instructions.hpp"
@@ -8,12 +9,7 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// The value of a projective plane without its guard bits.
-SPANGLE_INLINE std::int32_t unguarded(std::uint64_t v) {
-    return static_cast<std::int32_t>(static_cast<std::uint32_t>(v >> guard_bits));
-}
-
-/// A colour that is affine in the window, or constant. Alpha: a later stage reads alpha.
+/// A colour that is affine in the window (or constant). Alpha: some stage reads alpha.
 template <class N, bool Alpha> struct Gouraud : StageBase {
     static constexpr unsigned out = field_color;
     Ramp<typename N::L> r, g, b;
@@ -133,28 +129,25 @@ SPANGLE_INLINE std::uint32_t projective_color(std::int32_t over_w, const Inverse
 template <class N, bool Alpha> struct GouraudQ : StageBase {
     static constexpr unsigned out = field_color;
     static constexpr int channels = Alpha ? 4 : 3;
-    std::uint64_t q, dq, c[channels], dc[channels];
+    GuardedRow q, c[channels];
+    std::int32_t x;
 
-    SPANGLE_INLINE GouraudQ(const Span<Fixed>& s, std::int32_t x) : q(s.at(x, s.q)), dq(s.q.dx) {
+    SPANGLE_INLINE GouraudQ(const Span<Fixed>& s, std::int32_t first) : q(s, s.q), x(first) {
         for (int i = 0; i < channels; ++i)
-            c[i] = s.at(x, s.color_q[i]), dc[i] = s.color_q[i].dx;
+            c[i] = {s, s.color_q[i]};
     }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        const Inverse inverse(unguarded(q));
-        p.color.r = N::from_units(inner::projective_color(unguarded(c[0]), inverse));
-        p.color.g = N::from_units(inner::projective_color(unguarded(c[1]), inverse));
-        p.color.b = N::from_units(inner::projective_color(unguarded(c[2]), inverse));
+        const Inverse inverse(q.value(x));
+        p.color.r = N::from_units(inner::projective_color(c[0].value(x), inverse));
+        p.color.g = N::from_units(inner::projective_color(c[1].value(x), inverse));
+        p.color.b = N::from_units(inner::projective_color(c[2].value(x), inverse));
         if constexpr (Alpha)
-            p.color.a = N::from_units(inner::projective_color(unguarded(c[3]), inverse));
+            p.color.a = N::from_units(inner::projective_color(c[3].value(x), inverse));
         else
             p.color.a = N::from_units(color_one);
         return true;
     }
-    SPANGLE_INLINE void step() {
-        q += dq;
-        for (int i = 0; i < channels; ++i)
-            c[i] += dc[i];
-    }
+    SPANGLE_INLINE void step() { ++x; }
 };
 
 /// Adds the secondary colour to the primary colour; each sum is clamped to 1.
@@ -229,18 +222,16 @@ template <class N> struct FogCoord<N, false> : StageBase {
 template <class N> struct FogCoord<N, true> : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned out = field_fog;
-    std::uint64_t q, dq, f, df;
+    GuardedRow q, f;
     int exponent;
-    SPANGLE_INLINE FogCoord(const Span<Fixed>& s, std::int32_t x)
-        : q(s.at(x, s.q)), dq(s.q.dx), f(s.at(x, s.fog_q)), df(s.fog_q.dx), exponent(s.fog_exponent) {}
+    std::int32_t x;
+    SPANGLE_INLINE FogCoord(const Span<Fixed>& s, std::int32_t first)
+        : q(s, s.q), f(s, s.fog_q), exponent(s.fog_exponent), x(first) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        p.fog = inner::projective_fog(unguarded(f), exponent, Inverse(unguarded(q)));
+        p.fog = inner::projective_fog(f.value(x), exponent, Inverse(q.value(x)));
         return true;
     }
-    SPANGLE_INLINE void step() {
-        q += dq;
-        f += df;
-    }
+    SPANGLE_INLINE void step() { ++x; }
 };
 
 } // namespace SPANGLE_INSTRUCTIONS

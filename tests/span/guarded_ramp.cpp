@@ -56,5 +56,34 @@ TEST(GuardedRamp, GuardBitsReachTheCornersOfTheBand) {
     }
 }
 
+/// A colour that is divided at each fragment is that of its planes at any pixel.
+TEST(GuardedRamp, DividedColorsAreThoseOfTheirPlanes) {
+    std::mt19937_64 random(98);
+    for (int round = 0; round < 500; ++round) {
+        Span<Fixed> span{};
+        span.x = static_cast<std::int32_t>(random() % 2048);
+        span.y = static_cast<std::int32_t>(random() % 2048);
+        const auto plane = [&] {
+            return Span<Fixed>::Projective{random() >> 18, random() >> 32, 0 - (random() >> 32)};
+        };
+        span.q = plane();
+        for (auto& c : span.color_q)
+            c = plane();
+        GouraudQ<Exact, true> stage(span, 5);
+        Px<Exact> p;
+        for (std::int32_t x = 5; x < 70; ++x, stage.step()) {
+            stage(p);
+            const Inverse inverse(unguarded(span.at(x, span.q)));
+            const auto expected = [&](int i) {
+                return inner::projective_color(unguarded(span.at(x, span.color_q[i])), inverse);
+            };
+            ASSERT_EQ(p.color.r, expected(0)) << round << ' ' << x;
+            ASSERT_EQ(p.color.g, expected(1)) << round << ' ' << x;
+            ASSERT_EQ(p.color.b, expected(2)) << round << ' ' << x;
+            ASSERT_EQ(p.color.a, expected(3)) << round << ' ' << x;
+        }
+    }
+}
+
 } // namespace
 } // namespace spangle::raster::test
