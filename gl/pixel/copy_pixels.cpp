@@ -41,7 +41,7 @@ struct BufferGroups : GroupSource {
         return y + of;
     }
 
-    static Group group_of(const GroupSource& source, std::int32_t n, std::int32_t m) {
+    static PixelGroup group_of(const GroupSource& source, std::int32_t n, std::int32_t m) {
         const auto& s = static_cast<const BufferGroups&>(source);
         return fetch(s.surface, s.transfer, s.content, s.column(n), s.row(m));
     }

@@ -26,7 +26,7 @@ struct ClientGroups : GroupSource {
 #endif
     }
 
-    static Group group_of(const GroupSource& source, std::int32_t n, std::int32_t m) {
+    static PixelGroup group_of(const GroupSource& source, std::int32_t n, std::int32_t m) {
         const auto& s = static_cast<const ClientGroups&>(source);
         return s.image.group(s.content, s.first + static_cast<std::size_t>(m) * s.rows.stride,
                              s.rows.skip_bits + static_cast<std::size_t>(n));

@@ -25,9 +25,9 @@ void get_color(const raster::Surface& surface, const Transfer& transfer, std::in
 
 } // namespace
 
-Group fetch(const raster::Surface& surface, const Transfer& transfer, Content content, std::int32_t x,
-            std::int32_t y) {
-    Group group;
+PixelGroup fetch(const raster::Surface& surface, const Transfer& transfer, Content content, std::int32_t x,
+                 std::int32_t y) {
+    PixelGroup group;
     if (content == Content::color) {
         get_color(surface, transfer, x, y, group.color);
     } else if (content == Content::depth) {

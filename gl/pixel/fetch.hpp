@@ -59,7 +59,7 @@ inline bool keeps_colors(const raster::Surface& surface, const Transfer& transfe
 
 /// The group of a pixel after pixel transfer. On a surface of colour indices, the maps from indices to
 /// colours give the colour (GL 1.3, 4.3.2).
-Group fetch(const raster::Surface& surface, const Transfer& transfer, Content content, std::int32_t x,
-            std::int32_t y);
+PixelGroup fetch(const raster::Surface& surface, const Transfer& transfer, Content content, std::int32_t x,
+                 std::int32_t y);
 
 } // namespace spangle::gl

@@ -67,8 +67,8 @@ Pixel ColorImage::color(const unsigned char* row, std::size_t at) const {
     return group(Content::color, row, at).color;
 }
 
-Group ColorImage::group(Content content, const unsigned char* row, std::size_t at) const {
-    Group group;
+PixelGroup ColorImage::group(Content content, const unsigned char* row, std::size_t at) const {
+    PixelGroup group;
     if (content == Content::depth || (content == Content::color && !has_indices_)) {
         group.color = groups_.color(row, at);
         if (content == Content::color)

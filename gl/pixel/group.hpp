@@ -19,7 +19,7 @@ inline Content content_of(const PixelLayout& layout, bool index_mode) {
 
 /// A group after pixel transfer. Its content says what it holds: a colour, a depth in place of red, or an
 /// index.
-struct Group {
+struct PixelGroup {
     Pixel color;
     Index index;
 };
@@ -60,7 +60,7 @@ class ColorImage {
     bool is_plain() const { return keeps_colors() && !swaps_bytes_; }
 
     Pixel color(const unsigned char* row, std::size_t group) const;
-    Group group(Content content, const unsigned char* row, std::size_t group) const;
+    PixelGroup group(Content content, const unsigned char* row, std::size_t group) const;
 
   private:
     Groups groups_;

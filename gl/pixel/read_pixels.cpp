@@ -30,7 +30,7 @@ void put_bit(unsigned char* row, std::size_t at, bool lsb_first, std::uint32_t v
 void read_row(const Read& r, std::int32_t x, std::int32_t y, std::int32_t count, unsigned char* row,
               std::size_t group) {
     for (const std::int32_t end = x + count; x < end; ++x, ++group) {
-        const Group found = fetch(*r.surface, r.transfer, r.content, x, y);
+        const PixelGroup found = fetch(*r.surface, r.transfer, r.content, x, y);
         unsigned char* const to = row + group * r.layout.group_bytes();
         if (r.layout.kind == ElementKind::bitmap)
             put_bit(row, group, r.lsb_first, rounded(found.index));

@@ -45,7 +45,7 @@ namespace {
 /// Converts a group to the words of a fragment.
 void convert(const GroupSource& source, RowForm form, std::int32_t n, std::int32_t m,
              std::uint32_t (&out)[4]) {
-    const Group group = source.group(source, n, m);
+    const PixelGroup group = source.group(source, n, m);
     const Component* const value = group.color.value;
     switch (form) {
     case RowForm::color:

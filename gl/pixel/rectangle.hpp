@@ -26,7 +26,7 @@ enum class RowForm : std::uint8_t { color, words, index, depth, stencil };
 /// The source of groups. The members say what the groups hold, and which columns `n` and rows `m` of groups
 /// exist.
 struct GroupSource {
-    using GroupOf = Group (*)(const GroupSource& source, std::int32_t n, std::int32_t m);
+    using GroupOf = PixelGroup (*)(const GroupSource& source, std::int32_t n, std::int32_t m);
     GroupSource(GroupOf of, Content content_of, const Interval& columns, const Interval& rows)
         : group(of), content(content_of), n(columns), m(rows) {}
 
