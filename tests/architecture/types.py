@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""Checks that a type of the product is defined once: no two files define a type of the same name in the same namespace.
+"""Checks that each name of a type is defined in at most one file of the product.
 
 usage: types.py [ROOT]
 
-Two types of one name in programs that link both are undefined behaviour (the one definition rule), and no compiler has to say so.
-Types in unnamed namespaces belong to their file, and do not count. Where the build chooses one of several files, each of them defines
-the type: CHOSEN_BY_THE_BUILD has those.
+Two types of one name in one namespace break the one definition rule of C++ (basic.def.odr). The linker then keeps one of two functions of
+the same name for both types. No compiler sees this, because each of them sees one file at a time.
+
+Types of anonymous namespaces belong to their file. Types inside of types or functions belong to what is around them. A specialisation of
+a template is no new name. Each branch of an #if begins with the braces that were open at the #if.
 """
 import collections
 import pathlib
@@ -13,56 +15,87 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ROOMS = ("raster", "gl", "hal", "boards", "host_sim")
-CHOSEN_BY_THE_BUILD = {"spangle::hal::EdgeLine", "spangle::hal::Lines"}  # hal/linux/lines_*.cpp: one for each libgpiod, and one without
-NOT_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|R\"(\w*)\(.*?\)\1\"|\"(?:\\.|[^\"\\\n])*\"|(?<!\w)'(?:\\.|[^'\\\n])*'", re.S)
-OPENED = re.compile(r"""
-    \bnamespace\s*(?P<namespace>[\w:]*)\s*\{
-  | \b(?:struct|class|enum(?:\s+(?:class|struct))?|union)\s+(?:alignas\([^)]*\)\s*)?(?:\[\[[^]]*\]\]\s*)?
-    (?P<type>\w+)\s*(?:final\s*)?(?::(?!:)[^;{}()]*)?\{
-  | (?P<brace>\{) | (?P<end>\})""", re.X)
+ROOMS = ("gl", "raster", "hal", "boards", "host_sim")
+SUFFIXES = {".h", ".hpp", ".c", ".cpp", ".inc"}
+ANONYMOUS = "(anonymous)"
+
+RAW_STRING = r'R"([^()\s\\]*)\(.*?\)\1"'
+UNREAD = re.compile(rf"""{RAW_STRING}|//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|(?<!\w)'(?:\\.|[^'\\\n])+'""", re.S)
+PIECE = re.compile(r"^[ \t]*#[ \t]*(?P<directive>\w*)(?:\\\n|[^\n])*|(?P<mark>[;{}])", re.M)
+NAMESPACE = re.compile(r"(?:inline\s+)?namespace(?:\s+(?P<name>[\w:]+))?")
+ATTRIBUTE = r"(?:\[\[.*?\]\]|(?:alignas|__attribute__)\s*\((?:[^()]|\([^()]*\))*\)|[A-Z][A-Z0-9_]+(?=\s+\w))\s*"
+KIND = r"(?:enum\s+class|enum\s+struct|enum|struct|class|union)"
+TYPE = re.compile(rf"(?:.*[\s>])??{KIND}\s+(?:{ATTRIBUTE})*(?P<name>\w+)(?:\s+final)?\s*(?::[^:].*)?", re.S)
 
 
-def types_of(text):
-    """Yields the full name of each type that a source defines in named namespaces, but for nested types and specializations."""
-    open_scopes = []
-    for found in OPENED.finditer(NOT_CODE.sub(" ", text)):
-        if found["end"]:
-            if open_scopes:
-                open_scopes.pop()
-        elif found["namespace"] is not None:
-            open_scopes.append(found["namespace"] or None)
-        else:
-            if found["type"] and all(scope and not scope.startswith("{") for scope in open_scopes):
-                yield "::".join([*open_scopes, found["type"]])
-            open_scopes.append("{")
+def without_arguments(head):
+    """Returns the beginning of a declaration with `<>` in place of all arguments of templates."""
+    before = None
+    while before != head:
+        before, head = head, re.sub(r"<[^<>]+>", "<>", head)
+    return re.sub(r"\btemplate\s*<>\s*", "", head).strip()
 
 
-def defined_twice(sources):
-    """Returns {type: files} of the types that more than one of the sources {file: text} defines."""
-    files_of = collections.defaultdict(list)
-    for file, text in sources.items():
-        for name in sorted(set(types_of(text))):
-            files_of[name].append(file)
-    return {name: files for name, files in files_of.items() if len(files) > 1 and name not in CHOSEN_BY_THE_BUILD}
+def opened(head):
+    """Returns what a brace opens after this text: ("namespace", names), ("type", name), or None for anything else."""
+    if re.fullmatch(r'extern\s*""', head):
+        return "namespace", ()
+    if found := NAMESPACE.fullmatch(head):
+        return "namespace", tuple((found["name"] or ANONYMOUS).split("::"))
+    if found := TYPE.fullmatch(without_arguments(head)):
+        return "type", found["name"]
+    return None
 
 
-def try_itself():
-    """Fails if the check misses two types of one name, or sees one where there is none."""
-    sources = {"a.hpp": "namespace x { struct A { enum class K { one }; }; namespace { class B : A { }; } class C; }",
-               "b.cpp": "namespace x { enum class A : int { k }; namespace { struct B { }; } struct C { int i{'{'}; }; }",
-               "c.cpp": "namespace x::y { struct A {}; } namespace x { struct A::K2 {}; void f() { struct C {}; } const char s[] = \"{ struct C {\"; }"}
-    assert defined_twice(sources) == {"x::A": ["a.hpp", "b.cpp"]}, defined_twice(sources)
+def types(text):
+    """Yields the full names of the types that a source defines in namespaces that other files share."""
+    text = UNREAD.sub(lambda found: '""' if found[0][0] in 'R"' else " ", text)
+    around, branches, begin = [], [], 0  # `branches` has what is around each #if that is open
+    for piece in PIECE.finditer(text):
+        head, begin = text[begin:piece.start()].strip(), piece.end()
+        directive = piece["directive"] or ""
+        if directive.startswith("if"):
+            branches.append(list(around))
+        elif directive.startswith("el"):
+            around = list(branches[-1])
+        elif directive == "endif":
+            branches.pop()
+        elif piece["mark"] == "}":
+            around.pop()
+        elif piece["mark"] == "{":
+            what = opened(head)
+            scope = [name for kind, names in filter(None, around) if kind == "namespace" for name in names]
+            if what and what[0] == "type" and ANONYMOUS not in scope and all(outer and outer[0] == "namespace" for outer in around):
+                yield "::".join([*scope, what[1]])
+            around.append(what)
+    if around:
+        raise ValueError("braces do not match")
+
+
+def defined(root):
+    """Returns {name: files that define it}, paths relative to the root."""
+    found = collections.defaultdict(set)
+    for room in ROOMS:
+        for path in sorted((root / room).rglob("*")):
+            if path.suffix in SUFFIXES and path.is_file():
+                inside = path.relative_to(root)
+                try:
+                    for name in types(path.read_text()):
+                        found[name].add(inside)
+                except (ValueError, IndexError) as error:
+                    raise SystemExit(f"{inside} cannot be read: {error}") from error
+    return found
 
 
 def main():
-    try_itself()
-    root = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT
-    paths = [path for room in ROOMS for path in sorted((root / room).rglob("*.[ch]pp"))]
-    twice = defined_twice({str(path.relative_to(root)): path.read_text() for path in paths})
-    for name, files in sorted(twice.items()):
-        print(f"{name} is defined in {' and in '.join(files)}; give one of them another name")
-    return 1 if twice or not paths else 0
+    found = defined(pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT)
+    wrong = 0
+    for name, paths in sorted(found.items()):
+        if len(paths) > 1:
+            print(f"{name} is defined in {' and in '.join(map(str, sorted(paths)))}; give one of them another name")
+            wrong += 1
+    print(f"{len(found)} types, {wrong} of them defined more than once")
+    return 1 if wrong or not found else 0
 
 
 if __name__ == "__main__":
