@@ -29,7 +29,7 @@ HAL = HAL_DISPLAY | {"hal/include"}
 GL = RASTER | {"gl/api", "gl/context", "gl/vertex", "gl/pixel", "gl/texture", "gl/list", "gl/include"}
 PUBLIC = {"gl/include", "hal/include", "raster/include", "raster/format", "hal/bus", "hal/panel", "hal/display",
           "hal/linux", "hal/usb", "hal/mcu"}
-EVERYTHING = GL | HAL | {"hal/linux", "hal/usb", "gl/egl", "boards", "boards/scenes", "hal/mcu", "host_sim"}
+EVERYTHING = COMPILE | REFERENCE | GL | HAL | {"hal/linux", "hal/usb", "gl/egl", "boards", "boards/scenes", "hal/mcu", "host_sim"}
 
 MAY_INCLUDE = {
     "raster/numeric": NUMERIC,
