@@ -3,7 +3,6 @@
 
 #include <cstdint>
 
-#include "raster/ops/stage_color.hpp"
 #include "raster/span/instructions.hpp"
 #include "raster/span/span.hpp"
 
