@@ -285,7 +285,7 @@ bool before(const Display& display, const AttributeRequests& wishes, const Confi
         if (va != vb)
             return va < vb;
     }
-    // Of two configs that differ in nothing else, the one with the display's own byte order comes first.
+    // The config with the display's own byte order comes before one that differs in nothing else.
     const bool own_a = fits_window(display, a), own_b = fits_window(display, b);
     if (own_a != own_b)
         return own_a;

@@ -320,7 +320,9 @@ template <class N> void add_narrow_output(ChainBuilder<N>& chain, const Key& key
 
 template <class N> void add_divided_primary(ChainBuilder<N>& chain, bool alpha) {
     using SingleLane = OneLane<N>;
-    if constexpr (by_lanes<N>)
+    if constexpr (Span<typename N::Policy>::colors_over_w == 1)
+        return; // this build divides no colours by w
+    else if constexpr (by_lanes<N>)
         chain.add(alpha ? &PacketDivided<N>::template primary<true>
                         : &PacketDivided<N>::template primary<false>,
                   true);

@@ -26,7 +26,7 @@ SPANGLE_RUN_CALL inline std::int32_t log2_fraction8(std::uint64_t v) {
     const int zeros = numeric::clz64(v);
     return ((63 - zeros) << 8) + log2_of_mantissa8(numeric::high_word_before(v, zeros));
 }
-/// The same of a word that is not 0.
+/// log2(v) of a word that is not 0, with 8 fraction bits.
 SPANGLE_RUN_CALL inline std::int32_t log2_of_word8(std::uint32_t v) {
     if constexpr (numeric::wide_words)
         return log2_fraction8(v);

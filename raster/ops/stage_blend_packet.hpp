@@ -70,12 +70,17 @@ template <class N> class PacketBlend {
         const auto difference = [](const T& a, const T& b) __attribute__((always_inline)) {
             return N::subtract(a, b);
         };
-        if (by.equation == BlendEquation::add)
-            set(sum, source, stored);
-        else if (by.equation == BlendEquation::subtract)
-            set(difference, source, stored);
-        else // BlendEquation::reverse_subtract
-            set(difference, stored, source);
+        switch (by.equation) {
+        case BlendEquation::add:
+            return set(sum, source, stored);
+        case BlendEquation::subtract:
+            return set(difference, source, stored);
+        case BlendEquation::reverse_subtract:
+            return set(difference, stored, source);
+        case BlendEquation::min:
+        case BlendEquation::max:
+            break; // the function has returned above
+        }
     }
 
     /// The products value * factor in component c; the factors 0 and 1 are exact. `to` is room for the

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "raster/ops/coord_runs.hpp"
+#include "raster/ops/guarded_row.hpp"
 #include "raster/ops/stage_color.hpp"
 #include "raster/ops/stage_texture.hpp"
 #include "raster/span/instructions.hpp"
@@ -33,9 +34,9 @@ template <bool Numbered> class GuardedRampOf {
     std::uint64_t at_, step_;
 };
 
-/// The same ramp with words of 32 bits. A step would load four words and store two, so the value and the
-/// guard bits are multiplied by the fragment's number instead. The guard bits are summed with their carries.
-/// Columns and rows from the anchor are below 2^14 (clip guard band and surface), so this sum is below 2^31.
+/// A ramp with words of 32 bits. A step would load four words and store two, so the value and the guard bits
+/// are multiplied by the fragment's number instead (GuardedWords). Rows from the anchor are below 2^14, as
+/// columns are.
 template <> class GuardedRampOf<true> {
   public:
     SPANGLE_INLINE GuardedRampOf(const Span<Fixed>& span, std::int32_t x,
@@ -50,25 +51,15 @@ template <> class GuardedRampOf<true> {
         const std::uint32_t guard = origin_.guard + columns * step_.guard + rows * row_step_.guard;
         at_.value = origin_.value + columns * step_.value + rows * row_step_.value +
                     static_cast<std::uint32_t>(static_cast<std::int32_t>(guard) >> guard_bits);
-        at_.guard = guard & guard_mask;
+        at_.guard = guard & GuardedWords::guard_mask;
     }
     SPANGLE_INLINE std::int32_t value(std::int32_t i) const {
-        const auto steps = static_cast<std::uint32_t>(i);
-        const std::uint32_t guard = at_.guard + steps * step_.guard;
-        return static_cast<std::int32_t>(at_.value + steps * step_.value + (guard >> guard_bits));
+        return at_.after(static_cast<std::uint32_t>(i), step_);
     }
     SPANGLE_INLINE void step() {}
 
   private:
-    static constexpr std::uint32_t guard_mask = (1u << guard_bits) - 1;
-    struct Parts {
-        std::uint32_t value, guard;
-        Parts() = default;
-        SPANGLE_INLINE explicit Parts(std::uint64_t v)
-            : value(static_cast<std::uint32_t>(v >> guard_bits)),
-              guard(static_cast<std::uint32_t>(v) & guard_mask) {}
-    };
-    Parts at_, origin_, step_, row_step_;
+    GuardedWords at_, origin_, step_, row_step_;
 };
 using GuardedRamp = GuardedRampOf<!numeric::wide_words>;
 

@@ -1,5 +1,5 @@
 // Stages of the reference policy whose code differs from the product's stages in more than the number system.
-// They are compiled on hosts only.
+// These stages are compiled on hosts only.
 #pragma once
 
 #include <bit>

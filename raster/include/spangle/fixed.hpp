@@ -55,7 +55,7 @@ struct fixed {
     }
     /// The nearest float, which has 24 of the 32 bits.
     explicit constexpr operator float() const { return static_cast<float>(bits) / 65536.0f; }
-    /// The same value as a double, exactly.
+    /// Converts the number to a double, which holds it exactly.
     explicit constexpr operator double() const { return static_cast<double>(bits) / 65536.0; }
 
     /// The sum, saturated.

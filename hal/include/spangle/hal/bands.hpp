@@ -23,7 +23,7 @@ struct PanelContent {
 /// - A band is begun, drawn, handed over and sent: begin(), hand_over(), collect() unless bands are sent
 ///   whole, sent(). The first band of a frame begins with row 0.
 /// - collect() writes what differs between the panel and the band to `damage`, one element a row of the band.
-///   It takes for granted that the band then arrives; forget() where it did not.
+///   The caller then sends the band. Where that fails, the caller calls forget().
 /// - Everything differs after forget(), where the clear value changed, and where nothing is recorded.
 /// - A frame that ended early leaves bands with different clear values, and is forgotten by the next one.
 /// - It holds no pixels and sends none.

@@ -41,7 +41,7 @@ class DamageBook {
     void begin_band(std::int32_t rows);
     /// Says that nothing was drawn yet.
     void forget_drawn();
-    /// Whether anything was drawn since.
+    /// Whether anything was drawn since forget_drawn() or hold_back().
     bool drawn_since() const;
 
     /// Sets aside what a frame drew that is put off, so that drawn_since() tells whether more is drawn.
@@ -68,9 +68,9 @@ class DamageBook {
     /// The hashes; not enabled where there are none.
     const RowHash& hash() const { return hash_; }
 
-    /// Says that damage() may not have arrived.
+    /// Says that the panel may lack damage(), because its transfer may have failed.
     void doubt() { suspect_ = true; }
-    /// Says that it arrived.
+    /// Says that the panel holds damage() now.
     void trust() { suspect_ = false; }
     /// Says that the frame was handed over; `in_place`: the other buffer lacks it.
     void accept(bool in_place);

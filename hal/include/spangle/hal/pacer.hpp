@@ -32,7 +32,7 @@ class Pacer {
     /// The time that the scan-out is given to show itself, beyond two refreshes.
     static constexpr std::uint32_t grace_us = 100000;
 
-    /// It times what goes out over `transfer`, which must outlive it.
+    /// Makes a pacer of the frames that go out over `transfer`. The transfer must outlive the pacer.
     explicit Pacer(Transfer& transfer) : transfer_(transfer) {}
 
     /// Times a few refreshes, if frames are to be tear-free.

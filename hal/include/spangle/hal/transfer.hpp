@@ -24,7 +24,7 @@ class Transfer {
   public:
     /// Transfers to a panel that `layout` describes. Both must outlive them.
     Transfer(Bus& bus, const PanelLayout& layout) : bus_(bus), layout_(layout) {}
-    /// Begins with the memory of a list, and with a panel whose window is unknown.
+    /// Opens the transfer with the memory of a list. The window that the panel holds is unknown then.
     void open(const BusCaps& caps, const OpList& list);
 
     /// The bus.
@@ -39,7 +39,7 @@ class Transfer {
     void forget_window() { windows_.forget(); }
     /// The list that is filled. Appending to it by itself asks for make_room() first.
     OpList& list() { return ops_; }
-    /// That list.
+    /// The list that is filled, which cannot be changed by this reference.
     const OpList& list() const { return ops_; }
 
     /// Sends what the list holds when fewer than `ops` more fit.
