@@ -155,6 +155,13 @@ def emulate(machine, image, arguments=(), options=(), status=0, timeout=300):
     return "\n".join(line for line in (done.stdout + done.stderr).splitlines() if not line.startswith(HARMLESS))
 
 
+def source_of(path):
+    """Returns the path of a source below ROOT. A cache of objects may have compiled the source in another folder."""
+    parts = pathlib.PurePath(os.path.normpath(path)).parts
+    inside = (pathlib.PurePath(*parts[i:]) for i in range(1, len(parts)))
+    return str(next((tail for tail in inside if len(tail.parts) > 1 and (ROOT / tail).is_file()), os.path.normpath(path)))
+
+
 def sizes(target, image):
     """Returns {section: bytes} of an image."""
     text = subprocess.run([TARGETS[target].prefix + "size", "-A", str(image)], capture_output=True, text=True, check=True).stdout

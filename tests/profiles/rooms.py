@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 import profiles
-from profiles import DOCUMENT, ROOT, SUBJECTS, TARGET, firmware, outfile, profile
+from profiles import DOCUMENT, SUBJECTS, TARGET, firmware, outfile, profile
 
 ROOMS = {  # {folder: what is there}
     "gl/api": "entry points, arguments",
@@ -41,10 +41,7 @@ CONSTANTS, OTHERS = "constants", "compiler's and C++ library"
 
 def room_of(source):
     """Returns the first of ROOMS that a source file is in."""
-    path = pathlib.PurePath(source)
-    if not path.is_relative_to(ROOT):
-        return OTHERS
-    inside = str(path.relative_to(ROOT))
+    inside = firmware.source_of(source)
     return next((room for room in ROOMS if inside.startswith(room + "/")), OTHERS)
 
 

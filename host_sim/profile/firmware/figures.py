@@ -1,6 +1,5 @@
 """Reads the figures of the images that measure.py builds: their flash, and the lines that they print."""
 import collections
-import os
 import pathlib
 import re
 import subprocess
@@ -47,13 +46,6 @@ def run(image):
     return frames, memory, lines, keys
 
 
-def source_of(path):
-    """Returns the path of a source below ROOT. A cache of objects may have compiled the source in another folder."""
-    parts = pathlib.PurePath(os.path.normpath(path)).parts
-    inside = (pathlib.PurePath(*parts[i:]) for i in range(1, len(parts)))
-    return str(next((tail for tail in inside if len(tail.parts) > 1 and (ROOT / tail).is_file()), os.path.normpath(path)))
-
-
 def keys_of(image, frames):
     """Returns the cost of each state key in a frame: {key: {"pixels", "instructions_a_pixel"}}."""
     *_, counted = run(image)
@@ -80,7 +72,7 @@ def lines_of(image, commands, frames, trace):
     sums = collections.defaultdict(lambda: [0, 0.0])
     for (address, command, calls, ticks), place in zip(counted, said):
         path, _, number = re.sub(r" \(discriminator.*", "", place).rpartition(":")
-        place = f"{trace.name if trace else source_of(path)}:{number}" if address else "others"
+        place = f"{trace.name if trace else firmware.source_of(path)}:{number}" if address else "others"
         name = commands[command] if address else "commands without a place in the count"
         sums[place, name][0] += calls
         sums[place, name][1] += max(ticks * NS_PER_TICK - calls * overhead, 0)
