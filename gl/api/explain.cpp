@@ -41,8 +41,8 @@ bool name_wrong(Sentence& out, GLenum code, const CommandText& text, const ArgTe
         (out << "pname ").hexadecimal(token) << " is not a parameter of this command";
         return true;
     }
-    if (code == GL_INVALID_VALUE && arg.rule == ArgRule::count && (number < 0 || size < 0)) {
-        (out << arg.name << " ").decimal(number < 0 ? number : size) << " is negative";
+    if (code == GL_INVALID_VALUE && arg.rule == ArgRule::count && size < 0) {
+        (out << arg.name << " ").decimal(size) << " is negative";
         return true;
     }
     if (code == GL_INVALID_VALUE && arg.rule == ArgRule::range && (number < arg.low || number > arg.high)) {

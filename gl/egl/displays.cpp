@@ -325,6 +325,9 @@ const char* eglQueryString(EGLDisplay dpy, EGLint name) {
 #if SPANGLE_HAS_PLATFORMS
                " EGL_KHR_create_context EGL_KHR_get_all_proc_addresses"
 #endif
+#if SPANGLE_FEATURE_ACCUM
+               " EGL_SPANGLE_accum"
+#endif
 #if SPANGLE_FEATURE_BANDS
                " EGL_SPANGLE_bands"
 #endif

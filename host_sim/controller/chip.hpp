@@ -4,6 +4,9 @@
 #include <array>
 #include <cstdint>
 #include <initializer_list>
+#include <iterator>
+
+#include <spangle/hal/panel.hpp>
 
 #include "host_sim/controller/controller.hpp"
 
@@ -34,6 +37,7 @@ constexpr std::uint8_t depths(std::initializer_list<int> values) {
 }
 
 struct Chip {
+    hal::Controller controller{}; ///< the controller that this models
     const char* name;
     int width, height; ///< size of the frame memory in cells, as MADCTL 00h addresses it
     std::array<MemorySize, 2> other_sizes{}; ///< further memories that pins of the chip select
@@ -59,7 +63,8 @@ struct Chip {
 /// The models of hal::Controller's DCS controllers, in the order of that enumeration: its value is the index.
 inline constexpr Chip chips[] = {
     // The oscillator has 615 kHz, a line 27 clocks, and a frame 320 + 2 + 2 lines: 70.3 Hz.
-    {.name = "ILI9341",
+    {.controller = hal::Controller::ili9341,
+     .name = "ILI9341",
      .width = 240,
      .height = 320,
      .maker_id = {0xD3, {0x00, 0x93, 0x41}, 3, 8},
@@ -69,7 +74,8 @@ inline constexpr Chip chips[] = {
      .serial_write_ns = 100,
      .serial_write_got_ns = 12},
     // The refresh rate is 10 MHz / ((250 + 16 * 15) * (320 + 24)), which is 59 Hz.
-    {.name = "ST7789",
+    {.controller = hal::Controller::st7789,
+     .name = "ST7789",
      .width = 240,
      .height = 320,
      .id = {0x85, 0x85, 0x52},
@@ -84,7 +90,8 @@ inline constexpr Chip chips[] = {
      .parallel_depths = depths({3, 5, 6})},
     // The refresh rate is 850 kHz / ((1 * 2 + 40) * (162 + 44 + 45)). The GM pins select the size of the
     // memory.
-    {.name = "ST7735",
+    {.controller = hal::Controller::st7735,
+     .name = "ST7735",
      .width = 132,
      .height = 162,
      .other_sizes = {{{128, 160}, {132, 132}}},
@@ -98,7 +105,8 @@ inline constexpr Chip chips[] = {
      .parallel_depths = depths({3, 5, 6})},
     // The ILI9342C is an ILI9341 whose memory lies on its side: a line has as many clocks, and a frame 240 +
     // 2 + 2 lines.
-    {.name = "ILI9342C",
+    {.controller = hal::Controller::ili9342c,
+     .name = "ILI9342C",
      .width = 320,
      .height = 240,
      .id = {0xE3, 0x00, 0x00},
@@ -109,7 +117,8 @@ inline constexpr Chip chips[] = {
      .serial_write_got_ns = 25},
     // For chips whose figures of the scan are not known, here and below, 60 Hz and 8 lines of blanking are
     // assumed.
-    {.name = "ILI9486",
+    {.controller = hal::Controller::ili9486,
+     .name = "ILI9486",
      .width = 320,
      .height = 480,
      .maker_id = {0xD3, {0x00, 0x94, 0x86}, 3, 8},
@@ -119,7 +128,8 @@ inline constexpr Chip chips[] = {
      .serial_write_got_ns = 31,
      .parallel_write_ns = 50,
      .serial_depths = depths({6})},
-    {.name = "ILI9488",
+    {.controller = hal::Controller::ili9488,
+     .name = "ILI9488",
      .width = 320,
      .height = 480,
      .id = {0x54, 0x80, 0x66},
@@ -129,7 +139,8 @@ inline constexpr Chip chips[] = {
      .serial_write_got_ns = 25,
      .parallel_write_ns = 40,
      .serial_depths = depths({6})},
-    {.name = "ST7796S",
+    {.controller = hal::Controller::st7796s,
+     .name = "ST7796S",
      .width = 320,
      .height = 480,
      .maker_id = {0xD3, {0x00, 0x77, 0x96}, 3, 8},
@@ -140,7 +151,8 @@ inline constexpr Chip chips[] = {
      .reads_write_depth = true,
      .keys = {{{0xF0, {0xC3}, 1}, {0xF0, {0x96}, 1}}},
      .key_count = 2},
-    {.name = "GC9A01",
+    {.controller = hal::Controller::gc9a01,
+     .name = "GC9A01",
      .width = 240,
      .height = 240,
      .id = {0x00, 0x9A, 0x01},
@@ -153,7 +165,8 @@ inline constexpr Chip chips[] = {
      .parallel_depths = depths({3, 5, 6}),
      .keys = {{{0xFE, {}, 0}, {0xEF, {}, 0}}},
      .key_count = 2},
-    {.name = "HX8357D",
+    {.controller = hal::Controller::hx8357d,
+     .name = "HX8357D",
      .width = 320,
      .height = 480,
      .maker_id = {0xD0, {0x99}, 1, 0},
@@ -165,6 +178,15 @@ inline constexpr Chip chips[] = {
      .keys = {{{0xB9, {0xFF, 0x83, 0x57}, 3}}},
      .key_count = 1},
 };
+
+/// True if each chip stands where its controller's value says.
+constexpr bool chips_are_in_order() {
+    for (std::size_t i = 0; i < std::size(chips); ++i)
+        if (static_cast<std::size_t>(chips[i].controller) != i)
+            return false;
+    return true;
+}
+static_assert(chips_are_in_order(), "chips[] must be in the order of hal::Controller");
 
 /// Returns the chip with a memory of the wanted size, as its pins select it. The width is 0 where the chip
 /// has no such memory.

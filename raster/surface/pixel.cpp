@@ -93,13 +93,6 @@ void write_color(const Surface& s, std::int32_t x, std::int32_t y, const std::ui
         p[i] = static_cast<std::uint8_t>(v >> (8 * i));
 }
 
-void write_depth(const Surface& s, std::int32_t x, std::int32_t y, std::uint32_t k) {
-    if (has_format(DepthFormat::z16) && s.depth_format == DepthFormat::z16)
-        store(s, x, y, static_cast<std::uint16_t>(k));
-    if (has_format(DepthFormat::z24s8) && s.depth_format == DepthFormat::z24s8)
-        store(s, x, y, k << 8 | read_stencil(s, x, y));
-}
-
 void write_stencil(const Surface& s, std::int32_t x, std::int32_t y, std::uint8_t value) {
     if (has_format(DepthFormat::z24s8) && s.depth_format == DepthFormat::z24s8)
         store(s, x, y, (load<std::uint32_t>(s, x, y) & 0xFFFFFF00u) | value);

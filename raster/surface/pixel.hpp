@@ -85,8 +85,7 @@ std::uint8_t read_stencil(const Surface& s, std::int32_t x, std::int32_t y);
 /// touched.
 void write_color(const Surface& s, std::int32_t x, std::int32_t y, const std::uint32_t k[4]);
 
-/// Writes the stored code of depth; stencil bits stay.
-void write_depth(const Surface& s, std::int32_t x, std::int32_t y, std::uint32_t k);
+/// Writes the stencil value; the depth code of the pixel stays. Without a stencil plane nothing is written.
 void write_stencil(const Surface& s, std::int32_t x, std::int32_t y, std::uint8_t value);
 
 } // namespace spangle::raster

@@ -97,6 +97,8 @@ TEST(Displays, HandlesAndInitialisation) {
     EXPECT_EQ(std::strncmp(eglQueryString(display, EGL_VERSION), "1.4 ", 4), 0);
     EXPECT_NE(std::strstr(eglQueryString(display, EGL_CLIENT_APIS), "OpenGL"), nullptr);
     EXPECT_NE(std::strstr(eglQueryString(display, EGL_EXTENSIONS), "EGL_EXT_buffer_age"), nullptr);
+    EXPECT_EQ(std::strstr(eglQueryString(display, EGL_EXTENSIONS), "EGL_SPANGLE_accum") != nullptr,
+              SPANGLE_FEATURE_ACCUM != 0);
     EXPECT_NE(eglQueryString(display, EGL_VENDOR), nullptr);
     EXPECT_EQ(eglQueryString(display, EGL_WIDTH), nullptr);
     EXPECT_EQ(eglGetError(), EGL_BAD_PARAMETER);

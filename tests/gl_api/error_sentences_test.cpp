@@ -252,6 +252,19 @@ TEST_F(ErrorSentences, FlushedRangesTellWhichNumberIsNegative) {
     EXPECT_EQ(sentence([] { glFlushMappedBufferRange(GL_ARRAY_BUFFER, -1, -2); }),
               "glFlushMappedBufferRange: length -2 is negative (GL 1.5, 2.9)");
 }
+
+/// A size of two gigabytes is too large for a signed word of 32 bits, but it is not negative.
+TEST_F(ErrorSentences, SizesOfTwoGigabytesAreNotCalledNegative) {
+    if constexpr (sizeof(GLsizeiptr) > 4) {
+        const GLubyte byte = 0;
+        glBindBuffer(GL_ARRAY_BUFFER, 1);
+        glBufferData(GL_ARRAY_BUFFER, 1, &byte, GL_STATIC_DRAW);
+        const std::string text =
+            sentence([] { glBufferSubData(GL_ARRAY_BUFFER, 0, GLsizeiptr{1} << 31, nullptr); });
+        EXPECT_FALSE(text.empty());
+        EXPECT_EQ(text.find("negative"), std::string::npos) << text;
+    }
+}
 #endif
 
 #if SPANGLE_FEATURE_COMPRESSED_TEXTURES
