@@ -72,26 +72,7 @@ template <class T> T element(const void* array, std::size_t index) {
     return value;
 }
 
-/// log2 of the bytes of each Element, in its order.
-constexpr std::uint8_t size_logs[] = {2, 1, 2, 3, 2, 0, 0, 1, 1, 2, 2};
-
-/// Loads a component by code that all integer types share. This code is smaller but slower.
-[[maybe_unused]] Real short_component(Element type, const void* v, std::size_t i) {
-    if (type == Element::cast_d)
-        return cast_d(element<GLdouble>(v, i));
-    if (type == Element::cast_f)
-        return cast_f(element<GLfloat>(v, i));
-    if (SPANGLE_FEATURE_FIXED_POINT && type == Element::cast_x)
-        return cast_x(element<GLfixed>(v, i));
-    const unsigned log = size_logs[static_cast<unsigned>(type)];
-    const bool is_signed = type != Element::unit_ub && type != Element::unit_us && type != Element::unit_ui;
-    return integer_at(static_cast<const unsigned char*>(v) + (i << log), log, is_signed,
-                      type >= Element::unit_b);
-}
-
 Real component(Element type, const void* v, std::size_t i) {
-    if constexpr (!raster::has_shortcuts)
-        return short_component(type, v, i);
     switch (type) {
     case Element::cast_f:
         return cast_f(element<GLfloat>(v, i));

@@ -237,19 +237,13 @@ constexpr Part switch_part{switches.data(), switches.size(), left_out_switches.d
 
 const StateRow* find(const Part& part, GLenum name) {
     const std::span rows{part.rows, part.count};
-    if constexpr (raster::has_shortcuts) {
-        std::size_t low = 0, high = rows.size();
-        while (low < high) {
-            const std::size_t middle = (low + high) / 2;
-            const StateRow& row = rows[middle];
-            if (name - row.name < row.names)
-                return &row;
-            (row.name < name ? low : high) = row.name < name ? middle + 1 : middle;
-        }
-    } else {
-        for (const StateRow& row : rows)
-            if (name - row.name < row.names)
-                return &row;
+    std::size_t low = 0, high = rows.size();
+    while (low < high) {
+        const std::size_t middle = (low + high) / 2;
+        const StateRow& row = rows[middle];
+        if (name - row.name < row.names)
+            return &row;
+        (row.name < name ? low : high) = row.name < name ? middle + 1 : middle;
     }
     for (const LeftOut& others : std::span{part.left_out, part.left_out_count})
         if (name - others.first() < others.names)

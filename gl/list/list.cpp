@@ -83,7 +83,7 @@ void DeleteLists(Context& context, GLuint list, GLsizei range) {
     auto count = static_cast<GLuint>(range);
     if (list != 0 && count > 0 - list)
         count = 0 - list; // the largest name is 2^32 - 1
-    if (raster::has_shortcuts && count <= names.capacity()) {
+    if (count <= names.capacity()) {
         for (GLuint i = 0; i < count; ++i)
             list::free_chain(*context.arena, static_cast<list::Chunk*>(names.remove(list + i)));
         return;

@@ -3,14 +3,12 @@
 // is on integers; a float is handled as its bits.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <cstring>
 
 #include "gl/pixel/pixel_layout.hpp"
 #include "raster/numeric/real.hpp"
 #include "raster/numeric/reciprocal.hpp"
-#include <spangle/raster/limits.hpp>
 #include <spangle/raster/units.hpp>
 
 namespace spangle::gl {
@@ -35,7 +33,7 @@ constexpr std::uint32_t rescale(std::uint32_t code, unsigned from, unsigned to) 
     if (from == to)
         return code;
     const std::uint32_t divisor = all_ones(from);
-    if (raster::has_shortcuts && from <= 16 && to <= 16)
+    if (from <= 16 && to <= 16)
         return (code * all_ones(to) + divisor / 2) / divisor;
     return static_cast<std::uint32_t>(
         numeric::divide(std::uint64_t{code} * all_ones(to) + divisor / 2, divisor).quotient);
@@ -76,19 +74,8 @@ constexpr Real to_real(Component c) {
     return numeric::pack_real(false, q.quotient << 1 | (q.remainder != 0 ? 1u : 0u), -up - 1);
 }
 
-/// Returns the offset of byte i from the address of its element. Byte 0 is the least significant one.
-constexpr unsigned place_of_byte(unsigned i, unsigned bytes, bool swap) {
-    return swap == (std::endian::native == std::endian::little) ? bytes - 1 - i : i;
-}
-
 /// Loads one element from any address, with its bytes reversed if `swap` (SWAP_BYTES) is set.
 inline std::uint32_t load_element(const unsigned char* from, unsigned bytes, bool swap) {
-    if constexpr (!raster::has_shortcuts) {
-        std::uint32_t v = 0;
-        for (unsigned i = 0; i < bytes; ++i)
-            v |= std::uint32_t{from[place_of_byte(i, bytes, swap)]} << 8 * i;
-        return v;
-    }
     if (bytes == 1)
         return *from;
     if (bytes == 2) {
@@ -102,10 +89,7 @@ inline std::uint32_t load_element(const unsigned char* from, unsigned bytes, boo
 }
 
 inline void store_element(unsigned char* to, unsigned bytes, bool swap, std::uint32_t value) {
-    if constexpr (!raster::has_shortcuts) {
-        for (unsigned i = 0; i < bytes; ++i)
-            to[place_of_byte(i, bytes, swap)] = static_cast<unsigned char>(value >> 8 * i);
-    } else if (bytes == 1) {
+    if (bytes == 1) {
         *to = static_cast<unsigned char>(value);
     } else if (bytes == 2) {
         auto v = static_cast<std::uint16_t>(value);

@@ -36,7 +36,7 @@ std::uint32_t Groups::element(const unsigned char* row, std::size_t group, unsig
     const unsigned char* const from = row + group * layout_.group_bytes();
     const std::uint32_t offset = layout_.packed ? 0 : component * std::uint32_t{layout_.element_bytes};
     const std::uint32_t element = load_element(from + offset, layout_.element_bytes, swaps_bytes_);
-    if (raster::has_shortcuts && !layout_.packed)
+    if (!layout_.packed)
         return element;
     return element >> layout_.shift[component] & all_ones(layout_.bits[component]);
 }

@@ -467,7 +467,7 @@ void FixedLighting::light_with_all_terms(const Real (&normal)[3], const numeric:
         to_eye =
             numeric::negate(numeric::mul(numeric::xyz(eye), numeric::reciprocal(numeric::component(eye, 3))));
     for (int i = 0; i < light_count_; ++i) {
-        const bool simple = raster::has_shortcuts && lights_[i].simple() && !has_local_viewer_;
+        const bool simple = lights_[i].simple() && !has_local_viewer_;
         if (!has_local_lights || simple)
             add_directional(lights_[i], fold, i, n, primary, specular);
         else

@@ -85,7 +85,7 @@ class FixedLighting {
         /// True if light i may contribute to the specular sum.
         bool has_specular_of(int i) const {
             const std::int32_t(&s)[3] = specular[i];
-            return has_specular && (!raster::has_shortcuts || (s[0] | s[1] | s[2]) != 0);
+            return has_specular && (s[0] | s[1] | s[2]) != 0;
         }
         std::uint32_t shininess; ///< exponent in the form of numeric::power_exponent()
         std::uint32_t alpha;     ///< alpha of the material in colour units

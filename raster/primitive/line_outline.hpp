@@ -18,16 +18,6 @@ namespace detail {
 constexpr std::uint32_t integer_sqrt(std::uint64_t v) {
     if (v == 0)
         return 0;
-    if constexpr (!has_shortcuts) { // bit by bit
-        std::uint64_t root = 0;
-        for (std::uint64_t bit = std::uint64_t{1} << 62; bit != 0; bit >>= 2) {
-            const bool fits = v >= root + bit;
-            if (fits)
-                v -= root + bit;
-            root = fits ? (root >> 1) + bit : root >> 1;
-        }
-        return static_cast<std::uint32_t>(root);
-    }
     const int zeros = numeric::clz64(v) & ~1;
     const auto top = static_cast<std::uint32_t>((v << zeros) >> 32);
     std::uint64_t root = (numeric::mul_u32(top, numeric::rsqrt(top)) >> 30) >> (zeros / 2);

@@ -319,7 +319,7 @@ void clear_narrow_masked(const Surface& s, const ClearRequest& r) {
 void clear_wide(const Surface& s, const ClearRequest& r) {
     const std::int32_t bytes = drawn_info(s.format).bytes_per_pixel;
     const bool all = writes_all(s.format, r.channels),
-               dithers = !has_shortcuts || (r.dither && drawn_info(s.format).red_bits < 8);
+               dithers = r.dither && drawn_info(s.format).red_bits < 8;
     Pattern pattern[4], mask;
     for (std::int32_t i = 0; i < (dithers ? 4 : 1); ++i)
         set_pattern(pattern[i], s.format, r.color, r.dither, r.area.x, r.area.y + i);
