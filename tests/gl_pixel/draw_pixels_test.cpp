@@ -5,6 +5,7 @@
 #if SPANGLE_FEATURE_DRAW_PIXELS
 
 #include <algorithm>
+#include <cstring>
 #include <functional>
 #include <numeric>
 
@@ -258,12 +259,14 @@ TEST(DrawPixels, DepthGoesThroughTheTestWithTheRasterColour) {
 TEST(DrawPixels, DepthIsReadBackAndDrawnToTheBit) {
     for (const DepthFormat format : {DepthFormat::z16, DepthFormat::z24s8}) {
         PixelCanvas canvas({.depth = format, .width = 256, .height = 256});
-        const std::uint32_t step = format == DepthFormat::z16 ? 1 : 251;
-        for (std::int32_t i = 0; i < 65536; ++i)
-            raster::write_depth(canvas.surface(), i % 256, i / 256,
-                                format == DepthFormat::z16
-                                    ? static_cast<std::uint32_t>(i)
-                                    : (static_cast<std::uint32_t>(i) * step + 11) & 0xFFFFFF);
+        for (std::uint32_t i = 0; i < 65536; ++i) {
+            if (format == DepthFormat::z16) {
+                const auto code = static_cast<std::uint16_t>(i);
+                std::memcpy(canvas.surface().depth + std::size_t{2} * i, &code, 2);
+            } else {
+                canvas.depth[i] = ((i * 251 + 11) & 0xFFFFFF) << 8;
+            }
+        }
         const auto before = canvas.depth;
         std::vector<GLuint> z(65536);
         glReadPixels(0, 0, 256, 256, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, z.data());
