@@ -1,6 +1,6 @@
 # The list of all limits of a build: how much of each thing there is, and what the build can draw. The usual values are GL's own.
 # Queries return what the build has. This table is the source. Three headers repeat the usual numbers for builds without CMake:
-# raster/limits.hpp, raster/numeric/machine.hpp and gl/context/limits.hpp. tests/profiles/options.py compares them with the table.
+# raster/limits.hpp, raster/numeric/machine.hpp and gl/context/limits.hpp. tests/tools/profiles/options.py compares them with the table.
 # boards/tools/profile.py reads the rows of this file, too, so each row keeps the form of its neighbours.
 include(${CMAKE_CURRENT_LIST_DIR}/Choices.cmake)
 

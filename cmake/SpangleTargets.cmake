@@ -8,7 +8,7 @@
 # Other versions of GCC get the same flags, because nobody has shown that they are sound. Users of a target compile its
 # inline functions, so the flags are part of the interface. They reach C++ that a GCC compiles and nothing else: C of the
 # same project may have another compiler. GCC knows ipa-modref since version 11. Builds without CMake take the flags from
-# boards/tools/firmware.py or boards/packages/package.json; tests/calls holds all of them against each other.
+# boards/tools/firmware.py or boards/packages/package.json; tests/quality/calls holds all of them against each other.
 set(SPANGLE_HAS_MODREF $<AND:$<COMPILE_LANG_AND_ID:CXX,GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,11>>)
 set(SPANGLE_SOUND_CALLS $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-delete-null-pointer-checks> $<${SPANGLE_HAS_MODREF}:-fno-ipa-modref>)
 

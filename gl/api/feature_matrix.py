@@ -12,7 +12,7 @@ def matrix(chapters):
     for _, families in chapters:
         for f in families:
             entries.setdefault(f.row, []).extend(e.name for e in f.entries if not e.name.endswith("OES"))
-    record = ROOT / "tests" / "mutants" / "caught.txt"
+    record = ROOT / "tests/quality/mutants/caught.txt"
     caught = set(re.findall(r"^\S+ (\w+)\b", record.read_text(), re.M)) if record.exists() else set()
     for row in rows:
         have, want = len(entries.get(row["id"], [])), row["entry_points"]

@@ -32,7 +32,7 @@ def outputs():
         "gl/api/generated/texts.cpp": texts(chapters),
         "gl/api/generated/aliases.inc": aliases_list(extensions),
         "gl/api/generated/extensions.hpp": extensions_header(extensions),
-        "tests/gl_api/generated/command_table.inc": test_table(chapters, tokens),
+        "tests/gl/api/generated/command_table.inc": test_table(chapters, tokens),
         "docs/features.md": features(rows),
     }
     for data, families in chapters:

@@ -107,8 +107,8 @@ constexpr PixelFormat rgb565 = rgb565_be;
 #define BIT_TEXTURE_FORMATS(name, token) static_cast<unsigned>(TexelFormat::name)
 #define BIT_TIER_SET(name, token) static_cast<unsigned>(Tier::name)
 #define BIT_ARRAY_TYPES(name, token) (GL_##token - GL_BYTE)
-// Primitives and kinds of lighting are bits in gl/context/limits.hpp; tests/profiles/options.py compares
-// them.
+// Primitives and kinds of lighting are bits in gl/context/limits.hpp; tests/tools/profiles/options.py
+// compares them.
 #define BIT_PRIMITIVES(name, token) bit_of(#name, {"points", "lines", "polygons"})
 #define BIT_LIGHT_KINDS(name, token) bit_of(#name, {"specular", "local", "two_sided", "color_material"})
 constexpr unsigned bit_of(std::string_view name, std::initializer_list<std::string_view> names) {

@@ -5,8 +5,8 @@ usage: pictures.py SPANGLE [--check]
 
 hero.png moves: hero.py says what is on its glasses. --check writes nothing, and fails when a picture is not, pixel by pixel and
 frame by frame, the one that this build draws. Other files of the folder
-come from other tools and are not checked: tests/programs/gallery.py draws programs.png, tests/page/page_test.py --picture page.png,
-tests/trade/trade_test.py SPANGLE picture trade.png.
+come from other tools and are not checked: tests/system/programs/gallery.py draws programs.png, tests/tools/page/page_test.py --picture
+page.png, tests/tools/trade/trade_test.py SPANGLE picture trade.png.
 """
 import argparse
 import pathlib

@@ -26,7 +26,7 @@ std::vector<double> frame_times(const Program& program, const std::vector<Tier>&
 struct Work {
     double triangles = 0;   ///< triangles, lines and points of a frame that reach a pixel
     double fragments = 0;   ///< fragments of a frame, whether hidden or not
-    std::uint32_t hash = 0; ///< FNV-1a of the last frame's RGBA, as in tests/bench/picture_hash.hpp
+    std::uint32_t hash = 0; ///< FNV-1a of the last frame's RGBA, as in tests/tools/bench/picture_hash.hpp
 };
 Work work_of_frames(const Program& program, const Tier& tier, const Format& format, const Setting& setting);
 

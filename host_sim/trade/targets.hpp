@@ -1,7 +1,8 @@
 // The cost of a frame on microcontrollers, counted by running images of firmware in QEMU.
 //
 // A folder of firmware holds TARGET/PROGRAM-TIER.elf. ./dev firmware builds it: each image is one program
-// with a library that has one tier, and nothing of the other two. tests/bench/trade_main.cpp is its main().
+// with a library that has one tier, and nothing of the other two. tests/tools/bench/trade_main.cpp is its
+// main().
 #pragma once
 
 #include <cstdint>
