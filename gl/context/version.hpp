@@ -1,4 +1,5 @@
-// The version in GL_VERSION; a test compares it with the version of the build.
+// The version of the library, as GL_VERSION and `spangle --version` tell it. A test compares it with the
+// version of the build.
 #pragma once
 
 #define SPANGLE_VERSION "0.1.0"

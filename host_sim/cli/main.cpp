@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "boards/scenes/scene.hpp"
+#include "gl/context/version.hpp"
 #include "host_sim/capture/names.hpp"
 #include "host_sim/cli/bake.hpp"
 #include "host_sim/cli/bench.hpp"
@@ -169,7 +170,7 @@ int draw_sheet(std::string (&draw)(sim::Image&), const std::string& path) {
 int spangle_main(int argc, char** argv) {
     CLI::App app{"Spangle: OpenGL for small display boards. Draws scenes and models on simulated boards."};
     app.require_subcommand(1);
-    app.set_version_flag("--version", "spangle 0.1.0");
+    app.set_version_flag("--version", "spangle " SPANGLE_VERSION);
     app.name("spangle");
     app.failure_message([&](const CLI::App*, const CLI::Error& error) {
         const auto commands = app.get_subcommands();

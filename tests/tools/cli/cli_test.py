@@ -219,6 +219,9 @@ def written():
         for words in (["--shot", "-", "--vcd", "-"], ["--shot", "-", "--json"], ["--vcd", "/dev/stdout", "--json"], ["--shot", "-", "--difference", "-"]):
             done = run("run", "S2", *words)
             check(done.returncode == 2 and "standard output" in done.stderr and done.stdout == "", f"{words}: {done.stderr!r}")
+        project = (ROOT / "CMakeLists.txt").read_text()
+        version = run("--version").stdout.removeprefix("spangle ").strip()
+        check(f"project(Spangle VERSION {version} " in project, f"--version says {version}, which is not the version of the project")
         # On a full device every write must be checked.
         (folder / "s.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
         for words in (["run", "S2", "--shot", "/dev/full"], ["run", "S2", "--vcd", "/dev/full"], ["run", "S2", "--difference", "/dev/full"], ["bake", "s.png", "-o", "/dev/full", "--name", "x"],
