@@ -12,7 +12,7 @@ enum class Record::Content : std::uint8_t {
     data,       ///< states, and the data that they point to
     primitives, ///< a sequence of Item
     polygon,    ///< one Polygon, with more corners than an item may have
-    pixels,     ///< a vertex, followed by runs
+    pixels,     ///< the vertex of a raster position, followed by runs of pixels
     clear,
     accum,
     stencil, ///< a run of stencil values
@@ -24,15 +24,15 @@ struct Record::Block {
     std::int16_t first = 0, end = 0; ///< rows of the window
     Content content{};
     std::uint8_t items = 0;
-    std::uint8_t sample = every_sample; ///< sample of pixels and stencil values
+    std::uint8_t sample = every_sample; ///< the sample that pixels and stencil values are written to
     std::uint8_t unused = 0;
 };
 
 /// A compiled state whose pointers lead into the record.
 struct Record::State {
     std::uint32_t next = nowhere;
-    Rect scissor; ///< as recorded; while a band is drawn, draw.scissor is its part in the band
-    Counters* counters = nullptr; ///< as recorded; draw.counters may differ while a band is drawn
+    Rect scissor; ///< the recorded rectangle; while a band is drawn, draw.scissor is its part in the band
+    Counters* counters = nullptr; ///< the recorded pointer; draw.counters may differ while a band is drawn
     DrawState draw;
 };
 
@@ -48,7 +48,7 @@ struct Record::Item {
     Primitive::Shape shape{};
     std::uint8_t corners = 0, fresh = 0;
     bool line_stippled : 1 = false, polygon_stippled : 1 = false, has_offset : 1 = false;
-    bool moved : 1 = false;          ///< is moved for each sample, which then lies in the pixel's centre
+    bool moved : 1 = false;          ///< drawn for each sample, moved until it lies in the pixel's centre
     std::int16_t first = 0, end = 0; ///< rows of the window
 
     bool has_size() const {

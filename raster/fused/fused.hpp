@@ -429,7 +429,8 @@ SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i,
         list(p);
         list.step();
         if constexpr (Dithered)
-            at = numeric::factor32(at); // steps only after the word was found, which saves a register
+            at = numeric::factor32(
+                at); // keeps this step after the search for the word, which saves a register
         if constexpr (numeric::cheap_branches) {
             rest += rise;
             at += along;
@@ -438,7 +439,7 @@ SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i,
                 at += aside;
             }
         } else {
-            rest += rise - denominator;               // as 0 <= rest < denominator holds in this branch
+            rest += rise - denominator;               // keeps 0 <= rest < denominator
             const std::int32_t straight = rest >> 31; // all ones where the path does not step aside
             rest += denominator & straight;
             at += along + (aside & ~static_cast<std::uint32_t>(straight));

@@ -155,7 +155,7 @@ template <class Case> class GatheredPlanes {
     typename Case::Texture texture_;
     const bool fog_is_inside_;
     Planes planes_;
-    [[no_unique_address]] Thresholds thresholds_; ///< this never steps: eight columns are two periods
+    [[no_unique_address]] Thresholds thresholds_; ///< thresholds stay: eight columns are two periods
 };
 
 /// Draws rows of a primitive through a packet. All other data is kept in registers; the packet has an

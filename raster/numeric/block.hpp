@@ -53,7 +53,7 @@ SPANGLE_INLINE constexpr std::int32_t shift_to_block(std::int32_t v, int n) {
 
 /// v * 2^-n as the mantissa of a block. Before it is clamped, the result must fit a word.
 constexpr std::int32_t shift_to_block(std::int64_t v, int n) {
-    if (runs_inline && n > 0 && n < 32) [[likely]] { // this branch is only faster
+    if (runs_inline && n > 0 && n < 32) [[likely]] { // a faster way to the same result
         const auto r = static_cast<std::int32_t>(low_word_after(v + (std::int32_t{1} << (n - 1)), n));
         return clamp(r, -block_max, block_max);
     }
@@ -84,7 +84,7 @@ SPANGLE_INLINE constexpr Scaled scaled(Real v) {
 constexpr Block make_block(std::int64_t v, std::int32_t e) {
     if (v == 0)
         return {};
-    const int n = 34 - clz64(abs_u64(v)); // width - 30
+    const int n = 34 - clz64(abs_u64(v)); // the width of v in bits, less 30
     return {detail::shift_to_block(v, n), detail::block_exponent(e + n)};
 }
 
@@ -108,7 +108,7 @@ SPANGLE_RUN_INLINE constexpr std::int32_t under_one(int n, const std::int32_t* m
     }
     if (top == none)
         return 0;
-    top += 2; // 30 value bits: two leading zeros
+    top += 2; // leaves 30 bits for the value, so a sign and one zero stand above
     for (int i = 0; i < n; ++i)
         out[i] = m[i] == 0 ? 0 : shift_to_block(m[i], top - e[i]);
     return block_exponent(top);
@@ -208,7 +208,7 @@ SPANGLE_RUN_INLINE constexpr Block sum(std::int64_t a, std::int32_t e_a, std::in
 
 constexpr Block add(Block a, Block b) {
     constexpr std::int64_t up = std::int64_t{1} << 32;
-    if (runs_inline && (a.m == 0 || b.m == 0)) // this branch is only faster
+    if (runs_inline && (a.m == 0 || b.m == 0)) // a faster way to the same result
         return a.m == 0 ? b : a;
     return detail::sum(a.m * up, a.e - 32, b.m * up, b.e - 32);
 }
@@ -241,7 +241,8 @@ constexpr Block reciprocal(Block v) {
 constexpr Block div(Block a, Block b) {
     if (b.m == 0 || a.m == 0)
         return a.m == 0 ? Block{} : Block{a.m < 0 ? -block_max : block_max, 16384};
-    const std::uint64_t q = divide(std::uint64_t{abs_u32(a.m)} << 32, abs_u32(b.m)).quotient; // 32 or 33 bits
+    const std::uint64_t q =
+        divide(std::uint64_t{abs_u32(a.m)} << 32, abs_u32(b.m)).quotient; // has 32 or 33 bits
     const auto v = static_cast<std::int64_t>(q);
     return make_block((a.m < 0) != (b.m < 0) ? -v : v, a.e - b.e - 32);
 }

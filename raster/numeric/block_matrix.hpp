@@ -97,7 +97,8 @@ SPANGLE_RUN_INLINE constexpr std::int32_t scale_words(int n, const Block* a, int
             own = width(a[stride * j]) - column[j];
     if (own == no_exponent) // all elements are 0, and any exponent is right
         own = exponent == no_exponent ? 0 : exponent;
-    for (exponent = own > exponent ? own : exponent;; ++exponent) { // at most twice more: n <= 4
+    for (exponent = own > exponent ? own : exponent;;
+         ++exponent) { // goes round at most three times, because n <= 4
         std::uint64_t sum = 0;
         for (int j = 0; j < n; ++j) {
             const Block v = a[stride * j];
@@ -166,7 +167,7 @@ template <int N, class Shifted>
 SPANGLE_INLINE constexpr Mantissas<N> align_mantissas(const Real (&v)[N], const std::int32_t (&e)[N],
                                                       std::int32_t top, const Shifted& shifted) {
     Mantissas<N> out{};
-    top += 2; // 30 bits
+    top += 2; // leaves 30 bits
     std::uint32_t one = 0x80000000u;
     one = kept_in_register(one);
 #pragma GCC unroll runs_inline ? 4 : 1
@@ -273,7 +274,7 @@ constexpr BlockMatrix3 to_block_matrix(const Block (&v)[9]) {
 /// Row i of a, for vertices that are loaded with these columns. The columns may belong to another matrix.
 constexpr BlockRow to_block_row(const Matrix& a, int i, const Columns<4>& column) {
     BlockRow r;
-    if constexpr (runs_inline) { // converts this row only
+    if constexpr (runs_inline) { // converts one row, and not the whole matrix
         Block v[4];
         for (int j = 0; j < 4; ++j)
             v[j] = element(a, i, j);

@@ -56,7 +56,7 @@ constexpr Element make_element(std::int64_t v, std::int32_t e) {
         drop = element_least - e;
     std::uint64_t m = shift_right_even(magnitude, drop);
     if (m >> 31 != 0)
-        m >>= 1, ++drop; // 2^31 after rounding up
+        m >>= 1, ++drop; // rounding up gave 2^31, one bit too many
     const std::int32_t least = e + drop;
     const bool over = least > element_most;
     const auto mantissa = static_cast<std::int32_t>(over ? 0x7FFFFFFF : m);
@@ -184,7 +184,7 @@ SPANGLE_RUN_INLINE constexpr void multiply_column(const Matrix& a, const Matrix&
     gather(b, 4 * j, 1, half, column);
     for (int i = half; i < n; ++i)
         column[i] = rest[i - half];
-    if (runs_inline && is_unit(column, n, j)) // this branch is only faster
+    if (runs_inline && is_unit(column, n, j)) // a faster way to the same result
         return;
     for (int i = 0; i < 4; ++i) {
         Element row[6];

@@ -30,11 +30,11 @@ constexpr Matrix scaling(Real x, Real y, Real z) {
 /// has taken from `matrix`. So repeated rotations by it add up only the errors of each sum.
 struct Rotation {
     Matrix matrix = identity();
-    Element rest[3][3]; ///< column, row
+    Element rest[3][3]; ///< what rounding took off; the indices are column and row
 
     constexpr void set(int row, int column, std::int64_t q60) {
         const Element nearest = make_element(q60, -60);
-        const int up = nearest.e + element_bias + 60; // below 0: nothing was rounded
+        const int up = nearest.e + element_bias + 60; // at most 0 where nothing was rounded
         matrix.set(row, column, nearest);
         rest[column][row] = make_element(up > 0 ? q60 - nearest.m * (std::int64_t{1} << up) : 0, -60);
     }
@@ -61,7 +61,7 @@ constexpr Rotation rotation(Real degrees, Real x, Real y, Real z) {
 
 /// a * b. Orthogonal matrices stay orthogonal within 2^-31 per product, in all directions alike.
 constexpr Matrix multiply(const Matrix& a, const Rotation& b) {
-    Matrix r = a; // the last column stays
+    Matrix r = a; // copies the last column, which does not change
     for (int j = 0; j < 3; ++j)
         detail::multiply_column(a, b.matrix, j, 3, b.rest[j], r);
     return r;
@@ -72,14 +72,14 @@ constexpr Matrix multiply(const Matrix& a, const Rotation& b) {
 SPANGLE_RUN_CALL constexpr Matrix projection(Real left, Real right, Real bottom, Real top, Real near,
                                              Real far, bool perspective) {
     const Real low[3] = {left, bottom, near}, high[3] = {right, top, far};
-    Block twice = to_block(perspective ? low[2] : one); // 2 n, or 2
+    Block twice = to_block(perspective ? low[2] : one); // will be doubled: 2 near, or 2
     ++twice.e;
     Matrix m = identity();
     for (int i = 0; i < 3; ++i) {
         const Block from = to_block(low[i]), to = to_block(high[i]), size = sub(to, from);
         const Block middle = div(add(to, from), size);
         m.set(i, perspective ? 2 : 3, to_element(perspective && i != 2 ? middle : negate(middle)));
-        const bool divided = perspective && i == 2; // -2 f n over the depth, in the last column
+        const bool divided = perspective && i == 2; // this row has -2 far near / depth, in its last column
         const Block scale = div(divided ? mul(twice, to) : twice, size);
         m.set(i, divided ? 3 : i, to_element(i == 2 ? negate(scale) : scale));
     }
@@ -172,7 +172,7 @@ constexpr bool inverse(const Matrix& a, Matrix& out) {
         lower[p] = detail::determinant2(v[2], v[3], j, k);
     }
     Block determinant;
-    for (int p = 0; p < 6; ++p) { // Laplace; pairs 1 and 4 are odd permutations
+    for (int p = 0; p < 6; ++p) { // Laplace's expansion; pairs 1 and 4 are odd permutations
         const Block term = mul(upper[p], lower[5 - p]);
         determinant = p == 1 || p == 4 ? sub(determinant, term) : add(determinant, term);
     }

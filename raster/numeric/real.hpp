@@ -88,7 +88,7 @@ constexpr Real from_u32(std::uint32_t v) {
 }
 constexpr Real from_i32(std::int32_t v) {
     const std::uint32_t magnitude = abs_u32(v);
-    if (!runs_inline || magnitude - 1 >= (1u << 24) - 1) // the rest is only faster
+    if (!runs_inline || magnitude - 1 >= (1u << 24) - 1) // what follows is a faster way for small numbers
         return pack_real(v < 0, magnitude, 0);
     const int zeros = clz32(magnitude); // 8 .. 31: all of its bits fit the mantissa, so nothing is rounded
     const std::uint32_t exponent = static_cast<std::uint32_t>(157 - zeros) << 23; // the top bit adds one
@@ -234,10 +234,10 @@ constexpr Real div(Real a, Real b) {
     if (y.mantissa == 0)
         return {(negative ? 0x80000000u : 0u) | largest.bits};
     const int up_x = clz32(x.mantissa), up_y = clz32(y.mantissa);
-    std::uint32_t rest = x.mantissa << up_x >> 1; // both in [2^30, 2^31): one bit of room for the shift
+    std::uint32_t rest = x.mantissa << up_x >> 1; // in [2^30, 2^31), as is the divisor, so doubling fits
     const std::uint32_t divisor = y.mantissa << up_y >> 1;
     std::uint32_t quotient = 0;
-    for (int i = 0; i < 27; ++i) { // digit by digit: 32-bit words only, no division helper
+    for (int i = 0; i < 27; ++i) { // one bit of the quotient at a time, in 32-bit words
         const bool bit = rest >= divisor;
         quotient = quotient << 1 | (bit ? 1u : 0u);
         rest = (bit ? rest - divisor : rest) << 1;

@@ -128,8 +128,9 @@ template <int N> class Reciprocals {
     SPANGLE_INLINE std::uint32_t at(int i) const { return r_[i]; }
 
   private:
-    static constexpr bool in_words = cheap_branches || N == 1; ///< no vectors, and few registers
-    static constexpr int block = N % 4 == 0 ? 4 : 1;           ///< lanes of a vector
+    static constexpr bool in_words =
+        cheap_branches || N == 1; ///< one lane at a time: there are no vectors, and few registers
+    static constexpr int block = N % 4 == 0 ? 4 : 1; ///< lanes of a vector
     alignas(16) std::uint32_t a_[N];
     alignas(16) std::uint32_t r_[N];
 };
@@ -146,7 +147,7 @@ namespace detail {
 constexpr Quotient divide_by_words(std::uint64_t n, std::uint32_t d) {
     const auto high = static_cast<std::uint32_t>(n >> 32);
     std::uint64_t quotient = 0;
-    if (high >= d) { // long division: the first digit comes from a 32-bit division
+    if (high >= d) { // the upper word of the quotient comes from a 32-bit division
         quotient = std::uint64_t{high / d} << 32;
         n -= quotient * d;
     }
@@ -205,7 +206,7 @@ namespace detail {
 constexpr LongQuotient divide_by_bits(std::uint64_t n, std::uint64_t d) {
     std::uint64_t rest = 0;
     for (int i = 0; i < 64; ++i) {
-        rest = rest << 1 | n >> 63; // at most what n has before the last bit
+        rest = rest << 1 | n >> 63; // the upper i + 1 bits of the dividend bound this, so it fits
         n <<= 1;
         if (rest >= d) {
             rest -= d;

@@ -22,8 +22,8 @@ constexpr std::uint32_t integer_sqrt(std::uint64_t v, std::uint32_t highest = 1u
 constexpr std::uint16_t rsqrt_near(std::uint32_t i) {
     const std::uint32_t d = 257 + 2 * i, high = (1u << 31) / d;
     const std::uint64_t square =
-        (std::uint64_t{high} << 11) + (((1u << 31) - high * d) << 11) / d;       // 2^42 / d
-    return static_cast<std::uint16_t>((integer_sqrt(square, 1u << 16) + 1) / 2); // of Q.32 of 1/a
+        (std::uint64_t{high} << 11) + (((1u << 31) - high * d) << 11) / d; // 2^42 / d, which is 1/a in Q.32
+    return static_cast<std::uint16_t>((integer_sqrt(square, 1u << 16) + 1) / 2); // 1/sqrt(a) in Q.16, halved
 }
 struct RsqrtTable {
     std::uint16_t at[384];

@@ -73,7 +73,7 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
     SPANGLE_INLINE static Int first_past(X x, Up up, Int end, Int end_minor) {
         const Int f = from_center(end);
         if constexpr (L::count == 1)
-            if ((f > 0) != up) // the diamond does not matter
+            if ((f > 0) != up) // only the side of the centre line decides
                 return own(end) + (f > 0 ? 1 : 0);
         Int from_x = f, from_y = from_center(end_minor);
         L::exchange(L::no(x), from_x, from_y);

@@ -19,9 +19,10 @@ constexpr std::int64_t signed_area(std::int32_t ax, std::int32_t ay, std::int32_
     if constexpr (!LongProducts) {
         const auto magnitude = [](std::int32_t v) { return v ^ (v >> 31); };
         if (((magnitude(right) | magnitude(up) | magnitude(left) | magnitude(rise)) >> 14) == 0)
-            return right * up + left * rise; // 2^28 each
+            return right * up + left * rise; // each product is below 2^28
     }
-    return numeric::mul_s32(right, up) + numeric::mul_s32(left, rise); // words accumulate
+    return numeric::mul_s32(right, up) +
+           numeric::mul_s32(left, rise); // the product of two words is exact in 64 bits
 }
 
 /// Draws a triangle. V is FixedVertex, DoubleVertex or ShadowVertex; firmware has the fixed one only.
@@ -50,7 +51,7 @@ template <>
 void draw_lines<FixedVertex>(const DrawState& state, const Surface& target, const FixedVertex* const* vertex,
                              int n, int step, const FixedVertex* painted, std::int32_t width);
 
-struct LineStipple; // see line_stipple.hpp
+struct LineStipple; // defined in line_stipple.hpp
 
 /// Draws the fragments of a line that the stipple leaves. The next line goes on in the stipple where this
 /// line ends (GL 1.3, 3.4.2).

@@ -71,7 +71,7 @@ class FanEdge {
   public:
     FanEdge() = default;
     FanEdge(const Position& a, const Position& b) {
-        const bool up = a.y < b.y || (a.y == b.y && a.x < b.x); // corners are sorted in this way
+        const bool up = a.y < b.y || (a.y == b.y && a.x < b.x); // the order of corners in Sorted
         low_ = up ? a : b;
         high_ = up ? b : a;
         first_row_ = first_center(low_.y);
@@ -180,7 +180,7 @@ template <class V> class Fan {
         for (int i = 0; i < corner_count_; ++i) {
             const Position a = position(*corner_[i]),
                            b = position(*corner_[i + 1 < corner_count_ ? i + 1 : 0]);
-            const bool up = a.y < b.y || (a.y == b.y && a.x < b.x); // corners are sorted in this way
+            const bool up = a.y < b.y || (a.y == b.y && a.x < b.x); // the order of corners in Sorted
             found.add(up ? a : b, up ? b : a, row);
         }
         return found.columns();

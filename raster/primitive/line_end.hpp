@@ -9,8 +9,8 @@
 namespace spangle::raster {
 
 struct LineEnd {
-    std::int32_t x, y;   ///< subpixels
-    std::uint32_t depth; ///< depth_code(z, 16)
+    std::int32_t x, y;   ///< window position in subpixels
+    std::uint32_t depth; ///< the depth as depth_code(z, 16) gives it
 };
 
 SPANGLE_INLINE LineEnd line_end(const FixedVertex& v) {

@@ -28,7 +28,7 @@ template <class P> class PixelPen : public PixelSink {
             return;
         pen.span.pixels = pixels;
         pen.add(y, begin, end);
-        if (pixels != nullptr) // the next run has other pixels
+        if (pixels != nullptr) // draws now, because the next run has other pixels
             pen.flush();
     }
     static void depth(PixelSink& sink, std::uint32_t z) {

@@ -54,7 +54,8 @@ Rasterizer::Rasterizer(const FragmentState& state, const Surface& surface) : sur
     static_assert(std::is_trivially_copyable_v<DrawState>);
     FragmentState bounded = state;
     bounded.scissor = surface.color == nullptr ? Rect{} : cut(state.scissor, surface);
-    bounded.count = bounded.coverage = bounded.depth_offset = false; // nothing here keeps what these need
+    // A Rasterizer keeps no counters, coverage, offsets or samples, so the modes that need them are off.
+    bounded.count = bounded.coverage = bounded.depth_offset = false;
     bounded.alpha_to_coverage = bounded.alpha_to_one = bounded.sample_coverage = false;
     bounded.polygon_stipple = nullptr;
     new (state_) DrawState(compile<FixedVertex>(bounded, surface));

@@ -16,7 +16,7 @@ SPANGLE_INLINE void Setup<Fixed>::set_anchor(std::int32_t x, std::int32_t y) {
     span_.anchor_y = y >> subpixel_bits;
     const std::int32_t ox = subpixel_one / 2 - (x & (subpixel_one - 1));
     const std::int32_t oy = subpixel_one / 2 - (y & (subpixel_one - 1));
-    for (int i = 0; i < 2; ++i) // |dx ox + dy oy| <= 2^30 256
+    for (int i = 0; i < 2; ++i) // the sum of both products is at most 2^38
         by().center[i] = static_cast<std::int32_t>(
             (numeric::mul_long(by().dx[i], ox) + numeric::mul_long(by().dy[i], oy)) >> subpixel_bits);
 }
@@ -60,7 +60,7 @@ SPANGLE_INLINE void Setup<Fixed>::in_plane(std::uint32_t top, int zeros, bool ne
     by().dx[1] = coefficient(y1);
     by().dy[0] = coefficient(x2);
     by().dy[1] = coefficient(x1);
-    by().exponent = 54 + up - zeros; // 256 d / area2 = c 2^-exponent
+    by().exponent = 54 + up - zeros; // d/area2 per pixel is c 2^-exponent
     set_anchor(v(0).x, v(0).y);
 }
 
@@ -74,7 +74,7 @@ SPANGLE_INLINE void Setup<Fixed>::in_plane(std::uint32_t top, int zeros, bool ne
     const Vertex &a = v(0), &b = v(1), &c = v(2);
     const Area area =
         area_of(a, b, c, numeric::mul_s32(b.x - a.x, c.y - a.y) - numeric::mul_s32(c.x - a.x, b.y - a.y));
-    const int unused = clz32(area.word); // not thin: unsnapped vertices have planes
+    const int unused = clz32(area.word); // not 0: thin triangles are never unsnapped
     in_plane(area.word << unused, 32 - area.exponent + unused, area.sign < 0);
 }
 
@@ -302,7 +302,7 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::attributes_of(const Vertex
     // corner, because quads and clipped polygons are drawn in parts.
     const bool flat = !Rgb && state_.fragment.flat;
     if constexpr (!Rgb)
-        span_.gray = false; // nothing reads `gray` where Rgb
+        span_.gray = false; // spans of smooth_rgb never read `gray`
     const Vertex& painted = flat ? provoking : v(0);
     const std::uint32_t bits = flat                      ? 0
                                : !has_shortcuts          ? color_range<Rgb>()
@@ -381,7 +381,7 @@ Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const V
     : span_(span), state_(*span.state) {
     along_axis(a, b, {begin, end, along_x, of_x});
     third_vertex_ = &a;
-    if (has_24_bits()) // before attributes() unsnaps the axis: depth does not depend on what else is drawn
+    if (has_24_bits()) // before attributes() may unsnap the axis: depth always goes through snapped ends
         add_depth_24_along();
     attributes(provoking);
 }

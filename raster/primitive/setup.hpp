@@ -33,12 +33,13 @@ template <> class Setup<Fixed> {
     struct Area {
         std::uint32_t word; ///< 0 for a thin triangle (thin_aspect)
         std::int32_t exponent;
-        std::int32_t sign; ///< < 0 if area2 is negative
+        std::int32_t sign; ///< negative where area2 is negative
         /// Makes the area of a triangle whose window box has an area `box`, in square subpixels, that fits a
         /// word.
         SPANGLE_INLINE static Area in_box(std::int32_t area2, std::uint32_t box) {
             const std::uint32_t word = numeric::abs_u32(area2);
-            return {(box - 1) / thin_aspect < word ? word : 0, 0, area2}; // box <= thin_aspect |area2|
+            return {(box - 1) / thin_aspect < word ? word : 0, 0,
+                    area2}; // not thin: box <= thin_aspect |area2|
         }
     };
     Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& provoking,
@@ -69,7 +70,7 @@ template <> class Setup<Fixed> {
         std::uint64_t dx, dy;
     };
     struct Gradient {
-        std::int64_t dx, dy; ///< per pixel
+        std::int64_t dx, dy; ///< differences from pixel to pixel
         std::int64_t center; ///< change from the lowest vertex to the centre of its pixel
     };
     /// The primary or secondary colours of the three reference vertices. of[k] is the colour of vertex k.
@@ -92,16 +93,16 @@ template <> class Setup<Fixed> {
     /// s and t (or s/w, t/w, q/w) of the reference vertices of one unit.
     struct UnitValues {
         std::int32_t s[3], t[3], q[3], r[3];
-        std::int64_t s0, t0; ///< at reference vertex 0, repeats with 32 fraction bits
-        int shift;           ///< s[i] counts 2^(shift - 32) repeats
-        bool homogeneous;    ///< q is not 1: s and t are already over w, q is valid
+        std::int64_t s0, t0; ///< s and t of vertex 0, in repeats with 32 fraction bits
+        int shift;           ///< the unit of s and t is 2^(shift - 32) repeats
+        bool homogeneous;    ///< true where q is not 1: q is set, and s and t are over w
     };
 
     /// The axis along which attributes of a line, or of a thin triangle, vary.
     struct Axis {
         std::int32_t begin, end;
-        bool along_x; ///< planes vary along x; otherwise along y
-        bool of_x;    ///< begin and end are x of vertices; otherwise y
+        bool along_x; ///< true where planes vary along x, false where along y
+        bool of_x;    ///< true where begin and end are x of vertices, false where y
     };
 
     void set_anchor(std::int32_t x, std::int32_t y);
@@ -191,7 +192,7 @@ template <> class Setup<Fixed> {
     std::uint32_t beyond_;
     std::uint32_t q_least_, q_range_;
     std::uint32_t
-        widest_color_range_; ///< largest range of a colour component, where attributes_of() has needed it
+        widest_color_range_; ///< largest range of a colour component; set only where attributes_of() needs it
 };
 
 } // namespace spangle::raster

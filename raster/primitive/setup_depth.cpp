@@ -72,7 +72,7 @@ void Setup<Fixed>::add_depth_24(const Vertex& a, const Vertex& b, const Vertex& 
     span_.z24.dy = part(along_y, subpixel_bits);
 }
 
-#else // no depth buffer of this build has 24 bits, and no span a plane for one
+#else // no depth buffer of this build has 24 bits, so spans have no plane for it
 
 void Setup<Fixed>::add_depth_24_along() {}
 void Setup<Fixed>::add_depth_24(const Vertex&, const Vertex&, const Vertex&) {}

@@ -20,7 +20,7 @@ template <> class Setup<Double> {
   private:
     /// How attributes vary through three positions, or along an axis.
     struct Plane {
-        double origin_x, origin_y; ///< reference vertex 0, pixels
+        double origin_x, origin_y; ///< position of reference vertex 0, in pixels
         double x1, y1, x2, y2;     ///< d/dx = d1 x1 + d2 x2, d/dy = d1 y1 + d2 y2
     };
     static Plane plane_through(double ax, double ay, double bx, double by, double cx, double cy);

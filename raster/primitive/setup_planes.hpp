@@ -36,10 +36,11 @@ SPANGLE_INLINE static void add_lifted(Interpolant<std::uint32_t>& at, std::uint3
     at.value = first + lifted_word(a, b, by.center);
 }
 
-/// Calls add(source, component, plane, projective plane) for all colour components that the state needs. Rgb,
-/// here and below: the state is smooth_rgb.
+/// Calls add(source, component, plane, projective plane) for all colour components that the state needs. In
+/// this file, Rgb says that the state is DrawState::smooth_rgb. Calls are inlined where code may be large, or
+/// where a build has no Kind::full and so few of them.
 template <bool Rgb, class F> SPANGLE_INLINE void Setup<Fixed>::each_color(F add) const {
-    if constexpr (has_shortcuts || !has_full) // or where there are few of them
+    if constexpr (has_shortcuts || !has_full)
         every_color<Rgb>(add);
     else
         any_color(

@@ -74,7 +74,7 @@ bool Setup<Fixed>::colors_affine(std::uint32_t bits) {
     if ((any || !has_chain) && four == any_color_tolerance)
         return true;
     if constexpr (!has_shortcuts)
-        return is_within_tolerance(bits, four); // `bits` is their range here
+        return is_within_tolerance(bits, four); // without shortcuts `bits` is the range of colours
     return is_within_tolerance(2 * bits, four) || is_within_tolerance(color_range<false>(), four);
 }
 

@@ -35,7 +35,7 @@ Setup<Double>::Setup(Span<Double>& span, const Vertex& a, const Vertex& b, const
     // These are the rules of Setup<Fixed>::unsnap_plane() and snap_where_w_ends(). Vertices too near to one
     // line say little about the area between them. 1/w must not come near 0 beyond its least vertex.
     const double sum =
-        2 * std::fabs(exact_.x1) + std::fabs(exact_.y1) + std::fabs(exact_.y2); // x1 counts as x2
+        2 * std::fabs(exact_.x1) + std::fabs(exact_.y1) + std::fabs(exact_.y2); // x1 stands for x2, too
     const double beyond = sum / (2 * subpixel_one);
     const auto [least, most] = std::minmax({a.inv_w, b.inv_w, c.inv_w});
     if (!(beyond <= 1.0 / 16) ||

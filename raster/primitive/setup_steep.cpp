@@ -78,7 +78,7 @@ class WidePlanes {
     }
 
   private:
-    Wide x1_, y1_, x2_, y2_; ///< from the first vertex to the others, pixels
+    Wide x1_, y1_, x2_, y2_; ///< distances from the first vertex to the others, in pixels
     Wide area_, inverse_;    ///< twice the area of the triangle, and its inverse
     Wide center_x_, center_y_;
 };
@@ -115,7 +115,7 @@ bool Setup<Fixed>::loses_texels(const UnitValues units[]) const {
             bits = texels > bits ? texels : bits;
         }
     const Vertex &a = v(0), &b = v(1), &c = *third_vertex_;
-    if (&a == &c) // lines and points
+    if (&a == &c) // lines and points have no area
         return false;
     const std::int32_t x1 = b.x - a.x, y1 = b.y - a.y, x2 = c.x - a.x, y2 = c.y - a.y;
     const int side = 32 - numeric::clz32(abs_u32(x1) | abs_u32(x2) | abs_u32(y1) | abs_u32(y2)),
@@ -129,9 +129,9 @@ void Setup<Fixed>::steepen(std::int32_t fog[3]) {
     if (&v(2) != third_vertex_) {
         span_.basis.v[2] = third_vertex_;
         if (has_fog && state_.needs.fog) {
-            span_.fog_exponent = -24; // load_fog()
+            span_.fog_exponent = -24; // the unit with which load_fog() begins
             load_any_fog(fog);
-            span_.fog_exponent += 30; // over_w()
+            span_.fog_exponent += 30; // over_w() below takes 30 bits off
         }
     }
     Wide q[3];
@@ -141,7 +141,7 @@ void Setup<Fixed>::steepen(std::int32_t fog[3]) {
         nearest = less(q[nearest], q[i]) ? i : nearest;
     }
     const int highest = v(nearest).w_exponent;
-    const int q_unit = highest + 2; // weights()
+    const int q_unit = highest + 2; // the unit of q that weights() chooses
     WidePlanes planes(v(0), v(1), v(2), true);
     if (!planes.serve(q))
         planes = WidePlanes(v(0), v(1), v(2), false);

@@ -38,7 +38,7 @@ SPANGLE_INLINE std::int64_t to_fixed_below(std::int64_t m, int down) {
 /// One texture coordinate of three vertices, in repeats. A whole number of repeats is taken off all three
 /// values, because it would take bits from the fraction.
 struct Repeats {
-    std::int64_t v[3];   ///< 32 fraction bits
+    std::int64_t v[3];   ///< values at the vertices, with 32 fraction bits
     std::int32_t base;   ///< repeats that were taken off, clamped to 4096 either way
     std::uint32_t range; ///< range of whole repeats; its highest bit is that of all three values together
 
@@ -147,7 +147,7 @@ void Setup<Fixed>::load_any_fog(std::int32_t fog[3]) const {
         const std::int64_t product = numeric::mul_s32(v(i).fog_mantissa, state_.fog.scale);
         c[i] = to_fixed_below(product / 2, -25 - v(i).fog_exponent - state_.fog.scale_exponent) +
                state_.fog.offset;
-        all |= static_cast<std::uint64_t>(c[i] ^ c[i] >> 63); // |c|, or |c| - 1
+        all |= static_cast<std::uint64_t>(c[i] ^ c[i] >> 63); // |c|, or |c| - 1 of a negative c
     }
     int shift_down = 0;
     if (all >= (1u << 30) - 1) [[unlikely]] {

@@ -37,14 +37,15 @@ constexpr std::uint32_t most_beyond = 1u << 28; // 1/16
 /// are so near to one line that only planes through the snapped vertices are possible.
 SPANGLE_INLINE bool Setup<Fixed>::unsnap_plane() {
     const Vertex &a = v(0), &b = v(1), &c = v(2);
-    const std::int32_t y2 = c.y - a.y, y1 = a.y - b.y, x2 = a.x - c.x, x1 = b.x - a.x; // y2 >= |y1|
+    const std::int32_t y2 = c.y - a.y, y1 = a.y - b.y, x2 = a.x - c.x,
+                       x1 = b.x - a.x; // sorted, so y2 >= |y1|
     // The rests of two vertices are half a step each and sum to at most one step. Even then |d| 2^up is less
     // than 2^31.
     const int up = clz32(static_cast<std::uint32_t>(y2) | abs_u32(x2) | abs_u32(x1)) - 2;
     const std::int32_t ry2 = c.y_rest - a.y_rest, ry1 = a.y_rest - b.y_rest, rx2 = a.x_rest - c.x_rest,
                        rx1 = b.x_rest - a.x_rest;
     std::int32_t d[4];
-    if (up >= 16) [[likely]] { // within 64 pixels
+    if (up >= 16) [[likely]] { // the triangle lies within 64 pixels
         const int more = up - 16;
         d[0] = (y2 * 65536 + ry2) * (1 << more), d[1] = (y1 * 65536 + ry1) * (1 << more);
         d[2] = (x2 * 65536 + rx2) * (1 << more), d[3] = (x1 * 65536 + rx1) * (1 << more);
@@ -65,7 +66,7 @@ SPANGLE_INLINE bool Setup<Fixed>::unsnap_plane() {
     // A fragment lies at most half a step beyond the vertices in x and in y. So an attribute goes beyond by
     // half of the sum of these differences over the area; y1 counts as y2.
     const std::uint32_t half_sum = abs_u32(d[0]) + (1u << up) + (abs_u32(d[2]) >> 1) + (abs_u32(d[3]) >> 1);
-    const int exponent = 54 - up - zeros; // 256 d / area = c 2^-exponent
+    const int exponent = 54 - up - zeros; // d/area per pixel is c 2^-exponent
     const auto down = static_cast<std::uint32_t>(exponent - 24);
     if (down > 31)
         return false;
@@ -80,7 +81,7 @@ SPANGLE_INLINE bool Setup<Fixed>::unsnap_plane() {
                            dy = numeric::mul_high_s32(d[2 + i], signed_inverse);
         by().dx[i] = dx;
         by().dy[i] = dy;
-        by().center[i] = static_cast<std::int32_t>( // |dx ox + dy oy| < 2^30 2^25
+        by().center[i] = static_cast<std::int32_t>( // the sum of both products is below 2^55
             (numeric::mul_long(dx, ox) + numeric::mul_long(dy, oy)) >> (subpixel_bits + 16));
     }
     by().exponent = exponent;
@@ -104,7 +105,8 @@ bool Setup<Fixed>::unsnap_axis() {
     const int zeros = clz32(size);
     const std::uint32_t reciprocal = numeric::reciprocal(size << zeros);
     beyond_ = (reciprocal >> (32 - up - zeros)) + 1;
-    const PerPixel per_pixel(reciprocal, up + zeros, fine < 0); // whose zeros are those of a length in steps
+    // PerPixel wants the leading zeros of the length in whole subpixels. `fine` has `up` bits more.
+    const PerPixel per_pixel(reciprocal, up + zeros, fine < 0);
     (axis_.along_x ? by().dx[0] : by().dy[0]) = per_pixel.coefficient;
     by().exponent = per_pixel.exponent;
     by().center[0] = static_cast<std::int32_t>(

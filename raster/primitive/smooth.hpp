@@ -233,7 +233,7 @@ class DiscRow {
     static constexpr int chords = 12;
     const OutlinePoint center_;
     const std::int32_t radius_;
-    int right_count_ = 0; ///< points on the right side
+    int right_count_ = 0; ///< number of points on the right side
     OutlinePoint point_[2 * (2 * chords + 1)];
 
     /// Adds the points on the right side between two y, which are both below or both above the centre.

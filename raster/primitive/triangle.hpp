@@ -43,7 +43,7 @@ template <class V> struct Corner {
 };
 
 template <class V> struct Sorted {
-    Corner<V> a, b, c; ///< sorted upwards
+    Corner<V> a, b, c; ///< sorted by y, then x
     std::int64_t area2;
 };
 

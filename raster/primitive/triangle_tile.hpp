@@ -44,14 +44,15 @@ SPANGLE_INLINE void set_edges(Tile& tile, const FixedVertex& a, const FixedVerte
     const U16 corner_of_pixel = std::bit_cast<U16>(__builtin_shufflevector(xy, xy, 0, 0, 1, 1))
                                 << subpixel_bits,
               off = corner_of_pixel + subpixel_one / 2 - from,
-              across = std::bit_cast<U16>(__builtin_shufflevector(along, along, 2, 3, 0, 1)); // y, x
+              across =
+                  std::bit_cast<U16>(__builtin_shufflevector(along, along, 2, 3, 0, 1)); // x and y exchanged
     const U16 product = off * across, product_high = L::mul_high_signed(off, across),
               flat = L::equal(across, U16{}); // -1
     const L::Words area = words(L::mixed_low(product, product_high)) -
                           words(L::mixed_high(product, product_high)) + words(L::mixed_low(flat, flat));
     constexpr std::uint16_t on = 0xFFFF;
     constexpr U16 if_right = {0, on, on, 0, on, 0, 0, 0};
-    const U16 flip = L::splat(middle_left ? on : 0u) ^ if_right; // negates x where y is not negated
+    const U16 flip = L::splat(middle_left ? on : 0u) ^ if_right; // of x and y always one is negated
     tile.value = std::bit_cast<U16>(area >> subpixel_bits) ^ L::mixed_low(flip, flip);
     tile.by = (across ^ flip) - flip;
 }

@@ -33,7 +33,7 @@ struct Reference {
     using L = Lanes<1>;
     using T = double;
     using Color = Rgba<double>;
-    using Coord = TexCoords<double, 1>; ///< s / q, t / q
+    using Coord = TexCoords<double, 1>; ///< s / q and t / q
     using Fog = double;                 ///< eye distance
     static constexpr double one = 1;
 

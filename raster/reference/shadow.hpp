@@ -20,23 +20,23 @@ enum class ShadowStage : std::uint8_t {
     vertex_color, ///< largest difference of a component, 0 .. 1
     vertex_coord, ///< s / q and t / q of a unit, in repeats of the texture
     vertex_fog,   ///< relative difference of the eye distance
-    window_x,     ///< pixels, compared with the position before snapping: half a step of n.8 is 0.00195
+    window_x,     ///< difference from the position before snapping, in pixels: half a step of n.8 is 0.00195
     window_y,
     snapping,  ///< difference from the double position snapped to the nearest, in steps of n.8, x and y
-    window_z,  ///< 0 .. 1
+    window_z,  ///< difference, 0 .. 1
     inverse_w, ///< relative difference of 1/w
-    depth,     ///< 0 .. 1
-    primary,   ///< difference of a component, 0 .. 1, as for all colours
-    coord0,    ///< texels of the base level, where whole repeats do not count
-    lod0,      ///< levels
-    texture0,  ///< colour after the unit
+    depth,     ///< difference, 0 .. 1
+    primary,   ///< largest difference of a component, 0 .. 1; so it is for all colours
+    coord0,    ///< difference in texels of the base level; whole repeats do not count
+    lod0,      ///< difference in levels of detail
+    texture0,  ///< difference of the colour after the unit
     coord1,
     lod1,
     texture1,
     color_sum,
-    fog_factor, ///< 0 .. 1
-    fog,        ///< colour
-    blend,      ///< colour
+    fog_factor, ///< difference, 0 .. 1
+    fog,        ///< difference of the colour after fog
+    blend,      ///< difference of the blended colour
 };
 inline constexpr int shadow_stages = 20;
 const char* name_of(ShadowStage stage);

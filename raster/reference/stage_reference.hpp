@@ -280,7 +280,7 @@ struct ReferenceSampler {
     static int index(Wrap wrap, double at, int n) {
         const int i = static_cast<int>(std::floor(at + 1.0 / (1 << nearest_bias_bits)));
         const bool wraps = wrap == Wrap::repeat || wrap == Wrap::mirrored_repeat;
-        return !wraps && i == n && at <= n ? n - 1 : i; // s = 1 belongs to the last texel
+        return !wraps && i == n && at <= n ? n - 1 : i; // without wrapping, s = 1 is in the last texel
     }
     Color border() const {
         const std::uint8_t* const c = texture.border_color;

@@ -172,7 +172,7 @@ struct DrawState {
     Variant variant[kind_count];
     /// Lines of width 1 with both ends inside of this area may be drawn as paths.
     struct Area {
-        std::int32_t x = 0, y = 0; ///< in subpixels, as are w and h
+        std::int32_t x = 0, y = 0; ///< lowest corner in subpixels; w and h are the size
         std::uint32_t w = 0, h = 0;
         bool holds(std::int32_t px, std::int32_t py) const {
             return static_cast<std::uint32_t>(px - x) < w && static_cast<std::uint32_t>(py - y) < h;

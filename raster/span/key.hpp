@@ -49,7 +49,7 @@ struct Key {
     bool blend = false;
     /// Texture coordinates are those of the exact tier. Set only where `number` does not imply it.
     bool cubic = false;
-    bool coarse = false; ///< blending in steps of the target, with alpha in 32nds
+    bool coarse = false; ///< blends in steps of the stored components, with alpha in 32nds
     /// Blend modes are read from the state while drawing. `blending` has its default value then.
     bool blend_general = false;
     Blending blending;

@@ -45,8 +45,7 @@ template <class T> struct Interpolant {
             return value + numeric::times(dx, columns) + numeric::times(dy, rows);
         T start = value + static_cast<T>(columns) * dx;
         if constexpr (sizeof(T) == 4)
-            start =
-                numeric::factor32(start); // compiles to two multiply-accumulates, not to a sum of products
+            start = numeric::factor32(start); // makes compilers use two multiply-accumulates
         return start + static_cast<T>(rows) * dy;
     }
 };
@@ -152,7 +151,7 @@ template <class P> struct Span {
         /// component below a step of 5 or 6 bits, shifted to the top.
         std::uint32_t doubt5, doubt6;
         void (*project)(Span&);
-        void doubt(std::uint32_t most) { // most > 0
+        void doubt(std::uint32_t most) { // `most` must be above 0
             doubt5 = most >> 27 == 0 ? 0 - (most << 5) : 0;
             doubt6 = most >> 26 == 0 ? 0 - (most << 6) : 0;
         }

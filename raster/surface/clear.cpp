@@ -380,7 +380,7 @@ std::uint32_t clear_value(const Surface& s, const ClearRequest& r) {
         green += c.k[1];
         blue += c.k[2];
     }
-    if (drawn_narrow(s.format)) // at most 63 * 16 each
+    if (drawn_narrow(s.format)) // each sum is at most 63 * 16
         return red | green << 10 | blue << 20;
     for (std::uint32_t threshold = 1; threshold < 32; threshold += 2) {
         red += stored_component(r.color[0], 5, r.dither, threshold);

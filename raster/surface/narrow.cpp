@@ -156,7 +156,7 @@ void fill_narrow(PixelFormat format, std::uint8_t* row, std::int32_t y, std::int
         for (; x < end; ++x)
             store_narrow(format, row, x, y, word[x & 3]);
         break;
-    default: // two pixels make whole bytes
+    default: // formats of which two pixels make whole bytes
         if ((x & 1) != 0 && x < end) {
             store_narrow(format, row, x, y, word[x & 3]);
             ++x;

@@ -247,8 +247,8 @@ constexpr fixed fmod(fixed a, fixed b) {
 constexpr fixed sqrt(fixed v) {
     if (v.bits <= 0)
         return fixed::from_bits(0);
-    const std::uint32_t root =
-        fixed_detail::integer_sqrt(static_cast<std::uint64_t>(v.bits) << 18); // one bit to round with
+    const std::uint32_t root = fixed_detail::integer_sqrt(
+        static_cast<std::uint64_t>(v.bits) << 18); // the root has one bit more than the result, for rounding
     return fixed::from_bits(static_cast<std::int32_t>((root + 1) >> 1));
 }
 /// 1 / sqrt(v); the largest value for v <= 0.
@@ -290,7 +290,7 @@ constexpr std::int64_t arc_cosine(fixed v) {
     constexpr std::int64_t one = fixed::one_bits;
     const std::int64_t x = v.bits > one ? one : v.bits < -one ? -one : v.bits;
     const auto square = static_cast<std::uint64_t>(one * one - x * x); // sin^2, Q.32
-    return angle(integer_sqrt(square << 28), x << 14);                 // both Q.30
+    return angle(integer_sqrt(square << 28), x << 14);                 // both arguments are Q.30
 }
 } // namespace fixed_detail
 

@@ -142,7 +142,7 @@ template <length_t L, qualifier Q, bool Aligned> struct compute_normalize<L, spa
             square += static_cast<std::uint64_t>(c * c) >> 3;
         }
         const auto length =
-            static_cast<std::int64_t>(spangle::fixed_detail::integer_sqrt(square)); // / sqrt 8
+            static_cast<std::int64_t>(spangle::fixed_detail::integer_sqrt(square)); // the length over sqrt 8
         for (length_t i = 0; i < L; ++i) {
             // c / (length sqrt 8) in 16 bits: 2^16 / sqrt 8 = 23170.475, as Q.16 1518500250
             const std::int64_t c = std::int64_t{v[i].bits} << shift;

@@ -34,7 +34,7 @@ constexpr std::uint32_t dithered_step(std::uint32_t k, std::uint32_t threshold) 
 
 /// Luma of 8-bit components, in tenths as the kernel's drivers have it (drm_fb_xrgb8888_to_gray8).
 constexpr std::uint32_t luma(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
-    return (3 * r + 6 * g + b) * 6554 >> 16; // a tenth, exactly below 16384
+    return (3 * r + 6 * g + b) * 6554 >> 16; // divides by 10, exactly for sums below 16384
 }
 
 } // namespace spangle

@@ -37,10 +37,10 @@ struct FormatInfo {
     std::uint8_t bytes_per_pixel; ///< 0: pixels share bytes
     /// Bits of each component; grey has its bits in red, green and blue.
     std::uint8_t red_bits, green_bits, blue_bits, alpha_bits;
-    std::uint8_t bits;           ///< of a stored row for each column
-    std::uint8_t rows = 1;       ///< that are stored as one
+    std::uint8_t bits;           ///< bits that a stored row has for each column
+    std::uint8_t rows = 1;       ///< rows of pixels that are stored as one row
     bool grey = false;           ///< red, green and blue are one component
-    std::uint8_t index_bits = 0; ///< of a colour index; those have no components
+    std::uint8_t index_bits = 0; ///< bits of a colour index; a format with an index has no components
 };
 
 namespace detail {
@@ -116,7 +116,7 @@ struct RowExtents {
     std::int32_t height = 0;
     /// The surface was cleared as a whole since the last present.
     bool cleared = false;
-    std::uint32_t clear_value = 0; ///< equal for equal fill patterns
+    std::uint32_t clear_value = 0; ///< the same for two clears whose pixels are the same
 };
 
 } // namespace spangle

@@ -134,7 +134,7 @@ struct TextureLevel {
     /// The first texel inside the border, row t = 0 first; texels of 16 and 32 bits are aligned. The memory
     /// must stay as long as anything draws with the texture.
     const std::uint8_t* texels = nullptr;
-    std::uint16_t width = 0, height = 0; ///< do not count the border
+    std::uint16_t width = 0, height = 0; ///< size in texels, without the border
     std::uint32_t stride = 0;            ///< bytes from row t to t + 1
     friend constexpr bool operator==(const TextureLevel&, const TextureLevel&) = default;
 };
@@ -238,14 +238,14 @@ inline constexpr Blending blend_over = {BlendFactor::src_alpha, BlendFactor::one
 /// All that decides what a fragment of a primitive does. Textures that it names must stay while it is drawn
 /// with.
 struct FragmentState {
-    [[gnu::noinline]] FragmentState(); ///< not inline, because it is long
+    [[gnu::noinline]] FragmentState(); ///< not inline, because the code is long
 
     /// The texture units.
     TextureUnit unit[max_texture_units];
     /// Where the primary colour comes from.
     Colors colors = Colors::of_vertices;
-    bool flat = false;       ///< colour of the provoking vertex
-    bool color_sum = false;  ///< add the secondary colour after texturing
+    bool flat = false;       ///< flat shading, with the colour of the provoking vertex
+    bool color_sum = false;  ///< the secondary colour is added after texturing
     bool perspective = true; ///< some w != 1 may occur; false lets 2D programs skip 1/w altogether
     /// FOG is enabled.
     bool fog = false;
@@ -253,7 +253,7 @@ struct FragmentState {
     FogMode fog_mode = FogMode::exp;
     /// Colour units (see vertex.hpp); of an index surface [0] is the index, with 20 fraction bits.
     std::uint32_t fog_color[3] = {0, 0, 0};
-    std::uint32_t fog_density = 0, fog_start = 0, fog_end = 0x3F800000; ///< float bits, as set; END is 1
+    std::uint32_t fog_density = 0, fog_start = 0, fog_end = 0x3F800000; ///< bits of the floats that were set
     /// ALPHA_TEST is enabled (GL 1.3, 4.1.4).
     bool alpha_test = false;
     /// ALPHA_TEST_FUNC.
@@ -280,10 +280,10 @@ struct FragmentState {
     /// Bit 0 red, 1 green, 2 blue, 3 alpha, or the bits of an index; 0 also when DrawBuffer is NONE.
     std::uint8_t color_mask = 0xF;
     Rect scissor;            ///< already intersected with the surface; drawing never leaves it
-    Tier tier = Tier::exact; ///< of all that is drawn, fog among it (PERSPECTIVE_CORRECTION_HINT)
+    Tier tier = Tier::exact; ///< applies to fog, too (PERSPECTIVE_CORRECTION_HINT)
 #if SPANGLE_OWN_TIERS
-    bool own_tier = false; ///< `knobs` stand in place of those of `tier`
-    Knobs knobs{};         ///< are_valid()
+    bool own_tier = false; ///< `knobs` replaces the knobs of `tier`
+    Knobs knobs{};         ///< must satisfy are_valid()
 #endif
     bool count = false; ///< count passing fragments in Counters::passed (costs time)
     // What primitives bring along beside their planes (raster/span/primitive_state.hpp); Rasterizer has none.

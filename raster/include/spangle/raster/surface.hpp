@@ -9,7 +9,7 @@
 namespace spangle::raster {
 
 /// The multisample buffer of a surface, which is private to the rasterizer.
-struct Samples; // raster/surface/samples.hpp
+struct Samples; // defined in raster/surface/samples.hpp
 
 /// Row y of GL window space (y up, row 0 at the bottom) starts at `plane + y * stride`; a surface stored top
 /// row first has a negative stride. Planes may be null when their format says none. Rows of mono are stored
@@ -23,8 +23,8 @@ struct Surface {
     std::int32_t depth_stride = 0; ///< bytes from GL row y to y + 1
     std::int16_t* accum = nullptr; ///< RGBA, k / 32767, from GL row 0 on without gaps; null: there is none
 #if SPANGLE_EXTENTS
-    RowExtents* extents = nullptr; ///< what was touched, and full clears; null: not kept
-    RowSpan* touched = nullptr;    ///< element of its rows for GL row 0; null: not kept
+    RowExtents* extents = nullptr; ///< touched rows and full clears; null: not kept
+    RowSpan* touched = nullptr;    ///< the element for GL row 0; null: touched rows are not kept
     std::int32_t touched_step = 0; ///< +1 or -1 elements from GL row y to y + 1
 #else
     /// Null: builds without SPANGLE_EXTENTS do not record what was touched.
