@@ -27,7 +27,7 @@ struct HomogeneousRow {
     SPANGLE_INLINE std::int32_t q(std::int32_t x) const { return at(x, q0, dq); }
     /// Makes pixel x the pixel at which the row begins.
     SPANGLE_RUN_INLINE void begin_at(std::int32_t x) {
-        if (x == 0) // rows that are not clipped begin at 0
+        if (x == 0) // the row begins there already, unless it is clipped
             return;
         s0 += numeric::times(ds, x);
         t0 += numeric::times(dt, x);
@@ -81,7 +81,7 @@ inline std::uint32_t slope(std::int64_t d, std::int32_t n, const Inverse& length
     const std::uint64_t magnitude = numeric::abs_u64(d);
     const int down = magnitude >> 32 == 0 ? 0 : 32 - numeric::clz64(magnitude);
     const std::uint64_t product = numeric::mul_u32(static_cast<std::uint32_t>(magnitude >> down), inverse);
-    const int to_right = 62 - zeros - down; // n < 2^31, down <= 32
+    const int to_right = 62 - zeros - down; // at least -1, as n < 2^31
     const auto quotient = to_right >= 32 ? static_cast<std::uint32_t>(product >> 32) >> (to_right - 32)
                                          : static_cast<std::uint32_t>(to_right >= 0 ? product >> to_right
                                                                                     : product << -to_right);
@@ -132,7 +132,7 @@ struct RunBound {
 /// run where |du| |dq| / (4 min(Q)) between its ends is at most half of the allowed error.
 class CoordRuns {
   public:
-    std::uint32_t s; ///< at the current pixel; ds is the difference from pixel to pixel (TexCoords)
+    std::uint32_t s; ///< coordinates at the current pixel, as in TexCoords; ds is their difference per pixel
 
   private:
     /// run_end_ lies between s and t, so that no compiler stores four words as one. Narrower loads would wait
@@ -262,14 +262,14 @@ class CoordRuns {
         run_start_.t = end.t;
     }
 
-  public: // public for packets, which find several runs at once
+  public: // packets use what follows, because they find several runs at once
     static constexpr std::int32_t short_row = 16;
     /// max_log2 is log2 of 64 pixels, and row_log2 stands for the whole row.
     static constexpr int max_log2 = 6, row_log2 = 16;
 
   private:
     struct DividedCoord {
-        std::int64_t s, t; ///< in repeats, with 32 fraction bits
+        std::int64_t s, t; ///< coordinates in repeats, with 32 fraction bits
         DividedCoord() = default;
         SPANGLE_INLINE DividedCoord(const inner::HomogeneousRow& row, int exponent)
             : DividedCoord(row, 0, Inverse(row.q(0)), exponent) {}
@@ -305,7 +305,7 @@ class CoordRuns {
         const bool any_length =
             of_straight_tier<[](const Knobs& k) { return max_log2 < k.longest_run; }>(draw);
         const std::int32_t longest =
-            any_length && wraps.s && wraps.t // coordinates that do not wrap saturate
+            any_length && wraps.s && wraps.t // other coordinates saturate
                 ? of_straight_tier<[](const Knobs& k) { return std::int32_t{k.longest_run}; }>(draw)
                 : of_straight_tier<[](const Knobs& k) {
                       return std::int32_t{k.longest_run < max_log2 ? k.longest_run : max_log2};

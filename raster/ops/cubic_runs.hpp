@@ -44,7 +44,7 @@ struct Differences {
 /// Coordinates that are divided at every fragment.
 class DividedCoords {
   public:
-    std::uint32_t s, t; ///< at the current pixel (TexCoords)
+    std::uint32_t s, t; ///< coordinates at the current pixel, as in TexCoords
 
     SPANGLE_INLINE DividedCoords(const Span<Fixed>& span, std::int32_t, int unit)
         : span_(&span), row_{{span, span.unit[unit].s},
@@ -95,7 +95,7 @@ class DividedCoords {
 /// that do not wrap are divided at every fragment, because they saturate.
 class CubicRuns {
   public:
-    std::uint32_t s, t; ///< at the current pixel (TexCoords)
+    std::uint32_t s, t; ///< coordinates at the current pixel, as in TexCoords
 
     SPANGLE_INLINE CubicRuns(const Span<Fixed>& span, std::int32_t x, int unit)
         : span_(&span), row_(span, unit), unit_(unit), run_end_(x), log2_run_(unknown) {}
@@ -127,7 +127,7 @@ class CubicRuns {
     static constexpr int ratio_bits = 26;
 
     struct DividedCoord {
-        std::int64_t s, t; ///< in repeats, with 32 fraction bits
+        std::int64_t s, t; ///< coordinates in repeats, with 32 fraction bits
         std::int32_t q, zeros;
         std::uint32_t mantissa;
         DividedCoord() = default;
@@ -197,7 +197,7 @@ class CubicRuns {
     Differences differences_through(std::int64_t d, std::int32_t e0, std::int32_t e1) const {
         const std::int64_t d0 = d * e0 >> ratio_bits, d1 = d * e1 >> ratio_bits;
         const std::int64_t length = std::uint32_t{1}
-                                    << log2_run_; // unsigned first, so that the compiler knows the sign
+                                    << log2_run_; // unsigned, so the compiler knows that it is above 0
         const std::int64_t c = d0 - d1, b = (d1 - 2 * d0) * length, a = (d + d0) * length * length;
         const int bits = 3 * log2_run_;
         const auto down = [bits, half = std::uint32_t{1} << (bits - 1)](std::int64_t v) {

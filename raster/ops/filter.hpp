@@ -38,7 +38,7 @@ template <int Count> struct Filter565 {
 
     SPANGLE_INLINE typename N::Color operator()(U16 c00, U16 c10, U16 c01, U16 c11, U16 a) const {
         const auto green = [](U16 c) { return (c >> 5) & 63; };
-        if constexpr (Count == 1 && numeric::three_operands) // four texels are read before they are converted
+        if constexpr (Count == 1 && numeric::three_operands) // all four texels are read first
             numeric::begin_here();
         U16 g = six.mix(green(c00), green(c10), green(c01), green(c11), a, L::splat(less6));
         if constexpr (Count == 1) {

@@ -25,7 +25,7 @@ template <class Long> SPANGLE_INLINE Long parts_of(const Long& v) {
     const Long beyond = ((v >> 53) + 0x7FFu) >> 11; // 1 where v has more than the 53 bits of a double
     const Long kept = v & ~((beyond << 11) - beyond);
     constexpr std::uint64_t two_52 = std::uint64_t{0x433} << 52, two_84 = std::uint64_t{0x453} << 52;
-    constexpr double of_exponents = 0x1p84 + 0x1p52; // the two constants add this to the value
+    constexpr double of_exponents = 0x1p84 + 0x1p52; // what two_84 and two_52 add to the value
     const auto high = std::bit_cast<Doubles>((kept >> 32) | two_84) - of_exponents,
                low = std::bit_cast<Doubles>((kept & 0xFFFFFFFFu) | two_52);
     return (std::bit_cast<Long>(high + low) >> 36) & 0x7FFFFFFu; // a sum of 0 may be -0

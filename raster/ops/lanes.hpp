@@ -202,7 +202,7 @@ template <> struct Lanes<8> {
         return r;
     }
     SPANGLE_INLINE static U16 select(Mask m, U16 a, U16 b) {
-#if defined(__AVX2__) // compilers make three instructions of the form below
+#if defined(__AVX2__) // one instruction; the form below compiles to three
         return std::bit_cast<U16>(
             _mm_blendv_epi8(std::bit_cast<__m128i>(b), std::bit_cast<__m128i>(a), std::bit_cast<__m128i>(m)));
 #else

@@ -12,7 +12,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 /// log2(mantissa) - 31 with 8 fraction bits, within 1/256; the mantissa is in [2^31, 2^32).
 SPANGLE_INLINE std::int32_t log2_of_mantissa8(std::uint32_t mantissa) {
     // log2(1 + x) = x + x (1 - x) (0.4227 - 0.1587 x), within 0.0009.
-    const std::uint32_t x = (mantissa << 1) >> 16; // 16 fraction bits
+    const std::uint32_t x = (mantissa << 1) >> 16; // the fraction of the mantissa, with 16 bits
     const std::uint32_t bulge = (x * (65536 - x)) >> 16;
     const std::int32_t slope = 27700 - ((static_cast<std::int32_t>(x) * 10400) >> 16);
     const std::int32_t fraction =

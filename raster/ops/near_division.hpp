@@ -28,7 +28,7 @@ struct Patch {
 /// quotient is less than `window` above the guess.
 struct NearQuotient {
     Interpolant<std::uint32_t> d; ///< the plane of d, with 16 fraction bits
-    std::int32_t base = 0;        ///< A, a whole number
+    std::int32_t base = 0;        ///< the whole number A of the guess
     /// The largest error of the guess, not included. It has the fraction bits of the products.
     std::uint32_t window = 0;
 
@@ -86,7 +86,7 @@ struct NearWords {
     }
     SPANGLE_INLINE static std::uint32_t of_quotient(std::uint32_t size, std::uint32_t error) {
         return static_cast<std::uint32_t>(numeric::mul_u32(size, error) >> 16) + 1 +
-               (1u << (16 - fraction_bits)); // the last term is what of() drops
+               (1u << (16 - fraction_bits)); // the last term stands for the bits that of() drops
     }
     SPANGLE_INLINE static std::uint32_t window(std::uint32_t off) { return (2 * off >> 2) + 3; }
     /// 1 + u + u^2 + u^3 with 30 fraction bits.
@@ -111,7 +111,7 @@ using NearProducts = std::conditional_t<numeric::long_products, NearWords, NearH
 template <class Products> class NearDivisionOf {
   public:
     using Projective = Span<Fixed>::Projective;
-    Interpolant<std::uint32_t> u{}; ///< the plane of u in 2^-16, with 16 fraction bits
+    Interpolant<std::uint32_t> u{}; ///< the plane of u in units of 2^-16, with 16 fraction bits
     bool serves = false; ///< true where 1/w is not too small, and differs by at most an eighth over the patch
 
     SPANGLE_INLINE NearDivisionOf(const Span<Fixed>& span, const Patch& patch)

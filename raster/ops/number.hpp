@@ -64,7 +64,7 @@ SPANGLE_INLINE std::uint32_t color_in_near_steps(std::uint32_t c, int component)
 }
 /// A colour in steps, by exact_steps, but up to 2^-12 of a 255th too large. `rest` is 1 minus the factor.
 SPANGLE_INLINE std::uint32_t color_in_guessed_steps(std::uint32_t c, int component) {
-    const auto rest = numeric::kept_in_register(component == 1 ? 771u : 1799u); // in 2^-16
+    const auto rest = numeric::kept_in_register(component == 1 ? 771u : 1799u); // in units of 2^-16
     return c - ((c >> 8) * rest >> 8);
 }
 
@@ -77,7 +77,7 @@ struct Exact {
     using T = std::uint32_t; ///< a component, 0 .. one
     using Color = Rgba<T>;
     using Coord = TexCoords<std::uint32_t, 1>;
-    using Fog = std::uint32_t; ///< s7.24, two's complement
+    using Fog = std::uint32_t; ///< a fog coordinate in s7.24, two's complement
     static constexpr T one = color_one;
 
     /// from8() makes the component k / 255; to8() makes the nearest k of a component.

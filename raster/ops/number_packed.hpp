@@ -50,7 +50,7 @@ struct Packed {
         Sums x(s, under);
         x.rb += ((x.rb + 0x00800080) >> 8) & 0x00FF00FF;
         x.g += (x.g + 0x80) >> 8;
-        const std::uint32_t five = numeric::factor32(t.five); // the threshold is read once
+        const std::uint32_t five = numeric::factor32(t.five); // makes compilers read the threshold once
         return ((x.rb & 0xFFFF) * by5 + five) >> 27 << 11 | (x.g * by6 + (five >> 1)) >> 26 << 5 |
                ((x.rb >> 16) * by5 + five) >> 27;
     }
@@ -72,7 +72,7 @@ struct Packed {
         SPANGLE_INLINE Rounded(const Color& s, std::uint32_t under) : Sums(s, under) {
             rb += 0x00800080;
             g += 0x80;
-            rb += (rb >> 8) & 0x00FF00FF; // both halves stay below 2^16
+            rb += (rb >> 8) & 0x00FF00FF; // red and blue both stay below 2^16
             g += g >> 8;
         }
     };
@@ -121,7 +121,7 @@ struct PackedExact : Packed {
     static constexpr unsigned fraction = 13;
     /// The weight rest 255 / m in 2^-13; it is less than 2 too small.
     template <unsigned Bits> SPANGLE_INLINE static std::uint32_t weight(std::uint32_t rest) {
-        constexpr unsigned more = Bits + 2; // rest * scale is below 2^32
+        constexpr unsigned more = Bits + 2; // keeps rest * scale below 2^32
         constexpr std::uint32_t m = (1u << Bits) - 1, scale = (255u << (fraction + more)) / m;
         return (rest * scale) >> more;
     }

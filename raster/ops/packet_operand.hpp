@@ -17,7 +17,7 @@ template <class N> struct PacketOperand {
     static constexpr std::int32_t color_step = sizeof(Color) / sizeof(T);
 
     const T* values;
-    std::int32_t step; ///< from group to group; 0, where all groups have the value of the first
+    std::int32_t step; ///< distance from group to group; 0 where all groups share one value
 
     /// Component c of the colours of all groups.
     SPANGLE_INLINE static PacketOperand of(const Color* colors, int c) {

@@ -51,7 +51,7 @@ template <int Count> class RowPlanes {
     static_assert(vectors <= 2);
     using Planes = L::Words[vectors];
     const std::int32_t x_, y_;
-    Planes dx_, dy_, origin_, row_, at_; ///< origin_ and row_ are values at column x_
+    Planes dx_, dy_, origin_, row_, at_; ///< values of planes; origin_ and row_ are those at column x_
 
     /// Calls f for each vector. This is not a loop, because a loop's index would keep all planes in memory.
     template <class F> SPANGLE_INLINE static void each(F f) {

@@ -13,14 +13,15 @@ inline namespace SPANGLE_INSTRUCTIONS {
 /// The limits of a draw for CoordRuns. The formulas of CoordRuns are repeated here, so that its code in
 /// firmware does not change.
 struct RunLimits {
-    std::int32_t shortest, longest; ///< log2 of lengths in pixels
+    std::int32_t shortest, longest; ///< log2 of the shortest and longest run, in pixels
     std::int32_t margin;            ///< allows for three logarithms and the error, with 8 fraction bits
     RunLimits(const DrawState& draw, int unit)
         : shortest(of_straight_tier<[](const Knobs& k) { return std::int32_t{k.shortest_run}; }>(draw)),
           longest(of_straight_tier<[](const Knobs& k) { return std::int32_t{k.longest_run}; }>(draw)),
           margin(of_straight_tier<[](const Knobs& k) { return 256 * k.texel_bits - 506; }>(draw)) {
         const auto& wraps = draw.wraps[unit];
-        if (longest > CoordRuns::max_log2 && !(wraps.s && wraps.t)) // coordinates that do not wrap saturate
+        // Coordinates that do not wrap saturate, and only runs of at most 64 pixels do this right.
+        if (longest > CoordRuns::max_log2 && !(wraps.s && wraps.t))
             longest = CoordRuns::max_log2;
     }
 };

@@ -39,8 +39,8 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 enum Field : unsigned {
     field_color = 1,
-    field_coord = 2, ///< coordinates of unit 0; unit 1: field_coord << 1
-    field_lod = 8,   ///< level of detail of unit 0; unit 1: field_lod << 1
+    field_coord = 2, ///< coordinates of unit 0; those of unit 1 are field_coord << 1
+    field_lod = 8,   ///< level of detail of unit 0; that of unit 1 is field_lod << 1
     field_fog = 32,
 };
 
@@ -52,7 +52,7 @@ template <class N> struct Px {
     std::int32_t twice; ///< 2 i, for machines whose addressing does not scale an index
     typename N::L::Mask live;
     typename N::L::Mask open; ///< lanes that the guess leaves to a division (stage_guess.hpp)
-    bool row = false;         ///< what Seq::row() returned; a constant of the loop
+    bool row = false;         ///< the result of Seq::row(), which is constant in the loop
     /// True where dead fragments are stored, too, as the value that is there already. Then no branch is
     /// needed. The value is a constant of the loop, and all stages of the loop must be able to do this.
     bool selects = false;
@@ -60,9 +60,9 @@ template <class N> struct Px {
     const inner::Half* cells; ///< the dithered words of the path's colour (DitherCells)
     typename N::Color color;
     typename N::Coord coord[max_texture_units];
-    std::int32_t lod[max_texture_units][N::lanes]; ///< lambda, s23.8
+    std::int32_t lod[max_texture_units][N::lanes]; ///< level of detail, lambda, in s23.8
     typename N::Fog fog;                           ///< fog coordinate c (FogConstants, draw_state.hpp)
-    Inverse inverse; ///< 1/w as the stage Divide found it, for later stages of the same fused list
+    Inverse inverse; ///< 1/w, which the stage Divide leaves to later stages of a fused list
     /// The fog factor that FogLightLanes found, for later stages of the same fused list.
     typename N::L::U16 fog_factor;
 

@@ -32,7 +32,7 @@ template <class N> class PacketBlend {
     const FragmentState& state_;
     const std::int32_t groups_;
     const Color* const stored_;
-    Color* const colors_; ///< sources; components before the one at work are already results
+    Color* const colors_; ///< sources, replaced by results component after component
     const Color one_, constant_;
 
     PacketBlend(const FragmentState& state, std::int32_t groups, const Color* stored, Color* colors)

@@ -225,7 +225,7 @@ template <class N> class PacketDivided {
             return;
         }
         const PacketRows& rows = *k.rows;
-        PacketBits divided = 0; // one bit for each piece
+        PacketBits divided = 0; // a bit says that the piece of its number is divided
         for (std::int32_t n = 0; n < rows.pieces; ++n) {
             const Piece& piece = rows.piece[n];
             enter(rows.span, piece.row);

@@ -38,7 +38,7 @@ class FoggedTexel {
     using Factors = const std::uint16_t*;
     static constexpr Factors sixths = texel_factors<Balanced<1>, steps>.of6,
                              fifths = texel_factors<Balanced<1>, steps>.of5;
-    static constexpr int threshold_bits = Low ? 10 : 27; ///< log2 of a step of five bits
+    static constexpr int threshold_bits = Low ? 10 : 27; ///< log2 of one step of a component of five bits
     /// The fog's shares of the components, with thresholds added.
     struct Shares {
         std::uint32_t g, r, b;
@@ -90,7 +90,7 @@ class FoggedTexel {
         return Words::swaps ? N::L::swap_bytes(word) : word;
     }
     SPANGLE_INLINE static std::uint32_t joined_low(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
-        if constexpr (numeric::inserts_bits) { // as in joined_high()
+        if constexpr (numeric::inserts_bits) { // joined_high() does the same with words in the upper half
             const std::uint32_t high = numeric::with_bits<16, 5>((r << 17 & 0xF8000000) | g << 12, b >> 10);
             return Words::swaps ? __builtin_bswap32(high) : high >> 16;
         }

@@ -42,7 +42,7 @@ class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
     }
     SPANGLE_INLINE void jump(std::int32_t pixels) {
         Base::jump(pixels);
-        if constexpr (Dither) // groups of eight lanes are whole periods of the pattern
+        if constexpr (Dither) // only a jump changes the column: eight lanes are whole periods of the pattern
             dither_ = Thresholds(dither_.x + pixels, dither_.y);
     }
 

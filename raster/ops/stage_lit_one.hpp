@@ -202,7 +202,7 @@ template <class Products, bool Full> class LitColorOne {
         if constexpr (Full)
             return static_cast<std::uint32_t>(numeric::clamp<std::int32_t>(v_.at(i, inverse), 0, one));
         else
-            return LitNumbers<Products>::affine(v_.value(i)); // at most one (Balanced::from_affine)
+            return LitNumbers<Products>::affine(v_.value(i)); // needs no upper limit (Balanced::from_affine)
     }
 
   private:
@@ -234,7 +234,7 @@ class LitOne : public T {
         const std::uint32_t under = Numbers::of_patch(row.patch.under) + Numbers::template under<Full>;
         constexpr std::uint32_t over5 = Numbers::template over<whole<5>, most<5>, HasFog>,
                                 over6 = Numbers::template over<whole<6>, most<6>, HasFog>;
-        from_ = (Dither ? 0 : 1u << (top - 9)) - under; // the second term rounds to 255ths
+        from_ = (Dither ? 0 : 1u << (top - 9)) - under; // 1u << (top - 9) rounds to 255ths
         range_ = under + Numbers::of_patch(row.patch.over) + (over5 > over6 ? over5 : over6);
         const std::uint32_t* const fog_color = row.state->fragment.fog_color;
         fog_color_[0] = Numbers::template fog_color<whole<5>>(fog_color[0]);

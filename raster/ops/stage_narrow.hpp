@@ -61,7 +61,7 @@ template <class N> struct StoreNarrow : StageBase {
     bool operator()(Px<N>& p) const {
         typename N::Color c = p.color;
         if (mask != 7 && format_info(place.format).grey) {
-            const typename N::Color old = place.load(p); // a grey is the luma of written and kept channels
+            const typename N::Color old = place.load(p); // kept channels count in a grey's luma
             c = {(mask & 1) != 0 ? c.r : old.r, (mask & 2) != 0 ? c.g : old.g, (mask & 4) != 0 ? c.b : old.b,
                  c.a};
         }

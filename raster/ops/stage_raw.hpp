@@ -114,7 +114,7 @@ template <> struct FlatDithered<1> : StageBase {
 struct RowPattern : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<1>;
-    const inner::Half* words; ///< words of this row, from the fragment on from which the list counts
+    const inner::Half* words; ///< words of this row; the list counts fragments from the first of them
     SPANGLE_INLINE RowPattern(const PlaneRow& row, std::int32_t)
         : words(numeric::factor32(row.words + (row.dither_column & 3))) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {

@@ -98,7 +98,7 @@ template <class Places> class PacketRuns {
 
     template <class Coord> SPANGLE_INLINE void find(Coord* to) {
         divide();
-        PacketBits open = 0; // one bit for each part whose row is more than one run
+        PacketBits open = 0; // a bit says that the part of its number has a row of more than one run
         for (std::int32_t n = 0; n < part_count_; ++n) {
             if (row_parts_[n].log2 != whole)
                 store_runs(row_parts_[n]);
@@ -192,7 +192,7 @@ template <class Places> class PacketRuns {
     }
     [[gnu::noinline]] void divide_in_lanes(const Span<Fixed>::Projective& q_plane) {
         store(end_columns_ + end_count_,
-              LaneWords::splat(end_columns_[0])); // for lanes beyond the last end
+              LaneWords::splat(end_columns_[0])); // lanes beyond the last end repeat the first
         store(y_ + end_count_, LaneWords::splat(y_[0]));
         const PlaneInRows s(unit_.s), t(unit_.t), q(q_plane);
         for (std::int32_t i = 0; i < end_count_; i += lanes) {

@@ -58,7 +58,7 @@ template <class N> struct TextureFunction {
     struct Sampling {
         int level;
         Filter filter;
-        std::uint32_t next; ///< weight of the next level, in 2^-16; 0 where only `level` is sampled
+        std::uint32_t next; ///< weight of the next level, in units of 2^-16; 0 where only `level` is sampled
         bool alike(const Sampling& other) const {
             return level == other.level && filter == other.filter && (next == 0) == (other.next == 0);
         }
@@ -83,7 +83,7 @@ template <class N> struct TextureFunction {
             return how;
         how.level = texture.mip == MipFilter::linear ? lod >> 8
                     : lod <= 128                     ? 0
-                                                     : (lod + 127) >> 8; // this is ceil(lambda + 1/2) - 1
+                                 : (lod + 127) >> 8; // ceil(lambda + 1/2) - 1 (GL 1.3, 3.8.8)
         how.next = texture.mip == MipFilter::linear ? weight_behind(lod) : 0;
         const int last = texture.level_count - 1;
         if (how.level >= last)
@@ -283,7 +283,7 @@ struct TextureFixed : StageBase {
     }
     SPANGLE_INLINE bool apply_texture_function(Px<N>& p, const Color& s) const {
         if constexpr (is_raw<N> || (Env == TexEnv::replace && Base == BaseFormat::rgba))
-            p.color = s; // this serves systems whose colours are only combined with stored ones, too
+            p.color = s; // systems that only combine colours with stored ones come here, too
         else if constexpr (Env == TexEnv::blend)
             apply_env<N>(Env, Base, p.color, s, constant);
         else if constexpr (Steps)

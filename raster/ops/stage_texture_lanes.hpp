@@ -171,7 +171,7 @@ template <class N> class LaneTexture {
     /// Filters all fragments by each level and filter that some fragment takes. Each level is filtered once,
     /// although two neighbouring pairs of levels share one.
     [[gnu::noinline]] bool in_kinds(const Sampling* how, const std::uint16_t* next, Color* texels) const {
-        constexpr int most = packet_length / 8; // more kinds take longer than fragments one by one
+        constexpr int most = packet_length / 8; // with more levels, single fragments are faster
         Seen seen[2 * most];
         int count = 0;
         const auto seen_by = [&](int level, Filter filter) -> const Color* {

@@ -58,7 +58,7 @@ class LevelOfDetail {
     int unit_;
     // These are set where levels vary.
     Plane q_, s_, t_;
-    std::int32_t exponent_; ///< with 8 fraction bits
+    std::int32_t exponent_; ///< of the coordinates, with 8 fraction bits
 
     void read_planes() {
         const auto& unit = span_.unit[unit_];

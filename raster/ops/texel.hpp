@@ -59,7 +59,7 @@ template <class N, std::uint32_t Most> SPANGLE_INLINE typename N::T from_steps(s
         if constexpr (of >= 1u << (32 - color_fraction_bits))
             return N::from_units(
                 static_cast<std::uint32_t>(numeric::quotient(std::int64_t{k} * color_one + Most - 1, Most)));
-        else // k parts / of in whole 255ths and a rest, both of which fit words
+        else // k parts / of, split into whole 255ths and a rest, so that words suffice
             return N::from_units((k * parts / of << color_fraction_bits) +
                                  ((k * parts % of << color_fraction_bits) + of - 1) / of);
     }
@@ -290,7 +290,7 @@ template <class N>
 SPANGLE_INLINE typename N::Color bilinear(const typename N::Color& c00, const typename N::Color& c10,
                                           const typename N::Color& c01, const typename N::Color& c11,
                                           std::uint32_t a, std::uint32_t b) {
-    if constexpr (is_balanced<N>) // their weights take a bit off a texel that has the whole weight
+    if constexpr (is_balanced<N>) // balanced weights would take a bit off c00, which has the whole weight
         if ((a | b) == 0)
             return c00;
     const std::uint32_t w11 = a * b, w10 = a * (256 - b), w01 = (256 - a) * b,

@@ -58,7 +58,7 @@ class AxisLanes {
     Wrap wrap_;
     bool repeats_;
     std::int32_t period_; ///< texels of one period of a repeating axis, or of the image
-    int shift_;           ///< right shift that makes a place of a coordinate; -1 where a product makes it
+    int shift_;           ///< right shift from a coordinate to a texel's place; -1: a product gives the place
     U16 texel_count_, last_texel_;
 
     static constexpr std::uint32_t bias = 1u << (16 - nearest_bias_bits),

@@ -177,7 +177,7 @@ class TexelFetch {
                 return word_of<std::uint32_t, 2>(at(lane));
             });
             return both.halves();
-        } else if constexpr (Size == 3) { // the first four and the last four of six bytes
+        } else if constexpr (Size == 3) { // two words hold the six bytes of two texels
             const auto word = [&](int from) __attribute__((always_inline)) {
                 return L::generate([&](std::uint32_t lane) __attribute__((always_inline)) {
                     return word_of<std::uint32_t, 1>(at(lane) + from);

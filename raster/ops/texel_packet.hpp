@@ -49,7 +49,7 @@ template <int Lanes>
 template <int Lanes>
 [[gnu::noinline]] bool find_texels(TexelOffsets& to, bool linear, const TexelScale& of,
                                    const std::uint32_t* coord, std::int32_t group, std::int32_t n) {
-    const TexelScale axis = of; // a copy, which no offset that is written can change
+    const TexelScale axis = of; // a copy, so compilers know that writing offsets does not change it
     const int log2_size = log2_of(axis.size);
     const auto each = [&](auto f) __attribute__((always_inline)) {
         for (std::int32_t i = 0; i < n; i += Lanes, coord += group)

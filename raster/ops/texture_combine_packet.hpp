@@ -164,7 +164,7 @@ template <class N> class PacketCombine {
                            __attribute__((always_inline)) { return N::subtract(v, w); });
         case CombineFunc::dot3_rgb:
         case CombineFunc::dot3_rgba:
-            return; // dot3() makes all components at once
+            return; // dot3() has computed all components already
         }
     }
 };

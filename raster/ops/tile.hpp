@@ -19,7 +19,7 @@ struct Tile {
 
     std::int32_t x, y; ///< window position of lane 0 in the first row
     std::int32_t rows;
-    std::int32_t dead_rows; ///< dead rows at the beginning, which make the number of rows even
+    std::int32_t dead_rows; ///< rows without fragments at the beginning, so that the number of rows is even
     bool narrow;
     /// Three edges, k = 0, 1, 2. A lane lies outside of an edge where its value is negative. The value is
     /// twice the signed area between the edge and the centre of the lane, in units of 2^-8 pixels, rounded
