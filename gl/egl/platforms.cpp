@@ -43,7 +43,7 @@ const Platforms& platforms() {
 }
 
 const char* client_extensions() {
-    const Registry registry; // only one thread may write the string
+    const Registry registry; // locks, because only one thread may write the string
     end_call();
     if (extensions[0] == '\0') {
         append(extensions, "EGL_EXT_client_extensions EGL_EXT_platform_base EGL_MESA_platform_surfaceless "

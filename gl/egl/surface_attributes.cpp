@@ -63,7 +63,7 @@ EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute, 
         break;
     case EGL_SWAP_BEHAVIOR:
         *value = EGL_BUFFER_DESTROYED;
-        break; // EGL_BUFFER_AGE_EXT tells more
+        break; // programs ask EGL_BUFFER_AGE_EXT what a buffer still holds
     case EGL_BUFFER_AGE_EXT:
         // Only the current draw surface's buffer is known to stay the same (EGL_EXT_buffer_age).
         if (thread().draw != s)

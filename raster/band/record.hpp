@@ -24,7 +24,7 @@ class Record : public Recorder {
 
     /// Takes `bytes` bytes of memory at `memory`, which is aligned to 8.
     void give(void* memory, std::size_t bytes);
-    /// Called once, when a primitive does not fit.
+    /// Called once in a frame, when a primitive does not fit into the record's memory.
     void (*on_full)() = nullptr;
 
     bool empty() const { return used_ == 0; }
@@ -61,7 +61,7 @@ class Record : public Recorder {
     class PixelRecorder;
     enum class Content : std::uint8_t;
 
-    /// Rows [first, end).
+    /// A range of rows, [first, end).
     struct Rows {
         std::int32_t first, end;
         bool empty() const { return first >= end; }

@@ -52,7 +52,7 @@ template <class Case> class PathList {
     SPANGLE_INLINE void draw() {
         const auto back = static_cast<std::ptrdiff_t>(pixels_before_) * 2;
         std::uint8_t* const color = target_.color - back;
-        // There may be no depth plane.
+        // A surface without a depth plane has a null pointer, from which nothing may be subtracted.
         std::uint8_t* const depth = Case::tested ? target_.depth - back : nullptr;
         using SingleLane = Lanes<1>;
         for (const std::int32_t *f = fragment_, *const end = next_fragment_; f != end; f += 2) {

@@ -54,7 +54,7 @@ inline constexpr bool wide_words = sizeof(void*) > 4;
 /// microcontrollers.
 inline constexpr bool cheap_branches = !wide_words;
 
-/// An instruction divides 32-bit words.
+/// Whether the machine has an instruction that divides 32-bit words.
 #if (defined(__arm__) && !defined(__ARM_FEATURE_IDIV)) || (defined(__riscv) && !defined(__riscv_div))
 inline constexpr bool divides = false;
 #else
@@ -90,7 +90,7 @@ inline constexpr bool adds_products = true;
 inline constexpr bool adds_products = false;
 #endif
 
-/// An instruction inserts bits of one word into another.
+/// Whether the machine has an instruction that inserts bits of one word into another.
 #if defined(__thumb2__)
 inline constexpr bool inserts_bits = true;
 #else

@@ -80,7 +80,7 @@ struct LaneWords {
                 splat(dy).all * Vector{0, 0, 0, 0, 1, 1, 1, 1}};
     }
     SPANGLE_INLINE static LaneWords widened(const Halfwords& v) {
-        // GCC 12 makes four instructions of a conversion.
+        // GCC 12 makes four instructions of a conversion between vectors; this is one.
         return {std::bit_cast<Vector>(_mm256_cvtepu16_epi32(std::bit_cast<__m128i>(v)))};
     }
     SPANGLE_INLINE static LaneWords load(const std::uint8_t* p) {

@@ -270,7 +270,7 @@ class NearInverse {
     using L = Lanes<8>;
     SPANGLE_INLINE explicit NearInverse(const L::U16& u)
         : correction_(u + L::mul_high_signed(u, u + L::mul_high_signed(u, u))) {}
-    /// The quotient without its base.
+    /// What the quotient has above its whole number NearQuotient::base.
     SPANGLE_INLINE L::U16 of(const L::U16& d) const { return d + L::mul_high_signed(d, correction_); }
 
   private:

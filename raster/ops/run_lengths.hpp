@@ -45,7 +45,7 @@ SPANGLE_INLINE LaneWords run_log2s(const Span<Fixed>& span, int which, const Lan
             using Vector = std::remove_cvref_t<decltype(s)>;
             const auto numerator = [&](const Vector& v, std::uint64_t dv, int log2_size)
                 __attribute__((always_inline)) {
-                // RunBound adds the same 2^31.
+                // 2^31 is added as in RunBound, so that runs have the same lengths.
                 return inner::lane_log2(inner::derivative(unguarded(dv), v, by, q0) +
                                         (std::int64_t{1} << 31)) +
                        (static_cast<std::uint32_t>(log2_size) << 8);

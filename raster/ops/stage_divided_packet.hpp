@@ -31,7 +31,7 @@ template <class Vector = LaneWords::Vector> class GuardedLanes {
             at_[3] = at_[1] + plane.dx;
         }
     }
-    /// The signed values, without guard bits.
+    /// The values of the plane in all lanes, signed and without guard bits.
     SPANGLE_INLINE LaneWords value() const {
         if constexpr (vectors == 2)
             return {std::bit_cast<Vector>((at_[0] >> guard_bits & 0xFFFFFFFFu) | at_[1] >> guard_bits << 32)};
@@ -119,7 +119,7 @@ template <class N> class PacketDivided {
             numeric::Reciprocals<lanes> mantissa(numeric::each_is_set);
             for (std::int32_t i = first; i < first + lanes; ++i) {
                 const std::int32_t value = unguarded(plane.at(i));
-                // The next lines do what Inverse does.
+                // 1/w is found as in Inverse, but the reciprocals of all lanes together.
                 const std::uint32_t q = value > 0 ? static_cast<std::uint32_t>(value) : 1u;
                 const int zeros = numeric::clz32(q);
                 mantissa.set(i - first, q << zeros);

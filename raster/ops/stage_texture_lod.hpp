@@ -13,7 +13,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 /// Levels of detail of one unit.
 class LevelOfDetail {
   public:
-    /// `varies`: projective() is to be called.
+    /// `varies` says that projective() will be called, which needs the planes.
     SPANGLE_INLINE LevelOfDetail(const Span<Fixed>& span, int unit, bool varies = true)
         : span_(span), unit_(unit) {
         if (varies)
@@ -56,7 +56,7 @@ class LevelOfDetail {
     };
     const Span<Fixed>& span_;
     int unit_;
-    // These are set where levels vary.
+    // The following members are set only where the level of detail varies along the row.
     Plane q_, s_, t_;
     std::int32_t exponent_; ///< of the coordinates, with 8 fraction bits
 

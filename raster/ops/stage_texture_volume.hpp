@@ -60,7 +60,7 @@ class VolumeCoords {
         VolumePlace place;
         place.face = cube ? face(s, t, r) : 0;
         const Planes q =
-            // The other coordinates are divided by q.
+            // q divides the other coordinates: in a cube map it is the largest one, elsewhere the fourth.
             cube ? r : Planes(q_.value(x), unit_coords_.q.dx, unit_coords_.q_dy);
         const Inverse inverse(positive(q.v));
         const int exponent = cube ? 0 : unit_coords_.exponent;
@@ -117,7 +117,7 @@ class VolumeCoords {
     static std::int32_t positive(std::int32_t q) { return q > 0 ? q : 1; }
 
     static std::uint32_t word(std::int64_t repeats, Wrap wrap) {
-        // Set-up counts mirrored coordinates in two repeats.
+        // The unit of mirrored coordinates is two repeats, after which mirroring begins again.
         const bool mirrored = wrap == Wrap::mirrored_repeat;
         return inner::to_coord(mirrored ? repeats >> 1 : repeats, mirrored || wrap == Wrap::repeat, 0);
     }

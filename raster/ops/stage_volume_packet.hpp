@@ -157,7 +157,7 @@ template <class Places> class VolumeLanes {
                 const auto once = repeats(of, m, n);
                 if (!wraps)
                     return once.after(32 - clamped_coord_bits).saturated().low_words();
-                // Set-up counts mirrored coordinates in two repeats.
+                // The unit of mirrored coordinates is two repeats, after which mirroring begins again.
                 return (mirrored ? once.after(1) : once).low_words();
             },
             v, inverse.mantissa, inverse.zeros);

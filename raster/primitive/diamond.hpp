@@ -81,7 +81,7 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
         const Mask above = L::less(Int{}, f);
         return own(end) + L::one(L::select(up, Mask(out & above), Mask(L::no(out) | above)));
     }
-    /// The first_past() of the second end.
+    /// What first_past() gives for the second end of the line.
     SPANGLE_INLINE Int second_past() const { return L::select(ascends, major + count, major); }
 
     Int length() const { return high - low; }

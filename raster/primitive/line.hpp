@@ -11,7 +11,7 @@ namespace spangle::raster {
 
 namespace detail {
 
-/// The centre of fragment `i`, subpixels.
+/// The centre of fragment `i` in subpixels.
 constexpr std::int32_t center_of(std::int32_t i) {
     return i * subpixel_one + subpixel_one / 2;
 }
@@ -54,7 +54,7 @@ void draw_y_major(Pen<P>& pen, DiamondWalk walk, std::int32_t width, const Mask&
 
 } // namespace detail
 
-/// Pattern: SolidLine or StippledLine.
+/// Pattern is SolidLine or StippledLine.
 template <class P, class Pattern = SolidLine>
 void draw_line_of(const DrawState& state, const Surface& target, const typename P::Vertex& a,
                   const typename P::Vertex& b, const typename P::Vertex& provoking, std::int32_t width,

@@ -12,7 +12,7 @@ namespace spangle::raster {
 
 namespace detail {
 
-/// Whether an observer asks for rows.
+/// Whether the draw has an observer, which is told of rows and not of paths.
 inline bool has_observer([[maybe_unused]] const Counters* counters) {
 #ifndef SPANGLE_FIRMWARE
     return counters != nullptr && counters->observer != nullptr;

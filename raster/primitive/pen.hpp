@@ -59,7 +59,7 @@ template <class P> class Pen {
     /// The number of rows that are drawn at once. Where rows share packets (shared_rows.hpp), this many rows
     /// fill several packets, even with one fragment each.
     static constexpr int batch = host_lanes > 1 ? 4 * packet : packet;
-    /// Room for `batch` rows.
+    /// Memory for `batch` rows, which are drawn together.
     Row* rows() { return rows_; }
 
     /// Draws rows from rows() up to `end`, one at least.

@@ -7,7 +7,7 @@ namespace spangle::raster {
 
 class RowCoverage {
   public:
-    /// Only columns [begin, end) may be asked for.
+    /// Coverages of columns [begin, end) of a row; no other column may be asked for.
     RowCoverage(const AreaRow& area, std::int32_t begin, std::int32_t end)
         : area_(area), begin_(area.first() < begin ? begin : area.first()),
           end_(area.last() < end ? area.last() + 1 : end), known_begin_(begin_), known_end_(begin_),

@@ -21,7 +21,7 @@ struct fixed {
     /// The bits of 1.
     static constexpr std::int32_t one_bits = 1 << fraction_bits;
 
-    /// Leaves the value undefined.
+    /// Makes an undefined value, as of a variable of type int.
     fixed() = default;
     /// Makes the value of an integer, saturated.
     template <class I, std::enable_if_t<std::is_integral_v<I>, int> = 0>
@@ -91,15 +91,15 @@ struct fixed {
 
     /// Whether both are equal. The order of values is that of their bits.
     friend constexpr bool operator==(fixed a, fixed b) { return a.bits == b.bits; }
-    /// Whether they differ.
+    /// Whether both values differ.
     friend constexpr bool operator!=(fixed a, fixed b) { return a.bits != b.bits; }
-    /// Whether `a` is less.
+    /// Whether `a` is less than `b`.
     friend constexpr bool operator<(fixed a, fixed b) { return a.bits < b.bits; }
-    /// Whether `a` is larger.
+    /// Whether `a` is larger than `b`.
     friend constexpr bool operator>(fixed a, fixed b) { return a.bits > b.bits; }
-    /// Whether `a` is not larger.
+    /// Whether `a` is at most `b`.
     friend constexpr bool operator<=(fixed a, fixed b) { return a.bits <= b.bits; }
-    /// Whether `a` is not less.
+    /// Whether `a` is at least `b`.
     friend constexpr bool operator>=(fixed a, fixed b) { return a.bits >= b.bits; }
 
     /// n / d, rounded to nearest and saturated; |n| < 2^62.

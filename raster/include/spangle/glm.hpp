@@ -247,7 +247,7 @@ GLM_FUNC_QUALIFIER vec<4, spangle::fixed, Q> operator*(mat<4, 4, spangle::fixed,
     }
     return out;
 }
-/// Does the same for three components.
+/// A matrix times a vector of three components, rounded once for each row.
 template <qualifier Q>
 GLM_FUNC_QUALIFIER vec<3, spangle::fixed, Q> operator*(mat<3, 3, spangle::fixed, Q> const& m,
                                                        vec<3, spangle::fixed, Q> const& v) {

@@ -67,7 +67,7 @@ constexpr bool is_narrow(PixelFormat format) {
 constexpr bool is_indexed(PixelFormat format) {
     return SPANGLE_FEATURE_COLOR_INDEX && format == PixelFormat::index8;
 }
-/// What this build can draw on.
+/// Whether this build can draw on surfaces of this format.
 constexpr bool is_drawable(PixelFormat format) {
     return format <= PixelFormat::rgba8888 || is_narrow(format) || is_indexed(format);
 }
@@ -112,7 +112,7 @@ struct RowSpan {
 struct RowExtents {
     /// The columns of each row; null: not kept. The memory is the display's.
     RowSpan* rows = nullptr;
-    /// Elements of `rows`.
+    /// The number of elements of `rows`.
     std::int32_t height = 0;
     /// The surface was cleared as a whole since the last present.
     bool cleared = false;

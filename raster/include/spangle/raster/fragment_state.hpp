@@ -162,7 +162,7 @@ struct Texture {
     Filter mag = Filter::linear, min = Filter::nearest;
     /// What TEXTURE_MIN_FILTER asks between images.
     MipFilter mip = MipFilter::none;
-    /// What its coordinates name.
+    /// How many dimensions the texture has, and which texel coordinates name.
     TextureShape shape = TextureShape::plane;
     std::uint16_t depth = 1; ///< images of a volume's base level; level l has 1/2^l of them, at least one
     /// TEXTURE_WRAP_R.
@@ -228,7 +228,7 @@ struct StencilState {
 struct Blending {
     /// Factors of the fragment's colour and of the stored one.
     BlendFactor src = BlendFactor::one, dst = BlendFactor::zero;
-    /// How the products are joined.
+    /// The equation that joins both colours, multiplied by their factors.
     BlendEquation equation = BlendEquation::add;
     friend constexpr bool operator==(const Blending&, const Blending&) = default;
 };

@@ -29,9 +29,9 @@ struct Surface {
 #else
     /// Null: builds without SPANGLE_EXTENTS do not record what was touched.
     static constexpr RowExtents* extents = nullptr;
-    /// Null, as `extents` is.
+    /// Null: builds without SPANGLE_EXTENTS keep no touched rows.
     static constexpr RowSpan* touched = nullptr;
-    /// 0: there are no elements.
+    /// 0: `touched` has no elements in builds without SPANGLE_EXTENTS.
     static constexpr std::int32_t touched_step = 0;
 #endif
     /// The size in pixels.
@@ -51,7 +51,7 @@ struct Surface {
 #if SPANGLE_FEATURE_MULTISAMPLE
     const Samples* samples = nullptr; ///< the multisample buffer of GL's surfaces that have one
 #else
-    /// None in this build.
+    /// Null: builds without multisampling have no multisample buffer.
     static constexpr const Samples* samples = nullptr;
 #endif
 
