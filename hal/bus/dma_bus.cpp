@@ -80,7 +80,7 @@ bool DmaBus::start_part(const Op& op) {
     case Op::Kind::wait_line:
         return start_wait_line(op);
     case Op::Kind::read:
-        if (part_ == 2) { // the answer ends when CS rises
+        if (part_ == 2) { // CS must rise, which ends the controller's answer
             port_.select(false);
             port_.select(true);
             return false;
@@ -101,7 +101,7 @@ bool DmaBus::start_part(const Op& op) {
         port_.reset(part_ == 0);
     if (part_++ != 0) {
         if (op.kind == Op::Kind::wait_te)
-            tell_moment(op, port_.micros()); // the interrupt of TE's edge calls this
+            tell_moment(op, port_.micros()); // TE has risen: its interrupt called
         return false;
     }
     if (op.kind == Op::Kind::wait_te)

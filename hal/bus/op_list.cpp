@@ -125,7 +125,7 @@ struct BusWork {
 
 std::uint32_t wire_time(const BusCaps& caps, std::uint64_t bytes) {
     if (bytes >> 40 != 0)
-        return forever; // bits * 10^6 stays below 2^63
+        return forever; // so many bits * 10^6 would not fit 63 bits
     return cycles_time(bus_cycles(caps, bytes * 8), caps.write_hz);
 }
 

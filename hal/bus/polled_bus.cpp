@@ -48,7 +48,7 @@ Fault PolledBus::run(const Op& op) {
         port_.pause(op.micros);
         port_.reset(false);
         return Fault::none;
-    default: // a delay; submit() lets nothing else through
+    default: // a delay: submit() refuses all other kinds
         end_message();
         port_.pause(op.micros);
         return Fault::none;
@@ -59,7 +59,7 @@ Fault PolledBus::run(const Op& op) {
 /// own.
 Fault PolledBus::send(bool data, const std::uint8_t* bytes, std::uint32_t count) {
     const bool goes_on = open_ && data == data_ && (data || caps_.kind != BusKind::spi_start);
-    open_ = true; // must be ended, even after a fault
+    open_ = true; // the message must be ended, even after a fault
     data_ = data;
     if (!goes_on)
         if (const Fault fault = port_.begin(data); fault != Fault::none)
@@ -80,7 +80,7 @@ Fault PolledBus::send_pixels(const Op& op) {
 }
 
 Fault PolledBus::send_repeat(const Op& op) {
-    std::uint8_t pattern[48]; // a multiple of every length
+    std::uint8_t pattern[48]; // 48 is a multiple of every length, 1 to 4
     for (std::uint32_t i = 0; i < sizeof pattern; ++i)
         pattern[i] = op.data[i % op.length];
     const std::uint32_t at_once = sizeof pattern / op.length;

@@ -61,7 +61,7 @@ void DamageBook::restore() {
         return;
     owed_ = false;
     if (extents_.cleared)
-        return; // a full clear leaves nothing of that frame
+        return; // a full clear has covered the frame that was put off
     extents_.cleared = held_cleared_;
     extents_.clear_value = held_clear_value_;
     for (std::int32_t y = 0; y < extents_.height; ++y)

@@ -91,7 +91,7 @@ Result<void> PanelDisplay::init() {
     if (const auto r = take_buffers(); !r)
         return r;
     bands_.open(in_bands() && book_memory().content_height != 0 ? book_memory().content[0] : nullptr);
-    ready_ = false; // a present must not succeed on a panel that was left in the middle of this
+    ready_ = false; // if init() fails from here on, presents must fail, too
     if (!opened_) {
         book_.open_buffers(held(config, layout_.picture).height);
         if (is_indexed(config.format))

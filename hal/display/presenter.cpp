@@ -41,7 +41,7 @@ Result<void> Presenter::send(const SentRows& rows, const RowSpan* damage, const 
         if (parts.count_ops == nullptr || !one_list(layout().config) || cost.window >= dearest_window ||
             parts.count_ops(*this, plan) + sync_ops <= transfer_.list().capacity())
             return send_windows(plan, parts);
-        cost.window = 2 * cost.window + 1; // the dearer a window, the fewer there are
+        cost.window = 2 * cost.window + 1; // plans with dearer windows have fewer of them
     }
 }
 
@@ -128,7 +128,7 @@ Result<void> Presenter::append_window(const Rect& window) {
 
 /// The number of operations that the window's pixels take, as append_window() makes them.
 std::size_t Presenter::pixel_ops(const Rect& window) const {
-    if (layout().config.wire.converts()) // one long row
+    if (layout().config.wire.converts()) // converted pixels are one long row
         return transfer_.pixel_ops(static_cast<std::uint32_t>(layout().wire_bytes(window.w, window.h)), 1);
     const std::uint32_t line = layout().line_bytes(window.w);
     const auto lines = static_cast<std::uint32_t>(window.h / layout().rows_at_once());
@@ -140,7 +140,7 @@ std::size_t Presenter::pixel_ops(const Rect& window) const {
 
 /// Calls `visit` with each window as it will be sent, and the operations that open it.
 template <class Visit> void Presenter::rehearse(FramePlan& plan, Visit visit) const {
-    constexpr std::size_t most = 16; // no window_size() is larger
+    constexpr std::size_t most = 16; // above the commands of any window_size()
     Op ops[most];
     OpParams params[most];
     Windows windows = transfer_.windows();
@@ -178,7 +178,7 @@ SafeStart Presenter::safe_start(FramePlan& plan) const {
               static_cast<std::int64_t>(opening.size()) * caps.command_cost_ns;
         const std::int64_t row = wire_nanoseconds(caps, layout().wire_bytes(w.w, 1));
         const std::int64_t end = at + row * w.h;
-        if (swapped) { // all rows of the memory are written throughout
+        if (swapped) { // rows of the memory are columns of the window
             start.write(row_of(w.x), at, end);
             start.write(row_of(w.x + w.w - 1), at, end);
         } else {

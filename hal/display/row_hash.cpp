@@ -16,7 +16,7 @@ struct Keys {
 /// Makes keys from the upper halves of SplitMix64 (Steele, Lea, Flood 2014).
 constexpr Keys make_keys() {
     Keys keys{};
-    std::uint64_t state = 0x5370616E676C6531; // "Spangle1"
+    std::uint64_t state = 0x5370616E676C6531; // the letters "Spangle1"
     const auto next = [&state] {
         std::uint64_t z = state += 0x9E3779B97F4A7C15;
         z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9;

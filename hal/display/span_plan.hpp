@@ -36,7 +36,7 @@ class SpanPlan {
     static constexpr std::int32_t room = RowHashMemory::window_count, most_runs = 16;
     using Window = SpanWindow;
     struct Run {
-        std::int32_t begin, end; ///< columns
+        std::int32_t begin, end; ///< columns [begin, end)
     };
 
     Window& window(std::int32_t i) const { return windows_[(first_window_ + i) % room]; }

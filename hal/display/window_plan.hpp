@@ -11,7 +11,7 @@ namespace spangle::hal {
 
 /// Costs on the wire. Both are in the same unit.
 struct WindowCost {
-    std::uint32_t window = 11; ///< opening one window, with the overhead of its commands
+    std::uint32_t window = 11; ///< cost of opening one window, commands included
     std::uint32_t pixel = 2;
 };
 
@@ -50,7 +50,7 @@ class WindowPlan {
     struct Run {
         std::int32_t first = 0, last = 0; ///< first and last row
         RowSpan columns;
-        std::uint32_t best_before = 0; ///< least cost of all rows above
+        std::uint32_t best_before = 0; ///< least cost of all rows above this run
     };
     struct Choice {
         std::uint32_t cost = 0;
@@ -72,7 +72,7 @@ class WindowPlan {
     WindowCost cost_;
     std::uint32_t total_cost_ = 0;
     std::int32_t next_row_ = 0;
-    Rect pending_window_; ///< read ahead, to be joined with the next window
+    Rect pending_window_; ///< a window that was planned, and may still be joined with the next
 };
 
 } // namespace spangle::hal

@@ -29,7 +29,7 @@ struct PanelContent {
 /// - It holds no pixels and sends none.
 class Bands {
   public:
-    /// `layout` must outlive it.
+    /// `layout` must outlive the Bands.
     explicit Bands(const PanelLayout& layout) : layout_(layout) {}
     /// Begins with a panel of which nothing is known. `shown`: memory of a row of the picture each, which
     /// must stay; null: nothing is recorded.
@@ -38,13 +38,13 @@ class Bands {
     /// Whether these rows can be a band: rows of the picture, no more than a buffer holds, that end where
     /// bytes do. Fault::bad_argument: they cannot.
     Result<void> check(std::int32_t first, std::int32_t rows) const;
-    /// Begins a band that check() takes.
+    /// Begins a band, of rows for which check() succeeds.
     void begin(std::int32_t first, std::int32_t rows);
     /// Whether a band was begun and not handed over.
     bool acquired() const { return acquired_; }
     /// The first row of the band.
     std::int32_t first() const { return first_; }
-    /// The rows of the band.
+    /// The number of rows of the band.
     std::int32_t rows() const { return rows_; }
 
     /// Says that the band was drawn.
@@ -59,10 +59,10 @@ class Bands {
   private:
     const PanelLayout& layout_;
     PanelContent shown_;
-    std::int32_t first_ = 0, rows_ = 0; ///< rows of the picture
+    std::int32_t first_ = 0, rows_ = 0; ///< rows of the current band, in the picture
     std::uint32_t clear_value_ = 0;     ///< clear value of this frame's bands
     bool complete_ = true;              ///< the frame's last band was sent
-    bool acquired_ = false;             ///< it may be drawn to
+    bool acquired_ = false;             ///< the current band may be drawn to
 };
 
 } // namespace spangle::hal

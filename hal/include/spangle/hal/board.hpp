@@ -14,14 +14,14 @@ namespace spangle::hal {
 struct Board {
     /// The name by which tools know the board: lower case, with hyphens. Static.
     const char* name = "";
-    /// One line for people. Static.
+    /// One line for people to read, in static memory.
     const char* summary = "";
     /// The panel, its orientation, the formats and how frames are presented.
     PanelConfig display;
     /// The wires between the processor and the panel.
     BusKind bus = BusKind::spi4;
-    std::uint32_t write_hz = 0; ///< serial clock, SCL, or write cycles per second
-    std::uint32_t read_hz = 0;  ///< 0: not wired to be read
+    std::uint32_t write_hz = 0; ///< frequency of the serial clock, or of write cycles
+    std::uint32_t read_hz = 0;  ///< frequency of reads; 0: the panel cannot be read
     bool has_te = false;        ///< the panel's TE output reaches the bus
     /// Nanoseconds that a command costs beyond its bytes: toggling D/C, a system call.
     std::uint32_t command_cost_ns = 0;
@@ -77,7 +77,7 @@ constexpr std::size_t bus_memory(const Board& board) {
 /// The memory of bus_memory() for the bus of one board: `static BusMemoryOf<my_board> frames;`
 template <const Board& board> class BusMemoryOf {
   public:
-    /// The memory, for the constructor of a bus.
+    /// This memory, as the constructor of a bus takes it.
     Buffer buffer() { return {bytes_, sizeof bytes_}; }
 
   private:

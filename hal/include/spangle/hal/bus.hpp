@@ -35,13 +35,13 @@ struct Op {
                    ///< a parallel bus takes `dummy_bits / 8` dummy read cycles instead
         reset,     ///< hardware reset line low for `micros`, then high
     };
-    /// What is to be done.
+    /// The kind of the operation.
     Kind kind = Kind::delay;
     /// The command byte of `command`, `read` and `wait_line`.
     std::uint8_t command = 0;
     /// Clocks between a command and its answer, in which the data line turns round.
     std::uint8_t dummy_bits = 0;
-    bool parameters_are_commands = false; ///< D/C low for the parameters too
+    bool parameters_are_commands = false; ///< D/C is low for parameters, too
     /// The bytes to write. They must stay as they are until the transfer's token is done.
     const std::uint8_t* data = nullptr;
     /// Where the answer of a read goes. wait_te, wait_line: where the moment goes, if not null; see
@@ -76,11 +76,11 @@ struct BusCaps {
     /// The wires that the bus has.
     BusKind kind = BusKind::spi4;
     std::uint32_t write_hz = 0;      ///< serial clock, or write cycles per second of a parallel bus
-    std::uint32_t read_hz = 0;       ///< 0: cannot read
+    std::uint32_t read_hz = 0;       ///< clock of reads; 0: the bus cannot read
     std::uint8_t bits_per_cycle = 1; ///< 1 for SPI, 8 for an 8-bit 8080 bus
     /// The panel's TE output reaches the bus: it takes `wait_te`.
     bool has_te = false;
-    std::uint32_t max_transfer = 0; ///< bytes of one operation; 0 = no limit
+    std::uint32_t max_transfer = 0; ///< most bytes of one operation; 0: there is no limit
     /// Overhead of one command operation beyond its bytes (D/C, ioctl, CS), in nanoseconds.
     std::uint32_t command_cost_ns = 0;
     /// A transfer is given up after twice its expected time and this. It is long where other programs share
@@ -100,7 +100,7 @@ constexpr BusCaps i2c_caps(std::uint32_t clock_hz) {
 
 /// Names one submitted list; tokens of one bus increase, and wrap behind 2^32 - 1.
 struct Token {
-    /// The number; 0 names no list.
+    /// The number of the list; 0 names no list.
     std::uint32_t id = 0;
 };
 

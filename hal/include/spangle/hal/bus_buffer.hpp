@@ -22,7 +22,7 @@ class BusBuffer {
     std::uint8_t* to_draw(const Bus& bus) const {
         return lent_ && !bus.done(reader_) ? nullptr : memory_.bytes;
     }
-    /// The bytes, for a list.
+    /// The bytes, as lists take them.
     const std::uint8_t* to_send() const { return memory_.bytes; }
     /// Says that the transfer `reader` reads the bytes until it is done.
     void lend(Token reader) {

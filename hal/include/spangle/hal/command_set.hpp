@@ -20,7 +20,7 @@ struct Axis {
         nibbles,   ///< low nibble of the first in the command, then the high one in the command 10h further
         in_command ///< a single number in the command itself: a window has one row or page
     };
-    /// The encoding.
+    /// How the two numbers are encoded.
     Code code = Code::pair16;
     /// The command, or the first of several.
     std::uint8_t command = 0;
@@ -36,7 +36,7 @@ constexpr bool names_one(Axis axis) {
 struct Setting {
     /// The register's command, or with `in_command` its base.
     std::uint8_t command = 0;
-    bool in_command = false; ///< the value is part of the command, else its parameter
+    bool in_command = false; ///< true: the value is part of the command; false: it is a parameter
     /// The value where no property holds.
     std::uint8_t base = 0;
     std::uint8_t mx = 0, my = 0, mv = 0; ///< bits that MX, MY, MV of the orientation's MADCTL change
@@ -50,20 +50,20 @@ struct Setting {
 /// The commands of a controller family, and the quirks of its addressing. `dcs::commands` is that of MIPI
 /// DCS.
 struct CommandSet {
-    bool parameters_are_commands = false; ///< D/C stays low for parameters, too
+    bool parameters_are_commands = false; ///< D/C is low for parameters, too
     /// How columns and rows of a window are sent.
     Axis columns, rows;
-    std::uint8_t memory_write = 0; ///< pixels follow it; 0: data are pixels at any time
-    bool rewinds = false;   ///< memory_write rewinds the pointer: an axis that stays need not be sent again
-    bool axes_stay = false; ///< MV changes the order of writing, not what columns and rows name
-    bool mirrors_rows_on_glass = false; ///< MY turns the scan round, rows of memory keep their numbers
-    bool status_registers = false;      ///< the controller answers 09h to 0Fh
+    std::uint8_t memory_write = 0; ///< the command before pixels; 0: all data are pixels
+    bool rewinds = false;   ///< memory_write goes to the window's start, so unchanged axes are not sent
+    bool axes_stay = false; ///< with MV set, columns and rows keep their names; the order of writing changes
+    bool mirrors_rows_on_glass = false; ///< MY turns the scan round; rows of memory keep their numbers
+    bool status_registers = false;      ///< the controller has the status registers 09h to 0Fh
     /// The registers that the driver computes, in the order in which they are sent.
     Setting settings[4] = {};
     /// How many of `settings` are used, at most 4.
     std::uint8_t setting_count = 0;
-    Program soft_reset{}; ///< sent where there is no reset line; empty: there is none
-    Program tearing{};    ///< turns the TE output on; empty: there is none
+    Program soft_reset{}; ///< resets panels without a reset line; empty: no command does
+    Program tearing{};    ///< turns the TE output on; empty: there is no such output
     Program wake{};       ///< sent before the first pixel; PanelTiming::sleep_out_wait_us follows
     Program light{};      ///< turns the glass on
 };

@@ -23,7 +23,7 @@ namespace spangle::hal {
 /// - It reads pixels where hashes, colours or a turned picture ask for it, and sends none.
 class DamageBook {
   public:
-    /// `layout` must outlive it, and so must what `memory` points to.
+    /// `layout` must outlive the book, and so must what `memory` points to.
     DamageBook(const PanelLayout& layout, const PanelMemory& memory) : layout_(layout), memory_(memory) {}
 
     /// Begins with a panel of which nothing is known. What was drawn stays.
@@ -33,9 +33,9 @@ class DamageBook {
     /// Records that nothing is known of a buffer.
     void open_content(std::uint8_t buffer);
 
-    /// The memory.
+    /// The memory that the constructor was given.
     const PanelMemory& memory() const { return memory_; }
-    /// What is drawn: the rasterizer notes it here.
+    /// Where the rasterizer notes what it draws.
     RowExtents& extents() { return extents_; }
     /// Begins a buffer of `rows` rows that is all clear.
     void begin_band(std::int32_t rows);
@@ -65,7 +65,7 @@ class DamageBook {
     RowSpan* damage() const { return memory_.damage; }
     /// The damage of the buffer that is sent, by its rows.
     RowSpan* sent_damage() const { return layout_.turns() ? memory_.turned : memory_.damage; }
-    /// The hashes; not enabled where there are none.
+    /// The row hash, which is not enabled where it has no memory.
     const RowHash& hash() const { return hash_; }
 
     /// Says that the panel may lack damage(), because its transfer may have failed.
@@ -81,13 +81,13 @@ class DamageBook {
     const PanelLayout& layout_;
     const PanelMemory memory_;
     RowHash hash_;
-    std::uint32_t clear_value_[2] = {}; ///< of what each buffer holds outside of its content
+    std::uint32_t clear_value_[2] = {}; ///< value of each buffer's pixels outside of its content
     RowExtents extents_;
     std::uint32_t held_clear_value_ = 0;
     bool held_cleared_ = false;
-    bool suspect_ = false; ///< what the panel holds inside `damage` is unknown
-    bool behind_ = false;  ///< the other buffer, or the panel, lacks what `damage` holds
-    bool owed_ = false;    ///< a frame was put off; what it touched is in `held`
+    bool suspect_ = false; ///< true: what the panel holds inside `damage` is unknown
+    bool behind_ = false;  ///< true: the other buffer, or the panel, lacks what `damage` holds
+    bool owed_ = false;    ///< true: a frame was put off, and `held` has the columns that it touched
 };
 
 } // namespace spangle::hal

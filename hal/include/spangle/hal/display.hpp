@@ -19,7 +19,7 @@ enum class Pacing : std::uint8_t { block, drop, coalesce };
 
 /// What a display is. It stays the same after init(), except where a WindowSystem says otherwise.
 struct DisplayInfo {
-    /// The name for people, static.
+    /// The name that people read, in static memory.
     const char* name = "";
     /// The size of the picture in pixels.
     std::int32_t width = 0, height = 0;
@@ -38,8 +38,8 @@ struct Frame {
     /// The first byte of the top row. The memory stays the display's, and may be written until the next
     /// present().
     std::uint8_t* pixels = nullptr;
-    std::int32_t stride = 0;       ///< bytes from one row to the next one down
-    std::int32_t age = 0;          ///< 0: contents undefined; n: as n frames ago (EGL_EXT_buffer_age)
+    std::int32_t stride = 0; ///< bytes from one row to the next one down
+    std::int32_t age = 0; ///< 0: undefined; n: the buffer has the frame before n frames (EGL_EXT_buffer_age)
     RowExtents* extents = nullptr; ///< what the rasterizer touches this frame
 };
 

@@ -31,7 +31,7 @@ class DmaPort {
     virtual void select(bool selected) = 0;
     /// Drives the reset line low, or high.
     virtual void reset(bool low) = 0;
-    virtual std::uint32_t micros() = 0; ///< wraps
+    virtual std::uint32_t micros() = 0; ///< microseconds, which wrap at 2^32
     virtual void sleep() {}             ///< sleeps until an interrupt, or not at all
 
   protected:
@@ -85,8 +85,8 @@ class DmaBus final : public Bus {
 
     // The list under way. These belong to the interrupt while `running_`.
     std::size_t count_ = 0, at_ = 0;
-    std::uint32_t part_ = 0;  ///< parts of the operation that were started
-    std::uint32_t since_ = 0; ///< when a wait_line began, microseconds
+    std::uint32_t part_ = 0;  ///< number of parts of the current operation that were started
+    std::uint32_t since_ = 0; ///< time in microseconds at which a wait_line began
     std::uint8_t answer_[2] = {}, pattern_[48] = {};
     Fault outcome_ = Fault::none;
 

@@ -48,7 +48,7 @@ consteval FramePrograms frame_programs(const Board& board) {
     const Rect all = {0, 0, placement.size.width, placement.size.height};
     Windows windows(panel, placement, wire_format(config));
     if (!(windows.first_of(all) == all))
-        return {}; // one window does not name a frame
+        return {}; // a frame needs several windows on this panel
     Op ops[16];
     OpParams params[16];
     FramePrograms out;
@@ -101,7 +101,7 @@ template <const Board& board, class Wires> class FrameDisplay final : public Dis
   public:
     static constexpr std::size_t bytes = bus_memory(board); ///< bytes of a frame
 
-    /// `frame` must stay, and is black: all zero.
+    /// `frame` must outlive the display, and must be black: all bytes are zero.
     constexpr FrameDisplay(Wires& wires, std::uint8_t* frame) : wires_(wires), frame_(frame) {}
 
     DisplayInfo info() const override {

@@ -50,7 +50,7 @@ struct Program {
 
     /// The empty program.
     constexpr Program() = default;
-    /// A program over these bytes, which must stay.
+    /// A program over these bytes, which must outlive it.
     template <std::size_t N> constexpr Program(const ProgramBytes<N>& bytes) : at(bytes.data()), size(N) {}
 
     /// One step: a command with its parameters, or a delay.
@@ -61,7 +61,7 @@ struct Program {
         const std::uint8_t* params;
         /// The number of parameters.
         std::uint8_t count;
-        std::uint32_t delay_micros; ///< not 0: a delay, and nothing else
+        std::uint32_t delay_micros; ///< above 0 in a delay, which has no command
     };
 
     /// Whether no step is left.

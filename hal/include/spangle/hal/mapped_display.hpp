@@ -17,7 +17,7 @@ class ScanOut {
     virtual void show(const std::uint8_t* pixels) = 0;
     /// The address that the refresh under way reads. It changes to the one that waits, and to no other.
     virtual const std::uint8_t* scanned() const = 0;
-    virtual std::uint32_t micros() = 0; ///< wraps
+    virtual std::uint32_t micros() = 0; ///< microseconds, which wrap at 2^32
     /// Writes what a data cache holds of these bytes to memory. It is called before show().
     virtual void clean(const std::uint8_t*, std::size_t) {}
     /// Sets colours of a palette in hardware, red, green and blue bytes each. It is called where pixels have
@@ -36,7 +36,7 @@ struct MappedConfig {
     /// The most buffers that a display takes.
     static constexpr std::uint8_t most_buffers = 3;
 
-    /// The name for people, static.
+    /// The name that people read, in static memory.
     const char* name = "memory-mapped display";
     /// The size of the picture in pixels.
     std::int32_t width = 0, height = 0;
@@ -46,11 +46,12 @@ struct MappedConfig {
     /// Memory that the block can read. One buffer is drawn into while it is scanned. With two, frames are
     /// whole, and the next one waits for the refresh. With three it does not wait.
     std::uint8_t* buffers[most_buffers] = {};
-    RowSpan* touched = nullptr; ///< `height` elements of memory; null: `clean` is given whole buffers
+    RowSpan* touched = nullptr; ///< memory for `height` elements; null: clean() gets whole buffers
     /// What a present does while the frame before waits for the refresh. Only with three buffers, `coalesce`
     /// shows the newer frame instead; `drop` shows the older one, and the newer one is drawn over.
     Pacing pacing = Pacing::block;
-    std::uint32_t refresh_us = 100000; ///< longest refresh; beyond that the block stands still
+    std::uint32_t refresh_us =
+        100000; ///< the longest time of a refresh; after it, the block counts as stopped
 };
 
 /// A Display whose present is an address that a ScanOut takes.
@@ -86,8 +87,9 @@ class MappedDisplay final : public Display {
     std::uint8_t asked_ = 0; ///< the buffer that was last to be shown
     std::uint8_t back_ = 0;  ///< the buffer being drawn, where `drawing_`
     bool drawing_ = false, ready_ = false, waits_ = true;
-    std::uint32_t frame_ = 0;                                        ///< presents that succeeded
-    std::uint32_t drawn_in_[MappedConfig::most_buffers] = {0, 0, 0}; ///< last of these per buffer; 0: none
+    std::uint32_t frame_ = 0; ///< number of presents that succeeded
+    std::uint32_t drawn_in_[MappedConfig::most_buffers] = {0, 0,
+                                                           0}; ///< the last present of each buffer; 0: none
     RowExtents extents_;
 };
 

@@ -19,20 +19,20 @@ struct OpParams {
 /// refuses it.
 class OpList {
   public:
-    /// A list without room.
+    /// A list that can hold no operation.
     OpList() = default;
     /// A list of at most `capacity` operations, in arrays of so many elements, which must outlive its
     /// transfers.
     constexpr OpList(Op* ops, OpParams* params, std::size_t capacity)
         : ops_(ops), params_(params), capacity_(capacity) {}
 
-    /// Operations in the list.
+    /// The number of operations in the list.
     constexpr std::size_t size() const { return size_; }
-    /// Operations that fit.
+    /// The number of operations that the list can hold.
     std::size_t capacity() const { return capacity_; }
-    /// Operations that still fit.
+    /// The number of operations that can still be appended.
     std::size_t room() const { return capacity_ - size_; }
-    /// The operations, size() of them.
+    /// The first of the size() operations.
     constexpr const Op* data() const { return ops_; }
     /// Empties the list. Its memory may be in use until the transfer before it is done.
     void clear() { size_ = 0, overflow_ = false; }
@@ -68,7 +68,7 @@ class OpList {
     /// Hands the list to the bus. A list that had no room for an op is refused whole: Fault::bad_argument.
     /// Other errors are those of Bus::submit().
     Result<Token> submit(Bus& bus) const;
-    /// The bytes that the list writes.
+    /// The number of bytes that the list writes.
     std::uint64_t bytes() const;
     /// How long the list takes on this bus, in microseconds.
     std::uint32_t duration(const BusCaps& caps) const;

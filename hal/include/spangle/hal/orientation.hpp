@@ -27,7 +27,7 @@ enum class Rotation : std::uint8_t { r0, r90, r180, r270 };
 struct Orientation {
     /// How far the picture is turned, after mirroring.
     Rotation rotation = Rotation::r0;
-    bool mirrored = false; ///< left and right exchanged, before turning
+    bool mirrored = false; ///< left and right are exchanged, before the picture is turned
     friend constexpr bool operator==(const Orientation&, const Orientation&) = default;
 };
 
@@ -39,7 +39,7 @@ inline constexpr Orientation orientations[] = {
 /// How a picture lies in the controller's memory: pixel (x, y) has the host address (x + offset.x, y +
 /// offset.y).
 struct Placement {
-    std::uint8_t madctl = 0; ///< without BGR
+    std::uint8_t madctl = 0; ///< MADCTL's bits for the orientation, so without BGR
     /// The picture's size: width and height are exchanged where it is turned by 90 or 270 degrees.
     Extent size;
     /// The host address of pixel (0, 0).

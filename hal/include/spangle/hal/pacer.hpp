@@ -12,10 +12,10 @@ namespace spangle::hal {
 
 /// What became of the frames presented so far.
 struct PresentCounters {
-    std::uint32_t sent = 0;            ///< sent with at least one window
-    std::uint32_t put_off = 0;         ///< the wire was busy: dropped, or merged with the next
-    std::uint32_t led = 0, lagged = 0; ///< tear-free: started in the blanking, or behind the beam
-    std::uint32_t unsafe = 0;          ///< no start is free of tears
+    std::uint32_t sent = 0;            ///< frames of which at least one window was sent
+    std::uint32_t put_off = 0;         ///< frames dropped, or merged with the next, because the wire was busy
+    std::uint32_t led = 0, lagged = 0; ///< tear-free frames that started in the blanking, or behind the beam
+    std::uint32_t unsafe = 0;          ///< frames for which no start was free of tears
 };
 
 /// Times frames against the scan of the panel and against the wire.
@@ -56,8 +56,8 @@ class Pacer {
     const PanelConfig& config() const { return transfer_.layout().config; }
 
     Transfer& transfer_;
-    std::int32_t line_ns_ = 0;   ///< a line of the panel's scan, tear-free displays only
-    std::uint32_t moments_[2]{}; ///< the moments that measure() takes
+    std::int32_t line_ns_ = 0;   ///< time of a line of the scan; measured for tear-free displays only
+    std::uint32_t moments_[2]{}; ///< the times between which measure() counts refreshes
     bool waits_ = true;
     PresentCounters counters_;
 };

@@ -7,7 +7,7 @@
 
 namespace spangle::hal {
 
-/// Indices of a palette.
+/// The number of indices of a palette.
 inline constexpr std::int32_t palette_size = 256;
 
 /// Whether a palette has the `count` indices from `first` on.
@@ -35,7 +35,7 @@ struct Palette {
     std::uint32_t stale[palette_size / 32]; ///< indices whose colours the panel does not show yet
     /// Whether the panel shows another colour for this index than `color` says.
     bool is_stale(std::uint8_t index) const { return (stale[index / 32] >> index % 32 & 1) != 0; }
-    /// Whether that holds for any index.
+    /// Whether is_stale() holds for any index.
     bool any_stale() const {
         std::uint32_t any = 0;
         for (const std::uint32_t word : stale)
@@ -56,14 +56,14 @@ struct Palette {
 
 /// The memory of a Palette, or none.
 template <bool Exists> struct PaletteStorage {
-    /// The palette, or null where there is none.
+    /// Null, because this storage has no palette.
     Palette* memory() { return nullptr; }
 };
 /// The memory of a Palette.
 template <> struct PaletteStorage<true> {
-    /// The palette itself.
+    /// The palette that memory() points to.
     Palette palette;
-    /// That palette.
+    /// A pointer to the palette, for PanelMemory::palette.
     Palette* memory() { return &palette; }
 };
 

@@ -50,34 +50,35 @@ struct Offset {
 struct PanelTiming {
     /// The shortest reset pulse, 10 at least.
     std::uint16_t reset_low_us = 10;
-    std::uint32_t reset_wait_us = 120000;     ///< reset released, or SWRESET, to the first command
-    std::uint32_t sleep_out_wait_us = 120000; ///< SLPOUT to the next command: supplies and registers settle
+    std::uint32_t reset_wait_us = 120000;     ///< from the end of reset, or SWRESET, to the first command
+    std::uint32_t sleep_out_wait_us = 120000; ///< from SLPOUT to the next command: supplies settle
     /// A clock cycle of a serial write.
     std::uint16_t serial_write_ns = 100;
     /// A clock cycle of a serial read.
     std::uint16_t serial_read_ns = 150;
     /// A write cycle of a parallel bus.
     std::uint16_t parallel_write_ns = 66;
-    std::uint16_t parallel_read_ns = 450;    ///< of frame memory, the slowest read
-    std::uint32_t i2c_hz = 0;                ///< what boards run SCL at; 0: has no I2C
-    std::uint16_t practical_serial_mhz = 10; ///< what boards run it at; a board above this is a mistake
-    std::uint32_t frame_us = 0;              ///< one refresh after `setup`
-    std::uint16_t scan_lines = 0;            ///< rows and porches of one refresh
-    std::uint16_t porch_lines = 0;           ///< how many of these are vertical blanking: TE is high
+    std::uint16_t parallel_read_ns = 450; ///< a read cycle of frame memory, the slowest
+    std::uint32_t i2c_hz = 0;             ///< frequency at which boards run SCL; 0: the panel has no I2C
+    std::uint16_t practical_serial_mhz =
+        10;                        ///< the fastest serial clock that boards use; more is taken for a mistake
+    std::uint32_t frame_us = 0;    ///< time of one refresh, with the registers of `setup`
+    std::uint16_t scan_lines = 0;  ///< lines of one refresh, porches included
+    std::uint16_t porch_lines = 0; ///< lines of vertical blanking among them, in which TE is high
 };
 
 /// What tells the controller from others, and the dummy clocks that a serial data line takes to turn round.
 struct Identity {
-    std::uint8_t command = dcs::RDDID; ///< or a register of the maker's
-    std::uint8_t bytes = 3;            ///< bytes of its answer, 3 at most
+    std::uint8_t command = dcs::RDDID; ///< the command that reads the identity, which may be the maker's own
+    std::uint8_t bytes = 3;            ///< bytes of the answer, 3 at most
     /// Clocks between command and answer on a serial bus.
     std::uint8_t dummy_bits = 1;
     std::uint8_t parallel_dummy_bits = 8; ///< dummy read cycles, eight bits each
-    std::uint32_t id = 0;                 ///< the first byte highest
+    std::uint32_t id = 0;                 ///< the answer, with its first byte highest
     /// The bits of `id` that tell the controller from others.
     std::uint32_t mask = 0xFFFFFF;
-    std::uint8_t register_dummy_bits = 1; ///< for 09h and 45h; the one-byte reads have none
-    std::uint8_t pixel_dummy_bits = 8;    ///< for 2Eh
+    std::uint8_t register_dummy_bits = 1; ///< dummy bits of 09h and 45h; reads of one byte have none
+    std::uint8_t pixel_dummy_bits = 8;    ///< dummy bits of 2Eh, the read of pixels
 };
 
 /// The pixel format register's code of a [wire](docs/glossary.md#wire) format, or that the controller does
@@ -102,22 +103,23 @@ struct WireFormats {
 
 /// Where a controller differs from its data sheet or from the others.
 struct Quirks {
-    bool resend_window = false; ///< RAMWR does not return to the window's start: CASET and RASET each time
-    bool no_read_back = false;  ///< the controller never drives the data line
-    bool reads_write_depth = false; ///< RAMRD answers in COLMOD's format, not in three bytes a pixel
+    bool resend_window =
+        false; ///< RAMWR does not go to the window's start, so CASET and RASET are always sent
+    bool no_read_back = false;      ///< the controller never drives the data line
+    bool reads_write_depth = false; ///< RAMRD answers in COLMOD's format, not with three bytes a pixel
 };
 
 /// A panel as data. panel() checks a description while it is compiled. What it points to is constant and
 /// static.
 struct PanelDesc {
-    /// The name for people.
+    /// The name that people read.
     const char* name = "";
     /// The controller, by which the simulator chooses its model.
     Controller controller = Controller::ili9341;
-    Extent memory;          ///< the controller's frame memory, MADCTL 00h
-    Extent glass;           ///< the part of the memory that shows
-    Offset offset{};        ///< where the glass begins in memory, MADCTL 00h
-    std::uint8_t mount = 0; ///< MADCTL's MX, MY that show a picture upright on this glass
+    Extent memory;          ///< size of the controller's frame memory, with MADCTL 00h
+    Extent glass;           ///< size of the part of the memory that the glass shows
+    Offset offset{};        ///< where the glass begins in memory, with MADCTL 00h
+    std::uint8_t mount = 0; ///< the MX and MY of MADCTL that show a picture upright on this glass
     /// The order of subpixels on this glass.
     ColorOrder order = ColorOrder::rgb;
     bool inverted = false; ///< IPS glass: INVON shows true colours
@@ -127,13 +129,13 @@ struct PanelDesc {
     /// Formats on an 8080 bus.
     WireFormats parallel{};
     Program setup; ///< registers beyond the command set's, sent while asleep
-    /// The commands that it understands.
+    /// The commands that the controller understands.
     const CommandSet* commands = &dcs::commands;
     /// The controller's times.
     PanelTiming timing;
     /// What it answers when it is asked who it is.
     Identity identity{};
-    /// What is unusual about it.
+    /// What is unusual about the controller.
     Quirks quirks{};
     bool round = false; ///< the glass is a disc: the corners of its rectangle are written and not seen
 };

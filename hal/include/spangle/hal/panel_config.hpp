@@ -25,17 +25,17 @@ struct PanelConfig {
     Wire wire = {};
     /// 1: present() returns when the frame is on the panel; 2: while it is on the wire.
     std::uint8_t buffers = 1;
-    bool reset_line = true; ///< false: SWRESET instead
+    bool reset_line = true; ///< the panel's reset line is wired; false: SWRESET is sent instead
     bool read_back = false; ///< the panel's data line is wired back: init() checks what answers
-    bool wait_te = false;   ///< tear-free: presents lead or lag the beam, which the TE line tells
-    bool poll_line = false; ///< tear-free: as `wait_te`, by reading the scanned line (45h)
+    bool wait_te = false;   ///< tear-free presents: the TE line tells where the beam is
+    bool poll_line = false; ///< tear-free presents: reads of the scanned line (45h) tell where the beam is
     /// Frames are turned into the order of the panel's scan where the picture's rows are not in it: only then
     /// can such a picture be free of tears. The second buffer is the turned one; presents return while it is
     /// on the wire.
     bool scan_order = false;
     /// What a present does while the frame before is on the wire.
     Pacing pacing = Pacing::block;
-    bool row_hash = false; ///< cells of 16x1 pixels that are drawn again unchanged are not sent
+    bool row_hash = false; ///< does not send cells of 16x1 pixels that were drawn again unchanged
     /// Rows that a buffer holds, where memory holds no whole picture: frames are drawn
     /// [band](docs/glossary.md#band) by band, and with two buffers, or another format on the wire, a band is
     /// drawn while the one above it is on the wire. 0: whole frames.
@@ -110,14 +110,14 @@ constexpr bool one_list(const PanelConfig& c) {
 /// What follows from a description: where the picture lies, and the bytes of its rows. The parts of a display
 /// read it and never change it.
 struct PanelLayout {
-    /// The description.
+    /// The description of which this is the layout.
     PanelConfig config;
     /// How frames are turned into the order of the scan, if they are, and the placement of what is sent.
     ScanOrder scan;
     /// The size of the picture in pixels.
     Extent picture;
 
-    /// A layout of nothing yet.
+    /// A layout without a panel, to be assigned later.
     PanelLayout() = default;
     /// The layout of a description, which is not asked for more than its format before resolve().
     explicit PanelLayout(const PanelConfig& description) : config(description) {}
@@ -134,7 +134,7 @@ struct PanelLayout {
     std::size_t wire_bytes(std::int32_t width, std::int32_t height) const {
         return (static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * wire_bits() + 7) / 8;
     }
-    /// Bytes of so many columns of a buffer.
+    /// Bytes that `columns` columns of a buffer take.
     std::uint32_t line_bytes(std::int32_t columns) const {
         return static_cast<std::uint32_t>(row_bytes(config.format, columns));
     }
@@ -150,7 +150,7 @@ struct PanelLayout {
         return {on_wire.width > lying.width ? on_wire.width : lying.width,
                 on_wire.height > lying.height ? on_wire.height : lying.height};
     }
-    /// Buffers that are drawn in turn.
+    /// The number of buffers, which are drawn in turn.
     std::uint8_t canvases() const { return turns() || config.band != 0 ? 1 : config.buffers; }
 };
 

@@ -26,11 +26,11 @@ class PanelDisplay : public Display {
     struct Parts {
         /// Checks the description and the memory.
         Result<void> (*check)(const PanelConfig&, const PanelMemory&) = nullptr;
-        /// Checks who answers: check_identity().
+        /// Checks which controller answers; see check_identity().
         Result<void> (*identify)(Bus&, const PanelDesc&, ReadScratch&) = nullptr;
-        /// Measures the refresh.
+        /// Measures the time of a refresh.
         Result<void> (*measure)(Pacer&) = nullptr;
-        /// What the Presenter calls.
+        /// The functions that the Presenter calls.
         Presenter::Parts sending = {};
         /// Acquires whole frames.
         Result<Frame> (*acquire)(PanelDisplay&) = nullptr;
@@ -42,7 +42,7 @@ class PanelDisplay : public Display {
         Result<Frame> (*acquire_band)(PanelDisplay&, std::int32_t first, std::int32_t rows) = nullptr;
         /// Presents bands.
         Result<void> (*present_band)(PanelDisplay&) = nullptr;
-        /// Sends a band: what changed, or all of it.
+        /// Sends what changed in a band, or the whole band.
         Result<void> (*send_band)(PanelDisplay&) = nullptr;
     };
     /// The parts of a display whose description and memory were checked when it was compiled. `remembers`:
@@ -124,11 +124,11 @@ class PanelDisplay : public Display {
     ReadScratch scratch_{};
 
     BusBuffer buffers_[2];
-    std::uint32_t frame_ = 0;        ///< presents that succeeded
-    std::uint32_t drawn_in_[2] = {}; ///< the last of them that each buffer holds; 0: none
-    std::uint8_t front_ = 0;         ///< the buffer the panel shows
-    std::uint8_t back_ = 0;          ///< the buffer being drawn
-    bool opened_ = false;            ///< bookkeeping and buffers hold what was drawn
+    std::uint32_t frame_ = 0;        ///< number of presents that succeeded
+    std::uint32_t drawn_in_[2] = {}; ///< the present that each buffer holds; 0: none
+    std::uint8_t front_ = 0;         ///< number of the buffer that the panel shows
+    std::uint8_t back_ = 0;          ///< number of the buffer that is drawn to
+    bool opened_ = false;            ///< true: book_ and the buffers hold what was drawn
     bool ready_ = false;             ///< the last init() succeeded
 };
 

@@ -18,27 +18,28 @@ struct PanelMemory {
     RowSpan* touched = nullptr;
     /// Columns in which the panel's memory differs from the frame.
     RowSpan* damage = nullptr;
-    /// What each buffer holds, as PanelContent::rows.
+    /// What each buffer holds, in the form of PanelContent::rows.
     RowSpan* content[2] = {};
-    std::int32_t content_height = 0; ///< rows of the picture; 0 for bands that are sent whole
+    std::int32_t content_height = 0; ///< rows of `content`, as the picture has; 0: bands are sent whole
     /// Memory in which windows are planned.
     std::uint16_t* plan = nullptr;
-    /// Elements of each of these rows.
+    /// The number of elements of the arrays of rows.
     std::int32_t height = 0;
     /// Buffers whose content is recorded: 1 or 2.
     std::uint8_t buffers = 0;
-    /// Memory of one list.
+    /// Memory for the operations of one list.
     Op* ops = nullptr;
-    /// Parameters of that list.
+    /// Memory for the parameters of that list.
     OpParams* params = nullptr;
-    /// Elements of `ops` and of `params`.
+    /// The number of elements of `ops` and of `params`.
     std::size_t op_count = 0;
     /// The memory of the [row hash](docs/glossary.md#row-hash), or none.
     RowHashMemory hash = {};
-    RowSpan* turned = nullptr;        ///< for PanelConfig::scan_order
-    decltype(&turn) turner = nullptr; ///< turn(), which is linked only where it is named
-    RowSpan* held = nullptr;          ///< for Pacing::coalesce; without it frames are dropped
-    Palette* palette = nullptr;       ///< for PixelFormat::index8
+    RowSpan* turned = nullptr;        ///< damage by rows of the turned buffer (PanelConfig::scan_order)
+    decltype(&turn) turner = nullptr; ///< turn(), which only displays that name it link
+    RowSpan* held =
+        nullptr; ///< rows of a frame that was put off (Pacing::coalesce); null: frames are dropped
+    Palette* palette = nullptr; ///< the palette of surfaces of PixelFormat::index8
 };
 
 /// How much memory a PanelStorage has.
@@ -50,13 +51,13 @@ struct PanelSizes {
     /// Operations of a list. A longer list goes out in several transfers; frames that are tear-free or sent
     /// while the next is drawn are made of as few windows as one list holds.
     std::size_t ops = 64;
-    std::int32_t hashed_width = 0; ///< columns that can be hashed
-    bool turned = false;           ///< for PanelConfig::scan_order
-    bool held = false;             ///< for Pacing::coalesce
+    std::int32_t hashed_width = 0; ///< columns of the row hash; 0: there is none
+    bool turned = false;           ///< there is memory for PanelConfig::scan_order
+    bool held = false;             ///< there is memory for Pacing::coalesce
     /// Rows of the picture, where `height` is that of bands; 0: what the panel shows is not recorded, and
     /// bands are sent whole; -1: as many as `height`.
     std::int32_t content = -1;
-    bool indexed = false; ///< for PixelFormat::index8
+    bool indexed = false; ///< there is a palette, for PixelFormat::index8
 
     /// Rows of the picture.
     constexpr std::int32_t content_height() const { return content < 0 ? height : content; }
@@ -66,7 +67,7 @@ struct PanelSizes {
 template <PanelSizes sizes> struct PanelStorage {
     static_assert(sizes.height > 0 && sizes.height <= 4096 && (sizes.buffers == 1 || sizes.buffers == 2) &&
                   sizes.ops >= 8);
-    /// Elements of the arrays that some displays do without.
+    /// The number of elements of arrays that some displays do not need.
     static constexpr std::int32_t content_rows = sizes.content_height() != 0 ? sizes.content_height() : 1,
                                   turned_rows = sizes.turned ? sizes.height : 1,
                                   held_rows = sizes.held ? sizes.height : 1;

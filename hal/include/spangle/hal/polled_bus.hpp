@@ -17,7 +17,7 @@ class PolledPort {
     /// Says that commands or data follow, until the next begin() or end(). It does so by chip select and the
     /// D/C line, by a start byte behind chip select, or by an I2C message and its control byte.
     virtual Fault begin(bool data) = 0;
-    /// Writes `count` bytes of what begin() announced.
+    /// Writes `count` bytes, which are data or commands as begin() has said.
     virtual Fault write(const std::uint8_t* bytes, std::uint32_t count) = 0;
     /// Reads the answer to a command of the same message.
     virtual Fault read(std::uint8_t dummy_bits, std::uint8_t* into, std::uint32_t count) = 0;
@@ -64,7 +64,7 @@ class PolledBus final : public Bus {
     bool done(Token) const override { return true; }
     Result<void> wait(Token token, std::uint32_t timeout_micros) override;
 
-    /// Commands, parameters and pixels sent so far; wraps.
+    /// The number of bytes of commands, parameters and pixels sent so far, modulo 2^32.
     std::uint32_t bytes() const { return bytes_; }
 
   private:
@@ -78,7 +78,7 @@ class PolledBus final : public Bus {
     PolledPort& port_;
     BusCaps caps_;
     BusMemory buffers_;
-    bool open_ = false, data_ = false; ///< a message is under way; it carries data
+    bool open_ = false, data_ = false; ///< true: a message is under way; true: it carries data
     std::uint32_t last_token_ = 0;
     std::uint32_t bytes_ = 0;
     Fault outcome_ = Fault::none; ///< outcome of the last list

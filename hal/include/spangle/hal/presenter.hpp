@@ -38,7 +38,7 @@ class Presenter {
   public:
     /// Functions that not every display calls. Those that no display names are not linked.
     struct Parts {
-        /// Makes transfers lead or lag the beam.
+        /// Delays a transfer so that it leads or lags the beam.
         void (*sync)(Presenter&, FramePlan&) = nullptr;
         /// Counts the operations of a plan, for frames that are one list.
         std::size_t (*count_ops)(const Presenter&, FramePlan&) = nullptr;
@@ -55,7 +55,7 @@ class Presenter {
     /// Sends the damage, one span of columns a row. `hash`: where it is enabled, cells that changed. `parts`:
     /// those that the display has.
     Result<void> send(const SentRows& rows, const RowSpan* damage, const RowHash& hash, const Parts& parts);
-    /// Sends the rows whole.
+    /// Sends every pixel of the rows.
     Result<void> send_all(const SentRows& rows);
 
   private:
@@ -76,10 +76,10 @@ class Presenter {
     const PanelMemory& memory_;
     Transfer& transfer_;
     Pacer& pacer_;
-    BusBuffer* buffer_ = nullptr; ///< what is sent
-    std::int32_t first_ = 0;      ///< the picture's row of its top row
-    BusBuffer wire_;              ///< pixels that were converted to another format
-    std::size_t wire_end_ = 0;    ///< end of what the list under way takes from it
+    BusBuffer* buffer_ = nullptr; ///< the buffer whose pixels are sent
+    std::int32_t first_ = 0;      ///< the row of the picture that is the buffer's top row
+    BusBuffer wire_;              ///< memory of pixels converted to another format
+    std::size_t wire_end_ = 0;    ///< bytes of wire_ that the list under way uses
 };
 
 constexpr Presenter::Parts Presenter::parts(bool waits_for_beam, bool is_one_list) {

@@ -12,14 +12,14 @@ namespace spangle::hal {
 
 /// What a controller's registers of status answered (DCS 1.02, 04h and 09h to 0Fh).
 struct PanelStatus {
-    std::uint32_t id = 0;         ///< what Identity::command answers, 04h: ID1 ID2 ID3
-    std::uint32_t status = 0;     ///< 09h: bit 31 first
-    std::uint8_t power_mode = 0;  ///< 0Ah
-    std::uint8_t madctl = 0;      ///< 0Bh
-    std::uint8_t colmod = 0;      ///< 0Ch
-    std::uint8_t image_mode = 0;  ///< 0Dh
-    std::uint8_t signal_mode = 0; ///< 0Eh
-    std::uint8_t self_check = 0;  ///< 0Fh
+    std::uint32_t id = 0;         ///< answer to Identity::command; 04h answers ID1, ID2, ID3
+    std::uint32_t status = 0;     ///< display status, 09h; the first bit on the wire is bit 31
+    std::uint8_t power_mode = 0;  ///< power mode, register 0Ah
+    std::uint8_t madctl = 0;      ///< MADCTL, register 0Bh
+    std::uint8_t colmod = 0;      ///< COLMOD, register 0Ch
+    std::uint8_t image_mode = 0;  ///< image mode, register 0Dh
+    std::uint8_t signal_mode = 0; ///< signal mode, register 0Eh
+    std::uint8_t self_check = 0;  ///< self-diagnostic result, register 0Fh
 };
 
 /// Memory in which answers arrive. It must stay as long as the bus may touch it: after a timeout, until the
@@ -38,7 +38,7 @@ Result<PanelStatus> read_status(Bus& bus, const PanelDesc& panel, ReadScratch& s
 /// Dummy bits of 04h, 09h and 45h on this bus.
 std::uint8_t register_dummy_bits(const BusCaps& caps, const PanelDesc& panel);
 
-/// 45h: the line the controller is showing.
+/// Reads the line that the controller is scanning, by 45h.
 Result<std::uint16_t> read_scanline(Bus& bus, const PanelDesc& panel, ReadScratch& scratch);
 
 /// 2Eh: the picture's pixels of `area`, row by row, three bytes (R, G, B; six bits left aligned) each, into

@@ -9,8 +9,8 @@ namespace spangle::hal {
 struct Refresh {
     std::int32_t line = 0;   ///< time of one line
     std::int32_t lines = 0;  ///< lines of a refresh, porches included
-    std::int32_t porch = 0;  ///< lines of blanking
-    std::int32_t jitter = 0; ///< from the moment that is waited for to the first byte, at most
+    std::int32_t porch = 0;  ///< lines of vertical blanking
+    std::int32_t jitter = 0; ///< longest time from the awaited moment to the first byte
 
     /// The time of one refresh, in nanoseconds.
     std::int64_t period() const { return std::int64_t{line} * lines; }
@@ -37,9 +37,9 @@ class SafeStart {
 
     /// Whole lines in which a transfer may be told to start.
     std::int32_t slack_lines() const;
-    /// Whether any start is free of tears.
+    /// Whether some start is free of tears.
     bool possible() const { return slack_lines() > 0; }
-    /// Nanoseconds to wait after TE rises.
+    /// How many nanoseconds a transfer waits after TE rises.
     std::int64_t after_blanking() const;
     /// The line from which on it may start, for slack_lines() lines; it may be one of a later refresh.
     std::int32_t first_line() const;

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #ifndef SPANGLE_MESSAGES
-#define SPANGLE_MESSAGES 1 ///< 0 compiles every text out
+#define SPANGLE_MESSAGES 1 ///< 0: texts of errors are not compiled in
 #endif
 
 namespace spangle::hal {
@@ -20,14 +20,14 @@ enum class Fault : std::uint8_t {
     no_answer,    ///< the device did not acknowledge or returned nothing
     short_write,  ///< fewer bytes went out than were asked for
     gone,         ///< the device was removed
-    wrong_device, ///< it answered, but as something else
+    wrong_device, ///< the device answered, but is another one
     denied,       ///< this user may not open the device
 };
 
 /// What went wrong and which rule it broke: a string that names device, operation and cause. It is static, or
 /// stays until the object that gave it ends, or has failed several more times.
 struct Error {
-    /// No error.
+    /// Makes the value that stands for no error.
     constexpr Error() = default;
     /// An error with its text, which must be static or outlive the error; `more` becomes `detail`.
     constexpr Error(Fault what, const char* text, std::uint32_t more = 0)
@@ -35,7 +35,7 @@ struct Error {
 
     /// The kind of fault.
     Fault fault = Fault::none;
-    const char* rule = "";    ///< it stays so in builds without texts
+    const char* rule = "";    ///< the broken rule; empty in builds without texts
     std::uint32_t detail = 0; ///< wrong_device: the bytes that answered, first byte highest; system
                               ///< errors: errno
 };
@@ -53,7 +53,7 @@ template <class T> class [[nodiscard]] Result {
     constexpr explicit operator bool() const { return ok(); }
     /// The value; where there is an error, a value-initialised T.
     constexpr const T& value() const { return value_; }
-    /// The value, to change.
+    /// The value, which may be changed.
     constexpr T& value() { return value_; }
     /// The error; its fault is Fault::none where there is a value.
     constexpr Error error() const { return error_; }
@@ -66,11 +66,11 @@ template <class T> class [[nodiscard]] Result {
 /// Success or an error.
 template <> class [[nodiscard]] Result<void> {
   public:
-    /// Success.
+    /// A result that is a success.
     constexpr Result() = default;
     /// An error; its fault must not be Fault::none.
     constexpr Result(Error error) : error_(error) {}
-    /// Whether it succeeded.
+    /// Whether the result is a success.
     constexpr bool ok() const { return error_.fault == Fault::none; }
     /// Does what ok() does.
     constexpr explicit operator bool() const { return ok(); }

@@ -14,22 +14,22 @@ struct WindowCost;
 
 /// A window while its cells are gathered.
 struct SpanWindow {
-    /// Columns and rows of the picture, half-open.
-    std::int16_t begin = 0, end = 0, top = 0, bottom = 0; ///< half-open
-    std::int32_t spare = 0;                               ///< bits saved and not yet wasted
+    /// Columns [begin, end) and rows [top, bottom) of the picture.
+    std::int16_t begin = 0, end = 0, top = 0, bottom = 0;
+    std::int32_t spare = 0; ///< bits that the window may still spend on unchanged cells
 };
 
 /// Code that only displays with a [row hash](docs/glossary.md#row-hash) link, because only the memory of a
 /// row hash names it.
 struct RowHashCode {
-    /// RowHash::reduce().
+    /// The function RowHash::reduce().
     void (*reduce)(RowHash&, RowSpan* damage, const std::uint8_t* pixels, std::int32_t stride, bool all);
     /// Begins a plan of the windows of a frame.
     void (*plan)(SpanPlan&, const RowHash&, const WindowCost&);
     /// Takes the next window of a plan; false: there is none.
     bool (*next)(SpanPlan&, Rect& window);
 };
-/// The one table of that code.
+/// The only RowHashCode that there is.
 extern const RowHashCode row_hash_code;
 
 /// The memory of a row hash, handed over by its owner: four bytes a cell, four a row, and windows. Null:
@@ -38,21 +38,21 @@ struct RowHashMemory {
     /// Windows that are open at the same time while a frame is planned.
     static constexpr std::int32_t window_count = 64;
 
-    std::uint32_t* hashes = nullptr; ///< height * cells_of(width)
+    std::uint32_t* hashes = nullptr; ///< a hash for each cell: height * cells_of(width)
     /// One word a row: bits of the cells that changed.
     std::uint32_t* changed = nullptr;
-    /// `window_count` windows.
+    /// Memory for `window_count` windows.
     SpanWindow* windows = nullptr;
-    /// Elements of `hashes`.
+    /// The number of elements of `hashes`.
     std::int32_t cells = 0;
-    /// The code that goes with the memory.
+    /// The functions that work on this memory.
     const RowHashCode* code = nullptr;
 };
 
 /// Remembers a hash for each cell of what the panel's memory holds.
 class RowHash {
   public:
-    /// Pixels of a cell.
+    /// The number of pixels of a cell.
     static constexpr std::int32_t cell_width = 16;
     static constexpr std::int32_t widest = 32 * cell_width; ///< a row's cells are the bits of one word
     /// Cells of a row of so many pixels, the last one cut where the row ends.
@@ -60,17 +60,18 @@ class RowHash {
         return (width + cell_width - 1) / cell_width;
     }
 
-    /// No row hash: enabled() is false.
+    /// A row hash without memory, for which enabled() is false.
     RowHash() = default;
     /// A row hash for pictures of this size in pixels, of `bits` bits a pixel. `memory` must outlive it.
     RowHash(const RowHashMemory& memory, std::int32_t width, std::int32_t height, std::int32_t bits)
         : memory_(&memory), width_(static_cast<std::int16_t>(width)),
           height_(static_cast<std::int16_t>(height)), bits_(static_cast<std::int16_t>(bits)) {}
-    RowHash(RowHashMemory&&, std::int32_t, std::int32_t, std::int32_t) = delete; ///< it would end at once
+    RowHash(RowHashMemory&&, std::int32_t, std::int32_t,
+            std::int32_t) = delete; ///< a temporary memory would end at once
 
-    /// Whether there is memory for it.
+    /// Whether the row hash has memory.
     bool enabled() const { return memory_ != nullptr && memory_->code != nullptr; }
-    /// The memory that it was given.
+    /// The memory that the constructor was given.
     const RowHashMemory& memory() const { return *memory_; }
     /// The picture's width in pixels.
     std::int32_t width() const { return width_; }
@@ -106,7 +107,7 @@ class RowHash {
 /// The memory of a row hash for pictures up to this size; nothing for a width of 0.
 template <std::int32_t Height, std::int32_t Width> struct RowHashStorage {
     static_assert(Width <= RowHash::widest, "the row hash serves pictures up to 512 columns");
-    /// Cells of a row.
+    /// The number of cells in a row of pixels.
     static constexpr std::int32_t cells = RowHash::cells_of(Width);
 
     /// The hashes, and the bits of changed cells.
@@ -114,12 +115,12 @@ template <std::int32_t Height, std::int32_t Width> struct RowHashStorage {
     /// Windows while they are planned.
     SpanWindow windows[RowHashMemory::window_count];
 
-    /// That memory, for PanelMemory::hash.
+    /// The memory as PanelMemory::hash takes it.
     RowHashMemory memory() { return {hashes, changed, windows, Height * cells, &row_hash_code}; }
 };
-/// No memory.
+/// The storage of displays without a row hash.
 template <std::int32_t Height> struct RowHashStorage<Height, 0> {
-    /// Memory of nothing: the hash is off.
+    /// Null pointers, with which the row hash is off.
     RowHashMemory memory() { return {}; }
 };
 

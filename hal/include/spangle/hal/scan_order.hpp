@@ -17,7 +17,7 @@ struct ScanOrder {
     /// Whether the axes are exchanged, and whether rows count from the last.
     bool swapped = false, reversed = false;
 
-    /// Whether a buffer of its own is needed.
+    /// Whether the display needs a second buffer, into which pictures are turned.
     constexpr bool turns() const { return swapped || reversed; }
     /// The buffer's row of the picture's row, or with `swapped` column, `along`.
     constexpr std::int32_t row_of(std::int32_t along) const {

@@ -31,7 +31,7 @@ class Transfer {
     Bus& bus() const { return bus_; }
     /// The layout of the panel's display.
     const PanelLayout& layout() const { return layout_; }
-    /// What the bus can do.
+    /// The capabilities of the bus.
     const BusCaps& caps() const { return caps_; }
     /// The windows of the panel, and which one it holds.
     const Windows& windows() const { return windows_; }
@@ -81,7 +81,7 @@ class Transfer {
     Windows windows_;
     OpList ops_;
     Token token_;
-    std::uint32_t token_time_ = 0; ///< microseconds the running transfer should take
+    std::uint32_t token_time_ = 0; ///< time in microseconds that the running transfer should take
     bool in_flight_ = false;
     bool late_ = false;
 };

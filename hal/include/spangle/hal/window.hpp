@@ -20,7 +20,7 @@ class Windows {
 
     /// The operations of a window whose axes are all sent.
     std::uint32_t commands() const { return window_size(*set_).commands; }
-    /// Pixels across and down that share a byte.
+    /// How many pixels across and down share a byte.
     Extent shared() const { return shared_; }
     /// The first part of `area` that one window of this controller can name.
     constexpr Rect first_of(const Rect& area) const;
@@ -35,7 +35,7 @@ class Windows {
 
   private:
     struct Interval {
-        std::uint16_t first = 1, last = 0; ///< first > last: unknown
+        std::uint16_t first = 1, last = 0; ///< `first` above `last` means that the interval is unknown
         friend bool operator==(const Interval&, const Interval&) = default;
     };
     static constexpr Interval interval(std::int32_t first, std::int32_t count, std::int32_t shared);
@@ -44,7 +44,7 @@ class Windows {
     const CommandSet* set_ = &dcs::commands;
     Offset offset_;
     Extent shared_{1, 1};
-    bool exchanged_ = false; ///< MV is set
+    bool exchanged_ = false; ///< true: MV is set, so columns and rows are exchanged
     bool resend_ = false;
     Interval columns_, rows_;
 };

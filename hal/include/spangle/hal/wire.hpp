@@ -15,9 +15,9 @@ namespace spangle::hal {
 /// place in the tables of wire_info() and format_code(). EGL_NATIVE_VISUAL_ID shows these numbers to
 /// programs.
 enum class WireFormat : std::uint8_t {
-    rgb565, ///< RRRRRGGG GGGBBBBB
-    rgb666, ///< three bytes, six bits left aligned
-    rgb444, ///< RRRRGGGG BBBBRRRR GGGGBBBB: two pixels in three bytes, on across the rows of a window
+    rgb565, ///< RRRRRGGG GGGBBBBB: two bytes a pixel
+    rgb666, ///< three bytes a pixel, each with a component in its upper six bits
+    rgb444, ///< RRRRGGGG BBBBRRRR GGGGBBBB: two pixels in three bytes, which may lie in two rows
     rgb332, ///< RRRGGGBB
     grey4,  ///< two pixels of neighbouring memory columns, the first in the high nibble
     mono,   ///< eight pixels of neighbouring memory rows, the first in bit 0
@@ -69,7 +69,7 @@ struct Picture {
     /// The format of the pixels.
     PixelFormat format = PixelFormat::rgb565_be;
     bool sideways = false;            ///< the picture's rows run along the controller's memory columns
-    const Palette* palette = nullptr; ///< for PixelFormat::index8
+    const Palette* palette = nullptr; ///< the palette of a picture of PixelFormat::index8
 };
 
 /// Writes `area` of the picture, row by row, and returns the bytes it took. Colours between two steps of the
