@@ -16,9 +16,9 @@ Fault fault_of(DeviceClass kind, int error) {
         return Fault::busy;
     case ETIMEDOUT:
     case EAGAIN:
-    case EINTR: // both only after the patience of retry_interrupted() ended
+    case EINTR: // retry_interrupted() has retried both until its patience ended
         return Fault::timeout;
-    case ENXIO: // an I2C adapter's word for "no acknowledge" (Linux, i2c/fault-codes)
+    case ENXIO: // means "no acknowledge" from an I2C adapter (Linux, i2c/fault-codes)
         return kind == DeviceClass::i2c ? Fault::no_answer : Fault::gone;
     case ENOENT:
     case ENODEV:

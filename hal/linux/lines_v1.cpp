@@ -88,7 +88,7 @@ Result<void> Lines::open(const char* chip, std::span<const unsigned> offsets, co
     request->chip = open_chip(chip);
     if (request->chip == nullptr)
         return failed("open");
-    std::array<unsigned, most> copy{}; // the library takes no const
+    std::array<unsigned, most> copy{}; // a copy, because libgpiod takes no const
     std::copy(offsets.begin(), offsets.end(), copy.begin());
     const auto count = static_cast<unsigned>(offsets.size());
     if (gpiod_chip_get_lines(request->chip, copy.data(), count, &request->bulk) != 0)
@@ -134,7 +134,7 @@ int Lines::make_inputs() {
 
 struct EdgeLine::Request {
     gpiod_chip* chip = nullptr;
-    gpiod_line* line = nullptr; ///< requested
+    gpiod_line* line = nullptr; ///< the line that was requested, or null
 
     ~Request() {
         if (line != nullptr)

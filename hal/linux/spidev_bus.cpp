@@ -97,7 +97,7 @@ Result<void> SpidevBus::open_rest() {
     stage_.assign(kernel_bufsiz(), 0);
     if (packed_)
         stage_.resize(stage_.size() - stage_.size() % packed_unit);
-    constexpr std::size_t whole_pixels = 6; // a multiple of pixels of two bytes, and of three
+    constexpr std::size_t whole_pixels = 6; // whole pixels both of two bytes and of three
     longest_ = config_.start_bytes ? 1 + (stage_.size() - 1) / whole_pixels * whole_pixels : stage_.size();
     staged_ = bit_count_ = 0;
     dc_level_ = -1;
@@ -225,7 +225,7 @@ Result<void> SpidevBus::put_three_wire(bool data, const std::uint8_t* bytes, std
 
 void SpidevBus::stage_word(unsigned nine_bits) {
     if (!packed_) {
-        const auto word = static_cast<std::uint16_t>(nine_bits); // spidev: native order
+        const auto word = static_cast<std::uint16_t>(nine_bits); // in native byte order, as spidev wants it
         std::memcpy(&stage_[staged_], &word, sizeof word);
         staged_ += sizeof word;
         return;
@@ -292,7 +292,7 @@ Result<void> SpidevBus::read(const Op& op) {
         if (const auto r = set_dc(false); !r)
             return r;
     std::vector<std::uint8_t> answer(answer_bytes(op));
-    const std::uint16_t word = op.command; // D/C bit 0
+    const std::uint16_t word = op.command; // nine bits, of which D/C is 0
     spi_ioc_transfer transfers[2]{};
     transfers[0].tx_buf = three_wire() ? address(&word) : address(&op.command);
     transfers[0].len = three_wire() ? 2 : 1;

@@ -46,13 +46,13 @@ struct FtdiBus::Engine {
     const FtdiConfig& config;
     UsbLink link{"FTDI adapter"};
     FtdiControl control;
-    std::vector<std::uint8_t> stages[2]; ///< one is filled while the other is under way
+    std::vector<std::uint8_t> stages[2]; ///< commands; one stage is filled while the other is sent
     unsigned filling = 0;
     std::vector<std::uint8_t> packets;
     unsigned outputs = 0, levels = 0; ///< bits of all sixteen pins
     unsigned sent_levels = 0;
-    bool lit = true;      ///< the backlight is on, also after a restart
-    bool in_step = false; ///< the chip has executed all commands
+    bool lit = true;      ///< true: the backlight is to be on, also after a restart
+    bool in_step = false; ///< true: the chip has executed all commands
 
     std::vector<std::uint8_t>& stage() { return stages[filling]; }
 
@@ -232,7 +232,7 @@ Result<void> FtdiBus::Engine::start() {
         return r;
     if (const auto r = set_clock(config.write_hz); !r)
         return r;
-    sent_levels = ~levels; // so that all of them are sent
+    sent_levels = ~levels; // so that the next command sends all levels
     if (const auto r = set_levels(levels); !r)
         return r;
     return wait_for_wire();

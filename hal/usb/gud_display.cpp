@@ -52,14 +52,14 @@ struct GudDisplay::State {
     std::unique_ptr<GudFrame> spare = std::make_unique<GudFrame>(); ///< null while the sender has it
 
     // --- the picture, and what the device does not have of it
-    std::vector<std::unique_ptr<Canvas>> canvases; ///< one for every size so far
-    Canvas* canvas = nullptr;                      ///< the one for the size that the device has now
+    std::vector<std::unique_ptr<Canvas>> canvases; ///< a canvas for each size that the device has had
+    Canvas* canvas = nullptr;                      ///< the canvas of the size that the device has now
     std::vector<RowSpan> content, damage;
     std::vector<std::uint16_t> plan;
     std::uint32_t clear_value = 0;
     bool ready = false, presented = false;
-    bool owed = false; ///< a frame was put off and is still to be sent
-    bool waits = true; ///< the swap interval is not 0
+    bool owed = false; ///< true: a frame was put off and is still to be sent
+    bool waits = true; ///< true: the swap interval is not 0
 
     Result<void> connect();
     Result<void> connect_again();

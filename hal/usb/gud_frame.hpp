@@ -14,11 +14,12 @@ namespace spangle::hal {
 struct GudFrame {
     struct Band {
         gud::Buffer buffer;
-        std::size_t at = 0; ///< where its pixels begin in `wire`
+        std::size_t at = 0; ///< where the band's pixels begin in `wire`
     };
     std::vector<Band> bands;
     gud::Bytes wire;
-    std::vector<RowSpan> damage; ///< what the bands cover: what the device lacks if they do not arrive
+    std::vector<RowSpan>
+        damage; ///< columns of each row that the bands cover; the device lacks them if bands are lost
 };
 
 /// The picture as it is drawn: RGB565, little-endian, rows without gaps.

@@ -8,13 +8,13 @@
 namespace spangle::hal::gud {
 
 enum Format : std::uint8_t {
-    R1 = 0x01, ///< eight pixels a byte, the left one highest
+    R1 = 0x01, ///< eight pixels in a byte, the left one in the highest bit
     R8 = 0x08,
-    XRGB1111 = 0x20, ///< two pixels a byte, the left one high
+    XRGB1111 = 0x20, ///< two pixels in a byte, the left one in the high nibble
     RGB332 = 0x30,
     RGB565 = 0x40,
-    RGB888 = 0x50,   ///< B, G, R bytes
-    XRGB8888 = 0x80, ///< B, G, R, X bytes
+    RGB888 = 0x50,   ///< bytes in the order B, G, R
+    XRGB8888 = 0x80, ///< bytes in the order B, G, R, X
     ARGB8888 = 0x81,
 };
 

@@ -94,7 +94,7 @@ Mode edid_mode(const std::uint8_t* edid, std::size_t count) {
     Mode mode;
     if (count < edid_block)
         return mode;
-    const std::uint8_t* const d = edid + 54; // the first descriptor
+    const std::uint8_t* const d = edid + 54; // the first descriptor of the EDID
     mode.clock_khz = read_u16(d) * 10u;
     const std::uint16_t sizes[2] = {join_12_bits(d[2], d[4] >> 4u), join_12_bits(d[5], d[7] >> 4u)};
     const std::uint16_t blanks[2] = {join_12_bits(d[3], d[4]), join_12_bits(d[6], d[7])};

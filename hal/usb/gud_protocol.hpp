@@ -29,11 +29,11 @@ const char* name_of(std::uint8_t request);
 const char* status_text(std::uint8_t status);
 
 inline constexpr std::uint32_t magic = 0x1d50614d;
-enum : std::uint32_t { STATUS_ON_SET = 1u << 0, FULL_UPDATE = 1u << 1 }; ///< descriptor flags
+enum : std::uint32_t { STATUS_ON_SET = 1u << 0, FULL_UPDATE = 1u << 1 }; ///< flags of a descriptor
 enum : std::uint8_t { COMPRESSION_LZ4 = 1u << 0 };
-enum : std::uint32_t { POLL_STATUS = 1u << 0 };     ///< connector flags
-enum : std::uint32_t { MODE_PREFERRED = 1u << 10 }; ///< mode flags
-enum : std::uint16_t { BACKLIGHT_BRIGHTNESS = 12 }; ///< connector property, 0 to 100
+enum : std::uint32_t { POLL_STATUS = 1u << 0 };     ///< flags of a connector
+enum : std::uint32_t { MODE_PREFERRED = 1u << 10 }; ///< flags of a mode
+enum : std::uint16_t { BACKLIGHT_BRIGHTNESS = 12 }; ///< property of a connector, from 0 to 100
 
 inline constexpr std::size_t descriptor_bytes = 30, most_formats = 32, mode_bytes = 24, most_modes = 128,
                              connector_bytes = 5, most_connectors = 32, property_bytes = 10,
@@ -49,7 +49,7 @@ bool parse(Descriptor& into, const std::uint8_t* bytes, std::size_t count);
 
 struct Mode {
     std::uint32_t clock_khz = 0;
-    /// Displayed, sync start, sync end, total.
+    /// Pixels or lines from the start: the displayed ones, start and end of sync, and all.
     std::uint16_t horizontal[4] = {}, vertical[4] = {};
     std::uint32_t flags = 0;
 };

@@ -19,9 +19,9 @@ using gud::Bytes;
 constexpr UsbId known_ids[] = {{0x1d50, 0x614d}, {0x16d0, 0x10a9}, {0x1209, 0x4fb3}};
 
 // Limits of what is believed of a device: no more than what can be drawn and sent.
-constexpr std::int32_t most_height = 4096;      ///< a WindowPlan takes no more rows
-constexpr std::uint32_t most_pixels = 1u << 24; ///< memory holds the picture several times
-constexpr std::uint64_t most_bands = 1u << 14;  ///< each takes an eighth of a millisecond or more
+constexpr std::int32_t most_height = 4096;      ///< the most rows that a WindowPlan takes
+constexpr std::uint32_t most_pixels = 1u << 24; ///< a bound, because memory holds the picture several times
+constexpr std::uint64_t most_bands = 1u << 14;  ///< a bound, because each band takes 125 us or more
 
 /// Compresses bytes and returns their number where they become fewer, else 0. Equal lengths are no use:
 /// devices also tell by the lengths whether bytes are compressed.
@@ -164,7 +164,8 @@ Result<void> GudSession::choose_mode() {
             return r.error();
         modes.push_back(gud::edid_mode(bytes.data(), bytes.size()));
     }
-    const char* refusal = "the device has no mode of this size"; // of a mode that was wanted, if there is one
+    const char* refusal =
+        "the device has no mode of this size"; // a mode of this size may be refused for its own reason
     const auto fits = [&](const gud::Mode& m) {
         const std::uint32_t w = m.horizontal[0], h = m.vertical[0];
         const bool wanted =
@@ -247,7 +248,7 @@ Result<void> GudSession::send(gud::Buffer buffer, const std::uint8_t* bytes) {
     const auto sent = transfer(buffer, data, count);
     if (sent || sent.error().fault == Fault::gone || sent.error().fault == Fault::timeout)
         return check(sent);
-    (void)link_.clear_halt(); // once more: the endpoint may be halted, or the buffer dropped by the device
+    (void)link_.clear_halt(); // tries again: the endpoint was halted, or the device dropped the buffer
     return check(transfer(buffer, data, count));
 }
 

@@ -44,7 +44,7 @@ class GudSession {
     gud::Mode mode_;
     std::uint8_t format_ = 0, connector_ = 0;
     bool wants_polls_ = false;
-    bool has_bulk_failed_ = false; ///< a device of full updates then needs one SET_BUFFER
+    bool has_bulk_failed_ = false; ///< true: a device with FULL_UPDATE needs a SET_BUFFER
     std::atomic<bool> is_alive_ = false, is_plugged_ = true;
     gud::Bytes compressed_;
 

@@ -31,7 +31,7 @@ Fault fault_of(int code) {
         return Fault::timeout;
     case cut_short:
         return Fault::short_write;
-    case LIBUSB_ERROR_NO_DEVICE: // which of the two an unplugged device gives depends on its controller
+    case LIBUSB_ERROR_NO_DEVICE: // an unplugged device gives this or LIBUSB_ERROR_IO
     case LIBUSB_ERROR_IO:
     case LIBUSB_ERROR_NOT_FOUND:
         return Fault::gone;
@@ -116,7 +116,7 @@ void UsbLink::close() {
     take_back();
     transfers_.reset();
     if (handle_ != nullptr) {
-        libusb_release_interface(handle_, interface_); // the kernel's driver comes back
+        libusb_release_interface(handle_, interface_); // gives the device back to the kernel's driver
         libusb_close(handle_);
     }
     handle_ = nullptr;

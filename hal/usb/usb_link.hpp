@@ -22,7 +22,7 @@ class UsbLink {
   public:
     static constexpr int any_interface = -1;
 
-    /// `noun`: what errors call the device.
+    /// `noun` is what errors call the device.
     explicit UsbLink(const char* noun = "USB display");
     ~UsbLink();
     UsbLink(const UsbLink&) = delete;
@@ -58,7 +58,7 @@ class UsbLink {
     /// Receives what the device sends, at most `count` bytes, in whole packets: a packet that is not full
     /// ends it.
     Result<std::size_t> read_bulk(std::uint8_t* into, std::size_t count, std::uint32_t timeout_ms);
-    std::size_t packet_bytes() const { return max_packet_bytes_; } ///< packet size of read_bulk()
+    std::size_t packet_bytes() const { return max_packet_bytes_; } ///< bytes of a packet of read_bulk()
     /// Whether the device refused the last request by a STALL.
     bool is_refused() const { return is_refused_; }
     Result<void> clear_halt();
@@ -73,10 +73,10 @@ class UsbLink {
     libusb_device_handle* handle_ = nullptr;
     int file_ = -1;
     int interface_ = 0;
-    std::uint8_t out_endpoint_ = 0, in_endpoint_ = 0; ///< endpoints; 0: none
+    std::uint8_t out_endpoint_ = 0, in_endpoint_ = 0; ///< numbers of the endpoints; 0: there is none
     std::size_t max_packet_bytes_ = 0;
     bool is_refused_ = false;
-    std::unique_ptr<BulkTransfer[]> transfers_; ///< two: pieces take turns
+    std::unique_ptr<BulkTransfer[]> transfers_; ///< two transfers, which take the pieces in turn
     unsigned submitted_count_ = 0, completed_count_ = 0;
     ErrorText error_;
     char name_[48] = "";

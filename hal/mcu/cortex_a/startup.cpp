@@ -5,14 +5,14 @@
 #include "hal/mcu/start.hpp"
 
 extern "C" {
-extern char ram_begin, ram_end; // whole megabytes, by the board's linker script
+extern char ram_begin, ram_end; // at whole megabytes, which the linker script sees to
 
 /// The first-level table, with one word for each megabyte.
 alignas(16384) __attribute__((section(".noinit"))) std::uint32_t translation_table[4096];
 
 void map_memory() {
     constexpr std::uint32_t section = 2, read_write = 3u << 10, cached = 1u << 12 | 1u << 3 | 1u << 2,
-                            device = 1u << 4 | 1u << 2; // never executed
+                            device = 1u << 4 | 1u << 2; // memory of devices, not executable
     const auto megabyte = [](const void* p) { return reinterpret_cast<std::uintptr_t>(p) >> 20; };
     for (std::uint32_t i = 0; i < 4096; ++i)
         translation_table[i] = i << 20 | section | read_write |

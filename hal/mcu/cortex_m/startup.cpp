@@ -10,7 +10,7 @@ extern "C" {
 extern std::uint32_t handler_stack_top;
 
 #if defined(__ARM_ARCH_7M__) || defined(__ARM_ARCH_7EM__)
-extern char stack_low; // the guard is from here to stack_bottom
+extern char stack_low; // the stack's guard lies from here to stack_bottom
 
 /// One region without access over the guard; the rest of memory stays as it is (Armv7-M ARM, B3.5).
 static void close_stack_guard() {

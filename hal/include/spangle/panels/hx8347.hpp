@@ -10,8 +10,8 @@ namespace hx8347 {
 enum : unsigned {
     HIMAX_ID = 0x00,
     DISPLAY_MODE = 0x01,
-    COLUMN_START = 0x02, ///< to 05h: start and end
-    ROW_START = 0x06,    ///< to 09h
+    COLUMN_START = 0x02, ///< first of the registers 02h to 05h: start and end
+    ROW_START = 0x06,    ///< first of the registers 06h to 09h
     MEMORY_ACCESS = 0x16,
     PIXEL_FORMAT = 0x17,
     OSCILLATOR = 0x18,
@@ -48,18 +48,18 @@ inline constexpr auto setup = init_program(cmd(0xEA, 0x00), cmd(0xEB, 0x20), // 
                                            cmd(0xE8, 0x40), cmd(0xE9, 0x38), //
                                            cmd(0xF1, 0x01), cmd(0xF2, 0x10), //
                                            cmd(0x27, 0xA3),                  //
-                                           cmd(VREG1, 0x1B),                 // 4.65 V
+                                           cmd(VREG1, 0x1B),                 // VREG1 = 4.65 V
                                            cmd(BOOST, 0x01),                 //
                                            cmd(VCOM_HIGH, 0x2F),             //
                                            cmd(VCOM_LOW, 0x57),              //
                                            cmd(VCOM_OFFSET, 0x8D),           //
-                                           cmd(OSCILLATOR, 0x36),            // 70 Hz
+                                           cmd(OSCILLATOR, 0x36),            // refresh at 70 Hz
                                            cmd(OSCILLATOR_ON, 0x01),         //
                                            cmd(DISPLAY_MODE, 0x00),          //
-                                           cmd(POWER, 0x88), delay_ms(5),    // out of standby,
-                                           cmd(POWER, 0x80), delay_ms(5),    // the boosters one by one,
-                                           cmd(POWER, 0x90), delay_ms(5),    //
-                                           cmd(POWER, 0xD0), delay_ms(5),    // VCOM
+                                           cmd(POWER, 0x88), delay_ms(5),    // leaves standby
+                                           cmd(POWER, 0x80), delay_ms(5), // turns the boosters on, one by one
+                                           cmd(POWER, 0x90), delay_ms(5), //
+                                           cmd(POWER, 0xD0), delay_ms(5), // turns VCOM on
                                            cmd(PANEL, 0x00));
 
 } // namespace hx8347

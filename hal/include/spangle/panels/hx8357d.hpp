@@ -20,15 +20,15 @@ enum : unsigned {
     SETGAMMA = 0xE0,
 };
 
-/// What HX8357-D modules come up with.
+/// The registers that HX8357-D modules need after reset.
 inline constexpr auto setup =
-    init_program(cmd(SETEXTC, 0xFF, 0x83, 0x57), delay_ms(300),     // opens the registers below
-                 cmd(SETRGB, 0x80, 0x00, 0x06, 0x06),               //
-                 cmd(SETCOM, 0x25),                                 // VCOM -1.52 V
-                 cmd(SETOSC, 0x68),                                 //
-                 cmd(SETPANEL, 0x05),                               // stripes and gate direction of the glass
-                 cmd(SETPOWER, 0x00, 0x15, 0x1C, 0x1C, 0x83, 0xAA), //
-                 cmd(SETSTBA, 0x50, 0x50, 0x01, 0x3C, 0x1E, 0x08),  //
+    init_program(cmd(SETEXTC, 0xFF, 0x83, 0x57), delay_ms(300), // unlocks the registers below
+                 cmd(SETRGB, 0x80, 0x00, 0x06, 0x06),           //
+                 cmd(SETCOM, 0x25),                             // VCOM = -1.52 V
+                 cmd(SETOSC, 0x68),                             //
+                 cmd(SETPANEL, 0x05),                           // order of subpixels and gates on the glass
+                 cmd(SETPOWER, 0x00, 0x15, 0x1C, 0x1C, 0x83, 0xAA),     //
+                 cmd(SETSTBA, 0x50, 0x50, 0x01, 0x3C, 0x1E, 0x08),      //
                  cmd(SETCYC, 0x02, 0x40, 0x00, 0x2A, 0x2A, 0x0D, 0x78), //
                  cmd(SETGAMMA, 0x02, 0x0A, 0x11, 0x1D, 0x23, 0x35, 0x41, 0x4B, 0x4B, 0x42, 0x3A, 0x27, 0x1B,
                      0x08, 0x09, 0x03, 0x02, 0x0A, 0x11, 0x1D, 0x23, 0x35, 0x41, 0x4B, 0x4B, 0x42, 0x3A, 0x27,

@@ -27,7 +27,7 @@ enum : unsigned {
     PUMPCTR = 0xF7,
 };
 
-/// What ILI9341 modules come up with.
+/// The registers that ILI9341 modules need after reset.
 inline constexpr auto setup = init_program(
     cmd(PWCTRB, 0x00, 0xC1, 0x30),             //
     cmd(PONSEQ, 0x64, 0x03, 0x12, 0x81),       //
@@ -40,7 +40,7 @@ inline constexpr auto setup = init_program(
     cmd(VMCTR1, 0x3E, 0x28),                   // VCOMH 4.250 V, VCOML -1.500 V
     cmd(VMCTR2, 0x86),                         //
     cmd(FRMCTR1, 0x00, 0x1B),                  // 615 kHz / (27 clocks x 324 lines) = 70.3 Hz
-    cmd(DISCTRL, 0x08, 0x82, 0x27),            // 320 lines, normally white
+    cmd(DISCTRL, 0x08, 0x82, 0x27),            // scans 320 lines, normally white
     cmd(EN3GAM, 0x00),                         //
     cmd(dcs::GAMSET, 0x01),                    //
     cmd(GMCTRP1, 0x0F, 0x31, 0x2B, 0x0C, 0x0E, 0x08, 0x4E, 0xF1, 0x37, 0x07, 0x10, 0x03, 0x0E, 0x09, 0x00),
@@ -65,7 +65,7 @@ inline constexpr PanelDesc ili9341_240x320 = panel({
                .serial_read_ns = 150,
                .parallel_write_ns = 66,
                .practical_serial_mhz = 80,
-               .frame_us = 14224, // 27 * 324 / 615 kHz
+               .frame_us = 14224, // 27 clocks * 324 lines / 615 kHz
                .scan_lines = 324,
                .porch_lines = 4},
     .identity = {.id = 0x000000, .register_dummy_bits = 1, .pixel_dummy_bits = 8},
@@ -76,13 +76,13 @@ namespace ili9342c {
 
 enum : unsigned { IFMODE = 0xB0, DISCTRL = 0xB6, PWCTR1 = 0xC0, PWCTR2 = 0xC1, SETEXTC = 0xC8, IFCTL = 0xF6 };
 
-/// What ILI9342C modules come up with.
-inline constexpr auto setup = init_program(cmd(SETEXTC, 0xFF, 0x93, 0x42),       // opens the registers below
-                                           cmd(PWCTR1, 0x12, 0x12),              //
-                                           cmd(PWCTR2, 0x03),                    //
-                                           cmd(IFMODE, 0xE0),                    //
-                                           cmd(IFCTL, 0x01, 0x00, 0x00),         // wrap at the window's end
-                                           cmd(DISCTRL, 0x08, 0x82, 0x1D, 0x04), // 240 lines
+/// The registers that ILI9342C modules need after reset.
+inline constexpr auto setup = init_program(cmd(SETEXTC, 0xFF, 0x93, 0x42), // unlocks the registers below
+                                           cmd(PWCTR1, 0x12, 0x12),        //
+                                           cmd(PWCTR2, 0x03),              //
+                                           cmd(IFMODE, 0xE0),              //
+                                           cmd(IFCTL, 0x01, 0x00, 0x00), // writing wraps at the window's end
+                                           cmd(DISCTRL, 0x08, 0x82, 0x1D, 0x04), // scans 240 lines
                                            cmd(ili9341::GMCTRP1, 0x00, 0x0C, 0x11, 0x04, 0x11, 0x08, 0x37,
                                                0x89, 0x4C, 0x06, 0x0C, 0x0A, 0x2E, 0x34, 0x0F),
                                            cmd(ili9341::GMCTRN1, 0x00, 0x0B, 0x11, 0x05, 0x13, 0x09, 0x33,
@@ -103,7 +103,7 @@ inline constexpr PanelDesc ili9342c_320x240 = panel({
     .parallel = {.rgb565 = 0x55, .rgb666 = 0x66},
     .setup = ili9342c::setup,
     .timing = {.practical_serial_mhz = 40,
-               .frame_us = 10712, // 27 * 244 / 615 kHz
+               .frame_us = 10712, // 27 clocks * 244 lines / 615 kHz
                .scan_lines = 244,
                .porch_lines = 4},
     .identity = {.id = 0xE30000, .mask = 0xFF0000},
@@ -114,7 +114,7 @@ namespace ili9486 {
 
 enum : unsigned { PWCTR3 = 0xC2, VMCTR1 = 0xC5 };
 
-/// What ILI9486 modules come up with.
+/// The registers that ILI9486 modules need after reset.
 inline constexpr auto setup = init_program(cmd(PWCTR3, 0x44),                   //
                                            cmd(VMCTR1, 0x00, 0x00, 0x00, 0x00), //
                                            cmd(ili9341::GMCTRP1, 0x0F, 0x1F, 0x1C, 0x0C, 0x0F, 0x08, 0x48,
@@ -154,14 +154,14 @@ enum : unsigned {
     ADJCTL3 = 0xF7,
 };
 
-/// What ILI9488 modules come up with.
+/// The registers that ILI9488 modules need after reset.
 inline constexpr auto setup = init_program(cmd(PWCTR1, 0x17, 0x15),              //
                                            cmd(PWCTR2, 0x41),                    //
                                            cmd(VMCTR1, 0x00, 0x12, 0x80),        //
-                                           cmd(IFMODE, 0x00),                    // SDO in use
-                                           cmd(FRMCTR1, 0xA0),                   // 60.76 Hz
+                                           cmd(IFMODE, 0x00),                    // SDO is used
+                                           cmd(FRMCTR1, 0xA0),                   // refresh at 60.76 Hz
                                            cmd(INVTR, 0x02),                     // two-dot inversion
-                                           cmd(DISCTRL, 0x02, 0x22, 0x3B),       // 480 lines
+                                           cmd(DISCTRL, 0x02, 0x22, 0x3B),       // scans 480 lines
                                            cmd(ETMOD, 0xC6),                     //
                                            cmd(ADJCTL3, 0xA9, 0x51, 0x2C, 0x82), //
                                            cmd(ili9341::GMCTRP1, 0x00, 0x03, 0x09, 0x08, 0x16, 0x0A, 0x3F,

@@ -8,7 +8,7 @@ namespace spangle::hal::panels {
 namespace oled {
 
 enum : unsigned {
-    MEMORY_MODE = 0x20, ///< 0 along columns, 1 along pages
+    MEMORY_MODE = 0x20, ///< order of writing: 0 along columns, 1 along pages
     COLUMN_RANGE = 0x21,
     PAGE_RANGE = 0x22,
     STOP_SCROLL = 0x2E,
@@ -73,18 +73,19 @@ using namespace oled;
 
 /// `pins`: glass of more than 32 rows has every other row on the other half of the COM pins.
 template <unsigned Rows, unsigned Pins, unsigned Contrast>
-inline constexpr auto setup = init_program(cmd(DISPLAY_OFF),         //
-                                           cmd(CLOCK, 0x80),         //
-                                           cmd(MULTIPLEX, Rows - 1), //
-                                           cmd(OFFSET, 0x00),        //
-                                           cmd(START_LINE),          //
-                                           cmd(CHARGE_PUMP, 0x14),   // 7.5 V from its own converter
-                                           cmd(COM_PINS, Pins),      //
-                                           cmd(CONTRAST, Contrast),  //
-                                           cmd(PRECHARGE, 0xF1),     //
-                                           cmd(VCOMH, 0x40),         //
-                                           cmd(STOP_SCROLL), // memory is not to be written while it moves
-                                           cmd(SHOW_MEMORY));
+inline constexpr auto
+    setup = init_program(cmd(DISPLAY_OFF),         //
+                         cmd(CLOCK, 0x80),         //
+                         cmd(MULTIPLEX, Rows - 1), //
+                         cmd(OFFSET, 0x00),        //
+                         cmd(START_LINE),          //
+                         cmd(CHARGE_PUMP, 0x14),   // the chip's converter gives 7.5 V
+                         cmd(COM_PINS, Pins),      //
+                         cmd(CONTRAST, Contrast),  //
+                         cmd(PRECHARGE, 0xF1),     //
+                         cmd(VCOMH, 0x40),         //
+                         cmd(STOP_SCROLL),         // memory must not be written while the picture scrolls
+                         cmd(SHOW_MEMORY));
 
 /// Modules are glued in upside down: upright is A1h, C8h.
 consteval PanelDesc on_glass(const char* name, Extent glass, Program setup) {
@@ -98,11 +99,11 @@ consteval PanelDesc on_glass(const char* name, Extent glass, Program setup) {
         .parallel = {.mono = 0},
         .setup = setup,
         .commands = &ranges,
-        .timing = {.reset_wait_us = 100000, // u8g2: "far east" panels need longer than the datasheet's 3 us
+        .timing = {.reset_wait_us = 100000, // the datasheet's 3 us are too short for many panels (u8g2)
                    .sleep_out_wait_us = 0,
                    .serial_write_ns = 100,
                    .parallel_write_ns = 300,
-                   .i2c_hz = 1000000, // datasheet: 400 kHz
+                   .i2c_hz = 1000000, // boards run faster than the datasheet's 400 kHz
                    .practical_serial_mhz = 20},
         .quirks = {.no_read_back = true},
     });
@@ -123,14 +124,14 @@ using namespace oled;
 
 enum : unsigned { PUMP_VOLTAGE = 0x30 };
 
-/// What SH1106 modules come up with.
+/// The registers that SH1106 modules need after reset.
 inline constexpr auto setup = init_program(cmd(DISPLAY_OFF),      //
                                            cmd(CLOCK, 0x80),      //
                                            cmd(MULTIPLEX, 0x3F),  //
                                            cmd(OFFSET, 0x00),     //
                                            cmd(START_LINE),       //
-                                           cmd(DC_DC, 0x8B),      // its converter on
-                                           cmd(PUMP_VOLTAGE + 2), // 8.0 V
+                                           cmd(DC_DC, 0x8B),      // turns the chip's converter on
+                                           cmd(PUMP_VOLTAGE + 2), // the converter gives 8.0 V
                                            cmd(COM_PINS, 0x12),   //
                                            cmd(CONTRAST, 0x80),   //
                                            cmd(PRECHARGE, 0x1F),  //
@@ -164,7 +165,7 @@ namespace ssd0303 {
 
 using namespace oled;
 
-/// What the evaluation board's SSD0303 comes up with.
+/// The registers that the evaluation board's SSD0303 needs after reset.
 inline constexpr auto setup = init_program(cmd(DISPLAY_OFF),     //
                                            cmd(CLOCK, 0x80),     //
                                            cmd(MULTIPLEX, 0x0F), //

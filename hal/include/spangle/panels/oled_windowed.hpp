@@ -11,11 +11,11 @@ namespace oled {
 enum : unsigned {
     COLUMNS = 0x15,
     ROWS = 0x75,
-    WRITE_RAM = 0x5C, ///< SSD1351
+    WRITE_RAM = 0x5C, ///< the command before pixels, on the SSD1351 only
     REMAP = 0xA0,
     FIRST_LINE = 0xA1,
     FIRST_COM = 0xA2,
-    NORMAL = 0xA4, ///< A7h: the inverse
+    NORMAL = 0xA4, ///< shows memory as it is; A7h shows its inverse
     LOCK = 0xFD,
 };
 
@@ -42,20 +42,20 @@ namespace ssd1327 {
 
 using namespace oled;
 
-/// What SSD1327 modules come up with.
-inline constexpr auto setup = init_program(cmd(LOCK, 0x12),       // opens the registers
+/// The registers that SSD1327 modules need after reset.
+inline constexpr auto setup = init_program(cmd(LOCK, 0x12),       // unlocks the registers
                                            cmd(0xAE),             //
-                                           cmd(0xA8, 0x7F),       // 128 lines
+                                           cmd(0xA8, 0x7F),       // scans 128 lines
                                            cmd(FIRST_LINE, 0x00), //
                                            cmd(FIRST_COM, 0x00),  //
-                                           cmd(0xAB, 0x01),       // its own VDD
-                                           cmd(0xB1, 0xF1),       // phases
-                                           cmd(0xB3, 0x00),       // 80 Hz
-                                           cmd(0xB6, 0x0F),       // second precharge
+                                           cmd(0xAB, 0x01),       // the chip makes VDD itself
+                                           cmd(0xB1, 0xF1),       // lengths of the drive phases
+                                           cmd(0xB3, 0x00),       // refreshes at 80 Hz
+                                           cmd(0xB6, 0x0F),       // length of the second precharge
                                            cmd(0xB9),             // greys in equal steps
                                            cmd(0xBC, 0x08),       // precharge voltage
                                            cmd(0xBE, 0x0F),       // VCOMH
-                                           cmd(0xD5, 0x62),       // second precharge on
+                                           cmd(0xD5, 0x62),       // turns the second precharge on
                                            cmd(0x81, 0x80));      // contrast
 
 } // namespace ssd1327
@@ -84,18 +84,18 @@ namespace ssd0323 {
 
 using namespace oled;
 
-/// What the evaluation board's SSD0323 comes up with.
+/// The registers that the evaluation board's SSD0323 needs after reset.
 inline constexpr auto setup =
     init_program(cmd(0xAE),             //
-                 cmd(0xA8, 0x3F),       // 64 lines
+                 cmd(0xA8, 0x3F),       // scans 64 lines
                  cmd(FIRST_LINE, 0x00), //
-                 cmd(FIRST_COM, 0x4C),  // where the glass begins
+                 cmd(FIRST_COM, 0x4C),  // the first COM pin of the glass
                  cmd(0x81, 0x40),       // contrast
-                 cmd(0x86),             // full current
-                 cmd(0xAD, 0x03),       // its own converter off: VCC comes from outside
-                 cmd(0xB1, 0x22),       // phases
-                 cmd(0xB2, 0x46),       // row period
-                 cmd(0xB3, 0x41),       // clock
+                 cmd(0x86),             // lets the full current flow
+                 cmd(0xAD, 0x03),       // turns the chip's converter off: VCC comes from outside
+                 cmd(0xB1, 0x22),       // lengths of the drive phases
+                 cmd(0xB2, 0x46),       // clocks of a row
+                 cmd(0xB3, 0x41),       // frequency and divider of the clock
                  cmd(0xB8, 0x01, 0x11, 0x22, 0x32, 0x43, 0x54, 0x65, 0x76), // grey steps
                  cmd(0xBC, 0x08),                                           // precharge voltage
                  cmd(0xBE, 0x1C),                                           // VCOMH
@@ -135,7 +135,7 @@ inline constexpr CommandSet commands = {
     .axes_stay = true,
     .mirrors_rows_on_glass = true,
     .settings = {{.command = REMAP,
-                  .base = 0x24, // split COM pins; red first
+                  .base = 0x24, // COM pins are split, and red is first
                   .mx = 0x02,
                   .my = 0x10,
                   .mv = 0x01,
@@ -146,19 +146,19 @@ inline constexpr CommandSet commands = {
     .light = windowed_on,
 };
 
-/// What SSD1351 modules come up with.
-inline constexpr auto setup = init_program(cmd(LOCK, 0x12),             // opens the registers,
-                                           cmd(LOCK, 0xB1),             // opens the registers of the supply
+/// The registers that SSD1351 modules need after reset.
+inline constexpr auto setup = init_program(cmd(LOCK, 0x12),             // unlocks the registers
+                                           cmd(LOCK, 0xB1),             // unlocks the registers of the supply
                                            cmd(0xAE),                   //
-                                           cmd(0xB3, 0xF1),             // clock
-                                           cmd(0xCA, 0x7F),             // 128 lines
+                                           cmd(0xB3, 0xF1),             // frequency and divider of the clock
+                                           cmd(0xCA, 0x7F),             // scans 128 lines
                                            cmd(FIRST_LINE, 0x00),       //
-                                           cmd(FIRST_COM, 0x00),        // 60h after reset
-                                           cmd(0xAB, 0x01),             // its own VDD
-                                           cmd(0xB4, 0xA0, 0xB5, 0x55), // external VSL
+                                           cmd(FIRST_COM, 0x00),        // a reset sets 60h
+                                           cmd(0xAB, 0x01),             // the chip makes VDD itself
+                                           cmd(0xB4, 0xA0, 0xB5, 0x55), // VSL comes from outside
                                            cmd(0xC1, 0xC8, 0x80, 0xC8), // contrast of red, green, blue
-                                           cmd(0xC7, 0x0F),             // full current
-                                           cmd(0xB1, 0x32),             // phases
+                                           cmd(0xC7, 0x0F),             // lets the full current flow
+                                           cmd(0xB1, 0x32),             // lengths of the drive phases
                                            cmd(0xBE, 0x05));            // VCOMH
 
 } // namespace ssd1351
@@ -194,7 +194,7 @@ inline constexpr CommandSet commands = {
     .axes_stay = true,
     .mirrors_rows_on_glass = true,
     .settings = {{.command = REMAP,
-                  .base = 0x20, // split COM pins
+                  .base = 0x20, // COM pins are split
                   .mx = 0x02,
                   .my = 0x10,
                   .mv = 0x01,
@@ -205,24 +205,24 @@ inline constexpr CommandSet commands = {
     .light = windowed_on,
 };
 
-/// What SSD1331 modules come up with.
+/// The registers that SSD1331 modules need after reset.
 inline constexpr auto setup = init_program(cmd(0xAE),             //
                                            cmd(FIRST_LINE, 0x00), //
                                            cmd(FIRST_COM, 0x00),  //
-                                           cmd(0xA8, 0x3F),       // 64 lines
-                                           cmd(0xAD, 0x8E),       // VCC from outside
-                                           cmd(0xB0, 0x0B),       // no power save
-                                           cmd(0xB1, 0x31),       // phases
-                                           cmd(0xB3, 0xF0),       // clock
-                                           cmd(0x8A, 0x64),       // second precharge of red,
-                                           cmd(0x8B, 0x78),       // green,
-                                           cmd(0x8C, 0x64),       // blue
+                                           cmd(0xA8, 0x3F),       // scans 64 lines
+                                           cmd(0xAD, 0x8E),       // VCC comes from outside
+                                           cmd(0xB0, 0x0B),       // turns power save off
+                                           cmd(0xB1, 0x31),       // lengths of the drive phases
+                                           cmd(0xB3, 0xF0),       // frequency and divider of the clock
+                                           cmd(0x8A, 0x64),       // second precharge of red
+                                           cmd(0x8B, 0x78),       // second precharge of green
+                                           cmd(0x8C, 0x64),       // second precharge of blue
                                            cmd(0xBB, 0x3A),       // precharge voltage
                                            cmd(0xBE, 0x3E),       // VCOMH
-                                           cmd(0x87, 0x06),       // current
-                                           cmd(0x81, 0x91),       // contrast of red,
-                                           cmd(0x82, 0x50),       // green,
-                                           cmd(0x83, 0x7D));      // blue
+                                           cmd(0x87, 0x06),       // limits the current
+                                           cmd(0x81, 0x91),       // contrast of red
+                                           cmd(0x82, 0x50),       // contrast of green
+                                           cmd(0x83, 0x7D));      // contrast of blue
 
 } // namespace ssd1331
 

@@ -23,11 +23,11 @@ enum : unsigned {
     GMCTRN1 = 0xE1,
 };
 
-/// What ST7735 modules come up with.
+/// The registers that ST7735 modules need after reset.
 inline constexpr auto setup =
     init_program(cmd(FRMCTR1, 0x01, 0x2C, 0x2D), // 850 kHz / (42 clocks x (lines + 44 + 45))
-                 cmd(FRMCTR2, 0x01, 0x2C, 0x2D), // idle
-                 cmd(FRMCTR3, 0x01, 0x2C, 0x2D, 0x01, 0x2C, 0x2D), // partial
+                 cmd(FRMCTR2, 0x01, 0x2C, 0x2D), // the same in idle mode
+                 cmd(FRMCTR3, 0x01, 0x2C, 0x2D, 0x01, 0x2C, 0x2D), // the same in partial mode
                  cmd(INVCTR, 0x07),                                //
                  cmd(PWCTR1, 0xA2, 0x02, 0x84),                    //
                  cmd(PWCTR2, 0xC5),                                //
@@ -71,22 +71,22 @@ consteval PanelDesc on_glass(const char* name, Extent memory, Extent glass, Offs
 
 } // namespace st7735
 
-/// 128x160, without an offset.
-inline constexpr PanelDesc st7735_128x160 =
-    st7735::on_glass("ST7735 128x160", {128, 160}, {128, 160}, {0, 0}, ColorOrder::rgb); // red, black tab
-/// 128x160 with a green tab on its foil.
+/// A 128x160 module whose glass shows memory from its first pixel on.
+inline constexpr PanelDesc st7735_128x160 = st7735::on_glass(
+    "ST7735 128x160", {128, 160}, {128, 160}, {0, 0}, ColorOrder::rgb); // modules with a red or black tab
+/// A 128x160 module with a green tab on its foil.
 inline constexpr PanelDesc st7735_128x160_green =
     st7735::on_glass("ST7735 128x160 green tab", {132, 162}, {128, 160}, {2, 1}, ColorOrder::bgr);
-/// 128x128 with a green tab.
+/// A 128x128 module with a green tab on its foil.
 inline constexpr PanelDesc st7735_128x128_green =
     st7735::on_glass("ST7735 128x128 green tab", {132, 132}, {128, 128}, {2, 1}, ColorOrder::bgr);
-/// 128x128 with a red tab.
+/// A 128x128 module with a red tab on its foil.
 inline constexpr PanelDesc st7735_128x128_red =
     st7735::on_glass("ST7735 128x128 red tab", {132, 132}, {128, 128}, {2, 3}, ColorOrder::bgr);
-/// 80x160, IPS.
+/// An 80x160 module with IPS glass.
 inline constexpr PanelDesc st7735_80x160 =
     st7735::on_glass("ST7735 80x160", {128, 160}, {80, 160}, {24, 0}, ColorOrder::bgr, true);
-/// 80x160 whose glass begins at column 26.
+/// An 80x160 module whose glass begins at column 26 of the memory.
 inline constexpr PanelDesc st7735_80x160_26 =
     st7735::on_glass("ST7735 80x160 offset 26", {132, 162}, {80, 160}, {26, 1}, ColorOrder::bgr, true);
 

@@ -23,7 +23,7 @@ enum : unsigned {
 /// would exchange red and blue behind MADCTL.
 inline constexpr auto setup = init_program(
     cmd(RAMCTRL, 0x00,
-        0xE0),        // wrap at the window's end, 5 -> 6 bits by repeating the top bit, high byte first
+        0xE0),        // wraps at the window's end, repeats the top of 5 bits as a sixth, high byte first
     cmd(GCTRL, 0x35), //
     cmd(VCOMS, 0x28), //
     cmd(VDVVRHEN, 0x01, 0xFF), //
@@ -48,7 +48,7 @@ consteval PanelDesc on_glass(const char* name, Extent glass, Offset offset) {
         .serial = {.rgb565 = 0x55, .rgb666 = 0x66, .rgb444 = 0x53},
         .parallel = {.rgb565 = 0x55, .rgb666 = 0x66, .rgb444 = 0x53},
         .setup = setup,
-        .timing = {.serial_write_ns = 16, // VW; the V is rated 66
+        .timing = {.serial_write_ns = 16, // of the ST7789VW; the ST7789V needs 66
                    .serial_read_ns = 150,
                    .parallel_write_ns = 66,
                    .practical_serial_mhz = 80,
@@ -62,17 +62,17 @@ consteval PanelDesc on_glass(const char* name, Extent glass, Offset offset) {
 
 } // namespace st7789
 
-/// 240x320, the whole memory.
+/// A 240x320 glass, which shows the whole memory.
 inline constexpr PanelDesc st7789_240x320 = st7789::on_glass("ST7789 240x320", {240, 320}, {0, 0});
-/// 240x280: the glass begins at row 20.
+/// A 240x280 glass, which begins at row 20 of the memory.
 inline constexpr PanelDesc st7789_240x280 = st7789::on_glass("ST7789 240x280", {240, 280}, {0, 20});
-/// 240x240: the upper part of the memory.
+/// A 240x240 glass, which shows the upper part of the memory.
 inline constexpr PanelDesc st7789_240x240 = st7789::on_glass("ST7789 240x240", {240, 240}, {0, 0});
-/// 172x320: the glass begins at column 34.
+/// A 172x320 glass, which begins at column 34 of the memory.
 inline constexpr PanelDesc st7789_172x320 = st7789::on_glass("ST7789 172x320", {172, 320}, {34, 0});
-/// 170x320: the glass begins at column 35.
+/// A 170x320 glass, which begins at column 35 of the memory.
 inline constexpr PanelDesc st7789_170x320 = st7789::on_glass("ST7789 170x320", {170, 320}, {35, 0});
-/// 135x240: the glass begins at column 52, row 40.
+/// A 135x240 glass, which begins at column 52 and row 40 of the memory.
 inline constexpr PanelDesc st7789_135x240 = st7789::on_glass("ST7789 135x240", {135, 240}, {52, 40});
 
 } // namespace spangle::hal::panels

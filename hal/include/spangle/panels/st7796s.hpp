@@ -20,19 +20,19 @@ enum : unsigned {
     CSCON = 0xF0,
 };
 
-/// What ST7796S modules come up with.
+/// The registers that ST7796S modules need after reset.
 inline constexpr auto setup = init_program(
-    cmd(CSCON, 0xC3),                                          // opens command table 2:
-    cmd(CSCON, 0x96),                                          // both halves of the key
+    cmd(CSCON, 0xC3),                                          // unlocks command table 2, with the next
+    cmd(CSCON, 0x96),                                          // the second half of the key
     cmd(INVTR, 0x01),                                          // one-dot inversion
-    cmd(DISCTRL, 0x80, 0x22, 0x3B),                            // 480 lines
+    cmd(DISCTRL, 0x80, 0x22, 0x3B),                            // scans 480 lines
     cmd(DOCA, 0x40, 0x8A, 0x00, 0x00, 0x29, 0x19, 0xA5, 0x33), //
     cmd(PWCTR2, 0x06),                                         //
     cmd(PWCTR3, 0xA7),                                         //
     cmd(VMCTR1, 0x18), delay_ms(120),                          //
     cmd(PGC, 0xF0, 0x09, 0x0B, 0x06, 0x04, 0x15, 0x2F, 0x54, 0x42, 0x3C, 0x17, 0x14, 0x18, 0x1B), //
     cmd(NGC, 0xE0, 0x09, 0x0B, 0x06, 0x04, 0x03, 0x2B, 0x43, 0x42, 0x3B, 0x16, 0x14, 0x17, 0x1B), //
-    delay_ms(120), cmd(CSCON, 0x3C), cmd(CSCON, 0x69)); // closes command table 2
+    delay_ms(120), cmd(CSCON, 0x3C), cmd(CSCON, 0x69)); // both lock command table 2
 
 } // namespace st7796s
 

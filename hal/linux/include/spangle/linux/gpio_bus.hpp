@@ -9,25 +9,25 @@ namespace spangle::hal {
 
 /// How a panel's pins are wired to GPIO lines.
 enum class GpioWiring : std::uint8_t {
-    serial4,    ///< D/C has a line (MIPI DBI-C option 3)
-    serial3,    ///< D/C is the first of nine bits (option 1)
-    parallel8,  ///< DBI-B, one byte a cycle
-    parallel16, ///< two bytes of pixels a cycle, the first on D[15:8]; commands and parameters on D[7:0]
+    serial4,    ///< serial, with a line for D/C (MIPI DBI-C option 3)
+    serial3,    ///< serial, D/C is the first of nine bits (MIPI DBI-C option 1)
+    parallel8,  ///< parallel, one byte a cycle (MIPI DBI-B)
+    parallel16, ///< parallel: two bytes of pixels a cycle, the first on D[15:8]; commands on D[7:0]
 };
 
 /// Which lines go to which pins. Names that it points to must outlive the bus.
 struct GpioBusConfig {
-    /// No line.
+    /// The number that stands for no line.
     static constexpr unsigned none = ~0u;
 
     /// The kind of bus.
     GpioWiring wiring = GpioWiring::parallel8;
-    const char* chip = "/dev/gpiochip0"; ///< chip of all lines here; `pins` may be on others
-    unsigned select = none;              ///< CS; none: tied low, and the panel cannot be read
-    unsigned data_command = none;        ///< D/C; serial3 has none
+    const char* chip = "/dev/gpiochip0"; ///< chip of all lines below; those of `pins` may be on other chips
+    unsigned select = none;              ///< CS; none: CS is tied low, and the panel cannot be read
+    unsigned data_command = none;        ///< D/C, which serial3 does not have
     unsigned clock = none;               ///< WR or SCK
-    unsigned answer = none;              ///< RD, or SDO; serial3: any other value, the answer comes on SDA
-    unsigned data[16] = {};              ///< D0 and up; serial: SDA first
+    unsigned answer = none;              ///< RD or SDO; of serial3 any line, because answers come on SDA
+    unsigned data[16] = {};              ///< D0 and up; a serial bus has SDA as its first
     /// Reset, backlight and TE.
     PanelPins pins;
     /// Cycles of WR or SCK per second, from which deadlines are computed: better too few than too many.
@@ -40,7 +40,7 @@ struct GpioBusConfig {
 /// A Bus over GPIO lines.
 class GpioBus final : public TransferBus {
   public:
-    /// Opens nothing yet: open() does.
+    /// Opens nothing; open() does that.
     explicit GpioBus(const GpioBusConfig& config);
     ~GpioBus();
 
@@ -57,9 +57,9 @@ class GpioBus final : public TransferBus {
     std::uint32_t levels_ = 0; ///< levels of `control_`
     std::uint32_t word_ = 0;   ///< word on `data_`
     bool levels_known_ = false, word_known_ = false;
-    bool floating_ = false;   ///< the data lines are inputs
-    bool rests_ = false;      ///< the last list ended as it should
-    unsigned upper_byte_ = 0; ///< first byte of a 16-bit word whose second is to come
+    bool floating_ = false;   ///< true: the data lines are inputs
+    bool rests_ = false;      ///< true: the last list ended without a fault
+    unsigned upper_byte_ = 0; ///< first byte of a 16-bit word that is not complete
     bool half_word_ = false;
 
     bool serial() const {

@@ -11,8 +11,8 @@ namespace spangle::hal {
 struct I2cConfig {
     /// The adapter's device file.
     const char* device = "/dev/i2c-1";
-    std::uint8_t address = 0x3C;        ///< seven bits; 3Ch or 3Dh
-    std::uint32_t clock_hz = 400000;    ///< clock of the adapter, for deadlines only: it is set elsewhere
+    std::uint8_t address = 0x3C;     ///< address of seven bits, 3Ch or 3Dh
+    std::uint32_t clock_hz = 400000; ///< clock of the adapter, which the system sets; only deadlines use it
     std::uint16_t message_bytes = 1024; ///< the longest message, control byte included; some adapters take 32
     /// Reset, backlight and TE.
     PanelPins pins;
@@ -34,7 +34,7 @@ constexpr I2cConfig i2c_config(const Board& board, const char* device, std::uint
 /// A Bus over i2c-dev. It cannot read.
 class I2cBus final : public TransferBus {
   public:
-    /// Opens nothing yet: open() does.
+    /// Opens nothing; open() does that.
     explicit I2cBus(const I2cConfig& config);
     ~I2cBus();
 
@@ -46,7 +46,7 @@ class I2cBus final : public TransferBus {
   private:
     I2cConfig config_;
     int device_ = -1;
-    std::vector<std::uint8_t> message_; ///< message being filled, control byte first; empty: none
+    std::vector<std::uint8_t> message_; ///< the message that is being filled, with its control byte first
     bool data_ = false;
 
     void close_device();

@@ -12,10 +12,10 @@ namespace spangle::hal {
 /// One line: the chip's device file ("/dev/gpiochip0") or its label ("pinctrl-bcm2711"), and its offset
 /// there.
 struct LineRef {
-    const char* chip = nullptr; ///< null: not wired
+    const char* chip = nullptr; ///< the chip's name; null: the line is not wired
     /// The line's number on its chip.
     unsigned offset = 0;
-    bool inverted = false; ///< a transistor sits between the line and the pin
+    bool inverted = false; ///< true: a transistor inverts the line on its way to the pin
     /// Whether there is such a line.
     bool wired() const { return chip != nullptr; }
 };
@@ -27,7 +27,7 @@ class Lines {
     /// The most lines of one request.
     static constexpr unsigned most = 32;
 
-    /// No lines.
+    /// A request of no lines.
     Lines();
     /// Gives the lines back.
     ~Lines();
@@ -48,11 +48,11 @@ class Lines {
 
     /// Sets all outputs at once.
     Result<void> set(std::uint32_t levels);
-    /// The levels of all lines.
+    /// Reads the levels of all lines.
     Result<std::uint32_t> get();
-    /// All lines become outputs at these levels.
+    /// Makes all lines outputs, at these levels.
     Result<void> drive(std::uint32_t levels);
-    /// All lines become inputs.
+    /// Makes all lines inputs.
     Result<void> float_lines();
 
   private:
@@ -78,7 +78,7 @@ class Lines {
 /// An input whose rising edges the kernel counts and stamps.
 class EdgeLine {
   public:
-    /// No line.
+    /// A request of no line.
     EdgeLine();
     /// Gives the line back.
     ~EdgeLine();

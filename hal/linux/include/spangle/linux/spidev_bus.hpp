@@ -15,7 +15,7 @@ struct SpidevConfig {
     std::uint32_t write_hz = 0;
     std::uint32_t read_hz = 0; ///< 0: the panel's data output is not wired
     std::uint8_t mode = 0;     ///< SPI mode 0 or 3
-    LineRef dc;                ///< not wired: 3-wire, nine bits a byte (DBI-C option 1), or `start_bytes`
+    LineRef dc;                ///< D/C; not wired: nine bits a byte (DBI-C option 1), or start bytes
     bool start_bytes = false;  ///< each message begins with 70h before an index, or 72h before values
     /// Reset, backlight and TE.
     PanelPins pins;
@@ -41,7 +41,7 @@ constexpr SpidevConfig spidev_config(const Board& board, const char* device, Lin
 /// A Bus over spidev.
 class SpidevBus final : public TransferBus {
   public:
-    /// Opens nothing yet: open() does.
+    /// Opens nothing; open() does that.
     explicit SpidevBus(const SpidevConfig& config);
     ~SpidevBus();
 
@@ -49,7 +49,7 @@ class SpidevBus final : public TransferBus {
     /// device, operation and cause; docs/faults.md lists them.
     Result<void> open();
     BusCaps caps() const override;
-    /// Bytes of one message: the kernel's `bufsiz`.
+    /// The most bytes of one message, which is the kernel's `bufsiz`.
     std::size_t message_bytes() const { return stage_.size(); }
 
   private:
@@ -62,13 +62,13 @@ class SpidevBus final : public TransferBus {
     // Bytes that wait for their message, all with the same D/C in 4-wire mode.
     std::vector<std::uint8_t> stage_;
     std::size_t staged_ = 0;
-    std::size_t longest_ = 0; ///< longest message; with start bytes one that ends with whole pixels
+    std::size_t longest_ = 0; ///< bytes of the longest message; with start bytes, it ends after a whole pixel
     bool staged_data_ = false;
 
     // 3-wire: nine bits as the kernel's 16-bit words, or eight words in nine bytes where the controller only
     // has bytes.
     bool packed_ = false;
-    std::uint32_t bits_ = 0; ///< bits that are not staged yet
+    std::uint32_t bits_ = 0; ///< the last bits, which do not fill a byte yet
     unsigned bit_count_ = 0;
 
     bool has_dc() const { return config_.dc.wired(); }

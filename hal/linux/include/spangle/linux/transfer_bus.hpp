@@ -18,9 +18,9 @@ namespace spangle::hal {
 
 /// The lines of a panel module beside its bus. What is not wired stays empty.
 struct PanelPins {
-    LineRef reset;     ///< low resets
-    LineRef backlight; ///< high lights
-    LineRef te;        ///< rising edge: vertical blanking begins
+    LineRef reset;     ///< the reset line; low resets the panel
+    LineRef backlight; ///< the backlight's line; high lights it
+    LineRef te;        ///< the TE line, which rises when vertical blanking begins
 };
 
 /// The base of the buses of hosts: GpioBus, I2cBus, SpidevBus, FtdiBus.
@@ -45,12 +45,12 @@ class TransferBus : public Bus {
     /// BusCaps::late_us of these buses: a thread may wait for a processor, a kernel for its worker.
     static constexpr std::uint32_t late_us = 1000000;
 
-    /// What bytes are for.
+    /// What bytes on the wire mean.
     enum class Byte { command, parameter, pixel };
 
     /// `asynchronous`: a thread carries the lists while the next frame is drawn; else submit() does.
     TransferBus(const PanelPins& pins, bool asynchronous);
-    /// The derived class has called stop().
+    /// Derived classes must have called stop() before.
     ~TransferBus();
     /// Waits for the running list and ends the thread. First thing in a derived destructor.
     void stop();
@@ -81,9 +81,9 @@ class TransferBus : public Bus {
     virtual Result<void> put(Byte kind, const std::uint8_t* bytes, std::size_t count) = 0;
     /// Returns when all bytes put are on the [wire](docs/glossary.md#wire).
     virtual Result<void> flush() { return {}; }
-    /// Only called where caps() has a read clock.
+    /// Reads an answer. It is called only where caps() has a read clock.
     virtual Result<void> read(const Op&) { return {}; }
-    /// After the last op, or the one that failed: bytes that were put and not flushed are dropped.
+    /// Is called after the last op, or the one that failed. Bytes that were put and not flushed are dropped.
     virtual Result<void> end() { return {}; }
 
     /// Owns the text of the last error.
@@ -91,7 +91,7 @@ class TransferBus : public Bus {
 
   private:
     struct Outcome {
-        std::uint32_t token = 0; ///< 0: none yet
+        std::uint32_t token = 0; ///< number of the list that had this outcome; 0: none
         Error error;
         std::array<char, 320> text{};
     };
@@ -102,7 +102,7 @@ class TransferBus : public Bus {
     bool asynchronous_;
     std::vector<std::unique_ptr<std::uint8_t[]>> buffers_;
 
-    mutable std::mutex mutex_; ///< guards what follows
+    mutable std::mutex mutex_; ///< guards the members below
     mutable std::condition_variable changed_;
     std::vector<Op> ops_;
     std::uint32_t last_token_ = 0;

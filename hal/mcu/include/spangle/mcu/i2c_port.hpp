@@ -13,7 +13,7 @@ namespace spangle::mcu {
 /// The wires of such a display, with the functions of a PolledPort.
 template <class I2c, class Timer> class I2cWires {
   public:
-    /// `address`: the controller's, seven bits.
+    /// `address` is the controller's, of seven bits.
     constexpr I2cWires(I2c i2c, std::uint8_t address, Timer timer)
         : i2c_(i2c), address_(address), timer_(timer) {}
 

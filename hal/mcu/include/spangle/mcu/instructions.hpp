@@ -14,7 +14,7 @@ namespace spangle::mcu {
 /// clocks, and no pause may happen meanwhile.
 class InstructionCount {
   public:
-    /// `clock_hz`: the clock of the timer that counts.
+    /// `clock_hz` is the clock of the timer that counts.
     explicit InstructionCount(std::uint32_t clock_hz) : clock_hz_(clock_hz) {}
 
     /// Begins to count.
@@ -27,11 +27,11 @@ class InstructionCount {
 #endif
         begin_ = now();
     }
-    /// Instructions since begin().
+    /// The number of instructions since begin().
     std::uint32_t end() const {
         const std::uint32_t after = now();
 #if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
-        const std::uint32_t ticks = (begin_ - after) & SysTick::most_ticks; // it counts down
+        const std::uint32_t ticks = (begin_ - after) & SysTick::most_ticks; // SysTick counts down
         return static_cast<std::uint32_t>(std::uint64_t{ticks} * 1000000000u / clock_hz_);
 #elif defined(__riscv)
         return after - begin_;

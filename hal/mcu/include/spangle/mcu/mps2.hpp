@@ -26,9 +26,9 @@ struct Mps2 {
 
 /// Puts the display's lines at rest, and turns its back light on.
 inline void start_display(const Mps2& blocks) {
-    blocks.misc(0).set(true); // not selected
+    blocks.misc(0).set(true); // deselects the controller
     Pl022(blocks.spi).start({.prescale = 2, .rate = 0, .mode = 3});
-    blocks.misc(6).set(true); // back light
+    blocks.misc(6).set(true); // turns the backlight on
 }
 
 /// An MPS2 board's own display; `board` says how it is turned.
@@ -39,7 +39,7 @@ template <const hal::Board& board, const Mps2& blocks> class Mps2Display {
         start_display(blocks);
         return display_;
     }
-    /// Bytes sent so far; wraps.
+    /// The number of bytes sent so far, modulo 2^32.
     std::uint32_t bus_bytes() const { return bus_.bytes(); }
 
   private:

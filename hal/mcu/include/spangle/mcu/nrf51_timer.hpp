@@ -14,7 +14,7 @@ struct Nrf51Timer {
 
     /// Sets the block up and lets it run.
     void start() const {
-        constexpr std::uint32_t bits_32 = 3, divide_by_16 = 4; // 1 MHz of 16
+        constexpr std::uint32_t bits_32 = 3, divide_by_16 = 4; // 16 MHz become 1 MHz
         reg(base + mode) = 0;
         reg(base + bitmode) = bits_32;
         reg(base + prescaler) = divide_by_16;

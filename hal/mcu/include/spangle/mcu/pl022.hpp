@@ -14,7 +14,7 @@ class Pl022 {
     /// How the block is set up.
     struct Setup {
         std::uint8_t prescale; ///< 2 to 254, even: SCK = SSPCLK / (prescale * (1 + rate))
-        /// 0 to 255; see `prescale`.
+        /// The rate in the formula of `prescale`, 0 to 255.
         std::uint8_t rate;
         std::uint8_t mode; ///< SPI mode 0 to 3: CPOL * 2 + CPHA
     };

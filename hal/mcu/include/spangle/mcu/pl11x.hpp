@@ -12,7 +12,7 @@ namespace spangle::mcu {
 
 /// Columns, rows and clocks of a panel behind the controller.
 struct LcdTiming {
-    std::uint16_t width, height; ///< width: a multiple of 16
+    std::uint16_t width, height; ///< size in pixels; the width is a multiple of 16
     /// Clocks of synchronisation and of the porches in front and behind, and lines of the same.
     std::uint8_t h_sync, h_front, h_back, v_sync, v_front, v_back;
 };
@@ -26,7 +26,7 @@ template <class Cache, class Timer> class Pl111 final : public hal::ScanOut {
 
     /// Sets up 16 bits a pixel, 5:6:5. The panel stays dark until the first show().
     void start(const LcdTiming& t) const {
-        constexpr std::uint32_t tft_pads = 1u << 26; // BCD: the clock of the panel is the block's
+        constexpr std::uint32_t tft_pads = 1u << 26; // BCD: the panel gets the block's own clock
         reg(base_ + timing0) = std::uint32_t{t.h_back} << 24 | std::uint32_t{t.h_front} << 16 |
                                std::uint32_t{t.h_sync} << 8 | (t.width / 16u - 1) << 2;
         reg(base_ + timing1) = std::uint32_t{t.v_back} << 24 | std::uint32_t{t.v_front} << 16 |

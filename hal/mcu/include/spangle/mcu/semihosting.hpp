@@ -12,7 +12,7 @@ inline std::uint32_t call(std::uint32_t operation, const void* argument) {
 #if defined(__riscv)
     register std::uint32_t result asm("a0") = operation;
     register const void* block asm("a1") = argument;
-    asm volatile(".option push\n.option norvc\n.balign 16\n" // the three may not cross a page
+    asm volatile(".option push\n.option norvc\n.balign 16\n" // the three instructions may not cross a page
                  "slli x0, x0, 0x1f\nebreak\nsrai x0, x0, 7\n.option pop"
                  : "+r"(result)
                  : "r"(block)
@@ -23,7 +23,10 @@ inline std::uint32_t call(std::uint32_t operation, const void* argument) {
 #if __ARM_ARCH_PROFILE == 'M'
     asm volatile("bkpt 0xab" : "+r"(result) : "r"(block) : "memory");
 #else
-    asm volatile("svc 0xab" : "+r"(result) : "r"(block) : "memory", "lr"); // Thumb state
+    asm volatile("svc 0xab"
+                 : "+r"(result)
+                 : "r"(block)
+                 : "memory", "lr"); // the call of semihosting in Thumb state
 #endif
 #endif
     return result;

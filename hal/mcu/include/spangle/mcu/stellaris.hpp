@@ -9,10 +9,12 @@ namespace spangle::mcu::stellaris {
 
 /// The system control block.
 inline constexpr std::uintptr_t system_control = 0x400FE000;
-inline constexpr std::uintptr_t raw_interrupts = system_control + 0x050; ///< RIS
-inline constexpr std::uintptr_t clock_config = system_control + 0x060;   ///< RCC
-inline constexpr std::uintptr_t serial_clocks = system_control + 0x104;  ///< RCGC1
-inline constexpr std::uintptr_t port_clocks = system_control + 0x108;    ///< RCGC2: bit 0 is port A
+inline constexpr std::uintptr_t raw_interrupts = system_control + 0x050; ///< raw interrupt status, RIS
+inline constexpr std::uintptr_t clock_config = system_control + 0x060; ///< run-mode clock configuration, RCC
+inline constexpr std::uintptr_t serial_clocks =
+    system_control + 0x104; ///< clock gates of serial blocks, RCGC1
+inline constexpr std::uintptr_t port_clocks =
+    system_control + 0x108; ///< clock gates of GPIO ports, RCGC2; bit 0 is port A
 
 /// A GPIO port: a PL061.
 struct Port {
@@ -57,7 +59,7 @@ inline void turn_on(std::uintptr_t clocks, std::uint32_t bits) {
 inline void run_at_12500_khz() {
     constexpr std::uint32_t divide_by_16 = 15u << 23, use_divider = 1u << 22, bypass_pll = 1u << 11,
                             crystal_6_mhz = 0xBu << 6, pll_locked = 1u << 6;
-    reg(clock_config) = divide_by_16 | bypass_pll | crystal_6_mhz; // which also powers the PLL up
+    reg(clock_config) = divide_by_16 | bypass_pll | crystal_6_mhz; // also powers the PLL up
     reg(clock_config) = divide_by_16 | use_divider | bypass_pll | crystal_6_mhz;
     while ((reg(raw_interrupts) & pll_locked) == 0) {
     }

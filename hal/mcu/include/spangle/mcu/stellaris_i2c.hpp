@@ -23,7 +23,7 @@ class StellarisI2c {
 
     /// Sends START, the address and the first byte.
     hal::Fault begin(std::uint8_t address, std::uint8_t first) const {
-        reg(base_ + msa) = std::uint32_t{address} << 1; // R/S 0: send
+        reg(base_ + msa) = std::uint32_t{address} << 1; // R/S = 0: the master sends
         return command(first, start_condition | run);
     }
     /// Sends a further byte. Fault::no_answer: it was not acknowledged, and STOP was sent.
@@ -36,7 +36,7 @@ class StellarisI2c {
 
   private:
     static constexpr std::uint32_t run = 1u << 0, start_condition = 1u << 1, stop_condition = 1u << 2;
-    static constexpr std::uint32_t busy = 1u << 0, error = 1u << 1; // as MCS is read
+    static constexpr std::uint32_t busy = 1u << 0, error = 1u << 1; // bits of MCS when it is read
 
     /// Sends a byte. Without an acknowledgement the bus is released, and the message is over.
     hal::Fault command(std::uint8_t byte, std::uint32_t bits) const {

@@ -12,7 +12,7 @@ class Stm32Spi {
   public:
     /// How the block is set up.
     struct Setup {
-        std::uint8_t divider; ///< BR: SCK = PCLK / 2^(divider + 1)
+        std::uint8_t divider; ///< value of BR: SCK = PCLK / 2^(divider + 1)
         std::uint8_t mode;    ///< SPI mode 0 to 3: CPOL * 2 + CPHA
     };
 
@@ -35,7 +35,7 @@ class Stm32Spi {
         }
         while ((reg(base_ + sr) & (txe | bsy)) != txe) {
         }
-        // Clears OVR: DR, then SR (28.3.10).
+        // A read of DR and then one of SR clear OVR (28.3.10).
         [[maybe_unused]] std::uint32_t dropped = reg(base_ + dr);
         dropped = reg(base_ + sr);
     }

@@ -20,7 +20,7 @@ struct SysTick {
 
     /// The clocks of at least this time, which is a millisecond at most, so that words hold the product.
     constexpr std::uint32_t ticks_of(std::uint32_t micros) const {
-        const std::uint32_t a_milli = (clock_hz + 999) / 1000; // below 2^32 / 1000
+        const std::uint32_t a_milli = (clock_hz + 999) / 1000; // below 2^32 / 1000, so products with 1000 fit
         return (micros * a_milli + 999) / 1000;
     }
 
@@ -31,7 +31,7 @@ struct SysTick {
             micros -= step;
             reg(control) = 0;
             reg(reload) = ticks_of(step);
-            reg(current) = 0; // clears reached_zero too
+            reg(current) = 0; // also clears reached_zero
             reg(control) = enable | processor_clock;
             while ((reg(control) & reached_zero) == 0) {
             }

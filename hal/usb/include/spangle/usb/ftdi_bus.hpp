@@ -12,16 +12,16 @@ namespace spangle::hal {
 
 /// Pins by number: 0 to 7 are ADBUS0 to 7, 8 to 15 ACBUS0 to 7. SCK is ADBUS0, MOSI ADBUS1, MISO ADBUS2.
 struct FtdiPins {
-    /// No pin.
+    /// The number that stands for no pin.
     static constexpr std::uint8_t none = 0xFF;
-    static constexpr std::uint8_t te_pin = 5; ///< the one the chip can wait for (AN_108, 3.7)
+    static constexpr std::uint8_t te_pin = 5; ///< the only pin for which the chip can wait (AN_108, 3.7)
 
-    /// CS; low selects.
+    /// The pin of CS, which selects when it is low.
     std::uint8_t select = 3;
-    /// D/C.
+    /// The pin of D/C.
     std::uint8_t data_command = 4;
-    std::uint8_t reset = 6;     ///< low resets; none: not wired
-    std::uint8_t backlight = 7; ///< high lights; none: not wired
+    std::uint8_t reset = 6;     ///< pin of the reset line; none: it is not wired
+    std::uint8_t backlight = 7; ///< pin of the backlight, which is lit when high; none: it is not wired
     bool te = false;            ///< the panel's TE is wired to ADBUS5
 };
 
@@ -31,15 +31,15 @@ struct FtdiConfig {
     std::uint16_t vendor = 0, product = 0;
     /// Opens this usbfs file instead of looking for an adapter. Must stay.
     const char* device_file = nullptr;
-    std::uint8_t channel = 0; ///< 0: A; 1: B, where the chip has two
+    std::uint8_t channel = 0; ///< channel of the chip: 0 is A, and 1 is B
     /// The clock of writes in Hz; the chip takes the next one below that it can make.
     std::uint32_t write_hz = 0;
     std::uint32_t read_hz = 0; ///< 0: the panel's data output is not wired
-    /// The wiring.
+    /// How the adapter's pins are wired.
     FtdiPins pins;
     /// A thread carries the lists while the next frame is drawn; else submit() does.
     bool asynchronous = true;
-    std::uint32_t timeout_ms = 1000; ///< beyond the time that the bytes take on the wire
+    std::uint32_t timeout_ms = 1000; ///< how long it waits beyond the time of the bytes on the wire
 };
 
 /// The configuration of the bus that a board describes, at the first adapter that is plugged in.
@@ -54,7 +54,7 @@ constexpr FtdiConfig ftdi_config(const Board& board, FtdiPins pins = {}) {
 /// A Bus over an FTDI adapter.
 class FtdiBus final : public TransferBus {
   public:
-    /// Looks for nothing yet: open() does.
+    /// Looks for no device; open() does that.
     explicit FtdiBus(const FtdiConfig& config);
     ~FtdiBus();
 

@@ -19,8 +19,8 @@ struct GudConfig {
     const char* device_file = nullptr;
     /// The wanted size in pixels; 0: the preferred mode.
     std::uint16_t width = 0, height = 0;
-    bool compress = true;          ///< where the device takes LZ4 and this build has it
-    std::uint8_t brightness = 100; ///< where the panel has a backlight property
+    bool compress = true;          ///< compresses by LZ4, where both the device and this build can
+    std::uint8_t brightness = 100; ///< brightness in percent, of devices with a backlight property
     /// The longest time of a request and of a piece of a frame, in milliseconds.
     std::uint32_t control_timeout_ms = 1000, bulk_timeout_ms = 3000;
     /// How often devices that ask for it are asked for their connector's status. Without that they take the
@@ -33,7 +33,7 @@ struct GudConfig {
 /// A Display on USB.
 class GudDisplay final : public Display {
   public:
-    /// Looks for nothing yet: init() does.
+    /// Looks for no device; init() does that.
     explicit GudDisplay(const GudConfig& config = {});
     /// Switches the display off.
     ~GudDisplay();
