@@ -7,7 +7,7 @@ namespace spangle::scenes {
 
 struct Scene {
     const char* id;    ///< the name on command lines: "S4r"
-    const char* title; ///< one line for people
+    const char* title; ///< one line for people to read
     /// Sets all state that the scene needs in a fresh context, and makes its textures and lists.
     void (*setup)(int width, int height);
     /// Draws frame f >= 0, clears included. A frame does not depend on other frames.

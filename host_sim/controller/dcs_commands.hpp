@@ -40,7 +40,7 @@ enum : std::uint8_t {
     idle_mode_off = 0x38,
     idle_mode_on = 0x39,
     pixel_format = 0x3A,
-    memory_write_on = 0x3C, ///< goes on where the last write ended
+    memory_write_on = 0x3C, ///< writes pixels from where the last write ended
     memory_read_on = 0x3E,
     tearing_scanline = 0x44,
     read_scanline = 0x45,

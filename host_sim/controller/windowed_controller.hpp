@@ -18,8 +18,8 @@ enum class DisplayMode : std::uint8_t { memory, all_on, all_off, inverse };
 struct WindowedChip {
     OledChip chip;
     RemapBits remap;
-    bool grey = false; ///< two pixels a byte and column address; else A0h bits 7..6 select the depth
-    bool order_set_is_rgb = false;   ///< else a set order bit means blue, green, red
+    bool grey = false; ///< a byte and a column address hold two pixels; else A0h bits 7..6 select the depth
+    bool order_set_is_rgb = false;   ///< what a set order bit means; false: blue, green, red
     std::uint8_t stream_command = 0; ///< the command that takes pixels; 0: data are pixels at any time
     std::uint8_t multiplex_command = 0xA8;
     /// What the commands A4h to A7h make the glass show.

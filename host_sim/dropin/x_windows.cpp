@@ -103,7 +103,7 @@ XWindows* XWindows::of(_XDisplay* display) {
     XWindows*& windows = known_windows()[display];
     if (windows == nullptr)
         windows = new XWindows(display);
-    windows->connection_ = XGetXCBConnection(display); // a new connection may lie where a closed one lay
+    windows->connection_ = XGetXCBConnection(display); // a new connection may have a closed one's address
     if (!windows->is_watched_)
         windows->watch_connection();
     return windows;

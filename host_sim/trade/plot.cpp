@@ -33,7 +33,7 @@ Plot drawn(const std::string& script) {
     else
         plot.svg = out.text();
     if (const std::size_t start = plot.svg.find("<svg"); start != std::string::npos)
-        plot.svg.erase(0, start); // the page has a head of its own
+        plot.svg.erase(0, start); // drops gnuplot's head, because pages have their own
     else if (plot.problem.empty())
         plot.problem = "gnuplot drew nothing";
     return plot;
@@ -61,7 +61,7 @@ struct Dot {
 /// The range of an axis, from the least to the most of its values and a little beyond.
 struct Scale {
     double least, most;
-    bool by_octaves; ///< logarithmic, to the base of 2
+    bool by_octaves; ///< true: the axis is logarithmic, to the base of 2
 
     double place(double v) const {
         const auto at = [&](double x) { return by_octaves ? std::log2(x) : x; };

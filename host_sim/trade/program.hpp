@@ -14,7 +14,7 @@ struct Program {
     std::string name;
     std::function<void(int width, int height)> setup; ///< called in a fresh context
     std::function<void(int frame)> draw;              ///< draws a frame, which depends on no other
-    bool stencil = false;                             ///< needs a stencil buffer
+    bool stencil = false;                             ///< true: the program needs a stencil buffer
     /// If not null, a process of its own draws the program, and the functions above are empty
     /// (recording.hpp).
     std::shared_ptr<Recording> recording{};

@@ -24,14 +24,14 @@ class GudDevice final : public UsbFunction {
     bool high_speed = true;
     bool lz4 = true;
     bool status_on_set = false, full_update = false;
-    bool poll_status = false;          ///< asks for GET_CONNECTOR_STATUS every 10 s
+    bool poll_status = false;          ///< true: the host is to send GET_CONNECTOR_STATUS every 10 s
     std::uint32_t max_buffer_size = 0; ///< bytes; 0: any size
     bool tells_by_length = true;       ///< a shorter buffer is taken as compressed, as gud-pico does
     std::vector<std::uint8_t> formats = {0x40};
     std::vector<GudMode> modes = {{6000, 320, 240, true}};
     /// The least and the most width, the least and the most height, in pixels.
     std::array<std::uint16_t, 4> limits = {320, 320, 240, 240};
-    std::vector<std::uint8_t> edid; ///< read where there are no modes
+    std::vector<std::uint8_t> edid; ///< the EDID, which hosts read if `modes` is empty
     struct Property {
         std::uint16_t id;
         std::uint64_t value;
@@ -84,7 +84,7 @@ class GudDevice final : public UsbFunction {
     int empty_request_ = -1, hidden_request_ = -1, last_request_ = -1;
     int connector_ = -1;
     GudMode mode_;
-    std::vector<Property> checked_properties_; ///< values of the state that was checked
+    std::vector<Property> checked_properties_; ///< the properties of the state that was checked last
     bool is_checked_ = false, is_committed_ = false, is_controller_enabled_ = false,
          is_display_enabled_ = false;
     bool is_halted_ = false, stalls_bulk_ = false, has_buffer_ = false;

@@ -38,7 +38,7 @@ class MpsseEngine : public PinHeader {
 
   private:
     Kernel& kernel_;
-    std::vector<std::uint8_t> pending_commands_; ///< bytes of commands not yet run
+    std::vector<std::uint8_t> pending_commands_; ///< bytes of commands that were not executed yet
     std::vector<std::uint8_t> answers_;
     unsigned output_mask_ = 0, pin_values_ = 0;
     unsigned divisor_ = 0;

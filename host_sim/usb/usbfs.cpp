@@ -69,7 +69,7 @@ class UsbfsFile final : public OpenFile {
             *static_cast<std::uint32_t*>(argument) = capabilities;
             return 0;
         case USBDEVFS_GET_SPEED:
-            return 3; // high speed
+            return 3; // USB_SPEED_HIGH
         case USBDEVFS_GETDRIVER:
             if (!device_.kernel_driver)
                 return -ENODATA;

@@ -154,7 +154,7 @@ void count_state(const FragmentState& fragment, const Surface& target, DrawState
         if (variant.walk != nullptr)
             variant.walk = reinterpret_cast<AnyFunction>(path_counters[i]);
     }
-    out.shapes = out.tiles = false; // rows draw the same, and are counted by key
+    out.shapes = out.tiles = false; // draws rows instead, which are counted by key
 }
 
 } // namespace spangle::measure

@@ -24,7 +24,7 @@ class LvglDisplay {
     }
     /// A display is not copied, because LVGL holds its address.
     LvglDisplay(const LvglDisplay&) = delete;
-    /// A display is not assigned, for the same reason.
+    /// A display is not assigned, because LVGL holds its address.
     LvglDisplay& operator=(const LvglDisplay&) = delete;
 
     /// LVGL's handle, for its own calls.

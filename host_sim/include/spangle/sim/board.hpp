@@ -17,11 +17,11 @@ namespace spangle::sim {
 /// What went over the bus since power-on, as the controller model counted it.
 struct BoardCounters {
     std::uint64_t bytes = 0; ///< bytes on the bus, commands and parameters included
-    /// Commands.
+    /// The number of commands.
     std::uint64_t commands = 0;
-    /// Bytes that were pixels.
+    /// The number of bytes that were pixels.
     std::uint64_t pixel_bytes = 0;
-    /// Op lists that were submitted.
+    /// The number of op lists that were submitted.
     std::uint64_t transfers = 0;
     Time busy_ns = 0; ///< ns in which the wire was in use
 };
@@ -75,9 +75,9 @@ class SimBoard {
     /// limit was reached; the dump then ends at `end`, in ns. The file has its name from end_vcd() on; the
     /// board's destructor ends a record, too.
     struct Recorded {
-        /// What went wrong, or empty.
+        /// What went wrong; empty: nothing did.
         std::string error;
-        /// Whether the limit was reached.
+        /// Whether the dump reached its limit of bytes.
         bool full = false;
         /// When the dump ends, in nanoseconds since power-on.
         Time end = 0;

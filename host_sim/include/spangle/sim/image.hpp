@@ -27,7 +27,7 @@ struct Image {
         return rgba.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                                   static_cast<std::size_t>(x));
     }
-    /// The same, to read.
+    /// The four bytes of the pixel, which cannot be changed.
     const std::uint8_t* at(int x, int y) const { return const_cast<Image*>(this)->at(x, y); }
     friend bool operator==(const Image&, const Image&) = default;
 };
