@@ -1,6 +1,6 @@
 # How the rows of Limits.cmake become options, how their values are checked, and which numbers the code is compiled with.
 set(SPANGLE_LIMITS)          # all limits, as the code knows them
-set(SPANGLE_NAMED_LISTS)     # those whose option is a list of names
+set(SPANGLE_NAMED_LISTS)     # the limits whose option is a list of names
 
 # Stops unless the value is one of `values`: numbers and ranges with a bar between them, as in 0|7..37. A range without an end has no bound.
 function(spangle_check_number name value values)

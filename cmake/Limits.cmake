@@ -33,7 +33,7 @@ spangle_limit(PERSPECTIVE 1 "0|1" "With 1, projections may have perspective. Wit
 
 # spangle_names(NAME the_empty_set "text" the names, from bit 0 up, a dash for a bit without a name). The empty set is `none` with the bits
 # that it still has, or a dash where the list must name something. Names stand for the enumerators of PixelFormat, DepthFormat, TexelFormat
-# and Tier, for GL's types from GL_BYTE up, and for the bits in gl/context/limits.hpp; host_sim/profile and the test above check them.
+# and Tier, for GL's types from GL_BYTE up, and for the bits in gl/context/limits.hpp; host_sim/profile and options.py check them.
 spangle_names(TIER_SET - "Tiers of accuracy that the build has." exact balanced fast)
 spangle_names(COLOR_FORMATS - "Formats of the surfaces that the build can draw on."
     rgb565 rgb565_le rgb888 rgba8888 rgb666 rgb444 rgb332 grey4 mono index8)

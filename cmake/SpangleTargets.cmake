@@ -18,7 +18,7 @@ function(spangle_common target)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion $<$<BOOL:${SPANGLE_WERROR}>:-Werror>)
     target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
     set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-    if(CMAKE_SYSTEM_NAME STREQUAL "Generic") # without an operating system nothing is shared, and every program is linked to its place
+    if(CMAKE_SYSTEM_NAME STREQUAL "Generic") # without an operating system programs share no library, and are linked to fixed addresses
         target_compile_definitions(${target} PRIVATE SPANGLE_FIRMWARE=1)
     else()
         set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)

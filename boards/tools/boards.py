@@ -43,10 +43,10 @@ class Board:
     scenes: tuple
     features: tuple = None  # the optional systems in the board's library; None: all
     limits: dict = dataclasses.field(default_factory=dict)  # {"SPANGLE_TEXTURE_UNITS": 1}
-    small: bool = False  # whether no file is built for speed
+    small: bool = False  # whether every file is built for size
     left_out: dict = dataclasses.field(default_factory=dict)
     trace: dict = None  # how the display's lines are wired, for the trace of register writes
-    screen: dict = None  # set if the emulator draws the display itself
+    screen: dict = None  # how to take pictures from the emulator, if it draws the display itself
     sources: tuple = ()  # sources beside those of the board's folder, from the root of the repository
     folder: pathlib.Path = None
 
@@ -67,7 +67,7 @@ class Board:
 @dataclasses.dataclass
 class Frame:
     hash: str
-    drawing: int  # instructions
+    drawing: int  # instructions of drawing the frame; those of presenting it are in `presenting`
     presenting: int
     bytes: int  # bytes sent to the display since the program began
 

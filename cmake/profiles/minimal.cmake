@@ -10,14 +10,14 @@ set(SPANGLE_TEXTURE_FORMATS rgb565)
 set(SPANGLE_TEXTURE_UNITS 1)
 set(SPANGLE_TEXTURE_LEVELS 7)
 set(SPANGLE_LIGHTS 1)
-set(SPANGLE_LIGHT_KINDS none) # ambient and diffuse light
+set(SPANGLE_LIGHT_KINDS none) # only ambient and diffuse light
 set(SPANGLE_FULL_LIGHTING 0) # NORMALIZE and RESCALE_NORMAL are errors: normals must be unit vectors
 set(SPANGLE_MODELVIEW_STACK 2)
 set(SPANGLE_PROJECTION_STACK 1)
 set(SPANGLE_TEXTURE_STACK 1)
 set(SPANGLE_ARRAY_TYPES short)
 set(SPANGLE_VERTEX_CACHE 1) # no cache: a vertex that indices name again is transformed again
-set(SPANGLE_PRIMITIVES none) # triangles
+set(SPANGLE_PRIMITIVES none) # only triangles
 set(SPANGLE_PERSPECTIVE 0) # no division by the distance
 set(SPANGLE_OPTIMIZE size)
 set(SPANGLE_ARGUMENTS_INLINE 1) # the program calls few entry points

@@ -32,7 +32,7 @@ from figures import BOARD, MACHINE, TARGET, flash_of, keys_of, lines_of, run  # 
 from firmware import HOT, outfile  # noqa: E402
 
 MISSING = 3
-POOL, MOST = 1536 * 1024, 3840 * 1024  # bytes: of a program, with buffers of 320x240; of the board, beside variables and stack
+POOL, MOST = 1536 * 1024, 3840 * 1024  # bytes of a program with buffers of 320x240; most bytes that the board has beside variables and stack
 RGB565, RGB888, RGBA8888, Z16, Z24S8 = 1, 4, 8, 2, 4  # bits of SPANGLE_COLOR_FORMATS and SPANGLE_DEPTH_FORMATS
 NOTHING = "measure_nothing"  # called to measure what counting itself costs
 # The assembler of a trampoline, one for each command. The program calls the trampoline, which keeps the return address, and calls the
