@@ -129,7 +129,8 @@ void DamageBook::turn(const std::uint8_t* from, std::uint8_t* to) {
                    memory_.damage, memory_.turned);
 }
 
-/// Reduced damage would not suffice for a buffer two sends behind, so then all cells count as changed.
+/// Takes unchanged cells out of the damage. A buffer that is two sends behind lacks more than the reduced
+/// damage, so all of its cells count as changed.
 void DamageBook::reduce(const std::uint8_t* sent, bool all) {
     memory_.hash.code->reduce(hash_, sent_damage(), sent, static_cast<std::int32_t>(layout_.sent_stride()),
                               suspect_ || behind_ || all);

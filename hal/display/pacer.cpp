@@ -55,7 +55,7 @@ Refresh Pacer::refresh() const {
         refresh.line = line_ns_;
         refresh.lines = timing.scan_lines;
         refresh.porch = timing.porch_lines;
-        // An edge is seen, a line is read, within a command or two; never closer than the line itself.
+        // An edge or a line is seen late, by up to one line and the time of two commands.
         refresh.jitter = refresh.line + static_cast<std::int32_t>(2 * transfer_.caps().command_cost_ns);
     }
     return refresh;

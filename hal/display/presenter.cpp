@@ -13,7 +13,7 @@ constexpr std::size_t sync_ops = 2;
 Result<void> Presenter::acquire_wire() {
     if (!layout().config.wire.converts() || !wire_.empty())
         return {};
-    // A window that ends inside a byte takes one more; there is at most one window per row.
+    // A window that ends inside a byte takes the whole byte. There is at most one window per row.
     const Extent most = held(layout().config, layout().placement().size);
     const std::size_t size =
         layout().wire_bytes(most.width, most.height) + static_cast<std::size_t>(most.height);

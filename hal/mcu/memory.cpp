@@ -1,4 +1,5 @@
-// The four functions every C++ compiler may call without being asked. Words where all sides are aligned.
+// The four functions of memory that C++ compilers may call by themselves. They move words where both sides
+// are aligned.
 #include <cstddef>
 #include <cstdint>
 

@@ -384,7 +384,7 @@ Result<std::uint64_t> FtdiBus::await_te(std::uint32_t at_most_micros) {
                           "none came in time; is the panel's TE output wired, and TEON (35h) sent?");
     if (!waited)
         return waited.error();
-    // The answer is late by its way through the adapter, every time by about as much.
+    // The adapter delays each answer by about the same time, so the distance of two edges is right.
     const auto now = std::chrono::steady_clock::now().time_since_epoch();
     return static_cast<std::uint64_t>(std::chrono::nanoseconds(now).count());
 }

@@ -12,7 +12,8 @@
 namespace spangle::hal {
 namespace {
 
-/// Two of these keep the wire busy while the next is handed over; a multiple of any packet size.
+/// Bytes of a piece, a multiple of any packet size. Two pieces keep the wire busy while the next is handed
+/// over.
 constexpr std::size_t piece_bytes = 32768;
 
 /// Not a code of libusb: the device took less than it was sent.

@@ -36,7 +36,7 @@ class UsbLink {
     void close();
     bool opened() const { return handle_ != nullptr; }
     libusb_device_handle* handle() const { return handle_; }
-    /// Fails if the device is gone: for libraries that do not tell.
+    /// Fails if the device is gone. It serves libraries that do not report this.
     Result<void> check_alive(const char* operation);
 
     /// Vendor requests to the interface. `name`: what errors call the request. get() returns how many bytes

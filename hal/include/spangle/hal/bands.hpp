@@ -11,7 +11,7 @@ namespace spangle::hal {
 
 /// What one frame buffer holds, or a panel shows: outside of these spans, the clear value.
 struct PanelContent {
-    /// One element a row of the picture.
+    /// An element for each row of the picture.
     RowSpan* rows = nullptr;
     /// The pixel of the last clear, as RowExtents::clear_value has it.
     std::uint32_t clear_value = 0;
@@ -31,8 +31,8 @@ class Bands {
   public:
     /// `layout` must outlive the Bands.
     explicit Bands(const PanelLayout& layout) : layout_(layout) {}
-    /// Begins with a panel of which nothing is known. `shown`: memory of a row of the picture each, which
-    /// must stay; null: nothing is recorded.
+    /// Begins with a panel of which nothing is known. `shown` has an element for each row of the picture, and
+    /// must outlive the Bands. Null: nothing is recorded.
     void open(RowSpan* shown);
 
     /// Whether these rows can be a band: rows of the picture, no more than a buffer holds, that end where

@@ -69,7 +69,7 @@ constexpr std::size_t bus_memory(const Board& board) {
     if (!c.wire.converts())
         return c.buffers * rounded(frame);
     const auto pixels = static_cast<std::size_t>(sent.width) * static_cast<std::size_t>(sent.height);
-    // A window that ends inside a byte takes one more; there is at most one window per row.
+    // A window that ends inside a byte takes the whole byte. There is at most one window per row.
     return rounded(frame) +
            rounded((pixels * wire_info(c.wire.format).bits + 7) / 8 + static_cast<std::size_t>(sent.height));
 }

@@ -18,7 +18,7 @@ class BusBuffer {
 
     /// Whether there is no memory.
     bool empty() const { return memory_.bytes == nullptr; }
-    /// Null while the transfer it was lent to is under way.
+    /// The bytes, to draw into them. Null while a transfer that they were lent to is under way.
     std::uint8_t* to_draw(const Bus& bus) const {
         return lent_ && !bus.done(reader_) ? nullptr : memory_.bytes;
     }

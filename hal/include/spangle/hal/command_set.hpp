@@ -31,8 +31,8 @@ constexpr bool names_one(Axis axis) {
     return axis.code == Axis::Code::in_command;
 }
 
-/// A register that follows from orientation, colour order, inversion and pixel format. Its value is `base`,
-/// with the bits of each property that holds changed, and with the format's code.
+/// A register that follows from orientation, colour order, inversion and pixel format. Its value is `base`.
+/// Each property that holds changes bits of it, and the format adds its code.
 struct Setting {
     /// The register's command, or with `in_command` its base.
     std::uint8_t command = 0;

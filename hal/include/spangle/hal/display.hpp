@@ -70,7 +70,8 @@ class Display {
     virtual Result<void> set_palette(std::int32_t, std::int32_t, const std::uint8_t*) {
         return Error{Fault::unsupported, "display: it has no palette"};
     }
-    /// 0: presents do not wait (EGL 1.4, 3.9.3); 1: as the display was set up.
+    /// Sets the swap interval. 0: presents do not wait (EGL 1.4, 3.9.3). 1: presents wait as the display was
+    /// set up to.
     virtual void swap_interval(std::int32_t) {}
 
     /// Replaces acquire() where info().band_height is not 0. It returns the black buffer of rows [first,

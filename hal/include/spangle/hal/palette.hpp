@@ -50,7 +50,8 @@ struct Palette {
     /// Sets the initial colours. None of them is stale: a panel that was just initialised is black, and shows
     /// no index.
     void begin();
-    /// Sets `count` colours from `first` on, which in_palette(): red, green and blue bytes each.
+    /// Sets `count` colours from `first` on, for which in_palette() must hold. `rgb` has red, green and blue
+    /// bytes of each colour.
     void set(std::int32_t first, std::int32_t count, const std::uint8_t* rgb);
 };
 

@@ -133,7 +133,7 @@ struct PanelDesc {
     const CommandSet* commands = &dcs::commands;
     /// The controller's times.
     PanelTiming timing;
-    /// What it answers when it is asked who it is.
+    /// How the controller answers when it is asked for its identity.
     Identity identity{};
     /// What is unusual about the controller.
     Quirks quirks{};
@@ -153,9 +153,9 @@ constexpr FormatCode format_code(const PanelDesc& panel, BusKind bus, WireFormat
     return codes[static_cast<unsigned>(format)];
 }
 
-/// Whether a rule that a description breaks is told, or stops the compiler with the rule in its message.
+/// What happens where a description breaks a rule: the rule is returned, or it stops the compiler.
 enum class OnFlaw : std::uint8_t { tell, stop };
-/// Not constexpr: no constant expression gets past it.
+/// A call of this function is no constant expression, because it is not constexpr.
 inline void does_not_compile() {}
 /// The compiler's message shows this call as it is written, with the rule in it.
 constexpr const char* broken(const char* rule, OnFlaw on) {

@@ -23,7 +23,8 @@ struct PanelConfig {
     /// that is on the [wire](docs/glossary.md#wire). If it is left out, the surface's pixels travel as they
     /// are.
     Wire wire = {};
-    /// 1: present() returns when the frame is on the panel; 2: while it is on the wire.
+    /// The number of buffers. With one, present() returns when the frame is on the panel; with two, while it
+    /// is on the wire.
     std::uint8_t buffers = 1;
     bool reset_line = true; ///< the panel's reset line is wired; false: SWRESET is sent instead
     bool read_back = false; ///< the panel's data line is wired back: init() checks what answers

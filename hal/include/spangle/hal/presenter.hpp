@@ -46,7 +46,8 @@ class Presenter {
     /// The parts that a display calls whose frames wait for the beam, or must be one list.
     static constexpr Parts parts(bool waits_for_beam, bool is_one_list);
 
-    /// All of these must outlive it. It uses the plan, the palette and the code of hashes of the memory.
+    /// All arguments must outlive the presenter. Of `memory` it uses the plan, the palette and the code of
+    /// hashes.
     Presenter(const PanelMemory& memory, Transfer& transfer, Pacer& pacer)
         : memory_(memory), transfer_(transfer), pacer_(pacer) {}
     /// Acquires the memory of converted pixels from the bus, if the description asks for it, once.

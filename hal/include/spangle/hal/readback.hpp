@@ -41,8 +41,8 @@ std::uint8_t register_dummy_bits(const BusCaps& caps, const PanelDesc& panel);
 /// Reads the line that the controller is scanning, by 45h.
 Result<std::uint16_t> read_scanline(Bus& bus, const PanelDesc& panel, ReadScratch& scratch);
 
-/// 2Eh: the picture's pixels of `area`, row by row, three bytes (R, G, B; six bits left aligned) each, into
-/// `rgb`. `written`: the format COLMOD is set to. Moves the controller's window.
+/// Reads the pixels of `area` by 2Eh, row by row, into `rgb`. Each takes three bytes: R, G and B, in the
+/// upper six bits. `written` is the format to which COLMOD is set. The controller's window moves.
 Result<void> read_pixels(Bus& bus, const PanelDesc& panel, const Placement& placement, PixelFormat written,
                          const Rect& area, std::uint8_t* rgb, ReadScratch& scratch);
 

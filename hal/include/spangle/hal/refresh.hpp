@@ -41,7 +41,7 @@ class SafeStart {
     bool possible() const { return slack_lines() > 0; }
     /// How many nanoseconds a transfer waits after TE rises.
     std::int64_t after_blanking() const;
-    /// The line from which on it may start, for slack_lines() lines; it may be one of a later refresh.
+    /// The first of the slack_lines() lines in which a transfer may start. It may be one of a later refresh.
     std::int32_t first_line() const;
 
   private:

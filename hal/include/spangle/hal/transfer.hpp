@@ -37,7 +37,7 @@ class Transfer {
     const Windows& windows() const { return windows_; }
     /// Makes the next window go out whole, after something else has moved it.
     void forget_window() { windows_.forget(); }
-    /// The list that is filled. Appending to it by itself asks for make_room() first.
+    /// The list that is filled. Whoever appends to it must call make_room() before.
     OpList& list() { return ops_; }
     /// The list that is filled, which cannot be changed by this reference.
     const OpList& list() const { return ops_; }

@@ -15,7 +15,7 @@ class Windows {
   public:
     /// A window of no panel: another one must be assigned before it is used.
     Windows() = default;
-    /// `format` says which pixels share a byte, and with it a number of the window.
+    /// `format` says how many pixels share a byte. The window's numbers count such groups of pixels.
     constexpr Windows(const PanelDesc& panel, const Placement& placement, WireFormat format);
 
     /// The operations of a window whose axes are all sent.

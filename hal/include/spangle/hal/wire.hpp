@@ -64,7 +64,7 @@ struct Picture {
     const std::uint8_t* pixels = nullptr;
     /// Bytes from one row to the next one down.
     std::int32_t stride = 0;
-    /// Rows of the picture: GL's window coordinates, by which is dithered, count from the bottom.
+    /// Rows of the picture. Dithering needs them, because GL's window coordinates count from the bottom.
     std::int32_t height = 0;
     /// The format of the pixels.
     PixelFormat format = PixelFormat::rgb565_be;
@@ -82,7 +82,7 @@ using Converter = std::size_t (*)(const Picture& picture, const Rect& area, std:
 struct Wire {
     /// The format on the wire.
     WireFormat format = WireFormat::none;
-    /// The function that writes it; null where pixels travel as they are.
+    /// The function that writes the format; null where pixels travel as they are.
     Converter convert = nullptr;
 
     /// Whether pixels are converted.

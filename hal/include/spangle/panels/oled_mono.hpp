@@ -41,7 +41,7 @@ inline constexpr Setting mirror_rows = {.command = COM_DIRECTION, .in_command = 
 /// A6h or A7h: lit pixels are ones or zeros.
 inline constexpr Setting inverse = {.command = INVERSE, .in_command = true, .inverted = 0x01};
 
-/// Columns and pages as ranges; the pointer runs along either.
+/// The commands of controllers that take ranges of columns and pages, and write along either.
 inline constexpr CommandSet ranges = {
     .parameters_are_commands = true,
     .columns = {Axis::Code::pair8, COLUMN_RANGE},
@@ -53,7 +53,7 @@ inline constexpr CommandSet ranges = {
     .light = display_on,
 };
 
-/// A page, then a column in it; the pointer runs to the page's end.
+/// The commands of controllers that take a page and a column in it, and write to the page's end.
 inline constexpr CommandSet pages = {
     .parameters_are_commands = true,
     .columns = {Axis::Code::nibbles, 0x00},

@@ -127,7 +127,7 @@ namespace ssd1351 {
 
 using namespace oled;
 
-/// Parameters are data here, and pixels follow a command of their own. A6h is normal.
+/// The SSD1351's commands: parameters are data, pixels follow a command of their own, and A6h is normal.
 inline constexpr CommandSet commands = {
     .columns = {Axis::Code::pair8, COLUMNS},
     .rows = {Axis::Code::pair8, ROWS},

@@ -63,7 +63,7 @@ consteval PanelDesc on_glass(const char* name, Extent memory, Extent glass, Offs
                    .frame_us = 42 * lines * 1000 / 850,
                    .scan_lines = static_cast<std::uint16_t>(lines),
                    .porch_lines = 44 + 45},
-        // R answers 5C xx xx, S 7C 89 F0: the bits both share.
+        // The ST7735R answers 5C xx xx, and the ST7735S 7C 89 F0. The mask has the bits that both share.
         .identity = {.id = 0x5C0000, .mask = 0xDF0000, .register_dummy_bits = 1, .pixel_dummy_bits = 9},
         .quirks = {},
     });
