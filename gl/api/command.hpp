@@ -11,7 +11,7 @@
 namespace spangle::gl {
 
 namespace family {
-struct Vertex; // from generated/commands.hpp
+struct Vertex; // generated/commands.hpp defines it
 }
 
 inline constexpr std::size_t most_args = 10;

@@ -13,7 +13,7 @@ namespace spangle::gl::list {
 
 /// The form of a command's record.
 enum class Form : std::uint8_t {
-    words,   ///< one word for each argument
+    words,   ///< the record has one word for each argument
     encoded, ///< the command's encoder writes most records; the others have the form `words`
     params,  ///< the last argument is Params: a count, followed by that many words
     matrix,  ///< the last argument is a Matrix16: 16 words

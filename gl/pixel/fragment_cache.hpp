@@ -23,7 +23,7 @@ struct FragmentCache {
     raster::PrimitiveState primitive; ///< per-primitive state that `state` and `back` refer to
     raster::DrawState state;
 #if SPANGLE_FEATURE_STENCIL_SIDES
-    raster::DrawState back; ///< for back faces; used only while stencil_sides()
+    raster::DrawState back; ///< the compiled state for back faces; used only while stencil_sides()
 #endif
     struct None {};
     [[no_unique_address]] std::conditional_t<compiled_state_count != 0, CompiledStateCache, None> kept;

@@ -26,7 +26,7 @@ enum class Rule : std::uint8_t {
     depth_mode,
     compare_mode,
     compare_func,
-    level, ///< not negative
+    level, ///< must not be negative
     real,
     clamped, ///< clamped to [0, 1]
     boolean,

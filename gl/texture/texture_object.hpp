@@ -54,7 +54,7 @@ constexpr unsigned dimensions_of(TextureKind kind) {
 /// The shape of an image. If all sizes are 0, it is the empty image that a level has initially.
 struct LevelShape {
     std::uint16_t size[3] = {};        ///< width, height, depth in texels, border included
-    std::uint16_t internal_format = 1; ///< as the program gave it; every token fits 16 bits
+    std::uint16_t internal_format = 1; ///< the format that the program gave; every token fits 16 bits
     std::uint8_t border = 0;
     std::uint8_t dimensions = 2;
     raster::TexelFormat format = raster::TexelFormat::l8;

@@ -266,7 +266,7 @@ struct FixedMath : FixedClipping {
             const int up = r >> 31 == 0 ? 1 : 0;       // r is 2^31 if w is a power of two
             out.w_mantissa = r << up;
             out.w_exponent = static_cast<std::int16_t>(zeros + t.w_exponent - clip.e - up);
-            // This is a signed word, even if r is 2^31.
+            // -r fits a signed word, even if r is 2^31.
             const auto minus_r = static_cast<std::int32_t>(0u - r);
             const Quotient minus_x = x.times(minus_r), minus_y = y.times(minus_r), minus_z = z.times(minus_r);
             out.x = t.x.place(minus_x, 32);

@@ -115,7 +115,7 @@ template <class M, class L> SPANGLE_INLINE void Pipeline<M, L>::set_unlit_color(
         M::set_secondary_color(unlit_, current.secondary_color);
     for (int c = 0; c < 4; ++c)
         unlit_color_[c] = current.color[c];
-    has_unlit_color_ = !has_color_sum_; // else the secondary colour would have to be compared, too
+    has_unlit_color_ = !has_color_sum_; // otherwise the secondary colour would have to be compared, too
 }
 
 /// Returns s, t, r and q of a vertex, after the texture matrix of a unit.

@@ -38,7 +38,7 @@ void Bands::collect(const RowExtents& drawn, RowSpan* damage) {
     const RowSpan all = {0, width};
     if (first_ == 0)
         clear_value_ = drawn.clear_value;
-    const bool apart = drawn.clear_value != clear_value_; // it is not that of the frame's first band
+    const bool apart = drawn.clear_value != clear_value_; // this band's value is not that of the first band
     const bool everything = apart || drawn.clear_value != shown_.clear_value || shown_.rows == nullptr;
     for (std::int32_t y = 0; y < rows_; ++y) {
         const RowSpan now = clip(drawn.rows[y], width);

@@ -43,7 +43,7 @@ Result<void> PanelDisplay::settle() {
     const bool was_late = transfer_.late();
     if (const auto r = transfer_.complete(); !r) {
         book_.doubt();
-        bands_.forget(); // its rows may be those of a band
+        bands_.forget(); // the failed transfer may have sent rows of a band
         return r;
     }
     if (!was_late)

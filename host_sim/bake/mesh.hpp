@@ -29,7 +29,7 @@ struct BakedVertex {
 };
 
 struct BakedPart {
-    const cli::ModelPart* from = nullptr; ///< its part of the model, with kind and material
+    const cli::ModelPart* from = nullptr; ///< the part of the model that was baked, with kind and material
     bool strip = false;
     std::vector<BakedVertex> vertices;
     std::vector<std::uint32_t> indices;

@@ -116,7 +116,7 @@ std::string constant_of(const hal::PanelDesc& panel) {
     return name;
 }
 
-/// The first panel of this controller, for what all panels of it share.
+/// The first panel with this controller. It stands for what all panels with the controller have in common.
 const hal::PanelDesc& base_of(hal::Controller controller) {
     for (const hal::PanelDesc* panel : hal::panels::all)
         if (panel->controller == controller)

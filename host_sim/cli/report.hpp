@@ -33,7 +33,7 @@ struct Memory {
 
 /// Bytes of a window that is drawn in bands.
 struct BandMemory {
-    std::size_t buffers; ///< display's buffers: pixels as they lie, and as they travel
+    std::size_t buffers; ///< bytes of the display's buffers: for pixels as drawn, and as sent
     std::size_t planes;  ///< depth planes, without the record of commands
     std::size_t record;  ///< record of commands of the longest frame
 };

@@ -11,7 +11,8 @@ class App;
 namespace spangle::cli {
 
 struct TradeOptions {
-    std::vector<std::string> scenes; ///< if empty, and nothing else is named: all scenes
+    std::vector<std::string>
+        scenes; ///< ids of scenes; all scenes are drawn if it is empty and nothing else is named
     std::vector<std::string> models, traces;
     std::vector<std::string> program; ///< the program and its arguments
     bool runs_program = false;        ///< the command line has --

@@ -47,7 +47,7 @@ enum : std::uint8_t {
     brightness = 0x51,
     control_display = 0x53,
     adaptive_brightness = 0x55,
-    first_vendor_command = 0x60, ///< from here on numbers are the maker's
+    first_vendor_command = 0x60, ///< numbers from here on are commands of the maker's own
     read_id_1 = 0xDA,
     read_id_2 = 0xDB,
     read_id_3 = 0xDC,

@@ -229,8 +229,8 @@ void WindowedController::put(unsigned value, Time now) {
         report_once(Rule::window,
                     "no glass at column " + std::to_string(left) + " of row " + std::to_string(row_), now);
     if (windowed_chip_.grey) {
-        const bool swapped =
-            bit(windowed_chip_.remap.nibbles); // else the low nibble belongs to the lower segment
+        const bool swapped = bit(
+            windowed_chip_.remap.nibbles); // if the bit is clear, the low nibble belongs to the lower segment
         memory_[index(left, row_)] = static_cast<std::uint16_t>(swapped ? value >> 4 : value & 15);
         memory_[index(left + 1, row_)] = static_cast<std::uint16_t>(swapped ? value & 15 : value >> 4);
     } else {

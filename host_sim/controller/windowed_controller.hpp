@@ -26,7 +26,7 @@ struct WindowedChip {
     std::array<DisplayMode, 4> shown{DisplayMode::memory, DisplayMode::all_on, DisplayMode::all_off,
                                      DisplayMode::inverse};
     std::uint8_t offset_at_reset = 0;
-    int first_com = 0; ///< COM line at which the glass begins; A2h makes up for it
+    int first_com = 0; ///< COM line at which the glass begins, which drivers set by command A2h
     std::uint8_t lock_command = 0, unlock_all = 0; ///< the key that opens `locked`
     std::span<const std::uint8_t> locked{};
     std::uint8_t clear_command = 0; ///< command of the drawing engine that clears a rectangle; 0: none

@@ -14,7 +14,7 @@ bool uses_avx2();
 
 namespace avx2 { // defined in chain_avx2.cpp
 
-/// These do what assemble_any() and runner_of() of raster/chain/assemble_chain.hpp do.
+/// Both functions do what assemble_any() and runner_of() of raster/chain/assemble_chain.hpp do.
 void assemble_chain(Variant& variant, const Key& key, const FragmentState& state);
 AnyFunction chain_runner(Number number, bool narrow);
 

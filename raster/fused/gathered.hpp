@@ -85,7 +85,7 @@ template <class Case> class GatheredPacket {
 
     typename Case::Texture texture_;
     typename Case::FogColor fog_;
-    alignas(16) Values words_; ///< in the byte order of the surface
+    alignas(16) Values words_; ///< words of pixels, in the byte order of the surface
 };
 
 /// The planes of gathered fragments, walked from group to group.

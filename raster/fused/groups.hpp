@@ -94,7 +94,7 @@ template <class Case> SPANGLE_INLINE RowPlace row_of(const Surface& target, std:
 struct PlainRow {
     Span<Fixed>& planes;
     std::uint8_t *color, *depth;
-    std::int32_t x, y, dither_column; ///< as in PlaneRow
+    std::int32_t x, y, dither_column; ///< have the meaning of the members of PlaneRow
     std::int32_t anchor_x = planes.anchor_x, anchor_y = planes.anchor_y;
     Span<Fixed>::Affine z = planes.z, color_value[3] = {planes.color_value[0], planes.color_value[1],
                                                         planes.color_value[2]};

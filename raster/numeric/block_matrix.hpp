@@ -37,7 +37,7 @@ template <int N> struct BlockMatrixN {
 };
 
 using BlockMatrix = BlockMatrixN<4>;
-using BlockMatrix3 = BlockMatrixN<3>; ///< for normals
+using BlockMatrix3 = BlockMatrixN<3>; ///< the matrix by which normals are multiplied
 
 /// One row of a matrix under given column exponents. The row has its own exponent.
 template <int N> struct BlockRowN {

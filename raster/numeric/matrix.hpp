@@ -84,7 +84,7 @@ constexpr Block to_block(Element v) {
 // ------------------------------------------------------------------------------------------------------
 
 namespace detail {
-/// This is not a constant: compilers would write it out wherever a matrix begins.
+/// The identity is no constant, because compilers would write it out wherever a matrix begins.
 [[gnu::noinline]] inline Matrix make_identity() {
     return {};
 }

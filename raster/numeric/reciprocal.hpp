@@ -163,7 +163,7 @@ constexpr Quotient divide_by_words(std::uint64_t n, std::uint32_t d) {
     digit = digit < 4 ? 0 : digit - 4; // never too large: r is within an ulp, worth at most 4 here
     std::uint64_t rest = n - digit * d;
     while (rest >= d)
-        rest -= d, ++digit; // at most 9 times
+        rest -= d, ++digit; // this loop runs at most 9 times
     return {quotient + digit, static_cast<std::uint32_t>(rest)};
 }
 

@@ -87,7 +87,7 @@ template <class Vector> SPANGLE_INLINE Vector lane_product_high_signed(const Vec
     // A negative word, taken as unsigned, is 2^32 too large.
     return lane_product_high(a, b) - (b & std::bit_cast<Vector>(lane_words::as_signed(a) >> 31));
 }
-/// The next functions do the same for all eight lanes.
+/// This function and the next ones multiply the words of all eight lanes.
 SPANGLE_INLINE LaneWords lane_product_high(const LaneWords& a, const LaneWords& b) {
     return LaneWords::mapped(
         [](const auto& v, const auto& w) __attribute__((always_inline)) { return lane_product_high(v, w); },

@@ -135,7 +135,7 @@ template <> struct Lanes<8> {
                    [](const auto& w) __attribute__((always_inline)) {
                        using Vector = std::remove_cvref_t<decltype(w)>;
                        const auto s = lane_words::as_signed(w);
-                       // Where v is too large, all ones leave 16 ones after the shift.
+                       // A v that is too large becomes all ones, which the shift leaves as 16 ones.
                        const auto over = std::bit_cast<Vector>(s > (1 << 24) - 1);
                        return (std::bit_cast<Vector>(s & ~(s >> 31)) | over) >> 8;
                    },

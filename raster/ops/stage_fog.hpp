@@ -100,7 +100,7 @@ template <class N> struct FogFactorLanes : StageBase {
     using L = typename N::L;
     static constexpr int up = 8;
     bool inside;
-    Span<Fixed>::Affine plane; ///< 32 fraction bits if `inside`, otherwise 24
+    Span<Fixed>::Affine plane; ///< the fog coordinate, with 32 fraction bits if `inside`, otherwise 24
     Ramp<L> v;
     template <class S>
     SPANGLE_INLINE FogFactorLanes(const S& s, std::int32_t x)

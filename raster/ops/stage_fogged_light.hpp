@@ -139,7 +139,7 @@ class FoggedTexel {
     };
     using Share = std::conditional_t<Low, LowShare, HighShare>;
 
-    Share g_, r_, b_; ///< in the order in which word() reads them
+    Share g_, r_, b_; ///< shares of the components, in the order in which word() reads them
 };
 
 /// Stores fragments whose light FogLight has dimmed.

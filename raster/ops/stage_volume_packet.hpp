@@ -26,7 +26,7 @@ namespace inner {
 struct CoordLanes {
     LaneWords v, dx, dy;
 
-    /// This coordinate in lanes of the mask, and `other` in the other lanes.
+    /// Selects this coordinate in lanes of the mask, and `other` in the other lanes.
     SPANGLE_INLINE CoordLanes where(const LaneWords& mask, const CoordLanes& other) const {
         const auto pick = [&](const LaneWords& a, const LaneWords& b) __attribute__((always_inline)) {
             return (a & mask) | (b & ~mask);

@@ -15,7 +15,7 @@ template <class N> class PacketCombine {
     using Operand = PacketOperand<N>;
     using Result = PacketResult<N>;
     using Room = Color[PlacesOf<N>::groups];
-    using Values = T[PlacesOf<N>::groups]; ///< one component
+    using Values = T[PlacesOf<N>::groups]; ///< values of one component, for all groups
 
   public:
     /// Applies all units. `texels[n]` are the texture colours of unit n where that unit is on. `colors` are

@@ -30,7 +30,7 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
     [[no_unique_address]] Up ascends; ///< true where the line ascends from its first end to its second
     Int low, high;                    ///< ends on the major axis, subpixels
     Int low_minor;                    ///< minor coordinate of the lower end
-    Int rise;                         ///< from the lower to the upper end along the minor axis
+    Int rise;                         ///< distance from the lower to the upper end along the minor axis
 
     /// The length, in subpixels, up to which first() is exact. Lines on surfaces are shorter.
     static constexpr std::int32_t small_length = 1 << 20;

@@ -49,7 +49,7 @@ class Edge {
 
   private:
     std::int32_t column_;
-    std::int32_t remainder_; ///< of the ceil division that gave column_: -denominator < remainder <= 0
+    std::int32_t remainder_; ///< remainder of the ceil division for column_: -denominator < remainder <= 0
     std::int32_t columns_per_row_, remainder_step_; ///< advance per row: columns + step / denominator
     std::int32_t denominator_;
 };
@@ -57,9 +57,9 @@ class Edge {
 inline Edge Edge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row) {
     const std::int32_t dx = x1 - x0, dy = y1 - y0;
     const std::int32_t above =
-        row * subpixel_one + subpixel_one / 2 - y0; // from the vertex up to the row's centre
+        row * subpixel_one + subpixel_one / 2 - y0; // distance from the vertex up to the row's centre
     const std::int32_t inside =
-        (x0 & (subpixel_one - 1)) - subpixel_one / 2; // from the centre of the vertex's column
+        (x0 & (subpixel_one - 1)) - subpixel_one / 2; // distance of the vertex from its column's centre
     Edge e;
     e.denominator_ = dy * subpixel_one;
     // column is the vertex's column + ceil(numerator / denominator). It is the floor of the negative
@@ -195,7 +195,7 @@ class ShortEdge {
     }
 
     std::int32_t column_, denominator_, remainder_step_;
-    std::int32_t remainder_; ///< of the ceil division: -denominator < remainder <= 0
+    std::int32_t remainder_; ///< remainder of the ceil division: -denominator < remainder <= 0
 };
 
 /// Walks upwards along the rows of a triangle that hold a centre. Vertices are sorted by y. `middle_left`

@@ -15,7 +15,7 @@ namespace spangle::raster {
 /// (detail::LineInterval).
 template <class Int> struct PathInterval {
     Int begin, end;
-    Int from_begin; ///< from the pixel of `begin` to the first fragment
+    Int from_begin; ///< distance from the pixel of `begin` to the first fragment
 };
 
 /// Stores path i, and in lanes also the next paths, for lines that have fragments.

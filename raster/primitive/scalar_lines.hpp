@@ -41,7 +41,7 @@ class ScalarLines {
         constexpr std::true_type yes;
         constexpr std::false_type no;
         PathInterval<std::int32_t> at{};
-        numeric::LeadingZeros<> zeros; // of the lengths of lines
+        numeric::LeadingZeros<> zeros; // counts the leading zeros of lengths
         for (int i = 0; i < line_count_;) {
             const LineEnd &a = end_[i * vertex_step_], &b = end_[i * vertex_step_ + 1];
             const auto follow = [&](auto along_x, auto ascends) __attribute__((always_inline)) {

@@ -96,7 +96,7 @@ bool Setup<Fixed>::unsnap_axis() {
     const std::int32_t begin_rest = axis_.begin == (x ? a.x : a.y) ? (x ? a.x_rest : a.y_rest) : 0,
                        end_rest = axis_.end == (x ? b.x : b.y) ? (x ? b.x_rest : b.y_rest) : 0;
     const std::int32_t length = axis_.end - axis_.begin;
-    // Both ends, half a step each, go beyond by at most one step in 16.
+    // Both ends together move by at most one step, which may be a 16th of the length.
     if ((begin_rest | end_rest) == 0 || abs_u32(length) < 16)
         return false;
     const int up = clz32(abs_u32(length)) - 2;

@@ -83,7 +83,7 @@ class DmaBus final : public Bus {
     DmaMemory memory_;
     BusMemory buffers_;
 
-    // The list under way. These belong to the interrupt while `running_`.
+    // The list under way. The interrupt owns the following members while `running_`.
     std::size_t count_ = 0, at_ = 0;
     std::uint32_t part_ = 0;  ///< number of parts of the current operation that were started
     std::uint32_t since_ = 0; ///< time in microseconds at which a wait_line began

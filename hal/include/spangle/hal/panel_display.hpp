@@ -59,8 +59,8 @@ class PanelDisplay : public Display {
     PanelDisplay& operator=(const PanelDisplay&) = delete; ///< the parts of a display refer to each other
 
     DisplayInfo info() const override;
-    /// Reset, identity, setup, a black [glass](docs/glossary.md#glass), display on. May be called again, to
-    /// recover a panel that lost its power.
+    /// Resets the panel, checks its identity, sets it up, makes the [glass](docs/glossary.md#glass) black,
+    /// and turns it on. It may be called again, to recover a panel that lost its power.
     Result<void> init() override;
     Result<Frame> acquire() override;
     /// With two buffers, or another format on the wire, the error of a transfer is reported by the next

@@ -26,8 +26,8 @@ enum : unsigned {
 /// The registers that ST7735 modules need after reset.
 inline constexpr auto setup =
     init_program(cmd(FRMCTR1, 0x01, 0x2C, 0x2D), // 850 kHz / (42 clocks x (lines + 44 + 45))
-                 cmd(FRMCTR2, 0x01, 0x2C, 0x2D), // the same in idle mode
-                 cmd(FRMCTR3, 0x01, 0x2C, 0x2D, 0x01, 0x2C, 0x2D), // the same in partial mode
+                 cmd(FRMCTR2, 0x01, 0x2C, 0x2D), // frame rate in idle mode
+                 cmd(FRMCTR3, 0x01, 0x2C, 0x2D, 0x01, 0x2C, 0x2D), // frame rate in partial mode
                  cmd(INVCTR, 0x07),                                //
                  cmd(PWCTR1, 0xA2, 0x02, 0x84),                    //
                  cmd(PWCTR2, 0xC5),                                //

@@ -64,35 +64,35 @@
 /// Records of frames, from which [bands](docs/glossary.md#band) are drawn (docs/bands.md).
 #define SPANGLE_FEATURE_BAND_RECORDS 1
 #endif
-/// Bands and their records.
+/// Whether bands and their records are built in.
 #define SPANGLE_HAS_RECORDS (SPANGLE_FEATURE_BANDS && SPANGLE_FEATURE_BAND_RECORDS)
 
 namespace spangle::raster {
 
-/// Fog is built in.
+/// Whether fog is built in.
 inline constexpr bool has_fog = SPANGLE_FEATURE_FOG != 0;
 /// Secondary colours come from lights or from vertices. Only the chain adds them: without it such a state is
 /// an error.
 #define SPANGLE_SECONDARY_COLORS                                                                             \
     (SPANGLE_CHAIN && (SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_SECONDARY_COLOR))
-/// Secondary colours are built in.
+/// Whether secondary colours are built in.
 inline constexpr bool has_color_sum = SPANGLE_SECONDARY_COLORS;
 /// Fragments may bring colours of their own (Colors::of_pixels): those of images.
 inline constexpr bool has_pixel_colors = SPANGLE_FEATURE_DRAW_PIXELS != 0;
-/// TexEnv::combine is built in.
+/// Whether TexEnv::combine is built in.
 inline constexpr bool has_combine = SPANGLE_FEATURE_TEXTURE_COMBINE != 0;
-/// Textures of three dimensions are built in.
+/// Whether textures of three dimensions are built in.
 inline constexpr bool has_volumes = SPANGLE_FEATURE_TEXTURE_3D != 0;
-/// Cube maps are built in.
+/// Whether cube maps are built in.
 inline constexpr bool has_cube_maps = SPANGLE_FEATURE_TEXTURE_CUBE_MAP != 0;
-/// Some texture may read a third coordinate.
+/// Whether some texture may read a third coordinate.
 inline constexpr bool has_third_coordinates =
     SPANGLE_FEATURE_TEXTURE_3D || SPANGLE_FEATURE_TEXTURE_CUBE_MAP || SPANGLE_FEATURE_DEPTH_TEXTURES;
-/// Textures with a palette or of ETC1 are built in.
+/// Whether textures with a palette or of ETC1 are built in.
 inline constexpr bool has_compressed_textures = SPANGLE_FEATURE_COMPRESSED_TEXTURES != 0;
-/// Depth textures are built in.
+/// Whether depth textures are built in.
 inline constexpr bool has_depth_textures = SPANGLE_FEATURE_DEPTH_TEXTURES != 0;
-/// Multisampling is built in.
+/// Whether multisampling is built in.
 inline constexpr bool has_samples = SPANGLE_FEATURE_MULTISAMPLE != 0;
 
 } // namespace spangle::raster

@@ -32,7 +32,7 @@
 #define SPANGLE_FUSED_SPANS 1
 #endif
 #ifndef SPANGLE_SHORTCUTS
-/// 1: code that only makes things faster is built in.
+/// 1: code that only makes drawing faster is built in.
 #define SPANGLE_SHORTCUTS 1
 #endif
 #ifndef SPANGLE_CHAIN
@@ -75,18 +75,18 @@ static_assert(max_texture_levels >= 1 && max_texture_levels <= 12);
 /// The tiers of this build, a bit each, in the order of Tier.
 inline constexpr unsigned tiers = SPANGLE_TIER_SET;
 static_assert(tiers != 0 && tiers < 8);
-/// Surfaces record what was drawn (Surface::extents).
+/// Whether surfaces record what was drawn (Surface::extents).
 inline constexpr bool has_extents = SPANGLE_EXTENTS != 0;
-/// Loops of their own for states that programs draw with often are built in.
+/// Whether states that programs draw with often have loops of their own.
 inline constexpr bool has_fused_spans = SPANGLE_FUSED_SPANS != 0;
-/// Code that only makes things faster is built in.
+/// Whether code that only makes drawing faster is built in.
 inline constexpr bool has_shortcuts = SPANGLE_SHORTCUTS != 0;
-/// The general chain of stages is built in. Without it a state that has no fused span is an error.
+/// Whether the general chain of stages is built in. Without it, a state that has no fused span is an error.
 inline constexpr bool has_chain = SPANGLE_CHAIN != 0;
 static_assert(has_chain || has_fused_spans);
-/// Texture coordinates may be affine. Otherwise they are divided wherever textures are drawn.
+/// Whether texture coordinates may be affine. Otherwise they are divided wherever textures are drawn.
 inline constexpr bool has_affine_textures = SPANGLE_AFFINE_TEXTURES != 0;
-/// Vertices may have any w and q. Otherwise both are 1 at every vertex.
+/// Whether vertices may have any w and q. Otherwise both are 1 at every vertex.
 inline constexpr bool has_perspective = SPANGLE_PERSPECTIVE != 0;
 static_assert(has_perspective || has_affine_textures);
 

@@ -15,7 +15,7 @@ enum class GpioWiring : std::uint8_t {
     parallel16, ///< parallel: two bytes of pixels a cycle, the first on D[15:8]; commands on D[7:0]
 };
 
-/// Which lines go to which pins. Names that it points to must outlive the bus.
+/// Says which lines go to which pins. Names that it points to must outlive the bus.
 struct GpioBusConfig {
     /// The number that stands for no line.
     static constexpr unsigned none = ~0u;

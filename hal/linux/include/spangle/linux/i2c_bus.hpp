@@ -7,7 +7,7 @@
 
 namespace spangle::hal {
 
-/// Which adapter and address. Names that it points to must outlive the bus.
+/// Says which adapter and address to use. Names that it points to must outlive the bus.
 struct I2cConfig {
     /// The adapter's device file.
     const char* device = "/dev/i2c-1";

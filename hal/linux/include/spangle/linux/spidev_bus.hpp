@@ -7,7 +7,7 @@
 
 namespace spangle::hal {
 
-/// Which device and lines. Names that it points to must outlive the bus.
+/// Says which device and lines to use. Names that it points to must outlive the bus.
 struct SpidevConfig {
     /// The device file.
     const char* device = "/dev/spidev0.0";

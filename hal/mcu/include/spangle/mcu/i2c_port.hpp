@@ -56,7 +56,7 @@ template <class I2c, class Timer> class I2cWires {
     Timer timer_;
     bool data_ = false;
 };
-/// These wires as a PolledPort.
+/// The wires of a display on I2C as a PolledPort.
 template <class I2c, class Timer> using I2cPort = hal::PolledPortOf<I2cWires<I2c, Timer>>;
 
 } // namespace spangle::mcu

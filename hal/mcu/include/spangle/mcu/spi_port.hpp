@@ -55,7 +55,7 @@ class SpiWires {
     Reset reset_;
     Timer timer_;
 };
-/// These wires as a PolledPort.
+/// The wires of a display on SPI as a PolledPort.
 template <class Spi, class Select, class Data, class Reset, class Timer, bool SelectHigh = false>
 using SpiPort = hal::PolledPortOf<SpiWires<Spi, Select, Data, Reset, Timer, SelectHigh>>;
 
@@ -107,7 +107,7 @@ template <class Spi, class Select, class Reset, class Timer> class StartByteWire
     Reset reset_;
     Timer timer_;
 };
-/// These wires as a PolledPort.
+/// The wires of a display on SPI as a PolledPort.
 template <class Spi, class Select, class Reset, class Timer>
 using StartBytePort = hal::PolledPortOf<StartByteWires<Spi, Select, Reset, Timer>>;
 

@@ -25,9 +25,9 @@ struct FtdiPins {
     bool te = false;            ///< the panel's TE is wired to ADBUS5
 };
 
-/// Which adapter, and how its pins are wired.
+/// Says which adapter to use, and how its pins are wired.
 struct FtdiConfig {
-    /// Which adapter, by USB's IDs; 0: any of 0403:6014, 0403:6010, 0403:6011.
+    /// The adapter's USB IDs; 0: any of 0403:6014, 0403:6010, 0403:6011.
     std::uint16_t vendor = 0, product = 0;
     /// Opens this usbfs file instead of looking for an adapter. Must stay.
     const char* device_file = nullptr;

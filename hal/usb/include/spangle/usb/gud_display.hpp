@@ -10,9 +10,9 @@
 
 namespace spangle::hal {
 
-/// Which device, and how frames are sent to it.
+/// Says which device to use, and how frames are sent to it.
 struct GudConfig {
-    /// Which device, by USB's IDs; 0: any of the known ones (1d50:614d, 16d0:10a9, 1209:4fb3).
+    /// The device's USB IDs; 0: any of the known ones (1d50:614d, 16d0:10a9, 1209:4fb3).
     std::uint16_t vendor = 0, product = 0;
     /// Opens this usbfs file ("/dev/bus/usb/001/002") instead of looking for a device: where a portal or
     /// another process found it. Must stay.
