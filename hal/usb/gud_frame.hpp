@@ -18,8 +18,8 @@ struct GudFrame {
     };
     std::vector<Band> bands;
     gud::Bytes wire;
-    std::vector<RowSpan>
-        damage; ///< columns of each row that the bands cover; the device lacks them if bands are lost
+    /// The columns of each row that the bands cover. The device lacks them if bands are lost.
+    std::vector<RowSpan> damage;
 };
 
 /// The picture as it is drawn: RGB565, little-endian, rows without gaps.

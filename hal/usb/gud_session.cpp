@@ -164,8 +164,8 @@ Result<void> GudSession::choose_mode() {
             return r.error();
         modes.push_back(gud::edid_mode(bytes.data(), bytes.size()));
     }
-    const char* refusal =
-        "the device has no mode of this size"; // a mode of this size may be refused for its own reason
+    // Where the device has a mode of the wanted size that is refused, this becomes the reason.
+    const char* refusal = "the device has no mode of this size";
     const auto fits = [&](const gud::Mode& m) {
         const std::uint32_t w = m.horizontal[0], h = m.vertical[0];
         const bool wanted =

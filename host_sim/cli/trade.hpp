@@ -11,8 +11,7 @@ class App;
 namespace spangle::cli {
 
 struct TradeOptions {
-    std::vector<std::string>
-        scenes; ///< ids of scenes; all scenes are drawn if it is empty and nothing else is named
+    std::vector<std::string> scenes; ///< ids of scenes; empty: all scenes, if nothing else is named
     std::vector<std::string> models, traces;
     std::vector<std::string> program; ///< the program and its arguments
     bool runs_program = false;        ///< the command line has --

@@ -429,8 +429,7 @@ SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i,
         list(p);
         list.step();
         if constexpr (Dithered)
-            at = numeric::factor32(
-                at); // keeps this step after the search for the word, which saves a register
+            at = numeric::factor32(at); // steps only after the search for the word, which saves a register
         if constexpr (numeric::cheap_branches) {
             rest += rise;
             at += along;

@@ -241,8 +241,8 @@ constexpr Block reciprocal(Block v) {
 constexpr Block div(Block a, Block b) {
     if (b.m == 0 || a.m == 0)
         return a.m == 0 ? Block{} : Block{a.m < 0 ? -block_max : block_max, 16384};
-    const std::uint64_t q =
-        divide(std::uint64_t{abs_u32(a.m)} << 32, abs_u32(b.m)).quotient; // has 32 or 33 bits
+    // The quotient has 32 or 33 bits.
+    const std::uint64_t q = divide(std::uint64_t{abs_u32(a.m)} << 32, abs_u32(b.m)).quotient;
     const auto v = static_cast<std::int64_t>(q);
     return make_block((a.m < 0) != (b.m < 0) ? -v : v, a.e - b.e - 32);
 }

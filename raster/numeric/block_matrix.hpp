@@ -97,8 +97,7 @@ SPANGLE_RUN_INLINE constexpr std::int32_t scale_words(int n, const Block* a, int
             own = width(a[stride * j]) - column[j];
     if (own == no_exponent) // all elements are 0, and any exponent is right
         own = exponent == no_exponent ? 0 : exponent;
-    for (exponent = own > exponent ? own : exponent;;
-         ++exponent) { // goes round at most three times, because n <= 4
+    for (exponent = own > exponent ? own : exponent;; ++exponent) { // at most three rounds, because n <= 4
         std::uint64_t sum = 0;
         for (int j = 0; j < n; ++j) {
             const Block v = a[stride * j];

@@ -128,9 +128,8 @@ template <int N> class Reciprocals {
     SPANGLE_INLINE std::uint32_t at(int i) const { return r_[i]; }
 
   private:
-    static constexpr bool in_words =
-        cheap_branches || N == 1; ///< one lane at a time: there are no vectors, and few registers
-    static constexpr int block = N % 4 == 0 ? 4 : 1; ///< lanes of a vector
+    static constexpr bool in_words = cheap_branches || N == 1; ///< true: lanes are computed one by one
+    static constexpr int block = N % 4 == 0 ? 4 : 1;           ///< lanes of a vector
     alignas(16) std::uint32_t a_[N];
     alignas(16) std::uint32_t r_[N];
 };

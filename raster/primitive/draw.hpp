@@ -21,8 +21,7 @@ constexpr std::int64_t signed_area(std::int32_t ax, std::int32_t ay, std::int32_
         if (((magnitude(right) | magnitude(up) | magnitude(left) | magnitude(rise)) >> 14) == 0)
             return right * up + left * rise; // each product is below 2^28
     }
-    return numeric::mul_s32(right, up) +
-           numeric::mul_s32(left, rise); // the product of two words is exact in 64 bits
+    return numeric::mul_s32(right, up) + numeric::mul_s32(left, rise); // exact, in 64 bits
 }
 
 /// Draws a triangle. V is FixedVertex, DoubleVertex or ShadowVertex; firmware has the fixed one only.

@@ -25,9 +25,8 @@ struct Primitive {
         line_rectangle,
     };
     Shape shape;
-    int corners; ///< number of entries of `corner`
-    std::int32_t size =
-        0; ///< size in pixels for point and line, in 1/8 pixel for smooth_point and later shapes
+    int corners;           ///< number of entries of `corner`
+    std::int32_t size = 0; ///< pixels for point and line, 1/8 pixels for smooth_point and later shapes
     const FixedVertex* const* corner;
     const FixedVertex* provoking;
     const LineStipple* stipple = nullptr; ///< stipple at the beginning of the line; null: not stippled

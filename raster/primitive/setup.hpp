@@ -38,8 +38,8 @@ template <> class Setup<Fixed> {
         /// word.
         SPANGLE_INLINE static Area in_box(std::int32_t area2, std::uint32_t box) {
             const std::uint32_t word = numeric::abs_u32(area2);
-            return {(box - 1) / thin_aspect < word ? word : 0, 0,
-                    area2}; // not thin: box <= thin_aspect |area2|
+            // A triangle is not thin if box <= thin_aspect |area2|.
+            return {(box - 1) / thin_aspect < word ? word : 0, 0, area2};
         }
     };
     Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& provoking,

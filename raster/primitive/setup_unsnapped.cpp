@@ -37,8 +37,8 @@ constexpr std::uint32_t most_beyond = 1u << 28; // 1/16
 /// are so near to one line that only planes through the snapped vertices are possible.
 SPANGLE_INLINE bool Setup<Fixed>::unsnap_plane() {
     const Vertex &a = v(0), &b = v(1), &c = v(2);
-    const std::int32_t y2 = c.y - a.y, y1 = a.y - b.y, x2 = a.x - c.x,
-                       x1 = b.x - a.x; // sorted, so y2 >= |y1|
+    // Vertices are sorted by y, so y2 >= |y1|.
+    const std::int32_t y2 = c.y - a.y, y1 = a.y - b.y, x2 = a.x - c.x, x1 = b.x - a.x;
     // The rests of two vertices are half a step each and sum to at most one step. Even then |d| 2^up is less
     // than 2^31.
     const int up = clz32(static_cast<std::uint32_t>(y2) | abs_u32(x2) | abs_u32(x1)) - 2;

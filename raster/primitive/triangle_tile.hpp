@@ -44,8 +44,7 @@ SPANGLE_INLINE void set_edges(Tile& tile, const FixedVertex& a, const FixedVerte
     const U16 corner_of_pixel = std::bit_cast<U16>(__builtin_shufflevector(xy, xy, 0, 0, 1, 1))
                                 << subpixel_bits,
               off = corner_of_pixel + subpixel_one / 2 - from,
-              across =
-                  std::bit_cast<U16>(__builtin_shufflevector(along, along, 2, 3, 0, 1)); // x and y exchanged
+              across = std::bit_cast<U16>(__builtin_shufflevector(along, along, 2, 3, 0, 1)); // y before x
     const U16 product = off * across, product_high = L::mul_high_signed(off, across),
               flat = L::equal(across, U16{}); // -1
     const L::Words area = words(L::mixed_low(product, product_high)) -

@@ -56,8 +56,7 @@ std::int32_t fill_masked_blocks(std::uint8_t* to, const Pattern& pattern, const 
     }
     std::int32_t done = 0;
     for (; bytes - done >= 48; done += 48) {
-        Vector* const at =
-            reinterpret_cast<Vector*>(to + done); // `auto` would drop the alignment of the type
+        Vector* const at = reinterpret_cast<Vector*>(to + done); // `auto` would drop the type's alignment
         at[0] = (at[0] & kept[0]) | fresh[0];
         at[1] = (at[1] & kept[1]) | fresh[1];
         at[2] = (at[2] & kept[2]) | fresh[2];
@@ -73,7 +72,7 @@ void fill(std::uint8_t* to, const Pattern& pattern, std::int32_t bytes) {
         v[i] = *reinterpret_cast<const Vector*>(pattern.byte + i * step);
     std::int32_t left = bytes;
     for (; left >= 96; left -= 96, to += 96) {
-        Vector* const at = reinterpret_cast<Vector*>(to); // `auto` would drop the alignment of the type
+        Vector* const at = reinterpret_cast<Vector*>(to); // `auto` would drop the type's alignment
         at[0] = v[0];
         at[1] = v[1];
         at[2] = v[2];

@@ -50,8 +50,7 @@ struct MappedConfig {
     /// What a present does while the frame before waits for the refresh. Only with three buffers, `coalesce`
     /// shows the newer frame instead; `drop` shows the older one, and the newer one is drawn over.
     Pacing pacing = Pacing::block;
-    std::uint32_t refresh_us =
-        100000; ///< the longest time of a refresh; after it, the block counts as stopped
+    std::uint32_t refresh_us = 100000; ///< longest time of a refresh, after which the block counts as stopped
 };
 
 /// A Display whose present is an address that a ScanOut takes.
@@ -87,9 +86,8 @@ class MappedDisplay final : public Display {
     std::uint8_t asked_ = 0; ///< the buffer that was last to be shown
     std::uint8_t back_ = 0;  ///< the buffer being drawn, where `drawing_`
     bool drawing_ = false, ready_ = false, waits_ = true;
-    std::uint32_t frame_ = 0; ///< number of presents that succeeded
-    std::uint32_t drawn_in_[MappedConfig::most_buffers] = {0, 0,
-                                                           0}; ///< the last present of each buffer; 0: none
+    std::uint32_t frame_ = 0;                                        ///< number of presents that succeeded
+    std::uint32_t drawn_in_[MappedConfig::most_buffers] = {0, 0, 0}; ///< last present of each buffer; 0: none
     RowExtents extents_;
 };
 

@@ -58,13 +58,12 @@ struct PanelTiming {
     std::uint16_t serial_read_ns = 150;
     /// A write cycle of a parallel bus.
     std::uint16_t parallel_write_ns = 66;
-    std::uint16_t parallel_read_ns = 450; ///< a read cycle of frame memory, the slowest
-    std::uint32_t i2c_hz = 0;             ///< frequency at which boards run SCL; 0: the panel has no I2C
-    std::uint16_t practical_serial_mhz =
-        10;                        ///< the fastest serial clock that boards use; more is taken for a mistake
-    std::uint32_t frame_us = 0;    ///< time of one refresh, with the registers of `setup`
-    std::uint16_t scan_lines = 0;  ///< lines of one refresh, porches included
-    std::uint16_t porch_lines = 0; ///< lines of vertical blanking among them, in which TE is high
+    std::uint16_t parallel_read_ns = 450;    ///< a read cycle of frame memory, the slowest
+    std::uint32_t i2c_hz = 0;                ///< frequency at which boards run SCL; 0: the panel has no I2C
+    std::uint16_t practical_serial_mhz = 10; ///< the fastest serial clock of boards; more is a mistake
+    std::uint32_t frame_us = 0;              ///< time of one refresh, with the registers of `setup`
+    std::uint16_t scan_lines = 0;            ///< lines of one refresh, porches included
+    std::uint16_t porch_lines = 0;           ///< lines of vertical blanking among them, in which TE is high
 };
 
 /// What tells the controller from others, and the dummy clocks that a serial data line takes to turn round.
@@ -103,9 +102,8 @@ struct WireFormats {
 
 /// Where a controller differs from its data sheet or from the others.
 struct Quirks {
-    bool resend_window =
-        false; ///< RAMWR does not go to the window's start, so CASET and RASET are always sent
-    bool no_read_back = false;      ///< the controller never drives the data line
+    bool resend_window = false; ///< RAMWR does not go to the window's start: CASET and RASET are always sent
+    bool no_read_back = false;  ///< the controller never drives the data line
     bool reads_write_depth = false; ///< RAMRD answers in COLMOD's format, not with three bytes a pixel
 };
 

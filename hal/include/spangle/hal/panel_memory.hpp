@@ -37,8 +37,7 @@ struct PanelMemory {
     RowHashMemory hash = {};
     RowSpan* turned = nullptr;        ///< damage by rows of the turned buffer (PanelConfig::scan_order)
     decltype(&turn) turner = nullptr; ///< turn(), which only displays that name it link
-    RowSpan* held =
-        nullptr; ///< rows of a frame that was put off (Pacing::coalesce); null: frames are dropped
+    RowSpan* held = nullptr;    ///< rows of a frame that was put off (Pacing::coalesce); null: it is dropped
     Palette* palette = nullptr; ///< the palette of surfaces of PixelFormat::index8
 };
 

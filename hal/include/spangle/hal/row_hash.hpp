@@ -66,8 +66,8 @@ class RowHash {
     RowHash(const RowHashMemory& memory, std::int32_t width, std::int32_t height, std::int32_t bits)
         : memory_(&memory), width_(static_cast<std::int16_t>(width)),
           height_(static_cast<std::int16_t>(height)), bits_(static_cast<std::int16_t>(bits)) {}
-    RowHash(RowHashMemory&&, std::int32_t, std::int32_t,
-            std::int32_t) = delete; ///< a temporary memory would end at once
+    /// A temporary RowHashMemory would end before the row hash.
+    RowHash(RowHashMemory&&, std::int32_t, std::int32_t, std::int32_t) = delete;
 
     /// Whether the row hash has memory.
     bool enabled() const { return memory_ != nullptr && memory_->code != nullptr; }

@@ -73,19 +73,18 @@ using namespace oled;
 
 /// `pins`: glass of more than 32 rows has every other row on the other half of the COM pins.
 template <unsigned Rows, unsigned Pins, unsigned Contrast>
-inline constexpr auto
-    setup = init_program(cmd(DISPLAY_OFF),         //
-                         cmd(CLOCK, 0x80),         //
-                         cmd(MULTIPLEX, Rows - 1), //
-                         cmd(OFFSET, 0x00),        //
-                         cmd(START_LINE),          //
-                         cmd(CHARGE_PUMP, 0x14),   // the chip's converter gives 7.5 V
-                         cmd(COM_PINS, Pins),      //
-                         cmd(CONTRAST, Contrast),  //
-                         cmd(PRECHARGE, 0xF1),     //
-                         cmd(VCOMH, 0x40),         //
-                         cmd(STOP_SCROLL),         // memory must not be written while the picture scrolls
-                         cmd(SHOW_MEMORY));
+inline constexpr auto setup = init_program(cmd(DISPLAY_OFF),         //
+                                           cmd(CLOCK, 0x80),         //
+                                           cmd(MULTIPLEX, Rows - 1), //
+                                           cmd(OFFSET, 0x00),        //
+                                           cmd(START_LINE),          //
+                                           cmd(CHARGE_PUMP, 0x14),   // the chip's converter gives 7.5 V
+                                           cmd(COM_PINS, Pins),      //
+                                           cmd(CONTRAST, Contrast),  //
+                                           cmd(PRECHARGE, 0xF1),     //
+                                           cmd(VCOMH, 0x40),         //
+                                           cmd(STOP_SCROLL), // memory must not change while it scrolls
+                                           cmd(SHOW_MEMORY));
 
 /// Modules are glued in upside down: upright is A1h, C8h.
 consteval PanelDesc on_glass(const char* name, Extent glass, Program setup) {

@@ -23,10 +23,7 @@ inline std::uint32_t call(std::uint32_t operation, const void* argument) {
 #if __ARM_ARCH_PROFILE == 'M'
     asm volatile("bkpt 0xab" : "+r"(result) : "r"(block) : "memory");
 #else
-    asm volatile("svc 0xab"
-                 : "+r"(result)
-                 : "r"(block)
-                 : "memory", "lr"); // the call of semihosting in Thumb state
+    asm volatile("svc 0xab" : "+r"(result) : "r"(block) : "memory", "lr"); // for Thumb state
 #endif
 #endif
     return result;

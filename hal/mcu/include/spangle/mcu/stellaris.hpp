@@ -10,11 +10,9 @@ namespace spangle::mcu::stellaris {
 /// The system control block.
 inline constexpr std::uintptr_t system_control = 0x400FE000;
 inline constexpr std::uintptr_t raw_interrupts = system_control + 0x050; ///< raw interrupt status, RIS
-inline constexpr std::uintptr_t clock_config = system_control + 0x060; ///< run-mode clock configuration, RCC
-inline constexpr std::uintptr_t serial_clocks =
-    system_control + 0x104; ///< clock gates of serial blocks, RCGC1
-inline constexpr std::uintptr_t port_clocks =
-    system_control + 0x108; ///< clock gates of GPIO ports, RCGC2; bit 0 is port A
+inline constexpr std::uintptr_t clock_config = system_control + 0x060;  ///< run-mode clock configuration, RCC
+inline constexpr std::uintptr_t serial_clocks = system_control + 0x104; ///< clocks of serial blocks, RCGC1
+inline constexpr std::uintptr_t port_clocks = system_control + 0x108;   ///< clocks of GPIO ports, RCGC2
 
 /// A GPIO port: a PL061.
 struct Port {
