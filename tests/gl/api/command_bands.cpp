@@ -111,7 +111,7 @@ class Frames {
         open();
         if (setting_.way == Way::redrawn) {
             out_.shown = spangle::frame(egl_, [this] {
-                make_context(); // state begins anew, which `draw` must see to
+                make_context(); // a new context, whose state `draw` must set
                 draw();
             });
         } else {

@@ -141,11 +141,11 @@ Value Calls::argument(const Command& c, const Arg& arg, std::string_view family,
                             ? static_cast<void*>(elements_)
                         : family == "DrawElements" || family == "DrawRangeElements" ||
                                 family.starts_with("MultiDraw") ||
-                                family.starts_with("Buffer") // buffers may hold indices, too
+                                family.starts_with("Buffer") // buffers may hold indices, which must be small
                             ? client_.data()
                             : arg.kind == Kind::out ? result()
                                                     : const_cast<std::uint8_t*>(numbers().data()) +
-                                                          how % 8 * 8; // aligned for every type
+                                                          how % 8 * 8; // an offset aligned for every type
         break;
     case Kind::enum_:
         if (!arg.accepted.empty() && how % 8 != 0)
@@ -162,7 +162,7 @@ Value Calls::argument(const Command& c, const Arg& arg, std::string_view family,
         v.number = number(in_, c, how);
         if (arg.kind == Kind::pvalue && pname != nullptr && pname->kind == 'i' && how % 4 != 0)
             v.number = how % 4 == 1 ? static_cast<double>(pname->good) : settings[how % std::size(settings)];
-        if (family == "PixelStore") // only rows that client memory holds
+        if (family == "PixelStore") // rows must fit client memory
             v.number = how % 11 - 2.0;
         break;
     case Kind::sizei:
@@ -170,11 +170,12 @@ Value Calls::argument(const Command& c, const Arg& arg, std::string_view family,
                                                        : how % (most_items + 3) - 2;
         break;
     case Kind::int_:
-        if (!arg.accepted.empty() && how % 8 != 0) { // an internal format
+        if (!arg.accepted.empty() && how % 8 != 0) { // chooses an internal format
             v.integer = internal_formats[how % std::size(internal_formats)];
             break;
         }
-        if (arg.high - arg.low < most_items && how % 8 != 0) { // a value of the range, or one beside it
+        // The value is in the range or beside it.
+        if (arg.high - arg.low < most_items && how % 8 != 0) {
             v.integer = arg.low - 1 + how % (arg.high - arg.low + 3);
             break;
         }
@@ -200,7 +201,7 @@ double Calls::number(Bytes& in, const Command& c, std::uint8_t how) {
         std::memcpy(&f, &bits, sizeof f);
         return f;
     }
-    if (integers) // only what every integer type can hold
+    if (integers) // keeps values that every integer type can hold
         return how % 2 == 0 ? how % 100
                : name.find("ub") != name.npos || name.find("us") != name.npos || name.find("ui") != name.npos
                    ? 5

@@ -60,7 +60,7 @@ class Calls {
     };
     bool may_call_a_list(bool& compiling);
 
-    void* elements_[most_items] = {}; ///< of MultiDrawElements
+    void* elements_[most_items] = {}; ///< addresses of indices for MultiDrawElements
     std::vector<Called> called_;
     std::vector<std::uint8_t> client_ = std::vector<std::uint8_t>(4096);
 };

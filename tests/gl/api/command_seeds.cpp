@@ -28,10 +28,10 @@ class Writer {
             // The first byte chooses the tier, and whether bands are redrawn or recorded.
             put(first_of_bands + lot(256 - first_of_bands));
             for (int i = 0; i < 5; ++i)
-                put(lot(256)); // depth, format, samples, height, record
+                put(lot(256)); // one byte for depth, format, samples, height and record
             return;
         }
-        for (const unsigned byte : {1u, 0u, 0u, 1u}) // tier, depth, format, direction
+        for (const unsigned byte : {1u, 0u, 0u, 1u}) // bytes for tier, depth, format and direction
             put(plain ? byte : lot(first_of_bands));
     }
     std::vector<std::uint8_t> done() { return out_; }
@@ -346,7 +346,7 @@ std::vector<std::vector<std::uint8_t>> command_seeds() {
     for (int round = 0; round < 24; ++round)
         for (const Fill fill : fills) {
             Writer w(++number, fill == fused, round % 2 != 0);
-            if (round >= 8 && fill != fused) // in whatever state a few calls leave
+            if (round >= 8 && fill != fused) // draws in the state that random calls have left
                 for (int i = 0; i < 6; ++i)
                     w.some_state();
             fill(w);

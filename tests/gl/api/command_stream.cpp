@@ -34,7 +34,7 @@ class Run {
         depth.reset(new std::uint32_t[deep ? width * height : width * height / 2]());
         s.width = width;
         s.height = height;
-        s.color = color.data() + (height - 1) * width * pixel; // top row first
+        s.color = color.data() + (height - 1) * width * pixel; // memory holds the top row first
         s.color_stride = -width * pixel;
         s.depth = reinterpret_cast<std::uint8_t*>(depth.get());
         s.depth_stride = width * (deep ? 4 : 2);
@@ -42,7 +42,8 @@ class Run {
         s.accum = accum.get();
         surface_ = s;
         if ((how_ & 4) != 0) {
-            other_memory.resize((gl::fixed_engine.pipeline_bytes * 9 / 8 + 64) / 8); // sizes come in eighths
+            // An arena rounds sizes up by at most an eighth.
+            other_memory.resize((gl::fixed_engine.pipeline_bytes * 9 / 8 + 64) / 8);
             arena.give(other_memory.data(), 8 * other_memory.size());
             other = gl::create_context(arena, {.tier = raster::Tier::balanced, .engine = &gl::fixed_engine},
                                        context);

@@ -14,7 +14,7 @@ using gl::Listing;
 
 enum class Kind : std::uint8_t {
     real,  ///< a number of the entry point's type, in Value::number
-    enum_, ///< in Value::integer, as the next kinds
+    enum_, ///< a token, in Value::integer, as are the next kinds
     int_,
     uint,
     sizei,
@@ -59,7 +59,7 @@ struct Command {
     bool inside;     ///< whether the call is legal between Begin and End
     Listing listing;
     bool present;   ///< whether its feature is in this build
-    GLenum refuses; ///< the error of any arguments, or NO_ERROR
+    GLenum refuses; ///< the error that every call gives, or NO_ERROR
     std::span<const Arg> args;
     std::span<const Pname> pnames;
     void (*call)(const Value* values);

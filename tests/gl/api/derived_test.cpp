@@ -38,7 +38,7 @@ struct Derived : testing::Test {
         ASSERT_EQ(eglInitialize(display, nullptr, nullptr), EGLBoolean{EGL_TRUE});
         spangle::test::Random random{9};
         for (int vertex = 0; vertex < 4; ++vertex) {
-            for (int c = 0; c < 2 + 4 + 3; ++c) // texture coordinates, colour, normal
+            for (int c = 0; c < 2 + 4 + 3; ++c) // two texture coordinates, four colours, three of the normal
                 arrays.push_back(static_cast<GLfloat>(random.below(100)) / 100);
             for (const float at : {vertex % 2 * 1.6f - 0.8f, vertex / 2 * 1.6f - 0.8f, vertex * 0.2f - 0.3f})
                 arrays.push_back(at);
@@ -214,7 +214,7 @@ TEST_F(Derived, StateThatIsPoppedIsDrawnAgain) {
             }
             end(bound);
         }
-    EXPECT_GT(seen, whole ? 80 : 60); // changes that are visible
+    EXPECT_GT(seen, whole ? 80 : 60); // number of visible changes
 }
 
 /// States come back, while textures and drawables change.

@@ -30,7 +30,7 @@ class ErrorSweep : public RecordingContext {
     std::vector<Value> good(const Command& c, std::size_t pname) {
         std::vector<Value> values;
 #if SPANGLE_FEATURE_BUFFERS
-        const std::string row = c.row; // commands of buffers get a buffer that is not mapped
+        const std::string row = c.row; // commands of buffers need a buffer that is not mapped
         const bool buffer = (row == "B21" || row == "B22") && gl::current_context() != nullptr;
         for (const GLenum target : {GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER})
             gl::cmd::BindBuffer(*context, target, 0);
@@ -47,7 +47,7 @@ class ErrorSweep : public RecordingContext {
 #if SPANGLE_FEATURE_QUERIES
         if (std::strcmp(c.row, "P11") == 0 && gl::current_context() != nullptr &&
             !context->inside_begin_end() &&
-            context->list.index == 0) { // query 1 has a result; EndQuery finds it active
+            context->list.index == 0) { // query 1 must have a result, and be active for EndQuery
             if (context->query.active == 0)
                 glBeginQuery(GL_SAMPLES_PASSED, 1);
             if (std::strcmp(c.family, "EndQuery") != 0)
@@ -55,7 +55,7 @@ class ErrorSweep : public RecordingContext {
         }
 #endif
         std::memset(client, 0, sizeof client);
-        if (!c.pnames.empty()) { // the first value of the vector form
+        if (!c.pnames.empty()) { // changes the first value of the vector form
             const auto value = static_cast<GLint>(good_value(c, pname));
             const auto number = static_cast<GLfloat>(value);
             const GLdouble wide = number;

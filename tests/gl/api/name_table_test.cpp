@@ -62,7 +62,7 @@ TEST_F(Names, UnusedRangesAreUnused) {
     EXPECT_EQ(names.unused(1), 1u);
     names.insert(arena, 10, nullptr);
     EXPECT_EQ(names.unused(5), 11u);
-    names.insert(arena, 0xFFFFFFFF, nullptr); // now only gaps are left
+    names.insert(arena, 0xFFFFFFFF, nullptr); // after this only gaps between names are free
     EXPECT_EQ(names.unused(9), 1u);
     EXPECT_EQ(names.unused(10), 11u);
     EXPECT_EQ(names.unused(0xFFFFFFF4), 11u);

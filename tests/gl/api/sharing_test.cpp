@@ -50,7 +50,7 @@ TEST_F(Sharing, ABufferLivesWhileItIsBoundElsewhere) {
     glDeleteBuffers(1, &name);
     EXPECT_EQ(get(GL_ARRAY_BUFFER_BINDING), 0) << "unbound where it was deleted";
     EXPECT_FALSE(glIsBuffer(7));
-    glBindBuffer(GL_ARRAY_BUFFER, 7); // another buffer of the same name
+    glBindBuffer(GL_ARRAY_BUFFER, 7); // makes another buffer with the same name
     EXPECT_EQ(size_of_buffer(), 0);
     in(other);
     EXPECT_EQ(get(GL_ARRAY_BUFFER_BINDING), 7) << "bound where it was not";
@@ -96,7 +96,7 @@ TEST_F(Sharing, ABufferLivesOnTheStack) {
     glPopClientAttrib();
     EXPECT_EQ(get(GL_ARRAY_BUFFER_BINDING), 7);
     EXPECT_EQ(size_of_buffer(), 3);
-    glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT); // stays on the stack; the end of the context frees it
+    glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT); // never popped; the end of the context frees it
     glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 #endif

@@ -408,7 +408,7 @@ TEST_F(Meshes, EndsOfTheGridAreExact) {
                   glEvalCoord2f(0.7f, 0.9f);
                   glEnd();
               }));
-    for (GLint n = 1; n < 200; ++n) { // on a domain much longer than its end
+    for (GLint n = 1; n < 200; ++n) { // the domain is much longer than its upper end, 0.7
         glMapGrid1f(n, -1e6f, 0.7f);
         const auto end = drawn([n] { glEvalMesh1(GL_POINT, n, n); });
         EXPECT_EQ(end, drawn([] {

@@ -205,7 +205,7 @@ TEST_F(Execution, FinishedCommandsAreInTheFramebuffer) {
         EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
         EXPECT_EQ(pixel(1, 1), (Bytes{1, 2, 3, 255}));
         glNewList(1, GL_COMPILE);
-        complete(); // Flush and Finish are no error in a list either
+        complete(); // a list may contain Flush and Finish, too
         glEndList();
         glCallList(1);
         EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
@@ -224,24 +224,24 @@ constexpr Rgba primary{0.8, 0.5, 0.3, 0.9}, secondary{0.1, 0.3, 0.2, 0}, texel{0
 constexpr double fog_factor = 0.75;
 
 const std::vector<std::function<void(Rgba&)>> color_operations = {
-    [](Rgba& c) { // texture environment MODULATE
+    [](Rgba& c) { // applies the texture environment MODULATE
         for (std::size_t i = 0; i < 4; ++i)
             c[i] *= texel[i];
     },
-    [](Rgba& c) { // colour sum
+    [](Rgba& c) { // applies the colour sum
         for (std::size_t i = 0; i < 3; ++i)
             c[i] = std::fmin(1, c[i] + secondary[i]);
     },
-    [](Rgba& c) { // fog
+    [](Rgba& c) { // applies fog
         for (std::size_t i = 0; i < 3; ++i)
             c[i] = fog_factor * c[i] + (1 - fog_factor) * fog_color[i];
     },
-    [](Rgba& c) { // blending
+    [](Rgba& c) { // applies blending
         const double a = c[3];
         for (std::size_t i = 0; i < 4; ++i)
             c[i] = c[i] * a + below[i] * (1 - a);
     },
-    [](Rgba& c) { c[3] = below[3]; }, // mask of alpha
+    [](Rgba& c) { c[3] = below[3]; }, // applies the mask of alpha
 };
 
 Rgba in_order(const std::vector<std::size_t>& order) {
@@ -324,7 +324,7 @@ TEST_F(Order, OfWhatMakesTheColor) {
                 worst = std::fmax(worst, std::fabs(in_order(other)[c] - right[c]));
             EXPECT_GT(worst, 6.0 / 255) << i << k;
         }
-    glDepthRange(1, 0); // 0.25 becomes 0.75
+    glDepthRange(1, 0); // reverses depth, so 0.25 becomes 0.75
     draw(true, true, true, true);
     const Bytes got = pixel(size / 2, size / 2);
     for (std::size_t c = 0; c < 4; ++c)

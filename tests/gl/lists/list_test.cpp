@@ -66,7 +66,8 @@ TEST_F(Lists, VerticesWithEveryMixOfAttributes) {
                 if (mix & 8)
                     glTexCoord4f(f, -f, i == 3 ? 0.f : 1.f, 2);
                 if ((mix & 16) && i % 3 == 0)
-                    glColor3ub(static_cast<GLubyte>(i), 200, 255); // a mix that changes within the run
+                    // Only some vertices of the run give a colour.
+                    glColor3ub(static_cast<GLubyte>(i), 200, 255);
                 if (mix & 32)
                     glVertex4f(f, f, f, i % 2 == 0 ? 1.f : 2.f);
                 else
@@ -179,7 +180,7 @@ TEST_F(Lists, PlayedDrawsFailWholeInsideBeginEnd) {
     glVertexPointer(2, GL_FLOAT, 0, position);
     glEnableClientState(GL_VERTEX_ARRAY);
     glNewList(1, GL_COMPILE);
-    for (int i = 0; i < 30; ++i) // over several chunks
+    for (int i = 0; i < 30; ++i) // fills several chunks
         glDrawArrays(GL_TRIANGLES, 0, 3);
     glEndList();
     const auto events = drawn([] {
@@ -299,7 +300,7 @@ TEST_F(Lists, OldContentUntilEndList) {
     glEndList();
     glNewList(1, GL_COMPILE_AND_EXECUTE);
     glColor3f(0, 1, 0);
-    glCallList(1); // the old list 1
+    glCallList(1); // plays the list 1 that existed before
     GLfloat color[4];
     glGetFloatv(GL_CURRENT_COLOR, color);
     EXPECT_EQ(color[0], 1);
@@ -346,7 +347,7 @@ TEST_F(Lists, CallListsOfEveryType) {
         for (int compiled = 0; compiled < 2; ++compiled) {
             if (compiled != 0) {
                 glNewList(1, GL_COMPILE);
-                glListBase(5); // the base at execution counts
+                glListBase(5); // the base at execution decides, not this one
                 glListBase(base);
                 glCallLists(n, type, lists);
                 glEndList();
@@ -432,7 +433,7 @@ TEST_F(Lists, ArgumentErrors) {
     EXPECT_EQ(glGetError(), GLenum{GL_INVALID_VALUE});
     glNewList(1, GL_COMPILE_AND_EXECUTE);
     glBegin(GL_POINTS);
-    glEndList(); // executed between Begin and End
+    glEndList(); // this list is executed between Begin and End
     EXPECT_EQ(context->error_code, GLenum{GL_INVALID_OPERATION});
     glEnd();
     glEndList();
@@ -468,7 +469,7 @@ TEST_F(Lists, SharedBetweenContexts) {
     GLfloat color[4];
     glGetFloatv(GL_CURRENT_COLOR, color);
     EXPECT_EQ(color[0], 0.5f);
-    glNewList(10, GL_COMPILE); // never ended
+    glNewList(10, GL_COMPILE); // the list is never ended
     glVertex2f(1, 2);
     gl::destroy_context(other);
     EXPECT_EQ(gl::current_context(), nullptr);

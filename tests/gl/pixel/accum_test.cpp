@@ -200,7 +200,7 @@ TEST(Accum, ReturnRoundsHalfUp) {
             Twin t(format);
             cmd::Disable(t.c, GL_DITHER);
             std::fill(t.plane.begin(), t.plane.end(), static_cast<std::int16_t>(32767 / divisor));
-            cmd::Accum(t.c, GL_RETURN, real(divisor / 2.)); // 127.5 of 255
+            cmd::Accum(t.c, GL_RETURN, real(divisor / 2.)); // returns 127.5 255ths
             const FormatInfo info = format_info(format);
             const unsigned bits[4] = {info.red_bits, info.green_bits, info.blue_bits, info.alpha_bits};
             for (unsigned c = 0; c < 4; ++c)

@@ -108,7 +108,7 @@ TEST(Clear, RandomStateInEveryFormat) {
                     const auto eight = static_cast<unsigned>(std::floor(f * 255 + 0.5));
                     if (!c.fragment_ops.dither || bits[k] == 8) {
                         ASSERT_EQ(is[k], eight >> (8 - bits[k])) << round;
-                    } else { // floor or ceiling of the exact value; exact values stay
+                    } else { // dithering gives floor or ceiling of the exact value
                         const double steps = f * ((1 << bits[k]) - 1);
                         ASSERT_LE(is[k], std::ceil(steps - 1e-5)) << round;
                         ASSERT_GE(is[k], std::floor(steps + 1e-5)) << round;
@@ -190,7 +190,7 @@ TEST(Clear, FullClearsAreTold) {
     b.context.drawable.surface.touched = rows.data();
     b.context.drawable.surface.touched_step = 1;
     Context& c = b.context;
-    cmd::Clear(c, GL_DEPTH_BUFFER_BIT); // the colours stay
+    cmd::Clear(c, GL_DEPTH_BUFFER_BIT); // must not change colours
     EXPECT_FALSE(extents.cleared);
     EXPECT_EQ(rows[0], RowSpan{});
     c.fragment_ops.scissor_test = true;
@@ -203,7 +203,7 @@ TEST(Clear, FullClearsAreTold) {
     EXPECT_EQ(rows[3], RowSpan{});
     c.fragment_ops.scissor_test = false;
     cmd::ColorMask(c, true, true, false, true);
-    cmd::Clear(c, GL_COLOR_BUFFER_BIT); // not all channels are written
+    cmd::Clear(c, GL_COLOR_BUFFER_BIT); // does not write all channels
     EXPECT_FALSE(extents.cleared);
     EXPECT_EQ(rows[5], (RowSpan{0, 8}));
     cmd::ColorMask(c, true, true, true, false); // the surface has no alpha to mask
@@ -216,7 +216,7 @@ TEST(Clear, FullClearsAreTold) {
     EXPECT_NE(extents.clear_value, black);
     cmd::ClearColor(c, real(0), real(0), real(0), real(1));
     cmd::Clear(c, GL_COLOR_BUFFER_BIT);
-    EXPECT_EQ(extents.clear_value, black); // equal bytes have an equal value
+    EXPECT_EQ(extents.clear_value, black); // pictures with equal bytes have equal clear values
 }
 
 } // namespace

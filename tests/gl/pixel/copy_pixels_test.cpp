@@ -42,7 +42,7 @@ template <class Same> void expect_copied(const Copy& c, int width, int height, S
                       m = group_of(y + 0.5, c.to_y, c.zoom_y, c.height);
             int from_x = c.x + n, from_y = c.y + m;
             if (n < 0 || m < 0 || from_x < 0 || from_y < 0 || from_x >= width || from_y >= height)
-                from_x = x, from_y = y; // nothing is drawn there
+                from_x = x, from_y = y; // a place where nothing is drawn
             ASSERT_TRUE(same(x, y, from_x, from_y))
                 << x << ' ' << y << " from " << from_x << ' ' << from_y << ": " << c.x << ' ' << c.y << ' '
                 << c.width << 'x' << c.height << " to " << c.to_x << ' ' << c.to_y << " zoom " << c.zoom_x

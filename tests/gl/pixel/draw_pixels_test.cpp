@@ -244,7 +244,7 @@ TEST(DrawPixels, DepthGoesThroughTheTestWithTheRasterColour) {
         EXPECT_EQ(canvas.depth_at(0, 0), 0u);
         EXPECT_NEAR(canvas.depth_at(1, 0), most / 2, 0.6);
         EXPECT_EQ(canvas.depth_at(2, 0), most);
-        EXPECT_EQ(canvas.at(0, 0, 1), 0); // masked
+        EXPECT_EQ(canvas.at(0, 0, 1), 0); // the mask keeps this channel
 #endif
     }
     PixelCanvas flat({.depth = DepthFormat::none});

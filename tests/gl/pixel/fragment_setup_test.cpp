@@ -325,7 +325,7 @@ TEST_F(FragmentSetup, MasksAndBuffers) {
     EXPECT_EQ(state().color_mask, 0);
     const struct {
         GLenum mode;
-        GLenum single_draw, single_read, double_draw, double_read; // errors
+        GLenum single_draw, single_read, double_draw, double_read; // the errors of DrawBuffer and ReadBuffer
     } cases[] = {
         {GL_FRONT, 0, 0, GL_INVALID_OPERATION, GL_INVALID_OPERATION},
         {GL_FRONT_LEFT, 0, 0, GL_INVALID_OPERATION, GL_INVALID_OPERATION},
@@ -427,7 +427,7 @@ TEST_F(FragmentSetup, Fog) {
 TEST_F(FragmentSetup, TextureUnitsAndEnvironments) {
     const std::uint8_t texel[4] = {1, 2, 3, 4};
     tex_image_2d(c, GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
-    EXPECT_EQ(state().unit[0].texture, nullptr); // not enabled
+    EXPECT_EQ(state().unit[0].texture, nullptr); // null, because texturing is not enabled
     c.texture.unit[0].enabled[index_of(TextureKind::two)] = true;
     c.changed(dirty_fragment);
     ASSERT_NE(state().unit[0].texture, nullptr);
@@ -449,7 +449,7 @@ TEST_F(FragmentSetup, TextureUnitsAndEnvironments) {
     EXPECT_EQ(state().unit[0].env_color[1], raster::color_one);
     EXPECT_EQ(state().unit[0].env_color[2], raster::color_one / 2);
     EXPECT_EQ(state().unit[0].env_color[3], raster::color_one / 4);
-    cmd::BindTexture(c, GL_TEXTURE_2D, 8); // incomplete: as if disabled (GL 1.3, 3.8.9)
+    cmd::BindTexture(c, GL_TEXTURE_2D, 8); // an incomplete texture, which counts as disabled (GL 1.3, 3.8.9)
     EXPECT_EQ(state().unit[0].texture, nullptr);
     EXPECT_EQ(b.take_error(), GLenum{GL_NO_ERROR});
     const GLuint name = 8;

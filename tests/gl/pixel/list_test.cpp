@@ -101,7 +101,7 @@ TEST(PixelLists, ErrorsComeWhenTheListIsCalled) {
         EXPECT_EQ(glGetError(), c.code);
     }
     glNewList(1, GL_COMPILE);
-    glDrawPixels(INT32_MAX, INT32_MAX, GL_RGBA, GL_FLOAT, bytes); // more than there is memory for
+    glDrawPixels(INT32_MAX, INT32_MAX, GL_RGBA, GL_FLOAT, bytes); // needs more memory than there is
     glEndList();
     EXPECT_EQ(glGetError(), GLenum{GL_OUT_OF_MEMORY});
     glNewList(1, GL_COMPILE);

@@ -164,7 +164,7 @@ TEST(PixelLayout, MissingComponentsAndLuminance) {
 TEST(PixelLayout, StridesOfTheReferenceTable) {
     const struct {
         GLsizei width;
-        std::size_t rgb[4]; // strides for ALIGNMENT 1, 2, 4, 8
+        std::size_t rgb[4]; // strides of rows for ALIGNMENT 1, 2, 4 and 8
         std::size_t bitmap1, bitmap4;
     } rows[] = {
         {1, {3, 4, 4, 8}, 1, 4},      {5, {15, 16, 16, 16}, 1, 4},     {16, {48, 48, 48, 48}, 2, 4},
@@ -191,7 +191,7 @@ TEST(PixelLayout, SkipsAndRowLength) {
     PixelLayout layout;
     ASSERT_EQ(pixel_layout(GL_RGBA, GL_UNSIGNED_SHORT, layout), GLenum{GL_NO_ERROR});
     PixelStore store;
-    store.alignment = 8; // elements of 2 bytes: rows are padded to 8
+    store.alignment = 8; // pads rows of 2-byte elements to 8 bytes
     store.row_length = 5;
     store.skip_rows = 3;
     store.skip_pixels = 2;

@@ -86,7 +86,7 @@ void expect_same(const PixelLayout& from, bool from_swap, const PixelLayout& to,
     const Bytes before = random_bytes(random, count * to.group_bytes() + 40);
     Bytes in(offset);
     in.insert(in.end(), groups.begin(), groups.end());
-    in.shrink_to_fit(); // so that the sanitizer sees reads behind the last group
+    in.shrink_to_fit(); // the sanitizer then reports reads behind the last group
     Bytes out(before);
     row.convert_row(in.data() + offset, out.data(), static_cast<std::int32_t>(count));
     ASSERT_EQ(out, converted(from, from_swap, groups.data(), count, to, to_swap, before));

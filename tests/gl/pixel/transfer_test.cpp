@@ -132,7 +132,7 @@ TEST_F(PixelTransferTest, MapsAddressTheNearestEntryOfTheClampedValue) {
         }
         set(GL_GREEN_SCALE, 1);
         set(GL_GREEN_BIAS, 0);
-        for (int k = 0; k < 256; ++k) { // exactly, halves are rounded up
+        for (int k = 0; k < 256; ++k) { // results are exact, with halves rounded up
             float out[4];
             transferred(context, {0, static_cast<std::uint8_t>(k), 0, 0}, out);
             EXPECT_EQ(out[1], table[(2 * static_cast<std::size_t>(k) * (size - 1) + 255) / 510])
@@ -229,12 +229,12 @@ TEST_F(PixelTransferTest, ReadPixelsGoesThroughIt) {
     cmd::ReadPixels(context, 0, 0, 1, 1, GL_RGBA, GL_FLOAT, real);
     EXPECT_EQ(real[2], 0.0f);
 
-    bare.planes[0] = 5; // stencil
+    bare.planes[0] = 5; // the stored stencil value
     set(GL_INDEX_OFFSET, -7);
     float index;
     std::int8_t small;
     cmd::ReadPixels(context, 0, 0, 1, 1, GL_STENCIL_INDEX, GL_FLOAT, &index);
-    EXPECT_EQ(index, -2.0f); // not masked
+    EXPECT_EQ(index, -2.0f); // indices are not masked here
     cmd::ReadPixels(context, 0, 0, 1, 1, GL_STENCIL_INDEX, GL_BYTE, &small);
     EXPECT_EQ(small, 0x7E);
     bare.planes[3] = 0x80;
@@ -328,9 +328,9 @@ TEST(PixelIndex, ElementsShiftAndRound) {
     EXPECT_EQ(rounded(real(2.5f)), 3u);
     EXPECT_EQ(rounded(real(2.49f)), 2u);
     EXPECT_EQ(rounded(real(-1.0f)), 0xFFFFFFFFu);
-    EXPECT_EQ(rounded(shifted(real(1.25f), 2, 0)), 5u); // the fraction is kept
+    EXPECT_EQ(rounded(shifted(real(1.25f), 2, 0)), 5u); // the shift keeps the fraction
     EXPECT_EQ(rounded(real(4000000000.0f)), 4000000000u);
-    EXPECT_EQ(rounded(real(1e30f)), 0x80000000u); // saturated
+    EXPECT_EQ(rounded(real(1e30f)), 0x80000000u); // the result saturates
     EXPECT_EQ(numeric::to_float(to_real(real(-7.5f))), -7.5f);
     EXPECT_EQ(rounded(decode_index(ElementKind::signed_integer, 8, 0x80)), 0xFFFFFF80u);
     EXPECT_EQ(rounded(decode_index(ElementKind::signed_integer, 32, 0x80000000)), 0x80000000u);

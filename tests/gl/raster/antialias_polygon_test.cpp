@@ -146,7 +146,7 @@ TEST_F(AntialiasPolygon, ClippedPolygons) {
     gray();
     for (int n = 0; n < 100; ++n) {
         Corners p = convex(5 + random_() % 30, 8, 24);
-        if (n % 4 == 0) // far beyond the window
+        if (n % 4 == 0) // corners lie far beyond the window
             for (Corner& c : p)
                 c = {(c[0] - 32) * 400 + 32, (c[1] - 32) * 400 + 32};
         const double angle = lot(0, 2 * std::numbers::pi), a = std::cos(angle), b = std::sin(angle),

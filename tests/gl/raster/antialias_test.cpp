@@ -65,7 +65,7 @@ TEST_F(Antialias, PolygonsCoverTheirAreas) {
         const std::vector<Corner> t = {corner(), corner(), corner()};
         expect_areas(drawn([&] { give(GL_TRIANGLES, t); }), polygon(t), rounding, n);
     }
-    for (int n = 0; n < 100; ++n) { // convex quads
+    for (int n = 0; n < 100; ++n) { // draws convex quads
         const auto c = [&](double low, double high) {
             return static_cast<GLfloat>(std::floor(lot(low, high) * 256) / 256);
         };
@@ -346,7 +346,7 @@ TEST_F(Antialias, AlphaIsMultipliedBeforeTheTests) {
     const auto draw = [] { give(GL_LINES, std::array{Corner{4, 20.25f}, Corner{60, 20.25f}}); };
     auto got = drawn(draw);
     const auto at = [&](int y) { return got[static_cast<std::size_t>(y * size + 30)]; };
-    EXPECT_EQ(at(19), (Rgba{64, 128, 255, 32})); // a quarter
+    EXPECT_EQ(at(19), (Rgba{64, 128, 255, 32})); // a quarter of the pixel is covered
     EXPECT_EQ(at(20), (Rgba{64, 128, 255, 96}));
     glEnable(GL_ALPHA_TEST);
     glAlphaFunc(GL_GREATER, 0.3f);

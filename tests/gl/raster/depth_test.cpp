@@ -76,7 +76,7 @@ TEST_P(Depths, OfTriangles) {
             }
             if (n % 4 == 0)
                 v[0].x = v[0].y = v[1].y = v[2].x = 0, v[1].x = v[2].y = size;
-            if (n % 4 == 1) { // a sliver
+            if (n % 4 == 1) { // makes a sliver
                 const double t = lot(0, 1), width = std::exp2(lot(-4, 1));
                 v[2].x = std::floor((v[0].x + t * (v[1].x - v[0].x)) * 256) / 256 + width;
                 v[2].y = std::floor((v[0].y + t * (v[1].y - v[0].y)) * 256) / 256;

@@ -221,7 +221,7 @@ TEST_F(FarVertices, AttributesAlongTheEdge) {
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
     glEnable(GL_TEXTURE_2D);
     for (const bool from_far : {false, true}) {
-        glBegin(GL_QUADS); // s is x
+        glBegin(GL_QUADS); // s equals x at each vertex
         const float x[4] = {0, far, far, 0}, y[4] = {-1, -1, 1, 1};
         for (int i = 0; i < 4; ++i) {
             const int k = from_far ? (i + 1) % 4 : i;

@@ -12,7 +12,7 @@ namespace {
 /// first sample.
 TEST_F(Multisample, EveryoneReadsWhatWasResolved) {
     Target target(4);
-    const auto half = [](GLint left) { // two samples of column `left + 1`, 0.4 of which is covered
+    const auto half = [](GLint left) { // covers 0.4 of column `left + 1`, which are two samples
         glColor3ub(200, 100, 40);
         glRectf(static_cast<GLfloat>(left), 4, static_cast<GLfloat>(left) + 1.4f, 8);
     };

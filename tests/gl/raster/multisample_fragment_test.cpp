@@ -63,7 +63,7 @@ TEST_F(Multisample, PolygonsAreTheMeanOfFourPictures) {
             if (below(4) == 0)
                 glColorMask(below(2) != 0, below(2) != 0, true, true);
             triangles(6);
-            if (below(2) != 0) { // a partial mask
+            if (below(2) != 0) { // masks some of the samples
                 glEnable(GL_SCISSOR_TEST);
                 glScissor(10, 12, 20, 9);
                 glClearColor(0.3f, 0.6f, 0.9f, 0.5f);
@@ -218,8 +218,8 @@ TEST_F(Multisample, AlphaToOneFollowsItsCoverage) {
     glColor4f(1, 1, 1, 0.5f);
     glRecti(0, 0, size, size);
     for (const Rgba& pixel : picture()) {
-        ASSERT_EQ(pixel[0], 128); // two samples
-        ASSERT_EQ(pixel[3], 128); // of alpha 1
+        ASSERT_EQ(pixel[0], 128); // two of four samples have the colour
+        ASSERT_EQ(pixel[3], 128); // these two have alpha 1
     }
     glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     glEnable(GL_ALPHA_TEST); // tests the new alpha
@@ -245,7 +245,7 @@ TEST_F(Multisample, AValueAndItsInverseCoverEverySampleOnce) {
         double sum = 0;
         for (const Rgba& pixel : picture())
             sum += pixel[0];
-        EXPECT_NEAR(sum / (size * size), 100 * value, 0.8) << value; // rounded to 255ths
+        EXPECT_NEAR(sum / (size * size), 100 * value, 0.8) << value; // values are rounded to 255ths
         glSampleCoverage(value, GL_TRUE);
         glRecti(0, 0, size, size);
         for (const Rgba& pixel : picture())
@@ -280,7 +280,7 @@ TEST_F(Multisample, WhatIsNotCoveredIsNotTested) {
     glDisable(GL_SAMPLE_COVERAGE);
     glColor3f(0, 1, 0);
     glStencilFunc(GL_EQUAL, 0, 0xFF);
-    rectangle(0.5f); // behind the first rectangle
+    rectangle(0.5f); // this one lies behind the first rectangle
     EXPECT_THAT(picture(), testing::Each(Rgba{128, 128, 0, 255}));
 }
 

@@ -27,7 +27,7 @@ TEST_F(Multisample, TrianglesCoverTheSamplesInside) {
         std::array<double, 6> t;
         for (double& v : t) // every other vertex lies on rows and columns of samples
             v = n % 2 != 0 ? place() : below(size * 8) / 8.0;
-        if (n % 3 == 0) // has no effect on samples
+        if (n % 3 == 0) // these modes have no effect on samples
             glEnable(GL_POLYGON_SMOOTH);
         glClear(GL_COLOR_BUFFER_BIT);
         glBegin(GL_TRIANGLES);
@@ -44,7 +44,7 @@ TEST_F(Multisample, PointsAreDiscs) {
         const double cx = place(), cy = place(), width = 1 + below(12 * 8) / 8.0;
         glClear(GL_COLOR_BUFFER_BIT);
         glPointSize(static_cast<GLfloat>(width));
-        if (n % 2 != 0) // has no effect on samples
+        if (n % 2 != 0) // these modes have no effect on samples
             glEnable(GL_POINT_SMOOTH);
         glBegin(GL_POINTS);
         glVertex2d(cx, cy);
@@ -84,7 +84,7 @@ TEST_F(Multisample, LinesAreRectangles) {
     for (int n = 0; n < 300; ++n) {
         const double ax = place(), ay = place(), bx = place(), by = place(), width = 1 + below(9 * 8) / 8.0;
         glLineWidth(static_cast<GLfloat>(width));
-        if (n % 2 != 0) // has no effect on samples
+        if (n % 2 != 0) // these modes have no effect on samples
             glEnable(GL_LINE_SMOOTH);
         const unsigned pattern = below(0x10000), factor = 1 + below(4);
         const bool stippled = n % 3 == 0;

@@ -43,7 +43,7 @@ TEST_F(Points, SizesFollowTheDistance) {
         const double d = std::sqrt(x * x + y * y + z * z),
                      derived = size_given / std::sqrt(abc[0] + abc[1] * d + abc[2] * d * d);
         if (std::abs(derived - std::floor(derived) - 0.5) < 1e-3)
-            continue; // may be rounded either way
+            continue; // such sizes may be rounded either way
         clear();
         point(x, y, z);
         ASSERT_EQ(drawn(), static_cast<int>(std::pow(std::clamp(std::round(derived), 1.0, 22.0), 2)))
@@ -57,7 +57,7 @@ TEST_F(Points, SizesAreClamped) {
     glPointParameterf(GL_POINT_SIZE_MAX, 4);
     point(24, 24);
     EXPECT_EQ(width(), 4);
-    glPointParameterf(GL_POINT_SIZE_MIN, 6); // the maximum is applied last
+    glPointParameterf(GL_POINT_SIZE_MIN, 6); // GL applies the maximum last, so it wins
     glPointParameterf(GL_POINT_SIZE_MAX, 8);
     glPointSize(2);
     clear();
@@ -89,7 +89,7 @@ TEST_F(Points, CornersOfPolygonsHaveTheirSizes) {
     glEnd();
     EXPECT_EQ(columns(), static_cast<int>(std::lround(16 / std::sqrt(std::hypot(16, 24.5) / 4))));
     clear();
-    glBegin(GL_TRIANGLES); // the right side clips at (48, 24.5)
+    glBegin(GL_TRIANGLES); // the window cuts the right side at (48, 24.5)
     glVertex2f(24, 400), glVertex2f(24, 24.5f), glVertex2f(148, 24.5f);
     glEnd();
     const int left = static_cast<int>(std::lround(16 / std::sqrt(std::hypot(24, 24.5) / 4))),
@@ -136,7 +136,7 @@ TEST_F(Points, SpritesAreImages) {
     Target target(0);
     texels_of_place();
     glEnable(GL_POINT_SPRITE);
-    glEnable(GL_POINT_SMOOTH); // has no effect
+    glEnable(GL_POINT_SMOOTH); // has no effect on point sprites
     glTexEnvi(GL_POINT_SPRITE, GL_COORD_REPLACE, GL_TRUE);
     glMatrixMode(GL_TEXTURE);
     glScalef(3, 5, 1); // the texture matrix does not apply to replaced coordinates
@@ -183,7 +183,7 @@ TEST_F(Points, UnitsThatReplaceNothingHaveTheVertexsCoordinates) {
     glTexEnvi(GL_POINT_SPRITE, GL_COORD_REPLACE, GL_TRUE);
     texels_of_place();
     point(24, 24);
-    EXPECT_EQ(picture()[26 * size + 21][0], 4 * 5); // of the second unit: (0.5 + (-2.5) / 6) 64
+    EXPECT_EQ(picture()[26 * size + 21][0], 4 * 5); // the texel of the second unit: (0.5 + (-2.5) / 6) 64
     glGetTexEnviv(GL_POINT_SPRITE, GL_COORD_REPLACE, &replaced);
     EXPECT_EQ(replaced, 1);
     glActiveTexture(GL_TEXTURE0);

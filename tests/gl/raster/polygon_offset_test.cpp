@@ -68,7 +68,7 @@ TEST_F(PolygonOffset, FactorsMultiplyTheLargerSlope) {
         for (int y = 8; y < 56; y += 5)
             for (int x = 8; x < 56; x += 3)
                 ASSERT_NEAR(difference(after[y * size + x], before[y * size + x]), expected,
-                            1.5 + std::fabs(factor)) // corners are rounded to Q0.30
+                            1.5 + std::fabs(factor)) // the margin, because corners are rounded to Q0.30
                     << n;
     }
 }
@@ -206,7 +206,7 @@ TEST_F(PolygonOffset, FloatsThatDifferByOneUnitAreDistinct) {
     static const GLfloat near_1_far_infinity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -2, 0};
     glMatrixMode(GL_PROJECTION);
     glLoadMatrixf(near_1_far_infinity);
-    const auto at = [](double distance) { // fills the window
+    const auto at = [](double distance) { // draws a quad that fills the window
         clear();
         glBegin(GL_QUADS);
         for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})

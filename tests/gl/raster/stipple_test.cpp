@@ -269,14 +269,14 @@ TEST_F(PolygonStipple, GroupsOfAttributes) {
     const auto image = any_image(), other = any_image();
     std::vector<GLubyte> back(128);
     glPolygonStipple(image.data());
-    glPushAttrib(GL_POLYGON_BIT); // saves the enable, not the pattern
+    glPushAttrib(GL_POLYGON_BIT); // saves the switch, and not the pattern
     glPolygonStipple(other.data());
     glEnable(GL_POLYGON_STIPPLE);
     glPopAttrib();
     EXPECT_FALSE(glIsEnabled(GL_POLYGON_STIPPLE));
     glGetPolygonStipple(back.data());
     EXPECT_TRUE(std::equal(back.begin(), back.end(), other.begin()));
-    glPushAttrib(GL_POLYGON_STIPPLE_BIT); // saves the pattern, not the enable
+    glPushAttrib(GL_POLYGON_STIPPLE_BIT); // saves the pattern, and not the switch
     glPolygonStipple(image.data());
     glEnable(GL_POLYGON_STIPPLE);
     glPopAttrib();

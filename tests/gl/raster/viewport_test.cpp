@@ -246,7 +246,7 @@ TEST_F(Viewport, LinesAreClippedAsLines) {
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     expect_box(drawn(-50, 12.5, 150, 12.5), {20, 9, 25, 7});
     expect_box(drawn(-50, 9.5, 150, 9.5), {20, 6, 25, 7});
-    glLineWidth(1); // yet two pixels have a part of the line
+    glLineWidth(1); // the line has parts in two pixels
     expect_box(drawn(-50, 9.25, 150, 9.25), {20, 8, 25, 2});
 }
 
@@ -354,8 +354,8 @@ TEST(ViewportAlone, SamplesEndAtItsEdges) {
     glVertex2f(4, -1 + 1 / 40.F);
     glEnd();
     glReadPixels(0, 0, 64, 64, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-    EXPECT_EQ(pixels[7 * 64 + 30][0], 255); // below the line
-    EXPECT_EQ(pixels[7 * 64 + 19][0], 0);   // beside the line
+    EXPECT_EQ(pixels[7 * 64 + 30][0], 255); // a pixel below the line
+    EXPECT_EQ(pixels[7 * 64 + 19][0], 0);   // a pixel beside the line
     EXPECT_EQ(pixels[9 * 64 + 19][0], 0);
 }
 

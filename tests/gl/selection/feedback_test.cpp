@@ -359,7 +359,7 @@ TEST_F(Feedback, MarkersPassThrough) {
                        glPassThrough(-2);
                    }),
               (Words{GL_PASS_THROUGH_TOKEN, 1.5f, GL_POINT_TOKEN, 32, 32, GL_PASS_THROUGH_TOKEN, -2}));
-    glPassThrough(3); // no effect in other modes
+    glPassThrough(3); // has no effect in other render modes
 }
 
 TEST_F(Feedback, AFullBufferKeepsWhatFitsAndSaysSo) {

@@ -117,7 +117,7 @@ TEST_F(Selection, OnlyWhatIsLeftAfterClippingHits) {
 #if SPANGLE_FEATURE_CLIP_PLANES
 /// Hits are clipped by the view volume and the user's clip planes (GL 1.3, 2.11 and 5.2).
 TEST_F(Selection, ClipPlanesCutToo) {
-    const GLdouble right[4] = {1, 0, 0, -0.25}; // x >= 0.25
+    const GLdouble right[4] = {1, 0, 0, -0.25}; // keeps x >= 0.25
     glClipPlane(GL_CLIP_PLANE0, right);
     glEnable(GL_CLIP_PLANE0);
     EXPECT_EQ(select([] { point(0.2f, 0, 0); })[0], 0u);

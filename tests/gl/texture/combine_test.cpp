@@ -195,7 +195,7 @@ TEST_F(Combine, AUnitAfterAnotherEnvironmentAndOneThatIsOff) {
     glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_ADD);
     // Behind a REPLACE the primary colour is still the vertex's.
     glTexEnvi(GL_TEXTURE_ENV, GL_SOURCE0_RGB, GL_PRIMARY_COLOR);
-    glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND0_RGB, GL_SRC_ALPHA); // alpha, which nothing else uses
+    glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND0_RGB, GL_SRC_ALPHA); // reads alpha, which nothing else uses
     glColor4ub(9, 9, 9, 40);
     std::vector<GLubyte> pixel;
     draw(0.5f, 0.5f, pixel);

@@ -208,7 +208,7 @@ TEST_F(Compressed, WhatIsRefused) {
     EXPECT_EQ(load(0, GL_ETC1_RGB8_OES, 8, 4, 0, 16), GLenum{GL_NO_ERROR});
     data[0] = 77;
     glCompressedTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 4, 4, GL_ETC1_RGB8_OES, 8, data);
-    EXPECT_EQ(glGetError(), GLenum{GL_INVALID_OPERATION}); // a part of a paletted image
+    EXPECT_EQ(glGetError(), GLenum{GL_INVALID_OPERATION}); // a part of a paletted image cannot be replaced
     glCompressedTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 8, 4, GL_ETC1_RGB8_OES, 16, data);
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
     GLubyte back[16] = {};

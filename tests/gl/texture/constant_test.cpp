@@ -146,9 +146,9 @@ TEST_F(ConstantImages, ErrorsChangeNothing) {
         image(unsized, 4, 0, 64, bytes.data() + 1);
         refused(GL_INVALID_ENUM);
     }
-    image(GL_RGB5, 4, 0, 32, bytes.data() + 1); // words at an odd address
+    image(GL_RGB5, 4, 0, 32, bytes.data() + 1); // 16-bit texels at an odd address
     refused(GL_INVALID_VALUE);
-    for (int i = 1; i < 4; ++i) { // the same with words of 32 bits
+    for (int i = 1; i < 4; ++i) { // tries words of 32 bits in the same way
         image(GL_RGBA8, 3, 0, 48, bytes.data() + i);
         refused(GL_INVALID_VALUE);
     }

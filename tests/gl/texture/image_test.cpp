@@ -115,7 +115,7 @@ TEST_F(Images, EveryFormatOfEveryBaseFormat) {
                  {GL_RGBA8, {0, 1, 2, 3}}};
     const struct {
         GLenum format;
-        std::vector<int> parts; ///< of R, G, B and A
+        std::vector<int> parts; ///< components in the order R, G, B, A
     } formats[] = {{GL_RED, {0}},           {GL_GREEN, {1}},
                    {GL_BLUE, {2}},          {GL_ALPHA, {3}},
                    {GL_RGB, {0, 1, 2}},     {GL_BGR, {2, 1, 0}},
@@ -230,7 +230,7 @@ TEST_F(Images, CopiesAreWhatReadPixelsAndTexImageMake) {
     got = read(GL_TEXTURE_2D, 0, GL_RGBA, 16);
     EXPECT_EQ(got[8], 255);
     EXPECT_EQ(got[9], pixels[61]);
-    EXPECT_EQ(got[13], pixels[1]); // beyond the surface: unchanged
+    EXPECT_EQ(got[13], pixels[1]); // this texel lies beyond the surface, and is unchanged
     glCopyTexImage1D(GL_TEXTURE_1D, 0, GL_RGBA8, 0, 2, 4, 0);
     EXPECT_EQ(read(GL_TEXTURE_1D, 0, GL_RGBA, 16),
               std::vector<GLubyte>(pixels.begin() + 32, pixels.begin() + 48));
@@ -489,7 +489,7 @@ TEST_F(Images, DepthsAreComparedWithR) {
         EXPECT_EQ(seen(0.75f, 0.4f, 3), 0);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_NONE);
         glTexParameteri(GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE, GL_LUMINANCE);
-        EXPECT_NEAR(seen(0.75f, 0, 0), 127.5, 0.51); // the depth itself
+        EXPECT_NEAR(seen(0.75f, 0, 0), 127.5, 0.51); // without comparison the depth itself is seen
     }
     const GLubyte bytes[4] = {};
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_BYTE, bytes);

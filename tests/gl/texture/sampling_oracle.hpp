@@ -14,7 +14,7 @@ using Rgba = std::array<double, 4>;
 
 /// The texels of one level and face, border included, as R, G, B, A of the base format.
 struct Image {
-    int size[3] = {1, 1, 1}; ///< in texels, without border
+    int size[3] = {1, 1, 1}; ///< size in texels, without border
     int border[3] = {};
     std::vector<Rgba> texels;
 

@@ -177,7 +177,8 @@ TEST_F(Drawing, AnIncompleteTextureDrawsAsIfThereWereNone) {
     std::vector<GLubyte> pixel;
     draw(0.25f, 0.75f, pixel);
     EXPECT_EQ(pixel[1], colors[T2][1]);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_LINEAR); // needs a second level
+    // This filter needs a second level.
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_LINEAR);
     draw(0.25f, 0.75f, pixel);
     EXPECT_EQ(pixel[1], 2);
     glTexImage2D(GL_TEXTURE_2D, 1, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, colors);

@@ -298,7 +298,7 @@ TEST_F(TexImage, UnpackModesChooseARectangle) {
         image[i] = static_cast<std::uint8_t>(i);
     PixelStore& unpack = bare.context.pixel_store.unpack;
     unpack.row_length = 13;
-    unpack.alignment = 8; // rows of 16 bytes
+    unpack.alignment = 8; // pads rows to 16 bytes
     unpack.skip_rows = 2;
     unpack.skip_pixels = 3;
     tex_image_2d(bare.context, GL_TEXTURE_2D, 0, GL_LUMINANCE, 4, 4, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE,
@@ -464,7 +464,7 @@ TEST_F(TexImage, SubImageErrors) {
     tex_sub_image_2d(bare.context, GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
     EXPECT_EQ(bare.take_error(), GLenum{GL_INVALID_VALUE});
     tex_sub_image_2d(bare.context, GL_TEXTURE_2D, 0, 9, 5, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    EXPECT_EQ(bare.take_error(), GLenum{GL_NO_ERROR}); // an empty rectangle at the far corner
+    EXPECT_EQ(bare.take_error(), GLenum{GL_NO_ERROR}); // an empty rectangle at the far corner is legal
 }
 
 TEST_F(TexImage, LevelQueriesRefuseWhatIsNotThere) {

@@ -132,7 +132,7 @@ TEST(TextureObject, SharedObjectsOutliveTheirNameWhileBound) {
     parameter(a, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     cmd::BindTexture(b.context, GL_TEXTURE_2D, 4);
     EXPECT_EQ(complete_texture(b.context.texture.bound(0)),
-              complete_texture(a.context.texture.bound(0))); // both contexts have one object
+              complete_texture(a.context.texture.bound(0))); // both contexts have the same object
     const GLuint name = 4;
     cmd::DeleteTextures(a.context, 1, &name);
     EXPECT_EQ(levels(a), 0);
@@ -163,17 +163,17 @@ TEST(TextureObject, Completeness) {
     EXPECT_EQ(levels(b), 0);
     image(b, 3, 1, 1);
     EXPECT_EQ(levels(b), 4);
-    image(b, 2, 2, 2); // a wrong size
+    image(b, 2, 2, 2); // gives the level a wrong size
     EXPECT_EQ(levels(b), 0);
     parameter(b, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     EXPECT_EQ(levels(b), 1);
     parameter(b, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
     EXPECT_EQ(levels(b), 0);
-    parameter(b, GL_TEXTURE_MAX_LEVEL, 1); // levels beyond q do not matter
+    parameter(b, GL_TEXTURE_MAX_LEVEL, 1); // levels beyond the last one, q, do not matter
     EXPECT_EQ(levels(b), 2);
     parameter(b, GL_TEXTURE_MAX_LEVEL, 0);
     EXPECT_EQ(levels(b), 1);
-    parameter(b, GL_TEXTURE_BASE_LEVEL, 1); // base level > max level
+    parameter(b, GL_TEXTURE_BASE_LEVEL, 1); // the base level is above the maximum
     EXPECT_EQ(levels(b), 0);
     // The base level is too large by more than one, also if it is the last of its chain.
     for (const GLint base : {2, 3})
@@ -195,24 +195,24 @@ TEST(TextureObject, Completeness) {
         parameter(b, GL_TEXTURE_MAX_LEVEL, INT_MAX);
         EXPECT_EQ(levels(b), 0) << far;
     }
-    fresh(b); // another internal format
+    fresh(b); // next: a level with another internal format
     image(b, 0, 2, 2);
     image(b, 1, 1, 1, 0, GL_RGB);
     EXPECT_EQ(levels(b), 0);
-    image(b, 1, 1, 1, 0, GL_RGBA8); // the same bits, but another requested format
+    image(b, 1, 1, 1, 0, GL_RGBA8); // asks for another format with the same bits
     EXPECT_EQ(levels(b), 0);
     image(b, 1, 1, 1);
     EXPECT_EQ(levels(b), 2);
-    image(b, 1, 1, 1, 1); // another border
+    image(b, 1, 1, 1, 1); // gives the level another border
     EXPECT_EQ(levels(b), 0);
     image(b, 0, 2, 2, 1);
     EXPECT_EQ(levels(b), 2);
     EXPECT_EQ(complete_texture(b.context.texture.bound(0))->border_texels, 1);
-    fresh(b); // the null texture
+    fresh(b); // next: a texture without texels
     parameter(b, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     image(b, 0, 0, 4);
     EXPECT_EQ(levels(b), 0);
-    fresh(b); // a base level above 0
+    fresh(b); // next: a base level above 0
     image(b, 3, 4, 4);
     image(b, 4, 2, 2);
     image(b, 5, 1, 1);
@@ -220,7 +220,7 @@ TEST(TextureObject, Completeness) {
     EXPECT_EQ(levels(b), 3);
     parameter(b, GL_TEXTURE_MAX_LEVEL, 4);
     EXPECT_EQ(levels(b), 2);
-    fresh(b); // the longest chain
+    fresh(b); // next: the longest chain of levels
     for (GLint l = 0; l < 12; ++l)
         image(b, l, 2048 >> l, 1, 0, GL_ALPHA);
     EXPECT_EQ(levels(b), 12);

@@ -180,7 +180,7 @@ TEST_F(Vertices, ExtremesAreHarmless) {
     glEnable(GL_LIGHTING);
     glEnable(GL_LIGHT0);
     glEnable(GL_NORMALIZE);
-    glScalef(0, 0, 0); // a singular matrix
+    glScalef(0, 0, 0); // makes the matrix singular
     for (const float a : extreme)
         for (const float b : extreme) {
             glBegin(GL_TRIANGLE_STRIP);

@@ -160,7 +160,7 @@ TEST_F(Attributes, EveryFormOfRect) {
     is("xv", [&] { glRectxvOES(x, x + 2); });
     glEnable(GL_CULL_FACE);
     WindowRecorder recorder;
-    glRecti(20, 5, 3, 40); // both corners exchanged
+    glRecti(20, 5, 3, 40); // the corners are exchanged
     EXPECT_TRUE(recorder.primitives.empty());
 }
 
@@ -467,7 +467,7 @@ TEST_F(Attributes, PointersOfOtherTypes) {
         EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM)) << what;
     };
     for (const GLenum type : {GL_BYTE, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT, GL_2_BYTES}) {
-        if (type != GL_BYTE) { // allowed by OES_byte_coordinates
+        if (type != GL_BYTE) { // OES_byte_coordinates allows bytes
             glVertexPointer(2, type, 0, nullptr);
             refused("vertices");
             glTexCoordPointer(2, type, 0, nullptr);

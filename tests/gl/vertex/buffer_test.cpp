@@ -183,7 +183,8 @@ TEST_F(Buffers, RangesBesideAMappingAreNotMapped) {
                 }
             EXPECT_TRUE(glUnmapBuffer(GL_ARRAY_BUFFER));
         }
-    glBufferSubData(GL_ARRAY_BUFFER, 0, size, bytes.data()); // nothing is mapped any more
+    // This succeeds, because the buffer is no longer mapped.
+    glBufferSubData(GL_ARRAY_BUFFER, 0, size, bytes.data());
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
@@ -379,7 +380,7 @@ TEST_F(Buffers, ArraysAndIndices) {
     std::array<GLubyte, 4> colors[9];
     for (std::size_t i = 0; i < 9; ++i)
         std::copy_n(mesh[i].color, 4, colors[i].begin());
-    glColorPointer(4, GL_UNSIGNED_BYTE, 0, colors); // client memory again
+    glColorPointer(4, GL_UNSIGNED_BYTE, 0, colors); // takes colours from client memory again
     EXPECT_EQ(drawn(draw), expected);
     void* offset = nullptr;
     glGetPointerv(GL_VERTEX_ARRAY_POINTER, &offset);
@@ -398,7 +399,7 @@ TEST_F(Buffers, ArraysAndIndices) {
 /// The size of a buffer is known, and nothing beyond it is ever read.
 TEST_F(Buffers, NothingBeyondABufferIsRead) {
     glBindBuffer(GL_ARRAY_BUFFER, 1);
-    glBufferData(GL_ARRAY_BUFFER, 4 * 8, nullptr, GL_STATIC_DRAW); // four vertices
+    glBufferData(GL_ARRAY_BUFFER, 4 * 8, nullptr, GL_STATIC_DRAW); // the buffer holds four vertices
     glVertexPointer(2, GL_FLOAT, 0, at(0));
     glEnableClientState(GL_VERTEX_ARRAY);
     const GLubyte index[3] = {0, 3, 4};

@@ -28,7 +28,7 @@ class VertexCache : public Canvas {
     std::array<std::array<GLfloat, 4>, room> position, normal, tex_coord;
     std::array<std::array<GLubyte, 4>, room> color;
     GLint size = 3, tex_coords = 4;
-    int most_indices = longest; ///< of one draw
+    int most_indices = longest; ///< most indices of one draw
     std::vector<GLushort> indices;
 
     int whole(int low, int high) { return std::uniform_int_distribution<>(low, high)(random); }
@@ -122,7 +122,7 @@ class VertexCache : public Canvas {
             return;
         case 16:
             return glShadeModel(whole(0, 1) != 0 ? GL_FLAT : GL_SMOOTH);
-        case 17: // the most frequent state
+        case 17: // sets the most frequent state
             size = 3;
             (whole(0, 1) != 0 ? glEnable : glDisable)(GL_LIGHTING);
             glDisable(GL_TEXTURE_2D);
@@ -130,7 +130,7 @@ class VertexCache : public Canvas {
             glEnableClientState(GL_NORMAL_ARRAY);
             glDisableClientState(GL_COLOR_ARRAY);
             return glDisableClientState(GL_TEXTURE_COORD_ARRAY);
-        case 18: // the most frequent state, with a texture
+        case 18: // sets the most frequent state that has a texture
             size = 3;
             tex_coords = 2;
             glEnable(GL_TEXTURE_2D);
@@ -221,13 +221,13 @@ class VertexCache : public Canvas {
             }
         }
     }
-    std::size_t compared = 0; ///< number of vertices
+    std::size_t compared = 0; ///< number of vertices that were compared
 };
 
 TEST_F(VertexCache, TellsNothing) {
     for (int n = 0; n < 50000; ++n) {
         if (n == 45000)
-            most_indices = 400; // a cache that begins small grows now
+            most_indices = 400; // makes a cache that begins small grow
         if (whole(0, 1) != 0)
             change_something();
         arrays();

@@ -136,7 +136,8 @@ TEST_F(ClipPlanes, CornersOnThePlane) {
         for (int i = 0; i < (mode == GL_LINES ? 2 : 3); ++i) {
             const double z = number(-10, -2);
             corner[i] = {number(z, -z), number(z, -z), z};
-            glColor3d(0.5 + corner[i][0] / 20, 0.5 + corner[i][1] / 20, -z / 10); // linear in space
+            // The colour is linear in space.
+            glColor3d(0.5 + corner[i][0] / 20, 0.5 + corner[i][1] / 20, -z / 10);
             glTexCoord2d(corner[i][0], corner[i][1] - z);
             glVertex3dv(corner[i].data());
         }
@@ -285,7 +286,7 @@ TEST_F(ClipPlanes, SixPlanesLeaveAHexagon) {
         glEnable(GL_CLIP_PLANE0 + i);
     }
     glClear(GL_COLOR_BUFFER_BIT);
-    glRectf(-2, -2, 2, 2); // clipped by the guard band first
+    glRectf(-2, -2, 2, 2); // the guard band clips this first
     std::vector<GLubyte> pixels(size * size * 4);
     glReadPixels(0, 0, size, size, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     for (int y = 0; y < size; ++y)

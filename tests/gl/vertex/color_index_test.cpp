@@ -172,7 +172,7 @@ TEST_F(IndexLighting, Equation) {
         for (int i = 0; i < 3; ++i) {
             LightSource& l = v.light[static_cast<std::size_t>(i)];
             l.on = i == 0 || flip();
-            l.ambient = {real(0, 1), real(0, 1), real(0, 1), 1}; // does not count
+            l.ambient = {real(0, 1), real(0, 1), real(0, 1), 1}; // this ambient light has no effect
             l.diffuse = {real(0, 1), real(0, 1), real(0, 1), 1};
             l.specular = {real(0, 1), real(0, 1), real(0, 1), 1};
             l.position = {real(-30, 30), real(-30, 30), real(-30, 30), flip() ? 0.0 : 1.0};
@@ -189,7 +189,7 @@ TEST_F(IndexLighting, Equation) {
         v.normal = {real(-1, 1), real(-1, 1), real(-1, 1)};
         v.position = {real(-20, 20), real(-20, 20), real(-20, 20), 1};
         const int side = flip() ? 1 : 0;
-        v.material[0].specular = v.material[1].specular = {1, 1, 1, 1}; // for the margin of highlights
+        v.material[0].specular = v.material[1].specular = {1, 1, 1, 1}; // highlights count in the margin
         if (equation(v, side).margin < 1e-6)
             continue;
         specify(v);

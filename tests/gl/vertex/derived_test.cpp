@@ -120,7 +120,7 @@ TEST_F(Derived, AnyChangesLeaveWhatIsDerivedAllAtOnce) {
         const Change& change = changes[random() % std::size(changes)];
         change.make(random);
         if (random() % 3 == 0)
-            continue; // several changes before a vertex
+            continue; // makes several changes before the next vertex
         const raster::FixedVertex now = drawn();
         context().changed(gl::dirty_all);
         expect_equal(now, drawn(), change.name);

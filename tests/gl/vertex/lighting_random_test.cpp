@@ -142,7 +142,7 @@ TEST_F(Lighting, StretchedObjects) {
         v.normalize = true;
         for (double& c : v.normal)
             c = real(-1, 1) * stretch();
-        if ((n & 8) != 0) { // normals that become unit vectors
+        if ((n & 8) != 0) { // gives normals that GL makes unit vectors
             const Mat4& m = v.modelview;
             const Vec3 eye = unit(v.normal);
             for (std::size_t c = 0; c < 3; ++c)

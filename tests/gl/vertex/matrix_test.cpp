@@ -346,7 +346,7 @@ TEST_F(Matrices, ErrorsChangeNothing) {
     refused([] { glOrtho(-1, 1, -1, 1, 2, 2); }, value);
     refused([] { glMatrixMode(GL_COLOR); }, GL_INVALID_ENUM);
     glOrtho(-1, 1, -1, 1, -1, -2); // planes behind the eye are legal
-    glRotatef(30, 0, 0, 0);        // undefined, but harmless
+    glRotatef(30, 0, 0, 0);        // GL does not define the result; it must do no harm
 }
 
 // --- From object to window coordinates

@@ -243,7 +243,7 @@ TEST_F(PolygonMode, ColorsOfOutlines) {
     glEnable(GL_LIGHTING);
     glShadeModel(GL_SMOOTH);
     for (const bool front : {true, false}) {
-        glFrontFace(front ? GL_CW : GL_CCW); // places 0, 1, 2 are clockwise
+        glFrontFace(front ? GL_CW : GL_CCW); // the corners 0, 1, 2 are clockwise
         WindowRecorder recorder;
         give(GL_TRIANGLES, 3, {1, 1, 1});
         ASSERT_EQ(recorder.primitives.size(), 3u);

@@ -79,7 +79,7 @@ TEST_F(StencilSides, OfTheirLinesAndPoints) {
 
 TEST_F(StencilSides, AllElseIsOfTheFront) {
     glBegin(GL_QUADS);
-    corners(false); // a back face comes before
+    corners(false); // draws a back face first
     glEnd();
     seen();
     glBegin(GL_LINES);

@@ -56,7 +56,7 @@ TEST_F(TexGen, EveryModeAgainstDouble) {
     glScalef(1e-3f, 1e-3f, 1e-3f); // everything is in the view volume
     double worst = 0;
     for (int round = 0; round < 4000; ++round) {
-        LitVertex v; // for its normal in eye space
+        LitVertex v; // gives the normal in eye space
         v.modelview = some_matrix();
         v.normalize = round % 3 == 0;
         v.rescale = round % 3 == 1;

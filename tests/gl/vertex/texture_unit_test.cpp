@@ -268,7 +268,7 @@ TEST_F(TextureUnits, ClippedCoordinates) {
     glMultiTexCoord2f(GL_TEXTURE1, 0, 8);
     glVertex3f(0, 0, 0);
     glMultiTexCoord2f(GL_TEXTURE1, 4, 0);
-    glVertex3f(0, 0, 4); // cut at z = 1
+    glVertex3f(0, 0, 4); // the near plane cuts at z = 1
     glEnd();
     ASSERT_EQ(recorder.primitives.size(), 1u);
     const Coord cut = coord_of(recorder.primitives[0].corner[1], 1);

@@ -115,7 +115,7 @@ TEST_F(VertexArrayObjects, HoldTheArrays) {
 #if SPANGLE_FEATURE_BUFFERS
     glBindBuffer(GL_ARRAY_BUFFER, 0);
 #endif
-    for (const bool interleaved : {false, true}) { // GL 3.0, 2.8
+    for (const bool interleaved : {false, true}) { // both ways of setting arrays (GL 3.0, 2.8)
         interleaved ? glInterleavedArrays(GL_V2F, 0, memory) : glVertexPointer(2, GL_FLOAT, 0, memory);
         refused(GL_INVALID_OPERATION, "client memory in an object with a name");
     }

@@ -124,7 +124,7 @@ TEST_F(Window, NearPlane) {
         glVertex3f(0, 0.5f, -depth);
         glEnd();
         ASSERT_EQ(recorder.primitives.size(), 2u) << depth;
-        const double top = size / 2.0 * (0.5 + 1 / depth); // z reaches -1 here
+        const double top = size / 2.0 * (0.5 + 1 / depth); // the row at which z reaches -1
         for (const Primitive& p : recorder.primitives)
             for (const raster::FixedVertex& v : p.corner)
                 EXPECT_LE(v.y / 256.0, top + 1.0 / 256) << depth;

@@ -91,7 +91,7 @@ class ExtremeSweep : public ErrorSweep {
 
     /// Returns whether sizes and indices of the command decide how much client memory it reads or writes.
     static bool has_client_memory(const Command& c) {
-        if (!c.pnames.empty()) // a parameter's name decides
+        if (!c.pnames.empty()) // the name of the parameter decides which values are legal
             return false;
         for (const Arg& arg : c.args)
             if ((arg.kind == Kind::in || arg.kind == Kind::out) && arg.count == 0)
@@ -123,7 +123,8 @@ class ExtremeSweep : public ErrorSweep {
             return;
         }
         values[place.arg].integer = static_cast<std::int64_t>(number);
-        if (std::fabs(number) > 64 && has_client_memory(c)) // no client memory is so large
+        // Client memory is smaller than such numbers ask for.
+        if (std::fabs(number) > 64 && has_client_memory(c))
             for (std::size_t i = 0; i < c.args.size(); ++i)
                 if (c.args[i].kind == Kind::in || c.args[i].kind == Kind::out)
                     values[i].pointer = nullptr;

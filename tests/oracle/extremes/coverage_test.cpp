@@ -5,7 +5,7 @@
 namespace spangle::test {
 namespace {
 
-using Grid = std::array<std::int64_t, 2>; ///< in 256ths of a pixel
+using Grid = std::array<std::int64_t, 2>; ///< a position in 256ths of a pixel
 
 Place place(const Grid& v) {
     return {static_cast<double>(v[0]) / 256, static_cast<double>(v[1]) / 256, 0, 1};
@@ -18,7 +18,7 @@ std::int64_t lot(Random& random, std::int64_t from, std::int64_t to) {
 struct Count {
     long fragments = 0, wrong = 0, twice = 0;
     static constexpr int anything = 2;
-    void add(int drawn, int exact) { // exact: 1 once, 0 at most once, -1 never
+    void add(int drawn, int exact) { // `exact` is 1 for drawn once, 0 for at most once, -1 for never
         fragments += exact == 1 ? 1 : 0;
         wrong += (exact == 1 && drawn == 0) || (exact == -1 && drawn != 0) ? 1 : 0;
         twice += drawn > 1 && exact != anything ? 1 : 0;
@@ -44,9 +44,9 @@ TEST(Extreme, 07_ThinTriangles) {
                 Grid b{lot(random, 0, 16384), lot(random, 0, 16384)};
                 const Grid step{lot(random, -128, 128), lot(random, -128, 128)};
                 Grid c{};
-                if (n % 5 == 0) // equal vertices
+                if (n % 5 == 0) // two vertices are equal
                     c = n % 2 == 0 ? a : b;
-                else if (n % 5 == 1) { // collinear vertices
+                else if (n % 5 == 1) { // the vertices lie on one line
                     b = {a[0] + 3 * step[0], a[1] + 3 * step[1]};
                     c = {a[0] - 5 * step[0], a[1] - 5 * step[1]};
                 } else if (n % 5 == 2) // a sliver of 1/256 pixel along a row or a column of centres
@@ -159,7 +159,7 @@ TEST(Extreme, 09_MeshesAndTJunctions) {
                     const double off =
                         static_cast<double>(area(a, b, center)) /
                         std::hypot(static_cast<double>(b[0] - a[0]), static_cast<double>(b[1] - a[1]));
-                    if (std::fabs(off) < 256) // gaps and overlaps are allowed here
+                    if (std::fabs(off) < 256) // so near an edge gaps and overlaps are allowed
                         return Count::anything;
                     const int above = covers({a, b, top}, x, y), left = covers({a, middle, low}, x, y);
                     const int right = covers({middle, b, low}, x, y);

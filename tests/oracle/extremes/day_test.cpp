@@ -10,7 +10,7 @@ namespace {
 using Exact = long double;
 using Affine = std::array<Exact, 12>; ///< three columns and a translation
 
-constexpr double turn_bound = 0x1p-31; ///< radians by which each turn may be off; docs/bounds.md
+constexpr double turn_bound = 0x1p-31; ///< radians by which each turn may be off (docs/bounds.md)
 
 /// Returns the hours of animation: SPANGLE_HOURS, or three minutes.
 double hours() {
@@ -145,11 +145,11 @@ long wrong_columns(const Screen& screen, double seconds) {
     glEnd();
     const Picture picture = screen.picture();
     long wrong = 0;
-    const double first = from, last = from + 1.0F; // as floats have them
+    const double first = from, last = from + 1.0F; // the ends as floats hold them
     for (int x = 0; x < side; ++x) {
         const double s = (first + (last - first) * (x + 0.5) / side) * 16;
         if (std::fabs(s - std::nearbyint(s)) < 1.0 / 64)
-            continue; // between two columns
+            continue; // the place lies between two columns
         const auto column = static_cast<long>(std::floor(s)) & 15;
         wrong += picture[static_cast<std::size_t>(32 * side + x)][0] != column * 16 ? 1 : 0;
     }

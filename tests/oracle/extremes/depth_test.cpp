@@ -32,7 +32,8 @@ TEST(Extreme, 14_DepthRanges) {
                         for (const GLuint depth : screen.depths()) {
                             const double off = std::fabs(depth / all_ones - exact) * (std::exp2(bits) - 1);
                             worst = std::fmax(worst, off);
-                            const GLuint end = exact == 0 ? 0 : 0xFFFFFFFF; // both ends are exact
+                            // Both ends of the range have exact codes.
+                            const GLuint end = exact == 0 ? 0 : 0xFFFFFFFF;
                             wrong += (exact == 0 || exact == 1) && depth != end ? 1 : 0;
                         }
                     }
@@ -125,7 +126,8 @@ TEST(Extreme, 16_PolygonOffsets) {
                                 const double off = sign * (moved[i] / all_ones - plain[i] / all_ones);
                                 const double code = 1 / (std::exp2(bits) - 1);
                                 const double room = sign > 0 ? 1 - plain[i] / all_ones : plain[i] / all_ones;
-                                if (by + 4 * code > room) { // reaches the end of the range, and stays there
+                                // The offset reaches the end of the range, and depth stays there.
+                                if (by + 4 * code > room) {
                                     wrong += moved[i] != (sign > 0 ? 0xFFFFFFFF : 0) && off < by - 3 * code
                                                  ? 1
                                                  : 0;

@@ -27,7 +27,7 @@ inline GLint whole(double v) {
     return static_cast<GLint>(std::clamp(std::nearbyint(v), -2147483648.0, 2147483647.0));
 }
 
-using Place = std::array<double, 4>; ///< x, y, z, w
+using Place = std::array<double, 4>; ///< a vertex as x, y, z, w
 
 inline void vertex(Form form, const Place& v) {
     const auto f = [&](std::size_t i) { return static_cast<GLfloat>(v[i]); };
@@ -57,7 +57,7 @@ inline void rectangle(double x0, double y0, double x1, double y1, double z = 0) 
 /// corners with factors that are not negative (GL 1.3, 2.11 and 3.5.1).
 struct Seen {
     bool inside;
-    double distance; ///< pixels to the next edge
+    double distance; ///< distance to the next edge in pixels
 };
 inline Seen seen(const std::array<Place, 3>& v, int px, int py, int size = side) {
     using Row = std::array<long double, 3>;

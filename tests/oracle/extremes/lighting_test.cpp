@@ -116,7 +116,7 @@ TEST(Extreme, 22_LengthsOfNormals) {
         none.normalize = true;
         none.normal = {0, 0, 0};
         const Rgba a = lit.draw(none);
-        EXPECT_EQ(a[3], 255); // some colour, whatever its red is
+        EXPECT_EQ(a[3], 255); // something is drawn, whatever its red is
         worst = std::fmax(worst, lit.worst);
         EXPECT_EQ(lit.colours, 8);
     }

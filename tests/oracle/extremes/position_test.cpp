@@ -54,7 +54,8 @@ TEST(Extreme, 01_PositionsOfAllBits) {
             glRotatexOES(65536, number, number, number);
             glTexCoord4xOES(number, number, number, number);
             glNormal3xOES(number, number, number);
-            glFrustumxOES(number, number, number, number, number, number); // an error without further effects
+            // This is an error, because its planes coincide, and changes nothing.
+            glFrustumxOES(number, number, number, number, number, number);
             EXPECT_EQ(glGetError(), GLenum{GL_INVALID_VALUE});
             glLoadIdentity();
             glColor4xOES(number, number, number, number);

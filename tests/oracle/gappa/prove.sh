@@ -1,5 +1,5 @@
 #!/bin/sh
-# prove.sh GAPPA GENERATOR NAME: proves one obligation. 77 tells CTest that Gappa is missing.
+# prove.sh GAPPA GENERATOR NAME: proves one obligation. Exit status 77 tells CTest that Gappa is missing.
 case $1 in
 '' | *-NOTFOUND)
     echo "gappa is not installed (apt install gappa): proof of $3 skipped"

@@ -43,7 +43,8 @@ std::int64_t reciprocal_seed_error() {
     std::int64_t worst = 0;
     for (std::uint64_t i = 0; i < 256; ++i)
         for (std::uint64_t a : {(256 + i) << 23, ((257 + i) << 23) - 1}) {
-            const std::uint64_t product = a * detail::reciprocal_seed(static_cast<std::uint32_t>(a)); // Q.62
+            // The product has 62 fraction bits.
+            const std::uint64_t product = a * detail::reciprocal_seed(static_cast<std::uint32_t>(a));
             const std::int64_t error = static_cast<std::int64_t>(product - (std::uint64_t{1} << 62)) >> 22;
             const std::int64_t size = (error < 0 ? -error : error) + 1;
             if (size > worst)

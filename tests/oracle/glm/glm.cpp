@@ -317,7 +317,7 @@ TEST(Fixed, ArithmeticRoundsAndSaturates) {
     EXPECT_EQ(fixed(1e30f).bits, INT32_MAX);
     EXPECT_EQ(fixed(std::nan("")).bits, 0);
     EXPECT_EQ(static_cast<int>(fixed(-1.75)), -1);
-    for (std::int32_t v : {INT32_MIN, INT32_MIN + 1, -1, 0, 1, INT32_MAX}) { // no argument breaks anything
+    for (std::int32_t v : {INT32_MIN, INT32_MIN + 1, -1, 0, 1, INT32_MAX}) { // every argument must be safe
         const fixed f = fixed::from_bits(v);
         sqrt(f), inversesqrt(f), sin(f), cos(f), tan(f), acos(f), asin(f), atan(f), floor(f), ceil(f),
             round(f), abs(f);

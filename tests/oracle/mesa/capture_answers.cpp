@@ -108,7 +108,7 @@ Answers lists() {
     Asker asker;
     perspective();
     const GLuint base = glGenLists(70);
-    for (GLuint i = 0; i < 70; ++i) { // each list calls the one before
+    for (GLuint i = 0; i < 70; ++i) { // makes a chain: each list calls the one before
         glNewList(base + i, GL_COMPILE);
         glPassThrough(static_cast<GLfloat>(i));
         if (i != 0)

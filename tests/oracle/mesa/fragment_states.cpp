@@ -108,7 +108,7 @@ void tests(Random& random, Quads&) {
 void logic(Random& random, Quads&) {
     background(random);
     glDisable(GL_STENCIL_TEST);
-    glEnable(GL_BLEND); // blending does not matter
+    glEnable(GL_BLEND); // must have no effect
     glBlendFunc(GL_ONE, GL_ONE);
     for (int i = 0; i < 6; ++i) {
         toggle(random, GL_COLOR_LOGIC_OP, 6);
@@ -172,7 +172,8 @@ void accumulation(Random& random, Quads&) {
     glDisable(GL_STENCIL_TEST);
     glDisable(GL_DEPTH_TEST);
     const auto share = [&] { return static_cast<GLfloat>(random.below(257)) / 2048; };
-    const GLfloat red = share(), green = -share(), blue = share(); // one order with every compiler
+    // Declarators are evaluated in their order, unlike arguments, so every compiler draws the same numbers.
+    const GLfloat red = share(), green = -share(), blue = share();
     glClearAccum(red, green, blue, 0);
     glClear(GL_ACCUM_BUFFER_BIT);
     if (often(random, 2))

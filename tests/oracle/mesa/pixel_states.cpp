@@ -119,7 +119,7 @@ void read_images(Random& random, Quads& quads) {
         layout.format = GL_RED;
     static GLubyte bytes[40000];
     std::memset(bytes, 0, sizeof bytes);
-    const Random same = random; // one pixel storage for both ways
+    const Random same = random; // both ways must draw the same random numbers
     store(random, width, true);
     // A component of a few bits may be halfway between two, and 1 overflows Mesa's unsigned integers.
     const bool few_bits =

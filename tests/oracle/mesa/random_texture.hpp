@@ -11,8 +11,8 @@ class RandomTexture {
     struct Wishes {
         bool mipmaps = false, linear = true, borders = true;
         bool depths = false;
-        bool plane = false;     ///< of two dimensions
-        bool same_bits = false; ///< of a format with as many bits in Mesa as in Spangle
+        bool plane = false;     ///< wants a texture of two dimensions
+        bool same_bits = false; ///< wants a format with as many bits in Mesa as in Spangle
     };
     RandomTexture(test::Random& random, const Wishes& wishes);
     RandomTexture(const RandomTexture&) = delete;
@@ -23,8 +23,8 @@ class RandomTexture {
     GLenum base = GL_RGBA;   ///< base format
     int size[3] = {1, 1, 1}; ///< of level 0, without border
     int levels = 1;
-    bool linear = false;   ///< magnified by LINEAR
-    bool few_bits = false; ///< less than 8 bits of a component
+    bool linear = false;   ///< true: the texture is magnified by LINEAR
+    bool few_bits = false; ///< true: components have less than 8 bits
     GLenum min = GL_NEAREST;
 
     int dimensions() const { return target == GL_TEXTURE_1D ? 1 : target == GL_TEXTURE_3D ? 3 : 2; }

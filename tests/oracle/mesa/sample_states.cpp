@@ -63,7 +63,7 @@ void multisample(Random& random, Quads&) {
                 vertex(random);
         }
         glEnd();
-        if (random.below(3) == 0) { // of a part, or masked
+        if (random.below(3) == 0) { // clears a part, or with a mask
             glEnable(GL_SCISSOR_TEST);
             glScissor(3, 5, 15, 13);
             glClearColor(0.8f, 0.2f, 1, 0.6f);

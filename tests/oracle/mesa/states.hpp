@@ -8,7 +8,7 @@
 
 namespace spangle::oracle {
 
-inline constexpr int state_size = 24; ///< pixels each way
+inline constexpr int state_size = 24; ///< width and height in pixels
 
 /// The result of one drawing, rows from below: RGBA, stencil and depth (255ths).
 inline constexpr int pixel_channels = 6;

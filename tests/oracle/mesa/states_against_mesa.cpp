@@ -28,7 +28,7 @@ int drawings_of(const Family& family) {
 constexpr int drawings_at_once = 2000;
 
 struct Differences {
-    std::size_t differing = 0; ///< pixels
+    std::size_t differing = 0; ///< number of pixels that differ
     int worst = 0;
 
     void compare(const Family& family, int n, const unsigned char* mesa) {

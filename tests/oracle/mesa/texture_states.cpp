@@ -251,7 +251,7 @@ void combine(Random& random, int on) {
 
 void environment(Random& random, GLenum base, int on) {
     constexpr GLenum modes[] = {GL_REPLACE, GL_MODULATE, GL_BLEND, GL_ADD, GL_COMBINE, GL_COMBINE, GL_DECAL};
-    const bool decal = base == GL_RGB || base == GL_RGBA; // undefined for other formats
+    const bool decal = base == GL_RGB || base == GL_RGBA; // GL defines DECAL for these formats only
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, static_cast<GLint>(modes[random.below(decal ? 7 : 6)]));
     GLfloat constant[4];
     for (GLfloat& c : constant)

@@ -109,7 +109,7 @@ void read_back(Random& random, const RandomTexture& texture, Quads& quads) {
         return;
     static GLubyte bytes[40000];
     std::memset(bytes, 0, sizeof bytes);
-    const Random same = random; // one pixel storage for both ways
+    const Random same = random; // both ways must draw the same random numbers
     store(random, texture.size[0], true);
     const GLenum format = formats[random.below(8)];
     glGetTexImage(GL_TEXTURE_2D, 0, format, GL_UNSIGNED_BYTE, bytes);

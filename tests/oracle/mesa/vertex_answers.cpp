@@ -26,7 +26,7 @@ void note_raster_position(Asker& asker, const std::string& question) {
     GLint valid = 0;
     glGetIntegerv(GL_CURRENT_RASTER_POSITION_VALID, &valid);
     std::vector<double> values = {static_cast<double>(valid)};
-    if (valid != 0) { // otherwise the rest is undefined
+    if (valid != 0) { // an invalid raster position has no other values
         glGetFloatv(GL_CURRENT_RASTER_POSITION, v);
         glGetFloatv(GL_CURRENT_RASTER_COLOR, v + 4);
         glGetFloatv(GL_CURRENT_RASTER_TEXTURE_COORDS, v + 8);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks the rule which room of the tree may include which (docs/architecture.md).
+"""Checks which folder of the tree includes which, by the rules of docs/architecture.md.
 
 usage: includes.py BUILD_DIR
 
@@ -17,10 +17,10 @@ NUMERIC, FORMAT = {"raster/numeric"}, {"raster/format"}
 SURFACE = NUMERIC | FORMAT | {"raster/surface", "raster/include"}
 SPAN = SURFACE | {"raster/span"}
 OPS = SPAN | {"raster/ops"}
-CHAIN, FUSED = OPS | {"raster/chain"}, OPS | {"raster/fused"}  # they do not know of each other: the fused spans can be deleted
+CHAIN, FUSED = OPS | {"raster/chain"}, OPS | {"raster/fused"}  # neither may include the other, so that fused spans can be deleted
 COMPILE = CHAIN | FUSED | {"raster/compile"}
 REFERENCE = CHAIN | {"raster/reference"}
-PRIMITIVE = OPS | {"raster/reference", "raster/primitive"}  # its files *_reference.hpp, *_double.hpp and *_shadow.hpp are for hosts
+PRIMITIVE = OPS | {"raster/reference", "raster/primitive"}  # the room's files *_reference.hpp, *_double.hpp and *_shadow.hpp are for hosts
 RASTER = PRIMITIVE | {"raster/band"}
 HAL_BUS = FORMAT | {"hal/bus"}
 HAL_PANEL = HAL_BUS | {"hal/panel"}

@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 SPACE = "spangle::raster::avx2::"
-MANGLED = "7spangle6raster4avx2"  # in names of lambdas that nm cannot demangle
+MANGLED = "7spangle6raster4avx2"  # how the namespace stands in names that nm cannot demangle
 
 
 def functions(listing):

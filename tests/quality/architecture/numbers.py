@@ -36,7 +36,7 @@ def raw_commands(root):
     # Commands below 60h are those of DCS; the makers' own begin there.
     for path in sorted((root / "hal/include/spangle/panels").glob("*.hpp")):
         text = path.read_text()
-        if "CommandSet" not in text:  # families with commands of their own number them otherwise
+        if "CommandSet" not in text:  # families with commands of their own have other numbers
             yield from ((path, found) for found in re.findall(r"\bcmd\(0x[0-5]\w\b", text))
 
 

@@ -1,9 +1,9 @@
-"""The seeded defects of tests/quality/mutants/*.txt, and the record of those that the tests caught.
+"""Reads the seeded defects of tests/quality/mutants/*.txt, and keeps the record of those that the tests caught.
 
-tests/quality/mutants/caught.txt has one line for each: its id, its row of the feature matrix, and since when that is known: two
-hashes and the day. The first hash is that of the declaration with the defect in it (a function, most often), the second
-that of the command, of the tests that it runs and of what stands beside them in their files. Both are hashes of code:
-comments and layout do not count. Where either differs from the tree, the record is stale: the defect must be tried again.
+tests/quality/mutants/caught.txt has one line for each caught defect: its id, its row of the feature matrix, two hashes and the day.
+The first hash is that of the declaration with the defect in it, which mostly is a function. The second is that of the
+command, of the tests that it runs, and of what stands beside them in their files. Both are hashes of code, in which
+comments and layout do not count. Where either differs from the tree, the record is stale, and the defect must be tried again.
 """
 import fnmatch
 import functools
@@ -43,7 +43,7 @@ class Mutant:
         self.row = fields.get("row", "-")
 
     def problem(self):
-        """Why this entry cannot be used, or None."""
+        """Returns why this entry cannot be used, or None."""
         path = ROOT / self.file
         if not path.is_file():
             return f"no file {self.file}"
@@ -61,11 +61,11 @@ class Mutant:
         return None
 
     def seeded(self, tree):
-        """The text of the file with the defect in it."""
+        """Returns the text of the file with the defect in it."""
         return (tree / self.file).read_text().replace(self.find, self.replace)
 
     def change(self, text):
-        """Code around the defect before and after it is put into the text of its file."""
+        """Returns the code around the defect, as it is and with the defect in it."""
         suffix = pathlib.Path(self.file).suffix
         around = declaration(text, text.find(self.find)) if suffix in CPP else text
         around = around if self.find in around else text
@@ -81,7 +81,7 @@ def areas():
 
 @functools.cache
 def area(program):
-    """The folder of tests/ that a test program is made of: test_AREA, test_AREA_kind, or the one that names it. None: none."""
+    """Returns the folder of tests/ with the sources of a test program: AREA of test_AREA, or the one that names it; else None."""
     words = program.removeprefix("test_").split("_")
     names = ["_".join(words[:n]) for n in range(len(words), 0, -1)]
     makers = [f"{p.parts[-3]}/{p.parts[-2]}" for p in sorted((ROOT / "tests").glob("*/*/CMakeLists.txt")) if program in p.read_text()]
@@ -89,7 +89,7 @@ def area(program):
 
 
 class Hashes:
-    """The two hashes of mutants in one state of the tree; what one of them read serves the next."""
+    """Computes the two hashes of mutants in one state of the tree. What was read for one mutant is kept for the next."""
 
     def __init__(self, tree=ROOT):
         self.tree = tree
@@ -103,12 +103,12 @@ class Hashes:
             part for p in self.files(words) for part in (str(p.relative_to(tree)), self.code(p, self.patterns(words))))))
 
     def patterns(self, words):
-        """What the filter lets run, as patterns of Suite.Name; "All/Suite.Name/0" is Suite.Name with parameters."""
+        """Returns the tests that the filter lets run, as patterns of Suite.Name; "All/Suite.Name/0" has parameters."""
         found = [p for w in words if w.startswith("--gtest_filter=") for p in w.partition("=")[2].split("-")[0].split(":")]
         return tuple(re.sub(r"^[^.]*/", "", p).partition("/")[0] for p in found)
 
     def run(self, path, patterns):
-        """A file of tests without those that the filter leaves out."""
+        """Returns the text of a file of tests, without tests that the filter leaves out."""
         text = self.texts(path)
         if path.suffix != ".cpp" or not patterns:
             return text
@@ -120,11 +120,11 @@ class Hashes:
         return "\n".join(kept)
 
     def files(self, words):
-        """Those of the folder with a test that the filter lets run, and what of tests/ they include; without filter all."""
+        """Returns the files with a test that the filter lets run, and the files of tests/ that these include. No filter: all."""
         folder = self.folder(area(words[0]))
         names = self.patterns(words)
         found = [p for p in folder if p.suffix == ".cpp" and any(fnmatch.filter(self.tests(p), name) for name in names)]
-        for path in found:  # grows as it is read
+        for path in found:  # the list grows while it is read
             for name in re.findall(r'^#include "(tests/[^"]+)\.hpp"', self.texts(path), re.M):
                 found += [p for p in (self.tree / f"{name}.hpp", self.tree / f"{name}.cpp") if p.is_file() and p not in found]
         return sorted(found) or folder
@@ -155,15 +155,16 @@ def read_lists():
 
 
 def recorded():
-    """Of each mutant that was caught: file hash, test hash, day; nothing of those recorded before there were hashes."""
+    """Returns {id: (file hash, test hash, day)} of the mutants that were caught; older records lack the hashes."""
     lines = RECORD.read_text().splitlines() if RECORD.exists() else []
     return {line.split()[0]: tuple(line.split()[2:]) for line in lines if line and line[0] != "#"}
 
 
 def record(outcome):
-    """What was caught now, and what was before and has not been tried. outcome: of each id None or what recorded() tells.
+    """Writes the record: what was caught now, and earlier records of what was not tried now.
 
-    The lists and the record are read anew, for a run takes hours in which others add to both.
+    `outcome` has for each id what recorded() returns, or None. The lists and the record are read anew, because a run takes
+    hours, in which others add to both.
     """
     known = recorded()
     known.update(outcome)
@@ -172,7 +173,7 @@ def record(outcome):
 
 
 def stale(mutants, known):
-    """Those whose record belongs to another state of their file or test, the oldest first."""
+    """Returns the mutants whose record belongs to another state of their file or test, the oldest first."""
     hashes = Hashes()
     old = [m for m in mutants if m.id in known and known[m.id][:2] != hashes.of(m)]
     return sorted(old, key=lambda m: known[m.id][2:])

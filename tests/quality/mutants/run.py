@@ -37,7 +37,7 @@ class OutOfTime(Exception):
 
 
 class Worker:
-    """One copy of the tree with its own build folder; mutants are tried in it one after the other."""
+    """A copy of the tree with a build folder of its own, in which mutants are tried one after the other."""
 
     def __init__(self, number, jobs, end):
         # The lock belongs to the copy of the tree, so that two runs do not use one copy. It ends with the process.
@@ -138,7 +138,7 @@ def by_turn(mutants, known, turn):
 
 
 def try_all(mutants, arguments):
-    """Returns what became of each mutant that there was time for."""
+    """Returns the outcome of each mutant that there was time for."""
     end = time.time() + 60 * arguments.minutes if arguments.minutes else None
     workers = queue.Queue()
     jobs = max(1, (os.cpu_count() or 2) // arguments.workers)

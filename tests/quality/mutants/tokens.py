@@ -1,8 +1,8 @@
-"""What of a source file a compiler sees: its tokens, without comments and without the layout.
+"""Returns what a compiler sees of a source file: its tokens, without comments and layout.
 
-The record of caught defects hashes this and not the bytes, so that a comment that is rewritten, or a line that is broken
-elsewhere, makes no record stale. Of a C++ file it hashes the declaration alone that a defect lies in, for instance one
-function: a change of another function says nothing of the defect.
+The record of caught defects has hashes of these tokens, not of bytes. So a comment that is rewritten, or a line that is
+broken elsewhere, makes no record stale. Of a C++ file it hashes only the declaration with the defect, for instance one
+function, because a change of another function does not affect the defect.
 """
 import bisect
 import functools
@@ -39,7 +39,7 @@ def python(text):
 
 
 def code(suffix, text):
-    """The tokens of a text whose file name ends in suffix, parted by zeros; the text itself where its language is another."""
+    """Returns the tokens of a text whose file name ends in suffix, with zeros between them. Of other languages returns the text."""
     if suffix in CPP:
         return cpp(text)
     if suffix == ".py":
@@ -51,7 +51,7 @@ def code(suffix, text):
 
 
 def contains(words):
-    """Whether the brace behind these tokens opens a namespace or a class, whose members are declarations of their own."""
+    """Returns whether the brace behind these tokens opens a namespace or a class, whose members are separate declarations."""
     words = [word for word in words if word != "inline"]
     while words[:2] == ["template", "<"]:
         depth = at = 1
@@ -64,7 +64,7 @@ def contains(words):
 
 @functools.lru_cache(maxsize=256)
 def declarations(text):
-    """Where the declarations of a C++ file begin and end: functions, constants, directives, heads of classes."""
+    """Returns where the declarations of a C++ file begin and end: functions, constants, directives, heads of classes."""
     spans, words, begin, stack = [], [], None, []
 
     def ends(at):
@@ -81,7 +81,7 @@ def declarations(text):
             if begin is None:
                 spans.append(found.span())
             continue
-        if not stack and word == "}":  # of a namespace or of a class
+        if not stack and word == "}":  # the end of a namespace or of a class
             ends(found.start())
             continue
         begin = found.start() if begin is None else begin
@@ -104,7 +104,7 @@ def declarations(text):
 
 
 def declaration(text, at):
-    """The text of the declaration that stands at this place; all of the text where none does."""
+    """Returns the text of the declaration at this place, or the whole text where there is none."""
     spans = declarations(text)
     number = bisect.bisect(spans, (at, len(text))) - 1
     if number < 0 or spans[number][1] <= at:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What makes a record of a caught defect stale, and what does not: tests/quality/mutants/tokens.py and lists.py."""
+"""Tests what makes a record of a caught defect stale, and what does not (tests/quality/mutants/tokens.py and lists.py)."""
 import pathlib
 import sys
 import tempfile
@@ -48,7 +48,7 @@ def check(right, what):
 
 
 def hashes(file, tests, helper="int shared();\n"):
-    """The two hashes in a tree that holds these texts."""
+    """Returns both hashes of a tree that holds these texts."""
     with tempfile.TemporaryDirectory() as folder:
         tree = pathlib.Path(folder)
         (tree / "tests/area").mkdir(parents=True)

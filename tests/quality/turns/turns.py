@@ -26,7 +26,7 @@ import sys
 
 TABLE = pathlib.Path(__file__).with_name("turns.csv")
 TURNS = 64
-MOST_SECONDS = 2400  # of the tests of one turn; two tests run at a time
+MOST_SECONDS = 2400  # most seconds of the tests of one turn, of which two run at a time
 
 Row = collections.namedtuple("Row", "pattern seconds every")
 Test = collections.namedtuple("Test", "name labels serial")

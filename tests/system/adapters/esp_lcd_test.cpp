@@ -92,7 +92,7 @@ adapters::EspLcdConfig config_of(esp_lcd_panel_io_t& io, const hal::Board& board
         op.kind = hal::Op::Kind::reset;
         op.micros = 10;
         if (!high)
-            return; // here a pulse is one operation that ends by itself
+            return; // this port's reset pulse is one operation, which ends by itself
         const auto token = current->board->bus().submit(&op, 1);
         EXPECT_TRUE(token.ok() && current->board->bus().wait(token.value(), 1000).ok());
     };
@@ -234,7 +234,7 @@ TEST(EspLcd, ParametersThatAreCommands) {
     esp_lcd_panel_io_t io;
     io.board = &sim;
     adapters::EspLcdBus bus(config_of(io, boards::st7789_240));
-    const std::uint8_t parameters[2] = {0x00, 0x00}; // these are NOPs here
+    const std::uint8_t parameters[2] = {0x00, 0x00}; // the controller takes 00h as NOP
     hal::Op op;
     op.kind = hal::Op::Kind::command;
     op.data = parameters;

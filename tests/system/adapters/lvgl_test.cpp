@@ -86,7 +86,7 @@ TEST(Lvgl, WhatItFlushesIsOnTheGlass) {
                        in_green = x >= 100 && x < 110 && y >= 30 && y < 34;
             ASSERT_EQ(p[0] > 200, in_red) << x << ", " << y;
             ASSERT_EQ(p[1] > 200, in_green) << x << ", " << y;
-            ASSERT_LT(p[2], 8); // the chip's sixth bit is green's
+            ASSERT_LT(p[2], 8); // blue's lowest bit repeats green's
         }
     const auto shown = board.counters().pixel_bytes;
     flush({0, 0, 3, 0}, green, true);

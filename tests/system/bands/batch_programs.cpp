@@ -218,7 +218,7 @@ Program attributes_inside() {
                     glVertex2f(150.F, y + 1.F);
                     glVertex2f(80.F, y + 9.F);
                     glEnd();
-                    glRectf(120.F, 79.F - y, 140.F, 75.F - y); // has the material of the triangle
+                    glRectf(120.F, 79.F - y, 140.F, 75.F - y); // must have the material of the triangle
                 }
                 glDisable(GL_LIGHTING);
                 for (int i = 0; i < 20; ++i) {
@@ -228,7 +228,7 @@ Program attributes_inside() {
                     glVertex2f(2.F, y);
                     glVertex2f(30.F, y + 3.F);
                     glEnd();
-                    glRectf(40.F, 79.F - y, 60.F, 76.F - y); // has the colour of the line
+                    glRectf(40.F, 79.F - y, 60.F, 76.F - y); // must have the colour of the line
                 }
             }};
 }

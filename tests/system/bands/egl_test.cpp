@@ -71,7 +71,7 @@ TEST(BandWindows, DepthTakesTheMemoryOfABand) {
         eglDestroyContext(window.display, window.context);
         taken[i++] = memory_use().used - before;
     }
-    constexpr std::size_t row = 160 * (2 + 8); // depth and accumulation
+    constexpr std::size_t row = 160 * (2 + 8); // bytes of depth and of accumulation
     // The rest is the table of batches that bands may leave out.
     const std::size_t batches = taken[1] + 40 * row - taken[0];
     EXPECT_GT(batches, 0U);

@@ -124,7 +124,7 @@ TEST(GivenBack, RecordedBands) {
     draw_and_read();
     EXPECT_EQ(eglSwapBuffers(window.display, eglGetCurrentSurface(EGL_DRAW)), yes);
     draw_and_read();
-    const auto read = [&](int bands) { // so many bands are given, the next ones are refused
+    const auto read = [&](int bands) { // the display gives so many bands and refuses the next
         panel.bands_left = bands;
         GLubyte pixel[4];
         for (const GLint y : {0, height - 1, 0})

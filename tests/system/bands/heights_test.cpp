@@ -31,7 +31,7 @@ void expect_same(const hal::Board& board, const Program& program, const Setting&
                  const std::vector<sim::Image>& whole) {
     for (const EGLint record : {0, 1 << 21}) {
         if (record != 0 && setting.display_band == 0)
-            continue; // such a record is not possible
+            continue; // a record needs a display that holds bands
         Setting with = setting;
         with.record = record;
         const std::vector<sim::Image> banded = play(board, with, program, frames);
@@ -216,8 +216,8 @@ TEST(BandHeights, WhatDoesNotChangeIsNotSent) {
             bytes[f] = window.sim.counters().pixel_bytes - before;
         }
         EXPECT_LT(bytes[1], 160U * 80 * 2 / 2);
-        EXPECT_EQ(bytes[1], 60U * 30 * 2);  // the rectangle at both places
-        EXPECT_EQ(bytes[2], 160U * 80 * 2); // another clear value
+        EXPECT_EQ(bytes[1], 60U * 30 * 2);  // bytes of the rectangle at both places
+        EXPECT_EQ(bytes[2], 160U * 80 * 2); // all bytes, because the clear value is another one
         EXPECT_LT(bytes[3], 160U * 80 * 2 / 4);
     }
 }

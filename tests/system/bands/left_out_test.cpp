@@ -31,7 +31,8 @@ std::array<bool, height> drawn_rows(const std::function<void(int band)>& draw, i
                           f);
     }
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
-    const sim::Image picture = window.sim.glass(); // as it is seen: the board turns the picture
+    // The glass shows the picture upright, because the board turns it.
+    const sim::Image picture = window.sim.glass();
     EXPECT_EQ(picture.width, width);
     std::array<bool, height> drawn{};
     for (int y = 0; y < height; ++y)
@@ -89,7 +90,7 @@ TEST(LeftOut, MoreBatchesThanEntries) {
 
 /// The quads are in one array, of which each piece reaches its own rows.
 TEST(LeftOut, PiecesOfLongBatches) {
-    constexpr int quads = 48; // 12 in each piece
+    constexpr int quads = 48; // a piece of a batch has 12
     std::array<GLfloat, std::size_t{quads} * 8> place;
     std::array<GLubyte, std::size_t{quads} * 4> index;
     for (unsigned i = 0; i < index.size(); ++i)
@@ -183,7 +184,7 @@ TEST(LeftOut, BackFacesReachTheirRows) {
     EXPECT_EQ(bands_of(drawn_rows([](int) {
                   glEnable(GL_STENCIL_TEST);
                   glStencilFuncSeparate(GL_BACK, GL_ALWAYS, 1, 1);
-                  glBegin(GL_QUADS); // clockwise
+                  glBegin(GL_QUADS); // a clockwise quad, of which the back is seen
                   for (const auto& [x, y] : {std::pair{0, 8}, {0, 16}, {width, 16}, {width, 8}})
                       glVertex2i(x, y);
                   glEnd();

@@ -351,7 +351,7 @@ Program viewports() {
                 for (int n = 0; n < 4; ++n) {
                     if (n < 3)
                         glViewport(7 + 45 * n + f, 5 + 7 * n, 37, 41);
-                    else // holds some bands whole
+                    else // some bands lie inside of this rectangle
                         glViewport(0, 29, 160, 40);
                     glPushMatrix();
                     glScalef(3.F, 2.F, 1.F);

@@ -72,11 +72,11 @@ TEST(Records, ReadsInTheMidstOfAFrame) {
             expect_same_reads(
                 board,
                 [](int f, Bytes& bytes) {
-                    programs()[6].draw(f); // stencil
+                    programs()[6].draw(f); // the program with stencil values
                     read(bytes, 0, 0, 120, 30, GL_RGB, GL_UNSIGNED_BYTE, 3);
                     read(bytes, 13, 7, 50, 20, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 4);
                     read(bytes, -3, -5, 60, 31, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, 1);
-                    programs()[7].draw(f); // blending
+                    programs()[7].draw(f); // the program with blending
                     read(bytes, 5, 3, 100, 28, GL_RGBA, GL_UNSIGNED_BYTE, 4);
                     glClear(GL_DEPTH_BUFFER_BIT);
                     read(bytes, 5, 3, 10, 10, GL_DEPTH_COMPONENT, GL_FLOAT, 4);
@@ -255,7 +255,7 @@ TEST(Records, AFrameThatDoesNotFitIsDrawnByCallback) {
 
 /// However small the record is, a frame is shown whole or not at all.
 TEST(Records, EverySizeShowsAllOrNothing) {
-    const Program program = programs()[2]; // stipples
+    const Program program = programs()[2]; // the program with stipples
     const std::string whole = sim::hash(play(boards::st7735_80x160, {}, program, 1)[0]);
     int shown = 0, refused = 0;
     for (EGLint bytes = 8; bytes < 60000; bytes += bytes / 7 + 8) {
@@ -330,7 +330,7 @@ TEST(Records, WhatAFrameHeldIsGivenBack) {
 
 /// A frame continues when its context becomes current again. Objects of other contexts do not matter.
 TEST(Records, ContextsComeAndGo) {
-    const Program program = programs()[7]; // a texture, and much else
+    const Program program = programs()[7]; // the program with a texture and many states
     const std::string whole = sim::hash(play(boards::st7735_80x160, {}, program, 1)[0]);
     Banded window(boards::st7735_80x160, {.display_band = 16, .record = ample});
     const std::string black = sim::hash(window.sim.memory());
@@ -387,7 +387,7 @@ TEST(Records, MemoryIsGivenBack) {
         EXPECT_EQ(eglQuerySurface(window.display, window.surface, EGL_BAND_RECORD_SPANGLE, &bytes), yes);
         EXPECT_EQ(bytes, 5000);
         window.set_up(programs()[7]);
-        programs()[7].draw(0); // not shown
+        programs()[7].draw(0); // this frame is not shown
     }
     EXPECT_EQ(memory_use().used, before);
 }

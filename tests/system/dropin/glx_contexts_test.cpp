@@ -161,7 +161,8 @@ TEST_F(GlxContexts, NoConfigurationHasColourIndices) {
 TEST_F(GlxContexts, MasksOfNoneOrSeveralProfilesAreBadProfiles) {
     for (const int mask : {0, 3, 4, 8, -1})
         EXPECT_EQ(made_with({CONTEXT_PROFILE_MASK, mask}), of_glx(Problem::profile)) << mask;
-    EXPECT_EQ(made_with({CONTEXT_PROFILE_MASK, CONTEXT_CORE_PROFILE_BIT}), Success); // ignored before 3.2
+    // GLX ignores the profile of a version before 3.2.
+    EXPECT_EQ(made_with({CONTEXT_PROFILE_MASK, CONTEXT_CORE_PROFILE_BIT}), Success);
     EXPECT_EQ(made_with({CONTEXT_PROFILE_MASK, CONTEXT_COMPATIBILITY_PROFILE_BIT}), Success);
 }
 
@@ -295,7 +296,7 @@ TEST_F(GlxContexts, AProgramOpensAndClosesMoreConnectionsThanItHasDisplays) {
         ASSERT_TRUE(draws(connection)) << i;
         if (i % 3 == 0)
             glBegin(GL_TRIANGLES);
-        XCloseDisplay(connection); // its context is current
+        XCloseDisplay(connection); // closes the connection while its context is current
         EXPECT_EQ(glXGetCurrentContext(), nullptr);
         EXPECT_EQ(glXGetCurrentDisplay(), nullptr);
         places.push_back(std::malloc(std::size_t{64} << (i % 12)));

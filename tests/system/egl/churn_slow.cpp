@@ -65,7 +65,7 @@ void make_objects(int cycle) {
     glCallList(name);
     if (cycle % 2 == 0)
         glDeleteLists(name, 1);
-    glPushAttrib(GL_ALL_ATTRIB_BITS); // stays on the stack
+    glPushAttrib(GL_ALL_ATTRIB_BITS); // never popped
     GLuint query = 0;
     glGenQueries(1, &query);
     glBeginQuery(GL_SAMPLES_PASSED, query);
@@ -95,7 +95,7 @@ TEST(Churn, ContextsAndSurfaces) {
         }
         kept = cycle % 10 == 9 ? EGL_NO_CONTEXT : context;
         make_objects(cycle);
-        ASSERT_EQ(eglDestroySurface(display, surface), yes); // while the surface is current
+        ASSERT_EQ(eglDestroySurface(display, surface), yes); // destroys the surface while it is current
         if (kept == EGL_NO_CONTEXT) {
             ASSERT_EQ(eglDestroyContext(display, context), yes);
         }

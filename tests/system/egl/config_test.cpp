@@ -164,7 +164,7 @@ TEST_F(Configs, WhoeverDoesNotAskForOpenGLAsksForOpenGLES) {
                  any[] = {EGL_RENDERABLE_TYPE, EGL_DONT_CARE, EGL_NONE},
                  both[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT | EGL_OPENGL_ES_BIT, EGL_NONE};
     EXPECT_TRUE(choose_of(nullptr).empty());
-    EXPECT_NE(told.find("EGL_OPENGL_BIT"), std::string::npos); // a message says so
+    EXPECT_NE(told.find("EGL_OPENGL_BIT"), std::string::npos); // the message names the bit
     EXPECT_TRUE(choose_of(empty).empty());
     EXPECT_TRUE(choose_of(depth).empty());
     EXPECT_TRUE(choose_of(both).empty());

@@ -98,7 +98,7 @@ TEST_F(Contexts, WhatIsCurrent) {
     EXPECT_EQ(eglSwapInterval(display, 5), yes); // the interval is clamped
     EXPECT_EQ(eglReleaseThread(), yes);
     EXPECT_EQ(eglGetCurrentContext(), EGL_NO_CONTEXT);
-    glClear(GL_COLOR_BUFFER_BIT); // without a context: no effect, no crash
+    glClear(GL_COLOR_BUFFER_BIT); // without a context this has no effect
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
@@ -139,8 +139,8 @@ TEST_F(Contexts, MakeCurrentErrors) {
         EXPECT_EQ(eglGetError(), EGL_BAD_ACCESS);
         EXPECT_EQ(eglGetCurrentContext(), EGL_NO_CONTEXT);
     }).join();
-    EXPECT_EQ(eglMakeCurrent(display, surface, surface, c), yes); // once more the same
-    EXPECT_EQ(eglMakeCurrent(display, surface, surface, d), yes); // another context on the same surface
+    EXPECT_EQ(eglMakeCurrent(display, surface, surface, c), yes); // they are current already
+    EXPECT_EQ(eglMakeCurrent(display, surface, surface, d), yes); // the surface gets another context
     EXPECT_EQ(eglMakeCurrent(display, second, second, d), yes);
 }
 
@@ -203,7 +203,7 @@ TEST_F(Contexts, ObjectsLiveWhileTheyAreCurrent) {
     EXPECT_EQ(eglGetError(), EGL_BAD_SURFACE);
     EXPECT_EQ(eglDestroyContext(display, c), no);
     EXPECT_EQ(eglGetError(), EGL_BAD_CONTEXT);
-    glClearColor(0, 1, 0, 1); // but drawing goes on
+    glClearColor(0, 1, 0, 1); // drawing to destroyed current objects goes on
     glClear(GL_COLOR_BUFFER_BIT);
     GLubyte pixel[4] = {};
     glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
@@ -306,7 +306,7 @@ TEST_F(Contexts, TwoSurfacesOneDrawnToOneReadFrom) {
     EXPECT_EQ(eglGetCurrentSurface(EGL_DRAW), to);
     EXPECT_EQ(eglGetCurrentSurface(EGL_READ), from);
     fill(0.2f);
-    EXPECT_EQ(red_at(7), 255); // also where the drawn surface is too small
+    EXPECT_EQ(red_at(7), 255); // the surface that is read has this pixel, though the drawn one is smaller
     // Both surfaces are current, so they last until they are released, although they are destroyed.
     EXPECT_EQ(eglDestroySurface(display, from), yes);
     EXPECT_EQ(red_at(0), 255);

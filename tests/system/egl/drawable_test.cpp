@@ -129,7 +129,7 @@ TEST_F(Drawables, BetweenBeginAndEndNothingIsShown) {
                 EXPECT_EQ(eglSwapBuffers(display, window), no);
                 EXPECT_EQ(eglGetError(), EGL_BAD_ACCESS);
             }
-            glFlush(); // reported after End
+            glFlush(); // the error is reported after End
             EXPECT_EQ(eglWaitClient(), no);
             EXPECT_EQ(eglGetError(), EGL_BAD_ACCESS);
             EXPECT_FALSE(frame(display, [] { FAIL() << "not inside of Begin and End"; }));
@@ -159,7 +159,7 @@ TEST_F(Drawables, EveryOtherFormatIsRefused) {
         }
     };
     std::vector<Kind> kinds;
-    EGLint visuals[2] = {-1, -1}; // two pixel formats stand for all
+    EGLint visuals[2] = {-1, -1}; // visuals of two pixel formats, which stand for all
     for (const EGLConfig config : configs({EGL_SURFACE_TYPE, EGL_PBUFFER_BIT})) {
         const EGLint visual = attribute(config, EGL_NATIVE_VISUAL_ID);
         EGLint* const known = visuals[0] == -1 || visuals[0] == visual ? &visuals[0] : &visuals[1];

@@ -429,9 +429,9 @@ TEST_F(LostDisplays, ANewWindowTakesTheGlassOfADestroyedOne) {
         panel->two_buffers = !single;
         make_window(single);
         EXPECT_EQ(eglDestroySurface(display, window), yes);
-        draw_and_read(); // still into the window's own buffer
+        draw_and_read(); // draws into the window's own buffer, which stays
         const EGLConfig config = config_of(display, EGL_WINDOW_BIT);
-        std::thread([&] { // current on another thread than the one that makes the new window
+        std::thread([&] { // the surface is current here, while another thread makes the new window
             EXPECT_EQ(eglCreateWindowSurface(display, config, 0, nullptr), EGL_NO_SURFACE);
             EXPECT_EQ(eglGetError(), EGL_BAD_ALLOC);
         })

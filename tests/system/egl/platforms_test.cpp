@@ -79,7 +79,7 @@ std::int32_t swapped_width = 0;
 
 struct Platform : testing::Test {
     Windows system;
-    unsigned long window = 11, other = 12, pixmap = 31; // XIDs
+    unsigned long window = 11, other = 12, pixmap = 31; // ids as of X
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLConfig config = nullptr;
 
@@ -293,7 +293,7 @@ TEST_F(Platform, WindowsThatCannotBeFollowed) {
     EXPECT_EQ(eglSwapBuffers(display, surface), no);
     EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
     EXPECT_EQ(size(surface, EGL_WIDTH), 8) << "it stays as it is";
-    clear(1.0f); // draws nowhere
+    clear(1.0f); // draws to no buffer
     w.width = 9;
     eglSwapBuffers(display, surface);
     EXPECT_EQ(size(surface, EGL_WIDTH), 9);
@@ -329,7 +329,7 @@ TEST_F(Platform, CopyBuffers) {
     glScissor(0, 7, 4, 2); // the two rows at the top
     clear(1.0f);
     EXPECT_EQ(eglCopyBuffers(display, pbuffer, pixmap), yes);
-    const Window& p = system.all[pixmap]; // 8x6 pixels
+    const Window& p = system.all[pixmap]; // the pixmap has 8x6 pixels
     EXPECT_EQ(p.at(3, 0), 0xFF0000u);
     EXPECT_EQ(p.at(4, 0), 0u) << "the pbuffer ends there";
     EXPECT_EQ(p.at(0, 1), 0xFF0000u);

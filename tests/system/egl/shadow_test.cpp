@@ -94,9 +94,9 @@ TEST_F(ShadowContexts, DrawThePictureOfTheirTier) {
         EXPECT_EQ(raster::report_shadow(&report), nullptr);
         EXPECT_EQ(picture_of(shadow), picture);
         EXPECT_EQ(raster::report_shadow(nullptr), &report);
-        EXPECT_EQ(picture_of(shadow), picture); // also without a report
+        EXPECT_EQ(picture_of(shadow), picture); // the picture is the same if no report is asked for
         EXPECT_NE(picture.front(), picture[size * size / 2 + size / 2]);
-        EXPECT_GT(report[Stage::coord0].rms(), texels); // each tier is further off than the one before
+        EXPECT_GT(report[Stage::coord0].rms(), texels); // this tier's error is above that of the tier before
         texels = report[Stage::coord0].rms();
     }
 }
@@ -108,7 +108,8 @@ TEST_F(ShadowContexts, EveryStageIsReportedWithinItsBound) {
     raster::report_shadow(nullptr);
     const struct {
         Stage stage;
-        double bound; ///< planes may be steep: 2^-18 of an attribute's range (Setup<Fixed>)
+        /// The largest allowed error. It includes 2^-18 of an attribute's range, for steep planes.
+        double bound;
     } cases[] = {
         {Stage::vertex_color, 0x1p-19},
         {Stage::vertex_coord, 0x1p-20},
@@ -131,7 +132,7 @@ TEST_F(ShadowContexts, EveryStageIsReportedWithinItsBound) {
     // Snapping is off by half a step at worst, and uniformly, so its RMS is 1 / (256 sqrt(12)) pixels.
     EXPECT_NEAR(r[Stage::window_x].rms(), 1.0 / 256 / std::sqrt(12.0), 1e-4);
     EXPECT_LT(r[Stage::snapping].rms(), 0.05);       // hardly any vertex falls on the other side of a step
-    EXPECT_GT(r[Stage::vertex_color].saturated, 0u); // alpha is 1
+    EXPECT_GT(r[Stage::vertex_color].saturated, 0u); // alpha is 1 everywhere, which is a limit of the range
     EXPECT_EQ(r[Stage::window_x].saturated, 0u);
     EXPECT_LT(r[Stage::window_x].least, 0.0);
     EXPECT_GT(r[Stage::window_x].greatest, 64.0);

@@ -170,7 +170,7 @@ TEST_F(Surfaces, PbufferSizesAndErrors) {
         EGLint id = 0;
         EXPECT_EQ(eglGetConfigAttrib(display, config, EGL_CONFIG_ID, &id), yes);
         EXPECT_EQ(query(surface, EGL_CONFIG_ID), id);
-        EXPECT_EQ(eglSwapBuffers(display, surface), yes); // a pbuffer: no effect
+        EXPECT_EQ(eglSwapBuffers(display, surface), yes); // swapping a pbuffer has no effect
         EXPECT_EQ(eglDestroySurface(display, surface), yes);
     }
     EXPECT_EQ(eglCreatePbufferSurface(display, nullptr, nullptr), EGL_NO_SURFACE);
@@ -259,7 +259,7 @@ TEST_F(Surfaces, SamplesAreResolvedWhenTheWindowIsShown) {
     for (std::size_t y = 0; y < 9; ++y)
         for (std::size_t x = 0; x < 12; ++x) {
             const unsigned word = panel.shown[(y * 12 + x) * 2] * 256u + panel.shown[(y * 12 + x) * 2 + 1];
-            const bool row = y == 7; // row 1 of GL
+            const bool row = y == 7; // memory row 7 is GL's row 1
             EXPECT_EQ(word, row && (x == 2 || x == 3) ? 0xFFFFu
                             : row && x == 4           ? 16u << 11 | 32u << 5 | 16u
                                                       : 0u)
@@ -301,7 +301,7 @@ TEST_F(Surfaces, SamplesBelongToConfigsThatHaveThem) {
         bytes[i] = memory_use().used - before;
         context[i] = eglCreateContext(display, configs[i], EGL_NO_CONTEXT, nullptr);
     }
-    constexpr std::size_t pixels = 64 * 32; // beside one depth: four colours and depths, and 32 rows
+    constexpr std::size_t pixels = 64 * 32; // beside it samples have four colours, and three further depths
     EXPECT_GE(bytes[1] - bytes[0], pixels * (4 * 2 + 3 * 4) + 32 * sizeof(RowSpan));
     EXPECT_LE(bytes[1] - bytes[0], pixels * (4 * 2 + 3 * 4) + 32 * sizeof(RowSpan) + 128);
     for (int i = 0; i < 2; ++i) {
@@ -481,7 +481,7 @@ TEST_F(Surfaces, AFailedTransferIsReportedAndNothingIsLost) {
     EXPECT_EQ(last_message, "eglSwapBuffers: fake: 3 of 7 bytes went out");
     EXPECT_EQ(last_code, static_cast<unsigned>(EGL_BAD_NATIVE_WINDOW));
     EXPECT_EQ(panel.presents, 0);
-    glEnable(GL_SCISSOR_TEST); // the frame can still be drawn into
+    glEnable(GL_SCISSOR_TEST); // the frame's buffer can still be drawn into
     glScissor(0, 0, 1, 1);
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
@@ -620,7 +620,7 @@ TEST_F(Surfaces, WindowAndPbufferAsDrawAndRead) {
         EXPECT_EQ(pixel[0], 0);
         EXPECT_EQ(pixel[1], 255);
         EXPECT_EQ(eglSwapBuffers(display, window), yes);
-        EXPECT_EQ(panel.shown[0], 0xF8); // red, big-endian
+        EXPECT_EQ(panel.shown[0], 0xF8); // the high byte of red, in big-endian order
     }
     glReadBuffer(GL_FRONT);
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
@@ -637,7 +637,7 @@ TEST_F(Surfaces, WindowAndPbufferAsDrawAndRead) {
     glDrawBuffer(GL_FRONT_AND_BACK);
     glClear(GL_COLOR_BUFFER_BIT);
     EXPECT_EQ(eglSwapBuffers(display, window), yes);
-    EXPECT_EQ(panel.shown[0], 0x07); // green
+    EXPECT_EQ(panel.shown[0], 0x07); // the high byte of green
     glClearColor(1, 0, 0, 1);
     glDrawBuffer(GL_BACK);
     glClear(GL_COLOR_BUFFER_BIT);

@@ -27,7 +27,7 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
         return std::min(unit, most);
     }
     const unsigned how = random() % 8;
-    if (how <= 1 && steps > 1) { // removes some steps
+    if (how <= 1 && steps > 1) { // mutation: removes some steps
         const std::size_t from = at(steps),
                           count = std::min<std::size_t>(1 + random() % 3, steps - from / unit);
         if (count < steps) {
@@ -35,7 +35,7 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
             return (steps - count) * unit;
         }
     }
-    if (how <= 4 && steps < room) { // adds a step: a new one, or a copy
+    if (how <= 4 && steps < room) { // mutation: adds a new step or a copy
         const std::size_t to = at(steps + 1), from = at(steps);
         std::uint8_t step[unit];
         std::memcpy(step, data + from, unit);
@@ -46,13 +46,13 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
         std::memcpy(data + to, step, unit);
         return (steps + 1) * unit;
     }
-    if (how == 5) { // exchanges two steps
+    if (how == 5) { // mutation: exchanges two steps
         const std::size_t a = at(steps), b = at(steps);
         for (std::size_t i = 0; i < unit && a != b; ++i)
             std::swap(data[a + i], data[b + i]);
         return steps * unit;
     }
-    std::uint8_t* const step = data + at(steps); // changes a byte or word of a step
+    std::uint8_t* const step = data + at(steps); // mutation: changes a byte or word of a step
     std::vector<std::uint8_t> mutated(step, step + unit);
     const std::size_t left = LLVMFuzzerMutate(mutated.data(), unit, unit);
     std::copy_n(mutated.begin(), left, step);

@@ -20,7 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "host_sim/tools"))
 import outfile  # noqa: E402
 
-AT_ONCE = 500  # frames that one process draws
+AT_ONCE = 500  # number of frames that one process draws
 AFTERWARDS = (("the whole sweep of extreme numbers", "test_extreme_sweep", [], {"SPANGLE_SWEEP": "whole"}),
               ("a day of animation", "test_extremes", ["--gtest_filter=*Day*"], {"SPANGLE_HOURS": "24"}))
 ENVIRONMENT = {**os.environ, "UBSAN_OPTIONS": "print_stacktrace=1"}

@@ -32,7 +32,8 @@ class Bytes {
     const std::uint8_t *at_, *end_;
 };
 
-constexpr std::uint64_t most_bytes = 2000; ///< on the bus in one run; they fill a small memory twice
+/// The most bytes on the bus in one run, which fill a small memory twice.
+constexpr std::uint64_t most_bytes = 2000;
 
 constexpr auto kinds = static_cast<unsigned>(std::size(chips));
 

@@ -15,7 +15,7 @@ TEST(ControllerStream, SeedsAndTheirMutations) {
         sim_test::run_controller_stream(seed.data(), seed.size());
         for (int variant = 0; variant < 4; ++variant) {
             std::vector<std::uint8_t> bytes = seed;
-            bytes[0] |= 3; // a small memory
+            bytes[0] |= 3; // chooses a small memory
             for (int change = 0; change < 6; ++change)
                 bytes[1 + random() % (bytes.size() - 1)] = static_cast<std::uint8_t>(random());
             sim_test::run_controller_stream(bytes.data(), bytes.size());

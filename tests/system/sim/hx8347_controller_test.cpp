@@ -65,7 +65,7 @@ TEST(Hx8347, EveryAddressOrderOnBothBuses) {
             h.window(10, 11, 20, 21);
             h.index(0x22);
             h.message(true, {0xF8, 0, 0x07, 0xE0});
-            h.message(true, {0, 0x1F, 0xFF, 0xFF}); // the index stays
+            h.message(true, {0, 0x1F, 0xFF, 0xFF}); // further values go to the same index
             const auto at = [&](int x, int y) {
                 const int c = mv ? y : x, r = mv ? x : y;
                 return h.cell(mx ? 239 - c : c, my ? 319 - r : r);

@@ -62,7 +62,7 @@ struct I2cLines : testing::Test {
     void byte(unsigned value) {
         for (unsigned i = 8; i-- != 0;)
             bit((value >> i & 1) != 0);
-        bit(false); // acknowledged
+        bit(false); // the target acknowledges
     }
     void stop() {
         drive(false, false);

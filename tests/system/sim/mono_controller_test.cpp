@@ -98,7 +98,7 @@ TEST(MonoController, LitOnlyWhenOnAndPumped) {
 
 TEST(MonoController, RowsComeShuffledWithTheWrongPins) {
     Host h = lit_host();
-    h.data({0x02}); // row 1
+    h.data({0x02}); // sets row 1 of the page
     h.commands({0xDA, 0x02});
     EXPECT_EQ(h.seen(0, 2), lit);
     EXPECT_EQ(h.seen(0, 1), dark);

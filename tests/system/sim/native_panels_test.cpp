@@ -300,7 +300,7 @@ TEST(NativeSurfaces, PixelsAreCopiedOverThemselves) {
         glClear(GL_COLOR_BUFFER_BIT);
         glEnable(GL_SCISSOR_TEST);
         glClearColor(1, 1, 1, 1);
-        for (int i = 0; i < 6; ++i) { // a diagonal
+        for (int i = 0; i < 6; ++i) { // draws a diagonal
             glScissor(i, i, 1, 1);
             glClear(GL_COLOR_BUFFER_BIT);
         }

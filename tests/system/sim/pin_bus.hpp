@@ -140,7 +140,7 @@ class SerialPinBus final : public PinBus {
     }
     void turn_round(int dummy_bits) override {
         pins_.set(Pin::data, true, now);
-        now += read_period(); // the clock changes
+        now += read_period(); // the clock line changes its level
         for (int i = 0; i < dummy_bits; ++i)
             bit(false, read_period());
     }

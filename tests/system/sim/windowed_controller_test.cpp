@@ -154,7 +154,7 @@ TEST(ColorOled, PixelsFollowTheWriteCommand) {
     EXPECT_EQ(h.broken(), "");
     h.send(0x5C); // the pointer is back where 15h put it
     h.data({0x00, 0x1F});
-    h.send(0x5C); // and stays there
+    h.send(0x5C); // another 5Ch leaves the pointer there
     h.data({0xF8, 0x00});
     EXPECT_EQ(h.seen(1, 3), blue);
     EXPECT_EQ(h.seen(2, 3), red);

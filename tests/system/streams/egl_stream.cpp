@@ -67,7 +67,7 @@ class World {
     }
 
   private:
-    static constexpr std::int64_t most_pixels = 1 << 23; ///< that are touched in all, about
+    static constexpr std::int64_t most_pixels = 1 << 23; ///< about how many pixels a run may touch
     static constexpr std::size_t most_made = 8;
 
     // --- Steps
@@ -145,7 +145,7 @@ class World {
         open(0);
         if (window)
             make_window();
-        if (surfaces_.empty()) // that wish was refused, perhaps
+        if (surfaces_.empty()) // perhaps the wish before was refused
             make_pbuffer(home_);
         if (surfaces_.empty())
             make_pbuffer({64, 48});
@@ -500,7 +500,7 @@ class World {
     bool in_frame_ = false, setting_up_ = true;
 
     std::vector<EGLDisplay> displays_;
-    EGLDisplay display_ = EGL_NO_DISPLAY; ///< opened last
+    EGLDisplay display_ = EGL_NO_DISPLAY; ///< the display that was opened last
     std::vector<Made> surfaces_, contexts_;
     Size home_{};
     PixelFormat home_format_{};

@@ -247,7 +247,7 @@ void Scenes::lists() {
                                 &Scenes::camera,   &Scenes::environment};
     for (unsigned left = 1 + pick(in_, 4); left > 0; --left)
         (this->*pick(in_, pieces))();
-    glEnd(); // for a piece that did not call it
+    glEnd(); // ends a primitive that a piece left open
     glEndList();
     glCallList(name);
     if (in_.byte() % 4 == 0) {

@@ -21,7 +21,7 @@ class StreamPanel final : public hal::Display {
         keeps_ = keeps;
         const std::int32_t unit = format_info(format).rows;
         band_ = (band + unit - 1) / unit * unit;
-        stale_ = true; // the buffer is drawn to until EGL asks for another one
+        stale_ = true; // EGL may draw to the buffer until it asks for another one
     }
     void fail(unsigned failures) { failures_ = failures; }
 

@@ -154,7 +154,7 @@ TEST(BakedScene, IsDrawnFromConstantMemory) {
     glEnableClientState(GL_VERTEX_ARRAY);
     glVertexPointer(3, GL_FLOAT, 0, point);
     glDrawElements(GL_POINTS, 1000, GL_UNSIGNED_BYTE,
-                   many.data()); // afterwards the vertex cache has its full size
+                   many.data()); // makes the vertex cache grow to its full size
     const std::size_t before = memory_use().used;
     scenes::rocket.setup(64, 64);
     const std::size_t after = memory_use().used;

@@ -131,7 +131,8 @@ TEST(BakedModels, DrawNearlyTheModel) {
             const bool clear = of_model[i] == of_model[0] && of_model[i + 1] == of_model[1];
             covered += clear ? 0 : 1;
             for (std::size_t c = 0; c < 3; ++c)
-                if (std::abs(of_model[i + c] - of_baked[i + c]) > 12) { // textures of 4 bits
+                // Textures of 4 bits a component differ by up to 12.
+                if (std::abs(of_model[i + c] - of_baked[i + c]) > 12) {
                     ++off;
                     break;
                 }

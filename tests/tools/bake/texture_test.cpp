@@ -104,7 +104,7 @@ TEST_F(BakedTextures, AreSampledAsTheyWereMeant) {
         ASSERT_EQ(texture.chain, 6) << format.name;
         load(texture);
         ASSERT_EQ(glGetError(), GLenum{GL_NO_ERROR}) << format.name;
-        glColor4ub(255, 255, 255, 255); // the colours that an alpha texture keeps
+        glColor4ub(255, 255, 255, 255); // an alpha texture keeps these colours
         int width = 32, height = 16;
         for (int level = 0; level < texture.chain; ++level) {
             const Bytes meant = decode_level(texture, level), seen = sampled(level, width, height);
@@ -198,7 +198,7 @@ TEST(Etc1, BlocksAreNearTheirTexels) {
                      static_cast<std::uint8_t>(random()), 255};
         const Rgba other{static_cast<std::uint8_t>(random()), static_cast<std::uint8_t>(random()),
                          static_cast<std::uint8_t>(random()), 255};
-        const int kind = round % 4; // one colour; two, side by side or one above the other; noise
+        const int kind = round % 4; // 0: one colour; 1, 2: two colours beside or above each other; 3: noise
         for (int i = 0; i < 8 * 8; ++i) {
             const bool second = kind == 1 ? i % 4 >= 2 : kind == 2 ? i / 8 % 4 >= 2 : false;
             for (std::size_t c = 0; c < 4; ++c)

@@ -24,7 +24,7 @@ void run(benchmark::State& state, const spangle::scenes::Scene* scene, int width
     scene->setup(width, height);
     int frame = 0;
     for (; frame < 4; ++frame)
-        scene->draw(frame); // compiles its shaders
+        scene->draw(frame); // llvmpipe compiles its shaders
     glFinish();
     for (auto _ : state) {
         scene->draw(frame++);

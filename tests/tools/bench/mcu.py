@@ -21,14 +21,14 @@ FLAGS = [*firmware.FLAGS, *firmware.THUMB]
 
 @dataclasses.dataclass
 class Result:
-    instructions: int  # mean of three frames
-    picture: str  # hash of frame 2
-    text: int  # .text and .rodata of the whole image
+    instructions: int  # instructions of a frame, the mean of three
+    picture: str  # hash of the picture of frame 2
+    text: int  # bytes of .text and .rodata of the whole image
     context: int  # bytes of memory, as in the next four fields
     surface: int
     peak: int  # peak of the memory handed to GL, context and surface included
     static: int  # .data and .bss of the library
-    stack: int  # deepest use
+    stack: int  # most bytes of the stack that were used
     fragments: int = 0  # stored in a frame; counted if the scene is dithered
 
 

@@ -27,7 +27,7 @@ struct Machine {
     sim::Kernel& kernel = sim::Kernel::instance();
     virtual ~Machine() = default;
     virtual sim::Image glass() = 0;
-    virtual std::string wrong() = 0; ///< rules that were broken
+    virtual std::string wrong() = 0; ///< the rules that the bus broke, one a line
 };
 
 struct OnSpidev final : Machine {

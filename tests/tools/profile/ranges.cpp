@@ -18,7 +18,7 @@ using namespace spangle;
 
 constexpr int side = 32, band = 40; ///< pixels of the largest surface, and rows in memory at once
 
-int out = -1; ///< where the sentence of a try goes
+int out = -1; ///< descriptor to which the sentence of a try is written
 
 void triangle(float x, float z, float w) {
     glBegin(GL_TRIANGLES);
@@ -110,7 +110,7 @@ constexpr Try tries[] = {
     {"PERSPECTIVE", side, side, [] { triangle(0.5f, 0.0f, 2.0f); }},
     {"CUTS", side, side, [] { triangle(0.5f, 2.0f, 1.0f); }},
     {nullptr, side, side,
-     [] { // beside the view volume as a whole
+     [] { // draws wholly outside of the view volume
          glTranslatef(0.0f, 0.0f, 5.0f);
          plain();
      }},

@@ -17,7 +17,7 @@ import tempfile
 import profiles
 from profiles import DOCUMENT, SUBJECTS, TARGET, firmware, outfile, profile
 
-ROOMS = {  # {folder: what is there}
+ROOMS = {  # {folder: what its code does}
     "gl/api": "entry points, arguments",
     "gl/context": "state, queries, memory",
     "gl/vertex": "vertices, matrices, lights, clipping, primitives",

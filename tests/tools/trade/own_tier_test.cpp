@@ -124,7 +124,7 @@ TEST_F(OwnTiers, WithTheKnobsOfATierHaveItsBytes) {
             wish.precision = tier.precision;
             wish.knobs = {};
             const DrawnPicture theirs = picture_of(wish);
-            for (const Tier& base : tiers) { // whatever the config says
+            for (const Tier& base : tiers) { // each base must work, whatever tier the config has
                 wish.precision = base.precision;
                 wish.knobs = tier.knobs;
                 EXPECT_EQ(picture_of(wish).rgba, theirs.rgba);
@@ -242,7 +242,7 @@ TEST_F(OwnTiers, DivideNothingWhereBoundsAreWide) {
     Wish wish;
     wish.env = GL_MODULATE;
     wish.fog = true;
-    wish.textured = false; // otherwise fog is divided with the texture
+    wish.textured = false; // with a texture, fog would be divided, too
     wish.knobs = raster::exact_knobs;
     const double colors = stage_of(wish, "primary").worst, fog = stage_of(wish, "fog factor").worst;
     EXPECT_LT(colors, 1e-5);
@@ -250,7 +250,7 @@ TEST_F(OwnTiers, DivideNothingWhereBoundsAreWide) {
     wish.knobs->affine_color_bits = 0;
     EXPECT_GT(stage_of(wish, "primary").worst, 0.05);
     wish.knobs = raster::exact_knobs;
-    wish.knobs->affine_color_bits = 0; // otherwise fog is divided with the colours
+    wish.knobs->affine_color_bits = 0; // if colours were divided, fog would be, too
     wish.knobs->affine_fog_bits = 0;
     EXPECT_GT(stage_of(wish, "fog factor").worst, 0.05);
     wish.knobs = raster::exact_knobs;

@@ -167,8 +167,8 @@ TEST(PictureFigures, CountStepsDecibelsAndDepths) {
     a.depth = {0, 100, 200, 65535};
     DrawnPicture b = a;
     EXPECT_EQ(compare(a, b).psnr_888(), PictureError::alike);
-    b.rgba[0] = 7;   // of the same 565 colour
-    b.rgba[9] = 251; // a step of green
+    b.rgba[0] = 7;   // still the same 565 colour
+    b.rgba[9] = 251; // differs by one step of green
     b.rgba[15] = 9;  // alpha is not compared
     b.depth = {3, 100 + one_surface + 1, 200, 65535};
     const PictureError e = compare(a, b);

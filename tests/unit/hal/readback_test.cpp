@@ -150,7 +150,7 @@ TEST(OpList, DurationIsWhatTheWireTakes) {
     list.reset(10);
     list.wait_te(40);
     EXPECT_EQ(list.duration(caps), 122750u);
-    list.command_pair(0x2A, 0, 1); // 3 us of overhead and five bytes
+    list.command_pair(0x2A, 0, 1); // takes 3 us of overhead and five bytes
     EXPECT_EQ(list.duration(caps), 122750u + 3 + 5);
     list.read(0x04, 1, bytes, 3); // one byte is sent, then 25 clocks at the read clock
     EXPECT_EQ(list.duration(caps), 122758u + 3 + 1 + 25);

@@ -49,7 +49,7 @@ TEST(RowHash, EveryCellIsSentOnceAndThenThoseThatChange) {
     EXPECT_EQ(p.damage[3], RowSpan{});
     p.damage_everything();
     p.pixels[7 * stride + 2 * 33] = 1;
-    p.pixels[9 * stride + 2 * 71 + 1] = 1; // a pixel of the half cell
+    p.pixels[9 * stride + 2 * 71 + 1] = 1; // a pixel of the cell that the row's end cuts
     p.reduce();
     EXPECT_EQ(p.hash.changed()[7], 1u << 2);
     EXPECT_EQ(p.damage[7], (RowSpan{32, 48}));
@@ -101,7 +101,7 @@ TEST(RowHash, CollisionsAreAsRareAsTheoremsSay) {
             for (std::uint8_t& byte : b)
                 byte = static_cast<std::uint8_t>(random());
         else
-            b[random() % 32] ^= static_cast<std::uint8_t>(1u << random() % 8); // one bit differs
+            b[random() % 32] ^= static_cast<std::uint8_t>(1u << random() % 8); // changes one bit
         const std::uint32_t ha = RowHash::hash(a, 32), hb = RowHash::hash(b, 32);
         ASSERT_NE(ha, hb) << n;
         halves[0] += ha >> 16 == hb >> 16;

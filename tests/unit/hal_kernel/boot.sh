@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs a program of the host on the tests' own kernel, as an ordinary process without privileges. Its status; 77 where
-# that kernel was not built yet, or cannot run: some containers forbid ptrace.
+# Runs a program of the host on the tests' own kernel, as an ordinary process without privileges. Exits with the program's
+# status, or with 77 where that kernel was not built, or cannot run because a container forbids ptrace.
 # usage: boot.sh CACHE PROGRAM WORDS...
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")

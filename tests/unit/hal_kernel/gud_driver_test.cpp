@@ -142,7 +142,7 @@ TEST(KernelGudConsole, WritesOnTheGlass) {
         const auto low = static_cast<std::uint32_t>(at[0] | at[1] << 8);
         return screen.bits_per_pixel == 16 ? widened(low) : low | std::uint32_t{at[2]} << 16;
     };
-    const auto written = [&] { // an empty console is on the glass before
+    const auto written = [&] { // before, the glass shows an empty console
         int lit = 0, yellow = 0;
         for (int y = 0; y < 136; ++y)
             for (int x = 0; x < 240; ++x) {

@@ -92,7 +92,7 @@ TEST_P(Faults, ShortWritesGoOn) {
         if (GetParam() == Transport::spi3 || GetParam() == Transport::spi3_packed) {
             inject(rig, cut, 0, 1); // the transfer may have ended inside of a word
             expect_failed_frame(rig, Fault::short_write, "write: the message was cut short");
-        } else { // a call on lines cannot be cut
+        } else { // calls on GPIO lines cannot be cut short
             inject(rig, cut, 1, 3);
             expect_unharmed_frame(rig);
         }
@@ -129,7 +129,7 @@ TEST_P(Faults, InputOutputErrorAndTimeout) {
         Rig rig(GetParam());
         rig.start();
         if (is_spidev(GetParam()) && skip > 1)
-            continue; // a small frame takes two messages, or one
+            continue; // this message does not exist: a small frame takes one or two
         const int at = later(skip);
         inject(rig, error(EIO), at, 1);
         expect_failed_frame(rig, Fault::no_answer, "Input/output error");
@@ -188,7 +188,7 @@ TEST_P(Faults, PulledInTheMiddleAndPluggedAgain) {
         });
         const auto gone = rig.display->present();
         if (GetParam() == Transport::spi3 || GetParam() == Transport::spi3_packed)
-            left = 0; // a single message may be over before
+            left = 0; // a single message may end before the fault
         rig.machine.no_faults();
         if (gone.ok()) {
             rig.machine.kernel.unplug(rig.device());
@@ -370,7 +370,7 @@ void mend(Rig& rig, const hal::Error& error) {
     rig.machine.kernel.plug(rig.device());
     rig.machine.kernel.release();
     if (error.fault == Fault::timeout || error.fault == Fault::short_write || error.fault == Fault::no_answer)
-        return; // a program tries again
+        return; // as a program would try again
     if (rig.open().ok())
         (void)rig.display->init();
 }
@@ -396,7 +396,8 @@ TEST_P(Faults, AThousandSequencesAtRandom) {
             const auto x = static_cast<std::int32_t>(random.below(22)),
                        y = static_cast<std::int32_t>(random.below(16)),
                        width = static_cast<std::int32_t>(random.below(3));
-            (void)rig.draw(sequence * 3 + frame, {x, y, width, 1}); // refused while a late frame is read
+            // Drawing is refused while the bus reads a late frame.
+            (void)rig.draw(sequence * 3 + frame, {x, y, width, 1});
             if (const auto sent = rig.display->present(); !sent.ok()) {
                 ++failures;
                 ASSERT_NE(sent.error().rule[0], '\0');

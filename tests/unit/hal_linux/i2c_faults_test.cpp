@@ -73,7 +73,7 @@ TEST_F(I2cFaults, EachErrorIsSaidAndMended) {
                  {ETIMEDOUT, Fault::timeout, "timed out"}};
     unsigned seed = 1;
     for (const auto& row : table)
-        for (const int skip : {0, 1, 2}) { // the window, the first data, the rest
+        for (const int skip : {0, 1, 2}) { // fails the window, the first data, or the rest
             ASSERT_TRUE(draw(++seed, {0, 0, 128, 64}));
             kernel.set_judge([&, left = skip](const sim::Call& call) mutable {
                 const bool hit = call.kind == sim::Call::Kind::write && left-- == 0;

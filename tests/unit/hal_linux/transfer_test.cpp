@@ -130,7 +130,7 @@ TEST(Transfer, OutcomesAreRemembered) {
 }
 
 TEST(Transfer, AListIsRefusedWholeBeforeItsFirstByte) {
-    hal::SpidevConfig config; // neither pins nor a read clock
+    hal::SpidevConfig config; // the default has neither pins nor a read clock
     config.write_hz = 1000000;
     config.dc = {chip_path, 24};
     config.asynchronous = false;

@@ -100,7 +100,7 @@ inline hal::PanelPins pins_of(bool te, const char* path = chip_path, const char*
 }
 
 struct RigOptions {
-    const char *path = chip_path, *label = chip_label; ///< of the chip with the lines
+    const char *path = chip_path, *label = chip_label; ///< path and label of the chip with the lines
     const hal::PanelDesc* panel = &tiny_panel;
     hal::Orientation orientation = {};
     std::uint32_t spi_hz = 40000000;

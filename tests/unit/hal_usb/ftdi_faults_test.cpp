@@ -70,7 +70,7 @@ TEST(FtdiFaults, CutShortStalledAndBroken) {
 }
 
 TEST(FtdiFaults, ASilentAdapterTimesOut) {
-    for (const int skip : {0, 1}) { // the stream, and the answer that it is done
+    for (const int skip : {0, 1}) { // fails the stream, or the answer that it is done
         Rig rig;
         rig.config.timeout_ms = 30;
         ASSERT_TRUE(rig.start().ok());
@@ -90,7 +90,7 @@ TEST(FtdiFaults, AHangingTransferEndsInATimeoutAndIsOverLater) {
     ASSERT_TRUE(rig.start().ok());
     meet(rig, Fate::silent, 0, 1000);
     ASSERT_TRUE(rig.draw(2));
-    const auto late = rig.display->present(); // the display waits less long than the transfer takes
+    const auto late = rig.display->present(); // the display stops waiting before the transfer ends
     EXPECT_EQ(late.error().fault, Fault::timeout) << late.error().rule;
     EXPECT_EQ(rig.display->acquire().error().fault, Fault::busy) << "the frame is still being read";
     EXPECT_EQ(rig.bus->backlight(false).error().fault, Fault::busy);
@@ -228,7 +228,7 @@ TEST(FtdiFaults, TheChipItselfWaitsForTheEdge) {
                 rig.kernel.advance(10'000);
             rig.kernel.advance(500'000);
         }
-        sim::Time first = 0; // the last clock with D/C high after D/C low begins the pixels
+        sim::Time first = 0; // time at which pixels begin: D/C rises after a command
         bool command = false;
         const auto forward = rig.adapter.engine.on_change;
         rig.adapter.engine.on_change = [&](std::uint64_t levels, sim::Time now) {
@@ -304,7 +304,8 @@ TEST(FtdiFaults, AThousandSequencesAtRandom) {
         for (unsigned frame = 0; frame < 3; ++frame) {
             const auto x = static_cast<std::int32_t>(random.below(20)),
                        y = static_cast<std::int32_t>(random.below(14));
-            (void)rig.draw(sequence * 3 + frame, {x, y, 4, 2}); // refused while a late frame is read
+            // Drawing is refused while the bus reads a late frame.
+            (void)rig.draw(sequence * 3 + frame, {x, y, 4, 2});
             if (const auto sent = rig.display->present(); !sent.ok()) {
                 ++failures;
                 ASSERT_NE(sent.error().rule[0], '\0');

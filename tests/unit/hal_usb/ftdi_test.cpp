@@ -41,7 +41,7 @@ TEST(Ftdi, TheStreamIsTheseBytes) {
     Bytes sent;
     rig.adapter.log = &sent;
     ASSERT_TRUE(rig.open().ok());
-    EXPECT_EQ(sent, (Bytes{0xAA, 0x87,             // a bad command, to find the engine
+    EXPECT_EQ(sent, (Bytes{0xAA, 0x87,             // sends a bad command, to find the engine
                            0x8A, 0x97, 0x8D, 0x85, // 60 MHz, not adaptive, three-phase, looped back
                            0x86, 0x01, 0x00,       // divided by (1 + 1) * 2: 15 MHz
                            0x80, 0xD8, 0xDB,       // nothing selected, no reset, light on
@@ -255,7 +255,7 @@ TEST(Ftdi, BacklightAndUnopened) {
 
 TEST(Ftdi, TheKernelsDriverLetsGo) {
     Rig rig;
-    rig.usb.kernel_driver = true; // ftdi_sio
+    rig.usb.kernel_driver = true; // the kernel's driver ftdi_sio has the adapter
     ASSERT_TRUE(rig.start().ok());
     EXPECT_FALSE(rig.usb.kernel_driver);
     rig.display.reset();

@@ -330,8 +330,9 @@ TEST(GudFaults, AbsurdDescriptors) {
         {40, 30, 1, false, 0x01, nullptr},
         {40, 30, 2, false, 0x40, nullptr},
         {40, 30, 4, false, 0x80, nullptr},
-        {129, 128, 2, false, 0x40, "the device's buffer is too small for its modes"}, // 16,512 bands
-        {128, 128, 2, false, 0x40, nullptr},                                          // 16,384 bands
+        // A frame of 16,384 bands is the largest that the host sends; this one would have 16,512.
+        {129, 128, 2, false, 0x40, "the device's buffer is too small for its modes"},
+        {128, 128, 2, false, 0x40, nullptr},
         {40, 30, 2399, true, 0x40, "the device's buffer is too small for its modes"},
         {40, 30, 2400, true, 0x40, nullptr},
         {40, 30, 0, true, 0x40, nullptr},
@@ -398,7 +399,8 @@ TEST(GudFaults, DescriptorsThatSayMoreThanTheyDescribe) {
             Braggart function;
             function.bytes = honest;
             function.bytes[interfaces] = static_cast<std::uint8_t>(claimed);
-            for (std::size_t at = 18 + 9; at + 9 <= honest.size(); at += 9) // bNumEndpoints of each interface
+            // `at` is the offset of bNumEndpoints in each interface.
+            for (std::size_t at = 18 + 9; at + 9 <= honest.size(); at += 9)
                 if (honest[at + 1] == 4)
                     function.bytes[at + 4] = static_cast<std::uint8_t>(claimed);
             function.bytes.resize(kept);

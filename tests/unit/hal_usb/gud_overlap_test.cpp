@@ -64,7 +64,7 @@ TEST(GudOverlap, TheNextFrameIsDrawnWhileOneIsOnTheWire) {
     ASSERT_TRUE(rig.draw(1));
     const sim::Image first = picture_of(rig);
     ASSERT_TRUE(rig.display->present().ok()) << "does not wait for the wire";
-    ASSERT_TRUE(rig.draw(2)); // over the frame that is on the wire
+    ASSERT_TRUE(rig.draw(2)); // draws while the frame before is on the wire
     gate.open();
     ASSERT_TRUE(rig.display->finish().ok());
     EXPECT_FALSE(gate.late());
@@ -159,7 +159,7 @@ TEST(GudOverlap, HalfAFrameIsNotShown) {
     ASSERT_TRUE(rig.display->present().ok());
     ASSERT_TRUE(rig.draw(2));
     ASSERT_TRUE(rig.display->present().ok()); // this frame is put off
-    ASSERT_TRUE(rig.draw(3, {1, 1, 5, 5}));   // and here it is drawn over
+    ASSERT_TRUE(rig.draw(3, {1, 1, 5, 5}));   // draws over the frame that was put off
     gate.open();
     ASSERT_TRUE(rig.display->finish().ok());
     EXPECT_TRUE(same(rig.device.glass(), first));

@@ -187,7 +187,7 @@ void run_gud_stream(const std::uint8_t* data, std::size_t bytes) {
         }
         hal::GudDisplay display(config);
         bool up = display.init().ok();
-        std::int64_t sent = 0; // pixels, about: the largest pictures take a second each
+        std::int64_t sent = 0; // about how many pixels; the largest pictures take a second each
         for (int steps = 0; steps < 24 && program.more() && sent < 1 << 22; ++steps) {
             const unsigned what = program.byte();
             const hal::DisplayInfo info = display.info();

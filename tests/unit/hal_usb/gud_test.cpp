@@ -330,7 +330,7 @@ TEST(Gud, ShowsScenesAsABoardDoes) {
         ASSERT_TRUE(test::play(board.display(), scene, 3));
         GudRig rig;
         rig.size(320, 240);
-        rig.device.max_buffer_size = 40000; // smaller than a frame, as in gud-pico
+        rig.device.max_buffer_size = 40000; // bytes; less than a frame, as in gud-pico
         rig.usb.attach(rig.kernel, path);
         rig.display.emplace(rig.config);
         ASSERT_TRUE(test::play(*rig.display, scene, 3));

@@ -84,7 +84,7 @@ TEST_F(Hotplug, PulledAndPluggedAgain) {
     }
     EXPECT_EQ(show(display, 0x38).error().fault, Fault::gone);
     device.power_cycle();
-    PluggedIn again(bed, device, 3); // with another number, as the bus gives it
+    PluggedIn again(bed, device, 3); // the bus gives it another number
     ASSERT_TRUE(display.present().ok() && display.finish().ok());
     EXPECT_TRUE(shows(device, 0x38));
     EXPECT_TRUE(display.connected());

@@ -105,7 +105,7 @@ TEST_F(FtdiHotplug, PulledAndPluggedAgain) {
     EXPECT_EQ(rig.bus->open().error().fault, Fault::gone);
     rig.adapter.power_cycle();
     rig.module.power_cycle();
-    PluggedIn again(bed, adapter, 2); // with another number, as the bus gives it
+    PluggedIn again(bed, adapter, 2); // the bus gives it another number
     ASSERT_TRUE(rig.bus->open().ok());
     ASSERT_TRUE(rig.display->init().ok());
     ASSERT_TRUE(rig.display->present().ok()); // sends the whole picture, though nothing is new

@@ -62,7 +62,8 @@ TEST(Block, ShiftsRoundToNearest) {
     std::mt19937_64 random(11);
     for (int i = 0; i < 1000000; ++i) {
         const int n = 1 + static_cast<int>(random() % 40);
-        const int bits = n + 30 < 62 ? n + 30 : 62; // bits of the value; at most 31 and a sign are left
+        // Bits of the value, of which at most 31 and a sign are left.
+        const int bits = n + 30 < 62 ? n + 30 : 62;
         const std::int64_t v = static_cast<std::int64_t>(random()) >> (63 - bits),
                            half = std::int64_t{1} << (n - 1);
         const std::int64_t nearest = (v + half) >> n;
@@ -83,7 +84,8 @@ TEST(Block, VectorsKeepTheirLargestComponentWhole) {
         ASSERT_TRUE((is_normalised<Block4, 4>(v)));
         const Block3 v3 = to_block(r[0], r[1], r[2]);
         ASSERT_TRUE((is_normalised<Block3, 3>(v3)));
-        for (int c = 0; c < 4; ++c) { // 24 bits in 30: only values far below the largest are rounded
+        // Floats have 24 of 30 bits, so only values far below the largest are rounded.
+        for (int c = 0; c < 4; ++c) {
             const long double error = value(Block{v.m[c], v.e}) - to_float(r[c]);
             ASSERT_LE(std::fabs(error), std::ldexp(0.5L, v.e));
             if (v.m[c] >> 23 != 0 && v.m[c] >> 23 != -1) {

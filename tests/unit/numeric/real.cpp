@@ -76,7 +76,7 @@ TEST(Real, EntersDoublesRoundedToNearestEven) {
     Random random(2);
     for (int i = 0; i < 1'000'000; ++i) {
         const std::uint64_t b = random.next();
-        check(b);                                                           // mostly out of range
+        check(b); // random bits, mostly out of range
         const std::uint64_t exponent = 1023u - 152u + random.next() % 284u; // around the range of float
         check((b & 0x800FFFFFFFFFFFFFu) | exponent << 52);
         // These doubles are exact values or ties.

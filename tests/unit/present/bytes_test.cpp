@@ -108,7 +108,7 @@ std::uint64_t changed_cell_bytes(const Picture& a, const Picture& b, int width, 
 }
 
 struct Measured {
-    double sent = 0, union_rows = 0, cells = 0; ///< bytes a frame
+    double sent = 0, union_rows = 0, cells = 0; ///< bytes of a frame: sent, by union of rows, by cells
 };
 
 /// Measures from the second frame on, because the first is a whole picture.

@@ -25,7 +25,7 @@ class EventPort final : public hal::DmaPort {
     hal::DmaBus* bus = nullptr;
     Time now = 0, busy = 0;
     hal::Fault fail_write = hal::Fault::none; ///< the fault of the next write
-    bool te_missing = false, dead = false;    ///< dead: no more interrupts
+    bool te_missing = false, dead = false;    ///< te_missing: no edge of TE comes; dead: no interrupt comes
     int writes = 0;
 
     /// Lets time pass while the program draws, with interrupts in between.

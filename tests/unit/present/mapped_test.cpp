@@ -135,7 +135,7 @@ TEST(Mapped, ThreeBuffersOverlapDrawingAndWaiting) {
 TEST(Mapped, PacingOfThreeBuffers) {
     for (const Pacing pacing : {Pacing::coalesce, Pacing::drop}) {
         Rig rig(3, pacing);
-        rig.row_ns = 100; // ten frames in a refresh
+        rig.row_ns = 100; // a refresh is as long as ten frames
         ASSERT_TRUE(rig.display->init().ok());
         const std::uint64_t before = rig.port.now();
         for (int i = 1; i <= 60; ++i)

@@ -13,7 +13,7 @@ using namespace spangle;
 using sim::Time;
 
 struct Ran {
-    Time time = 0, wire = 0; ///< of all frames
+    Time time = 0, wire = 0; ///< ns of all frames: in total, and on the wire
     std::uint32_t put_off = 0;
 };
 

@@ -19,7 +19,7 @@ using sim::Time;
 enum class Sync { none, te, poll };
 
 struct Setup {
-    unsigned line_ns = 43902; ///< 70.3 Hz
+    unsigned line_ns = 43902; ///< time of a line in ns, for 70.3 Hz
     std::uint32_t write_hz = 40000000;
     Sync sync = Sync::te;
     hal::Orientation orientation = {};

@@ -36,7 +36,7 @@ class WatchedDisplay final : public hal::Display {
     void swap_interval(std::int32_t interval) override { sim_.display().swap_interval(interval); }
 
     bool compare = true;
-    std::vector<std::uint8_t> surface; ///< as it was presented, two bytes a pixel
+    std::vector<std::uint8_t> surface; ///< the picture as it was presented, two bytes a pixel
     std::vector<std::uint64_t> bytes;  ///< bytes on the wire of each present
     long compared = 0;                 ///< number of presents
 

@@ -107,8 +107,8 @@ TEST(Rasterizer, FragmentsGoThroughTheirState) {
         with.triangle(v[0], v[2], v[3]);
     };
     quad(draw, 0, depth_one / 2, 0, 0, 4);
-    quad(draw, 1, depth_one / 4 * 3, 2, 0, 4); // behind the quad that is there
-    quad(draw, 2, depth_one / 4, 0, 2, 2);     // in front of it
+    quad(draw, 1, depth_one / 4 * 3, 2, 0, 4); // farther than the stored depth
+    quad(draw, 2, depth_one / 4, 0, 2, 2);     // nearer than the stored depth
     EXPECT_EQ(picture.ascii({0, 0, 7, 5}), ".......\nbbrrgg.\nbbrrgg.\nrrrrgg.\nrrrrgg.\n");
 
     state.depth_test = false;

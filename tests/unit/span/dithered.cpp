@@ -72,7 +72,7 @@ TEST(Dithered, NearAndGuessedSteps) {
 TEST(Dithered, StepsOfTheExactTier) {
     const auto expect_floor = [](std::uint32_t c) {
         const auto floor32 = [&](std::uint64_t levels, int up) {
-            const std::uint64_t factor = ((levels << up) + 254) / 255; // 36 bits
+            const std::uint64_t factor = ((levels << up) + 254) / 255; // a product of up to 36 bits
             return static_cast<std::uint32_t>(c * factor >> 32);
         };
         ASSERT_EQ(Exact::steps32<5>(c), floor32(31, 39) >> 22) << c;

@@ -271,7 +271,7 @@ TEST(Filter, WordsAreThoseOfTheExactTier) {
                    weights = static_cast<std::uint32_t>(random());
         check(near & 0xFFFF, near >> 16, far & 0xFFFF, far >> 16, weights & 255, weights >> 8 & 255);
     }
-    for (std::uint32_t k = 0; k < 65536; ++k) // ties
+    for (std::uint32_t k = 0; k < 65536; ++k) // tries all ties
         for (const std::uint32_t c : {k, ~k & 0xFFFF}) {
             check(k, 0xFFFF - c, k, 0xFFFF - c, 128, k & 255);
             check(c, c, 0xFFFF - k, 0xFFFF - k, k & 255, 128);

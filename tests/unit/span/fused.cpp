@@ -64,11 +64,11 @@ void expect_equal(const FusedSpan& fused, RowsFunction<Fixed> run, const char* n
         Triangle t = round < 700 ? random_triangle(source, width, height, fused.key.kind)
                                  : random_sprite(source, width, height, fused.key.kind);
         if (round % 3 == 0 && fused.key.kind != Kind::flat)
-            for (int i = 0; i < (round % 2 == 0 ? 3 : 2); ++i) // gray, or nearly
+            for (int i = 0; i < (round % 2 == 0 ? 3 : 2); ++i) // makes the colours gray, or nearly gray
                 t.v[i].color[0] = t.v[i].color[1] = t.v[i].color[2];
         if (round % 5 == 0 && fused.key.kind >= Kind::textured)
             project_texture(source, t);
-        if (round % 7 == 3) // many repeats
+        if (round % 7 == 3) // makes the texture repeat many times
             for (FixedVertex& v : t.v)
                 v.tex[0].exponent = -20;
         const Rect cut = {static_cast<int>(source.below(8)), 0,

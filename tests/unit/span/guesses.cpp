@@ -13,7 +13,7 @@ constexpr int width = 64, height = 48;
 /// Returns a triangle of any shape, slivers among them; 1/w and colours vary by any power of two.
 Triangle any_triangle(RandomVertices& source) {
     Triangle t = random_triangle(source, width, height, Kind::full);
-    if (source.below(3) == 0) // a sliver
+    if (source.below(3) == 0) // makes a sliver
         for (int i = 1; i < 3; ++i) {
             t.v[i].x = t.v[0].x + i * static_cast<std::int32_t>(source.below(3000)) - 2000;
             t.v[i].y = t.v[0].y + static_cast<std::int32_t>(source.below(40));
@@ -94,7 +94,7 @@ void hold_the_divided_colour(bool dither) {
                         wanted = dither
                                      ? static_cast<std::uint32_t>(std::uint64_t{divided} * 16 * steps / 255)
                                      : divided * 16 + (1u << 23),
-                                        above = wanted - at(span.color_value[c]); // never negative
+                                        above = wanted - at(span.color_value[c]); // never below 0
                     ASSERT_LE(above, doubt) << "round " << round << " component " << c;
                     most = std::max(most, std::abs(2.0 * above / doubt - 1));
                 }

@@ -77,7 +77,7 @@ template <class Products, std::uint32_t Whole, std::uint32_t Most, bool HasFog> 
     const auto below = [&](std::uint32_t n) { return static_cast<std::uint32_t>(random()) % n; };
     for (int i = 0; i < 200000; ++i) {
         const std::uint32_t c = i % 4 == 0 ? one - below(2) : below(one + 1),
-                            k = i % 3 == 0 ? Most : below(Most + 1), // often 1
+                            k = i % 3 == 0 ? Most : below(Most + 1), // a factor that is often 1
             f = i % 5 == 0 ? whole_fog - below(2) : below(whole_fog + 1), color = below(color_one + 1);
         const double share = !HasFog || f == whole_fog ? 1 : f / (65536. * (1 << Products::fraction_bits)),
                      light = c * 255. / one * k / Most,

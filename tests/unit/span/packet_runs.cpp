@@ -18,7 +18,7 @@ using spangle::test::Random;
 using N = Raw565<8>;
 
 struct Seen {
-    std::int32_t x, y; ///< pixels of the window
+    std::int32_t x, y; ///< window position in pixels
     std::uint32_t s, t;
     std::int32_t lod;
 };

@@ -84,7 +84,7 @@ long compare(const Case& c, bool& walks) {
         const FixedVertex a = random_end(random, c.same_w, 4);
         FixedVertex b = random_end(random, c.same_w, 4);
         if (i % 5 == 0)
-            b.x = a.x + (i % 2 == 0 ? b.y - a.y : a.y - b.y); // at 45 degrees
+            b.x = a.x + (i % 2 == 0 ? b.y - a.y : a.y - b.y); // a line of 45 degrees
         if (i % 7 == 0)
             b.y = a.y;
         if (i % 16 == 0) // some lines find all or some of their columns touched already
@@ -190,7 +190,7 @@ TEST(Paths, StripsAreTheirRows) {
                     v[i].y = std::clamp(last.y + dy, 2 * 256, (height - 2) * 256);
                     v[i].z = i % 4 == 0 ? random() >> 1 : last.z + static_cast<std::uint32_t>(noise(1 << 12));
                     v[i].z = std::min(v[i].z, depth_one);
-                    if (round % 4 != 3) // else each line is flat, with a colour of its own
+                    if (round % 4 != 3) // in other rounds each line has a colour of its own
                         std::copy_n(v[0].color, 4, v[i].color);
                     else
                         std::copy_n(random_end(random, true, -8).color, 4, v[i].color);

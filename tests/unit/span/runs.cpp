@@ -60,7 +60,7 @@ struct RandomRow {
 };
 
 struct Found {
-    double worst = 0; ///< texels
+    double worst = 0; ///< largest error in texels
     long runs = 0, fragments = 0;
 };
 

@@ -33,7 +33,7 @@ struct StateOfKey {
         state.color_sum = key.color_sum;
         state.fog = key.fog;
         state.fog_mode = key.fog_mode;
-        state.fog_start = 0x3F000000, state.fog_end = 0x40800000; // from 0.5 to 4
+        state.fog_start = 0x3F000000, state.fog_end = 0x40800000; // fog goes from 0.5 to 4
         state.fog_color[0] = color_one / 2, state.fog_color[1] = color_one / 5,
         state.fog_color[2] = color_one;
         state.alpha_test = key.alpha != Compare::always;

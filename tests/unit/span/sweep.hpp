@@ -57,7 +57,7 @@ struct RandomVertices {
         v.w_mantissa = 0x80000000u | word();
         v.w_exponent = static_cast<std::int16_t>(-32 - static_cast<int>(below(3)));
         v.fog_mantissa = static_cast<std::int32_t>(word() >> 1);
-        v.fog_exponent = -29; // up to 4
+        v.fog_exponent = -29; // fog coordinates up to 4
         for (auto& tex : v.tex) {
             tex.s = static_cast<std::int32_t>(word());
             tex.t = static_cast<std::int32_t>(word());

@@ -62,7 +62,7 @@ Triangle triangle(RandomVertices& source, Kind kind) {
     }
     make_special(t, source, kind);
     if (source.below(3) == 0)
-        for (FixedVertex& v : t.v) // gray
+        for (FixedVertex& v : t.v) // makes all vertices gray
             v.color[1] = v.color[2] = v.color[0];
     return t;
 }

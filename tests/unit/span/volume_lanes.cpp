@@ -67,7 +67,7 @@ struct Case {
     VolumePlace expected(std::int32_t i) {
         if (!shared)
             return VolumeCoords(span, 0).at(places.x + i);
-        Span<Fixed> there = span; // whose anchor is the fragment
+        Span<Fixed> there = span; // a span whose anchor is the fragment
         auto& unit = there.unit[0];
         for (auto* plane : {&unit.s, &unit.t, &unit.r, &unit.q})
             plane->value =
@@ -90,7 +90,7 @@ TEST(VolumeLanes, PlacesAreThoseOfOneFragment) {
             ASSERT_EQ(found.face[i], expected.face) << round << ' ' << i;
             ASSERT_EQ(found.s[i], expected.s) << round << ' ' << i;
             ASSERT_EQ(found.t[i], expected.t) << round << ' ' << i;
-            if (of.texture.shape != TextureShape::cube) { // which look at two coordinates only
+            if (of.texture.shape != TextureShape::cube) { // other shapes read two coordinates only
                 ASSERT_EQ(found.r[i], expected.r) << round << ' ' << i;
             }
             ASSERT_EQ(lod[i], expected.lod) << round << ' ' << i;

@@ -37,7 +37,7 @@ void expect_color(const FragmentState& f, const Point& p, const Rgba4& want, dou
 /// Tests gl-commands 17.11 with N = 4 texels along s, a border colour, and no texture border.
 TEST(Specification, WrapAndFilterVectors) {
     const std::uint8_t texel[4] = {10, 60, 130, 240};
-    constexpr double b = 200; // border colour
+    constexpr double b = 200; // the border's colour
     struct Row {
         double s;
         Wrap wrap;
@@ -137,7 +137,7 @@ TEST(Specification, EnvironmentTable) {
         for (int env = 0; env < 5; ++env) {
             const auto mode = static_cast<TexEnv>(env);
             if (mode == TexEnv::decal && base.base != BaseFormat::rgb && base.base != BaseFormat::rgba)
-                continue; // undefined
+                continue; // GL does not define this combination
             Rgba4 want = cf;
             const double as = base.source[3];
             for (std::size_t i = 0; i < 3 && base.color; ++i) {
@@ -364,7 +364,7 @@ TEST(Specification, BlendFactors) {
             for (int n = 0; n < 24; ++n) {
                 const Blending both = {static_cast<BlendFactor>(src), static_cast<BlendFactor>(dst)};
                 if (both.dst == BlendFactor::src_alpha_saturate)
-                    continue; // a factor of the source only
+                    continue; // this factor is for the source only
                 BlendSample(n).expect(both, both);
             }
 }

@@ -13,8 +13,8 @@
 namespace spangle::bench::states {
 
 struct Counted {
-    bool good = false;         ///< there is such a context, and GL reports no error
-    GLuint fragments = 0;      ///< that the shape covers inside the scissor rectangle
+    bool good = false;         ///< whether there is such a context, and GL reports no error
+    GLuint fragments = 0;      ///< fragments that the shape covers inside the scissor rectangle
     std::uint32_t picture = 0; ///< hash of the picture
 };
 

@@ -9,7 +9,7 @@
 
 #if __has_include(<valgrind/callgrind.h>)
 #include <valgrind/callgrind.h>
-#else // fragments and pictures are printed without callgrind, too
+#else // without callgrind, fragments and pictures are still printed
 #define CALLGRIND_START_INSTRUMENTATION
 #define CALLGRIND_ZERO_STATS
 #define CALLGRIND_STOP_INSTRUMENTATION

@@ -33,7 +33,7 @@ import measure  # noqa: E402
 import report  # noqa: E402
 from json_option import outfile  # noqa: E402
 
-PAIR = 12  # states of two neighbouring keys
+PAIR = 12  # number of states of two neighbouring keys
 PAGE = measure.mcu.ROOT / "docs/states.md"
 MEASURED = HERE / "measured.json"
 BEGIN, END = "<!-- table: states -->\n", "\n<!-- end -->"

@@ -12,7 +12,7 @@ namespace spangle::bench::states {
 
 namespace {
 
-constexpr double least_total = 2000; ///< microseconds
+constexpr double least_total = 2000; ///< the least time in microseconds that is measured at once
 constexpr int least_frames = 2, most_frames = 40;
 
 double cpu_us() {
@@ -51,7 +51,7 @@ int time_all(std::uint32_t seed, bool (*select)(const State&)) {
     unsigned number = 0;
     while (std::scanf("%u", &number) == 1) {
         const State of = state(seed, number);
-        double time = -1; // there is no such context
+        double time = -1; // negative: there is no such context
         if (select(of)) {
             glPushAttrib(GL_ALL_ATTRIB_BITS);
             glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);

@@ -51,10 +51,12 @@ enum Shade : std::uint8_t { one_color, flat, smooth_color, lit, lit_specular };
 
 /// `work` has a bit for each kind of work that a choice asks for. A choice with some of another's bits, and
 /// not all, asks for less.
-inline constexpr std::int16_t unordered = -1; ///< such as a test that some fragments fail
+/// The work of a choice that is neither more nor less than another's, such as a test that some fragments
+/// fail.
+inline constexpr std::int16_t unordered = -1;
 struct Choice {
     const char* name;
-    std::uint8_t weight; ///< how often it is chosen, relative to the others
+    std::uint8_t weight; ///< how often the choice is made, relative to the others
     std::int16_t work;
     GLenum value[3]; ///< values that GL is given
 };

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What of the kernel is ours, in twelve digits: configuration, patches, board, and how it is built.
+# Prints twelve digits that change with what Spangle adds to the kernel: configuration, patches, board, and how it is built.
 cd "$(dirname "$(readlink -f "$0")")"
 LC_ALL=C
 cat board/* build.sh config ./*.patch | sha256sum | cut -c 1-12
