@@ -161,11 +161,14 @@ template <class N> struct TextureFunction {
         const bool indirect = is_indirect(texture.format);
         const std::int32_t bytes = indirect ? 1 : texel_bytes(sampled(texture.format)),
                            stride = indirect ? 1 : static_cast<std::int32_t>(image.stride);
-        const std::int32_t s[4] = {i0 * bytes, i1 * bytes, i0 * bytes, i1 * bytes},
-                           t[4] = {j0 * stride, j0 * stride, j1 * stride, j1 * stride};
-        std::uint32_t word[4];
-        fetch_texels(texture, image, s, t, 4, word);
-        return Texels::mix(typename Texels::Weights(b), word[0], word[1], word[2], word[3], a);
+        TexelOffsets s, t;
+        s.at[0] = i0 * bytes;
+        s.next[0] = i1 * bytes;
+        t.at[0] = j0 * stride;
+        t.next[0] = j1 * stride;
+        std::uint32_t word[1][4];
+        fetch_texels(texture, image, s, t, true, 1, word);
+        return Texels::mix(typename Texels::Weights(b), word[0][0], word[0][1], word[0][2], word[0][3], a);
     }
     bool stored(const TextureLevel& image, std::int32_t i, std::int32_t j) const {
         return texture.border_texels != 0 || (i >= 0 && j >= 0 && i < image.width && j < image.height);

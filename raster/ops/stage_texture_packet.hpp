@@ -51,9 +51,16 @@ template <class N> class PacketTexture {
     const Texture& texture_;
     const TextureFunction<SingleLane> function_;
     const int unit_number_;
+    /// What textures with three coordinates need besides the packet's s and t.
+    struct Thirds {
+        std::uint32_t r[packet_length];
+        std::uint8_t face[packet_length];
+    };
+    const Thirds* const thirds_; ///< null for other textures
 
-    PacketTexture(Packet<N>& k, const TextureUnit& unit, int which)
-        : packet_(k), unit_(unit), texture_(*unit.texture), function_(unit), unit_number_(which) {
+    PacketTexture(Packet<N>& k, const TextureUnit& unit, int which, const Thirds* thirds)
+        : packet_(k), unit_(unit), texture_(*unit.texture), function_(unit), unit_number_(which),
+          thirds_(thirds) {
         static_assert(lanes == 1);
     }
     /// Fragments of the packet that follow each other.
@@ -85,33 +92,53 @@ template <class N> class PacketTexture {
         if constexpr (has_third_coordinates)
             if (wants_r(*unit.texture))
                 return in_volume(k, span, which, texels);
-        const PacketTexture stage(k, unit, which);
+        const PacketTexture stage(k, unit, which, nullptr);
         if (has_shortcuts)
             stage.sample_stretches(texels);
         else
             stage.one_by_one({0, k.n}, texels);
     }
 
+    /// Finds the places of textures with three coordinates, and samples there. Where shortcuts are left out,
+    /// or where depths are compared, fragments are sampled one by one.
     [[gnu::noinline]] static void in_volume(Packet<N>& k, const Span& span, int which, Color* texels) {
+        const TextureUnit& unit = span.state->fragment.unit[which];
         const VolumeCoords coords(span, which);
-        const VolumeFunction<SingleLane> function(span.state->fragment.unit[which]);
-        for (std::int32_t i = 0; i < k.n; ++i)
-            set_lane(texels[i / lanes], i % lanes, function.sample(coords.at(k.x + i)));
+        Thirds thirds;
+        for (std::int32_t i = 0; i < k.n; ++i) {
+            const VolumePlace place = coords.at(k.x + i);
+            k.coord[which][i].s[0] = place.s;
+            k.coord[which][i].t[0] = place.t;
+            k.lod[which][i] = place.lod;
+            thirds.r[i] = place.r;
+            thirds.face[i] = static_cast<std::uint8_t>(place.face);
+        }
+        const PacketTexture stage(k, unit, which, &thirds);
+        if (has_shortcuts && !unit.texture->compares)
+            stage.sample_stretches(texels);
+        else
+            stage.one_by_one({0, k.n}, texels);
     }
 
-    /// Samples together what follows each other and takes the same levels and filter.
+    using Sampling = typename TextureFunction<SingleLane>::Sampling;
+
+    /// Samples together what follows each other and takes the same levels, filter and face.
     void sample_stretches(Color* texels) const {
-        if (!function_.wants_lod)
-            return sample_stretch({0, packet_.n}, {0, texture_.mag, 0}, nullptr, texels);
+        const bool wants_lod = function_.wants_lod;
+        Sampling how = {0, texture_.mag, 0};
+        if (!wants_lod && thirds_ == nullptr)
+            return sample_stretch({0, packet_.n}, how, nullptr, texels);
         std::uint32_t next[packet_length]; // weights of the level behind
         const std::int32_t* const lod = packet_.lod[unit_number_];
-        auto how = function_.choose_sampling(lod[0]);
+        if (wants_lod)
+            how = function_.choose_sampling(lod[0]);
         for (Stretch of{0, 1};; ++of.count) {
             const std::int32_t i = of.first + of.count;
             next[i - 1] = how.next;
             const bool ends = i == packet_.n;
-            const auto other = ends ? how : function_.choose_sampling(lod[i]);
-            if (ends || !other.alike(how)) {
+            const Sampling other =
+                ends || !wants_lod || lod[i] == lod[i - 1] ? how : function_.choose_sampling(lod[i]);
+            if (ends || !other.alike(how) || face(i) != face(i - 1)) {
                 sample_stretch(of, how, next, texels);
                 of = {i, 0};
             }
@@ -120,9 +147,10 @@ template <class N> class PacketTexture {
             how = other;
         }
     }
+    unsigned face(std::int32_t i) const { return thirds_ != nullptr ? thirds_->face[i] : 0; }
     /// Where some fragments see the border colour, all are sampled one by one.
-    void sample_stretch(const Stretch& of, const typename TextureFunction<SingleLane>::Sampling& how,
-                        const std::uint32_t* next, Color* texels) const {
+    void sample_stretch(const Stretch& of, const Sampling& how, const std::uint32_t* next,
+                        Color* texels) const {
         if (!filtered(of, how.level, how.filter, texels))
             return one_by_one(of, texels);
         if (how.next == 0)
@@ -136,60 +164,98 @@ template <class N> class PacketTexture {
     [[gnu::noinline]] void one_by_one(const Stretch& of, Color* texels) const {
         for (std::int32_t i = of.first; i < of.first + of.count; ++i) {
             const auto& coord = packet_.coord[unit_number_][i];
-            texels[i] = function_.sample(coord.s[0], coord.t[0],
-                                         function_.wants_lod ? packet_.lod[unit_number_][i] : 0);
+            const std::int32_t lod = function_.wants_lod ? packet_.lod[unit_number_][i] : 0;
+            if constexpr (has_third_coordinates) {
+                if (thirds_ != nullptr) {
+                    texels[i] = VolumeFunction<SingleLane>(unit_).sample(
+                        {coord.s[0], coord.t[0], thirds_->r[i], thirds_->face[i], lod});
+                    continue;
+                }
+            }
+            texels[i] = function_.sample(coord.s[0], coord.t[0], lod);
         }
     }
 
     /// False: some fragments see the border colour, or texels do not come as words.
     [[gnu::noinline]] bool filtered(const Stretch& of, int level, Filter filter, Color* to) const {
-        const TextureLevel& image = texture_.level[level];
-        const TexelWords words = words_of(texture_);
-        if (words == TexelWords::none)
+        TextureLevel image = texture_.level[level];
+        if constexpr (has_cube_maps)
+            if (texture_.shape == TextureShape::cube)
+                image.texels = texture_.faces->texels[face(of.first)][level];
+        // In indirect formats a texel is found by its column and row, not by an address in bytes.
+        const bool indirect = is_indirect(texture_.format),
+                   volume = has_volumes && texture_.shape == TextureShape::volume;
+        if (words_of(texture_) == TexelWords::none || (volume && indirect))
             return false;
         const auto& coord = packet_.coord[unit_number_][of.first];
-        constexpr std::int32_t group = sizeof coord / sizeof coord.s[0];
+        constexpr std::int32_t apart = sizeof coord / sizeof coord.s[0];
         const bool linear = filter == Filter::linear, border = texture_.border_texels != 0;
-        // In indirect formats a texel is found by its column and row, not by an address in bytes.
-        const bool indirect = is_indirect(texture_.format);
         const std::int32_t bytes = indirect ? 1 : texel_bytes(sampled(texture_.format)),
                            stride = indirect ? 1 : static_cast<std::int32_t>(image.stride);
         TexelOffsets s, t;
-        const bool stored = find_texels<lanes>(s, linear, {texture_.wrap_s, image.width, bytes, border},
-                                               coord.s, group, of.count) &&
-                            find_texels<lanes>(t, linear, {texture_.wrap_t, image.height, stride, border},
-                                               coord.t, group, of.count);
-        if (!stored)
+        if (!find_texels(s, linear, {texture_.wrap_s, image.width, bytes, border}, coord.s, apart,
+                         of.count) ||
+            !find_texels(t, linear, {texture_.wrap_t, image.height, stride, border}, coord.t, apart,
+                         of.count))
             return false;
-        if (words == TexelWords::rgb565)
-            combine<std::uint16_t>(image, linear, s, t, of.count, to + of.first);
-        else
-            combine<std::uint32_t>(image, linear, s, t, of.count, to + of.first);
+        if constexpr (has_volumes)
+            if (volume)
+                return in_slices(image, level, linear, s, t, of, to + of.first);
+        combine(image, linear, s, t, of.count, to + of.first);
+        return true;
+    }
+    /// Samples one slice of a volume for each fragment, or mixes two slices (LINEAR). Returns false where a
+    /// slice belongs to a border that is only a colour.
+    [[gnu::noinline]] bool in_slices(const TextureLevel& image, int level, bool linear, const TexelOffsets& s,
+                                     TexelOffsets& t, const Stretch& of, Color* to) const {
+        const std::int32_t deep = texture_.depth >> level,
+                           bytes = static_cast<std::int32_t>(image.stride) *
+                                   (image.height + 2 * texture_.border_texels);
+        TexelOffsets r;
+        if (!find_texels(r, linear, {texture_.wrap_r, deep > 1 ? deep : 1, bytes, texture_.border_texels != 0},
+                         thirds_->r + of.first, 1, of.count))
+            return false;
+        for (std::int32_t i = 0; i < of.count; ++i)
+            t.at[i] += r.at[i];
+        for (std::int32_t i = 0; linear && i < of.count; ++i)
+            t.next[i] += r.at[i];
+        combine(image, linear, s, t, of.count, to);
+        if (!linear)
+            return true;
+        for (std::int32_t i = 0; i < of.count; ++i) {
+            t.at[i] += r.next[i] - r.at[i];
+            t.next[i] += r.next[i] - r.at[i];
+        }
+        Color behind[Packet<N>::groups];
+        combine(image, linear, s, t, of.count, behind);
+        for (std::int32_t i = 0; i < of.count; ++i)
+            if (r.weight[i] != 0)
+                to[i] = between_levels<N>(to[i], behind[i], r.weight[i] << 8);
         return true;
     }
 
-    /// Combines n texels of type Word.
-    template <class Word>
     void combine(const TextureLevel& image, bool linear, const TexelOffsets& s, const TexelOffsets& t,
                  std::int32_t n, Color* to) const {
+        if (words_of(texture_) == TexelWords::rgb565)
+            combine_words<std::uint16_t>(image, linear, s, t, n, to);
+        else
+            combine_words<std::uint32_t>(image, linear, s, t, n, to);
+    }
+    /// Combines the texels of n fragments, which are words of type Word.
+    template <class Word>
+    [[gnu::noinline]] void combine_words(const TextureLevel& image, bool linear, const TexelOffsets& s,
+                                         const TexelOffsets& t, std::int32_t n, Color* to) const {
         using Texels = TexelColors<N, sizeof(Word) == 2, true>;
-        Word texel[4][packet_length];
-        const auto fetch = [&](const std::int32_t* across, const std::int32_t* up, Word* words) {
-            fetch_texels(texture_, image, across, up, n, words);
-        };
-        fetch(s.at, t.at, texel[0]);
-        if (!linear) {
-            for (std::int32_t i = 0; i < n; ++i)
-                to[i] = Texels::unpack(texel[0][i]);
-            return;
+        Word texels[packet_length][4];
+        fetch_texels(texture_, image, s, t, linear, n, texels);
+        for (std::int32_t i = 0; !linear && i < n; ++i)
+            to[i] = Texels::unpack(texels[i][0]);
+        for (std::int32_t i = 0; linear && i < n; ++i) {
+            const Word(&of)[4] = texels[i];
+            to[i] = Texels::mix(typename Texels::Weights(t.weight[i]), std::uint32_t{of[0]},
+                                std::uint32_t{of[1]}, std::uint32_t{of[2]}, std::uint32_t{of[3]},
+                                s.weight[i]);
         }
-        fetch(s.next, t.at, texel[1]);
-        fetch(s.at, t.next, texel[2]);
-        fetch(s.next, t.next, texel[3]);
-        for (std::int32_t i = 0; i < n; ++i)
-            to[i] = Texels::mix(typename Texels::Weights(t.weight[i]), std::uint32_t{texel[0][i]},
-                                std::uint32_t{texel[1][i]}, std::uint32_t{texel[2][i]},
-                                std::uint32_t{texel[3][i]}, std::uint32_t{s.weight[i]});
     }
 };
 

@@ -12,7 +12,7 @@ inline namespace SPANGLE_INSTRUCTIONS {
 /// weights in 256ths.
 struct TexelOffsets {
     std::int32_t at[packet_length], next[packet_length];
-    std::uint16_t weight[packet_length];
+    std::uint32_t weight[packet_length];
 };
 
 /// An axis of an image.
@@ -23,12 +23,12 @@ struct TexelScale {
 };
 
 /// Does what find_texels() does, for any size and wrap mode.
-template <int Lanes>
-[[gnu::noinline]] bool find_general_texels(TexelOffsets& to, bool linear, const TexelScale& axis,
-                                           const std::uint32_t* coord, std::int32_t group, std::int32_t n) {
+[[gnu::noinline]] inline bool find_general_texels(TexelOffsets& to, bool linear, const TexelScale& axis,
+                                                  const std::uint32_t* coord, std::int32_t apart,
+                                                  std::int32_t n) {
     bool stored = true;
-    for (std::int32_t i = 0; i < n; ++i) {
-        const std::uint32_t v = coord[i / Lanes * group + i % Lanes];
+    for (std::int32_t i = 0; i < n; ++i, coord += apart) {
+        const std::uint32_t v = *coord;
         TexelIndex texel{};
         if (linear)
             texel = general_linear(axis.wrap, v, axis.size);
@@ -39,25 +39,23 @@ template <int Lanes>
         stored = stored && at >= 0 && next < axis.size;
         to.at[i] = at * axis.bytes;
         to.next[i] = next * axis.bytes;
-        to.weight[i] = static_cast<std::uint16_t>(texel.weight);
+        to.weight[i] = texel.weight;
     }
     return axis.border || stored;
 }
 
-/// Finds the texels along one axis. `coord` holds coordinates in groups that are `group` words apart. Returns
-/// false where a texel belongs to a border that is only a colour.
-template <int Lanes>
-[[gnu::noinline]] bool find_texels(TexelOffsets& to, bool linear, const TexelScale& of,
-                                   const std::uint32_t* coord, std::int32_t group, std::int32_t n) {
+/// Finds the texels along one axis. The n coordinates are `apart` words apart. Returns false where a texel
+/// belongs to a border that is only a colour.
+[[gnu::noinline]] inline bool find_texels(TexelOffsets& to, bool linear, const TexelScale& of,
+                                          const std::uint32_t* coord, std::int32_t apart, std::int32_t n) {
     const TexelScale axis = of; // a copy, so compilers know that writing offsets does not change it
     const int log2_size = log2_of(axis.size);
     const auto each = [&](auto f) __attribute__((always_inline)) {
-        for (std::int32_t i = 0; i < n; i += Lanes, coord += group)
-            for (int lane = 0; lane < Lanes; ++lane)
-                f(i + lane, coord[lane]);
+        for (std::int32_t i = 0; i < n; ++i, coord += apart)
+            f(i, *coord);
     };
     if (!is_plain_axis(axis.wrap, axis.size))
-        return find_general_texels<Lanes>(to, linear, axis, coord, group, n);
+        return find_general_texels(to, linear, axis, coord, apart, n);
     if (axis.wrap == Wrap::repeat) {
         const std::int32_t mask = axis.size - 1;
         if (linear)
@@ -65,7 +63,7 @@ template <int Lanes>
                 const TexelIndex texel = repeat_linear(v, log2_size);
                 to.at[i] = texel.i * axis.bytes;
                 to.next[i] = ((texel.i + 1) & mask) * axis.bytes;
-                to.weight[i] = static_cast<std::uint16_t>(texel.weight);
+                to.weight[i] = texel.weight;
             });
         else
             each([&](std::int32_t i, std::uint32_t v) __attribute__((always_inline)) {
@@ -87,7 +85,7 @@ template <int Lanes>
             outside |= at | (last - next);
             to.at[i] = at * axis.bytes;
             to.next[i] = next * axis.bytes;
-            to.weight[i] = static_cast<std::uint16_t>(texel.weight);
+            to.weight[i] = texel.weight;
         });
     else
         each([&](std::int32_t i, std::uint32_t v) __attribute__((always_inline)) {
@@ -98,24 +96,50 @@ template <int Lanes>
     return axis.border || outside >= 0;
 }
 
-/// Fetches n texels as words R5 G6 B5.
-inline void fetch_texels(const Texture& texture, const TextureLevel& image, const std::int32_t* s,
-                         const std::int32_t* t, std::int32_t n, std::uint16_t* to) {
-    if (is_indirect(texture.format)) {
+/// Reads one texel for each of n fragments or, with LINEAR, four: those of column i and i + 1 in row j, and
+/// the same columns in row j + 1. read(s, t) takes offsets.
+template <class Word, class Read>
+SPANGLE_INLINE void read_texels(const TexelOffsets& s, const TexelOffsets& t, bool linear, std::int32_t n,
+                                Word (*to)[4], Read read) {
+    const auto word = [&](std::int32_t across, std::int32_t up) __attribute__((always_inline)) {
+        return static_cast<Word>(read(across, up));
+    };
+    if (!linear) {
         for (std::int32_t i = 0; i < n; ++i)
-            to[i] = static_cast<std::uint16_t>(Lanes<1>::load(palette_entry(texture, image, s[i], t[i])));
+            to[i][0] = word(s.at[i], t.at[i]);
         return;
     }
-    for (std::int32_t i = 0; i < n; ++i)
-        to[i] = static_cast<std::uint16_t>(Lanes<1>::load(image.texels + t[i] + s[i]));
+    for (std::int32_t i = 0; i < n; ++i) {
+        const std::int32_t near = t.at[i], far = t.next[i], left = s.at[i], right = s.next[i];
+        to[i][0] = word(left, near);
+        to[i][1] = word(right, near);
+        to[i][2] = word(left, far);
+        to[i][3] = word(right, far);
+    }
 }
-/// Fetches n texels as words of 8-bit components. Components that a format lacks are filled in.
+/// Fetches the texels of n fragments as words R5 G6 B5.
+inline void fetch_texels(const Texture& texture, const TextureLevel& image, const TexelOffsets& s,
+                         const TexelOffsets& t, bool linear, std::int32_t n, std::uint16_t (*to)[4]) {
+    if (is_indirect(texture.format))
+        return read_texels(s, t, linear, n, to, [&](std::int32_t i, std::int32_t j) {
+            return Lanes<1>::load(palette_entry(texture, image, i, j));
+        });
+    read_texels(
+        s, t, linear, n,
+        to, [texels = image.texels](std::int32_t across, std::int32_t up) __attribute__((always_inline)) {
+            return Lanes<1>::load(texels + up + across);
+        });
+}
+/// Fetches the texels of n fragments as words of 8-bit components. Components that a format lacks are filled
+/// in.
 [[gnu::noinline]] inline void fetch_texels(const Texture& texture, const TextureLevel& image,
-                                           const std::int32_t* s, const std::int32_t* t, std::int32_t n,
-                                           std::uint32_t* to) {
-    const auto each = [&](auto word) {
-        for (std::int32_t i = 0; i < n; ++i)
-            to[i] = word(image.texels + t[i] + s[i]);
+                                           const TexelOffsets& s, const TexelOffsets& t, bool linear,
+                                           std::int32_t n, std::uint32_t (*to)[4]) {
+    const auto each = [&](auto word) __attribute__((always_inline)) {
+        read_texels(
+            s, t, linear, n, to,
+            [ word, texels = image.texels ](std::int32_t across, std::int32_t up)
+                __attribute__((always_inline)) { return word(texels + up + across); });
     };
     switch (sampled(texture.format)) {
     case TexelFormat::a8:
@@ -131,8 +155,10 @@ inline void fetch_texels(const Texture& texture, const TextureLevel& image, cons
     case TexelFormat::rgba8888:
         return each([](const std::uint8_t* at) { return rgba_word<TexelFormat::rgba8888>(at); });
     default:
-        for (std::int32_t i = 0; has_other_texels && i < n; ++i)
-            to[i] = other_word(texture, image, s[i], t[i]);
+        if constexpr (has_other_texels)
+            read_texels(s, t, linear, n, to, [&](std::int32_t across, std::int32_t up) {
+                return other_word(texture, image, across, up);
+            });
     }
 }
 
