@@ -216,6 +216,8 @@ void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState
         return;
     if constexpr (by_lanes<N> && divides_in_lanes)
         chain.add(&PacketLevels<PlacesOf<N>>::template run<Unit>, true);
+    else if constexpr (is_fixed<N> && N::lanes == 1)
+        chain.add(&RowLevels<PlacesOf<N>>::template run<Unit>, false);
     else
         chain.template add<Lod<SingleLane, Unit>>();
 }

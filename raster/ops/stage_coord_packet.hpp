@@ -9,6 +9,37 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
+/// Finds levels of detail of packets that have one lane and lie in one row. Most packets are sampled alike from
+/// their first fragment to their last, and no levels are mixed. All fragments of such a packet get the lambda
+/// of the first, so that only the ends are computed.
+template <class Places> class RowLevels {
+    static_assert(Places::lanes == 1);
+
+  public:
+    template <int Unit> static void run(Places& k, const Span<Fixed>& span) { find(k, span, Unit); }
+
+  private:
+    [[gnu::noinline]] static void find(Places& k, const Span<Fixed>& span, int unit) {
+        const bool varies = span.kind >= Kind::textured;
+        const LevelOfDetail lod(span, unit, varies);
+        std::int32_t* const to = k.lod[unit];
+        to[0] = varies ? lod.projective(k.x) : lod.affine();
+        const bool alike = !varies || (k.n > 2 && are_alike(span.state->fragment.unit[unit], lod, k, to[0]));
+        for (std::int32_t i = 1; i < k.n; ++i)
+            to[i] = alike ? to[0] : lod.projective(k.x + i);
+    }
+    /// How a texture is sampled changes only one way while lambda grows, so the bounds of lambda decide.
+    static bool are_alike(const TextureUnit& unit, const LevelOfDetail& lod, const Places& k,
+                          std::int32_t first) {
+        const LevelChoice choice(unit);
+        const Sampling how = choice.choose_sampling(first);
+        LevelOfDetail::Bounds bounds;
+        if (how.next != 0 || !lod.bounds(k.x, k.x + k.n - 1, bounds))
+            return false;
+        return how.alike(choice.choose_sampling(bounds.least)) && how.alike(choice.choose_sampling(bounds.most));
+    }
+};
+
 /// Finds texture coordinates of packets. One body of code serves all number systems that share this type of
 /// places.
 template <class Places> class PacketCoordinates {

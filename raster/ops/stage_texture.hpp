@@ -34,35 +34,25 @@ inline bool wants_lod(const Texture& texture) {
     return texture.mip != MipFilter::none || texture.mag != texture.min;
 }
 
-/// Samples a texture whose modes are all known only at run time. sample() is not inline, because the chain
-/// calls it for two units.
-template <class N> struct TextureFunction {
-    using Color = typename N::Color;
+/// How a texture is sampled: the level and the filter that lambda selects (GL 1.3, 3.8.8).
+struct Sampling {
+    int level;
+    Filter filter;
+    std::uint32_t next; ///< weight of the next level, in 2^-16; 0 where only `level` is sampled
+    bool alike(const Sampling& other) const {
+        return level == other.level && filter == other.filter && (next == 0) == (other.next == 0);
+    }
+};
+
+/// Selects how a texture is sampled.
+struct LevelChoice {
     const Texture& texture;
     std::int32_t lod_bias;
     bool wants_lod;
-    Color border;
 
-    explicit TextureFunction(const TextureUnit& unit)
-        : texture(*unit.texture), lod_bias(unit.lod_bias), wants_lod(raster::wants_lod(texture)) {
-        const std::uint8_t* const b = texture.border_color;
-        border = {N::from8(b[0]), N::from8(b[1]), N::from8(b[2]), N::from8(b[3])};
-    }
+    explicit LevelChoice(const TextureUnit& unit)
+        : texture(*unit.texture), lod_bias(unit.lod_bias), wants_lod(raster::wants_lod(texture)) {}
 
-    /// The colour of the texture at s and t.
-    [[gnu::noinline]] Color sample(std::uint32_t s, std::uint32_t t, std::int32_t lod) const {
-        return wants_lod ? sample_minified(lod, s, t) : filtered(0, texture.mag, s, t);
-    }
-
-    /// How a texture is sampled: the level and the filter that lambda selects (GL 1.3, 3.8.8).
-    struct Sampling {
-        int level;
-        Filter filter;
-        std::uint32_t next; ///< weight of the next level, in units of 2^-16; 0 where only `level` is sampled
-        bool alike(const Sampling& other) const {
-            return level == other.level && filter == other.filter && (next == 0) == (other.next == 0);
-        }
-    };
     /// Lambda with the bias added, limited to the texture's range.
     SPANGLE_INLINE std::int32_t with_lod_bias(std::int32_t lod) const {
         lod += lod_bias;
@@ -89,6 +79,24 @@ template <class N> struct TextureFunction {
         if (how.level >= last)
             how.level = last, how.next = 0;
         return how;
+    }
+};
+
+/// Samples a texture whose modes are all known only at run time. sample() is not inline, because the chain
+/// calls it for two units.
+template <class N> struct TextureFunction : LevelChoice {
+    using Color = typename N::Color;
+    using Sampling = raster::Sampling;
+    Color border;
+
+    explicit TextureFunction(const TextureUnit& unit) : LevelChoice(unit) {
+        const std::uint8_t* const b = texture.border_color;
+        border = {N::from8(b[0]), N::from8(b[1]), N::from8(b[2]), N::from8(b[3])};
+    }
+
+    /// The colour of the texture at s and t.
+    [[gnu::noinline]] Color sample(std::uint32_t s, std::uint32_t t, std::int32_t lod) const {
+        return wants_lod ? sample_minified(lod, s, t) : filtered(0, texture.mag, s, t);
     }
 
     // Textures with three coordinates use the following functions, too (stage_texture_volume.hpp).

@@ -13,9 +13,21 @@ inline namespace SPANGLE_INSTRUCTIONS {
 /// Levels of detail of one unit.
 class LevelOfDetail {
   public:
-    /// `varies` says that projective() will be called, which needs the planes.
-    SPANGLE_INLINE LevelOfDetail(const Span<Fixed>& span, int unit, bool varies = true)
-        : span_(span), unit_(unit) {
+    /// `varies`: projective() or bounds() is to be called.
+    LevelOfDetail(const Span<Fixed>& span, int unit, bool varies = true) : span_(span), unit_(unit) {
+        const Texture& texture = *span.state->fragment.unit[unit].texture;
+        const TextureLevel& base = texture.level[0];
+        const int width = span.state->log2_width[unit];
+        is_1d_ = texture.shape == TextureShape::line;
+        shares_logarithm_ = !is_1d_ && is_power_of_two(base.width) && is_power_of_two(base.height);
+        log2_aspect_ = span.state->log2_height[unit] - width;
+        if (shares_logarithm_) {
+            bias_u_ = width << 8;
+        } else {
+            const auto& halves = span.state->halves[unit];
+            bias_u_ = log2_of_word8(base.width) + (halves.s << 8);
+            bias_v_ = log2_of_word8(base.height) + (halves.t << 8);
+        }
         if (varies)
             read_planes();
     }
@@ -36,16 +48,48 @@ class LevelOfDetail {
     /// needed.
     [[gnu::noinline]] std::int32_t projective(std::int32_t x) const {
         const std::int32_t q = q_.at.value(x), at_q = q > 0 ? q : 1;
-        const auto numerator = [&](std::int32_t dv, std::int32_t v, std::int32_t dq) SPANGLE_RUN_LAMBDA {
-            return numeric::abs_u64(numeric::mul_s32(dv, at_q) - numeric::mul_s32(v, dq));
-        };
-        const auto along = [&](const Plane& of) {
+        const auto along = [&](const Plane& of) SPANGLE_RUN_LAMBDA {
             const std::int32_t v = of.at.value(x);
-            return largest(numerator(of.dx, v, q_.dx), numerator(of.dy, v, q_.dy));
+            return largest(numeric::abs_u64(numerator(of.dx, v, q_.dx, at_q)),
+                           numeric::abs_u64(numerator(of.dy, v, q_.dy, at_q)));
         };
         const std::uint64_t ds = along(s_), dt = along(t_);
-        return level_of_detail(in_texels(ds, dt) - 2 * log2_of_word8(static_cast<std::uint32_t>(at_q)) +
-                               exponent_);
+        return lambda(ds, dt, at_q);
+    }
+
+    /// Bounds of projective() over a part of the row.
+    struct Bounds {
+        std::int32_t least, most;
+    };
+    /// Finds bounds over pixels [first, last]. Returns false where that cannot be done.
+    ///
+    /// Along a row dS Q - S dQ is affine, except that S and Q have lost their guard bits, less than 1 each.
+    /// So a numerator is off by less than |dS| + |dQ|, and lies between those of both ends, or beyond them by
+    /// less than twice as much. No logarithm becomes smaller as its number grows.
+    [[gnu::noinline]] bool bounds(std::int32_t first, std::int32_t last, Bounds& to) const {
+        const std::int32_t q0 = q_.at.value(first), q1 = q_.at.value(last);
+        if (q0 <= 0 || q1 <= 0)
+            return false;
+        const auto along = [&](const Plane& of) {
+            const std::int32_t v0 = of.at.value(first), v1 = of.at.value(last);
+            Range range{0, 0};
+            const auto add = [&](std::int32_t dv, std::int32_t dq) SPANGLE_RUN_LAMBDA {
+                const std::int64_t n0 = numerator(dv, v0, dq, q0), n1 = numerator(dv, v1, dq, q1);
+                const std::uint64_t a = numeric::abs_u64(n0), b = numeric::abs_u64(n1),
+                                    off = (std::uint64_t{numeric::abs_u32(dv)} + numeric::abs_u32(dq)) * 2,
+                                    small = (n0 < 0) == (n1 < 0) ? a + b - largest(a, b) : 0;
+                range.least = largest(range.least, small > off ? small - off : 0);
+                range.most = largest(range.most, largest(a, b) + off);
+            };
+            add(of.dx, q_.dx);
+            add(of.dy, q_.dy);
+            return range;
+        };
+        const Range s = along(s_), t = along(t_);
+        if (log2_aspect_ > 0 && t.most >> (63 - log2_aspect_) != 0) // in_texels() would lose its top bits
+            return false;
+        to = {lambda(s.least, t.least, q0 > q1 ? q0 : q1), lambda(s.most, t.most, q0 < q1 ? q0 : q1)};
+        return true;
     }
 
   private:
@@ -54,9 +98,16 @@ class LevelOfDetail {
         GuardedRow at;
         std::int32_t dx, dy;
     };
+    struct Range {
+        std::uint64_t least, most;
+    };
     const Span<Fixed>& span_;
     int unit_;
-    // The following members are set only where the level of detail varies along the row.
+    bool is_1d_;            ///< true for 1D textures, of which only s counts
+    bool shares_logarithm_; ///< both sizes are powers of two, so one logarithm serves both axes
+    int log2_aspect_;       ///< log2 of height / width
+    std::int32_t bias_u_, bias_v_ = 0; ///< logarithms of the sizes, with 8 fraction bits
+    // These are set where levels vary.
     Plane q_, s_, t_;
     std::int32_t exponent_; ///< of the coordinates, with 8 fraction bits
 
@@ -71,24 +122,27 @@ class LevelOfDetail {
         exponent_ = unit.exponent << 8;
     }
 
+    SPANGLE_INLINE static std::int64_t numerator(std::int32_t dv, std::int32_t v, std::int32_t dq,
+                                                 std::int32_t q) {
+        return numeric::mul_s32(dv, q) - numeric::mul_s32(v, dq);
+    }
     static std::uint64_t largest(std::uint64_t a, std::uint64_t b) { return a > b ? a : b; }
 
+    std::int32_t lambda(std::uint64_t ds, std::uint64_t dt, std::int32_t q) const {
+        return level_of_detail(in_texels(ds, dt) - 2 * log2_of_word8(static_cast<std::uint32_t>(q)) +
+                               exponent_);
+    }
     /// log2 of the largest of the four derivatives, in texels, with 8 fraction bits.
     std::int32_t in_texels(std::uint64_t ds, std::uint64_t dt) const {
-        const Texture& texture = *span_.state->fragment.unit[unit_].texture;
-        const TextureLevel& base = texture.level[0];
-        const int width = span_.state->log2_width[unit_], height = span_.state->log2_height[unit_];
-        if (texture.shape != TextureShape::line && is_power_of_two(base.width) &&
-            is_power_of_two(base.height)) {
-            const int up = height - width;
-            return log2_fraction8(largest(ds, up >= 0 ? dt << up : dt >> -up)) + (width << 8);
+        if (shares_logarithm_) {
+            const int up = log2_aspect_;
+            return log2_fraction8(largest(ds, up >= 0 ? dt << up : dt >> -up)) + bias_u_;
         }
-        const auto& halves = span_.state->halves[unit_];
-        const auto along = [](std::uint64_t d, std::uint32_t size, int halved) SPANGLE_RUN_LAMBDA {
-            return log2_fraction8(d) + log2_fraction8(size) + (halved << 8);
-        };
-        const std::int32_t u = along(ds, base.width, halves.s), v = along(dt, base.height, halves.t);
-        return texture.shape == TextureShape::line || u > v ? u : v;
+        const std::int32_t u = log2_fraction8(ds) + bias_u_;
+        if (is_1d_)
+            return u;
+        const std::int32_t v = log2_fraction8(dt) + bias_v_;
+        return u > v ? u : v;
     }
 };
 
