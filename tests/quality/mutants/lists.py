@@ -74,7 +74,7 @@ class Mutant:
 
 @functools.cache
 def areas():
-    """{AREA: its folder in tests/}. tests/CMakeLists.txt has the same rule: a chapter of GL has gl_ before its name."""
+    """Returns {AREA: its folder in tests/}. tests/CMakeLists.txt has the same rule: a chapter of GL has gl_ before its name."""
     folders = [path for path in (ROOT / "tests").glob("*/*") if path.is_dir()]
     return {("gl_" if path.parent.name == "gl" else "") + path.name: f"{path.parent.name}/{path.name}" for path in folders}
 
