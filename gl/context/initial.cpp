@@ -44,7 +44,7 @@ struct Image {
         }
     }
 
-    // Puts the members of each chapter that do not begin as 0, if this build has them.
+    // Writes the members whose initial value is not 0, chapter by chapter, as far as this build has them.
 #define PUT(MEMBER)                                                                                          \
     if constexpr (requires { requires std::is_member_object_pointer_v<decltype(&T::MEMBER)>; })              \
         put(at + offsetof(T, MEMBER), s.MEMBER);

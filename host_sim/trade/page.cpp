@@ -132,7 +132,7 @@ class Page {
                 "Higher is nearer to double, further left is quicker. A name without room is left out.",
                 fmt::format(" data-axis={}", i));
             if (!tiers.problem.empty())
-                return; // the other axes have the same problem
+                return; // the problem is the same for plots over the other axes
         }
     }
 

@@ -70,7 +70,7 @@ class BatchRows : public Recorder {
     RowRange piece_ = none;         ///< rows noted so far for the current piece
     std::uint32_t next_number_ = 0; ///< number of the next batch or piece
     std::uint32_t batch_number_ = 0;
-    std::uint32_t recorded_count_ = 0; ///< count of numbers that the first band gave out
+    std::uint32_t recorded_count_ = 0; ///< how many batches and pieces the first band had
     RowRange table_[entries];
 };
 

@@ -29,8 +29,8 @@ inline Reach corners_of(const Primitive& p) {
 inline Reach reach(const Primitive& p) {
     const Reach y = corners_of(p);
     const bool smooth = p.shape >= Primitive::Shape::smooth_point;
-    // The 2 covers corners that are snapped to fragments, and rectangles that reach beyond the ends of their
-    // lines.
+    // Two rows are added, because corners may be snapped to fragments, and because rectangles of lines reach
+    // beyond their ends.
     const std::int32_t aside = (smooth ? (p.size + 7) / 8 : p.size) + 2;
     return {(y.low >> subpixel_bits) - aside, (y.high >> subpixel_bits) + 1 + aside};
 }

@@ -81,7 +81,7 @@ class VertexCode {
   private:
     static constexpr int words_of_unit = static_cast<int>(sizeof(FixedVertex::TexCoord) / 4);
 
-    /// Both exponents in one word. Without unused bits, equal vertices have equal words.
+    /// The exponents of 1/w and of fog in one word. No bits are unused, so equal vertices have equal words.
     std::uint32_t pack_exponents(const FixedVertex& v) const {
         return pack_halves(v.w_exponent, attributes_.fog ? v.fog_exponent : std::int16_t{0});
     }

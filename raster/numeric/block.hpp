@@ -231,7 +231,7 @@ constexpr Block reciprocal(Block v) {
     if (v.m == 0)
         return {block_max, 16384};
     const std::uint32_t magnitude = abs_u32(v.m);
-    const int zeros = clz32(magnitude); // 2 for a normalised block
+    const int zeros = clz32(magnitude); // leading zeros, which are 2 in a normalised block
     const std::int64_t r = reciprocal(magnitude << zeros);
     return make_block(v.m < 0 ? -r : r, zeros - 62 - v.e); // 1/v = r * 2^-30 * 2^(zeros - 32) * 2^-e
 }

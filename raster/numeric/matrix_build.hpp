@@ -182,7 +182,7 @@ constexpr bool inverse(const Matrix& a, Matrix& out) {
     // pairs.
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) {
-            const Block* row = v[j ^ 1]; // the other row of the half that j is in
+            const Block* row = v[j ^ 1]; // the row beside j in its half, which is rows 0 and 1, or 2 and 3
             const Block* minors = j < 2 ? lower : upper;
             Block c;
             for (int k = 0; k < 3; ++k) {

@@ -33,7 +33,7 @@ class Transfer {
     const PanelLayout& layout() const { return layout_; }
     /// The capabilities of the bus.
     const BusCaps& caps() const { return caps_; }
-    /// The windows of the panel, and which one it holds.
+    /// Says which window the panel holds, and how another one is set.
     const Windows& windows() const { return windows_; }
     /// Makes the next window go out whole, after something else has moved it.
     void forget_window() { windows_.forget(); }

@@ -29,7 +29,7 @@ struct FtdiPins {
 struct FtdiConfig {
     /// The adapter's USB IDs; 0: any of 0403:6014, 0403:6010, 0403:6011.
     std::uint16_t vendor = 0, product = 0;
-    /// Opens this usbfs file instead of looking for an adapter. Must stay.
+    /// The adapter's usbfs file. Null: the bus looks for an adapter. The text must outlive the bus.
     const char* device_file = nullptr;
     std::uint8_t channel = 0; ///< channel of the chip: 0 is A, and 1 is B
     /// The clock of writes in Hz; the chip takes the next one below that it can make.

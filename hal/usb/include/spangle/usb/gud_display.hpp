@@ -14,8 +14,8 @@ namespace spangle::hal {
 struct GudConfig {
     /// The device's USB IDs; 0: any of the known ones (1d50:614d, 16d0:10a9, 1209:4fb3).
     std::uint16_t vendor = 0, product = 0;
-    /// Opens this usbfs file ("/dev/bus/usb/001/002") instead of looking for a device: where a portal or
-    /// another process found it. Must stay.
+    /// The usbfs file ("/dev/bus/usb/001/002") of a device that a portal or another process found. Null: the
+    /// display looks for a device. The text must outlive the display.
     const char* device_file = nullptr;
     /// The wanted size in pixels; 0: the preferred mode.
     std::uint16_t width = 0, height = 0;
