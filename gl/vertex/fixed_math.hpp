@@ -65,7 +65,7 @@ struct FixedMath : FixedClipping {
             return static_cast<std::int32_t>(static_cast<std::uint32_t>(middle) +
                                              numeric::low_word_after(rounded, bits));
         }
-        /// Does the same for a quotient that is held in 64 bits. The result is undefined if the quotient does
+        /// Returns place() of a quotient that is held in 64 bits. The result is undefined if the quotient does
         /// not fit a word.
         SPANGLE_INLINE std::int32_t place(std::int64_t minus_q, int bits) const {
             return place(static_cast<std::int32_t>(minus_q), bits);

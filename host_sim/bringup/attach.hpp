@@ -44,7 +44,7 @@ struct Attachment {
 std::string mismatch(const BusOptions& options, const hal::Board& board);
 /// Opens what `options` name, as the board describes it. GUD displays are found by init().
 Attachment attach(const BusOptions& options);
-/// Does the same with a board that the caller describes.
+/// Opens what `options` name on a board that the caller describes.
 Attachment attach(const BusOptions& options, const hal::Board& board);
 const hal::Board* find_board(const std::string& name);
 
